@@ -1,0 +1,16 @@
+#pragma once
+
+#include "stoss/body.hpp"
+
+namespace stoss {
+
+/// A thin elastic rod that meets the wall with one end, in units of its length L, bar speed c and mass: ω_l = lπ,
+/// end amplitude √2. Exact against a hard wall: ε = 1, contact time 2L/c, force mvc/L throughout.
+/// @param cutoff c/L, from π to 100 000
+/// @throws InvalidInput outside that range
+[[nodiscard]] Body rod(double cutoff);
+
+/// The same for any cutoff.
+[[nodiscard]] BodyMaker rod();
+
+}  // namespace stoss

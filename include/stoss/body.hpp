@@ -1,0 +1,56 @@
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace stoss {
+
+/// The kept modes of one angular order n, as a structure of arrays over the index l.
+struct ModeGroup {
+  int order = 0;                   ///< n
+  std::vector<double> omega;       ///< ω > 0, c/R
+  std::vector<double> radial;      ///< C, weight of the group's radial shape
+  std::vector<double> tangential;  ///< S, weight of the group's tangential shape
+};
+
+/// Places at which a body can touch the wall. A node stands for itself and its mirror image.
+/// A mode moves node i by Q (C radial_shape + S tangential_shape) towards the wall.
+struct ContactGrid {
+  std::vector<double> coordinate;        ///< arc length from the first point of contact, R; ascending
+  std::vector<double> recess;            ///< distance of the undeformed node behind that first point, R
+  std::vector<double> measure;           ///< length of edge that the node stands for, both sides, R
+  std::vector<double> impedance;         ///< Z, force per velocity of an outgoing plane wave, ρcR
+  std::vector<double> radial_shape;      ///< c_n at the nodes, groups × nodes, row-major
+  std::vector<double> tangential_shape;  ///< s_n at the nodes, groups × nodes, row-major
+};
+
+/// All that an impact needs to know of an elastic body, in its own units (for a disk R = c = ρ = 1). Motion is along
+/// x towards the wall. A new body is a function that fills this structure (docs/architecture.md).
+struct Body {
+  std::string name;               ///< with its parameters, for provenance
+  double mass = 0.0;              ///< of the body, and of every mode
+  double extent = 0.0;            ///< distance from the centre of mass to the first point of contact
+  double cutoff = 0.0;            ///< all modes with ω ≤ cutoff are in `groups`
+  double max_half_width = 0.0;    ///< largest half-width that a grid can have; 0: a single point of contact
+  std::vector<ModeGroup> groups;  ///< kept modes
+
+  /// Expected greatest half-width of the contact, for an impact at this speed.
+  std::function<double(double speed)> expected_half_width;
+
+  /// A grid of `nodes` nodes from the first point of contact to at least half_width.
+  std::function<ContactGrid(double half_width, int nodes)> grid;
+
+  /// Static compliance between the nodes of a grid of the modes that are not kept, W (nodes × nodes, symmetric
+  /// positive definite): displacement of node i towards the body per force on node j.
+  std::function<std::vector<double>(const ContactGrid& grid)> residual_compliance;
+};
+
+/// Makes a body with all modes up to a cutoff.
+using BodyMaker = std::function<Body(double cutoff)>;
+
+/// Number of kept modes.
+[[nodiscard]] std::size_t mode_count(const Body& body);
+
+}  // namespace stoss

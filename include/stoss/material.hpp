@@ -1,0 +1,33 @@
+#pragma once
+
+namespace stoss {
+
+/// An isotropic linear elastic material in SI.
+struct Material {
+  double young = 0.0;    ///< E, Pa
+  double poisson = 0.0;  ///< ν of the solid, −1 < ν < ½
+  double density = 0.0;  ///< ρ, kg/m³
+};
+
+/// What a disk stands for: a thin plate (plane stress) or a slice of a long cylinder (plane strain).
+enum class Plane { stress, strain };
+
+/// The 2-D Poisson number that the core computes with: ν for plane stress, ν/(1−ν) for plane strain (paper eq. scal).
+/// @throws InvalidInput unless the material's constants are positive and ν in range
+[[nodiscard]] double plane_poisson(const Material& material, Plane plane);
+
+/// SI values of the units of the core. Multiply a dimensionless result by its scale.
+struct Scales {
+  double length = 0.0;     ///< R, m
+  double speed = 0.0;      ///< c = √(E′/ρ), m/s, with E′ = E or E/(1−ν²)
+  double time = 0.0;       ///< R/c, s
+  double frequency = 0.0;  ///< c/R, rad/s
+  double force = 0.0;      ///< πRE′ = mc²/R per thickness, N/m
+};
+
+/// Scales of a disk of this material.
+/// @param radius R in m
+/// @throws InvalidInput as plane_poisson, and for a radius that is not positive
+[[nodiscard]] Scales scales(const Material& material, Plane plane, double radius);
+
+}  // namespace stoss

@@ -1,0 +1,63 @@
+#pragma once
+
+#include <vector>
+
+namespace stoss {
+
+/// Range of the 2-D Poisson number in which the modes are tested.
+inline constexpr double min_poisson = -0.95;
+inline constexpr double max_poisson = 0.995;
+
+/// Highest cutoff that disk_modes accepts, in c/R (about 450 000 modes at ν = 0.33).
+inline constexpr double max_cutoff = 1000.0;
+
+/// One symmetric in-plane vibration of a free disk, in units R = c = ρ = 1.
+///
+/// Inside the disk u = (u_r(r) cos nφ, u_φ(r) sin nφ), normalised to ∫ r (u_r² + u_φ²) dr = 1 for n ≥ 1
+/// and ½ for n = 0 (paper eq. Normdef), so that its modal mass is the mass of the disk.
+struct Mode {
+  int order;          ///< n, angular order
+  int index;          ///< l, number of the root for this order, from 0
+  double omega;       ///< ω, eigenfrequency in c/R; relative error ≤ 1e-12
+  double radial;      ///< C = u_r(R) ≥ 0; error ≤ 1e-10 max(|C|, |S|)
+  double tangential;  ///< S = u_φ(R); error as for C
+};
+
+/// Which displacement dominates at the edge (paper, figure of the mode frequencies).
+enum class ModeFamily { radial, tangential };
+
+/// Radial where C > |S|, tangential otherwise.
+[[nodiscard]] ModeFamily family(const Mode& mode);
+
+/// All symmetric modes of a free disk with 0 < ω ≤ cutoff, sorted by order, then by frequency.
+///
+/// The eigenvalue equation is paper eq. Zero (n ≥ 1) and eq. Radialvib (n = 0). No root is missed: the roots
+/// below any frequency are counted exactly (Wittrick–Williams, docs/numerics.md), every bracket holds one root,
+/// and the result is checked against that count and against static_flexibility.
+/// @param poisson 2-D Poisson number, −0.95 … 0.995
+/// @param cutoff  highest frequency in c/R, from the lowest mode to 1000
+/// @throws InvalidInput outside these ranges; NotConverged if the list fails its own check
+[[nodiscard]] std::vector<Mode> disk_modes(double poisson, double cutoff);
+
+/// Displacement of a mode, in units of its normalisation.
+struct Displacement {
+  double radial;      ///< u_r(r), to be multiplied by cos nφ
+  double tangential;  ///< u_φ(r), to be multiplied by sin nφ
+};
+
+/// Displacement (u_r, u_φ) of a mode inside the disk at radii 0 ≤ r ≤ 1 (paper eq. eigen.u).
+/// @throws InvalidInput for a radius or a Poisson number out of range
+[[nodiscard]] std::vector<Displacement> displacement(double poisson, const Mode& mode,
+                                                     const std::vector<double>& radii);
+
+/// Σ_l (C,S)(C,S)ᵀ/ω² over all modes of one order: response of the edge to a static load of that order.
+struct Flexibility {
+  double radial = 0.0;      ///< F^CC
+  double mixed = 0.0;       ///< F^CS
+  double tangential = 0.0;  ///< F^SS
+};
+
+/// Closed form of the static flexibility of a disk, with inertia relief for n = 1 (docs/theory.md).
+[[nodiscard]] Flexibility static_flexibility(double poisson, int order);
+
+}  // namespace stoss

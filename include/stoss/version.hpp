@@ -1,0 +1,10 @@
+#pragma once
+
+#include <string_view>
+
+namespace stoss {
+
+/// Version of the library, as in "0.1.0".
+[[nodiscard]] std::string_view version();
+
+}  // namespace stoss

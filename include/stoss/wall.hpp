@@ -1,0 +1,29 @@
+#pragma once
+
+#include <variant>
+
+namespace stoss {
+
+/// How the modes above the cutoff answer a hard wall (docs/numerics.md).
+enum class Tail {
+  quasistatic,  ///< exact static compliance; stores energy, loses none ("static" on the command line)
+  radiating     ///< static compliance at low and plane-wave impedance at high frequency; takes energy
+};
+
+/// A rigid wall at x = 0: no node passes it, pressure ≥ 0, and their product is 0 (Signorini).
+struct HardWall {
+  Tail tail = Tail::radiating;
+};
+
+/// The paper's soft wall, potential V = V₀ ∫ dφ e^{αx(φ)} (eq. Hamiltonint). Modes above the cutoff are left out.
+struct ExponentialWall {
+  double hardness = 500.0;  ///< α, 1/R; 1 … 1e6
+  double strength = 1.0;    ///< V₀, ρc²R²; shifts the wall by ln V₀/α and changes nothing else
+};
+
+using Wall = std::variant<HardWall, ExponentialWall>;
+
+/// @throws InvalidInput for a hardness or strength out of range
+void validate(const Wall& wall);
+
+}  // namespace stoss

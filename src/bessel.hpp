@@ -1,0 +1,45 @@
+#pragma once
+
+#include <array>
+#include <vector>
+
+namespace stoss {
+
+/// Two neighbouring Bessel functions, (J_n(x), x J_{n+1}(x)) = (value, next) · 2^exponent.
+/// The slope is x J_n' = n J_n − x J_{n+1}: keeping `next` instead of the slope avoids the cancellation of the two
+/// where n ≫ x. The common power of two keeps orders n ≫ x representable, where J_n itself underflows.
+struct BesselPair {
+  double value = 0.0;
+  double next = 0.0;
+  int exponent = 0;
+};
+
+/// x J_n'(x) in units of 2^exponent.
+inline double slope(int order, const BesselPair& pair) { return order * pair.value - pair.next; }
+
+/// Fills pairs[n] for n = 0 … pairs.size()−1 at the argument x > 0 by one backward (Miller) sweep of
+/// J_{n−1} = (2n/x) J_n − J_{n+1}, normalised with J_0 + 2 Σ J_{2k} = 1 (DLMF 3.6(vi), 10.12.4).
+void bessel_pairs(double x, std::vector<BesselPair>& pairs);
+
+/// Taylor polynomials of (J_n, x J_{n+1}) about an argument at which the pair is known: they continue a grid value to
+/// nearby arguments for a few nanoseconds. Scaled as the pair that they continue.
+class BesselTaylor {
+ public:
+  /// Coefficients about `center`, good to rounding for 0 ≤ x − center ≤ reach.
+  BesselTaylor(int order, double center, const BesselPair& pair, double reach);
+
+  /// The pair at center + shift; the exponent is that of the pair given to the constructor.
+  [[nodiscard]] BesselPair operator()(double shift) const;
+
+ private:
+  static constexpr int max_degree = 47;
+  struct Coefficient {
+    double here, next;  // of J_n and J_{n+1}
+  };
+  std::array<Coefficient, max_degree + 1> coefficient_{};
+  double center_;
+  int degree_ = max_degree;
+  int exponent_;
+};
+
+}  // namespace stoss

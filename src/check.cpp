@@ -1,0 +1,34 @@
+#include "check.hpp"
+
+#include <cmath>
+#include <sstream>
+#include <string>
+
+#include "stoss/errors.hpp"
+
+namespace stoss {
+namespace {
+
+template <typename Value>
+[[noreturn]] void refuse(std::string_view name, Value value, std::string_view allowed, std::string_view hint) {
+  std::ostringstream line;
+  line.precision(10);
+  line << name << ": got " << value << ", allowed " << allowed << " (" << hint << ")";
+  throw InvalidInput(line.str());
+}
+
+}  // namespace
+
+void require(std::string_view name, double value, const Range& range, std::string_view hint) {
+  const bool above = range.low_included ? value >= range.low : value > range.low;
+  const bool below = range.high_included ? value <= range.high : value < range.high;
+  if (!std::isfinite(value) || !above || !below) refuse(name, value, range.text, hint);
+}
+
+void require(std::string_view name, long value, long low, long high, std::string_view hint) {
+  if (value < low || value > high) {
+    refuse(name, value, std::to_string(low) + " to " + std::to_string(high), hint);
+  }
+}
+
+}  // namespace stoss

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <string_view>
+
+namespace stoss {
+
+/// A closed or half-open interval of allowed values; `text` is how an error message names it.
+struct Range {
+  double low;
+  double high;
+  bool low_included;
+  bool high_included;
+  std::string_view text;
+};
+
+/// Throws InvalidInput unless `value` is a finite number inside `range`.
+void require(std::string_view name, double value, const Range& range, std::string_view hint);
+
+/// Throws InvalidInput unless low <= value <= high.
+void require(std::string_view name, long value, long low, long high, std::string_view hint);
+
+}  // namespace stoss

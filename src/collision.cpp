@@ -1,0 +1,142 @@
+#include "collision.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "stoss/errors.hpp"
+
+namespace stoss {
+
+Collision::Collision(const Body& body, const Wall& wall, const ContactGrid& grid, double speed, double step,
+                     const std::optional<State>& start)
+    : body_(body),
+      grid_(grid),
+      speed_(speed),
+      step_(step),
+      modes_(body, step),
+      response_(make_response(wall, body, grid, speed, step)),
+      position_(grid.recess.size()),
+      compression_(-response_->range()),
+      velocity_(speed) {
+  if (start) {
+    modes_.set(start->coordinate, start->momentum);
+    compression_ = body.extent + start->center;
+  }
+  respond();
+  if (response_->overflows() || (std::holds_alternative<HardWall>(wall) && force_ > 0.0)) {
+    throw InvalidInput("start: the body already touches the wall (move its center back)");
+  }
+  // The first step has only the second half of the first kick.
+  velocity_ += 0.5 * force_ * step_ / body_.mass;
+  modes_.begin();
+  initial_velocity_ = velocity();
+  initial_energy_ = translation() + modes_.energy() + response_->stored_energy();
+  max_compression_ = compression_;
+}
+
+double Collision::velocity() const { return velocity_ - 0.5 * force_ * step_ / body_.mass; }
+
+double Collision::translation() const { return 0.5 * body_.mass * velocity() * velocity(); }
+
+void Collision::respond() {
+  for (std::size_t i = 0; i < position_.size(); ++i) position_[i] = compression_ - grid_.recess[i];
+  modes_.add_displacement(grid_, position_);
+  const std::vector<double>& force = response_->advance(position_);
+  force_ = 0.0;
+  for (std::size_t i = 0; i < response_->extent(); ++i) force_ += force[i];
+  modes_.load(grid_, force, response_->extent());
+}
+
+void Collision::advance() {
+  impulse_ += 0.5 * force_ * step_;
+  velocity_ -= force_ * step_ / body_.mass;
+  compression_ += velocity_ * step_;
+  modes_.advance();
+  ++steps_;
+  respond();
+  impulse_ += 0.5 * force_ * step_;
+  record();
+}
+
+void Collision::record() {
+  const double time = static_cast<double>(steps_) * step_;
+  const bool touching = force_ > response_->contact_threshold();
+  if (touching) {
+    // A contact begins, on average, half a step before it is noticed, and ends half a step after the last notice.
+    if (!in_contact_ && contacts_++ == 0) first_contact_ = time - 0.5 * step_;
+    last_contact_ = time + 0.5 * step_;
+    modes_.accumulate_energy();
+    ++samples_;
+    max_force_ = std::max(max_force_, force_);
+    max_half_width_ = std::max(max_half_width_, half_width());
+    reach_ = -1.0;
+  }
+  in_contact_ = touching;
+  max_compression_ = std::max(max_compression_, compression_);
+}
+
+double Collision::half_width() const {
+  const std::size_t nodes = response_->contact_nodes();
+  return nodes == 0 ? 0.0 : grid_.coordinate[nodes - 1] + 0.25 * grid_.measure[nodes - 1];
+}
+
+bool Collision::over() {
+  if (in_contact_ || velocity() >= 0.0) return false;
+  if (reach_ < 0.0) reach_ = modes_.reach(grid_);
+  return compression_ + reach_ + response_->protrusion() < -response_->range();
+}
+
+Snapshot Collision::snapshot() const {
+  Snapshot now;
+  now.time = static_cast<double>(steps_) * step_;
+  now.center = compression_ - body_.extent;
+  now.velocity = velocity();
+  now.force = force_ / body_.mass;
+  now.translation = translation() / initial_energy_;
+  now.vibration = modes_.energy() / initial_energy_;
+  now.stored = response_->stored_energy() / initial_energy_;
+  now.unresolved = response_->unresolved_energy() / initial_energy_;
+  now.contact_half_width = in_contact_ ? half_width() : 0.0;
+  return now;
+}
+
+State Collision::state() const {
+  return {compression_ - body_.extent, velocity(), modes_.coordinate(), modes_.momentum()};
+}
+
+Impact Collision::result() const {
+  Impact impact;
+  impact.speed = speed_;
+  impact.restitution = -velocity() / initial_velocity_;
+  impact.lost_fraction = 1.0 - impact.restitution * impact.restitution;
+  impact.contact_time = contacts_ > 0 ? last_contact_ - first_contact_ : 0.0;
+  impact.contacts = contacts_;
+  impact.max_force = max_force_ / body_.mass;
+  impact.max_compression = max_compression_;
+  impact.max_half_width = max_half_width_;
+  const double momentum_change = body_.mass * (initial_velocity_ - velocity());
+  impact.momentum_error = std::abs(impulse_ - momentum_change) / (body_.mass * std::abs(initial_velocity_));
+  impact.steps = steps_;
+  impact.final_state = state();
+
+  EnergyLedger& ledger = impact.energy;
+  ledger.translation = translation() / initial_energy_;
+  ledger.unresolved = response_->unresolved_energy() / initial_energy_;
+  ledger.stored = response_->stored_energy() / initial_energy_;
+  const std::vector<double> after = modes_.energies();
+  const std::vector<double> during = modes_.accumulated_energy();
+  const double samples = static_cast<double>(std::max(samples_, 1L));
+  ledger.modes.reserve(after.size());
+  std::size_t k = 0;
+  for (const ModeGroup& group : body_.groups) {
+    for (std::size_t l = 0; l < group.omega.size(); ++l, ++k) {
+      ledger.modes.push_back({group.order, static_cast<int>(l), group.omega[l], after[k] / initial_energy_,
+                              during[k] / (samples * initial_energy_)});
+      ledger.vibration += after[k] / initial_energy_;
+    }
+  }
+  impact.energy_error = 1.0 - ledger.translation - ledger.vibration - ledger.unresolved - ledger.stored;
+  return impact;
+}
+
+}  // namespace stoss

@@ -1,0 +1,71 @@
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "kept_modes.hpp"
+#include "stoss/impact.hpp"
+#include "wall_response.hpp"
+
+namespace stoss {
+
+/// The motion of one body at one wall by kick–rotate–kick: half a kick by the wall's force, exact rotation of every
+/// mode and drift of the centre, half a kick. Second order, time-reversible, exact between contacts.
+class Collision {
+ public:
+  /// Starts just out of reach of the wall, or from `start`.
+  Collision(const Body& body, const Wall& wall, const ContactGrid& grid, double speed, double step,
+            const std::optional<State>& start);
+
+  /// Moves on by one step.
+  void advance();
+
+  /// The contact has reached the end of the grid, so that the result is void.
+  [[nodiscard]] bool overflows() const { return response_->overflows(); }
+
+  /// The body recedes and can touch the wall no more.
+  [[nodiscard]] bool over();
+
+  /// The instant, with energies as shares of the initial energy.
+  [[nodiscard]] Snapshot snapshot() const;
+
+  /// The impact so far; body, wall and resolution are left to the caller.
+  [[nodiscard]] Impact result() const;
+
+  [[nodiscard]] State state() const;
+
+ private:
+  void respond();
+  void record();
+  [[nodiscard]] double half_width() const;
+  [[nodiscard]] double velocity() const;  // synchronous with the position
+  [[nodiscard]] double translation() const;
+
+  const Body& body_;
+  const ContactGrid& grid_;
+  double speed_;
+  double step_;
+  KeptModes modes_;
+  std::unique_ptr<WallResponse> response_;
+  std::vector<double> position_;  // x_dyn of the nodes
+
+  double compression_;  // extent + x₀, kept instead of x₀ for its digits at small speed
+  double velocity_;     // before the kick that is due
+  double force_ = 0.0;  // total
+  double initial_energy_;
+  double initial_velocity_;
+  long steps_ = 0;
+
+  bool in_contact_ = false;
+  int contacts_ = 0;
+  double first_contact_ = 0.0;  // times
+  double last_contact_ = 0.0;
+  long samples_ = 0;  // of the modes' energies during contact
+  double impulse_ = 0.0;
+  double max_force_ = 0.0;
+  double max_compression_ = 0.0;
+  double max_half_width_ = 0.0;
+  double reach_ = -1.0;  // of the free vibration; < 0: not known
+};
+
+}  // namespace stoss

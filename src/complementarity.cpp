@@ -1,0 +1,135 @@
+#include "complementarity.hpp"
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <cmath>
+
+#include "kernels.hpp"
+#include "stoss/errors.hpp"
+
+namespace stoss {
+namespace {
+
+using Matrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+
+}  // namespace
+
+Complementarity::Complementarity(std::vector<double> matrix, std::size_t size)
+    : size_(size), matrix_(std::move(matrix)), factor_(size * size) {
+  const auto n = static_cast<Eigen::Index>(size);
+  const Eigen::LLT<Eigen::MatrixXd> cholesky(Eigen::Map<const Matrix>(matrix_.data(), n, n));
+  if (cholesky.info() != Eigen::Success) {
+    throw NotConverged("contact: the compliance between the nodes is not positive definite (use fewer nodes)");
+  }
+  Eigen::Map<Matrix>(factor_.data(), n, n) = cholesky.matrixLLT();
+}
+
+void Complementarity::multiply(const std::vector<double>& x, std::vector<double>& result) const {
+  kernels::multiply(matrix_.data(), size_, 0, size_, size_, x.data(), result.data());
+}
+
+void Complementarity::solve(const std::vector<double>& q, std::vector<double>& force,
+                            std::vector<double>& displacement) {
+  const double deepest = *std::max_element(q.begin(), q.end());
+  if (!(deepest > 0.0)) {
+    if (std::isnan(deepest)) throw NotConverged("contact: the position of a node is not a number");
+    std::fill(force.begin(), force.end(), 0.0);
+    std::fill(displacement.begin(), displacement.end(), 0.0);
+    extent_ = 0;
+    return;
+  }
+  const double tolerance = 1e-13 * deepest;
+  if (!solve_interval(q, tolerance, force, displacement)) solve_any(q, tolerance, force, displacement);
+}
+
+bool Complementarity::solve_interval(const std::vector<double>& q, double tolerance, std::vector<double>& force,
+                                     std::vector<double>& displacement) {
+  constexpr int max_trials = 12;
+  std::size_t count = std::max<std::size_t>(extent_, 1);
+  for (int trial = 0; trial < max_trials; ++trial) {
+    kernels::solve_cholesky(factor_.data(), size_, count, q.data(), force.data());
+    std::size_t keep = count;
+    while (keep > 0 && force[keep - 1] < 0.0) --keep;
+    if (std::any_of(force.begin(), force.begin() + static_cast<std::ptrdiff_t>(keep),
+                    [](double f) { return f < 0.0; })) {
+      return false;
+    }
+    if (keep == 0) return false;
+    if (keep < count) {
+      count = keep;
+      continue;
+    }
+    std::copy_n(q.begin(), count, displacement.begin());
+    kernels::multiply(matrix_.data(), size_, count, size_, count, force.data(), displacement.data());
+    std::size_t grown = count;
+    while (grown < size_ && displacement[grown] - q[grown] < -tolerance) ++grown;
+    for (std::size_t i = grown; i < size_; ++i) {
+      if (displacement[i] - q[i] < -tolerance) return false;
+    }
+    if (grown == count) {
+      std::fill(force.begin() + static_cast<std::ptrdiff_t>(count), force.end(), 0.0);
+      extent_ = count;
+      return true;
+    }
+    count = grown;
+  }
+  return false;
+}
+
+void Complementarity::solve_on_set(const std::vector<std::size_t>& set, const std::vector<double>& q,
+                                   std::vector<double>& force, std::vector<double>& displacement) const {
+  const auto n = static_cast<Eigen::Index>(set.size());
+  Eigen::MatrixXd block(n, n);
+  Eigen::VectorXd right(n);
+  for (Eigen::Index i = 0; i < n; ++i) {
+    const std::size_t row = set[static_cast<std::size_t>(i)];
+    right(i) = q[row];
+    for (Eigen::Index j = 0; j < n; ++j) block(i, j) = matrix_[row * size_ + set[static_cast<std::size_t>(j)]];
+  }
+  const Eigen::VectorXd solution = block.llt().solve(right);
+  std::fill(force.begin(), force.end(), 0.0);
+  for (Eigen::Index i = 0; i < n; ++i) force[set[static_cast<std::size_t>(i)]] = solution(i);
+  multiply(force, displacement);
+  for (const std::size_t row : set) displacement[row] = q[row];
+}
+
+void Complementarity::solve_any(const std::vector<double>& q, double tolerance, std::vector<double>& force,
+                                std::vector<double>& displacement) {
+  constexpr int patience = 4;  // block exchanges without progress before single ones
+  std::vector<bool> in_contact(size_, false);
+  for (std::size_t i = 0; i < size_; ++i) in_contact[i] = q[i] > 0.0;
+  std::vector<std::size_t> set, wrong;
+  std::size_t fewest = size_ + 1;
+  int tries_left = patience;
+  const std::size_t max_passes = 20 * size_ + 100;
+  for (std::size_t pass = 0; pass < max_passes; ++pass) {
+    set.clear();
+    for (std::size_t i = 0; i < size_; ++i) {
+      if (in_contact[i]) set.push_back(i);
+    }
+    solve_on_set(set, q, force, displacement);
+    wrong.clear();
+    for (std::size_t i = 0; i < size_; ++i) {
+      if (in_contact[i] ? force[i] < 0.0 : displacement[i] - q[i] < -tolerance) wrong.push_back(i);
+    }
+    if (wrong.empty()) {
+      extent_ = set.empty() ? 0 : set.back() + 1;
+      return;
+    }
+    if (wrong.size() < fewest) {
+      fewest = wrong.size();
+      tries_left = patience;
+    } else if (tries_left > 0) {
+      --tries_left;
+    }
+    if (tries_left > 0) {
+      for (const std::size_t i : wrong) in_contact[i] = !in_contact[i];
+    } else {
+      in_contact[wrong.back()] = !in_contact[wrong.back()];
+    }
+  }
+  throw NotConverged(
+      "contact: no set of touching nodes satisfies the contact conditions (use another number of nodes)");
+}
+
+}  // namespace stoss

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+namespace stoss {
+
+/// The contact problem at one instant, for a symmetric positive definite compliance W and positions q:
+///
+///   f ≥ 0,   g = W f − q ≥ 0,   fᵀ g = 0.
+///
+/// It has exactly one solution. W is factored once: the Cholesky factor of a leading block of W is the leading block of
+/// the factor, so a contact that is an interval {0 … k−1} costs two triangular solves. Any other contact set is found
+/// by block principal pivoting with Murty's rule as the finite last resort (Júdice and Pires, Comput. Oper. Res. 21,
+/// 587, 1994).
+class Complementarity {
+ public:
+  /// @param matrix W, row-major, size × size
+  /// @throws NotConverged if W is not positive definite
+  Complementarity(std::vector<double> matrix, std::size_t size);
+
+  /// Solves for f and the displacement W f; both have `size` elements. f is exactly zero outside the contact set, and
+  /// no g is below −1e-13 max q.
+  /// @throws NotConverged if no contact set satisfies the conditions to rounding
+  void solve(const std::vector<double>& q, std::vector<double>& force, std::vector<double>& displacement);
+
+  /// Number of leading nodes beyond which the last force vanishes.
+  [[nodiscard]] std::size_t extent() const { return extent_; }
+
+  /// matrix · x, all rows.
+  void multiply(const std::vector<double>& x, std::vector<double>& result) const;
+
+ private:
+  bool solve_interval(const std::vector<double>& q, double tolerance, std::vector<double>& force,
+                      std::vector<double>& displacement);
+  void solve_any(const std::vector<double>& q, double tolerance, std::vector<double>& force,
+                 std::vector<double>& displacement);
+  void solve_on_set(const std::vector<std::size_t>& set, const std::vector<double>& q, std::vector<double>& force,
+                    std::vector<double>& displacement) const;
+
+  std::size_t size_;
+  std::vector<double> matrix_;
+  std::vector<double> factor_;  // lower Cholesky factor, row-major
+  std::size_t extent_ = 0;
+};
+
+}  // namespace stoss

@@ -1,0 +1,37 @@
+#include "stoss/material.hpp"
+
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "check.hpp"
+
+namespace stoss {
+namespace {
+
+constexpr Range positive{0.0, 1e300, false, true, "above 0"};
+
+void validate(const Material& material) {
+  require("young", material.young, positive, "Young's modulus in Pa; steel has 2.1e11");
+  require("density", material.density, positive, "in kg/m^3; steel has 7850");
+  require("poisson", material.poisson, {-1.0, 0.5, false, false, "above -1 and below 0.5"},
+          "Poisson number of the material; steel has 0.3");
+}
+
+}  // namespace
+
+double plane_poisson(const Material& material, Plane plane) {
+  validate(material);
+  return plane == Plane::stress ? material.poisson : material.poisson / (1.0 - material.poisson);
+}
+
+Scales scales(const Material& material, Plane plane, double radius) {
+  validate(material);
+  require("radius", radius, positive, "radius of the disk in m");
+  const double nu = material.poisson;
+  const double modulus = plane == Plane::stress ? material.young : material.young / (1.0 - nu * nu);
+  const double speed = std::sqrt(modulus / material.density);
+  return {radius, speed, radius / speed, speed / radius, std::numbers::pi * radius * modulus};
+}
+
+}  // namespace stoss
