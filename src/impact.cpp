@@ -25,12 +25,14 @@ double initial_half_width(const Body& body, const Wall& wall, double speed) {
 
 void require_options(const Body& body, const ImpactOptions& options) {
   const double longest = 2.0 / body.cutoff;
-  if (options.step != 0.0) {
-    require("step", options.step, {1e-9, longest, true, true, "1e-9 to 2/cutoff"},
+  if (options.step) {
+    require("step", *options.step, {1e-9, longest, true, true, "1e-9 to 2/cutoff"},
             "time step in R/c; 0.25/cutoff is usual");
   }
-  if (options.nodes != 0)
-    require("nodes", static_cast<long>(options.nodes), 1, 4096, "contact nodes; 64 to 256 are usual");
+  if (options.nodes) {
+    const long fewest = body.max_half_width > 0.0 ? 16 : 1;
+    require("nodes", static_cast<long>(*options.nodes), fewest, 4096, "contact nodes; 64 to 256 are usual");
+  }
   require("observe_every", static_cast<long>(options.observe_every), 1, 1'000'000'000,
           "steps between two calls of the observer");
 }
@@ -99,9 +101,9 @@ Impact impact(const Body& body, const Wall& wall, double speed, const ImpactOpti
   validate(wall);
   require_options(body, options);
 
-  Resolution resolution{initial_half_width(body, wall, speed), options.step, options.nodes};
-  if (resolution.step == 0.0) resolution.step = recommended_step(body, wall, speed);
-  if (resolution.nodes == 0) resolution.nodes = recommended_nodes(body, wall, speed);
+  Resolution resolution{initial_half_width(body, wall, speed),
+                        options.step ? *options.step : recommended_step(body, wall, speed),
+                        options.nodes ? *options.nodes : recommended_nodes(body, wall, speed)};
 
   std::optional<Impact> result = run(body, wall, speed, resolution, options, {});
   while (!result) {

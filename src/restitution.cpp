@@ -1,5 +1,6 @@
 #include "stoss/restitution.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -12,9 +13,11 @@ Restitution restitution(const RefinedBody& body, double speed) {
   Impact fine = impact(body.fine, HardWall{}, speed);
   Restitution result;
   result.value = fine.restitution;
-  result.error = std::abs(fine.restitution - coarse.restitution);
   result.lost_fraction = fine.lost_fraction;
-  result.lost_fraction_error = std::abs(fine.lost_fraction - coarse.lost_fraction);
+  // Two curves that cross agree by chance: what the energy ledger lacks is a floor under their difference.
+  const double difference = std::abs(fine.lost_fraction - coarse.lost_fraction);
+  result.lost_fraction_error = std::max(difference, std::abs(fine.energy_error));
+  result.error = 0.5 * result.lost_fraction_error / fine.restitution;
   result.steps = coarse.steps + fine.steps;
   result.finest = std::move(fine);
   return result;

@@ -23,8 +23,8 @@ struct State {
 };
 
 struct ImpactOptions {
-  double step = 0.0;           ///< Δt, R/c; 0: recommended_step
-  int nodes = 0;               ///< of the contact grid; 0: recommended_nodes
+  std::optional<double> step;  ///< Δt, R/c; otherwise recommended_step
+  std::optional<int> nodes;    ///< of the contact grid; otherwise recommended_nodes
   int observe_every = 1;       ///< the observer sees every so many steps
   bool observe_modes = false;  ///< fill Snapshot::coordinate and momentum
   std::optional<State> start;  ///< a vibrating body; otherwise at rest inside and just out of contact

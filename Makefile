@@ -1,0 +1,41 @@
+# The short way in. Everything here can also be done with the CMake presets (cmake --list-presets).
+.DEFAULT_GOAL := help
+.PHONY: help setup build demo test bench format lint install clean
+
+JOBS ?= $(shell nproc)
+PREFIX ?= /usr/local
+SOURCES = $(shell git ls-files '*.cpp' '*.hpp')
+
+help: ## show this list
+	@grep -hE '^[a-z]+:.*##' $(MAKEFILE_LIST) | sed -E 's/^([a-z]+):.*## (.*)/  make \1\t\2/' | expand -t 18
+
+setup: ## install the Debian packages that are missing
+	@scripts/install-dependencies.sh
+
+build: setup ## build the library and the command
+	@mkdir -p build && cmake --preset release >build/configure.log 2>&1 || { cat build/configure.log; exit 1; }
+	@cmake --build --preset release -j $(JOBS) --target stoss stoss_command
+
+demo: build ## restitution against speed for two Poisson numbers, here and in out/
+	@scripts/demo.sh build/release/cli/stoss
+
+test: setup ## all tests, once more under sanitizers, clang build, downstream project, format
+	@scripts/test.sh $(JOBS)
+
+bench: setup ## benchmarks, with the paper's protocol as the rival
+	@cmake --preset release -DSTOSS_BUILD_BENCH=ON
+	@cmake --build --preset release -j $(JOBS) --target stoss_bench
+	@build/release/bench/stoss_bench
+
+format: setup ## format all sources
+	@clang-format -i $(SOURCES)
+
+lint: setup ## clang-tidy over all sources
+	@cmake --preset clang && cmake --build --preset clang -j $(JOBS)
+	@git ls-files 'src/*.cpp' 'cli/*.cpp' | xargs -P $(JOBS) -n 4 clang-tidy --quiet --warnings-as-errors='*' -p build/clang
+
+install: build ## install to PREFIX (default /usr/local)
+	@cmake --install build/release --prefix $(PREFIX)
+
+clean: ## remove build and output folders
+	@rm -rf build out

@@ -1,0 +1,108 @@
+#include "arguments.hpp"
+
+#include <fmt/format.h>
+
+#include "numbers.hpp"
+#include "stoss/errors.hpp"
+
+namespace stoss::cli {
+namespace {
+
+std::string& stored_command_line() {
+  static std::string line;
+  return line;
+}
+
+}  // namespace
+
+void OutputArguments::add_to(CLI::App& command) {
+  command.add_option("--format", format, "Output format (default: table)")
+      ->check(CLI::IsMember({"table", "csv", "json"}))
+      ->type_name("")
+      ->group("Output");
+  command.add_option("-o,--output", path, "Write to FILE instead of stdout")->type_name("FILE")->group("Output");
+  command.add_flag("--quiet", quiet, "No warnings and no progress on stderr")->group("Output");
+}
+
+Format OutputArguments::chosen_format() const {
+  if (format == "csv") return Format::csv;
+  return format == "json" ? Format::json : Format::table;
+}
+
+void OutputArguments::warn(const std::string& text) const {
+  if (!quiet) fmt::print(stderr, "stoss: warning: {}\n", text);
+}
+
+void DiskArguments::add_to(CLI::App& command) {
+  command
+      .add_option("--poisson", poisson,
+                  "Poisson number, -0.95 to 0.995; with a material, that of the material, -0.95 to 0.5")
+      ->required()
+      ->type_name("NU")
+      ->group("Body");
+  command.add_option("--young", young, "Young's modulus in Pa; makes speeds m/s and adds SI values")
+      ->type_name("PA")
+      ->group("Material in SI (all three or none)");
+  command.add_option("--density", density, "Density in kg/m^3")
+      ->type_name("RHO")
+      ->group("Material in SI (all three or none)");
+  command.add_option("--radius", radius, "Radius of the disk in m")
+      ->type_name("M")
+      ->group("Material in SI (all three or none)");
+  plane_option_ = command.add_option("--plane", plane, "Thin disk (stress) or long cylinder (strain); default: stress")
+                      ->check(CLI::IsMember({"stress", "strain"}))
+                      ->type_name("")
+                      ->group("Material in SI (all three or none)");
+}
+
+Plane DiskArguments::chosen_plane() const { return plane == "strain" ? Plane::strain : Plane::stress; }
+
+Material DiskArguments::material() const { return {*young, poisson, *density}; }
+
+std::optional<Scales> DiskArguments::si() const {
+  const int given = (young ? 1 : 0) + (density ? 1 : 0) + (radius ? 1 : 0);
+  if (given == 0 && plane_option_->count() == 0) return std::nullopt;
+  if (given != 3) {
+    throw InvalidInput(fmt::format(
+        "material: got {} of --young, --density, --radius, allowed all three or none (--plane needs all three)",
+        given));
+  }
+  return scales(material(), chosen_plane(), *radius);
+}
+
+double DiskArguments::plane_poisson() const {
+  return si() ? stoss::plane_poisson(material(), chosen_plane()) : poisson;
+}
+
+void DiskArguments::describe(nlohmann::ordered_json& inputs) const {
+  inputs["poisson"] = plane_poisson();
+  const auto units = si();
+  if (!units) return;
+  inputs["material_young[Pa]"] = *young;
+  inputs["material_poisson"] = poisson;
+  inputs["material_density[kg/m^3]"] = *density;
+  inputs["radius[m]"] = *radius;
+  inputs["plane"] = plane;
+  inputs["c[m/s]"] = units->speed;
+  inputs["R/c[s]"] = units->time;
+}
+
+std::vector<double> parse_speeds(const std::string& text, const std::optional<Scales>& si) {
+  std::vector<double> speeds = parse_series("speed", text);
+  if (si) {
+    for (double& speed : speeds) speed /= si->speed;
+  }
+  return speeds;
+}
+
+std::string command_line() { return stored_command_line(); }
+
+void set_command_line(int argc, char** argv) {
+  std::string line = "stoss";
+  for (int i = 1; i < argc; ++i) {
+    for (const char c : std::string(" ") + argv[i]) line += c == '\n' || c == '\r' ? ' ' : c;
+  }
+  stored_command_line() = line;
+}
+
+}  // namespace stoss::cli

@@ -1,0 +1,64 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "report.hpp"
+#include "stoss/material.hpp"
+
+namespace stoss::cli {
+
+/// How the result is written: --format, -o, --quiet.
+struct OutputArguments {
+  std::string format = "table";
+  std::string path;
+  bool quiet = false;
+
+  void add_to(CLI::App& command);
+
+  [[nodiscard]] Format chosen_format() const;
+
+  /// A line on stderr, unless --quiet.
+  void warn(const std::string& text) const;
+};
+
+/// The disk: a 2-D Poisson number, or a material in SI with a radius.
+struct DiskArguments {
+  double poisson = 0.0;
+  std::optional<double> young;
+  std::optional<double> density;
+  std::optional<double> radius;
+  std::string plane = "stress";
+
+  void add_to(CLI::App& command);
+
+  /// SI scales if a material was given. @throws InvalidInput if only part of one was
+  [[nodiscard]] std::optional<Scales> si() const;
+
+  /// The Poisson number that the core computes with.
+  [[nodiscard]] double plane_poisson() const;
+
+  /// Adds what was given, and the scales, to the inputs of a result.
+  void describe(nlohmann::ordered_json& inputs) const;
+
+ private:
+  [[nodiscard]] Material material() const;
+  [[nodiscard]] Plane chosen_plane() const;
+  CLI::Option* plane_option_ = nullptr;
+};
+
+/// Speeds as typed, in c or, where there are scales, in m/s; the result is in c.
+[[nodiscard]] std::vector<double> parse_speeds(const std::string& text, const std::optional<Scales>& si);
+
+/// The command line as it was typed, for provenance.
+[[nodiscard]] std::string command_line();
+void set_command_line(int argc, char** argv);
+
+/// The subcommands; each registers itself and returns the exit code when run.
+void add_modes(CLI::App& app, int& exit_code);
+void add_impact(CLI::App& app, int& exit_code);
+void add_restitution(CLI::App& app, int& exit_code);
+
+}  // namespace stoss::cli

@@ -1,0 +1,66 @@
+// The stoss command. Exit codes: 0 ok, 1 not converged, 2 usage, 3 bad input, 4 input/output, 130 interrupted.
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <cerrno>
+#include <exception>
+#include <new>
+
+#include "arguments.hpp"
+#include "interrupt.hpp"
+#include "report.hpp"
+#include "stoss/errors.hpp"
+#include "stoss/version.hpp"
+
+namespace {
+
+enum ExitCode { ok = 0, not_converged = 1, usage = 2, bad_input = 3, input_output = 4, interrupted = 130 };
+
+int complain(int code, const std::string& text) {
+  fmt::print(stderr, "stoss: error: {}\n", text);
+  return code;
+}
+
+int run(CLI::App& app, int argc, char** argv, const int& exit_code) {
+  try {
+    app.parse(argc, argv);
+    return exit_code;
+  } catch (const CLI::Success& request) {  // --help and --version
+    return app.exit(request);
+  } catch (const CLI::ParseError& error) {
+    std::string text = error.what();
+    if (const auto end = text.find('\n'); end != std::string::npos) text.resize(end);
+    return complain(usage, text + " (see stoss --help or stoss SUBCOMMAND --help)");
+  } catch (const stoss::InvalidInput& error) {
+    return complain(bad_input, error.what());
+  } catch (const stoss::NotConverged& error) {
+    return complain(not_converged, error.what());
+  } catch (const stoss::cli::OutputError& error) {
+    // Whoever closed the pipe knows.
+    return errno == EPIPE ? input_output : complain(input_output, error.what());
+  } catch (const stoss::cli::Interrupted&) {
+    return interrupted;
+  } catch (const std::bad_alloc&) {
+    return complain(bad_input, "memory: this needs more than the machine has (use a smaller cutoff or fewer nodes)");
+  } catch (const std::exception& error) {
+    return complain(not_converged, error.what());
+  }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  stoss::cli::set_command_line(argc, argv);
+  CLI::App app{"Coefficient of restitution of elastic bodies from first principles", "stoss"};
+  app.set_version_flag("--version", fmt::format("stoss {}", stoss::version()), "Print the version and exit");
+  app.set_help_flag("-h,--help", "Print this help and exit");
+  app.require_subcommand(1);
+  app.footer(
+      "Lengths are in R, speeds in c = sqrt(E/rho), times in R/c, forces in pi R E, frequencies in c/R.\n"
+      "Exit codes: 0 ok, 1 not converged, 2 usage, 3 bad input, 4 input/output, 130 interrupted.");
+  int exit_code = ok;
+  stoss::cli::add_modes(app, exit_code);
+  stoss::cli::add_impact(app, exit_code);
+  stoss::cli::add_restitution(app, exit_code);
+  return run(app, argc, argv, exit_code);
+}

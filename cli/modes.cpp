@@ -1,0 +1,54 @@
+// stoss modes: the eigenmodes of a disk.
+#include "stoss/modes.hpp"
+
+#include <memory>
+#include <numbers>
+
+#include "arguments.hpp"
+
+namespace stoss::cli {
+namespace {
+
+struct ModesArguments {
+  DiskArguments disk;
+  double cutoff = 30.0;
+  OutputArguments output;
+};
+
+void run(const ModesArguments& arguments) {
+  const auto si = arguments.disk.si();
+  const std::vector<Mode> modes = disk_modes(arguments.disk.plane_poisson(), arguments.cutoff);
+
+  Provenance provenance{"modes", command_line(), {}};
+  arguments.disk.describe(provenance.inputs);
+  provenance.inputs["cutoff"] = arguments.cutoff;
+  Report report(arguments.output.path, arguments.output.chosen_format(), provenance);
+  for (const Mode& mode : modes) {
+    const std::string kind = family(mode) == ModeFamily::radial ? "radial" : "tangential";
+    std::vector<Entry> record{{"order", "", static_cast<long>(mode.order), 7},
+                              {"index", "", static_cast<long>(mode.index), 7},
+                              {"omega", "c/R", mode.omega, 13},
+                              {"radial", "", mode.radial, 13},
+                              {"tangential", "", mode.tangential, 13},
+                              {"family", "", kind, 13}};
+    if (si) record.push_back({"frequency", "Hz", mode.omega * si->frequency / (2.0 * std::numbers::pi), 13});
+    report.add(record);
+  }
+  report.finish();
+}
+
+}  // namespace
+
+void add_modes(CLI::App& app, int&) {
+  auto* command = app.add_subcommand("modes", "Eigenmodes of a free elastic disk: frequencies and edge amplitudes");
+  auto arguments = std::make_shared<ModesArguments>();
+  arguments->disk.add_to(*command);
+  command->add_option("--cutoff", arguments->cutoff, "Highest frequency in c/R, up to 1000 (default: 30)")
+      ->type_name("OMEGA")
+      ->group("Resolution");
+  arguments->output.add_to(*command);
+  command->footer("Example:\n  stoss modes --poisson 0.33 --cutoff 30 --format csv -o modes.csv");
+  command->callback([arguments] { run(*arguments); });
+}
+
+}  // namespace stoss::cli

@@ -1,0 +1,16 @@
+#!/usr/bin/env bash
+# The main job: restitution against speed for two Poisson numbers, as tables here and as CSV in out/.
+set -euo pipefail
+stoss=$1
+mkdir -p out
+speeds=log:0.005:0.3:24
+for poisson in 0.33 0.9; do
+  file=out/restitution_poisson_$poisson.csv
+  echo
+  echo "Restitution of an elastic disk against a hard wall, Poisson number $poisson (speeds in c, times in R/c)"
+  echo
+  "$stoss" restitution --poisson "$poisson" --speed "$speeds"
+  "$stoss" restitution --poisson "$poisson" --speed "$speeds" --format csv -o "$file"
+  echo
+  echo "Written with all digits to $file"
+done

@@ -1,0 +1,46 @@
+#!/usr/bin/env bash
+# Installs the Debian packages that stoss needs and that are missing, as root or through sudo.
+# Where that is not possible it names what is missing and stops with an error.
+set -euo pipefail
+
+# Build and core; the command; tests; benchmarks; checks.
+packages=(
+  g++ cmake ninja-build make git libeigen3-dev libboost-dev
+  libcli11-dev libfmt-dev nlohmann-json3-dev
+  libgtest-dev libgmock-dev python3 python3-pytest man-db
+  libbenchmark-dev
+  clang clang-format clang-tidy
+)
+
+if ! command -v dpkg-query >/dev/null; then
+  echo "install-dependencies: this is not a Debian system; please install the equivalents of: ${packages[*]}" >&2
+  exit 1
+fi
+
+missing=()
+for package in "${packages[@]}"; do
+  status=$(dpkg-query -W -f '${db:Status-Status}' "$package" 2>/dev/null || true)
+  [ "$status" = installed ] || missing+=("$package")
+done
+[ ${#missing[@]} -gt 0 ] || exit 0
+
+as_root=()
+if [ "$(id -u)" -ne 0 ]; then
+  if ! command -v sudo >/dev/null; then
+    echo "install-dependencies: missing: ${missing[*]} (not root, and no sudo to install them)" >&2
+    exit 1
+  fi
+  as_root=(sudo)
+fi
+if ! command -v apt-get >/dev/null; then
+  echo "install-dependencies: missing: ${missing[*]} (no apt-get to install them)" >&2
+  exit 1
+fi
+
+echo "install-dependencies: installing ${missing[*]}"
+if ! "${as_root[@]}" apt-get update -qq ||
+  ! "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get install -y -qq --no-install-recommends "${missing[@]}" \
+    >/dev/null; then
+  echo "install-dependencies: could not install all of: ${missing[*]}" >&2
+  exit 1
+fi
