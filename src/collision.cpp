@@ -23,7 +23,7 @@ Collision::Collision(const Body& body, const Wall& wall, const ContactGrid& grid
     compression_ = body.extent + start->center;
   }
   respond();
-  if (response_->overflows() || (std::holds_alternative<HardWall>(wall) && force_ > 0.0)) {
+  if (overflows() || (std::holds_alternative<HardWall>(wall) && force_ > 0.0)) {
     throw InvalidInput("start: the body already touches the wall (move its center back)");
   }
   // The first step has only the second half of the first kick.

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <memory>
 #include <vector>
 
@@ -21,10 +22,13 @@ class Collision {
   void advance();
 
   /// The contact has reached the end of the grid, so that the result is void.
-  [[nodiscard]] bool overflows() const { return response_->overflows(); }
+  [[nodiscard]] bool overflows() const { return body_.max_half_width > 0.0 && response_->overflows(); }
 
   /// The body recedes and can touch the wall no more.
   [[nodiscard]] bool over();
+
+  /// Distance from the wall that the free body must keep so as not to touch it, in its present vibration.
+  [[nodiscard]] double clearance() const { return modes_.reach(grid_) + std::max(response_->range(), 0.0); }
 
   /// The instant, with energies as shares of the initial energy.
   [[nodiscard]] Snapshot snapshot() const;

@@ -11,7 +11,8 @@
 namespace stoss {
 namespace {
 
-constexpr double max_time = 1000.0;         // R/c after the first touch; an impact lasts 5 to 30
+constexpr double max_contact_time = 200.0;  // R/c; an impact lasts 5 to 30
+constexpr double most_steps = 5e7;
 constexpr double small_strain_limit = 0.5;  // compression, R
 
 /// The grid must cover the contact with room to spare, and with a soft wall the gap in which it still pushes.
@@ -48,11 +49,11 @@ std::optional<Impact> run(const Body& body, const Wall& wall, double speed, cons
                           const ImpactOptions& options, const ImpactObserver& observer) {
   const ContactGrid grid = body.grid(resolution.half_width, resolution.nodes);
   Collision collision(body, wall, grid, speed, resolution.step, options.start);
-  const double approach = -2.0 * (collision.snapshot().center + body.extent) / speed;
-  const double steps = (max_time + std::max(approach, 0.0)) / resolution.step;
-  constexpr double most_steps = 5e7;
+  const double duration = max_contact_time + 4.0 * collision.clearance() / speed;
+  const double steps = duration / resolution.step;
   if (steps > most_steps) {
-    throw NotConverged("impact: the approach alone takes too many steps (use a harder wall, or a hard one)");
+    throw NotConverged("impact: would take more than " + std::to_string(static_cast<long>(most_steps)) +
+                       " steps (use an exponential wall of another hardness, or the hard wall)");
   }
   const auto observe = [&] {
     Snapshot now = collision.snapshot();
@@ -80,10 +81,13 @@ std::optional<Impact> run(const Body& body, const Wall& wall, double speed, cons
 
 double recommended_step(const Body& body, const Wall& wall, double speed) {
   if (const auto* soft = std::get_if<ExponentialWall>(&wall)) {
-    // The edge layer on the soft wall oscillates at about √(α v ω_c).
-    return 0.25 / std::sqrt(body.cutoff * (body.cutoff + soft->hardness * speed));
+    // The edge layer on the soft wall oscillates at about √(α v ω_c), and what first touches it bounces within 1/(α v).
+    const double bounce = soft->hardness * speed;
+    return 0.25 / std::sqrt(body.cutoff * (body.cutoff + bounce) + 0.5 * bounce * bounce);
   }
-  return (std::get<HardWall>(wall).tail == Tail::radiating ? 0.25 : 0.5) / body.cutoff;
+  // Without damping, the nodes at the edge of the contact bounce the more the faster it spreads.
+  const bool radiating = std::get<HardWall>(wall).tail == Tail::radiating;
+  return 0.25 / (body.cutoff * (1.0 + (radiating ? 1.0 : 12.0) * speed));
 }
 
 int recommended_nodes(const Body& body, const Wall& wall, double speed) {
