@@ -6,6 +6,12 @@
 #include "stoss/errors.hpp"
 
 namespace stoss {
+namespace {
+
+/// The modes' energies change slowly between steps: every fourth step is enough for their mean.
+constexpr long sampling = 4;
+
+}  // namespace
 
 Collision::Collision(const Body& body, const Wall& wall, const ContactGrid& grid, double speed, double step,
                      const std::optional<State>& start)
@@ -65,8 +71,10 @@ void Collision::record() {
     // A contact begins, on average, half a step before it is noticed, and ends half a step after the last notice.
     if (!in_contact_ && contacts_++ == 0) first_contact_ = time - 0.5 * step_;
     last_contact_ = time + 0.5 * step_;
-    modes_.accumulate_energy();
-    ++samples_;
+    if (contact_steps_++ % sampling == 0) {
+      modes_.accumulate_energy();
+      ++samples_;
+    }
     max_force_ = std::max(max_force_, force_);
     max_half_width_ = std::max(max_half_width_, half_width());
     reach_ = -1.0;
@@ -77,7 +85,9 @@ void Collision::record() {
 
 double Collision::half_width() const {
   const std::size_t nodes = response_->contact_nodes();
-  return nodes == 0 ? 0.0 : grid_.coordinate[nodes - 1] + 0.25 * grid_.measure[nodes - 1];
+  const std::vector<double>& at = grid_.coordinate;
+  if (nodes == 0 || at.size() == 1) return 0.0;
+  return at[nodes - 1] + 0.5 * (at[1] - at[0]);  // each node stands for half a spacing to either side
 }
 
 bool Collision::over() {

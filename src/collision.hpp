@@ -64,6 +64,7 @@ class Collision {
   int contacts_ = 0;
   double first_contact_ = 0.0;  // times
   double last_contact_ = 0.0;
+  long contact_steps_ = 0;
   long samples_ = 0;  // of the modes' energies during contact
   double impulse_ = 0.0;
   double max_force_ = 0.0;

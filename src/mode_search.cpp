@@ -24,7 +24,7 @@ constexpr double max_shear_step = 0.5;
 /// Largest grid step in ω, well below the lowest root (ω > 1 for every ν), so that no root lies in the first step.
 constexpr double max_step = 0.5;
 
-/// The slowest Rayleigh wave on any disk with −0.95 ≤ ν ≤ 0.995 runs at 0.477 c, and ω_{n,0} > n c_R / R.
+/// The slowest Rayleigh wave on any disk with −0.95 ≤ ν ≤ 0.995 runs at 0.478 c, and ω_{n,0} > n c_R / R.
 constexpr double slowest_edge_wave = 0.47;
 
 struct WaveNumbers {

@@ -23,7 +23,7 @@ void require_poisson(double poisson) {
 }
 
 [[noreturn]] void refuse_low_cutoff(double poisson, double cutoff) {
-  const auto lowest = find_modes(poisson, 2.0);  // the lowest mode lies between 1.1 and 1.7 for every ν
+  const auto lowest = find_modes(poisson, 2.0);  // the lowest mode lies between 1.1 and 1.8 for every ν
   const auto first =
       std::min_element(lowest.begin(), lowest.end(), [](const Mode& a, const Mode& b) { return a.omega < b.omega; });
   std::ostringstream line;

@@ -17,7 +17,9 @@ Restitution restitution(const RefinedBody& body, double speed) {
   // Two curves that cross agree by chance: what the energy ledger lacks is a floor under their difference.
   const double difference = std::abs(fine.lost_fraction - coarse.lost_fraction);
   result.lost_fraction_error = std::max(difference, std::abs(fine.energy_error));
-  result.error = 0.5 * result.lost_fraction_error / fine.restitution;
+  const double squared = fine.restitution * fine.restitution;
+  result.error =
+      result.lost_fraction_error / (std::sqrt(squared + result.lost_fraction_error) + std::abs(fine.restitution));
   result.steps = coarse.steps + fine.steps;
   result.finest = std::move(fine);
   return result;
