@@ -21,7 +21,18 @@ int complain(int code, const std::string& text) {
   return code;
 }
 
-int run(CLI::App& app, int argc, char** argv, const int& exit_code) {
+int run(int argc, char** argv) {
+  CLI::App app{"Coefficient of restitution of elastic bodies from first principles", "stoss"};
+  app.set_version_flag("--version", fmt::format("stoss {}", stoss::version()), "Print the version and exit");
+  app.set_help_flag("-h,--help", "Print this help and exit");
+  app.require_subcommand(1);
+  app.footer(
+      "Lengths are in R, speeds in c = sqrt(E/rho), times in R/c, forces in pi R E, frequencies in c/R.\n"
+      "Exit codes: 0 ok, 1 not converged, 2 usage, 3 bad input, 4 input/output, 130 interrupted.");
+  int exit_code = ok;
+  stoss::cli::add_modes(app, exit_code);
+  stoss::cli::add_impact(app, exit_code);
+  stoss::cli::add_restitution(app, exit_code);
   try {
     app.parse(argc, argv);
     return exit_code;
@@ -50,17 +61,11 @@ int run(CLI::App& app, int argc, char** argv, const int& exit_code) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  stoss::cli::set_command_line(argc, argv);
-  CLI::App app{"Coefficient of restitution of elastic bodies from first principles", "stoss"};
-  app.set_version_flag("--version", fmt::format("stoss {}", stoss::version()), "Print the version and exit");
-  app.set_help_flag("-h,--help", "Print this help and exit");
-  app.require_subcommand(1);
-  app.footer(
-      "Lengths are in R, speeds in c = sqrt(E/rho), times in R/c, forces in pi R E, frequencies in c/R.\n"
-      "Exit codes: 0 ok, 1 not converged, 2 usage, 3 bad input, 4 input/output, 130 interrupted.");
-  int exit_code = ok;
-  stoss::cli::add_modes(app, exit_code);
-  stoss::cli::add_impact(app, exit_code);
-  stoss::cli::add_restitution(app, exit_code);
-  return run(app, argc, argv, exit_code);
+  try {
+    stoss::cli::set_command_line(argc, argv);
+    return run(argc, argv);
+  } catch (...) {
+    std::fputs("stoss: error: out of memory\n", stderr);
+    return not_converged;
+  }
 }

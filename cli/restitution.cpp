@@ -46,10 +46,10 @@ class Curve {
     std::vector<Entry> record{{"poisson", "", poisson_, 8}, {"speed", "c", finest.speed, 12}};
     const auto add = [&record](Entry entry) { record.push_back(std::move(entry)); };
     if (si_) add({"speed_si", "m/s", finest.speed * si_->speed, 12});
-    add({"restitution", "", r.value, 24, with_error(r.value, r.error)});
+    add({"restitution", "", r.value, 22, with_error(r.value, r.error)});
     add({"restitution_error", "", r.error});
     const std::string mark = converged ? "  " : " !";
-    add({"lost_fraction", "", r.lost_fraction, 27, with_error(r.lost_fraction, r.lost_fraction_error) + mark});
+    add({"lost_fraction", "", r.lost_fraction, 25, with_error(r.lost_fraction, r.lost_fraction_error) + mark});
     add({"lost_fraction_error", "", r.lost_fraction_error});
     add({"contact_time", "R/c", finest.contact_time, si_ ? 0 : 13});
     add({"max_compression", "R", finest.max_compression});
@@ -75,7 +75,7 @@ class Curve {
   }
 
   /// The exit code.
-  int conclude() const {
+  [[nodiscard]] int conclude() const {
     if (beyond_small_strain_) {
       arguments_.output.warn(
           "speed above 0.5 c or compression above 0.5 R: linear elasticity has lost its meaning there");

@@ -1,5 +1,7 @@
 #include "kernels.hpp"
 
+#include <array>
+
 // Function multiversioning: one portable binary that uses AVX2 where the processor has it (AVX-512 was no faster).
 // Sanitizers cannot run before the resolver, and clang 14 lacks architecture levels here; both get the portable code.
 #if defined(__GNUC__) && !defined(__clang__) && defined(__x86_64__) && defined(__ELF__) && \
@@ -64,7 +66,7 @@ void add_shapes(const EdgeAmplitude* amplitude, const double* radial_shape, cons
   constexpr std::size_t block = 32;
   std::size_t start = 0;
   for (; start + block <= count; start += block) {
-    double sum[block] = {};
+    std::array<double, block> sum{};
     for (std::size_t g = 0; g < groups; ++g) {
       const double* const radial = radial_shape + g * stride + start;
       const double* const tangential = tangential_shape + g * stride + start;
@@ -126,7 +128,6 @@ void solve_cholesky(const double* factor, std::size_t stride, std::size_t count,
     const double* const row = factor + i * stride;
     const double value = x[i] / row[i];
     x[i] = value;
-#pragma omp simd
     for (std::size_t j = 0; j < i; ++j) x[j] -= row[j] * value;
   }
 }

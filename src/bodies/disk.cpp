@@ -89,7 +89,7 @@ struct Tables {
 };
 
 Tables residual_tables(const Disk& disk, int nyquist, std::size_t size) {
-  const auto period = static_cast<std::size_t>(2 * nyquist);
+  const auto period = 2 * static_cast<std::size_t>(nyquist);
   // Even in n in the real and imaginary part; odd in n and imaginary: one transform gives each family of sums.
   std::vector<std::complex<double>> even(period), odd(period), sums;
   for (int n = 0; n <= nyquist; ++n) {
