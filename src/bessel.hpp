@@ -25,7 +25,7 @@ void bessel_pairs(double x, std::vector<BesselPair>& pairs);
 /// nearby arguments for a few nanoseconds. Scaled as the pair that they continue.
 class BesselTaylor {
  public:
-  /// Coefficients about `center`, good to rounding for 0 ≤ x − center ≤ reach.
+  /// Coefficients about `center`, good to rounding for 0 ≤ x − center ≤ reach, as long as order · reach ≤ center.
   BesselTaylor(int order, double center, const BesselPair& pair, double reach);
 
   /// The pair at center + shift; the exponent is that of the pair given to the constructor.

@@ -18,7 +18,8 @@ Complementarity::Complementarity(std::vector<double> matrix, std::size_t size)
     : size_(size), matrix_(std::move(matrix)), factor_(size * size) {
   const auto n = static_cast<Eigen::Index>(size);
   const Eigen::LLT<Eigen::MatrixXd> cholesky(Eigen::Map<const Matrix>(matrix_.data(), n, n));
-  if (cholesky.info() != Eigen::Success) {
+  const bool finite = std::all_of(matrix_.begin(), matrix_.end(), [](double w) { return std::isfinite(w); });
+  if (!finite || cholesky.info() != Eigen::Success) {
     throw NotConverged("contact: the compliance between the nodes is not positive definite (use fewer nodes)");
   }
   Eigen::Map<Matrix>(factor_.data(), n, n) = cholesky.matrixLLT();
@@ -30,9 +31,14 @@ void Complementarity::multiply(const std::vector<double>& x, std::vector<double>
 
 void Complementarity::solve(const std::vector<double>& q, std::vector<double>& force,
                             std::vector<double>& displacement) {
-  const double deepest = *std::max_element(q.begin(), q.end());
-  if (!(deepest > 0.0)) {
-    if (std::isnan(deepest)) throw NotConverged("contact: the position of a node is not a number");
+  double deepest = 0.0;
+  bool finite = true;
+  for (const double position : q) {
+    deepest = std::max(deepest, position);
+    finite = finite && std::isfinite(position);
+  }
+  if (!finite) throw NotConverged("contact: the position of a node is not a finite number (use a smaller step)");
+  if (deepest == 0.0) {
     std::fill(force.begin(), force.end(), 0.0);
     std::fill(displacement.begin(), displacement.end(), 0.0);
     extent_ = 0;

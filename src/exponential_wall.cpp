@@ -15,12 +15,20 @@ constexpr double negligible_share = 1e-12;
 /// e^x is refused above this; an impact resolved in time stays far below.
 constexpr double max_exponent = 300.0;
 
+double lowest_frequency(const Body& body) {
+  double lowest = body.cutoff;
+  for (const ModeGroup& group : body.groups) {
+    for (const double omega : group.omega) lowest = std::min(lowest, omega);
+  }
+  return lowest;
+}
+
 }  // namespace
 
 ExponentialResponse::ExponentialResponse(const ExponentialWall& wall, const Body& body, const ContactGrid& grid,
                                          double speed)
     : wall_(wall),
-      threshold_(1e-3 * body.mass * speed),
+      threshold_(1e-3 * body.mass * speed * lowest_frequency(body)),
       log_strength_(std::log(wall.hardness) + std::log(wall.strength)),
       measure_(grid.measure),
       force_(grid.measure.size()) {

@@ -24,7 +24,21 @@ double initial_half_width(const Body& body, const Wall& wall, double speed) {
   return std::min(std::sqrt(contact * contact + 2.0 * gap), body.max_half_width);
 }
 
-void require_options(const Body& body, const ImpactOptions& options) {
+void require_start(const State& start, double speed) {
+  if (start.velocity != speed) {
+    throw InvalidInput("start: got velocity " + std::to_string(start.velocity) + ", allowed the speed of the impact, " +
+                       std::to_string(speed) + " (it is given twice)");
+  }
+  const auto finite = [](double x) { return std::isfinite(x); };
+  if (!finite(start.center) || !std::all_of(start.coordinate.begin(), start.coordinate.end(), finite) ||
+      !std::all_of(start.momentum.begin(), start.momentum.end(), finite)) {
+    throw InvalidInput(
+        "start: got a center, coordinate or momentum that is no finite number, allowed finite ones (nan?)");
+  }
+}
+
+void require_options(const Body& body, double speed, const ImpactOptions& options) {
+  if (options.start) require_start(*options.start, speed);
   const double longest = 2.0 / body.cutoff;
   if (options.step) {
     require("step", *options.step, {1e-9, longest, true, true, "1e-9 to 2/cutoff"},
@@ -85,9 +99,9 @@ double recommended_step(const Body& body, const Wall& wall, double speed) {
     const double bounce = soft->hardness * speed;
     return 0.25 / std::sqrt(body.cutoff * (body.cutoff + bounce) + 0.5 * bounce * bounce);
   }
+  if (std::get<HardWall>(wall).tail == Tail::radiating) return 0.25 / (body.cutoff * (1.0 + speed));
   // Without damping, the nodes at the edge of the contact bounce the more the faster it spreads.
-  const bool radiating = std::get<HardWall>(wall).tail == Tail::radiating;
-  return 0.25 / (body.cutoff * (1.0 + (radiating ? 1.0 : 12.0) * speed));
+  return 0.2 / (body.cutoff * (1.0 + 16.0 * speed));
 }
 
 int recommended_nodes(const Body& body, const Wall& wall, double speed) {
@@ -103,7 +117,7 @@ Impact impact(const Body& body, const Wall& wall, double speed, const ImpactOpti
               const ImpactObserver& observer) {
   require("speed", speed, {1e-8, 1.0, true, true, "1e-8 to 1"}, "speed of the centre of mass, in units of c");
   validate(wall);
-  require_options(body, options);
+  require_options(body, speed, options);
 
   Resolution resolution{initial_half_width(body, wall, speed),
                         options.step ? *options.step : recommended_step(body, wall, speed),

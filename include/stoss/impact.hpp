@@ -23,11 +23,12 @@ struct State {
 };
 
 struct ImpactOptions {
-  std::optional<double> step;  ///< Δt, R/c; otherwise recommended_step
-  std::optional<int> nodes;    ///< of the contact grid; otherwise recommended_nodes
-  int observe_every = 1;       ///< the observer sees every so many steps
-  bool observe_modes = false;  ///< fill Snapshot::coordinate and momentum
-  std::optional<State> start;  ///< a vibrating body; otherwise at rest inside and just out of contact
+  std::optional<double> step{};  ///< Δt, R/c; otherwise recommended_step
+  std::optional<int> nodes{};    ///< of the contact grid; otherwise recommended_nodes
+  int observe_every = 1;         ///< the observer sees every so many steps
+  bool observe_modes = false;    ///< fill Snapshot::coordinate and momentum
+  std::optional<State>
+      start{};  ///< a vibrating body, of velocity `speed`; otherwise at rest inside, just out of contact
 };
 
 /// One instant of an impact. Energies are shares of the initial energy.

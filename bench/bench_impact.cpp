@@ -1,0 +1,87 @@
+#include <sstream>
+#include <vector>
+
+#include "common.hpp"
+#include "stoss/bodies/disk.hpp"
+#include "stoss/impact.hpp"
+#include "stoss/restitution.hpp"
+#include "wall_response.hpp"
+
+namespace bench {
+namespace {
+
+std::string with_cutoff(const std::string& name, double cutoff) {
+  std::ostringstream text;
+  text << name << ", cutoff " << cutoff;
+  return text.str();
+}
+
+void add_set_up(double cutoff) {
+  add(with_cutoff("grid and compliance", cutoff), [cutoff](benchmark::State& state) {
+    const stoss::Body& body = disk_body(cutoff);
+    const double half_width = 1.25 * body.expected_half_width(speed);
+    const int nodes = stoss::recommended_nodes(body, stoss::HardWall{}, speed);
+    for (auto _ : state) {
+      const stoss::ContactGrid grid = body.grid(half_width, nodes);
+      const std::vector<double> compliance = body.residual_compliance(grid);
+      benchmark::DoNotOptimize(compliance.data());
+    }
+  });
+  // In addition, what the hard wall does once: W′ and its factor.
+  add(with_cutoff("grid, compliance and hard wall", cutoff), [cutoff](benchmark::State& state) {
+    const stoss::Body& body = disk_body(cutoff);
+    const double half_width = 1.25 * body.expected_half_width(speed);
+    const int nodes = stoss::recommended_nodes(body, stoss::HardWall{}, speed);
+    for (auto _ : state) {
+      const stoss::ContactGrid grid = body.grid(half_width, nodes);
+      benchmark::DoNotOptimize(stoss::make_response(stoss::HardWall{}, body, grid, speed, 0.5 / cutoff));
+    }
+  });
+}
+
+void add_impact(const std::string& name, const stoss::Wall& wall, double cutoff, double cutoff_times_step) {
+  add(with_cutoff(name, cutoff), [=](benchmark::State& state) {
+    const stoss::Body& body = disk_body(cutoff);
+    stoss::ImpactOptions options;
+    options.step = cutoff_times_step > 0.0 ? cutoff_times_step / cutoff : stoss::recommended_step(body, wall, speed);
+    double lost_fraction = 0.0;
+    for (auto _ : state) lost_fraction = stoss::impact(body, wall, speed, options).lost_fraction;
+    count(state, lost_fraction);
+  });
+}
+
+void add_restitution() {
+  add("restitution, modes made before", [](benchmark::State& state) {
+    const stoss::RefinedBody body = stoss::refine(stoss::disk(poisson));
+    double lost_fraction = 0.0;
+    for (auto _ : state) lost_fraction = stoss::restitution(body, speed).lost_fraction;
+    count(state, lost_fraction);
+  });
+  add("restitution, modes included", [](benchmark::State& state) {
+    double lost_fraction = 0.0;
+    for (auto _ : state) lost_fraction = stoss::restitution(stoss::disk(poisson), speed).lost_fraction;
+    count(state, lost_fraction);
+  });
+}
+
+}  // namespace
+
+void add_impacts() {
+  const double cutoffs[] = {25.0, 50.0, 100.0};
+  for (const double cutoff : cutoffs) add_set_up(cutoff);
+  for (const double cutoff : cutoffs) {
+    add_impact("hard wall, radiating", stoss::HardWall{}, cutoff, 0.5);
+  }
+  for (const double cutoff : cutoffs) {
+    add_impact("hard wall, radiating, half the step", stoss::HardWall{}, cutoff, 0.25);
+  }
+  for (const double cutoff : cutoffs) {
+    add_impact("hard wall, static", stoss::HardWall{stoss::Tail::quasistatic}, cutoff, 0.5);
+  }
+  for (const double cutoff : cutoffs) {
+    add_impact("exponential wall, αR = 500", stoss::ExponentialWall{}, cutoff, 0.0);
+  }
+  add_restitution();
+}
+
+}  // namespace bench

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <benchmark/benchmark.h>
+
+#include <string>
+
+#include "stoss/body.hpp"
+
+namespace bench {
+
+/// The case of all benchmarks: ν = 0.33, v = 0.1 c.
+inline constexpr double poisson = 0.33;
+inline constexpr double speed = 0.1;
+
+/// Its converged 1 − ε² at a hard wall (docs/numerics.md).
+inline constexpr double converged_lost_fraction = 0.10311;
+
+/// The benchmark to whose time the others are compared.
+inline constexpr const char* reference_name = "the paper's protocol";
+
+/// Names of the counters.
+inline constexpr const char* lost_fraction_counter = "lost_fraction";
+inline constexpr const char* error_counter = "error";
+inline constexpr const char* ratio_counter = "ratio";
+
+/// The disk with all modes up to a cutoff, made once.
+const stoss::Body& disk_body(double cutoff);
+
+/// Registers a benchmark of one task, timed in milliseconds.
+template <typename Function>
+void add(const std::string& name, Function function) {
+  benchmark::RegisterBenchmark(name.c_str(), function)->Unit(benchmark::kMillisecond);
+}
+
+/// Counters of an impact: 1 − ε² and its distance from the converged value.
+void count(benchmark::State& state, double lost_fraction);
+
+// One for each file bench_*.cpp; the reference comes first.
+void add_paper();
+void add_modes();
+void add_impacts();
+
+}  // namespace bench

@@ -1,0 +1,95 @@
+#include "summary.hpp"
+
+#include <fstream>
+#include <iomanip>
+#include <ostream>
+#include <sstream>
+
+#include "common.hpp"
+#include "stoss/version.hpp"
+
+namespace bench {
+namespace {
+
+std::string processor() {
+  std::ifstream file("/proc/cpuinfo");
+  for (std::string line; std::getline(file, line);) {
+    const std::size_t colon = line.find(": ");
+    if (line.rfind("model name", 0) == 0 && colon != std::string::npos) return line.substr(colon + 2);
+  }
+  return "unknown processor";
+}
+
+/// The processor's vector units, as far as inner loops have variants for them.
+std::string vector_units() {
+#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__)
+  if (__builtin_cpu_supports("x86-64-v4")) return "AVX-512";
+  if (__builtin_cpu_supports("x86-64-v3")) return "AVX2";
+#endif
+  return "neither AVX2 nor AVX-512";
+}
+
+std::string compiler() {
+#if defined(__clang__)
+  return "clang " __clang_version__;
+#else
+  return "g++ " __VERSION__;
+#endif
+}
+
+std::optional<double> find(const benchmark::UserCounters& counters, const char* name) {
+  const auto found = counters.find(name);
+  if (found == counters.end()) return std::nullopt;
+  return found->second.value;
+}
+
+std::string cell(std::optional<double> value, int digits) {
+  if (!value) return "–";
+  std::ostringstream text;
+  text << std::fixed << std::setprecision(digits) << *value;
+  return text.str();
+}
+
+}  // namespace
+
+void Summary::ReportRuns(const std::vector<Run>& reports) {
+  std::vector<Run> medians;
+  for (const Run& run : reports) {
+    if (run.error_occurred) failed_ = true;
+    const bool alone = run.run_type == Run::RT_Iteration && run.repetitions == 1;
+    const bool median = run.run_type == Run::RT_Aggregate && run.aggregate_name == "median";
+    if (!run.error_occurred && !alone && !median) continue;
+    medians.push_back(run);
+    if (run.error_occurred) continue;
+
+    Row row;
+    row.name = run.run_name.function_name;
+    row.milliseconds = run.GetAdjustedCPUTime();
+    row.lost_fraction = find(run.counters, lost_fraction_counter);
+    row.error = find(run.counters, error_counter);
+    if (rows_.empty() && row.name == reference_name) row.ratio = 1.0;
+    if (!rows_.empty() && rows_.front().name == reference_name && row.lost_fraction) {
+      row.ratio = rows_.front().milliseconds / row.milliseconds;
+    }
+    if (row.ratio) medians.back().counters[ratio_counter] = *row.ratio;
+    rows_.push_back(row);
+  }
+  ConsoleReporter::ReportRuns(medians);
+}
+
+void Summary::write(std::ostream& out) const {
+  out << processor() << ", one core, " << vector_units() << "; " << compiler() << ", " << STOSS_BUILD_TYPE << "; stoss "
+      << stoss::version() << ".\n"
+      << "Disk, ν = " << poisson << ", v = " << speed
+      << " c. Time: processor time, median. Error: against the converged "
+      << "value of the hard wall, 1−ε² = " << converged_lost_fraction << ".\n"
+      << "Ratio: time of the paper's protocol / time.\n\n"
+      << "| benchmark | ms | 1−ε² | error | ratio |\n"
+      << "|---|---:|---:|---:|---:|\n";
+  for (const Row& row : rows_) {
+    out << "| " << row.name << " | " << cell(row.milliseconds, 3) << " | " << cell(row.lost_fraction, 5) << " | "
+        << cell(row.error, 5) << " | " << cell(row.ratio, 2) << " |\n";
+  }
+}
+
+}  // namespace bench

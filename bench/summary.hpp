@@ -1,0 +1,37 @@
+#pragma once
+
+#include <benchmark/benchmark.h>
+
+#include <iosfwd>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace bench {
+
+/// The median of one benchmark's repetitions.
+struct Row {
+  std::string name;
+  double milliseconds = 0.0;  ///< processor time
+  std::optional<double> lost_fraction;
+  std::optional<double> error;
+  std::optional<double> ratio;  ///< the reference's time over this one's
+};
+
+/// Prints the medians as they come, with the ratio of times as a counter, and keeps them.
+class Summary final : public benchmark::ConsoleReporter {
+ public:
+  Summary() : benchmark::ConsoleReporter(OO_None) {}
+  void ReportRuns(const std::vector<Run>& reports) override;
+
+  /// The rows as a Markdown table, headed by a description of the machine and the build.
+  void write(std::ostream& out) const;
+
+  [[nodiscard]] bool failed() const { return failed_; }
+
+ private:
+  std::vector<Row> rows_;
+  bool failed_ = false;
+};
+
+}  // namespace bench

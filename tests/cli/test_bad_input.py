@@ -1,0 +1,104 @@
+"""Bad input: one clear line, the right exit code, nothing on stdout."""
+
+import pytest
+
+BAD_VALUES = [
+    ("modes --poisson 1", "poisson", "1"),
+    ("modes --poisson -1", "poisson", "-1"),
+    ("modes --poisson 1.5", "poisson", "1.5"),
+    ("modes --poisson nan", "poisson", "nan"),
+    ("modes --poisson inf", "poisson", "inf"),
+    ("impact --speed 0.1 --poisson 1", "poisson", "1"),
+    ("restitution --speed 0.1 --poisson nan", "poisson", "nan"),
+    ("modes --poisson 0.33 --cutoff 0.5", "cutoff", "0.5"),
+    ("modes --poisson 0.33 --cutoff 0", "cutoff", "0"),
+    ("modes --poisson 0.33 --cutoff -3", "cutoff", "-3"),
+    ("modes --poisson 0.33 --cutoff nan", "cutoff", "nan"),
+    ("modes --poisson 0.33 --cutoff 1e9", "cutoff", "1000000000"),
+    ("impact --poisson 0.33 --speed 0.1 --cutoff 0.5", "cutoff", "0.5"),
+    ("impact --poisson 0.33 --speed 0", "speed", "0"),
+    ("impact --poisson 0.33 --speed -0.1", "speed", "-0.1"),
+    ("impact --poisson 0.33 --speed nan", "speed", "nan"),
+    ("impact --poisson 0.33 --speed 1e9", "speed", "1000000000"),
+    ("impact --poisson 0.33 --speed 1.01", "speed", "1.01"),
+    ("impact --poisson 0.33 --speed 0.1,0.2", "speed", "2 speeds"),
+    ("impact --poisson 0.33 --speed 0.1 --step 0", "step", "0"),
+    ("impact --poisson 0.33 --speed 0.1 --step nan", "step", "nan"),
+    ("impact --poisson 0.33 --speed 0.1 --step 1", "step", "1"),
+    ("impact --poisson 0.33 --speed 0.1 --nodes 1", "nodes", "1"),
+    ("impact --poisson 0.33 --speed 0.1 --nodes 1000000", "nodes", "1000000"),
+    ("impact --poisson 0.33 --speed 0.1 --every 0", "observe_every", "0"),
+    ("impact --poisson 0.33 --speed 0.1 --hardness 100", "wall", "hard"),
+    ("impact --poisson 0.33 --speed 0.1 --wall exponential --hardness 0", "hardness", "0"),
+    ("impact --poisson 0.33 --speed 0.1 --wall exponential --hardness inf", "hardness", "inf"),
+    ("impact --poisson 0.33 --speed 0.1 --wall exponential --strength -1", "strength", "-1"),
+    ("impact --poisson 0.33 --speed 0.1 --wall exponential --tail static", "tail", "exponential"),
+    ("restitution --poisson 0.33 --speed 0", "speed", "0"),
+    ("restitution --poisson 0.33 --speed 0.1,nan", "speed", "nan"),
+    ("restitution --poisson 0.33 --speed 0.1,,0.2", "speed", "0.1,,0.2"),
+    ("restitution --poisson 0.33 --speed 0.1,", "speed", "0.1,"),
+    ("restitution --poisson 0.33 --speed 0.1,x", "speed", "x"),
+    ("restitution --poisson 0.33 --speed 0.1m/s", "speed", "0.1m/s"),
+    ("restitution --poisson 0.33 --speed log:0.1:0.2", "speed", "log:0.1:0.2"),
+    ("restitution --poisson 0.33 --speed log:0:0.2:5", "speed", "log:0:0.2:5"),
+    ("restitution --poisson 0.33 --speed log:0.1:0.2:1", "speed", "log:0.1:0.2:1"),
+    ("restitution --poisson 0.33 --speed log:0.1:0.2:1e12", "speed", "log:0.1:0.2:1e12"),
+    ("restitution --poisson 0.33 --speed 0.1 --tolerance 0", "tolerance", "0"),
+    ("restitution --poisson 0.33 --speed 0.1 --tolerance nan", "tolerance", "nan"),
+    ("restitution --poisson 0.33 --speed 0.1 --threads -1", "threads", "-1"),
+    ("restitution --poisson 0.33 --speed 1 --young 1e9", "material", "1 of"),
+    ("restitution --poisson 0.33 --speed 1 --plane strain", "material", "0 of"),
+    ("modes --poisson 0.5 --young 1e9 --density 1000 --radius 1", "poisson", "0.5"),
+    ("modes --poisson 0.3 --young -1e9 --density 1000 --radius 1", "young", "-1000000000"),
+    ("modes --poisson 0.3 --young 1e9 --density 0 --radius 1", "density", "0"),
+    ("modes --poisson 0.3 --young 1e9 --density 1000 --radius nan", "radius", "nan"),
+    ("restitution --poisson 0.3 --young 2e11 --density 7850 --radius 1 --speed 10000", "speed", "1.98"),
+]
+
+
+@pytest.mark.parametrize("arguments, name, got", BAD_VALUES)
+def test_value_out_of_range(stoss, arguments, name, got):
+    result = stoss.run(arguments)
+    assert result.returncode == 3
+    assert result.stdout == ""
+    (line,) = result.stderr.splitlines()
+    assert line.startswith(f"stoss: error: {name}: got ")
+    assert got in line
+    assert "allowed" in line
+
+
+BAD_USAGE = [
+    "",
+    "bounce",
+    "modes",
+    "modes --poisson",
+    "modes --poisson abc",
+    "modes --poisson 0.33 --colour red",
+    "modes --poisson 0.33 extra",
+    "modes --poisson 0.33 --format xml",
+    "impact --poisson 0.33",
+    "impact --poisson 0.33 --speed",
+    "impact --poisson 0.33 --speed 0.1 --wall soft",
+    "impact --poisson 0.33 --speed 0.1 --tail none",
+    "impact --poisson 0.33 --speed 0.1 --nodes 1e99",
+    "restitution --poisson 0.33",
+    "restitution --poisson 0.33 --speed 0.1 --threads two",
+    "restitution --poisson 0.3 --young 1 --density 1 --radius 1 --plane middle --speed 1",
+]
+
+
+@pytest.mark.parametrize("arguments", BAD_USAGE)
+def test_usage(stoss, arguments):
+    result = stoss.run(arguments)
+    assert result.returncode == 2
+    assert result.stdout == ""
+    (line,) = result.stderr.splitlines()
+    assert line.startswith("stoss: error: ")
+    assert "--help" in line
+
+
+def test_range_ends_are_allowed(stoss):
+    for poisson in ("-0.95", "0.995"):
+        assert stoss.run(f"modes --poisson {poisson} --cutoff 5").returncode == 0
+    for speed in ("1e-8", "1"):
+        assert stoss.run(f"impact --poisson 0.33 --cutoff 12.5 --quiet --speed {speed}").returncode == 0

@@ -1,0 +1,147 @@
+"""Files, pipes, full disks, signals."""
+
+import json
+import os
+import signal
+import subprocess
+import time
+
+import pytest
+from conftest import rows
+
+LONG = "restitution --poisson 0.33 --speed log:1e-3:0.3:100000 --threads 2"
+
+
+def start(stoss, arguments, **options):
+    # The shell of the tests may ignore signals; the command must see the defaults.
+    def defaults():
+        signal.signal(signal.SIGINT, signal.SIG_DFL)
+        signal.signal(signal.SIGPIPE, signal.SIG_DFL)
+
+    return subprocess.Popen([stoss.path, *arguments.split()], preexec_fn=defaults, text=True, **options)
+
+
+def test_output_file(stoss, tmp_path):
+    path = tmp_path / "modes.csv"
+    result = stoss.run(f"modes --poisson 0.33 --cutoff 3 --format csv -o {path}")
+    assert (result.returncode, result.stdout, result.stderr) == (0, "", "")
+    assert len(rows(path.read_text())) == 6
+
+
+@pytest.mark.parametrize("subcommand", ["modes", "impact --speed 0.1", "restitution --speed 0.1"])
+@pytest.mark.parametrize("form", ["table", "csv", "json"])
+def test_full_disk(stoss, subcommand, form):
+    with open("/dev/full", "w") as full:
+        result = subprocess.run(
+            [stoss.path, *f"{subcommand} --poisson 0.33 --format {form}".split()],
+            stdout=full,
+            stderr=subprocess.PIPE,
+            text=True,
+            timeout=60,
+        )
+    assert result.returncode == 4
+    (line,) = result.stderr.splitlines()
+    assert "cannot write" in line and "No space left" in line
+
+
+@pytest.mark.parametrize("option", ["-o", "--trajectory"])
+def test_unwritable_file(stoss, tmp_path, option):
+    result = stoss.run(f"impact --poisson 0.33 --speed 0.1 {option} {tmp_path}/no/such/folder/x.csv")
+    assert result.returncode == 4
+    (line,) = result.stderr.splitlines()
+    assert "cannot write" in line and "x.csv" in line
+
+
+def test_closed_pipe(stoss):
+    command = start(stoss, "modes --poisson 0.33 --cutoff 200", stdout=subprocess.PIPE, stderr=subprocess.PIPE)
+    assert command.stdout.readline().split()[0] == "order"
+    command.stdout.close()
+    assert command.stderr.read() == ""
+    assert command.wait(timeout=60) in (-signal.SIGPIPE, 4)
+
+
+def test_closed_pipe_where_the_signal_is_ignored(stoss):
+    ignore = lambda: signal.signal(signal.SIGPIPE, signal.SIG_IGN)
+    command = subprocess.Popen(
+        [stoss.path, *"modes --poisson 0.33 --cutoff 200".split()],
+        preexec_fn=ignore,
+        restore_signals=False,
+        stdout=subprocess.PIPE,
+        stderr=subprocess.PIPE,
+    )
+    command.stdout.readline()
+    command.stdout.close()
+    assert command.stderr.read() == b""
+    assert command.wait(timeout=60) == 4
+
+
+@pytest.mark.parametrize("form", ["csv", "json"])
+def test_interrupt_keeps_the_rows_so_far(stoss, tmp_path, form):
+    path = tmp_path / "curve"
+    command = start(stoss, f"{LONG} --format {form} -o {path}", stderr=subprocess.PIPE)
+    time.sleep(1.5)
+    command.send_signal(signal.SIGINT)
+    assert command.wait(timeout=30) == 130
+    assert command.stderr.read() == ""
+    text = path.read_text()
+    if form == "json":
+        document = json.loads(text)
+        assert document["complete"] is False
+        speeds = [record["speed"] for record in document["records"]]
+    else:
+        assert text.endswith("# interrupted: the rows above are complete, later ones are missing\n")
+        table = rows(text)
+        assert all(row["beyond_small_strain"] == "false" for row in table)
+        speeds = [float(row["speed[c]"]) for row in table]
+    assert len(speeds) >= 1
+    assert speeds == sorted(speeds) and speeds[0] == pytest.approx(1e-3)
+
+
+def test_kill_leaves_whole_rows(stoss, tmp_path):
+    path = tmp_path / "curve.csv"
+    command = start(stoss, f"{LONG} --format csv -o {path}")
+    time.sleep(1.5)
+    command.kill()
+    command.wait(timeout=30)
+    text = path.read_text()
+    assert text.endswith("\n")
+    assert all(row["beyond_small_strain"] == "false" for row in rows(text))
+
+
+def test_interrupt_of_a_trajectory(stoss, tmp_path):
+    path = tmp_path / "t.csv"
+    arguments = f"impact --poisson 0.33 --speed 0.1 --step 1e-5 --cutoff 12.5 --trajectory {path}"
+    command = start(stoss, arguments, stdout=subprocess.PIPE, stderr=subprocess.PIPE)
+    while not path.exists() or path.stat().st_size < 2000:
+        assert command.poll() is None
+        time.sleep(0.05)
+    command.send_signal(signal.SIGINT)
+    assert command.wait(timeout=60) == 130
+    assert path.read_text().endswith("missing\n")
+
+
+def test_no_progress_bar_off_a_terminal(stoss, tmp_path):
+    result = stoss.run(f"restitution --poisson 0.33 --speed 0.1,0.2 -o {tmp_path}/x")
+    assert result.stderr == ""
+
+
+def test_table_fits_80_columns(stoss):
+    text = stoss.run("restitution --poisson 0.33 --speed 0.1,1e-8").stdout
+    assert max(map(len, text.splitlines())) <= 80
+    assert all(line == line.rstrip() for line in text.splitlines())
+
+
+def test_many_threads_for_few_speeds(stoss):
+    assert len(stoss.data("restitution --poisson 0.33 --speed 0.1 --threads 64")) == 1
+
+
+def test_manual_names_every_option(stoss):
+    manual = open(os.path.join(os.path.dirname(__file__), "../../cli/stoss.1")).read().replace("\\-", "-")
+    completion = open(os.path.join(os.path.dirname(__file__), "../../cli/completion.bash")).read()
+    for subcommand in ("modes", "impact", "restitution"):
+        text = stoss.run(subcommand, "--help").stdout
+        options = {word.rstrip(",") for word in text.replace(",--", " --").split() if word.startswith("--")}
+        assert len(options) > 8
+        for option in options:
+            assert option in manual, option
+            assert option in completion, option

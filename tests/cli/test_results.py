@@ -1,0 +1,167 @@
+"""What the subcommands compute and how they write it."""
+
+import json
+import math
+
+import pytest
+from conftest import rows
+
+KEYS = (
+    "poisson speed restitution restitution_error lost_fraction lost_fraction_error contact_time max_compression "
+    "max_force cutoff modes steps energy_error seconds converged beyond_small_strain"
+).split()
+
+
+def test_version(stoss):
+    result = stoss.run("--version")
+    assert result.returncode == 0
+    assert result.stdout.startswith("stoss 0.")
+
+
+@pytest.mark.parametrize("subcommand", ["", "modes", "impact", "restitution"])
+def test_help_has_units_and_an_example(stoss, subcommand):
+    result = stoss.run(subcommand, "--help")
+    assert result.returncode == 0
+    assert result.stderr == ""
+    if subcommand:
+        assert "Example:" in result.stdout
+        assert f"stoss {subcommand}" in result.stdout
+        assert "(default:" in result.stdout
+    else:
+        assert "Exit codes" in result.stdout
+
+
+def test_modes_are_the_reference(stoss):
+    modes = stoss.data("modes --poisson 0.3 --cutoff 3")
+    lowest = min(modes, key=lambda mode: float(mode["omega[c/R]"]))
+    assert (lowest["order"], lowest["index"], lowest["family"]) == ("2", "0", "radial")
+    assert math.isclose(float(lowest["omega[c/R]"]), 1.45465510, abs_tol=5e-9)
+    assert math.isclose(float(lowest["radial"]), 1.392441, abs_tol=5e-7)
+    assert math.isclose(float(lowest["tangential"]), -0.435470, abs_tol=5e-7)
+
+
+def test_number_of_modes(stoss):
+    assert len(stoss.data("modes --poisson 0.33 --cutoff 25")) == 295
+
+
+def test_restitution_is_the_reference_within_its_error(stoss):
+    (row,) = stoss.data("restitution --poisson 0.33 --speed 0.1")
+    assert abs(float(row["restitution"]) - 0.94706) <= float(row["restitution_error"]) + 1e-5
+    assert row["converged"] == "true"
+    assert row["beyond_small_strain"] == "false"
+
+
+def test_formats_agree(stoss):
+    arguments = "restitution --poisson 0.33 --speed 0.05,0.2"
+    table = stoss.data(arguments)
+    document = json.loads(stoss.run(arguments, "--format json").stdout)
+    assert document["schema"] == "stoss/restitution/1"
+    assert document["complete"] is True
+    assert document["inputs"]["poisson"] == 0.33
+    assert document["command"].startswith("stoss restitution --poisson 0.33")
+    assert [list(record) for record in document["records"]] == [KEYS, KEYS]
+    for row, record in zip(table, document["records"]):
+        assert float(row["restitution"]) == record["restitution"]
+        assert float(row["contact_time[R/c]"]) == record["contact_time"]
+
+
+def test_csv_has_provenance_and_units(stoss):
+    text = stoss.run("impact --poisson 0.33 --speed 0.1 --cutoff 12.5 --format csv").stdout
+    head = [line for line in text.splitlines() if line.startswith("#")]
+    assert head[0].startswith("# stoss 0.")
+    assert head[1] == "# command: stoss impact --poisson 0.33 --speed 0.1 --cutoff 12.5 --format csv"
+    assert "# wall: hard" in head
+    (row,) = rows(text)
+    assert {"speed[c]", "contact_time[R/c]", "max_force[piRE]", "max_compression[R]"} <= set(row)
+
+
+def test_series(stoss):
+    logarithmic = [float(row["speed[c]"]) for row in stoss.data("restitution --poisson 0.33 --speed log:0.01:0.16:5")]
+    assert logarithmic == pytest.approx([0.01, 0.02, 0.04, 0.08, 0.16], rel=1e-14)
+    linear = [float(row["speed[c]"]) for row in stoss.data("restitution --poisson 0.33 --speed lin:0.1:0.3:3")]
+    assert linear == pytest.approx([0.1, 0.2, 0.3], rel=1e-14)
+
+
+def test_result_does_not_depend_on_threads(stoss):
+    arguments = "restitution --poisson 0.33 --speed log:0.01:0.3:7 --threads"
+    one, eight = (stoss.data(f"{arguments} {threads}") for threads in (1, 8))
+    for a, b in zip(one, eight, strict=True):
+        del a["seconds[s]"], b["seconds[s]"]
+        assert a == b
+
+
+def test_si_material(stoss):
+    steel = "--poisson 0.3 --young 2.1e11 --density 7850 --radius 0.01"
+    (row,) = stoss.data(f"restitution {steel} --speed 10")
+    c = math.sqrt(2.1e11 / 7850)
+    assert float(row["speed_si[m/s]"]) == pytest.approx(10, rel=1e-14)
+    assert float(row["speed[c]"]) == pytest.approx(10 / c, rel=1e-14)
+    assert float(row["contact_time_si[s]"]) == pytest.approx(float(row["contact_time[R/c]"]) * 0.01 / c, rel=1e-14)
+    (plain,) = stoss.data(f"restitution --poisson 0.3 --speed {float(row['speed[c]'])!r}")
+    assert plain["restitution"] == row["restitution"]
+
+
+def test_plane_strain(stoss):
+    solid = "--poisson 0.25 --young 1e10 --density 2500 --radius 1"
+    c = math.sqrt(1e10 / (1 - 0.25**2) / 2500)
+    (strain,) = stoss.data(f"restitution {solid} --plane strain --speed {0.1 * c!r}")
+    (plane,) = stoss.data(f"restitution --poisson {0.25 / 0.75!r} --speed 0.1")
+    assert float(strain["restitution"]) == pytest.approx(float(plane["restitution"]), abs=1e-12)
+
+
+def test_exponential_wall(stoss):
+    (row,) = stoss.data("impact --poisson 0.33 --speed 0.1 --wall exponential --hardness 500 --cutoff 25")
+    assert float(row["lost_fraction"]) == pytest.approx(0.099881, abs=3e-5)
+
+
+def test_static_tail(stoss):
+    (row,) = stoss.data("impact --poisson 0.33 --speed 0.1 --tail static --cutoff 25 --step 0.02")
+    assert float(row["lost_fraction"]) == pytest.approx(0.1009, abs=2e-4)
+    assert row["unresolved"] == "0"
+
+
+def test_impact_json_has_every_mode(stoss):
+    document = json.loads(stoss.run("impact --poisson 0.33 --speed 0.1 --cutoff 25 --format json").stdout)
+    (record,) = document["records"]
+    assert len(document["modes"]) == record["modes"] == 295
+    after = sum(mode["after"] for mode in document["modes"])
+    assert after == pytest.approx(record["vibration"], rel=1e-12)
+    ledger = record["translation"] + record["vibration"] + record["unresolved"]
+    assert ledger == pytest.approx(1 - record["energy_error"], abs=1e-12)
+
+
+def test_impact_table_ranks_the_quadrupole_first(stoss):
+    lines = stoss.run("impact --poisson 0.33 --speed 0.1").stdout.splitlines()
+    first = lines[lines.index("most energetic modes (shares of the initial energy)") + 2]
+    assert first.split()[:2] == ["2", "0"]
+
+
+def test_trajectory(stoss, tmp_path):
+    path = tmp_path / "t.csv"
+    result = stoss.run(f"impact --poisson 0.33 --speed 0.1 --cutoff 12.5 --every 5 --format csv --trajectory {path}")
+    assert result.returncode == 0
+    (record,) = rows(result.stdout)
+    instants = rows(path.read_text())
+    times = [float(row["time[R/c]"]) for row in instants]
+    assert times == sorted(times) and times[0] == 0
+    assert times[1] == pytest.approx(5 * float(record["step[R/c]"]))
+    assert float(instants[0]["velocity[c]"]) == 0.1
+    assert float(instants[-1]["velocity[c]"]) == pytest.approx(-0.1 * float(record["restitution"]), rel=1e-12)
+    for row in instants:
+        energy = sum(float(row[key]) for key in ("translation", "vibration", "stored", "unresolved"))
+        assert energy == pytest.approx(1, abs=2e-3)
+
+
+def test_speed_beyond_small_strain_is_flagged(stoss):
+    result = stoss.run("restitution --poisson 0.33 --speed 0.1,0.7 --format csv")
+    assert result.returncode == 0
+    assert [row["beyond_small_strain"] for row in rows(result.stdout)] == ["false", "true"]
+    assert "linear elasticity" in result.stderr
+    assert stoss.run("restitution --poisson 0.33 --speed 0.7 --quiet").stderr == ""
+
+
+def test_not_converged_is_marked_and_exits_with_1(stoss):
+    result = stoss.run("restitution --poisson 0.33 --speed 0.1 --tolerance 1e-9")
+    assert result.returncode == 1
+    assert "0.9470" in result.stdout and " !" in result.stdout
+    assert "tolerance" in result.stderr

@@ -1,0 +1,101 @@
+// The paper's wall V = V₀ Σ μ_i e^{αx_i}: exact gradient, no overflow, V₀ without effect.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <random>
+#include <string>
+#include <vector>
+
+#include "stoss/bodies/disk.hpp"
+#include "stoss/bodies/rod.hpp"
+#include "stoss/errors.hpp"
+#include "stoss/impact.hpp"
+#include "support/refusal.hpp"
+#include "wall_response.hpp"
+
+namespace stoss {
+namespace {
+
+TEST(ExponentialWall, ForceIsTheGradientOfThePotential) {
+  const Body body = disk(0.33, 12.5);
+  const ContactGrid grid = body.grid(0.4, 24);
+  for (const double hardness : {50.0, 500.0}) {
+    const ExponentialWall wall{hardness, 0.7};
+    const auto response = make_response(wall, body, grid, 0.1, 0.01);
+    std::mt19937 random(7);
+    std::uniform_real_distribution<double> uniform(-0.02, 0.01);
+    std::vector<double> x(24);
+    for (double& value : x) value = uniform(random);
+    const std::vector<double> force = response->advance(x);
+    double potential = 0.0;
+    for (std::size_t i = 0; i < 24; ++i) potential += 0.7 * grid.measure[i] * std::exp(hardness * x[i]);
+    EXPECT_NEAR(response->stored_energy(), potential, 1e-13 * potential);
+    ASSERT_EQ(response->extent(), 24U);
+    for (std::size_t i = 0; i < 24; ++i) {
+      const double h = 1e-4 / hardness;
+      auto moved = x;
+      moved[i] = x[i] + h;
+      response->advance(moved);
+      const double up = response->stored_energy();
+      moved[i] = x[i] - h;
+      response->advance(moved);
+      const double down = response->stored_energy();
+      EXPECT_NEAR((up - down) / (2.0 * h), force[i], 1e-7 * hardness * potential) << "node " << i;
+      EXPECT_GT(force[i], 0.0);
+    }
+  }
+}
+
+TEST(ExponentialWall, SaysSoWhenThePenetrationIsBeyondAnyForce) {
+  const Body body = disk(0.33, 12.5);
+  const ContactGrid grid = body.grid(0.4, 4);
+  const auto response = make_response(ExponentialWall{500.0, 1.0}, body, grid, 0.1, 0.01);
+  const double infinity = std::numeric_limits<double>::infinity();
+  for (const double deep : {1.0, 1e6, 1e300, infinity, std::nan("")}) {
+    const std::string message = test::message_of<NotConverged>([&] { response->advance({-1.0, deep, -1.0, -1.0}); });
+    EXPECT_NE(message.find("exponential wall"), std::string::npos) << message;
+    EXPECT_NE(message.find("step"), std::string::npos) << message;
+    EXPECT_EQ(message.find('\n'), std::string::npos) << message;
+  }
+}
+
+TEST(ExponentialWall, IsWithoutForceFarAway) {
+  const Body body = disk(0.33, 12.5);
+  const auto response = make_response(ExponentialWall{500.0, 1.0}, body, body.grid(0.4, 4), 0.1, 0.01);
+  const std::vector<double> force = response->advance({-1.0, -2.0, -10.0, -1e6});
+  for (const double f : force) EXPECT_LT(f, 1e-200);
+  EXPECT_FALSE(response->overflows());
+}
+
+TEST(ExponentialWall, StrengthOnlyShiftsTheWall) {
+  for (const Body& body : {disk(0.33, 12.5), disk(0.9, 12.5), rod(30.0)}) {
+    for (const double speed : {0.01, 0.2}) {
+      const Impact one = impact(body, ExponentialWall{500.0, 1.0}, speed);
+      for (const double strength : {1e-3, 1e3}) {
+        const Impact other = impact(body, ExponentialWall{500.0, strength}, speed);
+        EXPECT_NEAR(other.lost_fraction, one.lost_fraction, 1e-9) << body.name << ", " << strength;
+        EXPECT_NEAR(other.max_force / one.max_force, 1.0, 1e-9);
+        EXPECT_NEAR(other.contact_time, one.contact_time, 1e-9);
+        EXPECT_NEAR(other.max_compression - one.max_compression, -std::log(strength) / 500.0, 1e-9);
+      }
+    }
+  }
+}
+
+TEST(ExponentialWall, RefusesBadConstants) {
+  const Body body = rod(10.0);
+  for (const double bad : {0.0, -500.0, 1e7, std::nan("")}) {
+    test::expect_refusal([&] { (void)impact(body, ExponentialWall{bad, 1.0}, 0.1); }, {"hardness", "1 to 1e6"});
+    test::expect_refusal([&] { validate(ExponentialWall{bad, 1.0}); }, {"hardness", "1 to 1e6"});
+  }
+  for (const double bad : {0.0, -1.0, 1e200, std::nan("")}) {
+    test::expect_refusal([&] { (void)impact(body, ExponentialWall{500.0, bad}, 0.1); }, {"strength", "got"});
+  }
+  EXPECT_NO_THROW(validate(HardWall{}));
+  EXPECT_NO_THROW(validate(ExponentialWall{}));
+}
+
+}  // namespace
+}  // namespace stoss

@@ -1,0 +1,180 @@
+// What the observer sees, what ends an impact, and impacts of a body that already vibrates.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstddef>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "stoss/bodies/disk.hpp"
+#include "stoss/bodies/rod.hpp"
+#include "stoss/impact.hpp"
+#include "support/refusal.hpp"
+
+namespace stoss {
+namespace {
+
+std::vector<Snapshot> watch(const Body& body, const Wall& wall, double speed, ImpactOptions options, Impact* result) {
+  std::vector<Snapshot> seen;
+  *result = impact(body, wall, speed, options, [&](const Snapshot& now) {
+    seen.push_back(now);
+    seen.back().coordinate = seen.back().momentum = {};
+  });
+  return seen;
+}
+
+class Observer : public ::testing::TestWithParam<Wall> {
+ protected:
+  const Body body = disk(0.33, 12.5);
+  const Wall wall = GetParam();
+};
+
+TEST_P(Observer, SeesAConsistentMotion) {
+  Impact result;
+  const auto seen = watch(body, wall, 0.1, {}, &result);
+  ASSERT_EQ(seen.size(), static_cast<std::size_t>(result.steps) + 1);
+  double largest_force = 0.0, deepest = -1.0, widest = 0.0;
+  for (std::size_t i = 0; i < seen.size(); ++i) {
+    const Snapshot& now = seen[i];
+    EXPECT_NEAR(now.time, static_cast<double>(i) * result.step, 1e-12);
+    EXPECT_GE(now.force, 0.0);
+    EXPECT_NEAR(now.translation, now.velocity * now.velocity / 0.01, 1e-6);
+    // In contact the tail has energy of its own, which the radiating one counts as unresolved.
+    EXPECT_NEAR(now.translation + now.vibration + now.stored + now.unresolved, 1.0, 2e-3) << "time " << now.time;
+    largest_force = std::max(largest_force, now.force);
+    deepest = std::max(deepest, now.center + body.extent);
+    widest = std::max(widest, now.contact_half_width);
+  }
+  EXPECT_NEAR(seen.front().velocity, 0.1, 1e-9);
+  EXPECT_NEAR(seen.front().vibration, 0.0, 1e-12);
+  EXPECT_EQ(seen.back().velocity, result.final_state.velocity);
+  EXPECT_EQ(seen.back().center, result.final_state.center);
+  EXPECT_EQ(seen.back().translation, result.energy.translation);
+  EXPECT_EQ(seen.back().unresolved, result.energy.unresolved);
+  EXPECT_NEAR(seen.back().vibration, result.energy.vibration, 1e-14);
+  EXPECT_EQ(largest_force, result.max_force);
+  EXPECT_NEAR(deepest, result.max_compression, 1e-15);
+  EXPECT_EQ(widest, result.max_half_width);
+}
+
+TEST_P(Observer, ChangesNothing) {
+  Impact seen;
+  (void)watch(body, wall, 0.1, {}, &seen);
+  const Impact unseen = impact(body, wall, 0.1);
+  EXPECT_EQ(seen.restitution, unseen.restitution);
+  EXPECT_EQ(seen.steps, unseen.steps);
+  EXPECT_EQ(seen.final_state.momentum, unseen.final_state.momentum);
+}
+
+TEST_P(Observer, IsCalledEverySoManySteps) {
+  Impact result;
+  const auto all = watch(body, wall, 0.1, {}, &result);
+  const auto some = watch(body, wall, 0.1, {.observe_every = 7}, &result);
+  ASSERT_EQ(some.size(), (all.size() - 1) / 7 + 1 + ((all.size() - 1) % 7 == 0 ? 0 : 1));
+  for (std::size_t i = 0; i + 1 < some.size(); ++i) {
+    EXPECT_EQ(some[i].time, all[7 * i].time);
+    EXPECT_EQ(some[i].velocity, all[7 * i].velocity);
+    EXPECT_EQ(some[i].force, all[7 * i].force);
+  }
+  EXPECT_EQ(some.back().time, all.back().time);
+}
+
+TEST_P(Observer, GetsTheModesOnRequest) {
+  bool without = true;
+  (void)impact(body, wall, 0.1, {}, [&](const Snapshot& now) { without = without && now.coordinate.empty(); });
+  EXPECT_TRUE(without);
+  const double initial = 0.5 * body.mass * 0.01;
+  std::vector<double> coordinate, momentum;
+  const Impact result = impact(body, wall, 0.1, {.observe_every = 5, .observe_modes = true}, [&](const Snapshot& now) {
+    ASSERT_EQ(now.coordinate.size(), mode_count(body));
+    ASSERT_EQ(now.momentum.size(), mode_count(body));
+    double energy = 0.0;
+    std::size_t k = 0;
+    for (const ModeGroup& group : body.groups) {
+      for (const double omega : group.omega) {
+        energy += 0.5 * now.momentum[k] * now.momentum[k] / body.mass +
+                  0.5 * body.mass * omega * omega * now.coordinate[k] * now.coordinate[k];
+        ++k;
+      }
+    }
+    EXPECT_NEAR(energy / initial, now.vibration, 1e-12);
+    coordinate.assign(now.coordinate.begin(), now.coordinate.end());
+    momentum.assign(now.momentum.begin(), now.momentum.end());
+  });
+  EXPECT_EQ(coordinate, result.final_state.coordinate);
+  EXPECT_EQ(momentum, result.final_state.momentum);
+}
+
+TEST_P(Observer, ThrowsThroughTheImpact) {
+  int calls = 0;
+  const std::string message = test::message_of<std::domain_error>([&] {
+    (void)impact(body, wall, 0.1, {}, [&](const Snapshot&) {
+      if (++calls == 10) throw std::domain_error("enough");
+    });
+  });
+  EXPECT_EQ(message, "enough");
+  EXPECT_EQ(calls, 10);
+}
+
+TEST_P(Observer, MeanEnergiesAreThoseOfTheContact) {
+  if (std::holds_alternative<ExponentialWall>(wall)) GTEST_SKIP() << "a soft wall has no first instant of contact";
+  const double initial = 0.5 * body.mass * 0.01;
+  std::vector<double> mean(mode_count(body), 0.0);
+  int samples = 0;
+  const Impact result = impact(body, wall, 0.1, {.observe_modes = true}, [&](const Snapshot& now) {
+    if (now.force == 0.0) return;
+    ++samples;
+    std::size_t k = 0;
+    for (const ModeGroup& group : body.groups) {
+      for (const double omega : group.omega) {
+        mean[k] += 0.5 * now.momentum[k] * now.momentum[k] / body.mass +
+                   0.5 * body.mass * omega * omega * now.coordinate[k] * now.coordinate[k];
+        ++k;
+      }
+    }
+  });
+  double average = 0.0;
+  for (std::size_t k = 0; k < mean.size(); ++k) {
+    // The engine may look at some of the steps only.
+    const double expected = mean[k] / (samples * initial);
+    EXPECT_NEAR(result.energy.modes[k].average, expected, 0.01 * expected + 1e-6) << k;
+    average += result.energy.modes[k].average;
+  }
+  // During contact the modes hold more than afterwards, but never more than all.
+  EXPECT_GT(average, result.energy.vibration);
+  EXPECT_LT(average, 1.0);
+}
+
+INSTANTIATE_TEST_SUITE_P(Walls, Observer,
+                         ::testing::Values(Wall{HardWall{Tail::quasistatic}}, Wall{HardWall{Tail::radiating}},
+                                           Wall{ExponentialWall{500.0, 1.0}}));
+
+TEST(ImpactResult, CarriesItsInputs) {
+  const Body body = disk(0.33, 12.5);
+  const Impact result = impact(body, ExponentialWall{321.0, 2.0}, 0.07, {.step = 0.004, .nodes = 150});
+  EXPECT_EQ(result.body, body.name);
+  EXPECT_NE(result.body.find("0.33"), std::string::npos);
+  ASSERT_TRUE(std::holds_alternative<ExponentialWall>(result.wall));
+  EXPECT_EQ(std::get<ExponentialWall>(result.wall).hardness, 321.0);
+  EXPECT_EQ(result.speed, 0.07);
+  EXPECT_EQ(result.cutoff, 12.5);
+  EXPECT_EQ(result.step, 0.004);
+  EXPECT_EQ(result.nodes, 150);
+  const Impact usual = impact(body, HardWall{}, 0.07);
+  EXPECT_EQ(usual.step, recommended_step(body, HardWall{}, 0.07));
+  EXPECT_EQ(usual.nodes, recommended_nodes(body, HardWall{}, 0.07));
+}
+
+TEST(ImpactResult, FlagsWhatIsBeyondSmallStrain) {
+  EXPECT_FALSE(impact(rod(50.0), HardWall{}, 0.5).beyond_small_strain);
+  EXPECT_TRUE(impact(rod(50.0), HardWall{}, 0.51).beyond_small_strain);
+  EXPECT_TRUE(impact(rod(50.0), HardWall{}, 1.0).beyond_small_strain);
+  EXPECT_FALSE(impact(disk(0.33, 12.5), HardWall{}, 0.1).beyond_small_strain);
+  const Impact fast = impact(disk(0.33, 12.5), HardWall{}, 0.6);
+  EXPECT_TRUE(fast.beyond_small_strain);
+  EXPECT_NEAR(fast.energy_error, 0.0, 1e-3);
+}
+
+}  // namespace
+}  // namespace stoss

@@ -1,0 +1,203 @@
+// Impacts of a body that already vibrates or starts elsewhere, several contacts in one impact, and refused input.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "stoss/bodies/disk.hpp"
+#include "stoss/bodies/rod.hpp"
+#include "stoss/errors.hpp"
+#include "stoss/impact.hpp"
+#include "support/body_tools.hpp"
+#include "support/refusal.hpp"
+
+namespace stoss {
+namespace {
+
+State at_rest(const Body& body, double gap, double speed) {
+  return {-body.extent - gap, speed, std::vector<double>(mode_count(body), 0.0),
+          std::vector<double>(mode_count(body), 0.0)};
+}
+
+TEST(StartState, FliesAndVibratesFreelyUntilItTouches) {
+  const Body body = disk(0.33, 12.5);
+  State start = at_rest(body, 0.5, 0.1);
+  const std::size_t mode = 5;
+  start.coordinate[mode] = 0.01;
+  std::vector<double> omegas;
+  for (const ModeGroup& group : body.groups) omegas.insert(omegas.end(), group.omega.begin(), group.omega.end());
+  const double omega = omegas[mode];
+  const double share = 0.5 * body.mass * omega * omega * 1e-4;
+  const double all = share + 0.5 * body.mass * 0.01;
+  bool free = true;
+  int seen = 0;
+  const Impact result =
+      impact(body, HardWall{}, 0.1, {.observe_modes = true, .start = start}, [&](const Snapshot& now) {
+        free = free && now.force == 0.0;
+        if (!free) return;
+        ++seen;
+        EXPECT_NEAR(now.center, -1.5 + 0.1 * now.time, 1e-12);
+        EXPECT_NEAR(now.coordinate[mode], 0.01 * std::cos(omega * now.time), 1e-13);
+        EXPECT_NEAR(now.momentum[mode], -0.01 * body.mass * omega * std::sin(omega * now.time), 1e-12);
+        EXPECT_NEAR(now.vibration, share / all, 1e-12);
+        EXPECT_NEAR(now.translation, 1.0 - share / all, 1e-12);
+      });
+  EXPECT_GT(seen, 100);
+  EXPECT_NEAR(result.energy_error, 0.0, 1e-4);
+  EXPECT_LE(result.momentum_error, 1e-12);
+}
+
+TEST(StartState, FurtherAwayChangesTheImpactOnlyByTheStep) {
+  const Body body = disk(0.33, 25.0);
+  const double step = 0.01;
+  const Impact near = impact(body, HardWall{}, 0.1, {.step = step});
+  const Impact far = impact(body, HardWall{}, 0.1, {.step = step, .start = at_rest(body, 0.1 * 250 * step, 0.1)});
+  EXPECT_NEAR(far.restitution, near.restitution, 1e-9);
+  EXPECT_EQ(far.steps, near.steps + 250);
+}
+
+TEST(StartState, InTheMiddleOfASoftImpactContinuesIt) {
+  const Body body = test::on_one_grid(disk(0.33, 12.5), 0.1);
+  const ExponentialWall wall{100.0, 1.0};
+  State middle;
+  const Impact whole =
+      impact(body, wall, 0.1, {.step = 0.01, .nodes = 128, .observe_modes = true}, [&](const Snapshot& now) {
+        if (middle.velocity > 0.0 || now.velocity > 0.07) return;
+        middle = {now.center,
+                  now.velocity,
+                  {now.coordinate.begin(), now.coordinate.end()},
+                  {now.momentum.begin(), now.momentum.end()}};
+      });
+  ASSERT_GT(middle.velocity, 0.01);
+  ASSERT_LT(middle.velocity, 0.09);
+  const Impact rest = impact(body, wall, middle.velocity, {.step = 0.01, .nodes = 128, .start = middle});
+  EXPECT_LT(rest.steps, whole.steps);
+  EXPECT_NEAR(rest.final_state.velocity, whole.final_state.velocity, 1e-10);
+  for (std::size_t k = 0; k < middle.momentum.size(); ++k) {
+    // Both ledgers in the same unit, the energy of the flight after the impact.
+    EXPECT_NEAR(rest.energy.modes[k].after / rest.energy.translation,
+                whole.energy.modes[k].after / whole.energy.translation, 1e-9);
+  }
+}
+
+TEST(StartState, OfAVibratingBodyCanGiveEnergyToTheFlight) {
+  // Run backwards, an impact that lost energy returns it: ε > 1.
+  const Body body = disk(0.9, 12.5);
+  const Impact forth = impact(body, HardWall{Tail::quasistatic}, 0.1);
+  State start = forth.final_state;
+  start.velocity = -start.velocity;
+  for (double& momentum : start.momentum) momentum = -momentum;
+  const Impact back = impact(body, HardWall{Tail::quasistatic}, start.velocity, {.start = start});
+  EXPECT_GT(back.restitution, 1.1);
+  EXPECT_NEAR(back.restitution * forth.restitution, 1.0, 1e-3);
+  EXPECT_LT(back.lost_fraction, 0.0);
+}
+
+TEST(StartState, OfADiskDecidesByThePhaseOfItsVibration) {
+  const Body body = disk(0.33, 25.0);
+  std::vector<double> restitution;
+  for (const double phase : {0.0, 1.5, 3.0}) {
+    State start = at_rest(body, 0.2, 0.1);
+    const std::size_t quadrupole = body.groups[0].omega.size() + body.groups[1].omega.size();
+    start.coordinate[quadrupole] = 0.01 * std::cos(phase);
+    start.momentum[quadrupole] = 0.01 * body.mass * body.groups[2].omega[0] * std::sin(phase);
+    const Impact result = impact(body, HardWall{}, 0.1, {.start = start});
+    EXPECT_NEAR(result.energy_error, 0.0, 1e-4);
+    restitution.push_back(result.restitution);
+  }
+  EXPECT_GT(std::abs(restitution[0] - restitution[1]), 0.003);
+  EXPECT_GT(std::abs(restitution[1] - restitution[2]), 0.003);
+}
+
+TEST(StartState, OfARodComesBackWithTheOppositeSign) {
+  // A rod held at one end reverses its whole motion in 2 L/c, whatever it is, as long as it presses against the wall:
+  // ε = 1 and the vibration has the energy that it had.
+  for (const double phase : {0.0, 1.5, 3.0}) {
+    double before = 1.0;
+    for (const double cutoff : {100.0, 200.0, 400.0}) {
+      const Body body = rod(cutoff);
+      State start = at_rest(body, 0.1, 0.1);
+      const double omega = body.groups[0].omega[0];
+      start.coordinate[0] = 0.01 * std::cos(phase);
+      start.momentum[0] = 0.01 * omega * std::sin(phase);
+      const double share = 1e-4 * omega * omega / (1e-4 * omega * omega + 0.01);
+      const Impact result = impact(body, HardWall{}, 0.1, {.start = start});
+      const double error = std::abs(result.restitution - 1.0) + std::abs(result.energy.modes.front().after - share);
+      EXPECT_LT(error, 0.7 * before) << "phase " << phase << ", cutoff " << cutoff;
+      before = error;
+    }
+    EXPECT_LT(before, 0.01);
+  }
+}
+
+TEST(StartState, IsRefusedIfItDoesNotFitOrTouches) {
+  const Body body = disk(0.33, 12.5);
+  State wrong = at_rest(body, 0.1, 0.1);
+  wrong.coordinate.pop_back();
+  test::expect_refusal([&] { (void)impact(body, HardWall{}, 0.1, {.start = wrong}); },
+                       {"start", std::to_string(mode_count(body))});
+  for (const Wall& wall : {Wall{HardWall{}}, Wall{HardWall{Tail::quasistatic}}}) {
+    const std::string message =
+        test::message_of<InvalidInput>([&] { (void)impact(body, wall, 0.1, {.start = at_rest(body, -0.1, 0.1)}); });
+    EXPECT_NE(message.find("start"), std::string::npos) << message;
+  }
+}
+
+TEST(StartState, IsRefusedIfItIsNotANumber) {
+  const Body body = disk(0.33, 12.5);
+  const double nan = std::nan("");
+  for (const Wall& wall : {Wall{HardWall{}}, Wall{HardWall{Tail::quasistatic}}, Wall{ExponentialWall{}}}) {
+    State center = at_rest(body, 0.1, 0.1), coordinate = center, momentum = center;
+    center.center = nan;
+    coordinate.coordinate[3] = nan;
+    momentum.momentum[3] = nan;
+    for (const State& start : {center, coordinate, momentum}) {
+      EXPECT_THROW((void)impact(body, wall, 0.1, {.start = start}), InvalidInput) << "wall " << wall.index();
+    }
+  }
+}
+
+TEST(SecondContact, IsPartOfTheImpact) {
+  // At ν = 0.33 and v = 0.4 the edge comes back once more while the disk leaves.
+  const Body body = disk(0.33, 50.0);
+  int begun = 0;
+  bool touching = false;
+  double after_first = 0.0;
+  const Impact result = impact(body, HardWall{}, 0.4, {}, [&](const Snapshot& now) {
+    if (now.force > 0.0 && !touching) ++begun;
+    if (now.force == 0.0 && touching && begun == 1) after_first = now.velocity;
+    touching = now.force > 0.0;
+  });
+  EXPECT_EQ(begun, result.contacts);
+  EXPECT_GE(result.contacts, 2);
+  EXPECT_LT(after_first, 0.0);
+  EXPECT_LT(result.final_state.velocity, after_first);  // it is pushed once more
+}
+
+TEST(ImpactInput, RefusesSpeedsOutOfRange) {
+  const Body body = rod(10.0);
+  const double infinity = std::numeric_limits<double>::infinity();
+  for (const double bad : {0.0, -0.1, 1.0001, 1e9, 1e-9, std::nan(""), infinity}) {
+    test::expect_refusal([&] { (void)impact(body, HardWall{}, bad); }, {"speed", "got", "1e-8 to 1"});
+  }
+}
+
+TEST(ImpactInput, RefusesOptionsOutOfRange) {
+  const Body body = disk(0.33, 12.5);
+  for (const double bad : {-0.01, 0.0, 1.0, std::nan(""), 1e-12}) {
+    test::expect_refusal([&] { (void)impact(body, HardWall{}, 0.1, {.step = bad}); }, {"step", "got"});
+  }
+  for (const int bad : {-1, 0, 5000}) {
+    test::expect_refusal([&] { (void)impact(body, HardWall{}, 0.1, {.nodes = bad}); }, {"nodes", "got", "to 4096"});
+  }
+  for (const int bad : {0, -3}) {
+    test::expect_refusal([&] { (void)impact(body, HardWall{}, 0.1, {.observe_every = bad}); },
+                         {"observe_every", "got"});
+  }
+}
+
+}  // namespace
+}  // namespace stoss

@@ -1,0 +1,78 @@
+// SI ↔ dimensionless, plane stress and plane strain.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "stoss/material.hpp"
+#include "support/refusal.hpp"
+
+namespace stoss {
+namespace {
+
+constexpr Material steel{2.1e11, 0.3, 7850.0};
+
+TEST(MaterialPoisson, PlaneStressKeepsItAndPlaneStrainMapsIt) {
+  EXPECT_EQ(plane_poisson(steel, Plane::stress), 0.3);
+  EXPECT_DOUBLE_EQ(plane_poisson(steel, Plane::strain), 3.0 / 7.0);
+  EXPECT_DOUBLE_EQ(plane_poisson({1e6, 0.4975, 1000.0}, Plane::strain), 0.4975 / 0.5025);
+  EXPECT_DOUBLE_EQ(plane_poisson({1e6, -0.5, 1000.0}, Plane::strain), -1.0 / 3.0);
+}
+
+TEST(MaterialScales, AreThoseOfTheBarWave) {
+  const Scales s = scales(steel, Plane::stress, 0.05);
+  EXPECT_DOUBLE_EQ(s.length, 0.05);
+  EXPECT_NEAR(s.speed, 5172.194154, 1e-5);  // √(2.1e11 / 7850) m/s
+  EXPECT_DOUBLE_EQ(s.time, 0.05 / s.speed);
+  EXPECT_DOUBLE_EQ(s.frequency, s.speed / 0.05);
+  EXPECT_DOUBLE_EQ(s.force, std::numbers::pi * 0.05 * 2.1e11);
+  // mc²/R per thickness, with m = πR²ρ
+  EXPECT_NEAR(s.force / (std::numbers::pi * 0.05 * 7850.0 * s.speed * s.speed), 1.0, 1e-14);
+}
+
+TEST(MaterialScales, OfPlaneStrainUseTheStifferModulus) {
+  const Scales s = scales(steel, Plane::strain, 0.05);
+  EXPECT_NEAR(s.speed * s.speed * 7850.0 / 2.1e11, 1.0 / 0.91, 1e-13);
+  EXPECT_NEAR(s.force / (std::numbers::pi * 0.05 * 2.1e11), 1.0 / 0.91, 1e-13);
+}
+
+TEST(MaterialScales, PlaneStrainGivesTheSolidsOwnWaves) {
+  // E′ and ν′ of plane strain must give the pressure and shear wave speeds of the three-dimensional solid.
+  const double nu = steel.poisson, mapped = plane_poisson(steel, Plane::strain);
+  const double c = scales(steel, Plane::strain, 1.0).speed;
+  const double modulus = steel.young / steel.density;
+  EXPECT_NEAR(c / std::sqrt(1.0 - mapped * mapped), std::sqrt(modulus * (1.0 - nu) / ((1.0 + nu) * (1.0 - 2.0 * nu))),
+              1e-9 * c);
+  EXPECT_NEAR(c / std::sqrt(2.0 * (1.0 + mapped)), std::sqrt(modulus / (2.0 * (1.0 + nu))), 1e-9 * c);
+}
+
+TEST(MaterialScales, GoThereAndBack) {
+  const Scales s = scales({5.7e6, 0.41, 1130.0}, Plane::strain, 0.012);
+  for (const double speed : {1e-4, 0.037, 0.3}) {
+    const double metres_per_second = speed * s.speed;
+    EXPECT_NEAR(metres_per_second / s.speed, speed, 1e-16);
+  }
+  EXPECT_NEAR(s.time * s.frequency, 1.0, 1e-15);
+  EXPECT_NEAR(s.length / s.time / s.speed, 1.0, 1e-15);
+}
+
+TEST(MaterialInput, IsRefusedOutOfRange) {
+  const double infinity = std::numeric_limits<double>::infinity();
+  const double nan = std::nan("");
+  for (const double bad : {0.0, -1.0, nan, infinity}) {
+    test::expect_refusal([&] { (void)scales({bad, 0.3, 1.0}, Plane::stress, 1.0); }, {"young", "got", "above 0"});
+    test::expect_refusal([&] { (void)scales({1.0, 0.3, bad}, Plane::stress, 1.0); }, {"density", "got", "above 0"});
+    test::expect_refusal([&] { (void)scales({1.0, 0.3, 1.0}, Plane::stress, bad); }, {"radius", "got", "above 0"});
+    test::expect_refusal([&] { (void)plane_poisson({bad, 0.3, 1.0}, Plane::stress); }, {"young", "got", "above 0"});
+  }
+  for (const double bad : {-1.0, 0.5, 0.7, nan, infinity}) {
+    for (const Plane plane : {Plane::stress, Plane::strain}) {
+      test::expect_refusal([&] { (void)plane_poisson({1.0, bad, 1.0}, plane); }, {"poisson", "below 0.5"});
+      test::expect_refusal([&] { (void)scales({1.0, bad, 1.0}, plane, 1.0); }, {"poisson", "below 0.5"});
+    }
+  }
+}
+
+}  // namespace
+}  // namespace stoss

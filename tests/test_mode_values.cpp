@@ -1,0 +1,128 @@
+// Frequencies and edge amplitudes of the modes against published values, mpmath and Boost at 50 digits.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <boost/math/special_functions/bessel.hpp>
+#include <boost/multiprecision/cpp_bin_float.hpp>
+#include <cmath>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "stoss/modes.hpp"
+#include "support/csv.hpp"
+#include "support/eigenvalue_equation.hpp"
+
+namespace stoss {
+namespace {
+
+/// |D/D′|/ω, the relative error of ω by Newton's method, with D the paper's printed equation.
+template <typename Real>
+double newton_correction(double poisson, const Mode& mode, double relative_step) {
+  const Real nu = poisson;
+  const Real omega = mode.omega;
+  const Real h = omega * Real(relative_step);
+  const auto d = [&](const Real& w) { return test::eigenvalue_equation<Real>(nu, mode.order, w); };
+  const Real correction = 2 * h * d(omega) / (d(Real(omega + h)) - d(Real(omega - h)));
+  return std::abs(static_cast<double>(Real(correction / omega)));
+}
+
+TEST(ModeValues, CountsOfTheIssue) {
+  EXPECT_EQ(disk_modes(0.33, 25.0).size(), 295U);
+  EXPECT_EQ(disk_modes(0.33, 50.0).size(), 1146U);
+  EXPECT_EQ(disk_modes(0.33, 100.0).size(), 4510U);
+  EXPECT_EQ(disk_modes(0.0, 100.0).size(), 3829U);
+}
+
+TEST(ModeValues, AgreeWithTheReferenceToItsDigits) {
+  std::map<double, std::vector<Mode>> modes;
+  for (const auto& row : test::read_csv("disk_modes.csv")) {
+    const double poisson = row.number("poisson");
+    if (modes[poisson].empty()) modes[poisson] = disk_modes(poisson, 30.0);
+    const auto found = std::find_if(modes[poisson].begin(), modes[poisson].end(), [&](const Mode& mode) {
+      return mode.order == row.integer("n") && mode.index == row.integer("l");
+    });
+    ASSERT_NE(found, modes[poisson].end());
+    EXPECT_NEAR(found->omega, row.number("omega"), 0.51e-8);
+    EXPECT_NEAR(found->omega * std::sqrt(1.0 - poisson * poisson), row.number("kappa"), 0.51e-8);
+    EXPECT_NEAR(found->radial, row.number("C"), 0.51e-6);
+    EXPECT_NEAR(found->tangential, row.number("S"), 0.51e-6);
+  }
+}
+
+TEST(ModeValues, AgreeWithMpmathInEveryWindow) {
+  struct Window {
+    double poisson;
+    int order;
+    double low, high;
+    bool operator<(const Window& other) const {
+      return std::tie(poisson, order, low, high) < std::tie(other.poisson, other.order, other.low, other.high);
+    }
+  };
+  std::map<Window, std::vector<Mode>> expected;
+  for (const auto& row : test::read_csv("modes_mpmath.csv")) {
+    expected[{row.number("poisson"), row.integer("n"), row.number("window_low"), row.number("window_high")}].push_back(
+        {row.integer("n"), 0, row.number("omega"), row.number("C"), row.number("S")});
+  }
+  std::map<double, std::vector<Mode>> modes;
+  std::size_t compared = 0;
+  for (const auto& [window, reference] : expected) {
+    auto& all = modes[window.poisson];
+    if (all.empty()) all = disk_modes(window.poisson, 400.0);
+    std::vector<Mode> found;
+    for (const Mode& mode : all) {
+      if (mode.order == window.order && mode.omega > window.low && mode.omega < window.high) found.push_back(mode);
+    }
+    SCOPED_TRACE("nu = " + std::to_string(window.poisson) + ", n = " + std::to_string(window.order) + ", omega from " +
+                 std::to_string(window.low) + " to " + std::to_string(window.high));
+    ASSERT_EQ(found.size(), reference.size());
+    for (std::size_t i = 0; i < found.size(); ++i) {
+      const double amplitude = std::max(std::abs(reference[i].radial), std::abs(reference[i].tangential));
+      EXPECT_NEAR(found[i].omega / reference[i].omega, 1.0, 1e-12);
+      EXPECT_NEAR(found[i].radial, reference[i].radial, 1e-10 * amplitude) << "omega " << found[i].omega;
+      EXPECT_NEAR(found[i].tangential, reference[i].tangential, 1e-10 * amplitude) << "omega " << found[i].omega;
+      ++compared;
+    }
+  }
+  EXPECT_GE(compared, 150U);
+}
+
+class ModeResidual : public ::testing::TestWithParam<double> {};
+
+TEST_P(ModeResidual, OfThePaperEquationInLongDouble) {
+  const double poisson = GetParam();
+  const auto modes = disk_modes(poisson, 100.0);
+  for (std::size_t i = 0; i < modes.size(); i += 11) {
+    EXPECT_LE(newton_correction<long double>(poisson, modes[i], 1e-7), 1e-12)
+        << "n = " << modes[i].order << ", omega = " << modes[i].omega;
+  }
+}
+
+TEST_P(ModeResidual, OfThePaperEquationAtFiftyDigits) {
+  using Real = boost::multiprecision::cpp_bin_float_50;
+  const double poisson = GetParam();
+  const auto modes = disk_modes(poisson, 100.0);
+  for (std::size_t i = 0; i < modes.size(); i += modes.size() / 12) {
+    EXPECT_LE(newton_correction<Real>(poisson, modes[i], 1e-18), 1e-12)
+        << "n = " << modes[i].order << ", omega = " << modes[i].omega;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Poisson, ModeResidual,
+                         ::testing::Values(-0.95, -0.9, -0.5, 0.0, 0.2, 0.33, 0.5, 0.9, 0.99, 0.995));
+
+TEST(ModeValues, FamilyIsThatOfTheLargerAmplitude) {
+  EXPECT_EQ(family({2, 0, 1.0, 1.0, -0.9}), ModeFamily::radial);
+  EXPECT_EQ(family({2, 0, 1.0, 0.9, -1.0}), ModeFamily::tangential);
+  const auto modes = disk_modes(0.33, 25.0);
+  EXPECT_EQ(family(modes.front()), ModeFamily::radial);  // n = 0 is purely radial
+  for (const Mode& mode : modes) {
+    EXPECT_EQ(family(mode) == ModeFamily::radial, mode.radial > std::abs(mode.tangential));
+    EXPECT_GE(mode.radial, 0.0);
+  }
+}
+
+TEST(ModeValues, AModeTakesAtMostAHundredBytes) { EXPECT_LE(sizeof(Mode), 100U); }
+
+}  // namespace
+}  // namespace stoss
