@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <numbers>
 
+#include "stoss/errors.hpp"
+
 namespace stoss {
 namespace {
 
@@ -16,9 +18,17 @@ std::vector<double> damping(const ContactGrid& grid, double relaxation, double s
   return result;
 }
 
+std::vector<double> checked_compliance(const Body& body, const ContactGrid& grid) {
+  std::vector<double> compliance = body.residual_compliance(grid);
+  if (compliance.size() != grid.recess.size() * grid.recess.size()) {
+    throw InvalidInput("body: got a compliance of '" + body.name + "' of another size, allowed nodes x nodes values");
+  }
+  return compliance;
+}
+
 /// (W⁻¹ + D)⁻¹ = W − W (W + D⁻¹)⁻¹ W, which needs no inverse of W.
 std::vector<double> damped_compliance(const Body& body, const ContactGrid& grid, const std::vector<double>& damping) {
-  std::vector<double> compliance = body.residual_compliance(grid);
+  std::vector<double> compliance = checked_compliance(body, grid);
   const auto n = static_cast<Eigen::Index>(damping.size());
   Eigen::Map<Matrix> w(compliance.data(), n, n);
   Eigen::MatrixXd sum = w;
@@ -34,7 +44,7 @@ std::vector<double> damped_compliance(const Body& body, const ContactGrid& grid,
 }  // namespace
 
 QuasistaticTail::QuasistaticTail(const Body& body, const ContactGrid& grid)
-    : contact_(body.residual_compliance(grid), grid.recess.size()),
+    : contact_(checked_compliance(body, grid), grid.recess.size()),
       force_(grid.recess.size()),
       displacement_(grid.recess.size()) {}
 

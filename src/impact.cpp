@@ -52,6 +52,17 @@ void require_options(const Body& body, double speed, const ImpactOptions& option
           "steps between two calls of the observer");
 }
 
+void require_grid(const Body& body, const ContactGrid& grid) {
+  const std::size_t nodes = grid.recess.size();
+  const std::size_t shapes = nodes * body.groups.size();
+  if (nodes == 0 || grid.coordinate.size() != nodes || grid.measure.size() != nodes || grid.impedance.size() != nodes ||
+      grid.radial_shape.size() != shapes || grid.tangential_shape.size() != shapes) {
+    throw InvalidInput("body: got a grid of '" + body.name +
+                       "' whose arrays do not fit, allowed: one value per node, "
+                       "and per node and group");
+  }
+}
+
 struct Resolution {
   double half_width;
   double step;
@@ -62,6 +73,7 @@ struct Resolution {
 std::optional<Impact> run(const Body& body, const Wall& wall, double speed, const Resolution& resolution,
                           const ImpactOptions& options, const ImpactObserver& observer) {
   const ContactGrid grid = body.grid(resolution.half_width, resolution.nodes);
+  require_grid(body, grid);
   Collision collision(body, wall, grid, speed, resolution.step, options.start);
   const double duration = max_contact_time + 4.0 * collision.clearance() / speed;
   const double steps = duration / resolution.step;
@@ -116,6 +128,7 @@ int recommended_nodes(const Body& body, const Wall& wall, double speed) {
 Impact impact(const Body& body, const Wall& wall, double speed, const ImpactOptions& options,
               const ImpactObserver& observer) {
   require("speed", speed, {1e-8, 1.0, true, true, "1e-8 to 1"}, "speed of the centre of mass, in units of c");
+  validate(body);
   validate(wall);
   require_options(body, speed, options);
 

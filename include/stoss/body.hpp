@@ -50,6 +50,11 @@ struct Body {
 /// Makes a body with all modes up to a cutoff.
 using BodyMaker = std::function<Body(double cutoff)>;
 
+/// Checks what an impact relies on: positive finite mass, extent and cutoff; groups with arrays of one length, finite
+/// amplitudes and 0 < ω ≤ cutoff; all three functions.
+/// @throws InvalidInput naming the body and what is wrong with it
+void validate(const Body& body);
+
 /// Number of kept modes.
 [[nodiscard]] std::size_t mode_count(const Body& body);
 

@@ -1,0 +1,58 @@
+// A body that does not fit together, and a start that contradicts the call, are refused before anything moves.
+#include <gtest/gtest.h>
+
+#include <functional>
+#include <limits>
+
+#include "stoss/bodies/disk.hpp"
+#include "stoss/bodies/rod.hpp"
+#include "stoss/impact.hpp"
+#include "support/refusal.hpp"
+
+namespace stoss {
+namespace {
+
+constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
+
+TEST(BodyRefusal, NamesTheBodyAndTheRule) {
+  const std::vector<std::pair<const char*, std::function<void(Body&)>>> flaws = {
+      {"mass", [](Body& body) { body.mass = 0.0; }},
+      {"mass", [](Body& body) { body.mass = not_a_number; }},
+      {"extent", [](Body& body) { body.extent = -1.0; }},
+      {"cutoff", [](Body& body) { body.cutoff = std::numeric_limits<double>::infinity(); }},
+      {"max_half_width", [](Body& body) { body.max_half_width = not_a_number; }},
+      {"one length", [](Body& body) { body.groups[0].radial.pop_back(); }},
+      {"finite amplitudes", [](Body& body) { body.groups[0].tangential[0] = not_a_number; }},
+      {"frequencies", [](Body& body) { body.groups[0].omega[0] = 0.0; }},
+      {"frequencies", [](Body& body) { body.groups[0].omega[0] = 1e9; }},
+      {"functions", [](Body& body) { body.grid = nullptr; }},
+      {"functions", [](Body& body) { body.residual_compliance = nullptr; }},
+  };
+  for (const auto& [rule, spoil] : flaws) {
+    Body body = rod(40.0);
+    spoil(body);
+    test::expect_refusal([&] { (void)impact(body, HardWall{}, 0.1); }, {"body: got 'rod'", rule});
+  }
+}
+
+TEST(BodyRefusal, OfAGridOrAComplianceOfTheWrongSize) {
+  Body body = rod(40.0);
+  body.grid = [](double, int) { return ContactGrid{{0.0}, {0.0}, {1.0}, {1.0}, {}, {0.0}}; };
+  test::expect_refusal([&] { (void)impact(body, HardWall{}, 0.1); }, {"body", "grid"});
+  for (const Tail tail : {Tail::radiating, Tail::quasistatic}) {
+    body = rod(40.0);
+    body.residual_compliance = [](const ContactGrid&) { return std::vector<double>(4, 1.0); };
+    test::expect_refusal([&] { (void)impact(body, HardWall{tail}, 0.1); }, {"body", "compliance"});
+  }
+}
+
+TEST(StartRefusal, OfAVelocityThatIsNotTheSpeed) {
+  const Body body = rod(40.0);
+  const std::vector<double> rest(mode_count(body), 0.0);
+  const State start{-1.0, 0.2, rest, rest};
+  test::expect_refusal([&] { (void)impact(body, HardWall{}, 0.1, {.start = start}); }, {"start", "0.2", "0.1"});
+  EXPECT_NO_THROW((void)impact(body, HardWall{}, 0.2, {.start = start}));
+}
+
+}  // namespace
+}  // namespace stoss
