@@ -12,8 +12,9 @@ help: ## show this list
 setup: ## install the Debian packages that are missing
 	@scripts/install-dependencies.sh
 
-build: setup ## build the library and the command
-	@mkdir -p build && cmake --preset release >build/configure.log 2>&1 || { cat build/configure.log; exit 1; }
+build: ## build the library and the command, after installing what that needs
+	@scripts/install-dependencies.sh build
+	@mkdir -p build && cmake --preset release -DSTOSS_BUILD_TESTS=OFF >build/configure.log 2>&1 || { cat build/configure.log; exit 1; }
 	@cmake --build --preset release -j $(JOBS) --target stoss stoss_command
 
 demo: build ## restitution against speed for two Poisson numbers, here and in out/

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+
 #include "numbers.hpp"
 #include "stoss/errors.hpp"
 
@@ -18,7 +20,7 @@ std::string& stored_command_line() {
 void OutputArguments::add_to(CLI::App& command) {
   command.add_option("--format", format, "Output format (default: table)")
       ->check(CLI::IsMember({"table", "csv", "json"}))
-      ->type_name("")
+      ->type_name("FORMAT")
       ->group("Output");
   command.add_option("-o,--output", path, "Write to FILE instead of stdout")->type_name("FILE")->group("Output");
   command.add_flag("--quiet", quiet, "No warnings and no progress on stderr")->group("Output");
@@ -34,9 +36,7 @@ void OutputArguments::warn(const std::string& text) const {
 }
 
 void DiskArguments::add_to(CLI::App& command) {
-  command
-      .add_option("--poisson", poisson,
-                  "Poisson number, -0.95 to 0.995; with a material, that of the material, -0.95 to 0.5")
+  command.add_option("--poisson", poisson, "Poisson number, -0.95 to 0.995; of the solid if a material is given")
       ->required()
       ->type_name("NU")
       ->group("Body");
@@ -51,7 +51,7 @@ void DiskArguments::add_to(CLI::App& command) {
       ->group("Material in SI (all three or none)");
   plane_option_ = command.add_option("--plane", plane, "Thin disk (stress) or long cylinder (strain); default: stress")
                       ->check(CLI::IsMember({"stress", "strain"}))
-                      ->type_name("")
+                      ->type_name("PLANE")
                       ->group("Material in SI (all three or none)");
 }
 
@@ -89,8 +89,16 @@ void DiskArguments::describe(nlohmann::ordered_json& inputs) const {
 
 std::vector<double> parse_speeds(const std::string& text, const std::optional<Scales>& si) {
   std::vector<double> speeds = parse_series("speed", text);
-  if (si) {
-    for (double& speed : speeds) speed /= si->speed;
+  const double unit = si ? si->speed : 1.0;
+  for (double& speed : speeds) {
+    const double slowest = 1e-8 * unit, fastest = unit;
+    if (!(speed >= slowest && speed <= fastest)) {
+      const double got = std::isnan(speed) ? std::abs(speed) : speed;
+      throw InvalidInput(
+          fmt::format("speed: got {:.10g}, allowed {:.6g} to {:.6g} {} (of the centre of mass, 1e-8 to 1 c)", got,
+                      slowest, fastest, si ? "m/s" : "c"));
+    }
+    speed /= unit;
   }
   return speeds;
 }

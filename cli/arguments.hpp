@@ -50,6 +50,7 @@ struct DiskArguments {
 };
 
 /// Speeds as typed, in c or, where there are scales, in m/s; the result is in c.
+/// @throws InvalidInput unless they are 1e-8 to 1 c
 [[nodiscard]] std::vector<double> parse_speeds(const std::string& text, const std::optional<Scales>& si);
 
 /// The command line as it was typed, for provenance.

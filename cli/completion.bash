@@ -3,7 +3,7 @@
 _stoss() {
   local current=${COMP_WORDS[COMP_CWORD]} previous=${COMP_WORDS[COMP_CWORD - 1]}
   local disk="--poisson --young --density --radius --plane"
-  local output="--format --output --quiet --help"
+  local output="--format -o --output --quiet -h --help"
   COMPREPLY=()
 
   case $previous in
@@ -11,7 +11,13 @@ _stoss() {
     --plane) COMPREPLY=($(compgen -W "stress strain" -- "$current")); return ;;
     --wall) COMPREPLY=($(compgen -W "hard exponential" -- "$current")); return ;;
     --tail) COMPREPLY=($(compgen -W "radiating static" -- "$current")); return ;;
-    -o | --output | --trajectory) COMPREPLY=($(compgen -f -- "$current")); return ;;
+    -o | --output | --trajectory)
+      compopt -o filenames
+      mapfile -t COMPREPLY < <(compgen -f -- "$current")
+      return
+      ;;
+    --poisson | --young | --density | --radius | --cutoff | --speed | --hardness | --strength | --step | --nodes | \
+      --every | --tolerance | --threads) return ;;
   esac
 
   if [ "$COMP_CWORD" -eq 1 ]; then

@@ -11,6 +11,7 @@
 #include "numbers.hpp"
 #include "stoss/bodies/disk.hpp"
 #include "stoss/errors.hpp"
+#include "trajectory.hpp"
 
 namespace stoss::cli {
 namespace {
@@ -30,33 +31,6 @@ struct ImpactArguments {
   CLI::Option* tail_option = nullptr;
 
   [[nodiscard]] bool soft_given() const { return hardness_option->count() + strength_option->count() > 0; }
-};
-
-/// The instants of an impact as CSV, every k-th step.
-class Trajectory {
- public:
-  Trajectory(const std::string& path, const Provenance& provenance) : report_(path, Format::csv, provenance) {}
-
-  void write(const Snapshot& now) {
-    if (interrupted()) {
-      report_.finish(false);
-      throw Interrupted{};
-    }
-    report_.add({{"time", "R/c", now.time},
-                 {"center", "R", now.center},
-                 {"velocity", "c", now.velocity},
-                 {"force", "piRE", now.force},
-                 {"translation", "", now.translation},
-                 {"vibration", "", now.vibration},
-                 {"stored", "", now.stored},
-                 {"unresolved", "", now.unresolved},
-                 {"contact_half_width", "R", now.contact_half_width}});
-  }
-
-  void finish() { report_.finish(); }
-
- private:
-  Report report_;
 };
 
 Provenance describe(const ImpactArguments& arguments) {
@@ -149,6 +123,13 @@ void run(const ImpactArguments& arguments) {
     throw InvalidInput(
         "tail: got a tail with --wall exponential, allowed only with --wall hard (the soft wall leaves it out)");
   }
+  if (!arguments.trajectory.empty() && arguments.trajectory == arguments.output.path) {
+    throw InvalidInput("trajectory: got the file of --output, allowed another one (one would overwrite the other)");
+  }
+  if (arguments.options.observe_every < 1) {
+    throw InvalidInput(fmt::format("every: got {}, allowed 1 or more (steps between two rows of the trajectory)",
+                                   arguments.options.observe_every));
+  }
   const auto si = arguments.disk.si();
   const std::vector<double> speeds = parse_speeds(arguments.speed, si);
   if (speeds.size() != 1) {
@@ -164,12 +145,12 @@ void run(const ImpactArguments& arguments) {
   if (arguments.trajectory.empty()) {
     result = impact(body, wall, speeds[0], arguments.options);
   } else {
+    Provenance made = provenance;
+    made.schema = "trajectory";
+    made.inputs["speed"] = speeds[0];
+    made.inputs["cutoff"] = arguments.cutoff;
     catch_interrupts();
-    Provenance trajectory_provenance = provenance;
-    trajectory_provenance.schema = "trajectory";
-    trajectory_provenance.inputs["speed"] = speeds[0];
-    trajectory_provenance.inputs["cutoff"] = arguments.cutoff;
-    Trajectory trajectory(arguments.trajectory, trajectory_provenance);
+    Trajectory trajectory(arguments.trajectory, made);
     result = impact(body, wall, speeds[0], arguments.options, [&](const Snapshot& now) { trajectory.write(now); });
     trajectory.finish();
   }
@@ -201,7 +182,7 @@ void add_impact(CLI::App& app, int&) {
       ->group("Body");
   command->add_option("--wall", arguments->wall, "Kind of wall (default: hard)")
       ->check(CLI::IsMember({"hard", "exponential"}))
-      ->type_name("")
+      ->type_name("WALL")
       ->group("Wall");
   arguments->hardness_option = command
                                    ->add_option("--hardness", arguments->soft.hardness,
@@ -217,7 +198,7 @@ void add_impact(CLI::App& app, int&) {
       command
           ->add_option("--tail", arguments->tail, "How modes above the cutoff answer a hard wall (default: radiating)")
           ->check(CLI::IsMember({"radiating", "static"}))
-          ->type_name("")
+          ->type_name("TAIL")
           ->group("Wall");
   command->add_option("--cutoff", arguments->cutoff, "Modes up to this frequency in c/R are kept (default: 50)")
       ->type_name("OMEGA")
@@ -225,7 +206,7 @@ void add_impact(CLI::App& app, int&) {
   command->add_option("--step", arguments->options.step, "Time step in R/c (default: chosen for the wall)")
       ->type_name("DT")
       ->group("Resolution");
-  command->add_option("--nodes", arguments->options.nodes, "Contact nodes, 1 to 4096 (default: chosen for the wall)")
+  command->add_option("--nodes", arguments->options.nodes, "Contact nodes, 16 to 4096 (default: chosen for the wall)")
       ->type_name("N")
       ->group("Resolution");
   command->add_option("--trajectory", arguments->trajectory, "Write time, center, force, energies as CSV to FILE")

@@ -7,7 +7,7 @@ namespace {
 
 volatile std::sig_atomic_t noted = 0;
 
-void note(int) { noted = 1; }
+void note(int number) { noted = number; }
 
 }  // namespace
 
@@ -16,8 +16,9 @@ void catch_interrupts() {
   action.sa_handler = note;
   action.sa_flags = static_cast<int>(SA_RESETHAND);
   sigaction(SIGINT, &action, nullptr);
+  sigaction(SIGTERM, &action, nullptr);
 }
 
-bool interrupted() { return noted != 0; }
+int interrupted() { return noted; }
 
 }  // namespace stoss::cli

@@ -2,12 +2,13 @@
 
 namespace stoss::cli {
 
-/// Thrown to leave a computation after Ctrl-C; the command then exits with 130.
+/// Thrown to leave a computation after Ctrl-C or SIGTERM; the command then exits with 128 + the signal's number.
 struct Interrupted {};
 
-/// From now on Ctrl-C is noted instead of ending the program; a second one ends it.
+/// From now on Ctrl-C and SIGTERM are noted instead of ending the program; a second one ends it.
 void catch_interrupts();
 
-[[nodiscard]] bool interrupted();
+/// Number of the signal that was noted, or 0.
+[[nodiscard]] int interrupted();
 
 }  // namespace stoss::cli

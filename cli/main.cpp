@@ -4,6 +4,7 @@
 #include <CLI/CLI.hpp>
 #include <cerrno>
 #include <exception>
+#include <iostream>
 #include <new>
 
 #include "arguments.hpp"
@@ -14,7 +15,7 @@
 
 namespace {
 
-enum ExitCode { ok = 0, not_converged = 1, usage = 2, bad_input = 3, input_output = 4, interrupted = 130 };
+enum ExitCode { ok = 0, not_converged = 1, usage = 2, bad_input = 3, input_output = 4, signalled = 128 };
 
 int complain(int code, const std::string& text) {
   fmt::print(stderr, "stoss: error: {}\n", text);
@@ -37,10 +38,15 @@ int run(int argc, char** argv) {
     app.parse(argc, argv);
     return exit_code;
   } catch (const CLI::Success& request) {  // --help and --version
-    return app.exit(request);
+    const int code = app.exit(request);
+    std::cout.flush();
+    return std::cout ? code : complain(input_output, "output: cannot write to stdout");
   } catch (const CLI::ParseError& error) {
     std::string text = error.what();
     if (const auto end = text.find('\n'); end != std::string::npos) text.resize(end);
+    // A misspelt word matters more than what is missing because of it.
+    const auto unknown = app.remaining(true);
+    if (!unknown.empty()) text = "unknown argument: " + unknown.front();
     return complain(usage, text + " (see stoss --help or stoss SUBCOMMAND --help)");
   } catch (const stoss::InvalidInput& error) {
     return complain(bad_input, error.what());
@@ -50,7 +56,7 @@ int run(int argc, char** argv) {
     // Whoever closed the pipe knows.
     return errno == EPIPE ? input_output : complain(input_output, error.what());
   } catch (const stoss::cli::Interrupted&) {
-    return interrupted;
+    return complain(signalled + stoss::cli::interrupted(), "interrupted");
   } catch (const std::bad_alloc&) {
     return complain(bad_input, "memory: this needs more than the machine has (use a smaller cutoff or fewer nodes)");
   } catch (const std::exception& error) {

@@ -30,7 +30,9 @@ std::vector<std::string> split(const std::string& text, char separator) {
   return parts;
 }
 
-double parse_number(std::string_view name, const std::string& text, const std::string& part) {
+double parse_number(std::string_view name, const std::string& text, std::string part) {
+  part.erase(0, part.find_first_not_of(' '));
+  part.erase(part.find_last_not_of(' ') + 1);
   if (part.empty()) refuse(name, text, "a number is missing");
   const char* begin = part.data() + (part.size() > 1 && part[0] == '+' ? 1 : 0);
   double value = 0.0;

@@ -15,7 +15,7 @@ namespace stoss::cli {
 
 /// Runs job(0) … job(count−1) on several threads and hands each result, or the exception in its place, to `deliver` in
 /// order, on the calling thread, as soon as all before it are there. Results do not depend on the number of threads.
-/// @throws Interrupted after Ctrl-C, when the jobs under way have ended; what `deliver` throws
+/// @throws Interrupted after Ctrl-C or SIGTERM, when the jobs under way have ended; what `deliver` throws
 template <typename Result>
 void run_in_order(std::size_t count, int threads, const std::function<Result(std::size_t)>& job,
                   const std::function<void(std::size_t, std::variant<Result, std::exception_ptr>)>& deliver) {
@@ -31,7 +31,7 @@ void run_in_order(std::size_t count, int threads, const std::function<Result(std
       std::size_t mine;
       {
         const std::lock_guard lock(mutex);
-        if (stop || interrupted() || next == count) return;
+        if (stop || interrupted() != 0 || next == count) return;
         mine = next++;
       }
       std::optional<Outcome> outcome;
@@ -53,7 +53,7 @@ void run_in_order(std::size_t count, int threads, const std::function<Result(std
     for (std::size_t i = 0; i < count; ++i) {
       std::unique_lock lock(mutex);
       while (!outcomes[i]) {
-        if (interrupted()) throw Interrupted{};
+        if (interrupted() != 0) throw Interrupted{};
         ready.wait_for(lock, std::chrono::milliseconds(50));
       }
       Outcome outcome = std::move(*outcomes[i]);

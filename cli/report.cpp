@@ -44,8 +44,8 @@ std::string right_aligned(const std::string& text, int width) {
 }  // namespace
 
 Output::Output(const std::string& path)
-    : path_(path),
-      file_(path.empty() ? stdout : std::fopen(path.c_str(), "w"), path.empty() ? std::fflush : std::fclose) {
+    : path_(path == "-" ? "" : path),
+      file_(path_.empty() ? stdout : std::fopen(path.c_str(), "w"), path_.empty() ? std::fflush : std::fclose) {
   if (!file_) throw OutputError(fmt::format("output: cannot write '{}': {}", path, std::strerror(errno)));
 }
 
@@ -76,6 +76,7 @@ Report::Report(const std::string& path, Format format, Provenance provenance)
     document_["version"] = version();
     document_["command"] = provenance_.command;
     document_["inputs"] = provenance_.inputs;
+    document_["units"] = nlohmann::ordered_json::object();
     document_["records"] = nlohmann::ordered_json::array();
   }
   output_.flush();
@@ -100,6 +101,10 @@ void Report::begin(const std::vector<Entry>& record) {
     }
     units.erase(units.find_last_not_of(' ') + 1);
     output_.write(names + "\n" + units + "\n");
+  } else {
+    for (const Entry& entry : record) {
+      if (!entry.unit.empty()) document_["units"][entry.key] = entry.unit;
+    }
   }
 }
 

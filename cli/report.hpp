@@ -16,7 +16,7 @@ class OutputError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// A file, or stdout when the path is empty. Every write is checked.
+/// A file, or stdout when the path is empty or "-". Every write is checked.
 class Output {
  public:
   explicit Output(const std::string& path);

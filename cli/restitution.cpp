@@ -43,7 +43,7 @@ class Curve {
     const bool converged = r.lost_fraction_error <= arguments_.tolerance * r.lost_fraction;
     not_converged_ += converged ? 0 : 1;
     beyond_small_strain_ = beyond_small_strain_ || finest.beyond_small_strain;
-    std::vector<Entry> record{{"poisson", "", poisson_, 8}, {"speed", "c", finest.speed, 12}};
+    std::vector<Entry> record{{"poisson", "", poisson_, si_ ? 0 : 8}, {"speed", "c", finest.speed, si_ ? 0 : 12}};
     const auto add = [&record](Entry entry) { record.push_back(std::move(entry)); };
     if (si_) add({"speed_si", "m/s", finest.speed * si_->speed, 12});
     add({"restitution", "", r.value, 22, with_error(r.value, r.error)});
@@ -103,25 +103,20 @@ void show_progress(const OutputArguments& output, std::size_t done, std::size_t 
   fmt::print(stderr, "\r[{:#<{}}{:.<{}}] {}/{}{}", "", full, "", width - full, done, total, done == total ? "\n" : "");
 }
 
-void check(const RestitutionArguments& arguments, const std::vector<double>& speeds) {
-  for (const double speed : speeds) {
-    if (!(speed >= 1e-8 && speed <= 1.0)) {
-      throw InvalidInput(fmt::format("speed: got {:.6g}, allowed 1e-8 to 1 (in units of c)", speed));
-    }
-  }
+void check(const RestitutionArguments& arguments) {
   if (!(arguments.tolerance > 0.0 && arguments.tolerance < 1.0)) {
     throw InvalidInput(
         fmt::format("tolerance: got {}, allowed above 0 and below 1 (relative error of 1-eps^2)", arguments.tolerance));
   }
   if (arguments.threads < 0 || arguments.threads > 1024) {
-    throw InvalidInput(fmt::format("threads: got {}, allowed 1 to 1024 (0: all cores)", arguments.threads));
+    throw InvalidInput(fmt::format("threads: got {}, allowed 0 to 1024 (0: all cores)", arguments.threads));
   }
 }
 
 int run(const RestitutionArguments& arguments) {
   const auto si = arguments.disk.si();
   const std::vector<double> speeds = parse_speeds(arguments.speeds, si);
-  check(arguments, speeds);
+  check(arguments);
   const double poisson = arguments.disk.plane_poisson();
   const RefinedBody body = refine(disk(poisson));
 
@@ -173,17 +168,18 @@ void add_restitution(CLI::App& app, int& exit_code) {
   arguments->disk.add_to(*command);
   command
       ->add_option("--speed", arguments->speeds,
-                   "Speed(s) towards the wall in c (with a material: m/s), 1e-8 to 1 c: a number, a list a,b,c, "
-                   "log:a:b:n or lin:a:b:n")
+                   "Speeds, 1e-8 to 1 in c (m/s with a material): a,b,c or log:a:b:n or lin:a:b:n")
       ->required()
       ->type_name("SPEEDS")
       ->group("Body");
   command
       ->add_option("--tolerance", arguments->tolerance,
-                   "Relative error of 1-eps^2 above which a value is marked and the exit code is 1 (default: 0.01)")
+                   "Relative error of 1-eps^2 above which a value is marked (default: 0.01)")
       ->type_name("TOL")
       ->group("Resolution");
-  command->add_option("--threads", arguments->threads, "Threads; results do not depend on it (default: all cores)")
+  command
+      ->add_option("--threads", arguments->threads,
+                   "Threads, 0 for all cores; results do not depend on it (default: 0)")
       ->type_name("N")
       ->group("Resolution");
   arguments->output.add_to(*command);

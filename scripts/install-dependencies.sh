@@ -1,16 +1,22 @@
 #!/usr/bin/env bash
-# Installs the Debian packages that stoss needs and that are missing, as root or through sudo.
+# Installs the Debian packages that stoss needs and that are missing, as root or through sudo: all of them, or with the
+# argument `build` only those for the library and the command.
 # Where that is not possible it names what is missing and stops with an error.
 set -euo pipefail
 
-# Build and core; the command; tests; benchmarks; checks.
+# Build and core; the command.
 packages=(
   g++ cmake ninja-build make git libeigen3-dev libboost-dev
   libcli11-dev libfmt-dev nlohmann-json3-dev
-  libgtest-dev libgmock-dev python3 python3-pytest man-db
-  libbenchmark-dev
-  clang clang-format clang-tidy
 )
+# Tests; benchmarks; checks.
+if [ "${1:-all}" = all ]; then
+  packages+=(
+    libgtest-dev libgmock-dev python3 python3-pytest
+    libbenchmark-dev
+    clang clang-format clang-tidy
+  )
+fi
 
 if ! command -v dpkg-query >/dev/null; then
   echo "install-dependencies: this is not a Debian system; please install the equivalents of: ${packages[*]}" >&2

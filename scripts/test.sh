@@ -7,7 +7,7 @@ step() { printf '\n== %s\n' "$*"; }
 
 build() {
   mkdir -p "build/$1"
-  cmake --preset "$1" >"build/$1/configure.log" 2>&1 || { cat "build/$1/configure.log"; exit 1; }
+  cmake --preset "$1" "${@:2}" >"build/$1/configure.log" 2>&1 || { cat "build/$1/configure.log"; exit 1; }
   cmake --build --preset "$1" -j "$jobs"
 }
 
@@ -15,7 +15,7 @@ step "format"
 git ls-files '*.cpp' '*.hpp' | xargs clang-format --dry-run --Werror
 
 step "build: g++, warnings are errors"
-build release
+build release -DSTOSS_BUILD_TESTS=ON
 step "build: clang++"
 build clang
 step "build: AddressSanitizer and UndefinedBehaviorSanitizer"

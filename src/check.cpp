@@ -13,7 +13,13 @@ template <typename Value>
 [[noreturn]] void refuse(std::string_view name, Value value, std::string_view allowed, std::string_view hint) {
   std::ostringstream line;
   line.precision(10);
-  line << name << ": got " << value << ", allowed " << allowed << " (" << hint << ")";
+  line << name << ": got ";
+  if (value != value) {
+    line << "nan";  // without the sign that some processors give it
+  } else {
+    line << value;
+  }
+  line << ", allowed " << allowed << " (" << hint << ")";
   throw InvalidInput(line.str());
 }
 

@@ -27,7 +27,7 @@ BAD_VALUES = [
     ("impact --poisson 0.33 --speed 0.1 --step 1", "step", "1"),
     ("impact --poisson 0.33 --speed 0.1 --nodes 1", "nodes", "1"),
     ("impact --poisson 0.33 --speed 0.1 --nodes 1000000", "nodes", "1000000"),
-    ("impact --poisson 0.33 --speed 0.1 --every 0", "observe_every", "0"),
+    ("impact --poisson 0.33 --speed 0.1 --every 0", "every", "0"),
     ("impact --poisson 0.33 --speed 0.1 --hardness 100", "wall", "hard"),
     ("impact --poisson 0.33 --speed 0.1 --wall exponential --hardness 0", "hardness", "0"),
     ("impact --poisson 0.33 --speed 0.1 --wall exponential --hardness inf", "hardness", "inf"),
@@ -52,7 +52,8 @@ BAD_VALUES = [
     ("modes --poisson 0.3 --young -1e9 --density 1000 --radius 1", "young", "-1000000000"),
     ("modes --poisson 0.3 --young 1e9 --density 0 --radius 1", "density", "0"),
     ("modes --poisson 0.3 --young 1e9 --density 1000 --radius nan", "radius", "nan"),
-    ("restitution --poisson 0.3 --young 2e11 --density 7850 --radius 1 --speed 10000", "speed", "1.98"),
+    ("restitution --poisson 0.3 --young 2e11 --density 7850 --radius 1 --speed 10000", "speed", "10000, allowed 5.04"),
+    ("impact --poisson 0.33 --speed 0.1 --trajectory x -o x", "trajectory", "--output"),
 ]
 
 
@@ -65,6 +66,18 @@ def test_value_out_of_range(stoss, arguments, name, got):
     assert line.startswith(f"stoss: error: {name}: got ")
     assert got in line
     assert "allowed" in line
+
+
+def test_motion_that_the_step_does_not_resolve(stoss):
+    result = stoss.run("impact --poisson 0.95 --speed 0.4 --cutoff 50 --tail static --step 0.02")
+    assert result.returncode == 1
+    assert "energy" in result.stderr and "smaller step" in result.stderr
+
+
+@pytest.mark.parametrize("word", ["bounce", "--colour", "-V"])
+def test_unknown_word_is_named(stoss, word):
+    assert f"unknown argument: {word}" in stoss.run(word).stderr
+    assert f"unknown argument: {word}" in stoss.run("restitution --poisson 0.33", word).stderr
 
 
 BAD_USAGE = [

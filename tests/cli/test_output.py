@@ -75,14 +75,15 @@ def test_closed_pipe_where_the_signal_is_ignored(stoss):
     assert command.wait(timeout=60) == 4
 
 
+@pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM])
 @pytest.mark.parametrize("form", ["csv", "json"])
-def test_interrupt_keeps_the_rows_so_far(stoss, tmp_path, form):
+def test_interrupt_keeps_the_rows_so_far(stoss, tmp_path, form, number):
     path = tmp_path / "curve"
     command = start(stoss, f"{LONG} --format {form} -o {path}", stderr=subprocess.PIPE)
     time.sleep(1.5)
-    command.send_signal(signal.SIGINT)
-    assert command.wait(timeout=30) == 130
-    assert command.stderr.read() == ""
+    command.send_signal(number)
+    assert command.wait(timeout=30) == 128 + number
+    assert command.stderr.read() == "stoss: error: interrupted\n"
     text = path.read_text()
     if form == "json":
         document = json.loads(text)
@@ -120,6 +121,23 @@ def test_interrupt_of_a_trajectory(stoss, tmp_path):
     assert path.read_text().endswith("missing\n")
 
 
+def test_refused_impact_leaves_the_trajectory_alone(stoss, tmp_path):
+    path = tmp_path / "t.csv"
+    path.write_text("precious")
+    assert stoss.run(f"impact --poisson 0.33 --speed 0.1 --step 7 --trajectory {path}").returncode == 3
+    assert path.read_text() == "precious"
+
+
+@pytest.mark.parametrize("option", ["--help", "--version"])
+def test_help_to_a_full_disk(stoss, option):
+    with open("/dev/full", "w") as full:
+        assert subprocess.run([stoss.path, option], stdout=full, stderr=subprocess.PIPE).returncode == 4
+
+
+def test_dash_is_stdout(stoss, tmp_path):
+    assert stoss.run("modes --poisson 0.33 --cutoff 3 -o -").stdout.startswith("  order")
+
+
 def test_no_progress_bar_off_a_terminal(stoss, tmp_path):
     result = stoss.run(f"restitution --poisson 0.33 --speed 0.1,0.2 -o {tmp_path}/x")
     assert result.stderr == ""
@@ -129,6 +147,8 @@ def test_table_fits_80_columns(stoss):
     text = stoss.run("restitution --poisson 0.33 --speed 0.1,1e-8").stdout
     assert max(map(len, text.splitlines())) <= 80
     assert all(line == line.rstrip() for line in text.splitlines())
+    steel = "--poisson 0.3 --young 2.1e11 --density 7850 --radius 0.01 --speed 1e-3,10"
+    assert max(map(len, stoss.run("restitution", steel).stdout.splitlines())) <= 80
 
 
 def test_many_threads_for_few_speeds(stoss):

@@ -58,6 +58,7 @@ def test_formats_agree(stoss):
     assert document["schema"] == "stoss/restitution/1"
     assert document["complete"] is True
     assert document["inputs"]["poisson"] == 0.33
+    assert document["units"]["contact_time"] == "R/c"
     assert document["command"].startswith("stoss restitution --poisson 0.33")
     assert [list(record) for record in document["records"]] == [KEYS, KEYS]
     for row, record in zip(table, document["records"]):

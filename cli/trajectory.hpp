@@ -1,0 +1,27 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "report.hpp"
+#include "stoss/impact.hpp"
+
+namespace stoss::cli {
+
+/// The instants of an impact as CSV. The file is opened with the first one, so that a refused impact leaves it alone.
+class Trajectory {
+ public:
+  Trajectory(std::string path, Provenance provenance) : path_(std::move(path)), provenance_(std::move(provenance)) {}
+
+  /// @throws Interrupted after Ctrl-C or SIGTERM, when the file is complete so far; OutputError
+  void write(const Snapshot& now);
+
+  void finish();
+
+ private:
+  std::string path_;
+  Provenance provenance_;
+  std::optional<Report> report_;
+};
+
+}  // namespace stoss::cli
