@@ -31,7 +31,7 @@ stoss::Body most_energetic(const stoss::Body& disk, std::size_t count, const Pap
       kept.radial.push_back(all.radial[l]);
       kept.tangential.push_back(all.tangential[l]);
     }
-    if (!kept.omega.empty()) result.groups.push_back(kept);
+    result.groups.push_back(kept);  // also an empty one: the grid has a row for each group
   }
   return result;
 }

@@ -4,10 +4,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <memory>
 
 #include "arguments.hpp"
-#include "interrupt.hpp"
 #include "numbers.hpp"
 #include "stoss/bodies/disk.hpp"
 #include "stoss/errors.hpp"
@@ -32,6 +32,13 @@ struct ImpactArguments {
 
   [[nodiscard]] bool soft_given() const { return hardness_option->count() + strength_option->count() > 0; }
 };
+
+bool same_file(const std::string& a, const std::string& b) {
+  const auto resolved = [](const std::string& path) {
+    return path.empty() || path == "-" ? std::filesystem::path("-") : std::filesystem::weakly_canonical(path);
+  };
+  return resolved(a) == resolved(b);
+}
 
 Provenance describe(const ImpactArguments& arguments) {
   Provenance provenance{"impact", command_line(), {}};
@@ -123,8 +130,9 @@ void run(const ImpactArguments& arguments) {
     throw InvalidInput(
         "tail: got a tail with --wall exponential, allowed only with --wall hard (the soft wall leaves it out)");
   }
-  if (!arguments.trajectory.empty() && arguments.trajectory == arguments.output.path) {
-    throw InvalidInput("trajectory: got the file of --output, allowed another one (one would overwrite the other)");
+  if (!arguments.trajectory.empty() && same_file(arguments.trajectory, arguments.output.path)) {
+    throw InvalidInput(
+        "trajectory: got the file of --output or stdout, allowed another one (one would overwrite the other)");
   }
   if (arguments.options.observe_every < 1) {
     throw InvalidInput(fmt::format("every: got {}, allowed 1 or more (steps between two rows of the trajectory)",
@@ -149,7 +157,6 @@ void run(const ImpactArguments& arguments) {
     made.schema = "trajectory";
     made.inputs["speed"] = speeds[0];
     made.inputs["cutoff"] = arguments.cutoff;
-    catch_interrupts();
     Trajectory trajectory(arguments.trajectory, made);
     result = impact(body, wall, speeds[0], arguments.options, [&](const Snapshot& now) { trajectory.write(now); });
     trajectory.finish();

@@ -1,11 +1,13 @@
 #include "interrupt.hpp"
 
+#include <atomic>
 #include <csignal>
 
 namespace stoss::cli {
 namespace {
 
-volatile std::sig_atomic_t noted = 0;
+std::atomic<int> noted = 0;
+static_assert(std::atomic<int>::is_always_lock_free);  // so that a signal handler may write it
 
 void note(int number) { noted = number; }
 

@@ -6,6 +6,7 @@
 #include <exception>
 #include <iostream>
 #include <new>
+#include <system_error>
 
 #include "arguments.hpp"
 #include "interrupt.hpp"
@@ -59,8 +60,8 @@ int run(int argc, char** argv) {
     return complain(signalled + stoss::cli::interrupted(), "interrupted");
   } catch (const std::bad_alloc&) {
     return complain(bad_input, "memory: this needs more than the machine has (use a smaller cutoff or fewer nodes)");
-  } catch (const std::exception& error) {
-    return complain(not_converged, error.what());
+  } catch (const std::system_error& error) {
+    return complain(input_output, std::string("system: ") + error.what());
   }
 }
 
@@ -71,7 +72,7 @@ int main(int argc, char** argv) {
     stoss::cli::set_command_line(argc, argv);
     return run(argc, argv);
   } catch (...) {
-    std::fputs("stoss: error: out of memory\n", stderr);
-    return not_converged;
+    std::fputs("stoss: error: out of memory, or a defect of stoss\n", stderr);
+    return bad_input;
   }
 }

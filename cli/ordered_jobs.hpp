@@ -48,8 +48,8 @@ void run_in_order(std::size_t count, int threads, const std::function<Result(std
 
   std::vector<std::jthread> pool;
   pool.reserve(static_cast<std::size_t>(threads));
-  for (int i = 0; i < threads; ++i) pool.emplace_back(work);
   try {
+    for (int i = 0; i < threads; ++i) pool.emplace_back(work);
     for (std::size_t i = 0; i < count; ++i) {
       std::unique_lock lock(mutex);
       while (!outcomes[i]) {

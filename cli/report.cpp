@@ -133,7 +133,7 @@ void Report::attach(const std::string& key, nlohmann::ordered_json value) { docu
 void Report::finish(bool complete) {
   if (format_ == Format::json) {
     document_["complete"] = complete;
-    output_.write(document_.dump(2) + "\n");
+    output_.write(document_.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n");
   } else if (!complete) {
     output_.write("# interrupted: the rows above are complete, later ones are missing\n");
   }

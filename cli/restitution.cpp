@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <limits>
 #include <memory>
 
 #include "arguments.hpp"
@@ -69,8 +70,17 @@ class Curve {
     report_.add(record);
   }
 
+  /// A row without values in place of one that could not be computed.
   void fail(double speed, const std::string& reason) {
-    ++not_converged_;
+    constexpr double none = std::numeric_limits<double>::quiet_NaN();
+    Timed nothing{{none, none, none, none, {}, 0}, none};
+    Impact& impact = nothing.restitution.finest;
+    impact.speed = speed;
+    for (double* value :
+         {&impact.contact_time, &impact.max_compression, &impact.max_force, &impact.cutoff, &impact.energy_error}) {
+      *value = none;
+    }
+    add(nothing);
     fmt::print(stderr, "stoss: error: speed {}: {}\n", speed, reason);
   }
 
@@ -97,7 +107,7 @@ class Curve {
 
 /// A bar on a terminal, nothing elsewhere.
 void show_progress(const OutputArguments& output, std::size_t done, std::size_t total) {
-  if (output.quiet || output.path.empty() || isatty(STDERR_FILENO) == 0) return;
+  if (output.quiet || output.path.empty() || output.path == "-" || isatty(STDERR_FILENO) == 0) return;
   constexpr std::size_t width = 40;
   const std::size_t full = width * done / total;
   fmt::print(stderr, "\r[{:#<{}}{:.<{}}] {}/{}{}", "", full, "", width - full, done, total, done == total ? "\n" : "");

@@ -5,7 +5,10 @@
 namespace stoss::cli {
 
 void Trajectory::write(const Snapshot& now) {
-  if (!report_) report_.emplace(path_, Format::csv, provenance_);
+  if (!report_) {
+    report_.emplace(path_, Format::csv, provenance_);
+    catch_interrupts();  // before, there is nothing to keep
+  }
   if (interrupted() != 0) {
     report_->finish(false);
     throw Interrupted{};

@@ -29,7 +29,7 @@ Collision::Collision(const Body& body, const Wall& wall, const ContactGrid& grid
     compression_ = body.extent + start->center;
   }
   respond();
-  if (overflows() || (std::holds_alternative<HardWall>(wall) && force_ > 0.0)) {
+  if (std::holds_alternative<HardWall>(wall) && force_ > 0.0) {
     throw InvalidInput("start: the body already touches the wall (move its center back)");
   }
   // The first step has only the second half of the first kick.
@@ -37,7 +37,6 @@ Collision::Collision(const Body& body, const Wall& wall, const ContactGrid& grid
   modes_.begin();
   initial_velocity_ = velocity();
   initial_energy_ = translation() + modes_.energy() + response_->stored_energy();
-  max_compression_ = compression_;
 }
 
 double Collision::velocity() const { return velocity_ - 0.5 * force_ * step_ / body_.mass; }
@@ -76,11 +75,11 @@ void Collision::record() {
       ++samples_;
     }
     max_force_ = std::max(max_force_, force_);
+    max_compression_ = std::max(max_compression_, compression_ + response_->reach());
     max_half_width_ = std::max(max_half_width_, half_width());
     reach_ = -1.0;
   }
   in_contact_ = touching;
-  max_compression_ = std::max(max_compression_, compression_);
 }
 
 double Collision::half_width() const {

@@ -28,7 +28,7 @@ double lowest_frequency(const Body& body) {
 ExponentialResponse::ExponentialResponse(const ExponentialWall& wall, const Body& body, const ContactGrid& grid,
                                          double speed)
     : wall_(wall),
-      threshold_(1e-3 * body.mass * speed * lowest_frequency(body)),
+      threshold_(1e-3 * body.mass * speed * std::min(lowest_frequency(body), wall.hardness * speed)),
       log_strength_(std::log(wall.hardness) + std::log(wall.strength)),
       measure_(grid.measure),
       force_(grid.measure.size()) {

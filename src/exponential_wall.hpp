@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cmath>
+
 #include "wall_response.hpp"
 
 namespace stoss {
@@ -16,6 +18,7 @@ class ExponentialResponse final : public WallResponse {
   [[nodiscard]] double unresolved_energy() const override { return 0.0; }
   [[nodiscard]] double protrusion() const override { return 0.0; }
   [[nodiscard]] double contact_threshold() const override { return threshold_; }
+  [[nodiscard]] double reach() const override { return std::log(wall_.strength) / wall_.hardness; }
   [[nodiscard]] double range() const override { return range_; }
 
  private:

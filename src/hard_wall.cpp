@@ -2,6 +2,7 @@
 
 #include <Eigen/Cholesky>
 #include <algorithm>
+#include <cmath>
 #include <numbers>
 
 #include "stoss/errors.hpp"
@@ -92,7 +93,10 @@ const std::vector<double>& RadiatingTail::advance(const std::vector<double>& pos
 }
 
 double RadiatingTail::protrusion() const {
-  return std::max(0.0, -*std::min_element(displacement_.begin(), displacement_.end()));
+  // A released node swings back through its rest position, but never as far as it was displaced.
+  double largest = 0.0;
+  for (const double displacement : displacement_) largest = std::max(largest, std::abs(displacement));
+  return largest;
 }
 
 }  // namespace stoss

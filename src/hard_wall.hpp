@@ -17,6 +17,7 @@ class QuasistaticTail final : public WallResponse {
   [[nodiscard]] double unresolved_energy() const override { return 0.0; }
   [[nodiscard]] double protrusion() const override { return 0.0; }
   [[nodiscard]] double contact_threshold() const override { return 0.0; }
+  [[nodiscard]] double reach() const override { return 0.0; }
   [[nodiscard]] double range() const override { return 0.0; }
 
  private:
@@ -42,6 +43,7 @@ class RadiatingTail final : public WallResponse {
   [[nodiscard]] double unresolved_energy() const override { return work_; }
   [[nodiscard]] double protrusion() const override;
   [[nodiscard]] double contact_threshold() const override { return 0.0; }
+  [[nodiscard]] double reach() const override { return 0.0; }
   [[nodiscard]] double range() const override { return 0.0; }
 
  private:

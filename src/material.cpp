@@ -9,7 +9,8 @@
 namespace stoss {
 namespace {
 
-constexpr Range positive{0.0, 1e300, false, true, "above 0"};
+// Far beyond any material, and so that no scale overflows.
+constexpr Range positive{1e-30, 1e30, true, true, "above 0, 1e-30 to 1e30"};
 
 void validate(const Material& material) {
   require("young", material.young, positive, "Young's modulus in Pa; steel has 2.1e11");

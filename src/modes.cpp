@@ -50,8 +50,8 @@ void check_sum_rule(double poisson, double cutoff, int order, const Flexibility&
 }
 
 void check_sum_rules(double poisson, double cutoff, const std::vector<Mode>& modes) {
-  for (auto mode = modes.begin(); mode != modes.end();) {
-    const int order = mode->order;
+  auto mode = modes.begin();
+  for (int order = 0; order <= modes.back().order; ++order) {
     Flexibility kept;
     for (; mode != modes.end() && mode->order == order; ++mode) {
       const double compliance = 1.0 / (mode->omega * mode->omega);
@@ -103,6 +103,9 @@ Flexibility static_flexibility(double poisson, int order) {
 
 std::vector<Displacement> displacement(double poisson, const Mode& mode, const std::vector<double>& radii) {
   require_poisson(poisson);
+  require("order", static_cast<long>(mode.order), 0, 1'000'000, "angular order of the mode");
+  require("omega", mode.omega, {0.0, max_cutoff, false, true, "above 0 and up to 1000"},
+          "frequency of the mode in c/R");
   constexpr Range inside{0.0, 1.0, true, true, "0 to 1"};
   for (const double radius : radii) require("radius", radius, inside, "in units of the radius of the disk");
   const double kappa = std::sqrt(1.0 - poisson * poisson) * mode.omega;

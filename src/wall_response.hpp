@@ -37,6 +37,9 @@ class WallResponse {
   /// Contact is counted while the total force exceeds this.
   [[nodiscard]] virtual double contact_threshold() const = 0;
 
+  /// How far in front of x = 0 the wall's own plane lies, from which compression is measured.
+  [[nodiscard]] virtual double reach() const = 0;
+
   /// Distance from first contact beyond which the wall exerts no force that counts.
   [[nodiscard]] virtual double range() const = 0;
 };

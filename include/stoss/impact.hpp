@@ -55,7 +55,7 @@ struct ModeEnergy {
   int index = 0;         ///< l
   double omega = 0.0;    ///< c/R
   double after = 0.0;    ///< after the impact
-  double average = 0.0;  ///< mean over the time from first to last contact
+  double average = 0.0;  ///< mean over the steps in contact, of which every fourth is taken
 };
 
 /// Where the energy is after the impact, as shares of the initial energy; the sum is 1 but for energy_error.
@@ -81,7 +81,7 @@ struct Impact {
   double contact_time = 0.0;     ///< from first to last contact, R/c
   int contacts = 0;              ///< separate periods of contact
   double max_force = 0.0;        ///< πRE = mc²/R
-  double max_compression = 0.0;  ///< R
+  double max_compression = 0.0;  ///< R, beyond the wall; beyond the plane V₀e^{αx} = 1 of an exponential one
   double max_half_width = 0.0;   ///< of the contact, R
   double momentum_error = 0.0;   ///< |impulse − change of momentum| / (m v)
   double energy_error = 0.0;     ///< 1 − sum of the ledger

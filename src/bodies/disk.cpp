@@ -13,6 +13,7 @@
 #include <sstream>
 #include <unsupported/Eigen/FFT>
 
+#include "check.hpp"
 #include "stoss/modes.hpp"
 
 namespace stoss {
@@ -44,8 +45,12 @@ int smooth_below(int n) {
 
 /// Number of node spacings in a half circle for about `nodes` nodes within half_width.
 int spacings(double half_width, int nodes) {
+  require("half_width", half_width, {0.0, 0.5 * std::numbers::pi, false, true, "above 0 and up to pi/2"},
+          "half-width of the contact grid in R");
   const double wanted = std::numbers::pi * nodes / half_width;
-  return smooth_below(std::max(4, static_cast<int>(std::min(wanted, 5e7))));
+  require("nodes", static_cast<long>(std::min(wanted, 1e9)), 4, 5'000'000,
+          "nodes in a half circle: nodes * pi / half_width");
+  return smooth_below(static_cast<int>(wanted));
 }
 
 ContactGrid make_grid(const Disk& disk, double half_width, int nodes) {
@@ -117,6 +122,7 @@ Tables residual_tables(const Disk& disk, int nyquist, std::size_t size) {
 
 std::vector<double> residual_compliance(const Disk& disk, const ContactGrid& grid) {
   const std::size_t count = grid.coordinate.size();
+  if (count == 0) return {};
   const int nyquist = static_cast<int>(std::lround(0.5 * std::numbers::pi / grid.coordinate.front()));
   const Tables table = residual_tables(disk, nyquist, 2 * count);
   std::vector<double> cosine(count), sine(count), compliance(count * count);

@@ -10,7 +10,7 @@
 namespace stoss {
 
 Body rod(double cutoff) {
-  constexpr Range allowed{std::numbers::pi, 1e5, true, true, "3.14160 to 100000"};
+  constexpr Range allowed{std::numbers::pi, 1e4, true, true, "3.14160 to 10000"};
   require("cutoff", cutoff, allowed, "highest frequency of the rod in c/L; its lowest mode is at pi");
   ModeGroup group;
   double kept = 0.0;

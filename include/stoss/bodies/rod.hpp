@@ -6,7 +6,7 @@ namespace stoss {
 
 /// A thin elastic rod that meets the wall with one end, in units of its length L, bar speed c and mass: ω_l = lπ,
 /// end amplitude √2. Exact against a hard wall: ε = 1, contact time 2L/c, force mvc/L throughout.
-/// @param cutoff c/L, from π to 100 000
+/// @param cutoff c/L, from π to 10 000
 /// @throws InvalidInput outside that range
 [[nodiscard]] Body rod(double cutoff);
 

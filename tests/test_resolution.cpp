@@ -1,0 +1,64 @@
+// Steps and grids that an impact chooses for itself, and those that it refuses.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "stoss/bodies/disk.hpp"
+#include "stoss/bodies/rod.hpp"
+#include "stoss/impact.hpp"
+#include "support/refusal.hpp"
+
+namespace stoss {
+namespace {
+
+TEST(Resolution, DefaultNodesSufficeAtAHighCutoff) {
+  const Body body = disk(0.33, 300.0);
+  const Impact chosen = impact(body, HardWall{}, 0.1, {.step = 2e-3});
+  const Impact finer = impact(body, HardWall{}, 0.1, {.step = 2e-3, .nodes = 2 * chosen.nodes});
+  EXPECT_GT(chosen.nodes, 64);
+  EXPECT_NEAR(chosen.lost_fraction, finer.lost_fraction, 2e-5);
+}
+
+TEST(Resolution, RefusesNodesThatAliasTheKeptModes) {
+  const Body body = disk(0.33, 400.0);
+  test::expect_refusal([&] { (void)impact(body, HardWall{}, 0.1, {.nodes = 64}); }, {"nodes", "64"});
+}
+
+TEST(Resolution, RefusesNonsense) {
+  const Body body = disk(0.33, 12.5);
+  test::expect_refusal([&] { (void)recommended_step(body, HardWall{}, std::nan("")); }, {"speed", "nan"});
+  test::expect_refusal([&] { (void)recommended_nodes(body, ExponentialWall{-5.0, 1.0}, 0.1); }, {"hardness", "-5"});
+  test::expect_refusal([&] { (void)body.grid(std::nan(""), 32); }, {"half_width", "nan"});
+  test::expect_refusal([&] { (void)body.grid(1e-4, 1'000'000); }, {"nodes"});
+  EXPECT_TRUE(body.residual_compliance(ContactGrid{}).empty());
+}
+
+TEST(Resolution, MotionThatLosesItsEnergyIsNotConverged) {
+  const Body body = disk(0.95, 50.0);
+  const auto coarse = [&] { (void)impact(body, HardWall{Tail::quasistatic}, 0.4, {.step = 0.02}); };
+  EXPECT_NE(test::message_of<NotConverged>(coarse).find("smaller step"), std::string::npos);
+}
+
+TEST(Resolution, ASoftWallMayActOnTheWholeFrontOfTheDisk) {
+  const Impact soft = impact(disk(0.33, 12.5), ExponentialWall{5.0, 1.0}, 0.1);
+  EXPECT_NEAR(soft.restitution, 1.0, 1e-3);
+  EXPECT_NEAR(soft.energy_error, 0.0, 1e-8);
+}
+
+TEST(Resolution, ASlowImpactOnASoftWallIsOneContact) {
+  const Impact slow = impact(disk(0.33, 12.5), ExponentialWall{500.0, 1.0}, 1e-5);
+  EXPECT_EQ(slow.contacts, 1);
+  EXPECT_GT(slow.contact_time, 0.0);
+  EXPECT_NEAR(slow.restitution, 1.0, 1e-9);
+}
+
+TEST(Resolution, ABodyMayStartFarAway) {
+  const Body body = rod(40.0);
+  const std::vector<double> rest(mode_count(body), 0.0);
+  const Impact far = impact(body, HardWall{}, 0.01, {.step = 0.01, .start = State{-10.5, 0.01, rest, rest}});
+  const Impact near = impact(body, HardWall{}, 0.01, {.step = 0.01});
+  EXPECT_NEAR(far.restitution, near.restitution, 1e-6);
+}
+
+}  // namespace
+}  // namespace stoss
