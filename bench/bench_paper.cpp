@@ -13,13 +13,17 @@ constexpr double preliminary_cutoff = 100.0;  // 4510 modes compete
 struct Preparation {
   stoss::Body body;
   PaperSettings settings;
+  std::vector<stoss::ModeGroup> modes;  // of the body, without groups that have none
 };
 const Preparation& preparation() {
   static const Preparation prepared = [] {
     Preparation result;
     result.settings.speed = speed;
     result.body = most_energetic(disk_body(preliminary_cutoff), paper_modes, result.settings);
-    result.settings.step = largest_step(result.body.groups, result.settings, energy_tolerance);
+    for (const stoss::ModeGroup& group : result.body.groups) {
+      if (!group.omega.empty()) result.modes.push_back(group);
+    }
+    result.settings.step = largest_step(result.modes, result.settings, energy_tolerance);
     return result;
   }();
   return prepared;
@@ -36,9 +40,9 @@ void run(benchmark::State& state, const std::vector<stoss::ModeGroup>& modes) {
 }  // namespace
 
 void add_paper() {
-  add(reference_name, [](benchmark::State& state) { run(state, preparation().body.groups); });
+  add(reference_name, [](benchmark::State& state) { run(state, preparation().modes); });
   add("the paper's protocol, every mode at every angle",
-      [](benchmark::State& state) { run(state, mode_by_mode(preparation().body.groups)); });
+      [](benchmark::State& state) { run(state, mode_by_mode(preparation().modes)); });
   add("the paper's modes and wall in stoss", [](benchmark::State& state) {
     const stoss::ExponentialWall wall{preparation().settings.hardness, preparation().settings.strength};
     double lost_fraction = 0.0;
