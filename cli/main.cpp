@@ -72,7 +72,7 @@ int main(int argc, char** argv) {
     stoss::cli::set_command_line(argc, argv);
     return run(argc, argv);
   } catch (...) {
-    std::fputs("stoss: error: out of memory, or a defect of stoss\n", stderr);
+    (void)std::fputs("stoss: error: out of memory, or a defect of stoss\n", stderr);
     return bad_input;
   }
 }

@@ -14,7 +14,7 @@ template <typename Value>
   std::ostringstream line;
   line.precision(10);
   line << name << ": got ";
-  if (value != value) {
+  if (std::isnan(static_cast<double>(value))) {
     line << "nan";  // without the sign that some processors give it
   } else {
     line << value;

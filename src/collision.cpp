@@ -75,7 +75,7 @@ void Collision::record() {
       ++samples_;
     }
     max_force_ = std::max(max_force_, force_);
-    max_compression_ = std::max(max_compression_, compression_ + response_->reach());
+    max_compression_ = std::max(max_compression_, compression_ + response_->plane_offset());
     max_half_width_ = std::max(max_half_width_, half_width());
     reach_ = -1.0;
   }

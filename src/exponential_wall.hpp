@@ -15,10 +15,8 @@ class ExponentialResponse final : public WallResponse {
   [[nodiscard]] std::size_t contact_nodes() const override;
   [[nodiscard]] bool overflows() const override;
   [[nodiscard]] double stored_energy() const override { return total_force_ / wall_.hardness; }
-  [[nodiscard]] double unresolved_energy() const override { return 0.0; }
-  [[nodiscard]] double protrusion() const override { return 0.0; }
   [[nodiscard]] double contact_threshold() const override { return threshold_; }
-  [[nodiscard]] double reach() const override { return std::log(wall_.strength) / wall_.hardness; }
+  [[nodiscard]] double plane_offset() const override { return std::log(wall_.strength) / wall_.hardness; }
   [[nodiscard]] double range() const override { return range_; }
 
  private:

@@ -14,11 +14,6 @@ class QuasistaticTail final : public WallResponse {
   [[nodiscard]] std::size_t contact_nodes() const override { return contact_.extent(); }
   [[nodiscard]] bool overflows() const override { return contact_.extent() == force_.size(); }
   [[nodiscard]] double stored_energy() const override;
-  [[nodiscard]] double unresolved_energy() const override { return 0.0; }
-  [[nodiscard]] double protrusion() const override { return 0.0; }
-  [[nodiscard]] double contact_threshold() const override { return 0.0; }
-  [[nodiscard]] double reach() const override { return 0.0; }
-  [[nodiscard]] double range() const override { return 0.0; }
 
  private:
   Complementarity contact_;
@@ -39,12 +34,8 @@ class RadiatingTail final : public WallResponse {
   [[nodiscard]] std::size_t extent() const override { return contact_.extent(); }
   [[nodiscard]] std::size_t contact_nodes() const override { return contact_.extent(); }
   [[nodiscard]] bool overflows() const override { return contact_.extent() == force_.size(); }
-  [[nodiscard]] double stored_energy() const override { return 0.0; }
   [[nodiscard]] double unresolved_energy() const override { return work_; }
   [[nodiscard]] double protrusion() const override;
-  [[nodiscard]] double contact_threshold() const override { return 0.0; }
-  [[nodiscard]] double reach() const override { return 0.0; }
-  [[nodiscard]] double range() const override { return 0.0; }
 
  private:
   double step_;
@@ -59,8 +50,8 @@ class RadiatingTail final : public WallResponse {
   std::vector<double> free_;                  // W′r
   std::vector<double> contact_displacement_;  // W′f
   std::vector<double> gap_;                   // x_dyn − W′r
-  double work_ =
-      0.0;  // ∫ f u̇ dt = ∫ f ẋ_dyn dt (f = 0 where the two differ), by the trapezium rule in the smooth x_dyn
+  // ∫ f u̇ dt = ∫ f ẋ_dyn dt, as f = 0 where the two differ; by the trapezium rule in x_dyn, which is smooth.
+  double work_ = 0.0;
 };
 
 }  // namespace stoss

@@ -26,22 +26,22 @@ class WallResponse {
   [[nodiscard]] virtual bool overflows() const = 0;
 
   /// Energy in the wall's potential or in the quasistatic tail at the last positions, given back when contact ends.
-  [[nodiscard]] virtual double stored_energy() const = 0;
+  [[nodiscard]] virtual double stored_energy() const { return 0.0; }
 
   /// Energy that the modes above the cutoff have taken so far.
-  [[nodiscard]] virtual double unresolved_energy() const = 0;
+  [[nodiscard]] virtual double unresolved_energy() const { return 0.0; }
 
   /// Largest distance by which a free node may at present lie in front of its x_dyn.
-  [[nodiscard]] virtual double protrusion() const = 0;
+  [[nodiscard]] virtual double protrusion() const { return 0.0; }
 
   /// Contact is counted while the total force exceeds this.
-  [[nodiscard]] virtual double contact_threshold() const = 0;
+  [[nodiscard]] virtual double contact_threshold() const { return 0.0; }
 
   /// How far in front of x = 0 the wall's own plane lies, from which compression is measured.
-  [[nodiscard]] virtual double reach() const = 0;
+  [[nodiscard]] virtual double plane_offset() const { return 0.0; }
 
   /// Distance from first contact beyond which the wall exerts no force that counts.
-  [[nodiscard]] virtual double range() const = 0;
+  [[nodiscard]] virtual double range() const { return 0.0; }
 };
 
 /// @param speed of the impact, which sets what force counts as contact with a soft wall
