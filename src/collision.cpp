@@ -91,8 +91,11 @@ double Collision::half_width() const {
 
 bool Collision::over() {
   if (in_contact_ || velocity() >= 0.0) return false;
+  const auto clear = [this] { return compression_ + reach_ + response_->protrusion() < -response_->range(); };
   if (reach_ < 0.0) reach_ = modes_.reach(grid_);
-  return compression_ + reach_ + response_->protrusion() < -response_->range();
+  if (!clear()) return false;
+  reach_ = modes_.reach(grid_);  // a soft wall has pushed on, below its threshold of contact
+  return clear();
 }
 
 Snapshot Collision::snapshot() const {
