@@ -57,9 +57,9 @@ struct DiskArguments {
 [[nodiscard]] std::string command_line();
 void set_command_line(int argc, char** argv);
 
-/// The subcommands; each registers itself and returns the exit code when run.
-void add_modes(CLI::App& app, int& exit_code);
-void add_impact(CLI::App& app, int& exit_code);
+/// The subcommands register themselves. Modes and an impact succeed or throw; a curve may end with exit code 1.
+void add_modes(CLI::App& app);
+void add_impact(CLI::App& app);
 void add_restitution(CLI::App& app, int& exit_code);
 
 }  // namespace stoss::cli

@@ -178,7 +178,7 @@ void run(const ImpactArguments& arguments) {
 
 }  // namespace
 
-void add_impact(CLI::App& app, int&) {
+void add_impact(CLI::App& app) {
   auto* command =
       app.add_subcommand("impact", "One impact of a disk on a wall at a fixed resolution, with its energy ledger");
   auto arguments = std::make_shared<ImpactArguments>();

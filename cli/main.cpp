@@ -32,8 +32,8 @@ int run(int argc, char** argv) {
       "Lengths are in R, speeds in c = sqrt(E/rho), times in R/c, forces in pi R E, frequencies in c/R.\n"
       "Exit codes: 0 ok, 1 not converged, 2 usage, 3 bad input, 4 input/output, 130 interrupted.");
   int exit_code = ok;
-  stoss::cli::add_modes(app, exit_code);
-  stoss::cli::add_impact(app, exit_code);
+  stoss::cli::add_modes(app);
+  stoss::cli::add_impact(app);
   stoss::cli::add_restitution(app, exit_code);
   try {
     app.parse(argc, argv);

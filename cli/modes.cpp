@@ -39,7 +39,7 @@ void run(const ModesArguments& arguments) {
 
 }  // namespace
 
-void add_modes(CLI::App& app, int&) {
+void add_modes(CLI::App& app) {
   auto* command = app.add_subcommand("modes", "Eigenmodes of a free elastic disk: frequencies and edge amplitudes");
   auto arguments = std::make_shared<ModesArguments>();
   arguments->disk.add_to(*command);

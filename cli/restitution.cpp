@@ -161,7 +161,9 @@ int run(const RestitutionArguments& arguments) {
   const int threads = static_cast<int>(std::min<std::size_t>(static_cast<std::size_t>(wanted), speeds.size()));
   try {
     run_in_order<Timed>(speeds.size(), threads, job, deliver);
-  } catch (const Interrupted&) {
+  } catch (const OutputError&) {
+    throw;
+  } catch (...) {
     report.finish(false);
     throw;
   }
