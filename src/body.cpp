@@ -23,6 +23,7 @@ bool finite(const std::vector<double>& values) {
 void validate(const Body& body) {
   require(body, positive(body.mass) && positive(body.extent) && positive(body.cutoff),
           "a positive finite mass, extent and cutoff");
+  require(body, body.stable_step > 0.0, "a positive stable_step");
   require(body, std::isfinite(body.max_half_width) && body.max_half_width >= 0.0, "max_half_width >= 0");
   for (const ModeGroup& group : body.groups) {
     require(body, group.radial.size() == group.omega.size() && group.tangential.size() == group.omega.size(),
@@ -33,7 +34,8 @@ void validate(const Body& body) {
                         [&body](double omega) { return omega > 0.0 && omega <= body.cutoff; }),
             "frequencies above 0 and up to its cutoff");
   }
-  require(body, body.expected_half_width && body.grid && body.residual_compliance, "all three functions set");
+  require(body, body.expected_half_width && body.grid && body.residual_compliance && body.residual_second_moment,
+          "all four functions set");
 }
 
 std::size_t mode_count(const Body& body) {

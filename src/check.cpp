@@ -37,4 +37,12 @@ void require(std::string_view name, long value, long low, long high, std::string
   }
 }
 
+void require_speed(double speed) {
+  require("speed", speed, {1e-8, 1.0, true, true, "1e-8 to 1"}, "speed of the centre of mass, in units of c");
+}
+
+void require_tolerance(double tolerance) {
+  require("tolerance", tolerance, {1e-15, 0.5, true, true, "1e-15 to 0.5"}, "relative error of 1 - eps^2");
+}
+
 }  // namespace stoss

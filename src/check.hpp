@@ -19,4 +19,10 @@ void require(std::string_view name, double value, const Range& range, std::strin
 /// Throws InvalidInput unless low <= value <= high.
 void require(std::string_view name, long value, long low, long high, std::string_view hint);
 
+/// Throws InvalidInput unless `speed` is one that an impact can have, 1e-8 … 1 c.
+void require_speed(double speed);
+
+/// Throws InvalidInput unless `tolerance` is a relative error that can be asked for, 1e-15 … 0.5.
+void require_tolerance(double tolerance);
+
 }  // namespace stoss

@@ -19,7 +19,7 @@ Collision::Collision(const Body& body, const Wall& wall, const ContactGrid& grid
       grid_(grid),
       speed_(speed),
       step_(step),
-      modes_(body, step),
+      modes_(body, grid, step),
       response_(make_response(wall, body, grid, speed, step)),
       position_(grid.recess.size()),
       compression_(-response_->range()),
@@ -45,21 +45,23 @@ double Collision::translation() const { return 0.5 * body_.mass * velocity() * v
 
 void Collision::respond() {
   for (std::size_t i = 0; i < position_.size(); ++i) position_[i] = compression_ - grid_.recess[i];
-  modes_.add_displacement(grid_, position_);
+  modes_.add_displacement(position_);
   const std::vector<double>& force = response_->advance(position_);
   force_ = 0.0;
   for (std::size_t i = 0; i < response_->extent(); ++i) force_ += force[i];
-  modes_.load(grid_, force, response_->extent());
+  modes_.load(force, response_->extent());
 }
 
 void Collision::advance() {
-  impulse_ += 0.5 * force_ * step_;
+  const double force_before = force_;
   velocity_ -= force_ * step_ / body_.mass;
   compression_ += velocity_ * step_;
   modes_.advance();
   ++steps_;
   respond();
-  impulse_ += 0.5 * force_ * step_;
+  const double mean_force = 0.5 * (force_before + force_);
+  impulse_ += mean_force * step_;
+  max_force_ = std::max(max_force_, mean_force);
   record();
 }
 
@@ -74,7 +76,6 @@ void Collision::record() {
       modes_.accumulate_energy();
       ++samples_;
     }
-    max_force_ = std::max(max_force_, force_);
     max_compression_ = std::max(max_compression_, compression_ + response_->plane_offset());
     max_half_width_ = std::max(max_half_width_, half_width());
     reach_ = -1.0;
@@ -92,9 +93,9 @@ double Collision::half_width() const {
 bool Collision::over() {
   if (in_contact_ || velocity() >= 0.0) return false;
   const auto clear = [this] { return compression_ + reach_ + response_->protrusion() < -response_->range(); };
-  if (reach_ < 0.0) reach_ = modes_.reach(grid_);
+  if (reach_ < 0.0) reach_ = modes_.reach();
   if (!clear()) return false;
-  reach_ = modes_.reach(grid_);  // a soft wall has pushed on, below its threshold of contact
+  reach_ = modes_.reach();  // a soft wall has pushed on, below its threshold of contact
   return clear();
 }
 

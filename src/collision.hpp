@@ -32,7 +32,7 @@ class Collision {
   [[nodiscard]] bool over();
 
   /// Distance from the wall that the free body must keep so as not to touch it, in its present vibration.
-  [[nodiscard]] double clearance() const { return modes_.reach(grid_) + std::max(response_->range(), 0.0); }
+  [[nodiscard]] double clearance() const { return modes_.reach() + std::max(response_->range(), 0.0); }
 
   /// The instant, with energies as shares of the initial energy.
   [[nodiscard]] Snapshot snapshot() const;

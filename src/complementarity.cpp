@@ -15,18 +15,35 @@ using Matrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowM
 }  // namespace
 
 Complementarity::Complementarity(std::vector<double> matrix, std::size_t size)
-    : size_(size), matrix_(std::move(matrix)), factor_(size * size) {
+    : size_(size), matrix_(std::move(matrix)), inverse_(size * size), inverse_transposed_(size * size), inner_(size) {
   const auto n = static_cast<Eigen::Index>(size);
   const Eigen::LLT<Eigen::MatrixXd> cholesky(Eigen::Map<const Matrix>(matrix_.data(), n, n));
   const bool finite = std::all_of(matrix_.begin(), matrix_.end(), [](double w) { return std::isfinite(w); });
   if (!finite || cholesky.info() != Eigen::Success) {
     throw NotConverged("contact: the compliance between the nodes is not positive definite (use fewer nodes)");
   }
-  Eigen::Map<Matrix>(factor_.data(), n, n) = cholesky.matrixLLT();
+  const Eigen::MatrixXd inverse = cholesky.matrixL().solve(Eigen::MatrixXd::Identity(n, n));
+  Eigen::Map<Matrix>(inverse_.data(), n, n) = inverse;
+  Eigen::Map<Matrix>(inverse_transposed_.data(), n, n) = inverse.transpose();
+}
+
+void Complementarity::solve_leading(std::size_t count, const std::vector<double>& q, std::vector<double>& force) {
+  // In blocks, so that most of the zeros of the triangles are passed over; to whole vectors, of which the excess is void.
+  constexpr std::size_t block = 32;
+  constexpr std::size_t vector = 8;
+  const std::size_t end = std::min((count + vector - 1) / vector * vector, size_);
+  for (std::size_t i = 0; i < end; i += block) {
+    kernels::multiply_transposed(inverse_transposed_.data(), size_, std::min(count, i + block), i,
+                                 std::min(end, i + block), q.data(), inner_.data());
+  }
+  for (std::size_t j = 0; j < end; j += block) {
+    kernels::multiply_transposed(inverse_.data() + j * size_, size_, count - std::min(count, j), j,
+                                 std::min(end, j + block), inner_.data() + j, force.data());
+  }
 }
 
 void Complementarity::multiply(const std::vector<double>& x, std::vector<double>& result) const {
-  kernels::multiply(matrix_.data(), size_, 0, size_, size_, x.data(), result.data());
+  kernels::multiply_transposed(matrix_.data(), size_, size_, 0, size_, x.data(), result.data());
 }
 
 void Complementarity::solve(const std::vector<double>& q, std::vector<double>& force,
@@ -53,7 +70,7 @@ bool Complementarity::solve_interval(const std::vector<double>& q, double tolera
   constexpr int max_trials = 12;
   std::size_t count = std::max<std::size_t>(extent_, 1);
   for (int trial = 0; trial < max_trials; ++trial) {
-    kernels::solve_cholesky(factor_.data(), size_, count, q.data(), force.data());
+    solve_leading(count, q, force);
     std::size_t keep = count;
     while (keep > 0 && force[keep - 1] < 0.0) --keep;
     if (std::any_of(force.begin(), force.begin() + static_cast<std::ptrdiff_t>(keep),
@@ -66,7 +83,7 @@ bool Complementarity::solve_interval(const std::vector<double>& q, double tolera
       continue;
     }
     std::copy_n(q.begin(), count, displacement.begin());
-    kernels::multiply(matrix_.data(), size_, count, size_, count, force.data(), displacement.data());
+    kernels::multiply_transposed(matrix_.data(), size_, count, count, size_, force.data(), displacement.data());
     std::size_t grown = count;
     while (grown < size_ && displacement[grown] - q[grown] < -tolerance) ++grown;
     for (std::size_t i = grown; i < size_; ++i) {

@@ -9,9 +9,9 @@ namespace stoss {
 ///
 ///   f ≥ 0,   g = W f − q ≥ 0,   fᵀ g = 0.
 ///
-/// It has exactly one solution. W is factored once: the Cholesky factor of a leading block of W is the leading block of
-/// the factor, so a contact that is an interval {0 … k−1} costs two triangular solves. Any other contact set is found
-/// by block principal pivoting with Murty's rule as the finite last resort (Júdice and Pires, Comput. Oper. Res. 21,
+/// It has exactly one solution. W = L Lᵀ is factored once: the Cholesky factor of a leading block of W is the
+/// leading block of L, and its inverse that of L⁻¹, so a contact that is an interval {0 … k−1} costs two products with
+/// triangular matrices. Any other contact set is found by block principal pivoting with Murty's rule as the finite last resort (Júdice and Pires, Comput. Oper. Res. 21,
 /// 587, 1994).
 class Complementarity {
  public:
@@ -31,6 +31,8 @@ class Complementarity {
   void multiply(const std::vector<double>& x, std::vector<double>& result) const;
 
  private:
+  /// The forces on the first `count` nodes that bring them to q; those behind are void.
+  void solve_leading(std::size_t count, const std::vector<double>& q, std::vector<double>& force);
   bool solve_interval(const std::vector<double>& q, double tolerance, std::vector<double>& force,
                       std::vector<double>& displacement);
   void solve_any(const std::vector<double>& q, double tolerance, std::vector<double>& force,
@@ -40,7 +42,9 @@ class Complementarity {
 
   std::size_t size_;
   std::vector<double> matrix_;
-  std::vector<double> factor_;  // lower Cholesky factor, row-major
+  std::vector<double> inverse_;             // L⁻¹, row-major
+  std::vector<double> inverse_transposed_;  // L⁻ᵀ
+  std::vector<double> inner_;               // L⁻¹ q
   std::size_t extent_ = 0;
 };
 

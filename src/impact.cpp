@@ -18,11 +18,12 @@ constexpr double small_strain_limit = 0.5;  // compression, R
 
 void require_grid(const Body& body, const ContactGrid& grid) {
   const std::size_t nodes = grid.recess.size();
-  const std::size_t shapes = nodes * body.groups.size();
+  std::size_t rows = 0;
+  for (const ModeGroup& group : body.groups) rows = std::max({rows, group.sum_shape + 1, group.difference_shape + 1});
   if (nodes == 0 || grid.coordinate.size() != nodes || grid.measure.size() != nodes || grid.impedance.size() != nodes ||
-      grid.radial_shape.size() != shapes || grid.tangential_shape.size() != shapes) {
+      grid.shape.size() % nodes != 0 || grid.shape.size() / nodes < rows) {
     throw InvalidInput("body: got a grid of '" + body.name +
-                       "' whose arrays do not fit, allowed: one value per node, and per node and group");
+                       "' whose arrays do not fit, allowed: one value per node, and per node and shape");
   }
 }
 
@@ -53,6 +54,8 @@ std::optional<Impact> run(const Body& body, const Wall& wall, double speed, cons
     if (static_cast<double>(step) > steps) {
       throw NotConverged("impact: the body has not left the wall after " + std::to_string(step) + " steps");
     }
+    constexpr long steps_between_polls = 64;
+    if (options.poll && step % steps_between_polls == 0) options.poll();
     collision.advance();
     if (collision.overflows()) {
       if (resolution.half_width < body.max_half_width) return std::nullopt;

@@ -12,124 +12,102 @@
 #endif
 
 namespace stoss::kernels {
+namespace {
 
-STOSS_MULTIVERSION
-void advance(const Oscillators& modes, const std::size_t* begin, std::size_t groups, const EdgeAmplitude* push,
-             EdgeAmplitude* edge) {
-  double* const a = modes.a;
-  double* const b = modes.b;
-  const double* const cosine = modes.cosine;
-  const double* const sine = modes.sine;
-  const double* const radial = modes.radial;
-  const double* const tangential = modes.tangential;
-  const double* const radial_per_omega = modes.radial_per_omega;
-  const double* const tangential_per_omega = modes.tangential_per_omega;
-  for (std::size_t g = 0; g < groups; ++g) {
-    const double push_radial = push[g].radial;
-    const double push_tangential = push[g].tangential;
-    double sum_radial = 0.0;
-    double sum_tangential = 0.0;
-    const std::size_t end = begin[g + 1];
-#pragma omp simd reduction(+ : sum_radial, sum_tangential)
-    for (std::size_t k = begin[g]; k < end; ++k) {
-      const double before = a[k];
-      const double kicked = b[k] - (radial[k] * push_radial + tangential[k] * push_tangential);
-      const double after = before * cosine[k] + kicked * sine[k];
-      a[k] = after;
-      b[k] = kicked * cosine[k] - before * sine[k];
-      sum_radial += radial_per_omega[k] * after;
-      sum_tangential += tangential_per_omega[k] * after;
-    }
-    edge[g] = {sum_radial, sum_tangential};
-  }
+using Lanes = std::array<double, lanes>;
+
+[[gnu::always_inline]] inline Lanes load(const double* from, double scale) {
+  Lanes result;
+  for (std::size_t i = 0; i < lanes; ++i) result[i] = scale * from[i];
+  return result;
 }
 
-STOSS_MULTIVERSION
-void accumulate_energy(const Oscillators& modes, const std::size_t* begin, std::size_t groups,
-                       const EdgeAmplitude* push, double* energy) {
-  for (std::size_t g = 0; g < groups; ++g) {
-    const double push_radial = 0.5 * push[g].radial;
-    const double push_tangential = 0.5 * push[g].tangential;
-    const std::size_t end = begin[g + 1];
+/// The next `width` elements of a product, held in registers while the rows pass.
+template <std::size_t width>
+[[gnu::always_inline]] inline void multiply_block(const double* matrix, std::size_t stride, std::size_t rows,
+                                                  const double* x, double* result) {
+  std::array<double, width> sum{};
+  for (std::size_t j = 0; j < rows; ++j) {
+    const double* const row = matrix + j * stride;
 #pragma omp simd
-    for (std::size_t k = begin[g]; k < end; ++k) {
-      const double a = modes.a[k];
-      const double b = modes.b[k] - (modes.radial[k] * push_radial + modes.tangential[k] * push_tangential);
-      energy[k] += a * a + b * b;
-    }
+    for (std::size_t i = 0; i < width; ++i) sum[i] += row[i] * x[j];
   }
+  for (std::size_t i = 0; i < width; ++i) result[i] = sum[i];
 }
 
+}  // namespace
+
 STOSS_MULTIVERSION
-void add_shapes(const EdgeAmplitude* amplitude, const double* radial_shape, const double* tangential_shape,
-                std::size_t groups, std::size_t stride, std::size_t count, double* position) {
-  constexpr std::size_t block = 32;
-  std::size_t start = 0;
-  for (; start + block <= count; start += block) {
-    std::array<double, block> sum{};
-    for (std::size_t g = 0; g < groups; ++g) {
-      const double* const radial = radial_shape + g * stride + start;
-      const double* const tangential = tangential_shape + g * stride + start;
-      const double r = amplitude[g].radial;
-      const double t = amplitude[g].tangential;
+void advance(const Oscillators& modes, const std::size_t* begin, std::size_t blocks, const double* push, double* edge) {
+  const double* const push_tangential = push + blocks * lanes;
+  double* const edge_tangential = edge + blocks * lanes;
+  for (std::size_t block = 0; block < blocks; ++block) {
+    const Lanes radial_kick = load(push + block * lanes, 1.0);
+    const Lanes tangential_kick = load(push_tangential + block * lanes, 1.0);
+    Lanes radial_sum{};
+    Lanes tangential_sum{};
+    for (std::size_t at = begin[block]; at < begin[block + 1]; at += lanes) {
+      double* const a = modes.a + at;
+      double* const b = modes.b + at;
+      const double* const cosine = modes.cosine + at;
+      const double* const sine = modes.sine + at;
+      const double* const radial = modes.radial + at;
+      const double* const tangential = modes.tangential + at;
 #pragma omp simd
-      for (std::size_t i = 0; i < block; ++i) sum[i] += r * radial[i] + t * tangential[i];
+      for (std::size_t i = 0; i < lanes; ++i) {
+        const double before = a[i];
+        const double kicked = b[i] - (radial[i] * radial_kick[i] + tangential[i] * tangential_kick[i]);
+        const double after = before * cosine[i] + kicked * sine[i];
+        a[i] = after;
+        b[i] = kicked * cosine[i] - before * sine[i];
+        radial_sum[i] += radial[i] * after;
+        tangential_sum[i] += tangential[i] * after;
+      }
     }
-    for (std::size_t i = 0; i < block; ++i) position[start + i] += sum[i];
+    for (std::size_t i = 0; i < lanes; ++i) edge[block * lanes + i] = radial_sum[i];
+    for (std::size_t i = 0; i < lanes; ++i) edge_tangential[block * lanes + i] = tangential_sum[i];
   }
-  for (std::size_t g = 0; g < groups; ++g) {
-    const double* const radial = radial_shape + g * stride;
-    const double* const tangential = tangential_shape + g * stride;
-    for (std::size_t i = start; i < count; ++i) {
-      position[i] += amplitude[g].radial * radial[i] + amplitude[g].tangential * tangential[i];
+}
+
+STOSS_MULTIVERSION
+void accumulate_energy(const Oscillators& modes, const std::size_t* begin, std::size_t blocks, const double* push,
+                       double* energy) {
+  for (std::size_t block = 0; block < blocks; ++block) {
+    const Lanes radial_kick = load(push + block * lanes, 0.5);
+    const Lanes tangential_kick = load(push + (blocks + block) * lanes, 0.5);
+    for (std::size_t at = begin[block]; at < begin[block + 1]; at += lanes) {
+#pragma omp simd
+      for (std::size_t i = 0; i < lanes; ++i) {
+        const double a = modes.a[at + i];
+        const double b = modes.b[at + i] -
+                         (modes.radial[at + i] * radial_kick[i] + modes.tangential[at + i] * tangential_kick[i]);
+        energy[at + i] += a * a + b * b;
+      }
     }
   }
 }
 
 STOSS_MULTIVERSION
-void project_force(const double* force, const double* radial_shape, const double* tangential_shape, std::size_t groups,
-                   std::size_t stride, std::size_t count, EdgeAmplitude* push) {
-  for (std::size_t g = 0; g < groups; ++g) {
-    const double* const radial = radial_shape + g * stride;
-    const double* const tangential = tangential_shape + g * stride;
-    double sum_radial = 0.0;
-    double sum_tangential = 0.0;
-#pragma omp simd reduction(+ : sum_radial, sum_tangential)
-    for (std::size_t i = 0; i < count; ++i) {
-      sum_radial += force[i] * radial[i];
-      sum_tangential += force[i] * tangential[i];
-    }
-    push[g] = {sum_radial, sum_tangential};
+void multiply_transposed(const double* matrix, std::size_t stride, std::size_t rows, std::size_t begin, std::size_t end,
+                         const double* x, double* result) {
+  std::size_t i = begin;
+  for (; i + 64 <= end; i += 32) multiply_block<32>(matrix + i, stride, rows, x, result + i);
+  // The rest in one block if it consists of whole vectors: narrow blocks wait for their sums.
+  const auto rest = [&]<std::size_t width>() {
+    multiply_block<width>(matrix + i, stride, rows, x, result + i);
+    i += width;
+  };
+  switch ((end - i) / 8) {
+    case 7: rest.template operator()<56>(); break;
+    case 6: rest.template operator()<48>(); break;
+    case 5: rest.template operator()<40>(); break;
+    case 4: rest.template operator()<32>(); break;
+    case 3: rest.template operator()<24>(); break;
+    case 2: rest.template operator()<16>(); break;
+    case 1: rest.template operator()<8>(); break;
+    default: break;
   }
-}
-
-STOSS_MULTIVERSION
-void multiply(const double* matrix, std::size_t stride, std::size_t row_begin, std::size_t row_end, std::size_t columns,
-              const double* x, double* result) {
-  for (std::size_t i = row_begin; i < row_end; ++i) {
-    const double* const row = matrix + i * stride;
-    double sum = 0.0;
-#pragma omp simd reduction(+ : sum)
-    for (std::size_t j = 0; j < columns; ++j) sum += row[j] * x[j];
-    result[i] = sum;
-  }
-}
-
-STOSS_MULTIVERSION
-void solve_cholesky(const double* factor, std::size_t stride, std::size_t count, const double* right, double* x) {
-  for (std::size_t i = 0; i < count; ++i) {
-    const double* const row = factor + i * stride;
-    double sum = 0.0;
-#pragma omp simd reduction(+ : sum)
-    for (std::size_t j = 0; j < i; ++j) sum += row[j] * x[j];
-    x[i] = (right[i] - sum) / row[i];
-  }
-  for (std::size_t i = count; i-- > 0;) {
-    const double* const row = factor + i * stride;
-    const double value = x[i] / row[i];
-    x[i] = value;
-    for (std::size_t j = 0; j < i; ++j) x[j] -= row[j] * value;
-  }
+  for (; i < end; ++i) multiply_block<1>(matrix + i, stride, rows, x, result + i);
 }
 
 }  // namespace stoss::kernels

@@ -2,13 +2,15 @@
 
 #include <cstddef>
 
+/// The inner loops of an impact, apart so that they alone need vector instructions. Every sum has a fixed order.
 namespace stoss::kernels {
 
-/// Inner loops of an impact. Each is compiled for several instruction sets and chosen when the program starts; the
-/// order of every sum is fixed by the code, not by the number of threads.
+/// Orders that the loops over modes take side by side.
+inline constexpr std::size_t lanes = 8;
 
-/// Kicks and rotates the oscillators [begin, end) of one group over one step and sums their edge displacement.
-/// With a = ωQ and b = Q̇: b ← b − (C push_radial + S push_tangential), then (a, b) ← rotation by ω Δt.
+/// Oscillators a = √ω Q, b = Q̇/√ω with their rotation in one step and their weights at the edge, C/√ω and S/√ω, which in
+/// these coordinates are the same for kicks and for displacements. Blocks of `lanes` orders lie
+/// one after another; in a block, mode l of its order i is element l · lanes + i.
 struct Oscillators {
   double* a;
   double* b;
@@ -16,34 +18,19 @@ struct Oscillators {
   const double* sine;
   const double* radial;
   const double* tangential;
-  const double* radial_per_omega;
-  const double* tangential_per_omega;
 };
-struct EdgeAmplitude {
-  double radial;
-  double tangential;
-};
-void advance(const Oscillators& modes, const std::size_t* begin, std::size_t groups, const EdgeAmplitude* push,
-             EdgeAmplitude* edge);
 
-/// energy[k] += a² + b², the oscillators' energies in units of mass/2, after half of the kick that is due.
-void accumulate_energy(const Oscillators& modes, const std::size_t* begin, std::size_t groups,
-                       const EdgeAmplitude* push, double* energy);
+/// Kicks b by −(radial push_radial + tangential push_tangential), then rotates (a, b); edge receives the sums over each
+/// order of radial a and tangential a. Block i lies at begin[i] … begin[i + 1]. Push and edge hold a
+/// value for each order, first of the radial shapes, then of the tangential ones.
+void advance(const Oscillators& modes, const std::size_t* begin, std::size_t blocks, const double* push, double* edge);
 
-/// position[i] += Σ_g amplitude[g].radial radial_shape[g][i] + amplitude[g].tangential tangential_shape[g][i]
-/// for i < count; rows are `stride` apart.
-void add_shapes(const EdgeAmplitude* amplitude, const double* radial_shape, const double* tangential_shape,
-                std::size_t groups, std::size_t stride, std::size_t count, double* position);
+/// energy[k] += a² + b², the oscillators' energies in units of mass ω/2, after half of the kick that is due.
+void accumulate_energy(const Oscillators& modes, const std::size_t* begin, std::size_t blocks, const double* push,
+                       double* energy);
 
-/// push[g] = Σ_{i<count} force[i] (radial_shape[g][i], tangential_shape[g][i]).
-void project_force(const double* force, const double* radial_shape, const double* tangential_shape, std::size_t groups,
-                   std::size_t stride, std::size_t count, EdgeAmplitude* push);
-
-/// result = M x for rows [row_begin, row_end) and columns [0, columns) of a row-major matrix.
-void multiply(const double* matrix, std::size_t stride, std::size_t row_begin, std::size_t row_end, std::size_t columns,
-              const double* x, double* result);
-
-/// Solves (L Lᵀ) x = right for the leading block of size `count` of a row-major lower factor L.
-void solve_cholesky(const double* factor, std::size_t stride, std::size_t count, const double* right, double* x);
+/// result[i] = Σ_{j<rows} matrix[j][i] x[j] for begin ≤ i < end: the transpose of a row-major matrix times a vector.
+void multiply_transposed(const double* matrix, std::size_t stride, std::size_t rows, std::size_t begin, std::size_t end,
+                         const double* x, double* result);
 
 }  // namespace stoss::kernels

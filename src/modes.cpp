@@ -101,6 +101,40 @@ Flexibility static_flexibility(double poisson, int order) {
   return {(2.0 * n - soft) / denominator, (n * soft - 2.0) / denominator, (2.0 * n - soft) / denominator};
 }
 
+Flexibility static_second_moment(double poisson, int order) {
+  require_poisson(poisson);
+  require("order", order, 0L, 100'000'000L, "angular order");
+  const double soft = 1.0 - poisson;
+  if (order == 0) return {0.125 * soft * soft, 0.0, 0.0};
+  const double n = order;
+  // u = (r_low r^p + r_high r^q, t_low r^p + t_high r^q) under unit tractions σ_rr and σ_rφ (Michell's solution;
+  // for n = 1 with inertia relief: p = 0, q = 2).
+  struct Field {
+    double radial_low, radial_high, tangential_low, tangential_high;
+  };
+  const auto field = [&](double normal, double shear) -> Field {
+    if (order == 1) {
+      const double b = 0.25 * (normal + shear), g = normal - shear;
+      const double radial = (1.0 - 3.0 * poisson) * b + 0.25 * (1.0 + poisson) * g;
+      const double tangential = (5.0 + poisson) * b - 0.75 * (1.0 + poisson) * g;
+      const double shift = 0.25 * (tangential - radial);
+      return {shift, radial, -shift, tangential};
+    }
+    const double b = 0.5 * (normal + shear) / (n + 1.0);
+    const double low = (1.0 + poisson) * ((2.0 - n) * shear - n * normal) / (2.0 * (n - 1.0));
+    return {-low, -((n - 2.0) + poisson * (n + 2.0)) * b, low, (n + 4.0 + poisson * n) * b};
+  };
+  const auto product = [&](const Field& x, const Field& y) {
+    const double low = x.radial_low * y.radial_low + x.tangential_low * y.tangential_low;
+    const double mixed = x.radial_low * y.radial_high + x.radial_high * y.radial_low +
+                         x.tangential_low * y.tangential_high + x.tangential_high * y.tangential_low;
+    const double high = x.radial_high * y.radial_high + x.tangential_high * y.tangential_high;
+    return low / (2.0 * n) + mixed / (2.0 * n + 2.0) + high / (2.0 * n + 4.0);
+  };
+  const Field normal = field(1.0, 0.0), shear = field(0.0, 1.0);
+  return {product(normal, normal), product(normal, shear), product(shear, shear)};
+}
+
 std::vector<Displacement> displacement(double poisson, const Mode& mode, const std::vector<double>& radii) {
   require_poisson(poisson);
   require("order", static_cast<long>(mode.order), 0, 1'000'000, "angular order of the mode");

@@ -13,10 +13,6 @@ namespace {
 
 constexpr int max_nodes = 4096;
 
-void require_speed(double speed) {
-  require("speed", speed, {1e-8, 1.0, true, true, "1e-8 to 1"}, "speed of the centre of mass, in units of c");
-}
-
 /// The grid must cover the contact with room to spare, and with a soft wall the gap in which it still pushes.
 double initial_half_width(const Body& body, const Wall& wall, double speed) {
   constexpr double margin = 1.25;
@@ -66,7 +62,9 @@ double recommended_step(const Body& body, const Wall& wall, double speed) {
     const double bounce = soft->hardness * speed;
     return 0.25 / std::sqrt(body.cutoff * (body.cutoff + bounce) + 0.5 * bounce * bounce);
   }
-  if (std::get<HardWall>(wall).tail == Tail::radiating) return 0.25 / (body.cutoff * (1.0 + speed));
+  if (std::get<HardWall>(wall).tail == Tail::radiating) {
+    return std::min(0.25 / (body.cutoff * (1.0 + speed)), body.stable_step);
+  }
   // Without damping, the nodes at the edge of the contact bounce the more the faster it spreads.
   return 0.2 / (body.cutoff * (1.0 + 16.0 * speed));
 }
@@ -88,7 +86,11 @@ Resolution choose_resolution(const Body& body, const Wall& wall, double speed, c
     require("step", *options.step, {5e-6, 1.0 / body.cutoff, true, true, "5e-6 to 1/cutoff"},
             "time step in R/c; 0.25/cutoff is usual");
   }
-  const double half_width = initial_half_width(body, wall, speed);
+  if (options.half_width) {
+    require("half_width", *options.half_width, {0.0, std::max(body.max_half_width, 1e-300), false, true, "above 0 and up to the body's greatest"},
+            "half-width of the contact grid in R");
+  }
+  const double half_width = options.half_width ? *options.half_width : initial_half_width(body, wall, speed);
   if (options.nodes) {
     const long fewest = body.max_half_width > 0.0 ? std::max(16, nyquist_nodes(body, half_width)) : 1;
     require("nodes", static_cast<long>(*options.nodes), fewest, max_nodes,
@@ -96,6 +98,23 @@ Resolution choose_resolution(const Body& body, const Wall& wall, double speed, c
   }
   return {half_width, options.step ? *options.step : recommended_step(body, wall, speed),
           options.nodes ? *options.nodes : nodes_within(body, wall, half_width)};
+}
+
+ImpactOptions refined_resolution(const Body& body, double speed, double half_width) {
+  ImpactOptions options;
+  options.step = std::min(0.5 / body.cutoff, body.stable_step);
+  if (body.max_half_width == 0.0) return options;
+  // A coarser run shows how far the contact spreads.
+  constexpr double margin = 1.06;
+  const double width =
+      half_width > 0.0 ? std::min(margin * half_width, body.max_half_width) : initial_half_width(body, HardWall{}, speed);
+  // The pressure varies over the contact; and over the waves that the kept modes send along the edge.
+  const double nodes = std::max({20.0 * std::sqrt(body.cutoff / 12.5), 1.3 * body.cutoff * std::sqrt(width),
+                                 1.02 * nyquist_nodes(body, width)});
+  constexpr double vector = 8.0;
+  options.half_width = width;
+  options.nodes = static_cast<int>(std::min<double>(vector * std::ceil(nodes / vector), max_nodes));
+  return options;
 }
 
 Resolution widened(const Body& body, const Resolution& resolution) {

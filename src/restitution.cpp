@@ -4,27 +4,97 @@
 #include <cmath>
 #include <utility>
 
+#include "check.hpp"
+#include "resolution.hpp"
+
 namespace stoss {
+namespace {
 
-RefinedBody refine(const BodyMaker& maker) { return {maker(25.0), maker(50.0)}; }
+constexpr int first_runs = 4;  // two that agree by chance say nothing
+constexpr int first_rungs = 2;
+constexpr double safety = 6.0;
+constexpr double slack = 1.3;  // the error may turn out smaller than the order of convergence says
 
-Restitution restitution(const RefinedBody& body, double speed) {
-  const Impact coarse = impact(body.coarse, HardWall{}, speed);
-  Impact fine = impact(body.fine, HardWall{}, speed);
+/// Order of convergence in the cutoff, as observed: with one point of contact the force jumps, on a surface it grows.
+double convergence_order(const Body& body) { return body.max_half_width == 0.0 ? 1.0 : 2.5; }
+
+/// Quantity of the last run, with six times the largest difference from an earlier one, scaled to what is left of it.
+Estimate estimate(const std::vector<Run>& runs, double order, double Run::* quantity) {
+  const Run& last = runs.back();
+  double error = 0.0;
+  for (auto run = runs.begin(); run + 1 < runs.end(); ++run) {
+    const double shrunk = std::pow(run->cutoff / last.cutoff, order);
+    error = std::max(error, safety * shrunk * std::abs((*run).*quantity - last.*quantity));
+  }
+  return {last.*quantity, error};
+}
+
+Run summary(const Impact& impact) {
+  return {impact.cutoff,    impact.step,            impact.nodes,        impact.lost_fraction, impact.contact_time,
+          impact.max_force, impact.max_compression, impact.energy_error, impact.steps};
+}
+
+void conclude(Restitution& result, double order) {
+  const std::vector<Run>& runs = result.runs;
+  result.lost_fraction = estimate(runs, order, &Run::lost_fraction);
+  result.contact_time = estimate(runs, order, &Run::contact_time);
+  // A contact is noticed and lost within half a step each.
+  result.contact_time.error = std::max(result.contact_time.error, 0.5 * runs.back().step);
+  result.max_force = estimate(runs, order, &Run::max_force);
+  result.max_compression = estimate(runs, order, &Run::max_compression);
+  const double value = result.finest.restitution;
+  const double error = result.lost_fraction.error;
+  result.restitution = {value, error / (std::sqrt(value * value + error) + std::abs(value))};
+  result.converged = error <= result.tolerance * std::abs(result.lost_fraction.value);
+}
+
+}  // namespace
+
+RestitutionNotConverged::RestitutionNotConverged(Restitution result)
+    : NotConverged("restitution: " + result.reason), best(std::move(result)) {}
+
+Restitution restitution(const RefinableBody& body, double speed, const RestitutionOptions& options) {
+  require_tolerance(options.tolerance);
+  require_speed(speed);
+  const double order = convergence_order(body.at(0));
   Restitution result;
-  result.value = fine.restitution;
-  result.lost_fraction = fine.lost_fraction;
-  // Two curves that cross agree by chance: what the energy ledger lacks is a floor under their difference.
-  const double difference = std::abs(fine.lost_fraction - coarse.lost_fraction);
-  result.lost_fraction_error = std::max(difference, std::abs(fine.energy_error));
-  const double squared = fine.restitution * fine.restitution;
-  result.error =
-      result.lost_fraction_error / (std::sqrt(squared + result.lost_fraction_error) + std::abs(fine.restitution));
-  result.steps = coarse.steps + fine.steps;
-  result.finest = std::move(fine);
+  result.tolerance = options.tolerance;
+  std::string trouble;
+  int level = 0;
+  for (int rungs = 0; level <= RefinableBody::highest_level && !result.converged; level += rungs) {
+    rungs = first_rungs;
+    ImpactOptions resolution = refined_resolution(body.at(level), speed, result.finest.max_half_width);
+    resolution.poll = options.poll;
+    try {
+      result.finest = impact(body.at(level), HardWall{}, speed, resolution);
+    } catch (const NotConverged& error) {  // too coarse, perhaps
+      trouble = error.what();
+      continue;
+    }
+    result.runs.push_back(summary(result.finest));
+    result.steps += result.finest.steps;
+    if (result.runs.size() < first_runs) continue;
+    conclude(result, order);
+    // To the rung at which the error will be small enough, if it falls as it should.
+    const double missing = result.lost_fraction.error / (options.tolerance * std::abs(result.lost_fraction.value));
+    const double factor = std::pow(missing / slack, 1.0 / order);  // between the cutoffs
+    rungs = static_cast<int>(std::clamp(std::ceil(4.0 * std::log2(factor)), 1.0, 8.0));
+    if (level < RefinableBody::highest_level) rungs = std::min(rungs, RefinableBody::highest_level - level);
+  }
+  if (result.runs.size() < 2) throw NotConverged(trouble);
+  if (!result.converged) {
+    conclude(result, order);
+    result.reason = trouble.empty() ? "the tolerance asks for a higher cutoff than " +
+                                          std::to_string(std::lround(result.runs.back().cutoff)) +
+                                          " (use a larger tolerance)"
+                                    : trouble;
+    if (!result.converged) throw RestitutionNotConverged(std::move(result));
+  }
   return result;
 }
 
-Restitution restitution(const BodyMaker& maker, double speed) { return restitution(refine(maker), speed); }
+Restitution restitution(const BodyMaker& maker, double speed, const RestitutionOptions& options) {
+  return restitution(RefinableBody(maker), speed, options);
+}
 
 }  // namespace stoss

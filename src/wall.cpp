@@ -2,7 +2,8 @@
 
 #include "check.hpp"
 #include "exponential_wall.hpp"
-#include "hard_wall.hpp"
+#include "quasistatic_tail.hpp"
+#include "radiating_tail.hpp"
 
 namespace stoss {
 

@@ -27,6 +27,8 @@ TEST(BodyRefusal, NamesTheBodyAndTheRule) {
       {"frequencies", [](Body& body) { body.groups[0].omega[0] = 1e9; }},
       {"functions", [](Body& body) { body.grid = nullptr; }},
       {"functions", [](Body& body) { body.residual_compliance = nullptr; }},
+      {"functions", [](Body& body) { body.residual_second_moment = nullptr; }},
+      {"stable_step", [](Body& body) { body.stable_step = 0.0; }},
   };
   for (const auto& [rule, spoil] : flaws) {
     Body body = rod(40.0);
@@ -37,13 +39,16 @@ TEST(BodyRefusal, NamesTheBodyAndTheRule) {
 
 TEST(BodyRefusal, OfAGridOrAComplianceOfTheWrongSize) {
   Body body = rod(40.0);
-  body.grid = [](double, int) { return ContactGrid{{0.0}, {0.0}, {1.0}, {1.0}, {}, {0.0}}; };
+  body.grid = [](double, int) { return ContactGrid{{0.0}, {0.0}, {1.0}, {1.0}, {}}; };
   test::expect_refusal([&] { (void)impact(body, HardWall{}, 0.1); }, {"body", "grid"});
   for (const Tail tail : {Tail::radiating, Tail::quasistatic}) {
     body = rod(40.0);
     body.residual_compliance = [](const ContactGrid&) { return std::vector<double>(4, 1.0); };
-    test::expect_refusal([&] { (void)impact(body, HardWall{tail}, 0.1); }, {"body", "compliance"});
+    test::expect_refusal([&] { (void)impact(body, HardWall{tail}, 0.1); }, {"body", "residual"});
   }
+  body = rod(40.0);
+  body.residual_second_moment = [](const ContactGrid&) { return std::vector<double>{}; };
+  test::expect_refusal([&] { (void)impact(body, HardWall{}, 0.1); }, {"body", "residual"});
 }
 
 TEST(StartRefusal, OfAVelocityThatIsNotTheSpeed) {

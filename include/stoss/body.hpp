@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <functional>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -11,19 +12,21 @@ namespace stoss {
 struct ModeGroup {
   int order = 0;                   ///< n
   std::vector<double> omega;       ///< ω > 0, c/R
-  std::vector<double> radial;      ///< C, weight of the group's radial shape
-  std::vector<double> tangential;  ///< S, weight of the group's tangential shape
+  std::vector<double> radial;      ///< C, weight of the group's radial shape c
+  std::vector<double> tangential;  ///< S, weight of the group's tangential shape s
+  std::size_t sum_shape = 0;         ///< row of ContactGrid::shape that holds c + s
+  std::size_t difference_shape = 0;  ///< row of ContactGrid::shape that holds c − s
 };
 
 /// Places at which a body can touch the wall. A node stands for itself and its mirror image.
-/// A mode moves node i by Q (C radial_shape + S tangential_shape) towards the wall.
+/// A mode moves node i by Q (C c_i + S s_i) towards the wall. Groups may share rows of shapes: for a disk
+/// c + s = cos(n + 1)φ and c − s = cos(n − 1)φ.
 struct ContactGrid {
-  std::vector<double> coordinate;        ///< arc length from the first point of contact, R; ascending
-  std::vector<double> recess;            ///< distance of the undeformed node behind that first point, R
-  std::vector<double> measure;           ///< length of edge that the node stands for, both sides, R
-  std::vector<double> impedance;         ///< Z, force per velocity of an outgoing plane wave, ρcR
-  std::vector<double> radial_shape;      ///< c_n at the nodes, groups × nodes, row-major
-  std::vector<double> tangential_shape;  ///< s_n at the nodes, groups × nodes, row-major
+  std::vector<double> coordinate;  ///< arc length from the first point of contact, R; ascending
+  std::vector<double> recess;      ///< distance of the undeformed node behind that first point, R
+  std::vector<double> measure;     ///< length of edge that the node stands for, both sides, R
+  std::vector<double> impedance;   ///< Z, force per velocity of an outgoing plane wave, ρcR
+  std::vector<double> shape;       ///< rows × nodes, row-major; see ModeGroup
 };
 
 /// All that an impact needs to know of an elastic body, in its own units (for a disk R = c = ρ = 1). Motion is along
@@ -34,6 +37,9 @@ struct Body {
   double extent = 0.0;            ///< distance from the centre of mass to the first point of contact
   double cutoff = 0.0;            ///< all modes with ω ≤ cutoff are in `groups`
   double max_half_width = 0.0;    ///< largest half-width that a grid can have; 0: a single point of contact
+  /// Greatest time step: above it, what a force moves the kept modes of one order within a step outweighs what it moves
+  /// the modes that are not kept, and kicks at a hard wall are unstable.
+  double stable_step = std::numeric_limits<double>::infinity();
   std::vector<ModeGroup> groups;  ///< kept modes
 
   /// Expected greatest half-width of the contact, for an impact at this speed.
@@ -45,13 +51,17 @@ struct Body {
   /// Static compliance between the nodes of a grid of the modes that are not kept, W (nodes × nodes, symmetric
   /// positive definite): displacement of node i towards the body per force on node j.
   std::function<std::vector<double>(const ContactGrid& grid)> residual_compliance;
+
+  /// Second moment of the modes that are not kept, V (nodes × nodes, symmetric, positive semidefinite): like W with 1/ω⁴
+  /// for 1/ω². To forces that vary slowly these modes answer with W f − V f̈.
+  std::function<std::vector<double>(const ContactGrid& grid)> residual_second_moment;
 };
 
 /// Makes a body with all modes up to a cutoff.
 using BodyMaker = std::function<Body(double cutoff)>;
 
 /// Checks what an impact relies on: positive finite mass, extent and cutoff; groups with arrays of one length, finite
-/// amplitudes and 0 < ω ≤ cutoff; all three functions.
+/// amplitudes and 0 < ω ≤ cutoff; all functions.
 /// @throws InvalidInput naming the body and what is wrong with it
 void validate(const Body& body);
 

@@ -23,12 +23,14 @@ struct State {
 };
 
 struct ImpactOptions {
-  std::optional<double> step{};  ///< Δt, R/c; otherwise recommended_step
-  std::optional<int> nodes{};    ///< of the contact grid; otherwise recommended_nodes
+  std::optional<double> step{};        ///< Δt, R/c; otherwise recommended_step
+  std::optional<int> nodes{};          ///< of the contact grid; otherwise recommended_nodes
+  std::optional<double> half_width{};  ///< of the contact grid, R; otherwise 1.25 times the expected one of the contact
   int observe_every = 1;         ///< the observer sees every so many steps
   bool observe_modes = false;    ///< fill Snapshot::coordinate and momentum
   std::optional<State>
       start{};  ///< a vibrating body, of velocity `speed`; otherwise at rest inside, just out of contact
+  std::function<void()> poll{};  ///< called every few milliseconds or oftener; what it throws ends the computation
 };
 
 /// One instant of an impact. Energies are shares of the initial energy.
@@ -80,7 +82,7 @@ struct Impact {
   EnergyLedger energy;
   double contact_time = 0.0;     ///< from first to last contact, R/c
   int contacts = 0;              ///< separate periods of contact
-  double max_force = 0.0;        ///< πRE = mc²/R
+  double max_force = 0.0;        ///< greatest mean over one step, πRE = mc²/R
   double max_compression = 0.0;  ///< R, beyond the wall; beyond the plane V₀e^{αx} = 1 of an exponential one
   double max_half_width = 0.0;   ///< of the contact, R
   double momentum_error = 0.0;   ///< |impulse − change of momentum| / (m v)

@@ -1,37 +1,90 @@
 #pragma once
 
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
 #include "stoss/body.hpp"
+#include "stoss/errors.hpp"
 #include "stoss/impact.hpp"
 
 namespace stoss {
 
-/// A body at the two resolutions from which restitution takes its value and its error.
-struct RefinedBody {
-  Body coarse;
-  Body fine;
+/// A body at any of a ladder of cutoffs, ω_c = 8 · 2^(level/4) c/R. Each is made when it is first asked for and kept.
+/// Copies share what is made; any number of threads may ask.
+class RefinableBody {
+ public:
+  static constexpr int highest_level = 22;  ///< ω_c = 362
+  static double cutoff(int level);
+
+  explicit RefinableBody(BodyMaker maker);
+
+  /// @throws what the maker throws; InvalidInput for a level outside 0 … highest_level
+  [[nodiscard]] const Body& at(int level) const;
+
+ private:
+  struct Levels;
+  std::shared_ptr<Levels> levels_;
 };
 
-/// Makes a body with all modes up to ω = 25 and up to ω = 50.
-/// @throws what the maker throws
-[[nodiscard]] RefinedBody refine(const BodyMaker& maker);
+/// A number with its estimated error: in the validation (docs/validation.md) the true error is within it in 95 % of all
+/// cases, and never beyond three times it.
+struct Estimate {
+  double value = 0.0;
+  double error = 0.0;
+};
 
-/// The coefficient of restitution against a hard wall, with estimated errors. Numbers as in Impact.
+/// One impact on the way to a converged value, by its resolution and results (as in Impact).
+struct Run {
+  double cutoff = 0.0;
+  double step = 0.0;
+  int nodes = 0;
+  double lost_fraction = 0.0;
+  double contact_time = 0.0;
+  double max_force = 0.0;
+  double max_compression = 0.0;
+  double energy_error = 0.0;
+  long steps = 0;
+};
+
+/// The coefficient of restitution against a hard wall, with errors and with the way to it. Units as in Impact.
 struct Restitution {
-  double value = 0.0;                ///< ε
-  double error = 0.0;                ///< of ε, from that of 1 − ε²
-  double lost_fraction = 0.0;        ///< 1 − ε²
-  double lost_fraction_error = 0.0;  ///< see restitution
-  Impact finest;                     ///< the impact with the finer body, and its inputs
-  long steps = 0;                    ///< of both impacts
+  Estimate restitution;    ///< ε; its error is that of 1 − ε²
+  Estimate lost_fraction;  ///< 1 − ε²
+  Estimate contact_time;
+  Estimate max_force;
+  Estimate max_compression;
+  double tolerance = 0.0;  ///< asked for, relative to 1 − ε²
+  bool converged = false;  ///< whether it is met
+  std::string reason;      ///< why not
+  std::vector<Run> runs;   ///< from coarse to fine
+  Impact finest;           ///< the last of them, whole; beyond_small_strain says where linear elasticity has ended
+  long steps = 0;          ///< of all runs
 };
 
-/// ε of a body that meets a hard wall, from two impacts with the radiating tail: the finer one gives the value; the
-/// larger of their difference in 1 − ε² and the finer one's energy error gives the error.
-/// @param speed of the centre of mass towards the wall, 1e-8 … 1, in c
-/// @throws InvalidInput, NotConverged as impact
-[[nodiscard]] Restitution restitution(const RefinedBody& body, double speed);
+struct RestitutionOptions {
+  double tolerance = 1e-3;       ///< error of 1 − ε² over 1 − ε², 1e-15 … 0.5
+  std::function<void()> poll{};  ///< as in ImpactOptions
+};
+
+/// The best value that was reached is in `best`; best.reason, also in what(), says what stood in the way.
+class RestitutionNotConverged : public NotConverged {
+ public:
+  explicit RestitutionNotConverged(Restitution result);
+  Restitution best;
+};
+
+/// ε of a body that meets a hard wall, from impacts at rising cutoffs (docs/numerics.md, section 5): cutoff, step and
+/// grid are refined together until the error of 1 − ε² is below tolerance × (1 − ε²). The error is six times the largest
+/// of the differences from the coarser runs, each scaled by the observed order of convergence, (ω_coarse/ω_fine)^(5/2)
+/// (with one point of contact ω_coarse/ω_fine).
+/// @param speed of the centre of mass, 1e-8 … 1, in c
+/// @throws InvalidInput for arguments out of range; RestitutionNotConverged if the highest cutoff is not enough;
+///         NotConverged if no two impacts end
+[[nodiscard]] Restitution restitution(const RefinableBody& body, double speed, const RestitutionOptions& options = {});
 
 /// The same for one speed only.
-[[nodiscard]] Restitution restitution(const BodyMaker& maker, double speed);
+[[nodiscard]] Restitution restitution(const BodyMaker& maker, double speed, const RestitutionOptions& options = {});
 
 }  // namespace stoss

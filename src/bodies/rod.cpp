@@ -1,5 +1,5 @@
 // A free–free rod: u(s) = Σ Q_l √2 cos lπs, ω_l = lπ (l ≥ 1). Σ_l 2/(lπ)² = 1/3 is its static compliance with inertia
-// relief; its impedance is that of a plane wave, 1, at every frequency.
+// relief, Σ_l 2/(lπ)⁴ = 1/45 the second moment; its impedance is that of a plane wave, 1, at every frequency.
 #include "stoss/bodies/rod.hpp"
 
 #include <cmath>
@@ -13,13 +13,14 @@ Body rod(double cutoff) {
   constexpr Range allowed{std::numbers::pi, 1e4, true, true, "3.14160 to 10000"};
   require("cutoff", cutoff, allowed, "highest frequency of the rod in c/L; its lowest mode is at pi");
   ModeGroup group;
-  double kept = 0.0;
+  double compliance = 1.0 / 3.0, second_moment = 1.0 / 45.0;
   for (int l = 1; l * std::numbers::pi <= cutoff; ++l) {
     const double omega = l * std::numbers::pi;
     group.omega.push_back(omega);
     group.radial.push_back(std::numbers::sqrt2);
     group.tangential.push_back(0.0);
-    kept += 2.0 / (omega * omega);
+    compliance -= 2.0 / (omega * omega);
+    second_moment -= 2.0 / (omega * omega * omega * omega);
   }
   Body body;
   body.name = "rod";
@@ -28,8 +29,9 @@ Body rod(double cutoff) {
   body.cutoff = cutoff;
   body.groups.push_back(std::move(group));
   body.expected_half_width = [](double) { return 0.0; };
-  body.grid = [](double, int) { return ContactGrid{{0.0}, {0.0}, {1.0}, {1.0}, {1.0}, {0.0}}; };
-  body.residual_compliance = [kept](const ContactGrid&) { return std::vector<double>{1.0 / 3.0 - kept}; };
+  body.grid = [](double, int) { return ContactGrid{{0.0}, {0.0}, {1.0}, {1.0}, {1.0}}; };
+  body.residual_compliance = [compliance](const ContactGrid&) { return std::vector<double>{compliance}; };
+  body.residual_second_moment = [second_moment](const ContactGrid&) { return std::vector<double>{second_moment}; };
   return body;
 }
 

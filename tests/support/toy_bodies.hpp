@@ -9,7 +9,8 @@
 
 namespace stoss::test {
 
-/// A body with one point of contact, made from bare numbers: modes of amplitude 1 or as given.
+/// A body with one point of contact, made from bare numbers: modes of amplitude 1 or as given. The second moment is that
+/// of a family of high overtones, so that the mass of the tail is Z π/(6 ω_c).
 inline Body point_body(double mass, double cutoff, double residual_compliance, double impedance, ModeGroup modes) {
   Body body;
   body.name = "toy";
@@ -18,10 +19,12 @@ inline Body point_body(double mass, double cutoff, double residual_compliance, d
   body.cutoff = cutoff;
   body.groups.push_back(std::move(modes));
   body.expected_half_width = [](double) { return 0.0; };
-  body.grid = [impedance](double, int) { return ContactGrid{{0.0}, {0.0}, {1.0}, {impedance}, {1.0}, {0.0}}; };
+  body.grid = [impedance](double, int) { return ContactGrid{{0.0}, {0.0}, {1.0}, {impedance}, {1.0}}; };
   body.residual_compliance = [residual_compliance](const ContactGrid&) {
     return std::vector<double>{residual_compliance};
   };
+  const double second_moment = residual_compliance * residual_compliance * impedance * std::numbers::pi / (6.0 * cutoff);
+  body.residual_second_moment = [second_moment](const ContactGrid&) { return std::vector<double>{second_moment}; };
   return body;
 }
 
@@ -35,15 +38,18 @@ inline Body rod_in_other_units(double length, double wave_speed, double line_den
   const double mass = line_density * length;
   ModeGroup modes;
   double compliance = length / (3.0 * line_density * wave_speed * wave_speed);
+  double second_moment = std::pow(length, 3) / (45.0 * line_density * std::pow(wave_speed, 4));
   for (int l = 1; l * std::numbers::pi * wave_speed / length <= cutoff; ++l) {
     const double omega = l * std::numbers::pi * wave_speed / length;
     modes.omega.push_back(omega);
     modes.radial.push_back(std::numbers::sqrt2);
     modes.tangential.push_back(0.0);
     compliance -= 2.0 / (mass * omega * omega);
+    second_moment -= 2.0 / (mass * std::pow(omega, 4));
   }
   Body body = point_body(mass, cutoff, compliance, line_density * wave_speed, std::move(modes));
   body.extent = 0.5 * length;
+  body.residual_second_moment = [second_moment](const ContactGrid&) { return std::vector<double>{second_moment}; };
   return body;
 }
 
@@ -52,9 +58,10 @@ inline Body two_point_body() {
   Body body = point_body(1.0, 5.0, 0.0, 1.0, {0, {5.0}, {1.0}, {0.0}});
   body.max_half_width = 1.0;
   body.grid = [](double, int) {
-    return ContactGrid{{0.25, 0.75}, {0.0, 0.1}, {1.0, 1.0}, {1.0, 1.0}, {1.0, 1.0}, {0.0, 0.0}};
+    return ContactGrid{{0.25, 0.75}, {0.0, 0.1}, {1.0, 1.0}, {1.0, 1.0}, {1.0, 1.0}};
   };
   body.residual_compliance = [](const ContactGrid&) { return std::vector<double>{2.0, 1.0, 1.0, 2.0}; };
+  body.residual_second_moment = [](const ContactGrid&) { return std::vector<double>{0.2, 0.1, 0.1, 0.2}; };
   return body;
 }
 

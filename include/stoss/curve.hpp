@@ -1,0 +1,34 @@
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <vector>
+
+#include "stoss/restitution.hpp"
+
+namespace stoss {
+
+/// Called in the order of the speeds, each result as soon as it and all before it are there, on the calling thread.
+/// What it throws ends the curve.
+using CurveObserver = std::function<void(std::size_t index, const Restitution& result)>;
+
+struct CurveOptions {
+  double tolerance = 1e-3;       ///< as in RestitutionOptions
+  int threads = 0;               ///< 0: as many as the machine has; results do not depend on it
+  std::function<void()> poll{};  ///< called at least every 50 ms on the calling thread; what it throws ends the curve
+};
+
+/// ε at each of the speeds. A point that does not converge does not end the curve: it has `converged` false, a reason,
+/// and the best value, or NaN where no two impacts end.
+/// @throws InvalidInput for arguments out of range, before anything is computed; what observer and poll throw, after the
+///         impacts under way have stopped
+[[nodiscard]] std::vector<Restitution> restitution_curve(const RefinableBody& body, const std::vector<double>& speeds,
+                                                         const CurveOptions& options = {},
+                                                         const CurveObserver& observer = {});
+
+/// The same for a disk. @param poisson 2-D Poisson number, −0.95 … 0.995
+[[nodiscard]] std::vector<Restitution> restitution_curve(double poisson, const std::vector<double>& speeds,
+                                                         const CurveOptions& options = {},
+                                                         const CurveObserver& observer = {});
+
+}  // namespace stoss

@@ -1,0 +1,72 @@
+#pragma once
+
+#include <atomic>
+#include <chrono>
+#include <condition_variable>
+#include <exception>
+#include <functional>
+#include <mutex>
+#include <optional>
+#include <thread>
+#include <utility>
+#include <variant>
+#include <vector>
+
+namespace stoss {
+
+/// Runs job(i, stop) for i = 0 … count−1 on several threads and hands each result to deliver(i, result) in order, on the
+/// calling thread, as soon as all before it are there. `poll` is called on the calling thread while it waits. What a job,
+/// deliver or poll throws ends the rest: `stop` becomes true, which the jobs under way should heed.
+template <typename Result>
+void run_in_order(std::size_t count, int threads,
+                  const std::function<Result(std::size_t, const std::atomic<bool>&)>& job,
+                  const std::function<void(std::size_t, Result&&)>& deliver, const std::function<void()>& poll) {
+  using Outcome = std::variant<Result, std::exception_ptr>;
+  constexpr auto patience = std::chrono::milliseconds(20);
+  std::vector<std::optional<Outcome>> outcomes(count);
+  std::mutex mutex;
+  std::condition_variable ready;
+  std::atomic<std::size_t> next = 0;
+  std::atomic<bool> stop = false;
+
+  const auto work = [&] {
+    for (std::size_t mine = next++; mine < count && !stop; mine = next++) {
+      std::optional<Outcome> outcome;
+      try {
+        outcome = job(mine, stop);
+      } catch (...) {
+        outcome = std::current_exception();
+      }
+      const std::lock_guard lock(mutex);
+      outcomes[mine] = std::move(outcome);
+      ready.notify_one();
+    }
+  };
+
+  std::vector<std::jthread> pool;  // joins when it goes, after `stop` is set
+  try {
+    for (int i = 0; i < threads; ++i) pool.emplace_back(work);
+    for (std::size_t i = 0; i < count; ++i) {
+      std::unique_lock lock(mutex);
+      while (!outcomes[i]) {
+        if (poll) {
+          lock.unlock();
+          poll();
+          lock.lock();
+          if (outcomes[i]) break;
+        }
+        ready.wait_for(lock, patience);
+      }
+      Outcome outcome = std::move(*outcomes[i]);
+      outcomes[i].reset();
+      lock.unlock();
+      if (auto* failure = std::get_if<std::exception_ptr>(&outcome)) std::rethrow_exception(*failure);
+      deliver(i, std::move(std::get<Result>(outcome)));
+    }
+  } catch (...) {
+    stop = true;
+    throw;
+  }
+}
+
+}  // namespace stoss

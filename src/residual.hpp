@@ -1,0 +1,16 @@
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include "stoss/body.hpp"
+
+namespace stoss {
+
+/// What one of a body's residual functions gives for a grid.
+/// @throws InvalidInput unless that is nodes × nodes values
+[[nodiscard]] std::vector<double> residual_matrix(const Body& body,
+                                                  const std::function<std::vector<double>(const ContactGrid&)>& residual,
+                                                  const ContactGrid& grid);
+
+}  // namespace stoss
