@@ -91,6 +91,7 @@ Impact impact(const Body& body, const Wall& wall, double speed, const ImpactOpti
   result->cutoff = body.cutoff;
   result->step = resolution.step;
   result->nodes = resolution.nodes;
+  result->half_width = resolution.half_width;
   result->beyond_small_strain = speed > small_strain_speed || result->max_compression > small_strain_limit;
   return std::move(*result);
 }

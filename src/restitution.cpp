@@ -30,8 +30,9 @@ Estimate estimate(const std::vector<Run>& runs, double order, double Run::* quan
 }
 
 Run summary(const Impact& impact) {
-  return {impact.cutoff,    impact.step,            impact.nodes,        impact.lost_fraction, impact.contact_time,
-          impact.max_force, impact.max_compression, impact.energy_error, impact.steps};
+  return {impact.cutoff,        impact.step,         impact.nodes,     impact.half_width,
+          impact.lost_fraction, impact.contact_time, impact.max_force, impact.max_compression,
+          impact.energy_error,  impact.steps};
 }
 
 void conclude(Restitution& result, double order) {

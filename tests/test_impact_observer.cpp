@@ -42,7 +42,7 @@ TEST_P(Observer, SeesAConsistentMotion) {
     EXPECT_NEAR(now.translation, now.velocity * now.velocity / 0.01, 1e-6);
     // In contact the tail has energy of its own, which the radiating one counts as unresolved.
     EXPECT_NEAR(now.translation + now.vibration + now.stored + now.unresolved, 1.0, 2e-3) << "time " << now.time;
-    largest_force = std::max(largest_force, now.force);
+    if (i > 0) largest_force = std::max(largest_force, 0.5 * (seen[i - 1].force + now.force));
     deepest = std::max(deepest, now.center + body.extent);
     widest = std::max(widest, now.contact_half_width);
   }
@@ -53,7 +53,7 @@ TEST_P(Observer, SeesAConsistentMotion) {
   EXPECT_EQ(seen.back().translation, result.energy.translation);
   EXPECT_EQ(seen.back().unresolved, result.energy.unresolved);
   EXPECT_NEAR(seen.back().vibration, result.energy.vibration, 1e-14);
-  EXPECT_EQ(largest_force, result.max_force);
+  EXPECT_DOUBLE_EQ(largest_force, result.max_force);
   EXPECT_NEAR(deepest, result.max_compression, 1e-15);
   EXPECT_EQ(widest, result.max_half_width);
 }

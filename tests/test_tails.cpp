@@ -18,10 +18,10 @@
 namespace stoss {
 namespace {
 
-constexpr double compliance = 0.3;
-constexpr double stiffness = 1.0 / compliance;
 constexpr double impedance = 2.0;
 constexpr double cutoff = 5.0;
+constexpr double stiffness = 0.5 * std::numbers::pi * cutoff * impedance;  // that of a family of high overtones
+constexpr double compliance = 1.0 / stiffness;
 constexpr double mass = impedance * std::numbers::pi / (6.0 * cutoff);
 constexpr double link = (8.0 / std::numbers::pi - 0.5 * std::numbers::pi) * cutoff * impedance;  // G
 

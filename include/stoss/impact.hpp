@@ -77,6 +77,7 @@ struct Impact {
   double cutoff = 0.0;  ///< c/R
   double step = 0.0;    ///< R/c
   int nodes = 0;
+  double half_width = 0.0;     ///< of the contact grid, R
   double restitution = 0.0;    ///< ε = −v_f / v_i
   double lost_fraction = 0.0;  ///< 1 − ε²
   EnergyLedger energy;

@@ -35,11 +35,12 @@ struct Estimate {
   double error = 0.0;
 };
 
-/// One impact on the way to a converged value, by its resolution and results (as in Impact).
+/// One impact on the way to a converged value: its resolution, with which `impact` repeats it bit by bit, and results.
 struct Run {
   double cutoff = 0.0;
   double step = 0.0;
   int nodes = 0;
+  double half_width = 0.0;  ///< of the contact grid
   double lost_fraction = 0.0;
   double contact_time = 0.0;
   double max_force = 0.0;

@@ -10,6 +10,7 @@
 #include <cstddef>
 #include <limits>
 #include <numbers>
+#include <utility>
 
 namespace stoss {
 namespace {
@@ -26,6 +27,8 @@ void add(Flexibility& sum, const Mode& mode, double weight) {
   sum.mixed += weight * mode.radial * mode.tangential;
   sum.tangential += weight * mode.tangential * mode.tangential;
 }
+
+std::size_t nyquist_order(double h) { return static_cast<std::size_t>(std::lround(std::numbers::pi / h)); }
 
 double spacing(const ContactGrid& grid) { return 2.0 * grid.coordinate.front(); }
 
@@ -81,7 +84,7 @@ Tables static_tables(double poisson, double h, std::size_t size) {
   const Flexibility one = static_flexibility(poisson, 1);
   // n ≥ 2: F^CC = F^SS = a/(n−1) + b/(n+1), F^CS = −a/(n−1) + b/(n+1).
   const double a = 0.5 * (1.0 + poisson), b = 0.5 * (3.0 - poisson);
-  const auto highest = static_cast<std::size_t>(std::lround(std::numbers::pi / h));
+  const std::size_t highest = nyquist_order(h);
   const auto nyquist = static_cast<double>(highest);
   Tables tables;
   for (std::size_t m = 0; m < size; ++m) {
@@ -100,6 +103,16 @@ Tables static_tables(double poisson, double h, std::size_t size) {
     tables.mixed.push_back(one.mixed * sine - a * up_sine + b * down_sine);
   }
   return tables;
+}
+
+/// The coefficients of the orders that a grid of spacing h resolves, the last of them halved.
+std::vector<Flexibility> up_to_nyquist(std::vector<Flexibility> coefficients, double h) {
+  const std::size_t highest = nyquist_order(h);
+  if (coefficients.size() <= highest) return coefficients;
+  coefficients.resize(highest + 1);
+  Flexibility& last = coefficients.back();
+  last = {0.5 * last.radial, 0.5 * last.mixed, 0.5 * last.tangential};
+  return coefficients;
 }
 
 /// Adds the sums over the given orders, n = 0 … coefficients.size() − 1.
@@ -147,7 +160,7 @@ std::vector<double> assemble(const Tables& table, const ContactGrid& grid) {
 }  // namespace
 
 DiskResidual::DiskResidual(double poisson, double cutoff, const std::vector<Mode>& kept)
-    : poisson_(poisson), highest_order_(static_cast<int>(8.0 * cutoff)) {
+    : poisson_(poisson), highest_order_(static_cast<int>(std::lround(8.0 * cutoff))) {
   const auto orders = kept.empty() ? 0 : static_cast<std::size_t>(kept.back().order) + 1;
   kept_radial_.resize(orders);
   kept_.resize(orders);
@@ -166,7 +179,25 @@ std::vector<double> DiskResidual::compliance(const ContactGrid& grid) const {
   Tables tables = static_tables(poisson_, spacing(grid), 2 * grid.coordinate.size());
   std::vector<Flexibility> minus_kept;
   for (const Flexibility& kept : kept_) minus_kept.push_back({-kept.radial, -kept.mixed, -kept.tangential});
-  add_orders(minus_kept, spacing(grid), tables);
+  add_orders(up_to_nyquist(std::move(minus_kept), spacing(grid)), spacing(grid), tables);
+  return assemble(tables, grid);
+}
+
+std::vector<double> DiskResidual::second_moment(const ContactGrid& grid) const {
+  if (grid.coordinate.empty()) return {};
+  std::vector<Flexibility> residual;
+  for (int n = 0; n <= highest_order_; ++n) {
+    residual.push_back(static_second_moment(poisson_, n));
+    if (static_cast<std::size_t>(n) < kept_squared_.size()) {
+      const Flexibility& kept = kept_squared_[static_cast<std::size_t>(n)];
+      residual.back().radial -= kept.radial;
+      residual.back().mixed -= kept.mixed;
+      residual.back().tangential -= kept.tangential;
+    }
+  }
+  const std::vector<double> zero(2 * grid.coordinate.size(), 0.0);
+  Tables tables{zero, zero, zero};
+  add_orders(up_to_nyquist(std::move(residual), spacing(grid)), spacing(grid), tables);
   return assemble(tables, grid);
 }
 
@@ -177,25 +208,6 @@ double DiskResidual::stable_step() const {
     if (kept_radial_[n] > 0.0) smallest = std::min(smallest, 1.8 * residual / kept_radial_[n]);
   }
   return std::sqrt(smallest);
-}
-
-std::vector<double> DiskResidual::second_moment(const ContactGrid& grid) const {
-  if (grid.coordinate.empty()) return {};
-  const int nyquist = static_cast<int>(std::min(std::numbers::pi / spacing(grid), 1e9));
-  std::vector<Flexibility> residual;
-  for (int n = 0; n <= std::min(nyquist, highest_order_); ++n) {
-    residual.push_back(static_second_moment(poisson_, n));
-    if (static_cast<std::size_t>(n) < kept_squared_.size()) {
-      const Flexibility& kept = kept_squared_[static_cast<std::size_t>(n)];
-      residual.back().radial -= kept.radial;
-      residual.back().mixed -= kept.mixed;
-      residual.back().tangential -= kept.tangential;
-    }
-  }
-  const std::size_t size = 2 * grid.coordinate.size();
-  Tables tables{std::vector<double>(size), std::vector<double>(size), std::vector<double>(size)};
-  add_orders(residual, spacing(grid), tables);
-  return assemble(tables, grid);
 }
 
 }  // namespace stoss

@@ -26,18 +26,6 @@ inline Body reversed(const Body& body) {
     std::reverse(group.radial.begin(), group.radial.end());
     std::reverse(group.tangential.begin(), group.tangential.end());
   }
-  result.grid = [grid = body.grid, groups = body.groups.size()](double half_width, int nodes) {
-    ContactGrid flipped = grid(half_width, nodes);
-    const ContactGrid straight = flipped;
-    const std::size_t count = straight.coordinate.size();
-    for (std::size_t g = 0; g < groups; ++g) {
-      for (std::size_t i = 0; i < count; ++i) {
-        flipped.radial_shape[g * count + i] = straight.radial_shape[(groups - 1 - g) * count + i];
-        flipped.tangential_shape[g * count + i] = straight.tangential_shape[(groups - 1 - g) * count + i];
-      }
-    }
-    return flipped;
-  };
   return result;
 }
 
