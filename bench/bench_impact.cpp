@@ -2,13 +2,15 @@
 #include <vector>
 
 #include "common.hpp"
+#include "resolution.hpp"
 #include "stoss/bodies/disk.hpp"
 #include "stoss/impact.hpp"
-#include "stoss/restitution.hpp"
 #include "wall_response.hpp"
 
 namespace bench {
 namespace {
+
+constexpr double half_width_of_contact = 0.464;  // greatest, R
 
 std::string with_cutoff(const std::string& name, double cutoff) {
   std::ostringstream text;
@@ -50,16 +52,13 @@ void add_impact(const std::string& name, const stoss::Wall& wall, double cutoff,
   });
 }
 
-void add_restitution() {
-  add("restitution, modes made before", [](benchmark::State& state) {
-    const stoss::RefinedBody body = stoss::refine(stoss::disk(poisson));
+/// One impact as `restitution` resolves it: how the cost grows with the cutoff.
+void add_refined(double cutoff) {
+  add(with_cutoff("hard wall, as restitution resolves it", cutoff), [cutoff](benchmark::State& state) {
+    const stoss::Body& body = disk_body(cutoff);
+    const stoss::ImpactOptions options = stoss::refined_resolution(body, speed, half_width_of_contact);
     double lost_fraction = 0.0;
-    for (auto _ : state) lost_fraction = stoss::restitution(body, speed).lost_fraction;
-    count(state, lost_fraction);
-  });
-  add("restitution, modes included", [](benchmark::State& state) {
-    double lost_fraction = 0.0;
-    for (auto _ : state) lost_fraction = stoss::restitution(stoss::disk(poisson), speed).lost_fraction;
+    for (auto _ : state) lost_fraction = stoss::impact(body, stoss::HardWall{}, speed, options).lost_fraction;
     count(state, lost_fraction);
   });
 }
@@ -81,7 +80,7 @@ void add_impacts() {
   for (const double cutoff : cutoffs) {
     add_impact("exponential wall, αR = 500", stoss::ExponentialWall{}, cutoff, 0.0);
   }
-  add_restitution();
+  for (const double cutoff : {16.0, 32.0, 64.0, 128.0, 256.0}) add_refined(cutoff);
 }
 
 }  // namespace bench

@@ -19,4 +19,10 @@ void count(benchmark::State& state, double lost_fraction) {
   state.counters[error_counter] = std::abs(lost_fraction - converged_lost_fraction);
 }
 
+void count_apart(benchmark::State& state, double lost_fraction, double converged) {
+  state.counters[lost_fraction_counter] = lost_fraction;
+  state.counters[error_counter] = std::abs(lost_fraction - converged);
+  state.counters[apart_counter] = 1.0;
+}
+
 }  // namespace bench

@@ -30,6 +30,7 @@ int run(std::vector<std::string> arguments) {
   bench::add_paper();
   bench::add_modes();
   bench::add_impacts();
+  bench::add_restitutions();
   bench::Summary summary;
   benchmark::RunSpecifiedBenchmarks(&summary);
   benchmark::Shutdown();

@@ -64,11 +64,13 @@ void Summary::ReportRuns(const std::vector<Run>& reports) {
 
     Row row;
     row.name = run.run_name.function_name;
-    row.milliseconds = run.GetAdjustedCPUTime();
+    const bool wall_time = run.run_name.time_type == "real_time";
+    row.milliseconds = wall_time ? run.GetAdjustedRealTime() : run.GetAdjustedCPUTime();
     row.lost_fraction = find(run.counters, lost_fraction_counter);
     row.error = find(run.counters, error_counter);
     if (rows_.empty() && row.name == reference_name) row.ratio = 1.0;
-    if (!rows_.empty() && rows_.front().name == reference_name && row.lost_fraction) {
+    if (!rows_.empty() && rows_.front().name == reference_name && row.lost_fraction &&
+        !find(run.counters, apart_counter)) {
       row.ratio = rows_.front().milliseconds / row.milliseconds;
     }
     if (row.ratio) medians.back().counters[ratio_counter] = *row.ratio;
@@ -80,15 +82,15 @@ void Summary::ReportRuns(const std::vector<Run>& reports) {
 void Summary::write(std::ostream& out) const {
   out << processor() << ", one core, " << vector_units() << "; " << compiler() << ", " << STOSS_BUILD_TYPE << "; stoss "
       << stoss::version() << ".\n"
-      << "Disk, ν = " << poisson << ", v = " << speed
-      << " c. Time: processor time, median. Error: against the converged "
-      << "value of the hard wall, 1−ε² = " << converged_lost_fraction << ".\n"
+      << "Disk, ν = " << poisson << ", v = " << speed << " c unless the row says otherwise. Time: processor time, median "
+      << "(curves: wall time). Error: of 1−ε² against the converged value of the hard wall, " << converged_lost_fraction
+      << ".\n"
       << "Ratio: time of the paper's protocol / time.\n\n"
       << "| benchmark | ms | 1−ε² | error | ratio |\n"
       << "|---|---:|---:|---:|---:|\n";
   for (const Row& row : rows_) {
     out << "| " << row.name << " | " << cell(row.milliseconds, 3) << " | " << cell(row.lost_fraction, 5) << " | "
-        << cell(row.error, 5) << " | " << cell(row.ratio, 2) << " |\n";
+        << cell(row.error, 6) << " | " << cell(row.ratio, 2) << " |\n";
   }
 }
 

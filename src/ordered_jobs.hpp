@@ -43,7 +43,10 @@ void run_in_order(std::size_t count, int threads,
     }
   };
 
-  std::vector<std::jthread> pool;  // joins when it goes, after `stop` is set
+  std::vector<std::thread> pool;
+  const auto join = [&pool] {
+    for (std::thread& thread : pool) thread.join();
+  };
   try {
     for (int i = 0; i < threads; ++i) pool.emplace_back(work);
     for (std::size_t i = 0; i < count; ++i) {
@@ -65,8 +68,10 @@ void run_in_order(std::size_t count, int threads,
     }
   } catch (...) {
     stop = true;
+    join();
     throw;
   }
+  join();
 }
 
 }  // namespace stoss

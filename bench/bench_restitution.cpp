@@ -1,0 +1,88 @@
+#include <cmath>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "common.hpp"
+#include "stoss/bodies/disk.hpp"
+#include "stoss/curve.hpp"
+#include "stoss/extrapolation.hpp"
+#include "stoss/restitution.hpp"
+
+namespace bench {
+namespace {
+
+/// Converged 1 − ε² for ν = 0.33, by tolerance 1e-5 (docs/numerics.md).
+struct Case {
+  double speed;
+  double lost_fraction;
+};
+constexpr Case cases[] = {{0.001, 0.0284886}, {0.01, 0.031382}, {speed, converged_lost_fraction}, {0.3, 0.293637}};
+
+const stoss::RefinableBody& refinable() {
+  static const stoss::RefinableBody body{stoss::disk(poisson)};
+  return body;
+}
+
+std::string label(const std::string& name, double tolerance, double at) {
+  std::ostringstream text;
+  text << name << " to " << tolerance;
+  if (at != speed) text << ", v = " << at;
+  return text.str();
+}
+
+/// Modes made before.
+void add_tolerance(double tolerance, const Case& at) {
+  add(label("restitution", tolerance, at.speed), [tolerance, at](benchmark::State& state) {
+    double lost_fraction = stoss::restitution(refinable(), at.speed, {.tolerance = tolerance}).lost_fraction.value;
+    for (auto _ : state) {
+      lost_fraction = stoss::restitution(refinable(), at.speed, {.tolerance = tolerance}).lost_fraction.value;
+    }
+    if (at.speed == speed) {
+      count(state, lost_fraction);
+    } else {
+      count_apart(state, lost_fraction, at.lost_fraction);
+    }
+  });
+}
+
+/// ε(v) of two disks, 60 speeds each, modes included.
+void add_curves(int threads) {
+  std::vector<double> speeds;
+  for (int i = 0; i < 60; ++i) speeds.push_back(1e-4 * std::pow(3e3, i / 59.0));
+  const std::string name = "two curves of 60 speeds to 0.001, " + std::to_string(threads) +
+                           (threads == 1 ? " thread" : " threads") + ", modes included";
+  benchmark::RegisterBenchmark(name.c_str(),
+                               [speeds, threads](benchmark::State& state) {
+                                 for (auto _ : state) {
+                                   for (const double nu : {poisson, 0.9}) {
+                                     benchmark::DoNotOptimize(
+                                         stoss::restitution_curve(nu, speeds, {.threads = threads}).data());
+                                   }
+                                 }
+                               })
+      ->Unit(benchmark::kMillisecond)
+      ->UseRealTime();
+}
+
+}  // namespace
+
+void add_restitutions() {
+  for (const double tolerance : {1e-2, 1e-3, 1e-4}) {
+    for (const Case& at : cases) add_tolerance(tolerance, at);
+  }
+  add("restitution to 0.001, modes included", [](benchmark::State& state) {
+    double lost_fraction = 0.0;
+    for (auto _ : state) lost_fraction = stoss::restitution(stoss::disk(poisson), speed).lost_fraction.value;
+    count(state, lost_fraction);
+  });
+  add("the paper's two limits (extrapolated_restitution), modes included", [](benchmark::State& state) {
+    double lost_fraction = 0.0;
+    for (auto _ : state) lost_fraction = stoss::extrapolated_restitution(poisson, speed).lost_fraction.value;
+    count(state, lost_fraction);
+  });
+  add_curves(1);
+  add_curves(2);
+}
+
+}  // namespace bench
