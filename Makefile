@@ -1,6 +1,6 @@
 # The short way in. Everything here can also be done with the CMake presets (cmake --list-presets).
 .DEFAULT_GOAL := help
-.PHONY: help setup build demo test bench format lint install clean
+.PHONY: help setup build demo test bench validate results format lint install clean
 
 JOBS ?= $(shell nproc)
 PREFIX ?= /usr/local
@@ -27,6 +27,16 @@ bench: setup ## benchmarks, with the paper's protocol as the rival
 	@cmake --preset release -DSTOSS_BUILD_BENCH=ON
 	@cmake --build --preset release -j $(JOBS) --target stoss_bench
 	@build/release/bench/stoss_bench
+
+validate: setup ## are the errors of restitution honest? writes docs/validation.md
+	@cmake --preset release -DSTOSS_BUILD_VALIDATE=ON
+	@cmake --build --preset release -j $(JOBS) --target stoss_validate
+	@build/release/validate/stoss_validate --markdown=docs/validation.md
+
+results: setup ## the curves of docs/results.md, into docs/results/
+	@cmake --preset release -DSTOSS_BUILD_STUDIES=ON
+	@cmake --build --preset release -j $(JOBS) --target stoss_curves
+	@build/release/studies/stoss_curves docs/results/restitution.csv
 
 format: setup ## format all sources
 	@clang-format -i $(SOURCES)

@@ -52,15 +52,15 @@ void add_curves(int threads) {
   for (int i = 0; i < 60; ++i) speeds.push_back(1e-4 * std::pow(3e3, i / 59.0));
   const std::string name = "two curves of 60 speeds to 0.001, " + std::to_string(threads) +
                            (threads == 1 ? " thread" : " threads") + ", modes included";
-  benchmark::RegisterBenchmark(name.c_str(),
-                               [speeds, threads](benchmark::State& state) {
-                                 for (auto _ : state) {
-                                   for (const double nu : {poisson, 0.9}) {
-                                     benchmark::DoNotOptimize(
-                                         stoss::restitution_curve(nu, speeds, {.threads = threads}).data());
-                                   }
-                                 }
-                               })
+  benchmark::RegisterBenchmark(
+      name.c_str(),
+      [speeds, threads](benchmark::State& state) {
+        for (auto _ : state) {
+          for (const double nu : {poisson, 0.9}) {
+            benchmark::DoNotOptimize(stoss::restitution_curve(nu, speeds, {.threads = threads}).data());
+          }
+        }
+      })
       ->Unit(benchmark::kMillisecond)
       ->UseRealTime();
 }

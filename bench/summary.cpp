@@ -82,7 +82,8 @@ void Summary::ReportRuns(const std::vector<Run>& reports) {
 void Summary::write(std::ostream& out) const {
   out << processor() << ", one core, " << vector_units() << "; " << compiler() << ", " << STOSS_BUILD_TYPE << "; stoss "
       << stoss::version() << ".\n"
-      << "Disk, ν = " << poisson << ", v = " << speed << " c unless the row says otherwise. Time: processor time, median "
+      << "Disk, ν = " << poisson << ", v = " << speed
+      << " c unless the row says otherwise. Time: processor time, median "
       << "(curves: wall time). Error: of 1−ε² against the converged value of the hard wall, " << converged_lost_fraction
       << ".\n"
       << "Ratio: time of the paper's protocol / time.\n\n"

@@ -28,7 +28,8 @@ Complementarity::Complementarity(std::vector<double> matrix, std::size_t size)
 }
 
 void Complementarity::solve_leading(std::size_t count, const std::vector<double>& q, std::vector<double>& force) {
-  // In blocks, so that most of the zeros of the triangles are passed over; to whole vectors, of which the excess is void.
+  // In blocks, so that most of the zeros of the triangles are passed over; to whole vectors, of which the excess is
+  // void.
   constexpr std::size_t block = 32;
   constexpr std::size_t vector = 8;
   const std::size_t end = std::min((count + vector - 1) / vector * vector, size_);

@@ -11,8 +11,8 @@ namespace stoss {
 ///
 /// It has exactly one solution. W = L Lᵀ is factored once: the Cholesky factor of a leading block of W is the
 /// leading block of L, and its inverse that of L⁻¹, so a contact that is an interval {0 … k−1} costs two products with
-/// triangular matrices. Any other contact set is found by block principal pivoting with Murty's rule as the finite last resort (Júdice and Pires, Comput. Oper. Res. 21,
-/// 587, 1994).
+/// triangular matrices. Any other contact set is found by block principal pivoting with Murty's rule as the finite last
+/// resort (Júdice and Pires, Comput. Oper. Res. 21, 587, 1994).
 class Complementarity {
  public:
   /// @param matrix W, row-major, size × size

@@ -143,8 +143,8 @@ double KeptModes::reach() const {
     }
     for (std::size_t l = 0; l < size_[g]; ++l) {
       const std::size_t k = position(g, l);
-      sum += std::hypot(a_[k], velocity(g, k)) *
-             (std::abs(radial_[k]) * radial + std::abs(tangential_[k]) * tangential);
+      sum +=
+          std::hypot(a_[k], velocity(g, k)) * (std::abs(radial_[k]) * radial + std::abs(tangential_[k]) * tangential);
     }
   }
   return sum;

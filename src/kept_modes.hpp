@@ -61,8 +61,8 @@ class KeptModes {
   std::vector<std::size_t> begin_;  // of each block of groups in the arrays over modes, and the end
   std::vector<double> omega_, a_, b_, cosine_, sine_, radial_, tangential_;
   std::vector<double> energy_sum_;
-  std::vector<double> push_;            // velocity kick of a full step per unit amplitude; as kernels::advance has it
-  std::vector<double> edge_;            // Σ C Q, then Σ S Q, over each group
+  std::vector<double> push_;  // velocity kick of a full step per unit amplitude; as kernels::advance has it
+  std::vector<double> edge_;  // Σ C Q, then Σ S Q, over each group
   struct Rows {
     std::size_t sum, difference;
   };

@@ -79,8 +79,8 @@ void accumulate_energy(const Oscillators& modes, const std::size_t* begin, std::
 #pragma omp simd
       for (std::size_t i = 0; i < lanes; ++i) {
         const double a = modes.a[at + i];
-        const double b = modes.b[at + i] -
-                         (modes.radial[at + i] * radial_kick[i] + modes.tangential[at + i] * tangential_kick[i]);
+        const double b =
+            modes.b[at + i] - (modes.radial[at + i] * radial_kick[i] + modes.tangential[at + i] * tangential_kick[i]);
         energy[at + i] += a * a + b * b;
       }
     }
@@ -98,14 +98,29 @@ void multiply_transposed(const double* matrix, std::size_t stride, std::size_t r
     i += width;
   };
   switch ((end - i) / 8) {
-    case 7: rest.template operator()<56>(); break;
-    case 6: rest.template operator()<48>(); break;
-    case 5: rest.template operator()<40>(); break;
-    case 4: rest.template operator()<32>(); break;
-    case 3: rest.template operator()<24>(); break;
-    case 2: rest.template operator()<16>(); break;
-    case 1: rest.template operator()<8>(); break;
-    default: break;
+    case 7:
+      rest.template operator()<56>();
+      break;
+    case 6:
+      rest.template operator()<48>();
+      break;
+    case 5:
+      rest.template operator()<40>();
+      break;
+    case 4:
+      rest.template operator()<32>();
+      break;
+    case 3:
+      rest.template operator()<24>();
+      break;
+    case 2:
+      rest.template operator()<16>();
+      break;
+    case 1:
+      rest.template operator()<8>();
+      break;
+    default:
+      break;
   }
   for (; i < end; ++i) multiply_block<1>(matrix + i, stride, rows, x, result + i);
 }

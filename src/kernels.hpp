@@ -8,9 +8,9 @@ namespace stoss::kernels {
 /// Orders that the loops over modes take side by side.
 inline constexpr std::size_t lanes = 8;
 
-/// Oscillators a = √ω Q, b = Q̇/√ω with their rotation in one step and their weights at the edge, C/√ω and S/√ω, which in
-/// these coordinates are the same for kicks and for displacements. Blocks of `lanes` orders lie
-/// one after another; in a block, mode l of its order i is element l · lanes + i.
+/// Oscillators a = √ω Q, b = Q̇/√ω with their rotation in one step and their weights at the edge, C/√ω and S/√ω, which
+/// in these coordinates are the same for kicks and for displacements. Blocks of `lanes` orders lie one after another;
+/// in a block, mode l of its order i is element l · lanes + i.
 struct Oscillators {
   double* a;
   double* b;

@@ -14,9 +14,9 @@
 
 namespace stoss {
 
-/// Runs job(i, stop) for i = 0 … count−1 on several threads and hands each result to deliver(i, result) in order, on the
-/// calling thread, as soon as all before it are there. `poll` is called on the calling thread while it waits. What a job,
-/// deliver or poll throws ends the rest: `stop` becomes true, which the jobs under way should heed.
+/// Runs job(i, stop) for i = 0 … count−1 on several threads and hands each result to deliver(i, result) in order, on
+/// the calling thread, as soon as all before it are there. `poll` is called on the calling thread while it waits. What
+/// a job, deliver or poll throws ends the rest: `stop` becomes true, which the jobs under way should heed.
 template <typename Result>
 void run_in_order(std::size_t count, int threads,
                   const std::function<Result(std::size_t, const std::atomic<bool>&)>& job,

@@ -111,8 +111,8 @@ const std::vector<double>& RadiatingTail::advance(const std::vector<double>& pos
   const std::size_t size = position.size();
   const double half = 0.5 * step_;
   for (std::size_t i = 0; i < size; ++i) {
-    free_rest_[i] = mass_displacement_[i] + step_ * mass_velocity_[i] + half * half * mass_acceleration_[i] +
-                    fading_ * stretch_[i];
+    free_rest_[i] =
+        mass_displacement_[i] + step_ * mass_velocity_[i] + half * half * mass_acceleration_[i] + fading_ * stretch_[i];
   }
   kernels::multiply_transposed(memory_.data(), size, size, 0, size, free_rest_.data(), free_.data());
   for (std::size_t i = 0; i < size; ++i) gap_[i] = position[i] - free_[i];

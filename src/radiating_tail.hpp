@@ -9,10 +9,10 @@ namespace stoss {
 ///
 ///   K + [(s²M)⁻¹ + (G + sZ)⁻¹]⁻¹,   K = W⁻¹,   M = K V K,   G = γ ω_c Z,   γ = 8/π − π/2:
 ///
-/// springs K and, beside them, masses M behind links of a spring G and a dashpot Z. Its compliance is W − s²V + O(s⁴) at
-/// low frequency, as that of the modes above the cutoff, and 1/(sZ) − (2/π) ω_c/(s²Z) at high frequency, as that of plane
-/// waves less the kept modes. With y, w, a the masses' displacement, velocity and acceleration and z = u − y, by the
-/// trapezium rule for the masses and backward Euler for the links (docs/numerics.md):
+/// springs K and, beside them, masses M behind links of a spring G and a dashpot Z. Its compliance is W − s²V + O(s⁴)
+/// at low frequency, as that of the modes above the cutoff, and 1/(sZ) − (2/π) ω_c/(s²Z) at high frequency, as that of
+/// plane waves less the kept modes. With y, w, a the masses' displacement, velocity and acceleration and z = u − y, by
+/// the trapezium rule for the masses and backward Euler for the links (docs/numerics.md):
 ///
 ///   f = K u + D (u − ũ),   D = (¼Δt² M⁻¹ + B⁻¹)⁻¹,   B = G + Z/Δt,
 ///   ũ = y + Δt w + ¼Δt² a + z/(1 + γ ω_c Δt),        all of the step before,

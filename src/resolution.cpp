@@ -87,7 +87,8 @@ Resolution choose_resolution(const Body& body, const Wall& wall, double speed, c
             "time step in R/c; 0.25/cutoff is usual");
   }
   if (options.half_width) {
-    require("half_width", *options.half_width, {0.0, std::max(body.max_half_width, 1e-300), false, true, "above 0 and up to the body's greatest"},
+    require("half_width", *options.half_width,
+            {0.0, std::max(body.max_half_width, 1e-300), false, true, "above 0 and up to the body's greatest"},
             "half-width of the contact grid in R");
   }
   const double half_width = options.half_width ? *options.half_width : initial_half_width(body, wall, speed);
@@ -106,11 +107,11 @@ ImpactOptions refined_resolution(const Body& body, double speed, double half_wid
   if (body.max_half_width == 0.0) return options;
   // A coarser run shows how far the contact spreads.
   constexpr double margin = 1.06;
-  const double width =
-      half_width > 0.0 ? std::min(margin * half_width, body.max_half_width) : initial_half_width(body, HardWall{}, speed);
+  const double width = half_width > 0.0 ? std::min(margin * half_width, body.max_half_width)
+                                        : initial_half_width(body, HardWall{}, speed);
   // The pressure varies over the contact; and over the waves that the kept modes send along the edge.
-  const double nodes = std::max({20.0 * std::sqrt(body.cutoff / 12.5), 1.3 * body.cutoff * std::sqrt(width),
-                                 1.02 * nyquist_nodes(body, width)});
+  const double nodes = std::max(
+      {20.0 * std::sqrt(body.cutoff / 12.5), 1.3 * body.cutoff * std::sqrt(width), 1.02 * nyquist_nodes(body, width)});
   constexpr double vector = 8.0;
   options.half_width = width;
   options.nodes = static_cast<int>(std::min<double>(vector * std::ceil(nodes / vector), max_nodes));

@@ -19,7 +19,7 @@ constexpr double slack = 1.3;  // the error may turn out smaller than the order 
 double convergence_order(const Body& body) { return body.max_half_width == 0.0 ? 1.0 : 2.5; }
 
 /// Quantity of the last run, with six times the largest difference from an earlier one, scaled to what is left of it.
-Estimate estimate(const std::vector<Run>& runs, double order, double Run::* quantity) {
+Estimate estimate(const std::vector<Run>& runs, double order, double Run::*quantity) {
   const Run& last = runs.back();
   double error = 0.0;
   for (auto run = runs.begin(); run + 1 < runs.end(); ++run) {
@@ -30,9 +30,8 @@ Estimate estimate(const std::vector<Run>& runs, double order, double Run::* quan
 }
 
 Run summary(const Impact& impact) {
-  return {impact.cutoff,        impact.step,         impact.nodes,     impact.half_width,
-          impact.lost_fraction, impact.contact_time, impact.max_force, impact.max_compression,
-          impact.energy_error,  impact.steps};
+  return {impact.cutoff,       impact.step,      impact.nodes,           impact.half_width,   impact.lost_fraction,
+          impact.contact_time, impact.max_force, impact.max_compression, impact.energy_error, impact.steps};
 }
 
 void conclude(Restitution& result, double order) {
@@ -85,10 +84,10 @@ Restitution restitution(const RefinableBody& body, double speed, const Restituti
   if (result.runs.size() < 2) throw NotConverged(trouble);
   if (!result.converged) {
     conclude(result, order);
-    result.reason = trouble.empty() ? "the tolerance asks for a higher cutoff than " +
-                                          std::to_string(std::lround(result.runs.back().cutoff)) +
-                                          " (use a larger tolerance)"
-                                    : trouble;
+    result.reason = trouble.empty()
+                        ? "the tolerance asks for a higher cutoff than " +
+                              std::to_string(std::lround(result.runs.back().cutoff)) + " (use a larger tolerance)"
+                        : trouble;
     if (!result.converged) throw RestitutionNotConverged(std::move(result));
   }
   return result;

@@ -118,7 +118,8 @@ TEST_P(DiskBody, ResidualComplianceIsTheSumOverOrders) {
       r.tangential += kept[n].tangential;
       return r;
     });
-    for (std::size_t k = 0; k < found.size(); ++k) EXPECT_NEAR(found[k], expected[k], 1e-12 + 1e-3 / std::pow(nyquist(grid), 3)) << half_width;
+    for (std::size_t k = 0; k < found.size(); ++k)
+      EXPECT_NEAR(found[k], expected[k], 1e-12 + 1e-3 / std::pow(nyquist(grid), 3)) << half_width;
   }
 }
 

@@ -132,7 +132,8 @@ TEST(Restitution, RefusesBadInput) {
   test::expect_refusal([] { (void)restitution(disk(0.33), std::nan("")); }, {"speed", "nan"});
   test::expect_refusal([] { (void)restitution(disk(1.5), 0.1); }, {"poisson", "got 1.5,", "-0.95 to 0.995"});
   for (const double bad : {0.0, -1e-3, 0.9, std::nan(""), HUGE_VAL}) {
-    test::expect_refusal([&] { (void)restitution(disk(0.33), 0.1, {.tolerance = bad}); }, {"tolerance", "1e-15 to 0.5"});
+    test::expect_refusal([&] { (void)restitution(disk(0.33), 0.1, {.tolerance = bad}); },
+                         {"tolerance", "1e-15 to 0.5"});
   }
   test::expect_refusal([] { (void)restitution(BodyMaker{}, 0.1); }, {"body", "function"});
 }

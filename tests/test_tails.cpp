@@ -84,8 +84,7 @@ TEST(RadiatingTail, FollowsExponentialGrowthAtFirstOrder) {
   const double branch = exact_force - stiffness;
   const double mass_velocity = branch / (mass * growth);
   const double stretch = branch / (link + growth * impedance);
-  const double stored =
-      0.5 * stiffness + 0.5 * mass * mass_velocity * mass_velocity + 0.5 * link * stretch * stretch;
+  const double stored = 0.5 * stiffness + 0.5 * mass * mass_velocity * mass_velocity + 0.5 * link * stretch * stretch;
   const double dissipated = 0.5 * impedance * growth * stretch * stretch;
   EXPECT_NEAR(stored + dissipated, 0.5 * exact_force, 1e-14);
 

@@ -10,10 +10,10 @@ namespace stoss {
 
 /// The kept modes of one angular order n, as a structure of arrays over the index l.
 struct ModeGroup {
-  int order = 0;                   ///< n
-  std::vector<double> omega;       ///< ω > 0, c/R
-  std::vector<double> radial;      ///< C, weight of the group's radial shape c
-  std::vector<double> tangential;  ///< S, weight of the group's tangential shape s
+  int order = 0;                     ///< n
+  std::vector<double> omega;         ///< ω > 0, c/R
+  std::vector<double> radial;        ///< C, weight of the group's radial shape c
+  std::vector<double> tangential;    ///< S, weight of the group's tangential shape s
   std::size_t sum_shape = 0;         ///< row of ContactGrid::shape that holds c + s
   std::size_t difference_shape = 0;  ///< row of ContactGrid::shape that holds c − s
 };
@@ -32,11 +32,11 @@ struct ContactGrid {
 /// All that an impact needs to know of an elastic body, in its own units (for a disk R = c = ρ = 1). Motion is along
 /// x towards the wall. A new body is a function that fills this structure (docs/architecture.md).
 struct Body {
-  std::string name;               ///< with its parameters, for provenance
-  double mass = 0.0;              ///< of the body, and of every mode
-  double extent = 0.0;            ///< distance from the centre of mass to the first point of contact
-  double cutoff = 0.0;            ///< all modes with ω ≤ cutoff are in `groups`
-  double max_half_width = 0.0;    ///< largest half-width that a grid can have; 0: a single point of contact
+  std::string name;             ///< with its parameters, for provenance
+  double mass = 0.0;            ///< of the body, and of every mode
+  double extent = 0.0;          ///< distance from the centre of mass to the first point of contact
+  double cutoff = 0.0;          ///< all modes with ω ≤ cutoff are in `groups`
+  double max_half_width = 0.0;  ///< largest half-width that a grid can have; 0: a single point of contact
   /// Greatest time step: above it, what a force moves the kept modes of one order within a step outweighs what it moves
   /// the modes that are not kept, and kicks at a hard wall are unstable.
   double stable_step = std::numeric_limits<double>::infinity();
@@ -52,8 +52,8 @@ struct Body {
   /// positive definite): displacement of node i towards the body per force on node j.
   std::function<std::vector<double>(const ContactGrid& grid)> residual_compliance;
 
-  /// Second moment of the modes that are not kept, V (nodes × nodes, symmetric, positive semidefinite): like W with 1/ω⁴
-  /// for 1/ω². To forces that vary slowly these modes answer with W f − V f̈.
+  /// Second moment of the modes that are not kept, V (nodes × nodes, symmetric, positive semidefinite): like W with
+  /// 1/ω⁴ for 1/ω². To forces that vary slowly these modes answer with W f − V f̈.
   std::function<std::vector<double>(const ContactGrid& grid)> residual_second_moment;
 };
 

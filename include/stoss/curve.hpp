@@ -20,7 +20,8 @@ struct CurveOptions {
 
 /// ε at each of the speeds. A point that does not converge does not end the curve: it has `converged` false, a reason,
 /// and the best value, or NaN where no two impacts end.
-/// @throws InvalidInput for arguments out of range, before anything is computed; what observer and poll throw, after the
+/// @throws InvalidInput for arguments out of range, before anything is computed; what observer and poll throw, after
+/// the
 ///         impacts under way have stopped
 [[nodiscard]] std::vector<Restitution> restitution_curve(const RefinableBody& body, const std::vector<double>& speeds,
                                                          const CurveOptions& options = {},

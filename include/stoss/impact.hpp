@@ -26,8 +26,8 @@ struct ImpactOptions {
   std::optional<double> step{};        ///< Δt, R/c; otherwise recommended_step
   std::optional<int> nodes{};          ///< of the contact grid; otherwise recommended_nodes
   std::optional<double> half_width{};  ///< of the contact grid, R; otherwise 1.25 times the expected one of the contact
-  int observe_every = 1;         ///< the observer sees every so many steps
-  bool observe_modes = false;    ///< fill Snapshot::coordinate and momentum
+  int observe_every = 1;               ///< the observer sees every so many steps
+  bool observe_modes = false;          ///< fill Snapshot::coordinate and momentum
   std::optional<State>
       start{};  ///< a vibrating body, of velocity `speed`; otherwise at rest inside, just out of contact
   std::function<void()> poll{};  ///< called every few milliseconds or oftener; what it throws ends the computation

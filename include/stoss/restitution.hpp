@@ -77,9 +77,9 @@ class RestitutionNotConverged : public NotConverged {
 };
 
 /// ε of a body that meets a hard wall, from impacts at rising cutoffs (docs/numerics.md, section 5): cutoff, step and
-/// grid are refined together until the error of 1 − ε² is below tolerance × (1 − ε²). The error is six times the largest
-/// of the differences from the coarser runs, each scaled by the observed order of convergence, (ω_coarse/ω_fine)^(5/2)
-/// (with one point of contact ω_coarse/ω_fine).
+/// grid are refined together until the error of 1 − ε² is below tolerance × (1 − ε²). The error is six times the
+/// largest of the differences from the coarser runs, each scaled by the observed order of convergence,
+/// (ω_coarse/ω_fine)^(5/2) (with one point of contact ω_coarse/ω_fine).
 /// @param speed of the centre of mass, 1e-8 … 1, in c
 /// @throws InvalidInput for arguments out of range; RestitutionNotConverged if the highest cutoff is not enough;
 ///         NotConverged if no two impacts end

@@ -1,4 +1,5 @@
-// A disk as a body: its modes by order, the shapes of the orders on a contact grid, and the response of the other modes.
+// A disk as a body: its modes by order, the shapes of the orders on a contact grid, and the response of the other
+// modes.
 #include "stoss/bodies/disk.hpp"
 
 #include <algorithm>

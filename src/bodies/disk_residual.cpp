@@ -48,9 +48,9 @@ std::complex<double> exponential_integral(std::size_t m) {
   return result;
 }
 
-/// Σ cos kθ/k and Σ sin kθ/k for k = 1 … N at θ = mπ/N, m < 2N, the last term with weight ½. What the infinite sums have beyond
-/// N is (−1)^m ∫₀^∞ e^{−τ} dτ/(N(e^z − 1)), z = τ/N − iθ: the pole 1/z gives e^z E₁(z), the rest is regular and is
-/// expanded about τ = 0. Error O(N⁻³).
+/// Σ cos kθ/k and Σ sin kθ/k for k = 1 … N at θ = mπ/N, m < 2N, the last term with weight ½. What the infinite sums
+/// have beyond N is (−1)^m ∫₀^∞ e^{−τ} dτ/(N(e^z − 1)), z = τ/N − iθ: the pole 1/z gives e^z E₁(z), the rest is regular
+/// and is expanded about τ = 0. Error O(N⁻³).
 struct HarmonicSums {
   double cosine, sine;
 };

@@ -20,8 +20,8 @@ class DiskResidual {
   /// V_ij: the same with ω⁴ for ω². Orders that follow any force that the time steps can resolve are left out.
   [[nodiscard]] std::vector<double> second_moment(const ContactGrid& grid) const;
 
-  /// Δt for which Δt² Σ_kept C² = 1.8 R^CC in the worst order. A single order at a rigid wall is unstable from 4 on; on a
-  /// grid, which mixes the orders, trouble begins above 2 (docs/numerics.md).
+  /// Δt for which Δt² Σ_kept C² = 1.8 R^CC in the worst order. A single order at a rigid wall is unstable from 4 on; on
+  /// a grid, which mixes the orders, trouble begins above 2 (docs/numerics.md).
   [[nodiscard]] double stable_step() const;
 
  private:

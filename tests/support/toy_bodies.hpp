@@ -9,8 +9,8 @@
 
 namespace stoss::test {
 
-/// A body with one point of contact, made from bare numbers: modes of amplitude 1 or as given. The second moment is that
-/// of a family of high overtones, so that the mass of the tail is Z π/(6 ω_c).
+/// A body with one point of contact, made from bare numbers: modes of amplitude 1 or as given. The second moment is
+/// that of a family of high overtones, so that the mass of the tail is Z π/(6 ω_c).
 inline Body point_body(double mass, double cutoff, double residual_compliance, double impedance, ModeGroup modes) {
   Body body;
   body.name = "toy";
@@ -23,7 +23,8 @@ inline Body point_body(double mass, double cutoff, double residual_compliance, d
   body.residual_compliance = [residual_compliance](const ContactGrid&) {
     return std::vector<double>{residual_compliance};
   };
-  const double second_moment = residual_compliance * residual_compliance * impedance * std::numbers::pi / (6.0 * cutoff);
+  const double second_moment =
+      residual_compliance * residual_compliance * impedance * std::numbers::pi / (6.0 * cutoff);
   body.residual_second_moment = [second_moment](const ContactGrid&) { return std::vector<double>{second_moment}; };
   return body;
 }
@@ -57,9 +58,7 @@ inline Body rod_in_other_units(double length, double wave_speed, double line_den
 inline Body two_point_body() {
   Body body = point_body(1.0, 5.0, 0.0, 1.0, {0, {5.0}, {1.0}, {0.0}});
   body.max_half_width = 1.0;
-  body.grid = [](double, int) {
-    return ContactGrid{{0.25, 0.75}, {0.0, 0.1}, {1.0, 1.0}, {1.0, 1.0}, {1.0, 1.0}};
-  };
+  body.grid = [](double, int) { return ContactGrid{{0.25, 0.75}, {0.0, 0.1}, {1.0, 1.0}, {1.0, 1.0}, {1.0, 1.0}}; };
   body.residual_compliance = [](const ContactGrid&) { return std::vector<double>{2.0, 1.0, 1.0, 2.0}; };
   body.residual_second_moment = [](const ContactGrid&) { return std::vector<double>{0.2, 0.1, 0.1, 0.2}; };
   return body;
