@@ -20,7 +20,7 @@
 namespace stoss {
 namespace {
 
-/// αv/c of the usual walls, even in 1/α. The softest holds 5 % of the energy at closest approach, the hardest 1 %. On
+/// αv/c of the usual walls, even in 1/α. The softest holds 4 % of the energy at closest approach, the hardest 1 %. On
 /// harder ones an edge that lacks its high modes begins to bounce, because it cannot answer within 1/(αv), and 1 − ε²
 /// leaves the line: from αv ≈ 100 with 300 modes, αv ≈ 200 with 940.
 constexpr std::array<double, 4> usual_walls{25.0, 100.0 / 3.0, 50.0, 100.0};
@@ -67,9 +67,10 @@ std::vector<Body> make_bodies(double poisson, const std::vector<double>& cutoffs
   for (const double cutoff : cutoffs) {
     bodies.push_back(disk(poisson, cutoff));
     if (bodies.size() < 2) continue;
-    const auto fewest = static_cast<long>(mode_count(bodies[bodies.size() - 2])) + 1;
-    require("modes", static_cast<long>(mode_count(bodies.back())), fewest, std::numeric_limits<int>::max(),
-            "each cutoff must keep more modes than the one before");
+    const auto before = static_cast<double>(mode_count(bodies[bodies.size() - 2]));
+    require("modes", static_cast<double>(mode_count(bodies.back())),
+            {before, std::numeric_limits<double>::max(), false, true, "more than the cutoff before keeps"},
+            "number of modes that a cutoff keeps; spread the cutoffs");
   }
   return bodies;
 }

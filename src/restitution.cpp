@@ -12,6 +12,7 @@ namespace {
 
 constexpr int first_runs = 4;  // two that agree by chance say nothing
 constexpr int first_rungs = 2;
+constexpr double slow_order = 1.5;
 constexpr double safety = 6.0;
 constexpr double slack = 1.3;  // the error may turn out smaller than the order of convergence says
 
@@ -37,10 +38,11 @@ Run summary(const Impact& impact) {
 void conclude(Restitution& result, double order) {
   const std::vector<Run>& runs = result.runs;
   result.lost_fraction = estimate(runs, order, &Run::lost_fraction);
-  result.contact_time = estimate(runs, order, &Run::contact_time);
-  // A contact is noticed and lost within half a step each.
-  result.contact_time.error = std::max(result.contact_time.error, 0.5 * runs.back().step);
-  result.max_force = estimate(runs, order, &Run::max_force);
+  // Instants and peaks converge more slowly. A contact is noticed and lost within half a step each.
+  const double slow = std::min(order, slow_order);
+  result.contact_time = estimate(runs, slow, &Run::contact_time);
+  result.contact_time.error = std::max(result.contact_time.error, runs.back().step);
+  result.max_force = estimate(runs, slow, &Run::max_force);
   result.max_compression = estimate(runs, order, &Run::max_compression);
   const double value = result.finest.restitution;
   const double error = result.lost_fraction.error;
@@ -61,8 +63,7 @@ Restitution restitution(const RefinableBody& body, double speed, const Restituti
   result.tolerance = options.tolerance;
   std::string trouble;
   int level = 0;
-  for (int rungs = 0; level <= RefinableBody::highest_level && !result.converged; level += rungs) {
-    rungs = first_rungs;
+  for (int rungs = first_rungs; level <= RefinableBody::highest_level; level += rungs) {
     ImpactOptions resolution = refined_resolution(body.at(level), speed, result.finest.max_half_width);
     resolution.poll = options.poll;
     try {
@@ -71,10 +72,12 @@ Restitution restitution(const RefinableBody& body, double speed, const Restituti
       trouble = error.what();
       continue;
     }
+    trouble.clear();
     result.runs.push_back(summary(result.finest));
     result.steps += result.finest.steps;
     if (result.runs.size() < first_runs) continue;
     conclude(result, order);
+    if (result.converged) return result;
     // To the rung at which the error will be small enough, if it falls as it should.
     const double missing = result.lost_fraction.error / (options.tolerance * std::abs(result.lost_fraction.value));
     const double factor = std::pow(missing / slack, 1.0 / order);  // between the cutoffs
@@ -82,15 +85,13 @@ Restitution restitution(const RefinableBody& body, double speed, const Restituti
     if (level < RefinableBody::highest_level) rungs = std::min(rungs, RefinableBody::highest_level - level);
   }
   if (result.runs.size() < 2) throw NotConverged(trouble);
-  if (!result.converged) {
-    conclude(result, order);
-    result.reason = trouble.empty()
-                        ? "the tolerance asks for a higher cutoff than " +
-                              std::to_string(std::lround(result.runs.back().cutoff)) + " (use a larger tolerance)"
-                        : trouble;
-    if (!result.converged) throw RestitutionNotConverged(std::move(result));
-  }
-  return result;
+  conclude(result, order);
+  result.converged = false;  // two or three runs that agree are not enough
+  result.reason = trouble.empty()
+                      ? "the tolerance asks for a higher cutoff than " +
+                            std::to_string(std::lround(result.runs.back().cutoff)) + " (use a larger tolerance)"
+                      : trouble;
+  throw RestitutionNotConverged(std::move(result));
 }
 
 Restitution restitution(const BodyMaker& maker, double speed, const RestitutionOptions& options) {
