@@ -1,0 +1,93 @@
+#include "judgement.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <limits>
+
+#include "stoss/bodies/disk.hpp"
+
+namespace validate {
+namespace {
+
+Answer timed_answer(const stoss::RefinableBody& body, double speed, double tolerance) {
+  const auto start = std::chrono::steady_clock::now();
+  const stoss::Restitution result = best(body, speed, tolerance);
+  const std::chrono::duration<double> time = std::chrono::steady_clock::now() - start;
+  return {{result.lost_fraction, result.restitution, result.contact_time, result.max_force, result.max_compression},
+          result.converged,
+          result.finest.cutoff,
+          time.count()};
+}
+
+}  // namespace
+
+Disks make_disks(const std::vector<Point>& points) {
+  Disks disks;
+  for (const Point& point : points) {
+    const auto [disk, is_new] = disks.try_emplace(point.poisson, stoss::disk(point.poisson));
+    if (!is_new) continue;
+    for (int level = 0; level <= stoss::RefinableBody::highest_level; ++level) (void)disk->second.at(level);
+  }
+  return disks;
+}
+
+std::vector<Answer> answer(const Disks& disks, const std::vector<Point>& points, double tolerance) {
+  std::vector<Answer> answers;
+  answers.reserve(points.size());
+  for (const Point& point : points) {
+    answers.push_back(timed_answer(disks.at(point.poisson), point.speed, tolerance));
+  }
+  return answers;
+}
+
+stoss::Restitution best(const stoss::RefinableBody& body, double speed, double tolerance) {
+  try {
+    return stoss::restitution(body, speed, {tolerance, {}});
+  } catch (const stoss::RestitutionNotConverged& failure) {
+    return failure.best;
+  }
+}
+
+Deviation deviation(const stoss::Estimate& answer, const stoss::Estimate& reference) {
+  constexpr double sharp = 0.1;
+  const double difference = std::abs(answer.value - reference.value);
+  const bool within = difference <= answer.error;
+  if (reference.error > sharp * answer.error) {
+    return {std::max(0.0, difference - reference.error) / answer.error, within, std::nullopt};
+  }
+  return {difference / answer.error, within, answer.error / difference};
+}
+
+Tally tally(const std::vector<Point>& points, const std::vector<Answer>& answers, Quantity quantity) {
+  Tally result;
+  std::vector<double> paddings;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (!points[i].reference[quantity]) continue;
+    const Deviation off = deviation(answers[i].value[quantity], *points[i].reference[quantity]);
+    ++result.points;
+    if (off.ratio <= 1.0) ++result.within;
+    if (off.strictly_within) ++result.strictly_within;
+    if (off.padding) {
+      paddings.push_back(*off.padding);
+    } else {
+      ++result.blurred;
+    }
+    result.greatest = std::max(result.greatest, off.ratio);
+  }
+  result.padding = median(paddings);
+  return result;
+}
+
+bool honest(const Tally& tally) {
+  return tally.within >= 0.95 * tally.points && tally.greatest <= 3.0 && tally.padding <= 10.0;
+}
+
+double median(std::vector<double> values) {
+  if (values.empty()) return std::numeric_limits<double>::infinity();
+  std::sort(values.begin(), values.end());
+  const std::size_t half = values.size() / 2;
+  return values.size() % 2 == 1 ? values[half] : 0.5 * (values[half - 1] + values[half]);
+}
+
+}  // namespace validate

@@ -1,0 +1,57 @@
+#pragma once
+
+#include <map>
+#include <optional>
+#include <vector>
+
+#include "points.hpp"
+
+namespace validate {
+
+/// What restitution() said of one point.
+struct Answer {
+  PerQuantity<stoss::Estimate> value{};
+  bool converged = false;
+  double cutoff = 0.0;  ///< of the finest impact, c/R
+  double seconds = 0.0;
+};
+
+/// The disks of all points by their Poisson numbers, with all levels made, so that the times are those of impacts
+/// alone.
+using Disks = std::map<double, stoss::RefinableBody>;
+Disks make_disks(const std::vector<Point>& points);
+
+std::vector<Answer> answer(const Disks& disks, const std::vector<Point>& points, double tolerance);
+
+/// The best that restitution() gives, whether or not it converges.
+stoss::Restitution best(const stoss::RefinableBody& body, double speed, double tolerance);
+
+/// How far an answer is off a reference value.
+struct Deviation {
+  double ratio = 0.0;             ///< true error over estimated error
+  bool strictly_within = false;   ///< |value − reference| ≤ error, whatever the reference's uncertainty
+  std::optional<double> padding;  ///< estimated error over true error, where the reference is sharp enough to tell
+};
+
+/// Where the reference's uncertainty is above a tenth of the estimated error it is taken off the difference.
+Deviation deviation(const stoss::Estimate& answer, const stoss::Estimate& reference);
+
+/// The deviations of one quantity over all points that have a reference for it.
+struct Tally {
+  int points = 0;
+  int within = 0;  ///< the error
+  int strictly_within = 0;
+  int blurred = 0;      ///< judged with the reference's uncertainty
+  double greatest = 0;  ///< ratio
+  double padding = 0;   ///< median; infinite where no point can tell
+};
+
+Tally tally(const std::vector<Point>& points, const std::vector<Answer>& answers, Quantity quantity);
+
+/// What is promised of an error: the true one is within it in 95 % of all cases and never beyond three times it, and it
+/// is, in the median, no more than ten times as large.
+bool honest(const Tally& tally);
+
+double median(std::vector<double> values);
+
+}  // namespace validate

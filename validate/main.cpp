@@ -1,0 +1,52 @@
+// Judges the errors of restitution() by finer references, or makes those references. Exit code: 0 if the errors are
+// honest, 1 if they are not or something failed, 2 for a wrong argument, 4 for a file that cannot be written.
+#include <exception>
+#include <fstream>
+#include <iostream>
+#include <sstream>
+#include <string>
+
+#include "reference.hpp"
+#include "report.hpp"
+
+namespace {
+
+int report(const std::string& path) {
+  std::ostringstream text;
+  const bool honest = validate::write_report(text);
+  std::cout << text.str();
+  if (!path.empty()) {
+    std::ofstream file(path);
+    file << text.str();
+    if (!file.flush()) {
+      std::cerr << "stoss_validate: cannot write " << path << '\n';
+      return 4;
+    }
+  }
+  if (!honest) std::cerr << "stoss_validate: the errors are not what they are said to be\n";
+  return honest ? 0 : 1;
+}
+
+int run(int argc, char** argv) {
+  const std::string markdown = "--markdown=";
+  const std::string first = argc > 1 ? argv[1] : "";
+  if (first == "--make-reference" && argc == 3) {
+    validate::make_reference(argv[2]);
+    return 0;
+  }
+  if (argc == 1) return report("");
+  if (argc == 2 && first.rfind(markdown, 0) == 0) return report(first.substr(markdown.size()));
+  std::cerr << "usage: stoss_validate [--markdown=FILE]\n       stoss_validate --make-reference FILE\n";
+  return 2;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  try {
+    return run(argc, argv);
+  } catch (const std::exception& error) {
+    std::cerr << "stoss_validate: " << error.what() << '\n';
+    return 1;
+  }
+}

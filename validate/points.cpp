@@ -1,0 +1,48 @@
+#include "points.hpp"
+
+#include <cmath>
+#include <string>
+
+#include "support/csv.hpp"
+
+namespace validate {
+namespace {
+
+using stoss::Estimate;
+using stoss::test::CsvRow;
+
+Estimate estimate(const CsvRow& row, const std::string& value, const std::string& uncertainty) {
+  return {row.number(value), row.number(uncertainty)};
+}
+
+Point read_point(const CsvRow& row) {
+  Point point{row.number("poisson"), row.number("speed"), {}, {}};
+  const Estimate lost = estimate(row, "lost_fraction", "uncertainty");
+  const double restitution = std::sqrt(1.0 - lost.value);
+  point.reference[lost_fraction] = lost;
+  point.reference[restitution_coefficient] = {restitution, 0.5 * lost.error / restitution};
+  return point;
+}
+
+}  // namespace
+
+std::vector<Point> read_points() {
+  std::vector<Point> points;
+  for (const CsvRow& row : stoss::test::read_csv("../../validate/reference.csv")) {
+    Point point = read_point(row);
+    point.reference[contact_time] = estimate(row, "contact_time", "contact_time_uncertainty");
+    point.reference[max_force] = estimate(row, "max_force", "max_force_uncertainty");
+    point.reference[max_compression] = estimate(row, "max_compression", "max_compression_uncertainty");
+    points.push_back(point);
+  }
+  for (const CsvRow& row : stoss::test::read_csv("restitution_hard_wall.csv")) {
+    Point point = read_point(row);
+    if (row.has("finite_elements_restitution")) {
+      point.finite_elements = estimate(row, "finite_elements_restitution", "finite_elements_uncertainty");
+    }
+    points.push_back(point);
+  }
+  return points;
+}
+
+}  // namespace validate

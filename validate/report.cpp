@@ -1,0 +1,139 @@
+#include "report.hpp"
+
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <iostream>
+#include <ostream>
+#include <string>
+
+#include "judgement.hpp"
+#include "stoss/bodies/rod.hpp"
+#include "text.hpp"
+
+namespace validate {
+namespace {
+
+constexpr std::array tolerances{1e-2, 1e-3, 1e-4};
+constexpr std::size_t by_default = 1;
+
+using Answers = std::vector<Answer>;
+using AllAnswers = std::array<Answers, tolerances.size()>;
+
+std::string number(const char* format, double value) {
+  std::array<char, 64> text{};
+  std::snprintf(text.data(), text.size(), format, value);
+  return text.data();
+}
+
+std::string cell(const char* format, double value) {
+  std::string text = " ";
+  text += number(format, value);
+  return text += " |";
+}
+
+double percent(int part, int all) { return 100.0 * part / all; }
+
+void write_verdict(std::ostream& out, const Tally& judged) {
+  out << "\n## Result\n\n1 − ε² at the tolerance " << number("%g", tolerances[by_default]) << ", " << judged.points
+      << " points:" << number(" %.1f %%", percent(judged.within, judged.points)) << " within the error, the greatest at"
+      << number(" %.2f", judged.greatest) << " times the error, median of error / true error"
+      << number(" %.1f", judged.padding) << ". The conditions are " << (honest(judged) ? "met.\n" : "**not met**.\n");
+}
+
+void write_speed(std::ostream& out, double tolerance, const Answers& answers) {
+  int converged = 0;
+  std::vector<double> times, cutoffs;
+  for (const Answer& answer : answers) {
+    converged += answer.converged ? 1 : 0;
+    times.push_back(1e3 * answer.seconds);
+    cutoffs.push_back(answer.cutoff);
+  }
+  out << "|" << cell("%g", tolerance) << " " << converged << " of " << answers.size() << " |"
+      << cell("%.0f", median(cutoffs)) << cell("%.3g", median(times)) << "\n";
+}
+
+void write_tally(std::ostream& out, double tolerance, Quantity quantity, const Tally& tally) {
+  out << "|" << cell("%g", tolerance) << " " << quantity_names[quantity] << " | " << tally.points << " |"
+      << cell("%.1f %%", percent(tally.within, tally.points))
+      << cell("%.1f %%", percent(tally.strictly_within, tally.points)) << cell("%.2f", tally.greatest)
+      << (std::isfinite(tally.padding) ? cell("%.1f", tally.padding) : " – |") << " " << tally.blurred << " |\n";
+}
+
+void write_speeds(std::ostream& out, const AllAnswers& answers) {
+  out << text::speed;
+  for (std::size_t i = 0; i < tolerances.size(); ++i) write_speed(out, tolerances[i], answers[i]);
+}
+
+void write_tallies(std::ostream& out, const std::vector<Point>& points, const AllAnswers& answers) {
+  out << text::tally;
+  for (std::size_t i = 0; i < tolerances.size(); ++i) {
+    for (std::size_t quantity = 0; quantity < quantities; ++quantity) {
+      const auto which = static_cast<Quantity>(quantity);
+      write_tally(out, tolerances[i], which, tally(points, answers[i], which));
+    }
+  }
+}
+
+void write_point(std::ostream& out, const Point& point, const Answer& answer) {
+  const stoss::Estimate& reference = *point.reference[lost_fraction];
+  const stoss::Estimate& value = answer.value[lost_fraction];
+  const Deviation off = deviation(value, reference);
+  out << "|" << cell("%g", point.poisson) << cell("%.4g", point.speed) << cell("%.8f", reference.value)
+      << cell("%.1e", reference.error) << cell("%.8f", value.value) << cell("%.1e", value.error)
+      << cell(off.padding ? "%.2f" : "%.2f u", off.ratio) << cell("%.0f", answer.cutoff) << "\n";
+}
+
+void write_finite_element_point(std::ostream& out, const Point& point, const Answer& answer) {
+  const stoss::Estimate& value = answer.value[restitution_coefficient];
+  const stoss::Estimate& reference = *point.finite_elements;
+  out << "|" << cell("%g", point.poisson) << cell("%g", point.speed) << cell("%.5f", reference.value)
+      << cell("%.0e", reference.error) << cell("%.6f", value.value) << cell("%.1e", value.error)
+      << cell("%.1e", std::abs(value.value - reference.value)) << "\n";
+}
+
+void write_finite_elements(std::ostream& out, const std::vector<Point>& points, const Answers& answers) {
+  out << text::finite_elements;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (points[i].finite_elements) write_finite_element_point(out, points[i], answers[i]);
+  }
+}
+
+/// Whether the exact value 1 is within the error.
+bool write_rod(std::ostream& out) {
+  const stoss::Restitution rod = best(stoss::RefinableBody(stoss::rod()), 0.1, tolerances[by_default]);
+  const stoss::Estimate& value = rod.restitution;
+  const stoss::Estimate& time = rod.contact_time;
+  const bool contained = std::abs(value.value - 1.0) <= value.error;
+  out << text::rod << "|" << cell("%.0f", rod.finest.cutoff) << cell("%.6f", value.value) << cell("%.1e", value.error)
+      << cell("%.6f", time.value) << cell("%.1e", time.error) << "\n\nIt does" << (contained ? ".\n" : " **not**.\n");
+  return contained;
+}
+
+void write_points(std::ostream& out, const std::vector<Point>& points, const Answers& answers) {
+  out << text::points;
+  for (std::size_t i = 0; i < points.size(); ++i) write_point(out, points[i], answers[i]);
+}
+
+}  // namespace
+
+bool write_report(std::ostream& out) {
+  const std::vector<Point> points = read_points();
+  const Disks disks = make_disks(points);
+  AllAnswers answers;
+  for (std::size_t i = 0; i < tolerances.size(); ++i) {
+    std::cerr << points.size() << " points, tolerance " << tolerances[i] << '\n';
+    answers[i] = answer(disks, points, tolerances[i]);
+  }
+  const Tally judged = tally(points, answers[by_default], lost_fraction);
+  out << text::introduction;
+  write_verdict(out, judged);
+  write_speeds(out, answers);
+  write_tallies(out, points, answers);
+  write_finite_elements(out, points, answers[by_default]);
+  const bool rod = write_rod(out);
+  write_points(out, points, answers[by_default]);
+  return honest(judged) && rod;
+}
+
+}  // namespace validate

@@ -1,0 +1,11 @@
+#pragma once
+
+#include <iosfwd>
+
+namespace validate {
+
+/// Runs restitution() over all points, writes docs/validation.md, and says whether the errors are honest.
+/// @throws std::runtime_error if a reference file cannot be read
+bool write_report(std::ostream& out);
+
+}  // namespace validate
