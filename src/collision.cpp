@@ -46,6 +46,8 @@ double Collision::translation() const { return 0.5 * body_.mass * velocity() * v
 void Collision::respond() {
   for (std::size_t i = 0; i < position_.size(); ++i) position_[i] = compression_ - grid_.recess[i];
   modes_.add_displacement(position_);
+  foremost_before_ = foremost_;
+  foremost_ = *std::max_element(position_.begin(), position_.end());
   const std::vector<double>& force = response_->advance(position_);
   force_ = 0.0;
   for (std::size_t i = 0; i < response_->extent(); ++i) force_ += force[i];
@@ -69,8 +71,8 @@ void Collision::record() {
   const double time = static_cast<double>(steps_) * step_;
   const bool touching = force_ > response_->contact_threshold();
   if (touching) {
-    // A contact begins, on average, half a step before it is noticed, and ends half a step after the last notice.
-    if (!in_contact_ && contacts_++ == 0) first_contact_ = time - 0.5 * step_;
+    // A contact ends, on average, half a step after it is noticed last.
+    if (!in_contact_ && contacts_++ == 0) first_contact_ = time - since_touch() * step_;
     last_contact_ = time + 0.5 * step_;
     if (contact_steps_++ % sampling == 0) {
       modes_.accumulate_energy();
@@ -81,6 +83,12 @@ void Collision::record() {
     reach_ = -1.0;
   }
   in_contact_ = touching;
+}
+
+double Collision::since_touch() const {
+  // At a hard wall the foremost node has moved uniformly from its last position out of contact.
+  const bool hard = response_->contact_threshold() == 0.0;
+  return hard && foremost_ > foremost_before_ ? std::min(1.0, foremost_ / (foremost_ - foremost_before_)) : 0.5;
 }
 
 double Collision::half_width() const {

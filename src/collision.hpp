@@ -45,6 +45,7 @@ class Collision {
  private:
   void respond();
   void record();
+  [[nodiscard]] double since_touch() const;  // in steps, at the first notice of a contact
   [[nodiscard]] double half_width() const;
   [[nodiscard]] double velocity() const;  // synchronous with the position
   [[nodiscard]] double translation() const;
@@ -56,6 +57,8 @@ class Collision {
   KeptModes modes_;
   std::unique_ptr<WallResponse> response_;
   std::vector<double> position_;  // x_dyn of the nodes
+  double foremost_ = 0.0;         // largest of them
+  double foremost_before_ = 0.0;
 
   double compression_;  // extent + x₀, kept instead of x₀ for its digits at small speed
   double velocity_;     // before the kick that is due
