@@ -40,6 +40,10 @@ void DiskArguments::add_to(CLI::App& command) {
       ->required()
       ->type_name("NU")
       ->group("Body");
+  add_material_to(command);
+}
+
+void DiskArguments::add_material_to(CLI::App& command) {
   command.add_option("--young", young, "Young's modulus in Pa; makes speeds m/s and adds SI values")
       ->type_name("PA")
       ->group("Material in SI (all three or none)");

@@ -34,6 +34,9 @@ struct DiskArguments {
 
   void add_to(CLI::App& command);
 
+  /// All but the Poisson number.
+  void add_material_to(CLI::App& command);
+
   /// SI scales if a material was given. @throws InvalidInput if only part of one was
   [[nodiscard]] std::optional<Scales> si() const;
 

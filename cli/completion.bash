@@ -11,7 +11,8 @@ _stoss() {
     --plane) COMPREPLY=($(compgen -W "stress strain" -- "$current")); return ;;
     --wall) COMPREPLY=($(compgen -W "hard exponential" -- "$current")); return ;;
     --tail) COMPREPLY=($(compgen -W "radiating static" -- "$current")); return ;;
-    -o | --output | --trajectory)
+    --method) COMPREPLY=($(compgen -W "converge extrapolate" -- "$current")); return ;;
+    -o | --output | --trajectory | --resume)
       compopt -o filenames
       mapfile -t COMPREPLY < <(compgen -f -- "$current")
       return
@@ -30,7 +31,9 @@ _stoss() {
       COMPREPLY=($(compgen -W "$disk --speed --wall --hardness --strength --tail --cutoff --step --nodes --trajectory \
         --every $output" -- "$current"))
       ;;
-    restitution) COMPREPLY=($(compgen -W "$disk --speed --tolerance --threads $output" -- "$current")) ;;
+    restitution)
+      COMPREPLY=($(compgen -W "$disk --speed --method --tolerance --threads --resume $output" -- "$current"))
+      ;;
   esac
 }
 

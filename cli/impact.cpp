@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <filesystem>
 #include <memory>
 
 #include "arguments.hpp"
@@ -32,13 +31,6 @@ struct ImpactArguments {
 
   [[nodiscard]] bool soft_given() const { return hardness_option->count() + strength_option->count() > 0; }
 };
-
-bool same_file(const std::string& a, const std::string& b) {
-  const auto resolved = [](const std::string& path) {
-    return path.empty() || path == "-" ? std::filesystem::path("-") : std::filesystem::weakly_canonical(path);
-  };
-  return resolved(a) == resolved(b);
-}
 
 Provenance describe(const ImpactArguments& arguments) {
   Provenance provenance{"impact", command_line(), {}};
@@ -130,7 +122,7 @@ void run(const ImpactArguments& arguments) {
     throw InvalidInput(
         "tail: got a tail with --wall exponential, allowed only with --wall hard (the soft wall leaves it out)");
   }
-  if (!arguments.trajectory.empty() && same_file(arguments.trajectory, arguments.output.path)) {
+  if (!arguments.trajectory.empty() && same_output(arguments.trajectory, arguments.output.path)) {
     throw InvalidInput(
         "trajectory: got the file of --output or stdout, allowed another one (one would overwrite the other)");
   }

@@ -23,4 +23,8 @@ void catch_interrupts() {
 
 int interrupted() { return noted; }
 
+void heed_interrupts() {
+  if (interrupted() != 0) throw Interrupted{};
+}
+
 }  // namespace stoss::cli

@@ -11,4 +11,7 @@ void catch_interrupts();
 /// Number of the signal that was noted, or 0.
 [[nodiscard]] int interrupted();
 
+/// @throws Interrupted after Ctrl-C or SIGTERM
+void heed_interrupts();
+
 }  // namespace stoss::cli

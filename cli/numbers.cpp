@@ -18,18 +18,6 @@ constexpr long max_length = 1'000'000;
       fmt::format("{}: got '{}', {} (allowed: a number, a list a,b,c, log:a:b:n or lin:a:b:n)", name, text, reason));
 }
 
-std::vector<std::string> split(const std::string& text, char separator) {
-  std::vector<std::string> parts(1);
-  for (const char c : text) {
-    if (c == separator) {
-      parts.emplace_back();
-    } else {
-      parts.back() += c;
-    }
-  }
-  return parts;
-}
-
 double parse_number(std::string_view name, const std::string& text, std::string part) {
   part.erase(0, part.find_first_not_of(' '));
   part.erase(part.find_last_not_of(' ') + 1);
@@ -63,6 +51,18 @@ std::vector<double> series(std::string_view name, const std::string& text, bool 
 
 }  // namespace
 
+std::vector<std::string> split(const std::string& text, char separator) {
+  std::vector<std::string> parts(1);
+  for (const char c : text) {
+    if (c == separator) {
+      parts.emplace_back();
+    } else {
+      parts.back() += c;
+    }
+  }
+  return parts;
+}
+
 std::vector<double> parse_series(std::string_view name, const std::string& text) {
   if (text.rfind("log:", 0) == 0) return series(name, text, true);
   if (text.rfind("lin:", 0) == 0) return series(name, text, false);
@@ -74,7 +74,8 @@ std::vector<double> parse_series(std::string_view name, const std::string& text)
 std::string with_error(double value, double error) {
   int decimals = 12;
   if (error > 0.0) decimals = std::clamp(1 - static_cast<int>(std::floor(std::log10(error))), 0, 12);
-  return fmt::format("{:.{}f} ± {:.{}f}", value, decimals, error, decimals);
+  if (decimals < 8 || !std::isfinite(error)) return fmt::format("{:.{}f} ± {:.{}f}", value, decimals, error, decimals);
+  return fmt::format("{:.{}f}({:.0f})", value, decimals, error * std::pow(10.0, decimals));
 }
 
 }  // namespace stoss::cli

@@ -3,9 +3,15 @@
 import csv
 import io
 import os
+import signal
 import subprocess
+import time
 
 import pytest
+
+
+# A job of four rows, for what may happen to its file.
+SMALL = "restitution --poisson 0.33,-0.2 --speed 0.1,0.2"
 
 
 class Command:
@@ -19,11 +25,28 @@ class Command:
             [self.path, *words], capture_output=True, text=True, timeout=120, stdin=subprocess.DEVNULL, **options
         )
 
+    def start(self, arguments, **options):
+        """Starts the command; returns the process."""
+
+        # The shell of the tests may ignore signals; the command must see the defaults.
+        def defaults():
+            signal.signal(signal.SIGINT, signal.SIG_DFL)
+            signal.signal(signal.SIGPIPE, signal.SIG_DFL)
+
+        return subprocess.Popen([self.path, *arguments.split()], preexec_fn=defaults, text=True, **options)
+
     def data(self, *arguments):
         """Rows of the CSV output, as dictionaries; the command must succeed."""
         result = self.run(*arguments, "--format csv")
         assert result.returncode == 0, result.stderr
         return rows(result.stdout)
+
+
+def wait_for_rows(process, path, count):
+    """Returns when `count` rows are in the CSV file at `path`; the process must still be at work."""
+    while not path.exists() or len(rows(path.read_text())) < count:
+        assert process.poll() is None
+        time.sleep(0.02)
 
 
 def rows(text):
@@ -34,3 +57,13 @@ def rows(text):
 @pytest.fixture(scope="session")
 def stoss():
     return Command(os.environ["STOSS"])
+
+
+@pytest.fixture(scope="session")
+def small(stoss):
+    """The whole CSV text of the job SMALL."""
+    return stoss.run(SMALL, "--format csv").stdout
+
+
+def resume(stoss, path, job=SMALL, **options):
+    return stoss.run(job, "--resume", str(path), **options)

@@ -43,9 +43,24 @@ BAD_VALUES = [
     ("restitution --poisson 0.33 --speed log:0:0.2:5", "speed", "log:0:0.2:5"),
     ("restitution --poisson 0.33 --speed log:0.1:0.2:1", "speed", "log:0.1:0.2:1"),
     ("restitution --poisson 0.33 --speed log:0.1:0.2:1e12", "speed", "log:0.1:0.2:1e12"),
+    ("restitution --poisson 0.33 --speed 0.1,0.2,inf", "speed", "inf"),
+    ("restitution --poisson 0.33 --speed lin:0.1:nan:3", "speed", "lin:0.1:nan:3"),
+    ("restitution --poisson 0.33 --speed lin:0.5:1.5:3", "speed", "1.5"),
+    ("restitution --speed 0.1 --poisson abc", "poisson", "abc"),
+    ("restitution --speed 0.1 --poisson 0.33,nan", "poisson", "nan"),
+    ("restitution --speed 0.1 --poisson 0.33,1", "poisson", "1"),
+    ("restitution --speed 0.1 --poisson 0.33,", "poisson", "0.33,"),
+    ("restitution --speed 0.1 --poisson lin:-1:0.5:4", "poisson", "-1"),
+    ("restitution --speed 0.1 --poisson log:-0.5:0.5:4", "poisson", "log:-0.5:0.5:4"),
+    ("restitution --speed 0.1 --poisson 0.3,0.99 --method extrapolate --tolerance 0.1", "tolerance", "extrapolate"),
+    ("restitution --speed 0.1 --poisson 0.33,-0.96 --method extrapolate", "poisson", "-0.96"),
     ("restitution --poisson 0.33 --speed 0.1 --tolerance 0", "tolerance", "0"),
+    ("restitution --poisson 0.33 --speed 0.1 --tolerance 1e-16", "tolerance", "1e-16"),
+    ("restitution --poisson 0.33 --speed 0.1 --tolerance 0.6", "tolerance", "0.6"),
     ("restitution --poisson 0.33 --speed 0.1 --tolerance nan", "tolerance", "nan"),
     ("restitution --poisson 0.33 --speed 0.1 --threads -1", "threads", "-1"),
+    ("restitution --poisson 0.33 --speed 0.1 --threads 5000", "threads", "5000"),
+    ("restitution --poisson 0.3,0.2 --speed 1 --young 1e9 --density 1000 --radius 1", "poisson", "2 numbers"),
     ("restitution --poisson 0.33 --speed 1 --young 1e9", "material", "1 of"),
     ("restitution --poisson 0.33 --speed 1 --plane strain", "material", "0 of"),
     ("modes --poisson 0.5 --young 1e9 --density 1000 --radius 1", "poisson", "0.5"),
@@ -66,6 +81,15 @@ def test_value_out_of_range(stoss, arguments, name, got):
     assert line.startswith(f"stoss: error: {name}: got ")
     assert got in line
     assert "allowed" in line
+
+
+@pytest.mark.parametrize("bad", ["--speed 2", "--speed 0.1 --tolerance 7", "--speed 0.1 --threads -1"])
+def test_refused_curve_leaves_the_output_alone(stoss, tmp_path, bad):
+    path = tmp_path / "curve.csv"
+    path.write_text("precious")
+    assert stoss.run(f"restitution --poisson 0.33 -o {path}", bad).returncode == 3
+    assert stoss.run(f"restitution --poisson 0.33,7 --speed 0.1 -o {path}").returncode == 3
+    assert path.read_text() == "precious"
 
 
 def test_motion_that_the_step_does_not_resolve(stoss):
@@ -96,6 +120,10 @@ BAD_USAGE = [
     "impact --poisson 0.33 --speed 0.1 --nodes 1e99",
     "restitution --poisson 0.33",
     "restitution --poisson 0.33 --speed 0.1 --threads two",
+    "restitution --poisson 0.33 --speed 0.1 --method guess",
+    "restitution --poisson 0.33 --speed 0.1 --resume",
+    "modes --poisson 0.33,0.3",
+    "impact --poisson 0.33,0.3 --speed 0.1",
     "restitution --poisson 0.3 --young 1 --density 1 --radius 1 --plane middle --speed 1",
 ]
 

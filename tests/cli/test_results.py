@@ -6,11 +6,6 @@ import math
 import pytest
 from conftest import rows
 
-KEYS = (
-    "poisson speed restitution restitution_error lost_fraction lost_fraction_error contact_time max_compression "
-    "max_force cutoff modes steps energy_error seconds converged beyond_small_strain"
-).split()
-
 
 def test_version(stoss):
     result = stoss.run("--version")
@@ -24,7 +19,7 @@ def test_help_has_units_and_an_example(stoss, subcommand):
     assert result.returncode == 0
     assert result.stderr == ""
     if subcommand:
-        assert "Example:" in result.stdout
+        assert "Example" in result.stdout
         assert f"stoss {subcommand}" in result.stdout
         assert "(default:" in result.stdout
     else:
@@ -44,28 +39,6 @@ def test_number_of_modes(stoss):
     assert len(stoss.data("modes --poisson 0.33 --cutoff 25")) == 295
 
 
-def test_restitution_is_the_reference_within_its_error(stoss):
-    (row,) = stoss.data("restitution --poisson 0.33 --speed 0.1")
-    assert abs(float(row["restitution"]) - 0.94706) <= float(row["restitution_error"]) + 1e-5
-    assert row["converged"] == "true"
-    assert row["beyond_small_strain"] == "false"
-
-
-def test_formats_agree(stoss):
-    arguments = "restitution --poisson 0.33 --speed 0.05,0.2"
-    table = stoss.data(arguments)
-    document = json.loads(stoss.run(arguments, "--format json").stdout)
-    assert document["schema"] == "stoss/restitution/1"
-    assert document["complete"] is True
-    assert document["inputs"]["poisson"] == 0.33
-    assert document["units"]["contact_time"] == "R/c"
-    assert document["command"].startswith("stoss restitution --poisson 0.33")
-    assert [list(record) for record in document["records"]] == [KEYS, KEYS]
-    for row, record in zip(table, document["records"]):
-        assert float(row["restitution"]) == record["restitution"]
-        assert float(row["contact_time[R/c]"]) == record["contact_time"]
-
-
 def test_csv_has_provenance_and_units(stoss):
     text = stoss.run("impact --poisson 0.33 --speed 0.1 --cutoff 12.5 --format csv").stdout
     head = [line for line in text.splitlines() if line.startswith("#")]
@@ -74,21 +47,6 @@ def test_csv_has_provenance_and_units(stoss):
     assert "# wall: hard" in head
     (row,) = rows(text)
     assert {"speed[c]", "contact_time[R/c]", "max_force[piRE]", "max_compression[R]"} <= set(row)
-
-
-def test_series(stoss):
-    logarithmic = [float(row["speed[c]"]) for row in stoss.data("restitution --poisson 0.33 --speed log:0.01:0.16:5")]
-    assert logarithmic == pytest.approx([0.01, 0.02, 0.04, 0.08, 0.16], rel=1e-14)
-    linear = [float(row["speed[c]"]) for row in stoss.data("restitution --poisson 0.33 --speed lin:0.1:0.3:3")]
-    assert linear == pytest.approx([0.1, 0.2, 0.3], rel=1e-14)
-
-
-def test_result_does_not_depend_on_threads(stoss):
-    arguments = "restitution --poisson 0.33 --speed log:0.01:0.3:7 --threads"
-    one, eight = (stoss.data(f"{arguments} {threads}") for threads in (1, 8))
-    for a, b in zip(one, eight, strict=True):
-        del a["seconds[s]"], b["seconds[s]"]
-        assert a == b
 
 
 def test_si_material(stoss):
@@ -151,18 +109,3 @@ def test_trajectory(stoss, tmp_path):
     for row in instants:
         energy = sum(float(row[key]) for key in ("translation", "vibration", "stored", "unresolved"))
         assert energy == pytest.approx(1, abs=2e-3)
-
-
-def test_speed_beyond_small_strain_is_flagged(stoss):
-    result = stoss.run("restitution --poisson 0.33 --speed 0.1,0.7 --format csv")
-    assert result.returncode == 0
-    assert [row["beyond_small_strain"] for row in rows(result.stdout)] == ["false", "true"]
-    assert "linear elasticity" in result.stderr
-    assert stoss.run("restitution --poisson 0.33 --speed 0.7 --quiet").stderr == ""
-
-
-def test_not_converged_is_marked_and_exits_with_1(stoss):
-    result = stoss.run("restitution --poisson 0.33 --speed 0.1 --tolerance 1e-9")
-    assert result.returncode == 1
-    assert "0.9470" in result.stdout and " !" in result.stdout
-    assert "tolerance" in result.stderr

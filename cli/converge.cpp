@@ -1,0 +1,117 @@
+// stoss restitution --method converge: the cutoff is raised until the error is small enough.
+#include "converge.hpp"
+
+#include <algorithm>
+#include <limits>
+
+#include "csv.hpp"
+#include "interrupt.hpp"
+#include "numbers.hpp"
+#include "stoss/bodies/disk.hpp"
+#include "stoss/curve.hpp"
+
+namespace stoss::cli {
+namespace {
+
+constexpr double none = std::numeric_limits<double>::quiet_NaN();
+
+Record make_record(const Restitution& r, double poisson, double speed, const std::optional<Scales>& si,
+                   double seconds) {
+  const Impact& finest = r.finest;
+  const bool ran = !r.runs.empty();
+  Record record{{"poisson", "", poisson, si ? 0 : 8}, {"speed", "c", speed, si ? 0 : 12}};
+  const auto add = [&record](Entry entry) { record.push_back(std::move(entry)); };
+  const auto add_estimate = [&](const std::string& key, const std::string& unit, const Estimate& estimate, int width,
+                                const std::string& shown = {}) {
+    add({key, unit, estimate.value, width, shown});
+    add({key + "_error", unit, estimate.error});
+  };
+  if (si) add({"speed_si", "m/s", speed * si->speed, 12});
+  add_estimate("restitution", "", r.restitution, 22, with_error(r.restitution.value, r.restitution.error));
+  const std::string mark = r.converged ? "  " : " !";
+  add_estimate("lost_fraction", "", r.lost_fraction, 25,
+               with_error(r.lost_fraction.value, r.lost_fraction.error) + mark);
+  add_estimate("contact_time", "R/c", r.contact_time, si ? 0 : 13);
+  add_estimate("max_compression", "R", r.max_compression, 0);
+  add_estimate("max_force", "piRE", r.max_force, 0);
+  add({"cutoff", "c/R", ran ? finest.cutoff : none});
+  add({"modes", "", static_cast<long>(finest.energy.modes.size())});
+  add({"runs", "", static_cast<long>(r.runs.size())});
+  add({"steps", "", r.steps});
+  add({"energy_error", "", ran ? finest.energy_error : none});
+  add({"seconds", "s", seconds});
+  add({"converged", "", r.converged});
+  add({"beyond_small_strain", "", finest.beyond_small_strain});
+  if (si) {
+    add_estimate("contact_time_si", "s", {r.contact_time.value * si->time, r.contact_time.error * si->time}, 17);
+    add_estimate("max_force_si", "N/m", {r.max_force.value * si->force, r.max_force.error * si->force}, 0);
+    add_estimate("max_compression_si", "m",
+                 {r.max_compression.value * si->length, r.max_compression.error * si->length}, 0);
+  }
+  return record;
+}
+
+nlohmann::ordered_json to_json(const std::vector<Run>& runs) {
+  auto list = nlohmann::ordered_json::array();
+  for (const Run& run : runs) {
+    list.push_back({{"cutoff", run.cutoff},
+                    {"step", run.step},
+                    {"nodes", run.nodes},
+                    {"lost_fraction", run.lost_fraction},
+                    {"contact_time", run.contact_time},
+                    {"max_force", run.max_force},
+                    {"max_compression", run.max_compression},
+                    {"energy_error", run.energy_error},
+                    {"steps", run.steps}});
+  }
+  return list;
+}
+
+Row make_row(const Restitution& r, double poisson, double speed, const std::optional<Scales>& si, double seconds) {
+  Row row{.record = make_record(r, poisson, speed, si, seconds), .trouble = r.converged ? "" : r.reason};
+  row.details["runs"] = to_json(r.runs);
+  if (!r.runs.empty()) {
+    const EnergyLedger& ledger = r.finest.energy;
+    row.details["ledger"] = {{"translation", ledger.translation},
+                             {"vibration", ledger.vibration},
+                             {"unresolved", ledger.unresolved},
+                             {"stored", ledger.stored}};
+  }
+  if (!r.converged) row.details["reason"] = r.reason;
+  return row;
+}
+
+}  // namespace
+
+std::string converge_columns(const Job& job) { return csv_columns(make_record({}, 0.0, 0.0, job.si, 0.0)); }
+
+void check_converge(const Job& job, double tolerance, int threads) {
+  for (const double poisson : job.poissons) {
+    const RefinableBody body(disk(poisson));
+    (void)body.at(0);
+    (void)restitution_curve(body, {}, {tolerance, threads});
+  }
+}
+
+void converge(Sweep& sweep, Report& report, double tolerance, int threads) {
+  // The core keeps the results of a curve, with all their modes, until its end: long curves go in pieces.
+  constexpr std::size_t piece = 512;
+  const Job& job = sweep.job();
+  while (sweep.done() < job.size()) {
+    const double poisson = job.poisson(sweep.done());
+    const RefinableBody body(disk(poisson));
+    const auto first = job.speeds.begin() + static_cast<std::ptrdiff_t>(sweep.done() % job.speeds.size());
+    for (auto begin = first; begin != job.speeds.end();) {
+      const auto end = begin + std::min<std::ptrdiff_t>(piece, job.speeds.end() - begin);
+      const std::vector<double> speeds(begin, end);
+      (void)restitution_curve(body, speeds, {tolerance, threads, heed_interrupts},
+                              [&](std::size_t i, const Restitution& result) {
+                                heed_interrupts();
+                                sweep.add(make_row(result, poisson, speeds[i], job.si, sweep.lap()), report);
+                              });
+      begin = end;
+    }
+  }
+}
+
+}  // namespace stoss::cli

@@ -1,0 +1,18 @@
+#pragma once
+
+#include <string>
+
+#include "sweep.hpp"
+
+namespace stoss::cli {
+
+/// Names of the columns of stoss restitution --method extrapolate.
+[[nodiscard]] std::string extrapolate_columns(const Job& job);
+
+/// @throws InvalidInput for speeds at which the paper's method is not to be had, and as the core
+void check_extrapolate(const Job& job);
+
+/// Computes the rows that the sweep does not have yet. @throws Interrupted, OutputError
+void extrapolate(Sweep& sweep, Report& report);
+
+}  // namespace stoss::cli

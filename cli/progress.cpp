@@ -1,0 +1,24 @@
+#include "progress.hpp"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+namespace stoss::cli {
+
+Progress::Progress(const OutputArguments& output, std::size_t total)
+    : visible_(!output.quiet && !output.path.empty() && output.path != "-" && isatty(STDERR_FILENO) != 0),
+      total_(total) {}
+
+void Progress::show(std::size_t done) {
+  if (!visible_) return;
+  constexpr std::size_t width = 40;
+  const std::size_t full = width * done / total_;
+  fmt::print(stderr, "\r[{:#<{}}{:.<{}}] {}/{}{}", "", full, "", width - full, done, total_,
+             done == total_ ? "\n" : "");
+}
+
+void Progress::hide() const {
+  if (visible_) fmt::print(stderr, "\r{:80}\r", "");
+}
+
+}  // namespace stoss::cli

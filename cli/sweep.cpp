@@ -1,0 +1,69 @@
+#include "sweep.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "csv.hpp"
+#include "numbers.hpp"
+#include "stoss/errors.hpp"
+
+namespace stoss::cli {
+
+Sweep::Sweep(Job job, const OutputArguments& output, const std::string& columns)
+    : job_(std::move(job)), output_(output), columns_(split(columns, ',')), progress_(output, job_.size()) {}
+
+bool Sweep::has(const std::vector<std::string>& cells, const std::string& column, const std::string& value) const {
+  const auto found = std::find(columns_.begin(), columns_.end(), column);
+  return found != columns_.end() && cells[static_cast<std::size_t>(found - columns_.begin())] == value;
+}
+
+void Sweep::count(const std::vector<std::string>& cells) {
+  if (has(cells, "converged", "false") || has(cells, "restitution", "nan")) ++marked_;
+  if (has(cells, "beyond_small_strain", "true")) beyond_small_strain_ = true;
+  ++done_;
+}
+
+void Sweep::take(const std::vector<std::string>& cells) {
+  const std::string got = fmt::format("{}, {}", cells[0], cells[1]);
+  if (done_ == job_.size()) {
+    throw InvalidInput(
+        fmt::format("resume: got a row {} in the file, allowed {} (mend it, or write another file)", done_ + 1, done_));
+  }
+  const std::string expected = fmt::format("{}, {}", job_.poisson(done_), job_.speed(done_));
+  if (got != expected) {
+    throw InvalidInput(
+        fmt::format("resume: got poisson and speed {} in row {} of the file, allowed {} (mend it, or "
+                    "write another file)",
+                    got, done_ + 1, expected));
+  }
+  count(cells);
+}
+
+void Sweep::add(const Row& row, Report& report) {
+  report.add(row.record, row.details);
+  if (!row.trouble.empty()) {
+    progress_.hide();
+    output_.warn(fmt::format("poisson {}, speed {:.6g} c: {}", job_.poisson(done_), job_.speed(done_), row.trouble));
+  }
+  count(split(csv_row(row.record), ','));
+  progress_.show(done_);
+}
+
+double Sweep::lap() {
+  const auto now = std::chrono::steady_clock::now();
+  const std::chrono::duration<double> elapsed = now - last_;
+  last_ = now;
+  return elapsed.count();
+}
+
+int Sweep::conclude() const {
+  if (beyond_small_strain_) {
+    output_.warn("speed above 0.5 c or compression above 0.5 R: linear elasticity has lost its meaning there");
+  }
+  if (marked_ == 0) return 0;
+  output_.warn(fmt::format("{} of {} values not as accurate as asked for (marked)", marked_, done_));
+  return 1;
+}
+
+}  // namespace stoss::cli

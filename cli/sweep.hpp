@@ -1,0 +1,69 @@
+#pragma once
+
+#include <chrono>
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "arguments.hpp"
+#include "progress.hpp"
+#include "report.hpp"
+
+namespace stoss::cli {
+
+/// The impacts of `stoss restitution`: for each Poisson number all speeds.
+struct Job {
+  std::vector<double> poissons;
+  std::vector<double> speeds;  ///< c
+  std::optional<Scales> si;
+
+  [[nodiscard]] std::size_t size() const { return poissons.size() * speeds.size(); }
+  [[nodiscard]] double poisson(std::size_t row) const { return poissons[row / speeds.size()]; }
+  [[nodiscard]] double speed(std::size_t row) const { return speeds[row % speeds.size()]; }
+};
+
+/// What is said of one impact of the job.
+struct Row {
+  Record record;
+  nlohmann::ordered_json details = nlohmann::ordered_json::object();  ///< for JSON only
+  std::string trouble;                                                ///< why the value is not what was asked for
+};
+
+/// The rows of a job that are there, and what has to be said about them at the end.
+class Sweep {
+ public:
+  /// @param columns as csv_columns writes them
+  Sweep(Job job, const OutputArguments& output, const std::string& columns);
+
+  /// Takes note of a row of an earlier run. @throws InvalidInput unless it is the next one of this job
+  void take(const std::vector<std::string>& cells);
+
+  /// Writes the next row. @throws OutputError
+  void add(const Row& row, Report& report);
+
+  [[nodiscard]] const Job& job() const { return job_; }
+  [[nodiscard]] std::size_t done() const { return done_; }
+
+  /// Seconds since the row before.
+  [[nodiscard]] double lap();
+
+  /// Warns of rows without the value that was asked for. Returns the exit code.
+  [[nodiscard]] int conclude() const;
+
+ private:
+  [[nodiscard]] bool has(const std::vector<std::string>& cells, const std::string& column,
+                         const std::string& value) const;
+  void count(const std::vector<std::string>& cells);
+
+  Job job_;
+  const OutputArguments& output_;
+  std::vector<std::string> columns_;
+  Progress progress_;
+  std::size_t done_ = 0;
+  std::size_t marked_ = 0;
+  bool beyond_small_strain_ = false;
+  std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
+};
+
+}  // namespace stoss::cli

@@ -1,0 +1,147 @@
+"""stoss restitution --resume: what was computed stays, what is missing is added, nothing else is touched."""
+
+import resource
+import signal
+import subprocess
+
+import pytest
+from conftest import SMALL, resume, rows, wait_for_rows
+
+JOB = "restitution --poisson 0.33,-0.2 --speed log:1e-3:0.3:150"
+INTERRUPTED = "# interrupted: the rows above are complete, later ones are missing\n"
+
+
+def untimed(text):
+    """The rows without the column of seconds."""
+    table = rows(text)
+    for row in table:
+        del row["seconds[s]"]
+    return table
+
+
+def lines(text):
+    return [line for line in text.splitlines() if not line.startswith("#")]
+
+
+@pytest.fixture(scope="module")
+def whole(stoss):
+    return stoss.run(JOB, "--format csv").stdout
+
+
+@pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM, signal.SIGKILL])
+@pytest.mark.parametrize("count", [1, 160])
+def test_interrupted_or_killed_and_resumed(stoss, tmp_path, whole, number, count):
+    path = tmp_path / "curve.csv"
+    command = stoss.start(f"{JOB} --threads 1 --format csv -o {path}", stderr=subprocess.DEVNULL)
+    wait_for_rows(command, path, count)
+    command.send_signal(number)
+    assert command.wait(timeout=60) == (-number if number == signal.SIGKILL else 128 + number)
+    before = path.read_text()
+    assert before.endswith(INTERRUPTED) == (number != signal.SIGKILL)
+    result = resume(stoss, path, JOB)
+    assert (result.returncode, result.stdout, result.stderr) == (0, "", "")
+    after = path.read_text()
+    assert after.startswith(before.removesuffix(INTERRUPTED))
+    assert len(lines(before)) < len(lines(after))
+    assert INTERRUPTED not in after
+    assert untimed(after) == untimed(whole)
+
+
+def test_interrupted_again_and_again(stoss, tmp_path, whole):
+    path = tmp_path / "curve.csv"
+    for count in (5, 50, 151, 200):
+        command = stoss.start(f"{JOB} --threads 1 --resume {path}", stderr=subprocess.DEVNULL)
+        wait_for_rows(command, path, count)
+        command.send_signal(signal.SIGINT)
+        assert command.wait(timeout=60) == 130
+    assert resume(stoss, path, JOB).returncode == 0
+    assert untimed(path.read_text()) == untimed(whole)
+
+
+def test_every_place_of_the_end(stoss, tmp_path, small):
+    path = tmp_path / "curve.csv"
+    header = small.index("poisson,speed")
+    first = small.index("\n", header) + 1
+    cuts = [0, 1, 9, header - 30, header, header + 5, first - 1, first, first + 1, len(small) - 1, len(small)]
+    cuts += range(first + 7, len(small), 97)
+    for cut in cuts:
+        path.write_text(small[:cut])
+        result = resume(stoss, path)
+        assert (result.returncode, result.stderr) == (0, ""), cut
+        assert untimed(path.read_text()) == untimed(small), cut
+        kept = small[: small.rindex("\n", 0, cut) + 1] if cut > first else ""
+        assert path.read_text().startswith(kept)
+
+
+def test_nothing_there_begins_the_file(stoss, tmp_path, small):
+    path = tmp_path / "curve.csv"
+    assert resume(stoss, path).returncode == 0
+    assert untimed(path.read_text()) == untimed(small)
+
+
+def test_complete_file_stays_as_it_is(stoss, tmp_path, small):
+    path = tmp_path / "curve.csv"
+    path.write_text(small)
+    result = resume(stoss, path)
+    assert (result.returncode, result.stdout, result.stderr) == (0, "", "")
+    assert path.read_text() == small
+
+
+def test_marks_of_earlier_rows_count(stoss, tmp_path):
+    path = tmp_path / "curve.csv"
+    job = "restitution --poisson 0.33 --speed 0.7 --tolerance 1e-12"
+    assert resume(stoss, path, job).returncode == 1
+    before = path.read_text()
+    result = resume(stoss, path, job)
+    assert result.returncode == 1
+    assert "linear elasticity" in result.stderr
+    assert "1 of 1 values" in result.stderr
+    quiet = resume(stoss, path, f"{job} --quiet")
+    assert (quiet.returncode, quiet.stderr) == (1, "")
+    assert path.read_text() == before
+
+
+def test_material(stoss, tmp_path):
+    path = tmp_path / "curve.csv"
+    job = "restitution --poisson 0.3 --young 2.1e11 --density 7850 --radius 0.01 --plane strain --speed 10,20,30"
+    text = stoss.run(job, "--format csv").stdout
+    path.write_text(text[:-200])
+    assert resume(stoss, path, job).returncode == 0
+    assert untimed(path.read_text()) == untimed(text)
+    other = resume(stoss, path, job.replace("7850", "7851"))
+    assert (other.returncode, path.read_text().count("\n")) == (3, text.count("\n"))
+    assert "got 7851" in other.stderr.replace(".0", "") or "poisson" in other.stderr
+
+
+def test_same_output_is_allowed(stoss, tmp_path, small):
+    path = tmp_path / "x.csv"
+    assert resume(stoss, path, f"{SMALL} --format csv -o {tmp_path}/./x.csv").returncode == 0
+    assert untimed(path.read_text()) == untimed(small)
+
+
+def test_full_disk_then_resume(stoss, tmp_path, whole):
+    path = tmp_path / "curve.csv"
+
+    def little_space():
+        signal.signal(signal.SIGXFSZ, signal.SIG_IGN)
+        resource.setrlimit(resource.RLIMIT_FSIZE, (20000, 20000))
+
+    for _ in range(2):  # a file begun and a file continued
+        result = resume(stoss, path, JOB, preexec_fn=little_space)
+        assert result.returncode == 4
+        (line,) = result.stderr.splitlines()
+        assert "cannot write" in line and "curve.csv" in line
+        assert path.stat().st_size == 20000
+    assert resume(stoss, path, JOB).returncode == 0
+    assert untimed(path.read_text()) == untimed(whole)
+
+
+def test_two_at_the_same_file(stoss, tmp_path, whole):
+    path = tmp_path / "curve.csv"
+    first = stoss.start(f"{JOB} --resume {path}")
+    wait_for_rows(first, path, 1)
+    second = resume(stoss, path, JOB)
+    assert second.returncode == 4
+    assert "another stoss is writing it" in second.stderr
+    assert first.wait(timeout=60) == 0
+    assert untimed(path.read_text()) == untimed(whole)
