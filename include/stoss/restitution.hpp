@@ -28,8 +28,8 @@ class RefinableBody {
   std::shared_ptr<Levels> levels_;
 };
 
-/// A number with its estimated error: in the validation (docs/validation.md) the true error of ε and of 1 − ε² is within
-/// it in 95 % of all cases, and never beyond three times it.
+/// A number with its estimated error: in the validation (docs/validation.md) the true error of ε and of 1 − ε² is
+/// within it in 95 % of all cases, and never beyond three times it.
 struct Estimate {
   double value = 0.0;
   double error = 0.0;
