@@ -7,7 +7,7 @@ import subprocess
 import pytest
 from conftest import SMALL, resume, rows, wait_for_rows
 
-JOB = "restitution --poisson 0.33,-0.2 --speed log:1e-3:0.3:150"
+JOB = "restitution --poisson 0.33,-0.2 --speed log:1e-3:0.3:60"
 INTERRUPTED = "# interrupted: the rows above are complete, later ones are missing\n"
 
 
@@ -29,7 +29,7 @@ def whole(stoss):
 
 
 @pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM, signal.SIGKILL])
-@pytest.mark.parametrize("count", [1, 160])
+@pytest.mark.parametrize("count", [1, 70])
 def test_interrupted_or_killed_and_resumed(stoss, tmp_path, whole, number, count):
     path = tmp_path / "curve.csv"
     command = stoss.start(f"{JOB} --threads 1 --format csv -o {path}", stderr=subprocess.DEVNULL)
@@ -49,7 +49,7 @@ def test_interrupted_or_killed_and_resumed(stoss, tmp_path, whole, number, count
 
 def test_interrupted_again_and_again(stoss, tmp_path, whole):
     path = tmp_path / "curve.csv"
-    for count in (5, 50, 151, 200):
+    for count in (5, 30, 61, 90):
         command = stoss.start(f"{JOB} --threads 1 --resume {path}", stderr=subprocess.DEVNULL)
         wait_for_rows(command, path, count)
         command.send_signal(signal.SIGINT)
