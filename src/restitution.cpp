@@ -14,7 +14,7 @@ constexpr int first_runs = 4;  // two that agree by chance say nothing
 constexpr int first_rungs = 2;
 constexpr double slow_order = 1.5;
 constexpr double safety = 6.0;
-constexpr double slack = 1.3;  // the error may turn out smaller than the order of convergence says
+constexpr double slack = 1.1;  // the error may turn out smaller than the order of convergence says
 
 /// Order of convergence in the cutoff, as observed: with one point of contact the force jumps, on a surface it grows.
 double convergence_order(const Body& body) { return body.max_half_width == 0.0 ? 1.0 : 2.5; }
