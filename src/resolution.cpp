@@ -110,8 +110,8 @@ ImpactOptions refined_resolution(const Body& body, double speed, double half_wid
   const double width = half_width > 0.0 ? std::min(margin * half_width, body.max_half_width)
                                         : initial_half_width(body, HardWall{}, speed);
   // The pressure varies over the contact; and over the waves that the kept modes send along the edge.
-  const double nodes = std::max(
-      {20.0 * std::pow(body.cutoff / 12.5, 0.65), 1.3 * body.cutoff * std::sqrt(width), 1.02 * nyquist_nodes(body, width)});
+  const double nodes = std::max({20.0 * std::pow(body.cutoff / 12.5, 0.65), 1.3 * body.cutoff * std::sqrt(width),
+                                 1.02 * nyquist_nodes(body, width)});
   constexpr double vector = 8.0;
   options.half_width = width;
   options.nodes = static_cast<int>(std::min<double>(vector * std::ceil(nodes / vector), max_nodes));
