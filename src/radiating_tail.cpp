@@ -49,6 +49,23 @@ void add_kick_compliance(const Body& body, const ContactGrid& grid, double step,
   compliance.noalias() += shape.transpose() * response;
 }
 
+/// Y with V = Y Yᵀ, by Cholesky factorization with pivots, up to the rank at which what is left of V is rounding. Eigen
+/// has none that updates the diagonal before it chooses.
+Matrix root(Matrix moment) {
+  constexpr double rounding = 1e-12;
+  constexpr Eigen::Index lanes = 8;  // a step's products prefer whole vectors; the columns beyond the rank are 0
+  const auto n = moment.rows();
+  const double least = rounding * moment.diagonal().maxCoeff();
+  Matrix result = Matrix::Zero(n, (n + lanes - 1) / lanes * lanes);
+  Eigen::Index rank = 0, pivot = 0;
+  for (; rank < n && moment.diagonal().maxCoeff(&pivot) > least; ++rank) {
+    const Eigen::VectorXd column = moment.col(pivot) / std::sqrt(moment(pivot, pivot));
+    moment.noalias() -= column * column.transpose();
+    result.col(rank) = column;
+  }
+  return result.leftCols((rank + lanes - 1) / lanes * lanes);
+}
+
 Cholesky factor(const Matrix& positive) {
   Cholesky result(positive);
   if (result.info() != Eigen::Success) {
@@ -64,73 +81,73 @@ RadiatingTail::Matrices RadiatingTail::discretize(const Body& body, const Contac
   Matrix compliance = matrix(residual_matrix(body, body.residual_compliance, grid), n);
   add_kick_compliance(body, grid, step, compliance);
   const Matrix moment = matrix(residual_matrix(body, body.residual_second_moment, grid), n);
-  const Eigen::Map<const Eigen::VectorXd> impedance(grid.impedance.data(), n);
+  const Eigen::VectorXd impedance = Eigen::Map<const Eigen::VectorXd>(grid.impedance.data(), n);
+  const Eigen::VectorXd link = impedance * (link_stiffness * body.cutoff + 1.0 / step);
 
   const Matrix stiffness = factor(compliance).solve(Matrix::Identity(n, n));
-  Matrix mass = stiffness * moment * stiffness * (4.0 / (step * step));
-  mass = 0.5 * (mass + mass.transpose()).eval();
-  const Eigen::VectorXd link = impedance * (link_stiffness * body.cutoff + 1.0 / step);
-  // D = (μ⁻¹ + B⁻¹)⁻¹ = μ − μ (μ + B)⁻¹ μ with μ = 4M/Δt², as M may be singular.
-  Matrix sum = mass;
-  sum.diagonal() += link;
-  const Matrix half = factor(sum).matrixL().solve(mass);
-  Matrix drag = mass;
-  drag.noalias() -= half.transpose() * half;
+  const Matrix participation = stiffness * root(moment);
+  Matrix inertia = participation.transpose() * link.cwiseInverse().asDiagonal() * participation;
+  inertia.diagonal().array() += 0.25 * step * step;
+  const Cholesky factored = factor(inertia);
+  const Matrix drag = factored.solve(participation.transpose());
 
-  Matrix damped = factor(stiffness + drag).solve(Matrix::Identity(n, n));
+  Matrix damped = stiffness;
+  damped.noalias() += participation * drag;
+  damped = factor(0.5 * (damped + damped.transpose())).solve(Matrix::Identity(n, n));
   damped = 0.5 * (damped + damped.transpose()).eval();
-  const Eigen::VectorXd give = link.cwiseInverse();
-  return {values(damped), values(drag * damped), values(drag), {give.data(), give.data() + n}};
+  const auto masses = participation.cols();
+  return {values(damped), values(participation), values(factored.solve(Matrix::Identity(masses, masses))),
+          values(drag * damped), static_cast<std::size_t>(masses)};
 }
 
 RadiatingTail::RadiatingTail(const Body& body, const ContactGrid& grid, double step)
-    : RadiatingTail(discretize(body, grid, step), body.cutoff, step) {}
+    : RadiatingTail(discretize(body, grid, step), grid.recess.size(), body.cutoff, step) {}
 
-RadiatingTail::RadiatingTail(Matrices matrices, double cutoff, double step)
+RadiatingTail::RadiatingTail(Matrices matrices, std::size_t nodes, double cutoff, double step)
     : step_(step),
       fading_(1.0 / (1.0 + link_stiffness * cutoff * step)),
-      contact_(std::move(matrices.compliance), matrices.link.size()),
+      contact_(std::move(matrices.compliance), nodes),
+      participation_(std::move(matrices.participation)),
+      mobility_(std::move(matrices.mobility)),
       memory_(std::move(matrices.memory)),
-      drag_(std::move(matrices.drag)),
-      link_(std::move(matrices.link)),
-      position_(link_.size()),
-      displacement_(position_),
-      mass_displacement_(position_),
-      mass_velocity_(position_),
-      mass_acceleration_(position_),
-      stretch_(position_),
-      force_(position_),
-      old_force_(position_),
-      free_rest_(position_),
-      free_(position_),
-      contact_displacement_(position_),
-      gap_(position_),
-      branch_force_(position_) {}
+      position_(nodes),
+      displacement_(nodes),
+      force_(nodes),
+      old_force_(nodes),
+      free_(nodes),
+      contact_displacement_(nodes),
+      gap_(nodes),
+      mass_displacement_(matrices.masses),
+      mass_velocity_(matrices.masses),
+      mass_acceleration_(matrices.masses),
+      stretch_(matrices.masses),
+      rest_(matrices.masses),
+      moved_(matrices.masses) {}
 
 const std::vector<double>& RadiatingTail::advance(const std::vector<double>& position) {
-  const std::size_t size = position.size();
+  const std::size_t nodes = position.size(), masses = rest_.size();
   const double half = 0.5 * step_;
-  for (std::size_t i = 0; i < size; ++i) {
-    free_rest_[i] =
-        mass_displacement_[i] + step_ * mass_velocity_[i] + half * half * mass_acceleration_[i] + fading_ * stretch_[i];
+  for (std::size_t k = 0; k < masses; ++k) {
+    // From here η, η̇ are what they would become without the new acceleration.
+    mass_displacement_[k] += step_ * mass_velocity_[k] + half * half * mass_acceleration_[k];
+    mass_velocity_[k] += half * mass_acceleration_[k];
+    rest_[k] = mass_displacement_[k] + fading_ * stretch_[k];
   }
-  kernels::multiply_transposed(memory_.data(), size, size, 0, size, free_rest_.data(), free_.data());
-  for (std::size_t i = 0; i < size; ++i) gap_[i] = position[i] - free_[i];
+  kernels::multiply_transposed(memory_.data(), nodes, masses, 0, nodes, rest_.data(), free_.data());
+  for (std::size_t i = 0; i < nodes; ++i) gap_[i] = position[i] - free_[i];
   old_force_.swap(force_);
   contact_.solve(gap_, force_, contact_displacement_);
-  for (std::size_t i = 0; i < size; ++i) {
+  for (std::size_t i = 0; i < nodes; ++i) {
     displacement_[i] = free_[i] + contact_displacement_[i];
-    free_rest_[i] = displacement_[i] - free_rest_[i];
     work_ += 0.5 * (old_force_[i] + force_[i]) * (position[i] - position_[i]);
   }
-  kernels::multiply_transposed(drag_.data(), size, size, 0, size, free_rest_.data(), branch_force_.data());
-  for (std::size_t i = 0; i < size; ++i) {
-    stretch_[i] = link_[i] * branch_force_[i] + fading_ * stretch_[i];
-    const double moved = displacement_[i] - stretch_[i] - mass_displacement_[i];
-    const double accelerations = (moved - step_ * mass_velocity_[i]) / (half * half);  // old and new
-    mass_displacement_[i] += moved;
-    mass_velocity_[i] += half * accelerations;
-    mass_acceleration_[i] = accelerations - mass_acceleration_[i];
+  kernels::multiply_transposed(participation_.data(), masses, nodes, 0, masses, displacement_.data(), moved_.data());
+  for (std::size_t k = 0; k < masses; ++k) rest_[k] = moved_[k] - rest_[k];
+  kernels::multiply_transposed(mobility_.data(), masses, masses, 0, masses, rest_.data(), mass_acceleration_.data());
+  for (std::size_t k = 0; k < masses; ++k) {
+    mass_displacement_[k] += half * half * mass_acceleration_[k];
+    mass_velocity_[k] += half * mass_acceleration_[k];
+    stretch_[k] = moved_[k] - mass_displacement_[k];
   }
   position_ = position;
   return force_;

@@ -112,6 +112,16 @@ TEST(StepOrder, OfTheVelocityInsideAContactIsTwo) {
   }
 }
 
+TEST(SmallSteps, LeaveTheRadiatingTailStable) {
+  const Body body = disk(0.33, 12.5);
+  const double expected = impact(body, HardWall{}, 0.1, {.step = 1e-4}).lost_fraction;
+  for (const double step : {4e-5, 1e-5}) {
+    const Impact result = impact(body, HardWall{}, 0.1, {.step = step});
+    EXPECT_NEAR(result.lost_fraction, expected, 1e-6) << step;
+    EXPECT_NEAR(result.energy_error, 0.0, 1e-9) << step;
+  }
+}
+
 TEST(CutoffConvergence, OfTheRadiatingTailIsFasterThanOfTheStaticOne) {
   for (const double speed : {0.02, 0.1, 0.3}) {
     const double converged = impact(disk(0.33, 100.0), HardWall{}, speed).lost_fraction;
