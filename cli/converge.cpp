@@ -86,31 +86,21 @@ Row make_row(const Restitution& r, double poisson, double speed, const std::opti
 std::string converge_columns(const Job& job) { return csv_columns(make_record({}, 0.0, 0.0, job.si, 0.0)); }
 
 void check_converge(const Job& job, double tolerance, int threads) {
-  for (const double poisson : job.poissons) {
-    const RefinableBody body(disk(poisson));
-    (void)body.at(0);
-    (void)restitution_curve(body, {}, {tolerance, threads});
-  }
+  validate(job.speeds, {tolerance, threads});
+  for (const double poisson : job.poissons) (void)disk(poisson);
 }
 
 void converge(Sweep& sweep, Report& report, double tolerance, int threads) {
-  // The core keeps the results of a curve, with all their modes, until its end: long curves go in pieces.
-  constexpr std::size_t piece = 512;
   const Job& job = sweep.job();
   while (sweep.done() < job.size()) {
     const double poisson = job.poisson(sweep.done());
-    const RefinableBody body(disk(poisson));
-    const auto first = job.speeds.begin() + static_cast<std::ptrdiff_t>(sweep.done() % job.speeds.size());
-    for (auto begin = first; begin != job.speeds.end();) {
-      const auto end = begin + std::min<std::ptrdiff_t>(piece, job.speeds.end() - begin);
-      const std::vector<double> speeds(begin, end);
-      (void)restitution_curve(body, speeds, {tolerance, threads, heed_interrupts},
-                              [&](std::size_t i, const Restitution& result) {
-                                heed_interrupts();
-                                sweep.add(make_row(result, poisson, speeds[i], job.si, sweep.lap()), report);
-                              });
-      begin = end;
-    }
+    const auto first = static_cast<std::ptrdiff_t>(sweep.done() % job.speeds.size());
+    const std::vector<double> speeds(job.speeds.begin() + first, job.speeds.end());
+    restitution_curve(RefinableBody(disk(poisson)), speeds, {tolerance, threads, heed_interrupts},
+                      [&](std::size_t i, const Restitution& result) {
+                        heed_interrupts();
+                        sweep.add(make_row(result, poisson, speeds[i], job.si, sweep.lap()), report);
+                      });
   }
 }
 

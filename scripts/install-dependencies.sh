@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Installs the Debian packages that stoss needs and that are missing, as root or through sudo: all of them, or with the
-# argument `build` only those for the library and the command.
+# argument `build` only those for the library and the command, with `python` also those for the Python package.
 # Where that is not possible it names what is missing and stops with an error.
 set -euo pipefail
 
@@ -9,10 +9,17 @@ packages=(
   g++ cmake ninja-build make git libeigen3-dev libboost-dev
   libcli11-dev libfmt-dev nlohmann-json3-dev
 )
+# The Python package.
+if [ "${1:-all}" != build ]; then
+  packages+=(
+    python3-dev pybind11-dev python3-numpy python3-matplotlib
+    python3-venv python3-pip python3-setuptools python3-wheel
+  )
+fi
 # Tests; benchmarks; checks.
 if [ "${1:-all}" = all ]; then
   packages+=(
-    libgtest-dev libgmock-dev python3 python3-pytest
+    libgtest-dev libgmock-dev python3-pytest python3-hypothesis python3-tqdm mypy
     libbenchmark-dev
     clang clang-format clang-tidy
   )

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "stoss/errors.hpp"
+#include "stoss/modes.hpp"
 
 namespace stoss {
 namespace {
@@ -35,6 +36,12 @@ void require(std::string_view name, long value, long low, long high, std::string
   if (value < low || value > high) {
     refuse(name, value, std::to_string(low) + " to " + std::to_string(high), hint);
   }
+}
+
+void require_poisson(double poisson) {
+  constexpr Range allowed{min_poisson, max_poisson, true, true, "-0.95 to 0.995"};
+  require("poisson", poisson, allowed,
+          "2-D Poisson number, plane stress; for plane strain pass nu/(1-nu) of the material");
 }
 
 void require_speed(double speed) {

@@ -49,6 +49,7 @@ void Collision::respond() {
   foremost_before_ = foremost_;
   foremost_ = *std::max_element(position_.begin(), position_.end());
   const std::vector<double>& force = response_->advance(position_);
+  node_force_ = &force;
   force_ = 0.0;
   for (std::size_t i = 0; i < response_->extent(); ++i) force_ += force[i];
   modes_.load(force, response_->extent());
@@ -123,6 +124,12 @@ Snapshot Collision::snapshot() const {
 
 State Collision::state() const {
   return {compression_ - body_.extent, velocity(), modes_.coordinate(), modes_.momentum()};
+}
+
+std::vector<double> Collision::node_force() const {
+  std::vector<double> shares(node_force_->size());
+  for (std::size_t i = 0; i < response_->extent(); ++i) shares[i] = (*node_force_)[i] / body_.mass;
+  return shares;
 }
 
 Impact Collision::result() const {

@@ -42,6 +42,9 @@ class Collision {
 
   [[nodiscard]] State state() const;
 
+  /// Share of each node in the force.
+  [[nodiscard]] std::vector<double> node_force() const;
+
  private:
   void respond();
   void record();
@@ -62,7 +65,8 @@ class Collision {
 
   double compression_;  // extent + x₀, kept instead of x₀ for its digits at small speed
   double velocity_;     // before the kick that is due
-  double force_ = 0.0;  // total
+  const std::vector<double>* node_force_ = nullptr;  // of response_
+  double force_ = 0.0;                               // total
   double initial_energy_;
   double initial_velocity_;
   long steps_ = 0;

@@ -37,32 +37,39 @@ Restitution point(const RefinableBody& body, double speed, const RestitutionOpti
 
 }  // namespace
 
-std::vector<Restitution> restitution_curve(const RefinableBody& body, const std::vector<double>& speeds,
-                                           const CurveOptions& options, const CurveObserver& observer) {
+void validate(const std::vector<double>& speeds, const CurveOptions& options) {
   require_tolerance(options.tolerance);
   require("threads", static_cast<long>(options.threads), 0, 1024, "0 for as many as the machine has");
   for (const double speed : speeds) require_speed(speed);
+}
+
+void restitution_curve(const RefinableBody& body, const std::vector<double>& speeds, const CurveOptions& options,
+                       const CurveObserver& observer) {
+  validate(speeds, options);
   const auto available = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
   const auto wanted = static_cast<std::size_t>(options.threads == 0 ? available : options.threads);
-  std::vector<Restitution> results(speeds.size());
   const auto job = [&](std::size_t i, const std::atomic<bool>& stop) {
     const auto heed = [&stop] {
       if (stop) throw Stopped{};
     };
     return point(body, speeds[i], {options.tolerance, heed});
   };
-  const auto deliver = [&](std::size_t i, Restitution&& result) {
-    results[i] = std::move(result);
-    if (observer) observer(i, results[i]);
-  };
+  const auto deliver = [&](std::size_t i, Restitution&& result) { observer(i, result); };
   run_in_order<Restitution>(speeds.size(), static_cast<int>(std::min(wanted, speeds.size())), job, deliver,
                             options.poll);
+}
+
+std::vector<Restitution> restitution_curve(const RefinableBody& body, const std::vector<double>& speeds,
+                                           const CurveOptions& options) {
+  std::vector<Restitution> results;
+  results.reserve(speeds.size());
+  restitution_curve(body, speeds, options, [&](std::size_t, const Restitution& result) { results.push_back(result); });
   return results;
 }
 
 std::vector<Restitution> restitution_curve(double poisson, const std::vector<double>& speeds,
-                                           const CurveOptions& options, const CurveObserver& observer) {
-  return restitution_curve(RefinableBody(disk(poisson)), speeds, options, observer);
+                                           const CurveOptions& options) {
+  return restitution_curve(RefinableBody(disk(poisson)), speeds, options);
 }
 
 }  // namespace stoss

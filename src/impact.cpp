@@ -42,10 +42,13 @@ std::optional<Impact> run(const Body& body, const Wall& wall, double speed, cons
   const auto observe = [&] {
     Snapshot now = collision.snapshot();
     State state;
+    std::vector<double> node_force;
     if (options.observe_modes) {
       state = collision.state();
+      node_force = collision.node_force();
       now.coordinate = state.coordinate;
       now.momentum = state.momentum;
+      now.node_force = node_force;
     }
     observer(now);
   };

@@ -56,7 +56,7 @@ TEST(Curve, IsObservedInOrderOnTheCallingThread) {
     EXPECT_EQ(point.finest.speed, speeds(9)[i]);
     order.push_back(i);
   };
-  (void)restitution_curve(0.33, speeds(9), {.tolerance = 1e-2, .threads = 4}, observer);
+  restitution_curve(RefinableBody(disk(0.33)), speeds(9), {.tolerance = 1e-2, .threads = 4}, observer);
   EXPECT_EQ(order, (std::vector<std::size_t>{0, 1, 2, 3, 4, 5, 6, 7, 8}));
 }
 
@@ -75,7 +75,7 @@ TEST(Curve, EndsSoonWhenPollOrObserverThrow) {
     seen = i;
     if (i == 2) throw Enough{};
   };
-  EXPECT_THROW((void)restitution_curve(0.33, speeds(50), {.tolerance = 1e-2}, observer), Enough);
+  EXPECT_THROW(restitution_curve(RefinableBody(disk(0.33)), speeds(50), {.tolerance = 1e-2}, observer), Enough);
   EXPECT_EQ(seen, 2U);
 }
 
@@ -104,11 +104,21 @@ TEST(Curve, GoesOnBeyondAPointThatDoesNotConverge) {
 TEST(Curve, RefusesBadInputBeforeItComputes) {
   int seen = 0;
   const auto observer = [&seen](std::size_t, const Restitution&) { ++seen; };
-  test::expect_refusal([&] { (void)restitution_curve(0.33, {0.1, 2.0}, {}, observer); }, {"speed", "got 2,"});
-  test::expect_refusal([&] { (void)restitution_curve(0.33, {0.1, std::nan("")}, {}, observer); }, {"speed", "nan"});
-  test::expect_refusal([&] { (void)restitution_curve(0.33, {0.1}, {.tolerance = 0.0}, observer); }, {"tolerance"});
-  test::expect_refusal([&] { (void)restitution_curve(0.33, {0.1}, {.threads = -1}, observer); }, {"threads", "-1"});
-  test::expect_refusal([&] { (void)restitution_curve(1.1, {0.1}, {}, observer); }, {"poisson", "1.1"});
+  test::expect_refusal(
+      [&] {
+        restitution_curve(RefinableBody(disk(0.33)), {0.1, 2.0}, {}, observer);
+      },
+      {"speed", "got 2,"});
+  test::expect_refusal(
+      [&] {
+        restitution_curve(RefinableBody(disk(0.33)), {0.1, std::nan("")}, {}, observer);
+      },
+      {"speed", "nan"});
+  test::expect_refusal([&] { restitution_curve(RefinableBody(disk(0.33)), {0.1}, {.tolerance = 0.0}, observer); },
+                       {"tolerance"});
+  test::expect_refusal([&] { restitution_curve(RefinableBody(disk(0.33)), {0.1}, {.threads = -1}, observer); },
+                       {"threads", "-1"});
+  test::expect_refusal([&] { (void)restitution_curve(1.1, {0.1}); }, {"poisson", "1.1"});
   EXPECT_EQ(seen, 0);
 }
 

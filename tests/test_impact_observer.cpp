@@ -99,6 +99,12 @@ TEST_P(Observer, GetsTheModesOnRequest) {
       }
     }
     EXPECT_NEAR(energy / initial, now.vibration, 1e-12);
+    double force = 0.0;
+    for (const double share : now.node_force) {
+      EXPECT_GE(share, 0.0);
+      force += share;
+    }
+    EXPECT_NEAR(force, now.force, 1e-12);
     coordinate.assign(now.coordinate.begin(), now.coordinate.end());
     momentum.assign(now.momentum.begin(), now.momentum.end());
   });

@@ -18,18 +18,22 @@ struct CurveOptions {
   std::function<void()> poll{};  ///< called at least every 50 ms on the calling thread; what it throws ends the curve
 };
 
-/// ε at each of the speeds. A point that does not converge does not end the curve: it has `converged` false, a reason,
-/// and the best value, or NaN where no two impacts end.
+/// Checks what a curve relies on. @throws InvalidInput for speeds, a tolerance or threads out of range
+void validate(const std::vector<double>& speeds, const CurveOptions& options);
+
+/// ε at each of the speeds, handed over one by one. A point that does not converge does not end the curve: it has
+/// `converged` false, a reason, and the best value, or NaN where no two impacts end.
 /// @throws InvalidInput for arguments out of range, before anything is computed; what observer and poll throw, after
-/// the
-///         impacts under way have stopped
+///         the impacts under way have stopped
+void restitution_curve(const RefinableBody& body, const std::vector<double>& speeds, const CurveOptions& options,
+                       const CurveObserver& observer);
+
+/// The same, collected. Each result holds all modes of its finest impact (0.05 MB): long curves had better be observed.
 [[nodiscard]] std::vector<Restitution> restitution_curve(const RefinableBody& body, const std::vector<double>& speeds,
-                                                         const CurveOptions& options = {},
-                                                         const CurveObserver& observer = {});
+                                                         const CurveOptions& options = {});
 
 /// The same for a disk. @param poisson 2-D Poisson number, −0.95 … 0.995
 [[nodiscard]] std::vector<Restitution> restitution_curve(double poisson, const std::vector<double>& speeds,
-                                                         const CurveOptions& options = {},
-                                                         const CurveObserver& observer = {});
+                                                         const CurveOptions& options = {});
 
 }  // namespace stoss

@@ -27,7 +27,7 @@ struct ImpactOptions {
   std::optional<int> nodes{};          ///< of the contact grid; otherwise recommended_nodes
   std::optional<double> half_width{};  ///< of the contact grid, R; otherwise 1.25 times the expected one of the contact
   int observe_every = 1;               ///< the observer sees every so many steps
-  bool observe_modes = false;          ///< fill Snapshot::coordinate and momentum
+  bool observe_modes = false;          ///< fill Snapshot::coordinate, momentum and node_force
   std::optional<State>
       start{};  ///< a vibrating body, of velocity `speed`; otherwise at rest inside, just out of contact
   std::function<void()> poll{};  ///< called every few milliseconds or oftener; what it throws ends the computation
@@ -46,6 +46,7 @@ struct Snapshot {
   double contact_half_width = 0.0;     ///< R
   std::span<const double> coordinate;  ///< Q, on request; valid during the call
   std::span<const double> momentum;    ///< P, on request; valid during the call
+  std::span<const double> node_force;  ///< share of each contact node in F, on request; valid during the call
 };
 
 /// Called in order of time. What it throws ends the impact and reaches the caller.

@@ -95,6 +95,7 @@ Body disk(double poisson, double cutoff) {
 }
 
 BodyMaker disk(double poisson) {
+  require_poisson(poisson);
   return [poisson](double cutoff) { return disk(poisson, cutoff); };
 }
 

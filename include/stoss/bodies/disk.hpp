@@ -11,7 +11,7 @@ namespace stoss {
 /// @throws InvalidInput as disk_modes
 [[nodiscard]] Body disk(double poisson, double cutoff);
 
-/// The same for any cutoff: restitution chooses its own.
+/// The same for any cutoff: restitution chooses its own. @throws InvalidInput for a Poisson number out of range
 [[nodiscard]] BodyMaker disk(double poisson);
 
 }  // namespace stoss

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <pybind11/pybind11.h>
+
+/// What each room of the core adds to the module stoss._core. The package in python/stoss checks types, broadcasts and
+/// documents; here nothing is computed.
+namespace stoss::python {
+
+namespace py = pybind11;
+
+void bind_errors(py::module_& module);
+void bind_material(py::module_& module);
+void bind_modes(py::module_& module);
+void bind_body(py::module_& module);
+void bind_wall(py::module_& module);
+void bind_impact(py::module_& module);
+void bind_motion(py::module_& module);
+void bind_field(py::module_& module);
+void bind_restitution(py::module_& module);
+void bind_extrapolation(py::module_& module);
+
+/// Throws KeyboardInterrupt if Ctrl-C was pressed. For the core's `poll`, without the GIL.
+void heed_signals();
+
+}  // namespace stoss::python

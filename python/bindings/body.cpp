@@ -1,0 +1,25 @@
+#include "stoss/body.hpp"
+
+#include "bindings.hpp"
+#include "stoss/bodies/disk.hpp"
+#include "stoss/bodies/rod.hpp"
+#include "stoss/restitution.hpp"
+
+namespace stoss::python {
+
+void bind_body(py::module_& module) {
+  py::class_<Body>(module, "Body", "A body with its kept modes.")
+      .def_readonly("name", &Body::name)
+      .def_readonly("mass", &Body::mass)
+      .def_readonly("extent", &Body::extent)
+      .def_readonly("cutoff", &Body::cutoff);
+  py::class_<RefinableBody>(module, "RefinableBody", "A body at any of a ladder of cutoffs.");
+  const py::call_guard<py::gil_scoped_release> released;
+  module.def("disk", py::overload_cast<double, double>(&disk), py::arg("poisson"), py::arg("cutoff"), released);
+  module.def("rod", py::overload_cast<double>(&rod), py::arg("cutoff"), released);
+  module.def(
+      "refinable_disk", [](double poisson) { return RefinableBody(disk(poisson)); }, py::arg("poisson"));
+  module.def("refinable_rod", [] { return RefinableBody(rod()); });
+}
+
+}  // namespace stoss::python

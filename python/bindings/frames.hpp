@@ -1,0 +1,15 @@
+#pragma once
+
+#include <vector>
+
+#include "bindings.hpp"
+#include "stoss/motion.hpp"
+
+namespace stoss::python {
+
+/// Instants of one impact, for stoss._core only.
+struct Frames {
+  std::vector<Frame> all;
+};
+
+}  // namespace stoss::python

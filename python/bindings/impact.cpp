@@ -1,0 +1,82 @@
+#include "stoss/impact.hpp"
+
+#include <pybind11/stl.h>
+
+#include "arrays.hpp"
+#include "bindings.hpp"
+#include "wall.hpp"
+
+namespace stoss::python {
+namespace {
+
+/// A Snapshot without its views.
+struct Instant {
+  double time, center, velocity, force, translation, vibration, stored, unresolved, contact_half_width;
+};
+
+/// The numbers of an impact and its modes' energies, for the fields of stoss.Impact.
+py::dict numbers(const Impact& impact) {
+  using namespace py::literals;
+  return py::dict("speed"_a = impact.speed, "restitution"_a = impact.restitution,
+                  "lost_fraction"_a = impact.lost_fraction, "translation"_a = impact.energy.translation,
+                  "vibration"_a = impact.energy.vibration, "unresolved"_a = impact.energy.unresolved,
+                  "contact_time"_a = impact.contact_time, "contacts"_a = impact.contacts,
+                  "max_force"_a = impact.max_force, "max_compression"_a = impact.max_compression,
+                  "max_half_width"_a = impact.max_half_width, "cutoff"_a = impact.cutoff, "step"_a = impact.step,
+                  "nodes"_a = impact.nodes, "half_width"_a = impact.half_width, "steps"_a = impact.steps,
+                  "energy_error"_a = impact.energy_error, "momentum_error"_a = impact.momentum_error,
+                  "beyond_small_strain"_a = impact.beyond_small_strain);
+}
+
+/// The instants of a repetition of an impact, every so many steps.
+std::vector<Instant> trajectory(const Body& body, const Impact& impact, int every) {
+  ImpactOptions options;
+  options.step = impact.step;
+  options.nodes = impact.nodes;
+  if (body.max_half_width > 0.0) options.half_width = impact.half_width;
+  options.observe_every = every;
+  options.poll = heed_signals;
+  std::vector<Instant> instants;
+  (void)stoss::impact(body, impact.wall, impact.speed, options, [&](const Snapshot& now) {
+    instants.push_back({now.time, now.center, now.velocity, now.force, now.translation, now.vibration, now.stored,
+                        now.unresolved, now.contact_half_width});
+  });
+  return instants;
+}
+
+}  // namespace
+
+void bind_impact(py::module_& module) {
+  PYBIND11_NUMPY_DTYPE(ModeEnergy, order, index, omega, after, average);
+  PYBIND11_NUMPY_DTYPE(Instant, time, center, velocity, force, translation, vibration, stored, unresolved,
+                       contact_half_width);
+  py::class_<Impact>(module, "Impact", "One impact, from which its trajectory can be repeated.")
+      .def("numbers", &numbers)
+      .def("modes", [](const py::object& self) { return view(self.cast<const Impact&>().energy.modes, self); })
+      .def(
+          "trajectory",
+          [](const Impact& impact, const Body& body, int every) {
+            std::vector<Instant> instants;
+            {
+              const py::gil_scoped_release released;
+              instants = trajectory(body, impact, every);
+            }
+            return take(std::move(instants));
+          },
+          py::arg("body"), py::arg("every"));
+  module.def(
+      "impact",
+      [](const Body& body, const AnyWall& wall, double speed, std::optional<double> step, std::optional<int> nodes,
+         std::optional<double> half_width) {
+        ImpactOptions options;
+        options.step = step;
+        options.nodes = nodes;
+        options.half_width = half_width;
+        options.poll = heed_signals;
+        const py::gil_scoped_release released;
+        return impact(body, wall.wall, speed, options);
+      },
+      py::arg("body"), py::arg("wall"), py::arg("speed"), py::arg("step"), py::arg("nodes"), py::arg("half_width"));
+}
+
+}  // namespace stoss::python

@@ -1,0 +1,34 @@
+#include "stoss/modes.hpp"
+
+#include "arrays.hpp"
+#include "bindings.hpp"
+
+namespace stoss::python {
+
+void bind_modes(py::module_& module) {
+  PYBIND11_NUMPY_DTYPE(Mode, order, index, omega, radial, tangential);
+  PYBIND11_NUMPY_DTYPE(Displacement, radial, tangential);
+  module.attr("min_poisson") = min_poisson;
+  module.attr("max_poisson") = max_poisson;
+  module.def(
+      "disk_modes",
+      [](double poisson, double cutoff) {
+        std::vector<Mode> modes;
+        {
+          const py::gil_scoped_release released;
+          modes = disk_modes(poisson, cutoff);
+        }
+        return take(std::move(modes));
+      },
+      py::arg("poisson"), py::arg("cutoff"), "structured array of order, index, omega, radial, tangential");
+  module.def(
+      "displacement",
+      [](double poisson, int order, double omega, double radial, double tangential,
+         const py::array_t<double, py::array::c_style>& radii) {
+        return take(displacement(poisson, {order, 0, omega, radial, tangential}, to_vector(radii)));
+      },
+      py::arg("poisson"), py::arg("order"), py::arg("omega"), py::arg("radial"), py::arg("tangential"),
+      py::arg("radii"), "structured array of radial, tangential");
+}
+
+}  // namespace stoss::python

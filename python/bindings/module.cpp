@@ -1,0 +1,17 @@
+#include "bindings.hpp"
+#include "stoss/version.hpp"
+
+PYBIND11_MODULE(_core, module) {
+  module.doc() = "The C++ core of stoss. Use the package stoss, which checks, broadcasts and documents.";
+  module.attr("version") = std::string(stoss::version());
+  stoss::python::bind_errors(module);
+  stoss::python::bind_material(module);
+  stoss::python::bind_modes(module);
+  stoss::python::bind_body(module);
+  stoss::python::bind_wall(module);
+  stoss::python::bind_impact(module);
+  stoss::python::bind_motion(module);
+  stoss::python::bind_field(module);
+  stoss::python::bind_restitution(module);
+  stoss::python::bind_extrapolation(module);
+}

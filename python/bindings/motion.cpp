@@ -1,0 +1,39 @@
+#include "stoss/motion.hpp"
+
+#include "arrays.hpp"
+#include "frames.hpp"
+
+namespace stoss::python {
+namespace {
+
+/// A Frame without what belongs to modes and nodes.
+struct FrameSummary {
+  double time, center, velocity, force, contact_half_width;
+};
+
+std::vector<FrameSummary> summaries(const Frames& frames) {
+  std::vector<FrameSummary> list;
+  list.reserve(frames.all.size());
+  for (const Frame& frame : frames.all) {
+    list.push_back({frame.time, frame.state.center, frame.state.velocity, frame.force, frame.contact_half_width});
+  }
+  return list;
+}
+
+}  // namespace
+
+void bind_motion(py::module_& module) {
+  PYBIND11_NUMPY_DTYPE(FrameSummary, time, center, velocity, force, contact_half_width);
+  py::class_<Frames>(module, "Frames", "An impact at some times, with the motion of all modes.")
+      .def("summaries", [](const Frames& frames) { return take(summaries(frames)); });
+  module.def(
+      "motion",
+      [](const Body& body, const Impact& impact, const py::array_t<double, py::array::c_style>& times) {
+        const std::vector<double> at = to_vector(times);
+        const py::gil_scoped_release released;
+        return Frames{motion(body, impact, at, heed_signals)};
+      },
+      py::arg("body"), py::arg("impact"), py::arg("times"));
+}
+
+}  // namespace stoss::python

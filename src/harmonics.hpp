@@ -1,0 +1,18 @@
+#pragma once
+
+#include <Eigen/Core>
+
+namespace stoss {
+
+/// Sums over angular orders are taken so many orders at a time: the tables stay small for any number of orders.
+inline constexpr int order_block = 32;
+
+/// cos nφ and sin nφ for n = first … first + order_block − 1: orders × angles.
+struct Harmonics {
+  using Table = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+  Table cosine, sine;
+};
+
+[[nodiscard]] Harmonics harmonics(const Eigen::ArrayXd& angle, int first);
+
+}  // namespace stoss
