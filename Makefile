@@ -1,6 +1,6 @@
 # The short way in. Everything here can also be done with the CMake presets (cmake --list-presets).
 .DEFAULT_GOAL := help
-.PHONY: help setup build demo test bench validate results format lint install clean
+.PHONY: help setup build python demo test bench validate results format lint install clean
 
 JOBS ?= $(shell nproc)
 PREFIX ?= /usr/local
@@ -17,13 +17,17 @@ build: ## build the library and the command, after installing what that needs
 	@mkdir -p build && cmake --preset release -DSTOSS_BUILD_TESTS=OFF >build/configure.log 2>&1 || { cat build/configure.log; exit 1; }
 	@cmake --build --preset release -j $(JOBS) --target stoss stoss_command
 
-demo: build ## restitution against speed for two Poisson numbers, here and in out/
-	@scripts/demo.sh build/release/cli/stoss
+python: build ## build the Python package and install it into build/venv (PYTHON=... for another interpreter)
+	@scripts/install-dependencies.sh python
+	@scripts/python.sh
+
+demo: build python ## restitution against speed for two Poisson numbers, and a collision: here and in out/
+	@scripts/demo.sh build/release/cli/stoss build/venv/bin/python
 
 test: setup ## all tests, once more under sanitizers, clang build, downstream project, format
 	@scripts/test.sh $(JOBS)
 
-bench: setup ## benchmarks, with the paper's protocol as the rival
+bench: setup python ## benchmarks, with the paper's protocol as the rival
 	@cmake --preset release -DSTOSS_BUILD_BENCH=ON
 	@cmake --build --preset release -j $(JOBS) --target stoss_bench
 	@build/release/bench/stoss_bench

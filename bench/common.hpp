@@ -43,5 +43,6 @@ void add_paper();
 void add_modes();
 void add_impacts();
 void add_restitutions();
+void add_python();
 
 }  // namespace bench

@@ -64,7 +64,7 @@ void Summary::ReportRuns(const std::vector<Run>& reports) {
 
     Row row;
     row.name = run.run_name.function_name;
-    const bool wall_time = run.run_name.time_type == "real_time";
+    const bool wall_time = !run.run_name.time_type.empty();  // real or manual
     row.milliseconds = wall_time ? run.GetAdjustedRealTime() : run.GetAdjustedCPUTime();
     row.lost_fraction = find(run.counters, lost_fraction_counter);
     row.error = find(run.counters, error_counter);

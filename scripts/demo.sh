@@ -1,7 +1,9 @@
 #!/usr/bin/env bash
-# The main job: restitution against speed for two Poisson numbers, as tables here and as CSV in out/.
+# The main job: restitution against speed for two Poisson numbers, as tables here, and as CSV and picture in out/; and a
+# collision in motion.
 set -euo pipefail
 stoss=$1
+python=$2
 mkdir -p out
 speeds=log:0.005:0.3:24
 for poisson in 0.33 0.9; do
@@ -14,3 +16,6 @@ for poisson in 0.33 0.9; do
   echo
   echo "Written with all digits to $file"
 done
+
+echo
+MPLBACKEND=Agg "$python" scripts/demo.py out

@@ -30,6 +30,7 @@ void require_grid(const Body& body, const ContactGrid& grid) {
 /// One run; empty if the contact outgrew the grid.
 std::optional<Impact> run(const Body& body, const Wall& wall, double speed, const Resolution& resolution,
                           const ImpactOptions& options, const ImpactObserver& observer) {
+  if (options.poll) options.poll();
   const ContactGrid grid = body.grid(resolution.half_width, resolution.nodes);
   require_grid(body, grid);
   Collision collision(body, wall, grid, speed, resolution.step, options.start);

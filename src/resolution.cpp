@@ -122,7 +122,7 @@ Resolution widened(const Body& body, const Resolution& resolution) {
   constexpr double growth = 1.4;
   const double half_width = std::min(growth * resolution.half_width, body.max_half_width);
   const double nodes = std::ceil(resolution.nodes * half_width / resolution.half_width);
-  return {half_width, resolution.step, static_cast<int>(nodes)};
+  return {half_width, resolution.step, static_cast<int>(std::min<double>(nodes, max_nodes))};
 }
 
 }  // namespace stoss

@@ -19,7 +19,4 @@ void bind_field(py::module_& module);
 void bind_restitution(py::module_& module);
 void bind_extrapolation(py::module_& module);
 
-/// Throws KeyboardInterrupt if Ctrl-C was pressed. For the core's `poll`, without the GIL.
-void heed_signals();
-
 }  // namespace stoss::python

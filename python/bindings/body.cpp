@@ -1,6 +1,7 @@
 #include "stoss/body.hpp"
 
 #include "bindings.hpp"
+#include "interpreter.hpp"
 #include "stoss/bodies/disk.hpp"
 #include "stoss/bodies/rod.hpp"
 #include "stoss/restitution.hpp"
@@ -8,13 +9,15 @@
 namespace stoss::python {
 
 void bind_body(py::module_& module) {
-  py::class_<Body>(module, "Body", "A body with its kept modes.")
-      .def_readonly("name", &Body::name)
+  py::class_<Body> body(module, "Body", "A body with its kept modes.");
+  body.def_readonly("name", &Body::name)
       .def_readonly("mass", &Body::mass)
       .def_readonly("extent", &Body::extent)
       .def_readonly("cutoff", &Body::cutoff);
-  py::class_<RefinableBody>(module, "RefinableBody", "A body at any of a ladder of cutoffs.");
-  const py::call_guard<py::gil_scoped_release> released;
+  py::class_<RefinableBody> refinable(module, "RefinableBody", "A body at any of a ladder of cutoffs.");
+  seal(body);
+  seal(refinable);
+  const py::call_guard<Released> released;
   module.def("disk", py::overload_cast<double, double>(&disk), py::arg("poisson"), py::arg("cutoff"), released);
   module.def("rod", py::overload_cast<double>(&rod), py::arg("cutoff"), released);
   module.def(

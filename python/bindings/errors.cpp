@@ -1,4 +1,4 @@
-// The core's exceptions become those of stoss.errors; Ctrl-C becomes KeyboardInterrupt.
+// The core's exceptions become those of stoss._errors.
 #include "stoss/errors.hpp"
 
 #include "bindings.hpp"
@@ -12,11 +12,6 @@ void raise(const char* name, const char* what) {
 }
 
 }  // namespace
-
-void heed_signals() {
-  const py::gil_scoped_acquire gil;
-  if (PyErr_CheckSignals() != 0) throw py::error_already_set();
-}
 
 void bind_errors(py::module_&) {
   py::register_exception_translator([](std::exception_ptr error) {

@@ -2,6 +2,7 @@
 
 #include "arrays.hpp"
 #include "bindings.hpp"
+#include "interpreter.hpp"
 
 namespace stoss::python {
 
@@ -13,10 +14,10 @@ void bind_extrapolation(py::module_& module) {
       [](double poisson, double speed, const py::array_t<double, py::array::c_style>& cutoffs,
          const py::array_t<double, py::array::c_style>& hardnesses) {
         using namespace py::literals;
-        const ExtrapolationOptions options{to_vector(cutoffs), to_vector(hardnesses), heed_signals};
+        const ExtrapolationOptions options{to_vector(cutoffs), to_vector(hardnesses), signal_poll()};
         ExtrapolatedRestitution result;
         {
-          const py::gil_scoped_release released;
+          const Released released;
           result = extrapolated_restitution(poisson, speed, options);
         }
         return py::dict("restitution"_a = result.restitution.value, "restitution_error"_a = result.restitution.error,

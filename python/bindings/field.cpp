@@ -2,6 +2,7 @@
 
 #include "arrays.hpp"
 #include "frames.hpp"
+#include "interpreter.hpp"
 
 namespace stoss::python {
 namespace {
@@ -24,12 +25,13 @@ struct Series {
   }
 };
 
-Series evaluate(double poisson, const Body& body, const Impact& impact, const Frames& frames, PolarGrid points) {
+Series evaluate(double poisson, const Body& body, const Impact& impact, const Frames& frames, PolarGrid points,
+                const std::function<void()>& poll) {
   const ContactGrid contact = body.grid(impact.half_width, impact.nodes);
   const DiskField field(poisson, body, contact, std::move(points));
   Series series;
   for (const Frame& frame : frames.all) {
-    heed_signals();
+    if (poll) poll();
     series.append(field.at(frame.state.coordinate, frame.node_force));
   }
   return series;
@@ -45,10 +47,11 @@ void bind_field(py::module_& module) {
         using namespace py::literals;
         PolarGrid points{to_vector(radius), to_vector(angle)};
         const std::vector<py::ssize_t> shape{static_cast<py::ssize_t>(frames.all.size()), radius.size(), angle.size()};
+        const auto poll = signal_poll();
         Series series;
         {
-          const py::gil_scoped_release released;
-          series = evaluate(poisson, body, impact, frames, std::move(points));
+          const Released released;
+          series = evaluate(poisson, body, impact, frames, std::move(points), poll);
         }
         return py::dict("radial"_a = take(std::move(series.radial), shape),
                         "tangential"_a = take(std::move(series.tangential), shape),

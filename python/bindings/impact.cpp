@@ -4,6 +4,7 @@
 
 #include "arrays.hpp"
 #include "bindings.hpp"
+#include "interpreter.hpp"
 #include "wall.hpp"
 
 namespace stoss::python {
@@ -29,13 +30,13 @@ py::dict numbers(const Impact& impact) {
 }
 
 /// The instants of a repetition of an impact, every so many steps.
-std::vector<Instant> trajectory(const Body& body, const Impact& impact, int every) {
+std::vector<Instant> trajectory(const Body& body, const Impact& impact, int every, const std::function<void()>& poll) {
   ImpactOptions options;
   options.step = impact.step;
   options.nodes = impact.nodes;
   if (body.max_half_width > 0.0) options.half_width = impact.half_width;
   options.observe_every = every;
-  options.poll = heed_signals;
+  options.poll = poll;
   std::vector<Instant> instants;
   (void)stoss::impact(body, impact.wall, impact.speed, options, [&](const Snapshot& now) {
     instants.push_back({now.time, now.center, now.velocity, now.force, now.translation, now.vibration, now.stored,
@@ -50,16 +51,18 @@ void bind_impact(py::module_& module) {
   PYBIND11_NUMPY_DTYPE(ModeEnergy, order, index, omega, after, average);
   PYBIND11_NUMPY_DTYPE(Instant, time, center, velocity, force, translation, vibration, stored, unresolved,
                        contact_half_width);
-  py::class_<Impact>(module, "Impact", "One impact, from which its trajectory can be repeated.")
-      .def("numbers", &numbers)
+  py::class_<Impact> handle(module, "Impact", "One impact, from which its trajectory can be repeated.");
+  seal(handle);
+  handle.def("numbers", &numbers)
       .def("modes", [](const py::object& self) { return view(self.cast<const Impact&>().energy.modes, self); })
       .def(
           "trajectory",
           [](const Impact& impact, const Body& body, int every) {
+            const auto poll = signal_poll();
             std::vector<Instant> instants;
             {
-              const py::gil_scoped_release released;
-              instants = trajectory(body, impact, every);
+              const Released released;
+              instants = trajectory(body, impact, every, poll);
             }
             return take(std::move(instants));
           },
@@ -72,8 +75,8 @@ void bind_impact(py::module_& module) {
         options.step = step;
         options.nodes = nodes;
         options.half_width = half_width;
-        options.poll = heed_signals;
-        const py::gil_scoped_release released;
+        options.poll = signal_poll();
+        const Released released;
         return impact(body, wall.wall, speed, options);
       },
       py::arg("body"), py::arg("wall"), py::arg("speed"), py::arg("step"), py::arg("nodes"), py::arg("half_width"));

@@ -2,6 +2,7 @@
 
 #include "arrays.hpp"
 #include "bindings.hpp"
+#include "interpreter.hpp"
 
 namespace stoss::python {
 
@@ -15,7 +16,7 @@ void bind_modes(py::module_& module) {
       [](double poisson, double cutoff) {
         std::vector<Mode> modes;
         {
-          const py::gil_scoped_release released;
+          const Released released;
           modes = disk_modes(poisson, cutoff);
         }
         return take(std::move(modes));

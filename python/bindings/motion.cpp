@@ -2,6 +2,7 @@
 
 #include "arrays.hpp"
 #include "frames.hpp"
+#include "interpreter.hpp"
 
 namespace stoss::python {
 namespace {
@@ -24,14 +25,16 @@ std::vector<FrameSummary> summaries(const Frames& frames) {
 
 void bind_motion(py::module_& module) {
   PYBIND11_NUMPY_DTYPE(FrameSummary, time, center, velocity, force, contact_half_width);
-  py::class_<Frames>(module, "Frames", "An impact at some times, with the motion of all modes.")
-      .def("summaries", [](const Frames& frames) { return take(summaries(frames)); });
+  py::class_<Frames> handle(module, "Frames", "An impact at some times, with the motion of all modes.");
+  seal(handle);
+  handle.def("summaries", [](const Frames& frames) { return take(summaries(frames)); });
   module.def(
       "motion",
       [](const Body& body, const Impact& impact, const py::array_t<double, py::array::c_style>& times) {
         const std::vector<double> at = to_vector(times);
-        const py::gil_scoped_release released;
-        return Frames{motion(body, impact, at, heed_signals)};
+        const auto poll = signal_poll();
+        const Released released;
+        return Frames{motion(body, impact, at, poll)};
       },
       py::arg("body"), py::arg("impact"), py::arg("times"));
 }

@@ -1,9 +1,14 @@
 #include "stoss/restitution.hpp"
 
+#include <pybind11/stl.h>
+
 #include <limits>
+#include <optional>
+#include <string>
 
 #include "arrays.hpp"
 #include "bindings.hpp"
+#include "interpreter.hpp"
 #include "stoss/curve.hpp"
 
 namespace stoss::python {
@@ -39,18 +44,33 @@ RestitutionRow to_row(const Restitution& r) {
           r.finest.beyond_small_strain};
 }
 
-/// Fills rows as the values come, so that what is done stays there if Ctrl-C or `observe` ends the curve.
+/// Fills rows as the values come, and `reasons` at the end, so that what is done is there if Ctrl-C ends the curve.
+/// Only where there is a `tick` is the interpreter asked for after each value.
 void curve(const RefinableBody& body, const py::array_t<double, py::array::c_style>& speeds, double tolerance,
-           int threads, py::array_t<RestitutionRow, py::array::c_style>& rows, const py::function& observe) {
+           int threads, py::array_t<RestitutionRow, py::array::c_style>& rows, py::list reasons,
+           const std::optional<py::function>& tick) {
   const std::vector<double> at = to_vector(speeds);
   if (rows.size() != speeds.size()) throw std::invalid_argument("rows: one for each speed");
   RestitutionRow* row = rows.mutable_data();
-  const py::gil_scoped_release released;
-  restitution_curve(body, at, {tolerance, threads, heed_signals}, [&](std::size_t i, const Restitution& result) {
-    row[i] = to_row(result);
-    const py::gil_scoped_acquire gil;
-    observe(result.reason);
-  });
+  std::vector<std::string> why;
+  const auto hand_over = [&] {
+    for (const std::string& reason : why) reasons.append(reason);
+  };
+  const auto poll = signal_poll();
+  try {
+    const Released released;
+    restitution_curve(body, at, {tolerance, threads, poll}, [&](std::size_t i, const Restitution& result) {
+      row[i] = to_row(result);
+      why.push_back(result.reason);
+      if (!tick) return;
+      const py::gil_scoped_acquire interpreter;
+      (*tick)();
+    });
+  } catch (const py::error_already_set&) {
+    hand_over();
+    throw;
+  }
+  hand_over();
 }
 
 }  // namespace
@@ -67,7 +87,8 @@ void bind_restitution(py::module_& module) {
       },
       py::arg("speeds"), py::arg("tolerance"), py::arg("threads"));
   module.def("restitution_curve", &curve, py::arg("body"), py::arg("speeds"), py::arg("tolerance"), py::arg("threads"),
-             py::arg("rows").noconvert(), py::arg("observe"), "fills rows; observe(reason) after each");
+             py::arg("rows").noconvert(), py::arg("reasons"), py::arg("tick"),
+             "fills rows and reasons; calls tick, unless it is None, after each");
 }
 
 }  // namespace stoss::python

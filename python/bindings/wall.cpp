@@ -1,11 +1,13 @@
 #include "wall.hpp"
 
 #include "bindings.hpp"
+#include "interpreter.hpp"
 
 namespace stoss::python {
 
 void bind_wall(py::module_& module) {
-  py::class_<AnyWall>(module, "AnyWall", "A hard or an exponential wall.");
+  py::class_<AnyWall> any(module, "AnyWall", "A hard or an exponential wall.");
+  seal(any);
   module.def(
       "hard_wall", [](bool radiating) { return AnyWall{HardWall{radiating ? Tail::radiating : Tail::quasistatic}}; },
       py::arg("radiating"));

@@ -89,9 +89,10 @@ def test_complete_file_stays_as_it_is(stoss, tmp_path, small):
 
 def test_marks_of_earlier_rows_count(stoss, tmp_path):
     path = tmp_path / "curve.csv"
-    job = "restitution --poisson 0.33 --speed 0.7 --tolerance 1e-12"
-    assert resume(stoss, path, job).returncode == 1
-    before = path.read_text()
+    job = "restitution --poisson 0.33 --speed 0.7"
+    assert resume(stoss, path, job).returncode == 0
+    before = path.read_text().replace(",true,true", ",false,true")  # not converged, beyond small strain
+    path.write_text(before)
     result = resume(stoss, path, job)
     assert result.returncode == 1
     assert "linear elasticity" in result.stderr

@@ -1,0 +1,52 @@
+"""Anatomy of one collision: what the disk does, what the wall does, and where the energy goes.
+
+Run:     python examples/03_anatomy.py [FOLDER]        (default: out/)
+Expect:  the energy ledger of an impact at a tenth of the bar speed, the greatest part of the loss in the mode (2,0);
+         anatomy.png with the disk at six times, force, velocity, energies and contact width against time, the energies
+         of the modes, and the stress half-way; anatomy.csv, the trajectory. Two or three seconds.
+"""
+
+import sys
+from pathlib import Path
+
+import matplotlib.pyplot as plt
+import numpy as np
+
+import stoss
+
+
+def main(folder: Path) -> None:
+    folder.mkdir(parents=True, exist_ok=True)
+    hit = stoss.impact(poisson=0.33, speed=0.1)
+    path = hit.trajectory()
+    field = hit.field(time=hit.contact_time / 2)
+
+    impulse = np.sum(0.5 * (path.force[1:] + path.force[:-1]) * np.diff(path.time))
+    print(hit)
+    print(f"greatest force        {hit.max_force:.5f} pi R E")
+    print(f"greatest compression  {hit.max_compression:.5f} R")
+    print(f"impulse / (m v)       {impulse / hit.speed:.5f} = 1 + eps = {1 + hit.restitution:.5f}")
+    print("energy after the impact, shares of the initial energy:")
+    for name in ("translation", "vibration", "unresolved", "energy_error"):
+        print(f"  {name:12s} {getattr(hit, name):9.6f}")
+    strongest = np.argsort(hit.mode_energies["after"])[::-1][:4]
+    for n, l, omega, after, _ in hit.mode_energies[strongest]:
+        print(f"  mode ({n},{l})   {after:9.6f}   omega = {omega:.4f} c/R")
+    print(f"greatest von Mises stress at half time {field.von_mises.max():.3f} E")
+
+    path.to_csv(folder / "anatomy.csv")
+    plt.rcParams.update({"font.size": 8, "legend.fontsize": 6.5, "legend.columnspacing": 1.0})
+    layout = [["sequence"] * 3, ["force", "velocity", "energies"], ["half_width", "ledger", "stress"]]
+    heights = {"height_ratios": [0.8, 1, 1]}
+    figure, axes = plt.subplot_mosaic(layout, figsize=(11.5, 8.4), gridspec_kw=heights, layout="constrained")
+    stoss.plot.sequence(hit, axes["sequence"], count=6, columns=6)
+    for name in ("force", "velocity", "energies", "half_width"):
+        getattr(stoss.plot, name)(path, axes[name])
+    stoss.plot.ledger(hit, axes["ledger"])
+    stoss.plot.stress(field, axes["stress"])
+    figure.savefig(folder / "anatomy.png", dpi=150)
+    print(f"written: {folder / 'anatomy.csv'}, {folder / 'anatomy.png'}")
+
+
+if __name__ == "__main__":
+    main(Path(sys.argv[1] if len(sys.argv) > 1 else "out"))

@@ -1,0 +1,67 @@
+"""Coefficient of restitution of elastic bodies from first principles.
+
+>>> import stoss
+>>> stoss.restitution(poisson=0.33, speed=0.1)
+Restitution(poisson=0.33, speed=0.1 c: restitution 0.947044 ± 0.000046)
+
+All arguments are named. Units: radius R, bar speed c = √(E/ρ), mass m; with a `Material`, speeds are in m/s.
+
+================================  ====================================================================
+`restitution`                     ε(v) with errors, for numbers and arrays
+`impact`                          one impact: energy ledger, trajectory, deformation and stress in time
+`modes`                           the eigenmodes of a disk
+`extrapolated_restitution`        ε as Gerl and Zippelius compute it
+`Disk`, `Rod`                     bodies
+`HardWall`, `ExponentialWall`     walls
+`Material`                        SI
+`plot`                            pictures (needs matplotlib)
+================================  ====================================================================
+"""
+
+from stoss._bodies import Body, Disk, ExponentialWall, HardWall, Rod, Wall
+from stoss._core import version as __version__
+from stoss._errors import Interrupted, InvalidInput, NotConverged, StossWarning
+from stoss._extrapolation import Extrapolation, extrapolated_restitution
+from stoss._field import Field
+from stoss._impact import Impact, Trajectory, impact
+from stoss._material import Material, Scales
+from stoss._modes import Modes, modes
+from stoss._restitution import Restitution, restitution
+
+__all__ = [
+    "Body",
+    "Disk",
+    "ExponentialWall",
+    "Extrapolation",
+    "Field",
+    "HardWall",
+    "Impact",
+    "Interrupted",
+    "InvalidInput",
+    "Material",
+    "Modes",
+    "NotConverged",
+    "Restitution",
+    "Rod",
+    "Scales",
+    "StossWarning",
+    "Trajectory",
+    "Wall",
+    "__version__",
+    "animate",
+    "extrapolated_restitution",
+    "impact",
+    "modes",
+    "plot",
+    "restitution",
+]
+
+
+def __getattr__(name: str) -> object:
+    """Matplotlib is only loaded when a picture is asked for."""
+    if name in ("plot", "animate"):
+        import importlib
+
+        plot = importlib.import_module("stoss.plot")
+        return plot if name == "plot" else plot.animate
+    raise AttributeError(f"module 'stoss' has no attribute {name!r}")

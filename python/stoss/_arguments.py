@@ -1,0 +1,77 @@
+"""Numbers as they come from users, made ready for the core. Ranges are the core's business."""
+
+from __future__ import annotations
+
+import operator
+import reprlib
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from stoss._errors import InvalidInput
+
+
+def refusal(name: str, value: object, allowed: str) -> InvalidInput:
+    """The one line that says what is wrong."""
+    try:
+        got = reprlib.repr(value)
+    except Exception:  # integers of thousands of digits, and foreign objects
+        got = f"an object of type {type(value).__name__}"
+    got = " ".join(got.split())
+    return InvalidInput(f"{name}: got {got if len(got) <= 80 else got[:77] + '...'}, allowed {allowed}")
+
+
+def numbers(name: str, value: Any) -> NDArray[np.float64]:
+    """Any number, sequence or array of real numbers as doubles, contiguous, of the same shape."""
+    try:
+        array = np.asarray(value)
+    except Exception:  # whatever a foreign object raises when it is asked for its numbers
+        raise refusal(name, value, "a number or an array of numbers") from None
+    if array.size == 0 and not isinstance(value, (str, bytes)) and array.dtype.kind in "iufO":
+        return np.empty(array.shape)
+    if array.dtype.kind not in "iuf" or isinstance(value, np.ma.MaskedArray):
+        raise refusal(name, value, "a number or an array of numbers")
+    return np.array(array, dtype=np.float64, order="C")
+
+
+def number(name: str, value: Any) -> float:
+    """One real number."""
+    if type(value) is float:  # the usual case, fast
+        return value
+    array = numbers(name, value)
+    if array.ndim != 0:
+        raise refusal(name, value, "one number")
+    return float(array)
+
+
+def optional_number(name: str, value: Any) -> float | None:
+    """One real number or None."""
+    return None if value is None else number(name, value)
+
+
+def integer(name: str, value: Any) -> int:
+    """One integer that fits in 32 bits."""
+    try:
+        if isinstance(value, (bool, np.bool_)):
+            raise TypeError
+        result = operator.index(value)
+    except Exception:
+        raise refusal(name, value, "an integer") from None
+    if not -(2**31) <= result < 2**31:
+        raise refusal(name, value, "an integer of moderate size")
+    return result
+
+
+def boolean(name: str, value: Any) -> bool:
+    """True or False."""
+    if not isinstance(value, (bool, np.bool_)):
+        raise refusal(name, value, "True or False")
+    return bool(value)
+
+
+def instance(name: str, value: Any, kinds: tuple[type, ...]) -> Any:
+    """An object of one of these classes."""
+    if not isinstance(value, kinds):
+        raise refusal(name, value, " or ".join(f"a stoss.{kind.__name__}" for kind in kinds))
+    return value

@@ -1,0 +1,44 @@
+"""What stoss raises and warns of."""
+
+from __future__ import annotations
+
+from typing import Any
+
+
+class InvalidInput(ValueError):
+    """An argument outside its range, or of the wrong kind.
+
+    The message is one line: name, what was got, what is allowed, and often a hint.
+    """
+
+
+class NotConverged(RuntimeError):
+    """A computation that could not meet its own conditions.
+
+    Attributes
+    ----------
+    best : Restitution or None
+        The best value that was reached, if there is one.
+    """
+
+    def __init__(self, message: str, best: Any = None) -> None:
+        super().__init__(message)
+        self.best = best
+
+
+class Interrupted(KeyboardInterrupt):
+    """Ctrl-C during a curve.
+
+    Attributes
+    ----------
+    best : Restitution
+        The curve so far; what is missing is NaN and not converged.
+    """
+
+    def __init__(self, message: str, best: Any = None) -> None:
+        super().__init__(message)
+        self.best = best
+
+
+class StossWarning(UserWarning):
+    """A result that should not be used without a second look."""

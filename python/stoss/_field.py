@@ -1,0 +1,115 @@
+"""Displacement and stress inside a disk."""
+
+from __future__ import annotations
+
+import dataclasses
+from typing import TYPE_CHECKING, Any, ClassVar
+
+import numpy as np
+from numpy.typing import NDArray
+
+from stoss._result import Column, Number, Result, span
+
+if TYPE_CHECKING:
+    from stoss._impact import Impact
+
+
+@dataclasses.dataclass(frozen=True, eq=False, repr=False)
+class Field(Result):
+    """The deformed disk and the stress inside it. Arrays are times × radii × angles, or radii × angles for one time.
+
+    Attributes
+    ----------
+    time, center, force, contact_half_width : float or ndarray
+        Of each instant: R/c; x₀ in R; F in πRE; R.
+    radius, angle : ndarray
+        Of the points in the undeformed disk: R; radians, 0 towards the wall.
+    x, y : ndarray
+        Where the points are now, R; the wall is at x = 0 and the disk at x < 0.
+    stress_rr, stress_pp, stress_rp : ndarray
+        σ_rr, σ_φφ and σ_rφ, E; tension is positive.
+    von_mises : ndarray
+        √(σ₁² − σ₁σ₂ + σ₂²) of plane stress, E.
+    principal_difference : ndarray
+        |σ₁ − σ₂|, E: what photoelastic fringes count.
+    """
+
+    _name: ClassVar[str] = "field"
+    _units = {
+        "time": "R/c", "center": "R", "force": "piRE", "contact_half_width": "R", "radius": "R", "angle": "rad",
+        "x": "R", "y": "R", "stress_rr": "E", "stress_pp": "E", "stress_rp": "E", "von_mises": "E",
+        "principal_difference": "E",
+    }  # fmt: skip
+
+    impact: Impact = dataclasses.field(repr=False)
+    time: Number
+    center: Number
+    force: Number
+    contact_half_width: Number
+    radius: NDArray[np.float64]
+    angle: NDArray[np.float64]
+    x: NDArray[np.float64]
+    y: NDArray[np.float64]
+    stress_rr: NDArray[np.float64]
+    stress_pp: NDArray[np.float64]
+    stress_rp: NDArray[np.float64]
+    von_mises: NDArray[np.float64]
+    principal_difference: NDArray[np.float64]
+
+    def __repr__(self) -> str:
+        return f"Field(time {span(self.time)} R/c, {len(self.radius)} radii x {len(self.angle)} angles, of {self.impact!r})"
+
+    def plot(self, ax: Any = None) -> Any:
+        """Stress inside the disk. See `stoss.plot.stress`."""
+        from stoss import plot
+
+        return plot.stress(self, ax)
+
+    def _inputs(self) -> dict[str, Any]:
+        return self.impact._inputs() | {"speed": self.impact.speed, "cutoff": self.impact.cutoff}
+
+    def _table(self) -> dict[str, Column]:
+        shape = self.x.shape
+        instants = {name: np.asarray(getattr(self, name)) for name in ("time", "center", "force", "contact_half_width")}
+        columns = {name: np.broadcast_to(value[..., None, None], shape) for name, value in instants.items()}
+        columns["radius"] = np.broadcast_to(self.radius[:, None], shape)
+        columns["angle"] = np.broadcast_to(self.angle, shape)
+        for name in ("x", "y", "stress_rr", "stress_pp", "stress_rp", "von_mises", "principal_difference"):
+            columns[name] = getattr(self, name)
+        return columns
+
+    @classmethod
+    def _from_core(
+        cls,
+        impact: Impact,
+        shape: tuple[int, ...],
+        order: NDArray[np.intp],
+        instants: NDArray[Any],
+        fields: dict[str, NDArray[np.float64]],
+        radius: NDArray[np.float64],
+        angle: NDArray[np.float64],
+    ) -> Field:
+        """From the core's arrays, whose times are sorted: `order` says where each belongs."""
+        back = np.argsort(order, kind="stable")
+        in_order = bool(np.all(order == np.arange(order.size)))
+
+        def arranged(array: NDArray[np.float64]) -> Any:
+            values = (array if in_order else array[back]).reshape(shape + array.shape[1:])
+            values.flags.writeable = False
+            return values if values.ndim else float(values)
+
+        out = (radius[:, None] + fields["radial"]) * np.cos(angle)
+        out -= fields["tangential"] * np.sin(angle)
+        up = (radius[:, None] + fields["radial"]) * np.sin(angle)
+        up += fields["tangential"] * np.cos(angle)
+        for array in (radius, angle):
+            array.flags.writeable = False
+        return cls(
+            impact=impact,
+            radius=radius,
+            angle=angle,
+            x=arranged(out + instants["center"][:, None, None]),
+            y=arranged(up),
+            **{name: arranged(instants[name]) for name in ("time", "center", "force", "contact_half_width")},
+            **{name: arranged(array) for name, array in fields.items() if name not in ("radial", "tangential")},
+        )

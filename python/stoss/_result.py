@@ -1,0 +1,138 @@
+"""What all results have in common: to_dict, to_csv and a line that says the essential."""
+
+from __future__ import annotations
+
+import contextlib
+import dataclasses
+import math
+import os
+import tempfile
+from typing import Any, ClassVar, Mapping, Union
+
+import numpy as np
+from numpy.typing import NDArray
+
+from stoss import _core
+
+Number = Union[float, NDArray[np.float64]]
+Column = NDArray[Any]
+
+
+def plain(value: Any) -> Any:
+    """The same in types that json and pickle of any Python know."""
+    if isinstance(value, np.ndarray):
+        return [dict(zip(value.dtype.names, row)) for row in value.tolist()] if value.dtype.names else value.tolist()
+    if isinstance(value, np.generic):
+        return value.item()
+    if isinstance(value, dict):
+        return {key: plain(each) for key, each in value.items()}
+    if dataclasses.is_dataclass(value) and not isinstance(value, type):
+        return {field.name: plain(getattr(value, field.name)) for field in dataclasses.fields(value) if field.repr}
+    return value
+
+
+class Result:
+    """Base of all results: frozen, with the inputs that made them."""
+
+    _units: ClassVar[Mapping[str, str]] = {}
+    _name: ClassVar[str] = ""
+
+    def to_dict(self) -> dict[str, Any]:
+        """All that the result holds, in plain Python types: ready for json.
+
+        Returns
+        -------
+        dict
+        """
+        values: dict[str, Any] = plain(self) | plain(self._derived())
+        return {key: value for key, value in values.items() if value is not None}
+
+    def to_csv(self, path: str | os.PathLike[str]) -> None:
+        """Write the result as CSV with all digits, units in the column names, and lines of provenance that start with #.
+
+        The file appears whole or not at all.
+
+        Parameters
+        ----------
+        path : str or path
+            Where to; an existing file is replaced.
+
+        Raises
+        ------
+        OSError
+            If the file cannot be written.
+        """
+        lines = [f"# stoss {_core.version}: {self._name}"]
+        lines += [f"# {key}: {value}" for key, value in self._inputs().items()]
+        table = self._table() | self._derived()
+        lines.append(",".join(f"{key}[{self._units[key]}]" if self._units.get(key) else key for key in table))
+        columns = [np.ravel(column).tolist() for column in table.values()]
+        lines += [",".join(_cell(value) for value in row) for row in zip(*columns)]
+        _write(os.fspath(path), "\n".join(lines) + "\n")
+
+    def _derived(self) -> dict[str, Any]:
+        """Further quantities that follow from the fields."""
+        return {}
+
+    def _inputs(self) -> dict[str, Any]:
+        """What made the result, for the head of the CSV."""
+        raise NotImplementedError
+
+    def _table(self) -> dict[str, Column]:
+        """Columns of one length."""
+        raise NotImplementedError
+
+
+def columns(table: NDArray[Any]) -> dict[str, Column]:
+    """The fields of a structured array, as views."""
+    return {name: table[name] for name in table.dtype.names or ()}
+
+
+def _cell(value: Any) -> str:
+    if isinstance(value, bool):
+        return "true" if value else "false"
+    return repr(value) if isinstance(value, float) else str(value)
+
+
+def _write(path: str, text: str) -> None:
+    if os.path.exists(path) and not os.path.isfile(path):  # a pipe or a device
+        with open(path, "w", encoding="utf-8") as stream:
+            stream.write(text)
+        return
+    path = os.path.realpath(path)
+    if os.path.exists(path) and not os.access(path, os.W_OK):
+        raise PermissionError(13, os.strerror(13), path)
+    descriptor, temporary = tempfile.mkstemp(dir=os.path.dirname(path), prefix=".stoss-")
+    try:
+        with open(descriptor, "w", encoding="utf-8") as stream:
+            stream.write(text)
+        mask = os.umask(0)
+        os.umask(mask)
+        os.chmod(temporary, os.stat(path).st_mode & 0o777 if os.path.exists(path) else 0o666 & ~mask)
+        os.replace(temporary, path)
+    except BaseException:
+        with contextlib.suppress(OSError):
+            os.unlink(temporary)
+        raise
+
+
+def shown(value: float, error: float | None = None) -> str:
+    """A number with the digits that its error leaves it.
+
+    >>> shown(0.947041, 0.0000523)
+    '0.947041 ± 0.000052'
+    """
+    if error is None or not math.isfinite(error) or error <= 0.0 or not math.isfinite(value):
+        return f"{value:.6g}" if error is None or not math.isnan(error) else f"{value:.6g} ± nan"
+    digits = max(0, 1 - math.floor(math.log10(error)))
+    return f"{value:.{digits}f} ± {error:.{digits}f}"
+
+
+def span(values: Any) -> str:
+    """A number, or the least and the greatest of several."""
+    array = np.asarray(values)
+    finite = array[np.isfinite(array)]
+    if finite.size == 0:
+        return "nan" if array.size else "none"
+    low, high = float(finite.min()), float(finite.max())
+    return f"{low:.6g}" if low == high else f"{low:.6g} to {high:.6g}"

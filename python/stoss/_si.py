@@ -1,0 +1,77 @@
+"""SI values of results that were made with a material."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from stoss._material import Material, Scales
+from stoss._result import Number
+
+
+class InSi:
+    """Names that end in _si, for results with speed, contact_time, max_force and max_compression."""
+
+    material: Material | None
+    speed: Any
+    contact_time: Any
+    max_force: Any
+    max_compression: Any
+
+    def _scales(self, name: str) -> Scales:
+        if self.material is None:
+            raise AttributeError(f"{name}: this result has no material (make it with material=stoss.Material(...))")
+        return self.material.scales
+
+    @property
+    def speed_si(self) -> Number:
+        """Speed before the impact, m/s."""
+        return self.speed * self._scales("speed_si").speed  # type: ignore[no-any-return]
+
+    @property
+    def contact_time_si(self) -> Number:
+        """Contact time, s."""
+        return self.contact_time * self._scales("contact_time_si").time  # type: ignore[no-any-return]
+
+    @property
+    def max_force_si(self) -> Number:
+        """Greatest force per thickness, N/m."""
+        return self.max_force * self._scales("max_force_si").force  # type: ignore[no-any-return]
+
+    @property
+    def max_compression_si(self) -> Number:
+        """Greatest compression, m."""
+        return self.max_compression * self._scales("max_compression_si").length  # type: ignore[no-any-return]
+
+    def _derived(self) -> dict[str, Any]:
+        names = [name for name in SI_UNITS if hasattr(type(self), name)]
+        return {name: getattr(self, name) for name in names} if self.material is not None else {}
+
+
+class InSiWithErrors(InSi):
+    """The errors too."""
+
+    contact_time_error: Any
+    max_force_error: Any
+    max_compression_error: Any
+
+    @property
+    def contact_time_si_error(self) -> Number:
+        """Error of the contact time, s."""
+        return self.contact_time_error * self._scales("contact_time_si_error").time  # type: ignore[no-any-return]
+
+    @property
+    def max_force_si_error(self) -> Number:
+        """Error of the greatest force per thickness, N/m."""
+        return self.max_force_error * self._scales("max_force_si_error").force  # type: ignore[no-any-return]
+
+    @property
+    def max_compression_si_error(self) -> Number:
+        """Error of the greatest compression, m."""
+        scales = self._scales("max_compression_si_error")
+        return self.max_compression_error * scales.length  # type: ignore[no-any-return]
+
+
+SI_UNITS = {
+    "speed_si": "m/s", "contact_time_si": "s", "contact_time_si_error": "s", "max_force_si": "N/m",
+    "max_force_si_error": "N/m", "max_compression_si": "m", "max_compression_si_error": "m",
+}  # fmt: skip

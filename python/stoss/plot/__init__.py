@@ -1,0 +1,54 @@
+"""Pictures of results, for print: one column wide (3.4 in) and told apart without colour.
+
+Every function takes a result and ``ax``, the Axes to draw in (None: a new figure), and returns the Axes. New figures
+have small print that fits one column; in Axes of yours the text follows your settings. Nothing global is changed.
+
+================================================  ===============================================================
+`restitution`, `extrapolation`                    ε or 1 − ε² against speed; the two limits of Gerl and Zippelius
+`spectrum`, `mode_shape`                          eigenmodes
+`force`, `velocity`, `energies`, `half_width`     one impact in time
+`ledger`                                          which mode holds how much energy
+`disk`, `sequence`, `stress`                      the deformed disk at the wall
+`animate`                                         the same as GIF or MP4
+================================================  ===============================================================
+
+Examples
+--------
+>>> hit = stoss.impact(poisson=0.33, speed=0.1, cutoff=12.5)
+>>> ax = stoss.plot.sequence(hit)
+>>> ax.figure.savefig("sequence.pdf")
+"""
+
+try:
+    import matplotlib as _matplotlib  # noqa: F401
+except ModuleNotFoundError as _missing:
+    if _missing.name != "matplotlib":
+        raise
+    _hint = "pip install matplotlib, or apt install python3-matplotlib"
+    raise ImportError(f"stoss.plot needs matplotlib: {_hint}") from None
+
+from stoss.plot._animation import animate
+from stoss.plot._disk import disk
+from stoss.plot._extrapolation import extrapolation
+from stoss.plot._ledger import ledger
+from stoss.plot._modes import mode_shape, spectrum
+from stoss.plot._restitution import restitution
+from stoss.plot._sequence import sequence
+from stoss.plot._stress import stress
+from stoss.plot._trajectory import energies, force, half_width, velocity
+
+__all__ = [
+    "animate",
+    "disk",
+    "energies",
+    "extrapolation",
+    "force",
+    "half_width",
+    "ledger",
+    "mode_shape",
+    "restitution",
+    "sequence",
+    "spectrum",
+    "stress",
+    "velocity",
+]

@@ -1,0 +1,235 @@
+"""An impact as a film."""
+
+from __future__ import annotations
+
+import contextlib
+import os
+import subprocess
+import tempfile
+from typing import Any, Iterator
+
+import numpy as np
+from matplotlib import colormaps, rc_context
+from matplotlib.animation import FFMpegWriter
+from matplotlib.artist import Artist
+from matplotlib.axes import Axes
+from matplotlib.backends.backend_agg import FigureCanvasAgg
+from matplotlib.colors import LinearSegmentedColormap
+from matplotlib.figure import Figure
+from numpy.typing import NDArray
+from PIL import Image
+
+from stoss._arguments import instance, integer, number, refusal
+from stoss._field import Field
+from stoss._impact import Impact
+from stoss.plot import _disk, _sequence, _stress, _style
+
+DPI = 100
+SUFFIXES = (".gif", ".mp4")
+
+
+def animate(
+    impact: Impact,
+    path: str | os.PathLike[str],
+    *,
+    frames: int = 60,
+    fps: float = 20.0,
+    size: tuple[int, int] | None = None,
+    quantity: str | None = None,
+    fringe: float | None = None,
+) -> str | os.PathLike[str]:
+    """Write the impact as a GIF or MP4, from just before contact until the disk has flown for some time, vibrating.
+
+    The file appears whole or not at all.
+
+    Parameters
+    ----------
+    impact : Impact
+        Of a disk.
+    path : str or path
+        Where to; an existing file is replaced. Its suffix, .gif or .mp4, says what is written; the latter needs ffmpeg.
+    frames : int, optional
+        Number of frames, 2 to 2000.
+    fps : float, optional
+        Frames per second, 1 to 50. A GIF counts time in 1/100 s.
+    size : (int, int), optional
+        Width and height, 100 to 4000 pixels; those of an MP4 are made even. Default: 400 wide, with colours 480.
+    quantity : {'von_mises', 'principal_difference', 'fringes'}, optional
+        Colours, on one scale for all frames (see `stoss.plot.stress`); default: a grid of radii and circles.
+    fringe : float, optional
+        As in `stoss.plot.stress`.
+
+    Returns
+    -------
+    str or path
+        `path`.
+
+    Raises
+    ------
+    InvalidInput
+        For arguments out of range and other suffixes.
+    RuntimeError
+        If an MP4 is asked for and ffmpeg is missing or fails.
+    OSError
+        If the file cannot be written.
+
+    Examples
+    --------
+    >>> hit = stoss.impact(poisson=0.33, speed=0.2, cutoff=12.5)
+    >>> stoss.animate(hit, "impact.gif", frames=10)
+    'impact.gif'
+    """
+    instance("impact", impact, (Impact,))
+    suffix = _suffix(path)
+    count, rate = integer("frames", frames), number("fps", fps)
+    if not 2 <= count <= 2000:
+        raise refusal("frames", frames, "2 to 2000")
+    if not 1.0 <= rate <= 50.0:
+        raise refusal("fps", fps, "1 to 50 (frames per second)")
+    pixels = None if size is None else _pixels(size)
+    if quantity is not None:
+        _style.choice("quantity", quantity, _stress.QUANTITIES)
+    if suffix == ".mp4" and not FFMpegWriter.isAvailable():
+        hint = "install it, or give a path that ends in .gif"
+        raise RuntimeError(f"animate: ffmpeg, which .mp4 needs, was not found ({hint})")
+
+    with _whole_file(os.fspath(path), suffix) as temporary:
+        times = _sequence.default_times(impact, count)
+        points = {"radius": _disk.GRID_RADIUS, "angle": _disk.GRID_ANGLE} if quantity is None else {}
+        field = impact.field(time=times, **points)
+        scale = None if quantity is None else _stress.scale_of(field, (), quantity, fringe)
+        shape = _default_pixels(field, scale) if pixels is None else pixels
+        if suffix == ".mp4":  # its colours are those of pairs of pixels
+            shape = shape[0] + shape[0] % 2, shape[1] + shape[1] % 2
+        with rc_context(_style.PRINT | {"figure.dpi": DPI}):
+            pictures = _film(field, scale, shape)
+            if suffix == ".gif":
+                _write_gif(pictures, rate, None if scale is None else scale.colors, temporary)
+            else:
+                _write_mp4(pictures, rate, shape, temporary)
+    return path
+
+
+def _suffix(path: Any) -> str:
+    if not isinstance(path, (str, os.PathLike)):
+        raise refusal("path", path, "a path that ends in .gif or .mp4")
+    suffix = os.path.splitext(os.fspath(path))[1].lower()
+    if suffix not in SUFFIXES:
+        raise refusal("path", os.fspath(path), "a path that ends in .gif or .mp4 (the suffix says what is written)")
+    return suffix
+
+
+def _pixels(size: Any) -> tuple[int, int]:
+    try:
+        width, height = (integer("size", each) for each in size)
+    except (TypeError, ValueError):
+        raise refusal("size", size, "two integers (width and height, pixels)") from None
+    if not (100 <= width <= 4000 and 100 <= height <= 4000):
+        raise refusal("size", size, "100 to 4000 pixels, both")
+    return width, height
+
+
+def _default_pixels(field: Field, scale: _stress.Scale | None) -> tuple[int, int]:
+    _, height = _disk.size_for(*_disk.extent(field.x, field.y), 3.3)
+    return (400 if scale is None else 480), round(DPI * height)
+
+
+def _film(field: Field, scale: _stress.Scale | None, size: tuple[int, int]) -> Iterator[NDArray[np.uint8]]:
+    """The pictures, height × width × RGB, of a figure that pyplot does not know of."""
+    figure = Figure(figsize=(size[0] / DPI, size[1] / DPI), dpi=DPI, layout="constrained")
+    canvas = FigureCanvasAgg(figure)
+    axes = figure.add_subplot()
+    _style.small_ticks(axes)
+    left, half = _disk.extent(field.x, field.y)
+    _disk.frame_axes(axes, left, _disk.WALL, half)
+    face = _disk.draw_wall(axes)
+    names = [f"t = {time} R/c" for time in _sequence.spoken_times(np.asarray(field.time))]
+    title = axes.set_title(names[0])
+    if scale is not None:
+        drawn = _stress.draw_stress(axes, field, _disk.instant(field, 0), scale, smooth=False)
+        _stress.draw_bar(axes, drawn[0], scale)
+        for artist in drawn:
+            artist.remove()
+
+    # Most of the picture never changes. It is drawn once, and the disk and the time over it.
+    title.set_animated(True)
+    canvas.draw()
+    ground = canvas.copy_from_bbox(figure.bbox)
+    for k, name in enumerate(names):
+        canvas.restore_region(ground)
+        title.set_text(name)
+        moving = _draw_frame(axes, field, _disk.instant(field, k), scale)
+        for artist in (*moving, face, title):
+            axes.draw_artist(artist)
+        for artist in moving:
+            artist.remove()
+        yield np.array(canvas.buffer_rgba())[..., :3]
+
+
+def _draw_frame(axes: Axes, field: Field, now: _disk.Instant, scale: _stress.Scale | None) -> list[Artist]:
+    if scale is not None:
+        return list(_stress.draw_stress(axes, field, now, scale, smooth=False))
+    outline = _disk.draw_outline(axes, *_disk.undeformed(now.center))
+    return [outline, _disk.draw_grid(axes, now.x, now.y, field.radius, field.angle, width=1.2)]
+
+
+def _write_gif(pictures: Iterator[NDArray[np.uint8]], rate: float, colors: str | None, path: str) -> None:
+    # One palette for all: colours keep their meaning from frame to frame, and the file stays small.
+    ramp = LinearSegmentedColormap.from_list("grid", ["white", _style.BLUE]) if colors is None else colormaps[colors]
+    levels = 24 if colors is None else 96
+    shades = np.concatenate((colormaps["gray"](np.linspace(0.0, 1.0, 32)), ramp(np.linspace(0.0, 1.0, levels))))
+    palette = Image.new("P", (1, 1))
+    palette.putpalette(np.round(255.0 * shades[:, :3]).astype(np.uint8).tobytes())
+    flat = [Image.fromarray(each).quantize(palette=palette, dither=0) for each in pictures]
+    duration = 10 * max(2, round(100.0 / rate))
+    flat[0].save(path, format="GIF", save_all=True, append_images=flat[1:], duration=duration, loop=0)
+
+
+def _write_mp4(pictures: Iterator[NDArray[np.uint8]], rate: float, size: tuple[int, int], path: str) -> None:
+    command = [
+        FFMpegWriter.bin_path(), "-loglevel", "error", "-y",
+        "-f", "rawvideo", "-pix_fmt", "rgb24", "-s", f"{size[0]}x{size[1]}", "-r", f"{rate:g}", "-i", "pipe:0",
+        "-pix_fmt", "yuv420p", path,
+    ]  # fmt: skip
+    with tempfile.TemporaryFile() as complaints:
+        with subprocess.Popen(command, stdin=subprocess.PIPE, stdout=complaints, stderr=complaints) as ffmpeg:
+            assert ffmpeg.stdin is not None
+            try:
+                for picture in pictures:
+                    ffmpeg.stdin.write(picture.tobytes())
+            except BrokenPipeError:  # ffmpeg has given up, and says why below
+                pass
+            except BaseException:
+                ffmpeg.kill()
+                raise
+            with contextlib.suppress(BrokenPipeError):
+                ffmpeg.stdin.close()
+        if ffmpeg.returncode != 0:
+            complaints.seek(0)
+            said = " ".join(complaints.read(300).decode(errors="replace").split())
+            raise RuntimeError(f"animate: ffmpeg failed (give a path that ends in .gif instead): {said}")
+
+
+@contextlib.contextmanager
+def _whole_file(path: str, suffix: str) -> Iterator[str]:
+    """A temporary name beside `path`, moved there at the end: what fails leaves no half file."""
+    path = os.path.realpath(path)
+    try:
+        if os.path.isdir(path):
+            raise IsADirectoryError(21, os.strerror(21), path)
+        if os.path.exists(path) and not os.access(path, os.W_OK):
+            raise PermissionError(13, os.strerror(13), path)
+        descriptor, temporary = tempfile.mkstemp(dir=os.path.dirname(path), prefix=".stoss-", suffix=suffix)
+    except OSError as error:
+        raise type(error)(error.errno, error.strerror, path) from None  # the name that the user knows
+    os.close(descriptor)
+    try:
+        yield temporary
+        mask = os.umask(0)
+        os.umask(mask)
+        os.chmod(temporary, os.stat(path).st_mode & 0o777 if os.path.exists(path) else 0o666 & ~mask)
+        os.replace(temporary, path)
+    except BaseException:
+        with contextlib.suppress(OSError):
+            os.unlink(temporary)
+        raise

@@ -1,0 +1,187 @@
+"""The deformed disk at the wall."""
+
+from __future__ import annotations
+
+from typing import Any, NamedTuple
+
+import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.collections import LineCollection
+from matplotlib.lines import Line2D
+from matplotlib.ticker import MultipleLocator
+from numpy.typing import NDArray
+
+from stoss._arguments import instance, integer, refusal
+from stoss._errors import InvalidInput
+from stoss._field import Field
+from stoss.plot import _style
+
+CIRCLES, SPOKES = 6, 24
+
+# Points for pictures that need the grid only: fine along the lines, and every line on a point.
+GRID_RADIUS = np.linspace(0.0, 1.0, 4 * CIRCLES + 1)
+GRID_ANGLE = np.linspace(-np.pi, np.pi, 8 * SPOKES + 1)
+
+WALL = 0.12  # thickness of what is drawn as the wall, R
+
+Array = NDArray[np.float64]
+
+
+class Instant(NamedTuple):
+    """One frame of a `Field`."""
+
+    time: float
+    center: float
+    x: Array
+    y: Array
+    where: tuple[Any, ...]  # of this frame in the field's arrays
+
+
+def instant(field: Field, frame: int | None) -> Instant:
+    """The frame that was meant; a field with several needs to be told which."""
+    instance("field", field, (Field,))
+    shape = field.x.shape[:-2]
+    count = int(np.prod(shape))
+    if min(field.x.shape[-2:]) < 2:
+        points = " x ".join(str(n) for n in field.x.shape[-2:])
+        raise InvalidInput(f"field: got {points} points, allowed at least 2 radii and 2 angles")
+    if frame is None:
+        if count != 1:
+            hint = f" (say which, as in frame={count // 2})" if count else ""
+            raise InvalidInput(f"field: got {count} times, allowed one{hint}")
+        frame = 0
+    k = integer("frame", frame)
+    if not -count <= k < count:
+        raise refusal("frame", frame, f"0 to {count - 1} (the field has {count} times)")
+    where = tuple(np.unravel_index(k % count, shape)) if shape else ()
+    time, center = np.asarray(field.time)[where], np.asarray(field.center)[where]
+    return Instant(float(time), float(center), field.x[where], field.y[where], where)
+
+
+def disk(
+    field: Field,
+    ax: Axes | None = None,
+    *,
+    frame: int | None = None,
+    circles: int = CIRCLES,
+    spokes: int = SPOKES,
+    outline: bool = True,
+    color: Any = _style.BLUE,
+) -> Axes:
+    """The deformed disk at the wall: circles and radii that were even before the impact.
+
+    Deformations have their true size.
+
+    Parameters
+    ----------
+    field : Field
+        From `Impact.field`, with any radii and angles: the nearest to even ones are drawn.
+    ax : Axes, optional
+        Where to draw.
+    frame : int, optional
+        Which of the field's times, if it has several.
+    circles, spokes : int, optional
+        Number of circles and of radii.
+    outline : bool, optional
+        Also the undeformed disk around the same centre of mass, in grey.
+    color : color, optional
+        Of the grid.
+
+    Returns
+    -------
+    Axes
+
+    Examples
+    --------
+    >>> hit = stoss.impact(poisson=0.33, speed=0.2, cutoff=12.5)
+    >>> ax = stoss.plot.disk(hit.field(time=hit.contact_time / 2))
+    >>> ax.get_xlabel()
+    'x / R'
+    """
+    now = instant(field, frame)
+    for name, value in (("circles", circles), ("spokes", spokes)):
+        if not 1 <= integer(name, value) <= 1000:
+            raise refusal(name, value, "1 to 1000")
+    left, half = extent(now.x, now.y)
+    with _style.canvas(ax, size=size_for(left, half, 2.85)) as axes:
+        if outline:
+            draw_outline(axes, *undeformed(now.center))
+        draw_grid(axes, now.x, now.y, field.radius, field.angle, circles, spokes, color=color)
+        draw_wall(axes)
+        frame_axes(axes, left, WALL, half)
+        axes.set_title(f"t = {_style.written(now.time)} R/c")
+    return axes
+
+
+def draw_grid(
+    axes: Axes,
+    x: Array,
+    y: Array,
+    radius: Array,
+    angle: Array,
+    circles: int = CIRCLES,
+    spokes: int = SPOKES,
+    *,
+    color: Any = _style.BLUE,
+    width: float = 1.0,
+) -> LineCollection:
+    """Circles and radii nearest to even ones, the edge heavier; `width` scales all lines."""
+    rings = _nearest(radius, np.arange(1, circles + 1) / circles)
+    rays = _nearest(angle, -np.pi + 2.0 * np.pi * np.arange(spokes) / spokes)
+    lines = [np.column_stack((x[i], y[i])) for i in rings] + [np.column_stack((x[:, j], y[:, j])) for j in rays]
+    edge = np.argmax(radius)
+    widths = [width * (1.2 if i == edge else 0.5) for i in rings] + [width * 0.5] * len(rays)
+    drawn = LineCollection(lines, colors=color, linewidths=widths, capstyle="round", joinstyle="round", zorder=2.0)
+    axes.add_collection(drawn)
+    axes.autoscale_view()
+    return drawn
+
+
+def _nearest(values: Array, wanted: Array) -> NDArray[np.intp]:
+    nearest: NDArray[np.intp] = np.unique(np.abs(values[:, None] - wanted).argmin(axis=0))
+    return nearest
+
+
+def undeformed(center: float = -np.inf) -> tuple[Array, Array]:
+    """The edge of an undeformed disk with this centre of mass, without what would be beyond the wall.
+
+    Far from any wall, around 0, if there is no centre.
+    """
+    x, y = np.cos(GRID_ANGLE), np.sin(GRID_ANGLE)
+    return (x, y) if np.isinf(center) else (np.where(center + x <= 0.0, center + x, np.nan), y)
+
+
+def draw_outline(axes: Axes, x: Array, y: Array, width: float = 1.0) -> Line2D:
+    """The undeformed disk, in grey."""
+    (line,) = axes.plot(x, y, color=_style.GREY, linewidth=0.8 * width, zorder=1.5)
+    return line
+
+
+def draw_wall(axes: Axes) -> Line2D:
+    """The wall at x = 0, as high as the picture, and its face."""
+    axes.axvspan(0.0, WALL, facecolor="0.8", edgecolor="none", zorder=1.0)
+    return axes.axvline(0.0, color=_style.BLACK, linewidth=1.0, zorder=1.8)
+
+
+def extent(x: Array, y: Array) -> tuple[float, float]:
+    """Where the picture begins on the left, and half its height: all points, at least a disk, and a margin, R."""
+    return min(-2.0, float(x.min())) - 0.06, max(1.0, float(np.abs(y).max())) + 0.06
+
+
+def size_for(left: float, half: float, width: float) -> tuple[float, float]:
+    """Size in inches of a figure for one column, in which the disk's Axes can be `width` wide.
+
+    It is a little too high, so that the width decides: the layout leaves space for labels where equal axes would end if
+    they filled theirs.
+    """
+    return _style.COLUMN, min(6.0, width * 2.0 * half / (WALL - left) + 0.7)
+
+
+def frame_axes(axes: Axes, left: float, right: float, half: float) -> None:
+    """Places in R, equal on both axes."""
+    axes.set_aspect("equal")
+    axes.set(xlim=(left, right), ylim=(-half, half), xlabel="x / R", ylabel="y / R")
+    # The same ticks however large the Axes become: or the layout would not leave enough space for them.
+    step = 0.5 * 2.0 ** max(0.0, np.ceil(np.log2((right - left) / 4.0)))
+    for axis in (axes.xaxis, axes.yaxis):
+        axis.set_major_locator(MultipleLocator(step))

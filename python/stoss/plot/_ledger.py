@@ -1,0 +1,73 @@
+"""Which mode holds how much energy."""
+
+from __future__ import annotations
+
+import numpy as np
+from matplotlib.axes import Axes
+
+from stoss._arguments import instance, integer, refusal
+from stoss._impact import Impact
+from stoss.plot import _style
+
+LABELS = {"after": "energy after impact / initial", "average": "mean energy in contact / initial"}
+HATCHES = ("", "/////", "xxxxx", ".....", "\\\\\\\\\\", "-----", "+++++")
+COLUMNS = 4  # of the legend
+DECADES = 8.0  # below the greatest bar; what is less is left out
+
+
+def ledger(impact: Impact, ax: Axes | None = None, *, when: str = "after", orders: int = 8, indices: int = 4) -> Axes:
+    """Energy of the modes (n, l) as shares of the initial energy: a group of bars for each n, logarithmic.
+
+    Parameters
+    ----------
+    impact : Impact
+    ax : Axes, optional
+        Where to draw.
+    when : {'after', 'average'}
+        After the impact, or the mean during contact.
+    orders, indices : int, optional
+        How many n and l from 0 on, 1 to 100 and 1 to 20; modes above the cutoff have no bars.
+
+    Returns
+    -------
+    Axes
+
+    Examples
+    --------
+    >>> ax = stoss.plot.ledger(stoss.impact(poisson=0.33, speed=0.1, cutoff=12.5))
+    >>> ax.get_ylabel()
+    'energy after impact / initial'
+    """
+    instance("impact", impact, (Impact,))
+    _style.choice("when", when, tuple(LABELS))
+    for name, value, limit in (("orders", orders, 100), ("indices", indices, 20)):
+        if not 1 <= integer(name, value) <= limit:
+            raise refusal(name, value, f"1 to {limit}")
+    modes = impact.mode_energies
+    modes = modes[(modes["order"] < orders) & (modes["index"] < indices) & (modes[when] > 0.0)]
+
+    with _style.canvas(ax, size=(_style.COLUMN, 2.7)) as axes:
+        width = 0.84 / indices
+        for index in range(indices):
+            chosen = modes[modes["index"] == index]
+            if chosen.size == 0:
+                continue
+            n = index % len(_style.COLORS)
+            place = chosen["order"] + (index - 0.5 * (indices - 1)) * width
+            axes.bar(
+                place, chosen[when], width, color=_style.COLORS[n], edgecolor="white", linewidth=0.0,
+                hatch=HATCHES[n], label=f"l = {index}",
+            )  # fmt: skip
+        axes.set_yscale("log")
+        if modes.size:
+            top = np.log10(modes[when].max())
+            low = np.floor(max(np.log10(0.7 * modes[when].min()), top - DECADES))
+            rows = -(-np.unique(modes["index"]).size // COLUMNS)
+            head = 0.03 + 0.09 * rows  # of the picture's height, for the legend
+            axes.set_ylim(10.0**low, 10.0 ** ((top - head * low) / (1.0 - head)))
+            shown = np.unique(modes["order"])
+            axes.set_xticks(shown[:: -(-shown.size // 12)])
+            _style.legend(axes, ncol=COLUMNS, loc="upper right", columnspacing=0.8, handlelength=1.2, handletextpad=0.5)
+        axes.set_xlabel("angular order n")
+        axes.set_ylabel(LABELS[when])
+    return axes

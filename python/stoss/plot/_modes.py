@@ -1,0 +1,95 @@
+"""Eigenmodes: the spectrum and the shapes."""
+
+from __future__ import annotations
+
+import numpy as np
+from matplotlib.axes import Axes
+
+from stoss._arguments import instance, number, refusal
+from stoss._modes import Modes
+from stoss.plot import _disk, _style
+
+
+def spectrum(modes: Modes, ax: Axes | None = None) -> Axes:
+    """Eigenfrequencies ω against the angular order n, radial and tangential modes told apart.
+
+    Radial are those whose edge moves mostly along the radius, C > |S|.
+
+    Parameters
+    ----------
+    modes : Modes
+    ax : Axes, optional
+        Where to draw.
+
+    Returns
+    -------
+    Axes
+
+    Examples
+    --------
+    >>> ax = stoss.plot.spectrum(stoss.modes(poisson=0.33, cutoff=10))
+    >>> ax.get_ylabel()
+    'frequency ω / (c/R)'
+    """
+    instance("modes", modes, (Modes,))
+    size = 3.5 if len(modes) < 150 else 2.5 if len(modes) < 600 else 1.5
+    kinds = (
+        (modes.radial_family, "radial, C > |S|", {"color": _style.BLUE, "marker": "o"}),
+        (~modes.radial_family, "tangential, C ≤ |S|", {"color": _style.VERMILION, "marker": "^", "fillstyle": "none"}),
+    )
+    with _style.canvas(ax, size=(_style.COLUMN, 2.8)) as axes:
+        for where, name, style in kinds:
+            look = {"linestyle": "none", "markersize": size, "markeredgewidth": 0.7} | style
+            axes.plot(modes.order[where], modes.omega[where], label=name, **look)
+        axes.xaxis.get_major_locator().set_params(integer=True)
+        axes.set_ylim(bottom=0.0)
+        axes.set_xlabel("angular order n")
+        axes.set_ylabel("frequency ω / (c/R)")
+        _style.legend(axes, loc="lower right", handlelength=1.0)
+    return axes
+
+
+def mode_shape(modes: Modes, ax: Axes | None = None, *, order: int, index: int, amplitude: float = 0.15) -> Axes:
+    """The shape of the mode (n, l): a grid of radii and circles, deformed, over the undeformed outline in grey.
+
+    Parameters
+    ----------
+    modes : Modes
+    ax : Axes, optional
+        Where to draw.
+    order, index : int
+        n and l.
+    amplitude : float, optional
+        Greatest displacement in the picture, R, −1 to 1.
+
+    Returns
+    -------
+    Axes
+
+    Examples
+    --------
+    >>> ax = stoss.plot.mode_shape(stoss.modes(poisson=0.33, cutoff=10), order=2, index=0)
+    >>> ax.get_title()
+    '(n, l) = (2, 0), ω = 1.439 c/R'
+    """
+    instance("modes", modes, (Modes,))
+    greatest = number("amplitude", amplitude)
+    if not abs(greatest) <= 1.0:
+        raise refusal("amplitude", amplitude, "-1 to 1 (R)")
+    radius, angle = _disk.GRID_RADIUS, _disk.GRID_ANGLE
+    u_r, u_phi = modes.displacement(order=order, index=index, radius=radius)
+    out = u_r[:, None] * np.cos(order * angle)
+    along = u_phi[:, None] * np.sin(order * angle)
+    scale = greatest / np.hypot(out, along).max()
+    out, along = radius[:, None] + scale * out, scale * along
+    x = out * np.cos(angle) - along * np.sin(angle)
+    y = out * np.sin(angle) + along * np.cos(angle)
+
+    reach = 1.05 * max(1.0, float(np.abs(x).max()), float(np.abs(y).max()))
+    with _style.canvas(ax, size=(2.6, 2.6)) as axes:
+        _disk.draw_outline(axes, *_disk.undeformed())
+        _disk.draw_grid(axes, x, y, radius, angle)
+        _disk.frame_axes(axes, -reach, reach, reach)
+        omega = modes.omega[modes.find(order, index)]
+        axes.set_title(f"(n, l) = ({order}, {index}), ω = {omega:.4g} c/R")
+    return axes

@@ -1,0 +1,146 @@
+"""ε(v), the curve that all is about."""
+
+from __future__ import annotations
+
+from typing import Any, NamedTuple
+
+import matplotlib
+import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.container import ErrorbarContainer
+from numpy.typing import NDArray
+
+from stoss._arguments import instance
+from stoss._bodies import Rod
+from stoss._restitution import Restitution
+from stoss.plot import _style
+
+LABELS = {"restitution": "restitution ε", "lost_fraction": "lost fraction 1 − ε²"}
+DOUBTFUL = "not converged"
+NAMED = 7  # curves that a legend can hold
+
+
+class _Curve(NamedTuple):
+    x: NDArray[np.float64]
+    y: NDArray[np.float64]
+    error: NDArray[np.float64]
+    converged: NDArray[np.bool_]
+    name: str
+
+
+def restitution(
+    result: Restitution,
+    ax: Axes | None = None,
+    *,
+    quantity: str = "restitution",
+    scale: str = "log",
+    label: str | None = None,
+    **style: Any,
+) -> Axes:
+    """ε or 1 − ε² against speed with error bars, a curve for each Poisson number.
+
+    Speeds are in c, or in m/s if the result has a material. Values that did not converge are hollow, values that are
+    missing (NaN) are left out. If there is only one speed but several Poisson numbers, they are the horizontal axis.
+
+    Parameters
+    ----------
+    result : Restitution
+    ax : Axes, optional
+        Where to draw; further calls with the same Axes add curves.
+    quantity : {'restitution', 'lost_fraction'}
+    scale : {'log', 'linear'}
+        Of the speed, and of the lost fraction with it; ε has a linear axis.
+    label : str, optional
+        Name of the curve; default: its Poisson number.
+    **style
+        Handed on to `matplotlib.axes.Axes.errorbar`: color, marker, linestyle, …
+
+    Returns
+    -------
+    Axes
+
+    Examples
+    --------
+    >>> curve = stoss.restitution(poisson=[[0.0], [0.33]], speed=np.geomspace(1e-3, 0.3, 8))
+    >>> ax = stoss.plot.restitution(curve, quantity="lost_fraction")
+    >>> ax.get_xlabel(), ax.get_ylabel()
+    ('speed v / c', 'lost fraction 1 − ε²')
+    """
+    instance("result", result, (Restitution,))
+    _style.choice("quantity", quantity, tuple(LABELS))
+    logarithmic = _style.choice("scale", scale, ("log", "linear")) == "log"
+    over_poisson = np.unique(result.speed).size == 1 and np.unique(result.poisson).size > 1
+    curves = _over_poisson(result, quantity) if over_poisson else _over_speed(result, quantity)
+
+    with _style.canvas(ax) as axes:
+        if over_poisson:
+            axes.set_xlabel("2-D Poisson number ν")
+        else:
+            axes.set_xscale(scale)
+            axes.set_xlabel("speed v / c" if result.material is None else "speed v / (m/s)")
+        if logarithmic and quantity == "lost_fraction":
+            axes.set_yscale("log")
+        else:
+            axes.set_yscale("linear")
+            axes.ticklabel_format(axis="y", useOffset=False)
+        axes.set_ylabel(LABELS[quantity])
+        before = sum(isinstance(each, ErrorbarContainer) for each in axes.containers)
+        every = -(-len(curves) // NAMED)
+        for k, curve in enumerate(curves):
+            name = curve.name if label is None else label if len(curves) == 1 else f"{label}, {curve.name}"
+            look = _look(k, len(curves), before)
+            if every > 1:  # too many to be told apart by more than an order of colours
+                look |= {"marker": "none", "linestyle": "-"}
+            _draw(axes, curve, {"label": name if k % every == 0 else None} | look | style)
+        _style.legend(axes)
+    return axes
+
+
+def _values(result: Restitution, name: str) -> NDArray[Any]:
+    return np.asarray(getattr(result, name)).ravel()
+
+
+def _sorted(x: NDArray[Any], where: NDArray[np.bool_], result: Restitution, quantity: str, name: str) -> _Curve:
+    value, error = _values(result, quantity), _values(result, f"{quantity}_error")
+    kept = np.flatnonzero(where & np.isfinite(x) & np.isfinite(value))
+    kept = kept[np.argsort(x[kept], kind="stable")]
+    return _Curve(x[kept], value[kept], error[kept], _values(result, "converged")[kept].astype(bool), name)
+
+
+def _over_speed(result: Restitution, quantity: str) -> list[_Curve]:
+    poisson = _values(result, "poisson")
+    speed = _values(result, "speed" if result.material is None else "speed_si")
+    if isinstance(result.body, Rod):
+        return [_sorted(speed, np.full(speed.shape, True), result, quantity, "rod")]
+    numbers = {each: f"ν = {_style.written(each)}" for each in np.unique(poisson)}
+    return [_sorted(speed, poisson == each, result, quantity, name) for each, name in numbers.items()]
+
+
+def _over_poisson(result: Restitution, quantity: str) -> list[_Curve]:
+    poisson = _values(result, "poisson")
+    name = f"v = {_style.written(_values(result, 'speed')[0])} c"
+    return [_sorted(poisson, np.full(poisson.shape, True), result, quantity, name)]
+
+
+def _look(k: int, count: int, before: int) -> dict[str, Any]:
+    if count > NAMED:
+        return {"color": matplotlib.colormaps["viridis"](0.9 * k / (count - 1))}
+    n = (k + before) % len(_style.COLORS)
+    return {"color": _style.COLORS[n], "marker": _style.MARKERS[n], "linestyle": _style.LINES[n]}
+
+
+def _draw(axes: Axes, curve: _Curve, style: dict[str, Any]) -> None:
+    known = np.isfinite(curve.error)  # values without an error have no bar
+    bars = {"capsize": 1.5, "elinewidth": 0.8} | ({} if known.all() else {"errorevery": known})
+    drawn = axes.errorbar(curve.x, curve.y, yerr=curve.error, **bars | style)
+    doubtful = ~curve.converged
+    if not doubtful.any():
+        return
+    line = drawn.lines[0]
+    marker = "o" if line.get_marker() in (None, "", " ", "none", "None") else line.get_marker()
+    told = DOUBTFUL in axes.get_legend_handles_labels()[1]
+    axes.plot(
+        curve.x[doubtful], curve.y[doubtful], linestyle="none", marker=marker, color=line.get_color(),
+        markerfacecolor="white", markersize=line.get_markersize() + 1.5,
+        zorder=line.get_zorder() + 0.5, label=None if told else DOUBTFUL,
+    )  # fmt: skip

@@ -1,0 +1,118 @@
+"""An impact as a row of pictures."""
+
+from __future__ import annotations
+
+import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.patches import Rectangle
+from numpy.typing import ArrayLike, NDArray
+
+from stoss._arguments import instance, integer, numbers, refusal
+from stoss._errors import InvalidInput
+from stoss._impact import Impact
+from stoss.plot import _disk, _style
+
+Array = NDArray[np.float64]
+
+BEFORE, AFTER = 0.15, 0.6  # of the contact time
+LARGEST = 64
+GAP = 0.3  # between two disks, R
+LINE = 0.62  # height of the line that says the time, R
+
+
+def sequence(
+    impact: Impact, ax: Axes | None = None, *, times: ArrayLike | None = None, count: int = 6, columns: int = 3
+) -> Axes:
+    """The deformed disk at several times, in rows, each above the wall with its time below.
+
+    The wall, x = 0, is below, and the disk comes from above. Deformations and distances from the wall have their true
+    size; the grey circles have radius R around the same centre of mass, so that what differs from them is deformation.
+
+    Parameters
+    ----------
+    impact : Impact
+        Of a disk.
+    ax : Axes, optional
+        Where to draw.
+    times : array_like, optional
+        R/c from the start of the impact, 1 to 64 of them; default: `count` even ones from just before contact until the
+        disk has flown for some time, vibrating.
+    count : int, optional
+        Number of default times, 2 to 64.
+    columns : int, optional
+        Disks in a row; up to 3 are legible in one column, 6 in two.
+
+    Returns
+    -------
+    Axes
+
+    Examples
+    --------
+    >>> ax = stoss.plot.sequence(stoss.impact(poisson=0.33, speed=0.2, cutoff=12.5), count=3)
+    >>> [text.get_text() for text in ax.texts]
+    ['−0.80', '3.97', '8.74']
+    """
+    instance("impact", impact, (Impact,))
+    if not 2 <= integer("count", count) <= LARGEST:
+        raise refusal("count", count, f"2 to {LARGEST}")
+    if not 1 <= integer("columns", columns) <= LARGEST:
+        raise refusal("columns", columns, f"1 to {LARGEST}")
+    chosen = default_times(impact, count) if times is None else numbers("times", times).ravel()
+    if not 1 <= chosen.size <= LARGEST:
+        raise InvalidInput(f"times: got {chosen.size} of them, allowed 1 to {LARGEST}")
+    field = impact.field(time=chosen, radius=_disk.GRID_RADIUS, angle=_disk.GRID_ANGLE)
+
+    # The picture is turned: along the wall is to the right, away from it is up.
+    across, above = field.y, -field.x
+    columns = min(columns, chosen.size)
+    rows = -(-chosen.size // columns)
+    pitch = 2.0 * max(1.0, float(np.abs(across).max())) + GAP
+    top = max(float(above.max()), 1.0 - float(np.min(field.center)))  # also of the undeformed disk
+    height = top + 0.05 + _disk.WALL + LINE
+    wide, high = columns * pitch, rows * height
+    column = _style.COLUMN if columns <= 3 else 2.0 * _style.COLUMN + 0.2
+    size = (column, min(9.0, column * high / wide + 0.35))
+
+    with _style.canvas(ax, size=size) as axes:
+        line = 3.0 / max(columns, 3)
+        names = spoken_times(chosen)
+        for k in range(chosen.size):
+            x, y = (k % columns) * pitch, -(k // columns) * height
+            toward, along = _disk.undeformed(float(np.asarray(field.center)[k]))
+            _disk.draw_outline(axes, x + along, y - toward, line)
+            _disk.draw_grid(axes, x + across[k], y + above[k], field.radius, field.angle, width=line)
+            axes.text(x, y - _disk.WALL - 0.5 * LINE, names[k], ha="center", va="center")
+        for row in range(rows):
+            filled = min(columns, chosen.size - row * columns)
+            corner = (-0.5 * pitch, -row * height - _disk.WALL)
+            axes.add_patch(Rectangle(corner, filled * pitch, _disk.WALL, facecolor="0.8", edgecolor="none", zorder=1.0))
+            edge = (corner[0], corner[0] + filled * pitch)
+            axes.plot(edge, (-row * height,) * 2, color=_style.BLACK, linewidth=1.0, zorder=1.8)
+        axes.set_aspect("equal")
+        axes.set_xlim(-0.5 * pitch, wide - 0.5 * pitch)
+        axes.set_ylim(height - high - _disk.WALL - LINE, height - _disk.WALL - LINE)
+        axes.set_xticks([])
+        axes.set_yticks([])
+        for spine in axes.spines.values():
+            spine.set_visible(False)
+        axes.set_xlabel("time t / (R/c)")
+    return axes
+
+
+def default_times(impact: Impact, count: int) -> Array:
+    """Even times from just before contact until the disk has left and vibrates freely."""
+    path = impact.trajectory()
+    # Not 0 and contact_time: an exponential wall is felt before it is touched.
+    touching = path.time[path.contact_half_width > 0.0]
+    first, last = (touching[0], touching[-1]) if touching.size else (0.0, impact.contact_time)
+    span = last - first
+    times: Array = np.linspace(first - BEFORE * span, last + AFTER * span, count)
+    return times
+
+
+def spoken_times(times: Array) -> list[str]:
+    """The times with as many decimals as tell them apart, at least two."""
+    steps = np.diff(np.unique(times))
+    least = float(steps.min()) if steps.size else 1.0
+    decimals = int(np.clip(1 - np.floor(np.log10(least)), 2, 12))
+    return [f"{time:.{decimals}f}".replace("-", "−") for time in times]

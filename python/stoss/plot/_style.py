@@ -1,0 +1,92 @@
+"""What all pictures share: where they are drawn, their colours and small print, and how they refuse."""
+
+from __future__ import annotations
+
+import contextlib
+import weakref
+from typing import Any, Iterator, Sequence
+
+import matplotlib
+from matplotlib.axes import Axes
+
+from stoss._arguments import refusal
+
+COLUMN = 3.4  # inches, one column of a journal
+
+# Okabe and Ito's colours, those first that also differ most in lightness.
+BLACK, BLUE, VERMILION, GREEN, PURPLE, ORANGE, SKY = (
+    "#000000", "#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9",
+)  # fmt: skip
+COLORS = (BLUE, VERMILION, GREEN, PURPLE, ORANGE, SKY, BLACK)
+LINES = ("-", "--", "-.", ":", (0, (5, 1, 1, 1, 1, 1)), (0, (8, 2)), (0, (3, 1)))
+MARKERS = ("o", "s", "^", "D", "v", "P", "X")
+GREY = "0.6"
+
+PRINT: dict[str, Any] = {
+    "font.size": 8.0,
+    "axes.labelsize": 8.0,
+    "axes.titlesize": 8.0,
+    "axes.linewidth": 0.6,
+    "xtick.labelsize": 7.0,
+    "ytick.labelsize": 7.0,
+    "legend.fontsize": 7.0,
+    "legend.title_fontsize": 7.0,
+    "lines.linewidth": 1.2,
+    "lines.markersize": 3.5,
+    "patch.linewidth": 0.6,
+    "figure.dpi": 200.0,
+}
+
+_made_here: weakref.WeakSet[Axes] = weakref.WeakSet()
+
+
+@contextlib.contextmanager
+def canvas(ax: Axes | None, *, size: tuple[float, float] = (COLUMN, 2.5)) -> Iterator[Axes]:
+    """The given Axes, or those of a new figure for one column, which is closed again if drawing fails.
+
+    Whoever brings Axes has chosen their style; those made here keep their small print when more is drawn in them.
+    """
+    if ax is not None:
+        if not isinstance(ax, Axes):
+            hint = "one matplotlib Axes or None (pyplot.subplots gives an array of them: take one)"
+            raise refusal("ax", ax, hint)
+        with matplotlib.rc_context(PRINT if ax in _made_here else {}):
+            yield ax
+        return
+
+    from matplotlib import pyplot
+
+    with matplotlib.rc_context(PRINT):
+        figure, made = pyplot.subplots(figsize=size, layout="constrained")
+        try:
+            small_ticks(made)
+            yield made
+            _made_here.add(made)
+        except BaseException:
+            pyplot.close(figure)
+            raise
+
+
+def small_ticks(axes: Axes, labelsize: float = PRINT["xtick.labelsize"]) -> None:
+    """Small print for ticks. Ticks are made late, when the settings of `canvas` have gone; so they are told here."""
+    axes.tick_params(which="both", width=0.6, labelsize=labelsize)
+    axes.tick_params(which="major", length=2.5)
+    axes.tick_params(which="minor", length=1.5)
+
+
+def legend(axes: Axes, **options: Any) -> None:
+    """A legend without a frame line, over a light ground so that it stays legible above curves."""
+    axes.legend(**{"framealpha": 0.8, "edgecolor": "none", "handlelength": 2.4, "borderaxespad": 0.3} | options)
+
+
+def written(value: float, digits: int = 4) -> str:
+    """A number for labels, with a minus sign instead of a hyphen."""
+    return f"{value:.{digits}g}".replace("-", "−")
+
+
+def choice(name: str, value: Any, allowed: Sequence[str]) -> str:
+    """One of a few words."""
+    if not isinstance(value, str) or value not in allowed:
+        *others, last = (repr(each) for each in allowed)
+        raise refusal(name, value, f"{', '.join(others)} or {last}")
+    return value

@@ -1,0 +1,82 @@
+"""What the tests of the Python package share. The command to compare with is in the environment variable STOSS."""
+
+import csv
+import json
+import os
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+import stoss
+
+os.environ.setdefault("MPLBACKEND", "Agg")
+DATA = Path(__file__).parents[1] / "data"
+
+
+class Interpreter:
+    """Python in a process of its own, that sees the same package."""
+
+    def __init__(self):
+        folders = [str(Path(stoss.__file__).parents[1]), os.environ.get("PYTHONPATH", "")]
+        self.environment = {**os.environ, "PYTHONPATH": os.pathsep.join(filter(None, folders))}
+
+    def run(self, code, **options):
+        """Runs `code` to its end; returns the completed process."""
+        return subprocess.run(
+            [sys.executable, "-c", code], env=self.environment, capture_output=True, text=True, timeout=60, **options
+        )
+
+    def start(self, code, **options):
+        """Starts `code`; returns the process, whose output is a pipe."""
+        return subprocess.Popen(
+            [sys.executable, "-c", code], env=self.environment, stdout=subprocess.PIPE, text=True, **options
+        )
+
+
+@pytest.fixture(scope="session")
+def interpreter():
+    return Interpreter()
+
+
+@pytest.fixture(scope="session")
+def command():
+    """Runs the stoss command; returns its JSON."""
+
+    def run(arguments):
+        words = [os.environ["STOSS"], *arguments.split(), "--format", "json", "--quiet"]
+        result = subprocess.run(words, capture_output=True, text=True, timeout=120, check=True)
+        return json.loads(result.stdout)
+
+    return run
+
+
+@pytest.fixture(scope="session")
+def references():
+    """Rows of a file in tests/data, as dictionaries of numbers; what is empty there is left out."""
+
+    def read(name):
+        with open(DATA / name, encoding="utf-8") as stream:
+            rows = list(csv.DictReader(line for line in stream if not line.startswith("#")))
+        assert rows
+        return [{key: float(text) for key, text in row.items() if text} for row in rows]
+
+    return read
+
+
+@pytest.fixture(scope="session")
+def steel():
+    return stoss.Material(young=2.1e11, poisson=0.3, density=7850, radius=0.01)
+
+
+@pytest.fixture(scope="session")
+def hit():
+    """An impact that costs little."""
+    return stoss.impact(poisson=0.33, speed=0.1, cutoff=12)
+
+
+@pytest.fixture(scope="session")
+def curve():
+    """Several Poisson numbers and speeds, at little cost."""
+    return stoss.restitution(poisson=[[0.2], [0.7]], speed=[0.05, 0.1, 0.3], tolerance=1e-2)

@@ -1,0 +1,32 @@
+"""The examples in the docstrings run, and give what they say."""
+
+import doctest
+import importlib
+import pkgutil
+
+import matplotlib
+import matplotlib.pyplot as plt
+import numpy as np
+import pytest
+
+import stoss
+
+MODULES = ["stoss"] + [info.name for info in pkgutil.walk_packages(stoss.__path__, "stoss.") if "_core" not in info.name]
+
+
+@pytest.mark.parametrize("name", MODULES)
+def test_examples(name, tmp_path, monkeypatch):
+    matplotlib.use("Agg")
+    monkeypatch.chdir(tmp_path)
+    module = importlib.import_module(name)
+    names = {"stoss": stoss, "np": np, "shown": getattr(module, "shown", None)}
+    found = doctest.testmod(module, extraglobs=names, optionflags=doctest.NORMALIZE_WHITESPACE | doctest.ELLIPSIS)
+    plt.close("all")
+    assert found.failed == 0
+
+
+def test_every_public_function_has_an_example():
+    for name in stoss.__all__:
+        thing = getattr(stoss, name)
+        if callable(thing) and getattr(thing, "__module__", "").startswith("stoss") and name[0].islower():
+            assert ">>>" in (thing.__doc__ or ""), name

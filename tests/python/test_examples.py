@@ -1,0 +1,226 @@
+"""The programs in examples/ run as a user runs them; what they print and write agrees with direct calls of stoss."""
+
+import csv
+import importlib.util
+import itertools
+import os
+import re
+import subprocess
+import sys
+from pathlib import Path
+
+import matplotlib.pyplot as plt
+import numpy as np
+import pytest
+
+import stoss
+
+EXAMPLES = Path(__file__).parents[2] / "examples"
+FILES = {
+    "01_first_curve": ["first_curve.csv", "first_curve.png"],
+    "02_modes": ["modes.csv", "modes.png"],
+    "03_anatomy": ["anatomy.csv", "anatomy.png"],
+    "04_material": ["steel.png", "steel_plane_strain.csv", "steel_plane_stress.csv"],
+    "05_event_driven": ["event_driven.png"],
+}
+NUMBER = re.compile(r"(?<![\w.])[-+]?\d+(?:\.\d+)?(?:e[-+]?\d+)?(?![\w.])")
+
+
+class Run:
+    """What an example printed, and the folder that it filled."""
+
+    def __init__(self, name, folder):
+        self.folder = folder / "new" / "folder"
+        # Without a display and without a chosen backend: as on a server.
+        screen = ("MPLBACKEND", "DISPLAY", "WAYLAND_DISPLAY")
+        environment = {key: value for key, value in os.environ.items() if key not in screen}
+        command = [sys.executable, "-W", "error::stoss.StossWarning", str(EXAMPLES / f"{name}.py"), str(self.folder)]
+        done = subprocess.run(command, cwd=folder, env=environment, capture_output=True, encoding="utf-8", timeout=120)
+        assert done.returncode == 0, done.stderr
+        self.text = done.stdout
+
+    def numbers(self, start):
+        """All numbers of the lines that start so, a list for each line."""
+        lines = [line.strip() for line in self.text.splitlines() if line.strip().startswith(start)]
+        assert lines, f"no line starts with {start!r} in\n{self.text}"
+        return [[float(number) for number in NUMBER.findall(line)] for line in lines]
+
+    def table(self, columns):
+        """The rows that hold that many numbers and no words."""
+        lines = [line for line in self.text.splitlines() if not re.search(r"[a-zA-Zε]", NUMBER.sub("", line))]
+        rows = [[float(number) for number in NUMBER.findall(line)] for line in lines]
+        return np.array([row for row in rows if len(row) == columns])
+
+    def csv(self, name):
+        lines = (self.folder / name).read_text(encoding="utf-8").splitlines()
+        return list(csv.DictReader(line for line in lines if not line.startswith("#")))
+
+
+@pytest.fixture(scope="module")
+def example(tmp_path_factory):
+    done = {}
+
+    def run(name):
+        if name not in done:
+            done[name] = Run(name, tmp_path_factory.mktemp(name))
+        return done[name]
+
+    return run
+
+
+def load(name):
+    spec = importlib.util.spec_from_file_location(name[3:], EXAMPLES / f"{name}.py")
+    module = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(module)
+    return module
+
+
+def test_all_examples_are_tested():
+    assert sorted(path.stem for path in EXAMPLES.glob("*.py")) == sorted(FILES)
+
+
+@pytest.mark.parametrize("name", FILES)
+def test_files(name, example):
+    folder = example(name).folder
+    assert sorted(path.name for path in folder.iterdir()) == FILES[name]
+    for picture in folder.glob("*.png"):
+        pixels = plt.imread(picture)[..., :3]
+        assert min(pixels.shape[:2]) > 400
+        assert 0.01 < np.mean(np.any(pixels < 0.95, axis=-1)) < 0.6, f"{picture.name}: blank, or all ink"
+        for half in itertools.chain(np.array_split(pixels, 2), np.array_split(pixels, 2, axis=1)):
+            assert np.any(half < 0.5), f"{picture.name}: half of it is empty"
+
+
+@pytest.mark.parametrize("name", FILES)
+def test_says_how_to_run_it(name):
+    text = load(name).__doc__
+    assert f"python examples/{name}.py" in text and "Expect:" in text and "out/" in text
+
+
+def test_first_curve(example):
+    run = example("01_first_curve")
+    rows = run.table(5)
+    assert len(rows) == 14
+    poisson, speed, value, error, time = rows.T
+    direct = stoss.restitution(poisson=poisson, speed=np.tile(np.geomspace(1e-4, 0.3, 43)[::7], 2))
+    np.testing.assert_allclose(speed, direct.speed, rtol=1e-3)
+    np.testing.assert_allclose(value, direct.restitution, atol=6e-7, rtol=0)
+    np.testing.assert_allclose(error, direct.restitution_error, atol=6e-7, rtol=0)
+    np.testing.assert_allclose(time, direct.contact_time, atol=6e-4, rtol=0)
+    table = run.csv("first_curve.csv")
+    assert len(table) == 86 and float(table[42]["restitution"]) == direct.restitution[6]
+
+
+def test_modes(example):
+    run = example("02_modes")
+    rows = run.table(5)
+    assert len(rows) == 6
+    modes = stoss.modes(poisson=0.33, cutoff=30)
+    lowest = np.argsort(modes.omega)[:6]
+    for row, k in zip(rows, lowest):
+        expected = [modes.order[k], modes.index[k], modes.omega[k], modes.radial[k], modes.tangential[k]]
+        np.testing.assert_allclose(row, expected, atol=6e-7)
+    ((_, summed, count, exact),) = run.numbers("compliance of order 2")
+    two = modes.order == 2
+    assert count == two.sum() and exact == pytest.approx((4 - 0.67) / 3, abs=6e-5)
+    assert summed == pytest.approx(((modes.radial / modes.omega)[two] ** 2).sum(), abs=6e-5)
+    assert len(run.csv("modes.csv")) == len(modes) == 421
+
+
+def test_anatomy(example):
+    run = example("03_anatomy")
+    hit = stoss.impact(poisson=0.33, speed=0.1)
+    assert run.text.splitlines()[0] == str(hit)
+    assert run.numbers("greatest force") == [[round(hit.max_force, 5)]]
+    assert run.numbers("greatest compression") == [[round(hit.max_compression, 5)]]
+    # Momentum: what the wall gave is what the centre of mass changed by.
+    impulse, _, change = run.numbers("impulse")[0]
+    assert change == pytest.approx(1 + hit.restitution, abs=6e-6)
+    assert impulse == pytest.approx(change, abs=2e-5)
+    for name in ("translation", "vibration", "unresolved", "energy_error"):
+        assert run.numbers(name)[0][-1] == pytest.approx(getattr(hit, name), abs=6e-7)
+    strongest = np.sort(hit.mode_energies["after"])[:-5:-1]
+    found = [float(each) for each in re.findall(r"mode \(\d,\d\) +(\S+)", run.text)]
+    np.testing.assert_allclose(found, strongest, atol=6e-7)
+    assert len(run.csv("anatomy.csv")) == len(hit.trajectory())
+
+
+def test_material(example):
+    run = example("04_material")
+    rows = run.table(5)
+    assert len(rows) == 8
+    for plane, part in (("stress", rows[:4]), ("strain", rows[4:])):
+        steel = stoss.Material(young=2.1e11, poisson=0.3, density=7850, radius=0.01, plane=plane)
+        direct = stoss.restitution(material=steel, speed=np.geomspace(0.01, 10, 37)[::12])
+        speed, value, error, time, force = part.T
+        np.testing.assert_allclose(speed, [0.01, 0.1, 1, 10], rtol=1e-9)
+        np.testing.assert_allclose(value, direct.restitution, atol=6e-7, rtol=0)
+        np.testing.assert_allclose(error, direct.restitution_error, atol=6e-7, rtol=0)
+        np.testing.assert_allclose(time, direct.contact_time * 0.01 / steel.scales.speed * 1e6, atol=6e-4, rtol=0)
+        np.testing.assert_allclose(force, direct.max_force * steel.scales.force / 1000, atol=6e-4, rtol=0)
+        assert f"c = {np.sqrt(2.1e11 / 7850 / (1 if plane == 'stress' else 0.91)):.0f} m/s" in run.text
+        assert len(run.csv(f"steel_plane_{plane}.csv")) == 37
+
+
+RUBBER = stoss.Material(young=2e6, poisson=0.49, density=1100, radius=0.01)
+
+
+@pytest.fixture(scope="module")
+def law():
+    return load("05_event_driven").make_restitution(RUBBER, slowest=0.002, fastest=30.0)
+
+
+def test_event_driven_prints_what_the_wall_gives_at_half_the_speed(example):
+    rows = example("05_event_driven").numbers("speed of approach")
+    assert len(rows) == 4
+    for approach, value, error in rows:
+        # Two disks that approach at v are each a disk that meets a wall at v/2.
+        direct = stoss.restitution(material=RUBBER, speed=approach / 2, tolerance=1e-4)
+        assert abs(value - direct.restitution) <= error + 1e-6
+        assert 1e-6 < error < 1e-3
+
+
+def test_interpolated_restitution_is_within_its_error(law):
+    restitution, error = law
+    speed = np.exp(np.random.default_rng(20).uniform(np.log(0.002), np.log(30.0), 200))
+    direct = stoss.restitution(material=RUBBER, speed=speed / 2, tolerance=2e-4)
+    missed = np.abs([restitution(None, v) for v in speed] - direct.restitution)
+    assert np.all(missed <= error(speed) + direct.restitution_error)
+    # Nor is the error padded: large against what is missed, but not out of all proportion.
+    assert np.median(error(speed) / missed) < 20 and np.max(error(speed)) < 5e-4
+
+
+def test_interpolated_restitution_takes_what_simulations_give(law):
+    restitution, error = law
+    assert restitution(object(), -2.0) == restitution(None, 2.0) and type(restitution(None, 2.0)) is float
+    assert restitution(None, 0.002) == stoss.restitution(material=RUBBER, speed=0.001).restitution
+    assert restitution(None, 30.0) == stoss.restitution(material=RUBBER, speed=15.0).restitution
+    assert error(2.0) == error(-2.0) > 0
+    for outside in (0.0, 0.0019, 30.1, np.inf, np.nan):
+        with pytest.raises(ValueError, match="speed of approach: got .* the table has 0.002 to 30"):
+            restitution(None, outside)
+        assert np.isnan(error(outside))
+
+
+def test_clamping_is_open():
+    make = load("05_event_driven").make_restitution
+    restitution, error = make(RUBBER, slowest=0.1, fastest=1.0, points=5, clamp=True)
+    for outside, end in ((0.0, 0.1), (0.01, 0.1), (2.0, 1.0)):
+        with pytest.warns(UserWarning, match="nearest end"):
+            assert restitution(None, outside) == restitution(None, end)
+        assert np.isnan(error(outside))
+
+
+def test_gas(example, law):
+    run = example("05_event_driven")
+    (left, *_), (*_, left_constant, _, _) = run.numbers("gas with ε(v)")[0], run.numbers("gas with ε =")[0]
+    assert 1e-3 < left < 1e-1 and 200 < left / left_constant < 1000
+
+    cool = load("05_event_driven").cool
+    time, energy = cool(law[0], 200, 5.0)
+    assert np.all(np.diff(time) >= 0) and np.all(np.diff(energy) < 0)
+    again = cool(law[0], 200, 5.0)
+    assert np.array_equal(time, again[0]) and np.array_equal(energy, again[1])
+    # Elastic disks keep their energy; sticking ones lose what is relative.
+    assert cool(lambda simulation, v: 1.0, 200, 5.0)[1] == pytest.approx(1.0, abs=1e-12)
+    assert cool(lambda simulation, v: 0.0, 1, 5.0, count=2)[1][-1] == pytest.approx(0.0, abs=1e-12)
