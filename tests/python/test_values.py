@@ -1,7 +1,6 @@
 """The package gives the core's numbers: against references, against the command bit for bit, and against itself."""
 
 import dataclasses
-
 import pickle
 
 import numpy as np
