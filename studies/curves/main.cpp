@@ -10,10 +10,10 @@
 #include <string>
 #include <vector>
 
-#include "slow_impact.hpp"
 #include "stoss/bodies/disk.hpp"
 #include "stoss/curve.hpp"
 #include "stoss/modes.hpp"
+#include "stoss/quasistatic/rayleigh.hpp"
 
 namespace {
 
@@ -42,8 +42,8 @@ double energy_of_quadrupole(const stoss::Impact& impact) {
 /// The quasi-static estimate, where it has a meaning.
 std::string estimate(double poisson, double speed, const std::vector<stoss::Mode>& modes) {
   if (speed > 0.03) return ",";
-  const curves::SlowImpact slow = curves::slow_impact(poisson, speed, modes);
-  return fmt::format("{:.5f},{:.6g}", slow.contact_time, slow.lost_fraction);
+  const stoss::RayleighEstimate slow = stoss::rayleigh(stoss::CompressionLaw::center, poisson, speed, modes);
+  return fmt::format("{:.5f},{:.6g}", slow.impact.contact_time, slow.lost_fraction);
 }
 
 void write_curve(fmt::ostream& out, double poisson, const std::vector<double>& speeds) {

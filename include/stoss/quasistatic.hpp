@@ -1,0 +1,11 @@
+#pragma once
+
+// Slow contacts: everything in include/stoss/quasistatic/.
+
+#include "stoss/quasistatic/compression.hpp"
+#include "stoss/quasistatic/heavy_disk.hpp"
+#include "stoss/quasistatic/hertz.hpp"
+#include "stoss/quasistatic/rayleigh.hpp"
+#include "stoss/quasistatic/slow_impact.hpp"
+#include "stoss/quasistatic/soft_static_contact.hpp"
+#include "stoss/quasistatic/static_contact.hpp"

@@ -1,0 +1,35 @@
+#pragma once
+
+namespace stoss {
+
+/// Force against compression of a disk that is pressed slowly against a wall. With the force F in πRE and lengths in R
+///
+///   δ = F (ln(s/F) − b):   center    s = 1, b = (1 + ν)/4   (docs/theory.md, E8)
+///                          diameter  s = 4, b = 1           (E7)
+///                          printed   s = 4, b = 1 + ν       (paper eq. Kraftvollst)
+///
+/// to leading order in F; the next order is smaller by about F.
+enum class CompressionLaw {
+  center,    ///< approach of the centre of mass to the wall: the one that belongs in its equation of motion
+  diameter,  ///< shortening of the diameter through the point of contact
+  printed    ///< what the paper prints for the shortening of the diameter
+};
+
+/// Force at which δ(F) has its maximum, F = s e^{−1−b}: the law ends there, and means little from a tenth of it on.
+[[nodiscard]] double limit_force(CompressionLaw law, double poisson);
+
+/// δ, R.
+/// @param force F, 0 … limit_force
+/// @throws InvalidInput outside that range, and for a Poisson number out of range (−0.95 … 0.995)
+[[nodiscard]] double compression(CompressionLaw law, double poisson, double force);
+
+/// F(δ), πRE; the inverse to a relative error of 1e-14.
+/// @param compression δ, 0 … compression(law, poisson, limit_force)
+/// @throws InvalidInput as compression
+[[nodiscard]] double compression_force(CompressionLaw law, double poisson, double compression);
+
+/// ∫F dδ from no contact, mc²: F² [½ ln(s/F) − ½b − ¼].
+/// @param force F, as above
+[[nodiscard]] double compression_energy(CompressionLaw law, double poisson, double force);
+
+}  // namespace stoss

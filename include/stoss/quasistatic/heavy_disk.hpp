@@ -1,0 +1,28 @@
+#pragma once
+
+#include "stoss/quasistatic/hertz.hpp"
+
+namespace stoss {
+
+/// How a disk in a gravitational field stands on the wall.
+enum class HeavyDiskContact {
+  point,  ///< on one point: exact (Michell)
+  hertz   ///< on a Hertz contact of half-width 2√F: the paper's superposition, for small F
+};
+
+/// Stress in a disk that stands on a wall under its weight F = ρgR/E (in πRE), E; a disk that the force accelerates has
+/// the same. The origin is the point of contact, x points through the centre (1, 0), y along the wall:
+///
+///   σ = σ_contact + F (½x, 1 − ½x, ½y)    for (xx, yy, xy): gravity (paper eq. Schwerkraft) and a tension of ½F
+///   σ_contact = −2F x/(x²+y²)² (x², y², xy)   point: a radial stress −2F cos φ/r (paper eq. Pointstress)
+///             = hertz_stress                  hertz (paper section V)
+///
+/// div σ = (F, 0). With the point contact all components vanish on the whole edge. With Hertz' contact the edge keeps
+/// tractions that should not be there: F²/(1 − cos φ) at most at the angle φ from the contact, a share F of what the
+/// load makes there; and up to 0.7 F^¾ next to its ends, where the edge has left the surface of the half-plane by ½a².
+/// @param force F, 0 … 0.25 πRE
+/// @param x, y  a point of the disk, R; to 1e-12 outside for rounding
+/// @throws InvalidInput for a point outside the disk or, for `point`, nearer than 1e-100 to the point of contact
+[[nodiscard]] PlaneStress heavy_disk_stress(HeavyDiskContact contact, double force, double x, double y);
+
+}  // namespace stoss

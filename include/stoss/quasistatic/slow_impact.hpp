@@ -1,0 +1,58 @@
+#pragma once
+
+#include <vector>
+
+#include "stoss/quasistatic/compression.hpp"
+
+/// Impact of a disk that follows the wall's force statically: δ̈ = −F(δ), δ̇ = v at first contact, F in πRE = mc²/R.
+///
+/// All three laws are δ = F [1 + ln(F*/F)] with F* = limit_force. Energy, ½v² = ½F²a with a = ½ + ln(F*/F), makes time
+/// an integral of a alone: with δ̇ = v cos(phase), dt = √a d(phase). Let A be a at the turning point, F_max = v/√A. Then
+///
+///   A − ½ ln A = Λ,  Λ = ln(F*/v) + ½:   center    Λ = ln(1/v) − (3+ν)/4
+///                                        diameter  Λ = ln(4/v) − 3/2
+///                                        printed   Λ = ln(4/v) − 3/2 − ν
+///   δ_max = v [√A + 1/(2√A)]                          = v√Λ [1 + (ln Λ + 2)/(4Λ) + O(ln²Λ/Λ²)]
+///   τ     = π√A [1 + ln 2/(2A) + 0.0104/A² + O(A⁻³)]  = π√Λ [1 + (ln Λ + 2 ln 2)/(4Λ) + O(ln²Λ/Λ²)]
+///
+/// which completes paper eq. xmaxapprox (docs/theory.md, "Slow impacts"). The law, and with it the impact, ends where
+/// F_max = F*, at v = F*/√2.
+namespace stoss {
+
+/// Lowest speed that slow_impact accepts, in c.
+inline constexpr double min_slow_speed = 1e-100;
+
+/// Highest speed that slow_impact accepts, in c: limit_force/√2, 0.16 to 0.26 for the law of the centre.
+[[nodiscard]] double limit_speed(CompressionLaw law, double poisson);
+
+/// A slow impact, with the inputs that made it. Relative errors below 1e-14; near limit_speed, where F_max depends on
+/// the speed as on √(limit_speed − v), that of max_force is up to 1e-8.
+struct SlowImpact {
+  CompressionLaw law{};
+  double poisson = 0.0;
+  double speed = 0.0;            ///< v, c
+  double contact_time = 0.0;     ///< τ, from first to last contact, R/c
+  double max_compression = 0.0;  ///< δ_max, R
+  double max_force = 0.0;        ///< F_max, πRE = mc²/R
+};
+
+/// @param speed of the centre of mass towards the wall, min_slow_speed … limit_speed(law, poisson), c. Two equal disks
+///              that each move at `speed` towards each other are the same problem.
+/// @throws InvalidInput for arguments out of range
+[[nodiscard]] SlowImpact slow_impact(CompressionLaw law, double poisson, double speed);
+
+/// One instant of a slow impact.
+struct ContactInstant {
+  double time = 0.0;         ///< from first contact, R/c
+  double velocity = 0.0;     ///< δ̇, towards the wall, c
+  double compression = 0.0;  ///< δ, R
+  double force = 0.0;        ///< F, πRE = mc²/R
+};
+
+/// The instants at which the velocity is v cos(phase): phase 0 is the first contact, π/2 the turning point, π the last
+/// contact. Phases that are evenly spaced are so nearly in time too.
+/// @param impact what slow_impact gave, or anything with its inputs: law, poisson, speed
+/// @throws InvalidInput for a phase outside 0 … π, and as slow_impact
+[[nodiscard]] std::vector<ContactInstant> contact_history(const SlowImpact& impact, const std::vector<double>& phases);
+
+}  // namespace stoss

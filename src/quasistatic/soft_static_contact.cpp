@@ -1,0 +1,193 @@
+// The modes answer node forces g with Q = −(1/mω²) Σ_i g_i (C c_i + S s_i), so that the energy is a function of g
+// alone:
+//
+//   U(g) = ½ gᵀWg + V(x),   x = q − Wg,   W = (1/m) Σ_kept (C c + S s)(C c + S s)ᵀ/ω²,   V = Σ_i μ_i e^{αx_i}.
+//
+// With f = ∂V/∂x and D = diag(αf) a Newton step solves (W + WDW) s = W(f − g). W is singular where there are more nodes
+// than modes can move; s = f − g − √D z with (1 + √D W √D) z = √D W (f − g) is the same and needs no inverse of W.
+#include "stoss/quasistatic/soft_static_contact.hpp"
+
+#include <Eigen/Cholesky>
+#include <Eigen/Core>
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <numbers>
+
+#include "check.hpp"
+#include "stoss/errors.hpp"
+
+namespace stoss {
+namespace {
+
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+
+constexpr long fewest_nodes = 64;
+constexpr long most_nodes = 2048;
+
+/// Static compliance of the kept modes between the nodes.
+MatrixXd kept_compliance(const Body& body, const ContactGrid& grid) {
+  const auto nodes = static_cast<Eigen::Index>(grid.recess.size());
+  const auto rows = static_cast<Eigen::Index>(grid.shape.size()) / nodes;
+  const Eigen::Map<const RowMajor> shape(grid.shape.data(), rows, nodes);
+  // Each order as two columns whose products with themselves it contributes: the Cholesky factor of its 2 × 2 block.
+  MatrixXd columns(nodes, 2 * static_cast<Eigen::Index>(body.groups.size()));
+  Eigen::Index k = 0;
+  for (const ModeGroup& group : body.groups) {
+    double cc = 0.0, cs = 0.0, ss = 0.0;
+    for (std::size_t l = 0; l < group.omega.size(); ++l) {
+      const double weight = 1.0 / (body.mass * group.omega[l] * group.omega[l]);
+      cc += weight * group.radial[l] * group.radial[l];
+      cs += weight * group.radial[l] * group.tangential[l];
+      ss += weight * group.tangential[l] * group.tangential[l];
+    }
+    const VectorXd sum = shape.row(static_cast<Eigen::Index>(group.sum_shape)).transpose();
+    const VectorXd difference = shape.row(static_cast<Eigen::Index>(group.difference_shape)).transpose();
+    const VectorXd c = 0.5 * (sum + difference), s = 0.5 * (sum - difference);
+    const double root = std::sqrt(cc);
+    const double mixed = root > 0.0 ? cs / root : 0.0;
+    columns.col(k++) = root * c + mixed * s;
+    columns.col(k++) = std::sqrt(std::max(0.0, ss - mixed * mixed)) * s;
+  }
+  return columns * columns.transpose();
+}
+
+/// Held at rest at a wall V = Σ_i μ_i (p/α) e^{α(x_i − x_p)}, whose pressure at x_p is p.
+class Equilibrium {
+ public:
+  Equilibrium(MatrixXd compliance, VectorXd free_position, const std::vector<double>& measure, double pressure,
+              double place)
+      : compliance_(std::move(compliance)),
+        position_(std::move(free_position)),
+        load_(Eigen::Map<const VectorXd>(measure.data(), position_.size()) * pressure),
+        place_(place),
+        force_(VectorXd::Zero(position_.size())),
+        displacement_(VectorXd::Zero(position_.size())) {}
+
+  /// Newton's method from the forces of the last hardness. @return number of steps
+  int solve(double hardness, double tolerance) {
+    constexpr int most_steps = 200;
+    for (int step = 0; step < most_steps; ++step) {
+      const VectorXd wall = wall_force(hardness, displacement_);
+      const VectorXd excess = wall - force_;
+      if (excess.lpNorm<1>() <= tolerance * wall.sum()) return step;
+      const VectorXd root = (hardness * wall).cwiseSqrt();
+      MatrixXd matrix = root.asDiagonal() * compliance_ * root.asDiagonal();
+      matrix.diagonal().array() += 1.0;
+      const VectorXd pull = compliance_ * excess;
+      const Eigen::LLT<Eigen::Ref<MatrixXd>> cholesky(matrix);
+      if (cholesky.info() != Eigen::Success) break;
+      const VectorXd direction = excess - root.cwiseProduct(cholesky.solve(root.cwiseProduct(pull)));
+      if (!line_search(hardness, direction, -direction.dot(pull))) break;
+    }
+    throw NotConverged("soft static contact: Newton's method found no minimum of the energy (use another hardness)");
+  }
+
+  [[nodiscard]] double force() const { return force_.sum(); }
+  [[nodiscard]] double elastic_energy() const { return 0.5 * force_.dot(displacement_); }
+  [[nodiscard]] double wall_energy(double hardness) const {
+    return wall_force(hardness, displacement_).sum() / hardness;
+  }
+
+ private:
+  [[nodiscard]] VectorXd wall_force(double hardness, const VectorXd& displacement) const {
+    return load_.array() * (hardness * (position_ - displacement).array() - hardness * place_).exp();
+  }
+
+  /// Halves the step until the energy falls as its slope promises; below rounding it takes the whole step.
+  bool line_search(double hardness, const VectorXd& direction, double slope) {
+    constexpr double share = 1e-4;
+    constexpr double rounding = 1e-13;
+    const VectorXd moved = compliance_ * direction;
+    const double linear = force_.dot(moved), quadratic = 0.5 * direction.dot(moved);
+    const double wall = wall_energy(hardness);
+    const double energy = elastic_energy() + wall;
+    constexpr int most_halvings = 40;
+    double t = 1.0;
+    for (int halving = 0; halving < most_halvings; ++halving) {
+      const double pushed = wall_force(hardness, displacement_ + t * moved).sum() / hardness;
+      const double change = t * (linear + t * quadratic) + (pushed - wall);
+      if (std::isfinite(change) && (change <= share * t * slope || -slope <= rounding * energy)) {
+        force_ += t * direction;
+        displacement_ += t * moved;
+        return true;
+      }
+      t *= 0.5;
+    }
+    return false;
+  }
+
+  MatrixXd compliance_;
+  VectorXd position_;  // of the nodes of the undeformed body
+  VectorXd load_;
+  double place_;
+  VectorXd force_;         // g
+  VectorXd displacement_;  // W g
+};
+
+/// Half-width beyond which the wall's pressure vanishes, as far as the paper's integral goes.
+double reach(const Body& body, double hardness, double compression) {
+  constexpr double exponent = 40.0;
+  const double wanted = std::sqrt(2.0 * (std::max(compression, 0.0) + exponent / hardness));
+  return std::min({wanted, 0.5 * std::numbers::pi, body.max_half_width});
+}
+
+/// The midpoint rule converges exponentially once the nodes resolve the pressure: the smoother of the width 1/√α, over
+/// which the undeformed gap changes the potential, and the waves of the highest order (measured: to 1e-11 in F).
+int recommended_nodes(const Body& body, double hardness, double half_width) {
+  if (body.max_half_width == 0.0) return 1;
+  int highest = 0;
+  for (const ModeGroup& group : body.groups) highest = std::max(highest, group.order);
+  const double for_modes = 128.0 + 4.0 * half_width * highest;
+  const double for_wall = 3.0 * half_width * std::sqrt(hardness);
+  constexpr double enough = 1024.0;
+  return static_cast<int>(std::min(std::max(128.0, std::min(for_modes, for_wall)), enough));
+}
+
+}  // namespace
+
+SoftStaticContact soft_static_contact(const Body& body, const ExponentialWall& wall, double compression,
+                                      const SoftStaticContactOptions& options) {
+  validate(body);
+  validate(Wall{wall});
+  require("compression", compression, {-0.5, 0.5, true, true, "-0.5 to 0.5"},
+          "in R beyond the plane where V0 exp(alpha x) is 1");
+  if (options.nodes) {
+    require("nodes", static_cast<long>(*options.nodes), fewest_nodes, most_nodes, "of the contact grid");
+  }
+  const double alpha = wall.hardness;
+  const double half_width = body.max_half_width == 0.0 ? 0.0 : reach(body, alpha, compression);
+  const int nodes = options.nodes ? *options.nodes : recommended_nodes(body, alpha, half_width);
+  const ContactGrid grid = body.grid(half_width, nodes);
+  const VectorXd position =
+      compression -
+      Eigen::Map<const VectorXd>(grid.recess.data(), static_cast<Eigen::Index>(grid.recess.size())).array();
+
+  // Softer walls that have the same place for a pressure of this size lead to the wall in question.
+  const double pressure = 0.3 * std::sqrt(std::max(compression, 1.0 / alpha));
+  const double place = std::log(pressure / alpha) / alpha;
+  Equilibrium equilibrium(kept_compliance(body, grid), position, grid.measure, pressure, place);
+  SoftStaticContact result;
+  constexpr double loose = 1e-2;
+  double softer = 8.0 / std::max(compression - place, 1e-3);
+  while (softer < alpha) {
+    result.newton_steps += equilibrium.solve(softer, loose);
+    softer *= 2.0;
+  }
+  const double tolerance = 1e-12 + 8.0 * std::numeric_limits<double>::epsilon() * alpha;
+  result.newton_steps += equilibrium.solve(alpha, tolerance);
+  result.body = body.name;
+  result.wall = wall;
+  result.compression = compression;
+  result.force = equilibrium.force() / body.mass;
+  result.wall_energy = equilibrium.wall_energy(alpha) / body.mass;
+  result.energy = equilibrium.elastic_energy() / body.mass + result.wall_energy;
+  result.modes = static_cast<int>(mode_count(body));
+  result.nodes = nodes;
+  return result;
+}
+
+}  // namespace stoss
