@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "numbers.hpp"
@@ -91,18 +92,18 @@ void DiskArguments::describe(nlohmann::ordered_json& inputs) const {
   inputs["R/c[s]"] = units->time;
 }
 
-std::vector<double> parse_speeds(const std::string& text, const std::optional<Scales>& si) {
+std::vector<double> parse_speeds(const std::string& text, const std::optional<Scales>& si, const SpeedRange& range) {
   std::vector<double> speeds = parse_series("speed", text);
   const double unit = si ? si->speed : 1.0;
   for (double& speed : speeds) {
-    const double slowest = 1e-8 * unit, fastest = unit;
+    const double slowest = range.slowest * unit, fastest = range.fastest * unit;
     if (!(speed >= slowest && speed <= fastest)) {
       const double got = std::isnan(speed) ? std::abs(speed) : speed;
-      throw InvalidInput(
-          fmt::format("speed: got {:.10g}, allowed {:.6g} to {:.6g} {} (of the centre of mass, 1e-8 to 1 c)", got,
-                      slowest, fastest, si ? "m/s" : "c"));
+      throw InvalidInput(fmt::format("speed: got {:.10g}, allowed {:.6g} to {:.6g} {} ({})", got, slowest, fastest,
+                                     si ? "m/s" : "c", range.hint));
     }
-    speed /= unit;
+    // The division may round beyond an end.
+    speed = std::clamp(speed / unit, range.slowest, range.fastest);
   }
   return speeds;
 }

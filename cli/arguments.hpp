@@ -52,17 +52,26 @@ struct DiskArguments {
   CLI::Option* plane_option_ = nullptr;
 };
 
+/// Speeds that are allowed, in c, and what a refusal says of them.
+struct SpeedRange {
+  double slowest = 1e-8;
+  double fastest = 1.0;
+  std::string hint = "of the centre of mass, 1e-8 to 1 c";
+};
+
 /// Speeds as typed, in c or, where there are scales, in m/s; the result is in c.
-/// @throws InvalidInput unless they are 1e-8 to 1 c
-[[nodiscard]] std::vector<double> parse_speeds(const std::string& text, const std::optional<Scales>& si);
+/// @throws InvalidInput unless they are in the range
+[[nodiscard]] std::vector<double> parse_speeds(const std::string& text, const std::optional<Scales>& si,
+                                               const SpeedRange& range = {});
 
 /// The command line as it was typed, for provenance.
 [[nodiscard]] std::string command_line();
 void set_command_line(int argc, char** argv);
 
-/// The subcommands register themselves. Modes and an impact succeed or throw; a curve may end with exit code 1.
+/// The subcommands register themselves. They succeed or throw; only a curve may end with exit code 1.
 void add_modes(CLI::App& app);
 void add_impact(CLI::App& app);
 void add_restitution(CLI::App& app, int& exit_code);
+void add_quasistatic(CLI::App& app);
 
 }  // namespace stoss::cli

@@ -11,18 +11,19 @@ _stoss() {
     --plane) COMPREPLY=($(compgen -W "stress strain" -- "$current")); return ;;
     --wall) COMPREPLY=($(compgen -W "hard exponential" -- "$current")); return ;;
     --tail) COMPREPLY=($(compgen -W "radiating static" -- "$current")); return ;;
+    --law) COMPREPLY=($(compgen -W "center diameter printed" -- "$current")); return ;;
     --method) COMPREPLY=($(compgen -W "converge extrapolate" -- "$current")); return ;;
     -o | --output | --trajectory | --resume)
       compopt -o filenames
       mapfile -t COMPREPLY < <(compgen -f -- "$current")
       return
       ;;
-    --poisson | --young | --density | --radius | --cutoff | --speed | --hardness | --strength | --step | --nodes | \
-      --every | --tolerance | --threads) return ;;
+    --poisson | --young | --density | --radius | --cutoff | --speed | --compression | --hardness | --strength | --step | \
+      --nodes | --every | --tolerance | --threads) return ;;
   esac
 
   if [ "$COMP_CWORD" -eq 1 ]; then
-    COMPREPLY=($(compgen -W "modes impact restitution --help --version" -- "$current"))
+    COMPREPLY=($(compgen -W "modes impact restitution quasistatic --help --version" -- "$current"))
     return
   fi
   case ${COMP_WORDS[1]} in
@@ -34,6 +35,7 @@ _stoss() {
     restitution)
       COMPREPLY=($(compgen -W "$disk --speed --method --tolerance --threads --resume $output" -- "$current"))
       ;;
+    quasistatic) COMPREPLY=($(compgen -W "$disk --speed --compression --law --cutoff $output" -- "$current")) ;;
   esac
 }
 

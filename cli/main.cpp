@@ -35,6 +35,7 @@ int run(int argc, char** argv) {
   stoss::cli::add_modes(app);
   stoss::cli::add_impact(app);
   stoss::cli::add_restitution(app, exit_code);
+  stoss::cli::add_quasistatic(app);
   try {
     app.parse(argc, argv);
     return exit_code;

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <utility>
 
 #include "stoss/errors.hpp"
 
@@ -28,6 +30,7 @@ void validate(const Body& body) {
   for (const ModeGroup& group : body.groups) {
     require(body, group.radial.size() == group.omega.size() && group.tangential.size() == group.omega.size(),
             "omega, radial and tangential of one length in each group");
+    require(body, group.index.empty() || group.index.size() == group.omega.size(), "as many indices as modes, or none");
     require(body, finite(group.radial) && finite(group.tangential), "finite amplitudes");
     require(body,
             std::all_of(group.omega.begin(), group.omega.end(),
@@ -42,6 +45,40 @@ std::size_t mode_count(const Body& body) {
   std::size_t count = 0;
   for (const auto& group : body.groups) count += group.omega.size();
   return count;
+}
+
+Body with_modes(const Body& body, const std::vector<bool>& keep) {
+  const std::size_t all = mode_count(body);
+  const auto kept = static_cast<std::size_t>(std::count(keep.begin(), keep.end(), true));
+  if (keep.size() != all || kept == 0) {
+    throw InvalidInput("keep: got " + std::to_string(kept) + " of " + std::to_string(keep.size()) +
+                       " modes, allowed 1 to " + std::to_string(all) + " of the " + std::to_string(all) + " of '" +
+                       body.name + "' (one flag for each mode up to the cutoff)");
+  }
+  if (kept == all) return body;
+
+  Body result = body;
+  result.groups.clear();
+  std::size_t mode = 0;
+  for (const ModeGroup& from : body.groups) {
+    ModeGroup to{from.order, {}, {}, {}, from.sum_shape, from.difference_shape};
+    for (std::size_t l = 0; l < from.omega.size(); ++l) {
+      if (!keep[mode++]) continue;
+      to.omega.push_back(from.omega[l]);
+      to.radial.push_back(from.radial[l]);
+      to.tangential.push_back(from.tangential[l]);
+      to.index.push_back(from.index.empty() ? static_cast<int>(l) : from.index[l]);
+    }
+    if (!to.omega.empty()) result.groups.push_back(std::move(to));
+  }
+  result.name += ", " + std::to_string(kept) + " of " + std::to_string(all) + " modes";
+  const auto refuse = [name = result.name](const ContactGrid&) -> std::vector<double> {
+    throw InvalidInput("body: got '" + name +
+                       "' at a hard wall, allowed only one with all modes up to its cutoff (use an exponential wall)");
+  };
+  result.residual_compliance = refuse;
+  result.residual_second_moment = refuse;
+  return result;
 }
 
 }  // namespace stoss

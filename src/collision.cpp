@@ -158,8 +158,9 @@ Impact Collision::result() const {
   std::size_t k = 0;
   for (const ModeGroup& group : body_.groups) {
     for (std::size_t l = 0; l < group.omega.size(); ++l, ++k) {
-      ledger.modes.push_back({group.order, static_cast<int>(l), group.omega[l], after[k] / initial_energy_,
-                              during[k] / (samples * initial_energy_)});
+      const int index = group.index.empty() ? static_cast<int>(l) : group.index[l];
+      ledger.modes.push_back(
+          {group.order, index, group.omega[l], after[k] / initial_energy_, during[k] / (samples * initial_energy_)});
       ledger.vibration += after[k] / initial_energy_;
     }
   }

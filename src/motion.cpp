@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <cstddef>
+#include <string>
 
 #include "check.hpp"
 #include "stoss/errors.hpp"
@@ -18,7 +19,38 @@ void require_times(const std::vector<double>& times) {
   }
 }
 
+bool same_modes(const Body& body, const std::vector<ModeEnergy>& modes) {
+  if (mode_count(body) != modes.size()) return false;
+  std::size_t k = 0;
+  for (const ModeGroup& group : body.groups) {
+    for (const double omega : group.omega) {
+      if (modes[k].order != group.order || modes[k].omega != omega) return false;
+      ++k;
+    }
+  }
+  return true;
+}
+
 }  // namespace
+
+std::vector<double> mode_energies(const Body& body, const State& state) {
+  const std::size_t count = mode_count(body);
+  if (state.coordinate.size() != count || state.momentum.size() != count) {
+    throw InvalidInput("state: got " + std::to_string(state.coordinate.size()) + " coordinates and " +
+                       std::to_string(state.momentum.size()) + " momenta, allowed " + std::to_string(count) +
+                       " of each (one for every kept mode of the body)");
+  }
+  std::vector<double> energies;
+  energies.reserve(count);
+  for (const ModeGroup& group : body.groups) {
+    for (const double omega : group.omega) {
+      const std::size_t k = energies.size();
+      const double momentum = state.momentum[k], restoring = body.mass * omega * state.coordinate[k];
+      energies.push_back(0.5 * (momentum * momentum + restoring * restoring) / body.mass);
+    }
+  }
+  return energies;
+}
 
 State free_motion(const Body& body, const State& state, double time) {
   State moved = state;
@@ -39,7 +71,7 @@ State free_motion(const Body& body, const State& state, double time) {
 std::vector<Frame> motion(const Body& body, const Impact& impact, const std::vector<double>& times,
                           const std::function<void()>& poll) {
   require_times(times);
-  if (body.name != impact.body || body.cutoff != impact.cutoff || mode_count(body) != impact.energy.modes.size()) {
+  if (body.name != impact.body || body.cutoff != impact.cutoff || !same_modes(body, impact.energy.modes)) {
     throw InvalidInput("body: got '" + body.name + "', allowed the body of the impact with the same modes, '" +
                        impact.body + "'");
   }

@@ -16,6 +16,7 @@ struct ModeGroup {
   std::vector<double> tangential;    ///< S, weight of the group's tangential shape s
   std::size_t sum_shape = 0;         ///< row of ContactGrid::shape that holds c + s
   std::size_t difference_shape = 0;  ///< row of ContactGrid::shape that holds c − s
+  std::vector<int> index{};          ///< l of each mode; empty: 0, 1, 2, …
 };
 
 /// Places at which a body can touch the wall. A node stands for itself and its mirror image.
@@ -35,7 +36,7 @@ struct Body {
   std::string name;             ///< with its parameters, for provenance
   double mass = 0.0;            ///< of the body, and of every mode
   double extent = 0.0;          ///< distance from the centre of mass to the first point of contact
-  double cutoff = 0.0;          ///< all modes with ω ≤ cutoff are in `groups`
+  double cutoff = 0.0;          ///< all modes with ω ≤ cutoff are in `groups` (but see with_modes)
   double max_half_width = 0.0;  ///< largest half-width that a grid can have; 0: a single point of contact
   /// Greatest time step: above it, what a force moves the kept modes of one order within a step outweighs what it moves
   /// the modes that are not kept, and kicks at a hard wall are unstable.
@@ -67,5 +68,11 @@ void validate(const Body& body);
 
 /// Number of kept modes.
 [[nodiscard]] std::size_t mode_count(const Body& body);
+
+/// The same body with only some of its kept modes, as the paper selects them, for exponential walls. A hard wall would
+/// need the compliance of the others: the residual functions refuse. All of them: the body itself.
+/// @param keep one flag for each mode, in the order of Body::groups
+/// @throws InvalidInput for another number of flags, or none set
+[[nodiscard]] Body with_modes(const Body& body, const std::vector<bool>& keep);
 
 }  // namespace stoss

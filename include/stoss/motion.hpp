@@ -20,6 +20,10 @@ struct Frame {
 /// The motion of a body that touches nothing for a time, forward or back: x₀ drifts and every mode rotates.
 [[nodiscard]] State free_motion(const Body& body, const State& state, double time);
 
+/// Energy of each mode, mc², in the order of Body::groups.
+/// @throws InvalidInput for a state of another number of modes
+[[nodiscard]] std::vector<double> mode_energies(const Body& body, const State& state);
+
 /// Repeats an impact, bit by bit, and looks at it at some times: during the impact at the nearest step (Frame::time
 /// says which), before and after it in free flight.
 /// @param body   the one of the impact, with all its modes

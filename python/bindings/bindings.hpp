@@ -18,5 +18,6 @@ void bind_motion(py::module_& module);
 void bind_field(py::module_& module);
 void bind_restitution(py::module_& module);
 void bind_extrapolation(py::module_& module);
+void bind_quasistatic(py::module_& module);
 
 }  // namespace stoss::python

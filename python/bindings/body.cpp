@@ -1,5 +1,7 @@
 #include "stoss/body.hpp"
 
+#include <pybind11/numpy.h>
+
 #include "bindings.hpp"
 #include "interpreter.hpp"
 #include "stoss/bodies/disk.hpp"
@@ -19,6 +21,12 @@ void bind_body(py::module_& module) {
   seal(refinable);
   const py::call_guard<Released> released;
   module.def("disk", py::overload_cast<double, double>(&disk), py::arg("poisson"), py::arg("cutoff"), released);
+  module.def(
+      "with_modes",
+      [](const Body& all, const py::array_t<bool, py::array::c_style>& keep) {
+        return with_modes(all, std::vector<bool>(keep.data(), keep.data() + keep.size()));
+      },
+      py::arg("body"), py::arg("keep"));
   module.def("rod", py::overload_cast<double>(&rod), py::arg("cutoff"), released);
   module.def(
       "refinable_disk", [](double poisson) { return RefinableBody(disk(poisson)); }, py::arg("poisson"));

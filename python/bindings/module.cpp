@@ -14,4 +14,5 @@ PYBIND11_MODULE(_core, module) {
   stoss::python::bind_field(module);
   stoss::python::bind_restitution(module);
   stoss::python::bind_extrapolation(module);
+  stoss::python::bind_quasistatic(module);
 }

@@ -21,10 +21,32 @@ std::vector<FrameSummary> summaries(const Frames& frames) {
   return list;
 }
 
+/// Energy of one mode at some time, as a share of the initial energy.
+struct EnergyAt {
+  int order, index;
+  double omega, energy;
+};
+
+/// Times × modes.
+std::vector<EnergyAt> energies_at(const Body& body, const Impact& impact, const std::vector<double>& times,
+                                  const std::function<void()>& poll) {
+  const double initial = 0.5 * body.mass * impact.speed * impact.speed;
+  std::vector<EnergyAt> list;
+  for (const Frame& frame : motion(body, impact, times, poll)) {
+    const std::vector<double> energies = mode_energies(body, frame.state);
+    for (std::size_t k = 0; k < energies.size(); ++k) {
+      const ModeEnergy& mode = impact.energy.modes[k];
+      list.push_back({mode.order, mode.index, mode.omega, energies[k] / initial});
+    }
+  }
+  return list;
+}
+
 }  // namespace
 
 void bind_motion(py::module_& module) {
   PYBIND11_NUMPY_DTYPE(FrameSummary, time, center, velocity, force, contact_half_width);
+  PYBIND11_NUMPY_DTYPE(EnergyAt, order, index, omega, energy);
   py::class_<Frames> handle(module, "Frames", "An impact at some times, with the motion of all modes.");
   seal(handle);
   handle.def("summaries", [](const Frames& frames) { return take(summaries(frames)); });
@@ -37,6 +59,20 @@ void bind_motion(py::module_& module) {
         return Frames{motion(body, impact, at, poll)};
       },
       py::arg("body"), py::arg("impact"), py::arg("times"));
+  module.def(
+      "energies_at",
+      [](const Body& body, const Impact& impact, const py::array_t<double, py::array::c_style>& times) {
+        const std::vector<double> at = to_vector(times);
+        const auto poll = signal_poll();
+        std::vector<EnergyAt> energies;
+        {
+          const Released released;
+          energies = energies_at(body, impact, at, poll);
+        }
+        const auto modes = static_cast<py::ssize_t>(impact.energy.modes.size());
+        return take(std::move(energies), {times.size(), modes});
+      },
+      py::arg("body"), py::arg("impact"), py::arg("times"), "structured array, times x modes");
 }
 
 }  // namespace stoss::python

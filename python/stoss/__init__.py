@@ -11,6 +11,7 @@ All arguments are named. Units: radius R, bar speed c = √(E/ρ), mass m; with 
 `impact`                          one impact: energy ledger, trajectory, deformation and stress in time
 `modes`                           the eigenmodes of a disk
 `extrapolated_restitution`        ε as Gerl and Zippelius compute it
+`quasistatic`                     slow impacts, Rayleigh's estimate of the loss, static contacts
 `Disk`, `Rod`                     bodies
 `HardWall`, `ExponentialWall`     walls
 `Material`                        SI
@@ -18,15 +19,18 @@ All arguments are named. Units: radius R, bar speed c = √(E/ρ), mass m; with 
 ================================  ====================================================================
 """
 
+from stoss import quasistatic
 from stoss._bodies import Body, Disk, ExponentialWall, HardWall, Rod, Wall
 from stoss._core import version as __version__
 from stoss._errors import Interrupted, InvalidInput, NotConverged, StossWarning
 from stoss._extrapolation import Extrapolation, extrapolated_restitution
 from stoss._field import Field
-from stoss._impact import Impact, Trajectory, impact
+from stoss._impact import impact
+from stoss._impact_result import Impact
 from stoss._material import Material, Scales
 from stoss._modes import Modes, modes
 from stoss._restitution import Restitution, restitution
+from stoss._trajectory import Trajectory
 
 __all__ = [
     "Body",
@@ -53,6 +57,7 @@ __all__ = [
     "impact",
     "modes",
     "plot",
+    "quasistatic",
     "restitution",
 ]
 

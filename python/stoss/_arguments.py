@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import operator
 import reprlib
-from typing import Any
+from typing import Any, Sequence
 
 import numpy as np
 from numpy.typing import NDArray
@@ -68,6 +68,44 @@ def boolean(name: str, value: Any) -> bool:
     if not isinstance(value, (bool, np.bool_)):
         raise refusal(name, value, "True or False")
     return bool(value)
+
+
+def flags(name: str, value: Any) -> NDArray[np.bool_]:
+    """A one-dimensional array of True and False, copied and read-only."""
+    try:
+        array = np.asarray(value)
+    except Exception:  # whatever a foreign object raises when it is asked for its elements
+        array = np.empty(0)
+    if array.dtype.kind != "b" or array.ndim != 1 or isinstance(value, np.ma.MaskedArray):
+        raise refusal(name, value, "a one-dimensional array of True and False")
+    array = np.array(array, dtype=np.bool_, order="C")
+    array.flags.writeable = False
+    return array
+
+
+def choice(name: str, value: Any, allowed: Sequence[str]) -> str:
+    """One of a few words."""
+    if not isinstance(value, str) or value not in allowed:
+        *others, last = (repr(each) for each in allowed)
+        raise refusal(name, value, f"{', '.join(others)} or {last}")
+    return value
+
+
+def broadcast(**arrays: NDArray[np.float64]) -> list[NDArray[np.float64]]:
+    """Copies of the arrays in the shape to which they broadcast."""
+    try:
+        return [np.array(each, order="C") for each in np.broadcast_arrays(*arrays.values())]
+    except ValueError:
+        shapes = " and ".join(str(each.shape) for each in arrays.values())
+        hint = "shapes that broadcast together"
+        raise InvalidInput(f"{', '.join(arrays)}: got shapes {shapes}, allowed {hint}") from None
+
+
+def arranged(values: NDArray[Any], shape: tuple[int, ...]) -> Any:
+    """A read-only array of this shape, or one plain value."""
+    values = values.reshape(shape)
+    values.flags.writeable = False
+    return values if values.ndim else values.item()
 
 
 def instance(name: str, value: Any, kinds: tuple[type, ...]) -> Any:

@@ -6,6 +6,9 @@ import dataclasses
 import functools
 from typing import Any, Union
 
+import numpy as np
+from numpy.typing import NDArray
+
 from stoss import _core
 from stoss._arguments import instance, number, refusal
 from stoss._errors import InvalidInput
@@ -82,6 +85,12 @@ def choose_body(poisson: Any, material: Material | None, body: Body | None) -> B
     if material is not None:
         return Disk(poisson=instance("material", material, (Material,)).plane_poisson)
     return Disk(poisson=poisson)
+
+
+def kept_body(body: Body, cutoff: float, keep: NDArray[np.bool_] | None) -> _core.Body:
+    """A body with its modes up to the cutoff, or with some of them."""
+    every = body._at(cutoff)
+    return every if keep is None else _core.with_modes(every, keep)
 
 
 @dataclasses.dataclass(frozen=True, kw_only=True)

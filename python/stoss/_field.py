@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from stoss._result import Column, Number, Result, span
 
 if TYPE_CHECKING:
-    from stoss._impact import Impact
+    from stoss._impact_result import Impact
 
 
 @dataclasses.dataclass(frozen=True, eq=False, repr=False)

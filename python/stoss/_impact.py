@@ -2,255 +2,15 @@
 
 from __future__ import annotations
 
-import dataclasses
-from typing import Any, ClassVar
-
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from stoss import _core
-from stoss._arguments import instance, integer, number, numbers, optional_number
-from stoss._bodies import Body, Disk, ExponentialWall, HardWall, Wall, choose_body
+from stoss._arguments import flags, instance, integer, number, optional_number
+from stoss._bodies import Body, ExponentialWall, HardWall, Wall, choose_body, kept_body
 from stoss._errors import InvalidInput
-from stoss._field import Field
+from stoss._impact_result import Impact
 from stoss._material import Material, speeds_in_si
-from stoss._result import Column, Result, columns
-from stoss._si import SI_UNITS, InSi
-
-
-@dataclasses.dataclass(frozen=True, eq=False, repr=False)
-class Trajectory(Result):
-    """An impact in time. All arrays have one element for each row.
-
-    Attributes
-    ----------
-    time : ndarray
-        From the start of the impact, R/c.
-    center : ndarray
-        Position x₀ of the centre of mass, R; the wall is at 0 and the body at x < 0.
-    velocity : ndarray
-        Of the centre of mass, towards the wall, c.
-    force : ndarray
-        Force F of the wall, πRE = mc²/R.
-    translation, vibration, stored, unresolved : ndarray
-        Shares of the initial energy: in the motion of the centre of mass; in the kept modes; in the wall's potential or
-        the static tail; taken by the modes above the cutoff.
-    contact_half_width : ndarray
-        R, in steps of the nodes' spacing.
-    """
-
-    _name: ClassVar[str] = "trajectory"
-    _units = {"time": "R/c", "center": "R", "velocity": "c", "force": "piRE", "contact_half_width": "R"}
-
-    impact: Impact = dataclasses.field(repr=False)
-    time: NDArray[np.float64]
-    center: NDArray[np.float64]
-    velocity: NDArray[np.float64]
-    force: NDArray[np.float64]
-    translation: NDArray[np.float64]
-    vibration: NDArray[np.float64]
-    stored: NDArray[np.float64]
-    unresolved: NDArray[np.float64]
-    contact_half_width: NDArray[np.float64]
-
-    def __len__(self) -> int:
-        return len(self.time)
-
-    def __repr__(self) -> str:
-        return f"Trajectory({len(self)} rows, time 0 to {self.time[-1]:.6g} R/c, of {self.impact!r})"
-
-    def plot(self, ax: Any = None) -> Any:
-        """Force against time. See `stoss.plot.force`."""
-        from stoss import plot
-
-        return plot.force(self, ax)
-
-    def _inputs(self) -> dict[str, Any]:
-        return self.impact._inputs()
-
-    def _table(self) -> dict[str, Column]:
-        return {field.name: getattr(self, field.name) for field in dataclasses.fields(self) if field.repr}
-
-
-@dataclasses.dataclass(frozen=True, eq=False, repr=False)
-class Impact(InSi, Result):
-    """One impact at a fixed resolution, with the inputs that made it. Energies are shares of the initial energy.
-
-    Attributes
-    ----------
-    body : Disk or Rod
-    wall : HardWall or ExponentialWall
-    speed : float
-        Of the centre of mass towards the wall, c.
-    restitution : float
-        ε = −v_f/v_i of the centre of mass.
-    lost_fraction : float
-        1 − ε².
-    translation, vibration, unresolved : float
-        Energy after the impact: of the centre of mass; of the kept modes; of the modes above the cutoff. The sum is 1 but
-        for `energy_error`.
-    contact_time : float
-        From first to last contact, R/c.
-    contacts : int
-        Separate periods of contact.
-    max_force : float
-        Greatest mean over one step of the force, πRE = mc²/R.
-    max_compression : float
-        R.
-    max_half_width : float
-        Greatest half-width of the contact, R.
-    cutoff : float
-        Modes up to this frequency are kept, c/R.
-    modes : int
-        Number of kept modes.
-    step : float
-        Time step, R/c.
-    nodes : int
-        Of the contact grid.
-    half_width : float
-        Of the contact grid, R.
-    steps : int
-        Number of time steps.
-    energy_error, momentum_error : float
-        What is missing, as shares of the initial energy and momentum.
-    beyond_small_strain : bool
-        Speed above 0.5 c or compression above 0.5 R, where linear elasticity has lost its meaning.
-    mode_energies : ndarray
-        Energy of each kept mode, a structured array with the fields order, index, omega, after (the impact) and average
-        (during contact).
-    material : Material or None
-        What it was made with. If there is one, `speed_si`, `contact_time_si`, `max_force_si` and `max_compression_si`
-        are the SI values.
-    """
-
-    _name: ClassVar[str] = "impact"
-    _units = {
-        "speed": "c", "contact_time": "R/c", "max_force": "piRE", "max_compression": "R", "max_half_width": "R",
-        "cutoff": "c/R", "step": "R/c", "half_width": "R", **SI_UNITS,
-    }  # fmt: skip
-
-    body: Body
-    wall: Wall
-    speed: float
-    restitution: float
-    lost_fraction: float
-    translation: float
-    vibration: float
-    unresolved: float
-    contact_time: float
-    contacts: int
-    max_force: float
-    max_compression: float
-    max_half_width: float
-    cutoff: float
-    modes: int
-    step: float
-    nodes: int
-    half_width: float
-    steps: int
-    energy_error: float
-    momentum_error: float
-    beyond_small_strain: bool
-    mode_energies: NDArray[Any]
-    material: Material | None
-    _handle: _core.Impact = dataclasses.field(repr=False)
-
-    def __repr__(self) -> str:
-        return (
-            f"Impact({self.body!r}, speed={self.speed:.6g} c: restitution {self.restitution:.5f}, "
-            f"contact time {self.contact_time:.4g} R/c, {self.modes} modes)"
-        )
-
-    def __reduce__(self) -> tuple[Any, ...]:
-        # Repeated, which gives the same bits, rather than written.
-        width = self.half_width if isinstance(self.body, Disk) else None
-        inputs = (self.body, self.wall, self.speed, self.cutoff, self.step, self.nodes, width, self.material)
-        return _compute, inputs
-
-    def trajectory(self, *, every: int = 1) -> Trajectory:
-        """The impact in time, by repeating it bit by bit.
-
-        Parameters
-        ----------
-        every : int
-            Steps between two rows.
-
-        Returns
-        -------
-        Trajectory
-
-        Examples
-        --------
-        >>> path = stoss.impact(poisson=0.33, speed=0.1, cutoff=25).trajectory()
-        >>> energy = path.translation + path.vibration + path.unresolved
-        >>> bool(abs(energy - 1).max() < 2e-3)
-        True
-        """
-        rows = integer("every", every)
-        if rows < 1:
-            raise InvalidInput(f"every: got {rows}, allowed 1 or more (steps between two rows)")
-        table = self._handle.trajectory(self.body._at(self.cutoff), rows)
-        return Trajectory(impact=self, **columns(table))
-
-    def field(self, *, time: ArrayLike, radius: ArrayLike | None = None, angle: ArrayLike | None = None) -> Field:
-        """The deformed disk and the stress inside at some times: kept modes, and the others in static equilibrium with the
-        wall.
-
-        Parameters
-        ----------
-        time : array_like
-            R/c from the start of the impact, any order; during the impact the nearest step is taken, before and after
-            it the disk flies freely.
-        radius : array_like, optional
-            Radii r, 0 to 1, R; default 41 of them.
-        angle : array_like, optional
-            Angles φ, radians, 0 towards the wall; default 181 around the disk, denser near the wall.
-
-        Returns
-        -------
-        Field
-            Arrays of times × radii × angles, without the first axis if `time` is one number.
-
-        Raises
-        ------
-        InvalidInput
-            If the body is no disk, or for points outside it.
-
-        Examples
-        --------
-        >>> hit = stoss.impact(poisson=0.33, speed=0.1, cutoff=25)
-        >>> field = hit.field(time=hit.contact_time / 2)
-        >>> bool(field.x.max() < 1e-3)  # nothing is beyond the wall
-        True
-        """
-        if not isinstance(self.body, Disk):
-            raise InvalidInput(f"body: got {self.body!r}, allowed a stoss.Disk (only disks have fields)")
-        times = numbers("time", time)
-        radii = np.linspace(0.0, 1.0, 41) if radius is None else numbers("radius", radius).ravel()
-        angles = _around() if angle is None else numbers("angle", angle).ravel()
-        order = np.argsort(times.ravel(), kind="stable")
-        made = self.body._at(self.cutoff)
-        frames = _core.motion(made, self._handle, times.ravel()[order])
-        fields = _core.fields(self.body.poisson, made, self._handle, frames, radii, angles)
-        return Field._from_core(self, times.shape, order, frames.summaries(), fields, radii, angles)
-
-    def plot(self, ax: Any = None) -> Any:
-        """Force against time. See `stoss.plot.force`."""
-        return self.trajectory().plot(ax)
-
-    def _inputs(self) -> dict[str, Any]:
-        return {"body": self.body, "wall": self.wall} | ({"material": self.material} if self.material else {})
-
-    def _table(self) -> dict[str, Column]:
-        skipped = ("body", "wall", "material", "mode_energies", "_handle")
-        names = [field.name for field in dataclasses.fields(self) if field.name not in skipped]
-        return {name: np.asarray(getattr(self, name)) for name in names}
-
-
-def _around() -> NDArray[np.float64]:
-    """Angles around the disk, three times as dense at the wall as opposite to it."""
-    even = np.linspace(-np.pi, np.pi, 181)
-    return np.asarray(even - 0.5 * np.sin(even))
 
 
 def impact(
@@ -264,6 +24,7 @@ def impact(
     step: float | None = None,
     nodes: int | None = None,
     half_width: float | None = None,
+    keep: ArrayLike | None = None,
 ) -> Impact:
     """One impact of an elastic body on a wall at a fixed resolution, with its energy ledger.
 
@@ -291,6 +52,9 @@ def impact(
         Of the contact grid.
     half_width : float, optional
         Of the contact grid, R.
+    keep : array_like of bool, optional
+        Which of the modes with ω ≤ `cutoff` are kept, in the order of `Impact.mode_energies`; only with an
+        `ExponentialWall`, because a hard wall would need what the others give way. Default: all.
 
     Returns
     -------
@@ -310,6 +74,13 @@ def impact(
     Impact(Disk(poisson=0.33), speed=0.1 c: restitution 0.94705, contact time 5.898 R/c, 1146 modes)
     >>> round(hit.translation + hit.vibration + hit.unresolved, 3)
     1.0
+
+    With a soft wall the modes may be chosen, for example those that a first run finds to be the most energetic.
+
+    >>> soft = stoss.ExponentialWall(hardness=500)
+    >>> average = stoss.impact(poisson=0.33, speed=0.1, wall=soft).mode_energies["average"]
+    >>> stoss.impact(poisson=0.33, speed=0.1, wall=soft, keep=average >= np.sort(average)[-300]).modes
+    300
     """
     chosen = choose_body(poisson, material, body)
     initial = number("speed", speed)
@@ -319,11 +90,15 @@ def impact(
     instance("wall", wall, (HardWall, ExponentialWall))
     count = None if nodes is None else integer("nodes", nodes)
     duration, width = optional_number("step", step), optional_number("half_width", half_width)
+    kept = None if keep is None else flags("keep", keep)
+    if kept is not None and not isinstance(wall, ExponentialWall):
+        hint = "a hard wall would need what the other modes give way"
+        raise InvalidInput(f"keep: got a selection of modes and {wall!r}, allowed only with a stoss.ExponentialWall ({hint})")
     with speeds_in_si(material):
-        return _compute(chosen, wall, initial, at, duration, count, width, material)
+        return repeated(chosen, wall, initial, at, duration, count, width, kept, material)
 
 
-def _compute(
+def repeated(
     body: Body,
     wall: Wall,
     speed: float,
@@ -331,11 +106,13 @@ def _compute(
     step: float | None,
     nodes: int | None,
     half_width: float | None,
+    keep: NDArray[np.bool_] | None,
     material: Material | None,
 ) -> Impact:
-    handle = _core.impact(body._at(cutoff), wall._made(), speed, step, nodes, half_width)
+    """The impact with these inputs, checked before."""
+    handle = _core.impact(kept_body(body, cutoff, keep), wall._made(), speed, step, nodes, half_width)
     energies = handle.modes()
     return Impact(
-        body=body, wall=wall, material=material, modes=len(energies), mode_energies=energies, _handle=handle,
+        body=body, wall=wall, keep=keep, material=material, modes=len(energies), mode_energies=energies, _handle=handle,
         **handle.numbers(),
     )  # fmt: skip

@@ -4,15 +4,16 @@ from __future__ import annotations
 
 import dataclasses
 import warnings
-from typing import Any, Callable, ClassVar, Union
+from typing import Any, ClassVar, Union
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from stoss import _core
-from stoss._arguments import boolean, integer, number, numbers
+from stoss._arguments import arranged, boolean, broadcast, integer, number, numbers
 from stoss._bodies import Body, Disk, Rod, choose_body
-from stoss._errors import Interrupted, InvalidInput, NotConverged, StossWarning
+from stoss._curve import Curve, gather
+from stoss._errors import Interrupted, NotConverged, StossWarning
 from stoss._material import Material, speeds_in_si
 from stoss._progress import bar
 from stoss._result import Column, Number, Result, columns, shown, span
@@ -182,11 +183,7 @@ def restitution(
     if material is not None:
         speeds = speeds / material.scales.speed
     poissons = np.full((), getattr(chosen, "poisson", np.nan)) if poisson is None else numbers("poisson", poisson)
-    try:
-        poissons, speeds = (np.array(each, order="C") for each in np.broadcast_arrays(poissons, speeds))
-    except ValueError:
-        shapes = f"shapes {poissons.shape} and {speeds.shape}"
-        raise InvalidInput(f"poisson, speed: got {shapes}, allowed shapes that broadcast together") from None
+    poissons, speeds = broadcast(poisson=poissons, speed=speeds)
     limit, count = number("tolerance", tolerance), integer("threads", threads)
     places: dict[Body, NDArray[np.intp]] = {chosen: np.arange(speeds.size)}
     if poisson is not None:
@@ -194,7 +191,7 @@ def restitution(
     with speeds_in_si(material):
         _core.check_curve(speeds.ravel(), limit, count)
 
-    curves = [_Curve(each, where, speeds.ravel()[where]) for each, where in places.items()]
+    curves = [Curve(each, where, speeds.ravel()[where]) for each, where in places.items()]
     stopped = False
     with bar(speeds.size, boolean("progress", progress)) as seen:
         try:
@@ -202,43 +199,13 @@ def restitution(
                 curve.compute(limit, count, None if seen is None else seen.update)
         except KeyboardInterrupt:
             stopped = True
-    table, reasons = _gather(curves, speeds.size)
+    table, reasons = gather(curves, speeds.size)
     result = _make(curves[0].body if len(curves) == 1 else None, poissons, speeds, table, reasons, limit, material)
     if stopped:
         done = sum(len(curve.reasons) for curve in curves)
         raise Interrupted(f"restitution: interrupted after {done} of {speeds.size} values (they are in .best)", result)
     _judge(result)
     return result
-
-
-class _Curve:
-    """The values of one body: rows that the core fills."""
-
-    def __init__(self, body: Body, where: NDArray[np.intp], speeds: NDArray[np.float64]) -> None:
-        self.body = body
-        self.where = where
-        self.speeds = speeds
-        self.rows = np.zeros(speeds.size, dtype=_core.restitution_row)
-        for name, (kind, *_) in (self.rows.dtype.fields or {}).items():
-            if kind.kind == "f":
-                self.rows[name] = np.nan
-        self.reasons: list[str] = []
-
-    def compute(self, tolerance: float, threads: int, tick: Callable[[], None] | None) -> None:
-        body = self.body._refinable()
-        _core.restitution_curve(body, self.speeds, tolerance, threads, self.rows, self.reasons, tick)
-
-
-def _gather(curves: list[_Curve], size: int) -> tuple[NDArray[Any], NDArray[np.object_]]:
-    reasons = np.full(size, "interrupted", dtype=object)
-    for curve in curves:
-        reasons[curve.where[: len(curve.reasons)]] = curve.reasons
-    if len(curves) == 1:
-        return curves[0].rows, reasons
-    table = np.zeros(size, dtype=_core.restitution_row)
-    for curve in curves:
-        table[curve.where] = curve.rows
-    return table, reasons
 
 
 def _make(
@@ -250,13 +217,9 @@ def _make(
     tolerance: float,
     material: Material | None,
 ) -> Restitution:
-    def arranged(values: NDArray[Any]) -> Any:
-        values = values.reshape(speeds.shape)
-        values.flags.writeable = False
-        return values if values.ndim else values.item()
-
-    values = {name: arranged(column) for name, column in columns(table).items()}
-    inputs = {"poisson": arranged(poissons), "speed": arranged(speeds), "reason": arranged(reasons)}
+    values = {name: arranged(column, speeds.shape) for name, column in columns(table).items()}
+    given = {"poisson": poissons, "speed": speeds, "reason": reasons}
+    inputs = {name: arranged(column, speeds.shape) for name, column in given.items()}
     return Restitution(body=body, tolerance=tolerance, material=material, **inputs, **values)
 
 

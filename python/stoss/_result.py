@@ -2,17 +2,17 @@
 
 from __future__ import annotations
 
-import contextlib
+import abc
 import dataclasses
 import math
 import os
-import tempfile
 from typing import Any, ClassVar, Mapping, Union
 
 import numpy as np
 from numpy.typing import NDArray
 
 from stoss import _core
+from stoss._files import whole_file
 
 Number = Union[float, NDArray[np.float64]]
 Column = NDArray[Any]
@@ -31,7 +31,7 @@ def plain(value: Any) -> Any:
     return value
 
 
-class Result:
+class Result(abc.ABC):
     """Base of all results: frozen, with the inputs that made them."""
 
     _units: ClassVar[Mapping[str, str]] = {}
@@ -74,13 +74,13 @@ class Result:
         """Further quantities that follow from the fields."""
         return {}
 
+    @abc.abstractmethod
     def _inputs(self) -> dict[str, Any]:
         """What made the result, for the head of the CSV."""
-        raise NotImplementedError
 
+    @abc.abstractmethod
     def _table(self) -> dict[str, Column]:
         """Columns of one length."""
-        raise NotImplementedError
 
 
 def columns(table: NDArray[Any]) -> dict[str, Column]:
@@ -99,21 +99,8 @@ def _write(path: str, text: str) -> None:
         with open(path, "w", encoding="utf-8") as stream:
             stream.write(text)
         return
-    path = os.path.realpath(path)
-    if os.path.exists(path) and not os.access(path, os.W_OK):
-        raise PermissionError(13, os.strerror(13), path)
-    descriptor, temporary = tempfile.mkstemp(dir=os.path.dirname(path), prefix=".stoss-")
-    try:
-        with open(descriptor, "w", encoding="utf-8") as stream:
-            stream.write(text)
-        mask = os.umask(0)
-        os.umask(mask)
-        os.chmod(temporary, os.stat(path).st_mode & 0o777 if os.path.exists(path) else 0o666 & ~mask)
-        os.replace(temporary, path)
-    except BaseException:
-        with contextlib.suppress(OSError):
-            os.unlink(temporary)
-        raise
+    with whole_file(path) as temporary, open(temporary, "w", encoding="utf-8") as stream:
+        stream.write(text)
 
 
 def shown(value: float, error: float | None = None) -> str:

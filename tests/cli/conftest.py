@@ -54,6 +54,11 @@ def rows(text):
     return list(csv.DictReader(io.StringIO("\n".join(lines))))
 
 
+def number(row, name):
+    """The value of a column, whatever its unit."""
+    return float(row[next(key for key in row if key.partition("[")[0] == name)])
+
+
 @pytest.fixture(scope="session")
 def stoss():
     return Command(os.environ["STOSS"])

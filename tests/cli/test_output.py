@@ -174,7 +174,7 @@ def test_many_threads_for_few_speeds(stoss):
 def test_manual_names_every_option(stoss):
     manual = open(os.path.join(os.path.dirname(__file__), "../../cli/stoss.1")).read().replace("\\-", "-")
     completion = open(os.path.join(os.path.dirname(__file__), "../../cli/completion.bash")).read()
-    for subcommand in ("modes", "impact", "restitution"):
+    for subcommand in ("modes", "impact", "restitution", "quasistatic"):
         text = stoss.run(subcommand, "--help").stdout
         options = {word.rstrip(",") for word in text.replace(",--", " --").split() if word.startswith("--")}
         assert len(options) > 8

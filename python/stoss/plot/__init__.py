@@ -5,6 +5,7 @@ have small print that fits one column; in Axes of yours the text follows your se
 
 ================================================  ===============================================================
 `restitution`, `extrapolation`                    ε or 1 − ε² against speed; the two limits of Gerl and Zippelius
+`slow_impact`, `rayleigh`, `static_contact`       the quasi-static theory: contact time, lost fraction, pressure
 `spectrum`, `mode_shape`                          eigenmodes
 `force`, `velocity`, `energies`, `half_width`     one impact in time
 `ledger`                                          which mode holds how much energy
@@ -32,6 +33,7 @@ from stoss.plot._disk import disk
 from stoss.plot._extrapolation import extrapolation
 from stoss.plot._ledger import ledger
 from stoss.plot._modes import mode_shape, spectrum
+from stoss.plot._quasistatic import rayleigh, slow_impact, static_contact
 from stoss.plot._restitution import restitution
 from stoss.plot._sequence import sequence
 from stoss.plot._stress import stress
@@ -46,9 +48,12 @@ __all__ = [
     "half_width",
     "ledger",
     "mode_shape",
+    "rayleigh",
     "restitution",
     "sequence",
+    "slow_impact",
     "spectrum",
+    "static_contact",
     "stress",
     "velocity",
 ]

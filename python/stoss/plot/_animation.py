@@ -21,7 +21,8 @@ from PIL import Image
 
 from stoss._arguments import instance, integer, number, refusal
 from stoss._field import Field
-from stoss._impact import Impact
+from stoss._files import whole_file
+from stoss._impact_result import Impact
 from stoss.plot import _disk, _sequence, _stress, _style
 
 DPI = 100
@@ -93,7 +94,7 @@ def animate(
         hint = "install it, or give a path that ends in .gif"
         raise RuntimeError(f"animate: ffmpeg, which .mp4 needs, was not found ({hint})")
 
-    with _whole_file(os.fspath(path), suffix) as temporary:
+    with whole_file(os.fspath(path), suffix) as temporary:
         times = _sequence.default_times(impact, count)
         points = {"radius": _disk.GRID_RADIUS, "angle": _disk.GRID_ANGLE} if quantity is None else {}
         field = impact.field(time=times, **points)
@@ -208,28 +209,3 @@ def _write_mp4(pictures: Iterator[NDArray[np.uint8]], rate: float, size: tuple[i
             complaints.seek(0)
             said = " ".join(complaints.read(300).decode(errors="replace").split())
             raise RuntimeError(f"animate: ffmpeg failed (give a path that ends in .gif instead): {said}")
-
-
-@contextlib.contextmanager
-def _whole_file(path: str, suffix: str) -> Iterator[str]:
-    """A temporary name beside `path`, moved there at the end: what fails leaves no half file."""
-    path = os.path.realpath(path)
-    try:
-        if os.path.isdir(path):
-            raise IsADirectoryError(21, os.strerror(21), path)
-        if os.path.exists(path) and not os.access(path, os.W_OK):
-            raise PermissionError(13, os.strerror(13), path)
-        descriptor, temporary = tempfile.mkstemp(dir=os.path.dirname(path), prefix=".stoss-", suffix=suffix)
-    except OSError as error:
-        raise type(error)(error.errno, error.strerror, path) from None  # the name that the user knows
-    os.close(descriptor)
-    try:
-        yield temporary
-        mask = os.umask(0)
-        os.umask(mask)
-        os.chmod(temporary, os.stat(path).st_mode & 0o777 if os.path.exists(path) else 0o666 & ~mask)
-        os.replace(temporary, path)
-    except BaseException:
-        with contextlib.suppress(OSError):
-            os.unlink(temporary)
-        raise

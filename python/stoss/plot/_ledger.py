@@ -6,7 +6,7 @@ import numpy as np
 from matplotlib.axes import Axes
 
 from stoss._arguments import instance, integer, refusal
-from stoss._impact import Impact
+from stoss._impact_result import Impact
 from stoss.plot import _style
 
 LABELS = {"after": "energy after impact / initial", "average": "mean energy in contact / initial"}

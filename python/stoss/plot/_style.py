@@ -4,12 +4,12 @@ from __future__ import annotations
 
 import contextlib
 import weakref
-from typing import Any, Iterator, Sequence
+from typing import Any, Iterator
 
 import matplotlib
 from matplotlib.axes import Axes
 
-from stoss._arguments import refusal
+from stoss._arguments import choice as choice, refusal
 
 COLUMN = 3.4  # inches, one column of a journal
 
@@ -82,11 +82,3 @@ def legend(axes: Axes, **options: Any) -> None:
 def written(value: float, digits: int = 4) -> str:
     """A number for labels, with a minus sign instead of a hyphen."""
     return f"{value:.{digits}g}".replace("-", "−")
-
-
-def choice(name: str, value: Any, allowed: Sequence[str]) -> str:
-    """One of a few words."""
-    if not isinstance(value, str) or value not in allowed:
-        *others, last = (repr(each) for each in allowed)
-        raise refusal(name, value, f"{', '.join(others)} or {last}")
-    return value

@@ -8,7 +8,7 @@ from matplotlib.axes import Axes
 from numpy.typing import NDArray
 
 from stoss._arguments import instance
-from stoss._impact import Trajectory
+from stoss._trajectory import Trajectory
 from stoss.plot import _style
 
 

@@ -1,0 +1,250 @@
+// stoss quasistatic: slow impacts and static compression, in closed form where there is one.
+#include "stoss/quasistatic.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <memory>
+
+#include "arguments.hpp"
+#include "interrupt.hpp"
+#include "numbers.hpp"
+#include "progress.hpp"
+#include "stoss/errors.hpp"
+
+namespace stoss::cli {
+namespace {
+
+constexpr double least_compression = 1e-12;  // of static_contact, as the greatest
+constexpr double greatest_compression = 0.5;
+constexpr double great_compression = 0.1;  // beyond it small strains mean little
+
+struct QuasistaticArguments {
+  DiskArguments disk;
+  std::string speeds;
+  std::string compressions;
+  std::string law = "center";
+  double cutoff = 60.0;
+  OutputArguments output;
+  CLI::Option* speed_option = nullptr;
+  CLI::Option* compression_option = nullptr;
+  CLI::Option* cutoff_option = nullptr;
+
+  [[nodiscard]] CompressionLaw chosen_law() const {
+    if (law == "diameter") return CompressionLaw::diameter;
+    return law == "printed" ? CompressionLaw::printed : CompressionLaw::center;
+  }
+};
+
+/// A number of rows that are written one by one, until Ctrl-C.
+void write_rows(const QuasistaticArguments& arguments, Report& report, std::size_t count,
+                const std::function<Record(std::size_t)>& make) {
+  catch_interrupts();
+  Progress progress(arguments.output, count);
+  try {
+    for (std::size_t i = 0; i < count; ++i) {
+      heed_interrupts();
+      report.add(make(i));
+      progress.show(i + 1);
+    }
+  } catch (const OutputError&) {
+    throw;
+  } catch (...) {
+    report.finish(false);
+    throw;
+  }
+}
+
+// --speed
+
+Record impact_record(const RayleighEstimate& estimate, const std::optional<Scales>& si) {
+  const SlowImpact& impact = estimate.impact;
+  const std::string mark = estimate.beyond_perturbation ? " !" : "  ";
+  const std::string lost = with_error(estimate.lost_fraction, estimate.lost_fraction_error) + mark;
+  Record record{{"poisson", "", impact.poisson}, {"speed", "c", impact.speed, si ? 0 : 12}};
+  if (si) record.push_back({"speed_si", "m/s", impact.speed * si->speed, 12});
+  const auto add = [&record](Entry entry) { record.push_back(std::move(entry)); };
+  add({"lost_fraction", "", estimate.lost_fraction, 24, lost});
+  add({"lost_fraction_error", "", estimate.lost_fraction_error});
+  add({"contact_time", "R/c", impact.contact_time, si ? 0 : 14});
+  add({"max_compression", "R", impact.max_compression, si ? 0 : 17});
+  add({"max_force", "piRE", impact.max_force, si ? 0 : 13});
+  if (si) {
+    add({"contact_time_si", "s", impact.contact_time * si->time, 17});
+    add({"max_compression_si", "m", impact.max_compression * si->length, 20});
+    add({"max_force_si", "N/m", impact.max_force * si->force});
+  }
+  add({"kinetic_share", "", estimate.kinetic_share});
+  add({"beyond_perturbation", "", estimate.beyond_perturbation});
+  add({"modes", "", static_cast<long>(estimate.modes.size())});
+  return record;
+}
+
+nlohmann::ordered_json to_json(const std::vector<DrivenMode>& modes) {
+  auto list = nlohmann::ordered_json::array();
+  for (const DrivenMode& mode : modes) {
+    list.push_back({{"order", mode.order},
+                    {"index", mode.index},
+                    {"omega", mode.omega},
+                    {"amplitude", mode.amplitude},
+                    {"after", mode.after}});
+  }
+  return list;
+}
+
+void impacts(const QuasistaticArguments& arguments, Provenance provenance) {
+  const auto si = arguments.disk.si();
+  const double poisson = arguments.disk.plane_poisson();
+  const CompressionLaw law = arguments.chosen_law();
+  const SpeedRange range{min_slow_speed, limit_speed(law, poisson),
+                         "of the centre of mass, 1e-100 c to where the static law ends"};
+  const std::vector<double> speeds = parse_speeds(arguments.speeds, si, range);
+  const std::vector<Mode> modes = disk_modes(poisson, arguments.cutoff);
+  provenance.inputs["cutoff"] = arguments.cutoff;
+  Report report(arguments.output.path, arguments.output.chosen_format(), provenance);
+  std::size_t beyond = 0;
+  write_rows(arguments, report, speeds.size(), [&](std::size_t i) {
+    const RayleighEstimate estimate = rayleigh(law, poisson, speeds[i], modes);
+    beyond += estimate.beyond_perturbation ? 1 : 0;
+    if (speeds.size() == 1 && arguments.output.chosen_format() == Format::json) {
+      report.attach("modes", to_json(estimate.modes));
+    }
+    return impact_record(estimate, si);
+  });
+  report.finish();
+  if (beyond > 0) {
+    arguments.output.warn(
+        fmt::format("{} of {} rows beyond perturbation theory (marked): lost_fraction is no estimate there, but far "
+                    "too great (see stoss restitution)",
+                    beyond, speeds.size()));
+  }
+}
+
+// --compression
+
+/// In R, of numbers that are in R or, with a material, in m. @throws InvalidInput where a quantity has no value
+std::vector<double> parse_compressions(const std::string& text, CompressionLaw law, double poisson,
+                                       const std::optional<Scales>& si) {
+  const double unit = si ? si->length : 1.0;
+  const double last_force = std::min(limit_force(law, poisson), max_hertz_force);
+  const double greatest = std::min(compression(law, poisson, last_force), greatest_compression);
+  std::vector<double> values = parse_series("compression", text);
+  for (double& value : values) {
+    if (!(value >= least_compression * unit && value <= greatest * unit)) {
+      const double got = std::isnan(value) ? std::abs(value) : value;
+      throw InvalidInput(fmt::format(
+          "compression: got {:.10g}, allowed {:.6g} to {:.6g} {} (R + x0; beyond them a law or a contact ends)", got,
+          least_compression * unit, greatest * unit, si ? "m" : "R"));
+    }
+    value = std::clamp(value / unit, least_compression, greatest);
+  }
+  return values;
+}
+
+Record compression_record(CompressionLaw law, double poisson, double compression, const std::optional<Scales>& si) {
+  // The rounding of the inversion must not lead beyond the last force.
+  const double last_force = std::min(limit_force(law, poisson), max_hertz_force);
+  const double force = std::min(compression_force(law, poisson, compression), last_force);
+  const double energy = compression_energy(law, poisson, force);
+  const StaticContact contact = static_contact(poisson, compression);
+  Record record{{"poisson", "", poisson}, {"compression", "R", compression, si ? 0 : 13}};
+  if (si) record.push_back({"compression_si", "m", compression * si->length, 16});
+  const auto add = [&record](Entry entry) { record.push_back(std::move(entry)); };
+  add({"force", "piRE", force, si ? 0 : 13});
+  add({"energy", "mc^2", energy, si ? 0 : 14});
+  add({"half_width", "R", hertz_half_width(force), si ? 0 : 12});
+  if (si) {
+    add({"force_si", "N/m", force * si->force, 13});
+    add({"energy_si", "J/m", energy * si->force * si->length, 14});
+    add({"half_width_si", "m", hertz_half_width(force) * si->length, 15});
+  }
+  add({"static_force", "piRE", contact.force, si ? 0 : 27, with_error(contact.force, contact.force_error)});
+  add({"static_force_error", "piRE", contact.force_error});
+  if (si) {
+    add({"static_force_si", "N/m", contact.force * si->force, 17});
+    add({"static_force_si_error", "N/m", contact.force_error * si->force});
+  }
+  return record;
+}
+
+void compressions(const QuasistaticArguments& arguments, const Provenance& provenance) {
+  if (arguments.cutoff_option->count() > 0) {
+    throw InvalidInput("cutoff: got --cutoff with --compression, allowed only with --speed (here all modes count)");
+  }
+  const auto si = arguments.disk.si();
+  const double poisson = arguments.disk.plane_poisson();
+  const CompressionLaw law = arguments.chosen_law();
+  const std::vector<double> values = parse_compressions(arguments.compressions, law, poisson, si);
+  Report report(arguments.output.path, arguments.output.chosen_format(), provenance);
+  write_rows(arguments, report, values.size(),
+             [&](std::size_t i) { return compression_record(law, poisson, values[i], si); });
+  report.finish();
+  const auto great =
+      std::count_if(values.begin(), values.end(), [](double value) { return value > great_compression; });
+  if (great > 0) {
+    arguments.output.warn(fmt::format("{} of {} compressions above {} R: linear elasticity means little there", great,
+                                      values.size(), great_compression));
+  }
+}
+
+void run(const QuasistaticArguments& arguments) {
+  const bool speeds = arguments.speed_option->count() > 0;
+  if (!speeds && arguments.compression_option->count() == 0) throw CLI::RequiredError("--speed or --compression");
+  Provenance provenance{"quasistatic", command_line(), {}};
+  arguments.disk.describe(provenance.inputs);
+  provenance.inputs["law"] = arguments.law;
+  if (speeds) {
+    impacts(arguments, provenance);
+  } else {
+    compressions(arguments, provenance);
+  }
+}
+
+}  // namespace
+
+void add_quasistatic(CLI::App& app) {
+  auto* command = app.add_subcommand(
+      "quasistatic", "Slow impacts with Rayleigh's estimate of the loss, or force against static compression");
+  auto arguments = std::make_shared<QuasistaticArguments>();
+  arguments->disk.add_to(*command);
+  arguments->speed_option =
+      command
+          ->add_option("--speed", arguments->speeds,
+                       "Slow impacts at these speeds, 1e-100 to 0.14 or more (where the law ends) in c (m/s with a "
+                       "material): a,b,c or log:a:b:n or lin:a:b:n")
+          ->type_name("SPEEDS")
+          ->group("Body");
+  arguments->compression_option =
+      command
+          ->add_option("--compression", arguments->compressions,
+                       "Or: static contacts at these compressions, 1e-12 to 0.2 or more (where the law ends) in R (m "
+                       "with a material), written as speeds")
+          ->excludes(arguments->speed_option)
+          ->type_name("DELTAS")
+          ->group("Body");
+  command
+      ->add_option("--law", arguments->law,
+                   "Force against compression: center, approach of the centre of mass; diameter, shortening of the "
+                   "diameter; printed, the paper's (default: center)")
+      ->check(CLI::IsMember({"center", "diameter", "printed"}))
+      ->type_name("LAW")
+      ->group("Body");
+  arguments->cutoff_option =
+      command
+          ->add_option("--cutoff", arguments->cutoff,
+                       "Rayleigh's estimate has the modes up to this frequency in c/R, up to 1000 (default: 60)")
+          ->type_name("OMEGA")
+          ->group("Resolution");
+  arguments->output.add_to(*command);
+  command->footer(
+      "Examples:\n"
+      "  stoss quasistatic --poisson 0.33 --speed log:1e-6:0.1:50\n"
+      "  stoss quasistatic --poisson 0.33 --speed 1e-12 --format json\n"
+      "  stoss quasistatic --poisson 0.33 --compression lin:0.001:0.03:20\n"
+      "Two equal disks that each move at SPEED towards each other are the same problem.");
+  command->callback([arguments] { run(*arguments); });
+}
+
+}  // namespace stoss::cli

@@ -1,0 +1,183 @@
+#include "stoss/quasistatic.hpp"
+
+#include <pybind11/stl.h>
+
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <variant>
+
+#include "arrays.hpp"
+#include "bindings.hpp"
+#include "interpreter.hpp"
+#include "wall.hpp"
+
+namespace stoss::python {
+namespace {
+
+using Doubles = py::array_t<double, py::array::c_style>;
+
+CompressionLaw to_law(const std::string& name) {
+  if (name == "center") return CompressionLaw::center;
+  if (name == "diameter") return CompressionLaw::diameter;
+  if (name == "printed") return CompressionLaw::printed;
+  throw std::invalid_argument("law: center, diameter or printed");
+}
+
+/// What stoss.quasistatic.SlowImpact shows of one value.
+struct SlowImpactRow {
+  double contact_time, max_compression, max_force;
+};
+
+/// What stoss.quasistatic.RayleighEstimate shows of one value.
+struct RayleighRow {
+  double contact_time, max_compression, max_force, lost_fraction, lost_fraction_error, kinetic_share;
+  int modes;
+  bool beyond_perturbation;
+};
+
+RayleighRow to_row(const RayleighEstimate& estimate) {
+  return {estimate.impact.contact_time,
+          estimate.impact.max_compression,
+          estimate.impact.max_force,
+          estimate.lost_fraction,
+          estimate.lost_fraction_error,
+          estimate.kinetic_share,
+          static_cast<int>(estimate.modes.size()),
+          estimate.beyond_perturbation};
+}
+
+/// An array of function(i), which is computed without the interpreter, for arrays of one size.
+template <typename Function, typename... Arrays>
+auto over(const Function& function, const Doubles& first, const Arrays&... others) {
+  const auto size = static_cast<std::size_t>(first.size());
+  if ((... || (others.size() != first.size()))) throw std::invalid_argument("arrays: all of one size");
+  std::vector<decltype(function(size))> values(size);
+  {
+    const Released released;
+    for (std::size_t i = 0; i < size; ++i) values[i] = function(i);
+  }
+  return take(std::move(values));
+}
+
+/// A function of law, Poisson number and another number, over arrays of both.
+template <typename Function>
+auto over_law(Function function) {
+  return [function](const std::string& law, const Doubles& poisson, const Doubles& argument) {
+    const CompressionLaw chosen = to_law(law);
+    const double *nu = poisson.data(), *x = argument.data();
+    return over([&](std::size_t i) { return function(chosen, nu[i], x[i]); }, poisson, argument);
+  };
+}
+
+/// The same of law and Poisson number alone.
+template <typename Function>
+auto limit(Function function) {
+  return [function](const std::string& law, const Doubles& poisson) {
+    const CompressionLaw chosen = to_law(law);
+    const double* nu = poisson.data();
+    return over([&](std::size_t i) { return function(chosen, nu[i]); }, poisson);
+  };
+}
+
+SlowImpactRow slow_impact_row(CompressionLaw law, double poisson, double speed) {
+  const SlowImpact impact = slow_impact(law, poisson, speed);
+  return {impact.contact_time, impact.max_compression, impact.max_force};
+}
+
+/// Estimates for several speeds, and, if there is only one, its modes.
+py::tuple rayleigh_rows(const std::string& law, double poisson, const Doubles& speeds, double cutoff) {
+  const CompressionLaw chosen = to_law(law);
+  const std::vector<double> at = to_vector(speeds);
+  std::vector<RayleighRow> rows;
+  std::vector<DrivenMode> driven;
+  {
+    const Released released;
+    const std::vector<Mode> modes = disk_modes(poisson, cutoff);
+    rows.reserve(at.size());
+    for (const double speed : at) {
+      RayleighEstimate estimate = rayleigh(chosen, poisson, speed, modes);
+      rows.push_back(to_row(estimate));
+      if (at.size() == 1) driven = std::move(estimate.modes);
+    }
+  }
+  return py::make_tuple(take(std::move(rows)), take(std::move(driven)));
+}
+
+py::dict static_contact_numbers(double poisson, double compression, int nodes) {
+  using namespace py::literals;
+  StaticContact contact;
+  {
+    const Released released;
+    contact = static_contact(poisson, compression, {nodes});
+  }
+  return py::dict("force"_a = contact.force, "force_error"_a = contact.force_error, "half_width"_a = contact.half_width,
+                  "energy"_a = contact.energy, "contact_nodes"_a = contact.contact_nodes, "spacing"_a = contact.spacing,
+                  "position"_a = take(std::move(contact.position)), "pressure"_a = take(std::move(contact.pressure)));
+}
+
+py::dict soft_static_contact_numbers(const Body& body, const AnyWall& wall, double compression,
+                                     std::optional<int> nodes) {
+  using namespace py::literals;
+  const auto* soft = std::get_if<ExponentialWall>(&wall.wall);
+  if (soft == nullptr) throw std::invalid_argument("wall: an exponential one");
+  SoftStaticContact contact;
+  {
+    const Released released;
+    contact = soft_static_contact(body, *soft, compression, {nodes});
+  }
+  return py::dict("force"_a = contact.force, "energy"_a = contact.energy, "wall_energy"_a = contact.wall_energy,
+                  "modes"_a = contact.modes, "nodes"_a = contact.nodes, "newton_steps"_a = contact.newton_steps);
+}
+
+void bind_stresses(py::module_& module) {
+  module.def(
+      "hertz_pressure",
+      [](const Doubles& force, const Doubles& y) {
+        const double *f = force.data(), *along = y.data();
+        return over([&](std::size_t i) { return hertz_pressure(f[i], along[i]); }, force, y);
+      },
+      py::arg("force"), py::arg("y"));
+  module.def(
+      "hertz_stress",
+      [](const Doubles& force, const Doubles& depth, const Doubles& y) {
+        const double *f = force.data(), *down = depth.data(), *along = y.data();
+        return over([&](std::size_t i) { return hertz_stress(f[i], down[i], along[i]); }, force, depth, y);
+      },
+      py::arg("force"), py::arg("depth"), py::arg("y"), "structured array of xx, yy, xy");
+  module.def(
+      "heavy_disk_stress",
+      [](bool hertz, const Doubles& force, const Doubles& x, const Doubles& y) {
+        const HeavyDiskContact contact = hertz ? HeavyDiskContact::hertz : HeavyDiskContact::point;
+        const double *f = force.data(), *up = x.data(), *along = y.data();
+        return over([&](std::size_t i) { return heavy_disk_stress(contact, f[i], up[i], along[i]); }, force, x, y);
+      },
+      py::arg("hertz"), py::arg("force"), py::arg("x"), py::arg("y"), "structured array of xx, yy, xy");
+}
+
+}  // namespace
+
+void bind_quasistatic(py::module_& module) {
+  PYBIND11_NUMPY_DTYPE(SlowImpactRow, contact_time, max_compression, max_force);
+  PYBIND11_NUMPY_DTYPE(RayleighRow, contact_time, max_compression, max_force, lost_fraction, lost_fraction_error,
+                       kinetic_share, modes, beyond_perturbation);
+  PYBIND11_NUMPY_DTYPE(DrivenMode, order, index, omega, amplitude, after);
+  PYBIND11_NUMPY_DTYPE(PlaneStress, xx, yy, xy);
+  module.attr("rayleigh_row") = py::dtype::of<RayleighRow>();
+  module.def("limit_force", limit(&limit_force), py::arg("law"), py::arg("poisson"));
+  module.def("limit_speed", limit(&limit_speed), py::arg("law"), py::arg("poisson"));
+  module.def("compression", over_law(&compression), py::arg("law"), py::arg("poisson"), py::arg("force"));
+  module.def("compression_force", over_law(&compression_force), py::arg("law"), py::arg("poisson"),
+             py::arg("compression"));
+  module.def("compression_energy", over_law(&compression_energy), py::arg("law"), py::arg("poisson"), py::arg("force"));
+  module.def("slow_impact", over_law(&slow_impact_row), py::arg("law"), py::arg("poisson"), py::arg("speed"),
+             "structured array of contact_time, max_compression, max_force");
+  module.def("rayleigh", &rayleigh_rows, py::arg("law"), py::arg("poisson"), py::arg("speeds"), py::arg("cutoff"),
+             "rows for the speeds, and the modes if there is only one speed");
+  module.def("static_contact", &static_contact_numbers, py::arg("poisson"), py::arg("compression"), py::arg("nodes"));
+  module.def("soft_static_contact", &soft_static_contact_numbers, py::arg("body"), py::arg("wall"),
+             py::arg("compression"), py::arg("nodes"));
+  bind_stresses(module);
+}
+
+}  // namespace stoss::python

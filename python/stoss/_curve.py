@@ -1,0 +1,42 @@
+"""Rows of a restitution curve, as the core fills them."""
+
+from __future__ import annotations
+
+from typing import Any, Callable
+
+import numpy as np
+from numpy.typing import NDArray
+
+from stoss import _core
+from stoss._bodies import Body
+
+
+class Curve:
+    """The values of one body: rows that the core fills."""
+
+    def __init__(self, body: Body, where: NDArray[np.intp], speeds: NDArray[np.float64]) -> None:
+        self.body = body
+        self.where = where
+        self.speeds = speeds
+        self.rows = np.zeros(speeds.size, dtype=_core.restitution_row)
+        for name, (kind, *_) in (self.rows.dtype.fields or {}).items():
+            if kind.kind == "f":
+                self.rows[name] = np.nan
+        self.reasons: list[str] = []
+
+    def compute(self, tolerance: float, threads: int, tick: Callable[[], None] | None) -> None:
+        body = self.body._refinable()
+        _core.restitution_curve(body, self.speeds, tolerance, threads, self.rows, self.reasons, tick)
+
+
+def gather(curves: list[Curve], size: int) -> tuple[NDArray[Any], NDArray[np.object_]]:
+    """The rows of all curves in their places, and the reasons; what is missing is NaN and "interrupted"."""
+    reasons = np.full(size, "interrupted", dtype=object)
+    for curve in curves:
+        reasons[curve.where[: len(curve.reasons)]] = curve.reasons
+    if len(curves) == 1:
+        return curves[0].rows, reasons
+    table = np.zeros(size, dtype=_core.restitution_row)
+    for curve in curves:
+        table[curve.where] = curve.rows
+    return table, reasons

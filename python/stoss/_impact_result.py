@@ -1,0 +1,238 @@
+"""What one impact at a fixed resolution gives."""
+
+from __future__ import annotations
+
+import dataclasses
+from typing import Any, ClassVar
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from stoss import _core
+from stoss._arguments import integer, numbers
+from stoss._bodies import Body, Disk, Wall, kept_body
+from stoss._errors import InvalidInput
+from stoss._field import Field
+from stoss._material import Material
+from stoss._result import Column, Result, columns
+from stoss._si import SI_UNITS, InSi
+from stoss._trajectory import Trajectory
+
+
+@dataclasses.dataclass(frozen=True, eq=False, repr=False)
+class Impact(InSi, Result):
+    """One impact at a fixed resolution, with the inputs that made it. Energies are shares of the initial energy.
+
+    Attributes
+    ----------
+    body : Disk or Rod
+    wall : HardWall or ExponentialWall
+    speed : float
+        Of the centre of mass towards the wall, c.
+    restitution : float
+        ε = −v_f/v_i of the centre of mass.
+    lost_fraction : float
+        1 − ε².
+    translation, vibration, unresolved : float
+        Energy after the impact: of the centre of mass; of the kept modes; of the modes above the cutoff. The sum is 1 but
+        for `energy_error`.
+    contact_time : float
+        From first to last contact, R/c.
+    contacts : int
+        Separate periods of contact.
+    max_force : float
+        Greatest mean over one step of the force, πRE = mc²/R.
+    max_compression : float
+        R.
+    max_half_width : float
+        Greatest half-width of the contact, R.
+    cutoff : float
+        Modes up to this frequency are kept, c/R.
+    modes : int
+        Number of kept modes.
+    step : float
+        Time step, R/c.
+    nodes : int
+        Of the contact grid.
+    half_width : float
+        Of the contact grid, R.
+    steps : int
+        Number of time steps.
+    energy_error, momentum_error : float
+        What is missing, as shares of the initial energy and momentum.
+    beyond_small_strain : bool
+        Speed above 0.5 c or compression above 0.5 R, where linear elasticity has lost its meaning.
+    mode_energies : ndarray
+        Energy of each kept mode, a structured array with the fields order, index, omega, after (the impact) and average
+        (during contact).
+    keep : ndarray or None
+        Which modes up to the cutoff were kept, if not all: those of `mode_energies`.
+    material : Material or None
+        What it was made with. If there is one, `speed_si`, `contact_time_si`, `max_force_si` and `max_compression_si`
+        are the SI values.
+    """
+
+    _name: ClassVar[str] = "impact"
+    _units = {
+        "speed": "c", "contact_time": "R/c", "max_force": "piRE", "max_compression": "R", "max_half_width": "R",
+        "cutoff": "c/R", "step": "R/c", "half_width": "R", **SI_UNITS,
+    }  # fmt: skip
+
+    body: Body
+    wall: Wall
+    speed: float
+    restitution: float
+    lost_fraction: float
+    translation: float
+    vibration: float
+    unresolved: float
+    contact_time: float
+    contacts: int
+    max_force: float
+    max_compression: float
+    max_half_width: float
+    cutoff: float
+    modes: int
+    step: float
+    nodes: int
+    half_width: float
+    steps: int
+    energy_error: float
+    momentum_error: float
+    beyond_small_strain: bool
+    mode_energies: NDArray[Any]
+    keep: NDArray[np.bool_] | None
+    material: Material | None
+    _handle: _core.Impact = dataclasses.field(repr=False)
+
+    def __repr__(self) -> str:
+        return (
+            f"Impact({self.body!r}, speed={self.speed:.6g} c: restitution {self.restitution:.5f}, "
+            f"contact time {self.contact_time:.4g} R/c, {self.modes} modes)"
+        )
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        # Repeated, which gives the same bits, rather than written.
+        width = self.half_width if isinstance(self.body, Disk) else None
+        inputs = (self.body, self.wall, self.speed, self.cutoff, self.step, self.nodes, width, self.keep, self.material)
+        from stoss._impact import repeated
+
+        return repeated, inputs
+
+    def trajectory(self, *, every: int = 1) -> Trajectory:
+        """The impact in time, by repeating it bit by bit.
+
+        Parameters
+        ----------
+        every : int
+            Steps between two rows.
+
+        Returns
+        -------
+        Trajectory
+
+        Examples
+        --------
+        >>> path = stoss.impact(poisson=0.33, speed=0.1, cutoff=25).trajectory()
+        >>> energy = path.translation + path.vibration + path.unresolved
+        >>> bool(abs(energy - 1).max() < 2e-3)
+        True
+        """
+        rows = integer("every", every)
+        if rows < 1:
+            raise InvalidInput(f"every: got {rows}, allowed 1 or more (steps between two rows)")
+        table = self._handle.trajectory(kept_body(self.body, self.cutoff, self.keep), rows)
+        return Trajectory(impact=self, **columns(table))
+
+    def field(self, *, time: ArrayLike, radius: ArrayLike | None = None, angle: ArrayLike | None = None) -> Field:
+        """The deformed disk and the stress inside at some times: kept modes, and the others in static equilibrium with the
+        wall.
+
+        Parameters
+        ----------
+        time : array_like
+            R/c from the start of the impact, any order; during the impact the nearest step is taken, before and after
+            it the disk flies freely.
+        radius : array_like, optional
+            Radii r, 0 to 1, R; default 41 of them.
+        angle : array_like, optional
+            Angles φ, radians, 0 towards the wall; default 181 around the disk, denser near the wall.
+
+        Returns
+        -------
+        Field
+            Arrays of times × radii × angles, without the first axis if `time` is one number.
+
+        Raises
+        ------
+        InvalidInput
+            If the body is no disk, or for points outside it.
+
+        Examples
+        --------
+        >>> hit = stoss.impact(poisson=0.33, speed=0.1, cutoff=25)
+        >>> field = hit.field(time=hit.contact_time / 2)
+        >>> bool(field.x.max() < 1e-3)  # nothing is beyond the wall
+        True
+        """
+        if not isinstance(self.body, Disk):
+            raise InvalidInput(f"body: got {self.body!r}, allowed a stoss.Disk (only disks have fields)")
+        times = numbers("time", time)
+        radii = np.linspace(0.0, 1.0, 41) if radius is None else numbers("radius", radius).ravel()
+        angles = _around() if angle is None else numbers("angle", angle).ravel()
+        order = np.argsort(times.ravel(), kind="stable")
+        made = kept_body(self.body, self.cutoff, self.keep)
+        frames = _core.motion(made, self._handle, times.ravel()[order])
+        fields = _core.fields(self.body.poisson, made, self._handle, frames, radii, angles)
+        return Field._from_core(self, times.shape, order, frames.summaries(), fields, radii, angles)
+
+    def energies_at(self, *, time: ArrayLike) -> NDArray[Any]:
+        """Energy of each kept mode at some times, by repeating the impact bit by bit.
+
+        Parameters
+        ----------
+        time : array_like
+            R/c from the start of the impact, any order; during the impact the nearest step is taken, after it the
+            energies stay.
+
+        Returns
+        -------
+        ndarray
+            Times × modes, without the first axis if `time` is one number: a structured array with the fields order,
+            index, omega and energy, as a share of the initial one, in the order of `mode_energies`.
+
+        Examples
+        --------
+        >>> hit = stoss.impact(poisson=0.33, speed=0.1, cutoff=25)
+        >>> energies = hit.energies_at(time=[0, hit.contact_time / 2])
+        >>> energies["energy"].sum(axis=1).round(2)
+        array([0.  , 0.96])
+        """
+        times = numbers("time", time)
+        order = np.argsort(times.ravel(), kind="stable")
+        table = _core.energies_at(kept_body(self.body, self.cutoff, self.keep), self._handle, times.ravel()[order])
+        back = np.argsort(order, kind="stable")
+        energies = table[back].reshape(times.shape + (self.modes,))
+        energies.flags.writeable = False
+        return energies
+
+    def plot(self, ax: Any = None) -> Any:
+        """Force against time. See `stoss.plot.force`."""
+        return self.trajectory().plot(ax)
+
+    def _inputs(self) -> dict[str, Any]:
+        inputs: dict[str, Any] = {"body": self.body, "wall": self.wall}
+        if self.keep is not None:
+            inputs["keep"] = f"{self.modes} of {self.keep.size} modes"
+        return inputs | ({"material": self.material} if self.material else {})
+
+    def _table(self) -> dict[str, Column]:
+        skipped = ("body", "wall", "keep", "material", "mode_energies", "_handle")
+        names = [field.name for field in dataclasses.fields(self) if field.name not in skipped]
+        return {name: np.asarray(getattr(self, name)) for name in names}
+
+
+def _around() -> NDArray[np.float64]:
+    """Angles around the disk, three times as dense at the wall as opposite to it."""
+    even = np.linspace(-np.pi, np.pi, 181)
+    return np.asarray(even - 0.5 * np.sin(even))

@@ -1,0 +1,129 @@
+"""Impact of a disk that follows the wall's force statically."""
+
+from __future__ import annotations
+
+import dataclasses
+from typing import Any, ClassVar
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from stoss import _core
+from stoss._arguments import arranged, broadcast, choice, numbers
+from stoss._bodies import choose_body
+from stoss._compression import LAWS
+from stoss._material import Material, speeds_in_si
+from stoss._result import Column, Number, Result, columns, span
+from stoss._si import SI_UNITS, InSi
+
+
+@dataclasses.dataclass(frozen=True, eq=False, repr=False)
+class SlowImpact(InSi, Result):
+    """Slow impacts, by conservation of energy: nothing is lost.
+
+    Numbers if all inputs were numbers, otherwise arrays of the shape to which `poisson` and `speed` broadcast. Relative
+    errors, as solutions of their equation, are below 1e-14.
+
+    Attributes
+    ----------
+    law : str
+        Of compression.
+    poisson : float or ndarray
+        2-D Poisson number.
+    speed : float or ndarray
+        Of the centre of mass towards the wall, c.
+    contact_time : float or ndarray
+        From first to last contact, R/c.
+    max_compression : float or ndarray
+        R.
+    max_force : float or ndarray
+        πRE = mc²/R.
+    material : Material or None
+        What it was made with. If there is one, `speed_si`, `contact_time_si`, `max_force_si` and `max_compression_si`
+        are the SI values.
+    """
+
+    _name: ClassVar[str] = "slow impact"
+    _units = {"speed": "c", "contact_time": "R/c", "max_compression": "R", "max_force": "piRE", **SI_UNITS}
+
+    law: str
+    poisson: Number
+    speed: Number
+    contact_time: Number
+    max_compression: Number
+    max_force: Number
+    material: Material | None
+
+    def __repr__(self) -> str:
+        count = "" if isinstance(self.speed, float) else f"{np.size(self.speed)} values, "
+        return (
+            f"SlowImpact({count}poisson={span(self.poisson)}, speed={span(self.speed)} c: "
+            f"contact time {span(self.contact_time)} R/c, compression {span(self.max_compression)} R)"
+        )
+
+    def plot(self, ax: Any = None) -> Any:
+        """Contact time against speed. See `stoss.plot.slow_impact`."""
+        from stoss import plot
+
+        return plot.slow_impact(self, ax)
+
+    def _inputs(self) -> dict[str, Any]:
+        return {"law": self.law} | ({"material": self.material} if self.material else {})
+
+    def _table(self) -> dict[str, Column]:
+        names = ("poisson", "speed", "contact_time", "max_compression", "max_force")
+        return {name: np.asarray(getattr(self, name)) for name in names}
+
+
+def slow_inputs(
+    speed: Any, poisson: Any, material: Material | None, law: Any
+) -> tuple[str, NDArray[np.float64], NDArray[np.float64]]:
+    """The law, and Poisson numbers and speeds in c of one shape."""
+    chosen = choice("law", law, LAWS)
+    body = choose_body(None if poisson is None else 0.0, material, None)
+    speeds = numbers("speed", speed)
+    if material is not None:
+        speeds = speeds / material.scales.speed
+    poissons = numbers("poisson", getattr(body, "poisson") if poisson is None else poisson)
+    poissons, speeds = broadcast(poisson=poissons, speed=speeds)
+    return chosen, poissons, speeds
+
+
+def slow_impact(
+    *, speed: ArrayLike, poisson: ArrayLike | None = None, material: Material | None = None, law: str = "center"
+) -> SlowImpact:
+    """Impacts that are so slow that the disk follows the wall's force statically: δ̈ = −F(δ).
+
+    Parameters
+    ----------
+    speed : array_like
+        Of the centre of mass towards the wall, 1e-100 to `limit_speed`, c (with a material: m/s). Two equal disks that
+        each move at `speed` towards each other are the same problem.
+    poisson : array_like
+        2-D Poisson number, −0.95 to 0.995; broadcasts with `speed`. Or
+    material : Material
+        a material and radius in SI.
+    law : {'center', 'diameter', 'printed'}, optional
+        Of compression, see `stoss.quasistatic`.
+
+    Returns
+    -------
+    SlowImpact
+
+    Raises
+    ------
+    InvalidInput
+        For arguments out of range.
+
+    Examples
+    --------
+    >>> slow = stoss.quasistatic.slow_impact(poisson=0.33, speed=[1e-12, 1e-6, 1e-3])
+    >>> slow.contact_time.round(3)
+    array([16.968, 12.174,  8.754])
+    """
+    chosen, poissons, speeds = slow_inputs(speed, poisson, material, law)
+    with speeds_in_si(material):
+        table = _core.slow_impact(chosen, poissons.ravel(), speeds.ravel())
+    values = {"poisson": poissons, "speed": speeds, **columns(table)}
+    shaped = {name: arranged(column, speeds.shape) for name, column in values.items()}
+    return SlowImpact(law=chosen, material=material, **shaped)

@@ -1,0 +1,68 @@
+"""An impact in time."""
+
+from __future__ import annotations
+
+import dataclasses
+from typing import TYPE_CHECKING, Any, ClassVar
+
+import numpy as np
+from numpy.typing import NDArray
+
+from stoss._result import Column, Result
+
+if TYPE_CHECKING:
+    from stoss._impact_result import Impact
+
+
+@dataclasses.dataclass(frozen=True, eq=False, repr=False)
+class Trajectory(Result):
+    """An impact in time. All arrays have one element for each row.
+
+    Attributes
+    ----------
+    time : ndarray
+        From the start of the impact, R/c.
+    center : ndarray
+        Position x₀ of the centre of mass, R; the wall is at 0 and the body at x < 0.
+    velocity : ndarray
+        Of the centre of mass, towards the wall, c.
+    force : ndarray
+        Force F of the wall, πRE = mc²/R.
+    translation, vibration, stored, unresolved : ndarray
+        Shares of the initial energy: in the motion of the centre of mass; in the kept modes; in the wall's potential or
+        the static tail; taken by the modes above the cutoff.
+    contact_half_width : ndarray
+        R, in steps of the nodes' spacing.
+    """
+
+    _name: ClassVar[str] = "trajectory"
+    _units = {"time": "R/c", "center": "R", "velocity": "c", "force": "piRE", "contact_half_width": "R"}
+
+    impact: Impact = dataclasses.field(repr=False)
+    time: NDArray[np.float64]
+    center: NDArray[np.float64]
+    velocity: NDArray[np.float64]
+    force: NDArray[np.float64]
+    translation: NDArray[np.float64]
+    vibration: NDArray[np.float64]
+    stored: NDArray[np.float64]
+    unresolved: NDArray[np.float64]
+    contact_half_width: NDArray[np.float64]
+
+    def __len__(self) -> int:
+        return len(self.time)
+
+    def __repr__(self) -> str:
+        return f"Trajectory({len(self)} rows, time 0 to {self.time[-1]:.6g} R/c, of {self.impact!r})"
+
+    def plot(self, ax: Any = None) -> Any:
+        """Force against time. See `stoss.plot.force`."""
+        from stoss import plot
+
+        return plot.force(self, ax)
+
+    def _inputs(self) -> dict[str, Any]:
+        return self.impact._inputs()
+
+    def _table(self) -> dict[str, Column]:
+        return {field.name: getattr(self, field.name) for field in dataclasses.fields(self) if field.repr}

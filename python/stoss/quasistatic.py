@@ -1,0 +1,49 @@
+"""Slow contacts of a disk with a wall, in closed form where there is one.
+
+Where the disk follows the wall's force statically, energy conservation gives the whole impact, and Rayleigh's estimate
+what little is lost to vibration. Forces are in πRE = mc²/R, lengths in R, stresses in E, speeds in c.
+
+======================================================  =========================================================
+`slow_impact`                                           contact time, greatest compression and force, to 1e-100 c
+`rayleigh`                                              the lost fraction of a slow impact, with its error
+`compression`, `compression_force`,                     a law between force and compression, its inverse, and the
+`compression_energy`, `limit_force`, `limit_speed`      energy under it; where it ends
+`static_contact`, `soft_static_contact`                 a disk held against a hard and an exponential wall
+`hertz_pressure`, `hertz_stress`, `heavy_disk_stress`   stress under Hertz' contact, and in a disk under its weight
+======================================================  =========================================================
+
+Laws of compression, δ = F (ln(s/F) − b):
+
+* ``'center'``: s = 1, b = (1 + ν)/4, the approach of the centre of mass, which belongs in its equation of motion;
+* ``'diameter'``: s = 4, b = 1, the shortening of the diameter through the point of contact;
+* ``'printed'``: s = 4, b = 1 + ν, what Gerl and Zippelius print for the latter.
+
+>>> stoss.quasistatic.slow_impact(poisson=0.33, speed=1e-4)
+SlowImpact(poisson=0.33, speed=0.0001 c: contact time 10.0392 R/c, compression 0.000324499 R)
+"""
+
+from stoss._compression import compression, compression_energy, compression_force, limit_force, limit_speed
+from stoss._hertz import PlaneStress, heavy_disk_stress, hertz_pressure, hertz_stress
+from stoss._rayleigh import RayleighEstimate, rayleigh
+from stoss._slow_impact import SlowImpact, slow_impact
+from stoss._static_contact import SoftStaticContact, StaticContact, soft_static_contact, static_contact
+
+__all__ = [
+    "PlaneStress",
+    "RayleighEstimate",
+    "SlowImpact",
+    "SoftStaticContact",
+    "StaticContact",
+    "compression",
+    "compression_energy",
+    "compression_force",
+    "heavy_disk_stress",
+    "hertz_pressure",
+    "hertz_stress",
+    "limit_force",
+    "limit_speed",
+    "rayleigh",
+    "slow_impact",
+    "soft_static_contact",
+    "static_contact",
+]

@@ -1,0 +1,196 @@
+"""stoss.quasistatic: the command's numbers bit for bit, closed forms, and results."""
+
+import copy
+import dataclasses
+import json
+import math
+import pickle
+import warnings
+
+import numpy as np
+import pytest
+
+import stoss
+from stoss import quasistatic
+
+LAWS = ("center", "diameter", "printed")
+SPEEDS = (1e-100, 1e-12, 1e-4, 0.013)
+STEEL = "--poisson 0.3 --young 2.1e11 --density 7850 --radius 0.01"
+ALIKE = ("poisson", "speed", "contact_time", "max_compression", "max_force")
+
+
+def same(result, records, names):
+    for name in names:
+        assert np.ravel(getattr(result, name)).tolist() == [record[name] for record in records], name
+
+
+@pytest.mark.parametrize("law", LAWS)
+def test_slow_impacts_are_those_of_the_command(command, law):
+    listed = ",".join(map(repr, SPEEDS))
+    records = command(f"quasistatic --poisson 0.33 --speed {listed} --law {law} --cutoff 15")["records"]
+    same(quasistatic.slow_impact(poisson=0.33, speed=SPEEDS, law=law), records, ALIKE)
+    estimate = quasistatic.rayleigh(poisson=0.33, speed=SPEEDS, law=law, cutoff=15)
+    more = ("lost_fraction", "lost_fraction_error", "kinetic_share", "beyond_perturbation", "modes")
+    same(estimate, records, ALIKE + more)
+    assert estimate.mode_energies is None
+
+
+def test_driven_modes_are_those_of_the_command(command):
+    answer = command("quasistatic --poisson 0.33 --speed 1e-3")
+    estimate = quasistatic.rayleigh(poisson=0.33, speed=1e-3)
+    assert estimate.to_dict()["mode_energies"] == answer["modes"] and estimate.modes == len(answer["modes"]) > 1000
+    modes = stoss.modes(poisson=0.33, cutoff=60)
+    amplitude, after = estimate.mode_energies["amplitude"], estimate.mode_energies["after"]
+    assert after == pytest.approx((modes.radial * amplitude) ** 2, rel=1e-13)
+    assert estimate.lost_fraction == pytest.approx(after.sum(), rel=1e-13)
+
+
+@pytest.mark.parametrize("plane", ["stress", "strain"])
+def test_si_is_that_of_the_command(command, plane):
+    material = stoss.Material(young=2.1e11, poisson=0.3, density=7850, radius=0.01, plane=plane)
+    names = ("poisson", "speed", "contact_time_si", "max_force_si", "max_compression_si", "speed_si")
+    records = command(f"quasistatic {STEEL} --plane {plane} --speed 1e-9,5 --cutoff 9")["records"]
+    same(quasistatic.slow_impact(material=material, speed=[1e-9, 5]), records, names)
+    estimate = quasistatic.rayleigh(material=material, speed=[1e-9, 5], cutoff=9)
+    same(estimate, records, (*names, "lost_fraction"))
+    assert "contact_time_si" in estimate.to_dict()
+    with pytest.raises(stoss.InvalidInput, match="with this material c is 5.*m/s$"):
+        quasistatic.slow_impact(material=material, speed=5000)
+
+
+@pytest.mark.parametrize("law", LAWS)
+def test_compressions_are_those_of_the_command(command, law):
+    records = command(f"quasistatic --poisson 0.33 --compression log:1e-12:0.03:5 --law {law}")["records"]
+    at = {"poisson": 0.33, "law": law}
+    for record in records:
+        force = quasistatic.compression_force(compression=record["compression"], **at)
+        assert force == record["force"]
+        assert quasistatic.compression_energy(force=force, **at) == record["energy"]
+        contact = quasistatic.static_contact(poisson=0.33, compression=record["compression"])
+        assert (contact.force, contact.force_error) == (record["static_force"], record["static_force_error"])
+
+
+@pytest.mark.parametrize("law, s, b", [("center", 1, 0.3), ("diameter", 4, 1), ("printed", 4, 1.2)])
+def test_laws_are_their_closed_forms(law, s, b):
+    at = {"poisson": 0.2, "law": law}
+    force = np.geomspace(1e-12, 0.99 * quasistatic.limit_force(**at), 40).reshape(8, 5)
+    delta = quasistatic.compression(force=force, **at)
+    assert delta == pytest.approx(force * (np.log(s / force) - b), rel=1e-12)
+    assert quasistatic.compression_force(compression=delta, **at) == pytest.approx(force, rel=1e-7)
+    energy = quasistatic.compression_energy(force=force, **at)
+    assert energy == pytest.approx(force**2 * (0.5 * np.log(s / force) - 0.5 * b - 0.25), rel=1e-12)
+    assert quasistatic.limit_force(**at) == pytest.approx(s * math.exp(-1 - b), rel=1e-14)
+    assert quasistatic.limit_speed(**at) == pytest.approx(s * math.exp(-1 - b) / math.sqrt(2), rel=1e-14)
+    slow = quasistatic.slow_impact(speed=[1e-6, 0.1], **at)
+    assert quasistatic.compression(force=slow.max_force, **at) == pytest.approx(slow.max_compression, rel=1e-13)
+    assert quasistatic.compression_energy(force=slow.max_force, **at) == pytest.approx(slow.speed**2 / 2, rel=1e-12)
+
+
+def test_hertz():
+    force, y = 0.0025, np.linspace(-0.1, 0.1, 201)  # half-width 0.1
+    pressure = quasistatic.hertz_pressure(force=force, y=y)
+    assert pressure == pytest.approx(0.5 * np.sqrt(np.maximum(0.01 - y**2, 0)), abs=1e-9)
+    assert pressure.sum() * (y[1] - y[0]) == pytest.approx(math.pi * force, rel=1e-3)
+    surface = quasistatic.hertz_stress(force=force, depth=0.0, y=y)
+    assert surface.xx == pytest.approx(-pressure, abs=1e-12) and surface.yy == pytest.approx(-pressure, abs=1e-12)
+    depth = np.array([0.05, 0.2])
+    below = quasistatic.hertz_stress(force=force, depth=depth, y=0)
+    root = np.hypot(0.1, depth)  # K. L. Johnson, Contact Mechanics, eqs. 4.45
+    assert below.xx == pytest.approx(-0.5 * 0.01 / root, rel=1e-13)
+    assert below.yy == pytest.approx(-0.5 * ((0.01 + 2 * depth**2) / root - 2 * depth), rel=1e-12)
+    assert not np.any(below.xy)
+
+
+def test_heavy_disk():
+    angle = np.linspace(0.3, 2 * math.pi - 0.3, 50)  # from the contact
+    x, y = 1 - np.cos(angle), np.sin(angle)
+    stress = quasistatic.heavy_disk_stress(force=0.01, x=x, y=y)
+    along = (1 - x) * stress.xx - y * stress.xy, (1 - x) * stress.xy - y * stress.yy
+    assert np.abs(along).max() < 1e-15  # no traction on the edge
+    h = 1e-4
+    point = {"force": 0.01, "contact": "hertz"}
+    right, left = (quasistatic.heavy_disk_stress(x=0.9 + d, y=0.2, **point) for d in (h, -h))
+    up, down = (quasistatic.heavy_disk_stress(x=0.9, y=0.2 + d, **point) for d in (h, -h))
+    divergence = right.xx - left.xx + up.xy - down.xy, right.xy - left.xy + up.yy - down.yy
+    assert np.array(divergence) / (2 * h) == pytest.approx([0.01, 0], abs=1e-8)
+
+
+def test_static_contact_is_in_balance():
+    contact = quasistatic.static_contact(poisson=0.33, compression=0.02, nodes=100)
+    assert 2 * contact.spacing * contact.pressure.sum() == pytest.approx(math.pi * contact.force, rel=1e-12)
+    assert contact.half_width == pytest.approx(2 * math.sqrt(contact.force), rel=0.01)
+    finer = quasistatic.static_contact(poisson=0.33, compression=0.02, nodes=400)
+    assert abs(finer.force - contact.force) < contact.force_error + finer.force_error
+    pair = [quasistatic.static_contact(poisson=0.33, compression=0.02 + d).energy for d in (-1e-4, 1e-4)]
+    assert (pair[1] - pair[0]) / 2e-4 == pytest.approx(finer.force, rel=1e-4)
+
+
+def test_soft_contact_tends_to_the_hard_one():
+    hard = quasistatic.static_contact(poisson=0.33, compression=0.05).force
+    off = [quasistatic.soft_static_contact(poisson=0.33, compression=0.05, cutoff=cutoff,
+                                           wall=stoss.ExponentialWall(hardness=alpha)).force / hard - 1
+           for cutoff, alpha in ((25, 500), (50, 2000), (100, 8000))]  # fmt: skip
+    assert off[0] > off[1] > off[2] > 0 and off[2] < 0.1
+    soft = quasistatic.soft_static_contact(poisson=0.33, compression=0.05)
+    twice = quasistatic.soft_static_contact(poisson=0.33, compression=0.05, wall=stoss.ExponentialWall(strength=7))
+    assert twice.force == pytest.approx(soft.force, rel=1e-9) and soft.modes == 1146 and 0 < soft.wall_energy < soft.energy
+    assert quasistatic.soft_static_contact(poisson=0.33, compression=0.05, nodes=400).nodes == 400
+
+
+def results():
+    steel = stoss.Material(young=2.1e11, poisson=0.3, density=7850, radius=0.01)
+    yield quasistatic.slow_impact(poisson=0.33, speed=0.01)
+    yield quasistatic.slow_impact(material=steel, speed=[[1e-9, 5]])
+    yield quasistatic.slow_impact(poisson=[[0.1], [0.2]], speed=[1e-9, 1e-3])
+    yield quasistatic.slow_impact(poisson=0.33, speed=[])
+    yield quasistatic.rayleigh(poisson=0.33, speed=0.01, cutoff=8)
+    yield quasistatic.rayleigh(material=steel, speed=[1, 5], cutoff=8)
+    yield quasistatic.rayleigh(poisson=[0.1, 0.2], speed=1e-9, cutoff=8)
+    yield quasistatic.static_contact(poisson=0.33, compression=0.01, nodes=20)
+    yield quasistatic.soft_static_contact(poisson=0.33, compression=0.01, cutoff=8)
+
+
+@pytest.mark.parametrize("result", results(), ids=repr)
+def test_results(result, tmp_path):
+    for field in dataclasses.fields(result):
+        value = getattr(result, field.name)
+        with pytest.raises(dataclasses.FrozenInstanceError):
+            setattr(result, field.name, value)
+        if isinstance(value, np.ndarray):
+            assert not value.flags.writeable
+        else:
+            assert not isinstance(value, np.generic)
+    text = repr(result)
+    assert text.startswith(type(result).__name__ + "(") and text.isprintable() and len(text) <= 160
+    got = result.to_dict()
+    assert json.loads(json.dumps(got)) == got
+    for twin in (copy.deepcopy(result), pickle.loads(pickle.dumps(result))):
+        assert twin.to_dict() == got
+    result.to_csv(tmp_path / "result.csv")
+    names = next(line for line in open(tmp_path / "result.csv") if not line.startswith("#")).strip().split(",")
+    assert len(names) > 1 and ("contact_time_si[s]" in names) == (getattr(result, "material", None) is not None)
+
+
+def test_shapes_broadcast():
+    nus, speeds = np.array([[0.2], [0.5]]), [1e-3, 1e-9, 1e-6]
+    for make in (quasistatic.slow_impact, lambda **at: quasistatic.rayleigh(cutoff=6, **at)):
+        many = make(poisson=nus, speed=speeds)
+        for i, j in np.ndindex(2, 3):
+            alone = make(poisson=nus[i, 0], speed=speeds[j])
+            for field in dataclasses.fields(alone):
+                value = getattr(alone, field.name)
+                if field.name not in ("law", "cutoff", "material", "mode_energies"):
+                    assert type(value) in (float, int, bool) and getattr(many, field.name)[i, j] == value
+    assert type(quasistatic.compression(force=0.01, poisson=0.3)) is float
+    assert quasistatic.compression(force=[[0.01]], poisson=[0.3, 0.2]).shape == (1, 2)
+    assert quasistatic.hertz_stress(force=[0.01, 0.02], depth=[[0.1]], y=0).xy.shape == (1, 2)
+    assert quasistatic.limit_speed(poisson=nus).shape == (2, 1)
+
+
+def test_values_beyond_perturbation_are_warned_of():
+    with pytest.warns(stoss.StossWarning, match="^1 of 2 values beyond perturbation theory") as caught:
+        estimate = quasistatic.rayleigh(poisson=0.33, speed=[0.01, 0.1])
+    assert caught[0].filename == __file__ and estimate.beyond_perturbation.tolist() == [False, True]
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        assert quasistatic.rayleigh(poisson=0.33, speed=0.02).beyond_perturbation is False
