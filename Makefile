@@ -1,13 +1,13 @@
 # The short way in. Everything here can also be done with the CMake presets (cmake --list-presets).
 .DEFAULT_GOAL := help
-.PHONY: help setup build python demo test bench validate results format lint install clean
+.PHONY: help setup build python demo test bench validate results paper paper-quick format lint install clean
 
 JOBS ?= $(shell nproc)
 PREFIX ?= /usr/local
 SOURCES = $(shell git ls-files '*.cpp' '*.hpp')
 
 help: ## show this list
-	@grep -hE '^[a-z]+:.*##' $(MAKEFILE_LIST) | sed -E 's/^([a-z]+):.*## (.*)/  make \1\t\2/' | expand -t 18
+	@grep -hE '^[a-z-]+:.*##' $(MAKEFILE_LIST) | sed -E 's/^([a-z-]+):.*## (.*)/  make \1\t\2/' | expand -t 20
 
 setup: ## install the Debian packages that are missing
 	@scripts/install-dependencies.sh
@@ -41,6 +41,12 @@ results: setup ## the curves of docs/results.md, into docs/results/
 	@cmake --preset release -DSTOSS_BUILD_STUDIES=ON
 	@cmake --build --preset release -j $(JOBS) --target stoss_curves
 	@build/release/studies/stoss_curves docs/results/restitution.csv
+
+paper: setup python ## reproduce the whole paper: out/paper/report.html, in some minutes
+	@PYTHONPATH=studies build/venv/bin/python -m gerl_zippelius_1999 --output out/paper
+
+paper-quick: setup python ## the same, coarser, in a minute: out/paper-quick/report.html
+	@PYTHONPATH=studies build/venv/bin/python -m gerl_zippelius_1999 --quick --output out/paper-quick
 
 format: setup ## format all sources
 	@clang-format -i $(SOURCES)

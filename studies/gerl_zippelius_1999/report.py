@@ -1,0 +1,221 @@
+"""The report: one HTML file with everything inside, that needs no network, no fonts and no scripts.
+
+No date and no path enters it, so that two runs give the same bytes.
+"""
+
+from __future__ import annotations
+
+import base64
+import os
+from html import escape
+from pathlib import Path
+from typing import TYPE_CHECKING, Sequence
+
+import stoss
+
+from gerl_zippelius_1999 import words
+from gerl_zippelius_1999.common import NONE
+
+if TYPE_CHECKING:
+    from gerl_zippelius_1999.runner import Outcome
+
+HEADINGS = ("Quantity", "Paper", "Protocol", "Converged")
+PIXELS = 134  # for an inch of a figure: larger than in print, where it would be 96
+REPOSITORY = Path(__file__).resolve().parents[2]
+
+STYLE = """
+:root { color-scheme: light; --ink: #1b1f24; --faint: #59636e; --line: #d4d9df; --accent: #00588a; --ground: #f5f7f9;
+  --wide: 60rem; --text: 44rem; }
+* { box-sizing: border-box; }
+html { font-size: 17px; -webkit-text-size-adjust: 100%; }
+body { margin: 0; color: var(--ink); background: #fff; line-height: 1.55; overflow-wrap: break-word;
+  font-family: Charter, "Bitstream Charter", "Iowan Old Style", "Source Serif 4", Georgia, "Liberation Serif", serif; }
+header, main, footer { max-width: var(--wide); margin: 0 auto; padding: 0 1.25rem; }
+header { padding-top: 3rem; }
+h1, h2, h3, nav, table, .kind, .small, footer { font-family: system-ui, "Segoe UI", Roboto, "Helvetica Neue", Arial,
+  "Liberation Sans", "DejaVu Sans", sans-serif; }
+h1 { font-size: 1.9rem; line-height: 1.2; margin: 0.2rem 0 0.6rem; letter-spacing: -0.01em; }
+h2 { font-size: 1.3rem; line-height: 1.3; margin: 3.5rem 0 0.8rem; padding-top: 1rem;
+  border-top: 1px solid var(--line); }
+h3 { font-size: 1rem; margin: 1.6rem 0 0.4rem; }
+p, ul, ol, .narrow { max-width: var(--text); }
+p { margin: 0.7rem 0; }
+a { color: var(--accent); text-decoration-thickness: 1px; text-underline-offset: 2px; }
+.kind { font-size: 0.8rem; color: var(--faint); text-transform: uppercase; letter-spacing: 0.06em; margin: 0; }
+.small { font-size: 0.8rem; color: var(--faint); }
+nav ol { list-style: none; margin: 0; padding: 0; columns: 2; column-gap: 2rem; max-width: none; font-size: 0.88rem; }
+nav li { break-inside: avoid; padding: 0.14rem 0; }
+nav a { text-decoration: none; }
+nav a:hover { text-decoration: underline; }
+figure { margin: 1.2rem 0; }
+figure img { display: block; max-width: 100%; height: auto; margin: 0 auto 0.9rem; }
+figcaption { max-width: var(--text); font-size: 0.92rem; line-height: 1.5; color: #333a42; }
+.scroll { overflow-x: auto; margin: 1rem 0; }
+table { border-collapse: collapse; font-size: 0.82rem; line-height: 1.4; font-variant-numeric: tabular-nums;
+  width: 100%; }
+th, td { text-align: left; vertical-align: top; padding: 0.4rem 0.9rem 0.4rem 0; border-bottom: 1px solid var(--line); }
+thead th { border-bottom: 1.5px solid var(--ink); font-weight: 600; white-space: nowrap; }
+tbody th { font-weight: 400; }
+.numbers { min-width: 40rem; }
+.numbers th:first-child { width: 34%; }
+.numbers td { width: 22%; }
+.numbers .none { color: var(--faint); }
+.converged { font-weight: 600; }
+.errata { min-width: 40rem; }
+.errata td:first-child { width: 2.2rem; color: var(--faint); }
+.failed { border-left: 4px solid #a33b00; padding: 0.5rem 1rem; background: #fdf3ec; max-width: var(--text); }
+math { font-size: 1.08em; font-family: "Latin Modern Math", "STIX Two Math", "Cambria Math", "XITS Math",
+  "TeX Gyre Termes Math", math, serif; }
+math[display="block"] { margin: 0.9rem 0; }
+.equation { overflow-x: auto; overflow-y: hidden; max-width: var(--text); }
+cite { font-style: italic; }
+footer { padding: 3rem 1.25rem 4rem; }
+@media (max-width: 40rem) {
+  html { font-size: 16px; }
+  header { padding-top: 1.5rem; }
+  h1 { font-size: 1.5rem; }
+  nav ol { columns: 1; }
+  math { font-size: 0.95em; }
+  /* Small print would become too small to read: wide figures scroll instead. */
+  .picture { overflow-x: auto; }
+  .picture img { max-width: max(100%, 34rem); }
+}
+@media print {
+  html { font-size: 10pt; }
+  h2, h3 { break-after: avoid; }
+  figure, tr { break-inside: avoid; }
+  .scroll, .equation { overflow: visible; }
+  .numbers, .errata { min-width: 0; }
+  a { color: inherit; text-decoration: none; }
+}
+"""
+
+
+def html(outcomes: Sequence[tuple[str, Outcome]], quick: bool, folder: Path) -> str:
+    """The page. The figures are read from the folder."""
+    body = [_head(quick), _contents(outcomes), _section("introduction", "What this is", words.INTRODUCTION)]
+    body += [_section("method", "The model", _scrolling(words.METHOD)), _glance(outcomes)]
+    body += [_item(item, outcome, folder) for item, outcome in outcomes]
+    body += [_errata(folder), _references()]
+    return (
+        '<!DOCTYPE html>\n<html lang="en">\n<head>\n<meta charset="utf-8">\n'
+        '<meta name="viewport" content="width=device-width, initial-scale=1">\n'
+        f"<title>Gerl and Zippelius 1999, reproduced</title>\n<style>{STYLE}</style>\n</head>\n<body>\n"
+        + "\n".join(body)
+        + f'\n</main>\n<footer class="small">Made by stoss {escape(stoss.__version__)}, <code>make paper</code>.'
+        "</footer>\n</body>\n</html>\n"
+    )
+
+
+def _head(quick: bool) -> str:
+    note = '<p class="failed">This is the quick version: coarser than the full study.</p>' if quick else ""
+    return (
+        f'<header>\n<p class="kind">A paper reproduced · stoss {escape(stoss.__version__)}</p>\n'
+        "<h1>Coefficient of restitution for elastic disks</h1>\n"
+        f'<p>After {words.PAPER}. <a href="{words.DOI}">doi:10.1103/PhysRevE.59.2361</a></p>\n{note}</header>\n<main>'
+    )
+
+
+def _contents(outcomes: Sequence[tuple[str, Outcome]]) -> str:
+    entries = [("introduction", "What this is"), ("method", "The model"), ("glance", "The paper’s numbers at a glance")]
+    entries += [(item, outcome.title + (" – failed" if outcome.failure else "")) for item, outcome in outcomes]
+    entries += [("errata", "What the paper gets wrong"), ("references", "References")]
+    lines = "\n".join(f'<li><a href="#{name}">{escape(title)}</a></li>' for name, title in entries)
+    return f'<nav aria-labelledby="contents">\n<h2 id="contents">Contents</h2>\n<ol>\n{lines}\n</ol>\n</nav>'
+
+
+def _section(name: str, title: str, content: str) -> str:
+    return f'<section id="{name}">\n<h2>{escape(title)}</h2>\n{content.strip()}\n</section>'
+
+
+def _scrolling(content: str) -> str:
+    """Equations that are wider than the page scroll by themselves."""
+    content = content.replace('<math display="block"', '<div class="equation"><math display="block"')
+    return content.replace("</math>\n", "</math></div>\n")
+
+
+def _glance(outcomes: Sequence[tuple[str, Outcome]]) -> str:
+    """All numbers that the paper gives, in one table."""
+    rows = []
+    for item, outcome in outcomes:
+        name = outcome.title.split(":")[0]
+        for quantity, *values in outcome.rows:
+            if values[0] not in ("", NONE):
+                link = f'<a href="#{item}">{escape(name)}</a>: {escape(quantity)}'
+                rows.append(_row(link, values))
+    text = "<p>Whatever the paper’s text says in numbers about what is shown below, with what becomes of it.</p>"
+    return _section("glance", "The paper’s numbers at a glance", text + _numbers(rows))
+
+
+def _item(item: str, outcome: Outcome, folder: Path) -> str:
+    if outcome.failure:
+        return _section(item, outcome.title, f'<p class="failed">This item failed: {escape(outcome.failure)}</p>')
+    rows = [_row(escape(quantity), values) for quantity, *values in outcome.rows]
+    links = [f'<a href="figures/{item}.{kind}">{kind.upper()}</a>' for kind in ("svg", "png")]
+    links += [f'<a href="data/{item}/{name}.csv">{name}.csv</a>' for name in outcome.tables]
+    source, width = _picture(folder / "figures", item), round(outcome.width * PIXELS)
+    picture = f'<img src="{source}" width="{width}" alt="{escape(outcome.alt)}">'
+    content = (
+        f'<figure>\n<div class="picture" tabindex="0">{picture}</div>\n<figcaption>{escape(outcome.caption)}'
+        f'</figcaption>\n</figure>\n{_numbers(rows) if rows else ""}\n{_paragraphs(outcome.meaning)}\n<p class="small">Beside this file: '
+        f'{" · ".join(links)}</p>'
+    )
+    return _section(item, outcome.title, content)
+
+
+def _picture(folder: Path, item: str) -> str:
+    """The figure as SVG or PNG, whichever is smaller, inside an address."""
+    pictures = [((folder / f"{item}.{kind}").read_bytes(), name) for kind, name in (("svg", "svg+xml"), ("png", "png"))]
+    content, name = min(pictures, key=lambda each: len(each[0]))
+    return f"data:image/{name};base64,{base64.b64encode(content).decode()}"
+
+
+def _paragraphs(text: str) -> str:
+    return "\n".join(f"<p>{escape(part.strip())}</p>" for part in text.split("\n\n") if part.strip())
+
+
+def _row(quantity: str, values: Sequence[str]) -> str:
+    kinds = [" ".join(kind for kind in (name, "none" * (value == NONE)) if kind) for name, value in
+             zip(("paper", "protocol", "converged"), values)]  # fmt: skip
+    cells = "".join(f'<td class="{kind}">{escape(value)}</td>' for kind, value in zip(kinds, values))
+    return f'<tr><th scope="row">{quantity}</th>{cells}</tr>'
+
+
+def _numbers(rows: Sequence[str]) -> str:
+    head = "".join(f'<th scope="col">{each}</th>' for each in HEADINGS)
+    body = "\n".join(rows)
+    return (
+        f'<div class="scroll" tabindex="0">\n<table class="numbers">\n<thead><tr>{head}</tr></thead>\n'
+        f"<tbody>\n{body}\n</tbody>\n</table>\n</div>"
+    )
+
+
+def _errata(folder: Path) -> str:
+    theory = _documentation(folder)
+    rows = []
+    for number, (paper, correct, name, anchor) in enumerate(words.ERRATA, 1):
+        place = f'<a href="{theory}#{anchor}">{name}</a>' if theory else name
+        rows.append(f"<tr><td>{number}</td><td>{paper}</td><td>{correct}</td><td>{place}</td></tr>")
+    head = "".join(f'<th scope="col">{each}</th>' for each in ("", "Paper", "Should be", "Section of docs/theory.md"))
+    text = (
+        "<p>stoss follows the third column. The derivation, or the computation, behind each line is in the section "
+        "named at its end. None of these slips changes what the paper mainly concludes: the collisions lose energy to "
+        "vibration, more at high speed and large <i>ν</i>, and nothing in the limit of slow ones.</p>"
+    )
+    table = "\n".join(rows)
+    return _section(
+        "errata", "What the paper gets wrong",
+        f'{text}\n<div class="scroll" tabindex="0">\n<table class="errata">\n<thead><tr>{head}</tr></thead>\n'
+        f"<tbody>\n{table}\n</tbody>\n</table>\n</div>",
+    )  # fmt: skip
+
+
+def _documentation(folder: Path) -> str:
+    """Where docs/theory.md is from here; nothing if the report lies outside of the repository."""
+    place = folder.resolve()
+    return os.path.relpath(REPOSITORY / "docs" / "theory.md", place) if REPOSITORY in place.parents else ""
+
+
+def _references() -> str:
+    lines = "\n".join(f"<li>{each}.</li>" for each in words.REFERENCES)
+    return _section("references", "References", f"<ol>\n{lines}\n</ol>")

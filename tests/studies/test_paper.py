@@ -1,0 +1,199 @@
+"""The reproduction of the paper: its numbers, and the report."""
+
+import html.parser
+import math
+import re
+from pathlib import Path
+
+import pytest
+
+from study_runs import ROOT
+
+
+def near(rows, **wanted):
+    """The one row with these values."""
+    wanted = {next(key for key in rows[0] if key.split("[")[0] == name): value for name, value in wanted.items()}
+    same = [
+        row for row in rows
+        if all(row[key] == value if isinstance(value, str) else math.isclose(row[key], value, rel_tol=1e-9)
+               for key, value in wanted.items())
+    ]  # fmt: skip
+    assert len(same) == 1, (wanted, same)
+    return same[0]
+
+
+def test_all_items_of_the_paper_are_there(study):
+    figures = {f"figure_{k:02}" for k in range(1, 13)}
+    assert study.states == dict.fromkeys(figures | {"table_1", "mode_statistics"}, "computed")
+
+
+def test_figure_01_restitution(study, hard_wall):
+    for row in study("figure_01", "converged"):
+        reference = hard_wall.get((row["poisson"], row["speed[c]"]))
+        if reference:
+            assert row["lost_fraction"] == pytest.approx(reference[0], abs=reference[1] + row["lost_fraction_error"])
+    rows = study("figure_01", "converged")
+    assert near(rows, poisson=0.9, speed=0.3)["restitution"] == pytest.approx(0.7477, abs=3e-4)
+    protocol = near(study("figure_01", "protocol"), poisson=0.33, speed=0.1)
+    assert protocol["restitution"] == pytest.approx(0.94705, abs=2 * protocol["restitution_error"])
+
+
+def test_figure_02_modes(study):
+    modes = study("figure_02", "modes")
+    lowest = min(modes, key=lambda row: row["omega[c/R]"])
+    assert (lowest["order"], lowest["index"]) == (2, 0)
+    assert lowest["omega[c/R]"] == pytest.approx(1.43853033, abs=1e-8)
+    for row in study("figure_02", "printed_equation"):
+        found = near(modes, order=row["order"], index=row["index"])["omega[c/R]"]
+        assert row["omega[c/R]"] == pytest.approx(found, rel=1e-12)
+    for row in study("figure_02", "centre"):
+        expected = {0: 1, 1: 0}.get(row["order"], row["order"] - 1)
+        assert row["exponent"] == pytest.approx(expected, abs=1e-4)
+    overlaps = study("figure_02", "overlap")
+    assert [abs(row["as_printed"]) for row in overlaps] == pytest.approx([0.04, 0.56, 0.71], abs=0.006)
+    assert all(abs(row["as_in_eigen_u"]) < 1e-13 for row in overlaps)
+
+
+def test_figure_03_spectrum(study):
+    counts = {row["omega[c/R]"]: row["modes"] for row in study("figure_03", "count")}
+    assert (counts[50.0], counts[100.0]) == (1146, 4510)
+    assert len(study("figure_03", "modes")) == counts[20.0]
+
+
+def test_figure_04_model(study):
+    edge = study("figure_04", "edge")
+    assert -0.03 < max(row["x[R]"] for row in edge) < 0.0  # on the soft wall
+    assert sum(row["y[R]"] for row in edge if abs(row["angle[rad]"]) != 1.25) == pytest.approx(0.0, abs=1e-9)
+
+
+def test_figure_05_sequence(study, hard_wall):
+    lines = study("figure_05", "lines")
+    assert max(row["x[R]"] for row in lines) < 1e-3  # nothing is beyond the wall
+    values = {row["quantity"]: row for row in study("figure_05", "values")}
+    assert values["lost_fraction"]["converged"] == pytest.approx(hard_wall[0.33, 0.2][0], rel=1e-3)
+    assert values["quadrupole"]["converged"] == pytest.approx(0.113, abs=0.002)
+    limit = study("figure_05", "limit")[0]
+    assert limit["lost_fraction"] == pytest.approx(hard_wall[0.33, 0.2][0], abs=2 * limit["lost_fraction_error"])
+    before = [row for row in study("figure_05", "diameters") if row["time[R/c]"] <= 0.0]
+    assert all(row[name] == pytest.approx(2.0, abs=1e-12) for row in before for name in ("along[R]", "across[R]"))
+    assert study("figure_05", "pictures")[-1]["velocity[c]"] == pytest.approx(-0.2 * 0.8877, rel=2e-3)
+
+
+def test_figure_06_and_mode_statistics(study):
+    landscape = study("figure_06", "landscape")
+    strongest = max(landscape, key=lambda row: row["energy"])
+    assert (strongest["order"], strongest["index"]) == (2, 0)
+    for row in study("figure_06", "instants"):
+        assert row["vibration"] + row["stored"] == pytest.approx(1.0, abs=2e-3)  # at rest
+    for row in study("mode_statistics", "shares"):
+        assert 0.0 <= row["share_n0"] <= 1.0 and 0.0 <= row["share_l0"] <= 1.0
+
+
+def test_table_1_converged_and_paper(study):
+    rows = study("table_1", "modes")
+    paper = {(2, 0): 0.0513636, (3, 0): 0.0234695, (0, 0): 0.0089346, (4, 0): 0.0038760}
+    for (order, index), converged in {(2, 0): 0.0341, (3, 0): 0.0133, (0, 0): 0.0062, (4, 0): 0.0158}.items():
+        row = near(rows, order=order, index=index)
+        assert row["after_paper"] == paper[order, index]
+        assert row["after_limit"] == pytest.approx(converged, abs=5e-4)
+    assert near(study("table_1", "totals"), run="limit")["lost_fraction"] == pytest.approx(0.0919, abs=1e-3)
+
+
+def test_figures_07_and_08_extrapolations(study, hard_wall):
+    for row in study("figure_08", "converged"):
+        reference, uncertainty = hard_wall[0.33, row["speed[c]"]]
+        assert row["lost_fraction"] == pytest.approx(reference, abs=uncertainty + row["lost_fraction_error"])
+    for row in study("figure_08", "limits"):
+        if row["modes_are"] == "lowest":
+            reference = hard_wall[0.33, row["speed[c]"]][0]
+            assert row["lost_fraction"] == pytest.approx(reference, abs=3 * row["lost_fraction_error"])
+    for row in study("figure_07", "lines"):
+        assert row["slope[1/R]"] < 0.0  # a harder wall leaves more in the modes
+
+
+def test_figure_09_static_contact(study):
+    contacts = {row["compression[R]"]: row for row in study("figure_09", "contacts")}
+    assert contacts[0.01]["force[piRE]"] == pytest.approx(0.00164364, rel=1e-5)
+    for law, expected in (("center", 0.00583), ("printed", -0.088)):  # docs/theory.md, section 10
+        ratio = contacts[0.03][f"force_{law}_law[piRE]"] / contacts[0.03]["force[piRE]"]
+        assert ratio - 1 == pytest.approx(expected, abs=5e-4)
+    half = contacts[0.1]["half_width[R]"]
+    edge = [row for row in study("figure_09", "lines") if row["line"] == 5 and row["x[R]"] > -0.5]
+    assert all(abs(row["x[R]"]) < 1e-4 for row in edge if abs(row["y[R]"]) < 0.95 * half)
+    assert all(row["x[R]"] < 1e-4 for row in edge)
+
+
+def test_figure_10_force_against_compression(study):
+    rows = study("figure_10", "static")
+    row = near(rows, compression=0.01)
+    assert row["exact[piRE]"] == pytest.approx(0.00164364, rel=1e-5)
+    assert row["center[piRE]"] / row["exact[piRE]"] - 1 == pytest.approx(0.00113, abs=3e-5)
+    assert row["printed[piRE]"] / row["exact[piRE]"] - 1 == pytest.approx(-0.070, abs=1e-3)
+    greatest = near(study("figure_10", "greatest"), speed=0.1)
+    assert greatest["force[piRE]"] == pytest.approx(0.0547, abs=5e-4)
+
+
+def test_figures_11_and_12_slow_impacts(study):
+    times = {1e-8: 14.02, 1e-6: 12.21, 1e-4: 10.09, 1e-3: 8.98}  # docs/theory.md, section 10
+    for speed, expected in times.items():
+        row = near(study("figure_11", "dynamic"), speed=speed)
+        assert row["contact_time[R/c]"] == pytest.approx(expected, abs=0.02 + row["contact_time_error[R/c]"])
+    full = study("figure_12", "full")
+    for speed, expected, quadrupole in ((1e-8, 0.00396, 0.00192), (1e-6, 0.00671, 0.00493), (1e-4, 0.00528, 0.00165)):
+        row = near(full, speed=speed)
+        assert row["lost_fraction"] == pytest.approx(expected, abs=1.5e-5)
+        assert row["quadrupole"] == pytest.approx(quadrupole, abs=2e-5)
+    # Above 0.003 c the loss decreases: what the paper calls unphysical.
+    between = [row["lost_fraction"] for row in full if 0.004 < row["speed[c]"] < 0.016]
+    assert len(between) > 1 and between == sorted(between, reverse=True)
+
+
+# ---- the report
+
+
+class Page(html.parser.HTMLParser):
+    """Tags in order, what they refer to, and whether they are balanced."""
+
+    def __init__(self, text):
+        super().__init__()
+        self.open, self.ids, self.tags, self.style = [], [], [], ""
+        self.feed(text)
+        assert not self.open
+
+    def handle_starttag(self, tag, attributes):
+        self.tags.append((tag, dict(attributes)))
+        self.ids += [value for name, value in attributes if name == "id"]
+        if tag not in ("meta", "img", "mspace", "link", "br"):
+            self.open.append(tag)
+
+    handle_startendtag = handle_starttag
+
+    def handle_endtag(self, tag):
+        assert self.open.pop() == tag
+
+    def handle_data(self, data):
+        if self.open[-1:] == ["style"]:
+            self.style += data
+
+
+def test_report_needs_nothing_else_and_all_links_lead_somewhere(study):
+    text = (study.folder / "report.html").read_text(encoding="utf-8")
+    page = Page(re.sub(r"(<mspace[^>]*)/>", r"\1>", text))
+    names = {tag for tag, _ in page.tags}
+    assert not names & {"script", "link", "iframe", "object", "embed", "base", "video", "audio"}
+    assert "@import" not in page.style and "url(" not in page.style
+    assert len(page.ids) == len(set(page.ids))
+    for tag, attributes in page.tags:
+        assert not [name for name in attributes if name.startswith("on") or name in ("srcset", "background", "action")]
+        assert attributes.get("src", "data:image/").startswith("data:image/")
+        if tag == "img":
+            assert len(attributes["alt"]) > 20
+        target = attributes.get("href", "#introduction")
+        if target.startswith("#"):
+            assert target[1:] in page.ids
+        elif not target.startswith("https://doi.org/"):
+            assert (study.folder / target).is_file(), target
+    assert "failed" not in text.split("</style>")[1].replace('class="failed"', "")
+    assert str(ROOT) not in text and str(study.folder) not in text and str(Path.home()) + "/" not in text
+    assert not re.search(r"\bnan\b|\binf\b", text.split("</style>")[1])
+    assert text.count("<figure>") == 14
