@@ -24,7 +24,7 @@ python: build ## build the Python package and install it into build/venv (PYTHON
 demo: build python ## restitution against speed for two Poisson numbers, and a collision: here and in out/
 	@scripts/demo.sh build/release/cli/stoss build/venv/bin/python
 
-test: setup ## all tests, once more under sanitizers, clang build, downstream project, format
+test: setup ## all tests, once more with clang++ under sanitizers, downstream project, format
 	@scripts/test.sh $(JOBS)
 
 bench: setup python ## benchmarks, with the paper's protocol as the rival
@@ -52,8 +52,8 @@ format: setup ## format all sources
 	@clang-format -i $(SOURCES)
 
 lint: setup ## clang-tidy over all sources
-	@cmake --preset clang && cmake --build --preset clang -j $(JOBS)
-	@git ls-files 'src/*.cpp' 'cli/*.cpp' | xargs -P $(JOBS) -n 4 clang-tidy --quiet --warnings-as-errors='*' -p build/clang
+	@cmake --preset asan
+	@git ls-files 'src/*.cpp' 'cli/*.cpp' | xargs -P $(JOBS) -n 4 clang-tidy --quiet --warnings-as-errors='*' -p build/asan
 
 install: build ## install to PREFIX (default /usr/local)
 	@cmake --install build/release --prefix $(PREFIX)

@@ -21,7 +21,7 @@ if [ "${1:-all}" = all ]; then
   packages+=(
     libgtest-dev libgmock-dev python3-pytest python3-hypothesis python3-tqdm mypy
     libbenchmark-dev
-    clang clang-format clang-tidy
+    clang libclang-rt-dev clang-format clang-tidy
   )
 fi
 

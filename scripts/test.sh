@@ -16,9 +16,7 @@ git ls-files '*.cpp' '*.hpp' | xargs clang-format --dry-run --Werror
 
 step "build: g++, warnings are errors"
 build release -DSTOSS_BUILD_TESTS=ON -DSTOSS_BUILD_PYTHON=ON
-step "build: clang++"
-build clang
-step "build: AddressSanitizer and UndefinedBehaviorSanitizer"
+step "build: clang++ with AddressSanitizer and UndefinedBehaviorSanitizer"
 build asan
 
 step "tests"

@@ -77,7 +77,9 @@ _refinable_rod = functools.lru_cache(maxsize=1)(_core.refinable_rod)
 
 def choose_body(poisson: Any, material: Material | None, body: Body | None) -> Body:
     """The body that was meant: exactly one of the three must be given."""
-    given = [name for name, value in (("poisson", poisson), ("material", material), ("body", body)) if value is not None]
+    given = [
+        name for name, value in (("poisson", poisson), ("material", material), ("body", body)) if value is not None
+    ]
     if len(given) != 1:
         raise InvalidInput(f"body: got {' and '.join(given) or 'none'}, allowed one of poisson, material and body")
     if body is not None:

@@ -57,7 +57,8 @@ class Field(Result):
     principal_difference: NDArray[np.float64]
 
     def __repr__(self) -> str:
-        return f"Field(time {span(self.time)} R/c, {len(self.radius)} radii x {len(self.angle)} angles, of {self.impact!r})"
+        points = f"{len(self.radius)} radii x {len(self.angle)} angles"
+        return f"Field(time {span(self.time)} R/c, {points}, of {self.impact!r})"
 
     def plot(self, ax: Any = None) -> Any:
         """Stress inside the disk. See `stoss.plot.stress`."""

@@ -96,7 +96,8 @@ def hertz_stress(*, force: ArrayLike, depth: ArrayLike, y: ArrayLike) -> PlaneSt
 
 
 def heavy_disk_stress(*, force: ArrayLike, x: ArrayLike, y: ArrayLike, contact: str = "point") -> PlaneStress:
-    """Stress in a disk that stands on a wall under its weight F = ρgR/E, E; one that the force accelerates has the same.
+    """Stress in a disk that stands on a wall under its weight F = ρgR/E, E; one that the force accelerates has the
+    same.
 
     Parameters
     ----------
@@ -106,7 +107,8 @@ def heavy_disk_stress(*, force: ArrayLike, x: ArrayLike, y: ArrayLike, contact: 
         Points of the disk, R: from the point of contact x goes through the centre (1, 0), y along the wall. All three
         broadcast.
     contact : {'point', 'hertz'}, optional
-        On one point, which is exact (Michell), or on a Hertz contact, the superposition of Gerl & Zippelius for small F.
+        On one point, which is exact (Michell), or on a Hertz contact, the superposition of Gerl & Zippelius for small
+        F.
 
     Returns
     -------

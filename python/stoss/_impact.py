@@ -93,7 +93,9 @@ def impact(
     kept = None if keep is None else flags("keep", keep)
     if kept is not None and not isinstance(wall, ExponentialWall):
         hint = "a hard wall would need what the other modes give way"
-        raise InvalidInput(f"keep: got a selection of modes and {wall!r}, allowed only with a stoss.ExponentialWall ({hint})")
+        raise InvalidInput(
+            f"keep: got a selection of modes and {wall!r}, allowed only with a stoss.ExponentialWall ({hint})"
+        )
     with speeds_in_si(material):
         return repeated(chosen, wall, initial, at, duration, count, width, kept, material)
 

@@ -34,8 +34,8 @@ class Impact(InSi, Result):
     lost_fraction : float
         1 − ε².
     translation, vibration, unresolved : float
-        Energy after the impact: of the centre of mass; of the kept modes; of the modes above the cutoff. The sum is 1 but
-        for `energy_error`.
+        Energy after the impact: of the centre of mass; of the kept modes; of the modes above the cutoff. The sum is 1
+        but for `energy_error`.
     contact_time : float
         From first to last contact, R/c.
     contacts : int
@@ -145,8 +145,8 @@ class Impact(InSi, Result):
         return Trajectory(impact=self, **columns(table))
 
     def field(self, *, time: ArrayLike, radius: ArrayLike | None = None, angle: ArrayLike | None = None) -> Field:
-        """The deformed disk and the stress inside at some times: kept modes, and the others in static equilibrium with the
-        wall.
+        """The deformed disk and the stress inside at some times: kept modes, and the others in static equilibrium with
+        the wall.
 
         Parameters
         ----------

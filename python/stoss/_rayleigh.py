@@ -43,8 +43,8 @@ class RayleighEstimate(InSi, Result):
     modes : int or ndarray
         Number of modes.
     mode_energies : ndarray or None
-        For a single speed, a structured array with the fields order, index, omega, amplitude (∫F cos ωt dt / v, with t from
-        the turning point) and after (energy after the impact, as a share of ½mv²).
+        For a single speed, a structured array with the fields order, index, omega, amplitude (∫F cos ωt dt / v, with t
+        from the turning point) and after (energy after the impact, as a share of ½mv²).
     material : Material or None
         What it was made with. If there is one, `speed_si`, `contact_time_si`, `max_force_si` and `max_compression_si`
         are the SI values.

@@ -229,8 +229,9 @@ def _judge(result: Restitution) -> None:
         if not result.converged:
             raise NotConverged(f"restitution: {result.reason}", result)
     elif not np.all(result.converged):
-        doubtful = np.size(result.converged) - np.count_nonzero(result.converged)
-        text = f"{doubtful} of {np.size(result.converged)} values not as accurate as asked for (see .converged, .reason)"
+        count = np.size(result.converged)
+        doubtful = count - np.count_nonzero(result.converged)
+        text = f"{doubtful} of {count} values not as accurate as asked for (see .converged, .reason)"
         warnings.warn(text, StossWarning, stacklevel=3)
     if np.any(result.beyond_small_strain):
         text = "speed above 0.5 c or compression above 0.5 R: linear elasticity has lost its meaning here"

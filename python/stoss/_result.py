@@ -48,7 +48,8 @@ class Result(abc.ABC):
         return {key: value for key, value in values.items() if value is not None}
 
     def to_csv(self, path: str | os.PathLike[str]) -> None:
-        """Write the result as CSV with all digits, units in the column names, and lines of provenance that start with #.
+        """Write the result as CSV with all digits, units in the column names, and lines of provenance that start with
+        #.
 
         The file appears whole or not at all.
 

@@ -1,12 +1,13 @@
 """Figure 1: the coefficient of restitution against speed.
 
-The paper's main result: ε for ν = 0.33 and 0.9 at v/c = 0.005 … 0.3, by the two extrapolations of its section IV: 1/α → 0
-(figure 7), then 1/√N → 0 (figure 8). Here both roads: the protocol, with the walls of figure 7 and the N = 300, 400, 600,
-940 lowest modes (`stoss.extrapolated_restitution`), and the converged value for the hard wall (`stoss.restitution`).
+The paper's main result: ε for ν = 0.33 and 0.9 at v/c = 0.005 … 0.3, by the two extrapolations of its section IV: 1/α →
+0 (figure 7), then 1/√N → 0 (figure 8). Here both roads: the protocol, with the walls of figure 7 and the N = 300, 400,
+600, 940 lowest modes (`stoss.extrapolated_restitution`), and the converged value for the hard wall
+(`stoss.restitution`).
 
-The speeds are those of figure 7. v is the speed of one disk against a wall, as in the paper's section III; the caption of
-its figure speaks of the relative speed of two disks, which would be 2v. The text has one number: ε ≈ 0.65 at ν = 0.9,
-v = 0.3 c (erratum E12). What could have made it is tried: the other reading of the speed, and few modes.
+The speeds are those of figure 7. v is the speed of one disk against a wall, as in the paper's section III; the caption
+of its figure speaks of the relative speed of two disks, which would be 2v. The text has one number: ε ≈ 0.65 at ν =
+0.9, v = 0.3 c (erratum E12). What could have made it is tried: the other reading of the speed, and few modes.
 """
 
 from __future__ import annotations
@@ -26,15 +27,17 @@ from gerl_zippelius_1999.figure_07 import SPEEDS, walls
 
 TITLE = "Figure 1: the coefficient of restitution against speed"
 CAPTION = (
-    "Coefficient of restitution ε of an elastic disk against the speed v with which it meets a wall; two equal disks that each "
-    "move at v are the same problem. Lines: converged values; their errors are narrower than the lines. Points: the protocol "
-    "of the paper, extrapolated to infinitely hard walls and then to infinitely many modes, with the errors of the "
-    "regressions (95 %). Star: the one value that the text of the paper gives, for ν = 0.9. Right: the slow end, enlarged."
+    "Coefficient of restitution ε of an elastic disk against the speed v with which it meets a wall; two equal disks "
+    "that each move at v are the same problem. Lines: converged values; their errors are narrower than the lines. "
+    "Points: the protocol of the paper, extrapolated to infinitely hard walls and then to infinitely many modes, with "
+    "the errors of the regressions (95 %). Star: the one value that the text of the paper gives, for ν = 0.9. Right: "
+    "the slow end, enlarged."
 )
 
 ALT = (
-    "Two falling curves of restitution against speed with points on them, from 0.98 to 0.84 for Poisson number 0.33 and from "
-    "0.99 to 0.75 for 0.9. A star at 0.65 lies far below the second. The first rises at the slow end before it falls."
+    "Two falling curves of restitution against speed with points on them, from 0.98 to 0.84 for Poisson number 0.33 "
+    "and from 0.99 to 0.75 for 0.9. A star at 0.65 lies far below the second. The first rises at the slow end before "
+    "it falls."
 )
 
 POISSONS = (0.33, 0.9)
@@ -105,7 +108,8 @@ def draw(tables: Tables) -> Figure:
                     label=f"ν = {nu:g}, protocol of the paper",
                 )  # fmt: skip
             axes.set_xlabel("speed v / c")
-        left.plot(PRINTED[1], PRINTED[2], "*", color=BLACK, markersize=8, linestyle="none", label="ν = 0.9, text of the paper")
+        label = "ν = 0.9, text of the paper"
+        left.plot(PRINTED[1], PRINTED[2], "*", color=BLACK, markersize=8, linestyle="none", label=label)
         true = _of(tables["curve"], PRINTED[0])["restitution"][-1]
         arrow = {"arrowstyle": "->", "color": GREY}
         left.annotate("", (PRINTED[1], true - 0.006), (PRINTED[1], PRINTED[2] + 0.009), arrowprops=arrow)
@@ -125,24 +129,27 @@ def numbers(tables: Tables) -> list[Row]:
     rows: list[Row] = []
     for nu in POISSONS:
         protocol, converged = _of(tables["protocol"], nu), _of(tables["converged"], nu)
+        both = (protocol, converged)
         for v in (0.005, 0.02, 0.1, 0.2, 0.3):
             if v not in protocol["speed[c]"]:
                 continue
             k = int(np.flatnonzero(protocol["speed[c]"] == v)[0])
             paper = f"≈ {PRINTED[2]:g}" if (nu, v) == PRINTED[:2] else NONE
-            ours, true = (measured(each["restitution"][k], each["restitution_error"][k]) for each in (protocol, converged))
+            ours, true = (measured(each["restitution"][k], each["restitution_error"][k]) for each in both)
             rows.append((f"ε at ν = {nu:g}, v = {written(v)} c", paper, ours, true))
             if v in (0.005, 0.1, 0.3):
-                ours, true = (measured(each["lost_fraction"][k], each["lost_fraction_error"][k]) for each in (protocol, converged))
+                ours, true = (measured(each["lost_fraction"][k], each["lost_fraction_error"][k]) for each in both)
                 rows.append((f"1 − ε² at ν = {nu:g}, v = {written(v)} c", NONE, ours, true))
     half, few = tables["half_speed"], tables["few_modes"]
     reading = "ε at ν = 0.9, if 0.3 c were the relative speed of two disks, v = 0.15 c"
     rows.append((reading, "≈ 0.65", NONE, measured(half["restitution"][0], half["restitution_error"][0])))
     for n, value in zip(few["modes"], few["restitution"]):
         rows.append((f"ε at ν = 0.9, v = 0.3 c, αR = 500, the {n} lowest modes", "≈ 0.65", f"{value:.3f}", NONE))
-    rows.append(("v/c at which ε = 0.65 for ν = 0.9", "0.3", NONE, f"{_speed_of_printed(tables):.2f} (beyond small strains)"))
+    speed = f"{_speed_of_printed(tables):.2f} (beyond small strains)"
+    rows.append(("v/c at which ε = 0.65 for ν = 0.9", "0.3", NONE, speed))
     v, best = _gentlest(tables)
-    rows.append(("v/c of the largest ε for ν = 0.33 in the range of the figure", "smallest v", NONE, f"{v:.3f}, ε = {best:.4f}"))
+    name = "v/c of the largest ε for ν = 0.33 in the range of the figure"
+    rows.append((name, "smallest v", NONE, f"{v:.3f}, ε = {best:.4f}"))
     return rows
 
 
@@ -164,10 +171,10 @@ def meaning(tables: Tables) -> str:
     slow, (v, best) = _of(converged, POISSONS[0]), _gentlest(tables)
     fast = _of(converged, PRINTED[0])["restitution"][-1]
     return (
-        f"The protocol and the converged values agree: they differ by at most {apart.max():.4f} in ε, {ratio.max():.1f} of "
-        f"the errors. ε ≈ 0.65 at ν = 0.9, v = 0.3 c does not come out; it is {fast:.4f}, and only a handful "
-        "of modes comes near the printed value. Nor does ε rise steadily towards one as the speed falls: for ν = 0.33 it has a "
-        f"maximum, {best:.4f} near v = {v:.3f} c, and has fallen to {slow['restitution'][0]:.4f} at 0.005 c, because there the "
-        "contact lasts as long as the quadrupole mode needs to take energy (Figure 12). For ν = 0.9 the same happens at "
-        "lower speeds."
+        f"The protocol and the converged values agree: they differ by at most {apart.max():.4f} in ε, "
+        f"{ratio.max():.1f} of the errors. ε ≈ 0.65 at ν = 0.9, v = 0.3 c does not come out; it is {fast:.4f}, and "
+        "only a handful of modes comes near the printed value. Nor does ε rise steadily towards one as the speed "
+        f"falls: for ν = 0.33 it has a maximum, {best:.4f} near v = {v:.3f} c, and has fallen to "
+        f"{slow['restitution'][0]:.4f} at 0.005 c, because there the contact lasts as long as the quadrupole mode "
+        "needs to take energy (Figure 12). For ν = 0.9 the same happens at lower speeds."
     )

@@ -1,11 +1,11 @@
 """Figure 6: the energy in the modes (n, l) at closest approach.
 
-The paper's caption: "Logarithm of energy (arbitrary units) in modes with low (n, l) at closest approach. The spectrum is
-dominated by the quadrupolar mode (n = 2, l = 0)." The text, with Table 1: αR = 500, v = 0.1 c, 1600 modes (eqs. Hamiltonint,
-Evolgl), chosen by their mean energy in a preliminary run. Speed and number of modes of the figure itself are not given;
-those of the table are taken. Closest approach is where the centre of mass turns, x₀ greatest; the energy of a mode is
-P²/2m + ½mω²Q² (eq. Hamiltonfree; erratum E1), as a share of the initial energy. The converged values are those of all modes,
-extrapolated in 1/ω_c, at the same wall.
+The paper's caption: "Logarithm of energy (arbitrary units) in modes with low (n, l) at closest approach. The spectrum
+is dominated by the quadrupolar mode (n = 2, l = 0)." The text, with Table 1: αR = 500, v = 0.1 c, 1600 modes (eqs.
+Hamiltonint, Evolgl), chosen by their mean energy in a preliminary run. Speed and number of modes of the figure itself
+are not given; those of the table are taken. Closest approach is where the centre of mass turns, x₀ greatest; the energy
+of a mode is P²/2m + ½mω²Q² (eq. Hamiltonfree; erratum E1), as a share of the initial energy. The converged values are
+those of all modes, extrapolated in 1/ω_c, at the same wall.
 """
 
 from __future__ import annotations
@@ -22,10 +22,10 @@ from gerl_zippelius_1999.ranking import POISSON, place, selected_impact
 
 TITLE = "Figure 6: energy of the modes at closest approach"
 CAPTION = (
-    "Energy in the modes (n, l) when the disk is closest to the wall, as a share of the initial energy, logarithmic: (a) as "
-    "a landscape, in the manner of the paper, (b) the same as decimal logarithms, so that no bar hides another. ν = 0.33, "
-    "v = 0.1 c, exponential wall αR = 500, the 1600 modes of highest mean energy in a run with the 4510 modes up to "
-    "ω = 100 c/R. The modes with n = 0 are the purely radial ones."
+    "Energy in the modes (n, l) when the disk is closest to the wall, as a share of the initial energy, logarithmic: "
+    "(a) as a landscape, in the manner of the paper, (b) the same as decimal logarithms, so that no bar hides another. "
+    "ν = 0.33, v = 0.1 c, exponential wall αR = 500, the 1600 modes of highest mean energy in a run with the 4510 "
+    "modes up to ω = 100 c/R. The modes with n = 0 are the purely radial ones."
 )
 ALT = "Bars over the plane of n and l, highest at n = 2, l = 0, falling along both axes."
 
@@ -107,8 +107,9 @@ def _landscape(axes: Axes3D, height: np.ndarray) -> None:
             if height[n, l] <= FLOOR:
                 continue
             axes.bar3d(
-                n - size / 2, l - size / 2, FLOOR, size, size, height[n, l] - FLOOR, color=colours(1.0 - height[n, l] / FLOOR),
-                edgecolor="black", linewidth=0.25, shade=True, zorder=(INDICES - l) * ORDERS + (ORDERS - n),
+                n - size / 2, l - size / 2, FLOOR, size, size, height[n, l] - FLOOR,
+                color=colours(1.0 - height[n, l] / FLOOR), edgecolor="black", linewidth=0.25, shade=True,
+                zorder=(INDICES - l) * ORDERS + (ORDERS - n),
             )  # fmt: skip
     axes.view_init(elev=32, azim=-118)
     axes.set_box_aspect((ORDERS, 0.95 * INDICES, 7.5), zoom=0.95)
@@ -146,7 +147,8 @@ def numbers(tables: Tables) -> list[Row]:
         name = f"energy of ({n}, {l}) at closest approach, over the initial energy"
         rows.append((name, NONE, f"{table['energy'][k]:.4f}", limit))
     rows.append(("energy of all modes there, over the initial energy", NONE, f"{instants['vibration'][0]:.4f}", NONE))
-    rows.append(("energy of the wall’s potential there, over the initial energy", NONE, f"{instants['stored'][0]:.4f}", NONE))
+    name = "energy of the wall’s potential there, over the initial energy"
+    rows.append((name, NONE, f"{instants['stored'][0]:.4f}", NONE))
     return rows
 
 
@@ -157,9 +159,9 @@ def meaning(tables: Tables) -> str:
     lowest, radial = (table["energy"][table[name] == 0].sum() / whole for name in ("index", "order"))
     first, last = (table["energy"][place(table, 0, l)] for l in (0, INDICES - 1))
     return (
-        f"When the disk turns, {100 * whole:.0f} % of its energy is in the modes and {100 * soft:.1f} % in the soft wall. "
-        f"The quadrupolar mode (2, 0) holds {100 * share[0]:.0f} % of the initial energy, {share[0] / share[1]:.1f} times as "
-        f"much as the next, as the paper says. The two ridges are those it names: l = 0 holds {100 * lowest:.0f} % of the "
-        f"vibrational energy, the purely radial modes n = 0 hold {100 * radial:.0f} %, and their ridge falls as 1/ω², from "
-        f"{power(first)} to {power(last)}."
+        f"When the disk turns, {100 * whole:.0f} % of its energy is in the modes and {100 * soft:.1f} % in the soft "
+        f"wall. The quadrupolar mode (2, 0) holds {100 * share[0]:.0f} % of the initial energy, "
+        f"{share[0] / share[1]:.1f} times as much as the next, as the paper says. The two ridges are those it names: l "
+        f"= 0 holds {100 * lowest:.0f} % of the vibrational energy, the purely radial modes n = 0 hold "
+        f"{100 * radial:.0f} %, and their ridge falls as 1/ω², from {power(first)} to {power(last)}."
     )

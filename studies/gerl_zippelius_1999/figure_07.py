@@ -6,7 +6,8 @@ points carry the line. It does not say which α it took. So there are two series
 
 * scaled: αv/c = 25, 33.3, 50, 100, the same for all speeds. They are even in 1/α; on these walls the lines hold. On
   harder ones the edge, which lacks its high modes, begins to bounce.
-* common: αR = 200 … 2000, the same walls for all speeds, as far as αv ≤ 200 c. This is what a choice by hand comes to if
+* common: αR = 200 … 2000, the same walls for all speeds, as far as αv ≤ 200 c. This is what a choice by hand comes to
+if
   it does not follow the speed.
 
 Both keep the 940 lowest modes, where the paper keeps the 940 with the highest average energy in a preliminary run
@@ -24,22 +25,24 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from numpy.typing import NDArray
 
-from gerl_zippelius_1999.common import BLACK, GREY, NONE, PAGE, PRINT, Row, Table, Tables, axes_of, legend, measured, power, written
+from gerl_zippelius_1999.common import (
+    BLACK, GREY, NONE, PAGE, PRINT, Row, Table, Tables, axes_of, legend, measured, power, written,
+)  # fmt: skip
 
 TITLE = "Figure 7: the loss against the softness of the wall"
 CAPTION = (
-    "Lost fraction 1 − ε² after impacts on exponential walls V₀ exp(αx), against the softness of the wall; ν = 0.33, the "
-    "N = 940 lowest modes, v/c = 0.005, 0.01, 0.02, 0.04, 0.06, …, 0.30. Lines: regressions through the filled points, "
-    "for v ≤ 0.1 c the three hardest walls. Hollow points are left out. Left: one set of walls for all speeds, on the "
-    "axis of the paper. Right: walls as hard as the speed demands. Black bars: converged values, hard wall and all modes; "
-    "what the lines miss on the right is the effect of the missing modes (Figure 8)."
+    "Lost fraction 1 − ε² after impacts on exponential walls V₀ exp(αx), against the softness of the wall; ν = 0.33, "
+    "the N = 940 lowest modes, v/c = 0.005, 0.01, 0.02, 0.04, 0.06, …, 0.30. Lines: regressions through the filled "
+    "points, for v ≤ 0.1 c the three hardest walls. Hollow points are left out. Left: one set of walls for all speeds, "
+    "on the axis of the paper. Right: walls as hard as the speed demands. Black bars: converged values, hard wall and "
+    "all modes; what the lines miss on the right is the effect of the missing modes (Figure 8)."
 )
 
 Column = NDArray[np.float64]
 
 ALT = (
-    "Two plots of seventeen nearly straight, falling lines each, one for each speed; they end at the hard wall a few percent "
-    "above black bars. On the left the lines of the slowest impacts are steep and cross."
+    "Two plots of seventeen nearly straight, falling lines each, one for each speed; they end at the hard wall a few "
+    "percent above black bars. On the left the lines of the slowest impacts are steep and cross."
 )
 
 POISSON = 0.33
@@ -65,14 +68,16 @@ def cutoff(count: int, poisson: float = POISSON) -> float:
 
 
 def line(x: Column, y: Column, errors: Column | float = 0.0) -> tuple[float, float, float]:
-    """Intercept, its error (95 %, with those of the points), and slope of the regression through points of equal weight."""
+    """Intercept, its error (95 %, with those of the points), and slope of the regression through points of equal
+    weight."""
     mean, spread = x.mean(), np.sum((x - x.mean()) ** 2)
     slope = float(np.sum((x - mean) * y) / spread)
     intercept = float(y.mean() - slope * mean)
     weight = 1.0 / len(x) - mean * (x - mean) / spread  # of a point in the intercept
     scatter = np.sqrt(np.sum((y - intercept - slope * x) ** 2) / (len(x) - 2))
     student = 12.706 if len(x) == 3 else 4.303
-    return intercept, float(np.hypot(student * scatter * np.linalg.norm(weight), np.linalg.norm(weight * errors))), slope
+    error = float(np.hypot(student * scatter * np.linalg.norm(weight), np.linalg.norm(weight * errors)))
+    return intercept, error, slope
 
 
 def compute(quick: bool) -> Tables:
@@ -85,7 +90,8 @@ def compute(quick: bool) -> Tables:
             lost = np.array([lost_fraction(v, at, a) for a in alphas])
             used = np.arange(len(alphas)) >= (len(alphas) - 3 if v <= SLOW else 0)
             for a, loss, carries in zip(alphas, lost, used):
-                _append(impacts, {"series": series, "speed[c]": v, "hardness[1/R]": a, "lost_fraction": loss, "used": carries})
+                wall = {"series": series, "speed[c]": v, "hardness[1/R]": a}
+                _append(impacts, wall | {"lost_fraction": loss, "used": carries})
             value, error, slope = line(1.0 / alphas[used], lost[used])
             row = {"lost_fraction": value, "lost_fraction_error": error, "slope[1/R]": slope}
             _append(lines, {"series": series, "speed[c]": v} | row)
@@ -137,7 +143,9 @@ def draw(tables: Tables) -> Figure:
             reach = max(_draw_speed(axes, tables, series, v) for v in speeds)
             axes.axvline(0.0, color=GREY, linewidth=0.6, zorder=0)
             label = "converged: hard wall, all modes"
-            axes.plot(np.zeros_like(hard), hard, "_", color=BLACK, markersize=10, markeredgewidth=1.1, zorder=4, label=label)
+            axes.plot(
+                np.zeros_like(hard), hard, "_", color=BLACK, markersize=10, markeredgewidth=1.1, zorder=4, label=label
+            )
             axes.set_title(name, loc="left")
             axes.set_xlim(-0.035 * reach, 1.25 * reach)
             axes.locator_params(axis="x", nbins=6)
@@ -180,12 +188,14 @@ def numbers(tables: Tables) -> list[Row]:
     deviation = f"at most {power(_deviation(tables))} of 1 − ε²"
     rows.append(("deviation of the points from their lines, right picture", "“scales nicely”", deviation, NONE))
     order = "yes" if np.all(np.diff(limit["lost_fraction"]) > 0) else "no, v = 0.005 c lies above 0.01 c"
-    rows.append(("curves from bottom to top in the order of speed", "yes (caption)", f"for αR ≤ {_ordered(tables):g}", order))
+    ordered = f"for αR ≤ {_ordered(tables):g}"
+    rows.append(("curves from bottom to top in the order of speed", "yes (caption)", ordered, order))
     return rows
 
 
 def _deviation(tables: Tables) -> float:
-    """Largest deviation of a point from the line that it carries, over its value, on the walls that follow the speed."""
+    """Largest deviation of a point from the line that it carries, over its value, on the walls that follow the
+    speed."""
     fits, worst = _of(tables["lines"], "scaled"), 0.0
     for v, value, slope in zip(fits["speed[c]"], fits["lost_fraction"], fits["slope[1/R]"]):
         points = _of(tables["impacts"], "scaled", v)
@@ -210,10 +220,10 @@ def meaning(tables: Tables) -> str:
     at = int(np.flatnonzero(tables["converged"]["speed[c]"] == 0.1)[0])
     missing = 100.0 * (_of(tables["lines"], "scaled", 0.1)["lost_fraction"][0] / limit[at] - 1.0)
     return (
-        "The straight lines of the paper are real, but α has to follow the speed: a wall is hard when αv ≫ c, whatever α is. "
-        f"On the same walls for all speeds, as on the left, v = 0.005 c extrapolates to {same} instead of {scaled} on walls "
-        f"that follow it; and up to αR = {_ordered(tables):g} the curves lie in the order of speed, from bottom to top, as the "
-        "caption of the paper has them. In the limit they do not: the slowest disk of the figure loses more "
-        f"({limit[0]:.4f}) than the next ones. What remains between line and bar on the right, {missing:.1f} % at v = 0.1 c, is "
-        "mostly the effect of the modes above the 940th (Figure 8)."
+        "The straight lines of the paper are real, but α has to follow the speed: a wall is hard when αv ≫ c, whatever "
+        f"α is. On the same walls for all speeds, as on the left, v = 0.005 c extrapolates to {same} instead of "
+        f"{scaled} on walls that follow it; and up to αR = {_ordered(tables):g} the curves lie in the order of speed, "
+        "from bottom to top, as the caption of the paper has them. In the limit they do not: the slowest disk of the "
+        f"figure loses more ({limit[0]:.4f}) than the next ones. What remains between line and bar on the right, "
+        f"{missing:.1f} % at v = 0.1 c, is mostly the effect of the modes above the 940th (Figure 8)."
     )

@@ -1,8 +1,8 @@
 """Figure 8: the loss against the number of modes, extrapolated to all of them.
 
-The paper takes the hard-wall limits of figure 7 for N = 300, 400, 600, 940 modes and extends them along lines in 1/√N to
-N → ∞; that is its result, the points of figure 1. The modes left out would let the edge yield by 2/(πω_c) per pressure
-and impedance, and ω_c ∝ √N; so it is for the N lowest modes, with which the left picture is made
+The paper takes the hard-wall limits of figure 7 for N = 300, 400, 600, 940 modes and extends them along lines in 1/√N
+to N → ∞; that is its result, the points of figure 1. The modes left out would let the edge yield by 2/(πω_c) per
+pressure and impedance, and ω_c ∝ √N; so it is for the N lowest modes, with which the left picture is made
 (`stoss.extrapolated_restitution`, walls as in figure 7).
 
 The paper selects differently: the modes are ranked by their average energy in a preliminary run, and the first N are
@@ -26,16 +26,18 @@ from gerl_zippelius_1999.ranking import ranked
 
 TITLE = "Figure 8: the loss against the number of modes"
 CAPTION = (
-    "Left: lost fraction 1 − ε² at an infinitely hard wall, the intercepts of Figure 7, against 1/√N for N = 300, 400, 600 "
-    "and 940, with regression lines; ν = 0.33, v/c = 0.005, 0.01, 0.02, 0.04, …, 0.30. Black bars: converged values. Right: "
-    "how much the intercepts exceed the converged value, for the N lowest modes (open: more modes than the paper has) and "
-    "for the N modes that rank first by energy in a preliminary run with 1600 or 4500 modes, the choice of the paper. "
-    "Lines: regressions through the paper's four N. The errors of the points, not drawn, are a few percent."
+    "Left: lost fraction 1 − ε² at an infinitely hard wall, the intercepts of Figure 7, against 1/√N for N = 300, 400, "
+    "600 and 940, with regression lines; ν = 0.33, v/c = 0.005, 0.01, 0.02, 0.04, …, 0.30. Black bars: converged "
+    "values. Right: how much the intercepts exceed the converged value, for the N lowest modes (open: more modes than "
+    "the paper has) and for the N modes that rank first by energy in a preliminary run with 1600 or 4500 modes, the "
+    "choice of the paper. Lines: regressions through the paper's four N. The errors of the points, not drawn, are a "
+    "few percent."
 )
 
 ALT = (
-    "Left: seventeen nearly level lines over one over root N, one for each speed, that end at black bars. Right: six series of "
-    "points with lines; the ranked modes lie lower than the lowest ones, on flatter or lower lines, which miss zero."
+    "Left: seventeen nearly level lines over one over root N, one for each speed, that end at black bars. Right: six "
+    "series of points with lines; the ranked modes lie lower than the lowest ones, on flatter or lower lines, which "
+    "miss zero."
 )
 
 COUNTS = (300, 400, 600, 940)
@@ -99,7 +101,8 @@ def _ranked(speed: float, pool: int, counts: tuple[int, ...]) -> list[tuple[obje
     for n in counts:
         keep = np.zeros(len(first), dtype=bool)
         keep[first[:n]] = True
-        rows.append((speed, f"first of {pool}", n, *_hard(speed, [run(alpha, keep).lost_fraction for alpha in walls(speed)])))
+        lost = [run(alpha, keep).lost_fraction for alpha in walls(speed)]
+        rows.append((speed, f"first of {pool}", n, *_hard(speed, lost)))
     return rows
 
 
@@ -122,7 +125,9 @@ def draw(tables: Tables) -> Figure:
                 text = {0.3: "v = 0.3 c", 0.01: "0.005 … 0.04"}.get(v, f"{v:g}")
                 name_curve(left, text, x.max(), points["lost_fraction"][0] + (0.003 if v == 0.01 else 0.0))
         label = "converged: hard wall, all modes"
-        left.plot(np.zeros_like(hard), hard, "_", color=BLACK, markersize=10, markeredgewidth=1.1, zorder=4, label=label)
+        left.plot(
+            np.zeros_like(hard), hard, "_", color=BLACK, markersize=10, markeredgewidth=1.1, zorder=4, label=label
+        )
         left.set_title("(a) the N lowest modes", loc="left")
         left.set_ylabel("lost fraction 1 − ε², hard wall")
         left.set_xlim(-0.0025, 0.079)
@@ -145,15 +150,20 @@ def _draw_excess(axes: Axes, tables: Tables) -> None:
             continue
         true = tables["converged"]["lost_fraction"][tables["converged"]["speed[c]"] == v]
         for name, color in colours.items():
-            fit, points, more = (_of(tables[t], v, w) for t, w in (("limits", name), ("hard_wall", name), ("hard_wall", "more")))
+            parts = (("limits", name), ("hard_wall", name), ("hard_wall", "more"))
+            fit, points, more = (_of(tables[t], v, w) for t, w in parts)
             x = points["modes"] ** -0.5
             ends = np.array([0.0, x.max()])
-            axes.plot(ends, 100.0 * ((fit["lost_fraction"] + fit["slope"] * ends) / true - 1.0), style, color=color, linewidth=0.9)
+            excess = 100.0 * ((fit["lost_fraction"] + fit["slope"] * ends) / true - 1.0)
+            axes.plot(ends, excess, style, color=color, linewidth=0.9)
             text = f"{name} modes" if name == "lowest" else name
-            axes.plot(x, 100.0 * (points["lost_fraction"] / true - 1.0), marker, color=color, label=f"{text}, v = {v:g} c")
+            excess = 100.0 * (points["lost_fraction"] / true - 1.0)
+            axes.plot(x, excess, marker, color=color, label=f"{text}, v = {v:g} c")
             if name == "lowest" and len(more["modes"]):
                 excess = 100.0 * (more["lost_fraction"] / true - 1.0)
-                axes.plot(more["modes"] ** -0.5, excess, marker, color=color, markerfacecolor="white", markeredgewidth=0.7)
+                axes.plot(
+                    more["modes"] ** -0.5, excess, marker, color=color, markerfacecolor="white", markeredgewidth=0.7
+                )
     axes.axhline(0.0, color=BLACK, linewidth=0.8)
     axes.set_title("(b) which modes are kept", loc="left")
     axes.set_ylabel("excess over the converged 1 − ε² / %")
@@ -167,7 +177,8 @@ NAMES = {"lowest": "lowest modes", "more": "940, 1900 and 3760 lowest modes"}
 def numbers(tables: Tables) -> list[Row]:
     rows: list[Row] = []
     limits, hard = tables["limits"], tables["converged"]
-    for v, which, value, error in zip(*(limits[k] for k in ("speed[c]", "modes_are", "lost_fraction", "lost_fraction_error"))):
+    columns = (limits[each] for each in ("speed[c]", "modes_are", "lost_fraction", "lost_fraction_error"))
+    for v, which, value, error in zip(*columns):
         if which == "lowest" and v not in (0.005, 0.01, 0.02, 0.04, 0.1, 0.2, 0.3):
             continue
         k = int(np.flatnonzero(hard["speed[c]"] == v)[0])
@@ -212,9 +223,9 @@ def meaning(tables: Tables) -> str:
     excess = [100.0 * (_of(limits, *pair)["lost_fraction"][0] / true[pair[0]] - 1.0) for pair in pairs]
     ends = " to ".join(f"{each:+.1f}" for each in sorted({min(excess), max(excess)}))
     return text + (
-        "Ranking the modes, as the paper does, brings every N closer to the limit but bends the law: the modes outside the "
-        "preliminary run are missing at every N, and the first few hundred do much of what all of them can. The line in "
-        f"1/√N then ends {ends} % from the converged value, depending on speed and on that run. "
-        "Beyond N = 940 the lines are steeper, and not only for violent impacts; and the contact of the slowest is as narrow as "
-        "the shortest waves of 940 modes, so that its points do not follow a line at all."
+        "Ranking the modes, as the paper does, brings every N closer to the limit but bends the law: the modes outside "
+        "the preliminary run are missing at every N, and the first few hundred do much of what all of them can. The "
+        f"line in 1/√N then ends {ends} % from the converged value, depending on speed and on that run. "
+        "Beyond N = 940 the lines are steeper, and not only for violent impacts; and the contact of the slowest is as "
+        "narrow as the shortest waves of 940 modes, so that its points do not follow a line at all."
     ).replace("-", "−")

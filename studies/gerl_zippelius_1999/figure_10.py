@@ -1,14 +1,14 @@
 """Figure 10 (`Statplot`): force of the wall against compression, at rest and in impacts.
 
-The paper shows eq. `Kraftvollst`; the relaxation of 1300 modes to the least energy of eq. `Hamiltonint`, with the centre held
-at a distance from the wall; and impacts at v = 0.1 c and 0.04 c with αR = 500. All are repeated here, beside the hard wall: the
-exact static contact of all modes (`stoss.quasistatic.static_contact`), the law of the centre of mass (docs/theory.md, E8), and
-impacts of the full solution.
+The paper shows eq. `Kraftvollst`; the relaxation of 1300 modes to the least energy of eq. `Hamiltonint`, with the
+centre held at a distance from the wall; and impacts at v = 0.1 c and 0.04 c with αR = 500. All are repeated here,
+beside the hard wall: the exact static contact of all modes (`stoss.quasistatic.static_contact`), the law of the centre
+of mass (docs/theory.md, E8), and impacts of the full solution.
 
-Where a compression begins. At an exponential wall δ = R + x₀ counts from the plane V₀e^{αx} = 1. A contact of the pressure p
-stands ln(α/p)/α before it (0.017 R for αR = 500 and p = 0.1 E): there is the hard wall to compare with. The greatest pressure
-of a contact is ½a = √F, 0.04 E at δ = 0.01 R and 0.18 E at 0.1 R, so that one plane, that of 0.1 E, serves for all of the
-figure to 0.002 R. Both counts are shown. No fit is made.
+Where a compression begins. At an exponential wall δ = R + x₀ counts from the plane V₀e^{αx} = 1. A contact of the
+pressure p stands ln(α/p)/α before it (0.017 R for αR = 500 and p = 0.1 E): there is the hard wall to compare with. The
+greatest pressure of a contact is ½a = √F, 0.04 E at δ = 0.01 R and 0.18 E at 0.1 R, so that one plane, that of 0.1 E,
+serves for all of the figure to 0.002 R. Both counts are shown. No fit is made.
 """
 
 from __future__ import annotations
@@ -25,18 +25,19 @@ from .common import Row, Table, Tables, axes_of, legend, measured, written
 
 TITLE = "Figure 10: force against compression"
 CAPTION = (
-    "Force F of the wall against the compression δ for ν = 0.33. (a) As in the paper: eq. Kraftvollst, the relaxation of "
-    "1300 modes at a wall of αR = 500, and impacts at 0.1 c and 0.04 c with the same modes and wall; arrows show the "
-    "direction of time. Compressions count from the plane where the wall's pressure is 0.1 E; the thin dotted line is the "
-    "relaxation counted from the plane V₀e^{αx} = 1. (b) Hard wall: exact static contact, law of the centre of mass, and "
-    "impacts. (c) Forces at rest, as multiples of that of the exact contact. (d) Forces during impacts, likewise, at the "
-    "hard wall (lines) and at αR = 500 (dotted)."
+    "Force F of the wall against the compression δ for ν = 0.33. (a) As in the paper: eq. Kraftvollst, the relaxation "
+    "of 1300 modes at a wall of αR = 500, and impacts at 0.1 c and 0.04 c with the same modes and wall; arrows show "
+    "the direction of time. Compressions count from the plane where the wall's pressure is 0.1 E; the thin dotted line "
+    "is the relaxation counted from the plane V₀e^{αx} = 1. (b) Hard wall: exact static contact, law of the centre of "
+    "mass, and impacts. (c) Forces at rest, as multiples of that of the exact contact. (d) Forces during impacts, "
+    "likewise, at the hard wall (lines) and at αR = 500 (dotted)."
 )
-ALT = "Force over compression: four panels of curves at rest and loops during impacts, at the exponential and the hard wall."
+ALT = (
+    "Force over compression: four panels of curves at rest and loops during impacts, "
+    "at the exponential and the hard wall."
+)
 
-POISSON = 0.33
-HARDNESS = 500.0
-MODES = 1300
+POISSON, HARDNESS, MODES = 0.33, 500.0, 1300
 PRESSURE = 0.1  # E; of the plane from which compressions at the exponential wall are counted
 SPEEDS = (0.1, 0.04)
 MARKS = (0.01, 0.03, 0.1)  # compressions of the table, R
@@ -70,13 +71,14 @@ def at_rest(cutoff: float, count: int) -> Table:
         "exact[piRE]": np.array([each.force for each in exact]),
         "exact_error[piRE]": np.array([each.force_error for each in exact]),
         **{f"{law}[piRE]": quasistatic.compression_force(law=law, poisson=POISSON, compression=x) for law in LAWS},
-        "relaxed_from_pressure_plane[piRE]": np.array([relaxed(each - plane(HARDNESS), HARDNESS, cutoff) for each in x]),
-        "relaxed_from_unit_plane[piRE]": np.array([relaxed(each, HARDNESS, cutoff) for each in x]),
+        "relaxed_from_pressure_plane[piRE]": np.array([relaxed(d - plane(HARDNESS), HARDNESS, cutoff) for d in x]),
+        "relaxed_from_unit_plane[piRE]": np.array([relaxed(d, HARDNESS, cutoff) for d in x]),
     }
 
 
 def limits(cutoffs: tuple[float, float]) -> Table:
-    """Relaxed forces at hard walls and with many modes, to be extrapolated in 1/α and 1/ω_c, which the rest goes like."""
+    """Relaxed forces at hard walls and with many modes, to be extrapolated in 1/α and 1/ω_c, which the rest goes
+    like."""
     rows = [(x, a, c, relaxed(x - plane(a), a, c)) for x in MARKS for a in (4000.0, 8000.0) for c in cutoffs]
     return dict(zip(("compression[R]", "hardness[1/R]", "cutoff[c/R]", "force[piRE]"), np.array(rows).T))
 
@@ -90,11 +92,8 @@ def in_motion(cutoff: float, quick: bool) -> tuple[Table, Table]:
             compression = 1.0 + path.center + (plane(HARDNESS) if name == SOFT else 0.0)
             near = compression > -0.01  # a soft wall begins farther away
             parts.append({
-                "speed[c]": np.full(near.sum(), speed),
-                "wall": np.full(near.sum(), name),
-                "time[R/c]": path.time[near],
-                "compression[R]": compression[near],
-                "force[piRE]": path.force[near],
+                "speed[c]": np.full(near.sum(), speed), "wall": np.full(near.sum(), name),
+                "time[R/c]": path.time[near], "compression[R]": compression[near], "force[piRE]": path.force[near],
             })  # fmt: skip
     converged = stoss.restitution(poisson=POISSON, speed=np.array(SPEEDS), tolerance=1e-3 if quick else 1e-4)
     still = [quasistatic.static_contact(poisson=POISSON, compression=x).force for x in converged.max_compression]
@@ -204,7 +203,7 @@ def extrapolated(tables: Tables, compression: float) -> float:
     """A plane through the forces over 1/α and 1/ω_c, at 0."""
     table = tables["limits"]
     here = table["compression[R]"] == compression
-    plane_of = np.stack([np.ones(here.sum()), 1.0 / table["hardness[1/R]"][here], 1.0 / table["cutoff[c/R]"][here]], axis=1)
+    plane_of = np.array([np.ones(here.sum()), 1.0 / table["hardness[1/R]"][here], 1.0 / table["cutoff[c/R]"][here]]).T
     return float(np.linalg.lstsq(plane_of, table["force[piRE]"][here], rcond=None)[0][0])
 
 
@@ -221,17 +220,17 @@ def numbers(tables: Tables) -> list[Row]:
             (at + "relaxation, αR → ∞ and N → ∞", NONE, written(extrapolated(tables, x)), exact),
             (at + "law of the centre of mass; of the diameter", NONE, f"{center}; {diameter}", exact),
         ]
-    greatest = tables["greatest"]
-    tops = [float(path_of(tables, speed, SOFT)[1].max()) for speed in SPEEDS]
+    greatest, tops = tables["greatest"], [float(path_of(tables, speed, SOFT)[1].max()) for speed in SPEEDS]
     for i, speed in enumerate(SPEEDS):
         force = measured(greatest["force[piRE]"][i], greatest["force_error[piRE]"][i])
         rows.append((f"greatest F at v = {speed:g} c, πRE", NONE, written(tops[i]), force))
-    soft, hard = (np.array(force_on_path(tables, 0.1, wall, 0.03)) / at_mark(tables, "exact", 0.03) for wall in (SOFT, HARD))
-    said = "“considerably higher”"
+    said, still = "“considerably higher”", at_mark(tables, "exact", 0.03)
+    soft, hard = (np.array(force_on_path(tables, 0.1, wall, 0.03)) / still for wall in (SOFT, HARD))
     for way, *shares in zip(("in", "out"), soft, hard):
-        rows.append((f"F / F at rest, v = 0.1 c, δ = 0.03 R, on the way {way}", said, *(written(each, 3) for each in shares)))
-    still, top = greatest["static_force[piRE]"][0], greatest["force[piRE]"][0]
-    rows.append(("greatest F / F at rest at δ_max, v = 0.1 c", said, written(tops[0] / still, 3), written(top / still, 3)))
+        name = f"F / F at rest, v = 0.1 c, δ = 0.03 R, on the way {way}"
+        rows.append((name, said, *(written(each, 3) for each in shares)))
+    protocol, converged = (top / greatest["static_force[piRE]"][0] for top in (tops[0], greatest["force[piRE]"][0]))
+    rows.append(("greatest F / F at rest at δ_max, v = 0.1 c", said, written(protocol, 3), written(converged, 3)))
     return rows
 
 
@@ -240,11 +239,12 @@ def meaning(tables: Tables) -> str:
     exact, printed, shifted, raw = (at_mark(tables, name, 0.03) for name in names)
     way_in, greatest = force_on_path(tables, 0.1, HARD, 0.03)[0], tables["greatest"]
     return (
-        f"At δ = 0.03 R the relaxation gives {raw / exact:.2f} times the force of the exact contact if compressions count "
-        f"from V₀e^{{αx}} = 1, and {shifted / exact:.2f} times if they count from the plane of 0.1 E, {plane(HARDNESS):.3f} R "
-        "before it: the good agreement that the paper reports at small δ needs an origin of the second kind. The rest of the "
-        f"excess is the wall's softness and the missing modes; the printed law is {100 * (1 - printed / exact):.1f} % too low. "
-        f"In an impact at 0.1 c the force at δ = 0.03 R on the way in is {way_in / exact:.1f} times that at rest, as the paper "
-        "says, because the compression is still local. But at the greatest compression the rest of the disk has followed, and "
-        f"the greatest force is only {greatest['force[piRE]'][0] / greatest['static_force[piRE]'][0]:.2f} times that at rest."
+        f"At δ = 0.03 R the relaxation gives {raw / exact:.2f} times the force of the exact contact if compressions "
+        f"count from V₀e^{{αx}} = 1, and {shifted / exact:.2f} times if they count from the plane of 0.1 E, "
+        f"{plane(HARDNESS):.3f} R before it: the good agreement that the paper reports at small δ needs an origin of "
+        "the second kind. The rest of the excess is the wall's softness and the missing modes; the printed law is "
+        f"{100 * (1 - printed / exact):.1f} % too low. In an impact at 0.1 c the force at δ = 0.03 R on the way in is "
+        f"{way_in / exact:.1f} times that at rest, as the paper says, because the compression is still local. But at "
+        "the greatest compression the rest of the disk has followed, and the greatest force is only "
+        f"{greatest['force[piRE]'][0] / greatest['static_force[piRE]'][0]:.2f} times that at rest."
     )

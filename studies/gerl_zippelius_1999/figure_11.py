@@ -1,16 +1,18 @@
 """Figure 11 (`Contacttime`): contact time and greatest compression against the speed.
 
-The paper integrates m δ̈ = −F(δ) with the force of eq. `Kraftvollst`, shows τ c/R and (δ_max/R)(c/v), and for τ also points of
-the full calculation; in the text δ_max ≃ v (R/c) √ln(4c/v) and τ ∝ (R/c) √ln(4c/v) (eq. `xmaxapprox`). Here the same with
-`stoss.quasistatic.slow_impact`, for the printed law and for that of the centre of mass (docs/theory.md, E8), and beside it the
-full solution at the hard wall with its errors (`stoss.restitution`) down to v = 1e-8 c, where the paper had to stop at 0.005 c.
+The paper integrates m δ̈ = −F(δ) with the force of eq. `Kraftvollst`, shows τ c/R and (δ_max/R)(c/v), and for τ also
+points of the full calculation; in the text δ_max ≃ v (R/c) √ln(4c/v) and τ ∝ (R/c) √ln(4c/v) (eq. `xmaxapprox`). Here
+the same with `stoss.quasistatic.slow_impact`, for the printed law and for that of the centre of mass (docs/theory.md,
+E8), and beside it the full solution at the hard wall with its errors (`stoss.restitution`) down to v = 1e-8 c, where
+the paper had to stop at 0.005 c.
 
-The exact asymptotes are δ_max = v√Λ and τ = π√Λ, Λ = ln(c/v) − (3 + ν)/4 for the centre (docs/theory.md, "Slow impacts").
+The exact asymptotes are δ_max = v√Λ and τ = π√Λ, Λ = ln(c/v) − (3 + ν)/4 for the centre (docs/theory.md, "Slow
+impacts").
 
-The paper does not say at which wall its points were computed. Here they are at αR = 500, as in figure 10 and table 1, and at
-walls that are harder the slower the disk (αv = 50 c/R, equal at 0.1 c), both with the 940 modes of figure 7. At an exponential
-wall the contact has no beginning: its contact time is here that in which the force is above 1 % of its maximum. Its
-compression counts as in figure 10.
+The paper does not say at which wall its points were computed. Here they are at αR = 500, as in figure 10 and table 1,
+and at walls that are harder the slower the disk (αv = 50 c/R, equal at 0.1 c), both with the 940 modes of figure 7. At
+an exponential wall the contact has no beginning: its contact time is here that in which the force is above 1 % of its
+maximum. Its compression counts as in figure 10.
 """
 
 from __future__ import annotations
@@ -30,13 +32,16 @@ from .figure_10 import cutoff_of, plane
 
 TITLE = "Figure 11: contact time and greatest compression against the speed"
 CAPTION = (
-    "(a) Contact time τ and (b) greatest compression δ_max, divided by the speed v, for ν = 0.33: quasi-static with eq. "
-    "Kraftvollst (as in the paper) and with the law of the centre of mass, and the full solution at the hard wall (points; "
-    "their errors are smaller than they are). Diamonds: full solution in the paper's way with 940 modes, at the wall αR = 500 "
-    "and at walls αv = 50 c/R. Grey: √ln(4c/v) of eq. xmaxapprox, in (a) times π. The curves end where the laws end. "
-    "(c), (d) The same as deviations from the full solution."
+    "(a) Contact time τ and (b) greatest compression δ_max, divided by the speed v, for ν = 0.33: quasi-static with "
+    "eq. Kraftvollst (as in the paper) and with the law of the centre of mass, and the full solution at the hard wall "
+    "(points; their errors are smaller than they are). Diamonds: full solution in the paper's way with 940 modes, at "
+    "the wall αR = 500 and at walls αv = 50 c/R. Grey: √ln(4c/v) of eq. xmaxapprox, in (a) times π. The curves end "
+    "where the laws end. (c), (d) The same as deviations from the full solution."
 )
-ALT = "Contact time and greatest compression over speed fall slowly with ln v; quasi-static curves follow the points below 0.01 c."
+ALT = (
+    "Contact time and greatest compression over speed fall slowly with ln v; "
+    "quasi-static curves follow the points below 0.01 c."
+)
 
 POISSON = 0.33
 HARDNESS = 500.0  # 1/R
@@ -124,7 +129,9 @@ def draw_panel(above: Axes, below: Axes, tables: Tables, name: str, unit: str, *
         above.plot(v, curve / per(v), style, color=color, label=text)
         below.plot(points, 100 * (here[f"{law}_{name}[{unit}]"] / true - 1), style, color=color)
     error = full[f"{name}_error[{unit}]"]
-    above.errorbar(points, true / per(points), error / per(points), fmt="o", ms=3, color=BLUE, label="full, hard wall", lw=0.8)
+    above.errorbar(
+        points, true / per(points), error / per(points), fmt="o", ms=3, color=BLUE, label="full, hard wall", lw=0.8
+    )
     below.errorbar(points, np.zeros_like(points), 100 * error / true, fmt="o", ms=3, color=BLUE, lw=0.8)
     for table, color, text in (("soft", ORANGE, f"αR = {HARDNESS:g}"), ("soft_scaled", BLACK, f"αv = {SCALED:g} c/R")):
         wall, speed = tables[table], tables[table]["speed[c]"]
@@ -136,7 +143,8 @@ def draw_panel(above: Axes, below: Axes, tables: Tables, name: str, unit: str, *
 
 
 def quasi_at(tables: Tables, speeds: NDArray[np.float64]) -> Table:
-    """The quasi-static columns at other speeds. Linear in ln v, in which they hardly bend, after division by the speed."""
+    """The quasi-static columns at other speeds. Linear in ln v, in which they hardly bend, after division by the
+    speed."""
     table = tables["quasistatic"]
     known = table["speed[c]"]
     found = {}
@@ -220,9 +228,10 @@ def meaning(tables: Tables) -> str:
     root = np.pi * float(printed_formula(np.array(1e-8)))
     return (
         f"Seven decades of speed change the contact time only from {written(fast['contact_time[R/c]'], 3)} to "
-        f"{written(slow['contact_time[R/c]'], 3)} R/c: it grows as the square root of a logarithm. Up to v = 0.01 c the "
-        f"quasi-static time deviates from the full solution by at most {center:.1f} % with the law of the centre and "
-        f"{printed:.1f} % with the printed law, up to 10⁻⁴ c by {center_slow:.1f} % and {printed_slow:.1f} %: the paper's "
-        "statement of good agreement holds. The factor that the paper leaves open in τ is π: π√ln(4c/v) is "
-        f"{written(root)} R/c at 10⁻⁸ c. That it fits so well down there is chance, because the 4 has no meaning to this order."
+        f"{written(slow['contact_time[R/c]'], 3)} R/c: it grows as the square root of a logarithm. Up to v = 0.01 c "
+        f"the quasi-static time deviates from the full solution by at most {center:.1f} % with the law of the centre "
+        f"and {printed:.1f} % with the printed law, up to 10⁻⁴ c by {center_slow:.1f} % and {printed_slow:.1f} %: the "
+        "paper's statement of good agreement holds. The factor that the paper leaves open in τ is π: π√ln(4c/v) is "
+        f"{written(root)} R/c at 10⁻⁸ c. That it fits so well down there is chance, because the 4 has no meaning to "
+        "this order."
     )

@@ -1,16 +1,18 @@
 """Figure 12 (`ContacEnergy`): share of the energy left in the lowest 1800 modes, by Rayleigh's way and in full.
 
-The paper lets the force of a quasi-static impact (eq. `Kraftvollst`) act at the point φ = 0 on every mode (eq. `Hamilstat`),
-and plots H_ex over the kinetic energy against the speed, with points of the full calculation. It says that most of the
-energy goes into the quadrupole (2,0), and that “the decreasing vibrational energy for v_i > 10⁻² c is presumably unphysical”.
+The paper lets the force of a quasi-static impact (eq. `Kraftvollst`) act at the point φ = 0 on every mode (eq.
+`Hamilstat`), and plots H_ex over the kinetic energy against the speed, with points of the full calculation. It says
+that most of the energy goes into the quadrupole (2,0), and that “the decreasing vibrational energy for v_i > 10⁻² c is
+presumably unphysical”.
 
-Here `stoss.quasistatic.rayleigh` does the same with the lowest 1800 modes (with E1–E3 and E6 of docs/theory.md put right), for
-the printed law and for the law of the centre of mass (E8). The full solution is `stoss.restitution` (all modes, hard wall,
-with errors); its (2,0) is that of `stoss.impact` with the 1800 modes kept. Perturbation theory ends where the kinetic energy
-of the modes that follow the force, which the quasi-static balance leaves out, passes 4 % (`beyond_perturbation`).
+Here `stoss.quasistatic.rayleigh` does the same with the lowest 1800 modes (with E1–E3 and E6 of docs/theory.md put
+right), for the printed law and for the law of the centre of mass (E8). The full solution is `stoss.restitution` (all
+modes, hard wall, with errors); its (2,0) is that of `stoss.impact` with the 1800 modes kept. Perturbation theory ends
+where the kinetic energy of the modes that follow the force, which the quasi-static balance leaves out, passes 4 %
+(`beyond_perturbation`).
 
-What decreases is a wave in τ/T, T the period of (2,0): an impact that lasts 3/2 T leaves nothing in (2,0), one of 1.9 T most
-(docs/theory.md, E11). Extrema are those of parabolas in ln v through three neighbours.
+What decreases is a wave in τ/T, T the period of (2,0): an impact that lasts 3/2 T leaves nothing in (2,0), one of 1.9 T
+most (docs/theory.md, E11). Extrema are those of parabolas in ln v through three neighbours.
 """
 
 from __future__ import annotations
@@ -30,12 +32,12 @@ from .figure_10 import cutoff_of
 
 TITLE = "Figure 12: energy left in vibration by slow impacts"
 CAPTION = (
-    "Share of the energy left in vibration against the speed v, for ν = 0.33. (a) All of it: Rayleigh's way with the lowest "
-    "1800 modes, with eq. Kraftvollst (as in the paper) and with the law of the centre of mass, and the full solution (all "
-    "modes, hard wall), which here is a curve; diamonds in the paper's range of speeds. Curves of the estimate are thin "
-    "beyond the end of perturbation theory (grey, for the law of the centre). (b) The share of the quadrupole (2,0) alone. "
-    "(c) All of it where the paper suspects an artefact, v > 0.01 c; dots: maxima and minima. (d) The same against the contact "
-    "time τ in periods T of the quadrupole, where the two laws give one curve."
+    "Share of the energy left in vibration against the speed v, for ν = 0.33. (a) All of it: Rayleigh's way with the "
+    "lowest 1800 modes, with eq. Kraftvollst (as in the paper) and with the law of the centre of mass, and the full "
+    "solution (all modes, hard wall), which here is a curve; diamonds in the paper's range of speeds. Curves of the "
+    "estimate are thin beyond the end of perturbation theory (grey, for the law of the centre). (b) The share of the "
+    "quadrupole (2,0) alone. (c) All of it where the paper suspects an artefact, v > 0.01 c; dots: maxima and minima. "
+    "(d) The same against the contact time τ in periods T of the quadrupole, where the two laws give one curve."
 )
 ALT = "Lost fraction over speed: Rayleigh's estimate and the full solution share a wave with a maximum near 0.003 c."
 
@@ -45,7 +47,10 @@ LAWS = ("printed", "center")
 MARKS = (1e-8, 1e-6, 1e-4, 1e-3, 0.003, 0.01, 0.02, 0.1)  # of the table, c
 PAPER_SPEEDS = (0.005, 0.01, 0.02, 0.04, 0.06, 0.1, 0.2, 0.3)  # c
 LOWEST = 1.5  # c/R; of the modes, only (2,0) lies below
-STYLES = {"printed": (GREEN, "-", "Rayleigh, eq. Kraftvollst"), "center": (PURPLE, "--", "Rayleigh, law of the centre (E8)")}
+STYLES = {
+    "printed": (GREEN, "-", "Rayleigh, eq. Kraftvollst"),
+    "center": (PURPLE, "--", "Rayleigh, law of the centre (E8)"),
+}
 
 
 def with_marks(speeds: NDArray[np.float64]) -> NDArray[np.float64]:
@@ -146,7 +151,9 @@ def draw(tables: Tables) -> Figure:
         axes.set(xscale="log", xlabel="speed v (c)")
     for axes in (every, quadrupole):
         axes.set(yscale="log", xlim=(1e-8, 0.4))
-    every.text(0.1, 1.2e-3, "beyond perturbation\ntheory", fontsize=6.0, color="0.3", rotation=90, ha="center", va="bottom")
+    every.text(
+        0.1, 1.2e-3, "beyond perturbation\ntheory", fontsize=6.0, color="0.3", rotation=90, ha="center", va="bottom"
+    )
     every.set(ylim=(1e-3, 1.5), ylabel="share of the energy, all modes")
     quadrupole.set(ylim=(1e-5, 1.5), ylabel="share of the energy, (2,0)")
     legend(every, loc="upper left")
@@ -195,10 +202,11 @@ def numbers(tables: Tables) -> list[Row]:
         places = {each: extrema(tables, each)[i] for each in (*LAWS, "full")}
         speeds = {each: written(place[0], 2) for each, place in places.items()}
         heights = {each: written(place[1], 3) for each, place in places.items()}
+        speed, height = (f"{each['printed']}; law of the centre {each['center']}" for each in (speeds, heights))
         said = ("“decreasing for v > 10⁻² c”", NONE)[i]
         rows += [
-            (f"speed of the {name}, c", said, f"{speeds['printed']}; law of the centre {speeds['center']}", speeds["full"]),
-            (f"1 − ε² at the {name}", NONE, f"{heights['printed']}; law of the centre {heights['center']}", heights["full"]),
+            (f"speed of the {name}, c", said, speed, speeds["full"]),
+            (f"1 − ε² at the {name}", NONE, height, heights["full"]),
         ]
     ends = [written(end_of_perturbation(tables, law), 2) for law in LAWS]
     for v in (0.01, 0.1):
@@ -216,13 +224,14 @@ def meaning(tables: Tables) -> str:
     fast, slow = row_at(tables["printed"], 0.1), tables["full"]["speed[c]"] <= 0.01
     share = 100 * (tables["full"]["quadrupole"] / tables["full"]["lost_fraction"])[slow]
     return (
-        f"The decrease that the paper calls presumably unphysical is real: the full solution falls from {written(height, 3)} "
-        f"at {written(top, 2)} c to {written(depth, 3)} at {written(low, 2)} c, where the contact lasts {tau / period:.2f} and "
-        f"{tau_low / period:.2f} periods of the quadrupole. Rayleigh's way with the printed law has the same wave at lower "
-        f"speeds, {written(printed_top, 2)} c and {written(printed_low, 2)} c, since first order puts it at longer contacts "
-        f"({printed_tau / period:.2f} and {printed_tau_low / period:.2f} periods). Unphysical is the rise that follows: beyond "
-        f"{written(end_of_perturbation(tables, 'center'), 2)} c perturbation theory ends, and at 0.1 c the estimate is "
-        f"{written(fast['lost_fraction'], 2)}, not {written(row_at(tables['full'], 0.1)['lost_fraction'], 3)}. That most of the "
-        "energy goes into the quadrupole is true near its maxima only: below 0.01 c its share of what is left swings between "
-        f"{share.min():.0f} and {share.max():.0f} %."
+        "The decrease that the paper calls presumably unphysical is real: the full solution falls from "
+        f"{written(height, 3)} at {written(top, 2)} c to {written(depth, 3)} at {written(low, 2)} c, where the contact "
+        f"lasts {tau / period:.2f} and {tau_low / period:.2f} periods of the quadrupole. Rayleigh's way with the "
+        f"printed law has the same wave at lower speeds, {written(printed_top, 2)} c and {written(printed_low, 2)} c, "
+        f"since first order puts it at longer contacts ({printed_tau / period:.2f} and {printed_tau_low / period:.2f} "
+        f"periods). Unphysical is the rise that follows: beyond {written(end_of_perturbation(tables, 'center'), 2)} c "
+        f"perturbation theory ends, and at 0.1 c the estimate is {written(fast['lost_fraction'], 2)}, not "
+        f"{written(row_at(tables['full'], 0.1)['lost_fraction'], 3)}. That most of the energy goes into the quadrupole "
+        f"is true near its maxima only: below 0.01 c its share of what is left swings between {share.min():.0f} and "
+        f"{share.max():.0f} %."
     )

@@ -2,10 +2,10 @@
 
 The paper ranks the modes "according to their average energy content in a preliminary run" and finds: "the purely radial
 modes (eq. Radialvib) are particularly important. Typically 75 % of the most significant modes have n = 0. Another
-essential class of modes has l = 0." Here the preliminary run has all modes with ω ≤ 140 c/R, at the exponential wall (eq.
-Hamiltonint) with αv = 50 c/R, which is the αR = 500 of the paper's table at v = 0.1 c. Of the N most energetic modes the
-shares with n = 0 and with l = 0 are counted; and the share of the modes' energy that each class holds. The shares depend
-on how many modes compete; "converged" are those of a preliminary run with ω ≤ 300 c/R, 40 174 modes.
+essential class of modes has l = 0." Here the preliminary run has all modes with ω ≤ 140 c/R, at the exponential wall
+(eq. Hamiltonint) with αv = 50 c/R, which is the αR = 500 of the paper's table at v = 0.1 c. Of the N most energetic
+modes the shares with n = 0 and with l = 0 are counted; and the share of the modes' energy that each class holds. The
+shares depend on how many modes compete; "converged" are those of a preliminary run with ω ≤ 300 c/R, 40 174 modes.
 """
 
 from __future__ import annotations
@@ -22,10 +22,10 @@ from gerl_zippelius_1999.ranking import POISSON, ranked
 
 TITLE = "In the text: which modes matter"
 CAPTION = (
-    "Share of the N modes of highest mean energy in contact that have (a) n = 0, the purely radial modes, and (b) l = 0, "
-    "the lowest of each order; ν = 0.33, exponential walls with αv = 50 c/R, the modes ranked in a run with all that have "
-    "ω ≤ 140 c/R; black: with all below 300 c/R, v = 0.1 c. Dashed: the 75 % that the paper names for n = 0. Crosses: the "
-    "paper’s own Table 1 (N = 10)."
+    "Share of the N modes of highest mean energy in contact that have (a) n = 0, the purely radial modes, and (b) l = "
+    "0, the lowest of each order; ν = 0.33, exponential walls with αv = 50 c/R, the modes ranked in a run with all "
+    "that have ω ≤ 140 c/R; black: with all below 300 c/R, v = 0.1 c. Dashed: the 75 % that the paper names for n = 0. "
+    "Crosses: the paper’s own Table 1 (N = 10)."
 )
 
 SPEEDS = (0.01, 0.04, 0.1, 0.2, 0.3)  # c
@@ -90,14 +90,19 @@ def draw(tables: Tables) -> Figure:
                 axes.plot(table["modes"][chosen], 100.0 * table[kind][chosen], **line)
             chosen = table["cutoff[c/R]"] == high
             label = f"v = {SPEED:g} c, ω ≤ {high:g} c/R"
-            axes.plot(table["modes"][chosen], 100.0 * table[kind][chosen], color=BLACK, linewidth=0.7, zorder=1.5, label=label)
-            axes.plot(10, 100.0 * TABLE_1[key], "x", color=BLACK, markersize=6, markeredgewidth=1.4, label="the paper’s Table 1")
+            axes.plot(
+                table["modes"][chosen], 100.0 * table[kind][chosen], color=BLACK, linewidth=0.7, zorder=1.5, label=label
+            )
+            label = "the paper’s Table 1"
+            axes.plot(10, 100.0 * TABLE_1[key], "x", color=BLACK, markersize=6, markeredgewidth=1.4, label=label)
             axes.set_xscale("log")
             axes.set_xlabel("number N of most energetic modes")
             axes.set_title(name, loc="left")
             axes.set_xlim(9.0, 1800.0)
         panels[0].axhline(100.0 * TYPICAL, color=GREY, linestyle="--", linewidth=1.0)
-        panels[0].text(1600, 100.0 * TYPICAL + 1.0, "“typically 75 %”", ha="right", va="bottom", fontsize=7.0, color="0.3")
+        panels[0].text(
+            1600, 100.0 * TYPICAL + 1.0, "“typically 75 %”", ha="right", va="bottom", fontsize=7.0, color="0.3"
+        )
         panels[0].set_ylim(0.0, 100.0)
         panels[0].set_ylabel("share of these modes / %")
         legend(panels[1], loc="upper right")
@@ -114,9 +119,11 @@ def numbers(tables: Tables) -> list[Row]:
             table_1 = TABLE_1["order" if kind == "share_n0" else "index"]
             said = paper if count != 10 else f"{paper}; {100 * table_1:.0f} % in Table 1"
             got = f"{here:.1f} % ({min(values):.1f} to {max(values):.1f} % for v = 0.01 to 0.3 c)"
-            rows.append((f"modes with {what} among the {count} most energetic, v = 0.1 c", said, got, f"{bound}{limit:.1f} %"))
+            name = f"modes with {what} among the {count} most energetic, v = 0.1 c"
+            rows.append((name, said, got, f"{bound}{limit:.1f} %"))
     table, k = tables["energy"], SPEEDS.index(0.1)
-    for when, name in (("average", "mean energy of all modes in contact"), ("after", "energy of all modes after the impact")):
+    names = (("average", "mean energy of all modes in contact"), ("after", "energy of all modes after the impact"))
+    for when, name in names:
         for kind, what in (("n0", "n = 0"), ("l0", "l = 0")):
             part = 100.0 * table[f"{when}_{kind}"] / table[when]
             got = f"{part[k]:.0f} % ({part.min():.0f} to {part.max():.0f} %)"
@@ -131,9 +138,9 @@ def meaning(tables: Tables) -> str:
     radial, lowest = (100.0 * energy[name][k] / energy["average"][k] for name in ("average_n0", "average_l0"))
     plateau = 100.0 * _share(tables, "share_n0", SPEED, 300, large=True)
     return (
-        f"The 75 % do not come out for n = 0, at any speed and any N from 10 on: the greatest share is {top:.0f} %, and among "
-        f"hundreds of modes it is about {plateau:.0f} %, one in {100 / plateau:.0f}. The contact is so narrow that the wall drives about "
-        "ten orders almost equally, and each of them has as many radial modes as n = 0. The paper’s own table has three of "
-        f"ten. For l = 0 the number would fit: seven of ten, here as in the table, and {lowest:.0f} % of the mean energy at "
-        f"v = 0.1 c, against {radial:.0f} % for n = 0."
+        f"The 75 % do not come out for n = 0, at any speed and any N from 10 on: the greatest share is {top:.0f} %, "
+        f"and among hundreds of modes it is about {plateau:.0f} %, one in {100 / plateau:.0f}. The contact is so "
+        "narrow that the wall drives about ten orders almost equally, and each of them has as many radial modes as n = "
+        "0. The paper’s own table has three of ten. For l = 0 the number would fit: seven of ten, here as in the "
+        f"table, and {lowest:.0f} % of the mean energy at v = 0.1 c, against {radial:.0f} % for n = 0."
     )

@@ -1,7 +1,7 @@
 """The paper's choice of modes: ranked by mean energy in a preliminary run with more of them.
 
-The preliminary run is one at the exponential wall (eq. Hamiltonint) with all modes up to a cutoff. The mean is taken over
-the contact; which mean the paper takes it does not say.
+The preliminary run is one at the exponential wall (eq. Hamiltonint) with all modes up to a cutoff. The mean is taken
+over the contact; which mean the paper takes it does not say.
 """
 
 from __future__ import annotations

@@ -157,8 +157,8 @@ def _item(item: str, outcome: Outcome, folder: Path) -> str:
     picture = f'<img src="{source}" width="{width}" alt="{escape(outcome.alt)}">'
     content = (
         f'<figure>\n<div class="picture" tabindex="0">{picture}</div>\n<figcaption>{escape(outcome.caption)}'
-        f'</figcaption>\n</figure>\n{_numbers(rows) if rows else ""}\n{_paragraphs(outcome.meaning)}\n<p class="small">Beside this file: '
-        f'{" · ".join(links)}</p>'
+        f'</figcaption>\n</figure>\n{_numbers(rows) if rows else ""}\n{_paragraphs(outcome.meaning)}\n'
+        f'<p class="small">Beside this file: {" · ".join(links)}</p>'
     )
     return _section(item, outcome.title, content)
 

@@ -1,7 +1,8 @@
 """Slips that a code after the paper could contain, and what each does to Table 1.
 
-The paper's own scheme, apart from stoss: eqs. Evolgl (with the sign of erratum E6), Gesev and Deformt by the Runge-Kutta
-method of 4th order in the interaction picture, 256 angles in the upper quadrant. Only modes and amplitudes come from stoss.
+The paper's own scheme, apart from stoss: eqs. Evolgl (with the sign of erratum E6), Gesev and Deformt by the
+Runge-Kutta method of 4th order in the interaction picture, 256 angles in the upper quadrant. Only modes and amplitudes
+come from stoss.
 """
 
 from __future__ import annotations
@@ -47,7 +48,8 @@ class Outcome(NamedTuple):
 
 def lowest(cutoff: float) -> Modes:
     modes = stoss.modes(poisson=POISSON, cutoff=cutoff)
-    return Modes(*(np.array(column) for column in (modes.order, modes.index, modes.omega, modes.radial, modes.tangential)))
+    columns = (modes.order, modes.index, modes.omega, modes.radial, modes.tangential)
+    return Modes(*(np.array(column) for column in columns))
 
 
 def collide(modes: Modes, speed: float, hardness: float, step: float = STEP) -> Outcome:
@@ -103,7 +105,8 @@ def bessel(order: NDArray, x: Array) -> Array:
 
 
 def exchanged(modes: Modes) -> Modes:
-    """Amplitudes with κ and κ′ exchanged in u_φ, as eq. Normdef3 is printed, in the normalisation and in S (erratum E4)."""
+    """Amplitudes with κ and κ′ exchanged in u_φ, as eq. Normdef3 is printed, in the normalisation and in S (erratum
+    E4)."""
     n = modes.order
     wave, wave_shear = modes.omega * np.sqrt(1.0 - POISSON**2), modes.omega * np.sqrt(2.0 * (1.0 + POISSON))
 

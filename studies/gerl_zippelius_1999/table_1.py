@@ -1,12 +1,12 @@
 """Table 1: the ten most important modes.
 
-The paper lists, for αR = 500, v = 0.1 c and 1600 modes, the ten modes (n, l) of the highest "average fraction of the total
-energy during collision", with this average and the energy after the collision (eqs. Hamiltonint, Evolgl; no Poisson number
-is given, the others are for ν = 0.33). The protocol here: a preliminary run with all 4510 modes up to ω = 100 c/R, in the
-final one the 1600 of highest mean energy; means over the contact. The converged values, of all modes at the same wall, are
-parabolas in 1/ω_c at 0 through runs with all modes below five cutoffs. The table is not reproduced (erratum E13). What
-plausible slips would do to it is computed by an integration of its own (`slips`); one of them, C doubled for n = 0, l ≥ 1,
-is not plausible but what the printed averages ask for.
+The paper lists, for αR = 500, v = 0.1 c and 1600 modes, the ten modes (n, l) of the highest "average fraction of the
+total energy during collision", with this average and the energy after the collision (eqs. Hamiltonint, Evolgl; no
+Poisson number is given, the others are for ν = 0.33). The protocol here: a preliminary run with all 4510 modes up to ω
+= 100 c/R, in the final one the 1600 of highest mean energy; means over the contact. The converged values, of all modes
+at the same wall, are parabolas in 1/ω_c at 0 through runs with all modes below five cutoffs. The table is not
+reproduced (erratum E13). What plausible slips would do to it is computed by an integration of its own (`slips`); one of
+them, C doubled for n = 0, l ≥ 1, is not plausible but what the printed averages ask for.
 """
 
 from __future__ import annotations
@@ -26,21 +26,20 @@ from gerl_zippelius_1999.ranking import POISSON, place, ranked, selected_impact
 
 TITLE = "Table 1: the ten most important modes"
 CAPTION = (
-    "Energy of the paper’s ten most important modes (n, l) as shares of the initial energy, (a) averaged over the collision "
-    "and (b) after it; αR = 500, v = 0.1 c, ν = 0.33. Squares: as printed; crosses: the protocol with the 1600 modes of "
-    "highest mean energy; dots: all modes, N → ∞. (c, d) The same over the printed values, with slips that a code could "
-    "contain and other readings of the text, computed with the 295 modes below ω = 25 c/R in the paper’s own scheme, "
-    "the last three rows with stoss: white is agreement, blue too small, red too large, grey a mode that is left out. No row "
-    "is white in both."
+    "Energy of the paper’s ten most important modes (n, l) as shares of the initial energy, (a) averaged over the "
+    "collision and (b) after it; αR = 500, v = 0.1 c, ν = 0.33. Squares: as printed; crosses: the protocol with the "
+    "1600 modes of highest mean energy; dots: all modes, N → ∞. (c, d) The same over the printed values, with slips "
+    "that a code could contain and other readings of the text, computed with the 295 modes below ω = 25 c/R in the "
+    "paper’s own scheme, the last three rows with stoss: white is agreement, blue too small, red too large, grey a "
+    "mode that is left out. No row is white in both."
 )
 ALT = "Printed, computed and converged energies of ten modes, and ratios to the printed ones for a dozen slips."
 
 SPEED, HARDNESS, MODES = 0.1, 500.0, 1600
 MODES_OF_THE_PAPER = ((2, 0), (3, 0), (0, 0), (4, 0), (0, 1), (5, 0), (1, 1), (1, 0), (6, 0), (0, 2))
-PRINTED = {
-    "average": (0.1594843, 0.0480930, 0.0231257, 0.0220028, 0.0128242, 0.0114396, 0.0110218, 0.0066413, 0.0059540, 0.0048560),
-    "after": (0.0513636, 0.0234695, 0.0089346, 0.0038760, 0.0003144, 0.0027244, 0.0002610, 0.0002548, 0.0021365, 0.0000279),
-}
+MEAN = (0.1594843, 0.0480930, 0.0231257, 0.0220028, 0.0128242, 0.0114396, 0.0110218, 0.0066413, 0.0059540, 0.0048560)
+AFTER = (0.0513636, 0.0234695, 0.0089346, 0.0038760, 0.0003144, 0.0027244, 0.0002610, 0.0002548, 0.0021365, 0.0000279)
+PRINTED = {"average": MEAN, "after": AFTER}
 PRELIMINARY, QUICK_PRELIMINARY = 100.0, 62.0  # c/R; 4510 and 1752 modes
 CUTOFFS, QUICK_CUTOFFS = (50.0, 70.0, 100.0, 140.0, 200.0), (35.0, 42.0, 50.0, 60.0, 70.0)
 STEP, QUICK_STEP = 0.0008, 0.002  # R/c; the mean is sampled every fourth step
@@ -66,7 +65,8 @@ def compute(quick: bool) -> Tables:
     for when in ("average", "after"):
         table[f"{when}_paper"] = np.array(PRINTED[when])
         table[f"{when}_protocol"] = _of(final, when)
-        table[f"{when}_limit"], table[f"{when}_limit_error"] = _limit(cutoffs, np.array([_of(run, when) for run in runs]))
+        energies = np.array([_of(run, when) for run in runs])
+        table[f"{when}_limit"], table[f"{when}_limit_error"] = _limit(cutoffs, energies)
         table[f"{when}_hard_wall"] = _of(hard, when)
     # The mean depends on what counts as contact: as much as its ends can shift, a few steps.
     table["average_limit_error"] += 4.0 * step / final.contact_time * table["average_limit"]
@@ -75,7 +75,7 @@ def compute(quick: bool) -> Tables:
         "run": np.array(["protocol", "limit", "hard wall", "preliminary"]),
         "lost_fraction": np.array([final.lost_fraction, lost[0], hard.lost_fraction, preliminary.lost_fraction]),
         "lost_fraction_error": np.array([0.0, lost_error[0], 0.0, 0.0]),
-        "contact_time[R/c]": np.array([final.contact_time, runs[-1].contact_time, hard.contact_time, preliminary.contact_time]),
+        "contact_time[R/c]": np.array([run.contact_time for run in (final, runs[-1], hard, preliminary)]),
         "mean_energy": np.array([run.mode_energies["average"].sum() for run in (final, runs[-1], hard, preliminary)]),
     }
     return {"modes": table, "totals": totals, "slips": _slips(QUICK_SLIP_CUTOFF if quick else SLIP_CUTOFF)}
@@ -86,10 +86,10 @@ def _of(hit: stoss.Impact, when: str) -> NDArray:
 
 
 def _limit(cutoffs: tuple[float, ...], values: NDArray) -> tuple[NDArray, NDArray]:
-    """Parabolas in 1/ω_c at 0; errors: from those without the largest cutoff, 2·10⁻⁴ for the steps in time, and 5·10⁻⁶ of
-    the amplitude (finite elements, tests/data/restitution_exponential_wall.csv, differ by no more)."""
+    """Parabolas in 1/ω_c at 0. Errors: from those without the largest cutoff, 2·10⁻⁴ for the steps in time, and 5·10⁻⁶
+    of the amplitude (finite elements, tests/data/restitution_exponential_wall.csv, differ by no more)."""
     x = 1.0 / np.array(cutoffs)
-    full, fewer = (np.array([np.polyfit(x[:n], column[:n], 2)[-1] for column in values.T]) for n in (len(x), len(x) - 1))
+    full, fewer = (np.array([np.polyfit(x[:n], y[:n], 2)[-1] for y in values.T]) for n in (len(x), len(x) - 1))
     return full, np.abs(full - fewer) + 2e-4 * np.abs(full) + 1e-5 * np.sqrt(np.abs(full))
 
 
@@ -148,7 +148,8 @@ def draw(tables: Tables) -> Figure:
         figure = Figure(figsize=(PAGE, 6.6), layout="constrained")
         top, bottom = figure.subfigures(2, 1, height_ratios=(1.0, 1.6))
         above, below = top.subplots(1, 2), bottom.subplots(1, 2, sharey=True)
-        for k, (when, name) in enumerate((("average", "averaged over the collision"), ("after", "after the collision"))):
+        names = (("average", "averaged over the collision"), ("after", "after the collision"))
+        for k, (when, name) in enumerate(names):
             _draw_energies(above[k], tables["modes"], when, f"({'ab'[k]}) {name}")
             _draw_slips(below[k], tables, when, f"({'cd'[k]}) the same, computed / printed")
     return figure
@@ -156,11 +157,12 @@ def draw(tables: Tables) -> Figure:
 
 def _draw_energies(axes: Axes, table: Table, when: str, name: str) -> None:
     at = np.arange(len(MODES_OF_THE_PAPER))
-    axes.plot(at, table[f"{when}_paper"], "s", color=VERMILION, markerfacecolor="white", markersize=5, label="as printed")
+    paper, hard = table[f"{when}_paper"], table[f"{when}_hard_wall"]
+    axes.plot(at, paper, "s", color=VERMILION, markerfacecolor="white", markersize=5, label="as printed")
     axes.plot(at, table[f"{when}_protocol"], "x", color=BLACK, markersize=5, label="protocol, 1600 modes")
     limit, error = table[f"{when}_limit"], table[f"{when}_limit_error"]
     axes.errorbar(at, limit, error, fmt="o", color=BLUE, markersize=2.8, elinewidth=0.8, label="all modes, αR = 500")
-    axes.plot(at, table[f"{when}_hard_wall"], "_", color=GREEN, markersize=8, markeredgewidth=1.2, label="all modes, hard wall")
+    axes.plot(at, hard, "_", color=GREEN, markersize=8, markeredgewidth=1.2, label="all modes, hard wall")
     axes.set_yscale("log")
     axes.set_xticks(at, [f"{n}, {l}" for n, l in MODES_OF_THE_PAPER])
     axes.set_xlabel("mode n, l")
@@ -177,7 +179,8 @@ def _draw_slips(axes: Axes, tables: Tables, when: str, name: str) -> None:
     names = list(dict.fromkeys(tables["slips"]["slip"].tolist()))
     ratios = np.array([_ratios(tables, slip, when) for slip in names])
     shown = np.log10(np.ma.masked_invalid(ratios))
-    axes.imshow(shown, cmap=matplotlib.colormaps["RdBu_r"].with_extremes(bad="0.85"), vmin=-1.0, vmax=1.0, aspect="auto")
+    colours = matplotlib.colormaps["RdBu_r"].with_extremes(bad="0.85")
+    axes.imshow(shown, cmap=colours, vmin=-1.0, vmax=1.0, aspect="auto")
     for row, column in np.ndindex(ratios.shape):
         value = ratios[row, column]
         if np.isfinite(value):
@@ -202,10 +205,12 @@ def numbers(tables: Tables) -> list[Row]:
             limit = measured(table[f"{when}_limit"][k], table[f"{when}_limit_error"][k])
             rows.append((name.format(f"({n}, {l})"), f"{paper:.7f}", f"{protocol:.{digits}f}", limit))
         sums = [table[f"{when}_{kind}"].sum() for kind in ("paper", "protocol", "limit")]
-        rows.append((f"sum of the ten, {'mean' if when == 'average' else 'after'}", *(f"{value:.4f}" for value in sums)))
+        kind = "mean" if when == "average" else "after"
+        rows.append((f"sum of the ten, {kind}", *(f"{value:.4f}" for value in sums)))
     limit = measured(totals["lost_fraction"][1], totals["lost_fraction_error"][1])
     rows.append(("1 − ε² of this impact", NONE, f"{totals['lost_fraction'][0]:.5f}", limit))
-    rows.append(("its ten modes have the ranks", "1 to 10", ", ".join(str(rank) for rank in table["protocol_rank"]), NONE))
+    ranks = ", ".join(str(rank) for rank in table["protocol_rank"])
+    rows.append(("its ten modes have the ranks", "1 to 10", ranks, NONE))
     return rows
 
 
@@ -221,16 +226,16 @@ def meaning(tables: Tables) -> str:
     after, printed = table["after_limit"], PRINTED["after"]
     return (
         f"The table is not reproduced. After the impact (2, 0) holds {after[0]:.4f} in place of {printed[0]:.4f}, "
-        f"(3, 0) {after[1]:.4f} in place of {printed[1]:.4f}, (4, 0) {ratios['after'][3]:.1f} times the printed value; the printed "
-        f"ten sum up to {sum(printed):.4f}, which is what all modes hold ({lost[0]:.4f}), but here the ten hold "
-        f"{table['after_protocol'].sum():.4f}. The averages have a pattern: eight of them are about {usual:.1f} times the "
-        "printed ones, as if the paper’s mean included some flight, while (0, 1) and (0, 2) are "
-        f"{1 / radial:.1f} times too small. They need modes n = 0 that take up more: with C doubled for l ≥ 1 the ratios "
-        f"scatter by a factor of {scatter['average'][even]:.2f}, with torsional roots among n = 0 by "
-        f"{scatter['average'][torsion]:.2f}, in place of {plain['average']:.2f}; but the energies after the impact come out "
-        f"worse, {scatter['after'][even]:.1f} and {scatter['after'][torsion]:.1f} in place of {plain['after']:.1f}. The best "
-        f"for these, “{best}”, leaves {scatter['after'][best]:.1f}. No slip tried here gives both columns. The number of modes "
-        "above some hundreds and the step in time do not matter at this level."
+        f"(3, 0) {after[1]:.4f} in place of {printed[1]:.4f}, (4, 0) {ratios['after'][3]:.1f} times the printed value; "
+        f"the printed ten sum up to {sum(printed):.4f}, which is what all modes hold ({lost[0]:.4f}), but here the ten "
+        f"hold {table['after_protocol'].sum():.4f}. The averages have a pattern: eight of them are about {usual:.1f} "
+        "times the printed ones, as if the paper’s mean included some flight, while (0, 1) and (0, 2) are "
+        f"{1 / radial:.1f} times too small. They need modes n = 0 that take up more: with C doubled for l ≥ 1 the "
+        f"ratios scatter by a factor of {scatter['average'][even]:.2f}, with torsional roots among n = 0 by "
+        f"{scatter['average'][torsion]:.2f}, in place of {plain['average']:.2f}; but the energies after the impact "
+        f"come out worse, {scatter['after'][even]:.1f} and {scatter['after'][torsion]:.1f} in place of "
+        f"{plain['after']:.1f}. The best for these, “{best}”, leaves {scatter['after'][best]:.1f}. No slip tried here "
+        "gives both columns. The number of modes above some hundreds and the step in time do not matter at this level."
     )
 
 

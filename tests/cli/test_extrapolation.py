@@ -62,7 +62,12 @@ def test_material(stoss):
 
 @pytest.mark.parametrize(
     "more, name",
-    [("--tolerance 1e-3", "tolerance"), ("--threads 1", "threads"), ("--speed 1e-4", "speed"), ("--speed 0.6", "speed")],
+    [
+        ("--tolerance 1e-3", "tolerance"),
+        ("--threads 1", "threads"),
+        ("--speed 1e-4", "speed"),
+        ("--speed 0.6", "speed"),
+    ],
 )
 def test_what_it_does_not_take(stoss, tmp_path, more, name):
     path = tmp_path / "precious"

@@ -30,7 +30,8 @@ def test_formats_agree(stoss, job, columns):
     document = json.loads(stoss.run(job, "--format json --quiet").stdout)
     assert document["schema"] == "stoss/quasistatic/1" and document["complete"] is True
     assert document["inputs"]["law"] == "center" and "modes" not in document
-    assert document["units"] == {name.partition("[")[0]: name[name.index("[") + 1 : -1] for name in columns if "[" in name}
+    units = {name.partition("[")[0]: name[name.index("[") + 1 : -1] for name in columns if "[" in name}
+    assert document["units"] == units
     for row, record in zip(table, document["records"], strict=True):
         assert [json.loads(text) for text in row.values()] == list(record.values())
     shown = stoss.run(job, "--quiet").stdout.splitlines()
@@ -110,7 +111,8 @@ def test_value_out_of_range(stoss, tmp_path, arguments, name, got):
 
 @pytest.mark.parametrize("arguments", [
     "quasistatic", f"quasistatic --poisson {NU}", f"{IMPACT} 0.1 --compression 0.1", f"{IMPACT} 0.1 --law hertz",
-    f"{CONTACT} 0.1 --tolerance 1", "quasistatic --poisson 0.3,0.4 --speed 0.1", f"{IMPACT}", f"{IMPACT} 0.1 --wall hard",
+    f"{CONTACT} 0.1 --tolerance 1", "quasistatic --poisson 0.3,0.4 --speed 0.1", f"{IMPACT}",
+    f"{IMPACT} 0.1 --wall hard",
 ])  # fmt: skip
 def test_usage(stoss, arguments):
     result = stoss.run(arguments)

@@ -85,7 +85,11 @@ def roots_in(poisson, n, low, high):
     for i in range(count):
         if (value[i] > 0) != (value[i + 1] > 0):
             brackets.append((omega[i], omega[i + 1]))
-        elif 0 < i and (value[i - 1] > 0) == (value[i] > 0) and abs(value[i]) <= min(abs(value[i - 1]), abs(value[i + 1])):
+        elif (
+            0 < i
+            and (value[i - 1] > 0) == (value[i] > 0)
+            and abs(value[i]) <= min(abs(value[i - 1]), abs(value[i + 1]))
+        ):
             # Golden section to the bottom of |f|; a change of sign on the way splits a pair.
             mp.dps = DIGITS
             sign = 1 if value[i] > 0 else -1

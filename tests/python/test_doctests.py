@@ -11,7 +11,9 @@ import pytest
 
 import stoss
 
-MODULES = ["stoss"] + [info.name for info in pkgutil.walk_packages(stoss.__path__, "stoss.") if "_core" not in info.name]
+MODULES = ["stoss"] + [
+    info.name for info in pkgutil.walk_packages(stoss.__path__, "stoss.") if "_core" not in info.name
+]
 
 
 @pytest.mark.parametrize("name", MODULES)

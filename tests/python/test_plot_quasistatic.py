@@ -115,7 +115,8 @@ def test_given_axes_are_the_only_ones_touched():
 def test_refusals(name):
     with pytest.raises(stoss.InvalidInput, match="^result: got 0.9, allowed a stoss"):
         getattr(stoss.plot, name)(0.9)
-    result = getattr(quasistatic, name)(poisson=0.3, **{"static_contact": {"compression": 0.01}}.get(name, {"speed": 0.01}))
+    given = {"static_contact": {"compression": 0.01}}.get(name, {"speed": 0.01})
+    result = getattr(quasistatic, name)(poisson=0.3, **given)
     with pytest.raises(stoss.InvalidInput, match="^ax: got 3, allowed one matplotlib Axes"):
         result.plot(3)
     assert pyplot.get_fignums() == []

@@ -13,7 +13,9 @@ import stoss
 from stoss import quasistatic
 
 nan, inf = math.nan, math.inf
-USUAL = {"poisson": 0.33, "speed": 0.01, "force": 0.01, "compression": 0.01, "depth": 0.1, "x": 1.0, "y": 0.1, "cutoff": 6}
+USUAL = {
+    "poisson": 0.33, "speed": 0.01, "force": 0.01, "compression": 0.01, "depth": 0.1, "x": 1.0, "y": 0.1, "cutoff": 6,
+}  # fmt: skip
 FUNCTIONS = [getattr(quasistatic, name) for name in quasistatic.__all__ if name[0].islower()]
 BAD = {
     "poisson": [-1, 1, nan, inf, "0.3", True, [0.3, nan], 1j],

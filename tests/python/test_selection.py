@@ -73,7 +73,9 @@ def test_a_rod_may_be_chosen_from_too():
     assert rod.modes == 9 and rod.trajectory().force.max() > 0
 
 
-@pytest.mark.parametrize("keep", [True, [], [0, 1], "all", [[True]], np.ones((2, 2), dtype=bool), [True, None], object()])
+@pytest.mark.parametrize(
+    "keep", [True, [], [0, 1], "all", [[True]], np.ones((2, 2), dtype=bool), [True, None], object()]
+)
 def test_what_is_no_list_of_flags_is_refused(keep):
     with pytest.raises(stoss.InvalidInput, match="^keep: got .*allowed a one-dimensional array of True and False"):
         stoss.impact(**COMMON, keep=keep)

@@ -148,6 +148,23 @@ def test_figures_11_and_12_slow_impacts(study):
     assert len(between) > 1 and between == sorted(between, reverse=True)
 
 
+# ---- the errata
+
+
+def test_each_erratum_of_the_theory_names_tests_that_exist():
+    theory = (ROOT / "docs/theory.md").read_text(encoding="utf-8")
+    section = theory.rpartition("\n## ")[2]
+    assert section.startswith("11 What the paper says, and what is so")
+    there = set()
+    for path in (ROOT / "tests").rglob("test_*.*"):
+        text = path.read_text(encoding="utf-8")
+        there |= {".".join(names) for names in re.findall(r"^TEST(?:_[PF])?\((\w+), (\w+)\)", text, re.MULTILINE)}
+        there |= {f"{path.name}::{name}" for name in re.findall(r"^def (test_\w+)", text, re.MULTILINE)}
+    for erratum in section.split("\n### ")[1:]:
+        named = re.findall(r"`([\w./]+(?:\.|::)\w+)`", erratum.rpartition("⊢")[2])
+        assert named and set(named) <= there, (erratum.partition("\n")[0], set(named) - there)
+
+
 # ---- the report
 
 

@@ -8,7 +8,8 @@ namespace stoss {
 ///                          diameter  s = 4, b = 1           (E7)
 ///                          printed   s = 4, b = 1 + ν       (paper eq. Kraftvollst)
 ///
-/// to leading order in F; the next order is smaller by about F.
+/// to leading order in F. The exact static contact adds (3 + 3ν/2) F² to the law of the centre (measured;
+/// docs/theory.md, section 10): 0.1 % of δ = 0.01 R, 0.4 … 0.6 % of δ = 0.03 R.
 enum class CompressionLaw {
   center,    ///< approach of the centre of mass to the wall: the one that belongs in its equation of motion
   diameter,  ///< shortening of the diameter through the point of contact
