@@ -62,7 +62,7 @@ tbody th { font-weight: 400; }
 .numbers .none { color: var(--faint); }
 .converged { font-weight: 600; }
 .errata { min-width: 40rem; }
-.errata td:first-child { width: 2.2rem; color: var(--faint); }
+.errata td:first-child { width: 3.2rem; white-space: nowrap; color: var(--faint); }
 .failed { border-left: 4px solid #a33b00; padding: 0.5rem 1rem; background: #fdf3ec; max-width: var(--text); }
 math { font-size: 1.08em; font-family: "Latin Modern Math", "STIX Two Math", "Cambria Math", "XITS Math",
   "TeX Gyre Termes Math", math, serif; }
@@ -119,7 +119,7 @@ def _head(quick: bool) -> str:
 def _contents(outcomes: Sequence[tuple[str, Outcome]]) -> str:
     entries = [("introduction", "What this is"), ("method", "The model"), ("glance", "The paper’s numbers at a glance")]
     entries += [(item, outcome.title + (" – failed" if outcome.failure else "")) for item, outcome in outcomes]
-    entries += [("errata", "What the paper gets wrong"), ("references", "References")]
+    entries += [("errata", "What the paper says, and what is so"), ("references", "References")]
     lines = "\n".join(f'<li><a href="#{name}">{escape(title)}</a></li>' for name, title in entries)
     return f'<nav aria-labelledby="contents">\n<h2 id="contents">Contents</h2>\n<ol>\n{lines}\n</ol>\n</nav>'
 
@@ -193,18 +193,20 @@ def _numbers(rows: Sequence[str]) -> str:
 def _errata(folder: Path) -> str:
     theory = _documentation(folder)
     rows = []
-    for number, (paper, correct, name, anchor) in enumerate(words.ERRATA, 1):
-        place = f'<a href="{theory}#{anchor}">{name}</a>' if theory else name
-        rows.append(f"<tr><td>{number}</td><td>{paper}</td><td>{correct}</td><td>{place}</td></tr>")
+    for paper, correct, name, anchor in words.ERRATA:
+        label, _, title = name.partition(" ")
+        place = f'<a href="{theory}#{anchor}">{title}</a>' if theory else title
+        rows.append(f"<tr><td>{label}</td><td>{paper}</td><td>{correct}</td><td>{place}</td></tr>")
     head = "".join(f'<th scope="col">{each}</th>' for each in ("", "Paper", "Should be", "Section of docs/theory.md"))
     text = (
         "<p>stoss follows the third column. The derivation, or the computation, behind each line is in the section "
-        "named at its end. None of these slips changes what the paper mainly concludes: the collisions lose energy to "
-        "vibration, more at high speed and large <i>ν</i>, and nothing in the limit of slow ones.</p>"
+        "named at its end, with the tests that show it. None of these slips changes what the paper mainly concludes: "
+        "the collisions lose energy to vibration, more at high speed and large <i>ν</i>, and nothing in the limit of "
+        "slow ones.</p>"
     )
     table = "\n".join(rows)
     return _section(
-        "errata", "What the paper gets wrong",
+        "errata", "What the paper says, and what is so",
         f'{text}\n<div class="scroll" tabindex="0">\n<table class="errata">\n<thead><tr>{head}</tr></thead>\n'
         f"<tbody>\n{table}\n</tbody>\n</table>\n</div>",
     )  # fmt: skip

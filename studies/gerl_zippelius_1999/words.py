@@ -17,9 +17,9 @@ vibration. This report computes their paper again, figure by figure, with <b>sto
 reproduced here; what each of them shows is taken from its caption and from the text.</p>
 <p>Every table has the same four columns. <b>Paper</b> is what the text prints. <b>Protocol</b> is what the procedure of
 the paper really gives when it is carried out as described, with the slips of its formulas corrected. <b>Converged</b>
-is the answer of the model itself, with all modes and, unless the quantity belongs to a soft wall, a hard wall; the
-error after ± covers the truth in 95 % of all cases. Where the three differ, none has been adjusted to another. A dash
-means that there is no such number.</p>
+is the answer of the model itself, with all modes and, unless the quantity belongs to a soft wall, a hard wall. After ±
+stands the estimated error; for <i>ε</i> and 1 − <i>ε</i>² it is known to cover the truth in 95 % of all cases. Where
+the three differ, none has been adjusted to another. A dash means that there is no such number.</p>
 <p>Lengths are in units of the radius <i>R</i>, speeds in units of <i>c</i> = √(<i>E</i>/<i>ρ</i>), times in
 <i>R</i>/<i>c</i>, forces in <i>πRE</i> = <i>mc</i>²/<i>R</i>. The speed <i>v</i> is that of one disk against a wall;
 two equal disks that each move at <i>v</i> towards each other are the same problem.</p>
@@ -52,9 +52,9 @@ ERRATA = (
     ("The energy of a mode is written with <i>mω</i>²<i>Q</i>² (eqs. Hamiltonint, Hamilstat).",
      "½ <i>mω</i>²<i>Q</i>², as in the paper’s own eq. Hamiltonfree.", "E1 Energy of a mode", "e1-energy-of-a-mode"),
     ("The force on a mode is <i>mωQ</i> + … (eq. Impulsev1, section V).",
-     "<i>mω</i>²<i>Q</i> + …; <i>mωQ</i> is not a force.", "E2 (in E1)", "e1-energy-of-a-mode"),
+     "<i>mω</i>²<i>Q</i> + …; <i>mωQ</i> is not a force.", "E2 Energy of a mode", "e1-energy-of-a-mode"),
     ("The excitation energy is (<i>m</i>/2) Σ&nbsp;<i>ω</i>|<i>q</i>|&NoBreak;².",
-     "(<i>m</i>/2) Σ <i>ω</i>²|<i>q</i>|².", "E3 (in E1)", "e1-energy-of-a-mode"),
+     "(<i>m</i>/2) Σ <i>ω</i>²|<i>q</i>|².", "E3 Energy of a mode", "e1-energy-of-a-mode"),
     ("In eq. Normdef3 the tangential displacement has <i>κ</i> and <i>κ</i>′ exchanged.",
      "As in eq. eigen.u; with the exchange the modes are not orthogonal (figure 2).", "E4 Edge field", "e4-edge-field"),
     ("<i>σ<sub>rφ</sub></i> = <i>E</i>/(2(1+<i>ν</i>)) <i>ε<sub>rφ</sub></i>.",
@@ -68,16 +68,14 @@ ERRATA = (
      "e7-shortening-of-the-diameter"),
     ("This shortening of the diameter is used in the equation of motion.",
      "The centre of mass approaches by another law, given above; the printed one is up to 13 % off in the compression "
-     "at "
-     "<i>δ</i> = 0.03 <i>R</i>.", "E8 Approach of the centre of mass", "e8-approach-of-the-centre-of-mass"),
+     "at <i>δ</i> = 0.03 <i>R</i>.", "E8 Approach of the centre of mass", "e8-approach-of-the-centre-of-mass"),
     ("d<i>δ</i>/d<i>t</i> = −<i>v</i>; a tension <i>ρgR</i>; the sign of <i>η</i> in eq. symsol.",
-     "+<i>v</i>; ½<i>ρgR</i>; −. None of them has consequences.", "E9 Slips without consequence",
+     "+<i>v</i>; ½<i>ρgR</i>; −. None of them has consequences.", "E9–E10 Slips without consequence",
      "e9-slips-without-consequence"),
     ("“The decreasing vibrational energy for <i>v</i> &gt; 10⁻² <i>c</i> is presumably unphysical.”",
-     "It is physical: 1 − <i>ε</i>² has a maximum near 0.003 <i>c</i> and a minimum near 0.018 <i>c</i> at <i>ν</i> = "
-     "0.33, a "
-     "resonance between the contact time and the period of the quadrupole mode.", "E11 Minimum and maximum of the loss",
-     "e11-minimum-and-maximum-of-the-loss"),
+     "It is physical: 1 − <i>ε</i>² has a maximum near 0.003 <i>c</i> and a minimum near 0.017 <i>c</i> at <i>ν</i> = "
+     "0.33, a resonance between the contact time and the period of the quadrupole mode.",
+     "E11 Minimum and maximum of the loss", "e11-minimum-and-maximum-of-the-loss"),
     ("<i>ε</i> ≈ 0.65 at <i>ν</i> = 0.9, <i>v</i> = 0.3 <i>c</i>.",
      "0.7477, by modes and by finite elements. Truncation to a handful of modes gives values like the printed one.",
      "E12 The value 0.65", "e12-the-value-065"),
