@@ -60,7 +60,7 @@ void add_python() {
                                    state.SetIterationTime(std::max(0.0, python - cpp));
                                  }
                                  if (there != here) state.SkipWithError("Python and C++ give different values");
-                                 count(state, there);
+                                 count_apart(state, there, converged_lost_fraction);
                                })
       ->Unit(benchmark::kMillisecond)
       ->UseManualTime()

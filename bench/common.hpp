@@ -43,6 +43,7 @@ void add_paper();
 void add_modes();
 void add_impacts();
 void add_restitutions();
+void add_quasistatic();
 void add_python();
 
 }  // namespace bench

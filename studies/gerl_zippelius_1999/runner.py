@@ -2,8 +2,9 @@
 
     python -m gerl_zippelius_1999 [--quick] [--output DIR] [ITEM ...]
 
-DIR/report.html             the report, with all figures inside DIR/figures/<item>.png|svg  the figures
-DIR/data/<item>/<table>.csv what is in them
+    DIR/report.html               the report, with all figures inside
+    DIR/figures/<item>.png|svg    the figures
+    DIR/data/<item>/<table>.csv   what is in them
 
 Finished items are kept and only computed again when what makes them changes (`store`). Each item runs in a process of
 its own, two at a time: an impact uses one core only, so this halves the time; and an item that fails or crashes does
