@@ -31,8 +31,8 @@ constexpr std::array<std::size_t, 4> usual_mode_numbers{300, 400, 600, 940};
 constexpr double least_ratio = 1.01;
 
 std::vector<double> usual_hardnesses(double speed) {
-  std::vector<double> hardnesses;
-  for (const double bounce : usual_walls) hardnesses.push_back(bounce / speed);
+  std::vector<double> hardnesses(usual_walls.begin(), usual_walls.end());
+  for (double& hardness : hardnesses) hardness /= speed;
   return hardnesses;
 }
 
@@ -40,8 +40,9 @@ std::vector<double> usual_hardnesses(double speed) {
 std::vector<double> usual_cutoffs(double poisson) {
   // Weyl's law N = (1 + ν)(3 − ν) ω²/8 for the symmetric modes; the free edge adds some.
   const double enough = std::sqrt(8.0 * 1000.0 / ((1.0 + poisson) * (3.0 - poisson)));
-  std::vector<double> omega;
-  for (const Mode& mode : disk_modes(poisson, enough)) omega.push_back(mode.omega);
+  const std::vector<Mode> modes = disk_modes(poisson, enough);
+  std::vector<double> omega(modes.size());
+  std::transform(modes.begin(), modes.end(), omega.begin(), [](const Mode& mode) { return mode.omega; });
   std::sort(omega.begin(), omega.end());
   assert(omega.size() > usual_mode_numbers.back());
   std::vector<double> cutoffs;
@@ -87,7 +88,7 @@ struct Intercept {
 
 Intercept extrapolate(const std::vector<double>& x, const std::vector<double>& y) {
   const std::size_t n = x.size();
-  const double count = static_cast<double>(n);
+  const auto count = static_cast<double>(n);
   const double mean_x = std::accumulate(x.begin(), x.end(), 0.0) / count;
   const double mean_y = std::accumulate(y.begin(), y.end(), 0.0) / count;
   double xx = 0.0, xy = 0.0;

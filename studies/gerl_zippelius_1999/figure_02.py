@@ -177,7 +177,8 @@ def meaning(tables: Tables) -> str:
     return (
         "The frequencies agree with the printed equations, evaluated independently, to "
         f"{power(max(worst, 1e-15), 0)}, and the centre moves as the text says. The quadrupole has the period "
-        f"{2 * np.pi / quadrupole:.3f} R/c, not much less than an impact lasts: this is why it takes most of the "
-        "energy. The exchange of κ and κ′ in eq. Normdef3 must be a misprint, since with it the modes would not be "
+        f"{2 * np.pi / quadrupole:.3f} R/c, comparable with the duration of an impact (Figure 11): through this "
+        "resonance it can take much of the energy, and its share of the loss waxes and wanes with the speed (Figure "
+        "12). The exchange of κ and κ′ in eq. Normdef3 must be a misprint, since with it the modes would not be "
         "orthogonal."
     )

@@ -3,8 +3,9 @@
 The paper (fig. Modenplot) plots ω_{n,l} R/c against n for ν = 0.33 and tells radial from tangential modes by the larger
 of the two amplitudes at the edge, C and |S|. The frequencies are the roots of eqs. Radialvib and Zero; stoss counts
 them exactly (Wittrick and Williams), so that none is missed, also where two are so close that the paper had to look for
-them through the zeros of the derivative. What the text says about the ratio C : S is tested for n = 3 to 5 on all modes
-up to ω = 400 c/R.
+them through the zeros of the derivative. What the text says about the ratio C : S is tested, for l ≫ n, with n = 3 to 5
+on all modes up to ω = 400 c/R; for small l, with l = 0 and l = 1 separately on the modes shown that have n ≥ 10. For
+n → ∞ the modes with l = 0 are Rayleigh's surface wave, whose ratio follows from ν alone.
 """
 
 from __future__ import annotations
@@ -29,6 +30,7 @@ ALT = "Scatter plot of frequency against angular order: points on lines that ris
 POISSON = 0.33
 SHOWN, HIGHEST = 20.0, 400.0
 ORDERS = (3, 5)  # of the modes with l ≫ n
+FROM = 10  # the least order of the modes with small l
 
 
 def compute(quick: bool) -> Tables:
@@ -36,6 +38,7 @@ def compute(quick: bool) -> Tables:
     shown = stoss.modes(poisson=POISSON, cutoff=SHOWN)
     high = stoss.modes(poisson=POISSON, cutoff=150.0 if quick else HIGHEST)
     few = (high.order >= ORDERS[0]) & (high.order <= ORDERS[1])
+    surface = np.argmax(np.where(high.index == 0, high.order, 0))
     counts = np.array([10.0, 20.0, 50.0, 100.0, 150.0])
     sorted_omega = np.sort(high.omega)
     gaps = [np.diff(high.omega[high.order == n]).min() for n in range(1, 21)]
@@ -47,6 +50,9 @@ def compute(quick: bool) -> Tables:
         "few_orders": {
             "order": high.order[few], "index": high.index[few], "omega[c/R]": high.omega[few],
             "radial": high.radial[few], "tangential": high.tangential[few],
+        },
+        "surface": {
+            "order": high.order[[surface]], "radial": high.radial[[surface]], "tangential": high.tangential[[surface]],
         },
         "count": {"omega[c/R]": counts, "modes": np.searchsorted(sorted_omega, counts, side="right")},
         "gap": {"order": np.arange(1, 21), "least_gap[c/R]": np.array(gaps), "cutoff[c/R]": np.full(20, high.cutoff)},
@@ -79,23 +85,50 @@ def _ratios(tables: Tables) -> tuple[NDArray, NDArray, NDArray]:
     return ratio, table["index"] / table["order"], next_one
 
 
+def _lowest(tables: Tables, index: int) -> tuple[NDArray, NDArray]:
+    """Of the modes shown with this l and n ≥ 10: the orders, and C : S."""
+    table = tables["modes"]
+    chosen = np.flatnonzero((table["order"] >= FROM) & (table["index"] == index))
+    chosen = chosen[np.argsort(table["order"][chosen])]
+    return table["order"][chosen], table["radial"][chosen] / table["tangential"][chosen]
+
+
+def _larger(ratio: NDArray) -> NDArray:
+    """C : |S| or |S| : C, whichever is above 1."""
+    return np.maximum(np.abs(ratio), 1.0 / np.abs(ratio))
+
+
+def _surface_wave() -> float:
+    """Amplitude of Rayleigh's surface wave normal to the edge over that along it: (1 − ξ/2)/√(1 − ξ), where
+    ξ = (c_R/c_t)² solves ξ³ − 8ξ² + (24 − 16k)ξ − 16(1 − k) = 0 with k = (c_t/c_l)² = (1 − ν)/2."""
+    k = 0.5 * (1.0 - POISSON)
+    roots = np.roots([1.0, -8.0, 24.0 - 16.0 * k, -16.0 * (1.0 - k)])
+    (xi,) = (float(root.real) for root in roots if abs(root.imag) < 1e-9 and 0.0 < root.real < 1.0)
+    return float((1.0 - 0.5 * xi) / np.sqrt(1.0 - xi))
+
+
 def numbers(tables: Tables) -> list[Row]:
     """The text's statements on C : S, the number of modes, and close pairs."""
     ratio, many, _ = _ratios(tables)
-    table = tables["modes"]
-    low = (table["order"] >= 10) & (table["index"] <= 1)
-    edge = table["radial"][low], np.abs(table["tangential"][low])
-    even = np.maximum(*edge) / np.minimum(*edge)
     pure, highest = ratio[many >= 10], many >= 0.75 * many.max()
-    rows = [
-        ("C : |S| or |S| : C for small l (n ≥ 10, l ≤ 1), median", "≃ 1", NONE, written(np.median(even), 3)),
+    rows: list[Row] = []
+    for index in (0, 1):
+        orders, signed = _lowest(tables, index)
+        even = _larger(signed)
+        what = f"C : |S| or |S| : C for l = {index}, n = {orders[0]} to {orders[-1]}, median (range)"
+        middle, least, greatest = (written(of(even), 3) for of in (np.median, np.min, np.max))
+        rows.append((what, "≃ 1", NONE, f"{middle} ({least} to {greatest})"))
+    order, radial, tangential = (float(column[0]) for column in tables["surface"].values())
+    what = f"C : |S| for l = 0, n = {order:.0f} (Rayleigh’s surface wave: {written(_surface_wave())})"
+    rows += [
+        (what, NONE, NONE, written(radial / abs(tangential))),
         ("C : |S| or |S| : C for l ≥ 10 n, n = 3 to 5, median", "> 10", NONE, written(np.median(pure), 3)),
         ("share above 10 of the modes with l ≥ 10 n", "“typically”", NONE, f"{100 * np.mean(pure > 10):.0f} %"),
         (
             f"C : |S| or |S| : C for the highest l (l ≥ {0.75 * many.max():.0f} n), median", "> 100", NONE,
             written(np.median(ratio[highest]), 3),
         ),
-        ("share of these above 100", NONE, NONE, f"{100 * np.mean(ratio[highest] > 100):.0f} %"),
+        ("share of these above 100", "“exceeding 1:100”", NONE, f"{100 * np.mean(ratio[highest] > 100):.0f} %"),
     ]  # fmt: skip
     count = tables["count"]
     for omega, modes in zip(count["omega[c/R]"], count["modes"]):
@@ -112,13 +145,22 @@ def meaning(tables: Tables) -> str:
     """What the figure says."""
     ratio, many, next_one = _ratios(tables)
     mixed = (many >= 10) & (ratio <= 10)
+    highest = ratio[many >= 0.75 * many.max()]
     gap = tables["gap"]["least_gap[c/R]"].min()
+    (_, even), (orders, signed) = _lowest(tables, 0), _lowest(tables, 1)
+    uneven = _larger(signed)
+    turn = int(np.argmax(np.diff(np.sign(signed)) != 0))  # C ≥ 0, so this is the sign of S
     return (
-        "The text’s account of the spectrum holds. Of the modes with l ≥ 10 n, "
+        "The text’s account of the spectrum holds only in part. Of the modes with l ≥ 10 n, "
         f"{100 * np.mean(ratio[many >= 10] > 10):.0f} % are purer than 10 : 1; each of the others has a neighbour "
         f"within {next_one[mixed].max():.2f} c/R, with which it mixes, at a mean distance of {_mean_distance():.2f} "
-        f"c/R. The closest pair is {gap:.3f} c/R apart: a search in even steps would miss it, the exact count does "
-        "not."
+        f"c/R. Of those with the highest l, {100 * np.mean(highest > 100):.0f} % are purer than 100 : 1. For small l "
+        "the paper calls the difference between the magnitudes of C and S “small”. For l = 0 and n from "
+        f"{orders[0]} on they differ by a factor of {_larger(even).min():.2f} to {_larger(even).max():.2f}, which "
+        f"tends to the {_surface_wave():.2f} of Rayleigh’s surface wave; for l = 1 by one of {uneven.min():.1f} to "
+        f"{uneven.max():.0f}, since S passes through zero between n = {orders[turn]} and {orders[turn + 1]}. The "
+        f"closest pair of frequencies is {gap:.3f} c/R apart: a search in even steps would miss it, the exact count "
+        "does not."
     )
 
 

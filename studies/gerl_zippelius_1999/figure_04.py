@@ -5,6 +5,10 @@ edge point at the angle φ with the position x(φ) of eq. Deformt, whose undefor
 potential V₀ e^{αx} at its right. Here the disk is a solution, the impact at v = 0.2 c and ν = 0.33 at closest approach
 on the paper's own exponential wall (αR = 500, 940 modes), so that the sketch is to scale but for the potential, which
 is drawn far softer than it is.
+
+The text (with fig. PotentialSkal) says that the energy "stored in the wall potential at closest approach" is ∝ 1/α. The
+same impact at a wall twice as hard tests it. That energy is the wall's force over α, and the force of a finite number
+of modes swings, with a period near 0.1 R/c; so the ratio is also given for means over several swings.
 """
 
 from __future__ import annotations
@@ -30,26 +34,32 @@ ALT = "A flattened disk against a wall, with its centre of mass, the radius R, t
 POISSON, SPEED, HARDNESS, MODES = 0.33, 0.2, 500.0, 940
 ANGLE = 1.25  # of the point that is shown, radians
 DRAWN_HARDNESS = 5.0
+AROUND = 0.2  # R/c before and after the closest approach, of the means
 
 
 def compute(quick: bool) -> Tables:
-    """The edge at closest approach. The same quick or not."""
+    """The edge at closest approach, and the energy in the wall then, also at twice the hardness. The same quick or
+    not."""
     omega = np.sort(stoss.modes(poisson=POISSON, cutoff=60.0).omega)
     cutoff = float(0.5 * (omega[MODES - 1] + omega[MODES]))
-    hit = stoss.impact(poisson=POISSON, speed=SPEED, cutoff=cutoff, wall=stoss.ExponentialWall(hardness=HARDNESS))
-    path = hit.trajectory()
-    closest = float(path.time[np.argmax(path.center)])
     angle = np.sort(np.append(np.linspace(-np.pi, np.pi, 361), ANGLE))
-    edge = hit.field(time=closest, radius=[1.0], angle=angle)
-    stored = float(path.stored[np.argmax(path.center)])
+    edges, rows = [], []
+    for hardness in (HARDNESS, 2.0 * HARDNESS):
+        hit = stoss.impact(poisson=POISSON, speed=SPEED, cutoff=cutoff, wall=stoss.ExponentialWall(hardness=hardness))
+        path = hit.trajectory()
+        turn = np.argmax(path.center)
+        closest = float(path.time[turn])
+        edges.append(hit.field(time=closest, radius=[1.0], angle=angle))
+        mean = np.interp(closest + np.linspace(-AROUND, AROUND, 2001), path.time, path.stored).mean()
+        lengths = (path.center[turn], hit.max_compression)
+        rows.append((hardness, closest, *lengths, path.stored[turn], mean, hit.lost_fraction))
+    names = (
+        "hardness[1/R]", "time[R/c]", "center[R]", "compression[R]", "stored", "stored_around", "lost_fraction",
+    )  # fmt: skip
     return {
-        "edge": {"angle[rad]": angle, "x[R]": edge.x[0], "y[R]": edge.y[0]},
-        "impact": {
-            "time[R/c]": np.array([closest]), "center[R]": np.array([float(edge.center)]),
-            "compression[R]": np.array([hit.max_compression]), "stored": np.array([stored]),
-            "lost_fraction": np.array([hit.lost_fraction]),
-        },
-    }  # fmt: skip
+        "edge": {"angle[rad]": angle, "x[R]": edges[0].x[0], "y[R]": edges[0].y[0]},
+        "impact": dict(zip(names, np.array(rows).T)),
+    }
 
 
 def draw(tables: Tables) -> Figure:
@@ -109,19 +119,34 @@ def numbers(tables: Tables) -> list[Row]:
     """How hard the wall is at closest approach."""
     table, edge = tables["impact"], tables["edge"]
     stored, deepest = written(table["stored"][0], 2), written(edge["x[R]"].max(), 3)
+    energy, hard = "energy in the wall’s potential at closest approach", HARDNESS
+    ratio = f"{energy} at αR = {hard:g} over that at αR = {2 * hard:g}"
+    at_once, mean = (written(each, 3) for each in _ratios(tables))
     return [
         ("position of the centre of mass at closest approach, x₀ in R", NONE, written(table["center[R]"][0]), NONE),
-        ("share of the energy stored in the wall’s potential at closest approach", "∝ 1/α", stored, "0"),
+        (f"share of the {energy}, αR = {hard:g}", NONE, stored, "0"),
+        (ratio, "∝ 1/α: 2", at_once, NONE),
+        (f"{ratio}, means over ±{AROUND:g} R/c", "∝ 1/α: 2", mean, NONE),
         ("foremost point of the edge at closest approach, x in R", NONE, deepest, "0"),
     ]
+
+
+def _ratios(tables: Tables) -> tuple[float, float]:
+    """Of the energies in the wall at the one and at twice the hardness: at closest approach, and means around it."""
+    soft, hard = (tables["impact"]["stored"][k] for k in (0, 1))
+    soft_mean, hard_mean = (tables["impact"]["stored_around"][k] for k in (0, 1))
+    return float(soft / hard), float(soft_mean / hard_mean)
 
 
 def meaning(tables: Tables) -> str:
     """What the figure says."""
     deepest = tables["edge"]["x[R]"].max()
+    at_once, mean = _ratios(tables)
     return (
         "Only the x position of the edge enters the wall’s potential, so a mode acts on the wall through its two "
         f"edge amplitudes C and S and its frequency alone. On the exponential wall with αR = {HARDNESS:g} the edge "
         f"comes to rest {abs(deepest):.3f} R {'before' if deepest < 0 else 'behind'} the plane where V₀ exp(αx) = 1: "
-        "a wall that is hard only within that distance."
+        "a wall that is hard only within that distance. The energy in the wall’s potential is the force over α; at a "
+        f"wall twice as hard it is smaller by a factor of {at_once:.2f} at closest approach, where the force swings "
+        f"with the modes that are kept, and of {mean:.2f} on average around it: ∝ 1/α, as the text says."
     )

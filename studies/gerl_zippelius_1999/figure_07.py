@@ -2,21 +2,22 @@
 
 The paper shows 1 − ε² after impacts on the wall V₀ e^{αx} (eqs. Hamiltonint, Impulsev1) against 1/α, with N = 940 modes
 and ν = 0.33, and regression lines that end at the hard wall, 1/α = 0; for v ≤ 0.1 c only the three most significant
-points carry the line. It does not say which α it took. So there are two series here:
+points carry the line. It does not print which α it took, so the walls are a choice made here, in two series:
 
 * scaled: αv/c = 25, 33.3, 50, 100, the same for all speeds. They are even in 1/α; on these walls the lines hold. On
   harder ones the edge, which lacks its high modes, begins to bounce.
-* common: αR = 200 … 2000, the same walls for all speeds, as far as αv ≤ 200 c. This is what a choice by hand comes to
-if
-  it does not follow the speed.
+* common: αR = 200 … 2000, the same walls for all speeds, as far as αv ≤ 200 c/R. This is what a choice by hand comes
+  to if it does not follow the speed.
 
-Both keep the 940 lowest modes, where the paper keeps the 940 with the highest average energy in a preliminary run
-(figure 8 has the difference). Intercepts and slopes are those of plain regressions; the error is the standard error of
-the intercept times Student's factor for 95 %, 12.7 for three points, 4.3 for more: these deviate from the line by
-curvature, and further points on a curve are no independent witnesses.
+Both keep the 940 lowest modes, where the paper keeps those that rank first by average energy in a preliminary run
+(figure 8 has the difference). Intercepts and slopes are those of plain regressions; their errors are the standard
+errors times Student's factor for 95 %, 12.7 for three points, 4.3 for more: these deviate from the line by curvature,
+and further points on a curve are no independent witnesses.
 """
 
 from __future__ import annotations
+
+from typing import NamedTuple
 
 import matplotlib
 import numpy as np
@@ -32,10 +33,12 @@ from gerl_zippelius_1999.common import (
 TITLE = "Figure 7: the loss against the softness of the wall"
 CAPTION = (
     "Lost fraction 1 − ε² after impacts on exponential walls V₀ exp(αx), against the softness of the wall; ν = 0.33, "
-    "the N = 940 lowest modes, v/c = 0.005, 0.01, 0.02, 0.04, 0.06, …, 0.30. Lines: regressions through the filled "
-    "points, for v ≤ 0.1 c the three hardest walls. Hollow points are left out. Left: one set of walls for all speeds, "
-    "on the axis of the paper. Right: walls as hard as the speed demands. Black bars: converged values, hard wall and "
-    "all modes; what the lines miss on the right is the effect of the missing modes (Figure 8)."
+    "v/c = 0.005, 0.01, 0.02, 0.04, 0.06, …, 0.30, the N = 940 lowest modes (the paper ranks modes by their energy in "
+    "a preliminary run; Figure 8 (b) shows what that changes). The paper does not print its values of α, so the walls "
+    "are chosen here, in two ways. Left: one set of walls for all speeds, on the axis of the paper. Right: walls as "
+    "hard as the speed demands, the same αv for all. Lines: regressions through the filled points, for v ≤ 0.1 c the "
+    "three hardest walls. Hollow points are left out. Black bars: converged values, hard wall and all modes; what the "
+    "lines miss on the right is mostly the effect of the missing modes (Figure 8)."
 )
 
 Column = NDArray[np.float64]
@@ -55,6 +58,13 @@ SLOW = 0.1  # c; up to here three points make a line
 QUICK = (0.005, 0.01, 0.02, 0.04, 0.1, 0.2, 0.3)
 
 
+class Line(NamedTuple):
+    value: float  # at x = 0
+    error: float  # 95 %, as that of the slope
+    slope: float
+    slope_error: float
+
+
 def walls(speed: float) -> Column:
     """α of the walls whose impacts carry the line, 1/R: at v ≤ 0.1 c the three hardest."""
     return np.array(SCALED[-3:] if speed <= SLOW else SCALED) / speed
@@ -67,17 +77,19 @@ def cutoff(count: int, poisson: float = POISSON) -> float:
     return float(0.5 * (omega[count - 1] + omega[count]))
 
 
-def line(x: Column, y: Column, errors: Column | float = 0.0) -> tuple[float, float, float]:
-    """Intercept, its error (95 %, with those of the points), and slope of the regression through points of equal
-    weight."""
+def line(x: Column, y: Column, errors: Column | float = 0.0) -> Line:
+    """The line through points of equal weight; its errors contain those of the points."""
     mean, spread = x.mean(), np.sum((x - x.mean()) ** 2)
     slope = float(np.sum((x - mean) * y) / spread)
     intercept = float(y.mean() - slope * mean)
-    weight = 1.0 / len(x) - mean * (x - mean) / spread  # of a point in the intercept
     scatter = np.sqrt(np.sum((y - intercept - slope * x) ** 2) / (len(x) - 2))
     student = 12.706 if len(x) == 3 else 4.303
-    error = float(np.hypot(student * scatter * np.linalg.norm(weight), np.linalg.norm(weight * errors)))
-    return intercept, error, slope
+    in_slope = (x - mean) / spread  # weight of a point
+    at_zero, of_slope = (
+        float(np.hypot(student * scatter * np.linalg.norm(weight), np.linalg.norm(weight * errors)))
+        for weight in (1.0 / len(x) - mean * in_slope, in_slope)
+    )
+    return Line(intercept, at_zero, slope, of_slope)
 
 
 def compute(quick: bool) -> Tables:
@@ -92,8 +104,8 @@ def compute(quick: bool) -> Tables:
             for a, loss, carries in zip(alphas, lost, used):
                 wall = {"series": series, "speed[c]": v, "hardness[1/R]": a}
                 _append(impacts, wall | {"lost_fraction": loss, "used": carries})
-            value, error, slope = line(1.0 / alphas[used], lost[used])
-            row = {"lost_fraction": value, "lost_fraction_error": error, "slope[1/R]": slope}
+            fit = line(1.0 / alphas[used], lost[used])
+            row = {"lost_fraction": fit.value, "lost_fraction_error": fit.error, "slope[1/R]": fit.slope}
             _append(lines, {"series": series, "speed[c]": v} | row)
     converged = stoss.restitution(poisson=POISSON, speed=speeds, tolerance=1e-3 if quick else 3e-4)
     hard = {name: np.asarray(getattr(converged, name)) for name in ("lost_fraction", "lost_fraction_error")}
@@ -186,10 +198,10 @@ def numbers(tables: Tables) -> list[Row]:
                 name = f"1 − ε² at v = {written(v)} c for α → ∞ with 940 modes{walls_are}"
                 rows.append((name, NONE, protocol, f"{all_modes} (all modes)"))
     deviation = f"at most {power(_deviation(tables))} of 1 − ε²"
-    rows.append(("deviation of the points from their lines, right picture", "“scales nicely”", deviation, NONE))
+    rows.append(("deviation of points from their lines, right picture", "“scales nicely with 1/α”", deviation, NONE))
     order = "yes" if np.all(np.diff(limit["lost_fraction"]) > 0) else "no, v = 0.005 c lies above 0.01 c"
     ordered = f"for αR ≤ {_ordered(tables):g}"
-    rows.append(("curves from bottom to top in the order of speed", "yes (caption)", ordered, order))
+    rows.append(("curves from bottom to top in the order of speed", "“from bottom to top” (caption)", ordered, order))
     return rows
 
 
@@ -221,9 +233,11 @@ def meaning(tables: Tables) -> str:
     missing = 100.0 * (_of(tables["lines"], "scaled", 0.1)["lost_fraction"][0] / limit[at] - 1.0)
     return (
         "The straight lines of the paper are real, but α has to follow the speed: a wall is hard when αv ≫ c, whatever "
-        f"α is. On the same walls for all speeds, as on the left, v = 0.005 c extrapolates to {same} instead of "
-        f"{scaled} on walls that follow it; and up to αR = {_ordered(tables):g} the curves lie in the order of speed, "
-        "from bottom to top, as the caption of the paper has them. In the limit they do not: the slowest disk of the "
-        f"figure loses more ({limit[0]:.4f}) than the next ones. What remains between line and bar on the right, "
-        f"{missing:.1f} % at v = 0.1 c, is mostly the effect of the modes above the 940th (Figure 8)."
+        "α is. The paper does not print the α of this figure; both sets of walls are chosen here. On the same walls "
+        f"for all speeds, as on the left, v = 0.005 c extrapolates to {same}, on walls that follow it to {scaled}; and "
+        f"up to αR = {_ordered(tables):g} the curves lie in the order of speed, from bottom to top, as the caption of "
+        "the paper has them. In the limit they do not: the slowest disk of the figure loses more "
+        f"({limit[0]:.4f}) than the next ones. What remains between line and bar on the right, {missing:.1f} % at v = "
+        "0.1 c, is mostly the effect of the modes above the 940th. All of this is with the lowest modes; the paper "
+        "takes those that rank first in a preliminary run (Figure 8 (b))."
     )

@@ -163,9 +163,9 @@ def numbers(tables: Tables) -> list[Row]:
         at = f"at δ = {delta:g} R"
         what = f"force in πRE {at}; protocol: eq. Kraftvollst as printed"
         rows.append((what, NONE, written(printed, 4), measured(force, error)))
-        what = f"half-width a in R {at}; protocol: a² = 4PR/πE for this force"
+        what = f"half-width a in R {at}; protocol: a² = 4PR/πE for the converged force"
         rows.append((what, NONE, written(hertz_half, 4), written(half, 4)))
-        what = f"greatest pressure in E {at}; protocol: 2P/πa for this force"
+        what = f"greatest pressure in E {at}; protocol: 2P/πa for the converged force"
         rows.append((what, NONE, written(hertz_p, 4), written(p, 4)))
     return rows
 

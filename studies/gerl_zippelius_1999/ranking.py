@@ -12,7 +12,7 @@ import numpy as np
 import stoss
 from numpy.typing import NDArray
 
-POISSON = 0.33
+from gerl_zippelius_1999.figure_07 import POISSON, cutoff, line, walls
 
 
 def ranked(energies: NDArray) -> NDArray[np.intp]:
@@ -27,6 +27,20 @@ def selected_impact(preliminary: stoss.Impact, count: int) -> stoss.Impact:
     return stoss.impact(
         body=preliminary.body, speed=preliminary.speed, cutoff=preliminary.cutoff, wall=preliminary.wall, keep=keep
     )  # fmt: skip
+
+
+def ranked_intercepts(poisson: float, speed: float, pool: int, counts: tuple[int, ...]) -> NDArray:
+    """1 − ε² at the hard wall and its error (α → ∞, as in figure 7) with the first of a preliminary run with `pool`
+    modes, by their numbers: counts × 2."""
+    highest = cutoff(pool, poisson)
+
+    def run(alpha: float, keep: NDArray[np.bool_] | None = None) -> stoss.Impact:
+        wall = stoss.ExponentialWall(hardness=float(alpha))
+        return stoss.impact(poisson=poisson, speed=speed, cutoff=highest, wall=wall, keep=keep)
+
+    rank = np.argsort(ranked(run(np.sort(walls(speed))[-2]).mode_energies))
+    lost = [[run(alpha, rank < n).lost_fraction for alpha in walls(speed)] for n in counts]
+    return np.array([line(1.0 / walls(speed), np.array(of_count))[:2] for of_count in lost])
 
 
 def place(energies: Mapping[str, NDArray] | NDArray, order: int, index: int) -> int:

@@ -200,9 +200,9 @@ def _errata(folder: Path) -> str:
     head = "".join(f'<th scope="col">{each}</th>' for each in ("", "Paper", "Should be", "Section of docs/theory.md"))
     text = (
         "<p>stoss follows the third column. The derivation, or the computation, behind each line is in the section "
-        "named at its end, with the tests that show it. None of these slips changes what the paper mainly concludes: "
-        "the collisions lose energy to vibration, more at high speed and large <i>ν</i>, and nothing in the limit of "
-        "slow ones.</p>"
+        "named at its end, with the tests that show it. None of these slips changes the main conclusion: collisions "
+        "lose energy to vibration, and ever less of it in the limit of slow ones. But that the loss grows with the "
+        "speed and with <i>ν</i> is true of fast impacts only (figure 1).</p>"
     )
     table = "\n".join(rows)
     return _section(

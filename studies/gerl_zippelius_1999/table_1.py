@@ -206,7 +206,8 @@ def numbers(tables: Tables) -> list[Row]:
             rows.append((name.format(f"({n}, {l})"), f"{paper:.7f}", f"{protocol:.{digits}f}", limit))
         sums = [table[f"{when}_{kind}"].sum() for kind in ("paper", "protocol", "limit")]
         kind = "mean" if when == "average" else "after"
-        rows.append((f"sum of the ten, {kind}", *(f"{value:.4f}" for value in sums)))
+        printed, *computed = (f"{value:.4f}" for value in sums)
+        rows.append((f"sum of the ten, {kind}", f"{printed} (sum of the printed)", *computed))
     limit = measured(totals["lost_fraction"][1], totals["lost_fraction_error"][1])
     rows.append(("1 − ε² of this impact", NONE, f"{totals['lost_fraction'][0]:.5f}", limit))
     ranks = ", ".join(str(rank) for rank in table["protocol_rank"])
@@ -218,7 +219,7 @@ def meaning(tables: Tables) -> str:
     table, lost = tables["modes"], tables["totals"]["lost_fraction"]
     ratios = {when: table[f"{when}_limit"] / table[f"{when}_paper"] for when in PRINTED}
     others = np.array([l == 0 or n > 0 for n, l in MODES_OF_THE_PAPER])
-    usual, radial = _spread(ratios["average"][others])[0], _spread(ratios["average"][~others])[0]
+    usual, radial = ratios["average"][others], ratios["average"][~others]
     scatter = {when: {slip: _spread(_ratios(tables, slip, when))[1] for slip in _complete(tables)} for when in PRINTED}
     plain = {when: scatter[when]["no slip"] for when in PRINTED}
     even, best = "C doubled for n = 0, l ≥ 1", min(scatter["after"], key=scatter["after"].__getitem__)
@@ -227,11 +228,13 @@ def meaning(tables: Tables) -> str:
     return (
         f"The table is not reproduced. After the impact (2, 0) holds {after[0]:.4f} in place of {printed[0]:.4f}, "
         f"(3, 0) {after[1]:.4f} in place of {printed[1]:.4f}, (4, 0) {ratios['after'][3]:.1f} times the printed value; "
-        f"the printed ten sum up to {sum(printed):.4f}, which is what all modes hold ({lost[0]:.4f}), but here the ten "
-        f"hold {table['after_protocol'].sum():.4f}. The averages have a pattern: eight of them are about {usual:.1f} "
-        "times the printed ones, as if the paper’s mean included some flight, while (0, 1) and (0, 2) are "
-        f"{1 / radial:.1f} times too small. They need modes n = 0 that take up more: with C doubled for l ≥ 1 the "
-        f"ratios scatter by a factor of {scatter['average'][even]:.2f}, with torsional roots among n = 0 by "
+        f"the printed ten sum up to {sum(printed):.4f}, about what all modes hold ({lost[0]:.4f}), but here the ten "
+        f"hold {table['after_protocol'].sum():.4f}. Eight of the averages are {usual.min():.2f} to {usual.max():.2f} "
+        f"times the printed ones, {_spread(usual)[0]:.1f} times in the geometric mean: a mean that includes some "
+        "flight would explain the common factor, but not the scatter. The other two, (0, 1) and (0, 2), are "
+        f"{1 / _spread(radial)[0]:.1f} times too small. These two need to take up more, but (0, 0), with n = 0 too, is "
+        f"{ratios['average'][2]:.2f} times the printed value. With C doubled for n = 0, l ≥ 1 the ten ratios scatter "
+        f"by a factor of {scatter['average'][even]:.2f}, with torsional roots among n = 0 by "
         f"{scatter['average'][torsion]:.2f}, in place of {plain['average']:.2f}; but the energies after the impact "
         f"come out worse, {scatter['after'][even]:.1f} and {scatter['after'][torsion]:.1f} in place of "
         f"{plain['after']:.1f}. The best for these, “{best}”, leaves {scatter['after'][best]:.1f}. No slip tried here "

@@ -36,6 +36,11 @@ def test_figure_01_restitution(study, hard_wall):
     assert near(rows, poisson=0.9, speed=0.3)["restitution"] == pytest.approx(0.7477, abs=3e-4)
     protocol = near(study("figure_01", "protocol"), poisson=0.33, speed=0.1)
     assert protocol["restitution"] == pytest.approx(0.94705, abs=2 * protocol["restitution_error"])
+    (selected,) = study("figure_01", "selected")  # not 0.65 with the paper's choice of modes either
+    assert selected["restitution"] == pytest.approx(0.7477, abs=0.01)
+    slow = {nu: near(rows, poisson=nu, speed=0.005)["restitution"] for nu in (0.33, 0.9)}
+    fast = {nu: near(rows, poisson=nu, speed=0.1)["restitution"] for nu in (0.33, 0.9)}
+    assert slow[0.9] > slow[0.33] and fast[0.9] < fast[0.33]
 
 
 def test_figure_02_modes(study):
