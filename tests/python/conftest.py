@@ -80,3 +80,15 @@ def hit():
 def curve():
     """Several Poisson numbers and speeds, at little cost."""
     return stoss.restitution(poisson=[[0.2], [0.7]], speed=[0.05, 0.1, 0.3], tolerance=1e-2)
+
+
+@pytest.fixture
+def closed():
+    """Pictures are closed after the test, which has left matplotlib's settings as they were."""
+    matplotlib = pytest.importorskip("matplotlib")
+    from matplotlib import pyplot
+
+    settings = dict(matplotlib.rcParams)
+    yield
+    pyplot.close("all")
+    assert dict(matplotlib.rcParams) == settings

@@ -12,15 +12,9 @@ matplotlib.use("Agg")
 from matplotlib import pyplot  # noqa: E402
 from matplotlib.container import ErrorbarContainer  # noqa: E402
 
+pytestmark = pytest.mark.usefixtures("closed")
+
 SPEEDS = np.geomspace(1e-3, 0.2, 5)
-
-
-@pytest.fixture(autouse=True)
-def closed():
-    settings = dict(matplotlib.rcParams)
-    yield
-    pyplot.close("all")
-    assert dict(matplotlib.rcParams) == settings
 
 
 @pytest.fixture(scope="module")

@@ -10,16 +10,10 @@ matplotlib.use("Agg")
 from matplotlib import pyplot  # noqa: E402
 from matplotlib.collections import LineCollection, QuadMesh  # noqa: E402
 
+pytestmark = pytest.mark.usefixtures("closed")
+
 RADIUS = np.linspace(0.0, 1.0, 13)
 ANGLE = np.linspace(-np.pi, np.pi, 49)
-
-
-@pytest.fixture(autouse=True)
-def closed():
-    settings = dict(matplotlib.rcParams)
-    yield
-    pyplot.close("all")
-    assert dict(matplotlib.rcParams) == settings
 
 
 @pytest.fixture(scope="module")

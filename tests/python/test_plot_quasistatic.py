@@ -10,15 +10,9 @@ matplotlib = pytest.importorskip("matplotlib")
 matplotlib.use("Agg")
 from matplotlib import pyplot  # noqa: E402
 
+pytestmark = pytest.mark.usefixtures("closed")
+
 SPEEDS = np.array([1e-3, 1e-8, 0.05, 1e-100, 0.01])
-
-
-@pytest.fixture(autouse=True)
-def closed():
-    settings = dict(matplotlib.rcParams)
-    yield
-    pyplot.close("all")
-    assert dict(matplotlib.rcParams) == settings
 
 
 @pytest.fixture(scope="module")
