@@ -46,6 +46,7 @@ std::vector<double> usual_cutoffs(double poisson) {
   std::sort(omega.begin(), omega.end());
   assert(omega.size() > usual_mode_numbers.back());
   std::vector<double> cutoffs;
+  cutoffs.reserve(usual_mode_numbers.size());
   for (const std::size_t n : usual_mode_numbers) cutoffs.push_back(0.5 * (omega[n - 1] + omega[n]));
   return cutoffs;
 }
