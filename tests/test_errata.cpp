@@ -16,6 +16,7 @@
 #include "stoss/field.hpp"
 #include "stoss/impact.hpp"
 #include "stoss/modes.hpp"
+#include "stoss/quasistatic.hpp"
 
 namespace stoss {
 namespace {
@@ -222,11 +223,23 @@ TEST(Errata, E10DilatationHasTheOppositeSign) {
   }
 }
 
+TEST(Errata, E11AllLawsHaveTheSameWaveAtOtherSpeeds) {
+  // The estimate depends on v/F* only, with F* the limit force of the law.
+  const double poisson = 0.33;
+  const std::vector<Mode> modes = disk_modes(poisson, 25.0);
+  for (const auto law : {CompressionLaw::printed, CompressionLaw::diameter}) {
+    for (const double speed : {1e-8, 1e-4, 0.0012, 0.009}) {
+      const double other = speed * limit_force(law, poisson) / limit_force(CompressionLaw::center, poisson);
+      const double expected = rayleigh(CompressionLaw::center, poisson, speed, modes).lost_fraction;
+      EXPECT_NEAR(rayleigh(law, poisson, other, modes).lost_fraction / expected, 1.0, 1e-9) << speed;
+    }
+  }
+}
+
 TEST(Errata, E12FewModesGiveLessThanAllDo) {
   // ε at ν = 0.9, v = 0.3 c and αR = 500 with the modes below a cutoff; the paper prints 0.65, all modes give 0.7477.
   const auto restitution = [](double cutoff) {
-    const Body body = disk(0.9, cutoff);
-    return impact(body, ExponentialWall{500.0}, 0.3, {.step = 0.001}).restitution;
+    return impact(disk(0.9, cutoff), ExponentialWall{500.0}, 0.3, {.step = 0.001}).restitution;
   };
   EXPECT_EQ(mode_count(disk(0.9, 3.0)), 5U);
   EXPECT_NEAR(restitution(3.0), 0.63, 0.005);
