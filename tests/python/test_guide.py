@@ -13,6 +13,7 @@ import re
 from pathlib import Path
 
 import matplotlib.pyplot as plt
+import numpy as np
 import pytest
 
 ROOT = Path(__file__).parents[2]
@@ -118,6 +119,17 @@ def test_page(page, tmp_path, monkeypatch):
     assert not wrong, "\n" + "\n".join(wrong)
     if page == PAGES[0]:
         assert compared > 20
+
+
+def test_the_first_lines_of_the_readme_draw_its_picture(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    plt.switch_backend("Agg")
+    _, code, _ = next(blocks("README.md"))
+    exec(code, {"__name__": "__page__"})
+    plt.close("all")
+    drawn, shown = (plt.imread(folder / "restitution.png") for folder in (tmp_path, ROOT / "docs/images"))
+    assert drawn.shape == shown.shape
+    assert np.mean(np.abs(drawn - shown).max(axis=-1) > 0.1) < 0.005  # rounding at the edges of lines
 
 
 @pytest.mark.parametrize(

@@ -66,6 +66,16 @@ def test_a_curve_for_each_poisson_number(curves):
         assert getattr(one, look)() != getattr(two, look)()
 
 
+def test_only_curves_of_few_points_have_markers(curve):
+    dense = stoss.restitution(poisson=0.33, speed=np.geomspace(0.01, 0.2, 60), tolerance=1e-2)
+    marked, line = (drawn(each.plot())[0] for each in (curve, dense))
+    assert marked.lines[0].get_marker() == "o" and len(marked.lines[1]) == 2  # with caps
+    assert line.lines[0].get_marker() == "none" and len(line.lines[1]) == 0
+    assert len(bars(line)) == 60
+    asked = drawn(stoss.plot.restitution(dense, marker="s", capsize=2))[0]
+    assert asked.lines[0].get_marker() == "s" and len(asked.lines[1]) == 2
+
+
 def test_order_of_speeds_does_not_matter(curve):
     mixed = stoss.restitution(poisson=0.33, speed=SPEEDS[[3, 0, 4, 1, 2]])
     (only,) = drawn(stoss.plot.restitution(mixed))

@@ -1,4 +1,4 @@
-"""ε(v), the curve that all is about."""
+"""The curve ε(v)."""
 
 from __future__ import annotations
 
@@ -18,6 +18,7 @@ from stoss.plot import _style
 LABELS = {"restitution": "restitution ε", "lost_fraction": "lost fraction 1 − ε²"}
 DOUBTFUL = "not converged"
 NAMED = 7  # curves that a legend can hold
+MARKED = 25  # points of a curve whose markers do not run together in one column
 
 
 class _Curve(NamedTuple):
@@ -39,8 +40,9 @@ def restitution(
 ) -> Axes:
     """ε or 1 − ε² against speed with error bars, a curve for each Poisson number.
 
-    Speeds are in c, or in m/s if the result has a material. Values that did not converge are hollow, values that are
-    missing (NaN) are left out. If there is only one speed but several Poisson numbers, they are the horizontal axis.
+    Speeds are in c, or in m/s if the result has a material. A curve of few points marks them, a
+    dense one is a line. Values that did not converge are hollow, missing ones (NaN) are left out.
+    If there is only one speed but several Poisson numbers, they are the horizontal axis.
 
     Parameters
     ----------
@@ -91,7 +93,7 @@ def restitution(
             look = _look(k, len(curves), before)
             if every > 1:  # too many to be told apart by more than an order of colours
                 look |= {"marker": "none", "linestyle": "-"}
-            _draw(axes, curve, {"label": name if k % every == 0 else None} | look | style)
+            _draw(axes, curve, look, {"label": name if k % every == 0 else None} | style)
         _style.legend(axes)
     return axes
 
@@ -129,10 +131,11 @@ def _look(k: int, count: int, before: int) -> dict[str, Any]:
     return {"color": _style.COLORS[n], "marker": _style.MARKERS[n], "linestyle": _style.LINES[n]}
 
 
-def _draw(axes: Axes, curve: _Curve, style: dict[str, Any]) -> None:
+def _draw(axes: Axes, curve: _Curve, look: dict[str, Any], style: dict[str, Any]) -> None:
     known = np.isfinite(curve.error)  # values without an error have no bar
     bars = {"capsize": 1.5, "elinewidth": 0.8} | ({} if known.all() else {"errorevery": known})
-    drawn = axes.errorbar(curve.x, curve.y, yerr=curve.error, **bars | style)
+    dense = {"marker": "none", "capsize": 0.0} if curve.x.size > MARKED else {}
+    drawn = axes.errorbar(curve.x, curve.y, yerr=curve.error, **bars | look | dense | style)
     doubtful = ~curve.converged
     if not doubtful.any():
         return

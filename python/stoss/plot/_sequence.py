@@ -25,8 +25,9 @@ def sequence(
 ) -> Axes:
     """The deformed disk at several times, in rows, each above the wall with its time below.
 
-    The wall, x = 0, is below, and the disk comes from above. Deformations and distances from the wall have their true
-    size; the grey circles have radius R around the same centre of mass, so that what differs from them is deformation.
+    The wall, x = 0, is below, and the disk comes from above. Deformations and distances from the
+    wall have their true size. The grey circles, of radius R, have the same centre of mass: what
+    differs from them is deformation.
 
     Parameters
     ----------
@@ -50,7 +51,7 @@ def sequence(
     --------
     >>> ax = stoss.plot.sequence(stoss.impact(poisson=0.33, speed=0.2, cutoff=12.5), count=3)
     >>> [text.get_text() for text in ax.texts]
-    ['−0.80', '3.97', '8.74']
+    ['t = −0.80 R/c', '3.97', '8.74']
     """
     instance("impact", impact, (Impact,))
     if not 2 <= integer("count", count) <= LARGEST:
@@ -75,7 +76,8 @@ def sequence(
 
     with _style.canvas(ax, size=size) as axes:
         line = 3.0 / max(columns, 3)
-        names = spoken_times(chosen)
+        first, *later = spoken_times(chosen)
+        names = [f"t = {first} R/c", *later]
         for k in range(chosen.size):
             x, y = (k % columns) * pitch, -(k // columns) * height
             toward, along = _disk.undeformed(float(np.asarray(field.center)[k]))
@@ -95,7 +97,6 @@ def sequence(
         axes.set_yticks([])
         for spine in axes.spines.values():
             spine.set_visible(False)
-        axes.set_xlabel("time t / (R/c)")
     return axes
 
 
