@@ -1,12 +1,11 @@
 """Figure 2: displacement in the modes (0, 0), (1, 0) and (2, 0).
 
-The paper (fig. wavevgl) sketches what becomes of the radii and circles of the disk in three simple eigenmodes. The
-frequencies are the roots of the free edge's determinant (eqs. Radialvib and Zero, exact as printed), the shapes those
-of eq. eigen.u, normalised by eq. Normdef. The text says: the centre stays for n = 0, moves for n = 1, and for n ≥ 2 the
+The paper sketches what becomes of the radii and circles of the disk in three simple eigenmodes. The
+frequencies are the roots of the free edge's determinant (eqs. 20 and 24, exact as printed), the shapes those of eq. (19), normalised by eq. (25). The text says: the centre stays for n = 0, moves for n = 1, and for n ≥ 2 the
 displacement vanishes like r^(n−1); (2, 0) is the lowest mode of all.
 
 As a check that owes nothing to stoss' own Bessel functions, the printed determinants are evaluated here with Bessel's
-integral, and with them the overlap of two modes as eq. Normdef3 prints them, with κ and κ′ exchanged in u_φ (erratum
+integral, and with them the overlap of two modes as eq. (26) prints them, with κ and κ′ exchanged in u_φ (erratum
 E4).
 """
 
@@ -69,7 +68,7 @@ def _bessel(n: int, x: NDArray | float) -> NDArray:
 
 
 def _determinant(n: int, omega: float) -> float:
-    """The left-hand side of eq. Radialvib (n = 0) or Zero, term by term as printed, with R = 1."""
+    """The left-hand side of eq. (20), for n = 0, or (24), term by term as printed, with R = 1."""
     nu = POISSON
     k, s = omega * np.sqrt(1.0 - nu**2), omega * np.sqrt(2.0 * (1.0 + nu))
     if n == 0:
@@ -87,7 +86,7 @@ def _root(n: int, near: float) -> float:
     low, high = 0.99 * near, 1.01 * near
     sign = np.sign(_determinant(n, low))
     if sign == np.sign(_determinant(n, high)):
-        raise ArithmeticError(f"eq. Zero has no root within 1 % of {near:g} for n = {n}")
+        raise ArithmeticError(f"eq. (24) has no root within 1 % of {near:g} for n = {n}")
     while high - low > 4e-15 * near:
         middle = 0.5 * (low + high)
         low, high = (middle, high) if np.sign(_determinant(n, middle)) == sign else (low, middle)
@@ -100,14 +99,14 @@ def _slope(n: int, q: float, r: NDArray | float) -> NDArray:
 
 
 def _overlap(modes: stoss.Modes, n: int, swapped: bool) -> float:
-    """∫ r u·u dr of (n, 0) and (n, 1), normalised, with u_φ as in eq. Normdef3 (swapped) or in eq. eigen.u."""
+    """∫ r u·u dr of (n, 0) and (n, 1), normalised, with u_φ as in eq. (26), swapped, or in eq. (19)."""
     points, weights = np.polynomial.legendre.leggauss(40)
     r, weights = 0.5 * (points + 1.0), 0.5 * weights
     fields = []
     for index in (0, 1):
         omega = modes.omega[modes.find(n, index)]
         k, s = omega * np.sqrt(1.0 - POISSON**2), omega * np.sqrt(2.0 * (1.0 + POISSON))
-        a = 2.0 * _slope(n, s, 1.0) + (s**2 - 2.0 * n**2) * _bessel(n, s)  # A : B from eq. Anfvollst2
+        a = 2.0 * _slope(n, s, 1.0) + (s**2 - 2.0 * n**2) * _bessel(n, s)  # A : B from eq. (22), no shear at the edge
         b = 2.0 * n * (_slope(n, k, 1.0) - _bessel(n, k))
         p, q = (s, k) if swapped else (k, s)
         u_r = a * _slope(n, k, r) + n * b * _bessel(n, s * r) / r
@@ -142,8 +141,8 @@ def numbers(tables: Tables) -> list[Row]:
     rows = []
     for n, l, omega in zip(printed["order"], printed["index"], printed["omega[c/R]"]):
         found = modes["omega[c/R]"][(modes["order"] == n) & (modes["index"] == l)][0]
-        equation = "Radialvib" if n == 0 else "Zero"
-        what = f"ω({n},{l}) in c/R; protocol: root of eq. {equation} as printed"
+        equation = 20 if n == 0 else 24
+        what = f"ω({n},{l}) in c/R; protocol: root of eq. ({equation}), the free edge, as printed"
         rows.append((what, NONE, f"{omega:.10f}", f"{found:.10f}"))
     first = np.argmin(modes["omega[c/R]"])
     lowest = f"({modes['order'][first]}, {modes['index'][first]})"
@@ -154,7 +153,7 @@ def numbers(tables: Tables) -> list[Row]:
         what = f"exponent of r in the displacement near the centre, n = {n}"
         rows.append((what, f"n − 1 = {n - 1}", NONE, f"{exponents[n]:.4f}"))
     for n, as_printed, right in zip(*tables["overlap"].values()):
-        what = f"overlap of ({n}, 0) and ({n}, 1); protocol: eq. Normdef3 as printed, converged: eq. eigen.u"
+        what = f"overlap of ({n}, 0) and ({n}, 1); protocol: eq. (26) as printed, converged: eq. (19)"
         none = "0 to rounding" if abs(right) < 1e-13 else power(abs(right), 0)
         rows.append((what, "orthonormal: 0", written(abs(as_printed), 2), none))
     return rows
@@ -179,6 +178,6 @@ def meaning(tables: Tables) -> str:
         f"{power(max(worst, 1e-15), 0)}, and the centre moves as the text says. The quadrupole has the period "
         f"{2 * np.pi / quadrupole:.3f} R/c, comparable with the duration of an impact (Figure 11): through this "
         "resonance it can take much of the energy, and its share of the loss waxes and wanes with the speed (Figure "
-        "12). The exchange of κ and κ′ in eq. Normdef3 must be a misprint, since with it the modes would not be "
+        "12). The exchange of κ and κ′ in eq. (26), the normalised displacement, must be a misprint, since with it the modes would not be "
         "orthogonal."
     )

@@ -1,7 +1,7 @@
 """Figure 3: the eigenfrequencies against the angular order.
 
-The paper (fig. Modenplot) plots ω_{n,l} R/c against n for ν = 0.33 and tells radial from tangential modes by the larger
-of the two amplitudes at the edge, C and |S|. The frequencies are the roots of eqs. Radialvib and Zero; stoss counts
+The paper plots ω_{n,l} R/c against n for ν = 0.33 and tells radial from tangential modes by the larger
+of the two amplitudes at the edge, C and |S|. The frequencies are the roots of eqs. (20) and (24), the free edge; stoss counts
 them exactly (Wittrick and Williams), so that none is missed, also where two are so close that the paper had to look for
 them through the zeros of the derivative. What the text says about the ratio C : S is tested, for l ≫ n, with n = 3 to 5
 on all modes up to ω = 400 c/R; for small l, with l = 0 and l = 1 separately on the modes shown that have n ≥ 10. For

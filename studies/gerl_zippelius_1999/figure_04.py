@@ -1,12 +1,12 @@
 """Figure 4: the model.
 
-The paper (fig. Expmodel) illustrates an elastic disk that hits a rigid wall at x = 0: its centre of mass x₀ < 0, the
-edge point at the angle φ with the position x(φ) of eq. Deformt, whose undeformed place is x₀ + R cos φ, and the wall's
+The paper illustrates an elastic disk that hits a rigid wall at x = 0: its centre of mass x₀ < 0, the
+edge point at the angle φ with the position x(φ) of eq. (39), whose undeformed place is x₀ + R cos φ, and the wall's
 potential V₀ e^{αx} at its right. Here the disk is a solution, the impact at v = 0.2 c and ν = 0.33 at closest approach
 on the paper's own exponential wall (αR = 500, 940 modes), so that the sketch is to scale but for the potential, which
 is drawn far softer than it is.
 
-The text (with fig. PotentialSkal) says that the energy "stored in the wall potential at closest approach" is ∝ 1/α. The
+The text (with figure 7) says that the energy "stored in the wall potential at closest approach" is ∝ 1/α. The
 same impact at a wall twice as hard tests it. That energy is the wall's force over α, and the force of a finite number
 of modes swings, with a period near 0.1 R/c; so the ratio is also given for means over several swings.
 """

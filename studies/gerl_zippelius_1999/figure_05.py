@@ -1,6 +1,6 @@
 """Figure 5: a disk with v = 0.2 c hits the wall and leaves it vibrating.
 
-The paper (fig. Stoss) shows the deformed disk at several times and remarks that the deformations remaining after the
+The paper shows the deformed disk at several times and remarks that the deformations remaining after the
 impact can be clearly identified. ν is not given; the paper's runs have 0.33. Here the wall is hard (Signorini), the
 modes up to ω = 50 c/R move, all others follow the force statically; deformations have their true size. The lower panel
 shows what the disks show, continuously: how much its diameters along and across the path differ from 2R. As the paper's

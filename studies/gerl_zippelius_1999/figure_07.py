@@ -1,6 +1,6 @@
 """Figure 7: the loss against the softness of the wall, extrapolated to the hard one.
 
-The paper shows 1 − ε² after impacts on the wall V₀ e^{αx} (eqs. Hamiltonint, Impulsev1) against 1/α, with N = 940 modes
+The paper shows 1 − ε² after impacts on the wall V₀ e^{αx} (eqs. 40 and 41) against 1/α, with N = 940 modes
 and ν = 0.33, and regression lines that end at the hard wall, 1/α = 0; for v ≤ 0.1 c only the three most significant
 points carry the line. It does not print which α it took, so the walls are a choice made here, in two series:
 

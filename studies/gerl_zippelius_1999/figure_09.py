@@ -1,10 +1,10 @@
 """Figure 9: the quasi-static approach.
 
-The paper (fig. Quasstat) illustrates a disk pressed against the wall over the contact −a ≤ y ≤ a by Hertz' pressure
-p(y) = (2P/πa²)√(a² − y²) with a² = 4PR/πE (eq. Kraftvert), balanced by its own inertia, that is, by a uniform body
+The paper illustrates a disk pressed against the wall over the contact −a ≤ y ≤ a by Hertz' pressure
+p(y) = (2P/πa²)√(a² − y²) with a² = 4PR/πE (eq. 45), balanced by its own inertia, that is, by a uniform body
 force. Here both are computed: the static contact of a disk with a hard wall, by complementarity with the compliance of
 all modes (`stoss.quasistatic.static_contact`), and from its pressure the displacement of the whole disk, order by
-order, in closed form (docs/theory.md, section 3).
+order, in closed form (docs/theory/modes.md).
 """
 
 from __future__ import annotations
@@ -70,7 +70,7 @@ def compute(quick: bool) -> Tables:
 
 
 def _hertz(force: float) -> tuple[float, float]:
-    """a and p(0) of eq. Kraftvert, R and E, for a force in πRE."""
+    """a and p(0) of eq. (45), Hertz’ pressure, R and E, for a force in πRE."""
     half = 2.0 * np.sqrt(force)
     return half, 0.5 * half
 
@@ -161,7 +161,7 @@ def numbers(tables: Tables) -> list[Row]:
     for delta, force, error, half, p, center, printed in zip(*tables["contacts"].values()):
         hertz_half, hertz_p = _hertz(force)
         at = f"at δ = {delta:g} R"
-        what = f"force in πRE {at}; protocol: eq. Kraftvollst as printed"
+        what = f"force in πRE {at}; protocol: eq. (56), force against compression, as printed"
         rows.append((what, NONE, written(printed, 4), measured(force, error)))
         what = f"half-width a in R {at}; protocol: a² = 4PR/πE for the converged force"
         rows.append((what, NONE, written(hertz_half, 4), written(half, 4)))

@@ -1,9 +1,9 @@
-"""Figure 10 (`Statplot`): force of the wall against compression, at rest and in impacts.
+"""Figure 10: force of the wall against compression, at rest and in impacts.
 
-The paper shows eq. `Kraftvollst`; the relaxation of 1300 modes to the least energy of eq. `Hamiltonint`, with the
+The paper shows its law of force against compression, eq. (56); the relaxation of 1300 modes to the least energy, eq. (40), with the
 centre held at a distance from the wall; and impacts at v = 0.1 c and 0.04 c with αR = 500. All are repeated here,
 beside the hard wall: the exact static contact of all modes (`stoss.quasistatic.static_contact`), the law of the centre
-of mass (docs/theory.md, E8), and impacts of the full solution.
+of mass (docs/theory/errata.md, E8), and impacts of the full solution.
 
 Where a compression begins. At an exponential wall δ = R + x₀ counts from the plane V₀e^{αx} = 1. A contact of the
 pressure p stands ln(α/p)/α before it (0.017 R for αR = 500 and p = 0.1 E): there is the hard wall to compare with. The
@@ -25,7 +25,7 @@ from .common import Row, Table, Tables, axes_of, legend, measured, written
 
 TITLE = "Figure 10: force against compression"
 CAPTION = (
-    "Force F of the wall against the compression δ for ν = 0.33. (a) As in the paper: eq. Kraftvollst, the relaxation "
+    "Force F of the wall against the compression δ for ν = 0.33. (a) As in the paper: its law, eq. (56), the relaxation "
     "of 1300 modes at a wall of αR = 500, and impacts at 0.1 c and 0.04 c with the same modes and wall; arrows show "
     "the direction of time. Compressions count from the plane where the wall's pressure is 0.1 E; the thin dotted line "
     "is the relaxation counted from the plane V₀e^{αx} = 1. (b) Hard wall: exact static contact, law of the centre of "
@@ -145,7 +145,7 @@ def draw(tables: Tables) -> Figure:
     figure, (paper, hard, ratio, motion) = axes_of(PAGE, 5.4, 2, 2)
     static = tables["static"]
     x, exact = static["compression[R]"], static["exact[piRE]"]
-    paper.plot(x, static["printed[piRE]"], color=GREEN, label="eq. Kraftvollst")
+    paper.plot(x, static["printed[piRE]"], color=GREEN, label="eq. (56)")
     paper.plot(x, static[f"{PRESSED}[piRE]"], "-.", color=BLACK, label="relaxation, 1300 modes")
     paper.plot(x, static[f"{UNIT}[piRE]"], ":", color=GREY, label="the same from V₀e$^{αx}$ = 1")
     draw_forces(paper, tables, SOFT)
@@ -157,7 +157,7 @@ def draw(tables: Tables) -> Figure:
     hard.set_title("(b) hard wall, all modes", loc="left")
 
     for name, color, style, label in (
-        ("printed", GREEN, "-", "eq. Kraftvollst"),
+        ("printed", GREEN, "-", "eq. (56)"),
         ("diameter", ORANGE, "--", "law of the diameter (E7)"),
         ("center", PURPLE, "--", "law of the centre (E8)"),
         *((PRESSED, BLACK, "-.", None), (UNIT, GREY, ":", None)),
@@ -207,7 +207,7 @@ def numbers(tables: Tables) -> list[Row]:
         printed, center, diameter = (written(at_mark(tables, law, x)) for law in LAWS)
         pressed, unit = (written(at_mark(tables, name, x)) for name in (PRESSED, UNIT))
         rows += [
-            (at + "eq. Kraftvollst", NONE, printed, exact),
+            (at + "eq. (56)", NONE, printed, exact),
             (at + "relaxation, counted from 0.1 E", NONE, pressed, exact),
             (at + "relaxation, counted from V₀e^{αx} = 1", NONE, unit, exact),
             (at + "relaxation, αR → ∞ and N → ∞", NONE, written(extrapolated(tables, x)), exact),
@@ -215,7 +215,7 @@ def numbers(tables: Tables) -> list[Row]:
         ]
         said = "“agree well for small δ”" if x == MARKS[0] else NONE
         law, both = at_mark(tables, "printed", x), (at_mark(tables, name, x) for name in (PRESSED, "exact"))
-        name = f"relaxation (from 0.1 E) / eq. Kraftvollst at δ = {x:g} R; converged: exact contact / eq. Kraftvollst"
+        name = f"relaxation (from 0.1 E) / eq. (56) at δ = {x:g} R; converged: exact contact / eq. (56)"
         rows.append((name, said, *(written(each / law, 3) for each in both)))
     greatest, tops = tables["greatest"], [float(path_of(tables, speed, SOFT)[1].max()) for speed in SPEEDS]
     forces = map(measured, greatest["force[piRE]"], greatest["force_error[piRE]"])

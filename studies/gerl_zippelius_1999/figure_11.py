@@ -1,12 +1,12 @@
-"""Figure 11 (`Contacttime`): contact time and greatest compression against the speed.
+"""Figure 11: contact time and greatest compression against the speed.
 
-The paper integrates m δ̈ = −F(δ) with the force of eq. `Kraftvollst`, shows τ c/R and (δ_max/R)(c/v), and for τ also
-points of the full calculation; in the text δ_max ≃ v (R/c) √ln(4c/v) and τ ∝ (R/c) √ln(4c/v) (eq. `xmaxapprox`). Here
-the same with `stoss.quasistatic.slow_impact`, for the printed law and for that of the centre of mass (docs/theory.md,
+The paper integrates m δ̈ = −F(δ) with the force of eq. (56), shows τ c/R and (δ_max/R)(c/v), and for τ also
+points of the full calculation; in the text δ_max ≃ v (R/c) √ln(4c/v) and τ ∝ (R/c) √ln(4c/v) (eq. 60). Here
+the same with `stoss.quasistatic.slow_impact`, for the printed law and for that of the centre of mass (docs/theory/errata.md,
 E8), and beside it the full solution at the hard wall with its errors (`stoss.restitution`) down to v = 1e-8 c, where
 the paper had to stop at 0.005 c.
 
-The exact asymptotes are δ_max = v√Λ and τ = π√Λ, Λ = ln(c/v) − (3 + ν)/4 for the centre (docs/theory.md, "Slow
+The exact asymptotes are δ_max = v√Λ and τ = π√Λ, Λ = ln(c/v) − (3 + ν)/4 for the centre (docs/theory/quasistatic.md, "Slow
 impacts").
 
 The paper does not say at which wall its points were computed. Here they are at αR = 500, as in figure 10 and table 1,
@@ -33,12 +33,12 @@ from .figure_10 import cutoff_of, plane
 TITLE = "Figure 11: contact time and greatest compression against the speed"
 CAPTION = (
     "(a) Contact time τ and (b) greatest compression δ_max, divided by the speed v, for ν = 0.33: quasi-static with "
-    "eq. Kraftvollst (as in the paper) and with the law of the centre of mass, and the full solution at the hard wall "
+    "eq. (56), the paper’s law of force against compression, and with the law of the centre of mass, and the full solution at the hard wall "
     "(points; their errors are smaller than they are). Diamonds: full solution in the paper’s way with 940 modes, at "
     "the wall αR = 500 and at walls αv = 50 c/R, which are choices made here; there, contact is counted while the "
     "force exceeds 1 % of its maximum (at the hard wall this would shorten it by 2 % at 0.2 c, Figure 5), and "
     "compression from the plane where the wall’s pressure is 0.1 E. Grey: "
-    "√ln(4c/v) of eq. xmaxapprox, in (a) times π. The curves end where the laws end. (c), (d) The same as deviations "
+    "√ln(4c/v) of eq. (60), small speeds, in (a) times π. The curves end where the laws end. (c), (d) The same as deviations "
     "from the full solution; the slowest at αR = 500 lie beyond the axes."
 )
 ALT = "Contact time and greatest compression over speed fall slowly with ln v; quasi-static curves follow the points."
@@ -55,7 +55,7 @@ CLAIM = (
     "methods apply”"
 )
 SHARE = 0.01  # of the greatest force: contact at the exponential wall
-STYLES = {"printed": (GREEN, "-", "eq. Kraftvollst"), "center": (PURPLE, "--", "law of the centre (E8)")}
+STYLES = {"printed": (GREEN, "-", "eq. (56)"), "center": (PURPLE, "--", "law of the centre (E8)")}
 
 
 def speeds_of(per_decade: int) -> NDArray[np.float64]:
@@ -113,7 +113,7 @@ def compute(quick: bool) -> Tables:
 
 
 def printed_formula(speed: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Eq. xmaxapprox for δ_max c/(R v)."""
+    """Eq. (60) for δ_max c/(R v)."""
     return np.sqrt(np.log(4.0 / speed))
 
 
@@ -200,7 +200,7 @@ def numbers(tables: Tables) -> list[Row]:
         at = "v = " + (f"{v:g}" if v >= 1e-3 else power(v, 0).removeprefix("1·")) + " c"
         rows += [
             (f"τ c/R at {at}", NONE, time, measured(full["contact_time[R/c]"], full["contact_time_error[R/c]"])),
-            (f"δ_max c/(R v) at {at}", f"{written(float(printed_formula(np.array(v))))} (eq. xmaxapprox)", depth,
+            (f"δ_max c/(R v) at {at}", f"{written(float(printed_formula(np.array(v))))} (eq. 60)", depth,
              measured(full["max_compression[R]"] / v, full["max_compression_error[R]"] / v)),
         ]  # fmt: skip
     for v in (0.005, 0.01, 0.1):
@@ -217,8 +217,8 @@ def numbers(tables: Tables) -> list[Row]:
     slowest, full = row_at(tables["quasistatic"], MARKS[0]), row_at(tables["dynamic"], MARKS[0])
     root = float(printed_formula(np.array(MARKS[0])))
     for name, per, paper, limit in (
-        ("contact_time[R/c]", 1.0, "a constant (eq. xmaxapprox)", "π for v → 0"),
-        ("max_compression[R]", MARKS[0], "1 (eq. xmaxapprox)", "1 for v → 0"),
+        ("contact_time[R/c]", 1.0, "a constant (eq. 60)", "π for v → 0"),
+        ("max_compression[R]", MARKS[0], "1 (eq. 60)", "1 for v → 0"),
     ):
         quantity = "τ c/R" if per == 1.0 else "δ_max c/(R v)"
         protocol = f"{written(slowest[f'printed_{name}'] / per / root)} at 10⁻⁸ c; {limit}"

@@ -1,20 +1,20 @@
-"""Figure 12 (`ContacEnergy`): share of the energy left in the lowest 1800 modes, by Rayleigh's way and in full.
+"""Figure 12: share of the energy left in the lowest 1800 modes, by Rayleigh's way and in full.
 
-The paper lets the force of a quasi-static impact (eq. `Kraftvollst`) act at the point φ = 0 on every mode (eq.
-`Hamilstat`), and plots H_ex over the kinetic energy against the speed, with points of the full calculation. It says
+The paper lets the force of a quasi-static impact (eq. 56) act at the point φ = 0 on every mode (eq.
+61), and plots H_ex over the kinetic energy against the speed, with points of the full calculation. It says
 that most of the energy goes into the quadrupole (2,0), and: “Since the quasistatic approach is only correct to first
 order, the decreasing vibrational energy for v_i > 10⁻² c is presumably unphysical.”
 
-Here `stoss.quasistatic.rayleigh` does the same with the lowest 1800 modes (with E1–E3 and E6 of docs/theory.md put
+Here `stoss.quasistatic.rayleigh` does the same with the lowest 1800 modes (with E1–E3 and E6 of docs/theory/errata.md put
 right), for the printed law and for the law of the centre of mass (E8). The full solution is `stoss.restitution` (all
 modes, hard wall, with errors); its (2,0) is that of `stoss.impact` with the 1800 modes kept. Perturbation theory ends
 where the kinetic energy of the modes that follow the force, which the quasi-static balance leaves out, passes 4 %
 (`beyond_perturbation`).
 
 What decreases is a wave in τ/T, T the period of (2,0): an impact that lasts 3/2 T leaves nothing in (2,0), one of 1.9 T
-most (docs/theory.md, E11). Extrema are those of parabolas in ln v through three neighbours. F(t)/v depends on v and the
-law in v/F* only (docs/theory.md, section 10, “Slow impacts”), and so does the estimate: with eq. `deltavonP`, the small
-loads of eq. `Kraftvollst`, it is the same curve at e^{1+ν} times the speed.
+most (docs/theory/errata.md, E11). Extrema are those of parabolas in ln v through three neighbours. F(t)/v depends on v and the
+law in v/F* only (docs/theory/quasistatic.md, “Slow impacts”), and so does the estimate: with eq. (57), the small
+loads of eq. (56), it is the same curve at e^{1+ν} times the speed.
 """
 
 from __future__ import annotations
@@ -35,7 +35,7 @@ from .figure_10 import cutoff_of
 TITLE = "Figure 12: energy left in vibration by slow impacts"
 CAPTION = (
     "Share of the energy left in vibration against the speed v, for ν = 0.33. (a) All of it: Rayleigh's way with the "
-    "lowest 1800 modes, with eq. Kraftvollst (as in the paper) and with the law of the centre of mass, and the full "
+    "lowest 1800 modes, with eq. (56), the paper’s law of force against compression, and with the law of the centre of mass, and the full "
     "solution (all modes, hard wall), which here is a curve; diamonds in the paper's range of speeds. Curves of the "
     "estimate are thin beyond the end of perturbation theory (grey, for the law of the centre). (b) The share of the "
     "quadrupole (2,0) alone. (c) All of it where the paper suspects an artefact, v > 0.01 c; dots: maxima and minima. "
@@ -48,10 +48,10 @@ MODES = 1800
 LAWS = ("printed", "center")
 MARKS = (1e-8, 1e-6, 1e-4, 1e-3, 0.003, 0.01, 0.02, 0.1)  # of the table, c
 PAPER_SPEEDS = (0.005, 0.01, 0.02, 0.04, 0.06, 0.1, 0.2, 0.3)  # c
-SMALL_LOAD = float(np.exp(1.0 + POISSON))  # speeds with eq. deltavonP over those with eq. Kraftvollst
+SMALL_LOAD = float(np.exp(1.0 + POISSON))  # speeds with eq. (57) over those with eq. (56)
 LOWEST = 1.5  # c/R; of the modes, only (2,0) lies below
 STYLES = {
-    "printed": (GREEN, "-", "Rayleigh, eq. Kraftvollst"),
+    "printed": (GREEN, "-", "Rayleigh, eq. (56)"),
     "center": (PURPLE, "--", "Rayleigh, law of the centre (E8)"),
 }
 
@@ -209,7 +209,7 @@ def numbers(tables: Tables) -> list[Row]:
     fall = {name: [written(place[0], 2) for place in extrema(tables, name)] for name in (*LAWS, "full")}
     fall["small"] = [written(place[0] * SMALL_LOAD, 2) for place in extrema(tables, "printed")]
     said, ours = "“decreasing … for v_i > 10⁻² c”", " to ".join(fall["full"])
-    for name, law in (("printed", "Kraftvollst"), ("small", "deltavonP"), ("center", "law of the centre")):
+    for name, law in (("printed", "eq. (56)"), ("small", "eq. (57), small loads"), ("center", "law of the centre")):
         rows.append((f"v/c where 1 − ε² decreases: {law}", said, " to ".join(fall[name]), ours))
     for i, name in enumerate(("maximum", "minimum")):
         height, true = (written(extrema(tables, each)[i][1], 3) for each in ("printed", "full"))
@@ -235,7 +235,7 @@ def meaning(tables: Tables) -> str:
         f"lasts {tau / period:.2f} and {tau_low / period:.2f} periods of the quadrupole; beyond, it rises. What is "
         f"wrong is its place: with the printed law it ends at {written(printed_low, 2)} c (first order puts it at "
         f"longer contacts, {printed_tau / period:.2f} to {printed_tau_low / period:.2f} periods), and that it goes on "
-        f"beyond 0.01 c comes out with eq. deltavonP only, between {written(SMALL_LOAD * printed_top, 2)} and "
+        f"beyond 0.01 c comes out only with eq. (57), the limit of (56) for small loads, between {written(SMALL_LOAD * printed_top, 2)} and "
         f"{written(SMALL_LOAD * printed_low, 2)} c, which may be what the paper shows. Unphysical too is the rise that "
         f"follows: beyond {written(end_of_perturbation(tables, 'center'), 2)} c perturbation theory ends, and at 0.1 c "
         f"the estimate is {written(fast['lost_fraction'], 2)}, not {written(row_at(table, 0.1)['lost_fraction'], 3)}. "

@@ -1,6 +1,6 @@
 """The paper's choice of modes: ranked by mean energy in a preliminary run with more of them.
 
-The preliminary run is one at the exponential wall (eq. Hamiltonint) with all modes up to a cutoff. The mean is taken
+The preliminary run is one at the exponential wall (eq. 40) with all modes up to a cutoff. The mean is taken
 over the contact; which mean the paper takes it does not say.
 """
 

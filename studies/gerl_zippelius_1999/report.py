@@ -119,7 +119,7 @@ def _head(quick: bool) -> str:
 def _contents(outcomes: Sequence[tuple[str, Outcome]]) -> str:
     entries = [("introduction", "What this is"), ("method", "The model"), ("glance", "The paper’s numbers at a glance")]
     entries += [(item, outcome.title + (" – failed" if outcome.failure else "")) for item, outcome in outcomes]
-    entries += [("errata", "What the paper says, and what is so"), ("references", "References")]
+    entries += [("errata", "Errata of the paper"), ("references", "References")]
     lines = "\n".join(f'<li><a href="#{name}">{escape(title)}</a></li>' for name, title in entries)
     return f'<nav aria-labelledby="contents">\n<h2 id="contents">Contents</h2>\n<ol>\n{lines}\n</ol>\n</nav>'
 
@@ -197,7 +197,7 @@ def _errata(folder: Path) -> str:
         label, _, title = name.partition(" ")
         place = f'<a href="{theory}#{anchor}">{title}</a>' if theory else title
         rows.append(f"<tr><td>{label}</td><td>{paper}</td><td>{correct}</td><td>{place}</td></tr>")
-    head = "".join(f'<th scope="col">{each}</th>' for each in ("", "Paper", "Should be", "Section of docs/theory.md"))
+    head = "".join(f'<th scope="col">{each}</th>' for each in ("", "Paper", "Should be", "Section of the errata"))
     text = (
         "<p>stoss follows the third column. The derivation, or the computation, behind each line is in the section "
         "named at its end, with the tests that show it. None of these slips changes the main conclusion: collisions "
@@ -206,16 +206,16 @@ def _errata(folder: Path) -> str:
     )
     table = "\n".join(rows)
     return _section(
-        "errata", "What the paper says, and what is so",
+        "errata", "Errata of the paper",
         f'{text}\n<div class="scroll" tabindex="0">\n<table class="errata">\n<thead><tr>{head}</tr></thead>\n'
         f"<tbody>\n{table}\n</tbody>\n</table>\n</div>",
     )  # fmt: skip
 
 
 def _documentation(folder: Path) -> str:
-    """Where docs/theory.md is from here; nothing if the report lies outside of the repository."""
+    """Where docs/theory/errata.md is from here; nothing if the report lies outside of the repository."""
     place = folder.resolve()
-    return os.path.relpath(REPOSITORY / "docs" / "theory.md", place) if REPOSITORY in place.parents else ""
+    return os.path.relpath(REPOSITORY / "docs" / "theory" / "errata.md", place) if REPOSITORY in place.parents else ""
 
 
 def _references() -> str:

@@ -1,6 +1,6 @@
 """Slips that a code after the paper could contain, and what each does to Table 1.
 
-The paper's own scheme, apart from stoss: eqs. Evolgl (with the sign of erratum E6), Gesev and Deformt by the
+The paper's own scheme, apart from stoss: eqs. (43), with the sign of erratum E6, (44) and (39) by the
 Runge-Kutta method of 4th order in the interaction picture, 256 angles in the upper quadrant. Only modes and amplitudes
 come from stoss.
 """
@@ -105,7 +105,7 @@ def bessel(order: NDArray, x: Array) -> Array:
 
 
 def exchanged(modes: Modes) -> Modes:
-    """Amplitudes with κ and κ′ exchanged in u_φ, as eq. Normdef3 is printed, in the normalisation and in S (erratum
+    """Amplitudes with κ and κ′ exchanged in u_φ, as eq. (26) is printed, in the normalisation and in S (erratum
     E4)."""
     n = modes.order
     wave, wave_shear = modes.omega * np.sqrt(1.0 - POISSON**2), modes.omega * np.sqrt(2.0 * (1.0 + POISSON))
@@ -134,7 +134,7 @@ def exchanged(modes: Modes) -> Modes:
 
 
 def with_torsion(modes: Modes) -> Modes:
-    """The zeros of eq. Zero for n = 0 with those of the torsional modes, J_2(κ′) = 0, all as radial modes of C = 1."""
+    """The zeros of eq. (24) for n = 0 with those of the torsional modes, J_2(κ′) = 0, all as radial modes of C = 1."""
     grid = np.linspace(1.0, modes.omega.max() * np.sqrt(2.0 * (1.0 + POISSON)), 4000)
     value = bessel(np.full(grid.size, 2), grid)
     at = np.flatnonzero(value[1:] * value[:-1] < 0.0)
@@ -161,7 +161,7 @@ SLIPS: dict[str, Callable[[Modes], Modes]] = {
     "no tangential motion (S = 0)": lambda m: m._replace(tangential=0.0 * m.tangential),
     "n = 0 normalised as n ≥ 1": lambda m: m.scaled(_factor(m.order == 0, 2.0)),
     "n ≥ 1 normalised as n = 0": lambda m: m.scaled(_factor(m.order > 0, 0.5)),
-    "κ, κ′ as in Normdef3": exchanged,
+    "κ, κ′ as in eq. (26)": exchanged,
     "torsional roots in n = 0": with_torsion,
     "C doubled for n = 0, l ≥ 1": lambda m: m.scaled(_factor((m.order == 0) & (m.index > 0), 4.0)),
 }

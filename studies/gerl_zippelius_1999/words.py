@@ -21,7 +21,8 @@ paper really gives when it is carried out, with the slips of its equations of mo
 compression as printed; where the text leaves a choice open, the caption says what is taken. <b>Converged</b> is the
 answer of the model itself, with all modes and, unless the quantity belongs to a soft wall, a hard wall. After ± stands
 the estimated error; for <i>ε</i> and 1 − <i>ε</i>² it is known to cover the truth in 95 % of all cases. Where the three
-differ, none has been adjusted to another. A dash means that there is no such number.</p>
+differ, none has been adjusted to another. A dash means that there is no such number. Equations of the paper are cited
+by their printed number, counted in its source.</p>
 <p>Lengths are in units of the radius <i>R</i>, speeds in units of <i>c</i> = √(<i>E</i>/<i>ρ</i>), times in
 <i>R</i>/<i>c</i>, forces in <i>πRE</i> = <i>mc</i>²/<i>R</i>. The speed <i>v</i> is that of one disk against a wall;
 two equal disks that each move at <i>v</i> towards each other are the same problem.</p>
@@ -31,7 +32,8 @@ METHOD = f"""
 <p>The disk is a set of independent oscillators, its eigenmodes (<i>n</i>, <i>l</i>) with frequencies <i>ω</i> and
 amplitudes <i>C</i> (radial) and <i>S</i> (tangential) at the edge. A point of the edge is at</p>
 {equations.POSITION}
-<p>and the paper lets a wall at <i>x</i> = 0 repel it by an exponential potential,</p>
+<p>(eq. 39), and the paper lets a wall at <i>x</i> = 0 repel it by an exponential potential (eq. 40, with the ½ that
+it lacks there),</p>
 {equations.HAMILTONIAN}
 <p>which becomes hard as <i>α</i> → ∞. stoss solves the hard wall directly: the edge is never beyond the wall, the
 pressure <i>p</i> never pulls, and one of the two is zero everywhere,</p>
@@ -45,40 +47,40 @@ loss is what the modes hold,</p>
 impacts the force follows from the compression as in a contact at rest. For the approach of the centre of mass, which is
 what the equation of motion needs, the law is</p>
 {equations.CENTRE}
-<p>whereas the paper prints, and uses,</p>
+<p>whereas the paper prints, and uses, its eq. (56),</p>
 {equations.PRINTED}
 """
 
-# Paper; correct; evidence; section of docs/theory.md and its anchor there.
+# Paper; correct; section of docs/theory/errata.md and its anchor there.
 ERRATA = (
-    ("The energy of a mode is written with <i>mω</i>²<i>Q</i>² (eqs. Hamiltonint, Hamilstat).",
-     "½ <i>mω</i>²<i>Q</i>², as in the paper’s own eq. Hamiltonfree.", "E1 Energy of a mode", "e1-energy-of-a-mode"),
-    ("The force on a mode is <i>mωQ</i> + … (eq. Impulsev1, section V).",
+    ("The energy of a mode is written with <i>mω</i>²<i>Q</i>² (eqs. 40 and 61, the energy with a wall).",
+     "½ <i>mω</i>²<i>Q</i>², as in the paper’s own eq. (34), the energy of a free disk.", "E1 Energy of a mode", "e1-energy-of-a-mode"),
+    ("The force on a mode is <i>mωQ</i> + … (eqs. 41 and 63).",
      "<i>mω</i>²<i>Q</i> + …; <i>mωQ</i> is not a force.", "E2 Energy of a mode", "e1-energy-of-a-mode"),
-    ("The excitation energy is (<i>m</i>/2) Σ&nbsp;<i>ω</i>|<i>q</i>|&NoBreak;².",
+    ("The energy left in the modes is (<i>m</i>/2) Σ&nbsp;<i>ω</i>|<i>q</i>|&NoBreak;² (eq. 67).",
      "(<i>m</i>/2) Σ <i>ω</i>²|<i>q</i>|².", "E3 Energy of a mode", "e1-energy-of-a-mode"),
-    ("In eq. Normdef3 the tangential displacement has <i>κ</i> and <i>κ</i>′ exchanged.",
-     "As in eq. eigen.u; with the exchange the modes are not orthogonal (figure 2).", "E4 Edge field", "e4-edge-field"),
-    ("<i>σ<sub>rφ</sub></i> = <i>E</i>/(2(1+<i>ν</i>)) <i>ε<sub>rφ</sub></i>.",
+    ("In eq. (26), the normalised displacement, <i>u<sub>φ</sub></i> has <i>κ</i> and <i>κ</i>′ exchanged.",
+     "As in eq. (19), the displacement of a mode; with the exchange the modes are not orthogonal (figure 2).", "E4 Edge field", "e4-edge-field"),
+    ("<i>σ<sub>rφ</sub></i> = <i>E</i>/(2(1+<i>ν</i>)) <i>ε<sub>rφ</sub></i> (eq. 16).",
      "<i>E</i>/(1+<i>ν</i>) with the paper’s <i>ε<sub>rφ</sub></i>, which is half of the shear angle.",
      "E5 Shear stress", "e5-shear-stress"),
-    ("The equation of motion of the complex amplitudes, eqs. compact and Evolgl, has a sign reversed.",
+    ("The motion of the complex amplitudes <i>q</i> has a sign reversed (eqs. 42, 43 and 64).",
      "With the printed sign the wall attracts the edge and an impact diverges.", "E6 Interaction picture",
      "e6-interaction-picture"),
-    ("The compression of a heavy disk has −1 − <i>ν</i> in the bracket (eq. Kraftvollst).",
+    ("The compression of a heavy disk has −1 − <i>ν</i> in the bracket (eq. 56).",
      "The Poisson terms cancel: −1, for the shortening of the whole diameter.", "E7 Shortening of the diameter",
      "e7-shortening-of-the-diameter"),
     ("This shortening of the diameter is used in the equation of motion.",
      "The centre of mass approaches by another law, given above; the printed one is 8 % off in the compression at "
      "<i>δ</i> = 0.03 <i>R</i> for <i>ν</i> = 0.33, and 13 % for <i>ν</i> = 0.",
      "E8 Approach of the centre of mass", "e8-approach-of-the-centre-of-mass"),
-    ("d<i>δ</i>/d<i>t</i> = −<i>v</i>; a tension <i>ρgR</i>; the sign of <i>η</i> in eq. symsol.",
+    ("d<i>δ</i>/d<i>t</i> = −<i>v</i> (eq. 66); a tension <i>ρgR</i>; the sign of the dilatation <i>η</i> (eq. 17).",
      "+<i>v</i>; ½<i>ρgR</i>; −. None of them has consequences.", "E9–E10 Slips without consequence",
      "e9-slips-without-consequence"),
     ("“… the decreasing vibrational energy for <i>v</i><sub>i</sub> &gt; 10⁻² <i>c</i> is presumably unphysical.”",
      "A decrease is physical: 1 − <i>ε</i>² has a maximum near 0.003 <i>c</i> and a minimum near 0.017 <i>c</i> at "
      "<i>ν</i> = 0.33, a resonance between the contact time and the period of the quadrupole mode. First order "
-     "misplaces it: to 0.0018 … 0.013 <i>c</i> with eq. Kraftvollst, 0.007 … 0.05 <i>c</i> with eq. deltavonP.",
+     "misplaces it: to 0.0018 … 0.013 <i>c</i> with eq. (56), 0.007 … 0.05 <i>c</i> with eq. (57), its limit for small loads.",
      "E11 Minimum and maximum of the loss", "e11-minimum-and-maximum-of-the-loss"),
     ("<i>ε</i> ≈ 0.65 at <i>ν</i> = 0.9, <i>v</i> = 0.3 <i>c</i>.",
      "0.7477, by modes and by finite elements. Truncation to a handful of modes gives values like the printed one.",
