@@ -1,11 +1,14 @@
 """The first curve: ε(v) of an elastic disk for two Poisson numbers, with error bars.
 
 Run:     python examples/01_first_curve.py [FOLDER]        (default: out/)
-Expect:  a table of ε ± error; first_curve.png, with 1 − ε² falling in waves towards small speeds, and error bars
-         smaller than the symbols; first_curve.csv, the same numbers with all digits. Two seconds.
+Expect:  a table of ε ± error; first_curve.png, with 1 − ε² falling in waves towards small speeds
+         and error bars narrower than the lines; first_curve.csv, the same numbers with all digits.
+         Two seconds.
 
-v is the speed of one disk against a wall, in units of the bar speed c = √(E/ρ). Two equal disks that each move at v
-towards each other are the same problem.
+    ε = v_after / v_before,    1 − ε² = energy left in vibrations / initial energy
+
+v is the speed of one disk against a wall, in units of the bar speed c = √(E/ρ). Two equal disks
+that each move at v towards each other are the same problem.
 """
 
 import sys

@@ -1,9 +1,16 @@
-"""The eigenmodes of a disk: their spectrum, three shapes, and how completely they make up its stiffness.
+"""The eigenmodes of a disk: spectrum, three shapes, and their share of the static compliance.
 
 Run:     python examples/02_modes.py [FOLDER]        (default: out/)
-Expect:  the six lowest frequencies; modes.png with the spectrum and the modes (2,0), (0,0) and (3,0); modes.csv with
-         all 421 modes up to ω = 30 c/R. The kept modes carry 98 % of the static compliance of order 2; the rest, which
-         a truncated sum would lose, is what stoss adds exactly. One second.
+Expect:  the six lowest frequencies; modes.png with the spectrum and the modes (2,0), (0,0) and
+         (3,0); modes.csv with all 421 modes up to ω = 30 c/R. One second.
+
+Every mode (n, l) has a frequency ω and the amplitudes C (radial) and S (tangential) at the edge.
+Over all modes of one order n ≥ 2 they obey the sum rule of the static compliance,
+
+    Σ_l C²/ω² = (2n − (1 − ν)) / (n² − 1).
+
+The modes up to the cutoff carry 98 % of it for n = 2. A truncated sum would lose the rest; stoss
+adds the rest exactly.
 """
 
 import sys
@@ -27,7 +34,7 @@ def main(folder: Path) -> None:
         name = f"{modes.order[k]:2d} {modes.index[k]:2d}"
         print(f"{name}  {modes.omega[k]:13.6f}  {modes.radial[k]:11.6f}  {modes.tangential[k]:12.6f}")
 
-    # Sum rule: Σ_l C²/ω² over all modes of order n ≥ 2 is the static compliance (2n − (1−ν))/(n² − 1).
+    # The sum rule. What is missing falls like 1/cutoff.
     n = 2
     kept = modes.order == n
     summed = np.sum((modes.radial[kept] / modes.omega[kept]) ** 2)

@@ -1,11 +1,14 @@
 """A real material in SI: a steel disk of 1 cm radius, as a thin plate and as a long cylinder.
 
 Run:     python examples/04_material.py [FOLDER]        (default: out/)
-Expect:  restitution, contact time in µs and force in N per mm of thickness for speeds from 1 cm/s to 10 m/s, in plane
-         stress (plate) and plane strain (cylinder); steel.png and two CSV files. Two seconds.
+Expect:  restitution, contact time in µs and force in N per mm of thickness for speeds from 1 cm/s
+         to 10 m/s, in plane stress (plate) and plane strain (cylinder); steel.png and two CSV
+         files. Two seconds.
 
-This is the loss to vibrations alone, so an upper bound of the real ε: bearing steel stays elastic up to about 2 m/s,
-mild steel up to 0.1 m/s (docs/materials.md).
+    plate: c = √(E/ρ), ν        cylinder: c = √(E/ρ(1 − ν²)), ν/(1 − ν)
+
+Only vibrations take energy here, so ε is an upper bound of the real one: bearing steel stays
+elastic up to about 2 m/s, mild steel up to 0.1 m/s (docs/materials.md).
 """
 
 import sys

@@ -1,14 +1,16 @@
-"""ε(v) with its error as a function for event-driven simulations, and a gas of 20 disks on a ring that cools by it.
+"""ε(v) with its error as a function for event-driven simulations, and a gas that cools by it.
 
 Run:     python examples/05_event_driven.py [FOLDER]        (default: out/)
-Expect:  ε of a few speeds of approach, with errors that include the interpolation; the energy that the gas has left
-         after 1000 collisions: with ε(v) 400 times as much as with ε held at its first value; event_driven.png. Three
-         seconds.
+Expect:  ε of a few speeds of approach, with errors that include the interpolation; the energy that
+         a gas of 20 disks on a ring has left after 1000 collisions: with ε(v) 400 times as much as
+         with ε held at its first value; event_driven.png. Three seconds.
 
-In such simulations v is the speed at which two disks approach each other. Two equal disks do that as if each met a wall
-at v/2, and that is the speed stoss wants. The function takes (simulation, v), as REBOUND's
-sim.coefficient_of_restitution does, and |v| counts, since REBOUND's v has a sign. Disks are taken to have stopped
-ringing before they meet again, and the damping of the material is left out (docs/materials.md).
+    u₁′ = u₁ − ½ (1 + ε(v)) v,    u₂′ = u₂ + ½ (1 + ε(v)) v,    v = u₁ − u₂
+
+In such simulations v is the speed at which two disks approach each other. stoss wants v/2: two
+equal disks meet as if each met a wall at v/2. The function takes (simulation, v), as REBOUND's
+sim.coefficient_of_restitution does, and uses |v|, since REBOUND's v has a sign. Disks are taken to
+have stopped ringing before they meet again, and material damping is left out (docs/materials.md).
 """
 
 import sys
@@ -22,12 +24,13 @@ import stoss
 
 
 def make_restitution(material, slowest, fastest, points=60, clamp=False):
-    """restitution(simulation, v), linear in ln v between computed values, and error(v) of what it gives.
+    """Returns restitution(simulation, v), linear in ln v between computed values, and its error(v).
 
-    A v outside the table is refused. With clamp it gets the value of the nearest end, with a warning; its error is NaN.
-    Clamp in callbacks from C, as REBOUND's, which lose exceptions and go on with ε = 0.
+    A v outside the table is refused. With clamp it gets the value of the nearest end, with a
+    warning; its error is NaN. Clamp in callbacks from C, such as REBOUND's: they lose exceptions
+    and continue with ε = 0.
     """
-    fine = np.geomspace(slowest, fastest, 2 * points - 1)  # every other one is a midpoint, to check the interpolation
+    fine = np.geomspace(slowest, fastest, 2 * points - 1)  # every other one: a midpoint, as a check
     direct = stoss.restitution(material=material, speed=fine / 2)
     log_v, table, bars = np.log(fine[::2]), direct.restitution[::2], direct.restitution_error
     missed = np.abs(np.interp(np.log(fine[1::2]), log_v, table) - direct.restitution[1::2])
@@ -51,7 +54,10 @@ def make_restitution(material, slowest, fastest, points=60, clamp=False):
 
 
 def cool(restitution, collisions, speed, count=20, length=2.0):
-    """Time, s, and share of the energy left after each collision, of equal disks on a ring of this free length, m."""
+    """Time in s and share of the energy left after each collision of equal disks on a ring.
+
+    `length` is the free length of the ring, m.
+    """
     random = np.random.default_rng(1)
     x, u = np.sort(random.uniform(0.0, length, count)), random.normal(size=count)
     u = (u - u.mean()) * speed / u.std()

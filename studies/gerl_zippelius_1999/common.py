@@ -1,4 +1,4 @@
-"""What the items share: figures without pyplot, the pictures' colours, numbers with their errors."""
+"""What the items share: figures without pyplot, colours, numbers with their errors."""
 
 from __future__ import annotations
 
@@ -32,8 +32,9 @@ def axes_of(
 ) -> tuple[Figure, list[Axes]]:
     """A figure of this size in inches and its axes, row by row, in the small print of `stoss.plot`.
 
-    Options are those of `Figure.subplots`. Matplotlib reads some settings only when text is made, others when the
-    figure is saved: draw inside ``with matplotlib.rc_context(PRINT)``, as the runner does.
+    Options are those of `Figure.subplots`. Matplotlib reads some settings only when text is made,
+    others when the figure is saved: draw inside ``with matplotlib.rc_context(PRINT)``, as the
+    runner does.
     """
     with matplotlib.rc_context(PRINT):
         figure = Figure(figsize=(width, height), layout="constrained")

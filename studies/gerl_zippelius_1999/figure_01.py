@@ -1,13 +1,14 @@
 """Figure 1: the coefficient of restitution against speed.
 
-The paper's main result: ε for ν = 0.33 and 0.9 at v/c = 0.005 … 0.3, by the two extrapolations of its section IV: 1/α →
-0 (figure 7), then 1/√N → 0 (figure 8). Here both roads: the protocol, with the walls of figure 7 and the N = 300, 400,
-600, 940 lowest modes (`stoss.extrapolated_restitution`), and the converged value for the hard wall
-(`stoss.restitution`).
+The paper's main result: ε for ν = 0.33 and 0.9 at v/c = 0.005 … 0.3, by the two extrapolations of
+its section IV: 1/α → 0 (figure 7), then 1/√N → 0 (figure 8). Here both roads: the protocol, with
+the walls of figure 7 and the N = 300, 400, 600, 940 lowest modes
+(`stoss.extrapolated_restitution`), and the converged value for the hard wall (`stoss.restitution`).
 
-The speeds are those of figure 7. v is the speed of one disk against a wall, as in the paper's section III; the caption
-of its figure speaks of the relative speed of two disks, which would be 2v. The text has one number: ε ≈ 0.65 at ν =
-0.9, v = 0.3 c (erratum E12). What could have made it is tried: the other reading of the speed, and few modes.
+The speeds are those of figure 7. v is the speed of one disk against a wall, as in the paper's
+section III; the caption of its figure speaks of the relative speed of two disks, which would be 2v.
+The text has one number: ε ≈ 0.65 at ν = 0.9, v = 0.3 c (erratum E12). What could have made it is
+tried: the other reading of the speed, and few modes.
 """
 
 from __future__ import annotations

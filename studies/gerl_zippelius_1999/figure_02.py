@@ -1,12 +1,13 @@
 """Figure 2: displacement in the modes (0, 0), (1, 0) and (2, 0).
 
 The paper sketches what becomes of the radii and circles of the disk in three simple eigenmodes. The
-frequencies are the roots of the free edge's determinant (eqs. 20 and 24, exact as printed), the shapes those of eq. (19), normalised by eq. (25). The text says: the centre stays for n = 0, moves for n = 1, and for n ≥ 2 the
-displacement vanishes like r^(n−1); (2, 0) is the lowest mode of all.
+frequencies are the roots of the free edge's determinant (eqs. 20 and 24, exact as printed), the
+shapes those of eq. (19), normalised by eq. (25). The text says: the centre stays for n = 0, moves
+for n = 1, and for n ≥ 2 the displacement vanishes like r^(n−1); (2, 0) is the lowest mode of all.
 
-As a check that owes nothing to stoss' own Bessel functions, the printed determinants are evaluated here with Bessel's
-integral, and with them the overlap of two modes as eq. (26) prints them, with κ and κ′ exchanged in u_φ (erratum
-E4).
+As a check independent of stoss' Bessel functions, the printed determinants are evaluated here with
+Bessel's integral, and with them the overlap of two modes as eq. (26) prints them, with κ and κ′
+exchanged in u_φ (erratum E4).
 """
 
 from __future__ import annotations
@@ -33,7 +34,7 @@ MODES = ((0, 0), (1, 0), (2, 0))
 
 
 def compute(quick: bool) -> Tables:
-    """The modes, their displacement along the radius, and the overlaps of neighbours. The same quick or not."""
+    """Modes, displacement along the radius, and overlaps of neighbours. The same quick or not."""
     modes = stoss.modes(poisson=POISSON, cutoff=12.0)
     radius = np.linspace(0.0, 1.0, 101)
     shapes: dict[str, NDArray] = {"radius[R]": radius}
@@ -62,7 +63,7 @@ def compute(quick: bool) -> Tables:
 
 
 def _bessel(n: int, x: NDArray | float) -> NDArray:
-    """J_n by Bessel's integral, over a period of which the trapezium rule is exact to rounding for x < 50."""
+    """J_n by Bessel's integral. The trapezium rule over a period is exact for x < 50."""
     turn = 2.0 * np.pi * np.arange(128) / 128.0
     return np.cos(n * turn - np.multiply.outer(x, np.sin(turn))).mean(axis=-1)
 
@@ -99,7 +100,7 @@ def _slope(n: int, q: float, r: NDArray | float) -> NDArray:
 
 
 def _overlap(modes: stoss.Modes, n: int, swapped: bool) -> float:
-    """∫ r u·u dr of (n, 0) and (n, 1), normalised, with u_φ as in eq. (26), swapped, or in eq. (19)."""
+    """∫ r u·u dr of (n, 0) and (n, 1), normalised: u_φ of eq. (26), swapped, or of eq. (19)."""
     points, weights = np.polynomial.legendre.leggauss(40)
     r, weights = 0.5 * (points + 1.0), 0.5 * weights
     fields = []
@@ -160,7 +161,7 @@ def numbers(tables: Tables) -> list[Row]:
 
 
 def _centre(tables: Tables) -> tuple[float, float, dict[int, float]]:
-    """Displacement of the centre in (0, 0), in (1, 0) over that of the edge point φ = 0; exponents near it."""
+    """Displacement of the centre over that of the edge in (0, 0) and (1, 0); exponents near it."""
     shapes = tables["shapes"]
     still, moved = shapes["radial_0_0"], shapes["radial_1_0"]
     exponents = {int(n): float(p) for n, p in zip(*tables["centre"].values())}

@@ -1,11 +1,13 @@
 """Figure 3: the eigenfrequencies against the angular order.
 
-The paper plots ω_{n,l} R/c against n for ν = 0.33 and tells radial from tangential modes by the larger
-of the two amplitudes at the edge, C and |S|. The frequencies are the roots of eqs. (20) and (24), the free edge; stoss counts
-them exactly (Wittrick and Williams), so that none is missed, also where two are so close that the paper had to look for
-them through the zeros of the derivative. What the text says about the ratio C : S is tested, for l ≫ n, with n = 3 to 5
-on all modes up to ω = 400 c/R; for small l, with l = 0 and l = 1 separately on the modes shown that have n ≥ 10. For
-n → ∞ the modes with l = 0 are Rayleigh's surface wave, whose ratio follows from ν alone.
+The paper plots ω_{n,l} R/c against n for ν = 0.33 and tells radial from tangential modes by the
+larger of the two amplitudes at the edge, C and |S|. The frequencies are the roots of eqs. (20) and
+(24), the free edge. stoss counts them exactly (Wittrick and Williams), so none is missed, not even
+where two are so close that the paper had to look for them through the zeros of the derivative.
+
+The text's statements on the ratio C : S are tested for l ≫ n on all modes with n = 3 to 5 up to
+ω = 400 c/R, and for small l on the modes shown with n ≥ 10, l = 0 and l = 1 apart. For n → ∞ the
+modes with l = 0 are Rayleigh's surface wave, whose ratio follows from ν alone.
 """
 
 from __future__ import annotations
@@ -73,7 +75,7 @@ def draw(tables: Tables) -> Figure:
 
 
 def _ratios(tables: Tables) -> tuple[NDArray, NDArray, NDArray]:
-    """Of the few orders: larger over smaller edge amplitude, l/n, distance to the next mode of the same order."""
+    """Larger over smaller edge amplitude, l/n, and distance to the next mode of the same order."""
     table = tables["few_orders"]
     radial, tangential = table["radial"], np.abs(table["tangential"])
     next_one = np.full(len(radial), np.inf)
@@ -99,8 +101,11 @@ def _larger(ratio: NDArray) -> NDArray:
 
 
 def _surface_wave() -> float:
-    """Amplitude of Rayleigh's surface wave normal to the edge over that along it: (1 − ξ/2)/√(1 − ξ), where
-    ξ = (c_R/c_t)² solves ξ³ − 8ξ² + (24 − 16k)ξ − 16(1 − k) = 0 with k = (c_t/c_l)² = (1 − ν)/2."""
+    """Amplitude of Rayleigh's surface wave normal to the edge over that along it.
+
+    (1 − ξ/2)/√(1 − ξ), where ξ = (c_R/c_t)² solves ξ³ − 8ξ² + (24 − 16k)ξ − 16(1 − k) = 0 with
+    k = (c_t/c_l)² = (1 − ν)/2.
+    """
     k = 0.5 * (1.0 - POISSON)
     roots = np.roots([1.0, -8.0, 24.0 - 16.0 * k, -16.0 * (1.0 - k)])
     (xi,) = (float(root.real) for root in roots if abs(root.imag) < 1e-9 and 0.0 < root.real < 1.0)

@@ -1,14 +1,15 @@
 """Figure 4: the model.
 
-The paper illustrates an elastic disk that hits a rigid wall at x = 0: its centre of mass x₀ < 0, the
-edge point at the angle φ with the position x(φ) of eq. (39), whose undeformed place is x₀ + R cos φ, and the wall's
-potential V₀ e^{αx} at its right. Here the disk is a solution, the impact at v = 0.2 c and ν = 0.33 at closest approach
-on the paper's own exponential wall (αR = 500, 940 modes), so that the sketch is to scale but for the potential, which
-is drawn far softer than it is.
+The paper illustrates an elastic disk that hits a rigid wall at x = 0: its centre of mass x₀ < 0,
+the edge point at the angle φ with the position x(φ) of eq. (39), whose undeformed place is
+x₀ + R cos φ, and the wall's potential V₀ e^{αx} at its right. Here the disk is a solution: the
+impact at v = 0.2 c and ν = 0.33 at closest approach, on the paper's own exponential wall (αR = 500,
+940 modes). So the sketch is to scale, except for the potential, which is drawn far softer.
 
-The text (with figure 7) says that the energy "stored in the wall potential at closest approach" is ∝ 1/α. The
-same impact at a wall twice as hard tests it. That energy is the wall's force over α, and the force of a finite number
-of modes swings, with a period near 0.1 R/c; so the ratio is also given for means over several swings.
+The text (with figure 7) says that the energy "stored in the wall potential at closest approach" is
+∝ 1/α. The same impact at a wall twice as hard tests it. That energy is the wall's force over α, and
+the force of a finite number of modes swings, with a period near 0.1 R/c; so the ratio is also given
+for means over several swings.
 """
 
 from __future__ import annotations
@@ -38,8 +39,7 @@ AROUND = 0.2  # R/c before and after the closest approach, of the means
 
 
 def compute(quick: bool) -> Tables:
-    """The edge at closest approach, and the energy in the wall then, also at twice the hardness. The same quick or
-    not."""
+    """The edge and the energy in the wall at closest approach. The same quick or not."""
     omega = np.sort(stoss.modes(poisson=POISSON, cutoff=60.0).omega)
     cutoff = float(0.5 * (omega[MODES - 1] + omega[MODES]))
     angle = np.sort(np.append(np.linspace(-np.pi, np.pi, 361), ANGLE))
@@ -132,7 +132,7 @@ def numbers(tables: Tables) -> list[Row]:
 
 
 def _ratios(tables: Tables) -> tuple[float, float]:
-    """Of the energies in the wall at the one and at twice the hardness: at closest approach, and means around it."""
+    """Energy in the wall over that at twice the hardness: at closest approach, and on average."""
     soft, hard = (tables["impact"]["stored"][k] for k in (0, 1))
     soft_mean, hard_mean = (tables["impact"]["stored_around"][k] for k in (0, 1))
     return float(soft / hard), float(soft_mean / hard_mean)

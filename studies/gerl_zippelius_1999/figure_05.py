@@ -1,14 +1,15 @@
 """Figure 5: a disk with v = 0.2 c hits the wall and leaves it vibrating.
 
-The paper shows the deformed disk at several times and remarks that the deformations remaining after the
-impact can be clearly identified. ν is not given; the paper's runs have 0.33. Here the wall is hard (Signorini), the
-modes up to ω = 50 c/R move, all others follow the force statically; deformations have their true size. The lower panel
-shows what the disks show, continuously: how much its diameters along and across the path differ from 2R. As the paper's
-protocol serves the exponential wall with αR = 500 and the 940 lowest modes, and for ε its two extrapolations. What
-contact and compression are at that wall is defined as in figures 10 and 11: contact while the force is above 1 % of its
-maximum (for comparison also at the hard wall), compression from the plane where the wall's pressure is 0.1 E. The force
-of so few modes swings with a period near 0.1 R/c, and its maximum is a spike; so the greatest mean over 0.2 R/c is
-given beside it.
+The paper shows the deformed disk at several times and remarks that the deformations remaining after
+the impact can be clearly identified. ν is not given; the paper's runs have 0.33. Here the wall is
+hard (Signorini), with the modes up to ω = 50 c/R; deformations have their true size. The lower
+panel shows continuously how much the diameters along and across the path differ from 2R.
+
+The protocol of the paper is the exponential wall with αR = 500 and the 940 lowest modes, and for ε
+the two extrapolations. Contact and compression at that wall are those of figures 10 and 11: contact
+while the force is above 1 % of its maximum (for comparison also at the hard wall), compression from
+the plane where the wall's pressure is 0.1 E. The force of so few modes swings with a period near
+0.1 R/c, and its maximum is a spike; so the greatest mean over 0.2 R/c is given beside it.
 """
 
 from __future__ import annotations

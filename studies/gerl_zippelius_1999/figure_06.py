@@ -1,11 +1,12 @@
 """Figure 6: the energy in the modes (n, l) at closest approach.
 
-The paper's caption: "Logarithm of energy (arbitrary units) in modes with low (n, l) at closest approach. The spectrum
-is dominated by the quadrupolar mode (n = 2, l = 0)." The text, with Table 1: αR = 500, v = 0.1 c, 1600 modes (eqs.
-40 and 43), chosen by their mean energy in a preliminary run. Speed and number of modes of the figure itself
-are not given; those of the table are taken. Closest approach is where the centre of mass turns, x₀ greatest; the energy
-of a mode is P²/2m + ½mω²Q² (eq. 34; erratum E1), as a share of the initial energy. The converged values are
-those of all modes, extrapolated in 1/ω_c, at the same wall.
+The paper's caption: "Logarithm of energy (arbitrary units) in modes with low (n, l) at closest
+approach. The spectrum is dominated by the quadrupolar mode (n = 2, l = 0)." The text, with Table 1:
+αR = 500, v = 0.1 c, 1600 modes (eqs. 40 and 43), chosen by their mean energy in a preliminary run.
+Speed and number of modes of the figure itself are not given; those of the table are taken. Closest
+approach is where the centre of mass turns, x₀ greatest; the energy of a mode is P²/2m + ½mω²Q²
+(eq. 34; erratum E1), as a share of the initial energy. The converged values are those of all modes,
+extrapolated in 1/ω_c, at the same wall.
 """
 
 from __future__ import annotations
@@ -65,8 +66,10 @@ def compute(quick: bool) -> Tables:
 
 
 def _limit(cutoffs: np.ndarray, values: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Parabolas in 1/ω_c through three cutoffs at 0; errors: what lies between them and the lines through the last two
-    points, and 2·10⁻⁴ for the steps in time."""
+    """Values at 1/ω_c = 0 of parabolas through three cutoffs, and their errors.
+
+    Errors: the distance to lines through the last two points, and 2·10⁻⁴ for the steps in time.
+    """
     x = 1.0 / cutoffs
     curved = np.array([np.polyfit(x, column, 2)[-1] for column in values.T])
     straight = values[2] - x[2] * (values[1] - values[2]) / (x[1] - x[2])
@@ -99,7 +102,7 @@ def draw(tables: Tables) -> Figure:
 
 
 def _landscape(axes: Axes3D, height: np.ndarray) -> None:
-    """Bars from the floor, painted from the back, each order in the colours of the table beside it."""
+    """Bars from the floor, painted from the back, in the colours of the table beside them."""
     colours = matplotlib.colormaps["viridis"]
     size = 0.62
     for l in reversed(range(INDICES)):

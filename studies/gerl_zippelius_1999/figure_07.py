@@ -1,18 +1,20 @@
 """Figure 7: the loss against the softness of the wall, extrapolated to the hard one.
 
-The paper shows 1 − ε² after impacts on the wall V₀ e^{αx} (eqs. 40 and 41) against 1/α, with N = 940 modes
-and ν = 0.33, and regression lines that end at the hard wall, 1/α = 0; for v ≤ 0.1 c only the three most significant
-points carry the line. It does not print which α it took, so the walls are a choice made here, in two series:
+The paper shows 1 − ε² after impacts on the wall V₀ e^{αx} (eqs. 40 and 41) against 1/α, with N =
+940 modes and ν = 0.33, and regression lines that end at the hard wall, 1/α = 0; for v ≤ 0.1 c only
+the three most significant points carry the line. It does not print which α it took, so the walls
+are chosen here, in two series:
 
-* scaled: αv/c = 25, 33.3, 50, 100, the same for all speeds. They are even in 1/α; on these walls the lines hold. On
-  harder ones the edge, which lacks its high modes, begins to bounce.
-* common: αR = 200 … 2000, the same walls for all speeds, as far as αv ≤ 200 c/R. This is what a choice by hand comes
-  to if it does not follow the speed.
+* scaled: αv/c = 25, 33.3, 50, 100, the same for all speeds and even in 1/α. On these walls the
+  lines hold. On harder ones the edge, which lacks its high modes, begins to bounce.
+* common: αR = 200 … 2000, the same walls for all speeds, as far as αv ≤ 200 c/R. This is the choice
+  of a hand that does not follow the speed.
 
-Both keep the 940 lowest modes, where the paper keeps those that rank first by average energy in a preliminary run
-(figure 8 has the difference). Intercepts and slopes are those of plain regressions; their errors are the standard
-errors times Student's factor for 95 %, 12.7 for three points, 4.3 for more: these deviate from the line by curvature,
-and further points on a curve are no independent witnesses.
+Both keep the 940 lowest modes, where the paper keeps those that rank first by average energy in a
+preliminary run (figure 8 has the difference). Intercepts and slopes are those of plain regressions;
+their errors are the standard errors times Student's factor for 95 %, 12.7 for three points, 4.3 for
+more: these deviate from the line by curvature, and further points on a curve are no independent
+witnesses.
 """
 
 from __future__ import annotations
@@ -135,7 +137,7 @@ def _of(table: Table, series: str, speed: float | None = None) -> Table:
 
 
 def colour(speed: float) -> tuple[float, ...]:
-    """From dark, slow, to light, fast; viridis without its yellow, which is too light for white paper."""
+    """From dark, slow, to light, fast: viridis without yellow, too light for white paper."""
     return tuple(matplotlib.colormaps["viridis"](0.87 * np.sqrt(speed / 0.3)))
 
 
@@ -206,8 +208,7 @@ def numbers(tables: Tables) -> list[Row]:
 
 
 def _deviation(tables: Tables) -> float:
-    """Largest deviation of a point from the line that it carries, over its value, on the walls that follow the
-    speed."""
+    """Largest relative deviation of a point from its line, on the walls that follow the speed."""
     fits, worst = _of(tables["lines"], "scaled"), 0.0
     for v, value, slope in zip(fits["speed[c]"], fits["lost_fraction"], fits["slope[1/R]"]):
         points = _of(tables["impacts"], "scaled", v)

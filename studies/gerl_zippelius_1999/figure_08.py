@@ -1,14 +1,15 @@
 """Figure 8: the loss against the number of modes, extrapolated to all of them.
 
-The paper takes the hard-wall limits of figure 7 for N = 300, 400, 600, 940 modes and extends them along lines in 1/√N
-to N → ∞; that is its result, the points of figure 1. The modes left out would let the edge yield by 2/(πω_c) per
-pressure and impedance, and ω_c ∝ √N; so it is for the N lowest modes, with which the left picture is made
-(`stoss.extrapolated_restitution`, walls as in figure 7).
+The paper takes the hard-wall limits of figure 7 for N = 300, 400, 600, 940 modes and extends them
+along lines in 1/√N to N → ∞; that is its result, the points of figure 1. The modes left out would
+let the edge yield by 2/(πω_c) per pressure and impedance, and ω_c ∝ √N; so it is for the N lowest
+modes, with which the left picture is made (`stoss.extrapolated_restitution`, walls as in figure 7).
 
-The paper selects differently: the modes are ranked by their average energy in a preliminary run, and the first N are
-kept. The right picture does that for two speeds, with preliminary runs of 1600 modes, as many as Table 1 has, and of
-4500. One ranking serves all walls of a speed; its preliminary run is on the second hardest of them. The walls, with
-the same αv for all speeds, are a choice made here: the paper does not print its α.
+The paper selects differently: the modes are ranked by their average energy in a preliminary run,
+and the first N are kept. The right picture does that for two speeds, with preliminary runs of 1600
+modes, as many as Table 1 has, and of 4500. One ranking serves all walls of a speed; its preliminary
+run is on the second hardest of them. The walls, with the same αv for all speeds, are a choice made
+here: the paper does not print its α.
 """
 
 from __future__ import annotations
@@ -127,7 +128,7 @@ def draw(tables: Tables) -> Figure:
 
 
 def _draw_excess(axes: Axes, tables: Tables) -> None:
-    """Relative excess over the converged value; the series are told apart by colour, the speeds by marker and line."""
+    """Relative excess over the converged value: a colour for each series, a marker for a speed."""
     series = np.unique(tables["limits"]["modes_are"])
     first = [str(name) for name in series if name.startswith("first")]
     colours = dict(zip(("lowest", *first), (BLUE, VERMILION, GREEN)))
@@ -189,7 +190,7 @@ def _rising(tables: Tables) -> dict[float, float]:
 
 
 def _slopes(tables: Tables) -> list[tuple[float, ...]]:
-    """Speed, slope of the line through the paper's four N and its error, slope beyond them and its error."""
+    """Speed, slope of the line through the paper's four N, slope beyond them, with errors."""
     fits = [(v, _of(tables["limits"], v, "lowest"), _of(tables["limits"], v, "more")) for v in STUDIED]
     return [(v, *(float(fit[name][0]) for fit in pair for name in ("slope", "slope_error")))
             for v, *pair in fits if len(pair[1]["slope"])]  # fmt: skip

@@ -1,10 +1,10 @@
 """Figure 9: the quasi-static approach.
 
 The paper illustrates a disk pressed against the wall over the contact −a ≤ y ≤ a by Hertz' pressure
-p(y) = (2P/πa²)√(a² − y²) with a² = 4PR/πE (eq. 45), balanced by its own inertia, that is, by a uniform body
-force. Here both are computed: the static contact of a disk with a hard wall, by complementarity with the compliance of
-all modes (`stoss.quasistatic.static_contact`), and from its pressure the displacement of the whole disk, order by
-order, in closed form (docs/theory/modes.md).
+p(y) = (2P/πa²)√(a² − y²) with a² = 4PR/πE (eq. 45), balanced by its own inertia, that is, by a
+uniform body force. Here both are computed: the static contact of a disk with a hard wall, by
+complementarity with the compliance of all modes (`stoss.quasistatic.static_contact`), and from its
+pressure the displacement of the whole disk, order by order, in closed form (docs/theory/modes.md).
 """
 
 from __future__ import annotations
@@ -90,7 +90,7 @@ def _lines(
 
 
 def _displacement(contact: stoss.quasistatic.StaticContact, r: NDArray, angle: NDArray) -> tuple[NDArray, NDArray]:
-    """u_r and u_φ on radii × angles: Michell's static fields of each order, with inertia relief for n = 1."""
+    """u_r and u_φ on radii × angles: Michell's fields of each order, inertia relief for n = 1."""
     nu, r = POISSON, r[:, None]
     force = 2.0 * contact.spacing * contact.pressure / np.pi  # of each node and its mirror image, in πRE
     phi = contact.position

@@ -1,14 +1,16 @@
 """Figure 10: force of the wall against compression, at rest and in impacts.
 
-The paper shows its law of force against compression, eq. (56); the relaxation of 1300 modes to the least energy, eq. (40), with the
-centre held at a distance from the wall; and impacts at v = 0.1 c and 0.04 c with αR = 500. All are repeated here,
-beside the hard wall: the exact static contact of all modes (`stoss.quasistatic.static_contact`), the law of the centre
-of mass (docs/theory/errata.md, E8), and impacts of the full solution.
+The paper shows its law of force against compression, eq. (56); the relaxation of 1300 modes to the
+least energy, eq. (40), with the centre held still; and impacts at v = 0.1 c and 0.04 c at αR = 500.
+Beside all these stands the hard wall: its exact static contact, the law of the centre of mass
+(docs/theory/errata.md, E8), and impacts of the full solution.
+impacts of the full solution.
 
-Where a compression begins. At an exponential wall δ = R + x₀ counts from the plane V₀e^{αx} = 1. A contact of the
-pressure p stands ln(α/p)/α before it (0.017 R for αR = 500 and p = 0.1 E): there is the hard wall to compare with. The
-greatest pressure of a contact is ½a = √F, 0.04 E at δ = 0.01 R and 0.18 E at 0.1 R, so that one plane, that of 0.1 E,
-serves for all of the figure to 0.002 R. Both counts are shown. No fit is made.
+Where a compression begins. At an exponential wall δ = R + x₀ counts from the plane V₀e^{αx} = 1. A
+contact of the pressure p stands ln(α/p)/α before it (0.017 R for αR = 500 and p = 0.1 E): the hard
+wall to compare with stands there. The greatest pressure of a contact is ½a = √F, 0.04 E at δ = 0.01
+R and 0.18 E at 0.1 R, so one plane, that of 0.1 E, serves for all of the figure to 0.002 R. Both
+counts are shown. No fit is made.
 """
 
 from __future__ import annotations

@@ -1,18 +1,19 @@
 """Figure 11: contact time and greatest compression against the speed.
 
-The paper integrates m δ̈ = −F(δ) with the force of eq. (56), shows τ c/R and (δ_max/R)(c/v), and for τ also
-points of the full calculation; in the text δ_max ≃ v (R/c) √ln(4c/v) and τ ∝ (R/c) √ln(4c/v) (eq. 60). Here
-the same with `stoss.quasistatic.slow_impact`, for the printed law and for that of the centre of mass (docs/theory/errata.md,
-E8), and beside it the full solution at the hard wall with its errors (`stoss.restitution`) down to v = 1e-8 c, where
-the paper had to stop at 0.005 c.
+The paper integrates m δ̈ = −F(δ) with the force of eq. (56), shows τ c/R and (δ_max/R)(c/v), and
+for τ also points of the full calculation; in the text δ_max ≃ v (R/c) √ln(4c/v) and τ ∝ (R/c)
+√ln(4c/v) (eq. 60). Here the same with `stoss.quasistatic.slow_impact`, for the printed law and for
+that of the centre of mass (docs/theory/errata.md, E8), beside the full solution at the hard wall
+with its errors (`stoss.restitution`). It goes down to v = 1e-8 c; the paper had to stop at 0.005 c.
 
-The exact asymptotes are δ_max = v√Λ and τ = π√Λ, Λ = ln(c/v) − (3 + ν)/4 for the centre (docs/theory/quasistatic.md, "Slow
-impacts").
+The exact asymptotes are δ_max = v√Λ and τ = π√Λ, Λ = ln(c/v) − (3 + ν)/4 for the centre
+(docs/theory/quasistatic.md, "Slow impacts").
 
-The paper does not say at which wall its points were computed. Here they are at αR = 500, as in figure 10 and table 1,
-and at walls that are harder the slower the disk (αv = 50 c/R, equal at 0.1 c), both with the 940 modes of figure 7. At
-an exponential wall the contact has no beginning: its contact time is here that in which the force exceeds 1 % of its
-maximum. Its compression counts as in figure 10.
+The paper does not say at which wall its points were computed. Here they are at αR = 500, as in
+figure 10 and table 1, and at walls that are harder the slower the disk (αv = 50 c/R, equal at 0.1
+c), both with the 940 modes of figure 7. At an exponential wall the contact has no beginning: its
+contact time here is the time in which the force exceeds 1 % of its maximum. Its compression counts
+as in figure 10.
 """
 
 from __future__ import annotations
@@ -118,7 +119,7 @@ def printed_formula(speed: NDArray[np.float64]) -> NDArray[np.float64]:
 
 
 def draw_panel(above: Axes, below: Axes, tables: Tables, name: str, unit: str, *, reduced: bool, factor: float) -> None:
-    """A quantity, divided by the speed if it is reduced, and the deviations from the full solution below it."""
+    """A quantity, over the speed if `reduced`; below it deviations from the full solution."""
     quasi, full = tables["quasistatic"], tables["dynamic"]
     v, points = quasi["speed[c]"], full["speed[c]"]
     per = (lambda speed: speed) if reduced else np.ones_like
@@ -146,7 +147,7 @@ def draw_panel(above: Axes, below: Axes, tables: Tables, name: str, unit: str, *
 
 
 def quasi_at(tables: Tables, speeds: NDArray[np.float64]) -> Table:
-    """The quasi-static columns at other speeds: linear in ln v, in which they hardly bend once divided by the speed."""
+    """The quasi-static columns at other speeds, linear in ln v once divided by the speed."""
     table = tables["quasistatic"]
     known, found = table["speed[c]"], Table()
     for key, column in table.items():
@@ -180,7 +181,7 @@ def row_at(table: Table, speed: float) -> dict[str, float]:
 
 
 def deviation(tables: Tables, law: str, lowest: float, highest: float, full: str = "dynamic") -> tuple[float, float]:
-    """The greatest of the contact time from that of a full solution, as far as the law goes: percent, and the speed."""
+    """The greatest deviation of the contact time from a full solution, percent, and its speed."""
     speeds, key = tables[full]["speed[c]"], "contact_time[R/c]"
     off = 100.0 * (quasi_at(tables, speeds)[f"{law}_{key}"] / tables[full][key] - 1.0)
     off[(speeds < 0.999 * lowest) | (speeds > 1.001 * highest)] = np.nan

@@ -1,20 +1,23 @@
 """Figure 12: share of the energy left in the lowest 1800 modes, by Rayleigh's way and in full.
 
 The paper lets the force of a quasi-static impact (eq. 56) act at the point φ = 0 on every mode (eq.
-61), and plots H_ex over the kinetic energy against the speed, with points of the full calculation. It says
-that most of the energy goes into the quadrupole (2,0), and: “Since the quasistatic approach is only correct to first
-order, the decreasing vibrational energy for v_i > 10⁻² c is presumably unphysical.”
+61), and plots H_ex over the kinetic energy against the speed, with points of the full calculation.
+It says that most of the energy goes into the quadrupole (2,0), and: “Since the quasistatic approach
+is only correct to first order, the decreasing vibrational energy for v_i > 10⁻² c is presumably
+unphysical.”
 
-Here `stoss.quasistatic.rayleigh` does the same with the lowest 1800 modes (with E1–E3 and E6 of docs/theory/errata.md put
-right), for the printed law and for the law of the centre of mass (E8). The full solution is `stoss.restitution` (all
-modes, hard wall, with errors); its (2,0) is that of `stoss.impact` with the 1800 modes kept. Perturbation theory ends
-where the kinetic energy of the modes that follow the force, which the quasi-static balance leaves out, passes 4 %
+Here `stoss.quasistatic.rayleigh` does the same with the lowest 1800 modes (with E1–E3 and E6 of
+docs/theory/errata.md put right), for the printed law and for the law of the centre of mass (E8).
+The full solution is `stoss.restitution` (all modes, hard wall, with errors); its (2,0) is that of
+`stoss.impact` with the 1800 modes kept. Perturbation theory ends where the kinetic energy of the
+modes that follow the force, which the quasi-static balance leaves out, passes 4 %
 (`beyond_perturbation`).
 
-What decreases is a wave in τ/T, T the period of (2,0): an impact that lasts 3/2 T leaves nothing in (2,0), one of 1.9 T
-most (docs/theory/errata.md, E11). Extrema are those of parabolas in ln v through three neighbours. F(t)/v depends on v and the
-law in v/F* only (docs/theory/quasistatic.md, “Slow impacts”), and so does the estimate: with eq. (57), the small
-loads of eq. (56), it is the same curve at e^{1+ν} times the speed.
+What decreases is a wave in τ/T, T the period of (2,0): an impact that lasts 3/2 T leaves nothing in
+(2,0), one of 1.9 T most (docs/theory/errata.md, E11). Extrema are those of parabolas in ln v
+through three neighbours. F(t)/v depends on v and the law in v/F* only (docs/theory/quasistatic.md,
+“Slow impacts”), and so does the estimate: with eq. (57), the small loads of eq. (56), it is the
+same curve at e^{1+ν} times the speed.
 """
 
 from __future__ import annotations
@@ -111,7 +114,7 @@ def compute(quick: bool) -> Tables:
 
 
 def extremum(table: Table, sign: int, lowest: float = 6e-4, highest: float = 0.05) -> tuple[float, float, float]:
-    """Speed, height and contact time of the greatest (sign 1) or least (−1) loss in a range of speeds."""
+    """Speed, height and contact time of the greatest (sign 1) or least (−1) loss in a range."""
     v, loss, tau = table["speed[c]"], table["lost_fraction"], table["contact_time[R/c]"]
     here = np.flatnonzero((v > lowest) & (v < highest))
     i = int(here[np.argmax(sign * loss[here])])

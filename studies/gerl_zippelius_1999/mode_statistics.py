@@ -1,11 +1,12 @@
 """What the text says about the modes: which of them matter.
 
-The paper ranks the modes "according to their average energy content in a preliminary run" and finds: "the purely radial
-modes [eq. 20] are particularly important. Typically 75 % of the most significant modes have n = 0. Another
-essential class of modes has l = 0." Here the preliminary run has all modes with ω ≤ 140 c/R, at the exponential wall
-(eq. 40) with αv = 50 c/R, which is the αR = 500 of the paper's table at v = 0.1 c. Of the N most energetic
-modes the shares with n = 0 and with l = 0 are counted; and the share of the modes' energy that each class holds. The
-shares depend on how many modes compete; "converged" are those of a preliminary run with ω ≤ 300 c/R, 40 174 modes.
+The paper ranks the modes "according to their average energy content in a preliminary run" and
+finds: "the purely radial modes [eq. 20] are particularly important. Typically 75 % of the most
+significant modes have n = 0. Another essential class of modes has l = 0." Here the preliminary run
+has all modes with ω ≤ 140 c/R, at the exponential wall (eq. 40) with αv = 50 c/R, which is the αR =
+500 of the paper's table at v = 0.1 c. Of the N most energetic modes the shares with n = 0 and with
+l = 0 are counted; and the share of the modes' energy that each class holds. The shares depend on
+how many modes compete; "converged" are those of a preliminary run with ω ≤ 300 c/R, 40 174 modes.
 """
 
 from __future__ import annotations

@@ -1,7 +1,7 @@
 """The paper's choice of modes: ranked by mean energy in a preliminary run with more of them.
 
-The preliminary run is one at the exponential wall (eq. 40) with all modes up to a cutoff. The mean is taken
-over the contact; which mean the paper takes it does not say.
+The preliminary run is one at the exponential wall (eq. 40) with all modes up to a cutoff. The mean
+is taken over the contact; the paper does not say which mean it takes.
 """
 
 from __future__ import annotations
@@ -21,7 +21,7 @@ def ranked(energies: NDArray) -> NDArray[np.intp]:
 
 
 def selected_impact(preliminary: stoss.Impact, count: int) -> stoss.Impact:
-    """The final run: the same impact with the `count` modes of highest mean energy in the preliminary one only."""
+    """The final run: the same impact, with the `count` modes that rank first in `preliminary`."""
     keep = np.zeros(preliminary.modes, dtype=bool)
     keep[ranked(preliminary.mode_energies)[:count]] = True
     return stoss.impact(
@@ -30,8 +30,10 @@ def selected_impact(preliminary: stoss.Impact, count: int) -> stoss.Impact:
 
 
 def ranked_intercepts(poisson: float, speed: float, pool: int, counts: tuple[int, ...]) -> NDArray:
-    """1 − ε² at the hard wall and its error (α → ∞, as in figure 7) with the first of a preliminary run with `pool`
-    modes, by their numbers: counts × 2."""
+    """1 − ε² at the hard wall (α → ∞, as in figure 7) and its error: counts × 2.
+
+    With the `counts` modes that rank first in a preliminary run with `pool` modes.
+    """
     highest = cutoff(pool, poisson)
 
     def run(alpha: float, keep: NDArray[np.bool_] | None = None) -> stoss.Impact:

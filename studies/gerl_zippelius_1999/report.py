@@ -20,6 +20,7 @@ if TYPE_CHECKING:
     from gerl_zippelius_1999.runner import Outcome
 
 HEADINGS = ("Quantity", "Paper", "Protocol", "Converged")
+ERRATUM = ("", "Paper", "Should be", "Section of the errata")
 PIXELS = 134  # for an inch of a figure: larger than in print, where it would be 96
 REPOSITORY = Path(__file__).resolve().parents[2]
 
@@ -79,6 +80,16 @@ footer { padding: 3rem 1.25rem 4rem; }
   /* Small print would become too small to read: wide figures scroll instead. */
   .picture { overflow-x: auto; }
   .picture img { max-width: max(100%, 34rem); }
+  /* A row of a table becomes a card, whose cells say which column they are. */
+  .numbers, .errata { min-width: 0; }
+  thead { position: absolute; left: -999rem; }
+  tbody tr { display: grid; column-gap: 0.6rem; padding: 0.5rem 0; border-bottom: 1px solid var(--line); }
+  .numbers tr { grid-template-columns: repeat(3, 1fr); }
+  .numbers tbody th { grid-column: 1 / -1; }
+  tbody th, tbody td, .numbers th:first-child, .numbers td, .errata td:first-child { width: auto; min-width: 0;
+    padding: 0.1rem 0; border-bottom: 0; }
+  td[data-column]:not([data-column=""])::before { content: attr(data-column); display: block; font-size: 0.7rem;
+    font-weight: 400; color: var(--faint); }
 }
 @media print {
   html { font-size: 10pt; }
@@ -129,13 +140,13 @@ def _section(name: str, title: str, content: str) -> str:
 
 
 def _scrolling(content: str) -> str:
-    """Equations that are wider than the page scroll by themselves."""
+    """Wraps equations that are wider than the page, which scroll by themselves."""
     content = content.replace('<math display="block"', '<div class="equation"><math display="block"')
     return content.replace("</math>\n", "</math></div>\n")
 
 
 def _glance(outcomes: Sequence[tuple[str, Outcome]]) -> str:
-    """All numbers that the paper gives, in one table."""
+    """The verdict, and all numbers that the paper gives in one table."""
     rows = []
     for item, outcome in outcomes:
         name = outcome.title.split(":")[0]
@@ -143,8 +154,8 @@ def _glance(outcomes: Sequence[tuple[str, Outcome]]) -> str:
             if values[0] not in ("", NONE):
                 link = f'<a href="#{item}">{escape(name)}</a>: {escape(quantity)}'
                 rows.append(_row(link, values))
-    text = "<p>Whatever the paper’s text says in numbers about what is shown below, with what becomes of it.</p>"
-    return _section("glance", "The paper’s numbers at a glance", text + _numbers(rows))
+    text = "<p>Every number in the paper’s text about its figures and its table, with what stoss finds.</p>"
+    return _section("glance", "The paper’s numbers at a glance", f"{words.VERDICT.strip()}\n{text}\n{_numbers(rows)}")
 
 
 def _item(item: str, outcome: Outcome, folder: Path) -> str:
@@ -175,9 +186,10 @@ def _paragraphs(text: str) -> str:
 
 
 def _row(quantity: str, values: Sequence[str]) -> str:
-    kinds = [" ".join(kind for kind in (name, "none" * (value == NONE)) if kind) for name, value in
-             zip(("paper", "protocol", "converged"), values)]  # fmt: skip
-    cells = "".join(f'<td class="{kind}">{escape(value)}</td>' for kind, value in zip(kinds, values))
+    cells = "".join(
+        f'<td class="{name.lower()}{" none" * (value == NONE)}" data-column="{name}">{escape(value)}</td>'
+        for name, value in zip(HEADINGS[1:], values)
+    )
     return f'<tr><th scope="row">{quantity}</th>{cells}</tr>'
 
 
@@ -196,13 +208,15 @@ def _errata(folder: Path) -> str:
     for paper, correct, name, anchor in words.ERRATA:
         label, _, title = name.partition(" ")
         place = f'<a href="{theory}#{anchor}">{title}</a>' if theory else title
-        rows.append(f"<tr><td>{label}</td><td>{paper}</td><td>{correct}</td><td>{place}</td></tr>")
-    head = "".join(f'<th scope="col">{each}</th>' for each in ("", "Paper", "Should be", "Section of the errata"))
+        cells = zip(ERRATUM, (label, paper, correct, place))
+        row = "".join(f'<td data-column="{name}">{content}</td>' for name, content in cells)
+        rows.append(f"<tr>{row}</tr>")
+    head = "".join(f'<th scope="col">{each}</th>' for each in ERRATUM)
     text = (
-        "<p>stoss follows the third column. The derivation, or the computation, behind each line is in the section "
-        "named at its end, with the tests that show it. None of these slips changes the main conclusion: collisions "
-        "lose energy to vibration, and ever less of it in the limit of slow ones. But that the loss grows with the "
-        "speed and with <i>ν</i> is true of fast impacts only (figure 1).</p>"
+        "<p>stoss follows the column “Should be”. The section named at the end of each row has the derivation, or "
+        "the computation, and the tests that show it. The main conclusion of the paper stands: collisions lose energy "
+        "to vibration, and the loss vanishes in the limit of slow impacts. But the loss grows with the speed and with "
+        "<i>ν</i> for fast impacts only (figure 1).</p>"
     )
     table = "\n".join(rows)
     return _section(
@@ -213,7 +227,7 @@ def _errata(folder: Path) -> str:
 
 
 def _documentation(folder: Path) -> str:
-    """Where docs/theory/errata.md is from here; nothing if the report lies outside of the repository."""
+    """Path of docs/theory/errata.md from here; nothing if the report is outside the repository."""
     place = folder.resolve()
     return os.path.relpath(REPOSITORY / "docs" / "theory" / "errata.md", place) if REPOSITORY in place.parents else ""
 

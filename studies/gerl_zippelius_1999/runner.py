@@ -6,10 +6,10 @@
     DIR/figures/<item>.png|svg    the figures
     DIR/data/<item>/<table>.csv   what is in them
 
-Finished items are kept and only computed again when what makes them changes (`store`). Each item runs in a process of
-its own, two at a time: an impact uses one core only, so this halves the time; and an item that fails or crashes does
-not end the others. (Curves of `stoss.restitution` use all cores already; for their few seconds the two share.) The
-results do not depend on it, and two runs give the same report byte by byte.
+Finished items are kept, and computed again only when what makes them changes (`store`). Each item
+runs in a process of its own, two at a time: an impact uses only one core, so this halves the time,
+and an item that fails or crashes does not end the others. Two runs give the same report byte by
+byte.
 """
 
 from __future__ import annotations
@@ -65,7 +65,10 @@ class Outcome(NamedTuple):
 
 
 def main(arguments: list[str] | None = None) -> int:
-    """Runs the study; returns the exit code: 0, 1 if an item failed, 2 for usage, 4 if nothing can be written, 130."""
+    """Runs the study; returns the exit code.
+
+    0; 1 if an item failed; 2 for usage; 4 if nothing can be written; 130 when interrupted.
+    """
     parser = argparse.ArgumentParser(
         prog="gerl_zippelius_1999", description="Reproduces Gerl and Zippelius, Phys. Rev. E 59, 2361 (1999).",
         epilog="The report shows all items whose results are there; ITEMs limit what is computed.",
@@ -124,7 +127,7 @@ def _kept(item: str, quick: bool, folder: Path) -> object:
 
 def _work(items: list[str], quick: bool, folder: Path) -> dict[str, Outcome]:
     """All items, two at a time, each in a process of its own; a line for each on stderr."""
-    # Forks of a server that has only imported: they start at once, and there is no thread yet that a fork could break.
+    # Forks of a server that has only imported start at once, and break no thread.
     context = multiprocessing.get_context("forkserver")
     context.set_forkserver_preload([__name__, "matplotlib.backends.backend_agg", "matplotlib.backends.backend_svg"])
     waiting, outcomes = list(items), dict[str, Outcome]()
@@ -175,7 +178,7 @@ def _follow_parent() -> None:
 
 
 def one(item: str, quick: bool, folder: Path) -> Outcome:
-    """Computes the item or takes what is kept, and draws it. Whatever goes wrong in it is told in the outcome."""
+    """Computes the item or takes what is kept, and draws it. The outcome tells what went wrong."""
     module = None
     try:
         matplotlib.use("Agg")

@@ -1,8 +1,8 @@
 """Slips that a code after the paper could contain, and what each does to Table 1.
 
-The paper's own scheme, apart from stoss: eqs. (43), with the sign of erratum E6, (44) and (39) by the
-Runge-Kutta method of 4th order in the interaction picture, 256 angles in the upper quadrant. Only modes and amplitudes
-come from stoss.
+The paper's own scheme, apart from stoss: eqs. (43), with the sign of erratum E6, (44) and (39) by
+the Runge-Kutta method of 4th order in the interaction picture, 256 angles in the upper quadrant.
+Only modes and amplitudes come from stoss.
 """
 
 from __future__ import annotations
@@ -99,14 +99,13 @@ def collide(modes: Modes, speed: float, hardness: float, step: float = STEP) -> 
 
 
 def bessel(order: NDArray, x: Array) -> Array:
-    """J_n(x) = ∫₀^π cos(nt − x sin t) dt/π by the midpoint rule, exact to rounding for n + x < 300."""
+    """J_n(x) = ∫₀^π cos(nt − x sin t) dt/π by the midpoint rule, exact for n + x < 300."""
     t = (np.arange(320) + 0.5) * np.pi / 320
     return np.cos(np.multiply.outer(order, t) - np.multiply.outer(x, np.sin(t))).mean(axis=-1)
 
 
 def exchanged(modes: Modes) -> Modes:
-    """Amplitudes with κ and κ′ exchanged in u_φ, as eq. (26) is printed, in the normalisation and in S (erratum
-    E4)."""
+    """Amplitudes with κ and κ′ exchanged in u_φ, as eq. (26) is printed, in norm and S (E4)."""
     n = modes.order
     wave, wave_shear = modes.omega * np.sqrt(1.0 - POISSON**2), modes.omega * np.sqrt(2.0 * (1.0 + POISSON))
 
@@ -134,7 +133,10 @@ def exchanged(modes: Modes) -> Modes:
 
 
 def with_torsion(modes: Modes) -> Modes:
-    """The zeros of eq. (24) for n = 0 with those of the torsional modes, J_2(κ′) = 0, all as radial modes of C = 1."""
+    """Adds the torsional roots, J_2(κ′) = 0, to the radial modes: all the zeros of eq. (24), n = 0.
+
+    The added modes have C = 1.
+    """
     grid = np.linspace(1.0, modes.omega.max() * np.sqrt(2.0 * (1.0 + POISSON)), 4000)
     value = bessel(np.full(grid.size, 2), grid)
     at = np.flatnonzero(value[1:] * value[:-1] < 0.0)

@@ -1,8 +1,9 @@
-"""The tables of an item on disk: CSV with all digits, so that what is read is what was written, bit for bit.
+"""The tables of an item on disk: CSV with all digits, read as they were written, bit for bit.
 
-DIR/data/<item>/<table>.csv and, written last, DIR/data/<item>/item.json with the key of what made them and a hash of
-each file. Tables count only if the key is the wanted one and every hash is right: a run that was killed, two runs at
-once or an edited file lead to a new computation, never to a wrong picture.
+DIR/data/<item>/<table>.csv and, written last, DIR/data/<item>/item.json with the key of what made
+them and a hash of each file. Tables count only if the key is the wanted one and every hash is
+right: a run that was killed, two runs at once or an edited file lead to a new computation, never to
+a wrong picture.
 """
 
 from __future__ import annotations
@@ -31,9 +32,7 @@ LIST = "item.json"
 
 
 def item_key(item: str, quick: bool) -> str:
-    """Of all that the tables depend on: sources of the item, what it imports from the study, stoss and its compiled
-    module.
-    """
+    """Hash of all that the tables depend on: the item, its imports from the study, and stoss."""
     digest = hashlib.sha256(f"{stoss.__version__} {quick}\n".encode())
     for path in (*_sources(item), *sorted(Path(stoss.__file__).parent.glob("*.py")), Path(_core.__file__)):
         digest.update(path.name.encode() + path.read_bytes())

@@ -1,12 +1,13 @@
 """Table 1: the ten most important modes.
 
-The paper lists, for αR = 500, v = 0.1 c and 1600 modes, the ten modes (n, l) of the highest "average fraction of the
-total energy during collision", with this average and the energy after the collision (eqs. 40 and 43; no
-Poisson number is given, the others are for ν = 0.33). The protocol here: a preliminary run with all 4510 modes up to ω
-= 100 c/R, in the final one the 1600 of highest mean energy; means over the contact. The converged values, of all modes
-at the same wall, are parabolas in 1/ω_c at 0 through runs with all modes below five cutoffs. The table is not
-reproduced (erratum E13). What plausible slips would do to it is computed by an integration of its own (`slips`); one of
-them, C doubled for n = 0, l ≥ 1, is not plausible but what the printed averages ask for.
+The paper lists, for αR = 500, v = 0.1 c and 1600 modes, the ten modes (n, l) of the highest
+"average fraction of the total energy during collision", with this average and the energy after the
+collision (eqs. 40 and 43; no Poisson number is given, the others are for ν = 0.33). The protocol
+here: a preliminary run with all 4510 modes up to ω = 100 c/R, then one with the 1600 of highest
+mean energy; means over the contact. The converged values, of all modes at the same wall, are
+parabolas in 1/ω_c at 0 through runs below five cutoffs. The table is not reproduced (erratum E13).
+`slips` computes what plausible slips would do to it; one of them, C doubled for n = 0, l ≥ 1, is
+not plausible but what the printed averages ask for.
 """
 
 from __future__ import annotations
@@ -86,8 +87,8 @@ def _of(hit: stoss.Impact, when: str) -> NDArray:
 
 
 def _limit(cutoffs: tuple[float, ...], values: NDArray) -> tuple[NDArray, NDArray]:
-    """Parabolas in 1/ω_c at 0. Errors: from those without the largest cutoff, 2·10⁻⁴ for the steps in time, and 5·10⁻⁶
-    of the amplitude (finite elements, tests/data/restitution_exponential_wall.csv, differ by no more)."""
+    """Parabolas in 1/ω_c at 0. Errors: their distance to those without the largest cutoff,
+    2·10⁻⁴ for the steps in time, and 5·10⁻⁶ of the amplitude, by which finite elements differ."""
     x = 1.0 / np.array(cutoffs)
     full, fewer = (np.array([np.polyfit(x[:n], y[:n], 2)[-1] for y in values.T]) for n in (len(x), len(x) - 1))
     return full, np.abs(full - fewer) + 2e-4 * np.abs(full) + 1e-5 * np.sqrt(np.abs(full))

@@ -198,6 +198,29 @@ class Page(html.parser.HTMLParser):
             self.style += data
 
 
+@pytest.fixture(scope="module")
+def page(study):
+    return (study.folder / "report.html").read_text(encoding="utf-8")
+
+
+def test_report_cites_equations_by_number(page):
+    cited = re.findall(r"\b[Ee]qs?\.\s+(\S+)", page)
+    assert len(cited) > 15
+    assert not [each for each in cited if not re.match(r"\(?\d", each)]
+
+
+def test_report_begins_its_numbers_with_a_short_verdict(page):
+    section = page.partition('<section id="glance">')[2].partition("</section>")[0]
+    verdict, table = section.split("<table", 1)
+    text = re.sub(r"<[^>]+>", "", verdict)
+    for part in ("Agrees:", "Misprint or slip:", "Open:"):
+        assert part in text
+    assert len(text) < 1100  # ten lines of the page
+    # On a narrow screen, where rows become cards, every cell says which column it is.
+    row = re.search(r"<tbody>\n<tr>(.*?)</tr>", table)[1]
+    assert re.findall(r'<td [^>]*data-column="(\w+)"', row) == ["Paper", "Protocol", "Converged"]
+
+
 def test_report_needs_nothing_else_and_all_links_lead_somewhere(study):
     text = (study.folder / "report.html").read_text(encoding="utf-8")
     page = Page(re.sub(r"(<mspace[^>]*)/>", r"\1>", text))
