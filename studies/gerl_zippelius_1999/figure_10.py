@@ -4,7 +4,6 @@ The paper shows its law of force against compression, eq. (56); the relaxation o
 least energy, eq. (40), with the centre held still; and impacts at v = 0.1 c and 0.04 c at αR = 500.
 Beside all these stands the hard wall: its exact static contact, the law of the centre of mass
 (docs/theory/errata.md, E8), and impacts of the full solution.
-impacts of the full solution.
 
 Where a compression begins. At an exponential wall δ = R + x₀ counts from the plane V₀e^{αx} = 1. A
 contact of the pressure p stands ln(α/p)/α before it (0.017 R for αR = 500 and p = 0.1 E): the hard
