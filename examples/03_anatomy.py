@@ -38,10 +38,11 @@ def main(folder: Path) -> None:
     print(f"greatest von Mises stress at half time {field.von_mises.max():.3f} E")
 
     path.to_csv(folder / "anatomy.csv")
-    plt.rcParams.update({"font.size": 8, "legend.fontsize": 6.5, "legend.columnspacing": 1.0})
+    plt.rcParams.update({"font.size": 8, "axes.titlesize": 8, "legend.fontsize": 6.5, "legend.columnspacing": 1.0})
     layout = [["sequence"] * 3, ["force", "velocity", "energies"], ["half_width", "ledger", "stress"]]
     heights = {"height_ratios": [0.8, 1, 1]}
     figure, axes = plt.subplot_mosaic(layout, figsize=(11.5, 8.4), gridspec_kw=heights, layout="constrained")
+    figure.get_layout_engine().set(w_pad=0.12, h_pad=0.1)  # inches, so that no label touches the edge
     stoss.plot.sequence(hit, axes["sequence"], count=6, columns=6)
     for name in ("force", "velocity", "energies", "half_width"):
         getattr(stoss.plot, name)(path, axes[name])

@@ -133,7 +133,7 @@ def numbers(tables: Tables) -> list[Row]:
             f"C : |S| or |S| : C for the highest l (l ≥ {0.75 * many.max():.0f} n), median", "> 100", NONE,
             written(np.median(ratio[highest]), 3),
         ),
-        ("share of these above 100", "“exceeding 1:100”", NONE, f"{100 * np.mean(ratio[highest] > 100):.0f} %"),
+        ("share above 100 of the modes with the highest l", "“exceeding 1:100”", NONE, f"{100 * np.mean(ratio[highest] > 100):.0f} %"),
     ]  # fmt: skip
     count = tables["count"]
     for omega, modes in zip(count["omega[c/R]"], count["modes"]):

@@ -142,15 +142,16 @@ def numbers(tables: Tables) -> list[Row]:
     reached = place(table, *best[1])
     ratio = table["energy"].max() / table["energy"][reached]
     limit = table["energy_converged"].max() / table["energy_converged"][reached]
-    rows.append(("its energy over that of the next", "“dominated”", f"{ratio:.2f}", f"{limit:.2f}"))
+    rows.append(("energy of (2, 0) over that of the next mode", "“dominated”", f"{ratio:.2f}", f"{limit:.2f}"))
     rows.append(("the five most energetic, in order", NONE, ", ".join(f"({n}, {l})" for n, l in best[:5]), NONE))
     for n, l in NAMED:
         k = place(table, n, l)
         limit = measured(table["energy_converged"][k], table["energy_error"][k])
         name = f"energy of ({n}, {l}) at closest approach, over the initial energy"
         rows.append((name, NONE, f"{table['energy'][k]:.4f}", limit))
-    rows.append(("energy of all modes there, over the initial energy", NONE, f"{instants['vibration'][0]:.4f}", NONE))
-    name = "energy of the wall’s potential there, over the initial energy"
+    name = "energy of all modes at closest approach, over the initial energy"
+    rows.append((name, NONE, f"{instants['vibration'][0]:.4f}", NONE))
+    name = "energy of the wall’s potential at closest approach, over the initial energy"
     rows.append((name, NONE, f"{instants['stored'][0]:.4f}", NONE))
     return rows
 

@@ -204,7 +204,7 @@ def numbers(tables: Tables) -> list[Row]:
         here = [row_at(tables[name], v) for name in (*LAWS, "full")]
         shares = [f"{100 * each['quadrupole'] / each['lost_fraction']:.0f} %" for each in here]
         words = f"{shares[0]}; law of the centre {shares[1]}" if v <= 0.1 else NONE
-        rows.append((f"(2,0) in it at {at}", "“most”", words, shares[2]))
+        rows.append((f"share of (2,0) in 1 − ε² at {at}", "“most”", words, shares[2]))
     v = tables["full"]["speed[c]"][tables["full"]["speed[c]"] <= 0.01]
     ratio = [row_at(tables["printed"], x)["lost_fraction"] / row_at(tables["full"], x)["lost_fraction"] for x in v]
     spread = f"estimate / full solution: {min(ratio):.2f} to {max(ratio):.2f}"
@@ -220,7 +220,7 @@ def numbers(tables: Tables) -> list[Row]:
     ends = [written(end_of_perturbation(tables, law), 2) for law in LAWS]
     for v in (0.01, 0.1):
         printed, true = row_at(tables["printed"], v), row_at(tables["full"], v)
-        quantity = f"of it in the lowest 1800 modes at v = {v:g} c"
+        quantity = f"1 − ε² in the lowest 1800 modes at v = {v:g} c"
         rows.append((quantity, NONE, written(printed["lost_fraction"], 3), written(true["lowest_modes"], 4)))
     rows.append(("end of perturbation theory, c", NONE, f"{ends[0]}; law of the centre {ends[1]}", NONE))
     return rows
@@ -242,6 +242,6 @@ def meaning(tables: Tables) -> str:
         f"{written(SMALL_LOAD * printed_low, 2)} c, which may be what the paper shows. Unphysical too is the rise that "
         f"follows: beyond {written(end_of_perturbation(tables, 'center'), 2)} c perturbation theory ends, and at 0.1 c "
         f"the estimate is {written(fast['lost_fraction'], 2)}, not {written(row_at(table, 0.1)['lost_fraction'], 3)}. "
-        "That most of the energy goes into the quadrupole is true near its maxima only: its share of what is left "
-        f"swings between {share.min():.0f} and {share.max():.0f} %."
+        "Most of the energy goes into the quadrupole only near its maxima: its share of what is left swings "
+        f"between {share.min():.0f} and {share.max():.0f} %."
     )

@@ -212,7 +212,7 @@ def numbers(tables: Tables) -> list[Row]:
     limit = measured(totals["lost_fraction"][1], totals["lost_fraction_error"][1])
     rows.append(("1 − ε² of this impact", NONE, f"{totals['lost_fraction'][0]:.5f}", limit))
     ranks = ", ".join(str(rank) for rank in table["protocol_rank"])
-    rows.append(("its ten modes have the ranks", "1 to 10", ranks, NONE))
+    rows.append(("ranks of the paper’s ten modes", "1 to 10", ranks, NONE))
     return rows
 
 
