@@ -1,10 +1,14 @@
 """Anatomy of one collision: what the disk does, what the wall does, and where the energy goes.
 
 Run:     python examples/03_anatomy.py [FOLDER]        (default: out/)
-Expect:  the energy ledger of an impact at a tenth of the bar speed, with most of the loss in the
+Expect:  the energy ledger of an impact at a tenth of the bar speed, the greatest part of the loss in the
          mode (2,0); anatomy.png with the disk at six times, force, velocity, energies and contact
          width against time, the energies of the modes, and the stress half-way; anatomy.csv, the
          trajectory. Two or three seconds.
+
+The force drops when the pressure wave of the first contact comes back from the far side of the
+disk, after the time 4R/c_p with c_p = c/√(1 − ν²). The half-width is a staircase, because the
+contact grows and shrinks by whole nodes of its grid.
 
     m dv/dt = −F,    ½ m v² + energy of the modes + energy taken by the tail = constant
 """
@@ -23,11 +27,13 @@ def main(folder: Path) -> None:
     hit = stoss.impact(poisson=0.33, speed=0.1)
     path = hit.trajectory()
     field = hit.field(time=hit.contact_time / 2)
+    echo = 4.0 * np.sqrt(1.0 - hit.body.poisson**2)  # R/c
 
     impulse = np.sum(0.5 * (path.force[1:] + path.force[:-1]) * np.diff(path.time))
     print(hit)
     print(f"greatest force        {hit.max_force:.5f} pi R E")
     print(f"greatest compression  {hit.max_compression:.5f} R")
+    print(f"pressure wave back at {echo:.4f} R/c")
     print(f"impulse / (m v)       {impulse / hit.speed:.5f} = 1 + eps = {1 + hit.restitution:.5f}")
     print("energy after the impact, shares of the initial energy:")
     for name in ("translation", "vibration", "unresolved", "energy_error"):
@@ -46,6 +52,9 @@ def main(folder: Path) -> None:
     stoss.plot.sequence(hit, axes["sequence"], count=6, columns=6)
     for name in ("force", "velocity", "energies", "half_width"):
         getattr(stoss.plot, name)(path, axes[name])
+    axes["force"].axvline(echo, color="0.5", linewidth=0.8, linestyle=":")
+    axes["force"].set_title("dotted: the pressure wave is back from the far side")
+    axes["half_width"].set_title("steps: one node of the contact grid each")
     stoss.plot.ledger(hit, axes["ledger"])
     stoss.plot.stress(field, axes["stress"])
     figure.savefig(folder / "anatomy.png", dpi=150)

@@ -133,6 +133,12 @@ def test_anatomy(example):
     assert run.text.splitlines()[0] == str(hit)
     assert run.numbers("greatest force") == [[round(hit.max_force, 5)]]
     assert run.numbers("greatest compression") == [[round(hit.max_compression, 5)]]
+    # The force falls fastest as the pressure wave comes back, as the picture says.
+    ((echo,),) = run.numbers("pressure wave")
+    path = hit.trajectory()
+    middle = (path.time > 1.0) & (path.time < 5.0)
+    fall = path.time[middle][np.argmin(np.gradient(path.force, path.time)[middle])]
+    assert echo - 0.1 < fall < echo
     # Momentum: what the wall gave is what the centre of mass changed by.
     impulse, _, change = run.numbers("impulse")[0]
     assert change == pytest.approx(1 + hit.restitution, abs=6e-6)
