@@ -1,4 +1,4 @@
-// What the paper says, and what is so: the errata of docs/theory.md, section 11, that no other test shows.
+// The errata of the paper (docs/theory/errata.md) that no other test shows.
 #include <gtest/gtest.h>
 
 #include <array>

@@ -57,11 +57,11 @@ struct Flexibility {
   double tangential = 0.0;  ///< F^SS
 };
 
-/// Closed form of the static flexibility of a disk, with inertia relief for n = 1 (docs/theory.md).
+/// Closed form of the static flexibility of a disk, with inertia relief for n = 1 (docs/theory/modes.md).
 [[nodiscard]] Flexibility static_flexibility(double poisson, int order);
 
 /// Σ_l (C,S)(C,S)ᵀ/ω⁴ over all modes of one order, closed: ∫ r u·u dr of the static solutions, since the coordinates of
-/// a static displacement u are its projections on the modes (docs/theory.md). The response of the edge to a slowly
+/// a static displacement u are its projections on the modes (docs/theory/modes.md). The response of the edge to a slowly
 /// varying load is static_flexibility − d²/dt² static_second_moment.
 [[nodiscard]] Flexibility static_second_moment(double poisson, int order);
 
