@@ -1,4 +1,4 @@
-"""Links, line lengths and names of files in the documentation."""
+"""Links, line lengths, names of files and claims about the sources in the documentation."""
 
 import re
 from pathlib import Path
@@ -47,3 +47,29 @@ def test_chapter_of_the_theory_has_short_lines_and_names_code_that_exists(page):
 def test_chapters_of_the_theory_are_all_in_its_index():
     index = (ROOT / "docs/theory/README.md").read_text(encoding="utf-8")
     assert THEORY and all(f"]({page.name})" in index for page in THEORY if page.name != "README.md")
+
+
+def included(folder):
+    """Headers of other libraries that the sources in a folder include."""
+    files = [file for file in (ROOT / folder).rglob("*.?pp")]
+    text = "\n".join(file.read_text(encoding="utf-8") for file in files)
+    return set(re.findall(r"^#include <(\w+/[\w/]+)", text, re.MULTILINE))
+
+
+def test_dependencies_of_the_core_are_those_that_it_includes():
+    page = (ROOT / "docs/dependencies.md").read_text(encoding="utf-8")
+    rows = [[cell.strip() for cell in line.split("|")[1:-1]] for line in page.splitlines() if line.startswith("| ")]
+    said = {row[0].split()[0] for row in rows if "core" in row[-1]}
+    names = {"Eigen": "Eigen", "boost/math": "Boost.Math"}
+    found = {next(names[key] for key in names if header.startswith(key + "/")) for header in included("src")}
+    assert said == found == set(names.values())
+    assert not included("include")
+
+
+def test_index_of_the_private_rooms_has_every_source():
+    page = (ROOT / "docs/architecture.md").read_text(encoding="utf-8")
+    table = page.partition("### Private rooms")[2].partition("###")[0]
+    named = set(re.findall(r"`(?:\w+/)?(\w+)(?:\.hpp)?`", "\n".join(re.findall(r"^\|.*$", table, re.MULTILINE))))
+    public = {header.stem for header in (ROOT / "include").rglob("*.hpp")}
+    private = {file.stem for file in (ROOT / "src").rglob("*.?pp")} - public
+    assert private <= named, private - named
