@@ -1,16 +1,16 @@
 // The rival: the numerical protocol of F. Gerl and A. Zippelius, Phys. Rev. E 59, 2361 (1999), sections III and IV,
-// as published. Every mode is integrated in the interaction picture (paper eqs. compact, Evolgl),
+// as published. Every mode is integrated in the interaction picture (paper eqs. (42), (43)),
 //
 //   Q = Re(q e^{iωt}),   P = −mω Im(q e^{iωt}),
 //   dq/dt = (i α V₀ / mω) e^{−iωt} ∫ dφ (C cos nφ cos φ − S sin nφ sin φ) e^{αx(φ)},
 //   dv/dt = −(α V₀ / m) ∫ dφ e^{αx(φ)},
-//   x(φ)  = x₀ + cos φ + Σ Q (C cos nφ cos φ − S sin nφ sin φ),          (Deformt)
+//   x(φ)  = x₀ + cos φ + Σ Q (C cos nφ cos φ − S sin nφ sin φ),          (eq. (39))
 //
 // φ from −π/2 to π/2, by the classical Runge–Kutta method of 4th order: 940 modes, those with the highest average
 // energy in a preliminary run; 256 angles in the upper quadrant; look-up tables for cos nφ and sin nφ; αR = 500; at the
 // start q = 0 and the disk out of the wall's reach. R = c = ρ = 1, m = π. Corrected is only what is evidently a slip of
 // the pen: the sign of P and with it that of dq/dt (as printed, P = mω Im(q e^{iωt}), free modes have dQ/dt = −P/m, and
-// the wall pulls where it should push), and the energy of a mode, ½mω²|q|² (eq. Hamiltonint has mω²Q²).
+// the wall pulls where it should push), and the energy of a mode, ½mω²|q|² (eq. (40) has mω²Q²).
 //
 // What the paper leaves open is settled in favour of speed: modes of one order may share their sums over the angles,
 // e^{iωt} is carried on by rotation instead of being computed anew, and the loops over modes and angles are vectorised
@@ -42,7 +42,7 @@ struct PaperResult {
 /// The sums over the angles are done once for each group.
 [[nodiscard]] PaperResult paper_impact(const std::vector<stoss::ModeGroup>& modes, const PaperSettings& settings);
 
-/// The same modes, each a group of its own: eqs. Deformt and Evolgl taken literally, every mode at every angle.
+/// The same modes, each a group of its own: eqs. (39) and (43) taken literally, every mode at every angle.
 [[nodiscard]] std::vector<stoss::ModeGroup> mode_by_mode(const std::vector<stoss::ModeGroup>& modes);
 
 /// The `count` modes of a disk with the highest energy, averaged over the contact. The preliminary run is stoss's own

@@ -12,7 +12,7 @@ namespace stoss {
 
 /// The motion of one body at one wall, with the node forces f_i of the wall,
 ///
-///   m ẍ₀ = −Σ_i f_i,   m Q̈ = −m ω² Q − Σ_i f_i (C c_i + S s_i)   (paper eqs. Gesev, Koeffzus with a wall),
+///   m ẍ₀ = −Σ_i f_i,   m Q̈ = −m ω² Q − Σ_i f_i (C c_i + S s_i)   (paper eqs. (44) and (41) with E2),
 ///
 /// by kick–rotate–kick: half a kick by the force, exact rotation of every
 /// mode and drift of the centre, half a kick. Second order, time-reversible, exact between contacts.

@@ -7,12 +7,12 @@ namespace stoss {
 /// The free edge of a disk for one angular order n ≥ 1 at one frequency ω.
 ///
 /// With α = κ J_n'(κ), β = J_n(κ), the same primed at κ′, and q = κ′²/2 − n², the displacement and the traction
-/// (over 2μ) of the potentials A J_n(κr), B J_n(κ′r) at r = 1 are (paper eqs. eigen.u, Anfvollst, Anfvollst2)
+/// (over 2μ) of the potentials A J_n(κr), B J_n(κ′r) at r = 1 are (paper eqs. (19), (21), (22))
 ///
 ///   u_r = A α + n B β′            σ_rr  = −A (α + q β) + n B (α′ − β′)
 ///   u_φ = −(n A β + B α′)         σ_rφ  = −n A (α − β) + B (α′ + q β′)
 ///
-/// and the eigenvalue equation is their determinant (paper eq. Zero up to a factor),
+/// and the eigenvalue equation is their determinant (paper eq. (24) up to a factor),
 ///
 ///   D_n = n² (α − β)(α′ − β′) − (α + q β)(α′ + q β′) = 0.
 ///

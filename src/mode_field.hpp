@@ -9,7 +9,7 @@
 namespace stoss {
 
 /// Displacement and stress of a free vibration inside the disk. With the potentials β = A J_n(κr), β′ = B J_n(κ′r),
-/// their slopes α = rβ_r = nβ − γ (paper eq. eigen.u), M = n(n−1) and y = κ′²r²/2,
+/// their slopes α = rβ_r = nβ − γ (paper eq. (19)), M = n(n−1) and y = κ′²r²/2,
 ///
 ///   r u_r = n(β + β′) − γ             (1+ν) r² σ_rr  =  M(β + β′) − yβ + γ − nγ′
 ///   r u_φ = γ′ − n(β + β′)            (1+ν) r² σ_rφ  = −M(β + β′) + yβ′ + nγ − γ′

@@ -111,7 +111,7 @@ class Interval {
   BesselTaylor shear_;
 };
 
-/// n = 0 (paper eq. Radialvib): κ J_1' + ν J_1 = 0. κ J_1'/J_1 falls from 1 between its poles, so there is exactly
+/// n = 0 (paper eq. (20)): κ J_1' + ν J_1 = 0. κ J_1'/J_1 falls from 1 between its poles, so there is exactly
 /// one root before each zero of J_1.
 std::vector<Mode> radial_modes(double poisson, double cutoff) {
   const double per_omega = std::sqrt(1.0 - poisson * poisson);

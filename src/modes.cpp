@@ -27,7 +27,7 @@ namespace {
   throw InvalidInput(line.str());
 }
 
-/// The static sum rules (docs/theory.md): what the modes of one order leave of its flexibility must be positive
+/// The static sum rules (docs/theory/modes.md): what the modes of one order leave of its flexibility must be positive
 /// semidefinite and no larger than the modes above the cutoff can carry, about (2/πω_c)(κ + κ′)/ω.
 void check_sum_rule(double poisson, double cutoff, int order, const Flexibility& kept) {
   const Flexibility all = static_flexibility(poisson, order);

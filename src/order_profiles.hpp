@@ -15,7 +15,7 @@ namespace stoss {
 ///
 ///   w_n u_static[p_n, t_n] + Σ_kept (Q − w_n Q_static) u_l,   Q_static = (g_C C + g_S S)/ω²,
 ///
-/// with the generalised loads of the node forces F_i (docs/theory.md, section 3),
+/// with the generalised loads of the node forces F_i (docs/theory/modes.md),
 ///
 ///   g_C = −Σ_i F_i cos nφ_i cos φ_i,   g_S = Σ_i F_i sin nφ_i sin φ_i,
 ///

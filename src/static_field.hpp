@@ -10,7 +10,7 @@ struct RadialPowers {
 };
 
 /// Static field of a disk under the edge tractions σ_rr = p cos nφ and σ_rφ = t sin nφ (Michell's solution;
-/// docs/theory.md, section 3), for n = 1 with inertia relief: the disk accelerates by p − t, its centre of mass stays.
+/// docs/theory/modes.md), for n = 1 with inertia relief: the disk accelerates by p − t, its centre of mass stays.
 ///
 ///   u = low r^{n−1} + high r^{n+1},   σ = below (r^{n−2} − r^n) + edge r^n
 ///

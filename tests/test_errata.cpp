@@ -1,4 +1,4 @@
-// What the paper says, and what is so: the errata of docs/theory.md, section 11, that no other test shows.
+// The errata of the paper (docs/theory/errata.md) that no other test shows.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -61,7 +61,7 @@ TEST(Errata, E1EnergyOfAModeHasTheFactorOneHalf) {
   EXPECT_GT(mode, 10U);
 }
 
-/// ∫ r u·u dr of the modes (n, 0) and (n, 1), normalised, with u from eq. eigen.u, or with κ and κ′ exchanged in u_φ.
+/// ∫ r u·u dr of the modes (n, 0) and (n, 1), normalised, with u from eq. (19), or with κ and κ′ exchanged in u_φ.
 double overlap(int n, bool as_printed) {
   using boost::math::cyl_bessel_j;
   using boost::math::cyl_bessel_j_prime;
@@ -69,7 +69,7 @@ double overlap(int n, bool as_printed) {
   const auto field = [&](const Mode& mode, double r) {
     const double k = mode.omega * std::sqrt(1.0 - poisson * poisson);
     const double shear = mode.omega * std::sqrt(2.0 * (1.0 + poisson));
-    // A : B from the vanishing shear stress at the edge, eq. Anfvollst2.
+    // A : B from the vanishing shear stress at the edge, eq. (22).
     const double a =
         2.0 * shear * cyl_bessel_j_prime(n, shear) + (shear * shear - 2.0 * n * n) * cyl_bessel_j(n, shear);
     const double b = 2.0 * n * (k * cyl_bessel_j_prime(n, k) - cyl_bessel_j(n, k));
@@ -99,7 +99,7 @@ TEST(Errata, E4PrintedFieldsAreNotOrthogonal) {
   }
 }
 
-/// The paper's equations of motion, eqs. Evolgl and Gesev, by Runge and Kutta, with a sign of Evolgl to choose.
+/// The paper's equations of motion, eqs. (43) and (44), by Runge and Kutta, with the sign of (43) to choose.
 class InteractionPicture {
  public:
   InteractionPicture(const Body& body, const ExponentialWall& wall, double sign)

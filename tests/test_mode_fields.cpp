@@ -101,7 +101,7 @@ TEST_P(ModeFields, LeaveTheEdgeFreeOfTraction) {
       tangential_slope += weights[i] * field[i].tangential / h;
     }
     const auto [radial, tangential] = field.front();
-    // σ_rr ∝ u_r′ + ν(u_r + n u_φ) and σ_rφ ∝ u_φ′ − u_φ − n u_r (paper eqs. polar, Kompression).
+    // σ_rr ∝ u_r′ + ν(u_r + n u_φ) and σ_rφ ∝ u_φ′ − u_φ − n u_r (paper eqs. (15) and (16), strain and Hooke's law).
     EXPECT_NEAR(radial_slope + poisson * (radial + order * tangential), 0.0, 1e-8 * scale) << mode.omega;
     EXPECT_NEAR(tangential_slope - tangential - order * radial, 0.0, 1e-8 * scale) << mode.omega;
   }

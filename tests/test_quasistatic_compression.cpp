@@ -16,7 +16,7 @@ namespace {
 constexpr std::array laws{CompressionLaw::center, CompressionLaw::diameter, CompressionLaw::printed};
 constexpr std::array poissons{-0.95, -0.3, 0.0, 0.33, 0.9, 0.995};
 
-/// The three laws as they are written (docs/theory.md, E7 and E8).
+/// The three laws as they are written (docs/theory/errata.md, E7 and E8).
 double written(CompressionLaw law, double poisson, double force) {
   if (law == CompressionLaw::center) return force * (std::log(1.0 / force) - 0.25 * (1.0 + poisson));
   return force * (std::log(4.0 / force) - 1.0 - (law == CompressionLaw::printed ? poisson : 0.0));

@@ -21,7 +21,7 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 
-/// Paper eq. Bestgleichgn by adaptive quadrature over s = a sin θ.
+/// Paper eq. (46), the stress under the Hertz pressure, by adaptive quadrature over s = a sin θ.
 PlaneStress by_quadrature(double force, double x, double y) {
   const double a = 2.0 * std::sqrt(force);
   const auto integral = [&](auto kernel) {
@@ -71,7 +71,7 @@ TEST(QuasistaticHertz, PressureCarriesTheLoad) {
     const double a = hertz_half_width(force);
     const double load = integrate.integrate([&](double y) { return hertz_pressure(force, y); }, -a, a);
     EXPECT_NEAR(load, pi * force, 1e-13 * pi * force);
-    EXPECT_DOUBLE_EQ(hertz_pressure(force, 0.0), 2.0 * (pi * force) / (pi * a));  // eq. Kraftvert with P = πF
+    EXPECT_DOUBLE_EQ(hertz_pressure(force, 0.0), 2.0 * (pi * force) / (pi * a));  // eq. (45) with P = πF
     EXPECT_EQ(hertz_pressure(force, a), 0.0);
     EXPECT_EQ(hertz_pressure(force, -1.5 * a), 0.0);
   }

@@ -117,7 +117,7 @@ struct Deviation {
 };
 
 TEST(QuasistaticStaticContact, TellsHowGoodTheLawsAre) {
-  // δ: docs/theory.md, E8. The force deviates more, by the factor u/(u − 1) of the logarithm.
+  // δ: docs/theory/errata.md, E8. The force deviates more, by the factor u/(u − 1) of the logarithm.
   constexpr Deviation table[] = {
       {0.0, 0.01, -0.00078, 0.00094, 0.1022, -0.1076},  {0.0, 0.03, -0.00378, 0.00478, 0.1273, -0.1360},
       {0.33, 0.01, -0.00094, 0.00113, 0.0630, -0.0696}, {0.33, 0.03, -0.00458, 0.00583, 0.0772, -0.0881},
@@ -139,7 +139,7 @@ TEST(QuasistaticStaticContact, TellsHowGoodTheLawsAre) {
 }
 
 TEST(QuasistaticStaticContact, LawForTheCentreIsExactForSmallLoadsWithAKnownNextTerm) {
-  // δ = law + (3 + 3ν/2) F² + …: the coefficient is a measurement (docs/theory.md, section 10).
+  // δ = law + (3 + 3ν/2) F² + …: the coefficient is a measurement (docs/theory/quasistatic.md).
   for (const double poisson : {-0.5, 0.0, 0.33, 0.9}) {
     const test::SpectralContact exact(poisson, 0.04);
     const double rest = exact.compression - compression(CompressionLaw::center, poisson, exact.force);

@@ -123,7 +123,7 @@ TEST(Rayleigh, SumsItsModesAndRepeatsItself) {
   EXPECT_LT(further, estimate.lost_fraction * (1.0 + 3e-4));
 }
 
-/// The table of docs/theory.md, "Slow impacts": full solution, and the estimate, at ν = 0.33.
+/// The table of docs/theory/quasistatic.md, "Where the estimate holds": full solution, and the estimate, at ν = 0.33.
 TEST(Rayleigh, IsNearTheFullSolutionOfSlowImpacts) {
   struct Expected {
     double speed, full, estimate, full_quadrupole, estimate_quadrupole;

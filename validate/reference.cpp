@@ -96,7 +96,7 @@ void write_row(std::ostream& out, const Point& point, const Runs& runs) {
 }
 
 void write_header(std::ostream& out) {
-  out << "# Impacts of a disk at a hard wall, dimensionless (docs/theory.md section 1), far more finely resolved than "
+  out << "# Impacts of a disk at a hard wall, dimensionless (docs/theory/README.md), far more finely resolved than "
          "those of\n"
          "# restitution(). Made by: stoss_validate --make-reference FILE\n"
          "# Three runs at each point, with cutoffs 200, 283, 400, steps 0.2, 0.35, 0.3 over the cutoff (or the body's "

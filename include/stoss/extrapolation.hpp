@@ -31,7 +31,7 @@ struct ExtrapolatedRestitution {
   long steps = 0;
 };
 
-/// The coefficient of restitution as the paper computes it: impacts on exponential walls (eq. Hamiltonint), 1 − ε²
+/// The coefficient of restitution as the paper computes it: impacts on exponential walls (eq. (40)), 1 − ε²
 /// extrapolated linearly in 1/α to the hard wall (figure 7), those limits linearly in 1/√N to infinitely many modes
 /// (figure 8). It exists to show that this road meets the hard wall of `restitution`, and how long it is.
 ///

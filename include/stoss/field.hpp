@@ -30,7 +30,7 @@ struct Field {
 ///   u = u_static[F] + Σ_kept (Q − Q_static[F]) u_l,   Q_static = −Σ_i F_i (C c_i + S s_i)/ω²,
 ///
 /// and so for the stress, where u_static is Michell's solution for the node forces F_i with inertia relief, for the
-/// orders up to the Nyquist order of the contact grid (docs/theory.md, section 3). So the stress at the contact is that
+/// orders up to the Nyquist order of the contact grid (docs/theory/modes.md). So the stress at the contact is that
 /// of the whole elastic body and not of a truncated series.
 ///
 /// At the nodes the traction of the edge is the pressure of the node forces, to rounding: none outside the contact.

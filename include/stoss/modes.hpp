@@ -14,7 +14,7 @@ inline constexpr double max_cutoff = 1000.0;
 /// One symmetric in-plane vibration of a free disk, in units R = c = ρ = 1.
 ///
 /// Inside the disk u = (u_r(r) cos nφ, u_φ(r) sin nφ), normalised to ∫ r (u_r² + u_φ²) dr = 1 for n ≥ 1
-/// and ½ for n = 0 (paper eq. Normdef), so that its modal mass is the mass of the disk.
+/// and ½ for n = 0 (paper eq. (25)), so that its modal mass is the mass of the disk.
 struct Mode {
   int order;          ///< n, angular order
   int index;          ///< l, number of the root for this order, from 0
@@ -31,9 +31,9 @@ enum class ModeFamily { radial, tangential };
 
 /// All symmetric modes of a free disk with 0 < ω ≤ cutoff, sorted by order, then by frequency.
 ///
-/// The eigenvalue equation is paper eq. Zero (n ≥ 1) and eq. Radialvib (n = 0). No root is missed: the roots
-/// below any frequency are counted exactly (Wittrick–Williams, docs/numerics.md), every bracket holds one root,
-/// and the result is checked against that count and against static_flexibility.
+/// The eigenvalue equation is paper eq. (24) for n ≥ 1 and eq. (20) for n = 0. No root is missed: the roots below
+/// any frequency are counted exactly (Wittrick and Williams, docs/theory/modes.md), every bracket holds one root,
+/// and the list is checked against that count and against static_flexibility.
 /// @param poisson 2-D Poisson number, −0.95 … 0.995
 /// @param cutoff  highest frequency in c/R, from the lowest mode to 1000
 /// @throws InvalidInput outside these ranges; NotConverged if the list fails its own check
@@ -45,7 +45,7 @@ struct Displacement {
   double tangential;  ///< u_φ(r), to be multiplied by sin nφ
 };
 
-/// Displacement (u_r, u_φ) of a mode inside the disk at radii 0 ≤ r ≤ 1 (paper eq. eigen.u).
+/// Displacement (u_r, u_φ) of a mode inside the disk at radii 0 ≤ r ≤ 1 (paper eq. (19)).
 /// @throws InvalidInput for a radius or a Poisson number out of range
 [[nodiscard]] std::vector<Displacement> displacement(double poisson, const Mode& mode,
                                                      const std::vector<double>& radii);
@@ -57,11 +57,11 @@ struct Flexibility {
   double tangential = 0.0;  ///< F^SS
 };
 
-/// Closed form of the static flexibility of a disk, with inertia relief for n = 1 (docs/theory.md).
+/// Closed form of the static flexibility of a disk, with inertia relief for n = 1 (docs/theory/modes.md).
 [[nodiscard]] Flexibility static_flexibility(double poisson, int order);
 
 /// Σ_l (C,S)(C,S)ᵀ/ω⁴ over all modes of one order, closed: ∫ r u·u dr of the static solutions, since the coordinates of
-/// a static displacement u are its projections on the modes (docs/theory.md). The response of the edge to a slowly
+/// a static displacement u are its projections on the modes (docs/theory/modes.md). The response of the edge to a slowly
 /// varying load is static_flexibility − d²/dt² static_second_moment.
 [[nodiscard]] Flexibility static_second_moment(double poisson, int order);
 

@@ -15,7 +15,7 @@ struct HardWall {
   Tail tail = Tail::radiating;
 };
 
-/// The paper's soft wall, potential V = V₀ ∫ dφ e^{αx(φ)} (eq. Hamiltonint). Modes above the cutoff are left out.
+/// The paper's soft wall, potential V = V₀ ∫ dφ e^{αx(φ)} (paper eq. (40)). Modes above the cutoff are left out.
 struct ExponentialWall {
   double hardness = 500.0;  ///< α, 1/R; 1 … 1e6
   double strength = 1.0;    ///< V₀, ρc²R²; shifts the wall by ln V₀/α and changes nothing else

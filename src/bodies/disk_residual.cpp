@@ -78,7 +78,7 @@ HarmonicSums harmonic_sums(std::size_t m, std::size_t highest) {
   return {-std::log(sine) - sign * beyond_cosine, 0.5 * (std::numbers::pi - theta) - sign * beyond_sine};
 }
 
-/// The tables of the closed-form flexibilities of all orders up to Nyquist (docs/theory.md, section 3).
+/// The tables of the closed-form flexibilities of all orders up to Nyquist (docs/theory/modes.md).
 Tables static_tables(double poisson, double h, std::size_t size) {
   const Flexibility zero = static_flexibility(poisson, 0);
   const Flexibility one = static_flexibility(poisson, 1);

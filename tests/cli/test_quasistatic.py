@@ -122,7 +122,7 @@ def test_static_compression(stoss, law):
 
 
 def test_exact_contact_differs_as_the_manual_says(stoss):
-    # docs/theory.md, section 10: the law of the centre is 0.113 % and 0.583 % too great.
+    # docs/theory/quasistatic.md, "Static contact": the law of the centre is 0.113 % and 0.583 % too great.
     for row, more in zip(stoss.data(f"{CONTACT} 0.01,0.03"), (0.00113, 0.00583)):
         error = number(row, "static_force_error")
         assert 0 < error < 1e-4 * number(row, "static_force")

@@ -3,10 +3,10 @@
 
     /usr/bin/python3 make_modes_mpmath.py > modes_mpmath.csv        (a few minutes)
 
-Independent of the library: the paper's eigenvalue equations (eqs. Zero and Radialvib) in mpmath. In each window
+Independent of the library: the paper's eigenvalue equations ((24), and (20) for n = 0) in mpmath. In each window
 D_n is sampled; every sign change is a root, and every minimum of |D_n| between two samples of the same sign is
 followed to its bottom, where a close pair of roots shows as a change of sign (the paper's own advice).
-C and S follow from eqs. eigen.u, Anfvollst and Normdef.
+C and S follow from eqs. (19), the field, (21), the free edge, and (25), the norm.
 """
 
 import sys
@@ -48,7 +48,7 @@ def pair(n, x):
 
 
 def determinant(poisson, n, omega):
-    """Paper eq. Zero for n >= 1, eq. Radialvib for n = 0, R = 1."""
+    """Paper eq. (24) for n >= 1, eq. (20) for n = 0, R = 1."""
     soft = 1 - poisson
     x = omega * sqrt(1 - poisson**2)
     if n == 0:
@@ -116,7 +116,7 @@ def edge(poisson, n, omega, check):
         assert norm is None or abs(norm / closed - 1) < mpf(10) ** -20
         return abs(besselj(1, x)) / sqrt(2 * closed), mpf(0)
     (b, a), (bs, as_) = pair(n, x), pair(n, y)
-    # A and B from the larger of eqs. Anfvollst (divided by 1 - nu) and Anfvollst2 (divided by 2).
+    # A and B from the larger of eqs. (21) (divided by 1 - nu) and (22) (divided by 2).
     q = y**2 / 2 - n**2
     rows = [(-(a + q * b), n * (as_ - bs)), (-n * (a - b), as_ + q * bs)]
     size = abs(b) + abs(a), abs(bs) + abs(as_)
@@ -137,7 +137,7 @@ def edge(poisson, n, omega, check):
 
 def main():
     print("# Modes of a free disk, R = c = rho = 1, computed with mpmath at 50 digits by make_modes_mpmath.py:")
-    print("# all roots of paper eqs. Zero and Radialvib with window_low < omega < window_high.")
+    print("# all roots of paper eqs. (24) and (20) with window_low < omega < window_high.")
     print("poisson,n,window_low,window_high,omega,C,S")
     for poisson, n, low, high in WINDOWS:
         mp.dps = DIGITS

@@ -5,7 +5,7 @@
 
 namespace stoss::test {
 
-/// The left side of the paper's eigenvalue equations as printed, R = 1: eq. Zero for n ≥ 1, eq. Radialvib for n = 0,
+/// The left side of the paper's eigenvalue equations as printed, R = 1: eq. (24) for n ≥ 1, eq. (20) for n = 0,
 /// from J_{n−1} and J_n (J_0 and J_1 for n = 0) at κ and κ′.
 template <typename Real>
 Real eigenvalue_equation(const Real& poisson, int n, const Real& kappa, const Real& kappa_shear, const Real& below,

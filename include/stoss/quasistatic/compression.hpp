@@ -4,12 +4,12 @@ namespace stoss {
 
 /// Force against compression of a disk that is pressed slowly against a wall. With the force F in πRE and lengths in R
 ///
-///   δ = F (ln(s/F) − b):   center    s = 1, b = (1 + ν)/4   (docs/theory.md, E8)
+///   δ = F (ln(s/F) − b):   center    s = 1, b = (1 + ν)/4   (docs/theory/errata.md, E8)
 ///                          diameter  s = 4, b = 1           (E7)
-///                          printed   s = 4, b = 1 + ν       (paper eq. Kraftvollst)
+///                          printed   s = 4, b = 1 + ν       (paper eq. (56))
 ///
 /// to leading order in F. The exact static contact adds (3 + 3ν/2) F² to the law of the centre (measured;
-/// docs/theory.md, section 10): 0.1 % of δ = 0.01 R, 0.4 … 0.6 % of δ = 0.03 R.
+/// docs/theory/quasistatic.md): 0.1 % of δ = 0.01 R, 0.4 … 0.6 % of δ = 0.03 R.
 enum class CompressionLaw {
   center,    ///< approach of the centre of mass to the wall: the one that belongs in its equation of motion
   diameter,  ///< shortening of the diameter through the point of contact

@@ -13,8 +13,8 @@ enum class HeavyDiskContact {
 /// Stress in a disk that stands on a wall under its weight F = ρgR/E (in πRE), E; a disk that the force accelerates has
 /// the same. The origin is the point of contact, x points through the centre (1, 0), y along the wall:
 ///
-///   σ = σ_contact + F (½x, 1 − ½x, ½y)    for (xx, yy, xy): gravity (paper eq. Schwerkraft) and a tension of ½F
-///   σ_contact = −2F x/(x²+y²)² (x², y², xy)   point: a radial stress −2F cos φ/r (paper eq. Pointstress)
+///   σ = σ_contact + F (½x, 1 − ½x, ½y)    for (xx, yy, xy): gravity (paper eq. (49)) and a tension of ½F
+///   σ_contact = −2F x/(x²+y²)² (x², y², xy)   point: a radial stress −2F cos φ/r (paper eq. (50))
 ///             = hertz_stress                  hertz (paper section V)
 ///
 /// div σ = (F, 0). With the point contact all components vanish on the whole edge. With Hertz' contact the edge keeps

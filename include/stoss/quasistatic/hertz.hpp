@@ -21,12 +21,12 @@ struct PlaneStress {
 /// @throws InvalidInput outside that range
 [[nodiscard]] double hertz_force(double half_width);
 
-/// Contact pressure, E: p(y) = ½√(a² − y²), 0 outside the contact (paper eq. Kraftvert).
+/// Contact pressure, E: p(y) = ½√(a² − y²), 0 outside the contact (paper eq. (45)).
 /// @param y along the wall from the middle of the contact, R
 /// @throws InvalidInput as hertz_half_width, and for a y that is not finite
 [[nodiscard]] double hertz_pressure(double force, double y);
 
-/// Stress under that pressure in a half-plane x ≥ 0, E (paper eqs. Bestgleichgn and Spannentlangz).
+/// Stress under that pressure in a half-plane x ≥ 0, E (paper eqs. (46) and, on the axis, (47)).
 ///
 /// With m + in = √(a² + (x + iy)²) (McEwen; K. L. Johnson, Contact Mechanics, eqs. 4.49)
 ///

@@ -9,7 +9,7 @@
 ///
 ///   Q̈ + ω²Q = −C F(t)  (mass m, F in mc²/R)   ⟹   energy left = ½m C² |∫F e^{iωt} dt|² = ½mv² · C² (∫F cos ωt dt / v)²
 ///
-/// with t from the turning point, about which F is even (docs/theory.md, "Slow impacts"; paper section V with E1–E8).
+/// with t from the turning point, about which F is even (docs/theory/quasistatic.md; paper section V with E1–E8).
 ///
 /// It is the first order of a perturbation theory. Its small number is the kinetic energy of modes that follow the
 /// force, Q̇ = −C Ḟ/ω², which the quasi-static balance of energy leaves out. As v → 0 that number falls as 1/ln²(1/v)

@@ -15,7 +15,7 @@
 ///   δ_max = v [√A + 1/(2√A)]                          = v√Λ [1 + (ln Λ + 2)/(4Λ) + O(ln²Λ/Λ²)]
 ///   τ     = π√A [1 + ln 2/(2A) + 0.0104/A² + O(A⁻³)]  = π√Λ [1 + (ln Λ + 2 ln 2)/(4Λ) + O(ln²Λ/Λ²)]
 ///
-/// which completes paper eq. xmaxapprox (docs/theory.md, "Slow impacts"). The law, and with it the impact, ends where
+/// which completes paper eq. (60) (docs/theory/quasistatic.md). The law, and with it the impact, ends where
 /// F_max = F*, at v = F*/√2.
 namespace stoss {
 

@@ -27,11 +27,11 @@ struct StaticContact {
 ///
 ///   g = W f − (δ − 2 sin²(φ/2)),   fᵀ g = 0,
 ///
-/// where W is the closed-form compliance of all modes, with inertia relief for n = 1 (docs/theory.md, sections 3 and
-/// 5): the force of the wall is balanced by a uniform body force, as in the impact. No law of contact enters.
+/// where W is the closed-form compliance of all modes, with inertia relief for n = 1 (docs/theory/modes.md,
+/// walls.md): the force of the wall is balanced by a uniform body force, as in the impact. No law of contact enters.
 ///
 /// The force converges with the square of the nodes: to 1.5e-6 with 160 for δ up to 0.13, 6e-6 up to 0.5; the energy to
-/// 2e-8, the half-width to 1e-4 for δ up to 0.13 and always to one node (docs/theory.md, section 10).
+/// 2e-8, the half-width to 1e-4 for δ up to 0.13 and always to one node (docs/theory/quasistatic.md).
 /// @param poisson     2-D Poisson number, −0.95 … 0.995
 /// @param compression δ, 1e-12 … 0.5 R. Small-strain elasticity means little from about 0.1 on.
 /// @throws InvalidInput outside these ranges; NotConverged if no set of touching nodes satisfies the conditions
