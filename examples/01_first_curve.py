@@ -39,8 +39,9 @@ def main(folder: Path) -> None:
 
     curve.to_csv(folder / "first_curve.csv")
     figure, (left, right) = plt.subplots(1, 2, figsize=(10, 4), layout="constrained")
-    stoss.plot.restitution(curve, left, markersize=3)
-    stoss.plot.restitution(curve, right, quantity="lost_fraction", markersize=3)
+    figure.get_layout_engine().set(w_pad=0.1, h_pad=0.1)  # inches around the axes
+    stoss.plot.restitution(curve, left)
+    stoss.plot.restitution(curve, right, quantity="lost_fraction")
     figure.savefig(folder / "first_curve.png", dpi=150)
     print(f"written: {folder / 'first_curve.csv'}, {folder / 'first_curve.png'}")
 

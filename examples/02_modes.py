@@ -48,6 +48,7 @@ def main(folder: Path) -> None:
     layout = [["spectrum", "a"], ["spectrum", "b"], ["spectrum", "c"]]
     widths = {"width_ratios": [2, 1]}
     figure, axes = plt.subplot_mosaic(layout, figsize=(8, 8.5), gridspec_kw=widths, layout="constrained")
+    figure.get_layout_engine().set(w_pad=0.1, h_pad=0.1)  # inches around the axes
     stoss.plot.spectrum(modes, axes["spectrum"])
     for place, order in zip("abc", (2, 0, 3)):
         stoss.plot.mode_shape(modes, axes[place], order=order, index=0, amplitude=0.15)

@@ -48,7 +48,7 @@ def main(folder: Path) -> None:
     layout = [["sequence"] * 3, ["force", "velocity", "energies"], ["half_width", "ledger", "stress"]]
     heights = {"height_ratios": [0.8, 1, 1]}
     figure, axes = plt.subplot_mosaic(layout, figsize=(11.5, 8.4), gridspec_kw=heights, layout="constrained")
-    figure.get_layout_engine().set(w_pad=0.12, h_pad=0.1)  # inches, so that no label touches the edge
+    figure.get_layout_engine().set(w_pad=0.1, h_pad=0.1, rect=(0.01, 0.0, 0.98, 1.0))
     stoss.plot.sequence(hit, axes["sequence"], count=6, columns=6)
     for name in ("force", "velocity", "energies", "half_width"):
         getattr(stoss.plot, name)(path, axes[name])

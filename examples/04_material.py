@@ -25,6 +25,7 @@ SPEEDS = np.geomspace(0.01, 10.0, 37)  # m/s
 def main(folder: Path) -> None:
     folder.mkdir(parents=True, exist_ok=True)
     figure, (left, right) = plt.subplots(1, 2, figsize=(10, 4), layout="constrained")
+    figure.get_layout_engine().set(w_pad=0.1, h_pad=0.1)  # inches around the axes
     for plane, marker in (("stress", "o"), ("strain", "s")):
         steel = stoss.Material(young=2.1e11, poisson=0.3, density=7850, radius=0.01, plane=plane)
         curve = stoss.restitution(material=steel, speed=SPEEDS)

@@ -81,6 +81,7 @@ def main(folder: Path) -> None:
         print(f"speed of approach {v:6.3f} m/s: eps = {restitution(None, v):.6f} ± {error(v):.6f}")
 
     figure, (left, right) = plt.subplots(1, 2, figsize=(10, 4), layout="constrained")
+    figure.get_layout_engine().set(w_pad=0.1, h_pad=0.1)  # inches around the axes
     v = np.geomspace(0.002, 30.0, 1000)
     left.semilogx(v, [restitution(None, each) for each in v])
     inset = left.inset_axes([0.12, 0.16, 0.5, 0.38], xscale="log", yscale="log", title="error")
