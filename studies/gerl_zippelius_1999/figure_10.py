@@ -146,7 +146,7 @@ def draw(tables: Tables) -> Figure:
     figure, (paper, hard, ratio, motion) = axes_of(PAGE, 5.4, 2, 2)
     static = tables["static"]
     x, exact = static["compression[R]"], static["exact[piRE]"]
-    paper.plot(x, static["printed[piRE]"], color=GREEN, label="eq. (56)")
+    paper.plot(x, static["printed[piRE]"], color=GREEN, label="the paper’s eq. (56)")
     paper.plot(x, static[f"{PRESSED}[piRE]"], "-.", color=BLACK, label="relaxation, 1300 modes")
     paper.plot(x, static[f"{UNIT}[piRE]"], ":", color=GREY, label="the same from V₀e$^{αx}$ = 1")
     draw_forces(paper, tables, SOFT)
@@ -158,7 +158,7 @@ def draw(tables: Tables) -> Figure:
     hard.set_title("(b) hard wall, all modes", loc="left")
 
     for name, color, style, label in (
-        ("printed", GREEN, "-", "eq. (56)"),
+        ("printed", GREEN, "-", "the paper’s eq. (56)"),
         ("diameter", ORANGE, "--", "law of the diameter (E7)"),
         ("center", PURPLE, "--", "law of the centre (E8)"),
         *((PRESSED, BLACK, "-.", None), (UNIT, GREY, ":", None)),

@@ -56,7 +56,7 @@ CLAIM = (
     "methods apply”"
 )
 SHARE = 0.01  # of the greatest force: contact at the exponential wall
-STYLES = {"printed": (GREEN, "-", "eq. (56)"), "center": (PURPLE, "--", "law of the centre (E8)")}
+STYLES = {"printed": (GREEN, "-", "the paper’s eq. (56)"), "center": (PURPLE, "--", "law of the centre (E8)")}
 
 
 def speeds_of(per_decade: int) -> NDArray[np.float64]:

@@ -54,7 +54,7 @@ PAPER_SPEEDS = (0.005, 0.01, 0.02, 0.04, 0.06, 0.1, 0.2, 0.3)  # c
 SMALL_LOAD = float(np.exp(1.0 + POISSON))  # speeds with eq. (57) over those with eq. (56)
 LOWEST = 1.5  # c/R; of the modes, only (2,0) lies below
 STYLES = {
-    "printed": (GREEN, "-", "Rayleigh, eq. (56)"),
+    "printed": (GREEN, "-", "Rayleigh, the paper’s eq. (56)"),
     "center": (PURPLE, "--", "Rayleigh, law of the centre (E8)"),
 }
 
