@@ -194,8 +194,9 @@ def meaning(tables: Tables) -> str:
     fast = _of(converged, PRINTED[0])["restitution"][-1]
     return (
         f"The protocol and the converged values agree: they differ by at most {apart.max():.4f} in ε, "
-        f"{ratio.max():.1f} of the errors. ε ≈ 0.65 at ν = 0.9, v = 0.3 c does not come out; it is {fast:.4f}, and "
-        "only a handful of modes comes near the printed value. Nor does ε rise steadily towards one as the speed "
+        f"{ratio.max():.1f} times the error. At ν = 0.9, v = 0.3 c the paper prints ε ≈ 0.65; the model gives "
+        f"{fast:.4f}, "
+        "and only a handful of modes comes near the printed value. Nor does ε rise steadily towards one as the speed "
         f"falls: for ν = 0.33 it has a maximum, {best:.4f} near v = {v:.3f} c, and has fallen to "
         f"{slow['restitution'][0]:.4f} at 0.005 c, because there the contact lasts as long as the quadrupole mode "
         "needs to take energy (Figure 12). For ν = 0.9 the same happens at lower speeds, so that below "

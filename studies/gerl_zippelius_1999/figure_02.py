@@ -24,8 +24,8 @@ TITLE = "Figure 2: displacement in three simple modes"
 CAPTION = (
     "The lowest modes of angular order 0, 1 and 2 of a disk with ν = 0.33. The radii and circles, even in the disk at "
     "rest, are drawn displaced, by at most 0.15 R; grey is the edge at rest. In (0, 0) the disk breathes; in (1, 0) "
-    "the centre moves against the rim while the centre of mass stays; (2, 0), the quadrupole, has the lowest "
-    "frequency of all."
+    "the centre moves against the rim while the centre of mass stays; (2, 0), the quadrupole, has the lowest frequency "
+    "of all."
 )
 ALT = "Three disks with a polar grid, deformed: breathing, with the centre shifted, and stretched to an oval."
 
@@ -179,6 +179,6 @@ def meaning(tables: Tables) -> str:
         f"{power(max(worst, 1e-15), 0)}, and the centre moves as the text says. The quadrupole has the period "
         f"{2 * np.pi / quadrupole:.3f} R/c, comparable with the duration of an impact (Figure 11): through this "
         "resonance it can take much of the energy, and its share of the loss waxes and wanes with the speed (Figure "
-        "12). The exchange of κ and κ′ in eq. (26), the normalised displacement, must be a misprint, since with it the modes would not be "
-        "orthogonal."
+        "12). The exchange of κ and κ′ in eq. (26), the normalised displacement, must be a misprint, since with it "
+        "the modes would not be orthogonal."
     )

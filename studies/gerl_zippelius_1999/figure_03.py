@@ -133,7 +133,10 @@ def numbers(tables: Tables) -> list[Row]:
             f"C : |S| or |S| : C for the highest l (l ≥ {0.75 * many.max():.0f} n), median", "> 100", NONE,
             written(np.median(ratio[highest]), 3),
         ),
-        ("share above 100 of the modes with the highest l", "“exceeding 1:100”", NONE, f"{100 * np.mean(ratio[highest] > 100):.0f} %"),
+        (
+            "share above 100 of the modes with the highest l", "“exceeding 1:100”", NONE,
+            f"{100 * np.mean(ratio[highest] > 100):.0f} %",
+        ),
     ]  # fmt: skip
     count = tables["count"]
     for omega, modes in zip(count["omega[c/R]"], count["modes"]):
@@ -162,7 +165,7 @@ def meaning(tables: Tables) -> str:
         f"c/R. Of those with the highest l, {100 * np.mean(highest > 100):.0f} % are purer than 100 : 1. For small l "
         "the paper calls the difference between the magnitudes of C and S “small”. For l = 0 and n from "
         f"{orders[0]} on they differ by a factor of {_larger(even).min():.2f} to {_larger(even).max():.2f}, which "
-        f"tends to the {_surface_wave():.2f} of Rayleigh’s surface wave; for l = 1 by one of {uneven.min():.1f} to "
+        f"tends to the {_surface_wave():.2f} of Rayleigh’s surface wave; for l = 1 by {uneven.min():.1f} to "
         f"{uneven.max():.0f}, since S passes through zero between n = {orders[turn]} and {orders[turn + 1]}. The "
         f"closest pair of frequencies is {gap:.3f} c/R apart: a search in even steps would miss it, the exact count "
         "does not."

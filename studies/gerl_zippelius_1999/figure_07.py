@@ -200,7 +200,7 @@ def numbers(tables: Tables) -> list[Row]:
                 name = f"1 − ε² at v = {written(v)} c for α → ∞ with 940 modes{walls_are}"
                 rows.append((name, NONE, protocol, f"{all_modes} (all modes)"))
     deviation = f"at most {power(_deviation(tables))} of 1 − ε²"
-    rows.append(("largest deviation of points from their lines, picture (b)", "“scales nicely with 1/α”", deviation, NONE))
+    rows.append(("largest deviation of points from their lines (b)", "“scales nicely with 1/α”", deviation, NONE))
     order = "yes" if np.all(np.diff(limit["lost_fraction"]) > 0) else "no, v = 0.005 c lies above 0.01 c"
     ordered = f"for αR ≤ {_ordered(tables):g}"
     rows.append(("curves from bottom to top in the order of speed", "“from bottom to top” (caption)", ordered, order))

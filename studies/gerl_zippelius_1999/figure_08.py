@@ -220,7 +220,7 @@ def meaning(tables: Tables) -> str:
         errors += list(100.0 * both / plain["lost_fraction"][i])
     text = (
         f"The two limits of the paper lead to the converged loss, within {100 * off.max():.0f} % at all speeds and "
-        f"{100 * np.median(off):.1f} % at half of them, but they know it only to {100 * np.median(sure):.0f} %. This "
+        f"{100 * np.median(off):.1f} % at half of them, but with an uncertainty of {100 * np.median(sure):.0f} %. This "
         "is with the lowest modes and on walls chosen here: the paper ranks the modes, and does not print its α. "
         f"Ranked modes lose {min(drops):.1f} to {max(drops):.1f} % less than as many lowest ones, at "
         f"{np.sum(np.array(drops) > errors)} of {len(drops)} points by more than the errors. But a ranking in one "

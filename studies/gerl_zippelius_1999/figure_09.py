@@ -177,7 +177,8 @@ def meaning(tables: Tables) -> str:
     law = table["force_center_law[piRE]"] / table["force[piRE]"] - 1.0
     printed = table["force_printed_law[piRE]"] / table["force[piRE]"] - 1.0
     return (
-        f"Locally the contact is Hertz’: his greatest pressure is off by {100 * off[0]:.1f} % at δ = 0.01 R and by "
+        f"Locally the contact is that of Hertz: his greatest pressure is off by {100 * off[0]:.1f} % at δ = 0.01 R "
+        "and by "
         f"{100 * off[-1]:.0f} % at 0.1 R. What Hertz cannot give in the plane is the compression, which depends on "
         f"the whole disk: the law of the centre of mass gives the force to {100 * law[0]:.1f} %, {100 * law[1]:.1f} % "
         f"and {100 * law[2]:.0f} % at these three compressions, the printed one is {100 * abs(printed[0]):.0f} %, "

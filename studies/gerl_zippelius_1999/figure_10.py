@@ -1,15 +1,13 @@
 """Figure 10: force of the wall against compression, at rest and in impacts.
 
-The paper shows its law of force against compression, eq. (56); the relaxation of 1300 modes to the
-least energy, eq. (40), with the centre held still; and impacts at v = 0.1 c and 0.04 c at αR = 500.
-Beside all these stands the hard wall: its exact static contact, the law of the centre of mass
-(docs/theory/errata.md, E8), and impacts of the full solution.
+The paper shows its law, eq. (56); the relaxation of 1300 modes to the least energy, eq. (40), with
+the centre held still; and impacts at v = 0.1 c and 0.04 c, αR = 500. Beside them, at the hard wall:
+exact static contact, law of the centre of mass (docs/theory/errata.md, E8), and full impacts.
 
-Where a compression begins. At an exponential wall δ = R + x₀ counts from the plane V₀e^{αx} = 1. A
-contact of the pressure p stands ln(α/p)/α before it (0.017 R for αR = 500 and p = 0.1 E): the hard
-wall to compare with stands there. The greatest pressure of a contact is ½a = √F, 0.04 E at δ = 0.01
-R and 0.18 E at 0.1 R, so one plane, that of 0.1 E, serves for all of the figure to 0.002 R. Both
-counts are shown. No fit is made.
+At an exponential wall, δ = R + x₀ counts from the plane V₀e^{αx} = 1. A contact of the pressure p
+stands ln(α/p)/α before it (0.017 R for αR = 500 and p = 0.1 E), where the equivalent hard wall
+stands. The greatest pressure of a contact is ½a = √F, 0.04 E at δ = 0.01 R and 0.18 E at 0.1 R, so
+the plane of 0.1 E serves for all of the figure to 0.002 R. Both counts are shown, without a fit.
 """
 
 from __future__ import annotations
@@ -26,7 +24,8 @@ from .common import Row, Table, Tables, axes_of, legend, measured, written
 
 TITLE = "Figure 10: force against compression"
 CAPTION = (
-    "Force F of the wall against the compression δ for ν = 0.33. (a) As in the paper: its law, eq. (56), the relaxation "
+    "Force F of the wall against the compression δ for ν = 0.33. (a) As in the paper: its law, eq. (56), the "
+    "relaxation "
     "of 1300 modes at a wall of αR = 500, and impacts at 0.1 c and 0.04 c with the same modes and wall; arrows show "
     "the direction of time. Compressions count from the plane where the wall's pressure is 0.1 E; the thin dotted line "
     "is the relaxation counted from the plane V₀e^{αx} = 1. (b) Hard wall: exact static contact, law of the centre of "

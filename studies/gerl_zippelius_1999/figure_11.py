@@ -34,13 +34,13 @@ from .figure_10 import cutoff_of, plane
 TITLE = "Figure 11: contact time and greatest compression against the speed"
 CAPTION = (
     "(a) Contact time τ and (b) greatest compression δ_max, divided by the speed v, for ν = 0.33: quasi-static with "
-    "eq. (56), the paper’s law of force against compression, and with the law of the centre of mass, and the full solution at the hard wall "
-    "(points; their errors are smaller than they are). Diamonds: full solution in the paper’s way with 940 modes, at "
-    "the wall αR = 500 and at walls αv = 50 c/R, which are choices made here; there, contact is counted while the "
-    "force exceeds 1 % of its maximum (at the hard wall this would shorten it by 2 % at 0.2 c, Figure 5), and "
-    "compression from the plane where the wall’s pressure is 0.1 E. Grey: "
-    "√ln(4c/v) of eq. (60), small speeds, in (a) times π. The curves end where the laws end. (c), (d) The same as deviations "
-    "from the full solution; the slowest at αR = 500 lie beyond the axes."
+    "eq. (56), the paper’s law of force against compression, and with the law of the centre of mass, and the full "
+    "solution at the hard wall (points, larger than their errors). Diamonds: full solution in the paper’s way with 940 "
+    "modes, at the wall αR = 500 and at walls αv = 50 c/R, which are choices made here; there, contact is counted "
+    "while the force exceeds 1 % of its maximum (at the hard wall this would shorten it by 2 % at 0.2 c, Figure 5), "
+    "and compression from the plane where the wall’s pressure is 0.1 E. Grey: √ln(4c/v) of eq. (60), small speeds, in "
+    "(a) times π. The curves end where the laws end. (c), (d) The same as deviations from the full solution; the "
+    "slowest at αR = 500 lie beyond the axes."
 )
 ALT = "Contact time and greatest compression over speed fall slowly with ln v; quasi-static curves follow the points."
 

@@ -10,8 +10,7 @@ Here `stoss.quasistatic.rayleigh` does the same with the lowest 1800 modes (with
 docs/theory/errata.md put right), for the printed law and for the law of the centre of mass (E8).
 The full solution is `stoss.restitution` (all modes, hard wall, with errors); its (2,0) is that of
 `stoss.impact` with the 1800 modes kept. Perturbation theory ends where the kinetic energy of the
-modes that follow the force, which the quasi-static balance leaves out, passes 4 %
-(`beyond_perturbation`).
+modes that follow the force, left out in the quasi-static balance, passes 4 %.
 
 What decreases is a wave in τ/T, T the period of (2,0): an impact that lasts 3/2 T leaves nothing in
 (2,0), one of 1.9 T most (docs/theory/errata.md, E11). Extrema are those of parabolas in ln v
@@ -37,12 +36,13 @@ from .figure_10 import cutoff_of
 
 TITLE = "Figure 12: energy left in vibration by slow impacts"
 CAPTION = (
-    "Share of the energy left in vibration against the speed v, for ν = 0.33. (a) All of it: Rayleigh's way with the "
-    "lowest 1800 modes, with eq. (56), the paper’s law of force against compression, and with the law of the centre of mass, and the full "
-    "solution (all modes, hard wall), which here is a curve; diamonds in the paper's range of speeds. Curves of the "
-    "estimate are thin beyond the end of perturbation theory (grey, for the law of the centre). (b) The share of the "
-    "quadrupole (2,0) alone. (c) All of it where the paper suspects an artefact, v > 0.01 c; dots: maxima and minima. "
-    "(d) The same against the contact time τ in periods T of the quadrupole, where the two laws give one curve."
+    "Share of the energy left in vibration against the speed v, for ν = 0.33. (a) All modes: Rayleigh's way with the "
+    "lowest 1800 modes, with eq. (56), the paper’s law of force against compression, and with the law of the centre of "
+    "mass, and the full solution (all modes, hard wall), which here is a curve; diamonds in the paper's range of "
+    "speeds. Curves of the estimate are thin beyond the end of perturbation theory (grey, for the law of the centre). "
+    "(b) The share of the quadrupole (2,0) alone. (c) All modes where the paper suspects an artefact, v > 0.01 c; "
+    "dots: maxima and minima. (d) The same against the contact time τ in periods T of the quadrupole, where the two "
+    "laws give one curve."
 )
 ALT = "Lost fraction over speed: Rayleigh's estimate and the full solution share a wave with a maximum near 0.003 c."
 
@@ -235,12 +235,15 @@ def meaning(tables: Tables) -> str:
     return (
         "A decrease such as the paper calls presumably unphysical is real: the full solution falls from "
         f"{written(height, 3)} at {written(top, 2)} c to {written(depth, 3)} at {written(low, 2)} c, where the contact "
-        f"lasts {tau / period:.2f} and {tau_low / period:.2f} periods of the quadrupole; beyond, it rises. What is "
-        f"wrong is its place: with the printed law it ends at {written(printed_low, 2)} c (first order puts it at "
-        f"longer contacts, {printed_tau / period:.2f} to {printed_tau_low / period:.2f} periods), and that it goes on "
-        f"beyond 0.01 c comes out only with eq. (57), the limit of (56) for small loads, between {written(SMALL_LOAD * printed_top, 2)} and "
-        f"{written(SMALL_LOAD * printed_low, 2)} c, which may be what the paper shows. Unphysical too is the rise that "
-        f"follows: beyond {written(end_of_perturbation(tables, 'center'), 2)} c perturbation theory ends, and at 0.1 c "
+        f"lasts {tau / period:.2f} and {tau_low / period:.2f} periods of the quadrupole; beyond, it rises. Only its "
+        f"place in the paper is wrong: with the printed law it ends at {written(printed_low, 2)} c (first order puts "
+        "it at "
+        f"longer contacts, {printed_tau / period:.2f} to {printed_tau_low / period:.2f} periods). Beyond 0.01 c it "
+        "goes "
+        f"on only with eq. (57), the limit of (56) for small loads, between {written(SMALL_LOAD * printed_top, 2)} and "
+        f"{written(SMALL_LOAD * printed_low, 2)} c, which may be what the paper shows. The rise that follows is "
+        f"unphysical: beyond {written(end_of_perturbation(tables, 'center'), 2)} c perturbation theory ends, and at "
+        "0.1 c "
         f"the estimate is {written(fast['lost_fraction'], 2)}, not {written(row_at(table, 0.1)['lost_fraction'], 3)}. "
         "Most of the energy goes into the quadrupole only near its maxima: its share of what is left swings "
         f"between {share.min():.0f} and {share.max():.0f} %."

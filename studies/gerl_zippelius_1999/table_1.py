@@ -233,7 +233,7 @@ def meaning(tables: Tables) -> str:
         f"hold {table['after_protocol'].sum():.4f}. Eight of the averages are {usual.min():.2f} to {usual.max():.2f} "
         f"times the printed ones, {_spread(usual)[0]:.1f} times in the geometric mean: a mean that includes some "
         "flight would explain the common factor, but not the scatter. The other two, (0, 1) and (0, 2), are "
-        f"{1 / _spread(radial)[0]:.1f} times too small. These two need to take up more, but (0, 0), with n = 0 too, is "
+        f"{1 / _spread(radial)[0]:.1f} times too small. These two should take up more, but (0, 0), with n = 0 too, is "
         f"{ratios['average'][2]:.2f} times the printed value. With C doubled for n = 0, l ≥ 1 the ten ratios scatter "
         f"by a factor of {scatter['average'][even]:.2f}, with torsional roots among n = 0 by "
         f"{scatter['average'][torsion]:.2f}, in place of {plain['average']:.2f}; but the energies after the impact "

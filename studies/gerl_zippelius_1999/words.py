@@ -22,8 +22,8 @@ figures; what each of them contains is taken from its caption and from the text.
 with a note if it only follows from a formula or a table of the paper. <b>Protocol</b> is what the procedure of the
 paper gives when carried out, with the slips in its equations of motion corrected and its law of compression as printed;
 where the text leaves a choice open, the caption says what is taken. <b>Converged</b> is the
-answer of the model itself, with all modes and, unless the quantity belongs to a soft wall, a hard wall. The estimated error
-follows ±; for <i>ε</i> and 1 − <i>ε</i>² it covers the truth in 95 % of all cases. Where the three columns differ, none
+answer of the model itself, with all modes and, unless the quantity belongs to a soft wall, a hard wall. The estimated
+error follows ±; for <i>ε</i> and 1 − <i>ε</i>² it covers the truth in 95 % of all cases. Where the three columns differ, none
 has been adjusted to another. A dash means that there is no such number. Equations of the paper are cited
 by their printed number, counted in its source.</p>
 <p>Lengths are in units of the radius <i>R</i>, speeds in units of <i>c</i> = √(<i>E</i>/<i>ρ</i>), times in
@@ -41,12 +41,12 @@ it lacks there),</p>
 <p>which becomes hard as <i>α</i> → ∞. stoss solves the hard wall directly: the edge is never beyond the wall, the
 pressure <i>p</i> never pulls, and one of the two is zero everywhere,</p>
 {equations.HARD_WALL}
-<p>with the modes above a cutoff represented by their exact static compliance and their radiation. After the impact the
-loss is what the modes hold,</p>
+<p>with the modes above a cutoff represented by their exact static compliance and their radiation. After the
+impact, the lost energy is what the modes hold,</p>
 {equations.LEDGER}
 <p>The paper reaches the same limit by two extrapolations, in the hardness of the wall and in the number of modes,</p>
 {equations.EXTRAPOLATIONS}
-<p>the second of which is slow, because modes that are left out take the compliance of the contact with them. For slow
+<p>the second of which converges slowly, because the contact is too stiff without the modes left out. For slow
 impacts the force follows from the compression as in a contact at rest. For the approach of the centre of mass, which is
 what the equation of motion needs, the law is</p>
 {equations.CENTRE}
@@ -69,13 +69,15 @@ centre of mass (E8). The falling loss, “presumably unphysical”, is real (E11
 # Paper; correct; section of docs/theory/errata.md and its anchor there.
 ERRATA = (
     ("The energy of a mode is written with <i>mω</i>²<i>Q</i>² (eqs. 40 and 61, the energy with a wall).",
-     "½ <i>mω</i>²<i>Q</i>², as in the paper’s own eq. (34), the energy of a free disk.", "E1 Energy of a mode", "e1-energy-of-a-mode"),
+     "½ <i>mω</i>²<i>Q</i>², as in the paper’s own eq. (34), the energy of a free disk.",
+     "E1 Energy of a mode", "e1-energy-of-a-mode"),
     ("The force on a mode is <i>mωQ</i> + … (eqs. 41 and 63).",
      "<i>mω</i>²<i>Q</i> + …; <i>mωQ</i> is not a force.", "E2 Energy of a mode", "e1-energy-of-a-mode"),
     ("The energy left in the modes is (<i>m</i>/2) Σ&nbsp;<i>ω</i>|<i>q</i>|&NoBreak;² (eq. 67).",
      "(<i>m</i>/2) Σ <i>ω</i>²|<i>q</i>|².", "E3 Energy of a mode", "e1-energy-of-a-mode"),
     ("In eq. (26), the normalised displacement, <i>u<sub>φ</sub></i> has <i>κ</i> and <i>κ</i>′ exchanged.",
-     "As in eq. (19), the displacement of a mode; with the exchange the modes are not orthogonal (figure 2).", "E4 Edge field", "e4-edge-field"),
+     "As in eq. (19), the displacement of a mode; with the exchange the modes are not orthogonal (figure 2).",
+     "E4 Edge field", "e4-edge-field"),
     ("<i>σ<sub>rφ</sub></i> = <i>E</i>/(2(1+<i>ν</i>)) <i>ε<sub>rφ</sub></i> (eq. 16).",
      "<i>E</i>/(1+<i>ν</i>) with the paper’s <i>ε<sub>rφ</sub></i>, which is half of the shear angle.",
      "E5 Shear stress", "e5-shear-stress"),
@@ -95,7 +97,8 @@ ERRATA = (
     ("“… the decreasing vibrational energy for <i>v</i><sub>i</sub> &gt; 10⁻² <i>c</i> is presumably unphysical.”",
      "A decrease is physical: 1 − <i>ε</i>² has a maximum near 0.003 <i>c</i> and a minimum near 0.017 <i>c</i> at "
      "<i>ν</i> = 0.33, a resonance between the contact time and the period of the quadrupole mode. First order "
-     "misplaces it: to 0.0018 … 0.013 <i>c</i> with eq. (56), 0.007 … 0.05 <i>c</i> with eq. (57), its limit for small loads.",
+     "misplaces it: to 0.0018 … 0.013 <i>c</i> with eq. (56), 0.007 … 0.05 <i>c</i> with eq. (57), its limit for "
+     "small loads.",
      "E11 Minimum and maximum of the loss", "e11-minimum-and-maximum-of-the-loss"),
     ("<i>ε</i> ≈ 0.65 at <i>ν</i> = 0.9, <i>v</i> = 0.3 <i>c</i>.",
      "0.7477, by modes and by finite elements. Truncation to a handful of modes gives values like the printed one.",
