@@ -14,7 +14,7 @@ struct BesselPair {
   int exponent = 0;
 };
 
-/// x J_n'(x) in units of 2^exponent.
+/// Slope x J_n'(x), in units of 2^exponent.
 inline double slope(int order, const BesselPair& pair) { return order * pair.value - pair.next; }
 
 /// Fills pairs[n] for n = 0 … pairs.size()−1 at the argument x > 0 by one backward (Miller) sweep of

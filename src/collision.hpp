@@ -14,8 +14,9 @@ namespace stoss {
 ///
 ///   m ẍ₀ = −Σ_i f_i,   m Q̈ = −m ω² Q − Σ_i f_i (C c_i + S s_i)   (paper eqs. (44) and (41) with E2),
 ///
-/// by kick–rotate–kick: half a kick by the force, exact rotation of every
-/// mode and drift of the centre, half a kick. Second order, time-reversible, exact between contacts.
+/// by kick–rotate–kick: half a kick by the force, exact rotation of every mode and drift of the
+/// centre, half a kick. Second order, exact between contacts; reversible in time at an exponential
+/// wall and with the quasistatic tail, not with the radiating tail, which takes energy for good.
 class Collision {
  public:
   /// Starts just out of reach of the wall, or from `start`.

@@ -27,7 +27,7 @@ class Complementarity {
   /// Number of leading nodes beyond which the last force vanishes.
   [[nodiscard]] std::size_t extent() const { return extent_; }
 
-  /// matrix · x, all rows.
+  /// The product W x, all rows.
   void multiply(const std::vector<double>& x, std::vector<double>& result) const;
 
  private:

@@ -20,9 +20,10 @@
 namespace stoss {
 namespace {
 
-/// αv/c of the usual walls, even in 1/α. The softest holds 4 % of the energy at closest approach, the hardest 1 %. On
-/// harder ones an edge that lacks its high modes begins to bounce, because it cannot answer within 1/(αv), and 1 − ε²
-/// leaves the line: from αv ≈ 100 with 300 modes, αv ≈ 200 with 940.
+/// Usual values of αv/c, even in 1/α. The softest holds 4 % of the energy at closest approach, the
+/// hardest 1 %. On harder ones an edge that lacks its high modes begins to bounce, because it
+/// cannot answer within 1/(αv), and 1 − ε² leaves the line: from αv ≈ 100 with 300 modes, αv ≈ 200
+/// with 940.
 constexpr std::array<double, 4> usual_walls{25.0, 100.0 / 3.0, 50.0, 100.0};
 
 constexpr std::array<std::size_t, 4> usual_mode_numbers{300, 400, 600, 940};
@@ -51,7 +52,7 @@ std::vector<double> usual_cutoffs(double poisson) {
   return cutoffs;
 }
 
-/// Enough numbers for a line and its error, ascending; their own ranges are checked elsewhere.
+/// Checks that there are enough numbers, ascending, for a line and its error.
 void require_series(std::string_view name, std::string_view number_name, const std::vector<double>& values) {
   require(number_name, static_cast<long>(values.size()), 3, 1000, "a line and its error need three points");
   double least = 0.0;
@@ -77,8 +78,9 @@ std::vector<Body> make_bodies(double poisson, const std::vector<double>& cutoffs
   return bodies;
 }
 
-/// Two-sided 95 % quantile of Student's t. Its fall beyond two degrees of freedom is not used: most of what deviates
-/// from these lines is curvature, and further points on a curve are no independent witnesses.
+/// Two-sided 95 % quantile of Student's t. Its fall beyond two degrees of freedom is not used: most
+/// of what deviates from these lines is curvature, and further points on a curve add no independent
+/// information.
 double student(std::size_t degrees_of_freedom) { return degrees_of_freedom == 1 ? 12.706 : 4.303; }
 
 /// A line through points of equal weight, at x = 0.
@@ -111,7 +113,7 @@ Intercept extrapolate(const std::vector<double>& x, const std::vector<double>& y
   return line;
 }
 
-/// 1 − ε² at α → ∞ of the impacts of one body.
+/// Limit of 1 − ε² for α → ∞, from the impacts of one body.
 Estimate hard_limit(const std::vector<SoftImpact>& impacts, std::size_t first) {
   std::vector<double> x, y;
   for (std::size_t i = first; i < impacts.size(); ++i) {
@@ -121,9 +123,10 @@ Estimate hard_limit(const std::vector<SoftImpact>& impacts, std::size_t first) {
   return extrapolate(x, y).at_zero;
 }
 
-/// 1 − ε² at N → ∞. The points weigh the same: errors with two degrees of freedom are themselves known to a factor of
-/// three, and 1/error² would let chance choose the points. Their errors are carried into that of the intercept, beside
-/// its own: curvature in 1/α shifts all points alike, and of this the scatter about the second line shows nothing.
+/// Limit of 1 − ε² for N → ∞. The points weigh the same: errors with two degrees of freedom are
+/// themselves known to a factor of three, and 1/error² would let chance choose the points. Their
+/// errors are carried into that of the intercept, beside its own: curvature in 1/α shifts all
+/// points alike, which the scatter about the second line does not show.
 Estimate complete_limit(const std::vector<Body>& bodies, const std::vector<Estimate>& hard_wall) {
   std::vector<double> x, y;
   for (std::size_t i = 0; i < bodies.size(); ++i) {

@@ -7,7 +7,7 @@ namespace stoss {
 /// Sums over angular orders are taken so many orders at a time: the tables stay small for any number of orders.
 inline constexpr int order_block = 32;
 
-/// cos nφ and sin nφ for n = first … first + order_block − 1: orders × angles.
+/// Cosines and sines of nφ for n = first … first + order_block − 1: orders × angles.
 struct Harmonics {
   using Table = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
   Table cosine, sine;

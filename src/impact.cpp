@@ -62,8 +62,8 @@ std::optional<Impact> run(const Body& body, const Wall& wall, double speed, cons
     if (options.poll && step % steps_between_polls == 0) options.poll();
     collision.advance();
     if (collision.overflows()) {
-      if (resolution.half_width < body.max_half_width) return std::nullopt;
-      // The exponential wall acts on no more of the edge than such a grid has; a hard wall would need the rest.
+      if (resolution.half_width < reachable_half_width(body, wall)) return std::nullopt;
+      // An exponential wall may push on all of the edge that it acts on; a hard wall must not.
       if (std::holds_alternative<HardWall>(wall)) {
         throw NotConverged("impact: the contact spreads over the whole body (speed too high for this model)");
       }
@@ -80,7 +80,7 @@ Impact impact(const Body& body, const Wall& wall, double speed, const ImpactOpti
   Resolution resolution = choose_resolution(body, wall, speed, options);
   std::optional<Impact> result = run(body, wall, speed, resolution, options, {});
   while (!result) {
-    resolution = widened(body, resolution);
+    resolution = widened(body, wall, resolution);
     result = run(body, wall, speed, resolution, options, {});
   }
   if (!(std::abs(result->energy_error) <= max_energy_error)) {

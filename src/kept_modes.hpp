@@ -34,7 +34,7 @@ class KeptModes {
   /// Adds each mode's energy to a running sum.
   void accumulate_energy();
 
-  /// Σ ½m(Q̇² + ω²Q²).
+  /// Energy of all kept modes, Σ ½m(Q̇² + ω²Q²).
   [[nodiscard]] double energy() const;
 
   /// Upper bound of the displacement of any node in free vibration.

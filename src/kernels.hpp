@@ -25,11 +25,12 @@ struct Oscillators {
 /// value for each order, first of the radial shapes, then of the tangential ones.
 void advance(const Oscillators& modes, const std::size_t* begin, std::size_t blocks, const double* push, double* edge);
 
-/// energy[k] += a² + b², the oscillators' energies in units of mass ω/2, after half of the kick that is due.
+/// Adds the oscillators' energies a² + b², in units of mass ω/2, to energy[k], after half of the kick that is due.
 void accumulate_energy(const Oscillators& modes, const std::size_t* begin, std::size_t blocks, const double* push,
                        double* energy);
 
-/// result[i] = Σ_{j<rows} matrix[j][i] x[j] for begin ≤ i < end: the transpose of a row-major matrix times a vector.
+/// Product of the transpose of a row-major matrix with a vector: result[i] = Σ_{j<rows} matrix[j][i] x[j] for
+/// begin ≤ i < end.
 void multiply_transposed(const double* matrix, std::size_t stride, std::size_t rows, std::size_t begin, std::size_t end,
                          const double* x, double* result);
 

@@ -46,7 +46,7 @@ int static_orders(double radius, int nyquist) {
   return 1 + (last < nyquist ? static_cast<int>(last) : nyquist);
 }
 
-/// Only with its own Poisson number does a mode have these amplitudes and leave the edge free.
+/// Checks the Poisson number: only with its own does a mode have these amplitudes at a free edge.
 void require_free_edge(double poisson, const Body& body, const Mode& mode, const RadialField& edge) {
   const double amplitude = std::hypot(mode.radial, mode.tangential);
   const double mismatch = std::hypot(edge.radial - mode.radial, edge.tangential - mode.tangential);

@@ -7,8 +7,8 @@
 
 namespace stoss {
 
-/// What one of a body's residual functions gives for a grid.
-/// @throws InvalidInput unless that is nodes × nodes values
+/// Matrix of one of a body's residual functions between the nodes of a grid.
+/// @throws InvalidInput unless it has nodes × nodes values
 [[nodiscard]] std::vector<double> residual_matrix(
     const Body& body, const std::function<std::vector<double>(const ContactGrid&)>& residual, const ContactGrid& grid);
 

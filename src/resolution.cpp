@@ -19,7 +19,7 @@ double initial_half_width(const Body& body, const Wall& wall, double speed) {
   const double contact = margin * body.expected_half_width(speed);
   const auto* soft = std::get_if<ExponentialWall>(&wall);
   const double gap = soft == nullptr ? 0.0 : 30.0 / soft->hardness;
-  return std::min(std::sqrt(contact * contact + 2.0 * gap), body.max_half_width);
+  return std::min(std::sqrt(contact * contact + 2.0 * gap), reachable_half_width(body, wall));
 }
 
 /// Nodes at which the Nyquist order π/h of the grid is the highest kept order.
@@ -53,6 +53,10 @@ void require_start(const State& start, double speed) {
 }
 
 }  // namespace
+
+double reachable_half_width(const Body& body, const Wall& wall) {
+  return std::holds_alternative<ExponentialWall>(wall) ? 0.5 * body.max_half_width : body.max_half_width;
+}
 
 double recommended_step(const Body& body, const Wall& wall, double speed) {
   validate(wall);
@@ -88,7 +92,8 @@ Resolution choose_resolution(const Body& body, const Wall& wall, double speed, c
   }
   if (options.half_width) {
     require("half_width", *options.half_width,
-            {0.0, std::max(body.max_half_width, 1e-300), false, true, "above 0 and up to the body's greatest"},
+            {0.0, std::max(reachable_half_width(body, wall), 1e-300), false, true,
+             "above 0 and up to the end of the edge that the wall acts on"},
             "half-width of the contact grid in R");
   }
   const double half_width = options.half_width ? *options.half_width : initial_half_width(body, wall, speed);
@@ -118,9 +123,9 @@ ImpactOptions refined_resolution(const Body& body, double speed, double half_wid
   return options;
 }
 
-Resolution widened(const Body& body, const Resolution& resolution) {
+Resolution widened(const Body& body, const Wall& wall, const Resolution& resolution) {
   constexpr double growth = 1.4;
-  const double half_width = std::min(growth * resolution.half_width, body.max_half_width);
+  const double half_width = std::min(growth * resolution.half_width, reachable_half_width(body, wall));
   const double nodes = std::ceil(resolution.nodes * half_width / resolution.half_width);
   return {half_width, resolution.step, static_cast<int>(std::min<double>(nodes, max_nodes))};
 }

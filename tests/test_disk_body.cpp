@@ -68,7 +68,7 @@ TEST_P(DiskBody, HoldsTheModes) {
   }
 }
 
-TEST_P(DiskBody, GridHasTheShapesOfTheDesign) {
+TEST_P(DiskBody, GridHasTheShapesCosAndSinNPhi) {
   const Body body = disk(poisson, 25.0);
   for (const double half_width : {0.02, 0.4, 0.5 * pi}) {
     const ContactGrid grid = body.grid(half_width, 40);
@@ -92,6 +92,14 @@ TEST_P(DiskBody, GridHasTheShapesOfTheDesign) {
         EXPECT_NEAR(0.5 * (sum - difference), -std::sin(n * phi) * s, 1e-13);
       }
     }
+  }
+}
+
+TEST_P(DiskBody, GridsOfTheWholeAndOfHalfTheEdgeEndThere) {
+  const Body body = disk(poisson, 5.0);
+  for (int nodes = 16; nodes < 400; ++nodes) {
+    EXPECT_NEAR(nodes * body.grid(pi, nodes).measure.front(), 2.0 * pi, 1e-12) << nodes;
+    EXPECT_NEAR(nodes * body.grid(0.5 * pi, nodes).measure.front(), pi, 1e-12) << nodes;
   }
 }
 

@@ -1,9 +1,11 @@
 // The paper's wall V = V₀ Σ μ_i e^{αx_i}: exact gradient, no overflow, V₀ without effect.
 #include <gtest/gtest.h>
 
+#include <boost/math/quadrature/gauss.hpp>
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <numbers>
 #include <random>
 #include <string>
 #include <vector>
@@ -17,6 +19,8 @@
 
 namespace stoss {
 namespace {
+
+using std::numbers::pi;
 
 TEST(ExponentialWall, ForceIsTheGradientOfThePotential) {
   const Body body = disk(0.33, 12.5);
@@ -67,6 +71,28 @@ TEST(ExponentialWall, IsWithoutForceFarAway) {
   const std::vector<double> force = response->advance({-1.0, -2.0, -10.0, -1e6});
   for (const double f : force) EXPECT_LT(f, 1e-200);
   EXPECT_FALSE(response->overflows());
+}
+
+TEST(ExponentialWall, ActsOnTheFrontHalfOfTheDisk) {
+  // Paper eq. (40): V = V₀ ∫_{−π/2}^{π/2} e^{αx(φ)} dφ, with x = x₀ + cos φ before the impact has deformed the disk.
+  using Gauss = boost::math::quadrature::gauss<double, 30>;
+  const Body body = disk(0.33, 5.0);
+  const std::vector<double> rest(mode_count(body), 0.0);
+  constexpr double speed = 0.1, center = -2.0;
+  for (const double hardness : {1.0, 3.0, 10.0}) {
+    const double potential =
+        2.0 *
+        Gauss::integrate([&](double phi) { return std::exp(hardness * (center + std::cos(phi))); }, 0.0, 0.5 * pi);
+    double share = -1.0;  // of the potential in the kinetic energy
+    const ImpactOptions options{.start = State{center, speed, rest, rest}};
+    const Impact result = impact(body, ExponentialWall{hardness, 1e-2}, speed, options, [&](const Snapshot& now) {
+      if (share < 0.0) share = now.stored / now.translation;
+    });
+    EXPECT_NEAR(share * 0.5 * body.mass * speed * speed, 1e-2 * potential, 1e-5 * 1e-2 * potential) << hardness;
+    EXPECT_LE(result.half_width, 0.5 * pi);
+    const auto wider = [&] { (void)impact(body, ExponentialWall{hardness}, speed, {.half_width = 1.6}); };
+    test::expect_refusal(wider, {"half_width", "1.6"});
+  }
 }
 
 TEST(ExponentialWall, StrengthOnlyShiftsTheWall) {

@@ -184,7 +184,7 @@ TEST_P(Completeness, ALowModeLeftOutViolatesTheSumRule) {
 
 INSTANTIATE_TEST_SUITE_P(Poisson, Completeness, ::testing::Values(-0.9, -0.5, 0.0, 0.2, 0.33, 0.5, 0.9, 0.99));
 
-TEST(StaticFlexibility, IsThatOfTheDesign) {
+TEST(StaticFlexibility, HasItsClosedFormForOrders0And1And5) {
   const double nu = 0.33;
   const Flexibility zero = static_flexibility(nu, 0), one = static_flexibility(nu, 1), five = static_flexibility(nu, 5);
   EXPECT_DOUBLE_EQ(zero.radial, 0.335);

@@ -87,6 +87,15 @@ TEST(QuasistaticSoftContact, IsTheMinimumOverTheModes) {
   }
 }
 
+TEST(QuasistaticSoftContact, ActsOnTheFrontHalfOfTheDisk) {
+  // The rules of both sides stop at ±π/2, where the pressure of a soft wall does not vanish: they differ by O(h²).
+  for (const double hardness : {1.0, 3.0, 10.0}) {
+    const ExponentialWall wall{hardness, 0.01};
+    const double expected = by_modes(0.33, 3.0, wall, -0.4).force;
+    EXPECT_NEAR(soft_static_contact(disk(0.33, 3.0), wall, -0.4).force, expected, 2e-5 * expected) << hardness;
+  }
+}
+
 TEST(QuasistaticSoftContact, StrengthOnlyMovesTheWall) {
   const Body body = disk(0.33, 12.5);
   const SoftStaticContact one = soft_static_contact(body, {500.0, 1.0}, 0.03);
@@ -167,6 +176,7 @@ TEST(QuasistaticSoftContact, RefusesWhatItIsNotMeantFor) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   for (const double wrong : {-0.51, 0.51, nan}) {
     test::expect_refusal([&] { (void)soft_static_contact(body, {}, wrong); }, {"compression", "-0.5 to 0.5"});
+    test::expect_refusal([&] { (void)soft_static_contact(rod(50.0), {}, wrong); }, {"compression", "-0.5 to 0.5"});
   }
   test::expect_refusal([&] { (void)soft_static_contact(body, {0.5}, 0.01); }, {"hardness"});
   test::expect_refusal([&] { (void)soft_static_contact(body, {}, 0.01, {.nodes = 63}); }, {"nodes", "64 to 2048"});

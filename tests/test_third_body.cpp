@@ -14,7 +14,7 @@
 namespace stoss {
 namespace {
 
-TEST(RodBody, HasTheNumbersOfTheDesign) {
+TEST(RodBody, HasModesAtMultiplesOfPiAndTheComplianceOfTheOthers) {
   const Body body = rod(100.0);
   ASSERT_EQ(body.groups.size(), 1U);
   ASSERT_EQ(mode_count(body), 31U);

@@ -37,9 +37,9 @@ struct Body {
   double mass = 0.0;            ///< of the body, and of every mode
   double extent = 0.0;          ///< distance from the centre of mass to the first point of contact
   double cutoff = 0.0;          ///< all modes with ω ≤ cutoff are in `groups` (but see with_modes)
-  double max_half_width = 0.0;  ///< largest half-width that a grid can have; 0: a single point of contact
-  /// Greatest time step: above it, what a force moves the kept modes of one order within a step outweighs what it moves
-  /// the modes that are not kept, and kicks at a hard wall are unstable.
+  double max_half_width = 0.0;  ///< of the whole edge, R: the widest grid; 0: one point of contact
+  /// Largest stable step at a hard wall: above it one kick moves the kept modes of some order
+  /// further than the residual compliance does.
   double stable_step = std::numeric_limits<double>::infinity();
   std::vector<ModeGroup> groups;  ///< kept modes
 
@@ -69,8 +69,9 @@ void validate(const Body& body);
 /// Number of kept modes.
 [[nodiscard]] std::size_t mode_count(const Body& body);
 
-/// The same body with only some of its kept modes, as the paper selects them, for exponential walls. A hard wall would
-/// need the compliance of the others: the residual functions refuse. All of them: the body itself.
+/// A body with only some of the kept modes of another, as the paper selects them. It is for
+/// exponential walls: a hard wall needs the compliance of the modes left out, so the residual
+/// functions refuse. With every flag set it is `body` itself.
 /// @param keep one flag for each mode, in the order of Body::groups
 /// @throws InvalidInput for another number of flags, or none set
 [[nodiscard]] Body with_modes(const Body& body, const std::vector<bool>& keep);

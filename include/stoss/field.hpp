@@ -24,8 +24,8 @@ struct Field {
   std::vector<double> stress_rp;   ///< σ_rφ, E
 };
 
-/// What a disk looks like inside during an impact: its kept modes as they are, and all others in their static answer to
-/// the wall's force,
+/// Displacement and stress inside a disk during an impact: the kept modes as they move, and all
+/// others in their static answer to the wall's force,
 ///
 ///   u = u_static[F] + Σ_kept (Q − Q_static[F]) u_l,   Q_static = −Σ_i F_i (C c_i + S s_i)/ω²,
 ///
@@ -55,11 +55,12 @@ class DiskField {
   std::shared_ptr<const Parts> parts_;
 };
 
-/// √(σ_1² − σ_1 σ_2 + σ_2²) of plane stress, in E, at the points of the field.
+/// Von Mises stress √(σ_1² − σ_1 σ_2 + σ_2²) of plane stress, in E, at the points of the field.
 /// @throws InvalidInput for stresses of different lengths
 [[nodiscard]] std::vector<double> von_mises(const Field& field);
 
-/// |σ_1 − σ_2| = √((σ_rr − σ_φφ)² + 4σ_rφ²), in E: what photoelastic fringes count.
+/// Difference of the principal stresses, |σ_1 − σ_2| = √((σ_rr − σ_φφ)² + 4σ_rφ²), in E:
+/// photoelastic fringes count it.
 /// @throws InvalidInput for stresses of different lengths
 [[nodiscard]] std::vector<double> principal_difference(const Field& field);
 

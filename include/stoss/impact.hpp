@@ -11,7 +11,7 @@
 
 namespace stoss {
 
-/// Above this speed (in c) small-strain elasticity has lost its meaning; results are flagged.
+/// Speed, in c, above which results are flagged: small-strain elasticity has lost its meaning.
 inline constexpr double small_strain_speed = 0.5;
 
 /// Motion of a body: its centre and its modes, in the order of Body::groups.
@@ -22,6 +22,7 @@ struct State {
   std::vector<double> momentum;    ///< P, mc
 };
 
+/// Resolution, observation and start of an impact.
 struct ImpactOptions {
   std::optional<double> step{};        ///< Δt, R/c; otherwise recommended_step
   std::optional<int> nodes{};          ///< of the contact grid; otherwise recommended_nodes
@@ -49,7 +50,8 @@ struct Snapshot {
   std::span<const double> node_force;  ///< share of each contact node in F, on request; valid during the call
 };
 
-/// Called in order of time. What it throws ends the impact and reaches the caller.
+/// Receives the instants of an impact in order of time. What it throws ends the impact and reaches
+/// the caller.
 using ImpactObserver = std::function<void(const Snapshot&)>;
 
 /// Energy of one kept mode, as shares of the initial energy.
@@ -94,15 +96,16 @@ struct Impact {
   State final_state;
 };
 
-/// Δt for a body at a wall, R/c (docs/numerics.md).
+/// Recommended time step Δt for a body at a wall, R/c (docs/numerics.md).
 [[nodiscard]] double recommended_step(const Body& body, const Wall& wall, double speed);
 
-/// Number of contact nodes for a body at a wall.
+/// Recommended number of contact nodes for a body at a wall.
 [[nodiscard]] int recommended_nodes(const Body& body, const Wall& wall, double speed);
 
-/// A body meets a wall: kick–rotate–kick with the wall's force, from just out of contact until no later contact is
-/// possible, which is when the body recedes and no combination of its modes' phases can bring its edge back to the wall
-/// (docs/numerics.md). Contacts that follow one another while the body vibrates at the wall are one impact.
+/// Computes one impact of a body at a wall, by kick–rotate–kick with the wall's force. It starts
+/// just out of contact and ends when no later contact is possible: the body recedes, and no
+/// combination of its modes' phases can bring its edge back to the wall (docs/theory/impact.md).
+/// Contacts that follow one another while the body vibrates at the wall are one impact.
 /// @param speed of the centre of mass towards the wall, 1e-8 … 1, in c. Two equal bodies that each move at `speed`
 ///              towards each other are the same problem.
 /// @throws InvalidInput for arguments out of range; NotConverged if the contact cannot be solved or does not end

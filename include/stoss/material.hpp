@@ -9,7 +9,7 @@ struct Material {
   double density = 0.0;  ///< ρ, kg/m³
 };
 
-/// What a disk stands for: a thin plate (plane stress) or a slice of a long cylinder (plane strain).
+/// Kind of body behind a disk: a thin plate (plane stress) or a slice of a long cylinder (plane strain).
 enum class Plane { stress, strain };
 
 /// The 2-D Poisson number that the core computes with: ν for plane stress, ν/(1−ν) for plane strain (paper eq. (2)).

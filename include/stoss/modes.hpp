@@ -26,7 +26,7 @@ struct Mode {
 /// Which displacement dominates at the edge (paper, figure of the mode frequencies).
 enum class ModeFamily { radial, tangential };
 
-/// Radial where C > |S|, tangential otherwise.
+/// Family of a mode: radial where C > |S|, tangential otherwise.
 [[nodiscard]] ModeFamily family(const Mode& mode);
 
 /// All symmetric modes of a free disk with 0 < ω ≤ cutoff, sorted by order, then by frequency.
@@ -50,19 +50,21 @@ struct Displacement {
 [[nodiscard]] std::vector<Displacement> displacement(double poisson, const Mode& mode,
                                                      const std::vector<double>& radii);
 
-/// Σ_l (C,S)(C,S)ᵀ/ω² over all modes of one order: response of the edge to a static load of that order.
+/// Response of the edge to a static load of one order: Σ_l (C,S)(C,S)ᵀ/ω² over all its modes.
 struct Flexibility {
   double radial = 0.0;      ///< F^CC
   double mixed = 0.0;       ///< F^CS
   double tangential = 0.0;  ///< F^SS
 };
 
-/// Closed form of the static flexibility of a disk, with inertia relief for n = 1 (docs/theory/modes.md).
+/// Static flexibility of a disk in closed form, with inertia relief for n = 1
+/// (docs/theory/modes.md).
 [[nodiscard]] Flexibility static_flexibility(double poisson, int order);
 
-/// Σ_l (C,S)(C,S)ᵀ/ω⁴ over all modes of one order, closed: ∫ r u·u dr of the static solutions, since the coordinates of
-/// a static displacement u are its projections on the modes (docs/theory/modes.md). The response of the edge to a slowly
-/// varying load is static_flexibility − d²/dt² static_second_moment.
+/// Second moment Σ_l (C,S)(C,S)ᵀ/ω⁴ over all modes of one order, in closed form: ∫ r u·u dr of the
+/// static solutions u, whose coordinates are their projections on the modes (docs/theory/modes.md).
+/// The response of the edge to a slowly varying load is static_flexibility − d²/dt²
+/// static_second_moment.
 [[nodiscard]] Flexibility static_second_moment(double poisson, int order);
 
 }  // namespace stoss

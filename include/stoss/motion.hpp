@@ -17,15 +17,16 @@ struct Frame {
   std::vector<double> node_force;  ///< share of each contact node in F
 };
 
-/// The motion of a body that touches nothing for a time, forward or back: x₀ drifts and every mode rotates.
+/// State of a body after it has touched nothing for a time, forward or back: x₀ drifts and every
+/// mode rotates.
 [[nodiscard]] State free_motion(const Body& body, const State& state, double time);
 
 /// Energy of each mode, mc², in the order of Body::groups.
 /// @throws InvalidInput for a state of another number of modes
 [[nodiscard]] std::vector<double> mode_energies(const Body& body, const State& state);
 
-/// Repeats an impact, bit by bit, and looks at it at some times: during the impact at the nearest step (Frame::time
-/// says which), before and after it in free flight.
+/// A body at given times of its impact, which is repeated bit by bit: during the impact at the
+/// nearest step (Frame::time says which), before and after it in free flight.
 /// @param body   the one of the impact, with all its modes
 /// @param impact a result of `impact` from a body at rest inside
 /// @param times  R/c, ascending, −1e4 … 1e4

@@ -11,8 +11,8 @@
 
 namespace stoss {
 
-/// A body at any of a ladder of cutoffs, ω_c = 8 · 2^(level/4) c/R. Each is made when it is first asked for and kept.
-/// Copies share what is made; any number of threads may ask.
+/// A body at a series of cutoffs, ω_c = 8 · 2^(level/4) c/R. Each is made when it is first asked
+/// for and then kept. Copies share what is made; any number of threads may ask.
 class RefinableBody {
  public:
   static constexpr int highest_level = 22;  ///< ω_c = 362
@@ -20,6 +20,7 @@ class RefinableBody {
 
   explicit RefinableBody(BodyMaker maker);
 
+  /// The body at the cutoff of a level.
   /// @throws what the maker throws; InvalidInput for a level outside 0 … highest_level
   [[nodiscard]] const Body& at(int level) const;
 
@@ -49,7 +50,8 @@ struct Run {
   long steps = 0;
 };
 
-/// The coefficient of restitution against a hard wall, with errors and with the way to it. Units as in Impact.
+/// The coefficient of restitution against a hard wall, with its errors and the runs that led to it.
+/// Units as in Impact.
 struct Restitution {
   Estimate restitution;    ///< ε; its error is that of 1 − ε²
   Estimate lost_fraction;  ///< 1 − ε²
@@ -64,28 +66,31 @@ struct Restitution {
   long steps = 0;          ///< of all runs
 };
 
+/// Tolerance of the coefficient of restitution.
 struct RestitutionOptions {
   double tolerance = 1e-3;       ///< error of 1 − ε² over 1 − ε², 1e-15 … 0.5
   std::function<void()> poll{};  ///< as in ImpactOptions
 };
 
-/// The best value that was reached is in `best`; best.reason, also in what(), says what stood in the way.
+/// A coefficient of restitution that misses its tolerance. `best` is the best value that was
+/// reached; best.reason, also in what(), says what stood in the way.
 class RestitutionNotConverged : public NotConverged {
  public:
   explicit RestitutionNotConverged(Restitution result);
   Restitution best;
 };
 
-/// ε of a body that meets a hard wall, from impacts at rising cutoffs (docs/numerics.md, section 5): cutoff, step and
-/// grid are refined together until the error of 1 − ε² is below tolerance × (1 − ε²). The error is six times the
-/// largest of the differences from the coarser runs, each scaled by the observed order of convergence,
-/// (ω_coarse/ω_fine)^(5/2) (with one point of contact ω_coarse/ω_fine).
+/// Coefficient of restitution of a body at a hard wall, from impacts at rising cutoffs
+/// (docs/numerics.md, section 5): cutoff, step and grid are refined together until the error of
+/// 1 − ε² is below tolerance × (1 − ε²). The error is six times the largest of the differences from the
+/// coarser runs, each scaled by the observed order of convergence, (ω_coarse/ω_fine)^(5/2) (with
+/// one point of contact ω_coarse/ω_fine).
 /// @param speed of the centre of mass, 1e-8 … 1, in c
 /// @throws InvalidInput for arguments out of range; RestitutionNotConverged if the highest cutoff is not enough;
 ///         NotConverged if no two impacts end
 [[nodiscard]] Restitution restitution(const RefinableBody& body, double speed, const RestitutionOptions& options = {});
 
-/// The same for one speed only.
+/// Coefficient of restitution at one speed, for a body that is needed only once.
 [[nodiscard]] Restitution restitution(const BodyMaker& maker, double speed, const RestitutionOptions& options = {});
 
 }  // namespace stoss

@@ -4,7 +4,7 @@
 
 namespace stoss {
 
-/// How the modes above the cutoff answer a hard wall (docs/numerics.md).
+/// How the modes above the cutoff answer a hard wall (docs/theory/walls.md).
 enum class Tail {
   quasistatic,  ///< exact static compliance; stores energy, loses none ("static" on the command line)
   radiating     ///< static compliance at low and plane-wave impedance at high frequency; takes energy
@@ -15,7 +15,8 @@ struct HardWall {
   Tail tail = Tail::radiating;
 };
 
-/// The paper's soft wall, potential V = V₀ ∫ dφ e^{αx(φ)} (paper eq. (40)). Modes above the cutoff are left out.
+/// The paper's soft wall, potential V = V₀ ∫ dφ e^{αx(φ)} over the front half of the edge, −π/2 to
+/// π/2 on a disk (paper eq. (40)). Modes above the cutoff are left out.
 struct ExponentialWall {
   double hardness = 500.0;  ///< α, 1/R; 1 … 1e6
   double strength = 1.0;    ///< V₀, ρc²R²; shifts the wall by ln V₀/α and changes nothing else
@@ -23,7 +24,7 @@ struct ExponentialWall {
 
 using Wall = std::variant<HardWall, ExponentialWall>;
 
-/// @throws InvalidInput for a hardness or strength out of range
+/// Checks the constants of a wall. @throws InvalidInput for a hardness or strength out of range
 void validate(const Wall& wall);
 
 }  // namespace stoss

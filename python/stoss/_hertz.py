@@ -36,7 +36,7 @@ def _stress(table: NDArray[Any], shape: tuple[int, ...]) -> PlaneStress:
 
 
 def hertz_pressure(*, force: ArrayLike, y: ArrayLike) -> Number:
-    """Pressure ½√(a² − y²) of Hertz' contact of half-width a = 2√F, E; 0 outside (Gerl & Zippelius, eq. (45)).
+    """Pressure ½√(a² − y²) of Hertz' contact of half-width a = 2√F, E; 0 outside (Gerl & Zippelius, eq. Kraftvert).
 
     Parameters
     ----------

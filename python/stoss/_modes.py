@@ -125,7 +125,7 @@ class Modes(Result):
 def modes(*, cutoff: float, poisson: float | None = None, material: Material | None = None) -> Modes:
     """All symmetric in-plane modes of a free disk up to a cutoff.
 
-    The frequencies are the roots of D_n(ω) = 0, the free edge's determinant (Gerl & Zippelius, eq. (24)). None is
+    The frequencies are the roots of D_n(ω) = 0, the free edge's determinant (Gerl & Zippelius, eq. Zero). None is
     missed: they are counted exactly.
 
     Parameters

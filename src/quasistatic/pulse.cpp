@@ -10,7 +10,7 @@
 namespace stoss {
 namespace {
 
-// Falls of the force beyond which nothing is left of the time and of the impulse.
+// Falls ln(F_max/F) beyond which the force adds nothing to the time and to the impulse.
 constexpr double end_of_time = 42.0;
 constexpr double end_of_impulse = 20.0;
 

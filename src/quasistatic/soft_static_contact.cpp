@@ -13,9 +13,9 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
-#include <numbers>
 
 #include "check.hpp"
+#include "resolution.hpp"
 #include "stoss/errors.hpp"
 
 namespace stoss {
@@ -128,11 +128,11 @@ class Equilibrium {
   VectorXd displacement_;  // W g
 };
 
-/// Half-width beyond which the wall's pressure vanishes, as far as the paper's integral goes.
-double reach(const Body& body, double hardness, double compression) {
+/// Half-width beyond which the wall's pressure vanishes.
+double pressed_half_width(const Body& body, const ExponentialWall& wall, double compression) {
   constexpr double exponent = 40.0;
-  const double wanted = std::sqrt(2.0 * (std::max(compression, 0.0) + exponent / hardness));
-  return std::min({wanted, 0.5 * std::numbers::pi, body.max_half_width});
+  const double wanted = std::sqrt(2.0 * (std::max(compression, 0.0) + exponent / wall.hardness));
+  return std::min(wanted, reachable_half_width(body, wall));
 }
 
 /// The midpoint rule converges exponentially once the nodes resolve the pressure: the smoother of the width 1/√α, over
@@ -159,7 +159,7 @@ SoftStaticContact soft_static_contact(const Body& body, const ExponentialWall& w
     require("nodes", static_cast<long>(*options.nodes), fewest_nodes, most_nodes, "of the contact grid");
   }
   const double alpha = wall.hardness;
-  const double half_width = body.max_half_width == 0.0 ? 0.0 : reach(body, alpha, compression);
+  const double half_width = pressed_half_width(body, wall, compression);
   const int nodes = options.nodes ? *options.nodes : recommended_nodes(body, alpha, half_width);
   const ContactGrid grid = body.grid(half_width, nodes);
   const VectorXd position =

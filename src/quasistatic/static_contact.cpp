@@ -16,8 +16,8 @@ namespace {
 
 constexpr double mass = std::numbers::pi;
 
-/// Where the pressure vanishes. Over the inner part of the contact its square is nearly a parabola in φ²; the last
-/// nodes, whose distance from the end is comparable with h, are left out.
+/// Angle at which the pressure vanishes. Over the inner part of the contact its square is nearly a
+/// parabola in φ²; the last nodes, whose distance from the end is comparable with h, are left out.
 double end_of_contact(const StaticContact& contact) {
   const auto count = static_cast<std::size_t>(contact.contact_nodes);
   const double outermost = static_cast<double>(count) * contact.spacing;
@@ -95,7 +95,7 @@ StaticContact static_contact(double poisson, double compression, const StaticCon
   const StaticContact coarse = refined(options.nodes / 2);
   half_width = coarse.half_width;
   StaticContact result = refined(options.nodes);
-  // Where the contact ends between two nodes shifts the error a little, so that the change can be small by chance.
+  // The error depends a little on where the contact ends between two nodes: the change can be small by chance.
   const double usual = 0.2 * result.force / (static_cast<double>(options.nodes) * options.nodes);
   result.force_error = std::max(std::abs(result.force - coarse.force), usual);
   return result;

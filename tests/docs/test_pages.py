@@ -33,6 +33,19 @@ def test_links_between_pages_lead_somewhere(page):
             assert not anchor or anchor in anchors(there), target
 
 
+@pytest.mark.parametrize("page", PAGES, ids=lambda page: str(page.relative_to(ROOT)))
+def test_formulas_in_a_line_have_no_escape_that_markdown_takes_away(page):
+    formulas = re.findall(r"(?<!`)\$[^$`]+\$", without_code(page))
+    assert not [formula for formula in formulas if re.search(r"\\[!-/:-@\[-`{-~]", formula)]
+
+
+def test_equations_of_the_paper_are_cited_by_number():
+    folders = (ROOT / name for name in ("include", "src", "tests", "bench"))
+    for place in [*PAGES, *(file for folder in folders for file in folder.rglob("*.?pp"))]:
+        cited = re.findall(r"\b[Ee]qs?\. (\S+)", place.read_text(encoding="utf-8"))
+        assert not [name for name in cited if re.match(r"`|[A-Za-z]", name)], place
+
+
 @pytest.mark.parametrize("page", THEORY, ids=lambda page: page.name)
 def test_chapter_of_the_theory_has_short_lines_and_names_code_that_exists(page):
     text = page.read_text(encoding="utf-8")

@@ -11,7 +11,8 @@ namespace stoss {
 /// @throws InvalidInput as disk_modes
 [[nodiscard]] Body disk(double poisson, double cutoff);
 
-/// The same for any cutoff: restitution chooses its own. @throws InvalidInput for a Poisson number out of range
+/// Makes disks of one Poisson number at any cutoff, for `restitution`, which chooses the cutoffs.
+/// @throws InvalidInput for a Poisson number out of range
 [[nodiscard]] BodyMaker disk(double poisson);
 
 }  // namespace stoss

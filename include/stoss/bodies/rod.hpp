@@ -10,7 +10,7 @@ namespace stoss {
 /// @throws InvalidInput outside that range
 [[nodiscard]] Body rod(double cutoff);
 
-/// The same for any cutoff.
+/// Makes rods at any cutoff, for `restitution`, which chooses the cutoffs.
 [[nodiscard]] BodyMaker rod();
 
 }  // namespace stoss

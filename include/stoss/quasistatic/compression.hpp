@@ -19,17 +19,17 @@ enum class CompressionLaw {
 /// Force at which δ(F) has its maximum, F = s e^{−1−b}: the law ends there, and means little from a tenth of it on.
 [[nodiscard]] double limit_force(CompressionLaw law, double poisson);
 
-/// δ, R.
+/// Compression δ(F) by one of the laws, R.
 /// @param force F, 0 … limit_force
 /// @throws InvalidInput outside that range, and for a Poisson number out of range (−0.95 … 0.995)
 [[nodiscard]] double compression(CompressionLaw law, double poisson, double force);
 
-/// F(δ), πRE; the inverse to a relative error of 1e-14.
+/// Force F(δ) by one of the laws, πRE: the inverse of `compression`, to a relative error of 1e-14.
 /// @param compression δ, 0 … compression(law, poisson, limit_force)
 /// @throws InvalidInput as compression
 [[nodiscard]] double compression_force(CompressionLaw law, double poisson, double compression);
 
-/// ∫F dδ from no contact, mc²: F² [½ ln(s/F) − ½b − ¼].
+/// Elastic energy ∫F dδ from first contact on, mc²: F² [½ ln(s/F) − ½b − ¼].
 /// @param force F, as above
 [[nodiscard]] double compression_energy(CompressionLaw law, double poisson, double force);
 

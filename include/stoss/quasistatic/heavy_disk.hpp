@@ -4,7 +4,7 @@
 
 namespace stoss {
 
-/// How a disk in a gravitational field stands on the wall.
+/// Contact of a disk with the wall on which it stands in a gravitational field.
 enum class HeavyDiskContact {
   point,  ///< on one point: exact (Michell)
   hertz   ///< on a Hertz contact of half-width 2√F: the paper's superposition, for small F

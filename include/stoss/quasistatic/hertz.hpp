@@ -26,7 +26,8 @@ struct PlaneStress {
 /// @throws InvalidInput as hertz_half_width, and for a y that is not finite
 [[nodiscard]] double hertz_pressure(double force, double y);
 
-/// Stress under that pressure in a half-plane x ≥ 0, E (paper eqs. (46) and, on the axis, (47)).
+/// Stress under the Hertz pressure in a half-plane x ≥ 0, E (paper eqs. (46) and, on the axis,
+/// (47)).
 ///
 /// With m + in = √(a² + (x + iy)²) (McEwen; K. L. Johnson, Contact Mechanics, eqs. 4.49)
 ///

@@ -16,8 +16,8 @@
 /// and the amplitudes as 1/ln(1/v), so that the relative error of the estimate falls only as 1/ln(1/v).
 namespace stoss {
 
-/// √lost_fraction is off by at most this times kinetic_share. Measured: at most 6.6 times in 251 impacts against the
-/// hard wall, ν = 0 … 0.9, v = 1e-8 … 0.16.
+/// Error of √lost_fraction as a multiple of kinetic_share. Measured: at most 6.6 in 251 impacts
+/// against the hard wall, ν = 0 … 0.9, v = 1e-8 … 0.16.
 inline constexpr double second_order_factor = 7.0;
 
 /// Bound of kinetic_share for `beyond_perturbation`. In those 251 impacts the estimate is, below the bound, 0.26 to 3.0
@@ -42,9 +42,10 @@ struct RayleighEstimate {
   double lost_fraction = 0.0;        ///< 1 − ε², their sum. May exceed 1 where it means nothing
   double lost_fraction_error = 0.0;  ///< against the full solution, from kinetic_share and second_order_factor
   double kinetic_share = 0.0;        ///< greatest kinetic energy of the modes as they follow the force, share of ½mv²
-  bool beyond_perturbation = false;  ///< kinetic_share > max_kinetic_share: the numbers are no estimate any more
+  bool beyond_perturbation = false;  ///< kinetic_share > max_kinetic_share: the numbers mean nothing
 };
 
+/// Rayleigh's estimate of the loss of a slow impact to the given modes.
 /// @param poisson, speed as for slow_impact
 /// @param modes of the same disk, in any order. Those beyond a cutoff of 60 would add 2e-4 to 5e-4 of lost_fraction
 ///              (v ≤ 0.01, ν = 0.33), which falls as 1/cutoff²

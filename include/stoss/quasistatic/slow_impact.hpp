@@ -36,6 +36,7 @@ struct SlowImpact {
   double max_force = 0.0;        ///< F_max, πRE = mc²/R
 };
 
+/// Impact of a disk at a rigid wall, by one of the laws of compression.
 /// @param speed of the centre of mass towards the wall, min_slow_speed … limit_speed(law, poisson), c. Two equal disks
 ///              that each move at `speed` towards each other are the same problem.
 /// @throws InvalidInput for arguments out of range
@@ -49,8 +50,9 @@ struct ContactInstant {
   double force = 0.0;        ///< F, πRE = mc²/R
 };
 
-/// The instants at which the velocity is v cos(phase): phase 0 is the first contact, π/2 the turning point, π the last
-/// contact. Phases that are evenly spaced are so nearly in time too.
+/// History of a slow impact: the instants at which the velocity is v cos(phase). Phase 0 is the
+/// first contact, π/2 the turning point, π the last contact. Phases that are evenly spaced are so
+/// nearly in time too.
 /// @param impact what slow_impact gave, or anything with its inputs: law, poisson, speed
 /// @throws InvalidInput for a phase outside 0 … π, and as slow_impact
 [[nodiscard]] std::vector<ContactInstant> contact_history(const SlowImpact& impact, const std::vector<double>& phases);

@@ -8,6 +8,7 @@
 
 namespace stoss {
 
+/// Resolution of a static contact with an exponential wall.
 struct SoftStaticContactOptions {
   std::optional<int> nodes{};  ///< of the contact grid, 64 … 2048; otherwise as many as the wall and the modes need
 };
@@ -25,8 +26,8 @@ struct SoftStaticContact {
   int newton_steps = 0;
 };
 
-/// The paper's own static calculation (section V): with the centre of mass held, the modes of the body take the
-/// coordinates that make the energy least,
+/// Static contact of a body with an exponential wall, as the paper computes it (section V): with
+/// the centre of mass held, the modes of the body take the coordinates that make the energy least,
 ///
 ///   U = Σ ½mω²Q² + V₀ ∫_{−π/2}^{π/2} e^{αx(φ)} dφ,   x(φ) = x₀ + cos φ + Σ Q (C c + S s)(φ).
 ///
@@ -38,7 +39,7 @@ struct SoftStaticContact {
 /// modes, at walls of increasing hardness. At the end the forces that hold the modes and those of the wall agree to
 /// 2e-12 of the sum (2e-9 for α = 1e6).
 /// @param body        with its kept modes: a disk with cutoff 54 has 1300 at ν = 0.33
-/// @param compression δ, −0.5 … 0.5 of the body's extent
+/// @param compression δ, −0.5 … 0.5 R
 /// @throws InvalidInput for arguments out of range; NotConverged if Newton's method does not find the minimum
 [[nodiscard]] SoftStaticContact soft_static_contact(const Body& body, const ExponentialWall& wall, double compression,
                                                     const SoftStaticContactOptions& options = {});

@@ -4,6 +4,7 @@
 
 namespace stoss {
 
+/// Resolution of a static contact with a hard wall.
 struct StaticContactOptions {
   int nodes = 160;  ///< on half of the contact, 16 … 1024
 };
