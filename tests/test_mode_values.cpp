@@ -27,7 +27,7 @@ double newton_correction(double poisson, const Mode& mode, double relative_step)
   return std::abs(static_cast<double>(Real(correction / omega)));
 }
 
-TEST(ModeValues, CountsOfTheIssue) {
+TEST(ModeValues, CountsBelowACutoff) {
   EXPECT_EQ(disk_modes(0.33, 25.0).size(), 295U);
   EXPECT_EQ(disk_modes(0.33, 50.0).size(), 1146U);
   EXPECT_EQ(disk_modes(0.33, 100.0).size(), 4510U);
