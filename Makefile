@@ -1,6 +1,6 @@
 # The short way in. Everything here can also be done with the CMake presets (cmake --list-presets).
 .DEFAULT_GOAL := help
-.PHONY: help setup build python demo test bench validate results paper paper-quick format lint install clean
+.PHONY: help setup build python demo test bench validate results paper paper-quick format lint install uninstall clean
 
 JOBS ?= $(shell nproc)
 PREFIX ?= /usr/local
@@ -14,7 +14,7 @@ setup: ## install the Debian packages that are missing
 
 build: ## build the library and the command, after installing what that needs
 	@scripts/install-dependencies.sh build
-	@mkdir -p build && cmake --preset release -DSTOSS_BUILD_TESTS=OFF >build/configure.log 2>&1 || { cat build/configure.log; exit 1; }
+	@mkdir -p build && cmake --preset release >build/configure.log 2>&1 || { cat build/configure.log; exit 1; }
 	@cmake --build --preset release -j $(JOBS) --target stoss stoss_command
 
 python: build ## build the Python package and install it into build/venv (PYTHON=... for another interpreter)
@@ -52,11 +52,14 @@ format: setup ## format all sources
 	@clang-format -i $(SOURCES)
 
 lint: setup ## clang-tidy over all sources
-	@cmake --preset asan
-	@git ls-files 'src/*.cpp' 'cli/*.cpp' | xargs -P $(JOBS) -n 4 clang-tidy --quiet --warnings-as-errors='*' -p build/asan
+	@cmake --preset lint
+	@git ls-files 'src/*.cpp' 'cli/*.cpp' | xargs -P $(JOBS) -n 4 clang-tidy --quiet --warnings-as-errors='*' -p build/lint
 
 install: build ## install to PREFIX (default /usr/local)
-	@cmake --install build/release --prefix $(PREFIX)
+	@scripts/install.sh "$(PREFIX)"
+
+uninstall: ## remove from PREFIX what `make install` put there
+	@scripts/uninstall.sh "$(PREFIX)"
 
 clean: ## remove build and output folders
 	@rm -rf build out

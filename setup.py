@@ -1,7 +1,12 @@
-"""Builds stoss._core with CMake, in the folder that the Makefile uses too; the rest is in pyproject.toml."""
+"""Builds stoss._core with CMake; the rest is in pyproject.toml.
+
+The environment variable STOSS_BUILD_TREE names a CMake build tree to take the module from
+(scripts/python.sh does so); without it the module is built from nothing.
+"""
 
 import os
 import re
+import shutil
 import subprocess
 import sys
 from pathlib import Path
@@ -10,21 +15,39 @@ from setuptools import Extension, setup
 from setuptools.command.build_ext import build_ext
 
 ROOT = Path(__file__).parent.resolve()
-BUILD = ROOT / "build" / "release"
+
+
+def cmake(*arguments: str) -> None:
+    subprocess.run(["cmake", *arguments], check=True)
 
 
 class BuildWithCMake(build_ext):
     def build_extension(self, ext: Extension) -> None:
+        tree = os.environ.get("STOSS_BUILD_TREE") or self.configure()
+        cmake("--build", tree, "--target", "stoss_python", "--parallel", str(os.cpu_count() or 1))
+        package = Path(self.get_ext_fullpath(ext.name)).resolve().parent.parent
+        cmake("--install", tree, "--component", "python", "--prefix", str(package))
+
+    def configure(self) -> str:
+        """A tree of its own; with Ninja where that is installed, else with what CMake takes by default (make)."""
+        if not shutil.which("cmake"):
+            raise SystemExit("stoss: cmake is not installed (docs/dependencies.md names all that the build needs)")
         # In a virtual environment sys.executable is a link; the module belongs to the interpreter behind it.
         python = os.path.realpath(sys.executable)
         print(f"stoss: the Python module is built for {python} (Python {sys.version.split()[0]})", flush=True)
-        cmake = ["cmake", "--preset", "release", "-DSTOSS_BUILD_PYTHON=ON", f"-DPython_EXECUTABLE={python}"]
-        subprocess.run(cmake, cwd=ROOT, check=True)
-        build = ["cmake", "--build", str(BUILD), "--target", "stoss_python", "--parallel", str(os.cpu_count() or 1)]
-        subprocess.run(build, check=True)
-        package = Path(self.get_ext_fullpath(ext.name)).resolve().parent.parent
-        install = ["cmake", "--install", str(BUILD), "--component", "python", "--prefix", str(package)]
-        subprocess.run(install, check=True)
+        ninja = shutil.which("ninja") and "CMAKE_GENERATOR" not in os.environ
+        tree = os.path.abspath(os.path.join(self.build_temp, "ninja" if ninja else "cmake"))
+        options = {"BUILD_SHARED_LIBS": "OFF", "CMAKE_BUILD_TYPE": "Release", "Python_EXECUTABLE": python}
+        options |= {"STOSS_BUILD_CLI": "OFF", "STOSS_BUILD_PYTHON": "ON", "STOSS_WERROR": "OFF"}
+        try:  # the one that pip has installed for this build
+            import pybind11
+
+            options["pybind11_DIR"] = pybind11.get_cmake_dir()
+        except ImportError:
+            pass  # CMake looks for the system's
+        generator = ["-G", "Ninja"] if ninja else []
+        cmake("-S", str(ROOT), "-B", tree, *generator, *(f"-D{name}={value}" for name, value in options.items()))
+        return tree
 
 
 version = re.search(r"project\(stoss VERSION (\S+)", (ROOT / "CMakeLists.txt").read_text(encoding="utf-8"))

@@ -19,7 +19,7 @@ fi
 # Tests; benchmarks; checks.
 if [ "${1:-all}" = all ]; then
   packages+=(
-    libgtest-dev libgmock-dev python3-pytest python3-hypothesis python3-tqdm mypy
+    libgtest-dev libgmock-dev pkgconf python3-pytest python3-hypothesis python3-tqdm mypy
     libbenchmark-dev
     clang libclang-rt-dev clang-format clang-tidy
   )

@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
-# Builds the Python package and installs it into the virtual environment build/venv, which sees the system's packages.
-# Another interpreter than Debian's: PYTHON=/path/to/python3 make python. It must have pip, setuptools, pybind11 and numpy.
+# Builds the Python module in build/release and installs the package into the virtual environment build/venv, which
+# sees the system's packages. Another interpreter than Debian's: PYTHON=/path/to/python3 make python. It must have pip,
+# setuptools, wheel, pybind11 and numpy.
 set -euo pipefail
 python=${PYTHON:-/usr/bin/python3}
 venv=build/venv
@@ -11,9 +12,14 @@ if [ "$(readlink -f "$venv/bin/python" 2>/dev/null)" != "$(readlink -f "$python"
   rm -rf "$venv"
   "$python" -m venv --system-site-packages "$venv"
 fi
-mkdir -p build
 rm -rf build/lib.* build/bdist.*  # what an earlier package left there
-if ! "$venv/bin/python" -m pip install --quiet --no-build-isolation --no-deps --no-index --force-reinstall \
+module() {
+  cmake --preset release -DSTOSS_BUILD_PYTHON=ON "-DPython_EXECUTABLE=$python" &&
+    cmake --build --preset release --target stoss_python
+}
+module >build/python.log 2>&1 || { cat build/python.log >&2; exit 1; }
+if ! STOSS_BUILD_TREE=build/release "$venv/bin/python" -m pip install --quiet \
+    --no-build-isolation --no-deps --no-index --force-reinstall \
     --disable-pip-version-check --root-user-action=ignore . >build/python.log 2>&1; then
   cat build/python.log >&2
   exit 1

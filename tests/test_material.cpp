@@ -5,6 +5,8 @@
 #include <limits>
 #include <numbers>
 
+#include "stoss/bodies/disk.hpp"
+#include "stoss/impact.hpp"
 #include "stoss/material.hpp"
 #include "support/refusal.hpp"
 
@@ -47,14 +49,41 @@ TEST(MaterialScales, PlaneStrainGivesTheSolidsOwnWaves) {
   EXPECT_NEAR(c / std::sqrt(2.0 * (1.0 + mapped)), std::sqrt(modulus / (2.0 * (1.0 + nu))), 1e-9 * c);
 }
 
-TEST(MaterialScales, GoThereAndBack) {
+TEST(MaterialScales, FitTogether) {
   const Scales s = scales({5.7e6, 0.41, 1130.0}, Plane::strain, 0.012);
-  for (const double speed : {1e-4, 0.037, 0.3}) {
-    const double metres_per_second = speed * s.speed;
-    EXPECT_NEAR(metres_per_second / s.speed, speed, 1e-16);
-  }
   EXPECT_NEAR(s.time * s.frequency, 1.0, 1e-15);
   EXPECT_NEAR(s.length / s.time / s.speed, 1.0, 1e-15);
+  const double mass = std::numbers::pi * 0.012 * 0.012 * 1130.0;  // per thickness
+  EXPECT_NEAR(s.force * s.time / (mass * s.speed), 1.0, 1e-15);
+}
+
+/// An impact of a disk at a hard wall, from SI to SI.
+struct ImpactInSi {
+  double restitution, contact_time, max_force, max_compression;
+
+  ImpactInSi(const Material& material, Plane plane, double radius, double metres_per_second) {
+    const Scales unit = scales(material, plane, radius);
+    const Impact result =
+        impact(disk(plane_poisson(material, plane), 12.5), HardWall{}, metres_per_second / unit.speed);
+    restitution = result.restitution;
+    contact_time = result.contact_time * unit.time;
+    max_force = result.max_force * unit.force;
+    max_compression = result.max_compression * unit.length;
+  }
+};
+
+TEST(MaterialScales, ImpactsAreSimilarAsDimensionsAsk) {
+  for (const Plane plane : {Plane::stress, Plane::strain}) {
+    const ImpactInSi one({3.1e9, 0.35, 1234.5}, plane, 0.037, 20.0);
+    // Stiffness × 4 and density / 4 make all waves four times faster; then twice the size.
+    const ImpactInSi other({4.0 * 3.1e9, 0.35, 0.25 * 1234.5}, plane, 2.0 * 0.037, 4.0 * 20.0);
+    EXPECT_DOUBLE_EQ(other.restitution, one.restitution);
+    EXPECT_DOUBLE_EQ(other.contact_time, 0.5 * one.contact_time);
+    EXPECT_DOUBLE_EQ(other.max_force, 8.0 * one.max_force);  // per thickness: stiffness times length
+    EXPECT_DOUBLE_EQ(other.max_compression, 2.0 * one.max_compression);
+    const ImpactInSi faster({3.1e9, 0.35, 1234.5}, plane, 0.037, 80.0);
+    EXPECT_LT(faster.restitution, one.restitution - 0.01);
+  }
 }
 
 TEST(MaterialInput, IsRefusedOutOfRange) {

@@ -79,6 +79,23 @@ TEST(Motion, FreeMotionGoesBothWays) {
   }
 }
 
+TEST(Motion, FreeMotionTurnsEachModeAtItsFrequency) {
+  const Body body = disk(0.33, 12.5);
+  const State state = impact(body, HardWall{}, 0.1).final_state;
+  const double time = 0.7;
+  const State later = free_motion(body, state, time);
+  EXPECT_EQ(later.velocity, state.velocity);
+  std::size_t k = 0;
+  for (const ModeGroup& group : body.groups) {
+    for (const double omega : group.omega) {
+      const double c = std::cos(omega * time), s = std::sin(omega * time), inertia = body.mass * omega;
+      EXPECT_NEAR(later.coordinate[k], c * state.coordinate[k] + s * state.momentum[k] / inertia, 1e-14);
+      EXPECT_NEAR(later.momentum[k], c * state.momentum[k] - s * state.coordinate[k] * inertia, 1e-12);
+      ++k;
+    }
+  }
+}
+
 TEST(Motion, OfARodHasOneNode) {
   const Body body = rod(40.0);
   const Impact result = impact(body, HardWall{}, 0.1);

@@ -1,4 +1,5 @@
-# Installs a build tree into a fresh prefix, then configures, builds and runs a project that uses only this prefix.
+# Installs a build tree, moves what was installed, and builds and runs a user's project against it: with CMake and with
+# pkg-config.
 cmake_minimum_required(VERSION 3.25)
 
 function(run)
@@ -10,7 +11,9 @@ function(run)
 endfunction()
 
 file(REMOVE_RECURSE "${SCRATCH}")
-run(${CMAKE_COMMAND} --install "${BUILD_TREE}" --prefix "${SCRATCH}/prefix")
+run(${CMAKE_COMMAND} --install "${BUILD_TREE}" --prefix "${SCRATCH}/first")
+file(RENAME "${SCRATCH}/first" "${SCRATCH}/prefix")
+
 run(${CMAKE_COMMAND} -S "${PROJECT}" -B "${SCRATCH}/build" -G "${GENERATOR}"
   "-DCMAKE_PREFIX_PATH=${SCRATCH}/prefix"
   "-DCMAKE_FIND_USE_PACKAGE_REGISTRY=OFF"
@@ -24,3 +27,34 @@ if(inside EQUAL -1)
 endif()
 run(${CMAKE_COMMAND} --build "${SCRATCH}/build")
 run("${SCRATCH}/build/downstream")
+
+# What `pkg-config OPTIONS stoss` says of the .pc file in a folder, as a list of words.
+function(pkg_config result folder)
+  execute_process(COMMAND ${CMAKE_COMMAND} -E env --unset=PKG_CONFIG_PATH "PKG_CONFIG_LIBDIR=${folder}"
+    pkg-config ${ARGN} stoss COMMAND_ERROR_IS_FATAL ANY OUTPUT_VARIABLE words OUTPUT_STRIP_TRAILING_WHITESPACE)
+  separate_arguments(words UNIX_COMMAND "${words}")
+  set(${result} ${words} PARENT_SCOPE)
+endfunction()
+
+file(GLOB_RECURSE pc "${SCRATCH}/prefix/stoss.pc")
+cmake_path(GET pc PARENT_PATH folder)
+pkg_config(flags "${folder}" --cflags --libs)
+separate_arguments(own UNIX_COMMAND "${CXX_FLAGS}")
+run(${CXX_COMPILER} -std=c++20 ${own} "${PROJECT}/main.cpp" ${flags} -o "${SCRATCH}/by_pkg_config")
+run(${CMAKE_COMMAND} -E env "LD_LIBRARY_PATH=${folder}/.." "${SCRATCH}/by_pkg_config")
+pkg_config(version "${folder}" --modversion)
+if(NOT version STREQUAL VERSION)
+  message(FATAL_ERROR "pkg-config says version ${version}, the project is ${VERSION}")
+endif()
+
+# What a static library needs, its users are told; a shared one brings it.
+foreach(shared ON OFF)
+  set(tree "${SCRATCH}/shared_${shared}")
+  run(${CMAKE_COMMAND} -S "${SOURCE}" -B "${tree}" -G "${GENERATOR}" -DBUILD_SHARED_LIBS=${shared} -DSTOSS_BUILD_CLI=OFF
+    "-DCMAKE_CXX_COMPILER=${CXX_COMPILER}")
+  pkg_config(plain "${tree}" --libs-only-other)
+  pkg_config(static "${tree}" --libs-only-other --static)
+  if(NOT static STREQUAL "-pthread" OR (shared AND plain) OR (NOT shared AND NOT plain STREQUAL "-pthread"))
+    message(FATAL_ERROR "shared ${shared}: pkg-config gives '${plain}', with --static '${static}'")
+  endif()
+endforeach()
