@@ -9,8 +9,10 @@
 #include <memory>
 
 #include "arguments.hpp"
+#include "estimate.hpp"
 #include "interrupt.hpp"
 #include "numbers.hpp"
+#include "options.hpp"
 #include "progress.hpp"
 #include "stoss/errors.hpp"
 
@@ -103,7 +105,7 @@ void impacts(const QuasistaticArguments& arguments, Provenance provenance) {
   const std::vector<double> speeds = parse_speeds(arguments.speeds, si, range);
   const std::vector<Mode> modes = disk_modes(poisson, arguments.cutoff);
   provenance.inputs["cutoff"] = arguments.cutoff;
-  Report report(arguments.output.path, arguments.output.chosen_format(), provenance);
+  Report report(Output(arguments.output.path), arguments.output.chosen_format(), provenance);
   std::size_t beyond = 0;
   write_rows(arguments, report, speeds.size(), [&](std::size_t i) {
     const RayleighEstimate estimate = rayleigh(law, poisson, speeds[i], modes);
@@ -133,10 +135,9 @@ std::vector<double> parse_compressions(const std::string& text, CompressionLaw l
   std::vector<double> values = parse_series("compression", text);
   for (double& value : values) {
     if (!(value >= least_compression * unit && value <= greatest * unit)) {
-      const double got = std::isnan(value) ? std::abs(value) : value;
-      throw InvalidInput(fmt::format(
-          "compression: got {:.10g}, allowed {:.6g} to {:.6g} {} (R + x0; beyond them a law or a contact ends)", got,
-          least_compression * unit, greatest * unit, si ? "m" : "R"));
+      throw InvalidInput(
+          fmt::format("compression: got {}, allowed {} to {} {} (R + x0; beyond them a law or a contact ends)", value,
+                      lower_end(least_compression * unit), upper_end(greatest * unit), si ? "m" : "R"));
     }
     value = std::clamp(value / unit, least_compression, greatest);
   }
@@ -177,7 +178,7 @@ void compressions(const QuasistaticArguments& arguments, const Provenance& prove
   const double poisson = arguments.disk.plane_poisson();
   const CompressionLaw law = arguments.chosen_law();
   const std::vector<double> values = parse_compressions(arguments.compressions, law, poisson, si);
-  Report report(arguments.output.path, arguments.output.chosen_format(), provenance);
+  Report report(Output(arguments.output.path), arguments.output.chosen_format(), provenance);
   write_rows(arguments, report, values.size(),
              [&](std::size_t i) { return compression_record(law, poisson, values[i], si); });
   report.finish();
@@ -232,9 +233,8 @@ void add_quasistatic(CLI::App& app) {
       ->type_name("LAW")
       ->group("Body");
   arguments->cutoff_option =
-      command
-          ->add_option("--cutoff", arguments->cutoff,
-                       "Rayleigh's estimate has the modes up to this frequency in c/R, up to 1000 (default: 60)")
+      add_number(*command, "--cutoff", arguments->cutoff,
+                 "Rayleigh's estimate has the modes up to this frequency in c/R, up to 1000 (default: 60)")
           ->type_name("OMEGA")
           ->group("Resolution");
   arguments->output.add_to(*command);
