@@ -14,12 +14,6 @@
 #include "text.hpp"
 
 namespace stoss::cli {
-namespace {
-
-constexpr std::size_t longest_path = 240;  // in a message
-
-}  // namespace
-
 Output::Output(const std::string& path, Use use) : path_(path == "-" ? "" : path), file_(stdout, std::fflush) {
   if (!path_.empty()) open(use);
 }
@@ -51,7 +45,8 @@ void Output::keep(std::uintmax_t size) {
 void Output::fail() const {
   const int reason = errno;
   if (reason == EINTR) heed_interrupts();
-  const std::string place = path_.empty() ? "to stdout" : "'" + shortened(path_, longest_path) + "'";
+  const std::string place =
+      path_.empty() ? std::string("to stdout") : fmt::format("'{}'", shortened(path_, longest_path));
   const std::string text = fmt::format("output: cannot write {}: {}", place, std::strerror(reason));
   errno = reason;
   throw OutputError(text);

@@ -14,6 +14,9 @@ class OutputError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+/// Bytes of a file name that a message repeats.
+inline constexpr std::size_t longest_path = 240;
+
 /// A file, locked against other processes, or stdout when the path is empty or "-". Every write is checked.
 class Output {
  public:

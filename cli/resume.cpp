@@ -3,14 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cerrno>
 #include <charconv>
-#include <cstdio>
-#include <cstring>
 #include <map>
 #include <optional>
 
 #include "csv.hpp"
+#include "lines.hpp"
 #include "stoss/errors.hpp"
 #include "text.hpp"
 
@@ -18,48 +16,6 @@ namespace stoss::cli {
 namespace {
 
 constexpr std::size_t longest_excerpt = 40;
-
-/// The complete lines of a file, one by one.
-class Lines {
- public:
-  explicit Lines(const Output& output) : path_(shortened(output.path(), 240)), stream_(output.stream()) {}
-
-  /// Without its end; nothing where no complete line follows.
-  std::optional<std::string> next() {
-    std::string line;
-    for (int c = std::getc(stream_); c != EOF; c = std::getc(stream_)) {
-      if (c == '\n') {
-        size_ += line.size() + 1;
-        ++count_;
-        if (!line.empty() && line.back() == '\r') refuse_line_ends();
-        return line;
-      }
-      line += static_cast<char>(c);
-    }
-    if (std::ferror(stream_) != 0) {
-      throw OutputError(fmt::format("resume: cannot read '{}': {}", path_, std::strerror(errno)));
-    }
-    rest_ = line;
-    return std::nullopt;
-  }
-
-  [[nodiscard]] std::uintmax_t size() const { return size_; }      ///< of the lines read so far
-  [[nodiscard]] long count() const { return count_; }              ///< their number
-  [[nodiscard]] const std::string& rest() const { return rest_; }  ///< the incomplete last line
-  [[nodiscard]] const std::string& path() const { return path_; }  ///< for messages
-
- private:
-  [[noreturn]] void refuse_line_ends() const {
-    throw InvalidInput(fmt::format(
-        "resume: got line ends CRLF in '{}', allowed LF as stoss writes them (convert the file with dos2unix)", path_));
-  }
-
-  std::string path_;
-  std::FILE* stream_;
-  std::uintmax_t size_ = 0;
-  long count_ = 0;
-  std::string rest_;
-};
 
 /// The beginning of a line that may be anything.
 std::string excerpt(const std::string& line) { return shortened(line, longest_excerpt); }
@@ -107,21 +63,28 @@ void check_inputs(const Lines& lines, Inputs found, const Provenance& provenance
 
 /// Whether the header is complete, up to the names of the columns. If it is not, there is no row either.
 bool read_header(Lines& lines, const Provenance& provenance, const std::string& columns) {
-  auto line = lines.next();
-  if (!line) {
+  const auto first = lines.next();
+  if (!first) {
     if (csv_origin(provenance).rfind(lines.rest(), 0) != 0) refuse_file(lines, lines.rest());
     return false;
   }
-  check_origin(lines, *line, provenance);
+  check_origin(lines, *first, provenance);
   Inputs found;
-  while ((line = lines.next()) && line->rfind("# ", 0) == 0) {
+  std::string names;
+  bool complete = false;
+  while (const auto line = lines.next()) {
+    if (!line->starts_with("# ")) {
+      names = *line;
+      complete = true;
+      break;
+    }
     const auto colon = line->find(": ");
     if (colon == std::string::npos) refuse_file(lines, *line);
     found[line->substr(2, colon - 2)] = line->substr(colon + 2);
   }
-  check_inputs(lines, std::move(found), provenance, line.has_value());
-  if (line && *line != columns) refuse_file(lines, *line);
-  return line.has_value();
+  check_inputs(lines, std::move(found), provenance, complete);
+  if (complete && names != columns) refuse_file(lines, names);
+  return complete;
 }
 
 bool is_value(const std::string& cell) {

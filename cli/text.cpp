@@ -63,8 +63,8 @@ std::string shell_quoted(std::string_view word) {
   if (!word.empty() && word.front() != '=' && word.find_first_not_of(bare) == std::string_view::npos) {
     return std::string(word);
   }
-  if (visible(word) == word) return "'" + replaced(word, '\'', "'\\''") + "'";
-  return "$'" + escaped(replaced(replaced(word, '\\', "\\\\"), '\'', "\\'"), "\\{:03o}") + "'";
+  if (visible(word) == word) return fmt::format("'{}'", replaced(word, '\'', "'\\''"));
+  return fmt::format("$'{}'", escaped(replaced(replaced(word, '\\', "\\\\"), '\'', "\\'"), "\\{:03o}"));
 }
 
 std::vector<std::string> split(const std::string& text, char separator) {
