@@ -40,7 +40,7 @@ void OutputArguments::warn(const std::string& text) const {
 }
 
 void DiskArguments::add_to(CLI::App& command) {
-  add_number(command, "--poisson", poisson, "Poisson number, -0.95 to 0.995; of the solid if a material is given")
+  add_number(command, "--poisson", poisson, "Poisson number, -0.95 to 0.995; with a material: of the solid")
       ->required()
       ->type_name("NU")
       ->group("Body");

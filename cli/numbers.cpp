@@ -34,18 +34,19 @@ double number(const Typed& typed, std::string part) {
   part.erase(part.find_last_not_of(' ') + 1);
   if (part.empty()) typed.refuse("a number is missing");
   const std::string unsigned_part = part.substr(part[0] == '+' || part[0] == '-' ? 1 : 0);
+  const std::string which = part == typed.text ? "it" : fmt::format("'{}'", shortened(part));
   const char* const last = unsigned_part.data() + unsigned_part.size();
   double value = 0.0;
   const auto [end, error] = std::from_chars(unsigned_part.data(), last, value);
   // from_chars also reads a second sign, nan and inf.
   const bool decimal = end == last && unsigned_part.find_first_of("0123456789.") == 0;
   if (!decimal || error == std::errc::invalid_argument) {
-    typed.refuse(fmt::format("'{}' is not a decimal number", shortened(part)));
+    typed.refuse(which + " is not a decimal number");
   }
   const bool zero =
       unsigned_part.substr(0, unsigned_part.find_first_of("eE")).find_first_of("123456789") == std::string::npos;
   if (error != std::errc{} || (value == 0.0 && !zero)) {
-    typed.refuse(fmt::format("'{}' is beyond double precision, about 1e-308 to 1e308", shortened(part)));
+    typed.refuse(which + " is beyond double precision, about 1e-308 to 1e308");
   }
   return part[0] == '-' ? -value : value;
 }

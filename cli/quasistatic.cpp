@@ -207,42 +207,49 @@ void run(const QuasistaticArguments& arguments) {
 
 void add_quasistatic(CLI::App& app) {
   auto* command = app.add_subcommand(
-      "quasistatic", "Slow impacts with Rayleigh's estimate of the loss, or force against static compression");
+      "quasistatic",
+      "Slow impacts with Rayleigh's estimate of the loss (--speed), or force against static compression "
+      "(--compression)");
   auto arguments = std::make_shared<QuasistaticArguments>();
   arguments->disk.add_to(*command);
-  arguments->speed_option =
-      command
-          ->add_option("--speed", arguments->speeds,
-                       "Slow impacts at these speeds, 1e-100 to 0.14 or more (where the law ends) in c (m/s with a "
-                       "material): a,b,c or log:a:b:n or lin:a:b:n")
-          ->type_name("SPEEDS")
-          ->group("Body");
+  arguments->speed_option = command
+                                ->add_option("--speed", arguments->speeds,
+                                             "Slow impacts at these speeds in c (m/s with a material):\n"
+                                             "a number, a,b,c, log:a:b:n or lin:a:b:n; 1e-100 to where the law ends,\n"
+                                             "0.14 to 0.99 c")
+                                ->type_name("SPEEDS")
+                                ->group("Body");
   arguments->compression_option =
       command
           ->add_option("--compression", arguments->compressions,
-                       "Or: static contacts at these compressions, 1e-12 to 0.2 or more (where the law ends) in R (m "
-                       "with a material), written as speeds")
+                       "Static contacts at these compressions in R (m with a material), in place of\n"
+                       "--speed: a number, a,b,c, log:a:b:n or lin:a:b:n; 1e-12 to where the law\n"
+                       "or the contact ends, 0.2 to 0.5 R. Gives force, energy and half-width by\n"
+                       "the law, and the force of the exact static contact with its error")
           ->excludes(arguments->speed_option)
           ->type_name("DELTAS")
           ->group("Body");
   command
       ->add_option("--law", arguments->law,
-                   "Force against compression: center, approach of the centre of mass; diameter, shortening of the "
-                   "diameter; printed, the paper's (default: center)")
+                   "Force against compression (default: center)\n"
+                   "  center:   approach of the centre of mass to the wall\n"
+                   "  diameter: shortening of the diameter between two walls\n"
+                   "  printed:  as Gerl and Zippelius print it")
       ->check(CLI::IsMember({"center", "diameter", "printed"}))
       ->type_name("LAW")
       ->group("Body");
-  arguments->cutoff_option =
-      add_number(*command, "--cutoff", arguments->cutoff,
-                 "Rayleigh's estimate has the modes up to this frequency in c/R, up to 1000 (default: 60)")
-          ->type_name("OMEGA")
-          ->group("Resolution");
+  arguments->cutoff_option = add_number(*command, "--cutoff", arguments->cutoff,
+                                        "With --speed: highest frequency in Rayleigh's estimate, in c/R,\n"
+                                        "up to 1000 (default: 60)")
+                                 ->type_name("OMEGA")
+                                 ->group("Resolution");
   arguments->output.add_to(*command);
   command->footer(
       "Examples:\n"
       "  stoss quasistatic --poisson 0.33 --speed log:1e-6:0.1:50\n"
       "  stoss quasistatic --poisson 0.33 --speed 1e-12 --format json\n"
       "  stoss quasistatic --poisson 0.33 --compression lin:0.001:0.03:20\n"
+      "  stoss quasistatic --poisson 0.33 --compression 0.01 --law diameter\n"
       "Two equal disks that each move at SPEED towards each other are the same problem.");
   command->callback([arguments] { run(*arguments); });
 }

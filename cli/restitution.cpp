@@ -140,8 +140,10 @@ int run(RestitutionArguments arguments) {
 void add_resolution(CLI::App& command, RestitutionArguments& arguments) {
   command
       .add_option("--method", arguments.method,
-                  "converge: refine until TOL is met; extrapolate: as the paper does, by regressions over exponential "
-                  "walls, 1e-3 to 0.5 c (default: converge)")
+                  "How to reach the value (default: converge)\n"
+                  "  converge:    refine until the error is below the tolerance\n"
+                  "  extrapolate: regressions over exponential walls, as Gerl and\n"
+                  "               Zippelius do; 1e-3 to 0.5 c")
       ->check(CLI::IsMember({"converge", "extrapolate"}))
       ->type_name("METHOD")
       ->group("Resolution");
@@ -150,7 +152,7 @@ void add_resolution(CLI::App& command, RestitutionArguments& arguments) {
       ->type_name("TOL")
       ->group("Resolution");
   add_integer(command, "--threads", arguments.threads,
-              "Threads, 0 for all cores; results do not depend on it (default: 0)")
+              "Threads, 0 for all cores; results do not depend on it\n(default: 0)")
       ->type_name("N")
       ->group("Resolution");
 }
@@ -164,14 +166,14 @@ void add_restitution(CLI::App& app, int& exit_code) {
   arguments->command = command;
   command
       ->add_option("--poisson", arguments->poissons,
-                   "Poisson numbers, -0.95 to 0.995: a,b,c or log:a:b:n or lin:a:b:n; of the solid if a material is "
-                   "given, then only one")
+                   "Poisson numbers, -0.95 to 0.995: a number, a,b,c, log:a:b:n or lin:a:b:n.\n"
+                   "With a material: the one of the solid")
       ->required()
       ->type_name("NUS")
       ->group("Body");
   command
       ->add_option("--speed", arguments->speeds,
-                   "Speeds, 1e-8 to 1 in c (m/s with a material): a,b,c or log:a:b:n or lin:a:b:n")
+                   "Speeds, 1e-8 to 1 in c (m/s with a material): a number, a,b,c, log:a:b:n\nor lin:a:b:n")
       ->required()
       ->type_name("SPEEDS")
       ->group("Body");
@@ -180,8 +182,8 @@ void add_restitution(CLI::App& app, int& exit_code) {
   arguments->output.add_to(*command);
   command
       ->add_option("--resume", arguments->resume,
-                   "Keep the rows that are in the CSV file FILE, made with the same inputs, and add the others; "
-                   "without FILE begin it")
+                   "Continue an interrupted run: keep the rows of the CSV file FILE, add the\n"
+                   "missing ones; without FILE begin it")
       ->type_name("FILE")
       ->group("Output");
   command->footer(
