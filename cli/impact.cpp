@@ -172,8 +172,7 @@ void run(const ImpactArguments& arguments) {
 }  // namespace
 
 void add_impact(CLI::App& app) {
-  auto* command =
-      app.add_subcommand("impact", "One impact of a disk on a wall at a fixed resolution, with its energy ledger");
+  auto* command = app.add_subcommand("impact", "One impact of a disk at a fixed resolution, with its energy ledger");
   auto arguments = std::make_shared<ImpactArguments>();
   arguments->disk.add_to(*command);
   command->add_option("--speed", arguments->speed, "Speed towards the wall, 1e-8 to 1 in c (with a material: m/s)")

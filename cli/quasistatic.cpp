@@ -206,26 +206,25 @@ void run(const QuasistaticArguments& arguments) {
 }  // namespace
 
 void add_quasistatic(CLI::App& app) {
-  auto* command = app.add_subcommand(
-      "quasistatic",
-      "Slow impacts with Rayleigh's estimate of the loss (--speed), or force against static compression "
-      "(--compression)");
+  auto* command =
+      app.add_subcommand("quasistatic", "Slow impacts with Rayleigh's estimate of the loss, or static compression");
   auto arguments = std::make_shared<QuasistaticArguments>();
   arguments->disk.add_to(*command);
   arguments->speed_option = command
                                 ->add_option("--speed", arguments->speeds,
-                                             "Slow impacts at these speeds in c (m/s with a material):\n"
-                                             "a number, a,b,c, log:a:b:n or lin:a:b:n; 1e-100 to where the law ends,\n"
-                                             "0.14 to 0.99 c")
+                                             "Slow impacts at these speeds, in c (m/s with a material): a number,\n"
+                                             "a,b,c, log:a:b:n or lin:a:b:n; 1e-100 c to 0.14 c or more, where\n"
+                                             "the law ends")
                                 ->type_name("SPEEDS")
                                 ->group("Body");
   arguments->compression_option =
       command
           ->add_option("--compression", arguments->compressions,
-                       "Static contacts at these compressions in R (m with a material), in place of\n"
-                       "--speed: a number, a,b,c, log:a:b:n or lin:a:b:n; 1e-12 to where the law\n"
-                       "or the contact ends, 0.2 to 0.5 R. Gives force, energy and half-width by\n"
-                       "the law, and the force of the exact static contact with its error")
+                       "In place of --speed: static contacts at these compressions, in R\n"
+                       "(m with a material): a number, a,b,c, log:a:b:n or lin:a:b:n; 1e-12\n"
+                       "to 0.2 or more, where the law or the contact ends (at most 0.5 R).\n"
+                       "Gives force, energy and half-width by the law, and the force of the\n"
+                       "exact static contact with its error")
           ->excludes(arguments->speed_option)
           ->type_name("DELTAS")
           ->group("Body");

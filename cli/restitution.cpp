@@ -166,14 +166,15 @@ void add_restitution(CLI::App& app, int& exit_code) {
   arguments->command = command;
   command
       ->add_option("--poisson", arguments->poissons,
-                   "Poisson numbers, -0.95 to 0.995: a number, a,b,c, log:a:b:n or lin:a:b:n.\n"
-                   "With a material: the one of the solid")
+                   "Poisson numbers, -0.95 to 0.995: a number, a,b,c, log:a:b:n or\n"
+                   "lin:a:b:n. With a material: the one of the solid")
       ->required()
       ->type_name("NUS")
       ->group("Body");
   command
       ->add_option("--speed", arguments->speeds,
-                   "Speeds, 1e-8 to 1 in c (m/s with a material): a number, a,b,c, log:a:b:n\nor lin:a:b:n")
+                   "Speeds, 1e-8 to 1 in c (m/s with a material): a number, a,b,c,\n"
+                   "log:a:b:n or lin:a:b:n")
       ->required()
       ->type_name("SPEEDS")
       ->group("Body");
@@ -182,8 +183,8 @@ void add_restitution(CLI::App& app, int& exit_code) {
   arguments->output.add_to(*command);
   command
       ->add_option("--resume", arguments->resume,
-                   "Continue an interrupted run: keep the rows of the CSV file FILE, add the\n"
-                   "missing ones; without FILE begin it")
+                   "Continue an interrupted run: keep the rows of the CSV file FILE,\n"
+                   "add the missing ones; without FILE begin it")
       ->type_name("FILE")
       ->group("Output");
   command->footer(

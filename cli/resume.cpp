@@ -17,8 +17,8 @@ namespace {
 
 constexpr std::size_t longest_excerpt = 40;
 
-/// The beginning of a line that may be anything.
-std::string excerpt(const std::string& line) { return shortened(line, longest_excerpt); }
+/// The beginning of a line that may be anything; a message would end at a NUL.
+std::string excerpt(const std::string& line) { return visible(shortened(line, longest_excerpt)); }
 
 [[noreturn]] void refuse_file(const Lines& lines, const std::string& got) {
   throw InvalidInput(fmt::format("resume: got '{}' in '{}', allowed a CSV file of stoss restitution (it is left alone)",
