@@ -206,8 +206,7 @@ void run(const QuasistaticArguments& arguments) {
 }  // namespace
 
 void add_quasistatic(CLI::App& app) {
-  auto* command =
-      app.add_subcommand("quasistatic", "Slow impacts with Rayleigh's estimate of the loss, or static compression");
+  auto* command = app.add_subcommand("quasistatic", "Slow impacts with an estimate of the loss, or static compression");
   auto arguments = std::make_shared<QuasistaticArguments>();
   arguments->disk.add_to(*command);
   arguments->speed_option = command

@@ -127,3 +127,14 @@ def test_full_disk_then_resume(stoss, tmp_path, whole):
         assert path.stat().st_size == 20000
     assert resume(stoss, path, JOB).returncode == 0
     assert rows(path.read_text()) == rows(whole)
+
+
+def test_row_with_an_unknown_error_is_kept(stoss, tmp_path, small):
+    path = tmp_path / "curve.csv"
+    header, *table = lines(small)
+    cells = table[0].split(",")
+    cells[header.split(",").index("contact_time_error[R/c]")] = "unknown"
+    known = small.replace(table[0], ",".join(cells))
+    path.write_text(known[: known.index(table[1])])
+    assert resume(stoss, path).returncode == 0
+    assert path.read_text() == known
