@@ -59,8 +59,6 @@ void write_rows(const QuasistaticArguments& arguments, Report& report, std::size
   }
 }
 
-// --speed
-
 Record impact_record(const RayleighEstimate& estimate, const std::optional<Scales>& si) {
   const SlowImpact& impact = estimate.impact;
   const std::string mark = estimate.beyond_perturbation ? " !" : "  ";
@@ -124,8 +122,6 @@ void impacts(const QuasistaticArguments& arguments, Provenance provenance) {
   }
 }
 
-// --compression
-
 /// In R, of numbers that are in R or, with a material, in m. @throws InvalidInput where a quantity has no value
 std::vector<double> parse_compressions(const std::string& text, CompressionLaw law, double poisson,
                                        const std::optional<Scales>& si) {
@@ -182,8 +178,7 @@ void compressions(const QuasistaticArguments& arguments, const Provenance& prove
   write_rows(arguments, report, values.size(),
              [&](std::size_t i) { return compression_record(law, poisson, values[i], si); });
   report.finish();
-  const auto great =
-      std::count_if(values.begin(), values.end(), [](double value) { return value > great_compression; });
+  const auto great = std::count_if(values.begin(), values.end(), [](double v) { return v > great_compression; });
   if (great > 0) {
     arguments.output.warn(fmt::format("{} of {} compressions above {} R: linear elasticity means little there", great,
                                       values.size(), great_compression));
@@ -247,7 +242,6 @@ void add_quasistatic(CLI::App& app) {
       "  stoss quasistatic --poisson 0.33 --speed log:1e-6:0.1:50\n"
       "  stoss quasistatic --poisson 0.33 --speed 1e-12 --format json\n"
       "  stoss quasistatic --poisson 0.33 --compression lin:0.001:0.03:20\n"
-      "  stoss quasistatic --poisson 0.33 --compression 0.01 --law diameter\n"
       "Two equal disks that each move at SPEED towards each other are the same problem.");
   command->callback([arguments] { run(*arguments); });
 }
