@@ -5,8 +5,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "messages.hpp"
 #include "numbers.hpp"
+#include "options.hpp"
 #include "stoss/errors.hpp"
+#include "text.hpp"
 
 namespace stoss::cli {
 namespace {
@@ -33,11 +36,11 @@ Format OutputArguments::chosen_format() const {
 }
 
 void OutputArguments::warn(const std::string& text) const {
-  if (!quiet) fmt::print(stderr, "stoss: warning: {}\n", text);
+  if (!quiet) say("stoss: warning: " + text);
 }
 
 void DiskArguments::add_to(CLI::App& command) {
-  command.add_option("--poisson", poisson, "Poisson number, -0.95 to 0.995; of the solid if a material is given")
+  add_number(command, "--poisson", poisson, "Poisson number, -0.95 to 0.995; with a material: of the solid")
       ->required()
       ->type_name("NU")
       ->group("Body");
@@ -45,13 +48,13 @@ void DiskArguments::add_to(CLI::App& command) {
 }
 
 void DiskArguments::add_material_to(CLI::App& command) {
-  command.add_option("--young", young, "Young's modulus in Pa; makes speeds m/s and adds SI values")
+  add_number(command, "--young", young, "Young's modulus in Pa; makes speeds m/s and adds SI values")
       ->type_name("PA")
       ->group("Material in SI (all three or none)");
-  command.add_option("--density", density, "Density in kg/m^3")
+  add_number(command, "--density", density, "Density in kg/m^3")
       ->type_name("RHO")
       ->group("Material in SI (all three or none)");
-  command.add_option("--radius", radius, "Radius of the disk in m")
+  add_number(command, "--radius", radius, "Radius of the disk in m")
       ->type_name("M")
       ->group("Material in SI (all three or none)");
   plane_option_ = command.add_option("--plane", plane, "Thin disk (stress) or long cylinder (strain); default: stress")
@@ -98,9 +101,8 @@ std::vector<double> parse_speeds(const std::string& text, const std::optional<Sc
   for (double& speed : speeds) {
     const double slowest = range.slowest * unit, fastest = range.fastest * unit;
     if (!(speed >= slowest && speed <= fastest)) {
-      const double got = std::isnan(speed) ? std::abs(speed) : speed;
-      throw InvalidInput(fmt::format("speed: got {:.10g}, allowed {:.6g} to {:.6g} {} ({})", got, slowest, fastest,
-                                     si ? "m/s" : "c", range.hint));
+      throw InvalidInput(fmt::format("speed: got {}, allowed {} to {} {} ({})", speed, lower_end(slowest),
+                                     upper_end(fastest), si ? "m/s" : "c", range.hint));
     }
     // The division may round beyond an end.
     speed = std::clamp(speed / unit, range.slowest, range.fastest);
@@ -112,9 +114,7 @@ std::string command_line() { return stored_command_line(); }
 
 void set_command_line(int argc, char** argv) {
   std::string line = "stoss";
-  for (int i = 1; i < argc; ++i) {
-    for (const char c : std::string(" ") + argv[i]) line += c == '\n' || c == '\r' ? ' ' : c;
-  }
+  for (int i = 1; i < argc; ++i) line += " " + shell_quoted(argv[i]);
   stored_command_line() = line;
 }
 

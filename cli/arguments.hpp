@@ -64,7 +64,7 @@ struct SpeedRange {
 [[nodiscard]] std::vector<double> parse_speeds(const std::string& text, const std::optional<Scales>& si,
                                                const SpeedRange& range = {});
 
-/// The command line as it was typed, for provenance.
+/// The command line, quoted so that a shell reads it back: for provenance.
 [[nodiscard]] std::string command_line();
 void set_command_line(int argc, char** argv);
 

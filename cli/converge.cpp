@@ -5,8 +5,8 @@
 #include <limits>
 
 #include "csv.hpp"
+#include "estimate.hpp"
 #include "interrupt.hpp"
-#include "numbers.hpp"
 #include "stoss/bodies/disk.hpp"
 #include "stoss/curve.hpp"
 
@@ -15,38 +15,34 @@ namespace {
 
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
-Record make_record(const Restitution& r, double poisson, double speed, const std::optional<Scales>& si,
-                   double seconds) {
+Record make_record(const Restitution& r, double poisson, double speed, const std::optional<Scales>& si) {
   const Impact& finest = r.finest;
   const bool ran = !r.runs.empty();
   Record record{{"poisson", "", poisson, si ? 0 : 8}, {"speed", "c", speed, si ? 0 : 12}};
   const auto add = [&record](Entry entry) { record.push_back(std::move(entry)); };
-  const auto add_estimate = [&](const std::string& key, const std::string& unit, const Estimate& estimate, int width,
-                                const std::string& shown = {}) {
-    add({key, unit, estimate.value, width, shown});
-    add({key + "_error", unit, estimate.error});
+  const auto estimate = [&record](const std::string& key, const std::string& unit, const Estimate& estimated, int width,
+                                  const std::string& shown = {}) {
+    add_estimate(record, key, unit, estimated, width, shown);
   };
+  const auto scaled = [](const Estimate& e, double scale) { return Estimate{e.value * scale, e.error * scale}; };
   if (si) add({"speed_si", "m/s", speed * si->speed, 12});
-  add_estimate("restitution", "", r.restitution, 22, with_error(r.restitution.value, r.restitution.error));
+  estimate("restitution", "", r.restitution, 22, with_error(r.restitution.value, r.restitution.error));
   const std::string mark = r.converged ? "  " : " !";
-  add_estimate("lost_fraction", "", r.lost_fraction, 25,
-               with_error(r.lost_fraction.value, r.lost_fraction.error) + mark);
-  add_estimate("contact_time", "R/c", r.contact_time, si ? 0 : 13);
-  add_estimate("max_compression", "R", r.max_compression, 0);
-  add_estimate("max_force", "piRE", r.max_force, 0);
+  estimate("lost_fraction", "", r.lost_fraction, 25, with_error(r.lost_fraction.value, r.lost_fraction.error) + mark);
+  estimate("contact_time", "R/c", r.contact_time, si ? 0 : 13);
+  estimate("max_compression", "R", r.max_compression, 0);
+  estimate("max_force", "piRE", r.max_force, 0);
   add({"cutoff", "c/R", ran ? finest.cutoff : none});
   add({"modes", "", static_cast<long>(finest.energy.modes.size())});
   add({"runs", "", static_cast<long>(r.runs.size())});
   add({"steps", "", r.steps});
   add({"energy_error", "", ran ? finest.energy_error : none});
-  add({"seconds", "s", seconds});
   add({"converged", "", r.converged});
   add({"beyond_small_strain", "", finest.beyond_small_strain});
   if (si) {
-    add_estimate("contact_time_si", "s", {r.contact_time.value * si->time, r.contact_time.error * si->time}, 17);
-    add_estimate("max_force_si", "N/m", {r.max_force.value * si->force, r.max_force.error * si->force}, 0);
-    add_estimate("max_compression_si", "m",
-                 {r.max_compression.value * si->length, r.max_compression.error * si->length}, 0);
+    estimate("contact_time_si", "s", scaled(r.contact_time, si->time), 17);
+    estimate("max_force_si", "N/m", scaled(r.max_force, si->force), 0);
+    estimate("max_compression_si", "m", scaled(r.max_compression, si->length), 0);
   }
   return record;
 }
@@ -67,8 +63,8 @@ nlohmann::ordered_json to_json(const std::vector<Run>& runs) {
   return list;
 }
 
-Row make_row(const Restitution& r, double poisson, double speed, const std::optional<Scales>& si, double seconds) {
-  Row row{.record = make_record(r, poisson, speed, si, seconds), .trouble = r.converged ? "" : r.reason};
+Row make_row(const Restitution& r, double poisson, double speed, const std::optional<Scales>& si) {
+  Row row{.record = make_record(r, poisson, speed, si), .trouble = r.converged ? "" : r.reason};
   row.details["runs"] = to_json(r.runs);
   if (!r.runs.empty()) {
     const EnergyLedger& ledger = r.finest.energy;
@@ -83,7 +79,7 @@ Row make_row(const Restitution& r, double poisson, double speed, const std::opti
 
 }  // namespace
 
-std::string converge_columns(const Job& job) { return csv_columns(make_record({}, 0.0, 0.0, job.si, 0.0)); }
+std::string converge_columns(const Job& job) { return csv_columns(make_record({}, 0.0, 0.0, job.si)); }
 
 void check_converge(const Job& job, double tolerance, int threads) {
   validate(job.speeds, {tolerance, threads});
@@ -99,7 +95,7 @@ void converge(Sweep& sweep, Report& report, double tolerance, int threads) {
     restitution_curve(RefinableBody(disk(poisson)), speeds, {tolerance, threads, heed_interrupts},
                       [&](std::size_t i, const Restitution& result) {
                         heed_interrupts();
-                        sweep.add(make_row(result, poisson, speeds[i], job.si, sweep.lap()), report);
+                        sweep.add(make_row(result, poisson, speeds[i], job.si), report);
                       });
   }
 }

@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "csv.hpp"
+#include "estimate.hpp"
 #include "interrupt.hpp"
 #include "numbers.hpp"
 #include "stoss/bodies/disk.hpp"
@@ -16,19 +17,16 @@
 namespace stoss::cli {
 namespace {
 
-Record make_record(const ExtrapolatedRestitution& r, double poisson, double speed, const std::optional<Scales>& si,
-                   double seconds) {
+Record make_record(const ExtrapolatedRestitution& r, double poisson, double speed, const std::optional<Scales>& si) {
   Record record{{"poisson", "", poisson, si ? 0 : 8}, {"speed", "c", speed, si ? 0 : 12}};
   if (si) record.push_back({"speed_si", "m/s", speed * si->speed, 12});
-  const auto add_estimate = [&record](const std::string& key, const Estimate& estimate, int width) {
-    record.push_back({key, "", estimate.value, width, with_error(estimate.value, estimate.error)});
-    record.push_back({key + "_error", "", estimate.error});
+  const auto add = [&record](const std::string& key, const Estimate& estimate, int width) {
+    add_estimate(record, key, "", estimate, width, with_error(estimate.value, estimate.error));
   };
-  add_estimate("restitution", r.restitution, 22);
-  add_estimate("lost_fraction", r.lost_fraction, 24);
+  add("restitution", r.restitution, 22);
+  add("lost_fraction", r.lost_fraction, 24);
   record.push_back({"impacts", "", static_cast<long>(r.impacts.size()), 9});
   record.push_back({"steps", "", r.steps});
-  record.push_back({"seconds", "s", seconds});
   return record;
 }
 
@@ -48,9 +46,8 @@ nlohmann::ordered_json intercepts(const ExtrapolatedRestitution& r) {
   return list;
 }
 
-Row make_row(const ExtrapolatedRestitution& r, double poisson, double speed, const std::optional<Scales>& si,
-             double seconds) {
-  Row row{.record = make_record(r, poisson, speed, si, seconds), .trouble = {}};
+Row make_row(const ExtrapolatedRestitution& r, double poisson, double speed, const std::optional<Scales>& si) {
+  Row row{.record = make_record(r, poisson, speed, si), .trouble = {}};
   auto impacts = nlohmann::ordered_json::array();
   for (const SoftImpact& impact : r.impacts) {
     impacts.push_back({{"cutoff", impact.cutoff},
@@ -71,14 +68,14 @@ ExtrapolatedRestitution nothing() {
 
 }  // namespace
 
-std::string extrapolate_columns(const Job& job) { return csv_columns(make_record({}, 0.0, 0.0, job.si, 0.0)); }
+std::string extrapolate_columns(const Job& job) { return csv_columns(make_record({}, 0.0, 0.0, job.si)); }
 
 void check_extrapolate(const Job& job) {
   constexpr double slowest = 1e-3, fastest = 0.5;
   for (const double speed : job.speeds) {
     if (speed >= slowest && speed <= fastest) continue;
     throw InvalidInput(
-        fmt::format("speed: got {:.10g} c, allowed {} to {} c with --method extrapolate (converge takes "
+        fmt::format("speed: got {} c, allowed {} to {} c with --method extrapolate (converge takes "
                     "all speeds)",
                     speed, slowest, fastest));
   }
@@ -97,7 +94,7 @@ void extrapolate(Sweep& sweep, Report& report) {
     } catch (const NotConverged& error) {
       trouble = error.what();
     }
-    Row row = make_row(result, poisson, speed, job.si, sweep.lap());
+    Row row = make_row(result, poisson, speed, job.si);
     if (!trouble.empty()) row.details["reason"] = trouble;
     row.trouble = std::move(trouble);
     sweep.add(row, report);

@@ -7,7 +7,7 @@
 #include <memory>
 
 #include "arguments.hpp"
-#include "numbers.hpp"
+#include "options.hpp"
 #include "stoss/bodies/disk.hpp"
 #include "stoss/errors.hpp"
 #include "trajectory.hpp"
@@ -80,6 +80,7 @@ std::vector<Entry> entries(const Impact& impact, double poisson, const std::opti
 
 void write_table(const std::string& path, const std::vector<Entry>& list, std::vector<ModeEnergy> modes) {
   Output output(path);
+  output.keep(0);
   for (const Entry& entry : list) {
     const auto* number = std::get_if<double>(&entry.value);
     const std::string value = number != nullptr
@@ -162,7 +163,7 @@ void run(const ImpactArguments& arguments) {
     write_table(arguments.output.path, list, result.energy.modes);
     return;
   }
-  Report report(arguments.output.path, arguments.output.chosen_format(), provenance);
+  Report report(Output(arguments.output.path), arguments.output.chosen_format(), provenance);
   report.add(list);
   if (arguments.output.chosen_format() == Format::json) report.attach("modes", to_json(result.energy.modes));
   report.finish();
@@ -171,8 +172,7 @@ void run(const ImpactArguments& arguments) {
 }  // namespace
 
 void add_impact(CLI::App& app) {
-  auto* command =
-      app.add_subcommand("impact", "One impact of a disk on a wall at a fixed resolution, with its energy ledger");
+  auto* command = app.add_subcommand("impact", "One impact of a disk at a fixed resolution, with its energy ledger");
   auto arguments = std::make_shared<ImpactArguments>();
   arguments->disk.add_to(*command);
   command->add_option("--speed", arguments->speed, "Speed towards the wall, 1e-8 to 1 in c (with a material: m/s)")
@@ -183,14 +183,12 @@ void add_impact(CLI::App& app) {
       ->check(CLI::IsMember({"hard", "exponential"}))
       ->type_name("WALL")
       ->group("Wall");
-  arguments->hardness_option = command
-                                   ->add_option("--hardness", arguments->soft.hardness,
-                                                "alpha R of the exponential wall, 1 to 1e6 (default: 500)")
+  arguments->hardness_option = add_number(*command, "--hardness", arguments->soft.hardness,
+                                          "alpha R of the exponential wall, 1 to 1e6 (default: 500)")
                                    ->type_name("ALPHA")
                                    ->group("Wall");
-  arguments->strength_option = command
-                                   ->add_option("--strength", arguments->soft.strength,
-                                                "V0 of the exponential wall in rho c^2 R^2; shifts it (default: 1)")
+  arguments->strength_option = add_number(*command, "--strength", arguments->soft.strength,
+                                          "V0 of the exponential wall in rho c^2 R^2; shifts it (default: 1)")
                                    ->type_name("V0")
                                    ->group("Wall");
   arguments->tail_option =
@@ -199,19 +197,19 @@ void add_impact(CLI::App& app) {
           ->check(CLI::IsMember({"radiating", "static"}))
           ->type_name("TAIL")
           ->group("Wall");
-  command->add_option("--cutoff", arguments->cutoff, "Modes up to this frequency in c/R are kept (default: 50)")
+  add_number(*command, "--cutoff", arguments->cutoff, "Modes up to this frequency in c/R are kept (default: 50)")
       ->type_name("OMEGA")
       ->group("Resolution");
-  command->add_option("--step", arguments->options.step, "Time step in R/c (default: chosen for the wall)")
+  add_number(*command, "--step", arguments->options.step, "Time step in R/c (default: chosen for the wall)")
       ->type_name("DT")
       ->group("Resolution");
-  command->add_option("--nodes", arguments->options.nodes, "Contact nodes, 16 to 4096 (default: chosen for the wall)")
+  add_integer(*command, "--nodes", arguments->options.nodes, "Contact nodes, 16 to 4096 (default: chosen for the wall)")
       ->type_name("N")
       ->group("Resolution");
   command->add_option("--trajectory", arguments->trajectory, "Write time, center, force, energies as CSV to FILE")
       ->type_name("FILE")
       ->group("Output");
-  command->add_option("--every", arguments->options.observe_every, "Trajectory: every so many steps (default: 1)")
+  add_integer(*command, "--every", arguments->options.observe_every, "Trajectory: every so many steps (default: 1)")
       ->type_name("K")
       ->group("Output");
   arguments->output.add_to(*command);

@@ -1,4 +1,5 @@
 // The stoss command. Exit codes: 0 ok, 1 not converged, 2 usage, 3 bad input, 4 input/output, 130 interrupted.
+#include <fcntl.h>
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -10,17 +11,42 @@
 
 #include "arguments.hpp"
 #include "interrupt.hpp"
+#include "messages.hpp"
+#include "options.hpp"
 #include "report.hpp"
 #include "stoss/errors.hpp"
 #include "stoss/version.hpp"
+#include "text.hpp"
 
 namespace {
 
 enum ExitCode { ok = 0, not_converged = 1, usage = 2, bad_input = 3, input_output = 4, signalled = 128 };
 
 int complain(int code, const std::string& text) {
-  fmt::print(stderr, "stoss: error: {}\n", text);
+  stoss::cli::say("stoss: error: " + text);
   return code;
+}
+
+/// The arguments from last to first, as CLI11 takes them; an empty value behind = as a word of its own.
+std::vector<std::string> words(int argc, char** argv) {
+  std::vector<std::string> list;
+  for (int i = argc - 1; i > 0; --i) {
+    std::string word = argv[i];
+    if (word.rfind("--", 0) == 0 && word.find('=') == word.size() - 1) {
+      list.emplace_back();
+      word.pop_back();
+    }
+    list.push_back(std::move(word));
+  }
+  return list;
+}
+
+/// A closed descriptor 0, 1 or 2 would become that of the next file that is opened. On 1 and 2, writing fails as it
+/// did.
+void reopen_closed_descriptors() {
+  for (int descriptor = 0; descriptor <= 2; ++descriptor) {
+    if (fcntl(descriptor, F_GETFD) == -1) (void)open("/dev/null", O_RDONLY);
+  }
 }
 
 int run(int argc, char** argv) {
@@ -36,19 +62,18 @@ int run(int argc, char** argv) {
   stoss::cli::add_impact(app);
   stoss::cli::add_restitution(app, exit_code);
   stoss::cli::add_quasistatic(app);
+  stoss::cli::refuse_empty_values(app);
   try {
-    app.parse(argc, argv);
+    app.parse(words(argc, argv));
     return exit_code;
   } catch (const CLI::Success& request) {  // --help and --version
     const int code = app.exit(request);
     std::cout.flush();
     return std::cout ? code : complain(input_output, "output: cannot write to stdout");
   } catch (const CLI::ParseError& error) {
-    std::string text = error.what();
-    if (const auto end = text.find('\n'); end != std::string::npos) text.resize(end);
     // A misspelt word matters more than what is missing because of it.
-    const auto unknown = app.remaining(true);
-    if (!unknown.empty()) text = "unknown argument: " + unknown.front();
+    std::string text = stoss::cli::unknown_words(app);
+    if (text.empty()) text = stoss::cli::shortened(error.what(), 160);
     return complain(usage, text + " (see stoss --help or stoss SUBCOMMAND --help)");
   } catch (const stoss::InvalidInput& error) {
     return complain(bad_input, error.what());
@@ -62,18 +87,21 @@ int run(int argc, char** argv) {
   } catch (const std::bad_alloc&) {
     return complain(bad_input, "memory: this needs more than the machine has (use a smaller cutoff or fewer nodes)");
   } catch (const std::system_error& error) {
-    return complain(input_output, std::string("system: ") + error.what());
+    const bool thread = error.code() == std::errc::resource_unavailable_try_again;
+    return complain(input_output, thread ? "threads: cannot start as many as asked for (use --threads 1)"
+                                         : std::string("system: ") + error.what());
   }
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
+  reopen_closed_descriptors();
   try {
     stoss::cli::set_command_line(argc, argv);
     return run(argc, argv);
   } catch (...) {
-    (void)std::fputs("stoss: error: out of memory, or a defect of stoss\n", stderr);
+    stoss::cli::say("stoss: error: out of memory, or a defect of stoss");
     return bad_input;
   }
 }

@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "arguments.hpp"
+#include "options.hpp"
 
 namespace stoss::cli {
 namespace {
@@ -22,7 +23,7 @@ void run(const ModesArguments& arguments) {
   Provenance provenance{"modes", command_line(), {}};
   arguments.disk.describe(provenance.inputs);
   provenance.inputs["cutoff"] = arguments.cutoff;
-  Report report(arguments.output.path, arguments.output.chosen_format(), provenance);
+  Report report(Output(arguments.output.path), arguments.output.chosen_format(), provenance);
   for (const Mode& mode : modes) {
     const std::string kind = family(mode) == ModeFamily::radial ? "radial" : "tangential";
     std::vector<Entry> record{{"order", "", static_cast<long>(mode.order), 7},
@@ -43,7 +44,7 @@ void add_modes(CLI::App& app) {
   auto* command = app.add_subcommand("modes", "Eigenmodes of a free elastic disk: frequencies and edge amplitudes");
   auto arguments = std::make_shared<ModesArguments>();
   arguments->disk.add_to(*command);
-  command->add_option("--cutoff", arguments->cutoff, "Highest frequency in c/R, up to 1000 (default: 30)")
+  add_number(*command, "--cutoff", arguments->cutoff, "Highest frequency in c/R, up to 1000 (default: 30)")
       ->type_name("OMEGA")
       ->group("Resolution");
   arguments->output.add_to(*command);

@@ -6,15 +6,18 @@
 
 namespace stoss::cli {
 
-/// The numbers of a list `a,b,c`, a geometric series `log:a:b:n` or an arithmetic one `lin:a:b:n`.
-/// @throws InvalidInput naming `name` for anything else
+/// A decimal number: sign, digits with or without a point, exponent, as in -0.2 or 1e-4. Spaces around it do not count.
+/// @throws InvalidInput naming `name` for anything else, also for nan, inf and what no double can hold
+[[nodiscard]] double parse_number(std::string_view name, const std::string& text);
+
+/// A decimal number without a fraction, as in 64 or 1e3. @throws InvalidInput
+[[nodiscard]] int parse_integer(std::string_view name, const std::string& text);
+
+/// The numbers of a list `a,b,c`, a geometric series `log:a:b:n` or an arithmetic one `lin:a:b:n`. @throws InvalidInput
 [[nodiscard]] std::vector<double> parse_series(std::string_view name, const std::string& text);
 
-/// The parts of `text` between separators, empty ones too.
-[[nodiscard]] std::vector<std::string> split(const std::string& text, char separator);
-
-/// `value ± error` to the digits that the error leaves, two of the error's own; at most 12 decimals, and from 8 on in
-/// the short form 0.94706123(12).
-[[nodiscard]] std::string with_error(double value, double error);
+/// The ends of a range to six digits, rounded towards its inside, so that what is shown is allowed.
+[[nodiscard]] std::string lower_end(double value);
+[[nodiscard]] std::string upper_end(double value);
 
 }  // namespace stoss::cli

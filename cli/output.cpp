@@ -1,38 +1,55 @@
 #include "output.hpp"
 
+#include <fcntl.h>
 #include <fmt/format.h>
-#include <sys/file.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
 
-namespace stoss::cli {
+#include "interrupt.hpp"
+#include "lock.hpp"
+#include "text.hpp"
 
-Output::Output(const std::string& path)
-    : path_(path == "-" ? "" : path),
-      file_(path_.empty() ? stdout : std::fopen(path.c_str(), "w"), path_.empty() ? std::fflush : std::fclose) {
-  if (!file_) throw OutputError(fmt::format("output: cannot write '{}': {}", path, std::strerror(errno)));
-  (void)lock();
+namespace stoss::cli {
+Output::Output(const std::string& path, Use use) : path_(path == "-" ? "" : path), file_(stdout, std::fflush) {
+  if (!path_.empty()) open(use);
 }
 
-Output::Output(const std::string& path, std::uintmax_t size)
-    : path_(path), file_(std::fopen(path.c_str(), "r+"), std::fclose) {
-  if (!file_) throw OutputError(fmt::format("output: cannot write '{}': {}", path, std::strerror(errno)));
-  if (!lock()) throw OutputError(fmt::format("output: cannot write '{}': another stoss is writing it", path));
+void Output::open(Use use) {
+  const bool resume = use == Use::resume;
+  const int descriptor = ::open(path_.c_str(), (resume ? O_RDWR : O_WRONLY) | O_CREAT | O_CLOEXEC | O_NOCTTY, 0666);
+  if (descriptor < 0) fail();
+  file_ = {fdopen(descriptor, resume ? "r+" : "w"), std::fclose};
+  if (!file_) fail();
+  struct stat status {};
+  regular_ = fstat(descriptor, &status) == 0 && S_ISREG(status.st_mode);
+  const std::string shown = shortened(path_, longest_path);
+  if (!regular_) {
+    if (resume) throw OutputError(fmt::format("resume: cannot continue '{}': it is not a regular file", shown));
+    return;
+  }
+  if (const auto holder = lock(descriptor)) {
+    throw OutputError(fmt::format("output: cannot write '{}': {} is writing it", shown, *holder));
+  }
+}
+
+void Output::keep(std::uintmax_t size) {
+  if (!regular_) return;
   const auto kept = static_cast<off_t>(size);
   if (ftruncate(fileno(file_.get()), kept) != 0 || fseeko(file_.get(), kept, SEEK_SET) != 0) fail();
 }
 
-bool Output::lock() {
-  // Where files cannot be locked, they are written unlocked.
-  return path_.empty() || flock(fileno(file_.get()), LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK;
-}
-
 void Output::fail() const {
-  throw OutputError(fmt::format("output: cannot write {}: {}", path_.empty() ? "to stdout" : "'" + path_ + "'",
-                                std::strerror(errno)));
+  const int reason = errno;
+  if (reason == EINTR) heed_interrupts();
+  const std::string place =
+      path_.empty() ? std::string("to stdout") : fmt::format("'{}'", shortened(path_, longest_path));
+  const std::string text = fmt::format("output: cannot write {}: {}", place, std::strerror(reason));
+  errno = reason;
+  throw OutputError(text);
 }
 
 void Output::write(const std::string& text) {
@@ -50,9 +67,13 @@ void Output::close() {
 
 bool same_output(const std::string& a, const std::string& b) {
   const auto resolved = [](const std::string& path) {
-    return path.empty() || path == "-" ? std::filesystem::path("-") : std::filesystem::weakly_canonical(path);
+    return path.empty() || path == "-" ? std::filesystem::path("/dev/stdout") : std::filesystem::path(path);
   };
-  return resolved(a) == resolved(b);
+  const auto first = resolved(a), second = resolved(b);
+  std::error_code ignored;  // what cannot be looked at cannot be opened either, which is reported then
+  if (std::filesystem::is_regular_file(first, ignored)) return std::filesystem::equivalent(first, second, ignored);
+  const auto place = std::filesystem::weakly_canonical(first, ignored);
+  return place == std::filesystem::weakly_canonical(second, ignored) && place != "/dev/null";
 }
 
 }  // namespace stoss::cli

@@ -14,24 +14,36 @@ class OutputError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// A file, or stdout when the path is empty or "-". Every write is checked.
+/// Bytes of a file name that a message repeats.
+inline constexpr std::size_t longest_path = 240;
+
+/// A file, locked against other processes, or stdout when the path is empty or "-". Every write is checked.
 class Output {
  public:
-  explicit Output(const std::string& path);
+  enum class Use { replace, resume };  ///< whether the content may be read and continued
 
-  /// Continues a file after its first `size` bytes; what is behind them goes. @throws OutputError also while another
-  /// stoss writes it
-  Output(const std::string& path, std::uintmax_t size);
+  /// Opens the file; its content stays until `keep`. @throws OutputError also while another process writes it;
+  /// Interrupted
+  explicit Output(const std::string& path, Use use = Use::replace);
+
+  /// Keeps the first `size` bytes of a file and writes on behind them.
+  void keep(std::uintmax_t size);
 
   void write(const std::string& text);
   void flush();
   void close();
 
+  [[nodiscard]] const std::string& path() const { return path_; }
+
+  /// For reading what is there, before `keep`.
+  [[nodiscard]] std::FILE* stream() const { return file_.get(); }
+
  private:
   [[noreturn]] void fail() const;
-  [[nodiscard]] bool lock();
+  void open(Use use);
   std::string path_;
   std::unique_ptr<std::FILE, int (*)(std::FILE*)> file_;
+  bool regular_ = false;
 };
 
 /// Whether two outputs would go to the same place.

@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include "messages.hpp"
+
 namespace stoss::cli {
 
 Progress::Progress(const OutputArguments& output, std::size_t total)
@@ -13,12 +15,12 @@ void Progress::show(std::size_t done) {
   if (!visible_) return;
   constexpr std::size_t width = 40;
   const std::size_t full = width * done / total_;
-  fmt::print(stderr, "\r[{:#<{}}{:.<{}}] {}/{}{}", "", full, "", width - full, done, total_,
-             done == total_ ? "\n" : "");
+  stoss::cli::show(
+      fmt::format("\r[{:#<{}}{:.<{}}] {}/{}{}", "", full, "", width - full, done, total_, done == total_ ? "\n" : ""));
 }
 
 void Progress::hide() const {
-  if (visible_) fmt::print(stderr, "\r{:80}\r", "");
+  if (visible_) stoss::cli::show(fmt::format("\r{:80}\r", ""));
 }
 
 }  // namespace stoss::cli

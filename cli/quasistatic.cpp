@@ -9,8 +9,10 @@
 #include <memory>
 
 #include "arguments.hpp"
+#include "estimate.hpp"
 #include "interrupt.hpp"
 #include "numbers.hpp"
+#include "options.hpp"
 #include "progress.hpp"
 #include "stoss/errors.hpp"
 
@@ -57,8 +59,6 @@ void write_rows(const QuasistaticArguments& arguments, Report& report, std::size
   }
 }
 
-// --speed
-
 Record impact_record(const RayleighEstimate& estimate, const std::optional<Scales>& si) {
   const SlowImpact& impact = estimate.impact;
   const std::string mark = estimate.beyond_perturbation ? " !" : "  ";
@@ -103,7 +103,7 @@ void impacts(const QuasistaticArguments& arguments, Provenance provenance) {
   const std::vector<double> speeds = parse_speeds(arguments.speeds, si, range);
   const std::vector<Mode> modes = disk_modes(poisson, arguments.cutoff);
   provenance.inputs["cutoff"] = arguments.cutoff;
-  Report report(arguments.output.path, arguments.output.chosen_format(), provenance);
+  Report report(Output(arguments.output.path), arguments.output.chosen_format(), provenance);
   std::size_t beyond = 0;
   write_rows(arguments, report, speeds.size(), [&](std::size_t i) {
     const RayleighEstimate estimate = rayleigh(law, poisson, speeds[i], modes);
@@ -122,8 +122,6 @@ void impacts(const QuasistaticArguments& arguments, Provenance provenance) {
   }
 }
 
-// --compression
-
 /// In R, of numbers that are in R or, with a material, in m. @throws InvalidInput where a quantity has no value
 std::vector<double> parse_compressions(const std::string& text, CompressionLaw law, double poisson,
                                        const std::optional<Scales>& si) {
@@ -133,10 +131,9 @@ std::vector<double> parse_compressions(const std::string& text, CompressionLaw l
   std::vector<double> values = parse_series("compression", text);
   for (double& value : values) {
     if (!(value >= least_compression * unit && value <= greatest * unit)) {
-      const double got = std::isnan(value) ? std::abs(value) : value;
-      throw InvalidInput(fmt::format(
-          "compression: got {:.10g}, allowed {:.6g} to {:.6g} {} (R + x0; beyond them a law or a contact ends)", got,
-          least_compression * unit, greatest * unit, si ? "m" : "R"));
+      throw InvalidInput(
+          fmt::format("compression: got {}, allowed {} to {} {} (R + x0; beyond them a law or a contact ends)", value,
+                      lower_end(least_compression * unit), upper_end(greatest * unit), si ? "m" : "R"));
     }
     value = std::clamp(value / unit, least_compression, greatest);
   }
@@ -177,12 +174,11 @@ void compressions(const QuasistaticArguments& arguments, const Provenance& prove
   const double poisson = arguments.disk.plane_poisson();
   const CompressionLaw law = arguments.chosen_law();
   const std::vector<double> values = parse_compressions(arguments.compressions, law, poisson, si);
-  Report report(arguments.output.path, arguments.output.chosen_format(), provenance);
+  Report report(Output(arguments.output.path), arguments.output.chosen_format(), provenance);
   write_rows(arguments, report, values.size(),
              [&](std::size_t i) { return compression_record(law, poisson, values[i], si); });
   report.finish();
-  const auto great =
-      std::count_if(values.begin(), values.end(), [](double value) { return value > great_compression; });
+  const auto great = std::count_if(values.begin(), values.end(), [](double v) { return v > great_compression; });
   if (great > 0) {
     arguments.output.warn(fmt::format("{} of {} compressions above {} R: linear elasticity means little there", great,
                                       values.size(), great_compression));
@@ -205,38 +201,41 @@ void run(const QuasistaticArguments& arguments) {
 }  // namespace
 
 void add_quasistatic(CLI::App& app) {
-  auto* command = app.add_subcommand(
-      "quasistatic", "Slow impacts with Rayleigh's estimate of the loss, or force against static compression");
+  auto* command = app.add_subcommand("quasistatic", "Slow impacts with an estimate of the loss, or static compression");
   auto arguments = std::make_shared<QuasistaticArguments>();
   arguments->disk.add_to(*command);
-  arguments->speed_option =
-      command
-          ->add_option("--speed", arguments->speeds,
-                       "Slow impacts at these speeds, 1e-100 to 0.14 or more (where the law ends) in c (m/s with a "
-                       "material): a,b,c or log:a:b:n or lin:a:b:n")
-          ->type_name("SPEEDS")
-          ->group("Body");
+  arguments->speed_option = command
+                                ->add_option("--speed", arguments->speeds,
+                                             "Slow impacts at these speeds, in c (m/s with a material): a number,\n"
+                                             "a,b,c, log:a:b:n or lin:a:b:n; 1e-100 c to 0.14 c or more, where\n"
+                                             "the law ends")
+                                ->type_name("SPEEDS")
+                                ->group("Body");
   arguments->compression_option =
       command
           ->add_option("--compression", arguments->compressions,
-                       "Or: static contacts at these compressions, 1e-12 to 0.2 or more (where the law ends) in R (m "
-                       "with a material), written as speeds")
+                       "In place of --speed: static contacts at these compressions, in R\n"
+                       "(m with a material): a number, a,b,c, log:a:b:n or lin:a:b:n; 1e-12\n"
+                       "to 0.2 or more, where the law or the contact ends (at most 0.5 R).\n"
+                       "Gives force, energy and half-width by the law, and the force of the\n"
+                       "exact static contact with its error")
           ->excludes(arguments->speed_option)
           ->type_name("DELTAS")
           ->group("Body");
   command
       ->add_option("--law", arguments->law,
-                   "Force against compression: center, approach of the centre of mass; diameter, shortening of the "
-                   "diameter; printed, the paper's (default: center)")
+                   "Force against compression (default: center)\n"
+                   "  center:   approach of the centre of mass to the wall\n"
+                   "  diameter: shortening of the diameter between two walls\n"
+                   "  printed:  as Gerl and Zippelius print it")
       ->check(CLI::IsMember({"center", "diameter", "printed"}))
       ->type_name("LAW")
       ->group("Body");
-  arguments->cutoff_option =
-      command
-          ->add_option("--cutoff", arguments->cutoff,
-                       "Rayleigh's estimate has the modes up to this frequency in c/R, up to 1000 (default: 60)")
-          ->type_name("OMEGA")
-          ->group("Resolution");
+  arguments->cutoff_option = add_number(*command, "--cutoff", arguments->cutoff,
+                                        "With --speed: highest frequency in Rayleigh's estimate, in c/R,\n"
+                                        "up to 1000 (default: 60)")
+                                 ->type_name("OMEGA")
+                                 ->group("Resolution");
   arguments->output.add_to(*command);
   command->footer(
       "Examples:\n"

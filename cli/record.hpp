@@ -2,6 +2,7 @@
 
 #include <nlohmann/json.hpp>
 #include <string>
+#include <string_view>
 #include <variant>
 #include <vector>
 
@@ -19,6 +20,9 @@ struct Entry {
 };
 
 using Record = std::vector<Entry>;
+
+/// The text in place of an error that is not known.
+inline constexpr std::string_view unknown = "unknown";
 
 /// What made the data: written at the head of CSV and JSON.
 struct Provenance {

@@ -51,7 +51,8 @@ std::string table_row(const Record& record) {
 
 }  // namespace
 
-Report::Report(const std::string& path, Format format, Provenance provenance) : format_(format), output_(path) {
+Report::Report(Output output, Format format, Provenance provenance) : format_(format), output_(std::move(output)) {
+  output_.keep(0);
   if (format_ == Format::csv) {
     output_.write(csv_header(provenance));
   } else if (format_ == Format::json) {
@@ -65,8 +66,9 @@ Report::Report(const std::string& path, Format format, Provenance provenance) : 
   output_.flush();
 }
 
-Report::Report(const std::string& path, std::uintmax_t size)
-    : format_(Format::csv), begun_(true), output_(path, size) {}
+Report::Report(Output output, std::uintmax_t size) : format_(Format::csv), begun_(true), output_(std::move(output)) {
+  output_.keep(size);
+}
 
 void Report::begin(const Record& record) {
   begun_ = true;

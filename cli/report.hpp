@@ -14,10 +14,11 @@ enum class Format { table, csv, json };
 /// Records as a table, as CSV or as JSON. Tables and CSV are written record by record, JSON at the end.
 class Report {
  public:
-  Report(const std::string& path, Format format, Provenance provenance);
+  /// Replaces what the output holds.
+  Report(Output output, Format format, Provenance provenance);
 
   /// Continues the rows of a CSV file after its first `size` bytes.
-  Report(const std::string& path, std::uintmax_t size);
+  Report(Output output, std::uintmax_t size);
 
   /// The first record also gives the header.
   /// @param details members of the JSON record, in place of entries of the same key or after them

@@ -9,9 +9,11 @@
 #include "extrapolate.hpp"
 #include "interrupt.hpp"
 #include "numbers.hpp"
+#include "options.hpp"
 #include "resume.hpp"
 #include "stoss/errors.hpp"
 #include "sweep.hpp"
+#include "text.hpp"
 
 namespace stoss::cli {
 namespace {
@@ -43,16 +45,14 @@ void check_method(const RestitutionArguments& arguments) {
 /// Lets the rows go to the file of --resume, as CSV.
 void redirect(RestitutionArguments& arguments) {
   if (!arguments.given("--resume")) return;
-  if (arguments.resume.empty() || arguments.resume == "-") {
-    throw InvalidInput(fmt::format("resume: got '{}', allowed the name of a file", arguments.resume));
-  }
+  if (arguments.resume == "-") throw InvalidInput("resume: got '-', allowed the name of a file");
   if (arguments.given("--format") && arguments.output.format != "csv") {
     throw InvalidInput(
         fmt::format("resume: got --format {}, allowed csv (which --resume implies)", arguments.output.format));
   }
   if (arguments.given("--output") && !same_output(arguments.output.path, arguments.resume)) {
-    throw InvalidInput(
-        fmt::format("resume: got another file as --output, allowed '{}' (all rows go there)", arguments.resume));
+    throw InvalidInput(fmt::format("resume: got another file as --output, allowed '{}' (all rows go there)",
+                                   shortened(arguments.resume)));
   }
   arguments.output.format = "csv";
   arguments.output.path = arguments.resume;
@@ -98,13 +98,14 @@ Provenance describe(const RestitutionArguments& arguments, const Job& job) {
 /// The report of the rows to come, after those that an earlier run has left.
 Report open(const RestitutionArguments& arguments, const Provenance& provenance, const std::string& columns,
             Sweep& sweep) {
-  if (arguments.given("--resume")) {
-    const Earlier earlier =
-        read_earlier(arguments.resume, provenance, columns,
-                     [&sweep](std::size_t, const std::vector<std::string>& cells) { sweep.take(cells); });
-    if (earlier.size > 0) return {arguments.resume, earlier.size};
+  if (!arguments.given("--resume")) {
+    return {Output(arguments.output.path), arguments.output.chosen_format(), provenance};
   }
-  return {arguments.output.path, arguments.output.chosen_format(), provenance};
+  Output output(arguments.resume, Output::Use::resume);  // locked from before the first row is read
+  const Earlier earlier = read_earlier(
+      output, provenance, columns, [&sweep](std::size_t, const std::vector<std::string>& cells) { sweep.take(cells); });
+  if (earlier.size > 0) return {std::move(output), earlier.size};
+  return {std::move(output), Format::csv, provenance};
 }
 
 int run(RestitutionArguments arguments) {
@@ -139,18 +140,19 @@ int run(RestitutionArguments arguments) {
 void add_resolution(CLI::App& command, RestitutionArguments& arguments) {
   command
       .add_option("--method", arguments.method,
-                  "converge: refine until TOL is met; extrapolate: as the paper does, by regressions over exponential "
-                  "walls, 1e-3 to 0.5 c (default: converge)")
+                  "How to reach the value (default: converge)\n"
+                  "  converge:    refine until the error is below the tolerance\n"
+                  "  extrapolate: regressions over exponential walls, as Gerl and\n"
+                  "               Zippelius do; 1e-3 to 0.5 c")
       ->check(CLI::IsMember({"converge", "extrapolate"}))
       ->type_name("METHOD")
       ->group("Resolution");
-  command
-      .add_option("--tolerance", arguments.tolerance,
-                  "Relative error of 1-eps^2 to reach, 1e-15 to 0.5 (default: 0.001)")
+  add_number(command, "--tolerance", arguments.tolerance,
+             "Relative error of 1-eps^2 to reach, 1e-15 to 0.5 (default: 0.001)")
       ->type_name("TOL")
       ->group("Resolution");
-  command
-      .add_option("--threads", arguments.threads, "Threads, 0 for all cores; results do not depend on it (default: 0)")
+  add_integer(command, "--threads", arguments.threads,
+              "Threads, 0 for all cores; results do not depend on it\n(default: 0)")
       ->type_name("N")
       ->group("Resolution");
 }
@@ -164,14 +166,15 @@ void add_restitution(CLI::App& app, int& exit_code) {
   arguments->command = command;
   command
       ->add_option("--poisson", arguments->poissons,
-                   "Poisson numbers, -0.95 to 0.995: a,b,c or log:a:b:n or lin:a:b:n; of the solid if a material is "
-                   "given, then only one")
+                   "Poisson numbers, -0.95 to 0.995: a number, a,b,c, log:a:b:n or\n"
+                   "lin:a:b:n. With a material: the one of the solid")
       ->required()
       ->type_name("NUS")
       ->group("Body");
   command
       ->add_option("--speed", arguments->speeds,
-                   "Speeds, 1e-8 to 1 in c (m/s with a material): a,b,c or log:a:b:n or lin:a:b:n")
+                   "Speeds, 1e-8 to 1 in c (m/s with a material): a number, a,b,c,\n"
+                   "log:a:b:n or lin:a:b:n")
       ->required()
       ->type_name("SPEEDS")
       ->group("Body");
@@ -180,8 +183,8 @@ void add_restitution(CLI::App& app, int& exit_code) {
   arguments->output.add_to(*command);
   command
       ->add_option("--resume", arguments->resume,
-                   "Keep the rows that are in the CSV file FILE, made with the same inputs, and add the others; "
-                   "without FILE begin it")
+                   "Continue an interrupted run: keep the rows of the CSV file FILE,\n"
+                   "add the missing ones; without FILE begin it")
       ->type_name("FILE")
       ->group("Output");
   command->footer(

@@ -3,67 +3,22 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cerrno>
 #include <charconv>
-#include <cstring>
-#include <filesystem>
-#include <fstream>
 #include <map>
 #include <optional>
 
 #include "csv.hpp"
-#include "numbers.hpp"
-#include "output.hpp"
+#include "lines.hpp"
 #include "stoss/errors.hpp"
+#include "text.hpp"
 
 namespace stoss::cli {
 namespace {
 
-/// The complete lines of a file, one by one.
-class Lines {
- public:
-  explicit Lines(const std::string& path) : path_(path), stream_(path, std::ios::binary) {
-    if (!stream_) fail();
-  }
+constexpr std::size_t longest_excerpt = 40;
 
-  /// Without its end; nothing where no complete line follows.
-  std::optional<std::string> next() {
-    std::string line;
-    std::getline(stream_, line);
-    if (stream_.bad()) fail();
-    if (!stream_.eof()) {
-      size_ += line.size() + 1;
-      ++count_;
-      return line;
-    }
-    rest_ = line;
-    return std::nullopt;
-  }
-
-  [[nodiscard]] std::uintmax_t size() const { return size_; }      ///< of the lines read so far
-  [[nodiscard]] long count() const { return count_; }              ///< their number
-  [[nodiscard]] const std::string& rest() const { return rest_; }  ///< the incomplete last line
-  [[nodiscard]] const std::string& path() const { return path_; }
-
- private:
-  [[noreturn]] void fail() const {
-    throw OutputError(fmt::format("resume: cannot read '{}': {}", path_, std::strerror(errno)));
-  }
-
-  std::string path_;
-  std::ifstream stream_;
-  std::uintmax_t size_ = 0;
-  long count_ = 0;
-  std::string rest_;
-};
-
-/// The beginning of a line that may be anything, for a message of one line.
-std::string excerpt(const std::string& line) {
-  std::string text = line.substr(0, 40);
-  std::replace_if(
-      text.begin(), text.end(), [](char c) { return c < ' ' || c > '~'; }, '?');
-  return text.size() < line.size() ? text + "..." : text;
-}
+/// The beginning of a line that may be anything; a message would end at a NUL.
+std::string excerpt(const std::string& line) { return visible(shortened(line, longest_excerpt)); }
 
 [[noreturn]] void refuse_file(const Lines& lines, const std::string& got) {
   throw InvalidInput(fmt::format("resume: got '{}' in '{}', allowed a CSV file of stoss restitution (it is left alone)",
@@ -72,8 +27,8 @@ std::string excerpt(const std::string& line) {
 
 [[noreturn]] void refuse_input(const Lines& lines, const std::string& name, const std::string& now,
                                const std::string& before) {
-  throw InvalidInput(fmt::format("{}: got {}, allowed {} as in '{}' (another job needs another file)", name, now,
-                                 before, lines.path()));
+  throw InvalidInput(fmt::format("{}: got {}, allowed {} as in '{}' (another job needs another file)", name,
+                                 shortened(now), before, lines.path()));
 }
 
 void check_origin(const Lines& lines, const std::string& got, const Provenance& provenance) {
@@ -108,25 +63,32 @@ void check_inputs(const Lines& lines, Inputs found, const Provenance& provenance
 
 /// Whether the header is complete, up to the names of the columns. If it is not, there is no row either.
 bool read_header(Lines& lines, const Provenance& provenance, const std::string& columns) {
-  auto line = lines.next();
-  if (!line) {
+  const auto first = lines.next();
+  if (!first) {
     if (csv_origin(provenance).rfind(lines.rest(), 0) != 0) refuse_file(lines, lines.rest());
     return false;
   }
-  check_origin(lines, *line, provenance);
+  check_origin(lines, *first, provenance);
   Inputs found;
-  while ((line = lines.next()) && line->rfind("# ", 0) == 0) {
+  std::string names;
+  bool complete = false;
+  while (const auto line = lines.next()) {
+    if (!line->starts_with("# ")) {
+      names = *line;
+      complete = true;
+      break;
+    }
     const auto colon = line->find(": ");
     if (colon == std::string::npos) refuse_file(lines, *line);
     found[line->substr(2, colon - 2)] = line->substr(colon + 2);
   }
-  check_inputs(lines, std::move(found), provenance, line.has_value());
-  if (line && *line != columns) refuse_file(lines, *line);
-  return line.has_value();
+  check_inputs(lines, std::move(found), provenance, complete);
+  if (complete && names != columns) refuse_file(lines, names);
+  return complete;
 }
 
 bool is_value(const std::string& cell) {
-  if (cell == "true" || cell == "false") return true;
+  if (cell == "true" || cell == "false" || cell == unknown) return true;
   double number = 0.0;
   const auto [end, error] = std::from_chars(cell.data(), cell.data() + cell.size(), number);
   return error == std::errc{} && end == cell.data() + cell.size();
@@ -134,15 +96,9 @@ bool is_value(const std::string& cell) {
 
 }  // namespace
 
-Earlier read_earlier(const std::string& path, const Provenance& provenance, const std::string& columns,
+Earlier read_earlier(const Output& output, const Provenance& provenance, const std::string& columns,
                      const RowVisitor& visit) {
-  std::error_code ignored;  // what cannot be looked at cannot be opened either, which is reported then
-  const auto status = std::filesystem::status(path, ignored);
-  if (!std::filesystem::exists(status)) return {};
-  if (!std::filesystem::is_regular_file(status)) {
-    throw OutputError(fmt::format("resume: cannot continue '{}': it is not a regular file", path));
-  }
-  Lines lines(path);
+  Lines lines(output);
   if (!read_header(lines, provenance, columns)) return {};
   const auto width = split(columns, ',').size();
   Earlier earlier{lines.size(), 0};
@@ -154,7 +110,7 @@ Earlier read_earlier(const std::string& path, const Provenance& provenance, cons
       throw InvalidInput(
           fmt::format("resume: got '{}' as line {} of '{}', allowed a row of {} numbers (mend it, or "
                       "write another file)",
-                      excerpt(*line), number, path, width));
+                      excerpt(*line), number, lines.path(), width));
     }
     visit(earlier.rows++, cells);
     earlier.size = lines.size();

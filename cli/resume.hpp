@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "output.hpp"
 #include "record.hpp"
 
 namespace stoss::cli {
@@ -19,12 +20,12 @@ struct Earlier {
 /// Called with the cells of each complete row, in order. What it throws ends the reading.
 using RowVisitor = std::function<void(std::size_t index, const std::vector<std::string>& cells)>;
 
-/// Reads the CSV file at `path` without changing it. Where there is none, or only a part of its header, nothing has
-/// been done yet. An incomplete last line is left out, and so is the line that tells of an interruption.
+/// Reads a CSV file without changing it. Where it is empty, or has only a part of its header, nothing has been done
+/// yet. An incomplete last line is left out, and so is the line that tells of an interruption.
 /// @param provenance of the present job; the file must have the same inputs
 /// @param columns    as csv_columns writes them
 /// @throws InvalidInput if the file is not one of this job; OutputError if it cannot be read
-[[nodiscard]] Earlier read_earlier(const std::string& path, const Provenance& provenance, const std::string& columns,
+[[nodiscard]] Earlier read_earlier(const Output& output, const Provenance& provenance, const std::string& columns,
                                    const RowVisitor& visit);
 
 }  // namespace stoss::cli

@@ -5,8 +5,8 @@
 #include <algorithm>
 
 #include "csv.hpp"
-#include "numbers.hpp"
 #include "stoss/errors.hpp"
+#include "text.hpp"
 
 namespace stoss::cli {
 
@@ -48,13 +48,6 @@ void Sweep::add(const Row& row, Report& report) {
   }
   count(split(csv_row(row.record), ','));
   progress_.show(done_);
-}
-
-double Sweep::lap() {
-  const auto now = std::chrono::steady_clock::now();
-  const std::chrono::duration<double> elapsed = now - last_;
-  last_ = now;
-  return elapsed.count();
 }
 
 int Sweep::conclude() const {

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <chrono>
 #include <cstddef>
 #include <optional>
 #include <string>
@@ -45,9 +44,6 @@ class Sweep {
   [[nodiscard]] const Job& job() const { return job_; }
   [[nodiscard]] std::size_t done() const { return done_; }
 
-  /// Seconds since the row before.
-  [[nodiscard]] double lap();
-
   /// Warns of rows without the value that was asked for. Returns the exit code.
   [[nodiscard]] int conclude() const;
 
@@ -63,7 +59,6 @@ class Sweep {
   std::size_t done_ = 0;
   std::size_t marked_ = 0;
   bool beyond_small_strain_ = false;
-  std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
 };
 
 }  // namespace stoss::cli

@@ -6,7 +6,7 @@ namespace stoss::cli {
 
 void Trajectory::write(const Snapshot& now) {
   if (!report_) {
-    report_.emplace(path_, Format::csv, provenance_);
+    report_.emplace(Output(path_), Format::csv, provenance_);
     catch_interrupts();  // before, there is nothing to keep
   }
   if (interrupted() != 0) {

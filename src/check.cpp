@@ -1,6 +1,8 @@
 #include "check.hpp"
 
 #include <cmath>
+#include <limits>
+#include <locale>
 #include <sstream>
 #include <string>
 
@@ -10,18 +12,29 @@
 namespace stoss {
 namespace {
 
-template <typename Value>
-[[noreturn]] void refuse(std::string_view name, Value value, std::string_view allowed, std::string_view hint) {
-  std::ostringstream line;
-  line.precision(10);
-  line << name << ": got ";
-  if (std::isnan(static_cast<double>(value))) {
-    line << "nan";  // without the sign that some processors give it
-  } else {
-    line << value;
+/// With ten digits, or as many as tell the value from every other one.
+std::string shown(double value) {
+  if (std::isnan(value)) return "nan";  // without the sign that some processors give it
+  std::string text;
+  for (int digits = 10; digits <= std::numeric_limits<double>::max_digits10; ++digits) {
+    std::ostringstream writer;
+    writer.imbue(std::locale::classic());
+    writer.precision(digits);
+    writer << value;
+    text = writer.str();
+    std::istringstream reader(text);
+    reader.imbue(std::locale::classic());
+    double read = 0.0;
+    if (reader >> read && read == value) break;
   }
-  line << ", allowed " << allowed << " (" << hint << ")";
-  throw InvalidInput(line.str());
+  return text;
+}
+
+[[noreturn]] void refuse(std::string_view name, const std::string& got, std::string_view allowed,
+                         std::string_view hint) {
+  std::string line(name);
+  line.append(": got ").append(got).append(", allowed ").append(allowed).append(" (").append(hint).append(")");
+  throw InvalidInput(line);
 }
 
 }  // namespace
@@ -29,12 +42,12 @@ template <typename Value>
 void require(std::string_view name, double value, const Range& range, std::string_view hint) {
   const bool above = range.low_included ? value >= range.low : value > range.low;
   const bool below = range.high_included ? value <= range.high : value < range.high;
-  if (!std::isfinite(value) || !above || !below) refuse(name, value, range.text, hint);
+  if (!std::isfinite(value) || !above || !below) refuse(name, shown(value), range.text, hint);
 }
 
 void require(std::string_view name, long value, long low, long high, std::string_view hint) {
   if (value < low || value > high) {
-    refuse(name, value, std::to_string(low) + " to " + std::to_string(high), hint);
+    refuse(name, std::to_string(value), std::to_string(low) + " to " + std::to_string(high), hint);
   }
 }
 

@@ -69,6 +69,12 @@ BAD_VALUES = [
     ("modes --poisson 0.3 --young 1e9 --density 1000 --radius nan", "radius", "nan"),
     ("restitution --poisson 0.3 --young 2e11 --density 7850 --radius 1 --speed 10000", "speed", "10000, allowed 5.04"),
     ("impact --poisson 0.33 --speed 0.1 --trajectory x -o x", "trajectory", "--output"),
+    ("modes --poisson abc", "poisson", "'abc'"),
+    ("modes --poisson 0.33,0.3", "poisson", "0.33,0.3"),
+    ("impact --poisson 0.33 --speed 0.1 --nodes 1e99", "nodes", "1e99"),
+    ("restitution --poisson 0.33 --speed 0.1 --threads two", "threads", "two"),
+    ("restitution --poisson 0.33 --speed 1.0000000001", "speed", "1.0000000001, allowed"),
+    ("modes --poisson 0.9950000000001", "poisson", "0.9950000000001, allowed"),
 ]
 
 
@@ -109,7 +115,6 @@ BAD_USAGE = [
     "bounce",
     "modes",
     "modes --poisson",
-    "modes --poisson abc",
     "modes --poisson 0.33 --colour red",
     "modes --poisson 0.33 extra",
     "modes --poisson 0.33 --format xml",
@@ -117,13 +122,9 @@ BAD_USAGE = [
     "impact --poisson 0.33 --speed",
     "impact --poisson 0.33 --speed 0.1 --wall soft",
     "impact --poisson 0.33 --speed 0.1 --tail none",
-    "impact --poisson 0.33 --speed 0.1 --nodes 1e99",
     "restitution --poisson 0.33",
-    "restitution --poisson 0.33 --speed 0.1 --threads two",
     "restitution --poisson 0.33 --speed 0.1 --method guess",
     "restitution --poisson 0.33 --speed 0.1 --resume",
-    "modes --poisson 0.33,0.3",
-    "impact --poisson 0.33,0.3 --speed 0.1",
     "restitution --poisson 0.3 --young 1 --density 1 --radius 1 --plane middle --speed 1",
 ]
 

@@ -70,8 +70,8 @@ def test_great_compression_is_warned_of(stoss):
 BAD_VALUES = [
     (f"{IMPACT} 0", "speed", "0, allowed 1e-100"),
     (f"{IMPACT} 9e-101", "speed", "9e-101"),
-    (f"{IMPACT} 0.1,0.2", "speed", "0.2, allowed 1e-100 to 0.186547 c"),
-    (f"{IMPACT} 0.4 --law diameter", "speed", "0.382786"),
+    (f"{IMPACT} 0.1,0.2", "speed", "0.2, allowed 1e-100 to 0.186546 c"),
+    (f"{IMPACT} 0.4 --law diameter", "speed", "0.382785"),
     (f"{IMPACT} -0.1", "speed", "-0.1"),
     (f"{IMPACT} nan", "speed", "nan"),
     (f"{IMPACT} inf", "speed", "inf"),
@@ -83,7 +83,7 @@ BAD_VALUES = [
     (f"{IMPACT} 0.1 --cutoff nan", "cutoff", "nan"),
     (f"{CONTACT} 0", "compression", "0"),
     (f"{CONTACT} 9e-13", "compression", "9e-13"),
-    (f"{CONTACT} 0.01,0.3", "compression", "0.3, allowed 1e-12 to 0.263449 R"),
+    (f"{CONTACT} 0.01,0.3", "compression", "0.3, allowed 1e-12 to 0.263448 R"),
     (f"{CONTACT} nan", "compression", "nan"),
     (f"{CONTACT} 0.1,", "compression", "0.1,"),
     (f"{CONTACT} 0.1 --cutoff 30", "cutoff", "--compression"),
@@ -111,7 +111,7 @@ def test_value_out_of_range(stoss, tmp_path, arguments, name, got):
 
 @pytest.mark.parametrize("arguments", [
     "quasistatic", f"quasistatic --poisson {NU}", f"{IMPACT} 0.1 --compression 0.1", f"{IMPACT} 0.1 --law hertz",
-    f"{CONTACT} 0.1 --tolerance 1", "quasistatic --poisson 0.3,0.4 --speed 0.1", f"{IMPACT}",
+    f"{CONTACT} 0.1 --tolerance 1", f"{IMPACT}",
     f"{IMPACT} 0.1 --wall hard",
 ])  # fmt: skip
 def test_usage(stoss, arguments):
@@ -135,7 +135,7 @@ def test_range_ends_are_allowed(stoss, poisson, law):
 
 def test_help_names_both_ways(stoss):
     text = stoss.run("quasistatic --help").stdout
-    for word in ("--speed SPEEDS", "--compression DELTAS", "1e-100", "1e-12", "c (m/s", "R (m", "(default: center)",
+    for word in ("--speed SPEEDS", "--compression DELTAS", "1e-100", "1e-12", "c (m/s", "(m with a material)", "(default: center)",
                  "(default: 60)", "stoss quasistatic --poisson 0.33 --compression lin:"):  # fmt: skip
         assert word in text, word
 

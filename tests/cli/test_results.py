@@ -24,6 +24,7 @@ def test_help_has_units_and_an_example(stoss, subcommand):
         assert "(default:" in result.stdout
     else:
         assert "Exit codes" in result.stdout
+    assert max(map(len, result.stdout.splitlines())) <= 100
 
 
 def test_modes_are_the_reference(stoss):

@@ -1,7 +1,6 @@
 """What stoss restitution --resume refuses: other inputs, other files, places that cannot be used."""
 
 import os
-import subprocess
 
 import pytest
 from conftest import SMALL, resume
@@ -46,7 +45,7 @@ def changed(text, old, new):
     [
         (lambda text: "precious\n", "precious"),
         (lambda text: "precious", "precious"),
-        (lambda text: "\0\1\2\377" * 100 + "\n", "????"),
+        (lambda text: "\0\1\2\377" * 100 + "\n", "\\x00\\x01\\x02\\xff"),
         (lambda text: '{\n  "schema": "stoss/restitution/1"\n', "{"),
         (lambda text: changed(text, ": restitution\n", ": modes\n"), "allowed modes"),
         (lambda text: changed(text, "# stoss 0.", "# stoss 9."), "version of stoss"),
@@ -112,12 +111,22 @@ def test_other_output_is_refused(stoss, tmp_path, more, told):
     assert not (tmp_path / "x.csv").exists()
 
 
-def test_no_name(stoss):
-    for name in ("", "-"):
-        command = [stoss.path, *SMALL.split(), "--resume", name]
-        result = subprocess.run(command, capture_output=True, text=True)
-        assert result.returncode == 3
-        assert "allowed the name of a file" in result.stderr
+def test_stdout_cannot_be_resumed(stoss):
+    result = resume(stoss, "-")
+    assert result.returncode == 3
+    assert "allowed the name of a file" in result.stderr
+
+
+@pytest.mark.parametrize("part", [1, 0.9, 0.1])
+def test_line_ends_of_another_system_are_named(stoss, tmp_path, small, part):
+    path = tmp_path / "curve.csv"
+    text = small[: int(part * len(small))].replace("\n", "\r\n").encode()
+    path.write_bytes(text)
+    result = resume(stoss, path)
+    assert result.returncode == 3
+    (line,) = result.stderr.splitlines()
+    assert "got line ends CRLF" in line and str(path) in line and "allowed LF" in line
+    assert path.read_bytes() == text
 
 
 def test_bad_input_leaves_the_file_alone(stoss, tmp_path, small):
