@@ -58,13 +58,13 @@ RestitutionNotConverged::RestitutionNotConverged(Restitution result)
 Restitution restitution(const RefinableBody& body, double speed, const RestitutionOptions& options) {
   require_tolerance(options.tolerance);
   require_speed(speed);
-  const double order = convergence_order(body.at(0));
+  const double order = convergence_order(body.at(0, options.poll));
   Restitution result;
   result.tolerance = options.tolerance;
   std::string trouble;
   int level = 0;
   for (int rungs = first_rungs; level <= RefinableBody::highest_level; level += rungs) {
-    ImpactOptions resolution = refined_resolution(body.at(level), speed, result.finest.max_half_width);
+    ImpactOptions resolution = refined_resolution(body.at(level, options.poll), speed, result.finest.max_half_width);
     resolution.poll = options.poll;
     try {
       result.finest = impact(body.at(level), HardWall{}, speed, resolution);

@@ -140,7 +140,7 @@ TEST(Restitution, RefusesBadInput) {
 
 TEST(RefinableBody, MakesEachLevelOnce) {
   int made = 0;
-  const RefinableBody body([&made](double cutoff) {
+  const RefinableBody body([&made](double cutoff, const Poll&) {
     ++made;
     return rod(cutoff);
   });

@@ -4,6 +4,7 @@
 #include <functional>
 #include <vector>
 
+#include "stoss/poll.hpp"
 #include "stoss/restitution.hpp"
 
 namespace stoss {
@@ -13,9 +14,9 @@ namespace stoss {
 using CurveObserver = std::function<void(std::size_t index, const Restitution& result)>;
 
 struct CurveOptions {
-  double tolerance = 1e-3;       ///< as in RestitutionOptions
-  int threads = 0;               ///< 0: as many as the machine has; results do not depend on it
-  std::function<void()> poll{};  ///< called at least every 50 ms on the calling thread; what it throws ends the curve
+  double tolerance = 1e-3;  ///< as in RestitutionOptions
+  int threads = 0;          ///< 0: as many as the machine has; results do not depend on it
+  Poll poll{};              ///< on the calling thread, at least every 50 ms
 };
 
 /// Checks what a curve relies on. @throws InvalidInput for speeds, a tolerance or threads out of range

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -8,6 +7,7 @@
 #include "stoss/body.hpp"
 #include "stoss/errors.hpp"
 #include "stoss/impact.hpp"
+#include "stoss/poll.hpp"
 
 namespace stoss {
 
@@ -20,8 +20,8 @@ class RefinableBody {
 
   explicit RefinableBody(BodyMaker maker);
 
-  /// @throws what the maker throws; InvalidInput for a level outside 0 … highest_level
-  [[nodiscard]] const Body& at(int level) const;
+  /// @throws what the maker and poll throw; InvalidInput for a level outside 0 … highest_level
+  [[nodiscard]] const Body& at(int level, const Poll& poll = {}) const;
 
  private:
   struct Levels;
@@ -65,8 +65,8 @@ struct Restitution {
 };
 
 struct RestitutionOptions {
-  double tolerance = 1e-3;       ///< error of 1 − ε² over 1 − ε², 1e-15 … 0.5
-  std::function<void()> poll{};  ///< as in ImpactOptions
+  double tolerance = 1e-3;  ///< error of 1 − ε² over 1 − ε², 1e-15 … 0.5
+  Poll poll{};
 };
 
 /// The best value that was reached is in `best`; best.reason, also in what(), says what stood in the way.

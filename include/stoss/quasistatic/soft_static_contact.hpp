@@ -4,12 +4,14 @@
 #include <string>
 
 #include "stoss/body.hpp"
+#include "stoss/poll.hpp"
 #include "stoss/wall.hpp"
 
 namespace stoss {
 
 struct SoftStaticContactOptions {
   std::optional<int> nodes{};  ///< of the contact grid, 64 … 2048; otherwise as many as the wall and the modes need
+  Poll poll{};
 };
 
 /// A body held at rest in front of an exponential wall.

@@ -2,10 +2,13 @@
 
 #include <vector>
 
+#include "stoss/poll.hpp"
+
 namespace stoss {
 
 struct StaticContactOptions {
   int nodes = 160;  ///< on half of the contact, 16 … 1024
+  Poll poll{};
 };
 
 /// A disk held against a hard wall, at rest.
