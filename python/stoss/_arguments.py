@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import operator
 import reprlib
 from typing import Any, Sequence
@@ -91,9 +92,23 @@ def choice(name: str, value: Any, allowed: Sequence[str]) -> str:
     return value
 
 
-def broadcast(**arrays: NDArray[np.float64]) -> list[NDArray[np.float64]]:
-    """Copies of the arrays in the shape to which they broadcast."""
+LARGEST = 2e9
+"""Bytes that the arrays of one result may take."""
+
+
+def require_memory(name: str, got: str, size: float, hint: str) -> None:
+    """Refuse, before anything is allocated, a result of more than `LARGEST` bytes."""
+    if size > LARGEST:
+        raise InvalidInput(f"{name}: got {got}, {size / 1e9:.3g} GB, allowed {LARGEST / 1e9:g} GB ({hint})")
+
+
+def broadcast(values: int = 1, **arrays: NDArray[np.float64]) -> list[NDArray[np.float64]]:
+    """Copy the arrays in the shape to which they broadcast, for a result of so many values each."""
     try:
+        shape = np.broadcast_shapes(*(each.shape for each in arrays.values()))
+        count = math.prod(shape)
+        got = f"{', '.join(arrays)} that broadcast to {' x '.join(map(str, shape))} values"
+        require_memory("shape", got, 8.0 * count * (values + len(arrays)), "compute them in parts")
         return [np.array(each, order="C") for each in np.broadcast_arrays(*arrays.values())]
     except ValueError:
         shapes = " and ".join(str(each.shape) for each in arrays.values())

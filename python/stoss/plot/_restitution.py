@@ -39,8 +39,9 @@ def restitution(
 ) -> Axes:
     """ε or 1 − ε² against speed with error bars, a curve for each Poisson number.
 
-    Speeds are in c, or in m/s if the result has a material. Values that did not converge are hollow, values that are
-    missing (NaN) are left out. If there is only one speed but several Poisson numbers, they are the horizontal axis.
+    Speeds are in c, or in m/s if the result has a material. Values that did not converge are
+    hollow; values whose error is unknown have no bar; values that are missing (NaN) are left out.
+    If there is only one speed but several Poisson numbers, they are the horizontal axis.
 
     Parameters
     ----------

@@ -25,8 +25,9 @@ def sequence(
 ) -> Axes:
     """The deformed disk at several times, in rows, each above the wall with its time below.
 
-    The wall, x = 0, is below, and the disk comes from above. Deformations and distances from the wall have their true
-    size; the grey circles have radius R around the same centre of mass, so that what differs from them is deformation.
+    The wall, x = 0, is below, and the disk comes from above. Deformations and distances from the
+    wall have their true size; the grey circles have radius R around the same centre of mass, so
+    that what differs from them is deformation.
 
     Parameters
     ----------
@@ -35,8 +36,8 @@ def sequence(
     ax : Axes, optional
         Where to draw.
     times : array_like, optional
-        R/c from the start of the impact, 1 to 64 of them; default: `count` even ones from just before contact until the
-        disk has flown for some time, vibrating.
+        R/c from the start of the impact, 1 to 64 of them; default: `count` even ones from just
+        before contact until the disk has flown for some time, vibrating.
     count : int, optional
         Number of default times, 2 to 64.
     columns : int, optional
