@@ -102,7 +102,7 @@ def require_memory(name: str, got: str, size: float, hint: str) -> None:
         raise InvalidInput(f"{name}: got {got}, {size / 1e9:.3g} GB, allowed {LARGEST / 1e9:g} GB ({hint})")
 
 
-def broadcast(values: int = 1, **arrays: NDArray[np.float64]) -> list[NDArray[np.float64]]:
+def broadcast(values: int = 1, /, **arrays: NDArray[np.float64]) -> list[NDArray[np.float64]]:
     """Copy the arrays in the shape to which they broadcast, for a result of so many values each."""
     try:
         shape = np.broadcast_shapes(*(each.shape for each in arrays.values()))
