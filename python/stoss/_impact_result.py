@@ -187,7 +187,7 @@ class Impact(InSi, Result):
         radii = np.linspace(0.0, 1.0, 41) if radius is None else numbers("radius", radius).ravel()
         angles = _around() if angle is None else numbers("angle", angle).ravel()
         points = radii.size * angles.size
-        self._require_memory(times.size, 11.0 * points, 5.0 * radii.size * self.modes, f" x {points} points")
+        self._require_memory("field", times.size, 11.0 * points, 5.0 * radii.size * self.modes, f" x {points} points")
         order = np.argsort(times.ravel(), kind="stable")
         made = kept_body(self.body, self.cutoff, self.keep)
         frames = _core.motion(made, self._handle, times.ravel()[order])
@@ -218,7 +218,7 @@ class Impact(InSi, Result):
         array([0.  , 0.96])
         """
         times = numbers("time", time)
-        self._require_memory(times.size, 3.0 * self.modes, 0.0, f" x {self.modes} modes")
+        self._require_memory("energies", times.size, 3.0 * self.modes, 0.0, f" x {self.modes} modes")
         order = np.argsort(times.ravel(), kind="stable")
         table = _core.energies_at(kept_body(self.body, self.cutoff, self.keep), self._handle, times.ravel()[order])
         back = np.argsort(order, kind="stable")
@@ -226,11 +226,11 @@ class Impact(InSi, Result):
         energies.flags.writeable = False
         return energies
 
-    def _require_memory(self, times: int, each: float, once: float, got: str) -> None:
+    def _require_memory(self, name: str, times: int, each: float, once: float, got: str) -> None:
         """Refuse what is too large: numbers for each time, beside its motion, and numbers once."""
         motion = 2.0 * self.modes + self.nodes
         size = 8.0 * (times * (each + motion) + once)
-        require_memory("time", f"{times} times{got}", size, "give fewer times or points")
+        require_memory(name, f"{times} times{got}", size, "give fewer times or points")
 
     def plot(self, ax: Any = None) -> Any:
         """Force against time. See `stoss.plot.force`."""
