@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 import operator
 import reprlib
 from typing import Any, Sequence
@@ -105,15 +104,15 @@ def require_memory(name: str, got: str, size: float, hint: str) -> None:
 def broadcast(values: int = 1, /, **arrays: NDArray[np.float64]) -> list[NDArray[np.float64]]:
     """Copy the arrays in the shape to which they broadcast, for a result of so many values each."""
     try:
-        shape = np.broadcast_shapes(*(each.shape for each in arrays.values()))
-        count = math.prod(shape)
-        got = f"{', '.join(arrays)} that broadcast to {' x '.join(map(str, shape))} values"
-        require_memory("shape", got, 8.0 * count * (values + len(arrays)), "compute them in parts")
-        return [np.array(each, order="C") for each in np.broadcast_arrays(*arrays.values())]
+        views = np.broadcast_arrays(*arrays.values())
     except ValueError:
         shapes = " and ".join(str(each.shape) for each in arrays.values())
         hint = "shapes that broadcast together"
         raise InvalidInput(f"{', '.join(arrays)}: got shapes {shapes}, allowed {hint}") from None
+    got = f"shape {views[0].shape}, {values} values each"
+    size = 8.0 * views[0].size * (values + len(views))
+    require_memory(", ".join(arrays), got, size, "compute them in parts")
+    return [np.array(each, order="C") for each in views]
 
 
 def arranged(values: NDArray[Any], shape: tuple[int, ...]) -> Any:

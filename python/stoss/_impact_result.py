@@ -228,8 +228,7 @@ class Impact(InSi, Result):
 
     def _require_memory(self, name: str, times: int, each: float, once: float, got: str) -> None:
         """Refuse what is too large: numbers for each time, beside its motion, and numbers once."""
-        motion = 2.0 * self.modes + self.nodes
-        size = 8.0 * (times * (each + motion) + once)
+        size = 8.0 * (times * (each + 2.0 * self.modes + self.nodes) + once)
         require_memory(name, f"{times} times{got}", size, "give fewer times or points")
 
     def plot(self, ax: Any = None) -> Any:
