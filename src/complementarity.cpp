@@ -17,23 +17,19 @@ using Matrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowM
 }  // namespace
 
 Complementarity::Complementarity(std::vector<double> matrix, std::size_t size, Poll poll)
-    : size_(size),
-      matrix_(std::move(matrix)),
-      inverse_(size * size),
-      inverse_transposed_(size * size),
-      inner_(size),
-      poll_(std::move(poll)) {
+    : size_(size), matrix_(std::move(matrix)), inner_(size), poll_(std::move(poll)) {
   const auto n = static_cast<Eigen::Index>(size);
-  Eigen::MatrixXd lower = Eigen::Map<const Matrix>(matrix_.data(), n, n);
+  Eigen::MatrixXd lower = Eigen::Map<const Eigen::MatrixXd>(matrix_.data(), n, n);
   const bool finite = std::all_of(matrix_.begin(), matrix_.end(), [](double w) { return std::isfinite(w); });
   if (!finite || !dense::factor(lower, poll_)) {
     throw NotConverged("contact: the compliance between the nodes is not positive definite (use fewer nodes)");
   }
-  const Eigen::MatrixXd inverse = dense::inverse_of_lower(lower, poll_);
+  inverse_transposed_.resize(size * size);
+  Eigen::Map<Eigen::MatrixXd> inverse(inverse_transposed_.data(), n, n);
+  dense::invert_lower(lower, inverse, poll_);
+  inverse_.resize(size * size);
   dense::by_columns(n, poll_, [&](Eigen::Index first, Eigen::Index count) {
     Eigen::Map<Matrix>(inverse_.data(), n, n).middleCols(first, count) = inverse.middleCols(first, count);
-    Eigen::Map<Eigen::MatrixXd>(inverse_transposed_.data(), n, n).middleCols(first, count) =
-        inverse.middleCols(first, count);
   });
 }
 

@@ -22,16 +22,15 @@ bool factor(Eigen::Ref<Eigen::MatrixXd> matrix, const Poll& poll) {
   return positive;
 }
 
-Eigen::MatrixXd inverse_of_lower(const Eigen::MatrixXd& lower, const Poll& poll) {
+void invert_lower(const Eigen::MatrixXd& lower, Eigen::Ref<Eigen::MatrixXd> inverse, const Poll& poll) {
   const Eigen::Index size = lower.rows();
-  Eigen::MatrixXd inverse = Eigen::MatrixXd::Zero(size, size);
   by_columns(size, poll, [&](Eigen::Index first, Eigen::Index count) {
     const Eigen::Index rest = size - first;
+    inverse.middleCols(first, count).setZero();
     auto columns = inverse.block(first, first, rest, count);
     columns.diagonal().setOnes();
     lower.bottomRightCorner(rest, rest).triangularView<Eigen::Lower>().solveInPlace(columns);
   });
-  return inverse;
 }
 
 void solve(const Eigen::MatrixXd& lower, Eigen::MatrixXd& right, const Poll& poll) {

@@ -22,8 +22,8 @@ void by_columns(Eigen::Index columns, const Poll& poll, const Work& work) {
 /// @return whether A is positive definite; if not, the matrix is void
 [[nodiscard]] bool factor(Eigen::Ref<Eigen::MatrixXd> matrix, const Poll& poll);
 
-/// L⁻¹ of the lower triangle L, with zeros above.
-[[nodiscard]] Eigen::MatrixXd inverse_of_lower(const Eigen::MatrixXd& lower, const Poll& poll);
+/// Fills `inverse` with L⁻¹ of the lower triangle L, and zeros above.
+void invert_lower(const Eigen::MatrixXd& lower, Eigen::Ref<Eigen::MatrixXd> inverse, const Poll& poll);
 
 /// Overwrites B with A⁻¹B = L⁻ᵀL⁻¹B.
 void solve(const Eigen::MatrixXd& lower, Eigen::MatrixXd& right, const Poll& poll);

@@ -23,6 +23,10 @@ constexpr double link_stiffness = 8.0 / std::numbers::pi - 0.5 * std::numbers::p
 
 std::vector<double> values(const RowMajor& matrix) { return {matrix.data(), matrix.data() + matrix.size()}; }
 
+std::vector<double> values_of_symmetric(const MatrixXd& matrix) {
+  return {matrix.data(), matrix.data() + matrix.size()};
+}
+
 /// Kicks of period Δt move a mode under a constant force by (Δt/2ω) cot(ωΔt/2) instead of 1/ω². The difference of all
 /// kept modes, which adds to the compliance of the others, so that the response to slow forces is exact.
 void add_kick_compliance(const Body& body, const ContactGrid& grid, double step, const Poll& poll,
@@ -97,7 +101,7 @@ RadiatingTail::Matrices RadiatingTail::discretize(const Body& body, const Contac
                                                   const Poll& poll) {
   const auto n = static_cast<Index>(grid.recess.size());
   const auto matrix = [&](const auto& residual) -> MatrixXd {
-    return Eigen::Map<const RowMajor>(residual_matrix(body, residual, grid, poll).data(), n, n);
+    return Eigen::Map<const MatrixXd>(residual_matrix(body, residual, grid, poll).data(), n, n);
   };
   MatrixXd compliance = matrix(body.residual_compliance);
   add_kick_compliance(body, grid, step, poll, compliance);
@@ -125,7 +129,7 @@ RadiatingTail::Matrices RadiatingTail::discretize(const Body& body, const Contac
     auto columns = memory.middleCols(first, count);
     lower.triangularView<Eigen::Lower>().transpose().solveInPlace(columns);
   });
-  return {values(compliance), values(participation), values(mobility), values(memory),
+  return {values_of_symmetric(compliance), values(participation), values(mobility), values(memory),
           static_cast<std::size_t>(masses)};
 }
 

@@ -144,16 +144,19 @@ std::vector<double> assemble(const Tables& table, const ContactGrid& grid, const
     cosine[i] = std::cos(grid.coordinate[i]);
     sine[i] = std::sin(grid.coordinate[i]);
   }
-  for (std::size_t i = 0; i < count; ++i) {
+  constexpr std::size_t few = 8;  // rows of the upper triangle at a time, which stay in the cache
+  for (std::size_t first = 0; first < count; first += few) {
     if (poll) poll();
-    for (std::size_t j = 0; j <= i; ++j) {
-      const std::size_t apart = i - j;
-      const std::size_t sum = i + j + 1;
-      const double radial = cosine[i] * cosine[j] * (table.radial[sum] + table.radial[apart]);
-      const double mixed = cosine[i] * sine[j] * (table.mixed[sum] - table.mixed[apart]) +
-                           sine[i] * cosine[j] * (table.mixed[sum] + table.mixed[apart]);
-      const double tangential = sine[i] * sine[j] * (table.tangential[apart] - table.tangential[sum]);
-      matrix[i * count + j] = matrix[j * count + i] = 0.5 * (radial - mixed + tangential) / mass;
+    for (std::size_t i = first; i < count; ++i) {
+      for (std::size_t j = first; j < std::min(first + few, i + 1); ++j) {
+        const std::size_t apart = i - j;
+        const std::size_t sum = i + j + 1;
+        const double radial = cosine[i] * cosine[j] * (table.radial[sum] + table.radial[apart]);
+        const double mixed = cosine[i] * sine[j] * (table.mixed[sum] - table.mixed[apart]) +
+                             sine[i] * cosine[j] * (table.mixed[sum] + table.mixed[apart]);
+        const double tangential = sine[i] * sine[j] * (table.tangential[apart] - table.tangential[sum]);
+        matrix[i * count + j] = matrix[j * count + i] = 0.5 * (radial - mixed + tangential) / mass;
+      }
     }
   }
   return matrix;
