@@ -19,15 +19,15 @@ using Matrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowM
 Complementarity::Complementarity(std::vector<double> matrix, std::size_t size, Poll poll)
     : size_(size), matrix_(std::move(matrix)), inner_(size), poll_(std::move(poll)) {
   const auto n = static_cast<Eigen::Index>(size);
-  Eigen::MatrixXd lower = Eigen::Map<const Eigen::MatrixXd>(matrix_.data(), n, n);
+  Eigen::MatrixXd lower = dense::square(matrix_, n, poll_);
   const bool finite = std::all_of(matrix_.begin(), matrix_.end(), [](double w) { return std::isfinite(w); });
   if (!finite || !dense::factor(lower, poll_)) {
     throw NotConverged("contact: the compliance between the nodes is not positive definite (use fewer nodes)");
   }
-  inverse_transposed_.resize(size * size);
+  inverse_transposed_ = dense::zeros(size * size, poll_);
   Eigen::Map<Eigen::MatrixXd> inverse(inverse_transposed_.data(), n, n);
   dense::invert_lower(lower, inverse, poll_);
-  inverse_.resize(size * size);
+  inverse_ = dense::zeros(size * size, poll_);
   dense::by_columns(n, poll_, [&](Eigen::Index first, Eigen::Index count) {
     Eigen::Map<Matrix>(inverse_.data(), n, n).middleCols(first, count) = inverse.middleCols(first, count);
   });

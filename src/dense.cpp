@@ -4,6 +4,26 @@
 
 namespace stoss::dense {
 
+std::vector<double> zeros(std::size_t size, const Poll& poll) {
+  constexpr std::size_t block = std::size_t{1} << 20;
+  std::vector<double> result;
+  result.reserve(size);
+  while (result.size() < size) {
+    if (poll) poll();
+    result.resize(std::min(size, result.size() + block));
+  }
+  return result;
+}
+
+Eigen::MatrixXd square(const std::vector<double>& values, Eigen::Index size, const Poll& poll) {
+  const Eigen::Map<const Eigen::MatrixXd> from(values.data(), size, size);
+  Eigen::MatrixXd result(size, size);
+  by_columns(size, poll, [&](Eigen::Index first, Eigen::Index count) {
+    result.middleCols(first, count) = from.middleCols(first, count);
+  });
+  return result;
+}
+
 bool factor(Eigen::Ref<Eigen::MatrixXd> matrix, const Poll& poll) {
   const Eigen::Index size = matrix.rows();
   bool positive = true;

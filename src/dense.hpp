@@ -2,6 +2,8 @@
 
 #include <Eigen/Core>
 #include <algorithm>
+#include <cstddef>
+#include <vector>
 
 #include "stoss/poll.hpp"
 
@@ -17,6 +19,12 @@ void by_columns(Eigen::Index columns, const Poll& poll, const Work& work) {
     work(first, std::min(width, columns - first));
   }
 }
+
+/// So many zeros, made in blocks too: memory that is touched first costs more than arithmetic on it.
+[[nodiscard]] std::vector<double> zeros(std::size_t size, const Poll& poll);
+
+/// The square matrix of these values, by columns.
+[[nodiscard]] Eigen::MatrixXd square(const std::vector<double>& values, Eigen::Index size, const Poll& poll);
 
 /// Cholesky factorization A = L Lᵀ, in place: only the lower triangle is read and written.
 /// @return whether A is positive definite; if not, the matrix is void

@@ -23,8 +23,10 @@ constexpr double link_stiffness = 8.0 / std::numbers::pi - 0.5 * std::numbers::p
 
 std::vector<double> values(const RowMajor& matrix) { return {matrix.data(), matrix.data() + matrix.size()}; }
 
-std::vector<double> values_of_symmetric(const MatrixXd& matrix) {
-  return {matrix.data(), matrix.data() + matrix.size()};
+std::vector<double> values_of_symmetric(const MatrixXd& matrix, const Poll& poll) {
+  std::vector<double> result = dense::zeros(static_cast<std::size_t>(matrix.size()), poll);
+  std::copy_n(matrix.data(), matrix.size(), result.begin());
+  return result;
 }
 
 /// Kicks of period Δt move a mode under a constant force by (Δt/2ω) cot(ωΔt/2) instead of 1/ω². The difference of all
@@ -101,7 +103,7 @@ RadiatingTail::Matrices RadiatingTail::discretize(const Body& body, const Contac
                                                   const Poll& poll) {
   const auto n = static_cast<Index>(grid.recess.size());
   const auto matrix = [&](const auto& residual) -> MatrixXd {
-    return Eigen::Map<const MatrixXd>(residual_matrix(body, residual, grid, poll).data(), n, n);
+    return dense::square(residual_matrix(body, residual, grid, poll), n, poll);
   };
   MatrixXd compliance = matrix(body.residual_compliance);
   add_kick_compliance(body, grid, step, poll, compliance);
@@ -129,7 +131,7 @@ RadiatingTail::Matrices RadiatingTail::discretize(const Body& body, const Contac
     auto columns = memory.middleCols(first, count);
     lower.triangularView<Eigen::Lower>().transpose().solveInPlace(columns);
   });
-  return {values_of_symmetric(compliance), values(participation), values(mobility), values(memory),
+  return {values_of_symmetric(compliance, poll), values(participation), values(mobility), values(memory),
           static_cast<std::size_t>(masses)};
 }
 

@@ -12,6 +12,8 @@
 #include <numbers>
 #include <utility>
 
+#include "dense.hpp"
+
 namespace stoss {
 namespace {
 
@@ -139,7 +141,7 @@ void add_orders(const std::vector<Flexibility>& coefficients, double h, const Po
 /// The matrix between the nodes φ_i = (i + ½)h from the tables at mh.
 std::vector<double> assemble(const Tables& table, const ContactGrid& grid, const Poll& poll) {
   const std::size_t count = grid.coordinate.size();
-  std::vector<double> cosine(count), sine(count), matrix(count * count);
+  std::vector<double> cosine(count), sine(count), matrix = dense::zeros(count * count, poll);
   for (std::size_t i = 0; i < count; ++i) {
     cosine[i] = std::cos(grid.coordinate[i]);
     sine[i] = std::sin(grid.coordinate[i]);
