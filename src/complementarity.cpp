@@ -19,7 +19,7 @@ using Matrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowM
 Complementarity::Complementarity(std::vector<double> matrix, std::size_t size, Poll poll)
     : size_(size), matrix_(std::move(matrix)), inner_(size), poll_(std::move(poll)) {
   const auto n = static_cast<Eigen::Index>(size);
-  Eigen::MatrixXd lower = dense::square(matrix_, n, poll_);
+  Eigen::MatrixXd lower = dense::square(matrix_.data(), n, poll_);
   const bool finite = std::all_of(matrix_.begin(), matrix_.end(), [](double w) { return std::isfinite(w); });
   if (!finite || !dense::factor(lower, poll_)) {
     throw NotConverged("contact: the compliance between the nodes is not positive definite (use fewer nodes)");

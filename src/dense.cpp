@@ -15,8 +15,8 @@ std::vector<double> zeros(std::size_t size, const Poll& poll) {
   return result;
 }
 
-Eigen::MatrixXd square(const std::vector<double>& values, Eigen::Index size, const Poll& poll) {
-  const Eigen::Map<const Eigen::MatrixXd> from(values.data(), size, size);
+Eigen::MatrixXd square(const double* values, Eigen::Index size, const Poll& poll) {
+  const Eigen::Map<const Eigen::MatrixXd> from(values, size, size);
   Eigen::MatrixXd result(size, size);
   by_columns(size, poll, [&](Eigen::Index first, Eigen::Index count) {
     result.middleCols(first, count) = from.middleCols(first, count);

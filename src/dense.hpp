@@ -24,7 +24,7 @@ void by_columns(Eigen::Index columns, const Poll& poll, const Work& work) {
 [[nodiscard]] std::vector<double> zeros(std::size_t size, const Poll& poll);
 
 /// The square matrix of these values, by columns.
-[[nodiscard]] Eigen::MatrixXd square(const std::vector<double>& values, Eigen::Index size, const Poll& poll);
+[[nodiscard]] Eigen::MatrixXd square(const double* values, Eigen::Index size, const Poll& poll);
 
 /// Cholesky factorization A = L Lᵀ, in place: only the lower triangle is read and written.
 /// @return whether A is positive definite; if not, the matrix is void

@@ -103,7 +103,7 @@ RadiatingTail::Matrices RadiatingTail::discretize(const Body& body, const Contac
                                                   const Poll& poll) {
   const auto n = static_cast<Index>(grid.recess.size());
   const auto matrix = [&](const auto& residual) -> MatrixXd {
-    return dense::square(residual_matrix(body, residual, grid, poll), n, poll);
+    return dense::square(residual_matrix(body, residual, grid, poll).data(), n, poll);
   };
   MatrixXd compliance = matrix(body.residual_compliance);
   add_kick_compliance(body, grid, step, poll, compliance);
@@ -113,7 +113,7 @@ RadiatingTail::Matrices RadiatingTail::discretize(const Body& body, const Contac
   const Eigen::VectorXd link = impedance * (link_stiffness * body.cutoff + 1.0 / step);
 
   MatrixXd participation = moment;
-  dense::solve(factored(compliance, poll), participation, poll);
+  dense::solve(factored(dense::square(compliance.data(), n, poll), poll), participation, poll);
   MatrixXd inertia = product(participation, link.cwiseInverse().asDiagonal() * participation, poll);
   inertia.diagonal().array() += 0.25 * step * step;
   MatrixXd mobility = MatrixXd::Identity(masses, masses);
