@@ -143,8 +143,8 @@ class Impact(InSi, Result):
         rows = integer("every", every)
         if rows < 1:
             raise InvalidInput(f"every: got {rows}, allowed 1 or more (steps between two rows)")
-        count = self.steps // rows + 2
-        require_memory("every", f"{rows} for {self.steps} steps", 9.0 * 8.0 * count, "give a larger one")
+        size = 72.0 * (self.steps // rows + 2)
+        require_memory("every", f"{rows} for {self.steps} steps", size, "give a larger one")
         table = self._handle.trajectory(kept_body(self.body, self.cutoff, self.keep), rows)
         return Trajectory(impact=self, **columns(table))
 
