@@ -106,7 +106,7 @@ void impacts(const QuasistaticArguments& arguments, Provenance provenance) {
   Report report(Output(arguments.output.path), arguments.output.chosen_format(), provenance);
   std::size_t beyond = 0;
   write_rows(arguments, report, speeds.size(), [&](std::size_t i) {
-    const RayleighEstimate estimate = rayleigh(law, poisson, speeds[i], modes);
+    const RayleighEstimate estimate = rayleigh(law, poisson, speeds[i], modes, heed_interrupts);
     beyond += estimate.beyond_perturbation ? 1 : 0;
     if (speeds.size() == 1 && arguments.output.chosen_format() == Format::json) {
       report.attach("modes", to_json(estimate.modes));
@@ -145,7 +145,7 @@ Record compression_record(CompressionLaw law, double poisson, double compression
   const double last_force = std::min(limit_force(law, poisson), max_hertz_force);
   const double force = std::min(compression_force(law, poisson, compression), last_force);
   const double energy = compression_energy(law, poisson, force);
-  const StaticContact contact = static_contact(poisson, compression);
+  const StaticContact contact = static_contact(poisson, compression, {.poll = heed_interrupts});
   Record record{{"poisson", "", poisson}, {"compression", "R", compression, si ? 0 : 13}};
   if (si) record.push_back({"compression_si", "m", compression * si->length, 16});
   const auto add = [&record](Entry entry) { record.push_back(std::move(entry)); };

@@ -72,7 +72,7 @@ Body with_modes(const Body& body, const std::vector<bool>& keep) {
     if (!to.omega.empty()) result.groups.push_back(std::move(to));
   }
   result.name += ", " + std::to_string(kept) + " of " + std::to_string(all) + " modes";
-  const auto refuse = [name = result.name](const ContactGrid&) -> std::vector<double> {
+  const auto refuse = [name = result.name](const ContactGrid&, const Poll&) -> std::vector<double> {
     throw InvalidInput("body: got '" + name +
                        "' at a hard wall, allowed only one with all modes up to its cutoff (use an exponential wall)");
   };

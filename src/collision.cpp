@@ -14,13 +14,13 @@ constexpr long sampling = 4;
 }  // namespace
 
 Collision::Collision(const Body& body, const Wall& wall, const ContactGrid& grid, double speed, double step,
-                     const std::optional<State>& start)
+                     const std::optional<State>& start, const Poll& poll)
     : body_(body),
       grid_(grid),
       speed_(speed),
       step_(step),
       modes_(body, grid, step),
-      response_(make_response(wall, body, grid, speed, step)),
+      response_(make_response(wall, body, grid, speed, step, poll)),
       position_(grid.recess.size()),
       compression_(-response_->range()),
       velocity_(speed) {

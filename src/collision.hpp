@@ -21,7 +21,7 @@ class Collision {
  public:
   /// Starts just out of reach of the wall, or from `start`.
   Collision(const Body& body, const Wall& wall, const ContactGrid& grid, double speed, double step,
-            const std::optional<State>& start);
+            const std::optional<State>& start, const Poll& poll);
 
   /// Moves on by one step.
   void advance();

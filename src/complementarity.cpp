@@ -1,9 +1,11 @@
 #include "complementarity.hpp"
 
-#include <Eigen/Cholesky>
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
+#include "dense.hpp"
 #include "kernels.hpp"
 #include "stoss/errors.hpp"
 
@@ -14,17 +16,21 @@ using Matrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowM
 
 }  // namespace
 
-Complementarity::Complementarity(std::vector<double> matrix, std::size_t size)
-    : size_(size), matrix_(std::move(matrix)), inverse_(size * size), inverse_transposed_(size * size), inner_(size) {
+Complementarity::Complementarity(std::vector<double> matrix, std::size_t size, Poll poll)
+    : size_(size), matrix_(std::move(matrix)), inner_(size), poll_(std::move(poll)) {
   const auto n = static_cast<Eigen::Index>(size);
-  const Eigen::LLT<Eigen::MatrixXd> cholesky(Eigen::Map<const Matrix>(matrix_.data(), n, n));
+  Eigen::MatrixXd lower = dense::square(matrix_.data(), n, poll_);
   const bool finite = std::all_of(matrix_.begin(), matrix_.end(), [](double w) { return std::isfinite(w); });
-  if (!finite || cholesky.info() != Eigen::Success) {
+  if (!finite || !dense::factor(lower, poll_)) {
     throw NotConverged("contact: the compliance between the nodes is not positive definite (use fewer nodes)");
   }
-  const Eigen::MatrixXd inverse = cholesky.matrixL().solve(Eigen::MatrixXd::Identity(n, n));
-  Eigen::Map<Matrix>(inverse_.data(), n, n) = inverse;
-  Eigen::Map<Matrix>(inverse_transposed_.data(), n, n) = inverse.transpose();
+  inverse_transposed_ = dense::zeros(size * size, poll_);
+  Eigen::Map<Eigen::MatrixXd> inverse(inverse_transposed_.data(), n, n);
+  dense::invert_lower(lower, inverse, poll_);
+  inverse_ = dense::zeros(size * size, poll_);
+  dense::by_columns(n, poll_, [&](Eigen::Index first, Eigen::Index count) {
+    Eigen::Map<Matrix>(inverse_.data(), n, n).middleCols(first, count) = inverse.middleCols(first, count);
+  });
 }
 
 void Complementarity::solve_leading(std::size_t count, const std::vector<double>& q, std::vector<double>& force) {
@@ -104,15 +110,18 @@ void Complementarity::solve_on_set(const std::vector<std::size_t>& set, const st
                                    std::vector<double>& force, std::vector<double>& displacement) const {
   const auto n = static_cast<Eigen::Index>(set.size());
   Eigen::MatrixXd block(n, n);
-  Eigen::VectorXd right(n);
+  Eigen::MatrixXd right(n, 1);
   for (Eigen::Index i = 0; i < n; ++i) {
     const std::size_t row = set[static_cast<std::size_t>(i)];
-    right(i) = q[row];
+    right(i, 0) = q[row];
     for (Eigen::Index j = 0; j < n; ++j) block(i, j) = matrix_[row * size_ + set[static_cast<std::size_t>(j)]];
   }
-  const Eigen::VectorXd solution = block.llt().solve(right);
+  if (!dense::factor(block, poll_)) {
+    throw NotConverged("contact: the compliance between the nodes is not positive definite (use fewer nodes)");
+  }
+  dense::solve(block, right, poll_);
   std::fill(force.begin(), force.end(), 0.0);
-  for (Eigen::Index i = 0; i < n; ++i) force[set[static_cast<std::size_t>(i)]] = solution(i);
+  for (Eigen::Index i = 0; i < n; ++i) force[set[static_cast<std::size_t>(i)]] = right(i, 0);
   multiply(force, displacement);
   for (const std::size_t row : set) displacement[row] = q[row];
 }

@@ -3,6 +3,8 @@
 #include <cstddef>
 #include <vector>
 
+#include "stoss/poll.hpp"
+
 namespace stoss {
 
 /// The contact problem at one instant, for a symmetric positive definite compliance W and positions q:
@@ -17,7 +19,7 @@ class Complementarity {
  public:
   /// @param matrix W, row-major, size × size
   /// @throws NotConverged if W is not positive definite
-  Complementarity(std::vector<double> matrix, std::size_t size);
+  Complementarity(std::vector<double> matrix, std::size_t size, Poll poll = {});
 
   /// Solves for f and the displacement W f; both have `size` elements. f is exactly zero outside the contact set, and
   /// no g is below −1e-13 max q.
@@ -46,6 +48,7 @@ class Complementarity {
   std::vector<double> inverse_transposed_;  // L⁻ᵀ
   std::vector<double> inner_;               // L⁻¹ q
   std::size_t extent_ = 0;
+  Poll poll_;
 };
 
 }  // namespace stoss

@@ -38,10 +38,10 @@ std::vector<double> usual_hardnesses(double speed) {
 }
 
 /// Cutoffs midway between the last mode kept and the next.
-std::vector<double> usual_cutoffs(double poisson) {
+std::vector<double> usual_cutoffs(double poisson, const Poll& poll) {
   // Weyl's law N = (1 + ν)(3 − ν) ω²/8 for the symmetric modes; the free edge adds some.
   const double enough = std::sqrt(8.0 * 1000.0 / ((1.0 + poisson) * (3.0 - poisson)));
-  const std::vector<Mode> modes = disk_modes(poisson, enough);
+  const std::vector<Mode> modes = disk_modes(poisson, enough, poll);
   std::vector<double> omega(modes.size());
   std::transform(modes.begin(), modes.end(), omega.begin(), [](const Mode& mode) { return mode.omega; });
   std::sort(omega.begin(), omega.end());
@@ -65,10 +65,10 @@ void require_series(std::string_view name, std::string_view number_name, const s
   }
 }
 
-std::vector<Body> make_bodies(double poisson, const std::vector<double>& cutoffs) {
+std::vector<Body> make_bodies(double poisson, const std::vector<double>& cutoffs, const Poll& poll) {
   std::vector<Body> bodies;
   for (const double cutoff : cutoffs) {
-    bodies.push_back(disk(poisson, cutoff));
+    bodies.push_back(disk(poisson, cutoff, poll));
     if (bodies.size() < 2) continue;
     const auto before = static_cast<double>(mode_count(bodies[bodies.size() - 2]));
     require("modes", static_cast<double>(mode_count(bodies.back())),
@@ -149,9 +149,9 @@ ExtrapolatedRestitution extrapolated_restitution(double poisson, double speed, c
   const auto hardnesses = options.hardnesses.empty() ? usual_hardnesses(speed) : options.hardnesses;
   require_series("hardnesses", "number of hardnesses", hardnesses);
   for (const double hardness : hardnesses) validate(ExponentialWall{hardness});
-  const auto cutoffs = options.cutoffs.empty() ? usual_cutoffs(poisson) : options.cutoffs;
+  const auto cutoffs = options.cutoffs.empty() ? usual_cutoffs(poisson, options.poll) : options.cutoffs;
   require_series("cutoffs", "number of cutoffs", cutoffs);
-  const std::vector<Body> bodies = make_bodies(poisson, cutoffs);
+  const std::vector<Body> bodies = make_bodies(poisson, cutoffs, options.poll);
 
   ImpactOptions impact_options;
   impact_options.poll = options.poll;

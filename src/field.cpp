@@ -13,6 +13,7 @@
 #include <utility>
 
 #include "check.hpp"
+#include "dense.hpp"
 #include "harmonics.hpp"
 #include "mode_field.hpp"
 #include "order_profiles.hpp"
@@ -68,7 +69,7 @@ struct DiskField::Parts {
   Eigen::ArrayXd angle;
 };
 
-DiskField::DiskField(double poisson, const Body& body, const ContactGrid& contact, PolarGrid points) {
+DiskField::DiskField(double poisson, const Body& body, const ContactGrid& contact, PolarGrid points, const Poll& poll) {
   require_poisson(poisson);
   validate(body);
   require_nodes(contact);
@@ -78,10 +79,10 @@ DiskField::DiskField(double poisson, const Body& body, const ContactGrid& contac
   std::transform(points.angle.begin(), points.angle.end(), angle.begin(),
                  [](double turned) { return std::remainder(turned, 2.0 * std::numbers::pi); });
   parts_ = std::make_shared<const Parts>(
-      Parts{OrderProfiles(poisson, body, contact, std::move(points.radius)), std::move(angle)});
+      Parts{OrderProfiles(poisson, body, contact, std::move(points.radius), poll), std::move(angle)});
 }
 
-Field DiskField::at(std::span<const double> coordinate, std::span<const double> node_force) const {
+Field DiskField::at(std::span<const double> coordinate, std::span<const double> node_force, const Poll& poll) const {
   const auto& [profiles, angle] = *parts_;
   const auto modes = profiles.modes(), nodes = profiles.nodes();
   require_length("coordinate", coordinate.size(), static_cast<std::size_t>(modes), "one for each kept mode");
@@ -97,7 +98,7 @@ Field DiskField::at(std::span<const double> coordinate, std::span<const double> 
   OrderProfiles::Profile profile;
   const int end = *std::max_element(orders.begin(), orders.end());
   for (int first = 0; first < end; first += order_block) {
-    profiles.evaluate(q, force, first, profile);
+    profiles.evaluate(q, force, first, poll, profile);
     // The rows outside this range, usually of small radii, are 0.
     const auto counts = [first](int here) { return here > first; };
     const auto top = std::find_if(orders.begin(), orders.end(), counts);
@@ -106,7 +107,10 @@ Field DiskField::at(std::span<const double> coordinate, std::span<const double> 
     const Harmonics at_points = harmonics(angle, first);
     for (std::size_t i = 0; i < sum.size(); ++i) {
       const Harmonics::Table& harmonic = with_cosine[i] ? at_points.cosine : at_points.sine;
-      sum[i].middleRows(row, rows).noalias() += profile[i].middleRows(row, rows) * harmonic;
+      dense::by_columns(angle.size(), poll, [&](Eigen::Index at, Eigen::Index count) {
+        sum[i].block(row, at, rows, count).noalias() +=
+            profile[i].middleRows(row, rows) * harmonic.middleCols(at, count);
+      });
     }
   }
   const auto flat = [&sum](std::size_t i) { return std::vector<double>(sum[i].data(), sum[i].data() + sum[i].size()); };

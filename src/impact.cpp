@@ -33,7 +33,7 @@ std::optional<Impact> run(const Body& body, const Wall& wall, double speed, cons
   if (options.poll) options.poll();
   const ContactGrid grid = body.grid(resolution.half_width, resolution.nodes);
   require_grid(body, grid);
-  Collision collision(body, wall, grid, speed, resolution.step, options.start);
+  Collision collision(body, wall, grid, speed, resolution.step, options.start, options.poll);
   const double flight = std::max(0.0, -(collision.snapshot().center + body.extent)) + 4.0 * collision.clearance();
   const double steps = (max_contact_time + flight / speed) / resolution.step;
   if (steps > most_steps) {
@@ -58,8 +58,7 @@ std::optional<Impact> run(const Body& body, const Wall& wall, double speed, cons
     if (static_cast<double>(step) > steps) {
       throw NotConverged("impact: the body has not left the wall after " + std::to_string(step) + " steps");
     }
-    constexpr long steps_between_polls = 64;
-    if (options.poll && step % steps_between_polls == 0) options.poll();
+    if (options.poll) options.poll();
     collision.advance();
     if (collision.overflows()) {
       if (resolution.half_width < reachable_half_width(body, wall)) return std::nullopt;

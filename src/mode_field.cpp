@@ -32,7 +32,7 @@ BesselPair edge_pair(double x, std::vector<BesselPair>& pairs) {
 
 }  // namespace
 
-std::vector<RadialField> mode_field(double poisson, const Mode& mode, std::span<const double> radii) {
+std::vector<RadialField> mode_field(double poisson, const Mode& mode, std::span<const double> radii, const Poll& poll) {
   require_poisson(poisson);
   require("order", static_cast<long>(mode.order), 0, 1'000'000, "angular order of the mode");
   require("omega", mode.omega, {0.0, max_cutoff, false, true, "above 0 and up to 1000"},
@@ -58,6 +58,7 @@ std::vector<RadialField> mode_field(double poisson, const Mode& mode, std::span<
   std::vector<RadialField> field;
   field.reserve(radii.size());
   for (const double radius : radii) {
+    if (poll) poll();
     // The limit at the centre: evaluate just beside it.
     const double r = std::max(radius, 1e-30);
     bessel_pairs(kappa * r, pairs);

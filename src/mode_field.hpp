@@ -20,6 +20,7 @@ namespace stoss {
 /// does.
 /// @param radii 0 … 1; the centre by its limit
 /// @throws InvalidInput for a Poisson number, a mode or a radius out of range
-[[nodiscard]] std::vector<RadialField> mode_field(double poisson, const Mode& mode, std::span<const double> radii);
+[[nodiscard]] std::vector<RadialField> mode_field(double poisson, const Mode& mode, std::span<const double> radii,
+                                                  const Poll& poll);
 
 }  // namespace stoss

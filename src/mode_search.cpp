@@ -145,7 +145,7 @@ std::vector<Mode> radial_modes(double poisson, double cutoff) {
 
 }  // namespace
 
-std::vector<Mode> find_modes(double poisson, double cutoff) {
+std::vector<Mode> find_modes(double poisson, double cutoff, const Poll& poll) {
   const WaveNumbers wave{std::sqrt(1.0 - poisson * poisson), std::sqrt(2.0 * (1.0 + poisson))};
   const auto orders = static_cast<std::size_t>(std::ceil(cutoff / slowest_edge_wave)) + 2;
   const double step_omega = std::min(max_step, max_shear_step / wave.shear_per_omega);
@@ -160,6 +160,7 @@ std::vector<Mode> find_modes(double poisson, double cutoff) {
 
   double left_omega = 0.0;
   for (int step = 1; step <= steps; ++step) {
+    if (poll) poll();
     const double omega = cutoff * step / steps;
     bessel_pairs(wave.per_omega * omega, pressure);
     bessel_pairs(wave.shear_per_omega * omega, shear);

@@ -17,7 +17,7 @@ namespace stoss {
 namespace {
 
 [[noreturn]] void refuse_low_cutoff(double poisson, double cutoff) {
-  const auto lowest = find_modes(poisson, 2.0);  // the lowest mode lies between 1.1 and 1.8 for every ν
+  const auto lowest = find_modes(poisson, 2.0, {});  // the lowest mode lies between 1.1 and 1.8 for every ν
   const auto first =
       std::min_element(lowest.begin(), lowest.end(), [](const Mode& a, const Mode& b) { return a.omega < b.omega; });
   std::ostringstream line;
@@ -63,11 +63,11 @@ ModeFamily family(const Mode& mode) {
   return mode.radial > std::abs(mode.tangential) ? ModeFamily::radial : ModeFamily::tangential;
 }
 
-std::vector<Mode> disk_modes(double poisson, double cutoff) {
+std::vector<Mode> disk_modes(double poisson, double cutoff, const Poll& poll) {
   require_poisson(poisson);
   constexpr Range allowed{0.0, max_cutoff, false, true, "the lowest mode (about 1.4) to 1000"};
   require("cutoff", cutoff, allowed, "highest frequency in c/R; 25 to 100 is usual");
-  auto modes = find_modes(poisson, cutoff);
+  auto modes = find_modes(poisson, cutoff, poll);
   if (modes.empty()) refuse_low_cutoff(poisson, cutoff);
   check_sum_rules(poisson, cutoff, modes);
   return modes;
@@ -101,10 +101,11 @@ Flexibility static_second_moment(double poisson, int order) {
   return {product(normal, normal), product(normal, shear), product(shear, shear)};
 }
 
-std::vector<Displacement> displacement(double poisson, const Mode& mode, const std::vector<double>& radii) {
+std::vector<Displacement> displacement(double poisson, const Mode& mode, const std::vector<double>& radii,
+                                       const Poll& poll) {
   std::vector<Displacement> field;
   field.reserve(radii.size());
-  for (const RadialField& at : mode_field(poisson, mode, radii)) field.push_back({at.radial, at.tangential});
+  for (const RadialField& at : mode_field(poisson, mode, radii, poll)) field.push_back({at.radial, at.tangential});
   return field;
 }
 

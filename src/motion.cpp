@@ -68,8 +68,7 @@ State free_motion(const Body& body, const State& state, double time) {
   return moved;
 }
 
-std::vector<Frame> motion(const Body& body, const Impact& impact, const std::vector<double>& times,
-                          const std::function<void()>& poll) {
+std::vector<Frame> motion(const Body& body, const Impact& impact, const std::vector<double>& times, const Poll& poll) {
   require_times(times);
   if (body.name != impact.body || body.cutoff != impact.cutoff || !same_modes(body, impact.energy.modes)) {
     throw InvalidInput("body: got '" + body.name + "', allowed the body of the impact with the same modes, '" +
@@ -87,11 +86,13 @@ std::vector<Frame> motion(const Body& body, const Impact& impact, const std::vec
                    {now.momentum.begin(), now.momentum.end()}};
     };
     while (first && wanted() && times[frames.size()] < 0.0) {
+      if (poll) poll();
       const double time = times[frames.size()];
       frames.push_back({time, 0.0, 0.0, free_motion(body, state(), time), std::vector<double>(now.node_force.size())});
     }
     first = false;
     while (wanted() && times[frames.size()] <= now.time + 0.5 * impact.step) {
+      if (poll) poll();
       frames.push_back(
           {now.time, now.force, now.contact_half_width, state(), {now.node_force.begin(), now.node_force.end()}});
     }
@@ -105,6 +106,7 @@ std::vector<Frame> motion(const Body& body, const Impact& impact, const std::vec
   const Impact again = stoss::impact(body, impact.wall, impact.speed, options, observer);
   const double end = static_cast<double>(again.steps) * again.step;
   while (wanted()) {
+    if (poll) poll();
     const double time = times[frames.size()];
     frames.push_back({time, 0.0, 0.0, free_motion(body, again.final_state, time - end),
                       std::vector<double>(static_cast<std::size_t>(impact.nodes))});

@@ -61,20 +61,21 @@ void require_free_edge(double poisson, const Body& body, const Mode& mode, const
 
 }  // namespace
 
-OrderProfiles::OrderProfiles(double poisson, const Body& body, const ContactGrid& contact, std::vector<double> radius)
+OrderProfiles::OrderProfiles(double poisson, const Body& body, const ContactGrid& contact, std::vector<double> radius,
+                             const Poll& poll)
     : poisson_(poisson),
       node_(Eigen::Map<const Eigen::ArrayXd>(contact.coordinate.data(), static_cast<Index>(contact.coordinate.size()))),
       nyquist_(static_cast<int>(std::lround(0.5 * std::numbers::pi / contact.coordinate.front()))),
       radius_(std::move(radius)) {
   int kept_orders = 0;
   for (const ModeGroup& group : body.groups) {
-    keep(body, group);
+    keep(body, group, poll);
     kept_orders = std::max(kept_orders, group.order + 1);
   }
   for (const double r : radius_) orders_.push_back(std::max(kept_orders, static_orders(r, nyquist_)));
 }
 
-void OrderProfiles::keep(const Body& body, const ModeGroup& group) {
+void OrderProfiles::keep(const Body& body, const ModeGroup& group, const Poll& poll) {
   const auto radii = static_cast<Index>(radius_.size());
   const auto size = static_cast<Index>(group.omega.size());
   KeptOrder kept{group.order, modes_, Eigen::VectorXd(size), Eigen::VectorXd(size),
@@ -83,7 +84,7 @@ void OrderProfiles::keep(const Body& body, const ModeGroup& group) {
   with_edge.push_back(1.0);
   for (std::size_t l = 0; l < group.omega.size(); ++l) {
     const Mode mode{group.order, static_cast<int>(l), group.omega[l], group.radial[l], group.tangential[l]};
-    const std::vector<RadialField> field = mode_field(poisson_, mode, with_edge);
+    const std::vector<RadialField> field = mode_field(poisson_, mode, with_edge, poll);
     require_free_edge(poisson_, body, mode, field.back());
     const auto column = static_cast<Index>(l);
     kept.radial[column] = mode.radial / (mode.omega * mode.omega);
@@ -112,12 +113,13 @@ OrderProfiles::Loads OrderProfiles::loads(const Eigen::ArrayXd& node_force, int 
   return loads;
 }
 
-void OrderProfiles::add_static(const Loads& loads, int first, Profile& profile) const {
+void OrderProfiles::add_static(const Loads& loads, int first, const Poll& poll, Profile& profile) const {
   std::array<StaticField, order_block> field;
   for (int k = 0; k < order_block; ++k) {
     field[static_cast<std::size_t>(k)] = static_field(poisson_, first + k, loads.normal[k], loads.shear[k]);
   }
   for (std::size_t r = 0; r < radius_.size(); ++r) {
+    if (poll) poll();
     if (orders_[r] <= first) continue;
     const BlockPowers power(radius_[r], first);
     for (std::size_t k = 0; k < field.size(); ++k) {
@@ -145,11 +147,11 @@ void OrderProfiles::add_kept(const Eigen::VectorXd& coordinate, const Loads& loa
 }
 
 void OrderProfiles::evaluate(const Eigen::VectorXd& coordinate, const Eigen::ArrayXd& node_force, int first,
-                             Profile& profile) const {
+                             const Poll& poll, Profile& profile) const {
   const auto radii = static_cast<Index>(radius_.size());
   for (Harmonics::Table& component : profile) component.setZero(radii, order_block);
   const Loads loads = this->loads(node_force, first);
-  add_static(loads, first, profile);
+  add_static(loads, first, poll, profile);
   add_kept(coordinate, loads, first, profile);
 }
 

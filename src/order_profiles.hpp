@@ -27,7 +27,8 @@ class OrderProfiles {
   using Profile = std::array<Harmonics::Table, components>;
 
   /// @throws InvalidInput if the modes of the body are not those of a disk of this Poisson number
-  OrderProfiles(double poisson, const Body& body, const ContactGrid& contact, std::vector<double> radius);
+  OrderProfiles(double poisson, const Body& body, const ContactGrid& contact, std::vector<double> radius,
+                const Poll& poll);
 
   /// Number of kept modes, in the order of Body::groups.
   [[nodiscard]] Eigen::Index modes() const { return modes_; }
@@ -37,7 +38,8 @@ class OrderProfiles {
   [[nodiscard]] const std::vector<int>& orders() const { return orders_; }
 
   /// Fills radii × order_block values of each component for the orders from `first`.
-  void evaluate(const Eigen::VectorXd& coordinate, const Eigen::ArrayXd& node_force, int first, Profile& profile) const;
+  void evaluate(const Eigen::VectorXd& coordinate, const Eigen::ArrayXd& node_force, int first, const Poll& poll,
+                Profile& profile) const;
 
  private:
   /// The kept modes of one order: C/ω² and S/ω², and their fields in rows of components × radii.
@@ -53,9 +55,9 @@ class OrderProfiles {
     Eigen::VectorXd normal, shear;
   };
 
-  void keep(const Body& body, const ModeGroup& group);
+  void keep(const Body& body, const ModeGroup& group, const Poll& poll);
   [[nodiscard]] Loads loads(const Eigen::ArrayXd& node_force, int first) const;
-  void add_static(const Loads& loads, int first, Profile& profile) const;
+  void add_static(const Loads& loads, int first, const Poll& poll, Profile& profile) const;
   void add_kept(const Eigen::VectorXd& coordinate, const Loads& loads, int first, Profile& profile) const;
 
   double poisson_;

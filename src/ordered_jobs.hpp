@@ -12,6 +12,8 @@
 #include <variant>
 #include <vector>
 
+#include "stoss/poll.hpp"
+
 namespace stoss {
 
 /// Runs job(i, stop) for i = 0 … count−1 on several threads and hands each result to deliver(i, result) in order, on
@@ -20,7 +22,7 @@ namespace stoss {
 template <typename Result>
 void run_in_order(std::size_t count, int threads,
                   const std::function<Result(std::size_t, const std::atomic<bool>&)>& job,
-                  const std::function<void(std::size_t, Result&&)>& deliver, const std::function<void()>& poll) {
+                  const std::function<void(std::size_t, Result&&)>& deliver, const Poll& poll) {
   using Outcome = std::variant<Result, std::exception_ptr>;
   constexpr auto patience = std::chrono::milliseconds(20);
   std::vector<std::optional<Outcome>> outcomes(count);

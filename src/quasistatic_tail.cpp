@@ -4,8 +4,8 @@
 
 namespace stoss {
 
-QuasistaticTail::QuasistaticTail(const Body& body, const ContactGrid& grid)
-    : contact_(residual_matrix(body, body.residual_compliance, grid), grid.recess.size()),
+QuasistaticTail::QuasistaticTail(const Body& body, const ContactGrid& grid, const Poll& poll)
+    : contact_(residual_matrix(body, body.residual_compliance, grid, poll), grid.recess.size(), poll),
       force_(grid.recess.size()),
       displacement_(grid.recess.size()) {}
 

@@ -1,11 +1,12 @@
 #include "radiating_tail.hpp"
 
-#include <Eigen/Cholesky>
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <utility>
 
+#include "dense.hpp"
 #include "kernels.hpp"
 #include "residual.hpp"
 #include "stoss/errors.hpp"
@@ -13,24 +14,28 @@
 namespace stoss {
 namespace {
 
-using Matrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
-using Cholesky = Eigen::LLT<Matrix>;
+using Eigen::Index;
+using Eigen::MatrixXd;
+using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
 /// γ: with it the tail of a family of modes has the spring constant (2/π) ω_c Z at high frequency (docs/numerics.md).
 constexpr double link_stiffness = 8.0 / std::numbers::pi - 0.5 * std::numbers::pi;
 
-Matrix matrix(const std::vector<double>& values, Eigen::Index n) {
-  return Eigen::Map<const Matrix>(values.data(), n, n);
-}
+std::vector<double> values(const RowMajor& matrix) { return {matrix.data(), matrix.data() + matrix.size()}; }
 
-std::vector<double> values(const Matrix& matrix) { return {matrix.data(), matrix.data() + matrix.size()}; }
+std::vector<double> values_of_symmetric(const MatrixXd& matrix, const Poll& poll) {
+  std::vector<double> result = dense::zeros(static_cast<std::size_t>(matrix.size()), poll);
+  std::copy_n(matrix.data(), matrix.size(), result.begin());
+  return result;
+}
 
 /// Kicks of period Δt move a mode under a constant force by (Δt/2ω) cot(ωΔt/2) instead of 1/ω². The difference of all
 /// kept modes, which adds to the compliance of the others, so that the response to slow forces is exact.
-void add_kick_compliance(const Body& body, const ContactGrid& grid, double step, Matrix& compliance) {
+void add_kick_compliance(const Body& body, const ContactGrid& grid, double step, const Poll& poll,
+                         MatrixXd& compliance) {
   const auto n = compliance.rows();
-  const Eigen::Map<const Matrix> shape(grid.shape.data(), static_cast<Eigen::Index>(grid.shape.size()) / n, n);
-  Matrix response = Matrix::Zero(shape.rows(), n);  // of each shape to forces on the nodes
+  const Eigen::Map<const RowMajor> shape(grid.shape.data(), static_cast<Index>(grid.shape.size()) / n, n);
+  RowMajor response = RowMajor::Zero(shape.rows(), n);  // of each shape to forces on the nodes
   for (const ModeGroup& group : body.groups) {
     double plus = 0.0, mixed = 0.0, minus = 0.0;  // C c + S s = ½(C + S)(c + s) + ½(C − S)(c − s)
     for (std::size_t l = 0; l < group.omega.size(); ++l) {
@@ -42,71 +47,101 @@ void add_kick_compliance(const Body& body, const ContactGrid& grid, double step,
       mixed += missing * sum * difference;
       minus += missing * difference * difference;
     }
-    const auto p = static_cast<Eigen::Index>(group.sum_shape), m = static_cast<Eigen::Index>(group.difference_shape);
+    const auto p = static_cast<Index>(group.sum_shape), m = static_cast<Index>(group.difference_shape);
     response.row(p) += plus * shape.row(p) + mixed * shape.row(m);
     response.row(m) += mixed * shape.row(p) + minus * shape.row(m);
   }
-  compliance.noalias() += shape.transpose() * response;
+  dense::by_columns(n, poll, [&](Index first, Index count) {
+    compliance.middleCols(first, count).noalias() += shape.transpose() * response.middleCols(first, count);
+  });
 }
 
-/// Y with V = Y Yᵀ, by Cholesky factorization with pivots, up to the rank at which what is left of V is rounding. Eigen
+/// Y with V = Y Yᵀ, by Cholesky factorization with pivots, up to the rank at which what is left of V is rounding: Eigen
 /// has none that updates the diagonal before it chooses.
-Matrix root(Matrix moment) {
+MatrixXd root(const MatrixXd& moment, const Poll& poll) {
   constexpr double rounding = 1e-12;
-  constexpr Eigen::Index lanes = 8;  // a step's products prefer whole vectors; the columns beyond the rank are 0
+  constexpr Index lanes = 8;  // a step's products prefer whole vectors; the columns beyond the rank are 0
   const auto n = moment.rows();
-  const double least = rounding * moment.diagonal().maxCoeff();
-  Matrix result = Matrix::Zero(n, (n + lanes - 1) / lanes * lanes);
-  Eigen::Index rank = 0, pivot = 0;
-  for (; rank < n && moment.diagonal().maxCoeff(&pivot) > least; ++rank) {
-    const Eigen::VectorXd column = moment.col(pivot) / std::sqrt(moment(pivot, pivot));
-    moment.noalias() -= column * column.transpose();
+  Eigen::VectorXd left = moment.diagonal();
+  const double least = rounding * left.maxCoeff();
+  MatrixXd result(n, 0);
+  Index rank = 0, pivot = 0;
+  for (; rank < n && left.maxCoeff(&pivot) > least; ++rank) {
+    if (poll) poll();
+    if (rank == result.cols()) result.conservativeResize(Eigen::NoChange, std::max(lanes, 2 * rank));
+    Eigen::VectorXd column = moment.col(pivot);
+    column.noalias() -= result.leftCols(rank) * result.row(pivot).head(rank).transpose();
+    column /= std::sqrt(left(pivot));
+    left.array() -= column.array().square();
     result.col(rank) = column;
   }
-  return result.leftCols((rank + lanes - 1) / lanes * lanes);
+  const Index whole = (rank + lanes - 1) / lanes * lanes;
+  result.conservativeResize(Eigen::NoChange, whole);
+  result.rightCols(whole - rank).setZero();
+  return result;
 }
 
-Cholesky factor(const Matrix& positive) {
-  Cholesky result(positive);
-  if (result.info() != Eigen::Success) {
+MatrixXd factored(MatrixXd positive, const Poll& poll) {
+  if (!dense::factor(positive, poll)) {
     throw NotConverged("contact: the compliance between the nodes is not positive definite (use fewer nodes)");
   }
+  return positive;
+}
+
+/// AᵀB
+MatrixXd product(const MatrixXd& a, const MatrixXd& b, const Poll& poll) {
+  MatrixXd result(a.cols(), b.cols());
+  dense::by_columns(b.cols(), poll, [&](Index first, Index count) {
+    result.middleCols(first, count).noalias() = a.transpose() * b.middleCols(first, count);
+  });
   return result;
 }
 
 }  // namespace
 
-RadiatingTail::Matrices RadiatingTail::discretize(const Body& body, const ContactGrid& grid, double step) {
-  const auto n = static_cast<Eigen::Index>(grid.recess.size());
-  Matrix compliance = matrix(residual_matrix(body, body.residual_compliance, grid), n);
-  add_kick_compliance(body, grid, step, compliance);
-  const Matrix moment = matrix(residual_matrix(body, body.residual_second_moment, grid), n);
+RadiatingTail::Matrices RadiatingTail::discretize(const Body& body, const ContactGrid& grid, double step,
+                                                  const Poll& poll) {
+  const auto n = static_cast<Index>(grid.recess.size());
+  const auto matrix = [&](const auto& residual) -> MatrixXd {
+    return dense::square(residual_matrix(body, residual, grid, poll).data(), n, poll);
+  };
+  MatrixXd compliance = matrix(body.residual_compliance);
+  add_kick_compliance(body, grid, step, poll, compliance);
+  const MatrixXd moment = root(matrix(body.residual_second_moment), poll);
+  const auto masses = moment.cols();
   const Eigen::VectorXd impedance = Eigen::Map<const Eigen::VectorXd>(grid.impedance.data(), n);
   const Eigen::VectorXd link = impedance * (link_stiffness * body.cutoff + 1.0 / step);
 
-  const Matrix stiffness = factor(compliance).solve(Matrix::Identity(n, n));
-  const Matrix participation = stiffness * root(moment);
-  Matrix inertia = participation.transpose() * link.cwiseInverse().asDiagonal() * participation;
+  MatrixXd participation = moment;
+  dense::solve(factored(dense::square(compliance.data(), n, poll), poll), participation, poll);
+  MatrixXd inertia = product(participation, link.cwiseInverse().asDiagonal() * participation, poll);
   inertia.diagonal().array() += 0.25 * step * step;
-  const Cholesky factored = factor(inertia);
-  const Matrix drag = factored.solve(participation.transpose());
+  MatrixXd mobility = MatrixXd::Identity(masses, masses);
+  dense::solve(factored(inertia, poll), mobility, poll);
 
-  Matrix damped = stiffness;
-  damped.noalias() += participation * drag;
-  damped = factor(0.5 * (damped + damped.transpose())).solve(Matrix::Identity(n, n));
-  damped = 0.5 * (damped + damped.transpose()).eval();
-  const auto masses = participation.cols();
-  return {values(damped), values(participation), values(factored.solve(Matrix::Identity(masses, masses))),
-          values(drag * damped), static_cast<std::size_t>(masses)};
+  // Y T Yᵀ = QᵀQ
+  const MatrixXd lower = factored(inertia + product(moment, participation, poll), poll);
+  MatrixXd memory = moment.transpose();
+  dense::by_columns(n, poll, [&](Index first, Index count) {
+    auto columns = memory.middleCols(first, count);
+    lower.triangularView<Eigen::Lower>().solveInPlace(columns);
+  });
+  compliance -= product(memory, memory, poll);
+  dense::by_columns(n, poll, [&](Index first, Index count) {
+    auto columns = memory.middleCols(first, count);
+    lower.triangularView<Eigen::Lower>().transpose().solveInPlace(columns);
+  });
+  return {values_of_symmetric(compliance, poll), values(participation), values(mobility), values(memory),
+          static_cast<std::size_t>(masses)};
 }
 
-RadiatingTail::RadiatingTail(const Body& body, const ContactGrid& grid, double step)
-    : RadiatingTail(discretize(body, grid, step), grid.recess.size(), body.cutoff, step) {}
+RadiatingTail::RadiatingTail(const Body& body, const ContactGrid& grid, double step, const Poll& poll)
+    : RadiatingTail(discretize(body, grid, step, poll), grid.recess.size(), body.cutoff, step, poll) {}
 
-RadiatingTail::RadiatingTail(Matrices matrices, std::size_t nodes, double cutoff, double step)
+RadiatingTail::RadiatingTail(Matrices matrices, std::size_t nodes, double cutoff, double step, const Poll& poll)
     : step_(step),
       fading_(1.0 / (1.0 + link_stiffness * cutoff * step)),
-      contact_(std::move(matrices.compliance), nodes),
+      contact_(std::move(matrices.compliance), nodes, poll),
       participation_(std::move(matrices.participation)),
       mobility_(std::move(matrices.mobility)),
       memory_(std::move(matrices.memory)),

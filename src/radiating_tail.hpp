@@ -17,12 +17,12 @@ namespace stoss {
 ///
 ///   f = K u + R η̈,   η̈ = S⁻¹ (Rᵀu − r),   S = ¼Δt² + Rᵀ B⁻¹ R,   B = G + Z/Δt,
 ///   r = η + Δt η̇ + ¼Δt² η̈ + Rᵀz/(1 + γ ω_c Δt),        all of the step before,
-///   u = W′ (f + R S⁻¹ r),   W′ = (K + R S⁻¹ Rᵀ)⁻¹,
+///   u = W′ (f + R S⁻¹ r),   W′ = (K + R S⁻¹ Rᵀ)⁻¹ = W − Y T Yᵀ,   W′R S⁻¹ = Y T,   T = (S + YᵀR)⁻¹,
 ///
 /// the same contact problem as with the quasistatic tail, with W′ for W and x_dyn − W′R S⁻¹ r for x_dyn.
 class RadiatingTail final : public WallResponse {
  public:
-  RadiatingTail(const Body& body, const ContactGrid& grid, double step);
+  RadiatingTail(const Body& body, const ContactGrid& grid, double step, const Poll& poll);
   const std::vector<double>& advance(const std::vector<double>& position) override;
   [[nodiscard]] std::size_t extent() const override { return contact_.extent(); }
   [[nodiscard]] std::size_t contact_nodes() const override { return contact_.extent(); }
@@ -35,11 +35,11 @@ class RadiatingTail final : public WallResponse {
     std::vector<double> compliance;     // W′
     std::vector<double> participation;  // R, nodes × masses
     std::vector<double> mobility;       // S⁻¹, masses × masses
-    std::vector<double> memory;         // S⁻¹ Rᵀ W′, masses × nodes
+    std::vector<double> memory;         // T Yᵀ, masses × nodes
     std::size_t masses = 0;
   };
-  static Matrices discretize(const Body& body, const ContactGrid& grid, double step);
-  RadiatingTail(Matrices matrices, std::size_t nodes, double cutoff, double step);
+  static Matrices discretize(const Body& body, const ContactGrid& grid, double step, const Poll& poll);
+  RadiatingTail(Matrices matrices, std::size_t nodes, double cutoff, double step, const Poll& poll);
 
   double step_;
   double fading_;            // 1/(1 + γ ω_c Δt)

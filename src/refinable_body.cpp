@@ -22,11 +22,11 @@ RefinableBody::RefinableBody(BodyMaker maker) : levels_(std::make_shared<Levels>
   levels_->maker = std::move(maker);
 }
 
-const Body& RefinableBody::at(int level) const {
+const Body& RefinableBody::at(int level, const Poll& poll) const {
   require("level", static_cast<long>(level), 0, highest_level, "of refinement");
   const std::lock_guard lock(levels_->mutex);
   std::optional<Body>& body = levels_->bodies[static_cast<std::size_t>(level)];
-  if (!body) body = levels_->maker(cutoff(level));
+  if (!body) body = levels_->maker(cutoff(level), poll);
   return *body;
 }
 

@@ -10,6 +10,7 @@ namespace stoss {
 /// Matrix of one of a body's residual functions between the nodes of a grid.
 /// @throws InvalidInput unless it has nodes × nodes values
 [[nodiscard]] std::vector<double> residual_matrix(
-    const Body& body, const std::function<std::vector<double>(const ContactGrid&)>& residual, const ContactGrid& grid);
+    const Body& body, const std::function<std::vector<double>(const ContactGrid&, const Poll&)>& residual,
+    const ContactGrid& grid, const Poll& poll);
 
 }  // namespace stoss

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "check.hpp"
@@ -14,6 +15,7 @@ constexpr int first_runs = 4;  // two that agree by chance say nothing
 constexpr int first_rungs = 2;
 constexpr double slow_order = 1.5;
 constexpr double safety = 6.0;
+constexpr double unknown = std::numeric_limits<double>::infinity();
 constexpr double slack = 1.1;  // the error may turn out smaller than the order of convergence says
 
 /// Order of convergence in the cutoff, as observed: with one point of contact the force jumps, on a surface it grows.
@@ -30,6 +32,11 @@ Estimate estimate(const std::vector<Run>& runs, double order, double Run::*quant
   return {last.*quantity, error};
 }
 
+/// An error as large as the value leaves nothing of it.
+void judge(Estimate& estimate) {
+  if (estimate.error >= std::abs(estimate.value)) estimate.error = unknown;
+}
+
 Run summary(const Impact& impact) {
   return {impact.cutoff,       impact.step,      impact.nodes,           impact.half_width,   impact.lost_fraction,
           impact.contact_time, impact.max_force, impact.max_compression, impact.energy_error, impact.steps};
@@ -44,6 +51,7 @@ void conclude(Restitution& result, double order) {
   result.contact_time.error = std::max(result.contact_time.error, runs.back().step);
   result.max_force = estimate(runs, slow, &Run::max_force);
   result.max_compression = estimate(runs, order, &Run::max_compression);
+  for (Estimate* each : {&result.contact_time, &result.max_force, &result.max_compression}) judge(*each);
   const double value = result.finest.restitution;
   const double error = result.lost_fraction.error;
   result.restitution = {value, error / (std::sqrt(value * value + error) + std::abs(value))};
@@ -58,13 +66,13 @@ RestitutionNotConverged::RestitutionNotConverged(Restitution result)
 Restitution restitution(const RefinableBody& body, double speed, const RestitutionOptions& options) {
   require_tolerance(options.tolerance);
   require_speed(speed);
-  const double order = convergence_order(body.at(0));
+  const double order = convergence_order(body.at(0, options.poll));
   Restitution result;
   result.tolerance = options.tolerance;
   std::string trouble;
   int level = 0;
   for (int rungs = first_rungs; level <= RefinableBody::highest_level; level += rungs) {
-    ImpactOptions resolution = refined_resolution(body.at(level), speed, result.finest.max_half_width);
+    ImpactOptions resolution = refined_resolution(body.at(level, options.poll), speed, result.finest.max_half_width);
     resolution.poll = options.poll;
     try {
       result.finest = impact(body.at(level), HardWall{}, speed, resolution);
@@ -86,6 +94,7 @@ Restitution restitution(const RefinableBody& body, double speed, const Restituti
   }
   if (result.runs.size() < 2) throw NotConverged(trouble);
   conclude(result, order);
+  if (result.lost_fraction.error > 1.0) result.lost_fraction.error = result.restitution.error = unknown;
   result.converged = false;  // two or three runs that agree are not enough
   result.reason = trouble.empty()
                       ? "the tolerance asks for a higher cutoff than " +

@@ -17,12 +17,12 @@ void validate(const Wall& wall) {
 }
 
 std::unique_ptr<WallResponse> make_response(const Wall& wall, const Body& body, const ContactGrid& grid, double speed,
-                                            double step) {
+                                            double step, const Poll& poll) {
   if (const auto* soft = std::get_if<ExponentialWall>(&wall)) {
     return std::make_unique<ExponentialResponse>(*soft, body, grid, speed);
   }
-  if (std::get<HardWall>(wall).tail == Tail::quasistatic) return std::make_unique<QuasistaticTail>(body, grid);
-  return std::make_unique<RadiatingTail>(body, grid, step);
+  if (std::get<HardWall>(wall).tail == Tail::quasistatic) return std::make_unique<QuasistaticTail>(body, grid, poll);
+  return std::make_unique<RadiatingTail>(body, grid, step, poll);
 }
 
 }  // namespace stoss

@@ -47,6 +47,6 @@ class WallResponse {
 /// @param speed of the impact, which sets what force counts as contact with a soft wall
 /// @param step  time between two calls of advance
 [[nodiscard]] std::unique_ptr<WallResponse> make_response(const Wall& wall, const Body& body, const ContactGrid& grid,
-                                                          double speed, double step);
+                                                          double speed, double step, const Poll& poll = {});
 
 }  // namespace stoss

@@ -43,11 +43,11 @@ TEST(BodyRefusal, OfAGridOrAComplianceOfTheWrongSize) {
   test::expect_refusal([&] { (void)impact(body, HardWall{}, 0.1); }, {"body", "grid"});
   for (const Tail tail : {Tail::radiating, Tail::quasistatic}) {
     body = rod(40.0);
-    body.residual_compliance = [](const ContactGrid&) { return std::vector<double>(4, 1.0); };
+    body.residual_compliance = [](const ContactGrid&, const Poll&) { return std::vector<double>(4, 1.0); };
     test::expect_refusal([&] { (void)impact(body, HardWall{tail}, 0.1); }, {"body", "residual"});
   }
   body = rod(40.0);
-  body.residual_second_moment = [](const ContactGrid&) { return std::vector<double>{}; };
+  body.residual_second_moment = [](const ContactGrid&, const Poll&) { return std::vector<double>{}; };
   test::expect_refusal([&] { (void)impact(body, HardWall{}, 0.1); }, {"body", "residual"});
 }
 

@@ -88,9 +88,9 @@ TEST(Curve, GoesOnBeyondAPointThatDoesNotConverge) {
     EXPECT_NEAR(point.restitution.value, 1.0, point.restitution.error);
   }
   // A body that no wall ever releases.
-  const RefinableBody stuck([](double cutoff) {
+  const RefinableBody stuck([](double cutoff, const Poll&) {
     Body body = rod(cutoff);
-    body.residual_compliance = [](const ContactGrid&) { return std::vector<double>{-1.0}; };
+    body.residual_compliance = [](const ContactGrid&, const Poll&) { return std::vector<double>{-1.0}; };
     return body;
   });
   const auto failed = restitution_curve(stuck, {0.1});

@@ -90,8 +90,8 @@ TEST(ModeSelection, IsRefusedByAHardWall) {
     test::expect_refusal([&] { (void)impact(most, HardWall{tail}, speed); }, {"body", "hard wall", most.name});
   }
   const ContactGrid grid = most.grid(0.3, 32);
-  test::expect_refusal([&] { (void)most.residual_compliance(grid); }, {"exponential"});
-  test::expect_refusal([&] { (void)most.residual_second_moment(grid); }, {"exponential"});
+  test::expect_refusal([&] { (void)most.residual_compliance(grid, {}); }, {"exponential"});
+  test::expect_refusal([&] { (void)most.residual_second_moment(grid, {}); }, {"exponential"});
 }
 
 TEST(ModeSelection, RefusesFlagsThatDoNotFit) {

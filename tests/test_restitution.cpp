@@ -117,6 +117,36 @@ TEST(Restitution, WhatCannotConvergeEndsWithTheBestValue) {
   }
 }
 
+/// What stands for the results of runs that differ by chance: a disk and a rod in turn.
+Restitution of_a_disk_and_a_rod(double poisson, double speed) {
+  bool odd = false;
+  const BodyMaker either = [&odd, poisson](double cutoff, const Poll&) {
+    odd = !odd;
+    return odd ? disk(poisson, std::min(cutoff, 20.0)) : rod(std::min(cutoff, 20.0));
+  };
+  try {
+    return restitution(either, speed);
+  } catch (const RestitutionNotConverged& error) {
+    return error.best;
+  }
+}
+
+TEST(Restitution, AnErrorAsLargeAsTheValueIsUnknown) {
+  const Restitution some = of_a_disk_and_a_rod(0.33, 0.1);
+  EXPECT_FALSE(some.converged);
+  EXPECT_TRUE(std::isfinite(some.contact_time.value));
+  EXPECT_TRUE(std::isinf(some.contact_time.error)) << "contact times of 2 and 6";
+  EXPECT_TRUE(std::isinf(some.max_force.error));
+  // Shares have a scale of their own: 0.1 ± 0.6 says something, 0.5 ± 3 does not.
+  EXPECT_GT(some.lost_fraction.error, 0.1);
+  EXPECT_LE(some.lost_fraction.error, 1.0);
+  EXPECT_LE(some.restitution.error, 1.0);
+  const Restitution none = of_a_disk_and_a_rod(0.9, 0.3);
+  EXPECT_TRUE(std::isfinite(none.lost_fraction.value));
+  EXPECT_TRUE(std::isinf(none.lost_fraction.error));
+  EXPECT_TRUE(std::isinf(none.restitution.error));
+}
+
 TEST(Restitution, APollThatThrowsEndsIt) {
   struct Enough {};
   int calls = 0;
@@ -140,7 +170,7 @@ TEST(Restitution, RefusesBadInput) {
 
 TEST(RefinableBody, MakesEachLevelOnce) {
   int made = 0;
-  const RefinableBody body([&made](double cutoff) {
+  const RefinableBody body([&made](double cutoff, const Poll&) {
     ++made;
     return rod(cutoff);
   });

@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "stoss/poll.hpp"
+
 namespace stoss {
 
 /// The kept modes of one angular order n, as a structure of arrays over the index l.
@@ -51,15 +53,15 @@ struct Body {
 
   /// Static compliance between the nodes of a grid of the modes that are not kept, W (nodes × nodes, symmetric
   /// positive definite): displacement of node i towards the body per force on node j.
-  std::function<std::vector<double>(const ContactGrid& grid)> residual_compliance;
+  std::function<std::vector<double>(const ContactGrid& grid, const Poll& poll)> residual_compliance;
 
   /// Second moment of the modes that are not kept, V (nodes × nodes, symmetric, positive semidefinite): like W with
   /// 1/ω⁴ for 1/ω². To forces that vary slowly these modes answer with W f − V f̈.
-  std::function<std::vector<double>(const ContactGrid& grid)> residual_second_moment;
+  std::function<std::vector<double>(const ContactGrid& grid, const Poll& poll)> residual_second_moment;
 };
 
 /// Makes a body with all modes up to a cutoff.
-using BodyMaker = std::function<Body(double cutoff)>;
+using BodyMaker = std::function<Body(double cutoff, const Poll& poll)>;
 
 /// Checks what an impact relies on: positive finite mass, extent and cutoff; groups with arrays of one length, finite
 /// amplitudes and 0 < ω ≤ cutoff; all functions.

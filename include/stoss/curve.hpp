@@ -4,6 +4,7 @@
 #include <functional>
 #include <vector>
 
+#include "stoss/poll.hpp"
 #include "stoss/restitution.hpp"
 
 namespace stoss {
@@ -14,9 +15,9 @@ using CurveObserver = std::function<void(std::size_t index, const Restitution& r
 
 /// Tolerance and threads of a curve.
 struct CurveOptions {
-  double tolerance = 1e-3;       ///< as in RestitutionOptions
-  int threads = 0;               ///< 0: as many as the machine has; results do not depend on it
-  std::function<void()> poll{};  ///< called at least every 50 ms on the calling thread; what it throws ends the curve
+  double tolerance = 1e-3;  ///< as in RestitutionOptions
+  int threads = 0;          ///< 0: as many as the machine has; results do not depend on it
+  Poll poll{};              ///< on the calling thread, at least every 50 ms
 };
 
 /// Checks the speeds and the options of a curve.

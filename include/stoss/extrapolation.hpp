@@ -1,8 +1,8 @@
 #pragma once
 
-#include <functional>
 #include <vector>
 
+#include "stoss/poll.hpp"
 #include "stoss/restitution.hpp"
 
 namespace stoss {
@@ -11,7 +11,7 @@ namespace stoss {
 struct ExtrapolationOptions {
   std::vector<double> cutoffs;  ///< ascending; otherwise those that keep 300, 400, 600 and 940 modes (paper, figure 8)
   std::vector<double> hardnesses;  ///< αR, ascending; otherwise αv/c = 25, 33, 50 and 100
-  std::function<void()> poll{};    ///< as in ImpactOptions
+  Poll poll{};
 };
 
 /// One impact on an exponential wall with a number of modes.

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "stoss/body.hpp"
+#include "stoss/poll.hpp"
 
 namespace stoss {
 
@@ -44,11 +45,12 @@ class DiskField {
   /// @param body    that disk
   /// @param contact its contact grid in the impact: body.grid(impact.half_width, impact.nodes)
   /// @throws InvalidInput for points outside the disk, empty or not finite arrays, and a body that is not that disk
-  DiskField(double poisson, const Body& body, const ContactGrid& contact, PolarGrid points);
+  DiskField(double poisson, const Body& body, const ContactGrid& contact, PolarGrid points, const Poll& poll = {});
 
   /// The field at one instant, from Snapshot::coordinate and Snapshot::node_force.
   /// @throws InvalidInput for arrays of other lengths than the body's modes and the grid's nodes, or not finite
-  [[nodiscard]] Field at(std::span<const double> coordinate, std::span<const double> node_force) const;
+  [[nodiscard]] Field at(std::span<const double> coordinate, std::span<const double> node_force,
+                         const Poll& poll = {}) const;
 
  private:
   struct Parts;

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "stoss/body.hpp"
+#include "stoss/poll.hpp"
 #include "stoss/wall.hpp"
 
 namespace stoss {
@@ -31,7 +32,7 @@ struct ImpactOptions {
   bool observe_modes = false;          ///< fill Snapshot::coordinate, momentum and node_force
   std::optional<State>
       start{};  ///< a vibrating body, of velocity `speed`; otherwise at rest inside, just out of contact
-  std::function<void()> poll{};  ///< called every few milliseconds or oftener; what it throws ends the computation
+  Poll poll{};
 };
 
 /// One instant of an impact. Energies are shares of the initial energy.

@@ -2,6 +2,8 @@
 
 #include <vector>
 
+#include "stoss/poll.hpp"
+
 namespace stoss {
 
 /// Range of the 2-D Poisson number in which the modes are tested.
@@ -37,7 +39,7 @@ enum class ModeFamily { radial, tangential };
 /// @param poisson 2-D Poisson number, −0.95 … 0.995
 /// @param cutoff  highest frequency in c/R, from the lowest mode to 1000
 /// @throws InvalidInput outside these ranges; NotConverged if the list fails its own check
-[[nodiscard]] std::vector<Mode> disk_modes(double poisson, double cutoff);
+[[nodiscard]] std::vector<Mode> disk_modes(double poisson, double cutoff, const Poll& poll = {});
 
 /// Displacement of a mode, in units of its normalisation.
 struct Displacement {
@@ -47,8 +49,8 @@ struct Displacement {
 
 /// Displacement (u_r, u_φ) of a mode inside the disk at radii 0 ≤ r ≤ 1 (paper eq. (19)).
 /// @throws InvalidInput for a radius or a Poisson number out of range
-[[nodiscard]] std::vector<Displacement> displacement(double poisson, const Mode& mode,
-                                                     const std::vector<double>& radii);
+[[nodiscard]] std::vector<Displacement> displacement(double poisson, const Mode& mode, const std::vector<double>& radii,
+                                                     const Poll& poll = {});
 
 /// Response of the edge to a static load of one order: Σ_l (C,S)(C,S)ᵀ/ω² over all its modes.
 struct Flexibility {

@@ -1,10 +1,10 @@
 #pragma once
 
-#include <functional>
 #include <vector>
 
 #include "stoss/body.hpp"
 #include "stoss/impact.hpp"
+#include "stoss/poll.hpp"
 
 namespace stoss {
 
@@ -30,9 +30,8 @@ struct Frame {
 /// @param body   the one of the impact, with all its modes
 /// @param impact a result of `impact` from a body at rest inside
 /// @param times  R/c, ascending, −1e4 … 1e4
-/// @param poll   as in ImpactOptions
 /// @throws InvalidInput for another body, or times that do not ascend
 [[nodiscard]] std::vector<Frame> motion(const Body& body, const Impact& impact, const std::vector<double>& times,
-                                        const std::function<void()>& poll = {});
+                                        const Poll& poll = {});
 
 }  // namespace stoss

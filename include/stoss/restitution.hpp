@@ -1,6 +1,5 @@
 #pragma once
 
-#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -8,6 +7,7 @@
 #include "stoss/body.hpp"
 #include "stoss/errors.hpp"
 #include "stoss/impact.hpp"
+#include "stoss/poll.hpp"
 
 namespace stoss {
 
@@ -21,8 +21,8 @@ class RefinableBody {
   explicit RefinableBody(BodyMaker maker);
 
   /// The body at the cutoff of a level.
-  /// @throws what the maker throws; InvalidInput for a level outside 0 … highest_level
-  [[nodiscard]] const Body& at(int level) const;
+  /// @throws what the maker and poll throw; InvalidInput for a level outside 0 … highest_level
+  [[nodiscard]] const Body& at(int level, const Poll& poll = {}) const;
 
  private:
   struct Levels;
@@ -30,7 +30,8 @@ class RefinableBody {
 };
 
 /// A number with its estimated error: in the validation (docs/validation.md) the true error of ε and of 1 − ε² is
-/// within it in 95 % of all cases, and never beyond three times it.
+/// within it in 95 % of all cases, and never beyond three times it. An infinite error means that it is unknown: it would
+/// reach the value itself or, for ε and 1 − ε², exceed 1.
 struct Estimate {
   double value = 0.0;
   double error = 0.0;
@@ -68,8 +69,8 @@ struct Restitution {
 
 /// Tolerance of the coefficient of restitution.
 struct RestitutionOptions {
-  double tolerance = 1e-3;       ///< error of 1 − ε² over 1 − ε², 1e-15 … 0.5
-  std::function<void()> poll{};  ///< as in ImpactOptions
+  double tolerance = 1e-3;  ///< error of 1 − ε² over 1 − ε², 1e-15 … 0.5
+  Poll poll{};
 };
 
 /// A coefficient of restitution that misses its tolerance. `best` is the best value that was

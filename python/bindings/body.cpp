@@ -19,15 +19,21 @@ void bind_body(py::module_& module) {
   py::class_<RefinableBody> refinable(module, "RefinableBody", "A body at any of a ladder of cutoffs.");
   seal(body);
   seal(refinable);
-  const py::call_guard<Released> released;
-  module.def("disk", py::overload_cast<double, double>(&disk), py::arg("poisson"), py::arg("cutoff"), released);
+  module.def(
+      "disk",
+      [](double poisson, double cutoff) {
+        const Poll poll = signal_poll();
+        const Released released;
+        return disk(poisson, cutoff, poll);
+      },
+      py::arg("poisson"), py::arg("cutoff"));
   module.def(
       "with_modes",
       [](const Body& all, const py::array_t<bool, py::array::c_style>& keep) {
         return with_modes(all, std::vector<bool>(keep.data(), keep.data() + keep.size()));
       },
       py::arg("body"), py::arg("keep"));
-  module.def("rod", py::overload_cast<double>(&rod), py::arg("cutoff"), released);
+  module.def("rod", py::overload_cast<double>(&rod), py::arg("cutoff"));
   module.def(
       "refinable_disk", [](double poisson) { return RefinableBody(disk(poisson)); }, py::arg("poisson"));
   module.def("refinable_rod", [] { return RefinableBody(rod()); });

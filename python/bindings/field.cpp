@@ -11,6 +11,13 @@ namespace {
 struct Series {
   std::vector<double> radial, tangential, stress_rr, stress_pp, stress_rp, von_mises, principal_difference;
 
+  Series() = default;
+  explicit Series(std::size_t values) {
+    for (auto* each : {&radial, &tangential, &stress_rr, &stress_pp, &stress_rp, &von_mises, &principal_difference}) {
+      each->reserve(values);
+    }
+  }
+
   void append(const Field& field) {
     const auto add = [](std::vector<double>& all, const std::vector<double>& more) {
       all.insert(all.end(), more.begin(), more.end());
@@ -26,13 +33,14 @@ struct Series {
 };
 
 Series evaluate(double poisson, const Body& body, const Impact& impact, const Frames& frames, PolarGrid points,
-                const std::function<void()>& poll) {
+                const Poll& poll) {
   const ContactGrid contact = body.grid(impact.half_width, impact.nodes);
-  const DiskField field(poisson, body, contact, std::move(points));
-  Series series;
+  const std::size_t values = frames.all.size() * points.radius.size() * points.angle.size();
+  const DiskField field(poisson, body, contact, std::move(points), poll);
+  Series series(values);
   for (const Frame& frame : frames.all) {
     if (poll) poll();
-    series.append(field.at(frame.state.coordinate, frame.node_force));
+    series.append(field.at(frame.state.coordinate, frame.node_force, poll));
   }
   return series;
 }

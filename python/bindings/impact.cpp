@@ -30,7 +30,7 @@ py::dict numbers(const Impact& impact) {
 }
 
 /// The instants of a repetition of an impact, every so many steps.
-std::vector<Instant> trajectory(const Body& body, const Impact& impact, int every, const std::function<void()>& poll) {
+std::vector<Instant> trajectory(const Body& body, const Impact& impact, int every, const Poll& poll) {
   ImpactOptions options;
   options.step = impact.step;
   options.nodes = impact.nodes;

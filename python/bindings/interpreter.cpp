@@ -6,7 +6,7 @@ namespace stoss::python {
 
 namespace py = pybind11;
 
-std::function<void()> signal_poll() {
+Poll signal_poll() {
   const py::module_ threading = py::module_::import("threading");
   const py::object here = threading.attr("get_ident")(), main = threading.attr("main_thread")().attr("ident");
   if (!here.equal(main)) return {};

@@ -2,8 +2,9 @@
 
 #include <pybind11/pybind11.h>
 
-#include <functional>
 #include <string>
+
+#include "stoss/poll.hpp"
 
 namespace stoss::python {
 
@@ -23,7 +24,7 @@ class Released {
 
 /// For the core's `poll`: throws KeyboardInterrupt if Ctrl-C was pressed. It asks for the interpreter every 50 ms, and
 /// on the main thread only, which alone receives signals; elsewhere it is empty. To be made with the interpreter.
-[[nodiscard]] std::function<void()> signal_poll();
+[[nodiscard]] Poll signal_poll();
 
 /// For classes whose objects only the core makes: from Python no empty one can be made, by __new__ or by pickle.
 template <typename Class>

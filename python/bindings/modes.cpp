@@ -14,10 +14,11 @@ void bind_modes(py::module_& module) {
   module.def(
       "disk_modes",
       [](double poisson, double cutoff) {
+        const Poll poll = signal_poll();
         std::vector<Mode> modes;
         {
           const Released released;
-          modes = disk_modes(poisson, cutoff);
+          modes = disk_modes(poisson, cutoff, poll);
         }
         return take(std::move(modes));
       },
@@ -26,7 +27,14 @@ void bind_modes(py::module_& module) {
       "displacement",
       [](double poisson, int order, double omega, double radial, double tangential,
          const py::array_t<double, py::array::c_style>& radii) {
-        return take(displacement(poisson, {order, 0, omega, radial, tangential}, to_vector(radii)));
+        const std::vector<double> at = to_vector(radii);
+        const Poll poll = signal_poll();
+        std::vector<Displacement> field;
+        {
+          const Released released;
+          field = displacement(poisson, {order, 0, omega, radial, tangential}, at, poll);
+        }
+        return take(std::move(field));
       },
       py::arg("poisson"), py::arg("order"), py::arg("omega"), py::arg("radial"), py::arg("tangential"),
       py::arg("radii"), "structured array of radial, tangential");

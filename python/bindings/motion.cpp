@@ -29,10 +29,12 @@ struct EnergyAt {
 
 /// Times × modes.
 std::vector<EnergyAt> energies_at(const Body& body, const Impact& impact, const std::vector<double>& times,
-                                  const std::function<void()>& poll) {
+                                  const Poll& poll) {
   const double initial = 0.5 * body.mass * impact.speed * impact.speed;
   std::vector<EnergyAt> list;
+  list.reserve(times.size() * impact.energy.modes.size());
   for (const Frame& frame : motion(body, impact, times, poll)) {
+    if (poll) poll();
     const std::vector<double> energies = mode_energies(body, frame.state);
     for (std::size_t k = 0; k < energies.size(); ++k) {
       const ModeEnergy& mode = impact.energy.modes[k];

@@ -53,9 +53,13 @@ auto over(const Function& function, const Doubles& first, const Arrays&... other
   const auto size = static_cast<std::size_t>(first.size());
   if ((... || (others.size() != first.size()))) throw std::invalid_argument("arrays: all of one size");
   std::vector<decltype(function(size))> values(size);
+  const Poll poll = signal_poll();
   {
     const Released released;
-    for (std::size_t i = 0; i < size; ++i) values[i] = function(i);
+    for (std::size_t i = 0; i < size; ++i) {
+      if (poll) poll();
+      values[i] = function(i);
+    }
   }
   return take(std::move(values));
 }
@@ -91,12 +95,13 @@ py::tuple rayleigh_rows(const std::string& law, double poisson, const Doubles& s
   const std::vector<double> at = to_vector(speeds);
   std::vector<RayleighRow> rows;
   std::vector<DrivenMode> driven;
+  const Poll poll = signal_poll();
   {
     const Released released;
-    const std::vector<Mode> modes = disk_modes(poisson, cutoff);
+    const std::vector<Mode> modes = disk_modes(poisson, cutoff, poll);
     rows.reserve(at.size());
     for (const double speed : at) {
-      RayleighEstimate estimate = rayleigh(chosen, poisson, speed, modes);
+      RayleighEstimate estimate = rayleigh(chosen, poisson, speed, modes, poll);
       rows.push_back(to_row(estimate));
       if (at.size() == 1) driven = std::move(estimate.modes);
     }
@@ -107,9 +112,10 @@ py::tuple rayleigh_rows(const std::string& law, double poisson, const Doubles& s
 py::dict static_contact_numbers(double poisson, double compression, int nodes) {
   using namespace py::literals;
   StaticContact contact;
+  const Poll poll = signal_poll();
   {
     const Released released;
-    contact = static_contact(poisson, compression, {nodes});
+    contact = static_contact(poisson, compression, {nodes, poll});
   }
   return py::dict("force"_a = contact.force, "force_error"_a = contact.force_error, "half_width"_a = contact.half_width,
                   "energy"_a = contact.energy, "contact_nodes"_a = contact.contact_nodes, "spacing"_a = contact.spacing,
@@ -122,9 +128,10 @@ py::dict soft_static_contact_numbers(const Body& body, const AnyWall& wall, doub
   const auto* soft = std::get_if<ExponentialWall>(&wall.wall);
   if (soft == nullptr) throw std::invalid_argument("wall: an exponential one");
   SoftStaticContact contact;
+  const Poll poll = signal_poll();
   {
     const Released released;
-    contact = soft_static_contact(body, *soft, compression, {nodes});
+    contact = soft_static_contact(body, *soft, compression, {nodes, poll});
   }
   return py::dict("force"_a = contact.force, "energy"_a = contact.energy, "wall_energy"_a = contact.wall_energy,
                   "modes"_a = contact.modes, "nodes"_a = contact.nodes, "newton_steps"_a = contact.newton_steps);

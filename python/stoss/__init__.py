@@ -4,11 +4,13 @@
 >>> stoss.restitution(poisson=0.33, speed=0.1)
 Restitution(poisson=0.33, speed=0.1 c: restitution 0.947044 ± 0.000046)
 
-All arguments are named. Units: radius R, bar speed c = √(E/ρ), mass m; with a `Material`, speeds are in m/s.
+All arguments are named. Units: radius R, bar speed c = √(E/ρ), mass m; with a `Material`, speeds
+are in m/s.
 
-================================  ====================================================================
+================================  ==================================================================
 `restitution`                     ε(v) with errors, for numbers and arrays
-`impact`                          one impact: energy ledger, trajectory, deformation and stress in time
+`impact`                          one impact: energy ledger, trajectory, deformation and stress in
+time
 `modes`                           the eigenmodes of a disk
 `extrapolated_restitution`        ε as Gerl and Zippelius compute it
 `quasistatic`                     slow impacts, Rayleigh's estimate of the loss, static contacts
@@ -16,7 +18,7 @@ All arguments are named. Units: radius R, bar speed c = √(E/ρ), mass m; with 
 `HardWall`, `ExponentialWall`     walls
 `Material`                        SI
 `plot`                            pictures (needs matplotlib)
-================================  ====================================================================
+================================  ==================================================================
 """
 
 from stoss import quasistatic

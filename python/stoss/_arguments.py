@@ -91,14 +91,28 @@ def choice(name: str, value: Any, allowed: Sequence[str]) -> str:
     return value
 
 
-def broadcast(**arrays: NDArray[np.float64]) -> list[NDArray[np.float64]]:
-    """Copies of the arrays in the shape to which they broadcast."""
+LARGEST = 2e9
+"""Bytes that the arrays of one result may take."""
+
+
+def require_memory(name: str, got: str, size: float, hint: str) -> None:
+    """Refuse, before anything is allocated, a result of more than `LARGEST` bytes."""
+    if size > LARGEST:
+        raise InvalidInput(f"{name}: got {got}, {size / 1e9:.3g} GB, allowed {LARGEST / 1e9:g} GB ({hint})")
+
+
+def broadcast(values: int = 1, /, **arrays: NDArray[np.float64]) -> list[NDArray[np.float64]]:
+    """Copy the arrays in the shape to which they broadcast, for a result of so many values each."""
     try:
-        return [np.array(each, order="C") for each in np.broadcast_arrays(*arrays.values())]
+        views = np.broadcast_arrays(*arrays.values())
     except ValueError:
         shapes = " and ".join(str(each.shape) for each in arrays.values())
         hint = "shapes that broadcast together"
         raise InvalidInput(f"{', '.join(arrays)}: got shapes {shapes}, allowed {hint}") from None
+    got = f"shape {views[0].shape}, {values} values each"
+    size = 8.0 * views[0].size * (values + len(views))
+    require_memory(", ".join(arrays), got, size, "compute them in parts")
+    return [np.array(each, order="C") for each in views]
 
 
 def arranged(values: NDArray[Any], shape: tuple[int, ...]) -> Any:

@@ -47,9 +47,10 @@ class Disk:
 
 @dataclasses.dataclass(frozen=True)
 class Rod:
-    """A thin elastic rod that meets the wall with one end, in units of its length L, bar speed c and mass.
+    """A thin elastic rod that meets the wall with one end.
 
-    It has an exact answer, restitution 1 and contact time 2L/c: a check of everything else.
+    Units are its length L, bar speed c and mass. It has an exact answer, restitution 1 and contact
+    time 2L/c: a check of everything else.
 
     Examples
     --------
@@ -102,8 +103,8 @@ class HardWall:
     Parameters
     ----------
     tail : {'radiating', 'static'}
-        How the modes above the cutoff answer: with static compliance at low and plane-wave impedance at high frequency,
-        or with static compliance only.
+        How the modes above the cutoff answer: with static compliance at low and plane-wave
+        impedance at high frequency, or with static compliance only.
     """
 
     tail: str = "radiating"
@@ -118,7 +119,9 @@ class HardWall:
 
 @dataclasses.dataclass(frozen=True, kw_only=True)
 class ExponentialWall:
-    """The soft wall of Gerl and Zippelius, potential V₀ ∫ dφ e^{αx(φ)}; modes above the cutoff are left out.
+    """The soft wall of Gerl and Zippelius, with the potential V₀ ∫ dφ e^{αx(φ)}.
+
+    Modes above the cutoff are left out.
 
     Parameters
     ----------

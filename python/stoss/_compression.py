@@ -28,7 +28,9 @@ def _by_law(
 
 
 def compression(*, force: ArrayLike, poisson: ArrayLike, law: str = "center") -> Number:
-    """Compression δ(F) = F (ln(s/F) − b) by a law of compression, R; the next order is smaller by about F.
+    """Compression δ(F) = F (ln(s/F) − b) by a law of compression, R.
+
+    The next order is smaller by about F.
 
     Parameters
     ----------
@@ -57,7 +59,9 @@ def compression(*, force: ArrayLike, poisson: ArrayLike, law: str = "center") ->
 
 
 def compression_force(*, compression: ArrayLike, poisson: ArrayLike, law: str = "center") -> Number:
-    """Force F(δ) by a law of compression, πRE: the inverse of `compression`, to a relative error of 1e-14.
+    """Force F(δ) by a law of compression, πRE: the inverse of `compression`.
+
+    Its relative error is 1e-14.
 
     Parameters
     ----------
@@ -111,7 +115,9 @@ def compression_energy(*, force: ArrayLike, poisson: ArrayLike, law: str = "cent
 
 
 def limit_force(*, poisson: ArrayLike, law: str = "center") -> Number:
-    """Force s e^{−1−b} where δ(F) has its maximum and the law ends, πRE; it means little from a tenth of it on.
+    """Force s e^{−1−b} where δ(F) has its maximum and the law ends, πRE.
+
+    The law means little from a tenth of this force on.
 
     Parameters
     ----------

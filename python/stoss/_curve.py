@@ -30,7 +30,7 @@ class Curve:
 
 
 def gather(curves: list[Curve], size: int) -> tuple[NDArray[Any], NDArray[np.object_]]:
-    """The rows of all curves in their places, and the reasons; what is missing is NaN and "interrupted"."""
+    """Rows and reasons of all curves in their places; missing ones are NaN, "interrupted"."""
     reasons = np.full(size, "interrupted", dtype=object)
     for curve in curves:
         reasons[curve.where[: len(curve.reasons)]] = curve.reasons

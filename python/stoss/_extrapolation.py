@@ -26,7 +26,8 @@ class Extrapolation(Result):
     hard_wall : ndarray
         1 − ε² for α → ∞ at each cutoff, a structured array with the fields value and error.
     impacts : ndarray
-        1 − ε² of each impact, a structured array with the fields cutoff, modes, hardness, lost_fraction and steps.
+        1 − ε² of each impact, a structured array with the fields cutoff, modes, hardness,
+        lost_fraction and steps.
     steps : int
         Time steps of all impacts.
     """
@@ -65,9 +66,10 @@ class Extrapolation(Result):
 def extrapolated_restitution(
     *, poisson: float, speed: float, cutoffs: ArrayLike = (), hardnesses: ArrayLike = ()
 ) -> Extrapolation:
-    """ε as Gerl and Zippelius compute it: exponential walls, 1 − ε² extrapolated in 1/α, then in 1/√N.
+    """Compute ε as Gerl and Zippelius do: exponential walls and two extrapolations.
 
-    It exists to show that this road meets `restitution`, and how long it is.
+    1 − ε² is extrapolated in 1/α, then in 1/√N. This shows that their method agrees with
+    `restitution`, and what it costs.
 
     Parameters
     ----------

@@ -16,7 +16,9 @@ if TYPE_CHECKING:
 
 @dataclasses.dataclass(frozen=True, eq=False, repr=False)
 class Field(Result):
-    """The deformed disk and the stress inside it. Arrays are times × radii × angles, or radii × angles for one time.
+    """The deformed disk and the stress inside it.
+
+    Arrays are times × radii × angles, or radii × angles for one time.
 
     Attributes
     ----------

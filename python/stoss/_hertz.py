@@ -27,7 +27,7 @@ class PlaneStress(NamedTuple):
 
 
 def _arrays(**given: Any) -> tuple[list[NDArray[np.float64]], tuple[int, ...]]:
-    arrays = broadcast(**{name: numbers(name, value) for name, value in given.items()})
+    arrays = broadcast(3, **{name: numbers(name, value) for name, value in given.items()})
     return [each.ravel() for each in arrays], arrays[0].shape
 
 
@@ -36,7 +36,9 @@ def _stress(table: NDArray[Any], shape: tuple[int, ...]) -> PlaneStress:
 
 
 def hertz_pressure(*, force: ArrayLike, y: ArrayLike) -> Number:
-    """Pressure ½√(a² − y²) of Hertz' contact of half-width a = 2√F, E; 0 outside (Gerl & Zippelius, eq. Kraftvert).
+    """Pressure ½√(a² − y²) of Hertz' contact of half-width a = 2√F, E; 0 outside it.
+
+    This is the pressure of Gerl & Zippelius, section V.
 
     Parameters
     ----------
@@ -64,7 +66,9 @@ def hertz_pressure(*, force: ArrayLike, y: ArrayLike) -> Number:
 
 
 def hertz_stress(*, force: ArrayLike, depth: ArrayLike, y: ArrayLike) -> PlaneStress:
-    """Stress under Hertz' contact in a half-plane, E (Gerl & Zippelius, section V), to a relative error of 1e-14.
+    """Stress under Hertz' contact in a half-plane, E.
+
+    The relative error is 1e-14 (Gerl & Zippelius, section V).
 
     Parameters
     ----------
@@ -96,19 +100,20 @@ def hertz_stress(*, force: ArrayLike, depth: ArrayLike, y: ArrayLike) -> PlaneSt
 
 
 def heavy_disk_stress(*, force: ArrayLike, x: ArrayLike, y: ArrayLike, contact: str = "point") -> PlaneStress:
-    """Stress in a disk that stands on a wall under its weight F = ρgR/E, E; one that the force accelerates has the
-    same.
+    """Stress in a disk that stands on a wall under its weight F = ρgR/E, E.
+
+    A disk that the same force accelerates has the same stress.
 
     Parameters
     ----------
     force : array_like
         F, 0 to 0.25, πRE.
     x, y : array_like
-        Points of the disk, R: from the point of contact x goes through the centre (1, 0), y along the wall. All three
-        broadcast.
+        Points of the disk, R: from the point of contact x goes through the centre (1, 0), y along
+        the wall. All three broadcast.
     contact : {'point', 'hertz'}, optional
-        On one point, which is exact (Michell), or on a Hertz contact, the superposition of Gerl & Zippelius for small
-        F.
+        On one point, which is exact (Michell), or on a Hertz contact, the superposition of Gerl &
+        Zippelius for small F.
 
     Returns
     -------

@@ -28,14 +28,14 @@ def impact(
 ) -> Impact:
     """One impact of an elastic body on a wall at a fixed resolution, with its energy ledger.
 
-    The modes with ω ≤ `cutoff` move by m Q̈ = −m ω² Q − F·(their amplitude at the contact); all others answer the wall
-    together. For a value with an error bar use `restitution`.
+    The modes with ω ≤ `cutoff` move by m Q̈ = −m ω² Q − F·(their amplitude at the contact); all
+    others answer the wall together. For a value with an error bar use `restitution`.
 
     Parameters
     ----------
     speed : float
-        Of the centre of mass towards the wall, 1e-8 to 1, c (with a material: m/s). Two equal bodies that each move at
-        `speed` towards each other are the same problem.
+        Of the centre of mass towards the wall, 1e-8 to 1, c (with a material: m/s). Two equal
+        bodies that each move at `speed` towards each other are the same problem.
     poisson : float
         2-D Poisson number of a disk, −0.95 to 0.995. Or
     material : Material
@@ -53,8 +53,9 @@ def impact(
     half_width : float, optional
         Of the contact grid, R.
     keep : array_like of bool, optional
-        Which of the modes with ω ≤ `cutoff` are kept, in the order of `Impact.mode_energies`; only with an
-        `ExponentialWall`, because a hard wall would need what the others give way. Default: all.
+        Which of the modes with ω ≤ `cutoff` are kept, in the order of `Impact.mode_energies`; only
+        with an `ExponentialWall`, because a hard wall would need what the others give way. Default:
+        all.
 
     Returns
     -------
@@ -75,7 +76,8 @@ def impact(
     >>> round(hit.translation + hit.vibration + hit.unresolved, 3)
     1.0
 
-    With a soft wall the modes may be chosen, for example those that a first run finds to be the most energetic.
+    With a soft wall the modes may be chosen, for example those that a first run finds to be the
+    most energetic.
 
     >>> soft = stoss.ExponentialWall(hardness=500)
     >>> average = stoss.impact(poisson=0.33, speed=0.1, wall=soft).mode_energies["average"]

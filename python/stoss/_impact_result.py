@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from stoss import _core
-from stoss._arguments import integer, numbers
+from stoss._arguments import integer, numbers, require_memory
 from stoss._bodies import Body, Disk, Wall, kept_body
 from stoss._errors import InvalidInput
 from stoss._field import Field
@@ -21,7 +21,9 @@ from stoss._trajectory import Trajectory
 
 @dataclasses.dataclass(frozen=True, eq=False, repr=False)
 class Impact(InSi, Result):
-    """One impact at a fixed resolution, with the inputs that made it. Energies are shares of the initial energy.
+    """One impact at a fixed resolution, with the inputs that made it.
+
+    Energies are shares of the initial energy.
 
     Attributes
     ----------
@@ -34,8 +36,8 @@ class Impact(InSi, Result):
     lost_fraction : float
         1 − ε².
     translation, vibration, unresolved : float
-        Energy after the impact: of the centre of mass; of the kept modes; of the modes above the cutoff. The sum is 1
-        but for `energy_error`.
+        Energy after the impact: of the centre of mass; of the kept modes; of the modes above the
+        cutoff. The sum is 1 but for `energy_error`.
     contact_time : float
         From first to last contact, R/c.
     contacts : int
@@ -63,13 +65,13 @@ class Impact(InSi, Result):
     beyond_small_strain : bool
         Speed above 0.5 c or compression above 0.5 R, where linear elasticity has lost its meaning.
     mode_energies : ndarray
-        Energy of each kept mode, a structured array with the fields order, index, omega, after (the impact) and average
-        (during contact).
+        Energy of each kept mode, a structured array with the fields order, index, omega, after (the
+        impact) and average (during contact).
     keep : ndarray or None
         Which modes up to the cutoff were kept, if not all: those of `mode_energies`.
     material : Material or None
-        What it was made with. If there is one, `speed_si`, `contact_time_si`, `max_force_si` and `max_compression_si`
-        are the SI values.
+        What it was made with. If there is one, `speed_si`, `contact_time_si`, `max_force_si` and
+        `max_compression_si` are the SI values.
     """
 
     _name: ClassVar[str] = "impact"
@@ -141,22 +143,26 @@ class Impact(InSi, Result):
         rows = integer("every", every)
         if rows < 1:
             raise InvalidInput(f"every: got {rows}, allowed 1 or more (steps between two rows)")
+        size = 72.0 * (self.steps // rows + 2)
+        require_memory("every", f"{rows} for {self.steps} steps", size, "give a larger one")
         table = self._handle.trajectory(kept_body(self.body, self.cutoff, self.keep), rows)
         return Trajectory(impact=self, **columns(table))
 
     def field(self, *, time: ArrayLike, radius: ArrayLike | None = None, angle: ArrayLike | None = None) -> Field:
-        """The deformed disk and the stress inside at some times: kept modes, and the others in static equilibrium with
-        the wall.
+        """The deformed disk and the stress inside it at some times.
+
+        The kept modes are as they move; all others are in static equilibrium with the wall.
 
         Parameters
         ----------
         time : array_like
-            R/c from the start of the impact, any order; during the impact the nearest step is taken, before and after
-            it the disk flies freely.
+            R/c from the start of the impact, any order; during the impact the nearest step is
+            taken, before and after it the disk flies freely.
         radius : array_like, optional
             Radii r, 0 to 1, R; default 41 of them.
         angle : array_like, optional
-            Angles φ, radians, 0 towards the wall; default 181 around the disk, denser near the wall.
+            Angles φ, radians, 0 towards the wall; default 181 around the disk, denser near the
+            wall.
 
         Returns
         -------
@@ -166,7 +172,7 @@ class Impact(InSi, Result):
         Raises
         ------
         InvalidInput
-            If the body is no disk, or for points outside it.
+            If the body is no disk, for points outside it, and for more than 2 GB of values.
 
         Examples
         --------
@@ -180,6 +186,8 @@ class Impact(InSi, Result):
         times = numbers("time", time)
         radii = np.linspace(0.0, 1.0, 41) if radius is None else numbers("radius", radius).ravel()
         angles = _around() if angle is None else numbers("angle", angle).ravel()
+        points = radii.size * angles.size
+        self._require_memory("field", times.size, 11.0 * points, 5.0 * radii.size * self.modes, f" x {points} points")
         order = np.argsort(times.ravel(), kind="stable")
         made = kept_body(self.body, self.cutoff, self.keep)
         frames = _core.motion(made, self._handle, times.ravel()[order])
@@ -192,14 +200,15 @@ class Impact(InSi, Result):
         Parameters
         ----------
         time : array_like
-            R/c from the start of the impact, any order; during the impact the nearest step is taken, after it the
-            energies stay.
+            R/c from the start of the impact, any order; during the impact the nearest step is
+            taken, after it the energies stay.
 
         Returns
         -------
         ndarray
-            Times × modes, without the first axis if `time` is one number: a structured array with the fields order,
-            index, omega and energy, as a share of the initial one, in the order of `mode_energies`.
+            Times × modes, without the first axis if `time` is one number: a structured array with
+            the fields order, index, omega and energy, as a share of the initial one, in the order
+            of `mode_energies`.
 
         Examples
         --------
@@ -209,12 +218,18 @@ class Impact(InSi, Result):
         array([0.  , 0.96])
         """
         times = numbers("time", time)
+        self._require_memory("energies", times.size, 3.0 * self.modes, 0.0, f" x {self.modes} modes")
         order = np.argsort(times.ravel(), kind="stable")
         table = _core.energies_at(kept_body(self.body, self.cutoff, self.keep), self._handle, times.ravel()[order])
         back = np.argsort(order, kind="stable")
         energies = table[back].reshape(times.shape + (self.modes,))
         energies.flags.writeable = False
         return energies
+
+    def _require_memory(self, name: str, times: int, each: float, once: float, got: str) -> None:
+        """Refuse what is too large: numbers for each time, beside its motion, and numbers once."""
+        size = 8.0 * (times * (each + 2.0 * self.modes + self.nodes) + once)
+        require_memory(name, f"{times} times{got}", size, "give fewer times or points")
 
     def plot(self, ax: Any = None) -> Any:
         """Force against time. See `stoss.plot.force`."""

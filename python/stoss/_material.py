@@ -39,8 +39,9 @@ class Scales(NamedTuple):
 class Material:
     """An isotropic elastic material and the radius of the disk made of it, in SI.
 
-    In results made with it speeds are given in m/s, and SI values stand beside the dimensionless ones under names that
-    end in ``_si``. The bar speed is c = √(E/ρ), or √(E/((1−ν²)ρ)) in plane strain.
+    In results made with it speeds are given in m/s, and SI values stand beside the dimensionless
+    ones under names that end in ``_si``. The bar speed is c = √(E/ρ), or √(E/((1−ν²)ρ)) in plane
+    strain.
 
     Parameters
     ----------

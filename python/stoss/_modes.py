@@ -20,8 +20,8 @@ from stoss._result import Column, Result, columns, span
 class Modes(Result):
     """The symmetric in-plane modes of a free disk up to a cutoff, by order, then by frequency.
 
-    Inside the disk u = (u_r(r) cos nφ, u_φ(r) sin nφ), normalised so that every mode has the mass of the disk. All
-    arrays have one element for each mode; ``len()`` is their number.
+    Inside the disk u = (u_r(r) cos nφ, u_φ(r) sin nφ), normalised so that every mode has the mass
+    of the disk. All arrays have one element for each mode; ``len()`` is their number.
 
     Attributes
     ----------
@@ -125,8 +125,8 @@ class Modes(Result):
 def modes(*, cutoff: float, poisson: float | None = None, material: Material | None = None) -> Modes:
     """All symmetric in-plane modes of a free disk up to a cutoff.
 
-    The frequencies are the roots of D_n(ω) = 0, the free edge's determinant (Gerl & Zippelius, eq. Zero). None is
-    missed: they are counted exactly.
+    The frequencies are the roots of D_n(ω) = 0, the free edge's determinant. None
+    is missed: they are counted exactly.
 
     Parameters
     ----------

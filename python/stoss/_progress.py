@@ -31,7 +31,7 @@ class PlainBar:
 
 
 def bar(total: int, wanted: bool) -> Any:
-    """A context with tqdm's bar if tqdm is there, otherwise with a plain one; with None unless wanted."""
+    """A context with a bar, tqdm's if it is there; with None unless wanted."""
     if not wanted or sys.stderr is None:  # as under pythonw, or with a closed stderr
         return contextlib.nullcontext()
     try:

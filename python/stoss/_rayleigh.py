@@ -22,7 +22,8 @@ from stoss._slow_impact import slow_inputs
 class RayleighEstimate(InSi, Result):
     """What slow impacts lose to vibration, to first order of a perturbation theory.
 
-    Numbers if all inputs were numbers, otherwise arrays of the shape to which `poisson` and `speed` broadcast.
+    Numbers if all inputs were numbers, otherwise arrays of the shape to which `poisson` and `speed`
+    broadcast.
 
     Attributes
     ----------
@@ -37,17 +38,20 @@ class RayleighEstimate(InSi, Result):
     lost_fraction_error : float or ndarray
         By how much the full solution may differ from it, from `kinetic_share`.
     kinetic_share : float or ndarray
-        Greatest kinetic energy of the modes as they follow the force, as a share of ½mv²: the theory's small number.
+        Greatest kinetic energy of the modes as they follow the force, as a share of ½mv²: the
+        theory's small number.
     beyond_perturbation : bool or ndarray
-        Whether it is above 0.04: `lost_fraction` is then no estimate, but 1.8 to 19 times too great.
+        Whether it is above 0.04: `lost_fraction` is then no estimate, but 1.8 to 19 times too
+        great.
     modes : int or ndarray
         Number of modes.
     mode_energies : ndarray or None
-        For a single speed, a structured array with the fields order, index, omega, amplitude (∫F cos ωt dt / v, with t
-        from the turning point) and after (energy after the impact, as a share of ½mv²).
+        For a single speed, a structured array with the fields order, index, omega, amplitude (∫F
+        cos ωt dt / v, with t from the turning point) and after (energy after the impact, as a share
+        of ½mv²).
     material : Material or None
-        What it was made with. If there is one, `speed_si`, `contact_time_si`, `max_force_si` and `max_compression_si`
-        are the SI values.
+        What it was made with. If there is one, `speed_si`, `contact_time_si`, `max_force_si` and
+        `max_compression_si` are the SI values.
     """
 
     _name: ClassVar[str] = "rayleigh"
@@ -103,14 +107,15 @@ def rayleigh(
 ) -> RayleighEstimate:
     """Rayleigh's estimate of the energy that slow impacts leave in vibration, with its error.
 
-    The force F(t) of a `slow_impact` drives every mode at the point of contact, Q̈ + ω²Q = −C F/m, which leaves it the
-    share C² (∫F cos ωt dt / v)² of the energy. For a value that is as exact as you ask use `stoss.restitution`.
+    The force F(t) of a `slow_impact` drives every mode at the point of contact, Q̈ + ω²Q = −C F/m,
+    which leaves it the share C² (∫F cos ωt dt / v)² of the energy. For a value that is as exact as
+    you ask use `stoss.restitution`.
 
     Parameters
     ----------
     speed : array_like
-        Of the centre of mass towards the wall, 1e-100 to `limit_speed`, c (with a material: m/s). Two equal disks that
-        each move at `speed` towards each other are the same problem.
+        Of the centre of mass towards the wall, 1e-100 to `limit_speed`, c (with a material: m/s).
+        Two equal disks that each move at `speed` towards each other are the same problem.
     poisson : array_like
         2-D Poisson number, −0.95 to 0.995; broadcasts with `speed`. Or
     material : Material

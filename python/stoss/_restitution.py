@@ -27,8 +27,8 @@ Flag = Union[bool, NDArray[np.bool_]]
 class Restitution(InSiWithErrors, Result):
     """The coefficient of restitution against a hard wall, with errors.
 
-    Numbers if all inputs were numbers, otherwise arrays of the shape to which `poisson` and `speed` broadcast. The true
-    error is within the estimated one in 95 % of all cases.
+    Numbers if all inputs were numbers, otherwise arrays of the shape to which `poisson` and `speed`
+    broadcast. The true error is within the estimated one in 95 % of all cases.
 
     Attributes
     ----------
@@ -49,7 +49,8 @@ class Restitution(InSiWithErrors, Result):
     max_force, max_force_error : float or ndarray
         πRE = mc²/R.
     cutoff, energy_error, modes : float, int or ndarray
-        Of the finest impact: c/R; what is missing, as a share of the initial energy; number of kept modes.
+        Of the finest impact: c/R; what is missing, as a share of the initial energy; number of kept
+        modes.
     runs, steps : int or ndarray
         Impacts computed, and their time steps.
     converged : bool or ndarray
@@ -61,8 +62,8 @@ class Restitution(InSiWithErrors, Result):
     tolerance : float
         Asked for: error of 1 − ε² over 1 − ε².
     material : Material or None
-        What it was made with. If there is one, `speed_si`, `contact_time_si`, `max_force_si`, `max_compression_si` and
-        their errors, `contact_time_si_error` and so on, are the SI values.
+        What it was made with. If there is one, `speed_si`, `contact_time_si`, `max_force_si`,
+        `max_compression_si` and their errors, `contact_time_si_error` and so on, are the SI values.
     """
 
     _name: ClassVar[str] = "restitution"
@@ -131,16 +132,16 @@ def restitution(
     threads: int = 0,
     progress: bool = False,
 ) -> Restitution:
-    """The coefficient of restitution ε = −v_f/v_i of an elastic body against a hard wall, with its error.
+    """Compute the coefficient of restitution ε = −v_f/v_i at a hard wall, with its error.
 
-    Cutoff, time step and contact grid are refined together until the estimated error of 1 − ε² is below
-    ``tolerance * (1 − ε²)``. A value takes some milliseconds.
+    Cutoff, time step and contact grid are refined together until the estimated error of 1 − ε² is
+    below ``tolerance * (1 − ε²)``. A value takes some milliseconds.
 
     Parameters
     ----------
     speed : array_like
-        Of the centre of mass towards the wall, 1e-8 to 1, c (with a material: m/s). Two equal bodies that each move at
-        `speed` towards each other are the same problem.
+        Of the centre of mass towards the wall, 1e-8 to 1, c (with a material: m/s). Two equal
+        bodies that each move at `speed` towards each other are the same problem.
     poisson : array_like
         2-D Poisson number of a disk, −0.95 to 0.995; broadcasts with `speed`. Or
     material : Material
@@ -163,8 +164,9 @@ def restitution(
     InvalidInput
         For arguments out of range, before anything is computed.
     NotConverged
-        If `speed` and `poisson` are numbers and the tolerance cannot be met; the best value is its attribute `best`. In
-        arrays such values are marked, and a `StossWarning` says how many there are.
+        If `speed` and `poisson` are numbers and the tolerance cannot be met; the best value is its
+        attribute `best`. In arrays such values are marked, and a `StossWarning` says how many there
+        are.
     Interrupted
         After Ctrl-C; what is done is its attribute `best`.
 
@@ -183,7 +185,7 @@ def restitution(
     if material is not None:
         speeds = speeds / material.scales.speed
     poissons = np.full((), getattr(chosen, "poisson", np.nan)) if poisson is None else numbers("poisson", poisson)
-    poissons, speeds = broadcast(poisson=poissons, speed=speeds)
+    poissons, speeds = broadcast(20, poisson=poissons, speed=speeds)
     limit, count = number("tolerance", tolerance), integer("threads", threads)
     places: dict[Body, NDArray[np.intp]] = {chosen: np.arange(speeds.size)}
     if poisson is not None:

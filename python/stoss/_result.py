@@ -6,7 +6,7 @@ import abc
 import dataclasses
 import math
 import os
-from typing import Any, ClassVar, Mapping, Union
+from typing import Any, ClassVar, Iterator, Mapping, Union
 
 import numpy as np
 from numpy.typing import NDArray
@@ -18,16 +18,27 @@ Number = Union[float, NDArray[np.float64]]
 Column = NDArray[Any]
 
 
+UNKNOWN = "unknown"
+"""What stands in texts and files for an infinite error: one that is as large as its value."""
+
+
+def known(name: str, value: Any) -> Any:
+    """The value, or the word for an error that is unknown."""
+    if isinstance(value, list):
+        return [known(name, each) for each in value]
+    return UNKNOWN if name.endswith("_error") and value == math.inf else value
+
+
 def plain(value: Any) -> Any:
-    """The same in types that json and pickle of any Python know."""
+    """Convert to types that json and pickle of any Python know."""
     if isinstance(value, np.ndarray):
         return [dict(zip(value.dtype.names, row)) for row in value.tolist()] if value.dtype.names else value.tolist()
     if isinstance(value, np.generic):
         return value.item()
     if isinstance(value, dict):
-        return {key: plain(each) for key, each in value.items()}
+        return {key: known(key, plain(each)) for key, each in value.items()}
     if dataclasses.is_dataclass(value) and not isinstance(value, type):
-        return {field.name: plain(getattr(value, field.name)) for field in dataclasses.fields(value) if field.repr}
+        return plain({field.name: getattr(value, field.name) for field in dataclasses.fields(value) if field.repr})
     return value
 
 
@@ -38,7 +49,9 @@ class Result(abc.ABC):
     _name: ClassVar[str] = ""
 
     def to_dict(self) -> dict[str, Any]:
-        """All that the result holds, in plain Python types: ready for json.
+        """Return all that the result holds in plain Python types, ready for json.
+
+        An error that is unknown is the word "unknown"; in the arrays it is infinite.
 
         Returns
         -------
@@ -48,10 +61,10 @@ class Result(abc.ABC):
         return {key: value for key, value in values.items() if value is not None}
 
     def to_csv(self, path: str | os.PathLike[str]) -> None:
-        """Write the result as CSV with all digits, units in the column names, and lines of provenance that start with
-        #.
+        """Write the result as CSV with all digits.
 
-        The file appears whole or not at all.
+        Column names carry the units, and lines that start with # say what made the result. An error
+        that is unknown is the word "unknown". The file appears whole or not at all.
 
         Parameters
         ----------
@@ -63,13 +76,19 @@ class Result(abc.ABC):
         OSError
             If the file cannot be written.
         """
-        lines = [f"# stoss {_core.version}: {self._name}"]
-        lines += [f"# {key}: {value}" for key, value in self._inputs().items()]
-        table = self._table() | self._derived()
-        lines.append(",".join(f"{key}[{self._units[key]}]" if self._units.get(key) else key for key in table))
-        columns = [np.ravel(column).tolist() for column in table.values()]
-        lines += [",".join(_cell(value) for value in row) for row in zip(*columns)]
-        _write(os.fspath(path), "\n".join(lines) + "\n")
+        _write(os.fspath(path), self._lines())
+
+    def _lines(self) -> Iterator[str]:
+        """The lines of the CSV, some thousand rows at a time."""
+        yield f"# stoss {_core.version}: {self._name}\n"
+        yield from (f"# {key}: {value}\n" for key, value in self._inputs().items())
+        table = {key: np.asarray(column) for key, column in (self._table() | self._derived()).items()}
+        yield ",".join(f"{key}[{self._units[key]}]" if self._units.get(key) else key for key in table) + "\n"
+        many = 4096
+        for first in range(0, min(column.size for column in table.values()), many):
+            rows = slice(first, first + many)
+            columns = [known(key, column.flat[rows].tolist()) for key, column in table.items()]
+            yield from (",".join(_cell(value) for value in row) + "\n" for row in zip(*columns))
 
     def _derived(self) -> dict[str, Any]:
         """Further quantities that follow from the fields."""
@@ -95,21 +114,25 @@ def _cell(value: Any) -> str:
     return repr(value) if isinstance(value, float) else str(value)
 
 
-def _write(path: str, text: str) -> None:
+def _write(path: str, lines: Iterator[str]) -> None:
     if os.path.exists(path) and not os.path.isfile(path):  # a pipe or a device
         with open(path, "w", encoding="utf-8") as stream:
-            stream.write(text)
+            stream.writelines(lines)
         return
     with whole_file(path) as temporary, open(temporary, "w", encoding="utf-8") as stream:
-        stream.write(text)
+        stream.writelines(lines)
 
 
 def shown(value: float, error: float | None = None) -> str:
-    """A number with the digits that its error leaves it.
+    """Write a number with the digits that its error leaves it.
 
     >>> shown(0.947041, 0.0000523)
     '0.947041 ± 0.000052'
+    >>> shown(3.35, math.inf)
+    '3.35 ± unknown'
     """
+    if error == math.inf and math.isfinite(value):
+        return f"{value:.6g} ± {UNKNOWN}"
     if error is None or not math.isfinite(error) or error <= 0.0 or not math.isfinite(value):
         return f"{value:.6g}" if error is None or not math.isnan(error) else f"{value:.6g} ± nan"
     digits = max(0, 1 - math.floor(math.log10(error)))

@@ -9,7 +9,7 @@ from stoss._result import Number
 
 
 class InSi:
-    """Names that end in _si, for results with speed, contact_time, max_force and max_compression."""
+    """SI values, as names that end in _si."""
 
     material: Material | None
     speed: Any

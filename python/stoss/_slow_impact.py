@@ -21,8 +21,8 @@ from stoss._si import SI_UNITS, InSi
 class SlowImpact(InSi, Result):
     """Slow impacts, by conservation of energy: nothing is lost.
 
-    Numbers if all inputs were numbers, otherwise arrays of the shape to which `poisson` and `speed` broadcast. Relative
-    errors, as solutions of their equation, are below 1e-14.
+    Numbers if all inputs were numbers, otherwise arrays of the shape to which `poisson` and `speed`
+    broadcast. Relative errors, as solutions of their equation, are below 1e-14.
 
     Attributes
     ----------
@@ -39,8 +39,8 @@ class SlowImpact(InSi, Result):
     max_force : float or ndarray
         πRE = mc²/R.
     material : Material or None
-        What it was made with. If there is one, `speed_si`, `contact_time_si`, `max_force_si` and `max_compression_si`
-        are the SI values.
+        What it was made with. If there is one, `speed_si`, `contact_time_si`, `max_force_si` and
+        `max_compression_si` are the SI values.
     """
 
     _name: ClassVar[str] = "slow impact"
@@ -85,7 +85,7 @@ def slow_inputs(
     if material is not None:
         speeds = speeds / material.scales.speed
     poissons = numbers("poisson", getattr(body, "poisson") if poisson is None else poisson)
-    poissons, speeds = broadcast(poisson=poissons, speed=speeds)
+    poissons, speeds = broadcast(3, poisson=poissons, speed=speeds)
     return chosen, poissons, speeds
 
 
@@ -97,8 +97,8 @@ def slow_impact(
     Parameters
     ----------
     speed : array_like
-        Of the centre of mass towards the wall, 1e-100 to `limit_speed`, c (with a material: m/s). Two equal disks that
-        each move at `speed` towards each other are the same problem.
+        Of the centre of mass towards the wall, 1e-100 to `limit_speed`, c (with a material: m/s).
+        Two equal disks that each move at `speed` towards each other are the same problem.
     poisson : array_like
         2-D Poisson number, −0.95 to 0.995; broadcasts with `speed`. Or
     material : Material

@@ -37,7 +37,8 @@ class StaticContact(Result):
     position : ndarray
         Of the nodes along the undeformed edge, from the middle of the contact, R.
     pressure : ndarray
-        At the nodes, in the direction of x, per length of the undeformed edge, E. The sum of 2·spacing·pressure is πF.
+        At the nodes, in the direction of x, per length of the undeformed edge, E. The sum of
+        2·spacing·pressure is πF.
     """
 
     _name: ClassVar[str] = "static contact"
@@ -77,8 +78,8 @@ class StaticContact(Result):
 def static_contact(*, poisson: float, compression: float, nodes: int = 160) -> StaticContact:
     """The contact of a disk whose centre of mass is held at the distance R − δ from a hard wall.
 
-    Small-strain elasticity with the compliance of all modes and the exact shape of the edge; no law of contact enters.
-    It means little for δ above about 0.1.
+    Small-strain elasticity with the compliance of all modes and the exact shape of the edge; no law
+    of contact enters. It means little for δ above about 0.1.
 
     Parameters
     ----------
@@ -169,11 +170,11 @@ def soft_static_contact(
     wall: ExponentialWall = ExponentialWall(),
     nodes: int | None = None,
 ) -> SoftStaticContact:
-    """The static calculation of Gerl and Zippelius: the modes take the coordinates of least energy in front of a soft
-    wall.
+    """The static calculation of Gerl and Zippelius, at a soft wall.
 
-    The compression counts from the plane where V₀e^{αx} = 1. A pressure p stands ln(α/p)/α before that plane, 0.017 R
-    for αR = 500 and p = 0.1, by which a hard wall is farther away.
+    The modes take the coordinates of least energy. The compression counts from the plane where
+    V₀e^{αx} = 1. A pressure p stands ln(α/p)/α before that plane, 0.017 R for αR = 500 and p = 0.1,
+    by which a hard wall is farther away.
 
     Parameters
     ----------

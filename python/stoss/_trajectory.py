@@ -29,8 +29,8 @@ class Trajectory(Result):
     force : ndarray
         Force F of the wall, πRE = mc²/R.
     translation, vibration, stored, unresolved : ndarray
-        Shares of the initial energy: in the motion of the centre of mass; in the kept modes; in the wall's potential or
-        the static tail; taken by the modes above the cutoff.
+        Shares of the initial energy: in the motion of the centre of mass; in the kept modes; in the
+        wall's potential or the static tail; taken by the modes above the cutoff.
     contact_half_width : ndarray
         R, in steps of the nodes' spacing.
     """

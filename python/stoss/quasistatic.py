@@ -1,20 +1,22 @@
 """Slow contacts of a disk with a wall, in closed form where there is one.
 
-Where the disk follows the wall's force statically, energy conservation gives the whole impact, and Rayleigh's estimate
-what little is lost to vibration. Forces are in πRE = mc²/R, lengths in R, stresses in E, speeds in c.
+Where the disk follows the wall's force statically, energy conservation gives the whole impact, and
+Rayleigh's estimate gives the small loss to vibration. Forces are in πRE = mc²/R, lengths in R,
+stresses in E, speeds in c.
 
-======================================================  =========================================================
-`slow_impact`                                           contact time, greatest compression and force, to 1e-100 c
-`rayleigh`                                              the lost fraction of a slow impact, with its error
-`compression`, `compression_force`,                     a law between force and compression, its inverse, and the
-`compression_energy`, `limit_force`, `limit_speed`      energy under it; where it ends
-`static_contact`, `soft_static_contact`                 a disk held against a hard and an exponential wall
-`hertz_pressure`, `hertz_stress`, `heavy_disk_stress`   stress under Hertz' contact, and in a disk under its weight
-======================================================  =========================================================
+======================================================  ============================================
+`slow_impact`                                           contact time, greatest compression and force
+`rayleigh`                                              lost fraction of a slow impact
+`compression`, `compression_force`,                     a law of compression, its inverse,
+`compression_energy`, `limit_force`, `limit_speed`      its energy, and where it ends
+`static_contact`, `soft_static_contact`                 a disk held against a wall
+`hertz_pressure`, `hertz_stress`, `heavy_disk_stress`   stress under a contact or in a heavy disk
+======================================================  ============================================
 
 Laws of compression, δ = F (ln(s/F) − b):
 
-* ``'center'``: s = 1, b = (1 + ν)/4, the approach of the centre of mass, which belongs in its equation of motion;
+* ``'center'``: s = 1, b = (1 + ν)/4, the approach of the centre of mass, which belongs in its
+  equation of motion;
 * ``'diameter'``: s = 4, b = 1, the shortening of the diameter through the point of contact;
 * ``'printed'``: s = 4, b = 1 + ν, what Gerl and Zippelius print for the latter.
 

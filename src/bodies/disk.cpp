@@ -58,8 +58,8 @@ ContactGrid make_grid(double poisson, int highest_order, double half_width, int 
 
 }  // namespace
 
-Body disk(double poisson, double cutoff) {
-  const std::vector<Mode> modes = disk_modes(poisson, cutoff);
+Body disk(double poisson, double cutoff, const Poll& poll) {
+  const std::vector<Mode> modes = disk_modes(poisson, cutoff, poll);
   Body body;
   for (const Mode& mode : modes) {
     if (body.groups.empty() || body.groups.back().order != mode.order) {
@@ -90,14 +90,18 @@ Body disk(double poisson, double cutoff) {
   };
   const auto residual = std::make_shared<const DiskResidual>(poisson, cutoff, modes);
   body.stable_step = residual->stable_step();
-  body.residual_compliance = [residual](const ContactGrid& grid) { return residual->compliance(grid); };
-  body.residual_second_moment = [residual](const ContactGrid& grid) { return residual->second_moment(grid); };
+  body.residual_compliance = [residual](const ContactGrid& grid, const Poll& heed) {
+    return residual->compliance(grid, heed);
+  };
+  body.residual_second_moment = [residual](const ContactGrid& grid, const Poll& heed) {
+    return residual->second_moment(grid, heed);
+  };
   return body;
 }
 
 BodyMaker disk(double poisson) {
   require_poisson(poisson);
-  return [poisson](double cutoff) { return disk(poisson, cutoff); };
+  return [poisson](double cutoff, const Poll& poll) { return disk(poisson, cutoff, poll); };
 }
 
 }  // namespace stoss

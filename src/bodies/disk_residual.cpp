@@ -12,6 +12,8 @@
 #include <numbers>
 #include <utility>
 
+#include "dense.hpp"
+
 namespace stoss {
 namespace {
 
@@ -116,7 +118,7 @@ std::vector<Flexibility> up_to_nyquist(std::vector<Flexibility> coefficients, do
 }
 
 /// Adds the sums over the given orders, n = 0 … coefficients.size() − 1.
-void add_orders(const std::vector<Flexibility>& coefficients, double h, Tables& tables) {
+void add_orders(const std::vector<Flexibility>& coefficients, double h, const Poll& poll, Tables& tables) {
   const std::size_t size = tables.radial.size();
   std::vector<double> cosine(size), sine(size), cosine_n(size, 1.0), sine_n(size, 0.0);
   for (std::size_t m = 0; m < size; ++m) {
@@ -124,6 +126,7 @@ void add_orders(const std::vector<Flexibility>& coefficients, double h, Tables& 
     sine[m] = std::sin(static_cast<double>(m) * h);
   }
   for (const Flexibility& r : coefficients) {
+    if (poll) poll();
     for (std::size_t m = 0; m < size; ++m) {
       tables.radial[m] += r.radial * cosine_n[m];
       tables.mixed[m] += r.mixed * sine_n[m];
@@ -136,22 +139,26 @@ void add_orders(const std::vector<Flexibility>& coefficients, double h, Tables& 
 }
 
 /// The matrix between the nodes φ_i = (i + ½)h from the tables at mh.
-std::vector<double> assemble(const Tables& table, const ContactGrid& grid) {
+std::vector<double> assemble(const Tables& table, const ContactGrid& grid, const Poll& poll) {
   const std::size_t count = grid.coordinate.size();
-  std::vector<double> cosine(count), sine(count), matrix(count * count);
+  std::vector<double> cosine(count), sine(count), matrix = dense::zeros(count * count, poll);
   for (std::size_t i = 0; i < count; ++i) {
     cosine[i] = std::cos(grid.coordinate[i]);
     sine[i] = std::sin(grid.coordinate[i]);
   }
-  for (std::size_t i = 0; i < count; ++i) {
-    for (std::size_t j = 0; j <= i; ++j) {
-      const std::size_t apart = i - j;
-      const std::size_t sum = i + j + 1;
-      const double radial = cosine[i] * cosine[j] * (table.radial[sum] + table.radial[apart]);
-      const double mixed = cosine[i] * sine[j] * (table.mixed[sum] - table.mixed[apart]) +
-                           sine[i] * cosine[j] * (table.mixed[sum] + table.mixed[apart]);
-      const double tangential = sine[i] * sine[j] * (table.tangential[apart] - table.tangential[sum]);
-      matrix[i * count + j] = matrix[j * count + i] = 0.5 * (radial - mixed + tangential) / mass;
+  constexpr std::size_t few = 8;  // rows of the upper triangle at a time, which stay in the cache
+  for (std::size_t first = 0; first < count; first += few) {
+    if (poll) poll();
+    for (std::size_t i = first; i < count; ++i) {
+      for (std::size_t j = first; j < std::min(first + few, i + 1); ++j) {
+        const std::size_t apart = i - j;
+        const std::size_t sum = i + j + 1;
+        const double radial = cosine[i] * cosine[j] * (table.radial[sum] + table.radial[apart]);
+        const double mixed = cosine[i] * sine[j] * (table.mixed[sum] - table.mixed[apart]) +
+                             sine[i] * cosine[j] * (table.mixed[sum] + table.mixed[apart]);
+        const double tangential = sine[i] * sine[j] * (table.tangential[apart] - table.tangential[sum]);
+        matrix[i * count + j] = matrix[j * count + i] = 0.5 * (radial - mixed + tangential) / mass;
+      }
     }
   }
   return matrix;
@@ -174,16 +181,16 @@ DiskResidual::DiskResidual(double poisson, double cutoff, const std::vector<Mode
   }
 }
 
-std::vector<double> DiskResidual::compliance(const ContactGrid& grid) const {
+std::vector<double> DiskResidual::compliance(const ContactGrid& grid, const Poll& poll) const {
   if (grid.coordinate.empty()) return {};
   Tables tables = static_tables(poisson_, spacing(grid), 2 * grid.coordinate.size());
   std::vector<Flexibility> minus_kept;
   for (const Flexibility& kept : kept_) minus_kept.push_back({-kept.radial, -kept.mixed, -kept.tangential});
-  add_orders(up_to_nyquist(std::move(minus_kept), spacing(grid)), spacing(grid), tables);
-  return assemble(tables, grid);
+  add_orders(up_to_nyquist(std::move(minus_kept), spacing(grid)), spacing(grid), poll, tables);
+  return assemble(tables, grid, poll);
 }
 
-std::vector<double> DiskResidual::second_moment(const ContactGrid& grid) const {
+std::vector<double> DiskResidual::second_moment(const ContactGrid& grid, const Poll& poll) const {
   if (grid.coordinate.empty()) return {};
   std::vector<Flexibility> residual;
   for (int n = 0; n <= highest_order_; ++n) {
@@ -197,8 +204,8 @@ std::vector<double> DiskResidual::second_moment(const ContactGrid& grid) const {
   }
   const std::vector<double> zero(2 * grid.coordinate.size(), 0.0);
   Tables tables{zero, zero, zero};
-  add_orders(up_to_nyquist(std::move(residual), spacing(grid)), spacing(grid), tables);
-  return assemble(tables, grid);
+  add_orders(up_to_nyquist(std::move(residual), spacing(grid)), spacing(grid), poll, tables);
+  return assemble(tables, grid, poll);
 }
 
 double DiskResidual::stable_step() const {

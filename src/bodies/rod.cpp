@@ -30,13 +30,15 @@ Body rod(double cutoff) {
   body.groups.push_back(std::move(group));
   body.expected_half_width = [](double) { return 0.0; };
   body.grid = [](double, int) { return ContactGrid{{0.0}, {0.0}, {1.0}, {1.0}, {1.0}}; };
-  body.residual_compliance = [compliance](const ContactGrid&) { return std::vector<double>{compliance}; };
-  body.residual_second_moment = [second_moment](const ContactGrid&) { return std::vector<double>{second_moment}; };
+  body.residual_compliance = [compliance](const ContactGrid&, const Poll&) { return std::vector<double>{compliance}; };
+  body.residual_second_moment = [second_moment](const ContactGrid&, const Poll&) {
+    return std::vector<double>{second_moment};
+  };
   return body;
 }
 
 BodyMaker rod() {
-  return [](double cutoff) { return rod(cutoff); };
+  return [](double cutoff, const Poll&) { return rod(cutoff); };
 }
 
 }  // namespace stoss

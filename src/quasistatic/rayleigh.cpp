@@ -72,7 +72,8 @@ void require_modes(const std::vector<Mode>& modes) {
 
 }  // namespace
 
-RayleighEstimate rayleigh(CompressionLaw law, double poisson, double speed, const std::vector<Mode>& modes) {
+RayleighEstimate rayleigh(CompressionLaw law, double poisson, double speed, const std::vector<Mode>& modes,
+                          const Poll& poll) {
   RayleighEstimate result;
   result.impact = slow_impact(law, poisson, speed);
   require_modes(modes);
@@ -82,6 +83,7 @@ RayleighEstimate rayleigh(CompressionLaw law, double poisson, double speed, cons
   double inertia = 0.0;  // Σ C²/ω⁴
   result.modes.reserve(modes.size());
   for (const Mode& mode : modes) {
+    if (poll) poll();
     const double integral = amplitude(nodes, mode.omega);
     const double edge = mode.radial * integral;
     const double lag = mode.radial / (mode.omega * mode.omega);

@@ -7,7 +7,6 @@
 // than modes can move; s = f − g − √D z with (1 + √D W √D) z = √D W (f − g) is the same and needs no inverse of W.
 #include "stoss/quasistatic/soft_static_contact.hpp"
 
-#include <Eigen/Cholesky>
 #include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
@@ -15,6 +14,7 @@
 #include <limits>
 
 #include "check.hpp"
+#include "dense.hpp"
 #include "resolution.hpp"
 #include "stoss/errors.hpp"
 
@@ -29,7 +29,7 @@ constexpr long fewest_nodes = 64;
 constexpr long most_nodes = 2048;
 
 /// Static compliance of the kept modes between the nodes.
-MatrixXd kept_compliance(const Body& body, const ContactGrid& grid) {
+MatrixXd kept_compliance(const Body& body, const ContactGrid& grid, const Poll& poll) {
   const auto nodes = static_cast<Eigen::Index>(grid.recess.size());
   const auto rows = static_cast<Eigen::Index>(grid.shape.size()) / nodes;
   const Eigen::Map<const RowMajor> shape(grid.shape.data(), rows, nodes);
@@ -52,18 +52,23 @@ MatrixXd kept_compliance(const Body& body, const ContactGrid& grid) {
     columns.col(k++) = root * c + mixed * s;
     columns.col(k++) = std::sqrt(std::max(0.0, ss - mixed * mixed)) * s;
   }
-  return columns * columns.transpose();
+  MatrixXd compliance(nodes, nodes);
+  dense::by_columns(nodes, poll, [&](Eigen::Index first, Eigen::Index count) {
+    compliance.middleCols(first, count).noalias() = columns * columns.middleRows(first, count).transpose();
+  });
+  return compliance;
 }
 
 /// Held at rest at a wall V = Σ_i μ_i (p/α) e^{α(x_i − x_p)}, whose pressure at x_p is p.
 class Equilibrium {
  public:
   Equilibrium(MatrixXd compliance, VectorXd free_position, const std::vector<double>& measure, double pressure,
-              double place)
+              double place, const Poll& poll)
       : compliance_(std::move(compliance)),
         position_(std::move(free_position)),
         load_(Eigen::Map<const VectorXd>(measure.data(), position_.size()) * pressure),
         place_(place),
+        poll_(poll),
         force_(VectorXd::Zero(position_.size())),
         displacement_(VectorXd::Zero(position_.size())) {}
 
@@ -78,9 +83,10 @@ class Equilibrium {
       MatrixXd matrix = root.asDiagonal() * compliance_ * root.asDiagonal();
       matrix.diagonal().array() += 1.0;
       const VectorXd pull = compliance_ * excess;
-      const Eigen::LLT<Eigen::Ref<MatrixXd>> cholesky(matrix);
-      if (cholesky.info() != Eigen::Success) break;
-      const VectorXd direction = excess - root.cwiseProduct(cholesky.solve(root.cwiseProduct(pull)));
+      if (!dense::factor(matrix, poll_)) break;
+      MatrixXd right = root.cwiseProduct(pull);
+      dense::solve(matrix, right, poll_);
+      const VectorXd direction = excess - root.cwiseProduct(right.col(0));
       if (!line_search(hardness, direction, -direction.dot(pull))) break;
     }
     throw NotConverged("soft static contact: Newton's method found no minimum of the energy (use another hardness)");
@@ -124,6 +130,7 @@ class Equilibrium {
   VectorXd position_;  // of the nodes of the undeformed body
   VectorXd load_;
   double place_;
+  const Poll& poll_;
   VectorXd force_;         // g
   VectorXd displacement_;  // W g
 };
@@ -169,7 +176,8 @@ SoftStaticContact soft_static_contact(const Body& body, const ExponentialWall& w
   // Softer walls that have the same place for a pressure of this size lead to the wall in question.
   const double pressure = 0.3 * std::sqrt(std::max(compression, 1.0 / alpha));
   const double place = std::log(pressure / alpha) / alpha;
-  Equilibrium equilibrium(kept_compliance(body, grid), position, grid.measure, pressure, place);
+  Equilibrium equilibrium(kept_compliance(body, grid, options.poll), position, grid.measure, pressure, place,
+                          options.poll);
   SoftStaticContact result;
   constexpr double loose = 1e-2;
   double softer = 8.0 / std::max(compression - place, 1e-3);

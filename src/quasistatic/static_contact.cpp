@@ -44,7 +44,8 @@ double end_of_contact(const StaticContact& contact) {
 }
 
 /// The contact on nodes of a given spacing that cover a half-width.
-StaticContact on_nodes(const DiskResidual& disk, double poisson, double compression, double spacing, int nodes) {
+StaticContact on_nodes(const DiskResidual& disk, double poisson, double compression, double spacing, int nodes,
+                       const Poll& poll) {
   StaticContact result;
   result.poisson = poisson;
   result.compression = compression;
@@ -58,7 +59,7 @@ StaticContact on_nodes(const DiskResidual& disk, double poisson, double compress
     grid.coordinate.push_back(phi);
     approach[i] = compression - 2.0 * std::sin(0.5 * phi) * std::sin(0.5 * phi);
   }
-  Complementarity problem(disk.compliance(grid), count);
+  Complementarity problem(disk.compliance(grid, poll), count, poll);
   std::vector<double> force(count), displacement(count);
   problem.solve(approach, force, displacement);
   if (problem.extent() == count) throw NotConverged("static contact: the contact outgrew its grid (use fewer nodes)");
@@ -86,11 +87,12 @@ StaticContact static_contact(double poisson, double compression, const StaticCon
   constexpr int first_nodes = 64;
   constexpr double margin = 1.25;
   double half_width = std::sqrt(2.0 * compression);
-  half_width =
-      on_nodes(disk, poisson, compression, half_width / first_nodes, static_cast<int>(margin * first_nodes)).half_width;
+  half_width = on_nodes(disk, poisson, compression, half_width / first_nodes, static_cast<int>(margin * first_nodes),
+                        options.poll)
+                   .half_width;
   const auto refined = [&](int nodes) {
     const int covering = static_cast<int>(std::lround(margin * nodes)) + 2;
-    return on_nodes(disk, poisson, compression, half_width / nodes, covering);
+    return on_nodes(disk, poisson, compression, half_width / nodes, covering, options.poll);
   };
   const StaticContact coarse = refined(options.nodes / 2);
   half_width = coarse.half_width;

@@ -12,8 +12,8 @@ import pytest
 
 import stoss
 
-# Promised are 0.2 s. The median of a few must keep them; one alone may be late on a busy machine.
-PROMISED, CEILING = 0.2, 2.0
+# Promised are 0.3 s. The median of a few must keep them; one alone may be late on a busy machine.
+PROMISED, CEILING = 0.3, 2.0
 CURVE = "stoss.restitution(poisson={nu}, speed=np.geomspace(1e-4, 0.3, 300), tolerance=1e-4, threads={threads})"
 LONG = {
     "curve": CURVE.format(nu=0.33, threads=2),
@@ -25,7 +25,23 @@ LONG = {
     "trajectory": "hit.trajectory()",
     "field": "hit.field(time=np.linspace(0, 6, 3000))",
     "extrapolation": "stoss.extrapolated_restitution(poisson=0.33, speed=0.1, cutoffs=np.geomspace(20, 80, 30))",
+    "one value": "stoss.restitution(poisson=0.33, speed=0.3, tolerance=1e-12)",
+    # Set-ups, each a second and more.
+    "modes": "stoss.modes(poisson=0.33, cutoff=1000)",
+    "body": "stoss.impact(poisson=0.33, speed=0.1, cutoff=1000)",
+    "bodies": "stoss.extrapolated_restitution(poisson=0.33, speed=0.1, cutoffs=[900, 950, 1000])",
+    "1024 nodes": "stoss.impact(poisson=0.33, speed=0.1, nodes=1024)",
+    "4096 nodes": "stoss.impact(poisson=0.33, speed=0.1, nodes=4096)",
+    "4096 nodes, static tail": "stoss.impact(poisson=0.33, speed=0.1, nodes=4096, wall=stoss.HardWall(tail='static'))",
+    "field at many points": "hit.field(time=1.0, radius=np.linspace(0, 1, 1500), angle=np.linspace(-3, 3, 1500))",
+    "field at many radii": "hit.field(time=1.0, radius=np.linspace(0, 1, 20_000), angle=0.0)",
+    # Quasi-static.
+    "slow impacts": "stoss.quasistatic.slow_impact(poisson=0.33, speed=np.geomspace(1e-12, 0.1, 10**6))",
+    "rayleigh": "stoss.quasistatic.rayleigh(poisson=0.33, speed=1e-3, cutoff=1000)",
+    "static contact": "[stoss.quasistatic.static_contact(poisson=0.33, compression=0.1, nodes=1024) for _ in range(9)]",
+    "soft static contact": "stoss.quasistatic.soft_static_contact(poisson=0.33, compression=0.1, cutoff=200, nodes=2048)",
 }
+LATER = {"one value": (1.0, 2.0, 3.0), "4096 nodes": (0.3, 2.0, 6.0), "4096 nodes, static tail": (0.3, 1.0, 2.0)}
 CHILD = """
 import signal, sys, time
 import numpy as np
@@ -60,7 +76,7 @@ def interrupt(interpreter, call, wait):
 
 @pytest.mark.parametrize("what", LONG)
 def test_ctrl_c_stops_within_the_promised_time(interpreter, what, record_property):
-    took, names = zip(*(interrupt(interpreter, LONG[what], wait) for wait in (0.15, 0.3, 0.45)))
+    took, names = zip(*(interrupt(interpreter, LONG[what], wait) for wait in LATER.get(what, (0.15, 0.3, 0.45))))
     record_property("seconds", took)
     print(f"{what}: {', '.join(f'{each * 1000:.1f}' for each in took)} ms")
     assert statistics.median(took) < PROMISED and max(took) < CEILING

@@ -20,12 +20,14 @@ inline Body point_body(double mass, double cutoff, double residual_compliance, d
   body.groups.push_back(std::move(modes));
   body.expected_half_width = [](double) { return 0.0; };
   body.grid = [impedance](double, int) { return ContactGrid{{0.0}, {0.0}, {1.0}, {impedance}, {1.0}}; };
-  body.residual_compliance = [residual_compliance](const ContactGrid&) {
+  body.residual_compliance = [residual_compliance](const ContactGrid&, const Poll&) {
     return std::vector<double>{residual_compliance};
   };
   const double second_moment =
       residual_compliance * residual_compliance * impedance * std::numbers::pi / (6.0 * cutoff);
-  body.residual_second_moment = [second_moment](const ContactGrid&) { return std::vector<double>{second_moment}; };
+  body.residual_second_moment = [second_moment](const ContactGrid&, const Poll&) {
+    return std::vector<double>{second_moment};
+  };
   return body;
 }
 
@@ -50,7 +52,9 @@ inline Body rod_in_other_units(double length, double wave_speed, double line_den
   }
   Body body = point_body(mass, cutoff, compliance, line_density * wave_speed, std::move(modes));
   body.extent = 0.5 * length;
-  body.residual_second_moment = [second_moment](const ContactGrid&) { return std::vector<double>{second_moment}; };
+  body.residual_second_moment = [second_moment](const ContactGrid&, const Poll&) {
+    return std::vector<double>{second_moment};
+  };
   return body;
 }
 
@@ -59,8 +63,8 @@ inline Body two_point_body() {
   Body body = point_body(1.0, 5.0, 0.0, 1.0, {0, {5.0}, {1.0}, {0.0}});
   body.max_half_width = 1.0;
   body.grid = [](double, int) { return ContactGrid{{0.25, 0.75}, {0.0, 0.1}, {1.0, 1.0}, {1.0, 1.0}, {1.0, 1.0}}; };
-  body.residual_compliance = [](const ContactGrid&) { return std::vector<double>{2.0, 1.0, 1.0, 2.0}; };
-  body.residual_second_moment = [](const ContactGrid&) { return std::vector<double>{0.2, 0.1, 0.1, 0.2}; };
+  body.residual_compliance = [](const ContactGrid&, const Poll&) { return std::vector<double>{2.0, 1.0, 1.0, 2.0}; };
+  body.residual_second_moment = [](const ContactGrid&, const Poll&) { return std::vector<double>{0.2, 0.1, 0.1, 0.2}; };
   return body;
 }
 

@@ -9,7 +9,7 @@ namespace stoss {
 /// @param poisson 2-D Poisson number, −0.95 … 0.995 (plane strain: Material)
 /// @param cutoff  c/R, from the lowest mode to 1000
 /// @throws InvalidInput as disk_modes
-[[nodiscard]] Body disk(double poisson, double cutoff);
+[[nodiscard]] Body disk(double poisson, double cutoff, const Poll& poll = {});
 
 /// Makes disks of one Poisson number at any cutoff, for `restitution`, which chooses the cutoffs.
 /// @throws InvalidInput for a Poisson number out of range

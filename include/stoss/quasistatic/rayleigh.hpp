@@ -51,6 +51,6 @@ struct RayleighEstimate {
 ///              (v ≤ 0.01, ν = 0.33), which falls as 1/cutoff²
 /// @throws InvalidInput as slow_impact, and for a frequency outside 0 … max_cutoff
 [[nodiscard]] RayleighEstimate rayleigh(CompressionLaw law, double poisson, double speed,
-                                        const std::vector<Mode>& modes);
+                                        const std::vector<Mode>& modes, const Poll& poll = {});
 
 }  // namespace stoss

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "stoss/body.hpp"
+#include "stoss/poll.hpp"
 #include "stoss/wall.hpp"
 
 namespace stoss {
@@ -11,6 +12,7 @@ namespace stoss {
 /// Resolution of a static contact with an exponential wall.
 struct SoftStaticContactOptions {
   std::optional<int> nodes{};  ///< of the contact grid, 64 … 2048; otherwise as many as the wall and the modes need
+  Poll poll{};
 };
 
 /// A body held at rest in front of an exponential wall.

@@ -2,11 +2,14 @@
 
 #include <vector>
 
+#include "stoss/poll.hpp"
+
 namespace stoss {
 
 /// Resolution of a static contact with a hard wall.
 struct StaticContactOptions {
   int nodes = 160;  ///< on half of the contact, 16 … 1024
+  Poll poll{};
 };
 
 /// A disk held against a hard wall, at rest.

@@ -1,17 +1,20 @@
 """Pictures of results, for print: one column wide (3.4 in) and told apart without colour.
 
-Every function takes a result and ``ax``, the Axes to draw in (None: a new figure), and returns the Axes. New figures
-have small print that fits one column; in Axes of yours the text follows your settings. Nothing global is changed.
+Every function takes a result and ``ax``, the Axes to draw in (None: a new figure), and returns the
+Axes. New figures have small print that fits one column; in your own Axes the text follows your
+settings. Nothing global is changed.
 
-================================================  ===============================================================
-`restitution`, `extrapolation`                    ε or 1 − ε² against speed; the two limits of Gerl and Zippelius
-`slow_impact`, `rayleigh`, `static_contact`       the quasi-static theory: contact time, lost fraction, pressure
+================================================  ==================================================
+`restitution`, `extrapolation`                    ε or 1 − ε² against speed; Gerl and Zippelius' two
+limits
+`slow_impact`, `rayleigh`, `static_contact`       quasi-static: contact time, lost fraction,
+pressure
 `spectrum`, `mode_shape`                          eigenmodes
 `force`, `velocity`, `energies`, `half_width`     one impact in time
 `ledger`                                          which mode holds how much energy
 `disk`, `sequence`, `stress`                      the deformed disk at the wall
 `animate`                                         the same as GIF or MP4
-================================================  ===============================================================
+================================================  ==================================================
 
 Examples
 --------

@@ -19,7 +19,7 @@ from matplotlib.figure import Figure
 from numpy.typing import NDArray
 from PIL import Image
 
-from stoss._arguments import instance, integer, number, refusal
+from stoss._arguments import instance, integer, number, refusal, require_memory
 from stoss._field import Field
 from stoss._files import whole_file
 from stoss._impact_result import Impact
@@ -39,24 +39,28 @@ def animate(
     quantity: str | None = None,
     fringe: float | None = None,
 ) -> str | os.PathLike[str]:
-    """Write the impact as a GIF or MP4, from just before contact until the disk has flown for some time, vibrating.
+    """Write the impact as a GIF or MP4.
 
-    The file appears whole or not at all.
+    It goes from just before contact until the disk has flown for some time, vibrating. The file
+    appears whole or not at all.
 
     Parameters
     ----------
     impact : Impact
         Of a disk.
     path : str or path
-        Where to; an existing file is replaced. Its suffix, .gif or .mp4, says what is written; the latter needs ffmpeg.
+        Where to; an existing file is replaced. Its suffix, .gif or .mp4, says what is written; the
+        latter needs ffmpeg.
     frames : int, optional
         Number of frames, 2 to 2000.
     fps : float, optional
         Frames per second, 1 to 50. A GIF counts time in 1/100 s.
     size : (int, int), optional
-        Width and height, 100 to 4000 pixels; those of an MP4 are made even. Default: 400 wide, with colours 480.
+        Width and height, 100 to 4000 pixels; those of an MP4 are made even. Default: 400 wide, with
+        colours 480.
     quantity : {'von_mises', 'principal_difference', 'fringes'}, optional
-        Colours, on one scale for all frames (see `stoss.plot.stress`); default: a grid of radii and circles.
+        Colours, on one scale for all frames (see `stoss.plot.stress`); default: a grid of radii and
+        circles.
     fringe : float, optional
         As in `stoss.plot.stress`.
 
@@ -88,6 +92,9 @@ def animate(
     if not 1.0 <= rate <= 50.0:
         raise refusal("fps", fps, "1 to 50 (frames per second)")
     pixels = None if size is None else _pixels(size)
+    if pixels is not None and suffix == ".gif":  # all pictures are held, a byte for each pixel
+        got = f"{count} of {pixels[0]} x {pixels[1]} pixels"
+        require_memory("frames", got, float(count * pixels[0] * pixels[1]), "give fewer, a smaller size, or an .mp4")
     if quantity is not None:
         _style.choice("quantity", quantity, _stress.QUANTITIES)
     if suffix == ".mp4" and not FFMpegWriter.isAvailable():

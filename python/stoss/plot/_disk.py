@@ -143,7 +143,7 @@ def _nearest(values: Array, wanted: Array) -> NDArray[np.intp]:
 
 
 def undeformed(center: float = -np.inf) -> tuple[Array, Array]:
-    """The edge of an undeformed disk with this centre of mass, without what would be beyond the wall.
+    """Edge of an undeformed disk with this centre of mass, up to the wall.
 
     Far from any wall, around 0, if there is no centre.
     """
@@ -164,15 +164,15 @@ def draw_wall(axes: Axes) -> Line2D:
 
 
 def extent(x: Array, y: Array) -> tuple[float, float]:
-    """Where the picture begins on the left, and half its height: all points, at least a disk, and a margin, R."""
+    """Left edge and half the height of a picture of all points, with a margin, R."""
     return min(-2.0, float(x.min())) - 0.06, max(1.0, float(np.abs(y).max())) + 0.06
 
 
 def size_for(left: float, half: float, width: float) -> tuple[float, float]:
     """Size in inches of a figure for one column, in which the disk's Axes can be `width` wide.
 
-    It is a little too high, so that the width decides: the layout leaves space for labels where equal axes would end if
-    they filled theirs.
+    It is a little too high, so that the width decides: the layout leaves space for labels where
+    equal axes would end if they filled theirs.
     """
     return _style.COLUMN, min(6.0, width * 2.0 * half / (WALL - left) + 0.7)
 

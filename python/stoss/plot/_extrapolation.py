@@ -13,8 +13,8 @@ from stoss.plot import _style
 def extrapolation(result: Extrapolation, ax: Axes | None = None) -> Axes:
     """1 − ε² against 1/α for each cutoff, with the straight lines to the hard wall, 1/α = 0.
 
-    At 1/α = 0 stand the values that the lines reach, with the errors of the regressions, and a star for the limit of
-    all modes.
+    At 1/α = 0 stand the values that the lines reach, with the errors of the regressions, and a star
+    for the limit of all modes.
 
     Parameters
     ----------

@@ -16,7 +16,7 @@ DECADES = 8.0  # below the greatest bar; what is less is left out
 
 
 def ledger(impact: Impact, ax: Axes | None = None, *, when: str = "after", orders: int = 8, indices: int = 4) -> Axes:
-    """Energy of the modes (n, l) as shares of the initial energy: a group of bars for each n, logarithmic.
+    """Energy of the modes (n, l), as bars in a group for each n on a logarithmic axis.
 
     Parameters
     ----------

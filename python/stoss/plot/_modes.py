@@ -50,7 +50,7 @@ def spectrum(modes: Modes, ax: Axes | None = None) -> Axes:
 
 
 def mode_shape(modes: Modes, ax: Axes | None = None, *, order: int, index: int, amplitude: float = 0.15) -> Axes:
-    """The shape of the mode (n, l): a grid of radii and circles, deformed, over the undeformed outline in grey.
+    """Shape of the mode (n, l): a deformed grid over the undeformed outline in grey.
 
     Parameters
     ----------

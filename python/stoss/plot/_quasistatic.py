@@ -50,10 +50,10 @@ def slow_impact(result: SlowImpact, ax: Axes | None = None) -> Axes:
 
 
 def rayleigh(result: RayleighEstimate, ax: Axes | None = None) -> Axes:
-    """Rayleigh's estimate of 1 − ε² against speed, with a band for its error, a curve for each Poisson number.
+    """Rayleigh's estimate of 1 − ε² against speed, with a band for its error.
 
-    Speeds are in c, or in m/s if the result has a material. Values beyond perturbation theory are hollow circles without
-    a band.
+    Speeds are in c, or in m/s if the result has a material. Values beyond perturbation theory are
+    hollow circles without a band.
 
     Parameters
     ----------

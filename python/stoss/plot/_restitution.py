@@ -41,7 +41,8 @@ def restitution(
     """ε or 1 − ε² against speed with error bars, a curve for each Poisson number.
 
     Speeds are in c, or in m/s if the result has a material. A curve of few points marks them, a
-    dense one is a line. Values that did not converge are hollow, missing ones (NaN) are left out.
+    dense one is a line. Values that did not converge are hollow, values whose error is unknown have
+    no bar, missing ones (NaN) are left out.
     If there is only one speed but several Poisson numbers, they are the horizontal axis.
 
     Parameters

@@ -36,8 +36,8 @@ def sequence(
     ax : Axes, optional
         Where to draw.
     times : array_like, optional
-        R/c from the start of the impact, 1 to 64 of them; default: `count` even ones from just before contact until the
-        disk has flown for some time, vibrating.
+        R/c from the start of the impact, 1 to 64 of them; default: `count` even ones from just
+        before contact until the disk has flown for some time, vibrating.
     count : int, optional
         Number of default times, 2 to 64.
     columns : int, optional

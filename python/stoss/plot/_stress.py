@@ -45,7 +45,7 @@ class Scale(NamedTuple):
         return 1.0 if self.quantity == "fringes" else self.limit
 
     def shown(self, stress: Array) -> Array:
-        """What is coloured: the stress itself, or the light that a dark-field polariscope lets through."""
+        """What is coloured: the stress, or the light that a polariscope lets through."""
         if self.quantity != "fringes":
             return stress
         light: Array = np.sin(np.pi * stress / self.fringe) ** 2
@@ -63,9 +63,9 @@ def stress(
 ) -> Axes:
     """Stress on the deformed disk at the wall, with a colour bar.
 
-    At small speeds stress peaks at the contact, where it is a hundred times that of the rest. So the colours end where
-    99 % of the disk's area is covered; what is above has the last colour, and the colour bar a point. Give the greatest
-    stress as `limit` to see the peak instead.
+    At small speeds stress peaks at the contact, where it is a hundred times that of the rest. So
+    the colours end where 99 % of the disk's area is covered; what is above has the last colour, and
+    the colour bar a point. Give the greatest stress as `limit` to see the peak instead.
 
     Parameters
     ----------
@@ -74,10 +74,12 @@ def stress(
     ax : Axes, optional
         Where to draw; the colour bar takes some of its space.
     quantity : {'von_mises', 'principal_difference', 'fringes'}
-        √(σ₁² − σ₁σ₂ + σ₂²), |σ₁ − σ₂|, or what a polariscope shows in a dark field, sin²(π (σ₁ − σ₂)/fringe).
+        √(σ₁² − σ₁σ₂ + σ₂²), |σ₁ − σ₂|, or what a polariscope shows in a dark field, sin²(π (σ₁ −
+        σ₂)/fringe).
     fringe : float, optional
-        σ₁ − σ₂ from one dark fringe to the next, E; default: a sixth of the default colour range of |σ₁ − σ₂|. Fringes
-        closer than the field's points cannot be seen: use finer radii and angles.
+        σ₁ − σ₂ from one dark fringe to the next, E; default: a sixth of the default colour range of
+        |σ₁ − σ₂|. Fringes closer than the field's points cannot be seen: use finer radii and
+        angles.
     limit : float, optional
         Where the colours end, E.
     frame : int, optional
@@ -125,7 +127,7 @@ def scale_of(
 def draw_stress(
     axes: Axes, field: Field, now: _disk.Instant, scale: Scale, *, smooth: bool = True
 ) -> tuple[QuadMesh, Line2D]:
-    """The coloured disk and its edge. If not `smooth`, in small pieces of one colour: twice as fast."""
+    """The coloured disk and its edge; if not `smooth`, in pieces of one colour, twice as fast."""
     x, y, values = now.x, now.y, _stress_of(field, scale.quantity)[now.where]
     if scale.quantity == "fringes" or not smooth:
         # Colours between points are interpolated; so the stress has to be before it becomes fringes.

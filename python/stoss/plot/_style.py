@@ -1,4 +1,4 @@
-"""What all pictures share: where they are drawn, their colours and small print, and how they refuse."""
+"""What all pictures share: where they are drawn, colours, small print, refusals."""
 
 from __future__ import annotations
 
@@ -42,9 +42,10 @@ _made_here: weakref.WeakSet[Axes] = weakref.WeakSet()
 
 @contextlib.contextmanager
 def canvas(ax: Axes | None, *, size: tuple[float, float] = (COLUMN, 2.5)) -> Iterator[Axes]:
-    """The given Axes, or those of a new figure for one column, which is closed again if drawing fails.
+    """The given Axes, or those of a new figure, which is closed again if drawing fails.
 
-    Whoever brings Axes has chosen their style; those made here keep their small print when more is drawn in them.
+    Whoever brings Axes has chosen their style; those made here keep their small print when more is
+    drawn in them.
     """
     if ax is not None:
         if not isinstance(ax, Axes):
@@ -68,7 +69,7 @@ def canvas(ax: Axes | None, *, size: tuple[float, float] = (COLUMN, 2.5)) -> Ite
 
 
 def small_ticks(axes: Axes, labelsize: float = PRINT["xtick.labelsize"]) -> None:
-    """Small print for ticks. Ticks are made late, when the settings of `canvas` have gone; so they are told here."""
+    """Small print for ticks, which are made late, when the settings of `canvas` have gone."""
     axes.tick_params(which="both", width=0.6, labelsize=labelsize)
     axes.tick_params(which="major", length=2.5)
     axes.tick_params(which="minor", length=1.5)

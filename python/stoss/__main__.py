@@ -1,0 +1,24 @@
+"""`python -m stoss SUBCOMMAND …`: the command stoss, which is installed apart from this package."""
+
+from __future__ import annotations
+
+import os
+import shutil
+import sys
+import sysconfig
+
+MISSING = "stoss: the command is not part of the Python package (build it with 'make install' in the repository)"
+
+
+def main() -> int:
+    """Become the command, with the same arguments; without it, say how to get it."""
+    places = os.pathsep.join([sysconfig.get_path("scripts"), os.environ.get("PATH", os.defpath)])
+    command = shutil.which("stoss", path=places)
+    if command is None:
+        print(MISSING, file=sys.stderr)
+        return 2
+    os.execv(command, [command, *sys.argv[1:]])
+
+
+if __name__ == "__main__":
+    sys.exit(main())

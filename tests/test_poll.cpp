@@ -1,0 +1,107 @@
+// Whatever takes long polls, in its set-up too, and what the poll throws ends it.
+#include <gtest/gtest.h>
+
+#include <functional>
+#include <map>
+#include <string>
+
+#include "complementarity.hpp"
+#include "stoss/bodies/disk.hpp"
+#include "stoss/extrapolation.hpp"
+#include "stoss/field.hpp"
+#include "stoss/impact.hpp"
+#include "stoss/motion.hpp"
+#include "stoss/quasistatic.hpp"
+#include "stoss/restitution.hpp"
+#include "stoss/wall.hpp"
+#include "wall_response.hpp"
+
+namespace stoss {
+namespace {
+
+struct Enough {};
+
+const Body& body() {
+  static const Body made = disk(0.33, 12.0);
+  return made;
+}
+
+const ContactGrid& grid() {
+  static const ContactGrid made = body().grid(0.5, 200);
+  return made;
+}
+
+const Impact& hit() {
+  static const Impact made = impact(body(), HardWall{}, 0.1);
+  return made;
+}
+
+struct Job {
+  int least;  ///< calls that it makes
+  std::function<void(const Poll&)> run;
+};
+
+const std::map<std::string, Job>& jobs() {
+  static const std::vector<double> force(200, 0.0), coordinate(mode_count(body()), 0.0);
+  static const PolarGrid points{std::vector<double>(100, 0.5), {0.0}};
+  static const std::vector<Mode> modes = disk_modes(0.33, 12.0);
+  static const std::map<std::string, Job> all{
+      {"modes", {24, [](const Poll& poll) { (void)disk_modes(0.33, 12.0, poll); }}},
+      {"displacement", {100, [](const Poll& poll) { (void)displacement(0.33, modes[0], points.radius, poll); }}},
+      {"disk", {24, [](const Poll& poll) { (void)disk(0.33, 12.0, poll); }}},
+      {"W", {25, [](const Poll& poll) { (void)body().residual_compliance(grid(), poll); }}},
+      {"V", {100, [](const Poll& poll) { (void)body().residual_second_moment(grid(), poll); }}},
+      {"inverse",
+       {14, [](const Poll& poll) { (void)Complementarity(body().residual_compliance(grid(), {}), 200, poll); }}},
+      {"static tail",
+       {40,
+        [](const Poll& poll) { (void)make_response(HardWall{Tail::quasistatic}, body(), grid(), 0.1, 0.01, poll); }}},
+      {"radiating tail",
+       {150, [](const Poll& poll) { (void)make_response(HardWall{}, body(), grid(), 0.1, 0.01, poll); }}},
+      {"impact", {400, [](const Poll& poll) { (void)impact(body(), HardWall{}, 0.1, {.poll = poll}); }}},
+      {"motion", {5000, [](const Poll& poll) { (void)motion(body(), hit(), std::vector<double>(5000, 1e3), poll); }}},
+      {"restitution",
+       {400, [](const Poll& poll) { (void)restitution(disk(0.33), 0.1, {.tolerance = 1e-2, .poll = poll}); }}},
+      {"extrapolation",
+       {400,
+        [](const Poll& poll) {
+          (void)extrapolated_restitution(0.33, 0.1, {{8, 9, 10}, {}, poll});
+        }}},
+      {"points of a field", {1000, [](const Poll& poll) { (void)DiskField(0.33, body(), grid(), points, poll); }}},
+      {"field",
+       {100, [](const Poll& poll) { (void)DiskField(0.33, body(), grid(), points).at(coordinate, force, poll); }}},
+      {"static contact", {60, [](const Poll& poll) { (void)static_contact(0.33, 0.01, {.poll = poll}); }}},
+      {"soft static contact",
+       {20,
+        [](const Poll& poll) {
+          (void)soft_static_contact(body(), {}, 0.01, {{}, poll});
+        }}},
+      {"rayleigh", {60, [](const Poll& poll) { (void)rayleigh(CompressionLaw::center, 0.33, 1e-3, modes, poll); }}},
+  };
+  return all;
+}
+
+TEST(Poll, IsCalledAndMayEndEverything) {
+  for (const auto& [name, job] : jobs()) {
+    int calls = 0;
+    job.run([&calls] { ++calls; });
+    EXPECT_GE(calls, job.least) << name;
+    for (const int last : {1, calls / 2, calls}) {
+      int count = 0;
+      const auto poll = [&count, last] {
+        if (++count == last) throw Enough{};
+      };
+      EXPECT_THROW(job.run(poll), Enough) << name << ", call " << last;
+      EXPECT_EQ(count, last) << name;
+    }
+  }
+}
+
+TEST(Poll, ChangesNothing) {
+  const Impact polled = impact(body(), HardWall{}, 0.1, {.poll = [] {}});
+  EXPECT_EQ(polled.restitution, hit().restitution);
+  EXPECT_EQ(polled.steps, hit().steps);
+}
+
+}  // namespace
+}  // namespace stoss
