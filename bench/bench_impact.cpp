@@ -2,10 +2,10 @@
 #include <vector>
 
 #include "common.hpp"
-#include "resolution.hpp"
+#include "contact/response.hpp"
+#include "impact/resolution.hpp"
 #include "stoss/bodies/disk.hpp"
-#include "stoss/impact.hpp"
-#include "wall_response.hpp"
+#include "stoss/impact/impact.hpp"
 
 namespace bench {
 namespace {

@@ -1,7 +1,7 @@
 #include <sstream>
 
 #include "common.hpp"
-#include "stoss/modes.hpp"
+#include "stoss/bodies/disk/modes.hpp"
 
 namespace bench {
 

@@ -1,6 +1,6 @@
 #include "common.hpp"
 #include "paper_protocol.hpp"
-#include "stoss/impact.hpp"
+#include "stoss/impact/impact.hpp"
 
 namespace bench {
 namespace {

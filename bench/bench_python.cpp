@@ -6,7 +6,7 @@
 #include <string>
 
 #include "common.hpp"
-#include "stoss/impact.hpp"
+#include "stoss/impact/impact.hpp"
 
 namespace bench {
 namespace {

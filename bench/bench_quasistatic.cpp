@@ -2,7 +2,7 @@
 #include <vector>
 
 #include "common.hpp"
-#include "stoss/modes.hpp"
+#include "stoss/bodies/disk/modes.hpp"
 #include "stoss/quasistatic.hpp"
 
 namespace bench {

@@ -5,9 +5,9 @@
 
 #include "common.hpp"
 #include "stoss/bodies/disk.hpp"
-#include "stoss/curve.hpp"
-#include "stoss/extrapolation.hpp"
-#include "stoss/restitution.hpp"
+#include "stoss/restitution/curve.hpp"
+#include "stoss/restitution/extrapolation.hpp"
+#include "stoss/restitution/restitution.hpp"
 
 namespace bench {
 namespace {

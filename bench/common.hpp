@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "stoss/body.hpp"
+#include "stoss/body/body.hpp"
 
 namespace bench {
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "paper_protocol.hpp"
-#include "stoss/impact.hpp"
+#include "stoss/impact/impact.hpp"
 
 namespace bench {
 

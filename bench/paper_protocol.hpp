@@ -20,7 +20,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "stoss/body.hpp"
+#include "stoss/body/body.hpp"
 
 namespace bench {
 

@@ -8,7 +8,7 @@
 #include "estimate.hpp"
 #include "interrupt.hpp"
 #include "stoss/bodies/disk.hpp"
-#include "stoss/curve.hpp"
+#include "stoss/restitution/curve.hpp"
 
 namespace stoss::cli {
 namespace {

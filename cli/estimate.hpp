@@ -3,7 +3,7 @@
 #include <string>
 
 #include "record.hpp"
-#include "stoss/restitution.hpp"
+#include "stoss/restitution/restitution.hpp"
 
 namespace stoss::cli {
 

@@ -12,7 +12,7 @@
 #include "numbers.hpp"
 #include "stoss/bodies/disk.hpp"
 #include "stoss/errors.hpp"
-#include "stoss/extrapolation.hpp"
+#include "stoss/restitution/extrapolation.hpp"
 
 namespace stoss::cli {
 namespace {

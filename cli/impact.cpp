@@ -1,5 +1,5 @@
 // stoss impact: one collision at a fixed resolution.
-#include "stoss/impact.hpp"
+#include "stoss/impact/impact.hpp"
 
 #include <fmt/format.h>
 

@@ -1,5 +1,5 @@
 // stoss modes: the eigenmodes of a disk.
-#include "stoss/modes.hpp"
+#include "stoss/bodies/disk/modes.hpp"
 
 #include <memory>
 #include <numbers>

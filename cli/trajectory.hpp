@@ -4,7 +4,7 @@
 #include <string>
 
 #include "report.hpp"
-#include "stoss/impact.hpp"
+#include "stoss/impact/impact.hpp"
 
 namespace stoss::cli {
 

@@ -6,8 +6,8 @@
 #include <sstream>
 #include <string>
 
+#include "stoss/bodies/disk/modes.hpp"
 #include "stoss/errors.hpp"
-#include "stoss/modes.hpp"
 
 namespace stoss {
 namespace {

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <vector>
 
-#include "bessel.hpp"
+#include "numeric/bessel.hpp"
 
 namespace stoss {
 namespace {

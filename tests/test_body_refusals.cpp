@@ -6,7 +6,7 @@
 
 #include "stoss/bodies/disk.hpp"
 #include "stoss/bodies/rod.hpp"
-#include "stoss/impact.hpp"
+#include "stoss/impact/impact.hpp"
 #include "support/refusal.hpp"
 
 namespace stoss {

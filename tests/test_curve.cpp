@@ -9,7 +9,7 @@
 
 #include "stoss/bodies/disk.hpp"
 #include "stoss/bodies/rod.hpp"
-#include "stoss/curve.hpp"
+#include "stoss/restitution/curve.hpp"
 #include "support/refusal.hpp"
 
 namespace stoss {

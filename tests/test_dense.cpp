@@ -1,5 +1,5 @@
 // Cholesky factorization and triangular inverses in blocks, against their definitions and Eigen's own.
-#include "dense.hpp"
+#include "numeric/dense.hpp"
 
 #include <gtest/gtest.h>
 

@@ -7,9 +7,9 @@
 #include <numbers>
 #include <vector>
 
-#include "complementarity.hpp"
+#include "contact/complementarity.hpp"
 #include "stoss/bodies/disk.hpp"
-#include "stoss/modes.hpp"
+#include "stoss/bodies/disk/modes.hpp"
 
 namespace stoss {
 namespace {

@@ -13,9 +13,9 @@
 #include <vector>
 
 #include "stoss/bodies/disk.hpp"
-#include "stoss/field.hpp"
-#include "stoss/impact.hpp"
-#include "stoss/modes.hpp"
+#include "stoss/bodies/disk/field.hpp"
+#include "stoss/bodies/disk/modes.hpp"
+#include "stoss/impact/impact.hpp"
 #include "stoss/quasistatic.hpp"
 
 namespace stoss {

@@ -10,12 +10,12 @@
 #include <string>
 #include <vector>
 
+#include "contact/response.hpp"
 #include "stoss/bodies/disk.hpp"
 #include "stoss/bodies/rod.hpp"
 #include "stoss/errors.hpp"
-#include "stoss/impact.hpp"
+#include "stoss/impact/impact.hpp"
 #include "support/refusal.hpp"
-#include "wall_response.hpp"
 
 namespace stoss {
 namespace {

@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "stoss/bodies/disk.hpp"
-#include "stoss/extrapolation.hpp"
+#include "stoss/restitution/extrapolation.hpp"
 #include "support/refusal.hpp"
 
 namespace stoss {

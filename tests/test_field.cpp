@@ -1,5 +1,5 @@
 // The field of many modes and forces at once, the measures of stress, and what is refused.
-#include "stoss/field.hpp"
+#include "stoss/bodies/disk/field.hpp"
 
 #include <gtest/gtest.h>
 

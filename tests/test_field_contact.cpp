@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "stoss/bodies/disk.hpp"
-#include "stoss/field.hpp"
-#include "stoss/impact.hpp"
+#include "stoss/bodies/disk/field.hpp"
+#include "stoss/impact/impact.hpp"
 #include "support/field_tools.hpp"
 
 namespace stoss {

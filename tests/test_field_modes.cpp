@@ -1,6 +1,6 @@
 // The field of single modes: displacement and stress obey Hooke's law and the equations of motion, the edge is free,
 // the centre regular. Then sums of many modes and forces, stress measures, and what is refused.
-#include "stoss/field.hpp"
+#include "stoss/bodies/disk/field.hpp"
 
 #include <gtest/gtest.h>
 
@@ -12,8 +12,8 @@
 #include <vector>
 
 #include "stoss/bodies/disk.hpp"
-#include "stoss/field.hpp"
-#include "stoss/modes.hpp"
+#include "stoss/bodies/disk/field.hpp"
+#include "stoss/bodies/disk/modes.hpp"
 #include "support/field_tools.hpp"
 
 namespace stoss {

@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "stoss/bodies/disk.hpp"
-#include "stoss/field.hpp"
-#include "stoss/modes.hpp"
+#include "stoss/bodies/disk/field.hpp"
+#include "stoss/bodies/disk/modes.hpp"
 #include "support/field_tools.hpp"
 
 namespace stoss {

@@ -13,7 +13,7 @@
 
 #include "stoss/bodies/disk.hpp"
 #include "stoss/bodies/rod.hpp"
-#include "stoss/impact.hpp"
+#include "stoss/impact/impact.hpp"
 #include "support/body_tools.hpp"
 
 namespace stoss {

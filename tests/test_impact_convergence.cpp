@@ -10,7 +10,7 @@
 
 #include "stoss/bodies/disk.hpp"
 #include "stoss/bodies/rod.hpp"
-#include "stoss/impact.hpp"
+#include "stoss/impact/impact.hpp"
 
 namespace stoss {
 namespace {

@@ -10,7 +10,7 @@
 #include "stoss/bodies/disk.hpp"
 #include "stoss/bodies/rod.hpp"
 #include "stoss/errors.hpp"
-#include "stoss/impact.hpp"
+#include "stoss/impact/impact.hpp"
 #include "support/body_tools.hpp"
 #include "support/refusal.hpp"
 

@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "stoss/bodies/disk.hpp"
-#include "stoss/impact.hpp"
+#include "stoss/impact/impact.hpp"
 #include "support/csv.hpp"
 
 namespace stoss {

@@ -6,7 +6,7 @@
 #include <numbers>
 
 #include "stoss/bodies/disk.hpp"
-#include "stoss/impact.hpp"
+#include "stoss/impact/impact.hpp"
 #include "stoss/material.hpp"
 #include "support/refusal.hpp"
 

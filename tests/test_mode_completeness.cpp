@@ -9,7 +9,7 @@
 #include <numbers>
 #include <vector>
 
-#include "stoss/modes.hpp"
+#include "stoss/bodies/disk/modes.hpp"
 #include "support/eigenvalue_equation.hpp"
 
 namespace stoss {

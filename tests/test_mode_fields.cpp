@@ -11,8 +11,8 @@
 #include <tuple>
 #include <vector>
 
+#include "stoss/bodies/disk/modes.hpp"
 #include "stoss/errors.hpp"
-#include "stoss/modes.hpp"
 #include "support/refusal.hpp"
 
 namespace stoss {

@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "stoss/modes.hpp"
+#include "stoss/bodies/disk/modes.hpp"
 #include "support/refusal.hpp"
 
 namespace stoss {

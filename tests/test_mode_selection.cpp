@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "stoss/bodies/disk.hpp"
-#include "stoss/impact.hpp"
-#include "stoss/motion.hpp"
+#include "stoss/impact/impact.hpp"
+#include "stoss/impact/replay.hpp"
 #include "support/refusal.hpp"
 
 namespace stoss {

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "stoss/modes.hpp"
+#include "stoss/bodies/disk/modes.hpp"
 #include "support/csv.hpp"
 #include "support/eigenvalue_equation.hpp"
 

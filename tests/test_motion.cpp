@@ -1,5 +1,5 @@
 // An impact looked at again: the frames are the impact's own instants, and in free flight energy and momentum stay.
-#include "stoss/motion.hpp"
+#include "stoss/impact/replay.hpp"
 
 #include <gtest/gtest.h>
 

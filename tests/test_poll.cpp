@@ -5,16 +5,16 @@
 #include <map>
 #include <string>
 
-#include "complementarity.hpp"
+#include "contact/complementarity.hpp"
+#include "contact/response.hpp"
 #include "stoss/bodies/disk.hpp"
-#include "stoss/extrapolation.hpp"
-#include "stoss/field.hpp"
-#include "stoss/impact.hpp"
-#include "stoss/motion.hpp"
+#include "stoss/bodies/disk/field.hpp"
+#include "stoss/contact/wall.hpp"
+#include "stoss/impact/impact.hpp"
+#include "stoss/impact/replay.hpp"
 #include "stoss/quasistatic.hpp"
-#include "stoss/restitution.hpp"
-#include "stoss/wall.hpp"
-#include "wall_response.hpp"
+#include "stoss/restitution/extrapolation.hpp"
+#include "stoss/restitution/restitution.hpp"
 
 namespace stoss {
 namespace {

@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "stoss/bodies/disk.hpp"
-#include "stoss/field.hpp"
+#include "stoss/bodies/disk/field.hpp"
 #include "stoss/quasistatic/compression.hpp"
 #include "stoss/quasistatic/heavy_disk.hpp"
 #include "stoss/quasistatic/static_contact.hpp"

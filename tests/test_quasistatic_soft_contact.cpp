@@ -10,9 +10,9 @@
 #include <vector>
 
 #include "stoss/bodies/disk.hpp"
+#include "stoss/bodies/disk/modes.hpp"
 #include "stoss/bodies/rod.hpp"
-#include "stoss/impact.hpp"
-#include "stoss/modes.hpp"
+#include "stoss/impact/impact.hpp"
 #include "stoss/quasistatic.hpp"
 #include "support/contact_problem.hpp"
 #include "support/refusal.hpp"

@@ -11,8 +11,8 @@
 #include <vector>
 
 #include "stoss/bodies/disk.hpp"
-#include "stoss/impact.hpp"
-#include "stoss/restitution.hpp"
+#include "stoss/impact/impact.hpp"
+#include "stoss/restitution/restitution.hpp"
 #include "support/refusal.hpp"
 #include "support/runge_kutta.hpp"
 

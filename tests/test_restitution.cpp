@@ -9,7 +9,7 @@
 
 #include "stoss/bodies/disk.hpp"
 #include "stoss/bodies/rod.hpp"
-#include "stoss/restitution.hpp"
+#include "stoss/restitution/restitution.hpp"
 #include "stoss/version.hpp"
 #include "support/csv.hpp"
 #include "support/refusal.hpp"

@@ -11,9 +11,9 @@
 #include <numbers>
 #include <vector>
 
-#include "stoss/wall.hpp"
+#include "contact/response.hpp"
+#include "stoss/contact/wall.hpp"
 #include "support/toy_bodies.hpp"
-#include "wall_response.hpp"
 
 namespace stoss {
 namespace {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "stoss/bodies/rod.hpp"
-#include "stoss/impact.hpp"
+#include "stoss/impact/impact.hpp"
 #include "support/refusal.hpp"
 #include "support/toy_bodies.hpp"
 

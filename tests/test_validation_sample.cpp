@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "stoss/bodies/disk.hpp"
-#include "stoss/restitution.hpp"
+#include "stoss/restitution/restitution.hpp"
 #include "support/csv.hpp"
 
 namespace stoss {

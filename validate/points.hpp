@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "stoss/restitution.hpp"
+#include "stoss/restitution/restitution.hpp"
 
 namespace validate {
 

@@ -11,10 +11,10 @@
 #include <stdexcept>
 #include <vector>
 
-#include "ordered_jobs.hpp"
-#include "resolution.hpp"
+#include "impact/resolution.hpp"
+#include "restitution/ordered_jobs.hpp"
 #include "stoss/bodies/disk.hpp"
-#include "stoss/impact.hpp"
+#include "stoss/impact/impact.hpp"
 
 namespace validate {
 namespace {

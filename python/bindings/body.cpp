@@ -1,4 +1,4 @@
-#include "stoss/body.hpp"
+#include "stoss/body/body.hpp"
 
 #include <pybind11/numpy.h>
 
@@ -6,7 +6,7 @@
 #include "interpreter.hpp"
 #include "stoss/bodies/disk.hpp"
 #include "stoss/bodies/rod.hpp"
-#include "stoss/restitution.hpp"
+#include "stoss/restitution/restitution.hpp"
 
 namespace stoss::python {
 

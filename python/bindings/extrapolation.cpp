@@ -1,4 +1,4 @@
-#include "stoss/extrapolation.hpp"
+#include "stoss/restitution/extrapolation.hpp"
 
 #include "arrays.hpp"
 #include "bindings.hpp"

@@ -1,4 +1,4 @@
-#include "stoss/field.hpp"
+#include "stoss/bodies/disk/field.hpp"
 
 #include "arrays.hpp"
 #include "frames.hpp"

@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "bindings.hpp"
-#include "stoss/motion.hpp"
+#include "stoss/impact/replay.hpp"
 
 namespace stoss::python {
 

@@ -1,4 +1,4 @@
-#include "stoss/impact.hpp"
+#include "stoss/impact/impact.hpp"
 
 #include <pybind11/stl.h>
 

@@ -1,4 +1,4 @@
-#include "stoss/modes.hpp"
+#include "stoss/bodies/disk/modes.hpp"
 
 #include "arrays.hpp"
 #include "bindings.hpp"

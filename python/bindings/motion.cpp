@@ -1,4 +1,4 @@
-#include "stoss/motion.hpp"
+#include "stoss/impact/replay.hpp"
 
 #include "arrays.hpp"
 #include "frames.hpp"

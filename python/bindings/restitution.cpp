@@ -1,4 +1,4 @@
-#include "stoss/restitution.hpp"
+#include "stoss/restitution/restitution.hpp"
 
 #include <pybind11/stl.h>
 
@@ -9,7 +9,7 @@
 #include "arrays.hpp"
 #include "bindings.hpp"
 #include "interpreter.hpp"
-#include "stoss/curve.hpp"
+#include "stoss/restitution/curve.hpp"
 
 namespace stoss::python {
 namespace {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "stoss/wall.hpp"
+#include "stoss/contact/wall.hpp"
 
 namespace stoss::python {
 

@@ -14,8 +14,8 @@
 #include <limits>
 
 #include "check.hpp"
-#include "dense.hpp"
-#include "resolution.hpp"
+#include "impact/resolution.hpp"
+#include "numeric/dense.hpp"
 #include "stoss/errors.hpp"
 
 namespace stoss {

@@ -6,9 +6,9 @@
 #include <cstddef>
 #include <numbers>
 
-#include "bodies/disk_residual.hpp"
+#include "bodies/disk/residual.hpp"
 #include "check.hpp"
-#include "complementarity.hpp"
+#include "contact/complementarity.hpp"
 #include "stoss/errors.hpp"
 
 namespace stoss {

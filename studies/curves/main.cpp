@@ -11,9 +11,9 @@
 #include <vector>
 
 #include "stoss/bodies/disk.hpp"
-#include "stoss/curve.hpp"
-#include "stoss/modes.hpp"
+#include "stoss/bodies/disk/modes.hpp"
 #include "stoss/quasistatic/rayleigh.hpp"
+#include "stoss/restitution/curve.hpp"
 
 namespace {
 

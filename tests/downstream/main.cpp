@@ -1,14 +1,14 @@
 // A user's program: the installed library, its exported target, one impact.
 #include <stoss/bodies/disk.hpp>
+#include <stoss/bodies/disk/modes.hpp>
 #include <stoss/bodies/rod.hpp>
-#include <stoss/body.hpp>
+#include <stoss/body/body.hpp>
+#include <stoss/contact/wall.hpp>
 #include <stoss/errors.hpp>
-#include <stoss/impact.hpp>
+#include <stoss/impact/impact.hpp>
 #include <stoss/material.hpp>
-#include <stoss/modes.hpp>
-#include <stoss/restitution.hpp>
+#include <stoss/restitution/restitution.hpp>
 #include <stoss/version.hpp>
-#include <stoss/wall.hpp>
 
 #include <cmath>
 #include <cstdio>

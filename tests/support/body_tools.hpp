@@ -4,8 +4,8 @@
 #include <cstddef>
 #include <vector>
 
-#include "stoss/body.hpp"
-#include "stoss/impact.hpp"
+#include "stoss/body/body.hpp"
+#include "stoss/impact/impact.hpp"
 
 namespace stoss::test {
 

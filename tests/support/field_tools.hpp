@@ -7,7 +7,7 @@
 #include <numbers>
 #include <vector>
 
-#include "stoss/body.hpp"
+#include "stoss/body/body.hpp"
 
 namespace stoss::test {
 

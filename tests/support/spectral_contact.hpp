@@ -6,7 +6,7 @@
 #include <numbers>
 #include <vector>
 
-#include "stoss/modes.hpp"
+#include "stoss/bodies/disk/modes.hpp"
 #include "support/contact_problem.hpp"
 
 namespace stoss::test {

@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "stoss/body.hpp"
+#include "stoss/body/body.hpp"
 
 namespace stoss::test {
 

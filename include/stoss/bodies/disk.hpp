@@ -1,6 +1,6 @@
 #pragma once
 
-#include "stoss/body.hpp"
+#include "stoss/body/body.hpp"
 
 namespace stoss {
 

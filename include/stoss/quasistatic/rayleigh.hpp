@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "stoss/modes.hpp"
+#include "stoss/bodies/disk/modes.hpp"
 #include "stoss/quasistatic/slow_impact.hpp"
 
 /// Rayleigh's estimate of the loss: every mode is driven, at the point of contact φ = 0, by the force of a slow impact,

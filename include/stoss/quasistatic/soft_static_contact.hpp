@@ -3,9 +3,9 @@
 #include <optional>
 #include <string>
 
-#include "stoss/body.hpp"
+#include "stoss/body/body.hpp"
+#include "stoss/contact/wall.hpp"
 #include "stoss/poll.hpp"
-#include "stoss/wall.hpp"
 
 namespace stoss {
 

@@ -1,0 +1,116 @@
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "stoss/body/body.hpp"
+#include "stoss/contact/wall.hpp"
+#include "stoss/poll.hpp"
+
+namespace stoss {
+
+/// Speed, in c, above which results are flagged: small-strain elasticity has lost its meaning.
+inline constexpr double small_strain_speed = 0.5;
+
+/// Motion of a body: its centre and its modes, in the order of Body::groups.
+struct State {
+  double center = 0.0;             ///< x₀, R; the wall is at x = 0, the body at x < 0
+  double velocity = 0.0;           ///< of the centre, towards the wall, c
+  std::vector<double> coordinate;  ///< Q, R
+  std::vector<double> momentum;    ///< P, mc
+};
+
+/// Resolution, observation and start of an impact.
+struct ImpactOptions {
+  std::optional<double> step{};        ///< Δt, R/c; otherwise recommended_step
+  std::optional<int> nodes{};          ///< of the contact grid; otherwise recommended_nodes
+  std::optional<double> half_width{};  ///< of the contact grid, R; otherwise 1.25 times the expected one of the contact
+  int observe_every = 1;               ///< the observer sees every so many steps
+  bool observe_modes = false;          ///< fill Snapshot::coordinate, momentum and node_force
+  std::optional<State>
+      start{};  ///< a vibrating body, of velocity `speed`; otherwise at rest inside, just out of contact
+  Poll poll{};
+};
+
+/// One instant of an impact. Energies are shares of the initial energy.
+struct Snapshot {
+  double time = 0.0;                   ///< R/c, from the start
+  double center = 0.0;                 ///< x₀, R
+  double velocity = 0.0;               ///< of the centre, towards the wall, c
+  double force = 0.0;                  ///< F, πRE = mc²/R
+  double translation = 0.0;            ///< ½mv²
+  double vibration = 0.0;              ///< of the kept modes
+  double stored = 0.0;                 ///< in the wall's potential or the quasistatic tail
+  double unresolved = 0.0;             ///< taken by the modes above the cutoff
+  double contact_half_width = 0.0;     ///< R
+  std::span<const double> coordinate;  ///< Q, on request; valid during the call
+  std::span<const double> momentum;    ///< P, on request; valid during the call
+  std::span<const double> node_force;  ///< share of each contact node in F, on request; valid during the call
+};
+
+/// Receives the instants of an impact in order of time. What it throws ends the impact and reaches
+/// the caller.
+using ImpactObserver = std::function<void(const Snapshot&)>;
+
+/// Energy of one kept mode, as shares of the initial energy.
+struct ModeEnergy {
+  int order = 0;         ///< n
+  int index = 0;         ///< l
+  double omega = 0.0;    ///< c/R
+  double after = 0.0;    ///< after the impact
+  double average = 0.0;  ///< mean over the steps in contact, of which every fourth is taken
+};
+
+/// Where the energy is after the impact, as shares of the initial energy; the sum is 1 but for energy_error.
+struct EnergyLedger {
+  double translation = 0.0;
+  double vibration = 0.0;         ///< of the kept modes
+  double unresolved = 0.0;        ///< of the modes above the cutoff (radiating tail)
+  double stored = 0.0;            ///< left in the exponential wall's potential, < 1e-10
+  std::vector<ModeEnergy> modes;  ///< in the order of Body::groups
+};
+
+/// One impact at a fixed resolution, with the inputs that made it.
+struct Impact {
+  std::string body;
+  Wall wall;
+  double speed = 0.0;   ///< c
+  double cutoff = 0.0;  ///< c/R
+  double step = 0.0;    ///< R/c
+  int nodes = 0;
+  double half_width = 0.0;     ///< of the contact grid, R
+  double restitution = 0.0;    ///< ε = −v_f / v_i
+  double lost_fraction = 0.0;  ///< 1 − ε²
+  EnergyLedger energy;
+  double contact_time = 0.0;     ///< from first to last contact, R/c
+  int contacts = 0;              ///< separate periods of contact
+  double max_force = 0.0;        ///< greatest mean over one step, πRE = mc²/R
+  double max_compression = 0.0;  ///< R, beyond the wall; beyond the plane V₀e^{αx} = 1 of an exponential one
+  double max_half_width = 0.0;   ///< of the contact, R
+  double momentum_error = 0.0;   ///< |impulse − change of momentum| / (m v)
+  double energy_error = 0.0;     ///< 1 − sum of the ledger
+  long steps = 0;
+  bool beyond_small_strain = false;  ///< speed > 0.5 c or compression > 0.5 R: linear elasticity has lost its meaning
+  State final_state;
+};
+
+/// Recommended time step Δt for a body at a wall, R/c (docs/numerics.md).
+[[nodiscard]] double recommended_step(const Body& body, const Wall& wall, double speed);
+
+/// Recommended number of contact nodes for a body at a wall.
+[[nodiscard]] int recommended_nodes(const Body& body, const Wall& wall, double speed);
+
+/// Computes one impact of a body at a wall, by kick–rotate–kick with the wall's force. It starts
+/// just out of contact and ends when no later contact is possible: the body recedes, and no
+/// combination of its modes' phases can bring its edge back to the wall (docs/theory/impact.md).
+/// Contacts that follow one another while the body vibrates at the wall are one impact.
+/// @param speed of the centre of mass towards the wall, 1e-8 … 1, in c. Two equal bodies that each move at `speed`
+///              towards each other are the same problem.
+/// @throws InvalidInput for arguments out of range; NotConverged if the contact cannot be solved or does not end
+[[nodiscard]] Impact impact(const Body& body, const Wall& wall, double speed, const ImpactOptions& options = {},
+                            const ImpactObserver& observer = {});
+
+}  // namespace stoss

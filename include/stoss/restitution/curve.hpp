@@ -1,0 +1,44 @@
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <vector>
+
+#include "stoss/poll.hpp"
+#include "stoss/restitution/restitution.hpp"
+
+namespace stoss {
+
+/// Receives the results of a curve in the order of its speeds, on the calling thread: each as soon
+/// as it and all before it are there. What it throws ends the curve.
+using CurveObserver = std::function<void(std::size_t index, const Restitution& result)>;
+
+/// Tolerance and threads of a curve.
+struct CurveOptions {
+  double tolerance = 1e-3;  ///< as in RestitutionOptions
+  int threads = 0;          ///< 0: as many as the machine has; results do not depend on it
+  Poll poll{};              ///< on the calling thread, at least every 50 ms
+};
+
+/// Checks the speeds and the options of a curve.
+/// @throws InvalidInput for speeds, a tolerance or threads out of range
+void validate(const std::vector<double>& speeds, const CurveOptions& options);
+
+/// Computes ε at each of the speeds and hands the results over one by one. A point that does not
+/// converge does not end the curve: it has `converged` false, a reason, and the best value, or NaN
+/// where no two impacts end.
+/// @throws InvalidInput for arguments out of range, before anything is computed; what observer and poll throw, after
+///         the impacts under way have stopped
+void restitution_curve(const RefinableBody& body, const std::vector<double>& speeds, const CurveOptions& options,
+                       const CurveObserver& observer);
+
+/// Computes ε at each of the speeds and returns all results. Each holds all modes of its finest
+/// impact (0.05 MB); a long curve is better observed.
+[[nodiscard]] std::vector<Restitution> restitution_curve(const RefinableBody& body, const std::vector<double>& speeds,
+                                                         const CurveOptions& options = {});
+
+/// Computes ε of a disk at each of the speeds. @param poisson 2-D Poisson number, −0.95 … 0.995
+[[nodiscard]] std::vector<Restitution> restitution_curve(double poisson, const std::vector<double>& speeds,
+                                                         const CurveOptions& options = {});
+
+}  // namespace stoss

@@ -1,0 +1,97 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "stoss/body/body.hpp"
+#include "stoss/errors.hpp"
+#include "stoss/impact/impact.hpp"
+#include "stoss/poll.hpp"
+
+namespace stoss {
+
+/// A body at a series of cutoffs, ω_c = 8 · 2^(level/4) c/R. Each is made when it is first asked
+/// for and then kept. Copies share what is made; any number of threads may ask.
+class RefinableBody {
+ public:
+  static constexpr int highest_level = 22;  ///< ω_c = 362
+  static double cutoff(int level);
+
+  explicit RefinableBody(BodyMaker maker);
+
+  /// The body at the cutoff of a level.
+  /// @throws what the maker and poll throw; InvalidInput for a level outside 0 … highest_level
+  [[nodiscard]] const Body& at(int level, const Poll& poll = {}) const;
+
+ private:
+  struct Levels;
+  std::shared_ptr<Levels> levels_;
+};
+
+/// A number with its estimated error: in the validation (docs/validation.md) the true error of ε and of 1 − ε² is
+/// within it in 95 % of all cases, and never beyond three times it. An infinite error means that it is unknown: it
+/// would reach the value itself or, for ε and 1 − ε², exceed 1.
+struct Estimate {
+  double value = 0.0;
+  double error = 0.0;
+};
+
+/// One impact on the way to a converged value: its resolution, with which `impact` repeats it bit by bit, and results.
+struct Run {
+  double cutoff = 0.0;
+  double step = 0.0;
+  int nodes = 0;
+  double half_width = 0.0;  ///< of the contact grid
+  double lost_fraction = 0.0;
+  double contact_time = 0.0;
+  double max_force = 0.0;
+  double max_compression = 0.0;
+  double energy_error = 0.0;
+  long steps = 0;
+};
+
+/// The coefficient of restitution against a hard wall, with its errors and the runs that led to it.
+/// Units as in Impact.
+struct Restitution {
+  Estimate restitution;    ///< ε; its error is that of 1 − ε²
+  Estimate lost_fraction;  ///< 1 − ε²
+  Estimate contact_time;
+  Estimate max_force;
+  Estimate max_compression;
+  double tolerance = 0.0;  ///< asked for, relative to 1 − ε²
+  bool converged = false;  ///< whether it is met
+  std::string reason;      ///< why not
+  std::vector<Run> runs;   ///< from coarse to fine
+  Impact finest;           ///< the last of them, whole; beyond_small_strain says where linear elasticity has ended
+  long steps = 0;          ///< of all runs
+};
+
+/// Tolerance of the coefficient of restitution.
+struct RestitutionOptions {
+  double tolerance = 1e-3;  ///< error of 1 − ε² over 1 − ε², 1e-15 … 0.5
+  Poll poll{};
+};
+
+/// A coefficient of restitution that misses its tolerance. `best` is the best value that was
+/// reached; best.reason, also in what(), says what stood in the way.
+class RestitutionNotConverged : public NotConverged {
+ public:
+  explicit RestitutionNotConverged(Restitution result);
+  Restitution best;
+};
+
+/// Coefficient of restitution of a body at a hard wall, from impacts at rising cutoffs
+/// (docs/numerics.md, section 5): cutoff, step and grid are refined together until the error of
+/// 1 − ε² is below tolerance × (1 − ε²). The error is six times the largest of the differences from the
+/// coarser runs, each scaled by the observed order of convergence, (ω_coarse/ω_fine)^(5/2) (with
+/// one point of contact ω_coarse/ω_fine).
+/// @param speed of the centre of mass, 1e-8 … 1, in c
+/// @throws InvalidInput for arguments out of range; RestitutionNotConverged if the highest cutoff is not enough;
+///         NotConverged if no two impacts end
+[[nodiscard]] Restitution restitution(const RefinableBody& body, double speed, const RestitutionOptions& options = {});
+
+/// Coefficient of restitution at one speed, for a body that is needed only once.
+[[nodiscard]] Restitution restitution(const BodyMaker& maker, double speed, const RestitutionOptions& options = {});
+
+}  // namespace stoss

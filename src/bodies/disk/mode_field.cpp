@@ -1,0 +1,80 @@
+#include "bodies/disk/mode_field.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+#include "bodies/disk/edge_problem.hpp"
+#include "check.hpp"
+#include "numeric/bessel.hpp"
+
+namespace stoss {
+namespace {
+
+/// Ratio of the same Bessel function at two arguments, given as scaled pairs.
+struct Ratio {
+  double value;  // J_n(κr)/J_n(κ) times the edge value
+  double next;
+};
+
+Ratio rescaled(const BesselPair& inside, const BesselPair& edge) {
+  const int shift = inside.exponent - edge.exponent;
+  return {std::ldexp(inside.value, shift), std::ldexp(inside.next, shift)};
+}
+
+/// J_n(x) and x J_{n+1}(x), scaled to about 1: the norm of a vibration is of the fourth degree in them.
+BesselPair edge_pair(double x, std::vector<BesselPair>& pairs) {
+  bessel_pairs(x, pairs);
+  const BesselPair& pair = pairs.back();
+  const int shift = std::ilogb(std::hypot(pair.value, pair.next));
+  return {std::ldexp(pair.value, -shift), std::ldexp(pair.next, -shift), pair.exponent + shift};
+}
+
+}  // namespace
+
+std::vector<RadialField> mode_field(double poisson, const Mode& mode, std::span<const double> radii, const Poll& poll) {
+  require_poisson(poisson);
+  require("order", static_cast<long>(mode.order), 0, 1'000'000, "angular order of the mode");
+  require("omega", mode.omega, {0.0, max_cutoff, false, true, "above 0 and up to 1000"},
+          "frequency of the mode in c/R");
+  constexpr Range inside{0.0, 1.0, true, true, "0 to 1"};
+  for (const double radius : radii) require("radius", radius, inside, "in units of the radius of the disk");
+  const double kappa = std::sqrt(1.0 - poisson * poisson) * mode.omega;
+  const double kappa_shear = std::sqrt(2.0 * (1.0 + poisson)) * mode.omega;
+  const double n = mode.order;
+  const double m = n * (n - 1.0);
+
+  std::vector<BesselPair> pairs(static_cast<std::size_t>(mode.order) + 1);
+  const BesselPair pressure = edge_pair(kappa, pairs);
+  const BesselPair shear = edge_pair(kappa_shear, pairs);
+  double a = -mode.radial / pressure.next;  // n = 0: u_r = A κ J_0'(κr)
+  double b = 0.0;
+  if (mode.order > 0) {
+    const auto vibration = EdgeProblem{mode.order, kappa, kappa_shear, pressure, shear}.vibration();
+    a = vibration.pressure;
+    b = vibration.shear;
+  }
+
+  std::vector<RadialField> field;
+  field.reserve(radii.size());
+  for (const double radius : radii) {
+    if (poll) poll();
+    // The limit at the centre: evaluate just beside it.
+    const double r = std::max(radius, 1e-30);
+    bessel_pairs(kappa * r, pairs);
+    const Ratio p = rescaled(pairs.back(), pressure);
+    bessel_pairs(kappa_shear * r, pairs);
+    const Ratio s = rescaled(pairs.back(), shear);
+    const double y = 0.5 * kappa_shear * kappa_shear * r * r;
+    const double sum = a * p.value + b * s.value;
+    const double large = m * sum;
+    const double factor = 1.0 / ((1.0 + poisson) * r * r);
+    field.push_back({(n * sum - a * p.next) / r, (b * s.next - n * sum) / r,
+                     factor * (large - y * a * p.value + a * p.next - n * b * s.next),
+                     factor * (-large - poisson * y * a * p.value - a * p.next + n * b * s.next),
+                     factor * (-large + y * b * s.value + n * a * p.next - b * s.next)});
+  }
+  return field;
+}
+
+}  // namespace stoss

@@ -1,0 +1,13 @@
+#pragma once
+
+#include <vector>
+
+#include "stoss/bodies/disk/modes.hpp"
+
+namespace stoss {
+
+/// All modes with 0 < ω ≤ cutoff, sorted by order and frequency; arguments already checked. Every root is
+/// bracketed by exact root counts at both ends, so none can be missed or found twice.
+[[nodiscard]] std::vector<Mode> find_modes(double poisson, double cutoff, const Poll& poll);
+
+}  // namespace stoss

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <vector>
+
+#include "stoss/bodies/disk/modes.hpp"
+#include "stoss/body/body.hpp"
+
+namespace stoss {
+
+/// Static response of the modes of a disk that are not kept, between the nodes of its contact grids.
+class DiskResidual {
+ public:
+  /// @param kept modes, sorted by order
+  DiskResidual(double poisson, double cutoff, const std::vector<Mode>& kept);
+
+  /// W_ij = (1/m) Σ_n [R^CC c_i c_j + R^CS (c_i s_j + s_i c_j) + R^SS s_i s_j], R_n = Σ_{not kept} (C,S)(C,S)ᵀ/ω²,
+  /// over the orders up to the grid's Nyquist order π/h, of which the last counts half.
+  [[nodiscard]] std::vector<double> compliance(const ContactGrid& grid, const Poll& poll = {}) const;
+
+  /// V_ij: the same with ω⁴ for ω². Orders that follow any force that the time steps can resolve are left out.
+  [[nodiscard]] std::vector<double> second_moment(const ContactGrid& grid, const Poll& poll = {}) const;
+
+  /// Δt for which Δt² Σ_kept C² = 1.8 R^CC in the worst order. A single order at a rigid wall is unstable from 4 on; on
+  /// a grid, which mixes the orders, trouble begins above 2 (docs/numerics.md).
+  [[nodiscard]] double stable_step() const;
+
+ private:
+  double poisson_;
+  int highest_order_;                      // in the second moment
+  std::vector<double> kept_radial_;        // Σ_kept C², by order
+  std::vector<Flexibility> kept_;          // Σ_kept (C,S)(C,S)ᵀ/ω²
+  std::vector<Flexibility> kept_squared_;  // Σ_kept (C,S)(C,S)ᵀ/ω⁴
+};
+
+}  // namespace stoss

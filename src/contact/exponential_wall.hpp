@@ -1,0 +1,33 @@
+#pragma once
+
+#include <cmath>
+
+#include "contact/response.hpp"
+
+namespace stoss {
+
+/// The paper's wall on the nodes: V = V₀ Σ_i μ_i e^{αx_i}, f_i = ∂V/∂x_i, with μ_i the edge that node i stands for.
+class ExponentialResponse final : public WallResponse {
+ public:
+  ExponentialResponse(const ExponentialWall& wall, const Body& body, const ContactGrid& grid, double speed);
+  const std::vector<double>& advance(const std::vector<double>& position) override;
+  [[nodiscard]] std::size_t extent() const override { return extent_; }
+  [[nodiscard]] std::size_t contact_nodes() const override;
+  [[nodiscard]] bool overflows() const override;
+  [[nodiscard]] double stored_energy() const override { return total_force_ / wall_.hardness; }
+  [[nodiscard]] double contact_threshold() const override { return threshold_; }
+  [[nodiscard]] double plane_offset() const override { return std::log(wall_.strength) / wall_.hardness; }
+  [[nodiscard]] double range() const override { return range_; }
+
+ private:
+  ExponentialWall wall_;
+  double threshold_;
+  double range_;
+  double log_strength_;          // ln(α V₀)
+  std::vector<double> measure_;  // μ_i
+  std::vector<double> force_;
+  double total_force_ = 0.0;
+  std::size_t extent_ = 0;
+};
+
+}  // namespace stoss

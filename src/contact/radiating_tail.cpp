@@ -1,0 +1,198 @@
+#include "contact/radiating_tail.hpp"
+
+#include <Eigen/Core>
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+#include "contact/residual.hpp"
+#include "numeric/dense.hpp"
+#include "numeric/kernels.hpp"
+#include "stoss/errors.hpp"
+
+namespace stoss {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+
+/// γ: with it the tail of a family of modes has the spring constant (2/π) ω_c Z at high frequency (docs/numerics.md).
+constexpr double link_stiffness = 8.0 / std::numbers::pi - 0.5 * std::numbers::pi;
+
+std::vector<double> values(const RowMajor& matrix) { return {matrix.data(), matrix.data() + matrix.size()}; }
+
+std::vector<double> values_of_symmetric(const MatrixXd& matrix, const Poll& poll) {
+  std::vector<double> result = dense::zeros(static_cast<std::size_t>(matrix.size()), poll);
+  std::copy_n(matrix.data(), matrix.size(), result.begin());
+  return result;
+}
+
+/// Kicks of period Δt move a mode under a constant force by (Δt/2ω) cot(ωΔt/2) instead of 1/ω². The difference of all
+/// kept modes, which adds to the compliance of the others, so that the response to slow forces is exact.
+void add_kick_compliance(const Body& body, const ContactGrid& grid, double step, const Poll& poll,
+                         MatrixXd& compliance) {
+  const auto n = compliance.rows();
+  const Eigen::Map<const RowMajor> shape(grid.shape.data(), static_cast<Index>(grid.shape.size()) / n, n);
+  RowMajor response = RowMajor::Zero(shape.rows(), n);  // of each shape to forces on the nodes
+  for (const ModeGroup& group : body.groups) {
+    double plus = 0.0, mixed = 0.0, minus = 0.0;  // C c + S s = ½(C + S)(c + s) + ½(C − S)(c − s)
+    for (std::size_t l = 0; l < group.omega.size(); ++l) {
+      const double angle = 0.5 * group.omega[l] * step;
+      const double missing = (1.0 - angle / std::tan(angle)) / (group.omega[l] * group.omega[l] * body.mass);
+      const double sum = 0.5 * (group.radial[l] + group.tangential[l]);
+      const double difference = 0.5 * (group.radial[l] - group.tangential[l]);
+      plus += missing * sum * sum;
+      mixed += missing * sum * difference;
+      minus += missing * difference * difference;
+    }
+    const auto p = static_cast<Index>(group.sum_shape), m = static_cast<Index>(group.difference_shape);
+    response.row(p) += plus * shape.row(p) + mixed * shape.row(m);
+    response.row(m) += mixed * shape.row(p) + minus * shape.row(m);
+  }
+  dense::by_columns(n, poll, [&](Index first, Index count) {
+    compliance.middleCols(first, count).noalias() += shape.transpose() * response.middleCols(first, count);
+  });
+}
+
+/// Y with V = Y Yᵀ, by Cholesky factorization with pivots, up to the rank at which what is left of V is rounding: Eigen
+/// has none that updates the diagonal before it chooses.
+MatrixXd root(const MatrixXd& moment, const Poll& poll) {
+  constexpr double rounding = 1e-12;
+  constexpr Index lanes = 8;  // a step's products prefer whole vectors; the columns beyond the rank are 0
+  const auto n = moment.rows();
+  Eigen::VectorXd left = moment.diagonal();
+  const double least = rounding * left.maxCoeff();
+  MatrixXd result(n, 0);
+  Index rank = 0, pivot = 0;
+  for (; rank < n && left.maxCoeff(&pivot) > least; ++rank) {
+    if (poll) poll();
+    if (rank == result.cols()) result.conservativeResize(Eigen::NoChange, std::max(lanes, 2 * rank));
+    Eigen::VectorXd column = moment.col(pivot);
+    column.noalias() -= result.leftCols(rank) * result.row(pivot).head(rank).transpose();
+    column /= std::sqrt(left(pivot));
+    left.array() -= column.array().square();
+    result.col(rank) = column;
+  }
+  const Index whole = (rank + lanes - 1) / lanes * lanes;
+  result.conservativeResize(Eigen::NoChange, whole);
+  result.rightCols(whole - rank).setZero();
+  return result;
+}
+
+MatrixXd factored(MatrixXd positive, const Poll& poll) {
+  if (!dense::factor(positive, poll)) {
+    throw NotConverged("contact: the compliance between the nodes is not positive definite (use fewer nodes)");
+  }
+  return positive;
+}
+
+/// AᵀB
+MatrixXd product(const MatrixXd& a, const MatrixXd& b, const Poll& poll) {
+  MatrixXd result(a.cols(), b.cols());
+  dense::by_columns(b.cols(), poll, [&](Index first, Index count) {
+    result.middleCols(first, count).noalias() = a.transpose() * b.middleCols(first, count);
+  });
+  return result;
+}
+
+}  // namespace
+
+RadiatingTail::Matrices RadiatingTail::discretize(const Body& body, const ContactGrid& grid, double step,
+                                                  const Poll& poll) {
+  const auto n = static_cast<Index>(grid.recess.size());
+  const auto matrix = [&](const auto& residual) -> MatrixXd {
+    return dense::square(residual_matrix(body, residual, grid, poll).data(), n, poll);
+  };
+  MatrixXd compliance = matrix(body.residual_compliance);
+  add_kick_compliance(body, grid, step, poll, compliance);
+  const MatrixXd moment = root(matrix(body.residual_second_moment), poll);
+  const auto masses = moment.cols();
+  const Eigen::VectorXd impedance = Eigen::Map<const Eigen::VectorXd>(grid.impedance.data(), n);
+  const Eigen::VectorXd link = impedance * (link_stiffness * body.cutoff + 1.0 / step);
+
+  MatrixXd participation = moment;
+  dense::solve(factored(dense::square(compliance.data(), n, poll), poll), participation, poll);
+  MatrixXd inertia = product(participation, link.cwiseInverse().asDiagonal() * participation, poll);
+  inertia.diagonal().array() += 0.25 * step * step;
+  MatrixXd mobility = MatrixXd::Identity(masses, masses);
+  dense::solve(factored(inertia, poll), mobility, poll);
+
+  // Y T Yᵀ = QᵀQ
+  const MatrixXd lower = factored(inertia + product(moment, participation, poll), poll);
+  MatrixXd memory = moment.transpose();
+  dense::by_columns(n, poll, [&](Index first, Index count) {
+    auto columns = memory.middleCols(first, count);
+    lower.triangularView<Eigen::Lower>().solveInPlace(columns);
+  });
+  compliance -= product(memory, memory, poll);
+  dense::by_columns(n, poll, [&](Index first, Index count) {
+    auto columns = memory.middleCols(first, count);
+    lower.triangularView<Eigen::Lower>().transpose().solveInPlace(columns);
+  });
+  return {values_of_symmetric(compliance, poll), values(participation), values(mobility), values(memory),
+          static_cast<std::size_t>(masses)};
+}
+
+RadiatingTail::RadiatingTail(const Body& body, const ContactGrid& grid, double step, const Poll& poll)
+    : RadiatingTail(discretize(body, grid, step, poll), grid.recess.size(), body.cutoff, step, poll) {}
+
+RadiatingTail::RadiatingTail(Matrices matrices, std::size_t nodes, double cutoff, double step, const Poll& poll)
+    : step_(step),
+      fading_(1.0 / (1.0 + link_stiffness * cutoff * step)),
+      contact_(std::move(matrices.compliance), nodes, poll),
+      participation_(std::move(matrices.participation)),
+      mobility_(std::move(matrices.mobility)),
+      memory_(std::move(matrices.memory)),
+      position_(nodes),
+      displacement_(nodes),
+      force_(nodes),
+      old_force_(nodes),
+      free_(nodes),
+      contact_displacement_(nodes),
+      gap_(nodes),
+      mass_displacement_(matrices.masses),
+      mass_velocity_(matrices.masses),
+      mass_acceleration_(matrices.masses),
+      stretch_(matrices.masses),
+      rest_(matrices.masses),
+      moved_(matrices.masses) {}
+
+const std::vector<double>& RadiatingTail::advance(const std::vector<double>& position) {
+  const std::size_t nodes = position.size(), masses = rest_.size();
+  const double half = 0.5 * step_;
+  for (std::size_t k = 0; k < masses; ++k) {
+    // From here η, η̇ are what they would become without the new acceleration.
+    mass_displacement_[k] += step_ * mass_velocity_[k] + half * half * mass_acceleration_[k];
+    mass_velocity_[k] += half * mass_acceleration_[k];
+    rest_[k] = mass_displacement_[k] + fading_ * stretch_[k];
+  }
+  kernels::multiply_transposed(memory_.data(), nodes, masses, 0, nodes, rest_.data(), free_.data());
+  for (std::size_t i = 0; i < nodes; ++i) gap_[i] = position[i] - free_[i];
+  old_force_.swap(force_);
+  contact_.solve(gap_, force_, contact_displacement_);
+  for (std::size_t i = 0; i < nodes; ++i) {
+    displacement_[i] = free_[i] + contact_displacement_[i];
+    work_ += 0.5 * (old_force_[i] + force_[i]) * (position[i] - position_[i]);
+  }
+  kernels::multiply_transposed(participation_.data(), masses, nodes, 0, masses, displacement_.data(), moved_.data());
+  for (std::size_t k = 0; k < masses; ++k) rest_[k] = moved_[k] - rest_[k];
+  kernels::multiply_transposed(mobility_.data(), masses, masses, 0, masses, rest_.data(), mass_acceleration_.data());
+  for (std::size_t k = 0; k < masses; ++k) {
+    mass_displacement_[k] += half * half * mass_acceleration_[k];
+    mass_velocity_[k] += half * mass_acceleration_[k];
+    stretch_[k] = moved_[k] - mass_displacement_[k];
+  }
+  position_ = position;
+  return force_;
+}
+
+double RadiatingTail::protrusion() const {
+  // A released node swings back through its rest position, but never as far as it was displaced.
+  double largest = 0.0;
+  for (const double displacement : displacement_) largest = std::max(largest, std::abs(displacement));
+  return largest;
+}
+
+}  // namespace stoss

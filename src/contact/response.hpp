@@ -1,0 +1,52 @@
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "stoss/body/body.hpp"
+#include "stoss/contact/wall.hpp"
+
+namespace stoss {
+
+/// A wall in front of one body: the force on each contact node, given where the kept modes alone would put the nodes.
+class WallResponse {
+ public:
+  virtual ~WallResponse() = default;
+
+  /// Advances by one step to the given positions x_dyn (beyond the wall where positive) and returns the node forces.
+  virtual const std::vector<double>& advance(const std::vector<double>& position) = 0;
+
+  /// Number of leading nodes beyond which the last force vanishes.
+  [[nodiscard]] virtual std::size_t extent() const = 0;
+
+  /// Number of leading nodes that are in contact; with a soft wall, those with a noticeable share of the force.
+  [[nodiscard]] virtual std::size_t contact_nodes() const = 0;
+
+  /// Whether the contact reaches the end of the grid, which is then too small.
+  [[nodiscard]] virtual bool overflows() const = 0;
+
+  /// Energy in the wall's potential or in the quasistatic tail at the last positions, given back when contact ends.
+  [[nodiscard]] virtual double stored_energy() const { return 0.0; }
+
+  /// Energy that the modes above the cutoff have taken so far.
+  [[nodiscard]] virtual double unresolved_energy() const { return 0.0; }
+
+  /// Largest distance by which a free node may at present lie in front of its x_dyn.
+  [[nodiscard]] virtual double protrusion() const { return 0.0; }
+
+  /// Contact is counted while the total force exceeds this.
+  [[nodiscard]] virtual double contact_threshold() const { return 0.0; }
+
+  /// How far in front of x = 0 the wall's own plane lies, from which compression is measured.
+  [[nodiscard]] virtual double plane_offset() const { return 0.0; }
+
+  /// Distance from first contact beyond which the wall exerts no force that counts.
+  [[nodiscard]] virtual double range() const { return 0.0; }
+};
+
+/// @param speed of the impact, which sets what force counts as contact with a soft wall
+/// @param step  time between two calls of advance
+[[nodiscard]] std::unique_ptr<WallResponse> make_response(const Wall& wall, const Body& body, const ContactGrid& grid,
+                                                          double speed, double step, const Poll& poll = {});
+
+}  // namespace stoss

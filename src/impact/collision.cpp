@@ -1,0 +1,171 @@
+#include "impact/collision.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "stoss/errors.hpp"
+
+namespace stoss {
+namespace {
+
+/// The modes' energies change slowly between steps: every fourth step is enough for their mean.
+constexpr long sampling = 4;
+
+}  // namespace
+
+Collision::Collision(const Body& body, const Wall& wall, const ContactGrid& grid, double speed, double step,
+                     const std::optional<State>& start, const Poll& poll)
+    : body_(body),
+      grid_(grid),
+      speed_(speed),
+      step_(step),
+      modes_(body, grid, step),
+      response_(make_response(wall, body, grid, speed, step, poll)),
+      position_(grid.recess.size()),
+      compression_(-response_->range()),
+      velocity_(speed) {
+  if (start) {
+    modes_.set(start->coordinate, start->momentum);
+    compression_ = body.extent + start->center;
+  }
+  respond();
+  if (std::holds_alternative<HardWall>(wall) && force_ > 0.0) {
+    throw InvalidInput("start: the body already touches the wall (move its center back)");
+  }
+  // The first step has only the second half of the first kick.
+  velocity_ += 0.5 * force_ * step_ / body_.mass;
+  modes_.begin();
+  initial_velocity_ = velocity();
+  initial_energy_ = translation() + modes_.energy() + response_->stored_energy();
+}
+
+double Collision::velocity() const { return velocity_ - 0.5 * force_ * step_ / body_.mass; }
+
+double Collision::translation() const { return 0.5 * body_.mass * velocity() * velocity(); }
+
+void Collision::respond() {
+  for (std::size_t i = 0; i < position_.size(); ++i) position_[i] = compression_ - grid_.recess[i];
+  modes_.add_displacement(position_);
+  foremost_before_ = foremost_;
+  foremost_ = *std::max_element(position_.begin(), position_.end());
+  const std::vector<double>& force = response_->advance(position_);
+  node_force_ = &force;
+  force_ = 0.0;
+  for (std::size_t i = 0; i < response_->extent(); ++i) force_ += force[i];
+  modes_.load(force, response_->extent());
+}
+
+void Collision::advance() {
+  const double force_before = force_;
+  velocity_ -= force_ * step_ / body_.mass;
+  compression_ += velocity_ * step_;
+  modes_.advance();
+  ++steps_;
+  respond();
+  const double mean_force = 0.5 * (force_before + force_);
+  impulse_ += mean_force * step_;
+  max_force_ = std::max(max_force_, mean_force);
+  record();
+}
+
+void Collision::record() {
+  const double time = static_cast<double>(steps_) * step_;
+  const bool touching = force_ > response_->contact_threshold();
+  if (touching) {
+    // A contact ends, on average, half a step after it is noticed last.
+    if (!in_contact_ && contacts_++ == 0) first_contact_ = time - since_touch() * step_;
+    last_contact_ = time + 0.5 * step_;
+    if (contact_steps_++ % sampling == 0) {
+      modes_.accumulate_energy();
+      ++samples_;
+    }
+    max_compression_ = std::max(max_compression_, compression_ + response_->plane_offset());
+    max_half_width_ = std::max(max_half_width_, half_width());
+    reach_ = -1.0;
+  }
+  in_contact_ = touching;
+}
+
+double Collision::since_touch() const {
+  // At a hard wall the foremost node has moved uniformly from its last position out of contact.
+  const bool hard = response_->contact_threshold() == 0.0;
+  return hard && foremost_ > foremost_before_ ? std::min(1.0, foremost_ / (foremost_ - foremost_before_)) : 0.5;
+}
+
+double Collision::half_width() const {
+  const std::size_t nodes = response_->contact_nodes();
+  const std::vector<double>& at = grid_.coordinate;
+  if (nodes == 0 || at.size() == 1) return 0.0;
+  return at[nodes - 1] + 0.5 * (at[1] - at[0]);  // each node stands for half a spacing to either side
+}
+
+bool Collision::over() {
+  if (in_contact_ || velocity() >= 0.0) return false;
+  const auto clear = [this] { return compression_ + reach_ + response_->protrusion() < -response_->range(); };
+  if (reach_ < 0.0) reach_ = modes_.reach();
+  if (!clear()) return false;
+  reach_ = modes_.reach();  // a soft wall has pushed on, below its threshold of contact
+  return clear();
+}
+
+Snapshot Collision::snapshot() const {
+  Snapshot now;
+  now.time = static_cast<double>(steps_) * step_;
+  now.center = compression_ - body_.extent;
+  now.velocity = velocity();
+  now.force = force_ / body_.mass;
+  now.translation = translation() / initial_energy_;
+  now.vibration = modes_.energy() / initial_energy_;
+  now.stored = response_->stored_energy() / initial_energy_;
+  now.unresolved = response_->unresolved_energy() / initial_energy_;
+  now.contact_half_width = in_contact_ ? half_width() : 0.0;
+  return now;
+}
+
+State Collision::state() const {
+  return {compression_ - body_.extent, velocity(), modes_.coordinate(), modes_.momentum()};
+}
+
+std::vector<double> Collision::node_force() const {
+  std::vector<double> shares(node_force_->size());
+  for (std::size_t i = 0; i < response_->extent(); ++i) shares[i] = (*node_force_)[i] / body_.mass;
+  return shares;
+}
+
+Impact Collision::result() const {
+  Impact impact;
+  impact.speed = speed_;
+  impact.restitution = -velocity() / initial_velocity_;
+  impact.lost_fraction = 1.0 - impact.restitution * impact.restitution;
+  impact.contact_time = contacts_ > 0 ? last_contact_ - first_contact_ : 0.0;
+  impact.contacts = contacts_;
+  impact.max_force = max_force_ / body_.mass;
+  impact.max_compression = max_compression_;
+  impact.max_half_width = max_half_width_;
+  const double momentum_change = body_.mass * (initial_velocity_ - velocity());
+  impact.momentum_error = std::abs(impulse_ - momentum_change) / (body_.mass * std::abs(initial_velocity_));
+  impact.steps = steps_;
+  impact.final_state = state();
+
+  EnergyLedger& ledger = impact.energy;
+  ledger.translation = translation() / initial_energy_;
+  ledger.unresolved = response_->unresolved_energy() / initial_energy_;
+  ledger.stored = response_->stored_energy() / initial_energy_;
+  const std::vector<double> after = modes_.energies();
+  const std::vector<double> during = modes_.accumulated_energy();
+  const double samples = static_cast<double>(std::max(samples_, 1L));
+  ledger.modes.reserve(after.size());
+  std::size_t k = 0;
+  for (const ModeGroup& group : body_.groups) {
+    for (std::size_t l = 0; l < group.omega.size(); ++l, ++k) {
+      const int index = group.index.empty() ? static_cast<int>(l) : group.index[l];
+      ledger.modes.push_back(
+          {group.order, index, group.omega[l], after[k] / initial_energy_, during[k] / (samples * initial_energy_)});
+      ledger.vibration += after[k] / initial_energy_;
+    }
+  }
+  impact.energy_error = 1.0 - ledger.translation - ledger.vibration - ledger.unresolved - ledger.stored;
+  return impact;
+}
+
+}  // namespace stoss

@@ -1,0 +1,88 @@
+#pragma once
+
+#include <algorithm>
+#include <memory>
+#include <vector>
+
+#include "contact/response.hpp"
+#include "impact/kept_modes.hpp"
+#include "stoss/impact/impact.hpp"
+
+namespace stoss {
+
+/// The motion of one body at one wall, with the node forces f_i of the wall,
+///
+///   m ẍ₀ = −Σ_i f_i,   m Q̈ = −m ω² Q − Σ_i f_i (C c_i + S s_i)   (paper eqs. (44) and (41) with E2),
+///
+/// by kick–rotate–kick: half a kick by the force, exact rotation of every mode and drift of the
+/// centre, half a kick. Second order, exact between contacts; reversible in time at an exponential
+/// wall and with the quasistatic tail, not with the radiating tail, which takes energy for good.
+class Collision {
+ public:
+  /// Starts just out of reach of the wall, or from `start`.
+  Collision(const Body& body, const Wall& wall, const ContactGrid& grid, double speed, double step,
+            const std::optional<State>& start, const Poll& poll);
+
+  /// Moves on by one step.
+  void advance();
+
+  /// The contact has reached the end of the grid, so that the result is void.
+  [[nodiscard]] bool overflows() const { return body_.max_half_width > 0.0 && response_->overflows(); }
+
+  /// The body recedes and can touch the wall no more.
+  [[nodiscard]] bool over();
+
+  /// Distance from the wall that the free body must keep so as not to touch it, in its present vibration.
+  [[nodiscard]] double clearance() const { return modes_.reach() + std::max(response_->range(), 0.0); }
+
+  /// The instant, with energies as shares of the initial energy.
+  [[nodiscard]] Snapshot snapshot() const;
+
+  /// The impact so far; body, wall and resolution are left to the caller.
+  [[nodiscard]] Impact result() const;
+
+  [[nodiscard]] State state() const;
+
+  /// Share of each node in the force.
+  [[nodiscard]] std::vector<double> node_force() const;
+
+ private:
+  void respond();
+  void record();
+  [[nodiscard]] double since_touch() const;  // in steps, at the first notice of a contact
+  [[nodiscard]] double half_width() const;
+  [[nodiscard]] double velocity() const;  // synchronous with the position
+  [[nodiscard]] double translation() const;
+
+  const Body& body_;
+  const ContactGrid& grid_;
+  double speed_;
+  double step_;
+  KeptModes modes_;
+  std::unique_ptr<WallResponse> response_;
+  std::vector<double> position_;  // x_dyn of the nodes
+  double foremost_ = 0.0;         // largest of them
+  double foremost_before_ = 0.0;
+
+  double compression_;  // extent + x₀, kept instead of x₀ for its digits at small speed
+  double velocity_;     // before the kick that is due
+  const std::vector<double>* node_force_ = nullptr;  // of response_
+  double force_ = 0.0;                               // total
+  double initial_energy_;
+  double initial_velocity_;
+  long steps_ = 0;
+
+  bool in_contact_ = false;
+  int contacts_ = 0;
+  double first_contact_ = 0.0;  // times
+  double last_contact_ = 0.0;
+  long contact_steps_ = 0;
+  long samples_ = 0;  // of the modes' energies during contact
+  double impulse_ = 0.0;
+  double max_force_ = 0.0;
+  double max_compression_ = 0.0;
+  double max_half_width_ = 0.0;
+  double reach_ = -1.0;  // of the free vibration; < 0: not known
+};
+
+}  // namespace stoss

@@ -1,0 +1,102 @@
+#include "stoss/impact/impact.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "impact/collision.hpp"
+#include "impact/resolution.hpp"
+#include "stoss/errors.hpp"
+
+namespace stoss {
+namespace {
+
+constexpr double max_contact_time = 200.0;  // R/c; an impact lasts 5 to 30
+constexpr double most_steps = 5e7;
+constexpr double max_energy_error = 1e-2;   // beyond, the motion is not resolved in time and means nothing
+constexpr double small_strain_limit = 0.5;  // compression, R
+
+void require_grid(const Body& body, const ContactGrid& grid) {
+  const std::size_t nodes = grid.recess.size();
+  std::size_t rows = 0;
+  for (const ModeGroup& group : body.groups) rows = std::max({rows, group.sum_shape + 1, group.difference_shape + 1});
+  if (nodes == 0 || grid.coordinate.size() != nodes || grid.measure.size() != nodes || grid.impedance.size() != nodes ||
+      grid.shape.size() % nodes != 0 || grid.shape.size() / nodes < rows) {
+    throw InvalidInput("body: got a grid of '" + body.name +
+                       "' whose arrays do not fit, allowed: one value per node, and per node and shape");
+  }
+}
+
+/// One run; empty if the contact outgrew the grid.
+std::optional<Impact> run(const Body& body, const Wall& wall, double speed, const Resolution& resolution,
+                          const ImpactOptions& options, const ImpactObserver& observer) {
+  if (options.poll) options.poll();
+  const ContactGrid grid = body.grid(resolution.half_width, resolution.nodes);
+  require_grid(body, grid);
+  Collision collision(body, wall, grid, speed, resolution.step, options.start, options.poll);
+  const double flight = std::max(0.0, -(collision.snapshot().center + body.extent)) + 4.0 * collision.clearance();
+  const double steps = (max_contact_time + flight / speed) / resolution.step;
+  if (steps > most_steps) {
+    throw NotConverged("impact: would take more than " + std::to_string(static_cast<long>(most_steps)) +
+                       " steps (use a larger step, or a hard wall instead of an exponential one)");
+  }
+  const auto observe = [&] {
+    Snapshot now = collision.snapshot();
+    State state;
+    std::vector<double> node_force;
+    if (options.observe_modes) {
+      state = collision.state();
+      node_force = collision.node_force();
+      now.coordinate = state.coordinate;
+      now.momentum = state.momentum;
+      now.node_force = node_force;
+    }
+    observer(now);
+  };
+  if (observer) observe();
+  for (long step = 1; !collision.over(); ++step) {
+    if (static_cast<double>(step) > steps) {
+      throw NotConverged("impact: the body has not left the wall after " + std::to_string(step) + " steps");
+    }
+    if (options.poll) options.poll();
+    collision.advance();
+    if (collision.overflows()) {
+      if (resolution.half_width < reachable_half_width(body, wall)) return std::nullopt;
+      // An exponential wall may push on all of the edge that it acts on; a hard wall must not.
+      if (std::holds_alternative<HardWall>(wall)) {
+        throw NotConverged("impact: the contact spreads over the whole body (speed too high for this model)");
+      }
+    }
+    if (observer && (step % options.observe_every == 0 || collision.over())) observe();
+  }
+  return collision.result();
+}
+
+}  // namespace
+
+Impact impact(const Body& body, const Wall& wall, double speed, const ImpactOptions& options,
+              const ImpactObserver& observer) {
+  Resolution resolution = choose_resolution(body, wall, speed, options);
+  std::optional<Impact> result = run(body, wall, speed, resolution, options, {});
+  while (!result) {
+    resolution = widened(body, wall, resolution);
+    result = run(body, wall, speed, resolution, options, {});
+  }
+  if (!(std::abs(result->energy_error) <= max_energy_error)) {
+    throw NotConverged("impact: " + std::to_string(result->energy_error) +
+                       " of the energy is unaccounted for (use a smaller step)");
+  }
+  // The observer must see one impact only, so it watches a repetition on the grid that is known to suffice.
+  if (observer) result = run(body, wall, speed, resolution, options, observer);
+
+  result->body = body.name;
+  result->wall = wall;
+  result->cutoff = body.cutoff;
+  result->step = resolution.step;
+  result->nodes = resolution.nodes;
+  result->half_width = resolution.half_width;
+  result->beyond_small_strain = speed > small_strain_speed || result->max_compression > small_strain_limit;
+  return std::move(*result);
+}
+
+}  // namespace stoss

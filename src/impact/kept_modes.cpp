@@ -1,0 +1,182 @@
+#include "impact/kept_modes.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "stoss/errors.hpp"
+
+namespace stoss {
+
+KeptModes::KeptModes(const Body& body, const ContactGrid& grid, double step)
+    : mass_(body.mass), step_(step), count_(mode_count(body)), nodes_(grid.recess.size()) {
+  constexpr std::size_t lanes = kernels::lanes;
+  const std::size_t groups = body.groups.size();
+  begin_.push_back(0);
+  for (std::size_t first = 0; first < groups; first += lanes) {
+    std::size_t longest = 0;
+    for (std::size_t g = first; g < std::min(first + lanes, groups); ++g) {
+      size_.push_back(body.groups[g].omega.size());
+      longest = std::max(longest, size_.back());
+    }
+    begin_.push_back(begin_.back() + longest * lanes);
+  }
+  // Places without a mode hold an oscillator of no amplitude.
+  for (auto* array : {&omega_, &cosine_}) array->resize(begin_.back(), 1.0);
+  for (auto* array : {&sine_, &radial_, &tangential_, &a_, &b_, &energy_sum_}) {
+    array->resize(begin_.back(), 0.0);
+  }
+  for (std::size_t g = 0; g < groups; ++g) {
+    const ModeGroup& group = body.groups[g];
+    for (std::size_t l = 0; l < size_[g]; ++l) {
+      const std::size_t k = position(g, l);
+      const double omega = group.omega[l];
+      omega_[k] = omega;
+      cosine_[k] = std::cos(omega * step);
+      sine_[k] = std::sin(omega * step);
+      radial_[k] = group.radial[l] / std::sqrt(omega);
+      tangential_[k] = group.tangential[l] / std::sqrt(omega);
+    }
+  }
+  push_.resize(2 * blocks() * lanes);
+  edge_.resize(push_.size());
+  moved_.resize(nodes_);
+  const std::size_t rows = grid.shape.size() / nodes_;
+  amplitude_.resize((rows + lanes - 1) / lanes * lanes);
+  for (const ModeGroup& group : body.groups) shapes_of_.push_back({group.sum_shape, group.difference_shape});
+  shapes_ = grid.shape;
+  shapes_by_node_.resize(amplitude_.size() * nodes_);
+  for (std::size_t row = 0; row < rows; ++row) {
+    for (std::size_t i = 0; i < nodes_; ++i) shapes_by_node_[i * amplitude_.size() + row] = shapes_[row * nodes_ + i];
+  }
+}
+
+std::size_t KeptModes::position(std::size_t group, std::size_t index) const {
+  return begin_[group / kernels::lanes] + index * kernels::lanes + group % kernels::lanes;
+}
+
+kernels::Oscillators KeptModes::view() {
+  return {a_.data(), b_.data(), cosine_.data(), sine_.data(), radial_.data(), tangential_.data()};
+}
+
+void KeptModes::set(const std::vector<double>& coordinate, const std::vector<double>& momentum) {
+  if (coordinate.size() != count_ || momentum.size() != count_) {
+    throw InvalidInput("start: got " + std::to_string(coordinate.size()) + " coordinates and " +
+                       std::to_string(momentum.size()) + " momenta, allowed " + std::to_string(count_) +
+                       " of each (one for every kept mode of the body)");
+  }
+  std::size_t mode = 0;
+  for (std::size_t g = 0; g < size_.size(); ++g) {
+    double radial = 0.0;
+    double tangential = 0.0;
+    for (std::size_t l = 0; l < size_[g]; ++l, ++mode) {
+      const std::size_t k = position(g, l);
+      a_[k] = std::sqrt(omega_[k]) * coordinate[mode];
+      b_[k] = momentum[mode] / (mass_ * std::sqrt(omega_[k]));
+      radial += radial_[k] * a_[k];
+      tangential += tangential_[k] * a_[k];
+    }
+    edge_[g] = radial;
+    edge_[edge_.size() / 2 + g] = tangential;
+  }
+}
+
+void KeptModes::load(const std::vector<double>& force, std::size_t count) {
+  kernels::multiply_transposed(shapes_by_node_.data(), amplitude_.size(), count, 0, amplitude_.size(), force.data(),
+                               amplitude_.data());
+  const double scale = 0.5 * step_ / mass_;
+  for (std::size_t g = 0; g < size_.size(); ++g) {
+    const double sum = scale * amplitude_[shapes_of_[g].sum];
+    const double difference = scale * amplitude_[shapes_of_[g].difference];
+    push_[g] = sum + difference;
+    push_[push_.size() / 2 + g] = sum - difference;
+  }
+}
+
+double KeptModes::velocity(std::size_t group, std::size_t k) const {
+  return b_[k] - 0.5 * (radial_[k] * push_[group] + tangential_[k] * push_[push_.size() / 2 + group]);
+}
+
+void KeptModes::begin() {
+  for (std::size_t g = 0; g < size_.size(); ++g) {
+    for (std::size_t l = 0; l < size_[g]; ++l) {
+      const std::size_t k = position(g, l);
+      b_[k] += b_[k] - velocity(g, k);
+    }
+  }
+}
+
+void KeptModes::advance() { kernels::advance(view(), begin_.data(), blocks(), push_.data(), edge_.data()); }
+
+void KeptModes::add_displacement(std::vector<double>& position) {
+  std::fill(amplitude_.begin(), amplitude_.end(), 0.0);
+  for (std::size_t g = 0; g < size_.size(); ++g) {
+    const double radial = 0.5 * edge_[g];
+    const double tangential = 0.5 * edge_[edge_.size() / 2 + g];
+    amplitude_[shapes_of_[g].sum] += radial + tangential;
+    amplitude_[shapes_of_[g].difference] += radial - tangential;
+  }
+  kernels::multiply_transposed(shapes_.data(), nodes_, shapes_.size() / nodes_, 0, nodes_, amplitude_.data(),
+                               moved_.data());
+  for (std::size_t i = 0; i < nodes_; ++i) position[i] += moved_[i];
+}
+
+void KeptModes::accumulate_energy() {
+  kernels::accumulate_energy(view(), begin_.data(), blocks(), push_.data(), energy_sum_.data());
+}
+
+double KeptModes::energy() const {
+  double sum = 0.0;
+  for (const double energy : energies()) sum += energy;
+  return sum;
+}
+
+double KeptModes::reach() const {
+  double sum = 0.0;
+  for (std::size_t g = 0; g < size_.size(); ++g) {
+    double radial = 0.0;
+    double tangential = 0.0;
+    for (std::size_t i = 0; i < nodes_; ++i) {
+      const double plus = shapes_[shapes_of_[g].sum * nodes_ + i];
+      const double minus = shapes_[shapes_of_[g].difference * nodes_ + i];
+      radial = std::max(radial, 0.5 * std::abs(plus + minus));
+      tangential = std::max(tangential, 0.5 * std::abs(plus - minus));
+    }
+    for (std::size_t l = 0; l < size_[g]; ++l) {
+      const std::size_t k = position(g, l);
+      sum +=
+          std::hypot(a_[k], velocity(g, k)) * (std::abs(radial_[k]) * radial + std::abs(tangential_[k]) * tangential);
+    }
+  }
+  return sum;
+}
+
+template <typename Value>
+std::vector<double> KeptModes::collect(Value value) const {
+  std::vector<double> result;
+  result.reserve(count_);
+  for (std::size_t g = 0; g < size_.size(); ++g) {
+    for (std::size_t l = 0; l < size_[g]; ++l) result.push_back(value(g, position(g, l)));
+  }
+  return result;
+}
+
+std::vector<double> KeptModes::coordinate() const {
+  return collect([this](std::size_t, std::size_t k) { return a_[k] / std::sqrt(omega_[k]); });
+}
+
+std::vector<double> KeptModes::momentum() const {
+  return collect([this](std::size_t g, std::size_t k) { return mass_ * std::sqrt(omega_[k]) * velocity(g, k); });
+}
+
+std::vector<double> KeptModes::energies() const {
+  return collect([this](std::size_t g, std::size_t k) {
+    const double v = velocity(g, k);
+    return 0.5 * mass_ * omega_[k] * (a_[k] * a_[k] + v * v);
+  });
+}
+
+std::vector<double> KeptModes::accumulated_energy() const {
+  return collect([this](std::size_t, std::size_t k) { return 0.5 * mass_ * omega_[k] * energy_sum_[k]; });
+}
+
+}  // namespace stoss

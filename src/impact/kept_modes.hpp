@@ -1,0 +1,76 @@
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "numeric/kernels.hpp"
+#include "stoss/body/body.hpp"
+
+namespace stoss {
+
+/// The kept modes of a body as driven oscillators, advanced by kick and exact rotation: a = √ω Q, b = Q̇/√ω.
+///
+/// Between two steps b is the velocity before the kick that is due, whose two halves end one step and begin the next.
+/// All that is read out (energies, momenta) is synchronous with the coordinates: half of that kick is applied.
+class KeptModes {
+ public:
+  KeptModes(const Body& body, const ContactGrid& grid, double step);
+
+  /// Sets Q and P, in the order of the body's groups. @throws InvalidInput for another number of modes
+  void set(const std::vector<double>& coordinate, const std::vector<double>& momentum);
+
+  /// Makes f_i on the first `count` nodes the force of the kick that is due.
+  void load(const std::vector<double>& force, std::size_t count);
+
+  /// Takes half of the kick that is due out of the velocities: for the very first step, which has only the other half.
+  void begin();
+
+  /// Kicks and rotates by one step.
+  void advance();
+
+  /// Adds the displacement towards the wall of each node.
+  void add_displacement(std::vector<double>& position);
+
+  /// Adds each mode's energy to a running sum.
+  void accumulate_energy();
+
+  /// Energy of all kept modes, Σ ½m(Q̇² + ω²Q²).
+  [[nodiscard]] double energy() const;
+
+  /// Upper bound of the displacement of any node in free vibration.
+  [[nodiscard]] double reach() const;
+
+  [[nodiscard]] std::vector<double> coordinate() const;
+  [[nodiscard]] std::vector<double> momentum() const;
+  [[nodiscard]] std::vector<double> energies() const;            ///< of each mode
+  [[nodiscard]] std::vector<double> accumulated_energy() const;  ///< of each mode
+
+ private:
+  template <typename Value>
+  [[nodiscard]] std::vector<double> collect(Value value) const;
+  [[nodiscard]] kernels::Oscillators view();
+  [[nodiscard]] std::size_t blocks() const { return begin_.size() - 1; }
+  [[nodiscard]] std::size_t position(std::size_t group, std::size_t index) const;  // in the arrays over modes
+  [[nodiscard]] double velocity(std::size_t group, std::size_t k) const;
+
+  double mass_;
+  double step_;
+  std::size_t count_ = 0;
+  std::size_t nodes_;
+  std::vector<std::size_t> size_;   // modes of each group
+  std::vector<std::size_t> begin_;  // of each block of groups in the arrays over modes, and the end
+  std::vector<double> omega_, a_, b_, cosine_, sine_, radial_, tangential_;
+  std::vector<double> energy_sum_;
+  std::vector<double> push_;  // velocity kick of a full step per unit amplitude; as kernels::advance has it
+  std::vector<double> edge_;  // Σ C Q, then Σ S Q, over each group
+  struct Rows {
+    std::size_t sum, difference;
+  };
+  std::vector<Rows> shapes_of_;         // each group
+  std::vector<double> shapes_;          // shapes × nodes
+  std::vector<double> shapes_by_node_;  // nodes × shapes, padded to whole vectors
+  std::vector<double> amplitude_;       // of each shape in the motion; force on it
+  std::vector<double> moved_;           // displacement of the nodes
+};
+
+}  // namespace stoss

@@ -1,0 +1,117 @@
+#include "stoss/impact/replay.hpp"
+
+#include <cmath>
+#include <cstddef>
+#include <string>
+
+#include "check.hpp"
+#include "stoss/errors.hpp"
+
+namespace stoss {
+namespace {
+
+void require_times(const std::vector<double>& times) {
+  for (std::size_t i = 0; i < times.size(); ++i) {
+    require("time", times[i], {-1e4, 1e4, true, true, "-1e4 to 1e4"}, "R/c, from the start of the impact");
+    if (i > 0 && times[i] < times[i - 1]) {
+      throw InvalidInput("time: got times that do not ascend, allowed ascending ones (sort them)");
+    }
+  }
+}
+
+bool same_modes(const Body& body, const std::vector<ModeEnergy>& modes) {
+  if (mode_count(body) != modes.size()) return false;
+  std::size_t k = 0;
+  for (const ModeGroup& group : body.groups) {
+    for (const double omega : group.omega) {
+      if (modes[k].order != group.order || modes[k].omega != omega) return false;
+      ++k;
+    }
+  }
+  return true;
+}
+
+}  // namespace
+
+std::vector<double> mode_energies(const Body& body, const State& state) {
+  const std::size_t count = mode_count(body);
+  if (state.coordinate.size() != count || state.momentum.size() != count) {
+    throw InvalidInput("state: got " + std::to_string(state.coordinate.size()) + " coordinates and " +
+                       std::to_string(state.momentum.size()) + " momenta, allowed " + std::to_string(count) +
+                       " of each (one for every kept mode of the body)");
+  }
+  std::vector<double> energies;
+  energies.reserve(count);
+  for (const ModeGroup& group : body.groups) {
+    for (const double omega : group.omega) {
+      const std::size_t k = energies.size();
+      const double momentum = state.momentum[k], restoring = body.mass * omega * state.coordinate[k];
+      energies.push_back(0.5 * (momentum * momentum + restoring * restoring) / body.mass);
+    }
+  }
+  return energies;
+}
+
+State free_motion(const Body& body, const State& state, double time) {
+  State moved = state;
+  moved.center += state.velocity * time;
+  std::size_t k = 0;
+  for (const ModeGroup& group : body.groups) {
+    for (const double omega : group.omega) {
+      const double cosine = std::cos(omega * time), sine = std::sin(omega * time);
+      const double inertia = body.mass * omega;
+      moved.coordinate[k] = state.coordinate[k] * cosine + state.momentum[k] * sine / inertia;
+      moved.momentum[k] = state.momentum[k] * cosine - state.coordinate[k] * sine * inertia;
+      ++k;
+    }
+  }
+  return moved;
+}
+
+std::vector<Frame> motion(const Body& body, const Impact& impact, const std::vector<double>& times, const Poll& poll) {
+  require_times(times);
+  if (body.name != impact.body || body.cutoff != impact.cutoff || !same_modes(body, impact.energy.modes)) {
+    throw InvalidInput("body: got '" + body.name + "', allowed the body of the impact with the same modes, '" +
+                       impact.body + "'");
+  }
+  std::vector<Frame> frames;
+  frames.reserve(times.size());
+  const auto wanted = [&] { return frames.size() < times.size(); };
+  bool first = true;
+  const ImpactObserver observer = [&](const Snapshot& now) {
+    const auto state = [&] {
+      return State{now.center,
+                   now.velocity,
+                   {now.coordinate.begin(), now.coordinate.end()},
+                   {now.momentum.begin(), now.momentum.end()}};
+    };
+    while (first && wanted() && times[frames.size()] < 0.0) {
+      if (poll) poll();
+      const double time = times[frames.size()];
+      frames.push_back({time, 0.0, 0.0, free_motion(body, state(), time), std::vector<double>(now.node_force.size())});
+    }
+    first = false;
+    while (wanted() && times[frames.size()] <= now.time + 0.5 * impact.step) {
+      if (poll) poll();
+      frames.push_back(
+          {now.time, now.force, now.contact_half_width, state(), {now.node_force.begin(), now.node_force.end()}});
+    }
+  };
+  ImpactOptions options;
+  options.step = impact.step;
+  options.nodes = impact.nodes;
+  if (body.max_half_width > 0.0) options.half_width = impact.half_width;
+  options.observe_modes = true;
+  options.poll = poll;
+  const Impact again = stoss::impact(body, impact.wall, impact.speed, options, observer);
+  const double end = static_cast<double>(again.steps) * again.step;
+  while (wanted()) {
+    if (poll) poll();
+    const double time = times[frames.size()];
+    frames.push_back({time, 0.0, 0.0, free_motion(body, again.final_state, time - end),
+                      std::vector<double>(static_cast<std::size_t>(impact.nodes))});
+  }
+  return frames;
+}
+
+}  // namespace stoss

@@ -1,0 +1,32 @@
+#pragma once
+
+#include "stoss/impact/impact.hpp"
+
+namespace stoss {
+
+/// Steps and contact grid of an impact.
+struct Resolution {
+  double half_width;  ///< of the contact grid, R
+  double step;        ///< R/c
+  int nodes;
+};
+
+/// Largest half-width of the edge on which a wall acts, R: the whole edge at a hard wall; the front
+/// half of it at an exponential wall, as in the paper's integral from −π/2 to π/2 (eq. (40), the
+/// energy with that wall).
+[[nodiscard]] double reachable_half_width(const Body& body, const Wall& wall);
+
+/// The resolution that the options ask for, with the recommended values for what they leave open.
+/// @throws InvalidInput for options out of range
+[[nodiscard]] Resolution choose_resolution(const Body& body, const Wall& wall, double speed,
+                                           const ImpactOptions& options);
+
+/// Resolution of an impact at a hard wall for `restitution`: finer in time and in space with the
+/// body's cutoff.
+/// @param half_width greatest one of the contact in a coarser run, or 0 if there was none
+[[nodiscard]] ImpactOptions refined_resolution(const Body& body, double speed, double half_width);
+
+/// A wider grid of the same node spacing, at most as wide as the edge that the wall can reach.
+[[nodiscard]] Resolution widened(const Body& body, const Wall& wall, const Resolution& resolution);
+
+}  // namespace stoss

@@ -1,0 +1,65 @@
+#include "numeric/dense.hpp"
+
+#include <Eigen/Cholesky>
+
+namespace stoss::dense {
+
+std::vector<double> zeros(std::size_t size, const Poll& poll) {
+  constexpr std::size_t block = std::size_t{1} << 20;
+  std::vector<double> result;
+  result.reserve(size);
+  while (result.size() < size) {
+    if (poll) poll();
+    result.resize(std::min(size, result.size() + block));
+  }
+  return result;
+}
+
+Eigen::MatrixXd square(const double* values, Eigen::Index size, const Poll& poll) {
+  const Eigen::Map<const Eigen::MatrixXd> from(values, size, size);
+  Eigen::MatrixXd result(size, size);
+  by_columns(size, poll, [&](Eigen::Index first, Eigen::Index count) {
+    result.middleCols(first, count) = from.middleCols(first, count);
+  });
+  return result;
+}
+
+bool factor(Eigen::Ref<Eigen::MatrixXd> matrix, const Poll& poll) {
+  const Eigen::Index size = matrix.rows();
+  bool positive = true;
+  by_columns(size, poll, [&](Eigen::Index first, Eigen::Index count) {
+    if (!positive) return;
+    const Eigen::Index below = size - first - count;
+    auto column = matrix.block(first, first, size - first, count);
+    column.noalias() -= matrix.block(first, 0, size - first, first) * matrix.block(first, 0, count, first).transpose();
+    Eigen::Ref<Eigen::MatrixXd> corner = column.topRows(count);
+    const Eigen::LLT<Eigen::Ref<Eigen::MatrixXd>> in_place(corner);
+    positive = in_place.info() == Eigen::Success;
+    if (!positive) return;
+    auto rest = column.bottomRows(below);
+    corner.triangularView<Eigen::Lower>().transpose().solveInPlace<Eigen::OnTheRight>(rest);
+  });
+  return positive;
+}
+
+void invert_lower(const Eigen::MatrixXd& lower, Eigen::Ref<Eigen::MatrixXd> inverse, const Poll& poll) {
+  const Eigen::Index size = lower.rows();
+  by_columns(size, poll, [&](Eigen::Index first, Eigen::Index count) {
+    const Eigen::Index rest = size - first;
+    inverse.middleCols(first, count).setZero();
+    auto columns = inverse.block(first, first, rest, count);
+    columns.diagonal().setOnes();
+    lower.bottomRightCorner(rest, rest).triangularView<Eigen::Lower>().solveInPlace(columns);
+  });
+}
+
+void solve(const Eigen::MatrixXd& lower, Eigen::MatrixXd& right, const Poll& poll) {
+  by_columns(right.cols(), poll, [&](Eigen::Index first, Eigen::Index count) {
+    auto columns = right.middleCols(first, count);
+    lower.triangularView<Eigen::Lower>().solveInPlace(columns);
+    if (poll) poll();
+    lower.triangularView<Eigen::Lower>().transpose().solveInPlace(columns);
+  });
+}
+
+}  // namespace stoss::dense

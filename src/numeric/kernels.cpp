@@ -1,0 +1,128 @@
+#include "numeric/kernels.hpp"
+
+#include <array>
+
+// Function multiversioning: one portable binary that uses AVX2 where the processor has it (AVX-512 was no faster).
+// Sanitizers cannot run before the resolver, and clang 14 lacks architecture levels here; both get the portable code.
+#if defined(__GNUC__) && !defined(__clang__) && defined(__x86_64__) && defined(__ELF__) && \
+    !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
+#define STOSS_MULTIVERSION __attribute__((target_clones("arch=x86-64-v3", "default")))
+#else
+#define STOSS_MULTIVERSION
+#endif
+
+namespace stoss::kernels {
+namespace {
+
+using Lanes = std::array<double, lanes>;
+
+[[gnu::always_inline]] inline Lanes load(const double* from, double scale) {
+  Lanes result;
+  for (std::size_t i = 0; i < lanes; ++i) result[i] = scale * from[i];
+  return result;
+}
+
+/// The next `width` elements of a product, held in registers while the rows pass.
+template <std::size_t width>
+[[gnu::always_inline]] inline void multiply_block(const double* matrix, std::size_t stride, std::size_t rows,
+                                                  const double* x, double* result) {
+  std::array<double, width> sum{};
+  for (std::size_t j = 0; j < rows; ++j) {
+    const double* const row = matrix + j * stride;
+#pragma omp simd
+    for (std::size_t i = 0; i < width; ++i) sum[i] += row[i] * x[j];
+  }
+  for (std::size_t i = 0; i < width; ++i) result[i] = sum[i];
+}
+
+}  // namespace
+
+STOSS_MULTIVERSION
+void advance(const Oscillators& modes, const std::size_t* begin, std::size_t blocks, const double* push, double* edge) {
+  const double* const push_tangential = push + blocks * lanes;
+  double* const edge_tangential = edge + blocks * lanes;
+  for (std::size_t block = 0; block < blocks; ++block) {
+    const Lanes radial_kick = load(push + block * lanes, 1.0);
+    const Lanes tangential_kick = load(push_tangential + block * lanes, 1.0);
+    Lanes radial_sum{};
+    Lanes tangential_sum{};
+    for (std::size_t at = begin[block]; at < begin[block + 1]; at += lanes) {
+      double* const a = modes.a + at;
+      double* const b = modes.b + at;
+      const double* const cosine = modes.cosine + at;
+      const double* const sine = modes.sine + at;
+      const double* const radial = modes.radial + at;
+      const double* const tangential = modes.tangential + at;
+#pragma omp simd
+      for (std::size_t i = 0; i < lanes; ++i) {
+        const double before = a[i];
+        const double kicked = b[i] - (radial[i] * radial_kick[i] + tangential[i] * tangential_kick[i]);
+        const double after = before * cosine[i] + kicked * sine[i];
+        a[i] = after;
+        b[i] = kicked * cosine[i] - before * sine[i];
+        radial_sum[i] += radial[i] * after;
+        tangential_sum[i] += tangential[i] * after;
+      }
+    }
+    for (std::size_t i = 0; i < lanes; ++i) edge[block * lanes + i] = radial_sum[i];
+    for (std::size_t i = 0; i < lanes; ++i) edge_tangential[block * lanes + i] = tangential_sum[i];
+  }
+}
+
+STOSS_MULTIVERSION
+void accumulate_energy(const Oscillators& modes, const std::size_t* begin, std::size_t blocks, const double* push,
+                       double* energy) {
+  for (std::size_t block = 0; block < blocks; ++block) {
+    const Lanes radial_kick = load(push + block * lanes, 0.5);
+    const Lanes tangential_kick = load(push + (blocks + block) * lanes, 0.5);
+    for (std::size_t at = begin[block]; at < begin[block + 1]; at += lanes) {
+#pragma omp simd
+      for (std::size_t i = 0; i < lanes; ++i) {
+        const double a = modes.a[at + i];
+        const double b =
+            modes.b[at + i] - (modes.radial[at + i] * radial_kick[i] + modes.tangential[at + i] * tangential_kick[i]);
+        energy[at + i] += a * a + b * b;
+      }
+    }
+  }
+}
+
+STOSS_MULTIVERSION
+void multiply_transposed(const double* matrix, std::size_t stride, std::size_t rows, std::size_t begin, std::size_t end,
+                         const double* x, double* result) {
+  std::size_t i = begin;
+  for (; i + 64 <= end; i += 32) multiply_block<32>(matrix + i, stride, rows, x, result + i);
+  // The rest in one block if it consists of whole vectors: narrow blocks wait for their sums.
+  const auto rest = [&]<std::size_t width>() {
+    multiply_block<width>(matrix + i, stride, rows, x, result + i);
+    i += width;
+  };
+  switch ((end - i) / 8) {
+    case 7:
+      rest.template operator()<56>();
+      break;
+    case 6:
+      rest.template operator()<48>();
+      break;
+    case 5:
+      rest.template operator()<40>();
+      break;
+    case 4:
+      rest.template operator()<32>();
+      break;
+    case 3:
+      rest.template operator()<24>();
+      break;
+    case 2:
+      rest.template operator()<16>();
+      break;
+    case 1:
+      rest.template operator()<8>();
+      break;
+    default:
+      break;
+  }
+  for (; i < end; ++i) multiply_block<1>(matrix + i, stride, rows, x, result + i);
+}
+
+}  // namespace stoss::kernels

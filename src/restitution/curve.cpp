@@ -1,0 +1,75 @@
+#include "stoss/restitution/curve.hpp"
+
+#include <algorithm>
+#include <atomic>
+#include <limits>
+#include <thread>
+#include <utility>
+
+#include "check.hpp"
+#include "restitution/ordered_jobs.hpp"
+#include "stoss/bodies/disk.hpp"
+
+namespace stoss {
+namespace {
+
+struct Stopped {};
+
+/// A point at which no two impacts ended.
+Restitution failed(double speed, double tolerance, const std::string& reason) {
+  constexpr double none = std::numeric_limits<double>::quiet_NaN();
+  constexpr Estimate nothing{none, none};
+  Restitution result{nothing, nothing, nothing, nothing, nothing, tolerance, false, reason, {}, {}, 0};
+  result.finest.speed = speed;
+  result.finest.restitution = result.finest.lost_fraction = none;
+  return result;
+}
+
+Restitution point(const RefinableBody& body, double speed, const RestitutionOptions& options) {
+  try {
+    return restitution(body, speed, options);
+  } catch (const RestitutionNotConverged& error) {
+    return error.best;
+  } catch (const NotConverged& error) {
+    return failed(speed, options.tolerance, error.what());
+  }
+}
+
+}  // namespace
+
+void validate(const std::vector<double>& speeds, const CurveOptions& options) {
+  require_tolerance(options.tolerance);
+  require("threads", static_cast<long>(options.threads), 0, 1024, "0 for as many as the machine has");
+  for (const double speed : speeds) require_speed(speed);
+}
+
+void restitution_curve(const RefinableBody& body, const std::vector<double>& speeds, const CurveOptions& options,
+                       const CurveObserver& observer) {
+  validate(speeds, options);
+  const auto available = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+  const auto wanted = static_cast<std::size_t>(options.threads == 0 ? available : options.threads);
+  const auto job = [&](std::size_t i, const std::atomic<bool>& stop) {
+    const auto heed = [&stop] {
+      if (stop) throw Stopped{};
+    };
+    return point(body, speeds[i], {options.tolerance, heed});
+  };
+  const auto deliver = [&](std::size_t i, Restitution&& result) { observer(i, result); };
+  run_in_order<Restitution>(speeds.size(), static_cast<int>(std::min(wanted, speeds.size())), job, deliver,
+                            options.poll);
+}
+
+std::vector<Restitution> restitution_curve(const RefinableBody& body, const std::vector<double>& speeds,
+                                           const CurveOptions& options) {
+  std::vector<Restitution> results;
+  results.reserve(speeds.size());
+  restitution_curve(body, speeds, options, [&](std::size_t, const Restitution& result) { results.push_back(result); });
+  return results;
+}
+
+std::vector<Restitution> restitution_curve(double poisson, const std::vector<double>& speeds,
+                                           const CurveOptions& options) {
+  return restitution_curve(RefinableBody(disk(poisson)), speeds, options);
+}
+
+}  // namespace stoss
