@@ -19,8 +19,8 @@ struct Case {
 };
 constexpr Case cases[] = {{0.001, 0.0284886}, {0.01, 0.031382}, {speed, converged_lost_fraction}, {0.3, 0.293637}};
 
-const stoss::RefinableBody& refinable() {
-  static const stoss::RefinableBody body{stoss::disk(poisson)};
+const stoss::RefinableContact& refinable() {
+  static const stoss::RefinableContact body{stoss::disk(poisson)};
   return body;
 }
 

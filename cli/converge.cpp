@@ -92,7 +92,7 @@ void converge(Sweep& sweep, Report& report, double tolerance, int threads) {
     const double poisson = job.poisson(sweep.done());
     const auto first = static_cast<std::ptrdiff_t>(sweep.done() % job.speeds.size());
     const std::vector<double> speeds(job.speeds.begin() + first, job.speeds.end());
-    restitution_curve(RefinableBody(disk(poisson)), speeds, {tolerance, threads, heed_interrupts},
+    restitution_curve(RefinableContact(disk(poisson)), speeds, {tolerance, threads, heed_interrupts},
                       [&](std::size_t i, const Restitution& result) {
                         heed_interrupts();
                         sweep.add(make_row(result, poisson, speeds[i], job.si), report);

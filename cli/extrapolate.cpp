@@ -79,7 +79,7 @@ void check_extrapolate(const Job& job) {
                     "all speeds)",
                     speed, slowest, fastest));
   }
-  for (const double poisson : job.poissons) (void)RefinableBody(disk(poisson)).at(0);
+  for (const double poisson : job.poissons) (void)RefinableContact(disk(poisson)).at(0);
 }
 
 void extrapolate(Sweep& sweep, Report& report) {

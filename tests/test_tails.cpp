@@ -39,12 +39,12 @@ class Tail1 {
         grid_(body_.grid(0.0, 1)),
         response_(make_response(HardWall{tail}, body_, grid_, 0.1, step)) {}
   double force_at(double position) { return response_->advance({position}).front(); }
-  [[nodiscard]] const WallResponse& response() const { return *response_; }
+  [[nodiscard]] const ContactResponse& response() const { return *response_; }
 
  private:
   Body body_;
   ContactGrid grid_;
-  std::unique_ptr<WallResponse> response_;
+  std::unique_ptr<ContactResponse> response_;
 };
 
 /// log₂ of the ratio of the errors at two steps, the second half of the first.

@@ -10,7 +10,7 @@
 namespace validate {
 namespace {
 
-Answer timed_answer(const stoss::RefinableBody& body, double speed, double tolerance) {
+Answer timed_answer(const stoss::RefinableContact& body, double speed, double tolerance) {
   const auto start = std::chrono::steady_clock::now();
   const stoss::Restitution result = best(body, speed, tolerance);
   const std::chrono::duration<double> time = std::chrono::steady_clock::now() - start;
@@ -27,7 +27,7 @@ Disks make_disks(const std::vector<Point>& points) {
   for (const Point& point : points) {
     const auto [disk, is_new] = disks.try_emplace(point.poisson, stoss::disk(point.poisson));
     if (!is_new) continue;
-    for (int level = 0; level <= stoss::RefinableBody::highest_level; ++level) (void)disk->second.at(level);
+    for (int level = 0; level <= stoss::RefinableContact::highest_level; ++level) (void)disk->second.at(level);
   }
   return disks;
 }
@@ -41,7 +41,7 @@ std::vector<Answer> answer(const Disks& disks, const std::vector<Point>& points,
   return answers;
 }
 
-stoss::Restitution best(const stoss::RefinableBody& body, double speed, double tolerance) {
+stoss::Restitution best(const stoss::RefinableContact& body, double speed, double tolerance) {
   try {
     return stoss::restitution(body, speed, {tolerance, {}});
   } catch (const stoss::RestitutionNotConverged& failure) {

@@ -18,13 +18,13 @@ struct Answer {
 
 /// The disks of all points by their Poisson numbers, with all levels made, so that the times are those of impacts
 /// alone.
-using Disks = std::map<double, stoss::RefinableBody>;
+using Disks = std::map<double, stoss::RefinableContact>;
 Disks make_disks(const std::vector<Point>& points);
 
 std::vector<Answer> answer(const Disks& disks, const std::vector<Point>& points, double tolerance);
 
 /// The best that restitution() gives, whether or not it converges.
-stoss::Restitution best(const stoss::RefinableBody& body, double speed, double tolerance);
+stoss::Restitution best(const stoss::RefinableContact& body, double speed, double tolerance);
 
 /// How far an answer is off a reference value.
 struct Deviation {

@@ -101,7 +101,7 @@ void write_finite_elements(std::ostream& out, const std::vector<Point>& points, 
 
 /// Whether the exact value 1 is within the error.
 bool write_rod(std::ostream& out) {
-  const stoss::Restitution rod = best(stoss::RefinableBody(stoss::rod()), 0.1, tolerances[by_default]);
+  const stoss::Restitution rod = best(stoss::RefinableContact(stoss::rod()), 0.1, tolerances[by_default]);
   const stoss::Estimate& value = rod.restitution;
   const stoss::Estimate& time = rod.contact_time;
   const bool contained = std::abs(value.value - 1.0) <= value.error;

@@ -1,44 +1,86 @@
-// A free–free rod: u(s) = Σ Q_l √2 cos lπs, ω_l = lπ (l ≥ 1). Σ_l 2/(lπ)² = 1/3 is its static compliance with inertia
-// relief, Σ_l 2/(lπ)⁴ = 1/45 the second moment; its impedance is that of a plane wave, 1, at every frequency.
+// A free–free rod: u(s) = Σ Q_l √2 cos lπs, ω_l = lπ (l ≥ 1). Σ_l 2/(lπ)² (1/3 over all l) is its static compliance
+// with inertia relief, Σ_l 2/(lπ)⁴ (1/45) the second moment; its impedance is that of a plane wave, 1, at every
+// frequency.
 #include "stoss/bodies/rod.hpp"
 
+#include <boost/math/special_functions/polygamma.hpp>
+#include <boost/math/special_functions/trigamma.hpp>
 #include <cmath>
+#include <limits>
 #include <numbers>
+#include <sstream>
 
 #include "check.hpp"
 
 namespace stoss {
+namespace {
 
-Body rod(double cutoff) {
-  constexpr Range allowed{std::numbers::pi, 1e4, true, true, "3.14160 to 10000"};
-  require("cutoff", cutoff, allowed, "highest frequency of the rod in c/L; its lowest mode is at pi");
+constexpr double highest_cutoff = 1e6;
+
+void require_rod(const Rod& rod) {
+  constexpr Range positive{0.0, std::numeric_limits<double>::max(), false, true, "a positive finite number"};
+  require("length", rod.length, positive, "of the rod");
+  require("young", rod.young, positive, "Young's modulus of the rod");
+  require("density", rod.density, positive, "of the rod");
+  require("area", rod.area, positive, "cross-section of the rod");
+}
+
+std::string name_of(const Rod& rod) {
+  std::ostringstream name;
+  name.precision(17);
+  name << "rod";
+  if (rod.length != 1.0) name << " length=" << rod.length;
+  if (rod.young != 1.0) name << " young=" << rod.young;
+  if (rod.density != 1.0) name << " density=" << rod.density;
+  if (rod.area != 1.0) name << " area=" << rod.area;
+  return name.str();
+}
+
+}  // namespace
+
+Body rod(const Rod& rod, double cutoff) {
+  require_rod(rod);
+  require("cutoff", cutoff, {0.0, highest_cutoff, false, true, "above 0 to 1e6"}, "highest frequency in c/L");
   ModeGroup group;
-  double compliance = 1.0 / 3.0, second_moment = 1.0 / 45.0;
   for (int l = 1; l * std::numbers::pi <= cutoff; ++l) {
     const double omega = l * std::numbers::pi;
     group.omega.push_back(omega);
-    group.radial.push_back(std::numbers::sqrt2);
-    group.tangential.push_back(0.0);
-    compliance -= 2.0 / (omega * omega);
-    second_moment -= 2.0 / (omega * omega * omega * omega);
+    group.upper.push_back(std::numbers::sqrt2);
+    group.lower.push_back(0.0);
   }
+  // Σ_{l>L} 1/l² = ψ′(L + 1), Σ_{l>L} 1/l⁴ = ψ‴(L + 1)/6: no difference of nearly equal numbers.
+  const auto next = static_cast<double>(group.omega.size() + 1);
+  constexpr double square = std::numbers::pi * std::numbers::pi;
+  const double compliance = 2.0 / square * boost::math::trigamma(next);
+  const double second_moment = boost::math::polygamma(3, next) / (3.0 * square * square);
   Body body;
-  body.name = "rod";
+  body.name = name_of(rod);
+  body.scale = {rod.length, std::sqrt(rod.young / rod.density), rod.density * rod.area * rod.length};
+  body.contour = Contour::flat;
   body.mass = 1.0;
   body.extent = 0.5;
   body.cutoff = cutoff;
+  body.highest_cutoff = highest_cutoff;
   body.groups.push_back(std::move(group));
-  body.expected_half_width = [](double) { return 0.0; };
-  body.grid = [](double, int) { return ContactGrid{{0.0}, {0.0}, {1.0}, {1.0}, {1.0}}; };
-  body.residual_compliance = [compliance](const ContactGrid&, const Poll&) { return std::vector<double>{compliance}; };
-  body.residual_second_moment = [second_moment](const ContactGrid&, const Poll&) {
+  body.surface = [](const ContactPoints&) { return Surface{{0.0}, {1.0}, {1.0}, {1.0}}; };
+  body.residual_compliance = [compliance](const ContactPoints&, const Poll&) {
+    return std::vector<double>{compliance};
+  };
+  body.residual_second_moment = [second_moment](const ContactPoints&, const Poll&) {
     return std::vector<double>{second_moment};
   };
   return body;
 }
 
-BodyMaker rod() {
-  return [](double cutoff, const Poll&) { return rod(cutoff); };
+Body rod(double cutoff) {
+  require("cutoff", cutoff, {std::numbers::pi, highest_cutoff, true, true, "3.14160 to 1e6"},
+          "highest frequency of the rod in c/L; its lowest mode is at pi");
+  return rod(Rod{}, cutoff);
+}
+
+BodyMaker rod(const Rod& rod) {
+  require_rod(rod);
+  return [rod](double cutoff, const Poll&) { return stoss::rod(rod, cutoff); };
 }
 
 }  // namespace stoss

@@ -23,32 +23,33 @@ bool finite(const std::vector<double>& values) {
 }  // namespace
 
 void validate(const Body& body) {
+  require(body, positive(body.scale.length) && positive(body.scale.speed) && positive(body.scale.mass),
+          "a positive finite scale");
   require(body, positive(body.mass) && positive(body.extent) && positive(body.cutoff),
           "a positive finite mass, extent and cutoff");
+  require(body, body.highest_cutoff >= body.cutoff, "a cutoff up to its highest");
   require(body, body.stable_step > 0.0, "a positive stable_step");
-  require(body, std::isfinite(body.max_half_width) && body.max_half_width >= 0.0, "max_half_width >= 0");
   for (const ModeGroup& group : body.groups) {
-    require(body, group.radial.size() == group.omega.size() && group.tangential.size() == group.omega.size(),
-            "omega, radial and tangential of one length in each group");
+    require(body, group.upper.size() == group.omega.size() && group.lower.size() == group.omega.size(),
+            "omega, upper and lower of one length in each group");
     require(body, group.index.empty() || group.index.size() == group.omega.size(), "as many indices as modes, or none");
-    require(body, finite(group.radial) && finite(group.tangential), "finite amplitudes");
+    require(body, finite(group.upper) && finite(group.lower), "finite weights");
     require(body,
             std::all_of(group.omega.begin(), group.omega.end(),
                         [&body](double omega) { return omega > 0.0 && omega <= body.cutoff; }),
             "frequencies above 0 and up to its cutoff");
   }
-  require(body, body.expected_half_width && body.grid && body.residual_compliance && body.residual_second_moment,
-          "all four functions set");
+  require(body, body.surface && body.residual_compliance && body.residual_second_moment, "all three functions set");
 }
 
-std::size_t mode_count(const Body& body) {
+std::size_t mode_count(const std::vector<ModeGroup>& groups) {
   std::size_t count = 0;
-  for (const auto& group : body.groups) count += group.omega.size();
+  for (const ModeGroup& group : groups) count += group.omega.size();
   return count;
 }
 
 Body with_modes(const Body& body, const std::vector<bool>& keep) {
-  const std::size_t all = mode_count(body);
+  const std::size_t all = mode_count(body.groups);
   const auto kept = static_cast<std::size_t>(std::count(keep.begin(), keep.end(), true));
   if (keep.size() != all || kept == 0) {
     throw InvalidInput("keep: got " + std::to_string(kept) + " of " + std::to_string(keep.size()) +
@@ -61,18 +62,18 @@ Body with_modes(const Body& body, const std::vector<bool>& keep) {
   result.groups.clear();
   std::size_t mode = 0;
   for (const ModeGroup& from : body.groups) {
-    ModeGroup to{from.order, {}, {}, {}, from.sum_shape, from.difference_shape};
+    ModeGroup to{from.order, {}, {}, {}, from.upper_row, from.lower_row};
     for (std::size_t l = 0; l < from.omega.size(); ++l) {
       if (!keep[mode++]) continue;
       to.omega.push_back(from.omega[l]);
-      to.radial.push_back(from.radial[l]);
-      to.tangential.push_back(from.tangential[l]);
+      to.upper.push_back(from.upper[l]);
+      to.lower.push_back(from.lower[l]);
       to.index.push_back(from.index.empty() ? static_cast<int>(l) : from.index[l]);
     }
     if (!to.omega.empty()) result.groups.push_back(std::move(to));
   }
   result.name += ", " + std::to_string(kept) + " of " + std::to_string(all) + " modes";
-  const auto refuse = [name = result.name](const ContactGrid&, const Poll&) -> std::vector<double> {
+  const auto refuse = [name = result.name](const ContactPoints&, const Poll&) -> std::vector<double> {
     throw InvalidInput("body: got '" + name +
                        "' at a hard wall, allowed only one with all modes up to its cutoff (use an exponential wall)");
   };

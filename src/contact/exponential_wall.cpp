@@ -15,9 +15,9 @@ constexpr double negligible_share = 1e-12;
 /// e^x is refused above this; an impact resolved in time stays far below.
 constexpr double max_exponent = 300.0;
 
-double lowest_frequency(const Body& body) {
-  double lowest = body.cutoff;
-  for (const ModeGroup& group : body.groups) {
+double lowest_frequency(const Contact& contact) {
+  double lowest = contact.cutoff;
+  for (const ModeGroup& group : contact.groups) {
     for (const double omega : group.omega) lowest = std::min(lowest, omega);
   }
   return lowest;
@@ -25,15 +25,15 @@ double lowest_frequency(const Body& body) {
 
 }  // namespace
 
-ExponentialResponse::ExponentialResponse(const ExponentialWall& wall, const Body& body, const ContactGrid& grid,
+ExponentialResponse::ExponentialResponse(const ExponentialWall& wall, const Contact& contact, const ContactGrid& grid,
                                          double speed)
     : wall_(wall),
-      threshold_(1e-3 * body.mass * speed * std::min(lowest_frequency(body), wall.hardness * speed)),
+      threshold_(1e-3 * contact.mass * speed * std::min(lowest_frequency(contact), wall.hardness * speed)),
       log_strength_(std::log(wall.hardness) + std::log(wall.strength)),
       measure_(grid.measure),
       force_(grid.measure.size()) {
   const double edge = std::accumulate(measure_.begin(), measure_.end(), 0.0);
-  const double energy = 0.5 * body.mass * speed * speed;
+  const double energy = 0.5 * contact.mass * speed * speed;
   range_ = (std::log(wall.strength) + std::log(edge / (negligible_share * energy))) / wall.hardness;
 }
 

@@ -7,9 +7,9 @@
 namespace stoss {
 
 /// The paper's wall on the nodes: V = V₀ Σ_i μ_i e^{αx_i}, f_i = ∂V/∂x_i, with μ_i the edge that node i stands for.
-class ExponentialResponse final : public WallResponse {
+class ExponentialResponse final : public ContactResponse {
  public:
-  ExponentialResponse(const ExponentialWall& wall, const Body& body, const ContactGrid& grid, double speed);
+  ExponentialResponse(const ExponentialWall& wall, const Contact& contact, const ContactGrid& grid, double speed);
   const std::vector<double>& advance(const std::vector<double>& position) override;
   [[nodiscard]] std::size_t extent() const override { return extent_; }
   [[nodiscard]] std::size_t contact_nodes() const override;

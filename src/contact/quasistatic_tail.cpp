@@ -1,11 +1,9 @@
 #include "contact/quasistatic_tail.hpp"
 
-#include "contact/residual.hpp"
-
 namespace stoss {
 
-QuasistaticTail::QuasistaticTail(const Body& body, const ContactGrid& grid, const Poll& poll)
-    : contact_(residual_matrix(body, body.residual_compliance, grid, poll), grid.recess.size(), poll),
+QuasistaticTail::QuasistaticTail(const Contact& contact, const ContactGrid& grid, const Poll& poll)
+    : contact_(residual_compliance(contact, grid, poll), grid.recess.size(), poll),
       force_(grid.recess.size()),
       displacement_(grid.recess.size()) {}
 

@@ -6,9 +6,9 @@
 namespace stoss {
 
 /// Hard wall, quasistatic tail: u = W f, contact f ≥ 0, x_dyn − u ≤ 0.
-class QuasistaticTail final : public WallResponse {
+class QuasistaticTail final : public ContactResponse {
  public:
-  QuasistaticTail(const Body& body, const ContactGrid& grid, const Poll& poll);
+  QuasistaticTail(const Contact& contact, const ContactGrid& grid, const Poll& poll);
   const std::vector<double>& advance(const std::vector<double>& position) override;
   [[nodiscard]] std::size_t extent() const override { return contact_.extent(); }
   [[nodiscard]] std::size_t contact_nodes() const override { return contact_.extent(); }

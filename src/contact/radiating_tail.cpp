@@ -6,7 +6,6 @@
 #include <numbers>
 #include <utility>
 
-#include "contact/residual.hpp"
 #include "numeric/dense.hpp"
 #include "numeric/kernels.hpp"
 #include "stoss/errors.hpp"
@@ -31,25 +30,23 @@ std::vector<double> values_of_symmetric(const MatrixXd& matrix, const Poll& poll
 
 /// Kicks of period Δt move a mode under a constant force by (Δt/2ω) cot(ωΔt/2) instead of 1/ω². The difference of all
 /// kept modes, which adds to the compliance of the others, so that the response to slow forces is exact.
-void add_kick_compliance(const Body& body, const ContactGrid& grid, double step, const Poll& poll,
+void add_kick_compliance(const Contact& contact, const ContactGrid& grid, double step, const Poll& poll,
                          MatrixXd& compliance) {
   const auto n = compliance.rows();
   const Eigen::Map<const RowMajor> shape(grid.shape.data(), static_cast<Index>(grid.shape.size()) / n, n);
   RowMajor response = RowMajor::Zero(shape.rows(), n);  // of each shape to forces on the nodes
-  for (const ModeGroup& group : body.groups) {
-    double plus = 0.0, mixed = 0.0, minus = 0.0;  // C c + S s = ½(C + S)(c + s) + ½(C − S)(c − s)
+  for (const ModeGroup& group : contact.groups) {
+    double upper = 0.0, mixed = 0.0, lower = 0.0;
     for (std::size_t l = 0; l < group.omega.size(); ++l) {
       const double angle = 0.5 * group.omega[l] * step;
-      const double missing = (1.0 - angle / std::tan(angle)) / (group.omega[l] * group.omega[l] * body.mass);
-      const double sum = 0.5 * (group.radial[l] + group.tangential[l]);
-      const double difference = 0.5 * (group.radial[l] - group.tangential[l]);
-      plus += missing * sum * sum;
-      mixed += missing * sum * difference;
-      minus += missing * difference * difference;
+      const double missing = (1.0 - angle / std::tan(angle)) / (group.omega[l] * group.omega[l] * contact.mass);
+      upper += missing * group.upper[l] * group.upper[l];
+      mixed += missing * group.upper[l] * group.lower[l];
+      lower += missing * group.lower[l] * group.lower[l];
     }
-    const auto p = static_cast<Index>(group.sum_shape), m = static_cast<Index>(group.difference_shape);
-    response.row(p) += plus * shape.row(p) + mixed * shape.row(m);
-    response.row(m) += mixed * shape.row(p) + minus * shape.row(m);
+    const auto u = static_cast<Index>(group.upper_row), l = static_cast<Index>(group.lower_row);
+    response.row(u) += upper * shape.row(u) + mixed * shape.row(l);
+    response.row(l) += mixed * shape.row(u) + lower * shape.row(l);
   }
   dense::by_columns(n, poll, [&](Index first, Index count) {
     compliance.middleCols(first, count).noalias() += shape.transpose() * response.middleCols(first, count);
@@ -99,18 +96,15 @@ MatrixXd product(const MatrixXd& a, const MatrixXd& b, const Poll& poll) {
 
 }  // namespace
 
-RadiatingTail::Matrices RadiatingTail::discretize(const Body& body, const ContactGrid& grid, double step,
+RadiatingTail::Matrices RadiatingTail::discretize(const Contact& contact, const ContactGrid& grid, double step,
                                                   const Poll& poll) {
   const auto n = static_cast<Index>(grid.recess.size());
-  const auto matrix = [&](const auto& residual) -> MatrixXd {
-    return dense::square(residual_matrix(body, residual, grid, poll).data(), n, poll);
-  };
-  MatrixXd compliance = matrix(body.residual_compliance);
-  add_kick_compliance(body, grid, step, poll, compliance);
-  const MatrixXd moment = root(matrix(body.residual_second_moment), poll);
+  MatrixXd compliance = dense::square(residual_compliance(contact, grid, poll).data(), n, poll);
+  add_kick_compliance(contact, grid, step, poll, compliance);
+  const MatrixXd moment = root(dense::square(residual_second_moment(contact, grid, poll).data(), n, poll), poll);
   const auto masses = moment.cols();
   const Eigen::VectorXd impedance = Eigen::Map<const Eigen::VectorXd>(grid.impedance.data(), n);
-  const Eigen::VectorXd link = impedance * (link_stiffness * body.cutoff + 1.0 / step);
+  const Eigen::VectorXd link = impedance * (link_stiffness * contact.cutoff + 1.0 / step);
 
   MatrixXd participation = moment;
   dense::solve(factored(dense::square(compliance.data(), n, poll), poll), participation, poll);
@@ -135,8 +129,8 @@ RadiatingTail::Matrices RadiatingTail::discretize(const Body& body, const Contac
           static_cast<std::size_t>(masses)};
 }
 
-RadiatingTail::RadiatingTail(const Body& body, const ContactGrid& grid, double step, const Poll& poll)
-    : RadiatingTail(discretize(body, grid, step, poll), grid.recess.size(), body.cutoff, step, poll) {}
+RadiatingTail::RadiatingTail(const Contact& contact, const ContactGrid& grid, double step, const Poll& poll)
+    : RadiatingTail(discretize(contact, grid, step, poll), grid.recess.size(), contact.cutoff, step, poll) {}
 
 RadiatingTail::RadiatingTail(Matrices matrices, std::size_t nodes, double cutoff, double step, const Poll& poll)
     : step_(step),

@@ -20,9 +20,9 @@ namespace stoss {
 ///   u = W′ (f + R S⁻¹ r),   W′ = (K + R S⁻¹ Rᵀ)⁻¹ = W − Y T Yᵀ,   W′R S⁻¹ = Y T,   T = (S + YᵀR)⁻¹,
 ///
 /// the same contact problem as with the quasistatic tail, with W′ for W and x_dyn − W′R S⁻¹ r for x_dyn.
-class RadiatingTail final : public WallResponse {
+class RadiatingTail final : public ContactResponse {
  public:
-  RadiatingTail(const Body& body, const ContactGrid& grid, double step, const Poll& poll);
+  RadiatingTail(const Contact& contact, const ContactGrid& grid, double step, const Poll& poll);
   const std::vector<double>& advance(const std::vector<double>& position) override;
   [[nodiscard]] std::size_t extent() const override { return contact_.extent(); }
   [[nodiscard]] std::size_t contact_nodes() const override { return contact_.extent(); }
@@ -38,7 +38,7 @@ class RadiatingTail final : public WallResponse {
     std::vector<double> memory;         // T Yᵀ, masses × nodes
     std::size_t masses = 0;
   };
-  static Matrices discretize(const Body& body, const ContactGrid& grid, double step, const Poll& poll);
+  static Matrices discretize(const Contact& contact, const ContactGrid& grid, double step, const Poll& poll);
   RadiatingTail(Matrices matrices, std::size_t nodes, double cutoff, double step, const Poll& poll);
 
   double step_;

@@ -3,15 +3,15 @@
 #include <memory>
 #include <vector>
 
-#include "stoss/body/body.hpp"
+#include "stoss/contact/contact.hpp"
 #include "stoss/contact/wall.hpp"
 
 namespace stoss {
 
-/// A wall in front of one body: the force on each contact node, given where the kept modes alone would put the nodes.
-class WallResponse {
+/// What a body meets, as the force on each contact node, given where the kept modes alone would put the nodes.
+class ContactResponse {
  public:
-  virtual ~WallResponse() = default;
+  virtual ~ContactResponse() = default;
 
   /// Advances by one step to the given positions x_dyn (beyond the wall where positive) and returns the node forces.
   virtual const std::vector<double>& advance(const std::vector<double>& position) = 0;
@@ -46,7 +46,7 @@ class WallResponse {
 
 /// @param speed of the impact, which sets what force counts as contact with a soft wall
 /// @param step  time between two calls of advance
-[[nodiscard]] std::unique_ptr<WallResponse> make_response(const Wall& wall, const Body& body, const ContactGrid& grid,
-                                                          double speed, double step, const Poll& poll = {});
+[[nodiscard]] std::unique_ptr<ContactResponse> make_response(const Contact& contact, const ContactGrid& grid,
+                                                             double speed, double step, const Poll& poll = {});
 
 }  // namespace stoss

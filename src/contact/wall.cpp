@@ -16,13 +16,15 @@ void validate(const Wall& wall) {
           "V0 in units of rho c^2 R^2; it only shifts the wall");
 }
 
-std::unique_ptr<WallResponse> make_response(const Wall& wall, const Body& body, const ContactGrid& grid, double speed,
-                                            double step, const Poll& poll) {
-  if (const auto* soft = std::get_if<ExponentialWall>(&wall)) {
-    return std::make_unique<ExponentialResponse>(*soft, body, grid, speed);
+std::unique_ptr<ContactResponse> make_response(const Contact& contact, const ContactGrid& grid, double speed,
+                                               double step, const Poll& poll) {
+  if (const auto* soft = std::get_if<ExponentialWall>(&contact.wall)) {
+    return std::make_unique<ExponentialResponse>(*soft, contact, grid, speed);
   }
-  if (std::get<HardWall>(wall).tail == Tail::quasistatic) return std::make_unique<QuasistaticTail>(body, grid, poll);
-  return std::make_unique<RadiatingTail>(body, grid, step, poll);
+  if (std::get<HardWall>(contact.wall).tail == Tail::quasistatic) {
+    return std::make_unique<QuasistaticTail>(contact, grid, poll);
+  }
+  return std::make_unique<RadiatingTail>(contact, grid, step, poll);
 }
 
 }  // namespace stoss

@@ -13,35 +13,35 @@ constexpr long sampling = 4;
 
 }  // namespace
 
-Collision::Collision(const Body& body, const Wall& wall, const ContactGrid& grid, double speed, double step,
+Collision::Collision(const Contact& contact, const ContactGrid& grid, double speed, double step,
                      const std::optional<State>& start, const Poll& poll)
-    : body_(body),
+    : contact_(contact),
       grid_(grid),
       speed_(speed),
       step_(step),
-      modes_(body, grid, step),
-      response_(make_response(wall, body, grid, speed, step, poll)),
+      modes_(contact, grid, step),
+      response_(make_response(contact, grid, speed, step, poll)),
       position_(grid.recess.size()),
       compression_(-response_->range()),
       velocity_(speed) {
   if (start) {
     modes_.set(start->coordinate, start->momentum);
-    compression_ = body.extent + start->center;
+    compression_ = contact.extent + start->center;
   }
   respond();
-  if (std::holds_alternative<HardWall>(wall) && force_ > 0.0) {
+  if (std::holds_alternative<HardWall>(contact.wall) && force_ > 0.0) {
     throw InvalidInput("start: the body already touches the wall (move its center back)");
   }
   // The first step has only the second half of the first kick.
-  velocity_ += 0.5 * force_ * step_ / body_.mass;
+  velocity_ += 0.5 * force_ * step_ / contact_.mass;
   modes_.begin();
   initial_velocity_ = velocity();
   initial_energy_ = translation() + modes_.energy() + response_->stored_energy();
 }
 
-double Collision::velocity() const { return velocity_ - 0.5 * force_ * step_ / body_.mass; }
+double Collision::velocity() const { return velocity_ - 0.5 * force_ * step_ / contact_.mass; }
 
-double Collision::translation() const { return 0.5 * body_.mass * velocity() * velocity(); }
+double Collision::translation() const { return 0.5 * contact_.mass * velocity() * velocity(); }
 
 void Collision::respond() {
   for (std::size_t i = 0; i < position_.size(); ++i) position_[i] = compression_ - grid_.recess[i];
@@ -57,7 +57,7 @@ void Collision::respond() {
 
 void Collision::advance() {
   const double force_before = force_;
-  velocity_ -= force_ * step_ / body_.mass;
+  velocity_ -= force_ * step_ / contact_.mass;
   compression_ += velocity_ * step_;
   modes_.advance();
   ++steps_;
@@ -111,9 +111,9 @@ bool Collision::over() {
 Snapshot Collision::snapshot() const {
   Snapshot now;
   now.time = static_cast<double>(steps_) * step_;
-  now.center = compression_ - body_.extent;
+  now.center = compression_ - contact_.extent;
   now.velocity = velocity();
-  now.force = force_ / body_.mass;
+  now.force = force_ / contact_.first->mass;
   now.translation = translation() / initial_energy_;
   now.vibration = modes_.energy() / initial_energy_;
   now.stored = response_->stored_energy() / initial_energy_;
@@ -123,12 +123,12 @@ Snapshot Collision::snapshot() const {
 }
 
 State Collision::state() const {
-  return {compression_ - body_.extent, velocity(), modes_.coordinate(), modes_.momentum()};
+  return {compression_ - contact_.extent, velocity(), modes_.coordinate(), modes_.momentum()};
 }
 
 std::vector<double> Collision::node_force() const {
   std::vector<double> shares(node_force_->size());
-  for (std::size_t i = 0; i < response_->extent(); ++i) shares[i] = (*node_force_)[i] / body_.mass;
+  for (std::size_t i = 0; i < response_->extent(); ++i) shares[i] = (*node_force_)[i] / contact_.first->mass;
   return shares;
 }
 
@@ -139,11 +139,11 @@ Impact Collision::result() const {
   impact.lost_fraction = 1.0 - impact.restitution * impact.restitution;
   impact.contact_time = contacts_ > 0 ? last_contact_ - first_contact_ : 0.0;
   impact.contacts = contacts_;
-  impact.max_force = max_force_ / body_.mass;
+  impact.max_force = max_force_ / contact_.first->mass;
   impact.max_compression = max_compression_;
   impact.max_half_width = max_half_width_;
-  const double momentum_change = body_.mass * (initial_velocity_ - velocity());
-  impact.momentum_error = std::abs(impulse_ - momentum_change) / (body_.mass * std::abs(initial_velocity_));
+  const double momentum_change = contact_.mass * (initial_velocity_ - velocity());
+  impact.momentum_error = std::abs(impulse_ - momentum_change) / (contact_.mass * std::abs(initial_velocity_));
   impact.steps = steps_;
   impact.final_state = state();
 
@@ -155,15 +155,21 @@ Impact Collision::result() const {
   const std::vector<double> during = modes_.accumulated_energy();
   const double samples = static_cast<double>(std::max(samples_, 1L));
   ledger.modes.reserve(after.size());
-  std::size_t k = 0;
-  for (const ModeGroup& group : body_.groups) {
+  for (std::size_t g = 0, k = 0; g < contact_.groups.size(); ++g) {
+    const ModeGroup& group = contact_.groups[g];
+    const bool of_first = g < contact_.first_groups;
     for (std::size_t l = 0; l < group.omega.size(); ++l, ++k) {
       const int index = group.index.empty() ? static_cast<int>(l) : group.index[l];
+      const double share = after[k] / initial_energy_;
       ledger.modes.push_back(
-          {group.order, index, group.omega[l], after[k] / initial_energy_, during[k] / (samples * initial_energy_)});
-      ledger.vibration += after[k] / initial_energy_;
+          {of_first ? 0 : 1, group.order, index, group.omega[l], share, during[k] / (samples * initial_energy_)});
+      (of_first ? ledger.lost_to_first : ledger.lost_to_second) += share;
     }
   }
+  ledger.vibration = ledger.lost_to_first + ledger.lost_to_second;
+  const double share = unresolved_share(contact_);
+  ledger.lost_to_first += share * ledger.unresolved;
+  ledger.lost_to_second += (1.0 - share) * ledger.unresolved;
   impact.energy_error = 1.0 - ledger.translation - ledger.vibration - ledger.unresolved - ledger.stored;
   return impact;
 }

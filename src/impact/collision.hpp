@@ -10,9 +10,11 @@
 
 namespace stoss {
 
-/// The motion of one body at one wall, with the node forces f_i of the wall,
+/// The relative motion of a contact with the node forces f_i,
 ///
-///   m ẍ₀ = −Σ_i f_i,   m Q̈ = −m ω² Q − Σ_i f_i (C c_i + S s_i)   (paper eqs. (44) and (41) with E2),
+///   m Ẍ = −Σ_i f_i,   m Q̈ = −m ω² Q − Σ_i f_i s_i   (at a wall, paper eqs. (44) and (41) with E2),
+///
+/// with s_i what the mode moves node i, and for two bodies m their reduced mass,
 ///
 /// by kick–rotate–kick: half a kick by the force, exact rotation of every mode and drift of the
 /// centre, half a kick. Second order, exact between contacts; reversible in time at an exponential
@@ -20,14 +22,14 @@ namespace stoss {
 class Collision {
  public:
   /// Starts just out of reach of the wall, or from `start`.
-  Collision(const Body& body, const Wall& wall, const ContactGrid& grid, double speed, double step,
+  Collision(const Contact& contact, const ContactGrid& grid, double speed, double step,
             const std::optional<State>& start, const Poll& poll);
 
   /// Moves on by one step.
   void advance();
 
   /// The contact has reached the end of the grid, so that the result is void.
-  [[nodiscard]] bool overflows() const { return body_.max_half_width > 0.0 && response_->overflows(); }
+  [[nodiscard]] bool overflows() const { return !has_single_point(contact_) && response_->overflows(); }
 
   /// The body recedes and can touch the wall no more.
   [[nodiscard]] bool over();
@@ -54,12 +56,12 @@ class Collision {
   [[nodiscard]] double velocity() const;  // synchronous with the position
   [[nodiscard]] double translation() const;
 
-  const Body& body_;
+  const Contact& contact_;
   const ContactGrid& grid_;
   double speed_;
   double step_;
   KeptModes modes_;
-  std::unique_ptr<WallResponse> response_;
+  std::unique_ptr<ContactResponse> response_;
   std::vector<double> position_;  // x_dyn of the nodes
   double foremost_ = 0.0;         // largest of them
   double foremost_before_ = 0.0;

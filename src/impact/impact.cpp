@@ -11,31 +11,19 @@
 namespace stoss {
 namespace {
 
-constexpr double max_contact_time = 200.0;  // R/c; an impact lasts 5 to 30
+constexpr double max_contact_time = 200.0;  // R/c of the slower body; an impact lasts 5 to 30
 constexpr double most_steps = 5e7;
 constexpr double max_energy_error = 1e-2;   // beyond, the motion is not resolved in time and means nothing
 constexpr double small_strain_limit = 0.5;  // compression, R
 
-void require_grid(const Body& body, const ContactGrid& grid) {
-  const std::size_t nodes = grid.recess.size();
-  std::size_t rows = 0;
-  for (const ModeGroup& group : body.groups) rows = std::max({rows, group.sum_shape + 1, group.difference_shape + 1});
-  if (nodes == 0 || grid.coordinate.size() != nodes || grid.measure.size() != nodes || grid.impedance.size() != nodes ||
-      grid.shape.size() % nodes != 0 || grid.shape.size() / nodes < rows) {
-    throw InvalidInput("body: got a grid of '" + body.name +
-                       "' whose arrays do not fit, allowed: one value per node, and per node and shape");
-  }
-}
-
 /// One run; empty if the contact outgrew the grid.
-std::optional<Impact> run(const Body& body, const Wall& wall, double speed, const Resolution& resolution,
+std::optional<Impact> run(const Contact& contact, double speed, const Resolution& resolution,
                           const ImpactOptions& options, const ImpactObserver& observer) {
   if (options.poll) options.poll();
-  const ContactGrid grid = body.grid(resolution.half_width, resolution.nodes);
-  require_grid(body, grid);
-  Collision collision(body, wall, grid, speed, resolution.step, options.start, options.poll);
-  const double flight = std::max(0.0, -(collision.snapshot().center + body.extent)) + 4.0 * collision.clearance();
-  const double steps = (max_contact_time + flight / speed) / resolution.step;
+  const ContactGrid grid = contact_grid(contact, resolution.half_width, resolution.nodes);
+  Collision collision(contact, grid, speed, resolution.step, options.start, options.poll);
+  const double flight = std::max(0.0, -(collision.snapshot().center + contact.extent)) + 4.0 * collision.clearance();
+  const double steps = (max_contact_time * longest_time(contact) + flight / speed) / resolution.step;
   if (steps > most_steps) {
     throw NotConverged("impact: would take more than " + std::to_string(static_cast<long>(most_steps)) +
                        " steps (use a larger step, or a hard wall instead of an exponential one)");
@@ -56,14 +44,14 @@ std::optional<Impact> run(const Body& body, const Wall& wall, double speed, cons
   if (observer) observe();
   for (long step = 1; !collision.over(); ++step) {
     if (static_cast<double>(step) > steps) {
-      throw NotConverged("impact: the body has not left the wall after " + std::to_string(step) + " steps");
+      throw NotConverged("impact: the contact has not ended after " + std::to_string(step) + " steps");
     }
     if (options.poll) options.poll();
     collision.advance();
     if (collision.overflows()) {
-      if (resolution.half_width < reachable_half_width(body, wall)) return std::nullopt;
+      if (resolution.half_width < greatest_half_width(contact)) return std::nullopt;
       // An exponential wall may push on all of the edge that it acts on; a hard wall must not.
-      if (std::holds_alternative<HardWall>(wall)) {
+      if (std::holds_alternative<HardWall>(contact.wall)) {
         throw NotConverged("impact: the contact spreads over the whole body (speed too high for this model)");
       }
     }
@@ -74,29 +62,34 @@ std::optional<Impact> run(const Body& body, const Wall& wall, double speed, cons
 
 }  // namespace
 
-Impact impact(const Body& body, const Wall& wall, double speed, const ImpactOptions& options,
-              const ImpactObserver& observer) {
-  Resolution resolution = choose_resolution(body, wall, speed, options);
-  std::optional<Impact> result = run(body, wall, speed, resolution, options, {});
+Impact impact(const Contact& contact, double speed, const ImpactOptions& options, const ImpactObserver& observer) {
+  Resolution resolution = choose_resolution(contact, speed, options);
+  std::optional<Impact> result = run(contact, speed, resolution, options, {});
   while (!result) {
-    resolution = widened(body, wall, resolution);
-    result = run(body, wall, speed, resolution, options, {});
+    resolution = widened(contact, resolution);
+    result = run(contact, speed, resolution, options, {});
   }
   if (!(std::abs(result->energy_error) <= max_energy_error)) {
     throw NotConverged("impact: " + std::to_string(result->energy_error) +
                        " of the energy is unaccounted for (use a smaller step)");
   }
   // The observer must see one impact only, so it watches a repetition on the grid that is known to suffice.
-  if (observer) result = run(body, wall, speed, resolution, options, observer);
+  if (observer) result = run(contact, speed, resolution, options, observer);
 
-  result->body = body.name;
-  result->wall = wall;
-  result->cutoff = body.cutoff;
+  result->contact = name(contact);
+  result->wall = contact.wall;
+  result->cutoff = contact.cutoff;
   result->step = resolution.step;
   result->nodes = resolution.nodes;
   result->half_width = resolution.half_width;
-  result->beyond_small_strain = speed > small_strain_speed || result->max_compression > small_strain_limit;
+  result->beyond_small_strain = own_speed(contact, speed) > small_strain_speed ||
+                                own_compression(contact, result->max_compression) > small_strain_limit;
   return std::move(*result);
+}
+
+Impact impact(const Body& body, const Wall& wall, double speed, const ImpactOptions& options,
+              const ImpactObserver& observer) {
+  return impact(contact(body, wall), speed, options, observer);
 }
 
 }  // namespace stoss

@@ -7,34 +7,35 @@
 
 namespace stoss {
 
-KeptModes::KeptModes(const Body& body, const ContactGrid& grid, double step)
-    : mass_(body.mass), step_(step), count_(mode_count(body)), nodes_(grid.recess.size()) {
+KeptModes::KeptModes(const Contact& contact, const ContactGrid& grid, double step)
+    : mass_(contact.mass), step_(step), count_(mode_count(contact.groups)), nodes_(grid.recess.size()) {
   constexpr std::size_t lanes = kernels::lanes;
-  const std::size_t groups = body.groups.size();
+  const std::size_t groups = contact.groups.size();
   begin_.push_back(0);
   for (std::size_t first = 0; first < groups; first += lanes) {
     std::size_t longest = 0;
     for (std::size_t g = first; g < std::min(first + lanes, groups); ++g) {
-      size_.push_back(body.groups[g].omega.size());
+      size_.push_back(contact.groups[g].omega.size());
       longest = std::max(longest, size_.back());
     }
     begin_.push_back(begin_.back() + longest * lanes);
   }
   // Places without a mode hold an oscillator of no amplitude.
   for (auto* array : {&omega_, &cosine_}) array->resize(begin_.back(), 1.0);
-  for (auto* array : {&sine_, &radial_, &tangential_, &a_, &b_, &energy_sum_}) {
+  for (auto* array : {&sine_, &upper_, &lower_, &a_, &b_, &energy_sum_}) {
     array->resize(begin_.back(), 0.0);
   }
   for (std::size_t g = 0; g < groups; ++g) {
-    const ModeGroup& group = body.groups[g];
+    const ModeGroup& group = contact.groups[g];
+    amplitude_of_.push_back(std::sqrt(mass_ / modal_mass(contact, g)));
     for (std::size_t l = 0; l < size_[g]; ++l) {
       const std::size_t k = position(g, l);
       const double omega = group.omega[l];
       omega_[k] = omega;
       cosine_[k] = std::cos(omega * step);
       sine_[k] = std::sin(omega * step);
-      radial_[k] = group.radial[l] / std::sqrt(omega);
-      tangential_[k] = group.tangential[l] / std::sqrt(omega);
+      upper_[k] = group.upper[l] / std::sqrt(omega);
+      lower_[k] = group.lower[l] / std::sqrt(omega);
     }
   }
   push_.resize(2 * blocks() * lanes);
@@ -42,7 +43,7 @@ KeptModes::KeptModes(const Body& body, const ContactGrid& grid, double step)
   moved_.resize(nodes_);
   const std::size_t rows = grid.shape.size() / nodes_;
   amplitude_.resize((rows + lanes - 1) / lanes * lanes);
-  for (const ModeGroup& group : body.groups) shapes_of_.push_back({group.sum_shape, group.difference_shape});
+  for (const ModeGroup& group : contact.groups) shapes_of_.push_back({group.upper_row, group.lower_row});
   shapes_ = grid.shape;
   shapes_by_node_.resize(amplitude_.size() * nodes_);
   for (std::size_t row = 0; row < rows; ++row) {
@@ -55,7 +56,7 @@ std::size_t KeptModes::position(std::size_t group, std::size_t index) const {
 }
 
 kernels::Oscillators KeptModes::view() {
-  return {a_.data(), b_.data(), cosine_.data(), sine_.data(), radial_.data(), tangential_.data()};
+  return {a_.data(), b_.data(), cosine_.data(), sine_.data(), upper_.data(), lower_.data()};
 }
 
 void KeptModes::set(const std::vector<double>& coordinate, const std::vector<double>& momentum) {
@@ -66,34 +67,32 @@ void KeptModes::set(const std::vector<double>& coordinate, const std::vector<dou
   }
   std::size_t mode = 0;
   for (std::size_t g = 0; g < size_.size(); ++g) {
-    double radial = 0.0;
-    double tangential = 0.0;
+    double upper = 0.0;
+    double lower = 0.0;
     for (std::size_t l = 0; l < size_[g]; ++l, ++mode) {
       const std::size_t k = position(g, l);
-      a_[k] = std::sqrt(omega_[k]) * coordinate[mode];
-      b_[k] = momentum[mode] / (mass_ * std::sqrt(omega_[k]));
-      radial += radial_[k] * a_[k];
-      tangential += tangential_[k] * a_[k];
+      a_[k] = std::sqrt(omega_[k]) * (coordinate[mode] / amplitude_of_[g]);
+      b_[k] = momentum[mode] * amplitude_of_[g] / (mass_ * std::sqrt(omega_[k]));
+      upper += upper_[k] * a_[k];
+      lower += lower_[k] * a_[k];
     }
-    edge_[g] = radial;
-    edge_[edge_.size() / 2 + g] = tangential;
+    edge_[g] = upper;
+    edge_[edge_.size() / 2 + g] = lower;
   }
 }
 
 void KeptModes::load(const std::vector<double>& force, std::size_t count) {
   kernels::multiply_transposed(shapes_by_node_.data(), amplitude_.size(), count, 0, amplitude_.size(), force.data(),
                                amplitude_.data());
-  const double scale = 0.5 * step_ / mass_;
+  const double scale = step_ / mass_;
   for (std::size_t g = 0; g < size_.size(); ++g) {
-    const double sum = scale * amplitude_[shapes_of_[g].sum];
-    const double difference = scale * amplitude_[shapes_of_[g].difference];
-    push_[g] = sum + difference;
-    push_[push_.size() / 2 + g] = sum - difference;
+    push_[g] = scale * amplitude_[shapes_of_[g].upper];
+    push_[push_.size() / 2 + g] = scale * amplitude_[shapes_of_[g].lower];
   }
 }
 
 double KeptModes::velocity(std::size_t group, std::size_t k) const {
-  return b_[k] - 0.5 * (radial_[k] * push_[group] + tangential_[k] * push_[push_.size() / 2 + group]);
+  return b_[k] - 0.5 * (upper_[k] * push_[group] + lower_[k] * push_[push_.size() / 2 + group]);
 }
 
 void KeptModes::begin() {
@@ -110,10 +109,8 @@ void KeptModes::advance() { kernels::advance(view(), begin_.data(), blocks(), pu
 void KeptModes::add_displacement(std::vector<double>& position) {
   std::fill(amplitude_.begin(), amplitude_.end(), 0.0);
   for (std::size_t g = 0; g < size_.size(); ++g) {
-    const double radial = 0.5 * edge_[g];
-    const double tangential = 0.5 * edge_[edge_.size() / 2 + g];
-    amplitude_[shapes_of_[g].sum] += radial + tangential;
-    amplitude_[shapes_of_[g].difference] += radial - tangential;
+    amplitude_[shapes_of_[g].upper] += edge_[g];
+    amplitude_[shapes_of_[g].lower] += edge_[edge_.size() / 2 + g];
   }
   kernels::multiply_transposed(shapes_.data(), nodes_, shapes_.size() / nodes_, 0, nodes_, amplitude_.data(),
                                moved_.data());
@@ -131,20 +128,18 @@ double KeptModes::energy() const {
 }
 
 double KeptModes::reach() const {
+  const auto greatest = [this](std::size_t row) {
+    double result = 0.0;
+    for (std::size_t i = 0; i < nodes_; ++i) result = std::max(result, std::abs(shapes_[row * nodes_ + i]));
+    return result;
+  };
   double sum = 0.0;
   for (std::size_t g = 0; g < size_.size(); ++g) {
-    double radial = 0.0;
-    double tangential = 0.0;
-    for (std::size_t i = 0; i < nodes_; ++i) {
-      const double plus = shapes_[shapes_of_[g].sum * nodes_ + i];
-      const double minus = shapes_[shapes_of_[g].difference * nodes_ + i];
-      radial = std::max(radial, 0.5 * std::abs(plus + minus));
-      tangential = std::max(tangential, 0.5 * std::abs(plus - minus));
-    }
+    const double upper = greatest(shapes_of_[g].upper);
+    const double lower = greatest(shapes_of_[g].lower);
     for (std::size_t l = 0; l < size_[g]; ++l) {
       const std::size_t k = position(g, l);
-      sum +=
-          std::hypot(a_[k], velocity(g, k)) * (std::abs(radial_[k]) * radial + std::abs(tangential_[k]) * tangential);
+      sum += std::hypot(a_[k], velocity(g, k)) * (std::abs(upper_[k]) * upper + std::abs(lower_[k]) * lower);
     }
   }
   return sum;
@@ -161,11 +156,13 @@ std::vector<double> KeptModes::collect(Value value) const {
 }
 
 std::vector<double> KeptModes::coordinate() const {
-  return collect([this](std::size_t, std::size_t k) { return a_[k] / std::sqrt(omega_[k]); });
+  return collect([this](std::size_t g, std::size_t k) { return amplitude_of_[g] * a_[k] / std::sqrt(omega_[k]); });
 }
 
 std::vector<double> KeptModes::momentum() const {
-  return collect([this](std::size_t g, std::size_t k) { return mass_ * std::sqrt(omega_[k]) * velocity(g, k); });
+  return collect([this](std::size_t g, std::size_t k) {
+    return mass_ / amplitude_of_[g] * std::sqrt(omega_[k]) * velocity(g, k);
+  });
 }
 
 std::vector<double> KeptModes::energies() const {

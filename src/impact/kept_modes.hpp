@@ -4,19 +4,20 @@
 #include <vector>
 
 #include "numeric/kernels.hpp"
-#include "stoss/body/body.hpp"
+#include "stoss/contact/contact.hpp"
 
 namespace stoss {
 
-/// The kept modes of a body as driven oscillators, advanced by kick and exact rotation: a = √ω Q, b = Q̇/√ω.
+/// The kept modes of a contact as driven oscillators of one mass, advanced by kick and exact rotation: a = √ω Q,
+/// b = Q̇/√ω.
 ///
 /// Between two steps b is the velocity before the kick that is due, whose two halves end one step and begin the next.
 /// All that is read out (energies, momenta) is synchronous with the coordinates: half of that kick is applied.
 class KeptModes {
  public:
-  KeptModes(const Body& body, const ContactGrid& grid, double step);
+  KeptModes(const Contact& contact, const ContactGrid& grid, double step);
 
-  /// Sets Q and P, in the order of the body's groups. @throws InvalidInput for another number of modes
+  /// Sets Q and P, in the order of the contact's groups. @throws InvalidInput for another number of modes
   void set(const std::vector<double>& coordinate, const std::vector<double>& momentum);
 
   /// Makes f_i on the first `count` nodes the force of the kick that is due.
@@ -59,12 +60,13 @@ class KeptModes {
   std::size_t nodes_;
   std::vector<std::size_t> size_;   // modes of each group
   std::vector<std::size_t> begin_;  // of each block of groups in the arrays over modes, and the end
-  std::vector<double> omega_, a_, b_, cosine_, sine_, radial_, tangential_;
+  std::vector<double> omega_, a_, b_, cosine_, sine_, upper_, lower_;
   std::vector<double> energy_sum_;
-  std::vector<double> push_;  // velocity kick of a full step per unit amplitude; as kernels::advance has it
-  std::vector<double> edge_;  // Σ C Q, then Σ S Q, over each group
+  std::vector<double> amplitude_of_;  // of each group: Q of its body beside that of the contact, √(mass/modal mass)
+  std::vector<double> push_;          // velocity kick of a full step per unit amplitude; as kernels::advance has it
+  std::vector<double> edge_;          // Σ C Q, then Σ S Q, over each group
   struct Rows {
-    std::size_t sum, difference;
+    std::size_t upper, lower;
   };
   std::vector<Rows> shapes_of_;         // each group
   std::vector<double> shapes_;          // shapes × nodes

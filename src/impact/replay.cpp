@@ -19,10 +19,10 @@ void require_times(const std::vector<double>& times) {
   }
 }
 
-bool same_modes(const Body& body, const std::vector<ModeEnergy>& modes) {
-  if (mode_count(body) != modes.size()) return false;
+bool same_modes(const Contact& contact, const std::vector<ModeEnergy>& modes) {
+  if (mode_count(contact.groups) != modes.size()) return false;
   std::size_t k = 0;
-  for (const ModeGroup& group : body.groups) {
+  for (const ModeGroup& group : contact.groups) {
     for (const double omega : group.omega) {
       if (modes[k].order != group.order || modes[k].omega != omega) return false;
       ++k;
@@ -33,33 +33,35 @@ bool same_modes(const Body& body, const std::vector<ModeEnergy>& modes) {
 
 }  // namespace
 
-std::vector<double> mode_energies(const Body& body, const State& state) {
-  const std::size_t count = mode_count(body);
+std::vector<double> mode_energies(const Contact& contact, const State& state) {
+  const std::size_t count = mode_count(contact.groups);
   if (state.coordinate.size() != count || state.momentum.size() != count) {
     throw InvalidInput("state: got " + std::to_string(state.coordinate.size()) + " coordinates and " +
                        std::to_string(state.momentum.size()) + " momenta, allowed " + std::to_string(count) +
-                       " of each (one for every kept mode of the body)");
+                       " of each (one for every kept mode)");
   }
   std::vector<double> energies;
   energies.reserve(count);
-  for (const ModeGroup& group : body.groups) {
-    for (const double omega : group.omega) {
+  for (std::size_t g = 0; g < contact.groups.size(); ++g) {
+    const double mass = modal_mass(contact, g);
+    for (const double omega : contact.groups[g].omega) {
       const std::size_t k = energies.size();
-      const double momentum = state.momentum[k], restoring = body.mass * omega * state.coordinate[k];
-      energies.push_back(0.5 * (momentum * momentum + restoring * restoring) / body.mass);
+      const double momentum = state.momentum[k], restoring = mass * omega * state.coordinate[k];
+      energies.push_back(0.5 * (momentum * momentum + restoring * restoring) / mass);
     }
   }
   return energies;
 }
 
-State free_motion(const Body& body, const State& state, double time) {
+State free_motion(const Contact& contact, const State& state, double time) {
   State moved = state;
   moved.center += state.velocity * time;
   std::size_t k = 0;
-  for (const ModeGroup& group : body.groups) {
-    for (const double omega : group.omega) {
+  for (std::size_t g = 0; g < contact.groups.size(); ++g) {
+    const double mass = modal_mass(contact, g);
+    for (const double omega : contact.groups[g].omega) {
       const double cosine = std::cos(omega * time), sine = std::sin(omega * time);
-      const double inertia = body.mass * omega;
+      const double inertia = mass * omega;
       moved.coordinate[k] = state.coordinate[k] * cosine + state.momentum[k] * sine / inertia;
       moved.momentum[k] = state.momentum[k] * cosine - state.coordinate[k] * sine * inertia;
       ++k;
@@ -68,11 +70,12 @@ State free_motion(const Body& body, const State& state, double time) {
   return moved;
 }
 
-std::vector<Frame> motion(const Body& body, const Impact& impact, const std::vector<double>& times, const Poll& poll) {
+std::vector<Frame> motion(const Contact& contact, const Impact& impact, const std::vector<double>& times,
+                          const Poll& poll) {
   require_times(times);
-  if (body.name != impact.body || body.cutoff != impact.cutoff || !same_modes(body, impact.energy.modes)) {
-    throw InvalidInput("body: got '" + body.name + "', allowed the body of the impact with the same modes, '" +
-                       impact.body + "'");
+  if (name(contact) != impact.contact || contact.cutoff != impact.cutoff || !same_modes(contact, impact.energy.modes)) {
+    throw InvalidInput("body: got '" + name(contact) + "', allowed the one of the impact with the same modes, '" +
+                       impact.contact + "'");
   }
   std::vector<Frame> frames;
   frames.reserve(times.size());
@@ -88,7 +91,8 @@ std::vector<Frame> motion(const Body& body, const Impact& impact, const std::vec
     while (first && wanted() && times[frames.size()] < 0.0) {
       if (poll) poll();
       const double time = times[frames.size()];
-      frames.push_back({time, 0.0, 0.0, free_motion(body, state(), time), std::vector<double>(now.node_force.size())});
+      frames.push_back(
+          {time, 0.0, 0.0, free_motion(contact, state(), time), std::vector<double>(now.node_force.size())});
     }
     first = false;
     while (wanted() && times[frames.size()] <= now.time + 0.5 * impact.step) {
@@ -100,15 +104,15 @@ std::vector<Frame> motion(const Body& body, const Impact& impact, const std::vec
   ImpactOptions options;
   options.step = impact.step;
   options.nodes = impact.nodes;
-  if (body.max_half_width > 0.0) options.half_width = impact.half_width;
+  if (!has_single_point(contact)) options.half_width = impact.half_width;
   options.observe_modes = true;
   options.poll = poll;
-  const Impact again = stoss::impact(body, impact.wall, impact.speed, options, observer);
+  const Impact again = stoss::impact(contact, impact.speed, options, observer);
   const double end = static_cast<double>(again.steps) * again.step;
   while (wanted()) {
     if (poll) poll();
     const double time = times[frames.size()];
-    frames.push_back({time, 0.0, 0.0, free_motion(body, again.final_state, time - end),
+    frames.push_back({time, 0.0, 0.0, free_motion(contact, again.final_state, time - end),
                       std::vector<double>(static_cast<std::size_t>(impact.nodes))});
   }
   return frames;

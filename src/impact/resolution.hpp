@@ -18,15 +18,14 @@ struct Resolution {
 
 /// The resolution that the options ask for, with the recommended values for what they leave open.
 /// @throws InvalidInput for options out of range
-[[nodiscard]] Resolution choose_resolution(const Body& body, const Wall& wall, double speed,
-                                           const ImpactOptions& options);
+[[nodiscard]] Resolution choose_resolution(const Contact& contact, double speed, const ImpactOptions& options);
 
 /// Resolution of an impact at a hard wall for `restitution`: finer in time and in space with the
-/// body's cutoff.
+/// cutoff.
 /// @param half_width greatest one of the contact in a coarser run, or 0 if there was none
-[[nodiscard]] ImpactOptions refined_resolution(const Body& body, double speed, double half_width);
+[[nodiscard]] ImpactOptions refined_resolution(const Contact& contact, double speed, double half_width);
 
-/// A wider grid of the same node spacing, at most as wide as the edge that the wall can reach.
-[[nodiscard]] Resolution widened(const Body& body, const Wall& wall, const Resolution& resolution);
+/// A wider grid of the same node spacing, at most as wide as the edge that can touch.
+[[nodiscard]] Resolution widened(const Contact& contact, const Resolution& resolution);
 
 }  // namespace stoss

@@ -39,33 +39,33 @@ template <std::size_t width>
 
 STOSS_MULTIVERSION
 void advance(const Oscillators& modes, const std::size_t* begin, std::size_t blocks, const double* push, double* edge) {
-  const double* const push_tangential = push + blocks * lanes;
+  const double* const push_lower = push + blocks * lanes;
   double* const edge_tangential = edge + blocks * lanes;
   for (std::size_t block = 0; block < blocks; ++block) {
-    const Lanes radial_kick = load(push + block * lanes, 1.0);
-    const Lanes tangential_kick = load(push_tangential + block * lanes, 1.0);
-    Lanes radial_sum{};
-    Lanes tangential_sum{};
+    const Lanes upper_kick = load(push + block * lanes, 1.0);
+    const Lanes lower_kick = load(push_lower + block * lanes, 1.0);
+    Lanes upper_sum{};
+    Lanes lower_sum{};
     for (std::size_t at = begin[block]; at < begin[block + 1]; at += lanes) {
       double* const a = modes.a + at;
       double* const b = modes.b + at;
       const double* const cosine = modes.cosine + at;
       const double* const sine = modes.sine + at;
-      const double* const radial = modes.radial + at;
-      const double* const tangential = modes.tangential + at;
+      const double* const upper = modes.upper + at;
+      const double* const lower = modes.lower + at;
 #pragma omp simd
       for (std::size_t i = 0; i < lanes; ++i) {
         const double before = a[i];
-        const double kicked = b[i] - (radial[i] * radial_kick[i] + tangential[i] * tangential_kick[i]);
+        const double kicked = b[i] - (upper[i] * upper_kick[i] + lower[i] * lower_kick[i]);
         const double after = before * cosine[i] + kicked * sine[i];
         a[i] = after;
         b[i] = kicked * cosine[i] - before * sine[i];
-        radial_sum[i] += radial[i] * after;
-        tangential_sum[i] += tangential[i] * after;
+        upper_sum[i] += upper[i] * after;
+        lower_sum[i] += lower[i] * after;
       }
     }
-    for (std::size_t i = 0; i < lanes; ++i) edge[block * lanes + i] = radial_sum[i];
-    for (std::size_t i = 0; i < lanes; ++i) edge_tangential[block * lanes + i] = tangential_sum[i];
+    for (std::size_t i = 0; i < lanes; ++i) edge[block * lanes + i] = upper_sum[i];
+    for (std::size_t i = 0; i < lanes; ++i) edge_tangential[block * lanes + i] = lower_sum[i];
   }
 }
 
@@ -73,14 +73,13 @@ STOSS_MULTIVERSION
 void accumulate_energy(const Oscillators& modes, const std::size_t* begin, std::size_t blocks, const double* push,
                        double* energy) {
   for (std::size_t block = 0; block < blocks; ++block) {
-    const Lanes radial_kick = load(push + block * lanes, 0.5);
-    const Lanes tangential_kick = load(push + (blocks + block) * lanes, 0.5);
+    const Lanes upper_kick = load(push + block * lanes, 0.5);
+    const Lanes lower_kick = load(push + (blocks + block) * lanes, 0.5);
     for (std::size_t at = begin[block]; at < begin[block + 1]; at += lanes) {
 #pragma omp simd
       for (std::size_t i = 0; i < lanes; ++i) {
         const double a = modes.a[at + i];
-        const double b =
-            modes.b[at + i] - (modes.radial[at + i] * radial_kick[i] + modes.tangential[at + i] * tangential_kick[i]);
+        const double b = modes.b[at + i] - (modes.upper[at + i] * upper_kick[i] + modes.lower[at + i] * lower_kick[i]);
         energy[at + i] += a * a + b * b;
       }
     }

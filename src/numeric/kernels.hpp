@@ -8,7 +8,7 @@ namespace stoss::kernels {
 /// Orders that the loops over modes take side by side.
 inline constexpr std::size_t lanes = 8;
 
-/// Oscillators a = √ω Q, b = Q̇/√ω with their rotation in one step and their weights at the edge, C/√ω and S/√ω, which
+/// Oscillators a = √ω Q, b = Q̇/√ω with their rotation in one step and their two weights over √ω, which
 /// in these coordinates are the same for kicks and for displacements. Blocks of `lanes` orders lie one after another;
 /// in a block, mode l of its order i is element l · lanes + i.
 struct Oscillators {
@@ -16,13 +16,13 @@ struct Oscillators {
   double* b;
   const double* cosine;
   const double* sine;
-  const double* radial;
-  const double* tangential;
+  const double* upper;
+  const double* lower;
 };
 
-/// Kicks b by −(radial push_radial + tangential push_tangential), then rotates (a, b); edge receives the sums over each
-/// order of radial a and tangential a. Block i lies at begin[i] … begin[i + 1]. Push and edge hold a
-/// value for each order, first of the radial shapes, then of the tangential ones.
+/// Kicks b by −(upper push_upper + lower push_lower), then rotates (a, b); edge receives the sums over each
+/// order of upper a and lower a. Block i lies at begin[i] … begin[i + 1]. Push and edge hold a
+/// value for each order, first of the upper rows, then of the lower ones.
 void advance(const Oscillators& modes, const std::size_t* begin, std::size_t blocks, const double* push, double* edge);
 
 /// Adds the oscillators' energies a² + b², in units of mass ω/2, to energy[k], after half of the kick that is due.

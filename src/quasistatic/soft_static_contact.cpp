@@ -29,28 +29,27 @@ constexpr long fewest_nodes = 64;
 constexpr long most_nodes = 2048;
 
 /// Static compliance of the kept modes between the nodes.
-MatrixXd kept_compliance(const Body& body, const ContactGrid& grid, const Poll& poll) {
+MatrixXd kept_compliance(const Contact& contact, const ContactGrid& grid, const Poll& poll) {
   const auto nodes = static_cast<Eigen::Index>(grid.recess.size());
   const auto rows = static_cast<Eigen::Index>(grid.shape.size()) / nodes;
   const Eigen::Map<const RowMajor> shape(grid.shape.data(), rows, nodes);
   // Each order as two columns whose products with themselves it contributes: the Cholesky factor of its 2 × 2 block.
-  MatrixXd columns(nodes, 2 * static_cast<Eigen::Index>(body.groups.size()));
+  MatrixXd columns(nodes, 2 * static_cast<Eigen::Index>(contact.groups.size()));
   Eigen::Index k = 0;
-  for (const ModeGroup& group : body.groups) {
-    double cc = 0.0, cs = 0.0, ss = 0.0;
+  for (const ModeGroup& group : contact.groups) {
+    double upper = 0.0, mixed = 0.0, lower = 0.0;
     for (std::size_t l = 0; l < group.omega.size(); ++l) {
-      const double weight = 1.0 / (body.mass * group.omega[l] * group.omega[l]);
-      cc += weight * group.radial[l] * group.radial[l];
-      cs += weight * group.radial[l] * group.tangential[l];
-      ss += weight * group.tangential[l] * group.tangential[l];
+      const double weight = 1.0 / (contact.mass * group.omega[l] * group.omega[l]);
+      upper += weight * group.upper[l] * group.upper[l];
+      mixed += weight * group.upper[l] * group.lower[l];
+      lower += weight * group.lower[l] * group.lower[l];
     }
-    const VectorXd sum = shape.row(static_cast<Eigen::Index>(group.sum_shape)).transpose();
-    const VectorXd difference = shape.row(static_cast<Eigen::Index>(group.difference_shape)).transpose();
-    const VectorXd c = 0.5 * (sum + difference), s = 0.5 * (sum - difference);
-    const double root = std::sqrt(cc);
-    const double mixed = root > 0.0 ? cs / root : 0.0;
-    columns.col(k++) = root * c + mixed * s;
-    columns.col(k++) = std::sqrt(std::max(0.0, ss - mixed * mixed)) * s;
+    const VectorXd upper_row = shape.row(static_cast<Eigen::Index>(group.upper_row)).transpose();
+    const VectorXd lower_row = shape.row(static_cast<Eigen::Index>(group.lower_row)).transpose();
+    const double root = std::sqrt(upper);
+    const double slope = root > 0.0 ? mixed / root : 0.0;
+    columns.col(k++) = root * upper_row + slope * lower_row;
+    columns.col(k++) = std::sqrt(std::max(0.0, lower - slope * slope)) * lower_row;
   }
   MatrixXd compliance(nodes, nodes);
   dense::by_columns(nodes, poll, [&](Eigen::Index first, Eigen::Index count) {
@@ -136,19 +135,17 @@ class Equilibrium {
 };
 
 /// Half-width beyond which the wall's pressure vanishes.
-double pressed_half_width(const Body& body, const ExponentialWall& wall, double compression) {
+double pressed_half_width(const Contact& contact, double hardness, double compression) {
   constexpr double exponent = 40.0;
-  const double wanted = std::sqrt(2.0 * (std::max(compression, 0.0) + exponent / wall.hardness));
-  return std::min(wanted, reachable_half_width(body, wall));
+  const double wanted = std::sqrt(2.0 * (std::max(compression, 0.0) + exponent / hardness));
+  return std::min(wanted, greatest_half_width(contact));
 }
 
 /// The midpoint rule converges exponentially once the nodes resolve the pressure: the smoother of the width 1/√α, over
 /// which the undeformed gap changes the potential, and the waves of the highest order (measured: to 1e-11 in F).
-int recommended_nodes(const Body& body, double hardness, double half_width) {
-  if (body.max_half_width == 0.0) return 1;
-  int highest = 0;
-  for (const ModeGroup& group : body.groups) highest = std::max(highest, group.order);
-  const double for_modes = 128.0 + 4.0 * half_width * highest;
+int recommended_nodes(const Contact& contact, double hardness, double half_width) {
+  if (has_single_point(contact)) return 1;
+  const double for_modes = 128.0 + 4.0 * half_width * highest_wave_number(contact);
   const double for_wall = 3.0 * half_width * std::sqrt(hardness);
   constexpr double enough = 1024.0;
   return static_cast<int>(std::min(std::max(128.0, std::min(for_modes, for_wall)), enough));
@@ -158,17 +155,16 @@ int recommended_nodes(const Body& body, double hardness, double half_width) {
 
 SoftStaticContact soft_static_contact(const Body& body, const ExponentialWall& wall, double compression,
                                       const SoftStaticContactOptions& options) {
-  validate(body);
-  validate(Wall{wall});
+  const Contact contact = stoss::contact(body, wall);
   require("compression", compression, {-0.5, 0.5, true, true, "-0.5 to 0.5"},
           "in R beyond the plane where V0 exp(alpha x) is 1");
   if (options.nodes) {
     require("nodes", static_cast<long>(*options.nodes), fewest_nodes, most_nodes, "of the contact grid");
   }
   const double alpha = wall.hardness;
-  const double half_width = pressed_half_width(body, wall, compression);
-  const int nodes = options.nodes ? *options.nodes : recommended_nodes(body, alpha, half_width);
-  const ContactGrid grid = body.grid(half_width, nodes);
+  const double half_width = pressed_half_width(contact, alpha, compression);
+  const int nodes = options.nodes ? *options.nodes : recommended_nodes(contact, alpha, half_width);
+  const ContactGrid grid = contact_grid(contact, half_width, nodes);
   const VectorXd position =
       compression -
       Eigen::Map<const VectorXd>(grid.recess.data(), static_cast<Eigen::Index>(grid.recess.size())).array();
@@ -176,7 +172,7 @@ SoftStaticContact soft_static_contact(const Body& body, const ExponentialWall& w
   // Softer walls that have the same place for a pressure of this size lead to the wall in question.
   const double pressure = 0.3 * std::sqrt(std::max(compression, 1.0 / alpha));
   const double place = std::log(pressure / alpha) / alpha;
-  Equilibrium equilibrium(kept_compliance(body, grid, options.poll), position, grid.measure, pressure, place,
+  Equilibrium equilibrium(kept_compliance(contact, grid, options.poll), position, grid.measure, pressure, place,
                           options.poll);
   SoftStaticContact result;
   constexpr double loose = 1e-2;
@@ -193,7 +189,7 @@ SoftStaticContact soft_static_contact(const Body& body, const ExponentialWall& w
   result.force = equilibrium.force() / body.mass;
   result.wall_energy = equilibrium.wall_energy(alpha) / body.mass;
   result.energy = equilibrium.elastic_energy() / body.mass + result.wall_energy;
-  result.modes = static_cast<int>(mode_count(body));
+  result.modes = static_cast<int>(mode_count(body.groups));
   result.nodes = nodes;
   return result;
 }

@@ -52,14 +52,14 @@ StaticContact on_nodes(const DiskResidual& disk, double poisson, double compress
   // A whole number of spacings in the half circle: the compliance of the grid is a sum of harmonics.
   result.spacing = std::numbers::pi / std::round(std::numbers::pi / spacing);
   const auto count = static_cast<std::size_t>(nodes);
-  ContactGrid grid;
+  const ContactPoints points{1.0, result.spacing, count};
   std::vector<double> approach(count);
   for (std::size_t i = 0; i < count; ++i) {
-    const double phi = (static_cast<double>(i) + 0.5) * result.spacing;
-    grid.coordinate.push_back(phi);
+    const double phi = points.angle(i);
+    result.position.push_back(phi);
     approach[i] = compression - 2.0 * std::sin(0.5 * phi) * std::sin(0.5 * phi);
   }
-  Complementarity problem(disk.compliance(grid, poll), count, poll);
+  Complementarity problem(disk.compliance(points, poll), count, poll);
   std::vector<double> force(count), displacement(count);
   problem.solve(approach, force, displacement);
   if (problem.extent() == count) throw NotConverged("static contact: the contact outgrew its grid (use fewer nodes)");
@@ -69,7 +69,6 @@ StaticContact on_nodes(const DiskResidual& disk, double poisson, double compress
     result.pressure.push_back(0.5 * force[i] / result.spacing);
   }
   result.contact_nodes = static_cast<int>(problem.extent());
-  result.position = std::move(grid.coordinate);
   result.half_width = end_of_contact(result);
   return result;
 }

@@ -25,9 +25,9 @@ Restitution failed(double speed, double tolerance, const std::string& reason) {
   return result;
 }
 
-Restitution point(const RefinableBody& body, double speed, const RestitutionOptions& options) {
+Restitution point(const RefinableContact& contact, double speed, const RestitutionOptions& options) {
   try {
-    return restitution(body, speed, options);
+    return restitution(contact, speed, options);
   } catch (const RestitutionNotConverged& error) {
     return error.best;
   } catch (const NotConverged& error) {
@@ -43,7 +43,7 @@ void validate(const std::vector<double>& speeds, const CurveOptions& options) {
   for (const double speed : speeds) require_speed(speed);
 }
 
-void restitution_curve(const RefinableBody& body, const std::vector<double>& speeds, const CurveOptions& options,
+void restitution_curve(const RefinableContact& contact, const std::vector<double>& speeds, const CurveOptions& options,
                        const CurveObserver& observer) {
   validate(speeds, options);
   const auto available = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
@@ -52,24 +52,25 @@ void restitution_curve(const RefinableBody& body, const std::vector<double>& spe
     const auto heed = [&stop] {
       if (stop) throw Stopped{};
     };
-    return point(body, speeds[i], {options.tolerance, heed});
+    return point(contact, speeds[i], {options.tolerance, heed});
   };
   const auto deliver = [&](std::size_t i, Restitution&& result) { observer(i, result); };
   run_in_order<Restitution>(speeds.size(), static_cast<int>(std::min(wanted, speeds.size())), job, deliver,
                             options.poll);
 }
 
-std::vector<Restitution> restitution_curve(const RefinableBody& body, const std::vector<double>& speeds,
+std::vector<Restitution> restitution_curve(const RefinableContact& contact, const std::vector<double>& speeds,
                                            const CurveOptions& options) {
   std::vector<Restitution> results;
   results.reserve(speeds.size());
-  restitution_curve(body, speeds, options, [&](std::size_t, const Restitution& result) { results.push_back(result); });
+  restitution_curve(contact, speeds, options,
+                    [&](std::size_t, const Restitution& result) { results.push_back(result); });
   return results;
 }
 
 std::vector<Restitution> restitution_curve(double poisson, const std::vector<double>& speeds,
                                            const CurveOptions& options) {
-  return restitution_curve(RefinableBody(disk(poisson)), speeds, options);
+  return restitution_curve(RefinableContact(disk(poisson)), speeds, options);
 }
 
 }  // namespace stoss

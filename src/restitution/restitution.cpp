@@ -19,7 +19,7 @@ constexpr double unknown = std::numeric_limits<double>::infinity();
 constexpr double slack = 1.1;  // the error may turn out smaller than the order of convergence says
 
 /// Order of convergence in the cutoff, as observed: with one point of contact the force jumps, on a surface it grows.
-double convergence_order(const Body& body) { return body.max_half_width == 0.0 ? 1.0 : 2.5; }
+double convergence_order(const Contact& contact) { return has_single_point(contact) ? 1.0 : 2.5; }
 
 /// Quantity of the last run, with six times the largest difference from an earlier one, scaled to what is left of it.
 Estimate estimate(const std::vector<Run>& runs, double order, double Run::*quantity) {
@@ -63,19 +63,19 @@ void conclude(Restitution& result, double order) {
 RestitutionNotConverged::RestitutionNotConverged(Restitution result)
     : NotConverged("restitution: " + result.reason), best(std::move(result)) {}
 
-Restitution restitution(const RefinableBody& body, double speed, const RestitutionOptions& options) {
+Restitution restitution(const RefinableContact& contact, double speed, const RestitutionOptions& options) {
   require_tolerance(options.tolerance);
   require_speed(speed);
-  const double order = convergence_order(body.at(0, options.poll));
+  const double order = convergence_order(contact.at(0, options.poll));
   Restitution result;
   result.tolerance = options.tolerance;
   std::string trouble;
   int level = 0;
-  for (int rungs = first_rungs; level <= RefinableBody::highest_level; level += rungs) {
-    ImpactOptions resolution = refined_resolution(body.at(level, options.poll), speed, result.finest.max_half_width);
+  for (int rungs = first_rungs; level <= contact.highest_level(); level += rungs) {
+    ImpactOptions resolution = refined_resolution(contact.at(level, options.poll), speed, result.finest.max_half_width);
     resolution.poll = options.poll;
     try {
-      result.finest = impact(body.at(level), HardWall{}, speed, resolution);
+      result.finest = impact(contact.at(level), speed, resolution);
     } catch (const NotConverged& error) {  // too coarse, perhaps
       trouble = error.what();
       continue;
@@ -90,7 +90,7 @@ Restitution restitution(const RefinableBody& body, double speed, const Restituti
     const double missing = result.lost_fraction.error / (options.tolerance * std::abs(result.lost_fraction.value));
     const double factor = std::pow(missing / slack, 1.0 / order);  // between the cutoffs
     rungs = static_cast<int>(std::clamp(std::ceil(4.0 * std::log2(factor)), 1.0, 8.0));
-    if (level < RefinableBody::highest_level) rungs = std::min(rungs, RefinableBody::highest_level - level);
+    if (level < contact.highest_level()) rungs = std::min(rungs, contact.highest_level() - level);
   }
   if (result.runs.size() < 2) throw NotConverged(trouble);
   conclude(result, order);
@@ -104,7 +104,7 @@ Restitution restitution(const RefinableBody& body, double speed, const Restituti
 }
 
 Restitution restitution(const BodyMaker& maker, double speed, const RestitutionOptions& options) {
-  return restitution(RefinableBody(maker), speed, options);
+  return restitution(RefinableContact(maker), speed, options);
 }
 
 }  // namespace stoss

@@ -4,15 +4,22 @@
 
 namespace stoss {
 
-/// An elastic disk, R = c = ρ = 1, m = π, with all symmetric modes up to the cutoff (paper section II).
-/// Contact nodes φ_i = (i + ½)h; shapes c_n = cos nφ cos φ, s_n = −sin nφ sin φ (paper eq. (39)).
-/// @param poisson 2-D Poisson number, −0.95 … 0.995 (plane strain: Material)
-/// @param cutoff  c/R, from the lowest mode to 1000
-/// @throws InvalidInput as disk_modes
+/// A disk as a value: its 2-D Poisson number, and its size and material beside other bodies, in any consistent units.
+struct Disk {
+  double poisson = 0.0;  ///< ν, −0.95 … 0.995 (plane strain: Material)
+  double radius = 1.0;   ///< R
+  double young = 1.0;    ///< E
+  double density = 1.0;  ///< ρ
+};
+
+/// An elastic disk with all symmetric modes up to a cutoff (paper, section II), in its own units R = c = ρ = 1, m = π.
+/// @param cutoff c/R, above 0 to 1000; below the lowest mode the disk keeps none
+/// @throws InvalidInput outside these ranges, and for a radius, modulus or density that is not positive and finite
+[[nodiscard]] Body disk(const Disk& disk, double cutoff, const Poll& poll = {});
 [[nodiscard]] Body disk(double poisson, double cutoff, const Poll& poll = {});
 
-/// Makes disks of one Poisson number at any cutoff, for `restitution`, which chooses the cutoffs.
-/// @throws InvalidInput for a Poisson number out of range
+/// Makes disks at any cutoff, for `restitution`, which chooses the cutoffs. @throws InvalidInput as above
+[[nodiscard]] BodyMaker disk(const Disk& disk);
 [[nodiscard]] BodyMaker disk(double poisson);
 
 }  // namespace stoss

@@ -4,13 +4,25 @@
 
 namespace stoss {
 
-/// A thin elastic rod that meets the wall with one end, in units of its length L, bar speed c and mass: ω_l = lπ,
-/// end amplitude √2. Exact against a hard wall: ε = 1, contact time 2L/c, force mvc/L throughout.
-/// @param cutoff c/L, from π to 10 000
-/// @throws InvalidInput outside that range
+/// A thin rod as a value: size and material beside other bodies, in any consistent units.
+struct Rod {
+  double length = 1.0;   ///< L
+  double young = 1.0;    ///< E
+  double density = 1.0;  ///< ρ
+  double area = 1.0;     ///< of the cross-section, A
+};
+
+/// A thin elastic rod that meets a wall or another rod with one end, in units of its length L, bar speed c and mass:
+/// ω_l = lπ, end amplitude √2. At a hard wall ε = 1, contact time 2L/c, force mvc/L throughout, exactly; for two rods
+/// see docs/theory/pairs.md.
+/// @param cutoff c/L, above 0 to 1e6; below π the rod keeps no mode
+/// @throws InvalidInput outside that range, and for a size or material that is not positive and finite
+[[nodiscard]] Body rod(const Rod& rod, double cutoff);
+
+/// A rod by itself. @param cutoff c/L, from π to 1e6
 [[nodiscard]] Body rod(double cutoff);
 
 /// Makes rods at any cutoff, for `restitution`, which chooses the cutoffs.
-[[nodiscard]] BodyMaker rod();
+[[nodiscard]] BodyMaker rod(const Rod& rod = {});
 
 }  // namespace stoss

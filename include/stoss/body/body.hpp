@@ -10,70 +10,95 @@
 
 namespace stoss {
 
-/// The kept modes of one angular order n, as a structure of arrays over the index l.
+/// Kept modes that move the surface in the same two shapes, as a structure of arrays over the index l: for a disk
+/// those of one angular order n. A mode with coordinate Q moves contact point i towards what the body meets by
+///
+///   Q (upper · shape[upper_row][i] + lower · shape[lower_row][i]),
+///
+/// with the rows of Surface::shape, which groups may share: for a disk cos(n + 1)φ and cos(n − 1)φ.
 struct ModeGroup {
-  int order = 0;                     ///< n
-  std::vector<double> omega;         ///< ω > 0, c/R
-  std::vector<double> radial;        ///< C, weight of the group's radial shape c
-  std::vector<double> tangential;    ///< S, weight of the group's tangential shape s
-  std::size_t sum_shape = 0;         ///< row of ContactGrid::shape that holds c + s
-  std::size_t difference_shape = 0;  ///< row of ContactGrid::shape that holds c − s
-  std::vector<int> index{};          ///< l of each mode; empty: 0, 1, 2, …
+  int order = 0;              ///< n
+  std::vector<double> omega;  ///< ω > 0, c/R
+  std::vector<double> upper;  ///< weight on the first row
+  std::vector<double> lower;  ///< weight on the second row
+  std::size_t upper_row = 0;  ///< of Surface::shape
+  std::size_t lower_row = 0;  ///< of Surface::shape
+  std::vector<int> index{};   ///< l of each mode; empty: 0, 1, 2, …
 };
 
-/// Places at which a body can touch the wall. A node stands for itself and its mirror image.
-/// A mode moves node i by Q (C c_i + S s_i) towards the wall. Groups may share rows of shapes: for a disk
-/// c + s = cos(n + 1)φ and c − s = cos(n − 1)φ.
-struct ContactGrid {
-  std::vector<double> coordinate;  ///< arc length from the first point of contact, R; ascending
-  std::vector<double> recess;      ///< distance of the undeformed node behind that first point, R
-  std::vector<double> measure;     ///< length of edge that the node stands for, both sides, R
-  std::vector<double> impedance;   ///< Z, force per velocity of an outgoing plane wave, ρcR
-  std::vector<double> shape;       ///< rows × nodes, row-major; see ModeGroup
+/// Points at which bodies can touch: they belong to the contact, and every body is asked about the same ones. They lie
+/// at the lateral distances y_i = radius · sin α_i from the axis, α_i = (i + ½) · spacing. Each stands for itself and
+/// for its mirror image.
+struct ContactPoints {
+  double radius = 1.0;   ///< of the circle on which they are equally spaced, in units of the size of the body asked
+  double spacing = 0.0;  ///< radians; 0: a single point on the axis
+  std::size_t count = 1;
+
+  /// α_i
+  [[nodiscard]] double angle(std::size_t i) const { return (static_cast<double>(i) + 0.5) * spacing; }
 };
 
-/// All that an impact needs to know of an elastic body, in its own units (for a disk R = c = ρ = 1). Motion is along
-/// x towards the wall. A new body is a function that fills this structure (docs/architecture.md).
+/// The surface of a body at contact points, in the units of the body.
+struct Surface {
+  std::vector<double> recess;     ///< distance of each point of the body at rest behind the foremost one, R
+  std::vector<double> measure;    ///< length of edge that the point stands for, both sides, R
+  std::vector<double> impedance;  ///< Z, force per velocity of an outgoing plane wave, ρcR
+  std::vector<double> shape;      ///< rows × points, row-major; see ModeGroup
+};
+
+/// How the end of a body is shaped that meets something, which decides where it can touch.
+enum class Contour {
+  flat,     ///< touches as a whole: a single point stands for it
+  cylinder  ///< touches along a line of growing width, as a disk in its plane
+};
+
+/// Size, wave speed and mass of a body, in any units common to all bodies that meet.
+struct BodyScale {
+  double length = 1.0;  ///< R
+  double speed = 1.0;   ///< c
+  double mass = 1.0;    ///< m
+};
+
+/// An elastic body by itself, with its modes up to a cutoff: all that a contact needs to know of it, in its own units
+/// (for a disk R = c = ρ = 1). Motion is along the axis, towards what it meets. A new body is a function that fills
+/// this structure (docs/architecture.md).
 struct Body {
-  std::string name;             ///< with its parameters, for provenance
-  double mass = 0.0;            ///< of the body, and of every mode
-  double extent = 0.0;          ///< distance from the centre of mass to the first point of contact
-  double cutoff = 0.0;          ///< all modes with ω ≤ cutoff are in `groups` (but see with_modes)
-  double max_half_width = 0.0;  ///< of the whole edge, R: the widest grid; 0: one point of contact
-  /// Largest stable step at a hard wall: above it one kick moves the kept modes of some order
-  /// further than the residual compliance does.
+  std::string name;  ///< with its parameters, for provenance
+  BodyScale scale;   ///< of this body beside others
+  Contour contour = Contour::flat;
+  double mass = 0.0;    ///< of the body, and of every mode
+  double extent = 0.0;  ///< distance from the centre of mass to the foremost point
+  double cutoff = 0.0;  ///< all modes with ω ≤ cutoff are in `groups` (but see with_modes)
+  double highest_cutoff = std::numeric_limits<double>::infinity();  ///< that such a body can be made with
+  /// Largest stable time step at a hard wall: above it one kick moves the kept modes of some order further than the
+  /// residual compliance does.
   double stable_step = std::numeric_limits<double>::infinity();
   std::vector<ModeGroup> groups;  ///< kept modes
 
-  /// Expected greatest half-width of the contact, for an impact at this speed.
-  std::function<double(double speed)> expected_half_width;
+  std::function<Surface(const ContactPoints&)> surface;
 
-  /// A grid of `nodes` nodes from the first point of contact to at least half_width.
-  std::function<ContactGrid(double half_width, int nodes)> grid;
+  /// Static compliance between the points of the modes that are not kept, W (points × points, symmetric positive
+  /// definite): displacement of point i into the body per force on point j.
+  std::function<std::vector<double>(const ContactPoints&, const Poll&)> residual_compliance;
 
-  /// Static compliance between the nodes of a grid of the modes that are not kept, W (nodes × nodes, symmetric
-  /// positive definite): displacement of node i towards the body per force on node j.
-  std::function<std::vector<double>(const ContactGrid& grid, const Poll& poll)> residual_compliance;
-
-  /// Second moment of the modes that are not kept, V (nodes × nodes, symmetric, positive semidefinite): like W with
-  /// 1/ω⁴ for 1/ω². To forces that vary slowly these modes answer with W f − V f̈.
-  std::function<std::vector<double>(const ContactGrid& grid, const Poll& poll)> residual_second_moment;
+  /// Second moment of the modes that are not kept, V (points × points, symmetric, positive semidefinite): as W with
+  /// 1/ω⁴ for 1/ω². These modes answer forces that vary slowly with W f − V f̈.
+  std::function<std::vector<double>(const ContactPoints&, const Poll&)> residual_second_moment;
 };
 
 /// Makes a body with all modes up to a cutoff.
 using BodyMaker = std::function<Body(double cutoff, const Poll& poll)>;
 
-/// Checks what an impact relies on: positive finite mass, extent and cutoff; groups with arrays of one length, finite
-/// amplitudes and 0 < ω ≤ cutoff; all functions.
+/// Checks what a contact relies on: positive finite scale, mass, extent and cutoff; groups with arrays of one length,
+/// finite weights and 0 < ω ≤ cutoff; all functions.
 /// @throws InvalidInput naming the body and what is wrong with it
 void validate(const Body& body);
 
 /// Number of kept modes.
-[[nodiscard]] std::size_t mode_count(const Body& body);
+[[nodiscard]] std::size_t mode_count(const std::vector<ModeGroup>& groups);
 
-/// A body with only some of the kept modes of another, as the paper selects them. It is for
-/// exponential walls: a hard wall needs the compliance of the modes left out, so the residual
-/// functions refuse. With every flag set it is `body` itself.
+/// A body with only some of its kept modes, as the paper selects them, for exponential walls. A hard wall would need
+/// the compliance of the others: the residual functions refuse. With all of them, the body itself.
 /// @param keep one flag for each mode, in the order of Body::groups
 /// @throws InvalidInput for another number of flags, or none set
 [[nodiscard]] Body with_modes(const Body& body, const std::vector<bool>& keep);

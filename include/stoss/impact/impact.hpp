@@ -6,8 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "stoss/body/body.hpp"
-#include "stoss/contact/wall.hpp"
+#include "stoss/contact/contact.hpp"
 #include "stoss/poll.hpp"
 
 namespace stoss {
@@ -15,7 +14,8 @@ namespace stoss {
 /// Speed, in c, above which results are flagged: small-strain elasticity has lost its meaning.
 inline constexpr double small_strain_speed = 0.5;
 
-/// Motion of a body: its centre and its modes, in the order of Body::groups.
+/// Motion of what meets: the centre relative to the wall or to the centre of the second body, and the modes, in the
+/// order of Contact::groups. A mode of mass m_k, that of its body, has the energy (P² + m_k²ω²Q²)/(2m_k).
 struct State {
   double center = 0.0;             ///< x₀, R; the wall is at x = 0, the body at x < 0
   double velocity = 0.0;           ///< of the centre, towards the wall, c
@@ -57,6 +57,7 @@ using ImpactObserver = std::function<void(const Snapshot&)>;
 
 /// Energy of one kept mode, as shares of the initial energy.
 struct ModeEnergy {
+  int body = 0;          ///< 0: of the first, 1: of the second
   int order = 0;         ///< n
   int index = 0;         ///< l
   double omega = 0.0;    ///< c/R
@@ -70,12 +71,14 @@ struct EnergyLedger {
   double vibration = 0.0;         ///< of the kept modes
   double unresolved = 0.0;        ///< of the modes above the cutoff (radiating tail)
   double stored = 0.0;            ///< left in the exponential wall's potential, < 1e-10
+  double lost_to_first = 0.0;     ///< vibration of the first body, its share of `unresolved` included
+  double lost_to_second = 0.0;    ///< the same of the second; 0 at a wall
   std::vector<ModeEnergy> modes;  ///< in the order of Body::groups
 };
 
 /// One impact at a fixed resolution, with the inputs that made it.
 struct Impact {
-  std::string body;
+  std::string contact;  ///< name of what met
   Wall wall;
   double speed = 0.0;   ///< c
   double cutoff = 0.0;  ///< c/R
@@ -97,11 +100,11 @@ struct Impact {
   State final_state;
 };
 
-/// Recommended time step Δt for a body at a wall, R/c (docs/numerics.md).
-[[nodiscard]] double recommended_step(const Body& body, const Wall& wall, double speed);
+/// Recommended time step Δt of an impact, R/c (docs/numerics.md).
+[[nodiscard]] double recommended_step(const Contact& contact, double speed);
 
-/// Recommended number of contact nodes for a body at a wall.
-[[nodiscard]] int recommended_nodes(const Body& body, const Wall& wall, double speed);
+/// Recommended number of contact nodes of an impact.
+[[nodiscard]] int recommended_nodes(const Contact& contact, double speed);
 
 /// Computes one impact of a body at a wall, by kick–rotate–kick with the wall's force. It starts
 /// just out of contact and ends when no later contact is possible: the body recedes, and no
@@ -110,6 +113,8 @@ struct Impact {
 /// @param speed of the centre of mass towards the wall, 1e-8 … 1, in c. Two equal bodies that each move at `speed`
 ///              towards each other are the same problem.
 /// @throws InvalidInput for arguments out of range; NotConverged if the contact cannot be solved or does not end
+[[nodiscard]] Impact impact(const Contact& contact, double speed, const ImpactOptions& options = {},
+                            const ImpactObserver& observer = {});
 [[nodiscard]] Impact impact(const Body& body, const Wall& wall, double speed, const ImpactOptions& options = {},
                             const ImpactObserver& observer = {});
 

@@ -2,7 +2,6 @@
 
 #include <vector>
 
-#include "stoss/body/body.hpp"
 #include "stoss/impact/impact.hpp"
 #include "stoss/poll.hpp"
 
@@ -17,21 +16,21 @@ struct Frame {
   std::vector<double> node_force;  ///< share of each contact node in F
 };
 
-/// State of a body after it has touched nothing for a time, forward or back: x₀ drifts and every
-/// mode rotates.
-[[nodiscard]] State free_motion(const Body& body, const State& state, double time);
+/// State after the bodies have touched nothing for a time, forward or back: x₀ drifts and every mode
+/// rotates.
+[[nodiscard]] State free_motion(const Contact& contact, const State& state, double time);
 
-/// Energy of each mode, mc², in the order of Body::groups.
+/// Energy of each mode, mc², in the order of Contact::groups.
 /// @throws InvalidInput for a state of another number of modes
-[[nodiscard]] std::vector<double> mode_energies(const Body& body, const State& state);
+[[nodiscard]] std::vector<double> mode_energies(const Contact& contact, const State& state);
 
-/// A body at given times of its impact, which is repeated bit by bit: during the impact at the
+/// What meets at given times of its impact, which is repeated bit by bit: during the impact at the
 /// nearest step (Frame::time says which), before and after it in free flight.
-/// @param body   the one of the impact, with all its modes
+/// @param contact the one of the impact, with all its modes
 /// @param impact a result of `impact` from a body at rest inside
 /// @param times  R/c, ascending, −1e4 … 1e4
 /// @throws InvalidInput for another body, or times that do not ascend
-[[nodiscard]] std::vector<Frame> motion(const Body& body, const Impact& impact, const std::vector<double>& times,
+[[nodiscard]] std::vector<Frame> motion(const Contact& contact, const Impact& impact, const std::vector<double>& times,
                                         const Poll& poll = {});
 
 }  // namespace stoss

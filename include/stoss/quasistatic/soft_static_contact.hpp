@@ -3,8 +3,7 @@
 #include <optional>
 #include <string>
 
-#include "stoss/body/body.hpp"
-#include "stoss/contact/wall.hpp"
+#include "stoss/contact/contact.hpp"
 #include "stoss/poll.hpp"
 
 namespace stoss {

@@ -29,12 +29,13 @@ void validate(const std::vector<double>& speeds, const CurveOptions& options);
 /// where no two impacts end.
 /// @throws InvalidInput for arguments out of range, before anything is computed; what observer and poll throw, after
 ///         the impacts under way have stopped
-void restitution_curve(const RefinableBody& body, const std::vector<double>& speeds, const CurveOptions& options,
+void restitution_curve(const RefinableContact& contact, const std::vector<double>& speeds, const CurveOptions& options,
                        const CurveObserver& observer);
 
 /// Computes ε at each of the speeds and returns all results. Each holds all modes of its finest
 /// impact (0.05 MB); a long curve is better observed.
-[[nodiscard]] std::vector<Restitution> restitution_curve(const RefinableBody& body, const std::vector<double>& speeds,
+[[nodiscard]] std::vector<Restitution> restitution_curve(const RefinableContact& contact,
+                                                         const std::vector<double>& speeds,
                                                          const CurveOptions& options = {});
 
 /// Computes ε of a disk at each of the speeds. @param poisson 2-D Poisson number, −0.95 … 0.995

@@ -1,33 +1,14 @@
 #pragma once
 
-#include <memory>
 #include <string>
 #include <vector>
 
-#include "stoss/body/body.hpp"
 #include "stoss/errors.hpp"
 #include "stoss/impact/impact.hpp"
 #include "stoss/poll.hpp"
+#include "stoss/restitution/ladder.hpp"
 
 namespace stoss {
-
-/// A body at a series of cutoffs, ω_c = 8 · 2^(level/4) c/R. Each is made when it is first asked
-/// for and then kept. Copies share what is made; any number of threads may ask.
-class RefinableBody {
- public:
-  static constexpr int highest_level = 22;  ///< ω_c = 362
-  static double cutoff(int level);
-
-  explicit RefinableBody(BodyMaker maker);
-
-  /// The body at the cutoff of a level.
-  /// @throws what the maker and poll throw; InvalidInput for a level outside 0 … highest_level
-  [[nodiscard]] const Body& at(int level, const Poll& poll = {}) const;
-
- private:
-  struct Levels;
-  std::shared_ptr<Levels> levels_;
-};
 
 /// A number with its estimated error: in the validation (docs/validation.md) the true error of ε and of 1 − ε² is
 /// within it in 95 % of all cases, and never beyond three times it. An infinite error means that it is unknown: it
@@ -89,7 +70,8 @@ class RestitutionNotConverged : public NotConverged {
 /// @param speed of the centre of mass, 1e-8 … 1, in c
 /// @throws InvalidInput for arguments out of range; RestitutionNotConverged if the highest cutoff is not enough;
 ///         NotConverged if no two impacts end
-[[nodiscard]] Restitution restitution(const RefinableBody& body, double speed, const RestitutionOptions& options = {});
+[[nodiscard]] Restitution restitution(const RefinableContact& contact, double speed,
+                                      const RestitutionOptions& options = {});
 
 /// Coefficient of restitution at one speed, for a body that is needed only once.
 [[nodiscard]] Restitution restitution(const BodyMaker& maker, double speed, const RestitutionOptions& options = {});

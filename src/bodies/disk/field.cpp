@@ -45,10 +45,12 @@ void require_points(const PolarGrid& points) {
   require_finite("angle", points.angle, "radians from the direction of the wall");
 }
 
-void require_nodes(const ContactGrid& contact) {
-  require("contact nodes", static_cast<long>(contact.coordinate.size()), 1, 5'000'000, "of the grid of the impact");
-  constexpr Range edge{1e-7, std::numbers::pi, true, true, "1e-7 to pi"};
-  for (const double node : contact.coordinate) require("contact node", node, edge, "on the edge of the disk, in R");
+void require_nodes(const ContactPoints& contact) {
+  require("contact nodes", static_cast<long>(contact.count), 1, 5'000'000, "of the grid of the impact");
+  require("contact radius", contact.radius, {0.0, 1.0, false, true, "above 0 to 1"},
+          "of the circle of the points, in R");
+  constexpr Range edge{2e-7, std::numbers::pi, true, true, "2e-7 to pi"};
+  require("contact spacing", contact.spacing, edge, "of the points on their circle, radians");
 }
 
 template <typename Measure>
@@ -69,7 +71,8 @@ struct DiskField::Parts {
   Eigen::ArrayXd angle;
 };
 
-DiskField::DiskField(double poisson, const Body& body, const ContactGrid& contact, PolarGrid points, const Poll& poll) {
+DiskField::DiskField(double poisson, const Body& body, const ContactPoints& contact, PolarGrid points,
+                     const Poll& poll) {
   require_poisson(poisson);
   validate(body);
   require_nodes(contact);

@@ -67,9 +67,14 @@ std::vector<Mode> disk_modes(double poisson, double cutoff, const Poll& poll) {
   require_poisson(poisson);
   constexpr Range allowed{0.0, max_cutoff, false, true, "the lowest mode (about 1.4) to 1000"};
   require("cutoff", cutoff, allowed, "highest frequency in c/R; 25 to 100 is usual");
-  auto modes = find_modes(poisson, cutoff, poll);
+  auto modes = checked_modes(poisson, cutoff, poll);
   if (modes.empty()) refuse_low_cutoff(poisson, cutoff);
-  check_sum_rules(poisson, cutoff, modes);
+  return modes;
+}
+
+std::vector<Mode> checked_modes(double poisson, double cutoff, const Poll& poll) {
+  auto modes = find_modes(poisson, cutoff, poll);
+  if (!modes.empty()) check_sum_rules(poisson, cutoff, modes);
   return modes;
 }
 

@@ -6,6 +6,7 @@
 #include <sstream>
 #include <utility>
 
+#include "bodies/disk/edge_points.hpp"
 #include "bodies/disk/mode_field.hpp"
 #include "bodies/disk/static_field.hpp"
 #include "stoss/errors.hpp"
@@ -61,12 +62,13 @@ void require_free_edge(double poisson, const Body& body, const Mode& mode, const
 
 }  // namespace
 
-OrderProfiles::OrderProfiles(double poisson, const Body& body, const ContactGrid& contact, std::vector<double> radius,
+OrderProfiles::OrderProfiles(double poisson, const Body& body, const ContactPoints& contact, std::vector<double> radius,
                              const Poll& poll)
     : poisson_(poisson),
-      node_(Eigen::Map<const Eigen::ArrayXd>(contact.coordinate.data(), static_cast<Index>(contact.coordinate.size()))),
-      nyquist_(static_cast<int>(std::lround(0.5 * std::numbers::pi / contact.coordinate.front()))),
+      node_(static_cast<Index>(contact.count)),
+      nyquist_(static_cast<int>(std::lround(std::numbers::pi / (contact.spacing * contact.radius)))),
       radius_(std::move(radius)) {
+  for (Index i = 0; i < node_.size(); ++i) node_(i) = edge_angle(contact, static_cast<std::size_t>(i));
   int kept_orders = 0;
   for (const ModeGroup& group : body.groups) {
     keep(body, group, poll);
@@ -83,7 +85,8 @@ void OrderProfiles::keep(const Body& body, const ModeGroup& group, const Poll& p
   std::vector<double> with_edge = radius_;
   with_edge.push_back(1.0);
   for (std::size_t l = 0; l < group.omega.size(); ++l) {
-    const Mode mode{group.order, static_cast<int>(l), group.omega[l], group.radial[l], group.tangential[l]};
+    const Mode mode{group.order, static_cast<int>(l), group.omega[l], group.upper[l] + group.lower[l],
+                    group.upper[l] - group.lower[l]};
     const std::vector<RadialField> field = mode_field(poisson_, mode, with_edge, poll);
     require_free_edge(poisson_, body, mode, field.back());
     const auto column = static_cast<Index>(l);

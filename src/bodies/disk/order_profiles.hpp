@@ -27,7 +27,7 @@ class OrderProfiles {
   using Profile = std::array<Harmonics::Table, components>;
 
   /// @throws InvalidInput if the modes of the body are not those of a disk of this Poisson number
-  OrderProfiles(double poisson, const Body& body, const ContactGrid& contact, std::vector<double> radius,
+  OrderProfiles(double poisson, const Body& body, const ContactPoints& contact, std::vector<double> radius,
                 const Poll& poll);
 
   /// Number of kept modes, in the order of Body::groups.

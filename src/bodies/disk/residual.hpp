@@ -2,23 +2,23 @@
 
 #include <vector>
 
+#include "bodies/disk/order_sums.hpp"
 #include "stoss/bodies/disk/modes.hpp"
 #include "stoss/body/body.hpp"
 
 namespace stoss {
 
-/// Static response of the modes of a disk that are not kept, between the nodes of its contact grids.
+/// Static response of the modes of a disk that are not kept, between contact points.
 class DiskResidual {
  public:
   /// @param kept modes, sorted by order
   DiskResidual(double poisson, double cutoff, const std::vector<Mode>& kept);
 
-  /// W_ij = (1/m) Σ_n [R^CC c_i c_j + R^CS (c_i s_j + s_i c_j) + R^SS s_i s_j], R_n = Σ_{not kept} (C,S)(C,S)ᵀ/ω²,
-  /// over the orders up to the grid's Nyquist order π/h, of which the last counts half.
-  [[nodiscard]] std::vector<double> compliance(const ContactGrid& grid, const Poll& poll = {}) const;
+  /// W_ij: the OrderSum of R_n = Σ_{not kept} (C,S)(C,S)ᵀ/ω².
+  [[nodiscard]] std::vector<double> compliance(const ContactPoints& points, const Poll& poll = {}) const;
 
   /// V_ij: the same with ω⁴ for ω². Orders that follow any force that the time steps can resolve are left out.
-  [[nodiscard]] std::vector<double> second_moment(const ContactGrid& grid, const Poll& poll = {}) const;
+  [[nodiscard]] std::vector<double> second_moment(const ContactPoints& points, const Poll& poll = {}) const;
 
   /// Δt for which Δt² Σ_kept C² = 1.8 R^CC in the worst order. A single order at a rigid wall is unstable from 4 on; on
   /// a grid, which mixes the orders, trouble begins above 2 (docs/numerics.md).

@@ -43,9 +43,9 @@ class DiskField {
  public:
   /// @param poisson 2-D Poisson number, as in disk(poisson, cutoff)
   /// @param body    that disk
-  /// @param contact its contact grid in the impact: body.grid(impact.half_width, impact.nodes)
+  /// @param contact the contact points of the impact, in units of the disk
   /// @throws InvalidInput for points outside the disk, empty or not finite arrays, and a body that is not that disk
-  DiskField(double poisson, const Body& body, const ContactGrid& contact, PolarGrid points, const Poll& poll = {});
+  DiskField(double poisson, const Body& body, const ContactPoints& contact, PolarGrid points, const Poll& poll = {});
 
   /// The field at one instant, from Snapshot::coordinate and Snapshot::node_force.
   /// @throws InvalidInput for arrays of other lengths than the body's modes and the grid's nodes, or not finite

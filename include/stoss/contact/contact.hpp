@@ -1,0 +1,99 @@
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "stoss/body/body.hpp"
+#include "stoss/contact/wall.hpp"
+
+namespace stoss {
+
+/// The contact points of an impact, and what all bodies together are there, in units of the first.
+struct ContactGrid : Surface {
+  ContactPoints points;            ///< for the first body
+  std::vector<double> coordinate;  ///< arc length on the circle of the points, R; ascending
+};
+
+/// Who meets whom, as the one system that an impact needs.
+///
+/// A body meets a rigid or an exponential wall, or a second body. A pair is a single system in relative motion: with
+/// X = X₁ − X₂ and the common force f at points of equal lateral distance
+///
+///   X + Σ(modes of 1) + Σ(modes of 2) − recess₁ − recess₂ ≤ 0,   f ≥ 0,   μ Ẍ = −Σ f,   μ = m₁m₂/(m₁ + m₂),
+///
+/// so its modes are those of both, with amplitudes times √(μ/m_k), W = W₁ + W₂, V = V₁ + V₂, 1/Z = 1/Z₁ + 1/Z₂
+/// (docs/theory/pairs.md). Everything is in the units of the first body: R, c and, for forces, mc²/R.
+struct Contact {
+  std::shared_ptr<const Body> first;
+  std::shared_ptr<const Body> second;  ///< null at a wall
+  Wall wall;                           ///< for two bodies a HardWall: they do not pass through each other
+  double mass = 0.0;                   ///< m of the first at a wall, else μ
+  double extent = 0.0;                 ///< distance of the centres (or of centre and wall) at first touch
+  double cutoff = 0.0;                 ///< all modes with ω ≤ cutoff are kept
+  double stable_step = 0.0;            ///< as Body::stable_step
+  std::vector<ModeGroup> groups;       ///< of the first, then of the second, every modal mass `mass`
+  std::size_t first_groups = 0;        ///< how many of them are of the first
+  double radius = 1.0;                 ///< of the circle of the contact points
+};
+
+/// A body at a wall. @throws InvalidInput for a body or a wall that is not valid
+[[nodiscard]] Contact contact(std::shared_ptr<const Body> body, const Wall& wall = HardWall{});
+[[nodiscard]] Contact contact(Body body, const Wall& wall = HardWall{});
+
+/// Two bodies in the way of each other.
+/// @throws InvalidInput for bodies that are not valid, contours that do not meet in a contact of known kind, and ratios
+///         of length, speed or mass beyond what is computed
+[[nodiscard]] Contact contact(std::shared_ptr<const Body> first, std::shared_ptr<const Body> second);
+[[nodiscard]] Contact contact(Body first, Body second);
+
+/// Name of what meets, for provenance.
+[[nodiscard]] std::string name(const Contact& contact);
+
+/// Whether a single point on the axis stands for the whole contact, as with flat ends.
+[[nodiscard]] bool has_single_point(const Contact& contact);
+
+/// Largest half-width that the contact points can cover, R; 0 for a single point.
+[[nodiscard]] double greatest_half_width(const Contact& contact);
+
+/// Modal mass of the modes of a group by themselves: the mass of their body.
+[[nodiscard]] double modal_mass(const Contact& contact, std::size_t group);
+
+/// Highest wave number of the kept modes along the contact, 1/R.
+[[nodiscard]] double highest_wave_number(const Contact& contact);
+
+/// Greatest of the two bodies' speeds towards their common plane of contact, each in its own wave speed: what says how
+/// fast an impact is. At a wall it is `speed`, for two equal bodies half of it.
+[[nodiscard]] double own_speed(const Contact& contact, double speed);
+
+/// Compression of the more compressed body in its own radius, of which the approach δ (in R of the first) is the sum.
+[[nodiscard]] double own_compression(const Contact& contact, double approach);
+
+/// Longest R/c of the bodies, in that of the first.
+[[nodiscard]] double longest_time(const Contact& contact);
+
+/// Half-width of the contact that Hertz' theory expects of an impact at this speed, R; 0 for a single point.
+[[nodiscard]] double expected_half_width(const Contact& contact, double speed);
+
+/// Points from the axis to at least half_width, and what the bodies are there.
+/// @throws InvalidInput for a half-width or a number of points that the contact cannot have
+[[nodiscard]] ContactGrid contact_grid(const Contact& contact, double half_width, int nodes);
+
+/// W of all bodies together: relative displacement of the bodies at point i per force on point j.
+[[nodiscard]] std::vector<double> residual_compliance(const Contact& contact, const ContactGrid& grid,
+                                                      const Poll& poll = {});
+
+/// V of all bodies together.
+[[nodiscard]] std::vector<double> residual_second_moment(const Contact& contact, const ContactGrid& grid,
+                                                         const Poll& poll = {});
+
+/// Share of the first body in the energy that the modes above the cutoff take: the force is common, and a plane wave
+/// takes f²/Z.
+[[nodiscard]] double unresolved_share(const Contact& contact);
+
+/// Time of a contact beside R/c of the first body: both bodies as springs of stiffness mc²/R² under the reduced mass;
+/// for flat ends, the shorter transit time. It is 1 at a wall, and the same whoever is called the first.
+[[nodiscard]] double time_scale(const Contact& contact);
+
+}  // namespace stoss

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <memory>
+
+#include "stoss/contact/contact.hpp"
+
+namespace stoss {
+
+/// A body at a hard wall, or two bodies, at any of a ladder of cutoffs. Each contact is made when it is first asked for
+/// and kept. Copies share what is made; any number of threads may ask.
+class RefinableContact {
+ public:
+  /// A body at a hard wall.
+  explicit RefinableContact(BodyMaker body);
+
+  /// Two bodies. @throws InvalidInput as contact, and for bodies so unequal in size or wave speed that even a coarse
+  /// contact would need more modes of the larger or slower one than are computed
+  RefinableContact(BodyMaker first, BodyMaker second);
+
+  /// 22 at a wall, less for two bodies of which one would need more modes than are computed.
+  [[nodiscard]] int highest_level() const;
+
+  /// ω_c = 8 · 2^(level/4) c/R of the first body, 362 at level 22; for two bodies over their time_scale.
+  [[nodiscard]] double cutoff(int level) const;
+
+  /// The contact at the cutoff of a level.
+  /// @throws what the makers and poll throw; InvalidInput for a level outside 0 … highest_level()
+  [[nodiscard]] const Contact& at(int level, const Poll& poll = {}) const;
+
+ private:
+  struct Levels;
+  std::shared_ptr<Levels> levels_;
+};
+
+/// Two bodies with one cutoff for both. @param cutoff c/R of the first body
+[[nodiscard]] Contact contact(const BodyMaker& first, const BodyMaker& second, double cutoff, const Poll& poll = {});
+
+}  // namespace stoss

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <cstddef>
+
+#include "stoss/body/body.hpp"
+
+namespace stoss {
+
+/// The own units of one body in those of another: multiply by them.
+struct Units {
+  double length = 1.0;
+  double time = 1.0;  ///< R/c
+  double mass = 1.0;
+  double compliance = 1.0;     ///< displacement per force, time²/mass
+  double second_moment = 1.0;  ///< time⁴/mass
+  double impedance = 1.0;      ///< force per velocity, mass/time
+
+  /// Those of a body that is both.
+  Units() = default;
+
+  Units(const Body& body, const Body& other)
+      : length(body.scale.length / other.scale.length),
+        time(length / (body.scale.speed / other.scale.speed)),
+        mass(body.scale.mass / other.scale.mass * (other.mass / body.mass)),
+        compliance(time * time / mass),
+        second_moment(compliance * time * time),
+        impedance(mass / time) {}
+};
+
+/// Number of rows of Surface::shape that the modes of a body use.
+[[nodiscard]] std::size_t shape_rows(const Body& body);
+
+/// Checks that two bodies can meet. @throws InvalidInput for contours that do not go together, and for ratios of
+/// length, speed and mass beyond what is computed
+void require_partners(const Body& first, const Body& second);
+
+}  // namespace stoss

@@ -1,0 +1,173 @@
+// Two bodies: symmetries that hold exactly, limits, and answers of other methods.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "stoss/bodies/disk.hpp"
+#include "stoss/bodies/rod.hpp"
+#include "stoss/restitution.hpp"
+#include "support/csv.hpp"
+#include "support/refusal.hpp"
+
+namespace stoss {
+namespace {
+
+double wave_speed(const Disk& disk) { return std::sqrt(disk.young / disk.density); }
+
+Contact at_cutoff(const Disk& first, const Disk& second, double cutoff) {
+  return contact(disk(first), disk(second), cutoff);
+}
+
+// Sizes, moduli, densities and Poisson numbers all differ.
+const std::vector<Disk> others{{0.33, 2.0, 1.0, 1.0},  {0.2, 0.5, 2.0, 3.0}, {0.0, 1.0, 4.0, 1.0},
+                               {-0.5, 3.0, 0.2, 0.5}, {0.9, 0.3, 1.0, 7.0}, {0.33, 1.0, 1.0, 1.0}};
+
+class UnequalDisks : public ::testing::TestWithParam<Disk> {
+ protected:
+  const Disk one{0.33};
+  const Disk other = GetParam();
+  static constexpr double speed = 0.1;
+};
+
+TEST_P(UnequalDisks, MayBeSwapped) {
+  const double unit = wave_speed(other) / wave_speed(one);
+  const Impact here = impact(at_cutoff(one, other, 20.0), speed);
+  const Impact there = impact(at_cutoff(other, one, 20.0 * other.radius / unit), speed / unit);
+  EXPECT_NEAR(there.restitution, here.restitution, 1e-12);
+  EXPECT_NEAR(there.energy.lost_to_second, here.energy.lost_to_first, 1e-12);
+  EXPECT_NEAR(there.energy.lost_to_first, here.energy.lost_to_second, 1e-12);
+  EXPECT_NEAR(there.contact_time * other.radius / unit, here.contact_time, 1e-10);
+  EXPECT_NEAR(there.max_compression * other.radius, here.max_compression, 1e-12);
+  const double force_unit = other.radius * other.young;
+  EXPECT_NEAR(there.max_force * force_unit, here.max_force, 1e-10);
+}
+
+TEST_P(UnequalDisks, OfOtherUnitsGiveTheSame) {
+  constexpr double length = 3e-3, modulus = 7.3e10, density = 2400.0;
+  const auto in_si = [&](const Disk& d) {
+    return Disk{d.poisson, d.radius * length, d.young * modulus, d.density * density};
+  };
+  const Impact here = impact(at_cutoff(one, other, 20.0), speed);
+  const Impact there = impact(at_cutoff(in_si(one), in_si(other), 20.0), speed);
+  EXPECT_NEAR(there.restitution, here.restitution, 1e-11);
+  EXPECT_NEAR(there.contact_time, here.contact_time, 1e-9);
+}
+
+TEST_P(UnequalDisks, ConserveEnergyAndMomentum) {
+  const Impact result = impact(at_cutoff(one, other, 25.0), speed);
+  EXPECT_LE(result.momentum_error, 1e-12);
+  EXPECT_NEAR(result.energy_error, 0.0, 5e-4);
+  const EnergyLedger& ledger = result.energy;
+  EXPECT_NEAR(ledger.translation + ledger.lost_to_first + ledger.lost_to_second + result.energy_error, 1.0, 1e-12);
+  EXPECT_GT(ledger.lost_to_first, 0.0);
+  EXPECT_GT(ledger.lost_to_second, 0.0);
+}
+
+// The pair alone fixes ε: not which of the two moves, nor what is taken as the unit of the cutoff.
+TEST_P(UnequalDisks, ConvergeToTheSameWhoeverIsFirst) {
+  const double unit = wave_speed(other) / wave_speed(one);
+  const Restitution here = restitution(RefinableContact(disk(one), disk(other)), speed);
+  const Restitution there = restitution(RefinableContact(disk(other), disk(one)), speed / unit);
+  EXPECT_NEAR(there.lost_fraction.value, here.lost_fraction.value, 1e-10);
+}
+
+std::string disk_name(const ::testing::TestParamInfo<Disk>& info) {
+  return "number" + std::to_string(info.index);
+}
+
+INSTANTIATE_TEST_SUITE_P(Every, UnequalDisks, ::testing::ValuesIn(others), disk_name);
+
+class EqualDisks : public ::testing::TestWithParam<double> {};
+
+TEST_P(EqualDisks, AreADiskAtAWallAtHalfTheSpeed) {
+  for (const double poisson : {-0.5, 0.0, 0.33, 0.9}) {
+    const Impact wall = impact(contact(disk(poisson, 20.0)), GetParam());
+    const Impact pair = impact(contact(disk(poisson, 20.0), disk(poisson, 20.0)), 2.0 * GetParam());
+    EXPECT_NEAR(pair.restitution, wall.restitution, 1e-12) << poisson;
+    EXPECT_NEAR(pair.contact_time, wall.contact_time, 1e-12) << poisson;
+    EXPECT_NEAR(pair.max_force, wall.max_force, 1e-12) << poisson;
+    EXPECT_NEAR(pair.max_compression, 2.0 * wall.max_compression, 1e-12) << poisson;
+    EXPECT_NEAR(pair.energy.lost_to_first, pair.energy.lost_to_second, 1e-12) << poisson;
+    EXPECT_EQ(pair.steps, wall.steps) << poisson;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Speeds, EqualDisks, ::testing::Values(1e-4, 0.01, 0.1, 0.4));
+
+TEST(Pairs, TendToTheRigidWall) {
+  const double wall = restitution(disk(0.33), 0.1).lost_fraction.value;
+  double last = 1.0;
+  for (const double ratio : {10.0, 100.0, 1000.0}) {
+    const Disk second{0.33, 1.0, ratio, ratio};
+    const double away = std::abs(restitution(RefinableContact(disk(0.33), disk(second)), 0.1).lost_fraction.value - wall);
+    EXPECT_LT(away, 0.2 * last);
+    last = away;
+  }
+  EXPECT_LT(last, 3e-3 * wall);
+}
+
+// Independent finite elements (tests/data/pair_restitution.csv).
+TEST(Pairs, AgreeWithFiniteElements) {
+  for (const auto& row : test::read_csv("pair_restitution.csv")) {
+    const Disk second{row.number("poisson2"), row.number("radius2"), row.number("young2"), row.number("density2")};
+    const Restitution found =
+        restitution(RefinableContact(disk(0.33), disk(second)), row.number("speed"), {.tolerance = 2e-4});
+    EXPECT_NEAR(found.lost_fraction.value, row.number("lost_fraction"),
+                found.lost_fraction.error + row.number("uncertainty"));
+    EXPECT_NEAR(found.contact_time.value / row.number("contact_time"), 1.0, 5e-3);
+    EXPECT_NEAR(found.max_compression.value / row.number("max_compression"), 1.0, 1e-3);
+  }
+}
+
+/// ε of two rods by the method of characteristics (docs/theory/pairs.md).
+double exact_rods(double z1, double t1, double z2, double t2) {
+  if (t1 > t2) return exact_rods(z2, t2, z1, t1);
+  if (z1 <= z2) return (z2 - z1 + 2.0 * z1 * t1 / t2) / (z1 + z2);
+  const double r = (z1 - z2) / (z1 + z2), ratio = t2 / t1;
+  const double n = std::floor(ratio), f = ratio - n;
+  return (1.0 + z1 * t1 / (z2 * t2)) * (1.0 - std::pow(r, n) * (1.0 - f * (1.0 - r))) - 1.0;
+}
+
+struct RodCase {
+  double z1, t1, z2, t2, restitution;
+};
+
+class Rods : public ::testing::TestWithParam<RodCase> {};
+
+TEST_P(Rods, TendToTheExactAnswer) {
+  const auto [z1, t1, z2, t2, known] = GetParam();
+  EXPECT_NEAR(exact_rods(z1, t1, z2, t2), known, 1e-5);
+  // E = ρ = 1: transit time = length, impedance = area.
+  const BodyMaker one = rod(Rod{t1, 1.0, 1.0, z1}), other = rod(Rod{t2, 1.0, 1.0, z2});
+  double last = 1.0;
+  for (const double cutoff : {100.0, 400.0, 1600.0}) {
+    const double unit = std::max(1.0, t1 / t2);  // in the shorter rod
+    const double away = std::abs(impact(contact(one, other, cutoff * unit), 0.1).restitution - known);
+    EXPECT_LT(away, 0.5 * last + 1e-4) << cutoff;
+    last = away;
+  }
+  EXPECT_LT(last, 1e-3);
+  const Restitution found = restitution(RefinableContact(one, other), 0.1, {.tolerance = 0.03});
+  EXPECT_NEAR(found.restitution.value, known, found.restitution.error);
+}
+
+INSTANTIATE_TEST_SUITE_P(Exact, Rods,
+                         ::testing::Values(RodCase{3, 10, 1, 25, 0.7875}, RodCase{5, 10, 1, 73, 0.596178},
+                                           RodCase{1, 10, 3, 20, 0.75}, RodCase{2, 30, 5, 11, 0.710929},
+                                           RodCase{1, 1, 1, 3, 1.0 / 3.0}, RodCase{1, 1, 1, 1, 1.0}));
+
+TEST(Pairs, RefuseWhatDoesNotMeet) {
+  test::expect_refusal([] { (void)contact(disk(0.33), rod(), 25.0); }, {"against", "rod", "disk"});
+  test::expect_refusal([] { (void)contact(disk(0.33), disk(Disk{0.33, 2e3, 1.0, 1.0}), 25.0); }, {"radius", "1000"});
+  test::expect_refusal([] { (void)contact(disk(0.33), disk(Disk{0.33, 1.0, 1e-4, 1.0}), 25.0); }, {"young", "0.001"});
+  test::expect_refusal([] { (void)contact(disk(0.33), disk(Disk{0.33, 1.0, 1.0, 2e3}), 25.0); }, {"density", "1000"});
+  test::expect_refusal([] { (void)disk(Disk{0.33, -1.0, 1.0, 1.0}); }, {"radius", "positive"});
+  test::expect_refusal([] { (void)disk(Disk{0.33, 1.0, std::nan(""), 1.0}); }, {"young", "nan"});
+  test::expect_refusal([] { (void)contact(disk(0.33, 25.0), disk(0.33, 30.0)); }, {"cutoff", "25", "30"});
+}
+
+}  // namespace
+}  // namespace stoss
