@@ -12,10 +12,14 @@ namespace stoss {
 /// What it throws ends the curve.
 using CurveObserver = std::function<void(std::size_t index, const Restitution& result)>;
 
+/// Called on the calling thread while it waits for result `index`, with the last impact that has begun for it.
+using AttemptObserver = std::function<void(std::size_t index, const Attempt& attempt)>;
+
 struct CurveOptions {
   double tolerance = 1e-3;       ///< as in RestitutionOptions
   int threads = 0;               ///< 0: as many as the machine has; results do not depend on it
   std::function<void()> poll{};  ///< called at least every 50 ms on the calling thread; what it throws ends the curve
+  AttemptObserver attempt_observer{};  ///< what it throws ends the curve
 };
 
 /// Checks what a curve relies on. @throws InvalidInput for speeds, a tolerance or threads out of range

@@ -64,9 +64,16 @@ struct Restitution {
   long steps = 0;          ///< of all runs
 };
 
+/// An impact that is about to begin on the way to a converged value.
+struct Attempt {
+  double cutoff = 0.0;     ///< its cutoff, c/R
+  Estimate lost_fraction;  ///< 1 − ε² after the impacts before it; 0 ± 0 while they are too few to tell
+};
+
 struct RestitutionOptions {
-  double tolerance = 1e-3;       ///< error of 1 − ε² over 1 − ε², 1e-15 … 0.5
-  std::function<void()> poll{};  ///< as in ImpactOptions
+  double tolerance = 1e-3;                                 ///< error of 1 − ε² over 1 − ε², 1e-15 … 0.5
+  std::function<void()> poll{};                            ///< as in ImpactOptions
+  std::function<void(const Attempt&)> attempt_observer{};  ///< called before each impact; what it throws ends them
 };
 
 /// The best value that was reached is in `best`; best.reason, also in what(), says what stood in the way.
@@ -77,11 +84,12 @@ class RestitutionNotConverged : public NotConverged {
 };
 
 /// ε of a body that meets a hard wall, from impacts at rising cutoffs (docs/numerics.md, section 5): cutoff, step and
-/// grid are refined together until the error of 1 − ε² is below tolerance × (1 − ε²). The error is six times the
-/// largest of the differences from the coarser runs, each scaled by the observed order of convergence,
-/// (ω_coarse/ω_fine)^(5/2) (with one point of contact ω_coarse/ω_fine).
+/// grid are refined together until the error of 1 − ε² is below tolerance × (1 − ε²). The error is eight times the
+/// root mean square of the differences from the coarser runs, each scaled by the observed order of convergence,
+/// (ω_coarse/ω_fine)^(5/2) (with one point of contact ω_coarse/ω_fine). Where the errors fall too slowly for any
+/// cutoff of the ladder, it gives up before the impacts that take more than some tenths of a second.
 /// @param speed of the centre of mass, 1e-8 … 1, in c
-/// @throws InvalidInput for arguments out of range; RestitutionNotConverged if the highest cutoff is not enough;
+/// @throws InvalidInput for arguments out of range; RestitutionNotConverged if no cutoff of the ladder is enough;
 ///         NotConverged if no two impacts end
 [[nodiscard]] Restitution restitution(const RefinableBody& body, double speed, const RestitutionOptions& options = {});
 
