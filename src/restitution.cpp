@@ -96,7 +96,7 @@ Outlook outlook(const Restitution& result, const Bar& first, double expected) {
   next.rungs = static_cast<int>(std::clamp(std::ceil(4.0 * std::log2(missing) / expected), 1.0, 1.0 * most_rungs));
   next.cutoff = last.cutoff * std::pow(missing, 1.0 / order);
   next.reachable = last.error / aim * std::pow(last.cutoff / highest, order);
-  next.worthwhile = next.cutoff <= 2.0 * highest;  // chance may be that kind
+  next.worthwhile = next.cutoff <= highest;
   // Without hope, runs that cost little still better the value.
   const auto grown = [&](int rungs) { return work(result.finest) * std::exp2(0.75 * rungs); };
   while (!next.worthwhile && next.rungs > 1 && grown(next.rungs) > affordable) --next.rungs;

@@ -34,10 +34,13 @@ method has the right limit is for the finite elements and the rod below to show.
 inline constexpr const char* speed = R"(
 ## Convergence and time
 
-Time of one call with the modes made before, on one core of a machine that also did other things.
+Processor time of one call over the whole range, −0.95 ≤ ν ≤ 0.995 and 10⁻⁸ ≤ v ≤ 1: 240 points,
+40 Poisson numbers with six speeds each, spread by a quasi-random sequence, speeds evenly on the
+logarithmic scale. A Poisson number's modes are made by the first of its points that needs them,
+and that time is not counted. *99 %*: 99 of 100 calls take no longer.
 
-| tolerance | converged | cutoff, median | ms, median |
-|---:|---:|---:|---:|
+| tolerance | converged | cutoff, median | ms, median | ms, 99 % | ms, longest | at ν | v | its cutoff |
+|---:|---:|---:|---:|---:|---:|---:|---:|---:|
 )";
 
 inline constexpr const char* tally = R"(

@@ -159,6 +159,30 @@ def test_progress_bar_on_a_terminal(stoss, tmp_path, more, status):
     assert all(line.startswith("stoss: warning: ") for line in starts)
 
 
+@pytest.mark.parametrize("more", ["", "--quiet"])
+def test_a_long_value_shows_what_it_has_come_to(stoss, more):
+    terminal, end = pty.openpty()
+    # Meets no tolerance below 1e-4 before the highest cutoff.
+    command = stoss.start(f"restitution --poisson 0.9 --speed 0.1448 --tolerance 6e-5 {more}", stdout=-3, stderr=end)
+    os.close(end)
+    text = ""
+    try:
+        while not (shown := re.search(r"\r[1-9][0-9.]* s, cutoff \d+, relative error of 1-eps\^2 so far \d", text)):
+            text += os.read(terminal, 1000).decode()
+    except OSError:  # Linux: the other end is closed
+        pass
+    command.send_signal(signal.SIGINT)
+    assert bool(shown) == (not more)
+    try:
+        while part := os.read(terminal, 1000):
+            text += part.decode()
+    except OSError:
+        pass
+    os.close(terminal)
+    command.wait(timeout=60)
+    assert text.rstrip("\r\n").split("\r")[-1].strip().startswith("stoss: ") or more
+
+
 def test_table_fits_80_columns(stoss):
     text = stoss.run("restitution --poisson 0.33 --speed 0.1,1e-8").stdout
     assert max(map(len, text.splitlines())) <= 80
