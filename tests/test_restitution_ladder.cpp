@@ -39,7 +39,7 @@ TEST(RestitutionLadder, OneRunThatIsOffDoesNotDriveTheCutoffUp) {
 
 TEST(RestitutionLadder, EndsEarlyWhereErrorsFallTooSlowly) {
   const Restitution best = given_up(-0.95, 1.0, 1e-3);
-  EXPECT_LT(best.steps, 10'000);  // up to the highest cutoff they are 30 000, the last ones a hundred times as long
+  EXPECT_LT(best.steps, 10'000);
   EXPECT_NEAR(best.lost_fraction.value, 0.5857, best.lost_fraction.error);  // at cutoff 362
   EXPECT_LT(best.lost_fraction.error, 3e-3);
   EXPECT_NE(best.reason.find("about"), std::string::npos) << best.reason;
