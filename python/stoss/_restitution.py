@@ -134,8 +134,8 @@ def restitution(
     """The coefficient of restitution ε = −v_f/v_i of an elastic body against a hard wall, with its error.
 
     Cutoff, time step and contact grid are refined together until the estimated error of 1 − ε² is below
-    ``tolerance * (1 − ε²)``. A value takes 3 ms in the
-    median, 0.1 s in one case of a hundred.
+    ``tolerance * (1 − ε²)``. A value takes
+    3 ms in the median, 0.1 s or more in one case of a hundred.
 
     Parameters
     ----------
