@@ -38,7 +38,8 @@ double percent(int part, int all) { return 100.0 * part / all; }
 
 void write_verdict(std::ostream& out, const Tally& judged) {
   out << "\n## Result\n\n1 − ε² at the tolerance " << number("%g", tolerances[by_default]) << ", " << judged.points
-      << " points:\n" << number("%.1f %%", percent(judged.within, judged.points)) << " within the error, the greatest at"
+      << " points:\n"
+      << number("%.1f %%", percent(judged.within, judged.points)) << " within the error, the greatest at"
       << number(" %.2f", judged.greatest) << " times the error,\nmedian of error / true error"
       << number(" %.1f", judged.padding) << ". The conditions are " << (honest(judged) ? "met.\n" : "**not met**.\n");
 }
