@@ -46,8 +46,6 @@ def test_equations_of_the_paper_are_cited_by_number():
         assert not [name for name in cited if re.match(r"`|[A-Za-z]", name)], place
 
 
-
-
 @pytest.mark.parametrize("page", PAGES, ids=lambda page: str(page.relative_to(ROOT)))
 def test_prose_has_short_lines(page):
     prose = re.sub(r"^\|.*$", "", without_code(page), flags=re.MULTILINE)
