@@ -1,6 +1,8 @@
 // stoss restitution --method converge: the cutoff is raised until the error is small enough.
 #include "converge.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <limits>
 
@@ -77,6 +79,12 @@ Row make_row(const Restitution& r, double poisson, double speed, const std::opti
   return row;
 }
 
+std::string describe(const Attempt& attempt) {
+  const Estimate& lost = attempt.lost_fraction;
+  const std::string error = lost.error > 0.0 ? fmt::format("{:.1e}", lost.error / lost.value) : "unknown";
+  return fmt::format("cutoff {:.0f}, relative error of 1-eps^2 so far {}", attempt.cutoff, error);
+}
+
 }  // namespace
 
 std::string converge_columns(const Job& job) { return csv_columns(make_record({}, 0.0, 0.0, job.si)); }
@@ -92,7 +100,13 @@ void converge(Sweep& sweep, Report& report, double tolerance, int threads) {
     const double poisson = job.poisson(sweep.done());
     const auto first = static_cast<std::ptrdiff_t>(sweep.done() % job.speeds.size());
     const std::vector<double> speeds(job.speeds.begin() + first, job.speeds.end());
-    restitution_curve(RefinableContact(disk(poisson)), speeds, {tolerance, threads, heed_interrupts},
+    std::string state = "begins";
+    const auto poll = [&] {
+      heed_interrupts();
+      sweep.wait(state);
+    };
+    const auto note = [&state](std::size_t, const Attempt& attempt) { state = describe(attempt); };
+    restitution_curve(RefinableContact(disk(poisson)), speeds, {tolerance, threads, poll, note},
                       [&](std::size_t i, const Restitution& result) {
                         heed_interrupts();
                         sweep.add(make_row(result, poisson, speeds[i], job.si), report);

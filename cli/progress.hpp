@@ -1,5 +1,6 @@
 #pragma once
 
+#include <chrono>
 #include <cstddef>
 #include <string>
 
@@ -7,18 +8,34 @@
 
 namespace stoss::cli {
 
-/// A bar on a terminal while rows go to a file; nothing elsewhere.
+/// On a terminal: a bar while rows go to a file, and what is being done while a row takes longer than a second.
+/// Nothing elsewhere.
 class Progress {
  public:
   Progress(const OutputArguments& output, std::size_t total);
+  Progress(const Progress&) = delete;
+  Progress& operator=(const Progress&) = delete;
+  ~Progress() {
+    if (waiting_) hide();
+  }
+
   void show(std::size_t done);
 
+  /// Says what the row under way has come to, if it takes long. May be called often.
+  void wait(const std::string& state);
+
   /// Makes place for a line of its own on stderr.
-  void hide() const;
+  void hide();
 
  private:
+  using Clock = std::chrono::steady_clock;
+
+  bool terminal_;
   bool visible_;
   std::size_t total_;
+  bool waiting_ = false;
+  Clock::time_point begun_ = Clock::now();  ///< of the row under way
+  Clock::time_point shown_ = begun_;
 };
 
 }  // namespace stoss::cli

@@ -41,9 +41,9 @@ void Sweep::take(const std::vector<std::string>& cells) {
 }
 
 void Sweep::add(const Row& row, Report& report) {
+  progress_.hide();
   report.add(row.record, row.details);
   if (!row.trouble.empty()) {
-    progress_.hide();
     output_.warn(fmt::format("poisson {}, speed {:.6g} c: {}", job_.poisson(done_), job_.speed(done_), row.trouble));
   }
   count(split(csv_row(row.record), ','));

@@ -41,6 +41,9 @@ class Sweep {
   /// Writes the next row. @throws OutputError
   void add(const Row& row, Report& report);
 
+  /// Says on a terminal what the next row has come to, if it takes long.
+  void wait(const std::string& state) { progress_.wait(state); }
+
   [[nodiscard]] const Job& job() const { return job_; }
   [[nodiscard]] std::size_t done() const { return done_; }
 

@@ -1,7 +1,6 @@
 #include "judgement.hpp"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <limits>
 
@@ -10,14 +9,11 @@
 namespace validate {
 namespace {
 
-Answer timed_answer(const stoss::RefinableContact& body, double speed, double tolerance) {
-  const auto start = std::chrono::steady_clock::now();
+Answer answer_at(const stoss::RefinableContact& body, double speed, double tolerance) {
   const stoss::Restitution result = best(body, speed, tolerance);
-  const std::chrono::duration<double> time = std::chrono::steady_clock::now() - start;
   return {{result.lost_fraction, result.restitution, result.contact_time, result.max_force, result.max_compression},
           result.converged,
-          result.finest.cutoff,
-          time.count()};
+          result.finest.cutoff};
 }
 
 }  // namespace
@@ -25,9 +21,7 @@ Answer timed_answer(const stoss::RefinableContact& body, double speed, double to
 Disks make_disks(const std::vector<Point>& points) {
   Disks disks;
   for (const Point& point : points) {
-    const auto [disk, is_new] = disks.try_emplace(point.poisson, stoss::disk(point.poisson));
-    if (!is_new) continue;
-    for (int level = 0; level <= stoss::RefinableContact::highest_level; ++level) (void)disk->second.at(level);
+    disks.try_emplace(point.poisson, stoss::disk(point.poisson));
   }
   return disks;
 }
@@ -36,7 +30,7 @@ std::vector<Answer> answer(const Disks& disks, const std::vector<Point>& points,
   std::vector<Answer> answers;
   answers.reserve(points.size());
   for (const Point& point : points) {
-    answers.push_back(timed_answer(disks.at(point.poisson), point.speed, tolerance));
+    answers.push_back(answer_at(disks.at(point.poisson), point.speed, tolerance));
   }
   return answers;
 }
@@ -88,6 +82,11 @@ double median(std::vector<double> values) {
   std::sort(values.begin(), values.end());
   const std::size_t half = values.size() / 2;
   return values.size() % 2 == 1 ? values[half] : 0.5 * (values[half - 1] + values[half]);
+}
+
+double quantile(std::vector<double> values, double share) {
+  std::sort(values.begin(), values.end());
+  return values[static_cast<std::size_t>(std::ceil(share * static_cast<double>(values.size()))) - 1];
 }
 
 }  // namespace validate

@@ -13,11 +13,9 @@ struct Answer {
   PerQuantity<stoss::Estimate> value{};
   bool converged = false;
   double cutoff = 0.0;  ///< of the finest impact, c/R
-  double seconds = 0.0;
 };
 
-/// The disks of all points by their Poisson numbers, with all levels made, so that the times are those of impacts
-/// alone.
+/// The disks of all points by their Poisson numbers.
 using Disks = std::map<double, stoss::RefinableContact>;
 Disks make_disks(const std::vector<Point>& points);
 
@@ -53,5 +51,8 @@ Tally tally(const std::vector<Point>& points, const std::vector<Answer>& answers
 bool honest(const Tally& tally);
 
 double median(std::vector<double> values);
+
+/// The least of the values that the share `share` of all does not exceed.
+double quantile(std::vector<double> values, double share);
 
 }  // namespace validate

@@ -2,7 +2,7 @@
 
 >>> import stoss
 >>> stoss.restitution(poisson=0.33, speed=0.1)
-Restitution(poisson=0.33, speed=0.1 c: restitution 0.947044 ± 0.000046)
+Restitution(poisson=0.33, speed=0.1 c: restitution 0.947044 ± 0.000038)
 
 All arguments are named. Units: radius R, bar speed c = √(E/ρ), mass m; with a `Material`, speeds
 are in m/s.

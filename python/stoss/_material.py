@@ -67,7 +67,7 @@ class Material:
     >>> round(steel.scales.speed)
     5172
     >>> stoss.restitution(material=steel, speed=5.0)  # 5 m/s
-    Restitution(poisson=0.3, speed=0.000966708 c: restitution 0.987119 ± 0.000013)
+    Restitution(poisson=0.3, speed=0.000966708 c: restitution 0.987119 ± 0.000011)
     """
 
     young: float

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <atomic>
 #include <limits>
+#include <mutex>
+#include <optional>
 #include <thread>
 #include <utility>
 
@@ -14,6 +16,27 @@ namespace stoss {
 namespace {
 
 struct Stopped {};
+
+/// The last attempt at each point, from the threads that make them to the one that waits.
+class Attempts {
+ public:
+  explicit Attempts(std::size_t points) : attempts_(points) {}
+
+  void put(std::size_t point, const Attempt& attempt) {
+    const std::lock_guard lock(mutex_);
+    attempts_[point] = attempt;
+  }
+
+  /// Nothing if it has been taken.
+  std::optional<Attempt> take(std::size_t point) {
+    const std::lock_guard lock(mutex_);
+    return std::exchange(attempts_[point], std::nullopt);
+  }
+
+ private:
+  std::mutex mutex_;
+  std::vector<std::optional<Attempt>> attempts_;
+};
 
 /// A point at which no two impacts ended.
 Restitution failed(double speed, double tolerance, const std::string& reason) {
@@ -48,15 +71,26 @@ void restitution_curve(const RefinableContact& contact, const std::vector<double
   validate(speeds, options);
   const auto available = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
   const auto wanted = static_cast<std::size_t>(options.threads == 0 ? available : options.threads);
+  Attempts attempts(speeds.size());
+  std::size_t awaited = 0;
+  const auto poll = [&] {
+    if (options.attempt_observer) {
+      if (const auto attempt = attempts.take(awaited)) options.attempt_observer(awaited, *attempt);
+    }
+    if (options.poll) options.poll();
+  };
   const auto job = [&](std::size_t i, const std::atomic<bool>& stop) {
     const auto heed = [&stop] {
       if (stop) throw Stopped{};
     };
-    return point(contact, speeds[i], {options.tolerance, heed});
+    const auto note = [&attempts, i](const Attempt& attempt) { attempts.put(i, attempt); };
+    return point(contact, speeds[i], {options.tolerance, heed, note});
   };
-  const auto deliver = [&](std::size_t i, Restitution&& result) { observer(i, result); };
-  run_in_order<Restitution>(speeds.size(), static_cast<int>(std::min(wanted, speeds.size())), job, deliver,
-                            options.poll);
+  const auto deliver = [&](std::size_t i, Restitution&& result) {
+    awaited = i + 1;
+    observer(i, result);
+  };
+  run_in_order<Restitution>(speeds.size(), static_cast<int>(std::min(wanted, speeds.size())), job, deliver, poll);
 }
 
 std::vector<Restitution> restitution_curve(const RefinableContact& contact, const std::vector<double>& speeds,

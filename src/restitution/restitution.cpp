@@ -1,8 +1,11 @@
 #include "stoss/restitution/restitution.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdio>
 #include <limits>
+#include <optional>
 #include <utility>
 
 #include "check.hpp"
@@ -12,24 +15,26 @@ namespace stoss {
 namespace {
 
 constexpr int first_runs = 4;  // two that agree by chance say nothing
-constexpr int first_rungs = 2;
+constexpr int first_rungs = 2, most_rungs = 8;
 constexpr double slow_order = 1.5;
-constexpr double safety = 6.0;
+constexpr double safety = 8.0;
 constexpr double unknown = std::numeric_limits<double>::infinity();
-constexpr double slack = 1.1;  // the error may turn out smaller than the order of convergence says
+constexpr double aim = 0.9;         // of the tolerance: one run too fine costs less than another run
+constexpr double affordable = 5e8;  // of `work`, about a second: what a run without hope may cost
 
 /// Order of convergence in the cutoff, as observed: with one point of contact the force jumps, on a surface it grows.
 double convergence_order(const Contact& contact) { return has_single_point(contact) ? 1.0 : 2.5; }
 
-/// Quantity of the last run, with six times the largest difference from an earlier one, scaled to what is left of it.
+/// Quantity of the last run, with eight times the root mean square of the differences from the earlier ones, each
+/// scaled to what is left of it. One run that is off by chance then counts with its share only.
 Estimate estimate(const std::vector<Run>& runs, double order, double Run::*quantity) {
   const Run& last = runs.back();
-  double error = 0.0;
+  double squares = 0.0;
   for (auto run = runs.begin(); run + 1 < runs.end(); ++run) {
-    const double shrunk = std::pow(run->cutoff / last.cutoff, order);
-    error = std::max(error, safety * shrunk * std::abs((*run).*quantity - last.*quantity));
+    const double left = std::pow(run->cutoff / last.cutoff, order) * ((*run).*quantity - last.*quantity);
+    squares += left * left;
   }
-  return {last.*quantity, error};
+  return {last.*quantity, safety * std::sqrt(squares / static_cast<double>(runs.size() - 1))};
 }
 
 /// An error as large as the value leaves nothing of it.
@@ -58,6 +63,65 @@ void conclude(Restitution& result, double order) {
   result.converged = error <= result.tolerance * std::abs(result.lost_fraction.value);
 }
 
+double relative_error(const Restitution& result) {
+  return result.lost_fraction.error / std::abs(result.lost_fraction.value);
+}
+
+/// Relative error of 1 − ε² with the runs up to a cutoff.
+struct Bar {
+  double cutoff;
+  double error;
+};
+
+/// Order at which the errors fall with the cutoff: as observed since the first, or what it should be while the runs are
+/// too close to tell. Errors that do not fall at all may be chance, and count as falling slowly.
+double falling_order(const Bar& first, const Bar& last, double expected) {
+  if (last.cutoff < 2.0 * first.cutoff) return expected;
+  const double observed = std::log(first.error / last.error) / std::log(last.cutoff / first.cutoff);
+  return std::clamp(observed, 0.2 * expected, expected);
+}
+
+/// What a run asks of the machine: its steps, times the modes and the entries of the matrices between the nodes.
+double work(const Impact& run) {
+  const double nodes = run.nodes;
+  return static_cast<double>(run.steps) * (static_cast<double>(run.energy.modes.size()) + nodes * nodes);
+}
+
+/// What is to be expected of finer runs.
+struct Outlook {
+  int rungs;         ///< to the next run
+  double cutoff;     ///< at which the tolerance would be met, if the errors go on falling as they did
+  double reachable;  ///< tolerance that the highest cutoff would meet
+  bool worthwhile;   ///< the next run has a chance, or costs little
+};
+
+Outlook outlook(const Restitution& result, const Bar& first, double expected, double highest) {
+  const Bar last{result.runs.back().cutoff, relative_error(result)};
+  const double order = falling_order(first, last, expected);
+  const double missing = last.error / (aim * result.tolerance);
+  Outlook next{};
+  next.rungs = static_cast<int>(std::clamp(std::ceil(4.0 * std::log2(missing) / expected), 1.0, 1.0 * most_rungs));
+  next.cutoff = last.cutoff * std::pow(missing, 1.0 / order);
+  next.reachable = last.error / aim * std::pow(last.cutoff / highest, order);
+  next.worthwhile = next.cutoff <= highest;
+  // Without hope, runs that cost little still better the value.
+  const auto grown = [&](int rungs) { return work(result.finest) * std::exp2(0.75 * rungs); };
+  while (!next.worthwhile && next.rungs > 1 && grown(next.rungs) > affordable) --next.rungs;
+  next.worthwhile = next.worthwhile || grown(next.rungs) < affordable;
+  return next;
+}
+
+std::string beyond_reach(const Outlook& next, double highest) {
+  const auto rounded = [](double x) {
+    std::array<char, 32> text{};
+    std::snprintf(text.data(), text.size(), "%.2g", x);
+    return std::string(text.data());
+  };
+  std::string reason = "the tolerance asks for a higher cutoff than " + std::to_string(std::lround(highest));
+  if (next.cutoff < 1e5) reason += ", about " + std::to_string(std::lround(std::max(next.cutoff, highest)));
+  return reason + " (use a larger tolerance" + (next.reachable < 0.5 ? ", from " + rounded(next.reachable) : "") + ")";
+}
+
 }  // namespace
 
 RestitutionNotConverged::RestitutionNotConverged(Restitution result)
@@ -66,12 +130,15 @@ RestitutionNotConverged::RestitutionNotConverged(Restitution result)
 Restitution restitution(const RefinableContact& contact, double speed, const RestitutionOptions& options) {
   require_tolerance(options.tolerance);
   require_speed(speed);
+  const int highest = contact.highest_level();
   const double order = convergence_order(contact.at(0, options.poll));
   Restitution result;
   result.tolerance = options.tolerance;
+  std::optional<Bar> first;
+  Outlook next{first_rungs, 0.0, 0.0, true};
   std::string trouble;
-  int level = 0;
-  for (int rungs = first_rungs; level <= contact.highest_level(); level += rungs) {
+  for (int level = 0; level <= highest && next.worthwhile; level += next.rungs) {
+    if (options.attempt_observer) options.attempt_observer({contact.cutoff(level), result.lost_fraction});
     ImpactOptions resolution = refined_resolution(contact.at(level, options.poll), speed, result.finest.max_half_width);
     resolution.poll = options.poll;
     try {
@@ -86,20 +153,15 @@ Restitution restitution(const RefinableContact& contact, double speed, const Res
     if (result.runs.size() < first_runs) continue;
     conclude(result, order);
     if (result.converged) return result;
-    // To the rung at which the error will be small enough, if it falls as it should.
-    const double missing = result.lost_fraction.error / (options.tolerance * std::abs(result.lost_fraction.value));
-    const double factor = std::pow(missing / slack, 1.0 / order);  // between the cutoffs
-    rungs = static_cast<int>(std::clamp(std::ceil(4.0 * std::log2(factor)), 1.0, 8.0));
-    if (level < contact.highest_level()) rungs = std::min(rungs, contact.highest_level() - level);
+    if (!first) first = Bar{result.runs.back().cutoff, relative_error(result)};
+    next = outlook(result, *first, order, contact.cutoff(highest));
+    if (level < highest) next.rungs = std::min(next.rungs, highest - level);
   }
   if (result.runs.size() < 2) throw NotConverged(trouble);
   conclude(result, order);
   if (result.lost_fraction.error > 1.0) result.lost_fraction.error = result.restitution.error = unknown;
   result.converged = false;  // two or three runs that agree are not enough
-  result.reason = trouble.empty()
-                      ? "the tolerance asks for a higher cutoff than " +
-                            std::to_string(std::lround(result.runs.back().cutoff)) + " (use a larger tolerance)"
-                      : trouble;
+  result.reason = trouble.empty() ? beyond_reach(next, contact.cutoff(highest)) : trouble;
   throw RestitutionNotConverged(std::move(result));
 }
 

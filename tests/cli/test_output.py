@@ -160,6 +160,29 @@ def test_progress_bar_on_a_terminal(stoss, tmp_path, more, status):
     assert all(line.startswith("stoss: warning: ") for line in starts)
 
 
+@pytest.mark.parametrize("more", ["", "--quiet"])
+def test_a_long_value_shows_what_it_has_come_to(stoss, more):
+    terminal, end = pty.openpty()
+    # Several seconds of work; it is interrupted as soon as it has said something.
+    command = stoss.start(
+        f"restitution --poisson 0.9 --speed 0.1448 --tolerance 7.6e-5 {more}", stdout=subprocess.DEVNULL, stderr=end
+    )
+    os.close(end)
+    text, shown = "", False
+    try:
+        while part := os.read(terminal, 1000):
+            text += part.decode()
+            if not shown and re.search(r"\r[1-9][0-9.]* s, cutoff \d+, relative error of 1-eps\^2 so far \d", text):
+                shown = True
+                command.send_signal(signal.SIGINT)
+    except OSError:  # Linux: the other end is closed
+        pass
+    os.close(terminal)
+    command.wait(timeout=60)
+    assert shown == (not more)
+    assert "cutoff" not in text.replace("\r\n", "\r").split("\r")[-1]  # the line is gone at the end
+
+
 def test_table_fits_80_columns(stoss):
     text = stoss.run("restitution --poisson 0.33 --speed 0.1,1e-8").stdout
     assert max(map(len, text.splitlines())) <= 80

@@ -46,13 +46,10 @@ def test_equations_of_the_paper_are_cited_by_number():
         assert not [name for name in cited if re.match(r"`|[A-Za-z]", name)], place
 
 
-WIDE = {"CHANGELOG.md", "numerics.md", "validation.md"}
-
-
 @pytest.mark.parametrize("page", PAGES, ids=lambda page: str(page.relative_to(ROOT)))
 def test_prose_has_short_lines(page):
     prose = re.sub(r"^\|.*$", "", without_code(page), flags=re.MULTILINE)
-    assert page.name in WIDE or not [line for line in prose.splitlines() if len(line) > 100]
+    assert not [line for line in prose.splitlines() if len(line) > 100]
 
 
 @pytest.mark.parametrize("page", THEORY, ids=lambda page: page.name)

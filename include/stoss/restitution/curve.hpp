@@ -13,11 +13,16 @@ namespace stoss {
 /// as it and all before it are there. What it throws ends the curve.
 using CurveObserver = std::function<void(std::size_t index, const Restitution& result)>;
 
+/// Called on the calling thread while it waits for result `index`, with the last impact that has
+/// begun for it.
+using AttemptObserver = std::function<void(std::size_t index, const Attempt& attempt)>;
+
 /// Tolerance and threads of a curve.
 struct CurveOptions {
-  double tolerance = 1e-3;  ///< as in RestitutionOptions
-  int threads = 0;          ///< 0: as many as the machine has; results do not depend on it
-  Poll poll{};              ///< on the calling thread, at least every 50 ms
+  double tolerance = 1e-3;             ///< as in RestitutionOptions
+  int threads = 0;                     ///< 0: as many as the machine has; results do not depend on it
+  Poll poll{};                         ///< on the calling thread, at least every 50 ms
+  AttemptObserver attempt_observer{};  ///< what it throws ends the curve
 };
 
 /// Checks the speeds and the options of a curve.

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -48,10 +49,17 @@ struct Restitution {
   long steps = 0;          ///< of all runs
 };
 
+/// An impact that is about to begin on the way to a converged value.
+struct Attempt {
+  double cutoff = 0.0;     ///< its cutoff, c/R
+  Estimate lost_fraction;  ///< 1 − ε² after the impacts before it; 0 ± 0 while they are too few to tell
+};
+
 /// Tolerance of the coefficient of restitution.
 struct RestitutionOptions {
   double tolerance = 1e-3;  ///< error of 1 − ε² over 1 − ε², 1e-15 … 0.5
   Poll poll{};
+  std::function<void(const Attempt&)> attempt_observer{};  ///< called before each impact; what it throws ends them
 };
 
 /// A coefficient of restitution that misses its tolerance. `best` is the best value that was
@@ -64,11 +72,12 @@ class RestitutionNotConverged : public NotConverged {
 
 /// Coefficient of restitution of a body at a hard wall, from impacts at rising cutoffs
 /// (docs/numerics.md, section 5): cutoff, step and grid are refined together until the error of
-/// 1 − ε² is below tolerance × (1 − ε²). The error is six times the largest of the differences from the
-/// coarser runs, each scaled by the observed order of convergence, (ω_coarse/ω_fine)^(5/2) (with
-/// one point of contact ω_coarse/ω_fine).
+/// 1 − ε² is below tolerance × (1 − ε²). The error is eight times the root mean square of the
+/// differences from the coarser runs, each scaled by the observed order of convergence,
+/// (ω_coarse/ω_fine)^(5/2) (with one point of contact ω_coarse/ω_fine). Where the errors fall too
+/// slowly for any cutoff, it gives up before the impacts that take more than some tenths of a second.
 /// @param speed of the centre of mass, 1e-8 … 1, in c
-/// @throws InvalidInput for arguments out of range; RestitutionNotConverged if the highest cutoff is not enough;
+/// @throws InvalidInput for arguments out of range; RestitutionNotConverged if no cutoff of the ladder is enough;
 ///         NotConverged if no two impacts end
 [[nodiscard]] Restitution restitution(const RefinableContact& contact, double speed,
                                       const RestitutionOptions& options = {});
