@@ -21,22 +21,23 @@ std::string with_cutoff(const std::string& name, double cutoff) {
 void add_set_up(double cutoff) {
   add(with_cutoff("grid and compliance", cutoff), [cutoff](benchmark::State& state) {
     const stoss::Body& body = disk_body(cutoff);
-    const double half_width = 1.25 * body.expected_half_width(speed);
-    const int nodes = stoss::recommended_nodes(body, stoss::HardWall{}, speed);
+    const double half_width = 1.25 * stoss::expected_half_width(stoss::contact(body), speed);
+    const int nodes = stoss::recommended_nodes(stoss::contact(body, stoss::HardWall{}), speed);
     for (auto _ : state) {
-      const stoss::ContactGrid grid = body.grid(half_width, nodes);
-      const std::vector<double> compliance = body.residual_compliance(grid, {});
+      const stoss::ContactGrid grid = grid_of(body, half_width, nodes);
+      const std::vector<double> compliance = body.residual_compliance(grid.points, {});
       benchmark::DoNotOptimize(compliance.data());
     }
   });
   // In addition, what the hard wall does once: W′ and its factor.
   add(with_cutoff("grid, compliance and hard wall", cutoff), [cutoff](benchmark::State& state) {
     const stoss::Body& body = disk_body(cutoff);
-    const double half_width = 1.25 * body.expected_half_width(speed);
-    const int nodes = stoss::recommended_nodes(body, stoss::HardWall{}, speed);
+    const double half_width = 1.25 * stoss::expected_half_width(stoss::contact(body), speed);
+    const int nodes = stoss::recommended_nodes(stoss::contact(body, stoss::HardWall{}), speed);
     for (auto _ : state) {
-      const stoss::ContactGrid grid = body.grid(half_width, nodes);
-      benchmark::DoNotOptimize(stoss::make_response(stoss::HardWall{}, body, grid, speed, 0.5 / cutoff));
+      const stoss::ContactGrid grid = grid_of(body, half_width, nodes);
+      benchmark::DoNotOptimize(
+          stoss::make_response(stoss::contact(body, stoss::HardWall{}), grid, speed, 0.5 / cutoff));
     }
   });
 }
@@ -45,7 +46,8 @@ void add_impact(const std::string& name, const stoss::Wall& wall, double cutoff,
   add(with_cutoff(name, cutoff), [=](benchmark::State& state) {
     const stoss::Body& body = disk_body(cutoff);
     stoss::ImpactOptions options;
-    options.step = cutoff_times_step > 0.0 ? cutoff_times_step / cutoff : stoss::recommended_step(body, wall, speed);
+    options.step = cutoff_times_step > 0.0 ? cutoff_times_step / cutoff
+                                           : stoss::recommended_step(stoss::contact(body, wall), speed);
     double lost_fraction = 0.0;
     for (auto _ : state) lost_fraction = stoss::impact(body, wall, speed, options).lost_fraction;
     count(state, lost_fraction);

@@ -24,7 +24,7 @@ stoss::Body most_energetic(const stoss::Body& disk, std::size_t count, const Pap
   result.groups.clear();
   std::size_t mode = 0;
   for (const stoss::ModeGroup& all : disk.groups) {
-    stoss::ModeGroup kept{all.order, {}, {}, {}, all.sum_shape, all.difference_shape};
+    stoss::ModeGroup kept{all.order, {}, {}, {}, all.upper_row, all.lower_row};
     for (std::size_t l = 0; l < all.omega.size(); ++l, ++mode) {
       if (modes[mode].average < least) continue;
       kept.omega.push_back(all.omega[l]);

@@ -21,8 +21,8 @@ TEST(BodyRefusal, NamesTheBodyAndTheRule) {
       {"extent", [](Body& body) { body.extent = -1.0; }},
       {"cutoff", [](Body& body) { body.cutoff = std::numeric_limits<double>::infinity(); }},
       {"max_half_width", [](Body& body) { body.max_half_width = not_a_number; }},
-      {"one length", [](Body& body) { body.groups[0].radial.pop_back(); }},
-      {"finite amplitudes", [](Body& body) { body.groups[0].tangential[0] = not_a_number; }},
+      {"one length", [](Body& body) { body.groups[0].upper.pop_back(); }},
+      {"finite weights", [](Body& body) { body.groups[0].lower[0] = not_a_number; }},
       {"frequencies", [](Body& body) { body.groups[0].omega[0] = 0.0; }},
       {"frequencies", [](Body& body) { body.groups[0].omega[0] = 1e9; }},
       {"functions", [](Body& body) { body.grid = nullptr; }},
@@ -43,11 +43,11 @@ TEST(BodyRefusal, OfAGridOrAComplianceOfTheWrongSize) {
   test::expect_refusal([&] { (void)impact(body, HardWall{}, 0.1); }, {"body", "grid"});
   for (const Tail tail : {Tail::radiating, Tail::quasistatic}) {
     body = rod(40.0);
-    body.residual_compliance = [](const ContactGrid&, const Poll&) { return std::vector<double>(4, 1.0); };
+    body.residual_compliance = [](const ContactPoints&, const Poll&) { return std::vector<double>(4, 1.0); };
     test::expect_refusal([&] { (void)impact(body, HardWall{tail}, 0.1); }, {"body", "residual"});
   }
   body = rod(40.0);
-  body.residual_second_moment = [](const ContactGrid&, const Poll&) { return std::vector<double>{}; };
+  body.residual_second_moment = [](const ContactPoints&, const Poll&) { return std::vector<double>{}; };
   test::expect_refusal([&] { (void)impact(body, HardWall{}, 0.1); }, {"body", "residual"});
 }
 

@@ -36,7 +36,7 @@ TEST(Curve, HasTheSameBitsForAnyNumberOfThreads) {
 }
 
 TEST(Curve, IsThePointsOneByOne) {
-  const RefinableBody body{disk(0.9)};
+  const RefinableContact body{disk(0.9)};
   const auto curve = restitution_curve(body, {0.2, 0.01, 0.2}, {.tolerance = 3e-3});
   ASSERT_EQ(curve.size(), 3U);
   for (const Restitution& point : curve) {
@@ -56,7 +56,7 @@ TEST(Curve, IsObservedInOrderOnTheCallingThread) {
     EXPECT_EQ(point.finest.speed, speeds(9)[i]);
     order.push_back(i);
   };
-  restitution_curve(RefinableBody(disk(0.33)), speeds(9), {.tolerance = 1e-2, .threads = 4}, observer);
+  restitution_curve(RefinableContact(disk(0.33)), speeds(9), {.tolerance = 1e-2, .threads = 4}, observer);
   EXPECT_EQ(order, (std::vector<std::size_t>{0, 1, 2, 3, 4, 5, 6, 7, 8}));
 }
 
@@ -75,12 +75,12 @@ TEST(Curve, EndsSoonWhenPollOrObserverThrow) {
     seen = i;
     if (i == 2) throw Enough{};
   };
-  EXPECT_THROW(restitution_curve(RefinableBody(disk(0.33)), speeds(50), {.tolerance = 1e-2}, observer), Enough);
+  EXPECT_THROW(restitution_curve(RefinableContact(disk(0.33)), speeds(50), {.tolerance = 1e-2}, observer), Enough);
   EXPECT_EQ(seen, 2U);
 }
 
 TEST(Curve, GoesOnBeyondAPointThatDoesNotConverge) {
-  const auto curve = restitution_curve(RefinableBody(rod()), {0.1, 0.2});
+  const auto curve = restitution_curve(RefinableContact(rod()), {0.1, 0.2});
   ASSERT_EQ(curve.size(), 2U);
   for (const Restitution& point : curve) {
     EXPECT_FALSE(point.converged);
@@ -88,9 +88,9 @@ TEST(Curve, GoesOnBeyondAPointThatDoesNotConverge) {
     EXPECT_NEAR(point.restitution.value, 1.0, point.restitution.error);
   }
   // A body that no wall ever releases.
-  const RefinableBody stuck([](double cutoff, const Poll&) {
+  const RefinableContact stuck([](double cutoff, const Poll&) {
     Body body = rod(cutoff);
-    body.residual_compliance = [](const ContactGrid&, const Poll&) { return std::vector<double>{-1.0}; };
+    body.residual_compliance = [](const ContactPoints&, const Poll&) { return std::vector<double>{-1.0}; };
     return body;
   });
   const auto failed = restitution_curve(stuck, {0.1});
@@ -106,17 +106,17 @@ TEST(Curve, RefusesBadInputBeforeItComputes) {
   const auto observer = [&seen](std::size_t, const Restitution&) { ++seen; };
   test::expect_refusal(
       [&] {
-        restitution_curve(RefinableBody(disk(0.33)), {0.1, 2.0}, {}, observer);
+        restitution_curve(RefinableContact(disk(0.33)), {0.1, 2.0}, {}, observer);
       },
       {"speed", "got 2,"});
   test::expect_refusal(
       [&] {
-        restitution_curve(RefinableBody(disk(0.33)), {0.1, std::nan("")}, {}, observer);
+        restitution_curve(RefinableContact(disk(0.33)), {0.1, std::nan("")}, {}, observer);
       },
       {"speed", "nan"});
-  test::expect_refusal([&] { restitution_curve(RefinableBody(disk(0.33)), {0.1}, {.tolerance = 0.0}, observer); },
+  test::expect_refusal([&] { restitution_curve(RefinableContact(disk(0.33)), {0.1}, {.tolerance = 0.0}, observer); },
                        {"tolerance"});
-  test::expect_refusal([&] { restitution_curve(RefinableBody(disk(0.33)), {0.1}, {.threads = -1}, observer); },
+  test::expect_refusal([&] { restitution_curve(RefinableContact(disk(0.33)), {0.1}, {.threads = -1}, observer); },
                        {"threads", "-1"});
   test::expect_refusal([&] { (void)restitution_curve(1.1, {0.1}); }, {"poisson", "1.1"});
   EXPECT_EQ(seen, 0);

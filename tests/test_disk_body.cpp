@@ -71,7 +71,7 @@ TEST_P(DiskBody, HoldsTheModes) {
 TEST_P(DiskBody, GridHasTheShapesCosAndSinNPhi) {
   const Body body = disk(poisson, 25.0);
   for (const double half_width : {0.02, 0.4, 0.5 * pi}) {
-    const ContactGrid grid = body.grid(half_width, 40);
+    const ContactGrid grid = test::grid_of(body, half_width, 40);
     ASSERT_EQ(grid.coordinate.size(), 40U);
     const double h = 2.0 * grid.coordinate.front();
     EXPECT_GE(40.0 * h, half_width * (1.0 - 1e-12));
@@ -86,8 +86,8 @@ TEST_P(DiskBody, GridHasTheShapesCosAndSinNPhi) {
       EXPECT_NEAR(grid.impedance[i] * (c * c / pressure_speed + s * s / shear_speed), 2.0 * h, 1e-14);
       for (std::size_t g = 0; g < body.groups.size(); ++g) {
         const int n = body.groups[g].order;
-        const double sum = grid.shape[body.groups[g].sum_shape * 40 + i];
-        const double difference = grid.shape[body.groups[g].difference_shape * 40 + i];
+        const double sum = grid.shape[body.groups[g].upper_row * 40 + i];
+        const double difference = grid.shape[body.groups[g].lower_row * 40 + i];
         EXPECT_NEAR(0.5 * (sum + difference), std::cos(n * phi) * c, 1e-13);
         EXPECT_NEAR(0.5 * (sum - difference), -std::sin(n * phi) * s, 1e-13);
       }
@@ -98,13 +98,13 @@ TEST_P(DiskBody, GridHasTheShapesCosAndSinNPhi) {
 TEST_P(DiskBody, GridsOfTheWholeAndOfHalfTheEdgeEndThere) {
   const Body body = disk(poisson, 5.0);
   for (int nodes = 16; nodes < 400; ++nodes) {
-    EXPECT_NEAR(nodes * body.grid(pi, nodes).measure.front(), 2.0 * pi, 1e-12) << nodes;
-    EXPECT_NEAR(nodes * body.grid(0.5 * pi, nodes).measure.front(), pi, 1e-12) << nodes;
+    EXPECT_NEAR(nodes * test::grid_of(body, pi, nodes).measure.front(), 2.0 * pi, 1e-12) << nodes;
+    EXPECT_NEAR(nodes * test::grid_of(body, 0.5 * pi, nodes).measure.front(), pi, 1e-12) << nodes;
   }
 }
 
 TEST_P(DiskBody, RecessKeepsItsDigitsOnATinyGrid) {
-  const ContactGrid grid = disk(poisson, 12.5).grid(1e-4, 16);
+  const ContactGrid grid = test::grid_of(disk(poisson, 12.5), 1e-4, 16);
   for (std::size_t i = 0; i < 16; ++i) {
     const double phi = grid.coordinate[i];
     EXPECT_NEAR(grid.recess[i] / (0.5 * phi * phi * (1.0 - phi * phi / 12.0)), 1.0, 1e-14);
@@ -117,8 +117,8 @@ TEST_P(DiskBody, ResidualComplianceIsTheSumOverOrders) {
   std::map<int, Flexibility> kept;
   for (const Mode& mode : disk_modes(poisson, cutoff)) add(kept[mode.order], mode, -1.0);
   for (const double half_width : {0.05, 0.5, 0.5 * pi}) {
-    const ContactGrid grid = body.grid(half_width, 20);
-    const auto found = body.residual_compliance(grid, {});
+    const ContactGrid grid = test::grid_of(body, half_width, 20);
+    const auto found = body.residual_compliance(grid.points, {});
     const auto expected = double_sum(grid, nyquist(grid), [&](int n) {
       Flexibility r = static_flexibility(poisson, n);
       r.radial += kept[n].radial;
@@ -134,13 +134,13 @@ TEST_P(DiskBody, ResidualComplianceIsTheSumOverOrders) {
 TEST_P(DiskBody, ResidualSecondMomentIsThatOfTheModesThemselves) {
   // What V loses between two cutoffs is what the modes between them hold; and V is positive.
   const Body low = disk(poisson, 20.0), high = disk(poisson, 80.0);
-  const ContactGrid grid = low.grid(0.5, 24);
+  const ContactGrid grid = test::grid_of(low, 0.5, 24);
   std::map<int, Flexibility> between;
   for (const Mode& mode : disk_modes(poisson, 80.0)) {
     if (mode.omega > 20.0) add(between[mode.order], mode, 1.0 / (mode.omega * mode.omega));
   }
   const auto expected = double_sum(grid, nyquist(grid), [&](int n) { return between[n]; });
-  const auto v_low = low.residual_second_moment(grid, {}), v_high = high.residual_second_moment(grid, {});
+  const auto v_low = low.residual_second_moment(grid.points, {}), v_high = high.residual_second_moment(grid.points, {});
   // The lower cutoff leaves out orders above 160, the higher one keeps none of them.
   for (std::size_t k = 0; k < expected.size(); ++k) EXPECT_NEAR(v_low[k] - v_high[k], expected[k], 1e-7);
   EXPECT_GT(std::abs(expected[0]), 1e-5);
@@ -162,21 +162,21 @@ TEST_P(DiskBody, StaticSecondMomentIsTheSumOverTheModes) {
 
 TEST_P(DiskBody, GridMayCoverTheWholeEdge) {
   const Body body = disk(poisson, 12.5);
-  const auto w = body.residual_compliance(body.grid(pi, 40), {});
+  const auto w = body.residual_compliance(test::grid_of(body, pi, 40), {});
   EXPECT_NO_THROW(Complementarity(w, 40));
 }
 
 TEST_P(DiskBody, ResidualComplianceIsThatOfTheModesThemselves) {
   // No closed form here: what W loses between two cutoffs is what the modes between them hold.
   const Body low = disk(poisson, 20.0), high = disk(poisson, 80.0);
-  const ContactGrid grid = low.grid(0.5, 24), same = high.grid(0.5, 24);
+  const ContactGrid grid = test::grid_of(low, 0.5, 24), same = test::grid_of(high, 0.5, 24);
   ASSERT_EQ(grid.coordinate, same.coordinate);
   std::map<int, Flexibility> between;
   for (const Mode& mode : disk_modes(poisson, 80.0)) {
     if (mode.omega > 20.0) add(between[mode.order], mode, 1.0);
   }
   const auto expected = double_sum(grid, nyquist(grid), [&](int n) { return between[n]; });
-  const auto w_low = low.residual_compliance(grid, {}), w_high = high.residual_compliance(same, {});
+  const auto w_low = low.residual_compliance(grid.points, {}), w_high = high.residual_compliance(same.points, {});
   double largest = 0.0;
   for (std::size_t k = 0; k < expected.size(); ++k) {
     EXPECT_NEAR(w_low[k] - w_high[k], expected[k], 1e-13);
@@ -189,7 +189,7 @@ TEST_P(DiskBody, ResidualComplianceIsSymmetricPositiveDefinite) {
   for (const double cutoff : {12.5, 50.0}) {
     const Body body = disk(poisson, cutoff);
     for (const double half_width : {0.01, 0.3, 0.5 * pi}) {
-      const auto w = body.residual_compliance(body.grid(half_width, 64), {});
+      const auto w = body.residual_compliance(test::grid_of(body, half_width, 64), {});
       for (std::size_t i = 0; i < 64; ++i) {
         EXPECT_GT(w[i * 64 + i], 0.0);
         for (std::size_t j = 0; j < i; ++j) EXPECT_EQ(w[i * 64 + j], w[j * 64 + i]);

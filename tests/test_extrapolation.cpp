@@ -38,7 +38,7 @@ class Points : public testing::TestWithParam<std::pair<double, std::vector<doubl
 
 TEST_P(Points, MeetTheHardWallWithinBothErrors) {
   const auto& [poisson, speeds] = GetParam();
-  const RefinableBody body(disk(poisson));
+  const RefinableContact body(disk(poisson));
   std::vector<double> relative_errors;
   for (const double speed : speeds) {
     const Restitution hard = restitution(body, speed);

@@ -27,7 +27,7 @@ class RandomField : public ::testing::Test {
  protected:
   const double poisson = 0.33;
   const Body body = disk(poisson, 12.5);
-  const ContactGrid contact = body.grid(0.6, 64);
+  const ContactGrid contact = test::grid_of(body, 0.6, 64);
   std::vector<double> coordinate, force;
 
   void SetUp() override {
@@ -38,7 +38,7 @@ class RandomField : public ::testing::Test {
   }
 
   [[nodiscard]] Field at(std::vector<double> radius, std::vector<double> angle) const {
-    return DiskField(poisson, body, contact, {std::move(radius), std::move(angle)}).at(coordinate, force);
+    return DiskField(poisson, body, contact.points, {std::move(radius), std::move(angle)}).at(coordinate, force);
   }
 };
 
@@ -97,10 +97,10 @@ TEST(FieldMeasure, IsThatOfKnownStates) {
 
 TEST(FieldInput, IsRefusedOutOfRange) {
   const Body body = disk(0.33, 5.0);
-  const ContactGrid contact = body.grid(0.5, 20);
+  const ContactGrid contact = test::grid_of(body, 0.5, 20);
   const double nan = std::nan(""), infinity = std::numeric_limits<double>::infinity();
   const auto make = [&](std::vector<double> radius, std::vector<double> angle) {
-    return [&, points = PolarGrid{radius, angle}] { (void)DiskField(0.33, body, contact, points); };
+    return [&, points = PolarGrid{radius, angle}] { (void)DiskField(0.33, body, contact.points, points); };
   };
   test::expect_refusal(make({0.5, 1.01}, {0.0}), {"radius", "1.01", "0 to 1"});
   test::expect_refusal(make({-0.1}, {0.0}), {"radius", "-0.1", "0 to 1"});
@@ -110,11 +110,14 @@ TEST(FieldInput, IsRefusedOutOfRange) {
   test::expect_refusal(make({}, {0.0}), {"radius count", "got 0"});
   test::expect_refusal(make({0.5}, {}), {"angle count", "got 0"});
   const PolarGrid points{{0.5}, {0.0}};
-  test::expect_refusal([&] { (void)DiskField(1.5, body, contact, points); }, {"poisson", "1.5", "-0.95 to 0.995"});
-  test::expect_refusal([&] { (void)DiskField(0.3301, body, contact, points); }, {"poisson", "0.3301", body.name});
+  test::expect_refusal([&] { (void)DiskField(1.5, body, contact.points, points); },
+                       {"poisson", "1.5", "-0.95 to 0.995"});
+  test::expect_refusal([&] { (void)DiskField(0.3301, body, contact.points, points); },
+                       {"poisson", "0.3301", body.name});
   test::expect_refusal([&] { (void)DiskField(0.33, body, {}, points); }, {"contact nodes", "got 0"});
-  test::expect_refusal([&] { (void)DiskField(0.33, body, rod(10.0).grid(0.0, 1), points); }, {"contact node", "got 0"});
-  test::expect_refusal([&] { (void)DiskField(0.33, rod(10.0), contact, points); }, {"poisson", "rod"});
+  test::expect_refusal([&] { (void)DiskField(0.33, body, test::grid_of(rod(10.0), 0.0, 1), points); },
+                       {"contact node", "got 0"});
+  test::expect_refusal([&] { (void)DiskField(0.33, rod(10.0), contact.points, points); }, {"poisson", "rod"});
 
   const DiskField field(0.33, body, contact, points);
   const std::vector<double> coordinate(mode_count(body), 0.0), force(20, 0.0);

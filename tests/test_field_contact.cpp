@@ -37,11 +37,11 @@ class FieldInAnImpact : public ::testing::TestWithParam<Tail> {
       coordinate.assign(now.coordinate.begin(), now.coordinate.end());
       force.assign(now.node_force.begin(), now.node_force.end());
     });
-    contact = body.grid(result.half_width, result.nodes);
+    contact = test::grid_of(body, result.half_width, result.nodes);
   }
 
   [[nodiscard]] Field on_edge(const std::vector<double>& angle) const {
-    return DiskField(0.33, body, contact, {{1.0}, angle}).at(coordinate, force);
+    return DiskField(0.33, body, contact.points, {{1.0}, angle}).at(coordinate, force);
   }
 };
 
@@ -100,7 +100,7 @@ TEST_P(FieldInAnImpact, HasItsGreatestShearBelowTheSurface) {
   collide(1e-4);
   PolarGrid axis{{}, {0.0}};
   for (int i = 0; i <= 1000; ++i) axis.radius.push_back(1.0 - 0.002 * i * half_width);
-  const Field field = DiskField(0.33, body, contact, axis).at(coordinate, force);
+  const Field field = DiskField(0.33, body, contact.points, axis).at(coordinate, force);
   const std::vector<double> difference = principal_difference(field);
   const auto deepest = std::max_element(difference.begin(), difference.end()) - difference.begin();
   const double depth = 0.002 * static_cast<double>(deepest);

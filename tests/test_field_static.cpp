@@ -43,10 +43,10 @@ class StaticFieldUnderForces : public ::testing::TestWithParam<double> {
  protected:
   const double poisson = GetParam();
   const Body body = disk(poisson, 12.5);
-  const ContactGrid contact = body.grid(0.6, 64);  // Nyquist order 335
+  const ContactGrid contact = test::grid_of(body, 0.6, 64);  // Nyquist order 335
 
   [[nodiscard]] Field at_rest(const std::vector<double>& force, const PolarGrid& points) const {
-    return DiskField(poisson, body, contact, points).at(test::static_coordinates(body, contact, force), force);
+    return DiskField(poisson, body, contact.points, points).at(test::static_coordinates(body, contact, force), force);
   }
 
   [[nodiscard]] std::vector<double> single(std::size_t node, double force) const {
@@ -147,7 +147,8 @@ TEST_P(StaticFieldUnderForces, HasTheKeptModesItsLoadsExcite) {
   const Field field = disk_field.at(std::vector<double>(mode_count(body), 0.0), force);
   for (const ModeGroup& group : body.groups) {
     for (const std::size_t l : {std::size_t{0}, group.omega.size() - 1}) {
-      const Mode mode{group.order, static_cast<int>(l), group.omega[l], group.radial[l], group.tangential[l]};
+      const Mode mode{group.order, static_cast<int>(l), group.omega[l], group.upper[l] + group.lower[l],
+                      group.upper[l] - group.lower[l]};
       const std::vector<Displacement> shape = displacement(poisson, mode, rule.radius);
       double product = 0.0;
       for (std::size_t i = 0; i < rule.radius.size(); ++i) {
@@ -168,7 +169,7 @@ TEST_P(StaticFieldUnderForces, DoesNotDependOnTheCutoff) {
   const PolarGrid points{{0.0, 0.4, 0.9, 1.0}, {0.0, 0.1, 0.7, 2.0, pi}};
   for (const std::vector<double>& force : {single(0, 1.0), several()}) {
     const Field coarse = at_rest(force, points);
-    const Field fine = DiskField(poisson, finer, finer.grid(0.6, 64), points)
+    const Field fine = DiskField(poisson, finer, test::grid_of(finer, 0.6, 64), points)
                            .at(test::static_coordinates(finer, contact, force), force);
     const double largest = *std::max_element(fine.stress_pp.begin(), fine.stress_pp.end(),
                                              [](double a, double b) { return std::abs(a) < std::abs(b); });

@@ -33,7 +33,7 @@ class Identity : public ::testing::TestWithParam<std::tuple<double, WallCase, do
   const Body body = is_rod ? rod(50.0) : disk(poisson, is_soft() ? 12.5 : 25.0);
   // All of a rod's end touches and leaves at once, which a static tail without mass answers with a rattle: fewer, but
   // finer steps. With the radiating tail nothing is gained from them.
-  const double step = recommended_step(body, wall, speed) * (is_rod ? 0.125 : 1.0);
+  const double step = recommended_step(contact(body, wall), speed) * (is_rod ? 0.125 : 1.0);
 
   [[nodiscard]] Wall make_wall() const {
     switch (wall_case) {

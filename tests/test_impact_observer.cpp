@@ -168,8 +168,8 @@ TEST(ImpactResult, CarriesItsInputs) {
   EXPECT_EQ(result.step, 0.004);
   EXPECT_EQ(result.nodes, 150);
   const Impact usual = impact(body, HardWall{}, 0.07);
-  EXPECT_EQ(usual.step, recommended_step(body, HardWall{}, 0.07));
-  EXPECT_EQ(usual.nodes, recommended_nodes(body, HardWall{}, 0.07));
+  EXPECT_EQ(usual.step, recommended_step(contact(body, HardWall{}), 0.07));
+  EXPECT_EQ(usual.nodes, recommended_nodes(contact(body, HardWall{}), 0.07));
 }
 
 TEST(ImpactResult, FlagsWhatIsBeyondSmallStrain) {

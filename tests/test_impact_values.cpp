@@ -46,7 +46,8 @@ class SoftWallValues : public ::testing::Test {
   /// With the step refined to a quarter of the usual one.
   static Impact refined(double cutoff) {
     const Body body = disk(0.33, cutoff);
-    return impact(body, ExponentialWall{}, 0.1, {.step = 0.25 * recommended_step(body, ExponentialWall{}, 0.1)});
+    return impact(body, ExponentialWall{}, 0.1,
+                  {.step = 0.25 * recommended_step(contact(body, ExponentialWall{}), 0.1)});
   }
 };
 

@@ -89,9 +89,9 @@ TEST(ModeSelection, IsRefusedByAHardWall) {
   for (const Tail tail : {Tail::radiating, Tail::quasistatic}) {
     test::expect_refusal([&] { (void)impact(most, HardWall{tail}, speed); }, {"body", "hard wall", most.name});
   }
-  const ContactGrid grid = most.grid(0.3, 32);
-  test::expect_refusal([&] { (void)most.residual_compliance(grid, {}); }, {"exponential"});
-  test::expect_refusal([&] { (void)most.residual_second_moment(grid, {}); }, {"exponential"});
+  const ContactGrid grid = test::grid_of(most, 0.3, 32);
+  test::expect_refusal([&] { (void)most.residual_compliance(grid.points, {}); }, {"exponential"});
+  test::expect_refusal([&] { (void)most.residual_second_moment(grid.points, {}); }, {"exponential"});
 }
 
 TEST(ModeSelection, RefusesFlagsThatDoNotFit) {
@@ -114,17 +114,17 @@ TEST(ModeSelection, IsAnotherBodyToLookAt) {
   last.back() = false;
   const Body some = with_modes(body, first);
   const Impact result = impact(some, soft, speed);
-  EXPECT_NO_THROW((void)motion(some, result, {1.0}));
-  test::expect_refusal([&] { (void)motion(body, result, {1.0}); }, {"body"});
+  EXPECT_NO_THROW((void)motion(contact(some), result, {1.0}));
+  test::expect_refusal([&] { (void)motion(contact(body), result, {1.0}); }, {"body"});
   // As many modes, and the same name, but others.
-  test::expect_refusal([&] { (void)motion(with_modes(body, last), result, {1.0}); }, {"body"});
+  test::expect_refusal([&] { (void)motion(contact(with_modes(body, last)), result, {1.0}); }, {"body"});
 }
 
 TEST(ModeEnergies, AreThoseOfTheLedgerAndOfTheMotion) {
   const Body body = disk(0.33, 12.5);
   const Impact result = impact(body, soft, speed);
   const double initial = 0.5 * body.mass * speed * speed;
-  const std::vector<double> after = mode_energies(body, result.final_state);
+  const std::vector<double> after = mode_energies(contact(body), result.final_state);
   ASSERT_EQ(after.size(), result.energy.modes.size());
   for (std::size_t k = 0; k < after.size(); ++k) {
     EXPECT_NEAR(after[k] / initial, result.energy.modes[k].after, 1e-12);
@@ -133,11 +133,11 @@ TEST(ModeEnergies, AreThoseOfTheLedgerAndOfTheMotion) {
   (void)impact(body, soft, speed, {}, [&](const Snapshot& now) {
     if (now.time <= 3.0) vibration = now.vibration;
   });
-  const std::vector<Frame> frames = motion(body, result, {3.0 - 0.5 * result.step});
+  const std::vector<Frame> frames = motion(contact(body), result, {3.0 - 0.5 * result.step});
   double sum = 0.0;
-  for (const double energy : mode_energies(body, frames[0].state)) sum += energy / initial;
+  for (const double energy : mode_energies(contact(body), frames[0].state)) sum += energy / initial;
   EXPECT_NEAR(sum, vibration, 1e-10);
-  test::expect_refusal([&] { (void)mode_energies(body, {}); }, {"state"});
+  test::expect_refusal([&] { (void)mode_energies(contact(body), {}); }, {"state"});
 }
 
 }  // namespace

@@ -24,7 +24,7 @@ TEST(Motion, IsTheImpactItself) {
   });
   std::vector<double> times;
   for (std::size_t i = 0; i < centers.size(); i += 7) times.push_back(static_cast<double>(i) * result.step);
-  const std::vector<Frame> frames = motion(body, result, times);
+  const std::vector<Frame> frames = motion(contact(body), result, times);
   ASSERT_EQ(frames.size(), times.size());
   for (std::size_t i = 0; i < frames.size(); ++i) {
     EXPECT_EQ(frames[i].time, times[i]);
@@ -39,7 +39,8 @@ TEST(Motion, IsTheImpactItself) {
 TEST(Motion, GoesToTheNearestStep) {
   const Body body = disk(0.33, 12.5);
   const Impact result = impact(body, HardWall{}, 0.1);
-  const std::vector<Frame> frames = motion(body, result, {10.4 * result.step, 10.6 * result.step, 10.6 * result.step});
+  const std::vector<Frame> frames =
+      motion(contact(body), result, {10.4 * result.step, 10.6 * result.step, 10.6 * result.step});
   EXPECT_DOUBLE_EQ(frames[0].time, 10.0 * result.step);
   EXPECT_DOUBLE_EQ(frames[1].time, 11.0 * result.step);
   EXPECT_DOUBLE_EQ(frames[2].time, 11.0 * result.step);
@@ -49,7 +50,7 @@ TEST(Motion, IsFreeBeforeAndAfter) {
   const Body body = disk(0.33, 12.5);
   const Impact result = impact(body, HardWall{}, 0.1);
   const double end = static_cast<double>(result.steps) * result.step;
-  const std::vector<Frame> frames = motion(body, result, {-2.0, 0.0, end, end + 3.0});
+  const std::vector<Frame> frames = motion(contact(body), result, {-2.0, 0.0, end, end + 3.0});
   EXPECT_NEAR(frames[0].state.center, frames[1].state.center - 0.2, 1e-12);
   for (const double coordinate : frames[0].state.coordinate) EXPECT_EQ(coordinate, 0.0);
   EXPECT_EQ(frames[2].state.coordinate, result.final_state.coordinate);
@@ -71,7 +72,7 @@ TEST(Motion, IsFreeBeforeAndAfter) {
 TEST(Motion, FreeMotionGoesBothWays) {
   const Body body = disk(0.33, 12.5);
   const State state = impact(body, HardWall{}, 0.1).final_state;
-  const State back = free_motion(body, free_motion(body, state, 5.0), -5.0);
+  const State back = free_motion(contact(body), free_motion(contact(body), state, 5.0), -5.0);
   EXPECT_NEAR(back.center, state.center, 1e-14);
   for (std::size_t k = 0; k < state.coordinate.size(); ++k) {
     EXPECT_NEAR(back.coordinate[k], state.coordinate[k], 1e-14);
@@ -83,7 +84,7 @@ TEST(Motion, FreeMotionTurnsEachModeAtItsFrequency) {
   const Body body = disk(0.33, 12.5);
   const State state = impact(body, HardWall{}, 0.1).final_state;
   const double time = 0.7;
-  const State later = free_motion(body, state, time);
+  const State later = free_motion(contact(body), state, time);
   EXPECT_EQ(later.velocity, state.velocity);
   std::size_t k = 0;
   for (const ModeGroup& group : body.groups) {
@@ -99,7 +100,7 @@ TEST(Motion, FreeMotionTurnsEachModeAtItsFrequency) {
 TEST(Motion, OfARodHasOneNode) {
   const Body body = rod(40.0);
   const Impact result = impact(body, HardWall{}, 0.1);
-  const std::vector<Frame> frames = motion(body, result, {0.5, 1.0, 100.0});
+  const std::vector<Frame> frames = motion(contact(body), result, {0.5, 1.0, 100.0});
   ASSERT_EQ(frames[1].node_force.size(), 1U);
   EXPECT_NEAR(frames[1].node_force[0], frames[1].force, 1e-15);
   EXPECT_EQ(frames[2].node_force, std::vector<double>{0.0});
@@ -108,12 +109,12 @@ TEST(Motion, OfARodHasOneNode) {
 TEST(Motion, RefusesWhatDoesNotFit) {
   const Body body = disk(0.33, 12.5);
   const Impact result = impact(body, HardWall{}, 0.1);
-  test::expect_refusal([&] { (void)motion(disk(0.33, 15.0), result, {0.0}); }, {"body"});
-  test::expect_refusal([&] { (void)motion(disk(0.3, 12.5), result, {0.0}); }, {"body"});
-  test::expect_refusal([&] { (void)motion(body, result, {1.0, 0.5}); }, {"time", "ascend"});
-  test::expect_refusal([&] { (void)motion(body, result, {std::nan("")}); }, {"time", "nan"});
-  test::expect_refusal([&] { (void)motion(body, result, {1e300}); }, {"time"});
-  EXPECT_TRUE(motion(body, result, {}).empty());
+  test::expect_refusal([&] { (void)motion(contact(disk(0.33, 15.0)), result, {0.0}); }, {"body"});
+  test::expect_refusal([&] { (void)motion(contact(disk(0.3, 12.5)), result, {0.0}); }, {"body"});
+  test::expect_refusal([&] { (void)motion(contact(body), result, {1.0, 0.5}); }, {"time", "ascend"});
+  test::expect_refusal([&] { (void)motion(contact(body), result, {std::nan("")}); }, {"time", "nan"});
+  test::expect_refusal([&] { (void)motion(contact(body), result, {1e300}); }, {"time"});
+  EXPECT_TRUE(motion(contact(body), result, {}).empty());
 }
 
 }  // namespace

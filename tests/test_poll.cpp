@@ -27,7 +27,7 @@ const Body& body() {
 }
 
 const ContactGrid& grid() {
-  static const ContactGrid made = body().grid(0.5, 200);
+  static const ContactGrid made = test::grid_of(body(), 0.5, 200);
   return made;
 }
 
@@ -49,17 +49,20 @@ const std::map<std::string, Job>& jobs() {
       {"modes", {24, [](const Poll& poll) { (void)disk_modes(0.33, 12.0, poll); }}},
       {"displacement", {100, [](const Poll& poll) { (void)displacement(0.33, modes[0], points.radius, poll); }}},
       {"disk", {24, [](const Poll& poll) { (void)disk(0.33, 12.0, poll); }}},
-      {"W", {25, [](const Poll& poll) { (void)body().residual_compliance(grid(), poll); }}},
-      {"V", {100, [](const Poll& poll) { (void)body().residual_second_moment(grid(), poll); }}},
+      {"W", {25, [](const Poll& poll) { (void)body().residual_compliance(grid().points, poll); }}},
+      {"V", {100, [](const Poll& poll) { (void)body().residual_second_moment(grid().points, poll); }}},
       {"inverse",
-       {14, [](const Poll& poll) { (void)Complementarity(body().residual_compliance(grid(), {}), 200, poll); }}},
+       {14, [](const Poll& poll) { (void)Complementarity(body().residual_compliance(grid().points, {}), 200, poll); }}},
       {"static tail",
        {40,
-        [](const Poll& poll) { (void)make_response(HardWall{Tail::quasistatic}, body(), grid(), 0.1, 0.01, poll); }}},
+        [](const Poll& poll) {
+          (void)make_response(contact(body(), HardWall{Tail::quasistatic}), grid(), 0.1, 0.01, poll);
+        }}},
       {"radiating tail",
-       {150, [](const Poll& poll) { (void)make_response(HardWall{}, body(), grid(), 0.1, 0.01, poll); }}},
+       {150, [](const Poll& poll) { (void)make_response(contact(body(), HardWall{}), grid(), 0.1, 0.01, poll); }}},
       {"impact", {400, [](const Poll& poll) { (void)impact(body(), HardWall{}, 0.1, {.poll = poll}); }}},
-      {"motion", {5000, [](const Poll& poll) { (void)motion(body(), hit(), std::vector<double>(5000, 1e3), poll); }}},
+      {"motion",
+       {5000, [](const Poll& poll) { (void)motion(contact(body()), hit(), std::vector<double>(5000, 1e3), poll); }}},
       {"restitution",
        {400, [](const Poll& poll) { (void)restitution(disk(0.33), 0.1, {.tolerance = 1e-2, .poll = poll}); }}},
       {"extrapolation",
@@ -67,9 +70,11 @@ const std::map<std::string, Job>& jobs() {
         [](const Poll& poll) {
           (void)extrapolated_restitution(0.33, 0.1, {{8, 9, 10}, {}, poll});
         }}},
-      {"points of a field", {1000, [](const Poll& poll) { (void)DiskField(0.33, body(), grid(), points, poll); }}},
+      {"points of a field",
+       {1000, [](const Poll& poll) { (void)DiskField(0.33, body(), grid().points, points, poll); }}},
       {"field",
-       {100, [](const Poll& poll) { (void)DiskField(0.33, body(), grid(), points).at(coordinate, force, poll); }}},
+       {100,
+        [](const Poll& poll) { (void)DiskField(0.33, body(), grid().points, points).at(coordinate, force, poll); }}},
       {"static contact", {60, [](const Poll& poll) { (void)static_contact(0.33, 0.01, {.poll = poll}); }}},
       {"soft static contact",
        {20,

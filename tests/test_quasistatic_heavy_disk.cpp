@@ -182,7 +182,7 @@ TEST(QuasistaticHeavyDisk, IsTheStaticFieldOfTheDisk) {
   const auto compare = [&](const ContactGrid& grid, const std::vector<double>& node_force, HeavyDiskContact contact,
                            double force, double share) {
     const Field field =
-        DiskField(poisson, body, grid, points).at(test::static_coordinates(body, grid, node_force), node_force);
+        DiskField(poisson, body, grid.points, points).at(test::static_coordinates(body, grid, node_force), node_force);
     std::size_t k = 0;
     for (const double r : points.radius) {
       for (const double phi : points.angle) {
@@ -197,7 +197,7 @@ TEST(QuasistaticHeavyDisk, IsTheStaticFieldOfTheDisk) {
     }
   };
   // One node and its mirror image, 2e-4 apart.
-  const ContactGrid fine = body.grid(3.2e-3, 16);
+  const ContactGrid fine = test::grid_of(body, 3.2e-3, 16);
   std::vector<double> single(fine.coordinate.size(), 0.0);
   single.front() = 1e-3;
   compare(fine, single, HeavyDiskContact::point, 1e-3, 1e-6);
@@ -205,7 +205,7 @@ TEST(QuasistaticHeavyDisk, IsTheStaticFieldOfTheDisk) {
   for (const double delta : {6e-4, 6e-3, 6e-2}) {
     const StaticContact exact = static_contact(poisson, delta, {.nodes = 64});
     const auto nodes = static_cast<int>(exact.position.size());
-    const ContactGrid grid = body.grid((1.0 - 1e-12) * nodes * exact.spacing, nodes);
+    const ContactGrid grid = test::grid_of(body, (1.0 - 1e-12) * nodes * exact.spacing, nodes);
     EXPECT_NEAR(grid.coordinate.back(), exact.position.back(), 1e-14);
     std::vector<double> forces;
     for (const double p : exact.pressure) forces.push_back(2.0 * exact.spacing * p / pi);

@@ -129,7 +129,7 @@ TEST(Rayleigh, IsNearTheFullSolutionOfSlowImpacts) {
     double speed, full, estimate, full_quadrupole, estimate_quadrupole;
     bool beyond;
   };
-  const RefinableBody body(disk(0.33));
+  const RefinableContact body(disk(0.33));
   const std::vector<Mode> modes = disk_modes(0.33, 60.0);
   for (const auto& expected : {Expected{1e-08, 0.00396, 0.00491, 0.00192, 0.00313, false},
                                {1e-07, 0.00630, 0.00641, 0.00471, 0.00542, false},

@@ -26,12 +26,16 @@ TEST(Resolution, RefusesNodesThatAliasTheKeptModes) {
 
 TEST(Resolution, RefusesNonsense) {
   const Body body = disk(0.33, 12.5);
-  test::expect_refusal([&] { (void)recommended_step(body, HardWall{}, std::nan("")); }, {"speed", "nan"});
-  test::expect_refusal([&] { (void)recommended_nodes(body, ExponentialWall{-5.0, 1.0}, 0.1); }, {"hardness", "-5"});
-  test::expect_refusal([&] { (void)body.grid(std::nan(""), 32); }, {"half_width", "nan"});
-  test::expect_refusal([&] { (void)body.grid(1e-4, 1'000'000); }, {"nodes"});
-  EXPECT_TRUE(body.residual_compliance(ContactGrid{}, {}).empty());
-  EXPECT_TRUE(body.residual_second_moment(ContactGrid{}, {}).empty());
+  test::expect_refusal([&] { (void)recommended_step(contact(body, HardWall{}), std::nan("")); }, {"speed", "nan"});
+  test::expect_refusal(
+      [&] {
+        (void)recommended_nodes(contact(body, ExponentialWall{-5.0, 1.0}), 0.1);
+      },
+      {"hardness", "-5"});
+  test::expect_refusal([&] { (void)test::grid_of(body, std::nan(""), 32); }, {"half_width", "nan"});
+  test::expect_refusal([&] { (void)test::grid_of(body, 1e-4, 1'000'000); }, {"nodes"});
+  EXPECT_TRUE(body.residual_compliance(ContactPoints{1.0, 0.1, 0}, {}).empty());
+  EXPECT_TRUE(body.residual_second_moment(ContactPoints{1.0, 0.1, 0}, {}).empty());
   test::expect_refusal([&] { (void)impact(body, HardWall{}, 0.1, {.half_width = 4.0}); }, {"half_width", "4"});
   test::expect_refusal([&] { (void)impact(body, HardWall{}, 0.1, {.half_width = std::nan("")}); }, {"half_width"});
 }

@@ -34,7 +34,7 @@ TEST(Restitution, OfARodIsOneWithinItsError) {
 }
 
 TEST(Restitution, MeetsItsToleranceAndSaysHow) {
-  const RefinableBody body(disk(0.33));
+  const RefinableContact body(disk(0.33));
   std::size_t runs = 0;
   for (const double tolerance : {1e-2, 1e-3, 1e-4}) {
     const Restitution result = restitution(body, 0.1, {.tolerance = tolerance});
@@ -81,7 +81,7 @@ TEST(Restitution, RecordsRunsThatCanBeRepeated) {
 }
 
 TEST(Restitution, DoesNotDependOnHowTheBodyIsGiven) {
-  const RefinableBody body(disk(0.5));
+  const RefinableContact body(disk(0.5));
   const Restitution one = restitution(body, 0.1), two = restitution(disk(0.5), 0.1), three = restitution(body, 0.1);
   EXPECT_EQ(one.lost_fraction.value, two.lost_fraction.value);
   EXPECT_EQ(one.lost_fraction.error, two.lost_fraction.error);
@@ -90,7 +90,7 @@ TEST(Restitution, DoesNotDependOnHowTheBodyIsGiven) {
 
 TEST(Restitution, CoversTheWholeRange) {
   for (const double poisson : {-0.95, 0.0, 0.995}) {
-    const RefinableBody body{disk(poisson)};
+    const RefinableContact body{disk(poisson)};
     for (const double speed : {1e-8, 1e-5, 0.02, 0.5, 1.0}) {
       const Restitution result = restitution(body, speed, {.tolerance = 0.05});
       EXPECT_TRUE(result.converged) << poisson << ", " << speed;
@@ -102,7 +102,7 @@ TEST(Restitution, CoversTheWholeRange) {
 }
 
 TEST(Restitution, WhatCannotConvergeEndsWithTheBestValue) {
-  const RefinableBody body{disk(0.33)};
+  const RefinableContact body{disk(0.33)};
   try {
     (void)restitution(body, 0.3, {.tolerance = 1e-12});
     FAIL();
@@ -168,19 +168,19 @@ TEST(Restitution, RefusesBadInput) {
   test::expect_refusal([] { (void)restitution(BodyMaker{}, 0.1); }, {"body", "function"});
 }
 
-TEST(RefinableBody, MakesEachLevelOnce) {
+TEST(RefinableContact, MakesEachLevelOnce) {
   int made = 0;
-  const RefinableBody body([&made](double cutoff, const Poll&) {
+  const RefinableContact body([&made](double cutoff, const Poll&) {
     ++made;
     return rod(cutoff);
   });
-  const RefinableBody copy = body;
+  const RefinableContact copy = body;
   EXPECT_EQ(&body.at(3), &copy.at(3));
   EXPECT_EQ(made, 1);
-  EXPECT_EQ(body.at(3).cutoff, RefinableBody::cutoff(3));
-  EXPECT_DOUBLE_EQ(RefinableBody::cutoff(8), 32.0);
+  EXPECT_EQ(body.at(3).cutoff, RefinableContact::cutoff(3));
+  EXPECT_DOUBLE_EQ(RefinableContact::cutoff(8), 32.0);
   test::expect_refusal([&] { (void)body.at(-1); }, {"level", "-1"});
-  test::expect_refusal([&] { (void)body.at(RefinableBody::highest_level + 1); }, {"level"});
+  test::expect_refusal([&] { (void)body.at(RefinableContact::highest_level + 1); }, {"level"});
 }
 
 TEST(Version, HasThreeNumbers) {

@@ -49,7 +49,7 @@ TEST(RestitutionLadder, EndsEarlyWhereErrorsFallTooSlowly) {
 TEST(RestitutionLadder, EndsEarlyForToleranceOutOfReach) {
   const Restitution best = given_up(0.99, 1.0, 1e-7);
   EXPECT_LT(best.steps, 12'000);
-  EXPECT_LT(best.finest.cutoff, RefinableBody::cutoff(RefinableBody::highest_level));
+  EXPECT_LT(best.finest.cutoff, RefinableContact::cutoff(RefinableContact::highest_level));
   EXPECT_LT(best.lost_fraction.error, 1e-4 * best.lost_fraction.value);
   EXPECT_NE(best.reason.find("cutoff"), std::string::npos) << best.reason;
 }
@@ -79,7 +79,7 @@ TEST(RestitutionLadder, ObserverOfACurveIsCalledByTheThreadThatWaits) {
   };
   // Long enough for the thread that waits to look in.
   const auto results =
-      restitution_curve(RefinableBody(disk(0.33)), {0.1}, {.tolerance = 2e-5, .attempt_observer = observer});
+      restitution_curve(RefinableContact(disk(0.33)), {0.1}, {.tolerance = 2e-5, .attempt_observer = observer});
   EXPECT_GT(last, 0.0);
   EXPECT_LE(last, results.at(0).finest.cutoff);
 }

@@ -21,14 +21,14 @@ TEST(RodBody, HasModesAtMultiplesOfPiAndTheComplianceOfTheOthers) {
   double kept = 0.0;
   for (std::size_t i = 0; i < 31; ++i) {
     EXPECT_DOUBLE_EQ(body.groups[0].omega[i], (static_cast<double>(i) + 1.0) * std::numbers::pi);
-    EXPECT_DOUBLE_EQ(body.groups[0].radial[i], std::numbers::sqrt2);
+    EXPECT_DOUBLE_EQ(body.groups[0].upper[i], std::numbers::sqrt2);
     kept += 2.0 / (body.groups[0].omega[i] * body.groups[0].omega[i]);
   }
-  const ContactGrid grid = body.grid(0.0, 1);
+  const ContactGrid grid = test::grid_of(body, 0.0, 1);
   ASSERT_EQ(grid.coordinate.size(), 1U);
   EXPECT_EQ(grid.impedance.front(), 1.0);
-  EXPECT_NEAR(body.residual_compliance(grid, {}).front(), 1.0 / 3.0 - kept, 1e-15);
-  EXPECT_NEAR(body.residual_compliance(grid, {}).front(), 2.0 / (std::numbers::pi * 100.0), 1e-4);
+  EXPECT_NEAR(body.residual_compliance(grid.points, {}).front(), 1.0 / 3.0 - kept, 1e-15);
+  EXPECT_NEAR(body.residual_compliance(grid.points, {}).front(), 2.0 / (std::numbers::pi * 100.0), 1e-4);
   EXPECT_EQ(body.mass, 1.0);
 }
 

@@ -25,13 +25,13 @@ class ValidationSample : public ::testing::TestWithParam<double> {};
 
 TEST_P(ValidationSample, HasHonestErrors) {
   const double tolerance = GetParam();
-  std::map<double, RefinableBody> disks;
+  std::map<double, RefinableContact> disks;
   std::vector<double> padding;  // estimated over true error
   int points = 0, within = 0;
   for (const auto& row : sample()) {
     const double poisson = row.number("poisson"), speed = row.number("speed");
     SCOPED_TRACE(::testing::Message() << "poisson " << poisson << ", speed " << speed);
-    const RefinableBody& body = disks.try_emplace(poisson, disk(poisson)).first->second;
+    const RefinableContact& body = disks.try_emplace(poisson, disk(poisson)).first->second;
     const Restitution result = restitution(body, speed, {.tolerance = tolerance});
     const auto [value, error] = result.lost_fraction;
     EXPECT_TRUE(result.converged);

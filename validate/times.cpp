@@ -32,8 +32,8 @@ double speed(int i) {
 }
 
 /// A body whose modes are made on a clock of their own.
-stoss::RefinableBody timed_disk(double poisson, double& seconds) {
-  return stoss::RefinableBody([poisson, &seconds](double cutoff) {
+stoss::RefinableContact timed_disk(double poisson, double& seconds) {
+  return stoss::RefinableContact([poisson, &seconds](double cutoff) {
     const double begin = processor_time();
     stoss::Body body = stoss::disk(poisson, cutoff);
     seconds += processor_time() - begin;
@@ -48,7 +48,7 @@ std::vector<Times> measure_times(const std::vector<double>& tolerances) {
   for (int i = 0; i < poisson_numbers; ++i) {
     const double poisson = poisson_number(i);
     double modes = 0.0;
-    const stoss::RefinableBody body = timed_disk(poisson, modes);
+    const stoss::RefinableContact body = timed_disk(poisson, modes);
     for (int j = i * speeds_each; j < (i + 1) * speeds_each; ++j) {
       for (std::size_t k = 0; k < tolerances.size(); ++k) {
         modes = 0.0;

@@ -42,14 +42,14 @@ void validate(const Body& body) {
   require(body, body.surface && body.residual_compliance && body.residual_second_moment, "all three functions set");
 }
 
-std::size_t mode_count(const std::vector<ModeGroup>& groups) {
+std::size_t mode_count(const Body& body) {
   std::size_t count = 0;
-  for (const ModeGroup& group : groups) count += group.omega.size();
+  for (const ModeGroup& group : body.groups) count += group.omega.size();
   return count;
 }
 
 Body with_modes(const Body& body, const std::vector<bool>& keep) {
-  const std::size_t all = mode_count(body.groups);
+  const std::size_t all = mode_count(body);
   const auto kept = static_cast<std::size_t>(std::count(keep.begin(), keep.end(), true));
   if (keep.size() != all || kept == 0) {
     throw InvalidInput("keep: got " + std::to_string(kept) + " of " + std::to_string(keep.size()) +

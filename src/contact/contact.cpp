@@ -103,6 +103,10 @@ double longest_time(const Contact& contact) {
   return contact.second == nullptr ? 1.0 : std::max(1.0, Units(*contact.second, *contact.first).time);
 }
 
+std::size_t mode_count(const Contact& contact) {
+  return mode_count(*contact.first) + (contact.second == nullptr ? 0 : mode_count(*contact.second));
+}
+
 double modal_mass(const Contact& contact, std::size_t group) {
   if (contact.second == nullptr) return contact.mass;
   if (group < contact.first_groups) return contact.first->mass;

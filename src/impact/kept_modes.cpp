@@ -8,7 +8,7 @@
 namespace stoss {
 
 KeptModes::KeptModes(const Contact& contact, const ContactGrid& grid, double step)
-    : mass_(contact.mass), step_(step), count_(mode_count(contact.groups)), nodes_(grid.recess.size()) {
+    : mass_(contact.mass), step_(step), count_(mode_count(contact)), nodes_(grid.recess.size()) {
   constexpr std::size_t lanes = kernels::lanes;
   const std::size_t groups = contact.groups.size();
   begin_.push_back(0);

@@ -20,7 +20,7 @@ void require_times(const std::vector<double>& times) {
 }
 
 bool same_modes(const Contact& contact, const std::vector<ModeEnergy>& modes) {
-  if (mode_count(contact.groups) != modes.size()) return false;
+  if (mode_count(contact) != modes.size()) return false;
   std::size_t k = 0;
   for (const ModeGroup& group : contact.groups) {
     for (const double omega : group.omega) {
@@ -34,7 +34,7 @@ bool same_modes(const Contact& contact, const std::vector<ModeEnergy>& modes) {
 }  // namespace
 
 std::vector<double> mode_energies(const Contact& contact, const State& state) {
-  const std::size_t count = mode_count(contact.groups);
+  const std::size_t count = mode_count(contact);
   if (state.coordinate.size() != count || state.momentum.size() != count) {
     throw InvalidInput("state: got " + std::to_string(state.coordinate.size()) + " coordinates and " +
                        std::to_string(state.momentum.size()) + " momenta, allowed " + std::to_string(count) +

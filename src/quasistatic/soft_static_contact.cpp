@@ -189,7 +189,7 @@ SoftStaticContact soft_static_contact(const Body& body, const ExponentialWall& w
   result.force = equilibrium.force() / body.mass;
   result.wall_energy = equilibrium.wall_energy(alpha) / body.mass;
   result.energy = equilibrium.elastic_energy() / body.mass + result.wall_energy;
-  result.modes = static_cast<int>(mode_count(body.groups));
+  result.modes = static_cast<int>(mode_count(body));
   result.nodes = nodes;
   return result;
 }

@@ -70,8 +70,8 @@ std::vector<Body> make_bodies(double poisson, const std::vector<double>& cutoffs
   for (const double cutoff : cutoffs) {
     bodies.push_back(disk(poisson, cutoff, poll));
     if (bodies.size() < 2) continue;
-    const auto before = static_cast<double>(mode_count(bodies[bodies.size() - 2].groups));
-    require("modes", static_cast<double>(mode_count(bodies.back().groups)),
+    const auto before = static_cast<double>(mode_count(bodies[bodies.size() - 2]));
+    require("modes", static_cast<double>(mode_count(bodies.back())),
             {before, std::numeric_limits<double>::max(), false, true, "more than the cutoff before keeps"},
             "number of modes that a cutoff keeps; spread the cutoffs");
   }
@@ -130,7 +130,7 @@ Estimate hard_limit(const std::vector<SoftImpact>& impacts, std::size_t first) {
 Estimate complete_limit(const std::vector<Body>& bodies, const std::vector<Estimate>& hard_wall) {
   std::vector<double> x, y;
   for (std::size_t i = 0; i < bodies.size(); ++i) {
-    x.push_back(1.0 / std::sqrt(static_cast<double>(mode_count(bodies[i].groups))));
+    x.push_back(1.0 / std::sqrt(static_cast<double>(mode_count(bodies[i]))));
     y.push_back(hard_wall[i].value);
   }
   const Intercept line = extrapolate(x, y);
@@ -161,7 +161,7 @@ ExtrapolatedRestitution extrapolated_restitution(double poisson, double speed, c
     for (const double hardness : hardnesses) {
       const Impact impact = stoss::impact(body, ExponentialWall{hardness}, speed, impact_options);
       result.impacts.push_back(
-          {body.cutoff, static_cast<long>(mode_count(body.groups)), hardness, impact.lost_fraction, impact.steps});
+          {body.cutoff, static_cast<long>(mode_count(body)), hardness, impact.lost_fraction, impact.steps});
       result.steps += impact.steps;
     }
     result.hard_wall.push_back(hard_limit(result.impacts, first));

@@ -4,17 +4,20 @@
 #include <cstddef>
 #include <vector>
 
-#include "stoss/body/body.hpp"
+#include "stoss/contact/contact.hpp"
 #include "stoss/impact/impact.hpp"
 
 namespace stoss::test {
 
-/// The same body on one grid for all speeds, so that two impacts at different speeds see the same nodes.
-inline Body on_one_grid(const Body& body, double speed) {
-  Body result = body;
-  const double half_width = std::min(1.5 * body.expected_half_width(speed) + 0.25, body.max_half_width);
-  result.grid = [grid = body.grid, half_width](double, int nodes) { return grid(half_width, nodes); };
-  return result;
+/// The contact grid of a body at a hard wall.
+inline ContactGrid grid_of(const Body& body, double half_width, int nodes) {
+  return contact_grid(contact(body), half_width, nodes);
+}
+
+/// A contact grid wide enough for all speeds up to this one, so that two impacts see the same nodes.
+inline void use_one_grid(const Contact& contact, double speed, ImpactOptions& options) {
+  if (has_single_point(contact)) return;
+  options.half_width = std::min(1.5 * expected_half_width(contact, speed) + 0.25, greatest_half_width(contact));
 }
 
 /// The same body with its groups in reverse order, and the modes in reverse order within each group.
@@ -23,8 +26,8 @@ inline Body reversed(const Body& body) {
   std::reverse(result.groups.begin(), result.groups.end());
   for (ModeGroup& group : result.groups) {
     std::reverse(group.omega.begin(), group.omega.end());
-    std::reverse(group.radial.begin(), group.radial.end());
-    std::reverse(group.tangential.begin(), group.tangential.end());
+    std::reverse(group.upper.begin(), group.upper.end());
+    std::reverse(group.lower.begin(), group.lower.end());
   }
   return result;
 }

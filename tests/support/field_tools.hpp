@@ -7,7 +7,7 @@
 #include <numbers>
 #include <vector>
 
-#include "stoss/body/body.hpp"
+#include "stoss/contact/contact.hpp"
 
 namespace stoss::test {
 
@@ -62,8 +62,8 @@ inline std::vector<double> static_coordinates(const Body& body, const ContactGri
       double load = 0.0;
       for (std::size_t i = 0; i < force.size(); ++i) {
         const double phi = grid.coordinate[i];
-        load -= force[i] * (group.radial[l] * std::cos(group.order * phi) * std::cos(phi) -
-                            group.tangential[l] * std::sin(group.order * phi) * std::sin(phi));
+        load -= force[i] * (group.upper[l] * std::cos((group.order + 1) * phi) +
+                            group.lower[l] * std::cos((group.order - 1) * phi));
       }
       coordinate.push_back(load / (group.omega[l] * group.omega[l]));
     }

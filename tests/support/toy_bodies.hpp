@@ -18,14 +18,13 @@ inline Body point_body(double mass, double cutoff, double residual_compliance, d
   body.extent = 0.5;
   body.cutoff = cutoff;
   body.groups.push_back(std::move(modes));
-  body.expected_half_width = [](double) { return 0.0; };
-  body.grid = [impedance](double, int) { return ContactGrid{{0.0}, {0.0}, {1.0}, {impedance}, {1.0}}; };
-  body.residual_compliance = [residual_compliance](const ContactGrid&, const Poll&) {
+  body.surface = [impedance](const ContactPoints&) { return Surface{{0.0}, {1.0}, {impedance}, {1.0}}; };
+  body.residual_compliance = [residual_compliance](const ContactPoints&, const Poll&) {
     return std::vector<double>{residual_compliance};
   };
   const double second_moment =
       residual_compliance * residual_compliance * impedance * std::numbers::pi / (6.0 * cutoff);
-  body.residual_second_moment = [second_moment](const ContactGrid&, const Poll&) {
+  body.residual_second_moment = [second_moment](const ContactPoints&, const Poll&) {
     return std::vector<double>{second_moment};
   };
   return body;
@@ -45,14 +44,14 @@ inline Body rod_in_other_units(double length, double wave_speed, double line_den
   for (int l = 1; l * std::numbers::pi * wave_speed / length <= cutoff; ++l) {
     const double omega = l * std::numbers::pi * wave_speed / length;
     modes.omega.push_back(omega);
-    modes.radial.push_back(std::numbers::sqrt2);
-    modes.tangential.push_back(0.0);
+    modes.upper.push_back(std::numbers::sqrt2);
+    modes.lower.push_back(0.0);
     compliance -= 2.0 / (mass * omega * omega);
     second_moment -= 2.0 / (mass * std::pow(omega, 4));
   }
   Body body = point_body(mass, cutoff, compliance, line_density * wave_speed, std::move(modes));
   body.extent = 0.5 * length;
-  body.residual_second_moment = [second_moment](const ContactGrid&, const Poll&) {
+  body.residual_second_moment = [second_moment](const ContactPoints&, const Poll&) {
     return std::vector<double>{second_moment};
   };
   return body;
@@ -61,10 +60,12 @@ inline Body rod_in_other_units(double length, double wave_speed, double line_den
 /// Two points of contact with the compliance ((2, 1), (1, 2)) and one stiff mode.
 inline Body two_point_body() {
   Body body = point_body(1.0, 5.0, 0.0, 1.0, {0, {5.0}, {1.0}, {0.0}});
-  body.max_half_width = 1.0;
-  body.grid = [](double, int) { return ContactGrid{{0.25, 0.75}, {0.0, 0.1}, {1.0, 1.0}, {1.0, 1.0}, {1.0, 1.0}}; };
-  body.residual_compliance = [](const ContactGrid&, const Poll&) { return std::vector<double>{2.0, 1.0, 1.0, 2.0}; };
-  body.residual_second_moment = [](const ContactGrid&, const Poll&) { return std::vector<double>{0.2, 0.1, 0.1, 0.2}; };
+  body.contour = Contour::cylinder;
+  body.surface = [](const ContactPoints&) { return Surface{{0.0, 0.1}, {1.0, 1.0}, {1.0, 1.0}, {1.0, 1.0}}; };
+  body.residual_compliance = [](const ContactPoints&, const Poll&) { return std::vector<double>{2.0, 1.0, 1.0, 2.0}; };
+  body.residual_second_moment = [](const ContactPoints&, const Poll&) {
+    return std::vector<double>{0.2, 0.1, 0.1, 0.2};
+  };
   return body;
 }
 

@@ -95,7 +95,7 @@ using BodyMaker = std::function<Body(double cutoff, const Poll& poll)>;
 void validate(const Body& body);
 
 /// Number of kept modes.
-[[nodiscard]] std::size_t mode_count(const std::vector<ModeGroup>& groups);
+[[nodiscard]] std::size_t mode_count(const Body& body);
 
 /// A body with only some of its kept modes, as the paper selects them, for exponential walls. A hard wall would need
 /// the compliance of the others: the residual functions refuse. With all of them, the body itself.

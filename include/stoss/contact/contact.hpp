@@ -57,6 +57,9 @@ struct Contact {
 /// Largest half-width that the contact points can cover, R; 0 for a single point.
 [[nodiscard]] double greatest_half_width(const Contact& contact);
 
+/// Number of kept modes.
+[[nodiscard]] std::size_t mode_count(const Contact& contact);
+
 /// Modal mass of the modes of a group by themselves: the mass of their body.
 [[nodiscard]] double modal_mass(const Contact& contact, std::size_t group);
 
