@@ -20,24 +20,23 @@ std::string with_cutoff(const std::string& name, double cutoff) {
 
 void add_set_up(double cutoff) {
   add(with_cutoff("grid and compliance", cutoff), [cutoff](benchmark::State& state) {
-    const stoss::Body& body = disk_body(cutoff);
-    const double half_width = 1.25 * stoss::expected_half_width(stoss::contact(body), speed);
-    const int nodes = stoss::recommended_nodes(stoss::contact(body, stoss::HardWall{}), speed);
+    const stoss::Contact contact = stoss::contact(disk_body(cutoff));
+    const double half_width = 1.25 * stoss::expected_half_width(contact, speed);
+    const int nodes = stoss::recommended_nodes(contact, speed);
     for (auto _ : state) {
-      const stoss::ContactGrid grid = grid_of(body, half_width, nodes);
-      const std::vector<double> compliance = body.residual_compliance(grid.points, {});
+      const stoss::ContactGrid grid = stoss::contact_grid(contact, half_width, nodes);
+      const std::vector<double> compliance = stoss::residual_compliance(contact, grid);
       benchmark::DoNotOptimize(compliance.data());
     }
   });
   // In addition, what the hard wall does once: W′ and its factor.
   add(with_cutoff("grid, compliance and hard wall", cutoff), [cutoff](benchmark::State& state) {
-    const stoss::Body& body = disk_body(cutoff);
-    const double half_width = 1.25 * stoss::expected_half_width(stoss::contact(body), speed);
-    const int nodes = stoss::recommended_nodes(stoss::contact(body, stoss::HardWall{}), speed);
+    const stoss::Contact contact = stoss::contact(disk_body(cutoff));
+    const double half_width = 1.25 * stoss::expected_half_width(contact, speed);
+    const int nodes = stoss::recommended_nodes(contact, speed);
     for (auto _ : state) {
-      const stoss::ContactGrid grid = grid_of(body, half_width, nodes);
-      benchmark::DoNotOptimize(
-          stoss::make_response(stoss::contact(body, stoss::HardWall{}), grid, speed, 0.5 / cutoff));
+      const stoss::ContactGrid grid = stoss::contact_grid(contact, half_width, nodes);
+      benchmark::DoNotOptimize(stoss::make_response(contact, grid, speed, 0.5 / cutoff));
     }
   });
 }
@@ -57,10 +56,10 @@ void add_impact(const std::string& name, const stoss::Wall& wall, double cutoff,
 /// One impact as `restitution` resolves it: how the cost grows with the cutoff.
 void add_refined(double cutoff) {
   add(with_cutoff("hard wall, as restitution resolves it", cutoff), [cutoff](benchmark::State& state) {
-    const stoss::Body& body = disk_body(cutoff);
-    const stoss::ImpactOptions options = stoss::refined_resolution(body, speed, half_width_of_contact);
+    const stoss::Contact contact = stoss::contact(disk_body(cutoff));
+    const stoss::ImpactOptions options = stoss::refined_resolution(contact, speed, half_width_of_contact);
     double lost_fraction = 0.0;
-    for (auto _ : state) lost_fraction = stoss::impact(body, stoss::HardWall{}, speed, options).lost_fraction;
+    for (auto _ : state) lost_fraction = stoss::impact(contact, speed, options).lost_fraction;
     count(state, lost_fraction);
   });
 }

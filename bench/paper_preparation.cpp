@@ -28,8 +28,8 @@ stoss::Body most_energetic(const stoss::Body& disk, std::size_t count, const Pap
     for (std::size_t l = 0; l < all.omega.size(); ++l, ++mode) {
       if (modes[mode].average < least) continue;
       kept.omega.push_back(all.omega[l]);
-      kept.radial.push_back(all.radial[l]);
-      kept.tangential.push_back(all.tangential[l]);
+      kept.upper.push_back(all.upper[l]);
+      kept.lower.push_back(all.lower[l]);
     }
     result.groups.push_back(kept);  // also an empty one: the grid has a row for each group
   }
@@ -40,7 +40,7 @@ std::vector<stoss::ModeGroup> mode_by_mode(const std::vector<stoss::ModeGroup>& 
   std::vector<stoss::ModeGroup> result;
   for (const stoss::ModeGroup& group : modes) {
     for (std::size_t l = 0; l < group.omega.size(); ++l) {
-      result.push_back({group.order, {group.omega[l]}, {group.radial[l]}, {group.tangential[l]}});
+      result.push_back({group.order, {group.omega[l]}, {group.upper[l]}, {group.lower[l]}});
     }
   }
   return result;

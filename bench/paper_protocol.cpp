@@ -104,10 +104,10 @@ class Disk {
       for (std::size_t l = 0; l < group.omega.size(); ++l) {
         const double omega = group.omega[l];
         omega_.push_back(omega);
-        radial_.push_back(group.radial[l]);
-        tangential_.push_back(group.tangential[l]);
-        radial_force_.push_back(group.radial[l] / (mass * omega));
-        tangential_force_.push_back(group.tangential[l] / (mass * omega));
+        radial_.push_back(group.upper[l] + group.lower[l]);
+        tangential_.push_back(group.upper[l] - group.lower[l]);
+        radial_force_.push_back(radial_.back() / (mass * omega));
+        tangential_force_.push_back(tangential_.back() / (mass * omega));
         turn_cosine_.push_back(std::cos(0.5 * omega * settings.step));
         turn_sine_.push_back(std::sin(0.5 * omega * settings.step));
       }

@@ -20,12 +20,14 @@ TEST(BodyRefusal, NamesTheBodyAndTheRule) {
       {"mass", [](Body& body) { body.mass = not_a_number; }},
       {"extent", [](Body& body) { body.extent = -1.0; }},
       {"cutoff", [](Body& body) { body.cutoff = std::numeric_limits<double>::infinity(); }},
-      {"max_half_width", [](Body& body) { body.max_half_width = not_a_number; }},
+      {"highest", [](Body& body) { body.highest_cutoff = 39.0; }},
+      {"scale", [](Body& body) { body.scale.length = 0.0; }},
+      {"scale", [](Body& body) { body.scale.mass = not_a_number; }},
       {"one length", [](Body& body) { body.groups[0].upper.pop_back(); }},
       {"finite weights", [](Body& body) { body.groups[0].lower[0] = not_a_number; }},
       {"frequencies", [](Body& body) { body.groups[0].omega[0] = 0.0; }},
       {"frequencies", [](Body& body) { body.groups[0].omega[0] = 1e9; }},
-      {"functions", [](Body& body) { body.grid = nullptr; }},
+      {"functions", [](Body& body) { body.surface = nullptr; }},
       {"functions", [](Body& body) { body.residual_compliance = nullptr; }},
       {"functions", [](Body& body) { body.residual_second_moment = nullptr; }},
       {"stable_step", [](Body& body) { body.stable_step = 0.0; }},
@@ -37,10 +39,10 @@ TEST(BodyRefusal, NamesTheBodyAndTheRule) {
   }
 }
 
-TEST(BodyRefusal, OfAGridOrAComplianceOfTheWrongSize) {
+TEST(BodyRefusal, OfASurfaceOrAComplianceOfTheWrongSize) {
   Body body = rod(40.0);
-  body.grid = [](double, int) { return ContactGrid{{0.0}, {0.0}, {1.0}, {1.0}, {}}; };
-  test::expect_refusal([&] { (void)impact(body, HardWall{}, 0.1); }, {"body", "grid"});
+  body.surface = [](const ContactPoints&) { return Surface{{0.0}, {1.0}, {1.0}, {}}; };
+  test::expect_refusal([&] { (void)impact(body, HardWall{}, 0.1); }, {"body", "surface"});
   for (const Tail tail : {Tail::radiating, Tail::quasistatic}) {
     body = rod(40.0);
     body.residual_compliance = [](const ContactPoints&, const Poll&) { return std::vector<double>(4, 1.0); };

@@ -17,6 +17,7 @@
 #include "stoss/bodies/disk/modes.hpp"
 #include "stoss/impact/impact.hpp"
 #include "stoss/quasistatic.hpp"
+#include "support/body_tools.hpp"
 
 namespace stoss {
 namespace {

@@ -15,6 +15,7 @@
 #include "stoss/bodies/rod.hpp"
 #include "stoss/errors.hpp"
 #include "stoss/impact/impact.hpp"
+#include "support/body_tools.hpp"
 #include "support/refusal.hpp"
 
 namespace stoss {

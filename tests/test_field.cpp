@@ -13,6 +13,7 @@
 
 #include "stoss/bodies/disk.hpp"
 #include "stoss/bodies/rod.hpp"
+#include "support/body_tools.hpp"
 #include "support/field_tools.hpp"
 #include "support/refusal.hpp"
 
@@ -114,12 +115,15 @@ TEST(FieldInput, IsRefusedOutOfRange) {
                        {"poisson", "1.5", "-0.95 to 0.995"});
   test::expect_refusal([&] { (void)DiskField(0.3301, body, contact.points, points); },
                        {"poisson", "0.3301", body.name});
-  test::expect_refusal([&] { (void)DiskField(0.33, body, {}, points); }, {"contact nodes", "got 0"});
-  test::expect_refusal([&] { (void)DiskField(0.33, body, test::grid_of(rod(10.0), 0.0, 1), points); },
-                       {"contact node", "got 0"});
+  test::expect_refusal(
+      [&] {
+        (void)DiskField(0.33, body, ContactPoints{1.0, 0.1, 0}, points);
+      },
+      {"contact nodes", "got 0"});
+  test::expect_refusal([&] { (void)DiskField(0.33, body, ContactPoints{}, points); }, {"contact spacing", "got 0"});
   test::expect_refusal([&] { (void)DiskField(0.33, rod(10.0), contact.points, points); }, {"poisson", "rod"});
 
-  const DiskField field(0.33, body, contact, points);
+  const DiskField field(0.33, body, contact.points, points);
   const std::vector<double> coordinate(mode_count(body), 0.0), force(20, 0.0);
   test::expect_refusal([&] { (void)field.at(force, force); },
                        {"coordinate", "got 20", std::to_string(coordinate.size())});

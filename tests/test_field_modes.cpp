@@ -14,6 +14,7 @@
 #include "stoss/bodies/disk.hpp"
 #include "stoss/bodies/disk/field.hpp"
 #include "stoss/bodies/disk/modes.hpp"
+#include "support/body_tools.hpp"
 #include "support/field_tools.hpp"
 
 namespace stoss {
@@ -46,7 +47,7 @@ class ModeStress : public ::testing::TestWithParam<std::tuple<double, int>> {
     ASSERT_GE(modes.size(), 4U);
   }
 
-  [[nodiscard]] DiskField field(const PolarGrid& points) const { return {poisson, body, contact, points}; }
+  [[nodiscard]] DiskField field(const PolarGrid& points) const { return {poisson, body, contact.points, points}; }
 
   [[nodiscard]] Field alone(const DiskField& field, std::size_t mode) const {
     std::vector<double> coordinate(mode_count(body), 0.0);

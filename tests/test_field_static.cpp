@@ -11,6 +11,7 @@
 #include "stoss/bodies/disk.hpp"
 #include "stoss/bodies/disk/field.hpp"
 #include "stoss/bodies/disk/modes.hpp"
+#include "support/body_tools.hpp"
 #include "support/field_tools.hpp"
 
 namespace stoss {
@@ -143,7 +144,7 @@ TEST_P(StaticFieldUnderForces, HasTheKeptModesItsLoadsExcite) {
   const std::vector<double> force = several();
   const test::RadialRule rule;
   const PolarGrid points{rule.radius, test::whole_turn(512)};
-  const DiskField disk_field(poisson, body, contact, points);
+  const DiskField disk_field(poisson, body, contact.points, points);
   const Field field = disk_field.at(std::vector<double>(mode_count(body), 0.0), force);
   for (const ModeGroup& group : body.groups) {
     for (const std::size_t l : {std::size_t{0}, group.omega.size() - 1}) {
@@ -169,7 +170,7 @@ TEST_P(StaticFieldUnderForces, DoesNotDependOnTheCutoff) {
   const PolarGrid points{{0.0, 0.4, 0.9, 1.0}, {0.0, 0.1, 0.7, 2.0, pi}};
   for (const std::vector<double>& force : {single(0, 1.0), several()}) {
     const Field coarse = at_rest(force, points);
-    const Field fine = DiskField(poisson, finer, test::grid_of(finer, 0.6, 64), points)
+    const Field fine = DiskField(poisson, finer, test::grid_of(finer, 0.6, 64).points, points)
                            .at(test::static_coordinates(finer, contact, force), force);
     const double largest = *std::max_element(fine.stress_pp.begin(), fine.stress_pp.end(),
                                              [](double a, double b) { return std::abs(a) < std::abs(b); });

@@ -118,11 +118,13 @@ TEST_P(Identity, LedgerSumsToOne) {
 
 TEST_P(Identity, TimeReversalGivesBackTheStart) {
   if (loses_energy()) GTEST_SKIP() << "the radiating tail takes energy";
-  const Body fixed = test::on_one_grid(body, speed);
-  const Impact forth = impact(fixed, wall, speed, {.step = step});
-  ImpactOptions options{.step = step, .start = test::backwards(forth.final_state)};
+  const Contact fixed = contact(body, wall);
+  ImpactOptions options{.step = step};
+  test::use_one_grid(fixed, speed, options);
+  const Impact forth = impact(fixed, speed, options);
+  options.start = test::backwards(forth.final_state);
   if (!is_rod) options.nodes = forth.nodes;
-  const Impact back = impact(fixed, wall, -forth.final_state.velocity, options);
+  const Impact back = impact(fixed, -forth.final_state.velocity, options);
   EXPECT_NEAR(back.restitution * forth.restitution, 1.0, 1e-8);
   EXPECT_NEAR(-back.final_state.velocity / speed, 1.0, 1e-8);
   EXPECT_LE(back.energy.vibration, 1e-8);

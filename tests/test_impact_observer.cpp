@@ -159,8 +159,8 @@ INSTANTIATE_TEST_SUITE_P(Walls, Observer,
 TEST(ImpactResult, CarriesItsInputs) {
   const Body body = disk(0.33, 12.5);
   const Impact result = impact(body, ExponentialWall{321.0, 2.0}, 0.07, {.step = 0.004, .nodes = 150});
-  EXPECT_EQ(result.body, body.name);
-  EXPECT_NE(result.body.find("0.33"), std::string::npos);
+  EXPECT_EQ(result.contact, body.name);
+  EXPECT_NE(result.contact.find("0.33"), std::string::npos);
   ASSERT_TRUE(std::holds_alternative<ExponentialWall>(result.wall));
   EXPECT_EQ(std::get<ExponentialWall>(result.wall).hardness, 321.0);
   EXPECT_EQ(result.speed, 0.07);

@@ -60,20 +60,23 @@ TEST(StartState, FurtherAwayChangesTheImpactOnlyByTheStep) {
 }
 
 TEST(StartState, InTheMiddleOfASoftImpactContinuesIt) {
-  const Body body = test::on_one_grid(disk(0.33, 12.5), 0.1);
+  const Body body = disk(0.33, 12.5);
+  constexpr double half_width = 1.0;  // the same for both
   const ExponentialWall wall{100.0, 1.0};
   State middle;
   const Impact whole =
-      impact(body, wall, 0.1, {.step = 0.01, .nodes = 128, .observe_modes = true}, [&](const Snapshot& now) {
-        if (middle.velocity > 0.0 || now.velocity > 0.07) return;
-        middle = {now.center,
-                  now.velocity,
-                  {now.coordinate.begin(), now.coordinate.end()},
-                  {now.momentum.begin(), now.momentum.end()}};
-      });
+      impact(body, wall, 0.1, {.step = 0.01, .nodes = 128, .half_width = half_width, .observe_modes = true},
+             [&](const Snapshot& now) {
+               if (middle.velocity > 0.0 || now.velocity > 0.07) return;
+               middle = {now.center,
+                         now.velocity,
+                         {now.coordinate.begin(), now.coordinate.end()},
+                         {now.momentum.begin(), now.momentum.end()}};
+             });
   ASSERT_GT(middle.velocity, 0.01);
   ASSERT_LT(middle.velocity, 0.09);
-  const Impact rest = impact(body, wall, middle.velocity, {.step = 0.01, .nodes = 128, .start = middle});
+  const Impact rest =
+      impact(body, wall, middle.velocity, {.step = 0.01, .nodes = 128, .half_width = half_width, .start = middle});
   EXPECT_LT(rest.steps, whole.steps);
   EXPECT_NEAR(rest.final_state.velocity, whole.final_state.velocity, 1e-10);
   for (std::size_t k = 0; k < middle.momentum.size(); ++k) {

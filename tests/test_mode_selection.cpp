@@ -8,6 +8,7 @@
 #include "stoss/bodies/disk.hpp"
 #include "stoss/impact/impact.hpp"
 #include "stoss/impact/replay.hpp"
+#include "support/body_tools.hpp"
 #include "support/refusal.hpp"
 
 namespace stoss {

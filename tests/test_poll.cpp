@@ -15,6 +15,7 @@
 #include "stoss/quasistatic.hpp"
 #include "stoss/restitution/extrapolation.hpp"
 #include "stoss/restitution/restitution.hpp"
+#include "support/body_tools.hpp"
 
 namespace stoss {
 namespace {

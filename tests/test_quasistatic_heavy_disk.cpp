@@ -17,6 +17,7 @@
 #include "stoss/quasistatic/compression.hpp"
 #include "stoss/quasistatic/heavy_disk.hpp"
 #include "stoss/quasistatic/static_contact.hpp"
+#include "support/body_tools.hpp"
 #include "support/field_tools.hpp"
 #include "support/refusal.hpp"
 

@@ -6,6 +6,7 @@
 #include "stoss/bodies/disk.hpp"
 #include "stoss/bodies/rod.hpp"
 #include "stoss/impact/impact.hpp"
+#include "support/body_tools.hpp"
 #include "support/refusal.hpp"
 
 namespace stoss {

@@ -63,7 +63,7 @@ TEST(Restitution, MeetsItsToleranceAndSaysHow) {
     EXPECT_EQ(result.finest.restitution, result.restitution.value);
     EXPECT_EQ(result.finest.contact_time, result.contact_time.value);
     EXPECT_EQ(result.finest.cutoff, result.runs.back().cutoff);
-    EXPECT_EQ(result.finest.body, disk(0.33, result.finest.cutoff).name);
+    EXPECT_EQ(result.finest.contact, disk(0.33, result.finest.cutoff).name);
     EXPECT_NEAR(result.finest.energy_error, 0.0, 1e-3);
   }
 }
@@ -177,10 +177,10 @@ TEST(RefinableContact, MakesEachLevelOnce) {
   const RefinableContact copy = body;
   EXPECT_EQ(&body.at(3), &copy.at(3));
   EXPECT_EQ(made, 1);
-  EXPECT_EQ(body.at(3).cutoff, RefinableContact::cutoff(3));
-  EXPECT_DOUBLE_EQ(RefinableContact::cutoff(8), 32.0);
+  EXPECT_EQ(body.at(3).cutoff, body.cutoff(3));
+  EXPECT_DOUBLE_EQ(body.cutoff(8), 32.0);
   test::expect_refusal([&] { (void)body.at(-1); }, {"level", "-1"});
-  test::expect_refusal([&] { (void)body.at(RefinableContact::highest_level + 1); }, {"level"});
+  test::expect_refusal([&] { (void)body.at(body.highest_level() + 1); }, {"level"});
 }
 
 TEST(Version, HasThreeNumbers) {

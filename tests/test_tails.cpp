@@ -13,6 +13,7 @@
 
 #include "contact/response.hpp"
 #include "stoss/contact/wall.hpp"
+#include "support/body_tools.hpp"
 #include "support/toy_bodies.hpp"
 
 namespace stoss {

@@ -8,6 +8,7 @@
 
 #include "stoss/bodies/rod.hpp"
 #include "stoss/impact/impact.hpp"
+#include "support/body_tools.hpp"
 #include "support/refusal.hpp"
 #include "support/toy_bodies.hpp"
 

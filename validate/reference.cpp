@@ -57,11 +57,11 @@ constexpr std::array finenesses{Fineness{200.0, 0.2, 1.8}, Fineness{283.0, 0.35,
 
 stoss::Impact resolved(const Point& point, const Fineness& fineness, double half_width) {
   constexpr double fewest_nodes = 128.0;
-  const stoss::Body body = stoss::disk(point.poisson, fineness.cutoff);
-  stoss::ImpactOptions options = stoss::refined_resolution(body, point.speed, half_width);
+  const stoss::Contact contact = stoss::contact(stoss::disk(point.poisson, fineness.cutoff));
+  stoss::ImpactOptions options = stoss::refined_resolution(contact, point.speed, half_width);
   options.nodes = static_cast<int>(std::max(fewest_nodes, std::ceil(fineness.nodes * options.nodes.value())));
-  options.step = std::min(fineness.step / fineness.cutoff, body.stable_step);
-  return stoss::impact(body, stoss::HardWall{}, point.speed, options);
+  options.step = std::min(fineness.step / fineness.cutoff, contact.stable_step);
+  return stoss::impact(contact, point.speed, options);
 }
 
 using Runs = std::array<stoss::Impact, finenesses.size()>;

@@ -6,7 +6,8 @@
 #include "interpreter.hpp"
 #include "stoss/bodies/disk.hpp"
 #include "stoss/bodies/rod.hpp"
-#include "stoss/restitution/restitution.hpp"
+#include "stoss/restitution/ladder.hpp"
+#include "wall.hpp"
 
 namespace stoss::python {
 
@@ -16,8 +17,11 @@ void bind_body(py::module_& module) {
       .def_readonly("mass", &Body::mass)
       .def_readonly("extent", &Body::extent)
       .def_readonly("cutoff", &Body::cutoff);
-  py::class_<RefinableBody> refinable(module, "RefinableBody", "A body at any of a ladder of cutoffs.");
+  py::class_<RefinableContact> refinable(module, "RefinableContact", "What meets what, at any of a ladder of cutoffs.");
+  py::class_<Contact> contact(module, "Contact", "What meets what, with its kept modes.");
+  contact.def_readonly("mass", &Contact::mass);
   seal(body);
+  seal(contact);
   seal(refinable);
   module.def(
       "disk",
@@ -35,8 +39,11 @@ void bind_body(py::module_& module) {
       py::arg("body"), py::arg("keep"));
   module.def("rod", py::overload_cast<double>(&rod), py::arg("cutoff"));
   module.def(
-      "refinable_disk", [](double poisson) { return RefinableBody(disk(poisson)); }, py::arg("poisson"));
-  module.def("refinable_rod", [] { return RefinableBody(rod()); });
+      "at_wall", [](const Body& at, const AnyWall& wall) { return stoss::contact(at, wall.wall); }, py::arg("body"),
+      py::arg("wall"));
+  module.def(
+      "refinable_disk", [](double poisson) { return RefinableContact(disk(poisson)); }, py::arg("poisson"));
+  module.def("refinable_rod", [] { return RefinableContact(rod()); });
 }
 
 }  // namespace stoss::python

@@ -32,11 +32,11 @@ struct Series {
   }
 };
 
-Series evaluate(double poisson, const Body& body, const Impact& impact, const Frames& frames, PolarGrid points,
+Series evaluate(double poisson, const Contact& contact, const Impact& impact, const Frames& frames, PolarGrid points,
                 const Poll& poll) {
-  const ContactGrid contact = body.grid(impact.half_width, impact.nodes);
+  const ContactGrid grid = contact_grid(contact, impact.half_width, impact.nodes);
   const std::size_t values = frames.all.size() * points.radius.size() * points.angle.size();
-  const DiskField field(poisson, body, contact, std::move(points), poll);
+  const DiskField field(poisson, *contact.first, grid.points, std::move(points), poll);
   Series series(values);
   for (const Frame& frame : frames.all) {
     if (poll) poll();
@@ -50,7 +50,7 @@ Series evaluate(double poisson, const Body& body, const Impact& impact, const Fr
 void bind_field(py::module_& module) {
   module.def(
       "fields",
-      [](double poisson, const Body& body, const Impact& impact, const Frames& frames,
+      [](double poisson, const Contact& contact, const Impact& impact, const Frames& frames,
          const py::array_t<double, py::array::c_style>& radius, const py::array_t<double, py::array::c_style>& angle) {
         using namespace py::literals;
         PolarGrid points{to_vector(radius), to_vector(angle)};
@@ -59,7 +59,7 @@ void bind_field(py::module_& module) {
         Series series;
         {
           const Released released;
-          series = evaluate(poisson, body, impact, frames, std::move(points), poll);
+          series = evaluate(poisson, contact, impact, frames, std::move(points), poll);
         }
         return py::dict("radial"_a = take(std::move(series.radial), shape),
                         "tangential"_a = take(std::move(series.tangential), shape),
@@ -69,7 +69,7 @@ void bind_field(py::module_& module) {
                         "von_mises"_a = take(std::move(series.von_mises), shape),
                         "principal_difference"_a = take(std::move(series.principal_difference), shape));
       },
-      py::arg("poisson"), py::arg("body"), py::arg("impact"), py::arg("frames"), py::arg("radius"), py::arg("angle"),
+      py::arg("poisson"), py::arg("contact"), py::arg("impact"), py::arg("frames"), py::arg("radius"), py::arg("angle"),
       "arrays of times x radii x angles");
 }
 

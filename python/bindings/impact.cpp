@@ -5,7 +5,6 @@
 #include "arrays.hpp"
 #include "bindings.hpp"
 #include "interpreter.hpp"
-#include "wall.hpp"
 
 namespace stoss::python {
 namespace {
@@ -30,15 +29,15 @@ py::dict numbers(const Impact& impact) {
 }
 
 /// The instants of a repetition of an impact, every so many steps.
-std::vector<Instant> trajectory(const Body& body, const Impact& impact, int every, const Poll& poll) {
+std::vector<Instant> trajectory(const Contact& contact, const Impact& impact, int every, const Poll& poll) {
   ImpactOptions options;
   options.step = impact.step;
   options.nodes = impact.nodes;
-  if (body.max_half_width > 0.0) options.half_width = impact.half_width;
+  if (!has_single_point(contact)) options.half_width = impact.half_width;
   options.observe_every = every;
   options.poll = poll;
   std::vector<Instant> instants;
-  (void)stoss::impact(body, impact.wall, impact.speed, options, [&](const Snapshot& now) {
+  (void)stoss::impact(contact, impact.speed, options, [&](const Snapshot& now) {
     instants.push_back({now.time, now.center, now.velocity, now.force, now.translation, now.vibration, now.stored,
                         now.unresolved, now.contact_half_width});
   });
@@ -57,19 +56,19 @@ void bind_impact(py::module_& module) {
       .def("modes", [](const py::object& self) { return view(self.cast<const Impact&>().energy.modes, self); })
       .def(
           "trajectory",
-          [](const Impact& impact, const Body& body, int every) {
+          [](const Impact& impact, const Contact& contact, int every) {
             const auto poll = signal_poll();
             std::vector<Instant> instants;
             {
               const Released released;
-              instants = trajectory(body, impact, every, poll);
+              instants = trajectory(contact, impact, every, poll);
             }
             return take(std::move(instants));
           },
-          py::arg("body"), py::arg("every"));
+          py::arg("contact"), py::arg("every"));
   module.def(
       "impact",
-      [](const Body& body, const AnyWall& wall, double speed, std::optional<double> step, std::optional<int> nodes,
+      [](const Contact& contact, double speed, std::optional<double> step, std::optional<int> nodes,
          std::optional<double> half_width) {
         ImpactOptions options;
         options.step = step;
@@ -77,9 +76,9 @@ void bind_impact(py::module_& module) {
         options.half_width = half_width;
         options.poll = signal_poll();
         const Released released;
-        return impact(body, wall.wall, speed, options);
+        return impact(contact, speed, options);
       },
-      py::arg("body"), py::arg("wall"), py::arg("speed"), py::arg("step"), py::arg("nodes"), py::arg("half_width"));
+      py::arg("contact"), py::arg("speed"), py::arg("step"), py::arg("nodes"), py::arg("half_width"));
 }
 
 }  // namespace stoss::python

@@ -28,14 +28,14 @@ struct EnergyAt {
 };
 
 /// Times × modes.
-std::vector<EnergyAt> energies_at(const Body& body, const Impact& impact, const std::vector<double>& times,
+std::vector<EnergyAt> energies_at(const Contact& contact, const Impact& impact, const std::vector<double>& times,
                                   const Poll& poll) {
-  const double initial = 0.5 * body.mass * impact.speed * impact.speed;
+  const double initial = 0.5 * contact.mass * impact.speed * impact.speed;
   std::vector<EnergyAt> list;
   list.reserve(times.size() * impact.energy.modes.size());
-  for (const Frame& frame : motion(body, impact, times, poll)) {
+  for (const Frame& frame : motion(contact, impact, times, poll)) {
     if (poll) poll();
-    const std::vector<double> energies = mode_energies(body, frame.state);
+    const std::vector<double> energies = mode_energies(contact, frame.state);
     for (std::size_t k = 0; k < energies.size(); ++k) {
       const ModeEnergy& mode = impact.energy.modes[k];
       list.push_back({mode.order, mode.index, mode.omega, energies[k] / initial});
@@ -54,27 +54,27 @@ void bind_motion(py::module_& module) {
   handle.def("summaries", [](const Frames& frames) { return take(summaries(frames)); });
   module.def(
       "motion",
-      [](const Body& body, const Impact& impact, const py::array_t<double, py::array::c_style>& times) {
+      [](const Contact& contact, const Impact& impact, const py::array_t<double, py::array::c_style>& times) {
         const std::vector<double> at = to_vector(times);
         const auto poll = signal_poll();
         const Released released;
-        return Frames{motion(body, impact, at, poll)};
+        return Frames{motion(contact, impact, at, poll)};
       },
-      py::arg("body"), py::arg("impact"), py::arg("times"));
+      py::arg("contact"), py::arg("impact"), py::arg("times"));
   module.def(
       "energies_at",
-      [](const Body& body, const Impact& impact, const py::array_t<double, py::array::c_style>& times) {
+      [](const Contact& contact, const Impact& impact, const py::array_t<double, py::array::c_style>& times) {
         const std::vector<double> at = to_vector(times);
         const auto poll = signal_poll();
         std::vector<EnergyAt> energies;
         {
           const Released released;
-          energies = energies_at(body, impact, at, poll);
+          energies = energies_at(contact, impact, at, poll);
         }
         const auto modes = static_cast<py::ssize_t>(impact.energy.modes.size());
         return take(std::move(energies), {times.size(), modes});
       },
-      py::arg("body"), py::arg("impact"), py::arg("times"), "structured array, times x modes");
+      py::arg("contact"), py::arg("impact"), py::arg("times"), "structured array, times x modes");
 }
 
 }  // namespace stoss::python

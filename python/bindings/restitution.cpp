@@ -46,7 +46,7 @@ RestitutionRow to_row(const Restitution& r) {
 
 /// Fills rows as the values come, and `reasons` at the end, so that what is done is there if Ctrl-C ends the curve.
 /// Only where there is a `tick` is the interpreter asked for after each value.
-void curve(const RefinableBody& body, const py::array_t<double, py::array::c_style>& speeds, double tolerance,
+void curve(const RefinableContact& contact, const py::array_t<double, py::array::c_style>& speeds, double tolerance,
            int threads, py::array_t<RestitutionRow, py::array::c_style>& rows, py::list reasons,
            const std::optional<py::function>& tick) {
   const std::vector<double> at = to_vector(speeds);
@@ -59,7 +59,7 @@ void curve(const RefinableBody& body, const py::array_t<double, py::array::c_sty
   const auto poll = signal_poll();
   try {
     const Released released;
-    restitution_curve(body, at, {tolerance, threads, poll}, [&](std::size_t i, const Restitution& result) {
+    restitution_curve(contact, at, {tolerance, threads, poll}, [&](std::size_t i, const Restitution& result) {
       row[i] = to_row(result);
       why.push_back(result.reason);
       if (!tick) return;
@@ -86,8 +86,8 @@ void bind_restitution(py::module_& module) {
         validate(to_vector(speeds), {tolerance, threads});
       },
       py::arg("speeds"), py::arg("tolerance"), py::arg("threads"));
-  module.def("restitution_curve", &curve, py::arg("body"), py::arg("speeds"), py::arg("tolerance"), py::arg("threads"),
-             py::arg("rows").noconvert(), py::arg("reasons"), py::arg("tick"),
+  module.def("restitution_curve", &curve, py::arg("contact"), py::arg("speeds"), py::arg("tolerance"),
+             py::arg("threads"), py::arg("rows").noconvert(), py::arg("reasons"), py::arg("tick"),
              "fills rows and reasons; calls tick, unless it is None, after each");
 }
 

@@ -41,7 +41,7 @@ class Disk:
     def _at(self, cutoff: float) -> _core.Body:
         return _disk(self.poisson, cutoff)
 
-    def _refinable(self) -> _core.RefinableBody:
+    def _refinable(self) -> _core.RefinableContact:
         return _refinable_disk(self.poisson)
 
 
@@ -62,7 +62,7 @@ class Rod:
     def _at(self, cutoff: float) -> _core.Body:
         return _rod(cutoff)
 
-    def _refinable(self) -> _core.RefinableBody:
+    def _refinable(self) -> _core.RefinableContact:
         return _refinable_rod()
 
 
@@ -90,10 +90,10 @@ def choose_body(poisson: Any, material: Material | None, body: Body | None) -> B
     return Disk(poisson=poisson)
 
 
-def kept_body(body: Body, cutoff: float, keep: NDArray[np.bool_] | None) -> _core.Body:
-    """A body with its modes up to the cutoff, or with some of them."""
+def contact_with(body: Body, wall: Wall, cutoff: float, keep: NDArray[np.bool_] | None) -> _core.Contact:
+    """A body with its modes up to the cutoff, or with some of them, at a wall."""
     every = body._at(cutoff)
-    return every if keep is None else _core.with_modes(every, keep)
+    return _core.at_wall(every if keep is None else _core.with_modes(every, keep), wall._made())
 
 
 @dataclasses.dataclass(frozen=True, kw_only=True)

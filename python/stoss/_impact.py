@@ -7,7 +7,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from stoss import _core
 from stoss._arguments import flags, instance, integer, number, optional_number
-from stoss._bodies import Body, ExponentialWall, HardWall, Wall, choose_body, kept_body
+from stoss._bodies import Body, ExponentialWall, HardWall, Wall, choose_body, contact_with
 from stoss._errors import InvalidInput
 from stoss._impact_result import Impact
 from stoss._material import Material, speeds_in_si
@@ -114,7 +114,7 @@ def repeated(
     material: Material | None,
 ) -> Impact:
     """The impact with these inputs, checked before."""
-    handle = _core.impact(kept_body(body, cutoff, keep), wall._made(), speed, step, nodes, half_width)
+    handle = _core.impact(contact_with(body, wall, cutoff, keep), speed, step, nodes, half_width)
     energies = handle.modes()
     return Impact(
         body=body, wall=wall, keep=keep, material=material, modes=len(energies), mode_energies=energies, _handle=handle,

@@ -10,7 +10,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from stoss import _core
 from stoss._arguments import integer, numbers, require_memory
-from stoss._bodies import Body, Disk, Wall, kept_body
+from stoss._bodies import Body, Disk, Wall, contact_with
 from stoss._errors import InvalidInput
 from stoss._field import Field
 from stoss._material import Material
@@ -145,7 +145,7 @@ class Impact(InSi, Result):
             raise InvalidInput(f"every: got {rows}, allowed 1 or more (steps between two rows)")
         size = 72.0 * (self.steps // rows + 2)
         require_memory("every", f"{rows} for {self.steps} steps", size, "give a larger one")
-        table = self._handle.trajectory(kept_body(self.body, self.cutoff, self.keep), rows)
+        table = self._handle.trajectory(contact_with(self.body, self.wall, self.cutoff, self.keep), rows)
         return Trajectory(impact=self, **columns(table))
 
     def field(self, *, time: ArrayLike, radius: ArrayLike | None = None, angle: ArrayLike | None = None) -> Field:
@@ -189,7 +189,7 @@ class Impact(InSi, Result):
         points = radii.size * angles.size
         self._require_memory("field", times.size, 11.0 * points, 5.0 * radii.size * self.modes, f" x {points} points")
         order = np.argsort(times.ravel(), kind="stable")
-        made = kept_body(self.body, self.cutoff, self.keep)
+        made = contact_with(self.body, self.wall, self.cutoff, self.keep)
         frames = _core.motion(made, self._handle, times.ravel()[order])
         fields = _core.fields(self.body.poisson, made, self._handle, frames, radii, angles)
         return Field._from_core(self, times.shape, order, frames.summaries(), fields, radii, angles)
@@ -220,7 +220,7 @@ class Impact(InSi, Result):
         times = numbers("time", time)
         self._require_memory("energies", times.size, 3.0 * self.modes, 0.0, f" x {self.modes} modes")
         order = np.argsort(times.ravel(), kind="stable")
-        table = _core.energies_at(kept_body(self.body, self.cutoff, self.keep), self._handle, times.ravel()[order])
+        table = _core.energies_at(contact_with(self.body, self.wall, self.cutoff, self.keep), self._handle, times.ravel()[order])
         back = np.argsort(order, kind="stable")
         energies = table[back].reshape(times.shape + (self.modes,))
         energies.flags.writeable = False

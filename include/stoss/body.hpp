@@ -1,0 +1,5 @@
+#pragma once
+
+// Bodies by themselves: everything in include/stoss/body/.
+
+#include "stoss/body/body.hpp"

@@ -1,0 +1,6 @@
+#pragma once
+
+// What meets what: everything in include/stoss/contact/.
+
+#include "stoss/contact/contact.hpp"
+#include "stoss/contact/wall.hpp"

@@ -1,0 +1,8 @@
+#pragma once
+
+// Coefficients of restitution: everything in include/stoss/restitution/.
+
+#include "stoss/restitution/curve.hpp"
+#include "stoss/restitution/extrapolation.hpp"
+#include "stoss/restitution/ladder.hpp"
+#include "stoss/restitution/restitution.hpp"
