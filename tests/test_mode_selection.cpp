@@ -115,17 +115,17 @@ TEST(ModeSelection, IsAnotherBodyToLookAt) {
   last.back() = false;
   const Body some = with_modes(body, first);
   const Impact result = impact(some, soft, speed);
-  EXPECT_NO_THROW((void)motion(contact(some), result, {1.0}));
-  test::expect_refusal([&] { (void)motion(contact(body), result, {1.0}); }, {"body"});
+  EXPECT_NO_THROW((void)motion(contact(some, soft), result, {1.0}));
+  test::expect_refusal([&] { (void)motion(contact(body, soft), result, {1.0}); }, {"body"});
   // As many modes, and the same name, but others.
-  test::expect_refusal([&] { (void)motion(contact(with_modes(body, last)), result, {1.0}); }, {"body"});
+  test::expect_refusal([&] { (void)motion(contact(with_modes(body, last), soft), result, {1.0}); }, {"body"});
 }
 
 TEST(ModeEnergies, AreThoseOfTheLedgerAndOfTheMotion) {
   const Body body = disk(0.33, 12.5);
   const Impact result = impact(body, soft, speed);
   const double initial = 0.5 * body.mass * speed * speed;
-  const std::vector<double> after = mode_energies(contact(body), result.final_state);
+  const std::vector<double> after = mode_energies(contact(body, soft), result.final_state);
   ASSERT_EQ(after.size(), result.energy.modes.size());
   for (std::size_t k = 0; k < after.size(); ++k) {
     EXPECT_NEAR(after[k] / initial, result.energy.modes[k].after, 1e-12);
@@ -134,11 +134,11 @@ TEST(ModeEnergies, AreThoseOfTheLedgerAndOfTheMotion) {
   (void)impact(body, soft, speed, {}, [&](const Snapshot& now) {
     if (now.time <= 3.0) vibration = now.vibration;
   });
-  const std::vector<Frame> frames = motion(contact(body), result, {3.0 - 0.5 * result.step});
+  const std::vector<Frame> frames = motion(contact(body, soft), result, {3.0 - 0.5 * result.step});
   double sum = 0.0;
-  for (const double energy : mode_energies(contact(body), frames[0].state)) sum += energy / initial;
+  for (const double energy : mode_energies(contact(body, soft), frames[0].state)) sum += energy / initial;
   EXPECT_NEAR(sum, vibration, 1e-10);
-  test::expect_refusal([&] { (void)mode_energies(contact(body), {}); }, {"state"});
+  test::expect_refusal([&] { (void)mode_energies(contact(body, soft), {}); }, {"state"});
 }
 
 }  // namespace

@@ -22,6 +22,13 @@ constexpr int fewest_levels = 8;  // for an error
 
 double cutoff_at(int level) { return 8.0 * std::exp2(0.25 * level); }
 
+/// What meets, without modes.
+Contact probed(const BodyMaker& first, const BodyMaker& second) {
+  Body one = first(least_cutoff, {});
+  const Units units(second(least_cutoff, {}), one);
+  return contact(std::move(one), second(least_cutoff * units.time, {}));
+}
+
 }  // namespace
 
 struct RefinableContact::Levels {
@@ -39,10 +46,10 @@ RefinableContact::RefinableContact(BodyMaker body) : levels_(std::make_shared<Le
 
 RefinableContact::RefinableContact(BodyMaker first, BodyMaker second) : RefinableContact(std::move(first)) {
   if (!second) throw InvalidInput("against: got no function that makes the body, allowed one, such as disk(poisson)");
-  const Body one = levels_->first(least_cutoff, {}), other = second(least_cutoff, {});
-  const Units units(other, one);
-  levels_->unit = 1.0 / time_scale(contact(one, second(least_cutoff * units.time, {})));
-  const double most = std::min(one.highest_cutoff, other.highest_cutoff / units.time) / levels_->unit;
+  const Contact probe = probed(levels_->first, second);
+  const Body &one = *probe.first, &other = *probe.second;
+  levels_->unit = 1.0 / time_scale(probe);
+  const double most = std::min(one.highest_cutoff, other.highest_cutoff / Units(other, one).time) / levels_->unit;
   while (levels_->highest >= 0 && cutoff_at(levels_->highest) > most) --levels_->highest;
   if (levels_->highest + 1 < fewest_levels) {
     throw InvalidInput(
@@ -68,9 +75,8 @@ const Contact& RefinableContact::at(int level, const Poll& poll) const {
 }
 
 Contact contact(const BodyMaker& first, const BodyMaker& second, double cutoff, const Poll& poll) {
-  Body one = first(cutoff, poll);
-  const Units units(second(least_cutoff, {}), one);
-  return contact(std::move(one), second(cutoff * units.time, poll));
+  const Contact probe = probed(first, second);
+  return contact(first(cutoff, poll), second(cutoff * Units(*probe.second, *probe.first).time, poll));
 }
 
 }  // namespace stoss
