@@ -62,6 +62,14 @@ def test_chapter_of_the_theory_names_code_that_exists(page):
             assert all(symbol in code for symbol in re.findall(r"`(\w+)`", symbols)), (name, symbols)
 
 
+@pytest.mark.parametrize("page", PAGES, ids=lambda page: str(page.relative_to(ROOT)))
+def test_files_that_a_page_names_exist(page):
+    folders = "bench|cli|cmake|docs|examples|include|python|scripts|src|studies|tests|validate"
+    named = re.findall(rf"`((?:{folders})/[\w./]*)`", without_code(page))
+    own = ROOT / "tests/docs"  # has the examples of the architecture
+    assert not [name for name in named if not (ROOT / name).exists() and not (own / name).exists()]
+
+
 def test_chapters_of_the_theory_are_all_in_its_index():
     index = (ROOT / "docs/theory/README.md").read_text(encoding="utf-8")
     assert THEORY and all(f"]({page.name})" in index for page in THEORY if page.name != "README.md")
