@@ -137,21 +137,22 @@ void run(const ImpactArguments& arguments) {
     throw InvalidInput(fmt::format("speed: got {} speeds, allowed one (stoss restitution takes lists)", speeds.size()));
   }
   const double poisson = arguments.disk.plane_poisson();
-  const Tail tail = arguments.tail == "static" ? Tail::quasistatic : Tail::radiating;
-  const Wall wall = arguments.wall == "hard" ? Wall(HardWall{tail}) : Wall(arguments.soft);
+  ImpactOptions options = arguments.options;
+  options.tail = arguments.tail == "static" ? Tail::quasistatic : Tail::radiating;
+  const Wall wall = arguments.wall == "hard" ? Wall(HardWall{}) : Wall(arguments.soft);
   const Body body = disk(poisson, arguments.cutoff);
   const Provenance provenance = describe(arguments);
 
   Impact result;
   if (arguments.trajectory.empty()) {
-    result = impact(body, wall, speeds[0], arguments.options);
+    result = impact(body, wall, speeds[0], options);
   } else {
     Provenance made = provenance;
     made.schema = "trajectory";
     made.inputs["speed"] = speeds[0];
     made.inputs["cutoff"] = arguments.cutoff;
     Trajectory trajectory(arguments.trajectory, made);
-    result = impact(body, wall, speeds[0], arguments.options, [&](const Snapshot& now) { trajectory.write(now); });
+    result = impact(body, wall, speeds[0], options, [&](const Snapshot& now) { trajectory.write(now); });
     trajectory.finish();
   }
   if (result.beyond_small_strain) {

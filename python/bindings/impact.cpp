@@ -1,4 +1,4 @@
-#include "stoss/impact/impact.hpp"
+#include "stoss/impact/replay.hpp"
 
 #include <pybind11/stl.h>
 
@@ -30,10 +30,7 @@ py::dict numbers(const Impact& impact) {
 
 /// The instants of a repetition of an impact, every so many steps.
 std::vector<Instant> trajectory(const Contact& contact, const Impact& impact, int every, const Poll& poll) {
-  ImpactOptions options;
-  options.step = impact.step;
-  options.nodes = impact.nodes;
-  if (!has_single_point(contact)) options.half_width = impact.half_width;
+  ImpactOptions options = repetition(contact, impact);
   options.observe_every = every;
   options.poll = poll;
   std::vector<Instant> instants;
@@ -68,9 +65,10 @@ void bind_impact(py::module_& module) {
           py::arg("contact"), py::arg("every"));
   module.def(
       "impact",
-      [](const Contact& contact, double speed, std::optional<double> step, std::optional<int> nodes,
+      [](const Contact& contact, bool radiating, double speed, std::optional<double> step, std::optional<int> nodes,
          std::optional<double> half_width) {
         ImpactOptions options;
+        options.tail = radiating ? Tail::radiating : Tail::quasistatic;
         options.step = step;
         options.nodes = nodes;
         options.half_width = half_width;
@@ -78,7 +76,8 @@ void bind_impact(py::module_& module) {
         const Released released;
         return impact(contact, speed, options);
       },
-      py::arg("contact"), py::arg("speed"), py::arg("step"), py::arg("nodes"), py::arg("half_width"));
+      py::arg("contact"), py::arg("radiating"), py::arg("speed"), py::arg("step"), py::arg("nodes"),
+      py::arg("half_width"));
 }
 
 }  // namespace stoss::python

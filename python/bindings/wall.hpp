@@ -1,5 +1,6 @@
 #pragma once
 
+#include "stoss/contact/tail.hpp"
 #include "stoss/contact/wall.hpp"
 
 namespace stoss::python {
@@ -7,6 +8,7 @@ namespace stoss::python {
 /// A wall as a Python object: pybind11 would take the variant itself apart.
 struct AnyWall {
   Wall wall;
+  Tail tail = Tail::radiating;  ///< of an impact at it
 };
 
 }  // namespace stoss::python

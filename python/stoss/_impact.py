@@ -114,7 +114,8 @@ def repeated(
     material: Material | None,
 ) -> Impact:
     """The impact with these inputs, checked before."""
-    handle = _core.impact(contact_with(body, wall, cutoff, keep), speed, step, nodes, half_width)
+    radiating = not (isinstance(wall, HardWall) and wall.tail == "static")
+    handle = _core.impact(contact_with(body, wall, cutoff, keep), radiating, speed, step, nodes, half_width)
     energies = handle.modes()
     return Impact(
         body=body, wall=wall, keep=keep, material=material, modes=len(energies), mode_energies=energies, _handle=handle,

@@ -33,6 +33,15 @@ bool same_modes(const Contact& contact, const std::vector<ModeEnergy>& modes) {
 
 }  // namespace
 
+ImpactOptions repetition(const Contact& contact, const Impact& impact) {
+  ImpactOptions options;
+  options.step = impact.step;
+  options.nodes = impact.nodes;
+  if (!has_single_point(contact)) options.half_width = impact.half_width;
+  options.tail = impact.tail;
+  return options;
+}
+
 std::vector<double> mode_energies(const Contact& contact, const State& state) {
   const std::size_t count = mode_count(contact);
   if (state.coordinate.size() != count || state.momentum.size() != count) {
@@ -101,10 +110,7 @@ std::vector<Frame> motion(const Contact& contact, const Impact& impact, const st
           {now.time, now.force, now.contact_half_width, state(), {now.node_force.begin(), now.node_force.end()}});
     }
   };
-  ImpactOptions options;
-  options.step = impact.step;
-  options.nodes = impact.nodes;
-  if (!has_single_point(contact)) options.half_width = impact.half_width;
+  ImpactOptions options = repetition(contact, impact);
   options.observe_modes = true;
   options.poll = poll;
   const Impact again = stoss::impact(contact, impact.speed, options, observer);

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "stoss/contact/contact.hpp"
+#include "stoss/contact/tail.hpp"
 #include "stoss/poll.hpp"
 
 namespace stoss {
@@ -28,6 +29,7 @@ struct ImpactOptions {
   std::optional<double> step{};        ///< Δt, R/c; otherwise recommended_step
   std::optional<int> nodes{};          ///< of the contact grid; otherwise recommended_nodes
   std::optional<double> half_width{};  ///< of the contact grid, R; otherwise 1.25 times the expected one of the contact
+  Tail tail = Tail::radiating;         ///< at a hard contact
   int observe_every = 1;               ///< the observer sees every so many steps
   bool observe_modes = false;          ///< fill Snapshot::coordinate, momentum and node_force
   std::optional<State>
@@ -80,6 +82,7 @@ struct EnergyLedger {
 struct Impact {
   std::string contact;  ///< name of what met
   Wall wall;
+  Tail tail = Tail::radiating;
   double speed = 0.0;   ///< c
   double cutoff = 0.0;  ///< c/R
   double step = 0.0;    ///< R/c
@@ -101,7 +104,7 @@ struct Impact {
 };
 
 /// Recommended time step Δt of an impact, R/c (docs/numerics.md).
-[[nodiscard]] double recommended_step(const Contact& contact, double speed);
+[[nodiscard]] double recommended_step(const Contact& contact, double speed, Tail tail = Tail::radiating);
 
 /// Recommended number of contact nodes of an impact.
 [[nodiscard]] int recommended_nodes(const Contact& contact, double speed);

@@ -16,6 +16,9 @@ struct Frame {
   std::vector<double> node_force;  ///< share of each contact node in F
 };
 
+/// Options with which `impact` repeats an impact from a body at rest inside, bit by bit.
+[[nodiscard]] ImpactOptions repetition(const Contact& contact, const Impact& impact);
+
 /// State after the bodies have touched nothing for a time, forward or back: x₀ drifts and every mode
 /// rotates.
 [[nodiscard]] State free_motion(const Contact& contact, const State& state, double time);
