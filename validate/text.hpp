@@ -30,10 +30,10 @@ FILE` makes the file anew.
 `tests/data/restitution_hard_wall.csv`: 15 points from cutoffs up to 100 and a coarser scheme in
 time, with uncertainties of 2·10⁻⁵ and more.
 
-`validate/reference_pairs.csv`: 48 pairs of unequal disks, spread by a quasi-random sequence: Poisson
-numbers from −0.6 to 0.9, radii within a factor of 4, moduli and densities within 2, relative speeds
-from 10⁻⁵ c to 0.4 c. Three impacts as above, with cutoffs 100, 141 and 200 over the time scale of the
-pair. `stoss_validate --make-pair-reference FILE` makes the file anew.
+`validate/reference_pairs.csv`: 48 pairs of unequal disks, spread by a quasi-random sequence:
+Poisson numbers from −0.6 to 0.9, radii within a factor of 4, moduli and densities within 2,
+relative speeds from 10⁻⁵ c to 0.4 c. Three impacts as above, with cutoffs 100, 141 and 200 over the
+time scale of the pair. `stoss_validate --make-pair-reference FILE` makes the file anew.
 
 These references share the equations and the modes with what they judge: they show what limited
 resolution does. That the method has the right limit is for the finite elements and the rod below to
@@ -112,7 +112,7 @@ taken off the difference.
 inline constexpr const char* pairs = R"(
 ## All pairs at the default tolerance
 
-ν of the first disk; ν, R, E and ρ of the second, in units of the first; relative speed of approach v.
+ν of the first disk; ν, R, E and ρ of the second, in units of the first; speed of approach v.
 
 | ν | ν₂ | R₂ | E₂ | ρ₂ | v | 1−ε², reference | uncertainty | 1−ε² | error | ratio | cutoff |
 |---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|
