@@ -10,8 +10,10 @@ from numpy.typing import NDArray
 
 from stoss import _core
 from stoss._arguments import instance, integer, number
-from stoss._bodies import Disk, ExponentialWall
+from stoss._bodies import Disk
+from stoss._contact import resolved
 from stoss._result import Column, Result
+from stoss._walls import ExponentialWall
 
 
 @dataclasses.dataclass(frozen=True, eq=False, repr=False)
@@ -211,5 +213,5 @@ def soft_static_contact(
     delta, highest = number("compression", compression), number("cutoff", cutoff)
     instance("wall", wall, (ExponentialWall,))
     count = None if nodes is None else integer("nodes", nodes)
-    found = _core.soft_static_contact(disk._at(highest), wall._made(), delta, count)
+    found = _core.soft_static_contact(resolved(disk, highest), wall._made(), delta, count)
     return SoftStaticContact(poisson=disk.poisson, compression=delta, cutoff=highest, wall=wall, **found)
