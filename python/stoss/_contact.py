@@ -22,7 +22,7 @@ def choose_body(body: Any, poisson: Any) -> Body:
     if (body is None) == (poisson is None):
         got = "neither" if body is None else "body and poisson"
         raise InvalidInput(f"body: got {got}, allowed one of body and poisson")
-    return Disk(poisson=poisson) if body is None else instance("body", body, (Disk, Rod))  # type: ignore[no-any-return]
+    return Disk(poisson=poisson) if body is None else instance("body", body, (Disk, Rod))
 
 
 def choose_against(body: Body, against: Any, walls: tuple[type, ...]) -> Against:

@@ -86,7 +86,7 @@ def impact(
 
     >>> pair = stoss.impact(stoss.Disk(poisson=0.33), against=stoss.Disk(poisson=0.33, radius=2), speed=0.2)
     >>> round(pair.lost_to_first, 2), round(pair.lost_to_second, 2)
-    (0.05, 0.32)
+    (0.03, 0.33)
     """
     chosen = choose_body(body, poisson)
     initial = number("speed", speed) / speed_unit(chosen)

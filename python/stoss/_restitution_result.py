@@ -98,9 +98,9 @@ class Restitution(InSiWithErrors, Result):
     tolerance: float
 
     def __repr__(self) -> str:
-        body = repr(self.body) if isinstance(self.body, Rod) else f"poisson={span(self.poisson)}"
-        if isinstance(self.against, (Disk, Rod, str)):
-            body += f", against {self.against!r}"
+        among = isinstance(self.against, (Disk, Rod, str))  # else at a wall
+        named = self.body is not None and (among or isinstance(self.body, Rod))
+        body = (repr(self.body) if named else f"poisson={span(self.poisson)}") + among * f" against {self.against!r}"
         of = f"{body}, speed={span(self.speed)} c"
         if isinstance(self.restitution, float):
             value = f"restitution {shown(self.restitution, float(self.restitution_error))}"

@@ -77,7 +77,9 @@ anything = st.one_of(
     st.dictionaries(st.text(), scalars, max_size=2), st.sets(st.integers(), max_size=2), st.builds(object),
     st.builds(lambda: (x for x in (1,))),
     st.builds(stoss.Rod), st.builds(stoss.HardWall), st.just(stoss.Disk(poisson=0.4)), st.just(stoss.Disk),
-    st.just(stoss.ExponentialWall(hardness=20)), st.just(stoss.Material(young=1, poisson=0.2, density=1, radius=1)),
+    st.just(stoss.ExponentialWall(hardness=20)), st.just(stoss.Material(young=1, poisson=0.2, density=1)),
+    st.just(stoss.Disk(radius=1, material=stoss.Material(young=1, poisson=0.2, density=1))),
+    st.just(stoss.Disk(poisson=0.4, radius=1.5)), st.just(stoss.Rod(length=2)), st.just("same"),
 )  # fmt: skip
 
 
@@ -144,7 +146,8 @@ PUBLIC = {
     "modes": (stoss.modes, CHEAP),
     "extrapolated_restitution": (stoss.extrapolated_restitution, {**CHEAP, **few}),
     "Disk": (stoss.Disk, CHEAP),
-    "Material": (stoss.Material, {"young": 1, "poisson": 0.3, "density": 1, "radius": 1}),
+    "Material": (stoss.Material, {"young": 1, "poisson": 0.3, "density": 1}),
+    "Rod": (stoss.Rod, {}),
     "HardWall": (stoss.HardWall, {}),
     "ExponentialWall": (stoss.ExponentialWall, {}),
     "trajectory": (hit.trajectory, {}),

@@ -129,7 +129,7 @@ def test_metres_per_second():
 
 @pytest.mark.filterwarnings("ignore::stoss.StossWarning")
 def test_rod():
-    ax = stoss.restitution(body=stoss.Rod(), speed=[0.1, 0.2]).plot()
+    ax = stoss.restitution(stoss.Rod(), speed=[0.1, 0.2]).plot()
     assert drawn(ax)[0].get_label() == "rod"
     assert drawn(ax)[0].lines[0].get_xdata().size == 2
 

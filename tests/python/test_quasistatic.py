@@ -128,11 +128,11 @@ def test_static_contact_is_in_balance():
 def test_soft_contact_tends_to_the_hard_one():
     hard = quasistatic.static_contact(poisson=0.33, compression=0.05).force
     off = [quasistatic.soft_static_contact(poisson=0.33, compression=0.05, cutoff=cutoff,
-                                           wall=stoss.ExponentialWall(hardness=alpha)).force / hard - 1
+                                           against=stoss.ExponentialWall(hardness=alpha)).force / hard - 1
            for cutoff, alpha in ((25, 500), (50, 2000), (100, 8000))]  # fmt: skip
     assert off[0] > off[1] > off[2] > 0 and off[2] < 0.1
     soft = quasistatic.soft_static_contact(poisson=0.33, compression=0.05)
-    twice = quasistatic.soft_static_contact(poisson=0.33, compression=0.05, wall=stoss.ExponentialWall(strength=7))
+    twice = quasistatic.soft_static_contact(poisson=0.33, compression=0.05, against=stoss.ExponentialWall(strength=7))
     assert twice.force == pytest.approx(soft.force, rel=1e-9)
     assert soft.modes == 1146 and 0 < soft.wall_energy < soft.energy
     assert quasistatic.soft_static_contact(poisson=0.33, compression=0.05, nodes=400).nodes == 400
@@ -141,11 +141,11 @@ def test_soft_contact_tends_to_the_hard_one():
 def results():
     steel = stoss.Material(young=2.1e11, poisson=0.3, density=7850, radius=0.01)
     yield quasistatic.slow_impact(poisson=0.33, speed=0.01)
-    yield quasistatic.slow_impact(material=steel, speed=[[1e-9, 5]])
+    yield quasistatic.slow_impact(steel, speed=[[1e-9, 5]])
     yield quasistatic.slow_impact(poisson=[[0.1], [0.2]], speed=[1e-9, 1e-3])
     yield quasistatic.slow_impact(poisson=0.33, speed=[])
     yield quasistatic.rayleigh(poisson=0.33, speed=0.01, cutoff=8)
-    yield quasistatic.rayleigh(material=steel, speed=[1, 5], cutoff=8)
+    yield quasistatic.rayleigh(steel, speed=[1, 5], cutoff=8)
     yield quasistatic.rayleigh(poisson=[0.1, 0.2], speed=1e-9, cutoff=8)
     yield quasistatic.static_contact(poisson=0.33, compression=0.01, nodes=20)
     yield quasistatic.soft_static_contact(poisson=0.33, compression=0.01, cutoff=8)

@@ -27,15 +27,17 @@ def results(hit, curve, steel):
         "number": stoss.restitution(poisson=0.33, speed=0.1, tolerance=1e-2),
         "curve": curve,
         "empty": stoss.restitution(poisson=0.33, speed=[], tolerance=1e-2),
-        "steel": stoss.restitution(material=steel, speed=[5, 50], tolerance=1e-2),
+        "steel": stoss.restitution(steel, speed=[5, 50], tolerance=1e-2),
         "impact": hit,
-        "soft impact": stoss.impact(material=steel, speed=50, cutoff=8, wall=stoss.ExponentialWall()),
-        "rod": stoss.impact(body=stoss.Rod(), speed=0.1, cutoff=50),
+        "soft impact": stoss.impact(steel, speed=50, cutoff=8, against=stoss.ExponentialWall()),
+        "rod": stoss.impact(stoss.Rod(), speed=0.1, cutoff=50),
+        "pair": stoss.impact(steel, against="same", speed=50, cutoff=4),
+        "pairs": stoss.restitution(poisson=[0.3, 0.4], against="same", speed=0.1, tolerance=1e-2),
         "trajectory": hit.trajectory(every=10),
         "field": hit.field(time=[2, 1], radius=[0.0, 0.5, 1.0], angle=[0.0, 3.0]),
         "frame": hit.field(time=2, radius=[0.0, 1.0], angle=[0.0, 3.0]),
         "modes": stoss.modes(poisson=0.33, cutoff=6),
-        "steel modes": stoss.modes(material=steel, cutoff=6),
+        "steel modes": stoss.modes(steel, cutoff=6),
         "extrapolation": stoss.extrapolated_restitution(poisson=0.3, speed=0.2, **SERIES),
     }
 
@@ -73,7 +75,10 @@ def test_bodies_walls_and_materials_are_values(steel):
     for one, other in (
         (stoss.Disk(poisson=0.3), stoss.Disk(poisson=0.4)), (stoss.Rod(), stoss.Disk(poisson=0.3)),
         (stoss.HardWall(), stoss.HardWall(tail="static")), (stoss.ExponentialWall(), stoss.ExponentialWall(hardness=9)),
-        (steel, dataclasses.replace(steel, plane="strain")),
+        (steel, stoss.Disk(radius=0.01, material=steel.material, plane="strain")),
+        (steel.material, dataclasses.replace(steel.material, poisson=0.2)),
+        (stoss.Disk(poisson=0.3, radius=2), stoss.Disk(poisson=0.3, young=2)), (stoss.Rod(area=2), stoss.Rod(length=3)),
+        (stoss.Rod(length=1, area=1e-4, material=steel.material), stoss.Rod()),
     ):  # fmt: skip
         twin = copy.deepcopy(pickle.loads(pickle.dumps(one)))
         assert one == twin and hash(one) == hash(twin) and repr(one) == repr(twin)
@@ -218,7 +223,7 @@ def test_help():
 
 def test_shapes_broadcast():
     one = stoss.restitution(poisson=0.3, speed=0.1, tolerance=1e-2)
-    fields = [field.name for field in dataclasses.fields(one) if field.name not in ("body", "tolerance", "material")]
+    fields = [field.name for field in dataclasses.fields(one) if field.name not in ("body", "against", "tolerance")]
     assert all(type(getattr(one, name)) in (float, int, bool, str) for name in fields)
     for speed in (np.array(0.1), np.float32(0.125), 1, np.int8(1)):
         with warnings.catch_warnings():
