@@ -7,7 +7,7 @@ import dataclasses
 from typing import Any, Iterator, Union
 
 from stoss import _core
-from stoss._arguments import instance, number, refusal
+from stoss._arguments import brief, instance, number, refusal
 from stoss._errors import InvalidInput
 from stoss._material import Material, Scales
 
@@ -192,8 +192,17 @@ def _shown(body: Body, ratios: tuple[str, ...], si: tuple[str, ...]) -> str:
     names = si if body.material is not None else ratios
     usual: dict[str, Any] = {"plane": "stress"} | {name: 1.0 for name in ratios if name != "poisson" and body.material is None}
     values = {name: getattr(body, name) for name in names}
-    said = ", ".join(f"{name}={value!r}" for name, value in values.items() if usual.get(name) != value)
+    said = ", ".join(f"{name}={brief(value)}" for name, value in values.items() if usual.get(name) != value)
     return f"{type(body).__name__}({said})"
+
+
+def shown(body: Body) -> str:
+    """The body in the line that says what a result is."""
+    if body.material is None:
+        return repr(body)
+    if isinstance(body, Rod):
+        return f"Rod(length={body.length:g} m)"
+    return f"Disk(poisson={body.poisson:.6g}, radius={body.radius:g} m)"
 
 
 def _material(body: Body) -> Material:

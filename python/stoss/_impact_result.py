@@ -10,7 +10,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from stoss import _core
 from stoss._arguments import integer, numbers, require_memory
-from stoss._bodies import Body, Disk, Rod
+from stoss._bodies import Body, Disk, Rod, shown
 from stoss._contact import Against, contact
 from stoss._errors import InvalidInput
 from stoss._field import Field
@@ -119,7 +119,7 @@ class Impact(InSi, Result):
         )
 
     def _who(self) -> str:
-        return f"{self.body!r} against {self.against!r}" if self._is_pair else repr(self.body)
+        return shown(self.body) + (f" against {shown(self.against)}" if isinstance(self.against, (Disk, Rod)) else "")
 
     @property
     def _is_pair(self) -> bool:

@@ -7,7 +7,7 @@ from types import MappingProxyType
 from typing import Mapping, NamedTuple
 
 from stoss import _core
-from stoss._arguments import number
+from stoss._arguments import brief, number
 
 
 class Scales(NamedTuple):
@@ -34,7 +34,7 @@ class Scales(NamedTuple):
     force: float
 
 
-@dataclasses.dataclass(frozen=True, kw_only=True)
+@dataclasses.dataclass(frozen=True, kw_only=True, repr=False)
 class Material:
     """An isotropic elastic material in SI, of which bodies are made.
 
@@ -73,6 +73,9 @@ class Material:
         for name in ("young", "poisson", "density"):
             object.__setattr__(self, name, number(name, getattr(self, name)))
         self._plane_poisson("stress")
+
+    def __repr__(self) -> str:
+        return f"Material({', '.join(f'{name}={brief(value)}' for name, value in vars(self).items())})"
 
     def _plane_poisson(self, plane: str) -> float:
         """2-D Poisson number: ν, or ν/(1−ν) in plane strain."""

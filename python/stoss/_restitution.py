@@ -80,7 +80,8 @@ def restitution(
     0.9974
     >>> disk = stoss.Disk(poisson=0.33)
     >>> stoss.restitution(disk, against=stoss.Disk(poisson=0.33, radius=2), speed=0.2)
-    Restitution(Disk(poisson=0.33) against Disk(poisson=0.33, radius=2.0), speed=0.2 c: restitution 0.794777 ± 0.000034)
+    Restitution(Disk(poisson=0.33) against Disk(poisson=0.33, radius=2), speed=0.2 c:
+    restitution 0.794777 ± 0.000034)
     """
     speeds = numbers("speed", speed)
     if body is None and poisson is not None:

@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from stoss._bodies import Body, Disk, Rod
+from stoss._bodies import shown as shown_body
 from stoss._contact import Against
 from stoss._result import Column, Number, Result, shown, span
 from stoss._si import SI_UNITS, InSiWithErrors
@@ -98,10 +99,12 @@ class Restitution(InSiWithErrors, Result):
     tolerance: float
 
     def __repr__(self) -> str:
-        among = isinstance(self.against, (Disk, Rod, str))  # else at a wall
-        named = self.body is not None and (among or isinstance(self.body, Rod))
-        body = (repr(self.body) if named else f"poisson={span(self.poisson)}") + among * f" against {self.against!r}"
-        of = f"{body}, speed={span(self.speed)} c"
+        against = self.against if isinstance(self.against, (Disk, Rod, str)) else None  # else at a wall
+        named = self.body is not None and (against is not None or isinstance(self.body, Rod))
+        of = shown_body(self.body) if named and self.body else f"poisson={span(self.poisson)}"
+        if against is not None:
+            of += f" against {against!r}" if isinstance(against, str) else f" against {shown_body(against)}"
+        of += f", speed={span(self.speed)} c"
         if isinstance(self.restitution, float):
             value = f"restitution {shown(self.restitution, float(self.restitution_error))}"
             return f"Restitution({of}: {value}{'' if self.converged else ', not converged'})"

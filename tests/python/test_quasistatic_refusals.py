@@ -25,7 +25,7 @@ BAD = {
     "depth": [-1e-9, nan, inf, "x"],
     "y": [nan, inf, "x", np.True_],
     "x": [-0.01, 2.1, nan, "x"],
-    "cutoff": [0, 1, 1001, nan, "x", [6, 7]],
+    "cutoff": [0, -1, 1001, nan, "x", [6, 7]],
     "nodes": [0, 15, 5000, 16.0, "16", True],
     "law": ["", "Center", 1, ["center"]],
     "contact": ["", "Hertz", 1, None],
@@ -43,7 +43,7 @@ def test_refusals(function):
     names, arguments = usual(function)
     assert function(**arguments) is not None
     with pytest.raises(TypeError, match="positional"):
-        function(0.3)
+        function(0.3, 0.3)
     for name in set(names) & set(BAD):
         for value in BAD[name]:
             with pytest.raises(stoss.InvalidInput, match=r"^[\w ]+: got .+, allowed .+") as caught:

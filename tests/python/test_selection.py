@@ -98,7 +98,7 @@ def test_energies_in_time_are_those_of_the_trajectory(some):
     path = some.trajectory(every=50)
     energies = some.energies_at(time=path.time)
     assert energies.shape == (len(path), some.modes) and not energies.flags.writeable
-    assert energies.dtype.names == ("order", "index", "omega", "energy")
+    assert energies.dtype.names == ("body", "order", "index", "omega", "energy")
     assert energies["energy"].sum(axis=1) == pytest.approx(path.vibration, abs=1e-12)
     for name in ("order", "index", "omega"):
         assert np.array_equal(energies[name][0], some.mode_energies[name])
