@@ -139,6 +139,7 @@ def called(function, arguments):
 
 hit = stoss.impact(poisson=0.33, speed=0.1, cutoff=6)
 modes = stoss.modes(poisson=0.33, cutoff=6)
+MAKER, ROD = stoss._core.disk(0.3, 1.0, 1.0, 1.0), stoss._core.rod(1.0, 1.0, 1.0, 1.0)
 few = {"cutoffs": [4, 5, 6], "hardnesses": [50, 60, 70]}
 PUBLIC = {
     "restitution": (stoss.restitution, CHEAP),
@@ -190,8 +191,9 @@ def test_private(data):
     doors = [getattr(core, name) for name in dir(core) if inspect.isbuiltin(getattr(core, name))]
     doors += [hit._handle.trajectory, hit._handle.numbers, hit._handle.modes, core.Body, core.Frames.summaries]
     function = data.draw(st.sampled_from(doors))
-    usual = [0.3, 0.1, 3, True, np.array([0.1, 0.2]), core.rod(9.0), core.disk(0.3, 5.0), hit._handle, [], len]
-    usual += [core.hard_wall(True), core.refinable_disk(0.3), np.zeros(2, core.restitution_row)]
+    usual = [0.3, 0.1, 3, True, np.array([0.1, 0.2]), ROD.at(9.0), MAKER.at(5.0), hit._handle, [], len]
+    usual += [core.hard_wall(True), core.refinable(MAKER), np.zeros(2, core.restitution_row), MAKER, ROD]
+    usual += [core.at_wall(MAKER.at(5.0), core.hard_wall(True)), core.pair(MAKER, MAKER, 5.0)]
     cheap = boxes.filter(lambda box: harmless("tolerance", box.content))
     arguments = data.draw(st.lists(boxed(st.sampled_from(usual)) | cheap, max_size=7))
     try:
@@ -204,13 +206,16 @@ def test_private(data):
 NASTY = [
     "core.Body()", "core.Impact()", "core.Frames.summaries(None)", "core.Impact.modes(None)",
     "copy.copy(handle)", "copy.deepcopy(body)", "pickle.dumps(handle)", "pickle.dumps(hit)", "copy.deepcopy(hit)",
-    "core.motion(core.rod(100.0), handle, two)", "core.motion(core.disk(0.33, 3.0), handle, two)",
-    "core.motion(body, handle, two[::-1])", "core.motion(body, handle, two * nan)",
-    "handle.trajectory(core.disk(0.33, 20.0), 1)", "handle.trajectory(core.rod(9.0), 1)", "handle.trajectory(body, -1)",
-    "core.fields(0.33, core.disk(0.33, 20.0), handle, frames, two, two)",
-    "core.fields(0.33, core.rod(9.0), handle, frames, two, two)", "core.fields(0.33, body, finer, frames, two, two)",
+    "core.motion(at(rod, 100.0), handle, two)", "core.motion(at(disk, 3.0), handle, two)",
+    "core.motion(core.pair(disk, disk, 6.0), handle, two)", "core.pair(disk, rod, 6.0)", "core.pair(None, disk, 6.0)",
+    "core.motion(met, handle, two[::-1])", "core.motion(met, handle, two * nan)", "core.BodyMaker()",
+    "handle.trajectory(at(disk, 20.0), 1)", "handle.trajectory(at(rod, 9.0), 1)", "handle.trajectory(met, -1)",
+    "core.fields(0.33, 0, at(disk, 20.0), handle, frames, two, two)",
+    "core.fields(0.33, 0, at(rod, 9.0), handle, frames, two, two)", "core.fields(0.33, 0, met, finer, frames, two, two)",
+    "core.fields(0.33, 1, met, handle, frames, two, two)", "core.fields(0.33, -7, met, handle, frames, two, two)",
+    "core.fields(0.33, 1, core.pair(disk, disk, 6.0), handle, frames, two, two)",
     "core.displacement(0.33, 10**6, 1.0, 1.0, 1.0, two)", "core.displacement(0.33, -1, nan, nan, nan, two)",
-    "core.impact(body, core.hard_wall(True), 0.1, None, None, 1e-300)", "core.rod(1e300)", "core.disk(0.3, 1e300)",
+    "core.impact(met, 0.1, None, None, 1e-300)", "rod.at(1e300)", "disk.at(1e300)", "rod.at(nan)",
     "core.check_curve(two, nan, 1)", "threading.stack_size(65536); run(stoss.modes, poisson=0.3, cutoff=50)",
     "run(stoss.restitution, poisson=[0.1, 0.2], speed=0.1, tolerance=0.1)", "del hit, handle; energies[0]",
     "[stoss.restitution(poisson=0.3, speed=np.full(3, 0.1), tolerance=0.1, threads=1024) for _ in range(3)]",
@@ -222,8 +227,12 @@ CHILD = """
 import copy, gc, pickle, threading, numpy as np, stoss
 core, nan, two = stoss._core, float("nan"), np.array([0.1, 0.2])
 hit = stoss.impact(poisson=0.33, speed=0.1, cutoff=6)
-energies, handle, body = hit.mode_energies, hit._handle, core.disk(0.33, 6.0)
-finer, frames = stoss.impact(poisson=0.33, speed=0.1, cutoff=6, nodes=90)._handle, core.motion(body, handle, two)
+energies, handle = hit.mode_energies, hit._handle
+disk, rod = core.disk(0.33, 1.0, 1.0, 1.0), core.rod(1.0, 1.0, 1.0, 1.0)
+def at(maker, cutoff):
+    return core.at_wall(maker.at(cutoff), core.hard_wall(True))
+body, met = disk.at(6.0), at(disk, 6.0)
+finer, frames = stoss.impact(poisson=0.33, speed=0.1, cutoff=6, nodes=90)._handle, core.motion(met, handle, two)
 def run(function, **arguments):
     thread = threading.Thread(target=function, kwargs=arguments)
     thread.start()

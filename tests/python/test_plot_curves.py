@@ -121,8 +121,8 @@ def test_single_value():
 
 
 def test_metres_per_second():
-    steel = stoss.Material(young=2.1e11, poisson=0.3, density=7850, radius=0.01)
-    ax = stoss.restitution(material=steel, speed=[1.0, 10.0]).plot()
+    steel = stoss.Disk(radius=0.01, material=stoss.materials["steel"])
+    ax = stoss.restitution(steel, speed=[1.0, 10.0]).plot()
     np.testing.assert_allclose(drawn(ax)[0].lines[0].get_xdata(), [1.0, 10.0])
     assert ax.get_xlabel() == "speed v / (m/s)"
 
