@@ -12,7 +12,7 @@ from stoss import _core
 from stoss._arguments import instance, refusal
 from stoss._bodies import Body, Disk, Rod
 from stoss._errors import InvalidInput
-from stoss._walls import ExponentialWall, HardWall, Wall
+from stoss._walls import HardWall, Wall
 
 Against = Union[Wall, Body]
 

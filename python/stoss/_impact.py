@@ -2,13 +2,11 @@
 
 from __future__ import annotations
 
-import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
-from stoss import _core
 from stoss._arguments import flags, integer, number, optional_number
 from stoss._bodies import Body, speed_unit, speeds_in_si
-from stoss._contact import Against, choose_against, choose_body, contact
+from stoss._contact import Against, choose_against, choose_body
 from stoss._errors import InvalidInput
 from stoss._impact_result import Impact
 from stoss._walls import ExponentialWall, HardWall
@@ -101,23 +99,4 @@ def impact(
             f"keep: got a selection of modes and {met!r}, allowed only with a stoss.ExponentialWall ({hint})"
         )
     with speeds_in_si(chosen):
-        return repeated(chosen, met, initial, at, duration, count, width, kept)
-
-
-def repeated(
-    body: Body,
-    against: Against,
-    speed: float,
-    cutoff: float,
-    step: float | None,
-    nodes: int | None,
-    half_width: float | None,
-    keep: NDArray[np.bool_] | None,
-) -> Impact:
-    """The impact with these inputs, checked before."""
-    handle = _core.impact(contact(body, against, cutoff, keep), speed, step, nodes, half_width)
-    energies = handle.modes()
-    return Impact(
-        body=body, against=against, keep=keep, modes=len(energies), mode_energies=energies, _handle=handle,
-        **handle.numbers(),
-    )  # fmt: skip
+        return Impact._made(chosen, met, initial, at, duration, count, width, kept)

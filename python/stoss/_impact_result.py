@@ -8,13 +8,11 @@ from typing import Any, ClassVar
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from stoss import _core
-from stoss._arguments import integer, numbers, require_memory
+from stoss import _core, _replay
 from stoss._bodies import Body, Disk, Rod, shown
 from stoss._contact import Against, contact
-from stoss._errors import InvalidInput
 from stoss._field import Field
-from stoss._result import Column, Result, columns
+from stoss._result import Column, Result
 from stoss._si import SI_UNITS, InSi
 from stoss._trajectory import Trajectory
 
@@ -121,20 +119,34 @@ class Impact(InSi, Result):
     def _who(self) -> str:
         return shown(self.body) + (f" against {shown(self.against)}" if isinstance(self.against, (Disk, Rod)) else "")
 
-    @property
-    def _is_pair(self) -> bool:
-        return isinstance(self.against, (Disk, Rod))
-
     def _contact(self) -> _core.Contact:
         return contact(self.body, self.against, self.cutoff, self.keep)
+
+    @classmethod
+    def _made(
+        cls,
+        body: Body,
+        against: Against,
+        speed: float,
+        cutoff: float,
+        step: float | None,
+        nodes: int | None,
+        half_width: float | None,
+        keep: NDArray[np.bool_] | None,
+    ) -> Impact:
+        """The impact with these inputs, checked before."""
+        handle = _core.impact(contact(body, against, cutoff, keep), speed, step, nodes, half_width)
+        energies = handle.modes()
+        return cls(
+            body=body, against=against, keep=keep, modes=len(energies), mode_energies=energies, _handle=handle,
+            **handle.numbers(),
+        )  # fmt: skip
 
     def __reduce__(self) -> tuple[Any, ...]:
         # Repeated, which gives the same bits, rather than written.
         width = self.half_width if isinstance(self.body, Disk) else None
         inputs = (self.body, self.against, self.speed, self.cutoff, self.step, self.nodes, width, self.keep)
-        from stoss._impact import repeated
-
-        return repeated, inputs
+        return Impact._made, inputs
 
     def trajectory(self, *, every: int = 1) -> Trajectory:
         """The impact in time, by repeating it bit by bit.
@@ -155,13 +167,7 @@ class Impact(InSi, Result):
         >>> bool(abs(energy - 1).max() < 2e-3)
         True
         """
-        rows = integer("every", every)
-        if rows < 1:
-            raise InvalidInput(f"every: got {rows}, allowed 1 or more (steps between two rows)")
-        size = 72.0 * (self.steps // rows + 2)
-        require_memory("every", f"{rows} for {self.steps} steps", size, "give a larger one")
-        table = self._handle.trajectory(self._contact(), rows)
-        return Trajectory(impact=self, **columns(table))
+        return _replay.trajectory(self, every)
 
     def field(
         self, *, time: ArrayLike, radius: ArrayLike | None = None, angle: ArrayLike | None = None, of: int = 0
@@ -201,23 +207,7 @@ class Impact(InSi, Result):
         >>> bool(field.x.max() < 1e-3)  # nothing is beyond the wall
         True
         """
-        if not isinstance(self.body, Disk):
-            raise InvalidInput(f"body: got {self.body!r}, allowed a stoss.Disk (only disks have fields)")
-        number = integer("of", of)
-        if number not in ((0, 1) if self._is_pair else (0,)):
-            raise InvalidInput(f"of: got {number}, allowed {'0 or 1' if self._is_pair else '0 (a wall has no field)'}")
-        inside = self.body if number == 0 else self.against
-        assert isinstance(inside, Disk)
-        times = numbers("time", time)
-        radii = np.linspace(0.0, 1.0, 41) if radius is None else numbers("radius", radius).ravel()
-        angles = _around() if angle is None else numbers("angle", angle).ravel()
-        points = radii.size * angles.size
-        self._require_memory("field", times.size, 11.0 * points, 5.0 * radii.size * self.modes, f" x {points} points")
-        order = np.argsort(times.ravel(), kind="stable")
-        made = self._contact()
-        frames = _core.motion(made, self._handle, times.ravel()[order])
-        fields = _core.fields(inside.poisson, number, made, self._handle, frames, radii, angles)
-        return Field._from_core(self, number, times.shape, order, frames.summaries(), fields, radii, angles)
+        return _replay.field(self, time, radius, angle, of)
 
     def energies_at(self, *, time: ArrayLike) -> NDArray[Any]:
         """Energy of each kept mode at some times, by repeating the impact bit by bit.
@@ -242,19 +232,7 @@ class Impact(InSi, Result):
         >>> energies["energy"].sum(axis=1).round(2)
         array([0.  , 0.96])
         """
-        times = numbers("time", time)
-        self._require_memory("energies", times.size, 3.0 * self.modes, 0.0, f" x {self.modes} modes")
-        order = np.argsort(times.ravel(), kind="stable")
-        table = _core.energies_at(self._contact(), self._handle, times.ravel()[order])
-        back = np.argsort(order, kind="stable")
-        energies = table[back].reshape(times.shape + (self.modes,))
-        energies.flags.writeable = False
-        return energies
-
-    def _require_memory(self, name: str, times: int, each: float, once: float, got: str) -> None:
-        """Refuse what is too large: numbers for each time, beside its motion, and numbers once."""
-        size = 8.0 * (times * (each + 2.0 * self.modes + self.nodes) + once)
-        require_memory(name, f"{times} times{got}", size, "give fewer times or points")
+        return _replay.energies_at(self, time)
 
     def plot(self, ax: Any = None) -> Any:
         """Force against time. See `stoss.plot.force`."""
@@ -270,9 +248,3 @@ class Impact(InSi, Result):
         skipped = ("body", "against", "keep", "mode_energies", "_handle")
         names = [field.name for field in dataclasses.fields(self) if field.name not in skipped]
         return {name: np.asarray(getattr(self, name)) for name in names}
-
-
-def _around() -> NDArray[np.float64]:
-    """Angles around the disk, three times as dense at the wall as opposite to it."""
-    even = np.linspace(-np.pi, np.pi, 181)
-    return np.asarray(even - 0.5 * np.sin(even))
