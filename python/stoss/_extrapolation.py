@@ -51,9 +51,7 @@ class Extrapolation(Result):
 
     def plot(self, ax: Any = None) -> Any:
         """1 − ε² against 1/α with the regressions. See `stoss.plot.extrapolation`."""
-        from stoss import plot
-
-        return plot.extrapolation(self, ax)
+        return self._picture(ax)
 
     def _inputs(self) -> dict[str, Any]:
         names = ("poisson", "speed", "restitution", "restitution_error", "lost_fraction", "lost_fraction_error")

@@ -71,9 +71,7 @@ class Field(Result):
 
     def plot(self, ax: Any = None) -> Any:
         """Stress inside the disk. See `stoss.plot.stress`."""
-        from stoss import plot
-
-        return plot.stress(self, ax)
+        return self._picture(ax)
 
     def _inputs(self) -> dict[str, Any]:
         return self.impact._inputs() | {"speed": self.impact.speed, "cutoff": self.impact.cutoff}

@@ -108,9 +108,7 @@ class Modes(Result):
 
     def plot(self, ax: Any = None) -> Any:
         """Spectrum, ω against n. See `stoss.plot.spectrum`."""
-        from stoss import plot
-
-        return plot.spectrum(self, ax)
+        return self._picture(ax)
 
     def _inputs(self) -> dict[str, Any]:
         return {"poisson": self.poisson, "cutoff": self.cutoff}

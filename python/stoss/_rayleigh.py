@@ -86,9 +86,7 @@ class RayleighEstimate(InSi, Result):
 
     def plot(self, ax: Any = None) -> Any:
         """1 − ε² against v. See `stoss.plot.rayleigh`."""
-        from stoss import plot
-
-        return plot.rayleigh(self, ax)
+        return self._picture(ax)
 
     def _inputs(self) -> dict[str, Any]:
         return {"law": self.law, "cutoff": self.cutoff} | ({"body": self.body} if self.body else {})

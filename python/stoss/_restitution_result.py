@@ -114,9 +114,7 @@ class Restitution(InSiWithErrors, Result):
 
     def plot(self, ax: Any = None) -> Any:
         """ε against v with error bars. See `stoss.plot.restitution`."""
-        from stoss import plot
-
-        return plot.restitution(self, ax)
+        return self._picture(ax)
 
     def _inputs(self) -> dict[str, Any]:
         named = {"body": self.body, "against": self.against, "tolerance": self.tolerance}

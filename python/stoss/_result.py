@@ -4,9 +4,10 @@ from __future__ import annotations
 
 import abc
 import dataclasses
+import importlib
 import math
 import os
-from typing import Any, ClassVar, Iterator, Mapping, Union
+from typing import Any, Callable, ClassVar, Iterator, Mapping, Union
 
 import numpy as np
 from numpy.typing import NDArray
@@ -41,6 +42,10 @@ def plain(value: Any) -> Any:
         given = {field.name: getattr(value, field.name) for field in dataclasses.fields(value) if field.repr}
         return plain({name: each for name, each in given.items() if each is not None})
     return value
+
+
+pictures: dict[type, Callable[[Any, Any], Any]] = {}
+"""Draws the usual picture of each kind of result: stoss.plot registers its functions here."""
 
 
 class Result(abc.ABC):
@@ -98,6 +103,10 @@ class Result(abc.ABC):
     def _derived(self) -> dict[str, Any]:
         """Further quantities that follow from the fields."""
         return {}
+
+    def _picture(self, ax: Any) -> Any:
+        importlib.import_module("stoss.plot")
+        return pictures[type(self)](self, ax)
 
     @abc.abstractmethod
     def _inputs(self) -> dict[str, Any]:

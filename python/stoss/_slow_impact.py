@@ -65,9 +65,7 @@ class SlowImpact(InSi, Result):
 
     def plot(self, ax: Any = None) -> Any:
         """Contact time against speed. See `stoss.plot.slow_impact`."""
-        from stoss import plot
-
-        return plot.slow_impact(self, ax)
+        return self._picture(ax)
 
     def _inputs(self) -> dict[str, Any]:
         return {"law": self.law} | ({"body": self.body} if self.body else {})

@@ -65,9 +65,7 @@ class StaticContact(Result):
 
     def plot(self, ax: Any = None) -> Any:
         """Pressure along the edge. See `stoss.plot.static_contact`."""
-        from stoss import plot
-
-        return plot.static_contact(self, ax)
+        return self._picture(ax)
 
     def _inputs(self) -> dict[str, Any]:
         names = ("poisson", "compression", "force", "force_error", "half_width", "energy")

@@ -58,9 +58,7 @@ class Trajectory(Result):
 
     def plot(self, ax: Any = None) -> Any:
         """Force against time. See `stoss.plot.force`."""
-        from stoss import plot
-
-        return plot.force(self, ax)
+        return self._picture(ax)
 
     def _inputs(self) -> dict[str, Any]:
         return self.impact._inputs()
