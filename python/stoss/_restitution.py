@@ -95,7 +95,7 @@ def restitution(
         places = [np.arange(speeds.size)]
     if isinstance(against, HardWall) and against.tail != "radiating":
         raise refusal("against", against, "HardWall() (what the modes above the cutoff do is part of the refinement)")
-    met = [choose_against(each, against, (HardWall,)) for each in bodies]
+    met = [choose_against(each, against, (HardWall,)) for each in bodies or [Disk(poisson=0.0)]]
     limit, count = number("tolerance", tolerance), integer("threads", threads)
     with speeds_in_si(body):
         _core.check_curve(speeds.ravel(), limit, count)
@@ -110,7 +110,7 @@ def restitution(
             stopped = True
     table, reasons = gather(curves, speeds.size)
     one = bodies[0] if len(bodies) == 1 else None
-    shared = "same" if one is None and against == "same" else met[0] if met else HardWall()
+    shared = "same" if one is None and isinstance(against, str) else met[0]
     result = _make(one, shared, poissons, speeds, table, reasons, limit)
     if stopped:
         done = sum(len(curve.reasons) for curve in curves)

@@ -21,6 +21,9 @@ LONG = {
     "map": "stoss.restitution(poisson=np.linspace(-0.9, 0.9, 400), speed=0.1, tolerance=1e-4)",
     "progress": CURVE.format(nu=0.33, threads=2)[:-1] + ", progress=True)",
     "impact": "stoss.impact(poisson=0.33, speed=0.1, cutoff=20, step=5e-6)",
+    "pairs": "stoss.restitution(stoss.Disk(poisson=0.33), against=stoss.Disk(poisson=0.2, radius=3),"
+    " speed=np.geomspace(1e-3, 0.3, 300), tolerance=1e-4)",
+    "impact of two bodies": "stoss.impact(stoss.Disk(poisson=0.33), against='same', speed=0.1, cutoff=300)",
     "impact on a soft wall": "stoss.impact(poisson=0.33, speed=0.1, step=5e-6, against=stoss.ExponentialWall())",
     "trajectory": "hit.trajectory()",
     "field": "hit.field(time=np.linspace(0, 6, 3000))",

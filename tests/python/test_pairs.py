@@ -216,6 +216,10 @@ def test_pictures_show_both(pair, closed, tmp_path):
     (low, high), (bottom, top) = rows.get_xlim(), rows.get_ylim()
     assert low < points[:, 0].min() and points[:, 0].max() < high
     assert bottom < points[:, 1].min() and points[:, 1].max() < top
+    heights = [sorted(bar.get_height() for group in stoss.plot.ledger(pair, of=of).containers for bar in group)
+               for of in (0, 1)]  # fmt: skip
+    strongest = [pair.mode_energies["after"][pair.mode_energies["body"] == of].max() for of in (0, 1)]
+    assert [each[-1] for each in heights] == strongest
     for quantity in (None, "von_mises"):
         stoss.animate(pair, tmp_path / "pair.gif", frames=3, quantity=quantity)
         assert (tmp_path / "pair.gif").stat().st_size > 3000
