@@ -7,9 +7,10 @@ Expect:  ε of a few speeds of approach, with errors that include the interpolat
 
     u₁′ = u₁ − ½ (1 + ε(v)) v,    u₂′ = u₂ + ½ (1 + ε(v)) v,    v = u₁ − u₂
 
-Here v is the speed at which two equal disks approach each other. The function takes (simulation, v), as REBOUND's
-sim.coefficient_of_restitution does, and uses |v|, since REBOUND's v has a sign. Disks are taken to
-have stopped ringing before they meet again, and material damping is left out (docs/materials.md).
+Here v is the speed at which two equal disks approach each other. The function takes (simulation,
+v), as REBOUND's sim.coefficient_of_restitution does, and uses |v|, since REBOUND's v has a sign.
+Disks are taken to have stopped ringing before they meet again, and material damping is left out
+(docs/materials.md).
 """
 
 import sys

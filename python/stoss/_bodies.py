@@ -190,7 +190,9 @@ def _fill(body: Body, made: dict[str, float], material: Material | None, **given
 def _shown(body: Body, ratios: tuple[str, ...], si: tuple[str, ...]) -> str:
     """The call that makes the body, without what is usual."""
     names = si if body.material is not None else ratios
-    usual: dict[str, Any] = {"plane": "stress"} | {name: 1.0 for name in ratios if name != "poisson" and body.material is None}
+    usual: dict[str, Any] = {"plane": "stress"}
+    if body.material is None:
+        usual |= {name: 1.0 for name in ratios if name != "poisson"}
     values = {name: getattr(body, name) for name in names}
     said = ", ".join(f"{name}={brief(value)}" for name, value in values.items() if usual.get(name) != value)
     return f"{type(body).__name__}({said})"

@@ -39,8 +39,9 @@ def choose_against(body: Body, against: Any, walls: tuple[type, ...]) -> Against
             raise refusal("against", against, f"a stoss.{type(body).__name__} (a disk meets disks, a rod rods)")
         if (against.material is None) != (body.material is None):
             raise refusal("against", against, "two bodies with a material, or two without")
-        if getattr(against, "plane", None) != getattr(body, "plane", None):
-            raise refusal("against", against, f"the same plane as that of the first, {body.plane!r}")  # type: ignore[union-attr]
+        plane = getattr(body, "plane", None)
+        if getattr(against, "plane", None) != plane:
+            raise refusal("against", against, f"the same plane as that of the first, {plane!r}")
     return against  # type: ignore[no-any-return]
 
 

@@ -94,7 +94,9 @@ materials: Mapping[str, Material] = MappingProxyType(
         "rubber": Material(young=2e6, poisson=0.49, density=1100.0),
     }
 )
-"""Typical materials: structural steel (Eurocode 3), soda-lime glass (EN 572-1; ν between the 0.20 there and the 0.23 of
-makers), polycrystalline ice at −16 °C (Gammon et al., J. Glaciology 29, 433 (1983)), soft rubber (orders of magnitude). Yours differs, rubber by a factor of ten: measure it. What ε
+"""Typical materials. Yours differs, rubber by a factor of ten: measure it.
+
+Structural steel (Eurocode 3); soda-lime glass (EN 572-1, but ν between the 0.20 there and the 0.23 of makers);
+polycrystalline ice at −16 °C (Gammon et al., J. Glaciology 29, 433 (1983)); soft rubber (orders of magnitude). What ε
 means for each of them: docs/materials.md.
 """

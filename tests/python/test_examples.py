@@ -22,6 +22,7 @@ FILES = {
     "03_anatomy": ["anatomy.csv", "anatomy.png"],
     "04_material": ["steel.png", "steel_plane_strain.csv", "steel_plane_stress.csv"],
     "05_event_driven": ["event_driven.png"],
+    "06_two_disks": ["two_disks.png"],
 }
 NUMBER = re.compile(r"(?<![\w.])[-+]?\d+(?:\.\d+)?(?:e[-+]?\d+)?(?![\w.])")
 
@@ -230,3 +231,15 @@ def test_gas(example, law):
     # Elastic disks keep their energy; sticking ones lose what is relative.
     assert cool(lambda simulation, v: 1.0, 200, 5.0)[1] == pytest.approx(1.0, abs=1e-12)
     assert cool(lambda simulation, v: 0.0, 1, 5.0, count=2)[1][-1] == pytest.approx(0.0, abs=1e-12)
+
+
+def test_two_disks(example):
+    rows = example("06_two_disks").numbers("1 :")
+    assert len(rows) == 7
+    steel = stoss.materials["steel"]
+    small = stoss.Disk(radius=5e-3, material=steel)
+    for _, ratio, value, error, *lost in (rows[0], rows[3]):
+        direct = stoss.restitution(small, against=stoss.Disk(radius=5e-3 * ratio, material=steel), speed=1.0)
+        assert abs(value - direct.restitution) < 1e-6 and abs(error - direct.restitution_error) < 1e-6
+        assert lost == pytest.approx([direct.lost_to_first, direct.lost_to_second], abs=1e-6)
+    assert rows[0][4] == rows[0][5] and rows[-1][4] < 0.01 * rows[-1][5]

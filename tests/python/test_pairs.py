@@ -40,7 +40,8 @@ def test_equal_bodies_are_one_at_a_wall(body):
     assert pairs.lost_to_first == pytest.approx(pairs.lost_to_second, rel=1e-9)
     assert np.all(alone.lost_to_second == 0) and np.all(alone.lost_to_first > 0)
     twin = dataclasses.replace(body)
-    assert np.array_equal(stoss.restitution(body, against=twin, speed=pairs.speed * unit).restitution, pairs.restitution)
+    again = stoss.restitution(body, against=twin, speed=pairs.speed * unit)
+    assert np.array_equal(again.restitution, pairs.restitution)
 
 
 def test_same_of_many_poisson_numbers():
@@ -210,6 +211,7 @@ def test_pictures_show_both(pair, closed, tmp_path):
         assert all(np.array_equal(a, b) for a, b in zip(one.get_segments(), other.get_segments()))
     colours = stoss.plot.stress(pair.field(time=0.5 * pair.contact_time, radius=np.linspace(0, 1, 9)))
     assert len(colours.collections) == 2
+    assert stoss.plot.velocity(pair.trajectory()).get_ylabel() == "velocity of approach / c"
     rows = stoss.plot.sequence(pair, count=4, columns=2)
     assert len(rows.collections) == 8 and not rows.patches
     points = np.concatenate([segment for grid in rows.collections for segment in grid.get_segments()])

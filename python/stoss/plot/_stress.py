@@ -123,7 +123,8 @@ def scale_of(
     if covering <= 0.0:  # no stress at all, as before the first contact
         covering = instants[0].field.impact.max_force
     top = covering if limit is None else float(limit)
-    return Scale(quantity, top, covering / FRINGES if fringe is None else float(fringe), bool(max(each.max() for each in values) > top))
+    clipped = max(float(each.max()) for each in values) > top
+    return Scale(quantity, top, covering / FRINGES if fringe is None else float(fringe), clipped)
 
 
 def draw_stress(
