@@ -20,6 +20,7 @@ py::dict numbers(const Impact& impact) {
   return py::dict("speed"_a = impact.speed, "restitution"_a = impact.restitution,
                   "lost_fraction"_a = impact.lost_fraction, "translation"_a = impact.energy.translation,
                   "vibration"_a = impact.energy.vibration, "unresolved"_a = impact.energy.unresolved,
+                  "lost_to_first"_a = impact.energy.lost_to_first, "lost_to_second"_a = impact.energy.lost_to_second,
                   "contact_time"_a = impact.contact_time, "contacts"_a = impact.contacts,
                   "max_force"_a = impact.max_force, "max_compression"_a = impact.max_compression,
                   "max_half_width"_a = impact.max_half_width, "cutoff"_a = impact.cutoff, "step"_a = impact.step,
@@ -44,7 +45,7 @@ std::vector<Instant> trajectory(const Contact& contact, const Impact& impact, in
 }  // namespace
 
 void bind_impact(py::module_& module) {
-  PYBIND11_NUMPY_DTYPE(ModeEnergy, order, index, omega, after, average);
+  PYBIND11_NUMPY_DTYPE(ModeEnergy, body, order, index, omega, after, average);
   PYBIND11_NUMPY_DTYPE(Instant, time, center, velocity, force, translation, vibration, stored, unresolved,
                        contact_half_width);
   py::class_<Impact> handle(module, "Impact", "One impact, from which its trajectory can be repeated.");

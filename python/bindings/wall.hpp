@@ -1,6 +1,5 @@
 #pragma once
 
-#include "stoss/contact/tail.hpp"
 #include "stoss/contact/wall.hpp"
 
 namespace stoss::python {
@@ -8,7 +7,6 @@ namespace stoss::python {
 /// A wall as a Python object: pybind11 would take the variant itself apart.
 struct AnyWall {
   Wall wall;
-  Tail tail = Tail::radiating;  ///< of an impact at it
 };
 
 }  // namespace stoss::python
