@@ -127,6 +127,23 @@ TEST_P(MappedAngles, BothAreSymmetricAndPositive) {
 
 INSTANTIATE_TEST_SUITE_P(RadiusRatio, MappedAngles, ::testing::Values(0.02, 0.1, 0.35, 0.7, 0.97, 1.0));
 
+// On a circle of almost the same size everything is almost as at equally spaced angles, unresolved orders included.
+TEST(AlmostEqualAngles, GiveAlmostTheSumsAtEqualAngles) {
+  const Body body = disk(poisson, cutoff);
+  for (const double half_angle : {0.1, 0.7, 1.5}) {
+    constexpr std::size_t count = 24;
+    const ContactPoints equal{1.0, pi / std::ceil(count * pi / half_angle), count};
+    ContactPoints almost = equal;
+    almost.radius = 1.0 - 1e-12;
+    const auto w = body.residual_compliance(equal, {}), near_w = body.residual_compliance(almost, {});
+    const auto v = body.residual_second_moment(equal, {}), near_v = body.residual_second_moment(almost, {});
+    for (std::size_t k = 0; k < w.size(); ++k) {
+      EXPECT_NEAR(near_w[k], w[k], 1e-8 * w.front()) << half_angle;
+      EXPECT_NEAR(near_v[k], v[k], 1e-8 * v.front()) << half_angle;
+    }
+  }
+}
+
 // The contact adds what each body is by itself, in the units of the first.
 TEST(PairResidual, IsTheSumOfBoth) {
   const Disk one{0.33};

@@ -69,10 +69,10 @@ TEST(Ladder, RefusesBodiesThatItCannotRefine) {
   test::expect_refusal([] { RefinableContact none(disk(0.33), rod()); }, {"against", "rod", "disk"});
   test::expect_refusal(
       [] {
-        RefinableContact none(disk(0.33), disk(Disk{0.33, 200.0, 1.0, 1.0}));
+        RefinableContact none(disk(0.33), disk(Disk{0.33, 60.0, 1.0, 1.0}));
       },
-      {"against", "radius=200", "50"});
-  test::expect_refusal([] { RefinableContact none(disk(Disk{0.33, 200.0, 1.0, 1.0}), disk(0.33)); }, {"against", "50"});
+      {"against", "radius=60", "50"});
+  test::expect_refusal([] { RefinableContact none(disk(Disk{0.33, 60.0, 1.0, 1.0}), disk(0.33)); }, {"against", "50"});
 }
 
 }  // namespace
