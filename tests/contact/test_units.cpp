@@ -39,6 +39,13 @@ TEST(Units, OfARodFollowFromItsModulusDensityLengthAndSection) {
   EXPECT_NEAR(units.impedance, area * std::sqrt(young * density), 1e-13);
 }
 
+TEST(Units, OfMassAreWhatABodyCountsItsOwnMassIn) {
+  Body body = rod(Rod{1.0, 1.0, 6.0, 1.0}, 5.0), other = rod(Rod{1.0, 1.0, 4.0, 1.0}, 5.0);
+  body.mass = 3.0;  // so its unit is 2
+  EXPECT_NEAR(Units(body, other).mass, 0.5, 1e-15);
+  EXPECT_NEAR(Units(other, body).mass, 2.0, 1e-15);
+}
+
 TEST(Units, ThereAndBackAreNone) {
   for (const Disk& other : test::other_disks) {
     const Body one = disk(0.33, 5.0), two = disk(other, 5.0);
