@@ -14,8 +14,8 @@ promised of the error of 1 − ε² at the default tolerance:
 2. in all it is within three times the estimated one,
 3. the estimated one is not padded: in the median it is at most ten times the true one.
 
-The program ends with exit code 1 if one of the three fails. `tests/test_validation_sample.cpp`
-repeats it on a sample.
+The program ends with exit code 1 if one of the three fails.
+`tests/restitution/test_validation_sample.cpp` repeats it on a sample.
 
 ## The references
 

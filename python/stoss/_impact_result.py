@@ -15,6 +15,7 @@ from stoss._field import Field
 from stoss._result import Column, Result
 from stoss._si import SI_UNITS, InSi
 from stoss._trajectory import Trajectory
+from stoss._walls import HardWall
 
 
 @dataclasses.dataclass(frozen=True, eq=False, repr=False)
