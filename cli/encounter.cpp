@@ -105,7 +105,7 @@ void Encounter::describe(nlohmann::ordered_json& inputs) const {
   }
 }
 
-void EncounterArguments::add_to(CLI::App& to, const std::string& extra) {
+void EncounterArguments::add_to(CLI::App& to, const std::string& kind, const std::string& help) {
   command = &to;
   to.add_option("--body", body, "Kind of body (default: disk); a rod has no Poisson number")
       ->check(CLI::IsMember({"disk", "rod"}))
@@ -118,8 +118,8 @@ void EncounterArguments::add_to(CLI::App& to, const std::string& extra) {
                 "  disk[,poisson=NU,radius=R,young=E,density=RHO]: a second disk,\n"
                 "               in units of the first; with a material, in SI\n"
                 "  rod[,length=L,young=E,density=RHO,area=A]: a second rod" +
-                    extra)
-      ->type_name("WHAT")
+                    help)
+      ->type_name("{wall,same,disk,rod" + (kind.empty() ? "" : "," + kind) + "}[,KEY=NUMBER]...")
       ->group("Against");
 }
 

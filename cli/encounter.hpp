@@ -52,8 +52,8 @@ struct EncounterArguments {
   std::string against = "wall";
   CLI::App* command = nullptr;
 
-  /// @param extra what --against takes besides, for the help
-  void add_to(CLI::App& to, const std::string& extra = {});
+  /// @param kind  that --against takes besides, with its help
+  void add_to(CLI::App& to, const std::string& kind = {}, const std::string& help = {});
 
   /// @throws CLI::RequiredError for a disk without a Poisson number, InvalidInput for options that do not go together
   [[nodiscard]] Encounter encounter() const;

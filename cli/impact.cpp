@@ -134,7 +134,7 @@ void add_impact(CLI::App& app) {
       ->required()
       ->type_name("V")
       ->group("Body");
-  arguments->who.add_to(*command,
+  arguments->who.add_to(*command, "exponential",
                         "\n  exponential[,hardness=A,strength=V0]: the soft wall V0 exp(A x), A\n"
                         "               in 1/R, 1 to 1e6 (default: 500), V0 in rho c^2 R^2\n"
                         "               (default: 1; it only shifts the wall)");
@@ -146,10 +146,10 @@ void add_impact(CLI::App& app) {
   add_number(*command, "--cutoff", arguments->cutoff, "Modes up to this frequency in c/R are kept (default: 50)")
       ->type_name("OMEGA")
       ->group("Resolution");
-  add_number(*command, "--step", arguments->options.step, "Time step in R/c (default: chosen for it)")
+  add_number(*command, "--step", arguments->options.step, "Time step in R/c (default: recommended)")
       ->type_name("DT")
       ->group("Resolution");
-  add_integer(*command, "--nodes", arguments->options.nodes, "Contact nodes, 16 to 4096 (default: chosen for it)")
+  add_integer(*command, "--nodes", arguments->options.nodes, "Contact nodes, 16 to 4096 (default: recommended)")
       ->type_name("N")
       ->group("Resolution");
   command->add_option("--trajectory", arguments->trajectory, "Write time, center, force, energies as CSV to FILE")

@@ -53,8 +53,7 @@ void add_quantities(Record& record, const Quantities<Result>& quantities, const 
     const bool in_other = units.si && in_si && dimension != Dimension::none;
     const std::string mark = !marked ? "" : marked(result) ? " !" : "  ";
     const std::string shown = column.with_error ? shown_with_error(of(result), mark) : "";
-    add_reading(record, name, units.own_name(dimension), of(result), in_other ? 0 : column.width,
-                shown);
+    add_reading(record, name, units.own_name(dimension), of(result), in_other ? 0 : column.width, shown);
   }
   if (!units.si) return;
   for (const auto& [name, dimension, of, column, in_si, marked] : quantities) {

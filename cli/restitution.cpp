@@ -177,7 +177,7 @@ void add_resolution(CLI::App& command, RestitutionArguments& arguments) {
 
 void add_restitution(CLI::App& app, int& exit_code) {
   auto* command =
-      app.add_subcommand("restitution", "Coefficient of restitution of a body at a wall or of two bodies, with errors");
+      app.add_subcommand("restitution", "Coefficient of restitution at a wall or of two bodies, with errors");
   auto arguments = std::make_shared<RestitutionArguments>();
   arguments->command = command;
   command
