@@ -10,9 +10,9 @@
 namespace stoss::cli {
 namespace {
 
-/// What `make` returns; its refusals name the second body.
+/// What `make` returns; its refusals say that they are of what is met.
 template <typename Make>
-auto of_second(Make make) {
+auto of_what_is_met(Make make) {
   try {
     return make();
   } catch (const InvalidInput& error) {
@@ -55,7 +55,7 @@ Disk Encounter::second_disk(double poisson) const {
 
 BodyMaker Encounter::second(double poisson) const {
   if (against_.kind == "same") return first(poisson);
-  return of_second([&]() -> BodyMaker {
+  return of_what_is_met([&]() -> BodyMaker {
     if (against_.kind == "disk") return stoss::disk(second_disk(poisson));
     return rod({against_.value("length", 1.0), against_.value("young", 1.0), against_.value("density", 1.0),
                 against_.value("area", 1.0)});
@@ -74,7 +74,7 @@ Contact Encounter::contact(double poisson, double cutoff, Tail tail) const {
   }
   const ExponentialWall soft{against_.value("hardness", 500.0), against_.value("strength", 1.0)};
   const Wall wall = against_.kind == "wall" ? Wall(HardWall{tail}) : Wall(soft);
-  validate(wall);
+  of_what_is_met([&] { validate(wall); });
   return stoss::contact(rods_ ? rod(cutoff) : stoss::disk(poisson, cutoff), wall);
 }
 
