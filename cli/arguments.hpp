@@ -43,12 +43,13 @@ struct DiskArguments {
   /// The Poisson number that the core computes with.
   [[nodiscard]] double plane_poisson() const;
 
+  [[nodiscard]] Plane chosen_plane() const;
+
   /// Adds what was given, and the scales, to the inputs of a result.
   void describe(nlohmann::ordered_json& inputs) const;
 
  private:
   [[nodiscard]] Material material() const;
-  [[nodiscard]] Plane chosen_plane() const;
   CLI::Option* plane_option_ = nullptr;
 };
 
@@ -56,7 +57,7 @@ struct DiskArguments {
 struct SpeedRange {
   double slowest = 1e-8;
   double fastest = 1.0;
-  std::string hint = "of the centre of mass, 1e-8 to 1 c";
+  std::string hint = "speed of approach, 1e-8 to 1 c";
 };
 
 /// Speeds as typed, in c or, where there are scales, in m/s; the result is in c.

@@ -7,28 +7,13 @@
 #include <limits>
 
 #include "csv.hpp"
-#include "estimate.hpp"
 #include "interrupt.hpp"
-#include "numbers.hpp"
-#include "stoss/bodies/disk.hpp"
+#include "quantities.hpp"
 #include "stoss/errors.hpp"
 #include "stoss/restitution/extrapolation.hpp"
 
 namespace stoss::cli {
 namespace {
-
-Record make_record(const ExtrapolatedRestitution& r, double poisson, double speed, const std::optional<Scales>& si) {
-  Record record{{"poisson", "", poisson, si ? 0 : 8}, {"speed", "c", speed, si ? 0 : 12}};
-  if (si) record.push_back({"speed_si", "m/s", speed * si->speed, 12});
-  const auto add = [&record](const std::string& key, const Estimate& estimate, int width) {
-    add_estimate(record, key, "", estimate, width, with_error(estimate.value, estimate.error));
-  };
-  add("restitution", r.restitution, 22);
-  add("lost_fraction", r.lost_fraction, 24);
-  record.push_back({"impacts", "", static_cast<long>(r.impacts.size()), 9});
-  record.push_back({"steps", "", r.steps});
-  return record;
-}
 
 /// 1 − ε² for α → ∞ with the modes that each is for; the impacts are sorted by cutoff.
 nlohmann::ordered_json intercepts(const ExtrapolatedRestitution& r) {
@@ -46,19 +31,11 @@ nlohmann::ordered_json intercepts(const ExtrapolatedRestitution& r) {
   return list;
 }
 
-Row make_row(const ExtrapolatedRestitution& r, double poisson, double speed, const std::optional<Scales>& si) {
-  Row row{.record = make_record(r, poisson, speed, si), .trouble = {}};
-  auto impacts = nlohmann::ordered_json::array();
-  for (const SoftImpact& impact : r.impacts) {
-    impacts.push_back({{"cutoff", impact.cutoff},
-                       {"modes", impact.modes},
-                       {"hardness", impact.hardness},
-                       {"lost_fraction", impact.lost_fraction},
-                       {"steps", impact.steps}});
-  }
-  row.details["impacts"] = std::move(impacts);
-  row.details["hard_wall"] = intercepts(r);
-  return row;
+Row make_row(const Job& job, std::size_t row, const ExtrapolatedRestitution& r) {
+  Row made{.record = job.record(row, extrapolation_quantities(), r), .trouble = {}};
+  made.details["impacts"] = to_json(soft_impact_quantities(), r.impacts);
+  made.details["hard_wall"] = intercepts(r);
+  return made;
 }
 
 ExtrapolatedRestitution nothing() {
@@ -68,7 +45,7 @@ ExtrapolatedRestitution nothing() {
 
 }  // namespace
 
-std::string extrapolate_columns(const Job& job) { return csv_columns(make_record({}, 0.0, 0.0, job.si)); }
+std::string extrapolate_columns(const Job& job) { return csv_columns(job.record(0, extrapolation_quantities(), {})); }
 
 void check_extrapolate(const Job& job) {
   constexpr double slowest = 1e-3, fastest = 0.5;
@@ -79,7 +56,7 @@ void check_extrapolate(const Job& job) {
                     "all speeds)",
                     speed, slowest, fastest));
   }
-  for (const double poisson : job.poissons) (void)RefinableContact(disk(poisson)).at(0);
+  for (const double poisson : job.poissons) (void)job.encounter.refinable(poisson).at(0);
 }
 
 void extrapolate(Sweep& sweep, Report& report) {
@@ -94,7 +71,7 @@ void extrapolate(Sweep& sweep, Report& report) {
     } catch (const NotConverged& error) {
       trouble = error.what();
     }
-    Row row = make_row(result, poisson, speed, job.si);
+    Row row = make_row(job, sweep.done(), result);
     if (!trouble.empty()) row.details["reason"] = trouble;
     row.trouble = std::move(trouble);
     sweep.add(row, report);

@@ -6,9 +6,9 @@
 #include <algorithm>
 #include <memory>
 
-#include "arguments.hpp"
+#include "encounter.hpp"
 #include "options.hpp"
-#include "stoss/bodies/disk.hpp"
+#include "quantities.hpp"
 #include "stoss/errors.hpp"
 #include "trajectory.hpp"
 
@@ -16,72 +16,37 @@ namespace stoss::cli {
 namespace {
 
 struct ImpactArguments {
-  DiskArguments disk;
+  EncounterArguments who;
   std::string speed;
-  std::string wall = "hard";
   std::string tail = "radiating";
-  ExponentialWall soft;
   double cutoff = 50.0;
   ImpactOptions options;
   std::string trajectory;
   OutputArguments output;
-  CLI::Option* hardness_option = nullptr;
-  CLI::Option* strength_option = nullptr;
   CLI::Option* tail_option = nullptr;
-
-  [[nodiscard]] bool soft_given() const { return hardness_option->count() + strength_option->count() > 0; }
 };
 
-Provenance describe(const ImpactArguments& arguments) {
+Provenance describe(const ImpactArguments& arguments, const Encounter& encounter) {
   Provenance provenance{"impact", command_line(), {}};
-  arguments.disk.describe(provenance.inputs);
-  if (arguments.wall == "hard") {
-    provenance.inputs["wall"] = "hard";
-    provenance.inputs["tail"] = arguments.tail;
-  } else {
-    provenance.inputs["wall"] = "exponential";
-    provenance.inputs["hardness"] = arguments.soft.hardness;
-    provenance.inputs["strength"] = arguments.soft.strength;
-  }
+  encounter.describe(provenance.inputs);
+  if (encounter.against().kind != "exponential") provenance.inputs["tail"] = arguments.tail;
   return provenance;
 }
 
-std::vector<Entry> entries(const Impact& impact, double poisson, const std::optional<Scales>& si) {
-  std::vector<Entry> list{
-      {"poisson", "", poisson},
-      {"speed", "c", impact.speed},
-      {"restitution", "", impact.restitution},
-      {"lost_fraction", "", impact.lost_fraction},
-      {"translation", "", impact.energy.translation},
-      {"vibration", "", impact.energy.vibration},
-      {"unresolved", "", impact.energy.unresolved},
-      {"contact_time", "R/c", impact.contact_time},
-      {"contacts", "", static_cast<long>(impact.contacts)},
-      {"max_force", "piRE", impact.max_force},
-      {"max_compression", "R", impact.max_compression},
-      {"max_half_width", "R", impact.max_half_width},
-      {"cutoff", "c/R", impact.cutoff},
-      {"modes", "", static_cast<long>(impact.energy.modes.size())},
-      {"step", "R/c", impact.step},
-      {"nodes", "", static_cast<long>(impact.nodes)},
-      {"steps", "", impact.steps},
-      {"energy_error", "", impact.energy_error},
-      {"momentum_error", "", impact.momentum_error},
-      {"beyond_small_strain", "", impact.beyond_small_strain},
-  };
-  if (si) {
-    list.push_back({"speed_si", "m/s", impact.speed * si->speed});
-    list.push_back({"contact_time_si", "s", impact.contact_time * si->time});
-    list.push_back({"max_force_si", "N/m", impact.max_force * si->force});
-    list.push_back({"max_compression_si", "m", impact.max_compression * si->length});
-  }
-  return list;
+Record make_record(const Impact& impact, const Encounter& encounter, double poisson) {
+  const Units units = encounter.units();
+  Record record;
+  if (!encounter.rods()) record.push_back({"poisson", "", poisson});
+  record.push_back({"speed", units.own_name(Dimension::speed), impact.speed});
+  if (units.si) record.push_back({"speed_si", "m/s", impact.speed * units.si->speed});
+  add_quantities(record, impact_quantities(), impact, units);
+  return record;
 }
 
-void write_table(const std::string& path, const std::vector<Entry>& list, std::vector<ModeEnergy> modes) {
+void write_table(const std::string& path, const Record& record, std::vector<ModeEnergy> modes, bool pair) {
   Output output(path);
   output.keep(0);
-  for (const Entry& entry : list) {
+  for (const Entry& entry : record) {
     const auto* number = std::get_if<double>(&entry.value);
     const std::string value = number != nullptr
                                   ? fmt::format("{:.8g}", *number)
@@ -94,34 +59,21 @@ void write_table(const std::string& path, const std::vector<Entry>& list, std::v
   std::partial_sort(modes.begin(), modes.begin() + static_cast<std::ptrdiff_t>(count), modes.end(),
                     [](const ModeEnergy& a, const ModeEnergy& b) { return a.average > b.average; });
   output.write("\nmost energetic modes (shares of the initial energy)\n");
-  output.write(fmt::format("{:>5}{:>5}{:>12}{:>14}{:>14}\n", "n", "l", "omega", "average", "after"));
+  const auto body = [&](const std::string& text) { return pair ? fmt::format("{:>8}", text) : ""; };
+  output.write(fmt::format("{}{:>5}{:>5}{:>12}{:>14}{:>14}\n", body("body"), "n", "l", "omega", "average", "after"));
   for (std::size_t i = 0; i < count; ++i) {
     const ModeEnergy& mode = modes[i];
-    output.write(fmt::format("{:>5}{:>5}{:>12.6f}{:>14.7f}{:>14.7f}\n", mode.order, mode.index, mode.omega,
-                             mode.average, mode.after));
+    output.write(fmt::format("{}{:>5}{:>5}{:>12.6f}{:>14.7f}{:>14.7f}\n", body(mode.body == 0 ? "first" : "second"),
+                             mode.order, mode.index, mode.omega, mode.average, mode.after));
   }
   output.close();
 }
 
-nlohmann::ordered_json to_json(const std::vector<ModeEnergy>& modes) {
-  auto list = nlohmann::ordered_json::array();
-  for (const ModeEnergy& mode : modes) {
-    list.push_back({{"order", mode.order},
-                    {"index", mode.index},
-                    {"omega", mode.omega},
-                    {"average", mode.average},
-                    {"after", mode.after}});
-  }
-  return list;
-}
-
 void run(const ImpactArguments& arguments) {
-  if (arguments.wall == "hard" && arguments.soft_given()) {
-    throw InvalidInput("wall: got hard with --hardness or --strength, allowed exponential (add --wall exponential)");
-  }
-  if (arguments.wall == "exponential" && arguments.tail_option->count() > 0) {
+  const Encounter encounter = arguments.who.encounter();
+  if (encounter.against().kind == "exponential" && arguments.tail_option->count() > 0) {
     throw InvalidInput(
-        "tail: got a tail with --wall exponential, allowed only with --wall hard (the soft wall leaves it out)");
+        "tail: got a tail with --against exponential, allowed only without (the soft wall leaves it out)");
   }
   if (!arguments.trajectory.empty() && same_output(arguments.trajectory, arguments.output.path)) {
     throw InvalidInput(
@@ -131,80 +83,74 @@ void run(const ImpactArguments& arguments) {
     throw InvalidInput(fmt::format("every: got {}, allowed 1 or more (steps between two rows of the trajectory)",
                                    arguments.options.observe_every));
   }
-  const auto si = arguments.disk.si();
-  const std::vector<double> speeds = parse_speeds(arguments.speed, si);
+  const std::vector<double> speeds = parse_speeds(arguments.speed, encounter.units().si);
   if (speeds.size() != 1) {
     throw InvalidInput(fmt::format("speed: got {} speeds, allowed one (stoss restitution takes lists)", speeds.size()));
   }
-  const double poisson = arguments.disk.plane_poisson();
+  const double poisson = encounter.rods() ? 0.0 : arguments.who.disk.plane_poisson();
   ImpactOptions options = arguments.options;
   options.tail = arguments.tail == "static" ? Tail::quasistatic : Tail::radiating;
-  const Wall wall = arguments.wall == "hard" ? Wall(HardWall{}) : Wall(arguments.soft);
-  const Body body = disk(poisson, arguments.cutoff);
-  const Provenance provenance = describe(arguments);
+  const Contact contact = encounter.contact(poisson, arguments.cutoff);
+  const Provenance provenance = describe(arguments, encounter);
 
   Impact result;
   if (arguments.trajectory.empty()) {
-    result = impact(body, wall, speeds[0], options);
+    result = impact(contact, speeds[0], options);
   } else {
     Provenance made = provenance;
     made.schema = "trajectory";
     made.inputs["speed"] = speeds[0];
     made.inputs["cutoff"] = arguments.cutoff;
-    Trajectory trajectory(arguments.trajectory, made);
-    result = impact(body, wall, speeds[0], options, [&](const Snapshot& now) { trajectory.write(now); });
+    Trajectory trajectory(arguments.trajectory, made, encounter.units());
+    result = impact(contact, speeds[0], options, [&](const Snapshot& now) { trajectory.write(now); });
     trajectory.finish();
   }
   if (result.beyond_small_strain) {
     arguments.output.warn("speed above 0.5 c or compression above 0.5 R: linear elasticity has lost its meaning here");
   }
 
-  const std::vector<Entry> list = entries(result, poisson, si);
+  const Record record = make_record(result, encounter, poisson);
   if (arguments.output.chosen_format() == Format::table) {
-    write_table(arguments.output.path, list, result.energy.modes);
+    write_table(arguments.output.path, record, result.energy.modes, encounter.against().is_body());
     return;
   }
   Report report(Output(arguments.output.path), arguments.output.chosen_format(), provenance);
-  report.add(list);
-  if (arguments.output.chosen_format() == Format::json) report.attach("modes", to_json(result.energy.modes));
+  report.add(record);
+  if (arguments.output.chosen_format() == Format::json)
+    report.attach("modes", to_json(mode_quantities(), result.energy.modes));
   report.finish();
 }
 
 }  // namespace
 
 void add_impact(CLI::App& app) {
-  auto* command = app.add_subcommand("impact", "One impact of a disk at a fixed resolution, with its energy ledger");
+  auto* command = app.add_subcommand("impact", "One impact at a fixed resolution, with its energy ledger");
   auto arguments = std::make_shared<ImpactArguments>();
-  arguments->disk.add_to(*command);
-  command->add_option("--speed", arguments->speed, "Speed towards the wall, 1e-8 to 1 in c (with a material: m/s)")
+  add_number(*command, "--poisson", arguments->who.disk.poisson,
+             "Poisson number of the disk, -0.95 to 0.995; with a material: of the\nsolid")
+      ->type_name("NU")
+      ->group("Body");
+  command
+      ->add_option("--speed", arguments->speed, "Speed of approach, 1e-8 to 1 in c of the body (with a material: m/s)")
       ->required()
       ->type_name("V")
       ->group("Body");
-  command->add_option("--wall", arguments->wall, "Kind of wall (default: hard)")
-      ->check(CLI::IsMember({"hard", "exponential"}))
-      ->type_name("WALL")
-      ->group("Wall");
-  arguments->hardness_option = add_number(*command, "--hardness", arguments->soft.hardness,
-                                          "alpha R of the exponential wall, 1 to 1e6 (default: 500)")
-                                   ->type_name("ALPHA")
-                                   ->group("Wall");
-  arguments->strength_option = add_number(*command, "--strength", arguments->soft.strength,
-                                          "V0 of the exponential wall in rho c^2 R^2; shifts it (default: 1)")
-                                   ->type_name("V0")
-                                   ->group("Wall");
+  arguments->who.add_to(*command, "exponential",
+                        "\n  exponential[,hardness=A,strength=V0]: the soft wall V0 exp(A x), A\n"
+                        "               in 1/R, 1 to 1e6 (default: 500), V0 in rho c^2 R^2\n"
+                        "               (default: 1; it only shifts the wall)");
   arguments->tail_option =
-      command
-          ->add_option("--tail", arguments->tail, "How modes above the cutoff answer a hard wall (default: radiating)")
+      command->add_option("--tail", arguments->tail, "How modes above the cutoff answer (default: radiating)")
           ->check(CLI::IsMember({"radiating", "static"}))
           ->type_name("TAIL")
-          ->group("Wall");
+          ->group("Against");
   add_number(*command, "--cutoff", arguments->cutoff, "Modes up to this frequency in c/R are kept (default: 50)")
       ->type_name("OMEGA")
       ->group("Resolution");
-  add_number(*command, "--step", arguments->options.step, "Time step in R/c (default: chosen for the wall)")
+  add_number(*command, "--step", arguments->options.step, "Time step in R/c (default: recommended)")
       ->type_name("DT")
       ->group("Resolution");
-  add_integer(*command, "--nodes", arguments->options.nodes, "Contact nodes, 16 to 4096 (default: chosen for the wall)")
+  add_integer(*command, "--nodes", arguments->options.nodes, "Contact nodes, 16 to 4096 (default: recommended)")
       ->type_name("N")
       ->group("Resolution");
   command->add_option("--trajectory", arguments->trajectory, "Write time, center, force, energies as CSV to FILE")
@@ -215,8 +161,10 @@ void add_impact(CLI::App& app) {
       ->group("Output");
   arguments->output.add_to(*command);
   command->footer(
-      "Example:\n  stoss impact --poisson 0.33 --speed 0.1 --trajectory t.csv --every 4\n"
-      "Two equal disks that each move at V towards each other are the same problem.");
+      "Examples:\n"
+      "  stoss impact --poisson 0.33 --speed 0.1 --trajectory t.csv --every 4\n"
+      "  stoss impact --poisson 0.33 --speed 0.2 --against disk,radius=2\n"
+      "  stoss impact --poisson 0.33 --speed 0.1 --against exponential,hardness=300");
   command->callback([arguments] { run(*arguments); });
 }
 

@@ -9,13 +9,13 @@
 #include <new>
 #include <system_error>
 
+#include "app.hpp"
 #include "arguments.hpp"
 #include "interrupt.hpp"
 #include "messages.hpp"
 #include "options.hpp"
 #include "report.hpp"
 #include "stoss/errors.hpp"
-#include "stoss/version.hpp"
 #include "text.hpp"
 
 namespace {
@@ -50,19 +50,9 @@ void reopen_closed_descriptors() {
 }
 
 int run(int argc, char** argv) {
-  CLI::App app{"Coefficient of restitution of elastic bodies from first principles", "stoss"};
-  app.set_version_flag("--version", fmt::format("stoss {}", stoss::version()), "Print the version and exit");
-  app.set_help_flag("-h,--help", "Print this help and exit");
-  app.require_subcommand(1);
-  app.footer(
-      "Lengths are in R, speeds in c = sqrt(E/rho), times in R/c, forces in pi R E, frequencies in c/R.\n"
-      "Exit codes: 0 ok, 1 not converged, 2 usage, 3 bad input, 4 input/output, 130 interrupted.");
+  CLI::App app;
   int exit_code = ok;
-  stoss::cli::add_modes(app);
-  stoss::cli::add_impact(app);
-  stoss::cli::add_restitution(app, exit_code);
-  stoss::cli::add_quasistatic(app);
-  stoss::cli::refuse_empty_values(app);
+  stoss::cli::declare(app, exit_code);
   try {
     app.parse(words(argc, argv));
     return exit_code;

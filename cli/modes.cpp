@@ -6,6 +6,7 @@
 
 #include "arguments.hpp"
 #include "options.hpp"
+#include "quantities.hpp"
 
 namespace stoss::cli {
 namespace {
@@ -25,13 +26,8 @@ void run(const ModesArguments& arguments) {
   provenance.inputs["cutoff"] = arguments.cutoff;
   Report report(Output(arguments.output.path), arguments.output.chosen_format(), provenance);
   for (const Mode& mode : modes) {
-    const std::string kind = family(mode) == ModeFamily::radial ? "radial" : "tangential";
-    std::vector<Entry> record{{"order", "", static_cast<long>(mode.order), 7},
-                              {"index", "", static_cast<long>(mode.index), 7},
-                              {"omega", "c/R", mode.omega, 13},
-                              {"radial", "", mode.radial, 13},
-                              {"tangential", "", mode.tangential, 13},
-                              {"family", "", kind, 13}};
+    Record record;
+    add_quantities(record, eigenmode_quantities(), mode, {});
     if (si) record.push_back({"frequency", "Hz", mode.omega * si->frequency / (2.0 * std::numbers::pi), 13});
     report.add(record);
   }

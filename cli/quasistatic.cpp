@@ -9,11 +9,11 @@
 #include <memory>
 
 #include "arguments.hpp"
-#include "estimate.hpp"
 #include "interrupt.hpp"
 #include "numbers.hpp"
 #include "options.hpp"
 #include "progress.hpp"
+#include "quantities.hpp"
 #include "stoss/errors.hpp"
 
 namespace stoss::cli {
@@ -59,39 +59,12 @@ void write_rows(const QuasistaticArguments& arguments, Report& report, std::size
   }
 }
 
-Record impact_record(const RayleighEstimate& estimate, const std::optional<Scales>& si) {
+Record impact_record(const RayleighEstimate& estimate, const Units& units) {
   const SlowImpact& impact = estimate.impact;
-  const std::string mark = estimate.beyond_perturbation ? " !" : "  ";
-  const std::string lost = with_error(estimate.lost_fraction, estimate.lost_fraction_error) + mark;
-  Record record{{"poisson", "", impact.poisson}, {"speed", "c", impact.speed, si ? 0 : 12}};
-  if (si) record.push_back({"speed_si", "m/s", impact.speed * si->speed, 12});
-  const auto add = [&record](Entry entry) { record.push_back(std::move(entry)); };
-  add({"lost_fraction", "", estimate.lost_fraction, 24, lost});
-  add({"lost_fraction_error", "", estimate.lost_fraction_error});
-  add({"contact_time", "R/c", impact.contact_time, si ? 0 : 14});
-  add({"max_compression", "R", impact.max_compression, si ? 0 : 17});
-  add({"max_force", "piRE", impact.max_force, si ? 0 : 13});
-  if (si) {
-    add({"contact_time_si", "s", impact.contact_time * si->time, 17});
-    add({"max_compression_si", "m", impact.max_compression * si->length, 20});
-    add({"max_force_si", "N/m", impact.max_force * si->force});
-  }
-  add({"kinetic_share", "", estimate.kinetic_share});
-  add({"beyond_perturbation", "", estimate.beyond_perturbation});
-  add({"modes", "", static_cast<long>(estimate.modes.size())});
+  Record record{{"poisson", "", impact.poisson}, {"speed", "c", impact.speed, units.si ? 0 : 12}};
+  if (units.si) record.push_back({"speed_si", "m/s", impact.speed * units.si->speed, 12});
+  add_quantities(record, slow_impact_quantities(), estimate, units);
   return record;
-}
-
-nlohmann::ordered_json to_json(const std::vector<DrivenMode>& modes) {
-  auto list = nlohmann::ordered_json::array();
-  for (const DrivenMode& mode : modes) {
-    list.push_back({{"order", mode.order},
-                    {"index", mode.index},
-                    {"omega", mode.omega},
-                    {"amplitude", mode.amplitude},
-                    {"after", mode.after}});
-  }
-  return list;
 }
 
 void impacts(const QuasistaticArguments& arguments, Provenance provenance) {
@@ -109,9 +82,9 @@ void impacts(const QuasistaticArguments& arguments, Provenance provenance) {
     const RayleighEstimate estimate = rayleigh(law, poisson, speeds[i], modes, heed_interrupts);
     beyond += estimate.beyond_perturbation ? 1 : 0;
     if (speeds.size() == 1 && arguments.output.chosen_format() == Format::json) {
-      report.attach("modes", to_json(estimate.modes));
+      report.attach("modes", to_json(driven_mode_quantities(), estimate.modes));
     }
-    return impact_record(estimate, si);
+    return impact_record(estimate, {si});
   });
   report.finish();
   if (beyond > 0) {
@@ -140,29 +113,14 @@ std::vector<double> parse_compressions(const std::string& text, CompressionLaw l
   return values;
 }
 
-Record compression_record(CompressionLaw law, double poisson, double compression, const std::optional<Scales>& si) {
+Record compression_record(CompressionLaw law, double poisson, double compression, const Units& units) {
   // The rounding of the inversion must not lead beyond the last force.
   const double last_force = std::min(limit_force(law, poisson), max_hertz_force);
   const double force = std::min(compression_force(law, poisson, compression), last_force);
-  const double energy = compression_energy(law, poisson, force);
-  const StaticContact contact = static_contact(poisson, compression, {.poll = heed_interrupts});
-  Record record{{"poisson", "", poisson}, {"compression", "R", compression, si ? 0 : 13}};
-  if (si) record.push_back({"compression_si", "m", compression * si->length, 16});
-  const auto add = [&record](Entry entry) { record.push_back(std::move(entry)); };
-  add({"force", "piRE", force, si ? 0 : 13});
-  add({"energy", "mc^2", energy, si ? 0 : 14});
-  add({"half_width", "R", hertz_half_width(force), si ? 0 : 12});
-  if (si) {
-    add({"force_si", "N/m", force * si->force, 13});
-    add({"energy_si", "J/m", energy * si->force * si->length, 14});
-    add({"half_width_si", "m", hertz_half_width(force) * si->length, 15});
-  }
-  add({"static_force", "piRE", contact.force, si ? 0 : 27, with_error(contact.force, contact.force_error)});
-  add({"static_force_error", "piRE", contact.force_error});
-  if (si) {
-    add({"static_force_si", "N/m", contact.force * si->force, 17});
-    add({"static_force_si_error", "N/m", contact.force_error * si->force});
-  }
+  const Compressed result{compression, force, compression_energy(law, poisson, force), hertz_half_width(force),
+                          static_contact(poisson, compression, {.poll = heed_interrupts})};
+  Record record{{"poisson", "", poisson}};
+  add_quantities(record, compression_quantities(), result, units);
   return record;
 }
 
@@ -176,7 +134,7 @@ void compressions(const QuasistaticArguments& arguments, const Provenance& prove
   const std::vector<double> values = parse_compressions(arguments.compressions, law, poisson, si);
   Report report(Output(arguments.output.path), arguments.output.chosen_format(), provenance);
   write_rows(arguments, report, values.size(),
-             [&](std::size_t i) { return compression_record(law, poisson, values[i], si); });
+             [&](std::size_t i) { return compression_record(law, poisson, values[i], {si}); });
   report.finish();
   const auto great = std::count_if(values.begin(), values.end(), [](double v) { return v > great_compression; });
   if (great > 0) {

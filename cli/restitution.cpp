@@ -6,6 +6,7 @@
 #include "arguments.hpp"
 #include "converge.hpp"
 #include "csv.hpp"
+#include "encounter.hpp"
 #include "extrapolate.hpp"
 #include "interrupt.hpp"
 #include "numbers.hpp"
@@ -19,7 +20,7 @@ namespace stoss::cli {
 namespace {
 
 struct RestitutionArguments {
-  DiskArguments disk;
+  EncounterArguments who;
   std::string poissons;
   std::string speeds;
   std::string method = "converge";
@@ -42,6 +43,19 @@ void check_method(const RestitutionArguments& arguments) {
   }
 }
 
+void check_against(const RestitutionArguments& arguments, const Encounter& encounter) {
+  const std::string& kind = encounter.against().kind;
+  if (kind == "exponential") {
+    throw InvalidInput(
+        "against: got exponential, allowed wall, same, disk or rod (stoss impact meets an exponential wall)");
+  }
+  if (!arguments.converges() && (kind != "wall" || encounter.rods())) {
+    throw InvalidInput(
+        fmt::format("against: got --body {} --against {} with --method extrapolate, allowed a disk at a wall",
+                    arguments.who.body, kind));
+  }
+}
+
 /// Lets the rows go to the file of --resume, as CSV.
 void redirect(RestitutionArguments& arguments) {
   if (!arguments.given("--resume")) return;
@@ -59,16 +73,19 @@ void redirect(RestitutionArguments& arguments) {
 }
 
 Job make_job(RestitutionArguments& arguments) {
-  Job job;
-  job.poissons = parse_series("poisson", arguments.poissons);
-  arguments.disk.poisson = job.poissons.front();
-  job.si = arguments.disk.si();
-  if (job.si && job.poissons.size() > 1) {
+  DiskArguments& disk = arguments.who.disk;
+  std::vector<double> poissons{0.0};  // of rods, which have none
+  if (arguments.given("--poisson")) poissons = parse_series("poisson", arguments.poissons);
+  disk.poisson = poissons.front();
+  Job job{arguments.who.encounter(), std::move(poissons), {}, {}};
+  check_against(arguments, job.encounter);
+  job.units = job.encounter.units();
+  if (job.units.si && job.poissons.size() > 1) {
     throw InvalidInput(fmt::format("poisson: got {} numbers with a material, allowed one (a material has only one)",
                                    job.poissons.size()));
   }
-  if (job.si) job.poissons = {arguments.disk.plane_poisson()};
-  job.speeds = parse_speeds(arguments.speeds, job.si);
+  if (job.units.si) job.poissons = {disk.plane_poisson()};
+  job.speeds = parse_speeds(arguments.speeds, job.units.si);
   return job;
 }
 
@@ -86,11 +103,10 @@ nlohmann::ordered_json as_typed(const std::string& text) {
 Provenance describe(const RestitutionArguments& arguments, const Job& job) {
   Provenance provenance{arguments.converges() ? "restitution" : "extrapolation", command_line(), {}};
   auto& inputs = provenance.inputs;
-  arguments.disk.describe(inputs);
-  if (!job.si) inputs["poisson"] = as_typed(arguments.poissons);
-  inputs[job.si ? "speed[m/s]" : "speed"] = as_typed(arguments.speeds);
+  job.encounter.describe(inputs);
+  if (!job.units.si && !job.encounter.rods()) inputs["poisson"] = as_typed(arguments.poissons);
+  inputs[job.units.si ? "speed[m/s]" : "speed"] = as_typed(arguments.speeds);
   inputs["method"] = arguments.method;
-  inputs["wall"] = arguments.converges() ? "hard" : "exponential";
   if (arguments.converges()) inputs["tolerance"] = arguments.tolerance;
   return provenance;
 }
@@ -161,24 +177,23 @@ void add_resolution(CLI::App& command, RestitutionArguments& arguments) {
 
 void add_restitution(CLI::App& app, int& exit_code) {
   auto* command =
-      app.add_subcommand("restitution", "Coefficient of restitution of a disk against a hard wall, with errors");
+      app.add_subcommand("restitution", "Coefficient of restitution at a wall or of two bodies, with errors");
   auto arguments = std::make_shared<RestitutionArguments>();
   arguments->command = command;
   command
       ->add_option("--poisson", arguments->poissons,
-                   "Poisson numbers, -0.95 to 0.995: a number, a,b,c, log:a:b:n or\n"
-                   "lin:a:b:n. With a material: the one of the solid")
-      ->required()
+                   "Poisson numbers of the disk, -0.95 to 0.995: a number, a,b,c,\n"
+                   "log:a:b:n or lin:a:b:n. With a material: the one of the solid")
       ->type_name("NUS")
       ->group("Body");
   command
       ->add_option("--speed", arguments->speeds,
-                   "Speeds, 1e-8 to 1 in c (m/s with a material): a number, a,b,c,\n"
-                   "log:a:b:n or lin:a:b:n")
+                   "Speeds of approach, 1e-8 to 1 in c of the body (m/s with a material):\n"
+                   "a number, a,b,c, log:a:b:n or lin:a:b:n")
       ->required()
       ->type_name("SPEEDS")
       ->group("Body");
-  arguments->disk.add_material_to(*command);
+  arguments->who.add_to(*command);
   add_resolution(*command, *arguments);
   arguments->output.add_to(*command);
   command
@@ -194,7 +209,8 @@ void add_restitution(CLI::App& app, int& exit_code) {
       "  stoss restitution --poisson 0.33 --speed 0.1 --tolerance 1e-5 --format json\n"
       "  stoss restitution --poisson 0.33 --speed 0.1 --method extrapolate\n"
       "  stoss restitution --poisson 0.3 --young 2.1e11 --density 7850 --radius 0.01 --speed 1,5,10\n"
-      "Two equal disks that each move at SPEED towards each other are the same problem.");
+      "  stoss restitution --poisson 0.33 --speed 0.1 --against disk,poisson=0.2,radius=0.5,young=2\n"
+      "  stoss restitution --body rod --speed 0.1 --against rod,length=2.5,density=3");
   command->callback([arguments, &exit_code] { exit_code = run(*arguments); });
 }
 

@@ -1,6 +1,7 @@
 #include "sweep.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 
@@ -9,6 +10,14 @@
 #include "text.hpp"
 
 namespace stoss::cli {
+
+Record Job::key(std::size_t row) const {
+  Record record;
+  if (!encounter.rods()) record.push_back({"poisson", "", poisson(row), units.si ? 0 : 8});
+  record.push_back({"speed", units.own_name(Dimension::speed), speed(row), units.si ? 0 : 12});
+  if (units.si) record.push_back({"speed_si", "m/s", speed(row) * units.si->speed, 12});
+  return record;
+}
 
 Sweep::Sweep(Job job, const OutputArguments& output, const std::string& columns)
     : job_(std::move(job)), output_(output), columns_(split(columns, ',')), progress_(output, job_.size()) {}
@@ -25,17 +34,18 @@ void Sweep::count(const std::vector<std::string>& cells) {
 }
 
 void Sweep::take(const std::vector<std::string>& cells) {
-  const std::string got = fmt::format("{}, {}", cells[0], cells[1]);
   if (done_ == job_.size()) {
     throw InvalidInput(
         fmt::format("resume: got a row {} in the file, allowed {} (mend it, or write another file)", done_ + 1, done_));
   }
-  const std::string expected = fmt::format("{}, {}", job_.poisson(done_), job_.speed(done_));
+  const Record key = job_.key(done_);
+  const std::vector<std::string> first(cells.begin(), cells.begin() + static_cast<std::ptrdiff_t>(key.size()));
+  const std::string got = fmt::format("{}", fmt::join(first, ","));
+  const std::string expected = csv_row(key);
   if (got != expected) {
     throw InvalidInput(
-        fmt::format("resume: got poisson and speed {} in row {} of the file, allowed {} (mend it, or "
-                    "write another file)",
-                    got, done_ + 1, expected));
+        fmt::format("resume: got {} {} in row {} of the file, allowed {} (mend it, or write another file)",
+                    csv_columns(key), got, done_ + 1, expected));
   }
   count(cells);
 }
@@ -44,7 +54,8 @@ void Sweep::add(const Row& row, Report& report) {
   progress_.hide();
   report.add(row.record, row.details);
   if (!row.trouble.empty()) {
-    output_.warn(fmt::format("poisson {}, speed {:.6g} c: {}", job_.poisson(done_), job_.speed(done_), row.trouble));
+    const std::string body = job_.encounter.rods() ? "" : fmt::format("poisson {}, ", job_.poisson(done_));
+    output_.warn(fmt::format("{}speed {:.6g} c: {}", body, job_.speed(done_), row.trouble));
   }
   count(split(csv_row(row.record), ','));
   progress_.show(done_);

@@ -1,25 +1,39 @@
 #pragma once
 
 #include <cstddef>
-#include <optional>
 #include <string>
 #include <vector>
 
 #include "arguments.hpp"
+#include "encounter.hpp"
 #include "progress.hpp"
+#include "quantity.hpp"
 #include "report.hpp"
+#include "units.hpp"
 
 namespace stoss::cli {
 
 /// The impacts of `stoss restitution`: for each Poisson number all speeds.
 struct Job {
+  Encounter encounter;
   std::vector<double> poissons;
   std::vector<double> speeds;  ///< c
-  std::optional<Scales> si;
+  Units units;
 
   [[nodiscard]] std::size_t size() const { return poissons.size() * speeds.size(); }
   [[nodiscard]] double poisson(std::size_t row) const { return poissons[row / speeds.size()]; }
   [[nodiscard]] double speed(std::size_t row) const { return speeds[row % speeds.size()]; }
+
+  /// What tells a row from the others, with which its record begins; with a material the speed in SI besides.
+  [[nodiscard]] Record key(std::size_t row) const;
+
+  /// The whole record of a row.
+  template <typename Result>
+  [[nodiscard]] Record record(std::size_t row, const Quantities<Result>& quantities, const Result& result) const {
+    Record record = key(row);
+    add_quantities(record, quantities, result, units);
+    return record;
+  }
 };
 
 /// What is said of one impact of the job.

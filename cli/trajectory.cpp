@@ -1,6 +1,7 @@
 #include "trajectory.hpp"
 
 #include "interrupt.hpp"
+#include "quantities.hpp"
 
 namespace stoss::cli {
 
@@ -13,15 +14,9 @@ void Trajectory::write(const Snapshot& now) {
     report_->finish(false);
     throw Interrupted{};
   }
-  report_->add({{"time", "R/c", now.time},
-                {"center", "R", now.center},
-                {"velocity", "c", now.velocity},
-                {"force", "piRE", now.force},
-                {"translation", "", now.translation},
-                {"vibration", "", now.vibration},
-                {"stored", "", now.stored},
-                {"unresolved", "", now.unresolved},
-                {"contact_half_width", "R", now.contact_half_width}});
+  Record record;
+  add_quantities(record, snapshot_quantities(), now, units_);
+  report_->add(record);
 }
 
 void Trajectory::finish() {

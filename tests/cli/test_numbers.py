@@ -5,7 +5,6 @@ import subprocess
 import pytest
 
 IMPACT = "impact --poisson 0.33 --speed 0.1 --cutoff 12.5 --quiet"
-EXPONENTIAL = f"{IMPACT} --wall exponential"
 SLOW = "quasistatic --poisson 0.33"
 CURVE = "restitution --poisson 0.33 --speed 0.1"
 STEEL = "modes --poisson 0.3 --young 2e11 --density 7850 --radius 0.01"
@@ -16,12 +15,12 @@ NUMERIC = [
     (STEEL.replace("--young 2e11", ""), "--young"), (STEEL.replace("--density 7850", ""), "--density"),
     (STEEL.replace("--radius 0.01", ""), "--radius"), (IMPACT.replace("--speed 0.1", ""), "--speed"),
     (IMPACT.replace("--poisson 0.33", ""), "--poisson"), (IMPACT.replace("--cutoff 12.5", ""), "--cutoff"),
-    (IMPACT, "--step"), (IMPACT, "--nodes"), (IMPACT, "--every"), (EXPONENTIAL, "--hardness"),
-    (EXPONENTIAL, "--strength"), (SLOW, "--speed"), (SLOW, "--compression"), (f"{SLOW} --speed 0.1", "--cutoff"),
+    (IMPACT, "--step"), (IMPACT, "--nodes"), (IMPACT, "--every"), (SLOW, "--speed"), (SLOW, "--compression"),
+    (f"{SLOW} --speed 0.1", "--cutoff"),
 ]  # fmt: skip
 OTHER = [
     ("modes --poisson 0.3", "--output"), ("modes --poisson 0.3", "--format"), (STEEL, "--plane"),
-    (IMPACT, "--trajectory"), (IMPACT, "--wall"), (IMPACT, "--tail"), (CURVE, "--method"), (CURVE, "--resume"),
+    (IMPACT, "--trajectory"), (IMPACT, "--against"), (IMPACT, "--body"), (IMPACT, "--tail"), (CURVE, "--method"), (CURVE, "--resume"),
     (f"{SLOW} --speed 0.1", "--law"),
 ]  # fmt: skip
 NO_NUMBERS = [" ", "0x1p-3", "1e-400", "1e400", "nan", "inf", "-inf", "+-1", "--1", "1e", ".", "1_0", "1 2", "1\t", "1,"]

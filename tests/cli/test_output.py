@@ -195,13 +195,47 @@ def test_many_threads_for_few_speeds(stoss):
     assert len(stoss.data("restitution --poisson 0.33 --speed 0.1 --threads 64")) == 1
 
 
-def test_manual_names_every_option(stoss):
-    manual = open(os.path.join(os.path.dirname(__file__), "../../cli/stoss.1")).read().replace("\\-", "-")
-    completion = open(os.path.join(os.path.dirname(__file__), "../../cli/completion.bash")).read()
+def documents(stoss):
+    folder = os.path.dirname(stoss.path)
+    return [open(os.path.join(folder, name)).read() for name in ("stoss.1", "completion.bash")]
+
+
+def test_manual_and_completion_have_the_options_of_the_help(stoss):
+    manual, completion = documents(stoss)
+    sections = {part.split("\n")[0]: part for part in re.split(r"\n\.S[SH] ", manual.replace("\\-", "-"))}
+    assert "@" not in manual and "@" not in completion
     for subcommand in ("modes", "impact", "restitution", "quasistatic"):
         text = stoss.run(subcommand, "--help").stdout
-        options = set(re.findall("--[a-z]+", text))
+        options = set(re.findall(r"^  (?:-\w,)?(--[a-z]+)", text, re.MULTILINE))
         assert len(options) > 8
-        for option in options:
-            assert option in manual, option
-            assert option in completion, option
+        manual_options = sections[f"stoss {subcommand}"] + sections["All subcommands"]
+        assert set(re.findall(r"\\fB(--[a-z]+)", manual_options)) == options
+        (words,) = re.findall(rf'^ +{subcommand}\) words="(.*)"', completion, re.MULTILINE)
+        assert {word for word in words.split() if word.startswith("--")} == options
+
+
+def test_completion(stoss):
+    _, completion = documents(stoss)
+
+    def complete(line):
+        words = line.split(" ")
+        script = f"""{completion}
+COMP_WORDS=({" ".join(f"'{word}'" for word in words)}); COMP_CWORD={len(words) - 1}; _stoss
+printf '%s\\n' "${{COMPREPLY[@]}}\""""
+        result = subprocess.run(["bash", "-c", script], capture_output=True, text=True, timeout=60)
+        assert result.stderr == ""
+        return result.stdout.split()
+
+    assert complete("stoss re") == ["restitution"]
+    assert complete("stoss impact --tr") == ["--trajectory"]
+    assert complete("stoss restitution --format ") == ["table", "csv", "json"]
+    assert complete("stoss restitution --against ") == ["wall", "same", "disk", "rod"]
+    assert complete("stoss impact --against e") == ["exponential"]
+    assert complete("stoss restitution --against e") == []
+    assert complete("stoss impact --speed ") == []
+
+
+def test_manual_can_be_typeset(stoss):
+    path = os.path.join(os.path.dirname(stoss.path), "stoss.1")
+    result = subprocess.run(["groff", "-man", "-ww", "-Tascii", path], capture_output=True, text=True, timeout=60)
+    assert (result.returncode, result.stderr) == (0, "")

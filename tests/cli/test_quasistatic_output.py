@@ -112,7 +112,7 @@ def test_value_out_of_range(stoss, tmp_path, arguments, name, got):
 @pytest.mark.parametrize("arguments", [
     "quasistatic", f"quasistatic --poisson {NU}", f"{IMPACT} 0.1 --compression 0.1", f"{IMPACT} 0.1 --law hertz",
     f"{CONTACT} 0.1 --tolerance 1", f"{IMPACT}",
-    f"{IMPACT} 0.1 --wall hard",
+    f"{IMPACT} 0.1 --against wall",
 ])  # fmt: skip
 def test_usage(stoss, arguments):
     result = stoss.run(arguments)

@@ -8,8 +8,8 @@ from conftest import rows
 
 KEYS = (
     "poisson speed restitution restitution_error lost_fraction lost_fraction_error contact_time contact_time_error "
-    "max_compression max_compression_error max_force max_force_error cutoff modes runs steps energy_error "
-    "converged beyond_small_strain"
+    "max_compression max_compression_error max_force max_force_error lost_to_first lost_to_second cutoff modes runs "
+    "steps energy_error converged beyond_small_strain"
 ).split()
 RUN_KEYS = "cutoff step nodes lost_fraction contact_time max_force max_compression energy_error steps".split()
 SERIES = "restitution --poisson 0.33 --speed"

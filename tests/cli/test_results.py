@@ -45,7 +45,7 @@ def test_csv_has_provenance_and_units(stoss):
     head = [line for line in text.splitlines() if line.startswith("#")]
     assert head[0].startswith("# stoss 0.")
     assert head[1] == "# command: stoss impact --poisson 0.33 --speed 0.1 --cutoff 12.5 --format csv"
-    assert "# wall: hard" in head
+    assert "# against: wall" in head
     (row,) = rows(text)
     assert {"speed[c]", "contact_time[R/c]", "max_force[piRE]", "max_compression[R]"} <= set(row)
 
@@ -70,7 +70,7 @@ def test_plane_strain(stoss):
 
 
 def test_exponential_wall(stoss):
-    (row,) = stoss.data("impact --poisson 0.33 --speed 0.1 --wall exponential --hardness 500 --cutoff 25")
+    (row,) = stoss.data("impact --poisson 0.33 --speed 0.1 --against exponential,hardness=500 --cutoff 25")
     assert float(row["lost_fraction"]) == pytest.approx(0.099881, abs=3e-5)
 
 

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <map>
+#include <string>
+
+namespace stoss::cli {
+
+/// What --against says: KIND[,key=value…].
+struct Against {
+  std::string kind = "wall";             ///< wall, same, disk, rod or exponential
+  std::map<std::string, double> values;  ///< of the keys that were given
+
+  /// Of a key, or what holds without it.
+  [[nodiscard]] double value(const std::string& key, double otherwise) const;
+
+  /// Whether it is a body, not a wall.
+  [[nodiscard]] bool is_body() const { return kind != "wall" && kind != "exponential"; }
+};
+
+/// @throws InvalidInput for a kind or a key that there is not, a key that comes twice, and what is no number
+[[nodiscard]] Against parse_against(const std::string& text);
+
+}  // namespace stoss::cli

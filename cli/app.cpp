@@ -1,0 +1,28 @@
+#include "app.hpp"
+
+#include <fmt/format.h>
+
+#include "arguments.hpp"
+#include "options.hpp"
+#include "stoss/version.hpp"
+
+namespace stoss::cli {
+
+void declare(CLI::App& app, int& exit_code) {
+  app.description("Coefficient of restitution of elastic bodies from first principles");
+  app.name("stoss");
+  app.set_version_flag("--version", fmt::format("stoss {}", stoss::version()), "Print the version and exit");
+  app.set_help_flag("-h,--help", "Print this help and exit");
+  app.require_subcommand(1);
+  app.footer(
+      "Lengths are in R, speeds in c = sqrt(E/rho), times in R/c, forces in pi R E, frequencies in c/R\n"
+      "of the first body (of a rod: L, c, L/c, E A, c/L).\n"
+      "Exit codes: 0 ok, 1 not converged, 2 usage, 3 bad input, 4 input/output, 130 interrupted.");
+  add_modes(app);
+  add_impact(app);
+  add_restitution(app, exit_code);
+  add_quasistatic(app);
+  refuse_empty_values(app);
+}
+
+}  // namespace stoss::cli

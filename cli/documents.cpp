@@ -1,0 +1,170 @@
+// Makes the man page or the completion: copies a template and puts in what the command declares.
+//
+//   stoss_documents TEMPLATE OUTPUT
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <fstream>
+#include <iostream>
+#include <iterator>
+#include <map>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "app.hpp"
+#include "stoss/version.hpp"
+#include "text.hpp"
+
+namespace {
+
+using stoss::cli::subcommands;
+
+using Options = std::vector<const CLI::Option*>;
+
+bool is_flag(const CLI::Option& option) { return option.get_expected_min() == 0; }
+
+/// The words of {a,b} in what an option takes.
+std::vector<std::string> choices(const CLI::Option& option) {
+  const std::string type = option.get_type_name();
+  const auto begin = type.find('{'), end = type.find('}');
+  if (begin == std::string::npos || end == std::string::npos) return {};
+  return stoss::cli::split(type.substr(begin + 1, end - begin - 1), ',');
+}
+
+/// -o, --output
+std::vector<std::string> names(const CLI::Option& option) {
+  std::vector<std::string> all;
+  for (const std::string& name : option.get_snames()) all.push_back("-" + name);
+  for (const std::string& name : option.get_lnames()) all.push_back("--" + name);
+  return all;
+}
+
+bool same(const CLI::Option* a, const CLI::Option* b) {
+  return names(*a) == names(*b) && a->get_description() == b->get_description();
+}
+
+bool among(const CLI::Option* option, const Options& options) {
+  return std::any_of(options.begin(), options.end(), [&](const CLI::Option* other) { return same(option, other); });
+}
+
+/// The options that every subcommand has.
+Options common(const CLI::App& app) {
+  Options shared;
+  for (const CLI::Option* option : subcommands(app).front()->get_options()) {
+    const auto has = [&](const CLI::App* command) { return among(option, command->get_options()); };
+    const auto all = subcommands(app);
+    if (std::all_of(all.begin(), all.end(), has)) shared.push_back(option);
+  }
+  return shared;
+}
+
+/// Text for roff. A line that is indented by two stands by itself, as in the help; one indented by more goes on.
+std::string roff(const std::string& text) {
+  std::string out;
+  for (const std::string& line : stoss::cli::split(text, '\n')) {
+    const auto indent = line.find_first_not_of(' ');
+    if (!out.empty()) out += indent == 2 ? "\n.br\n" : "\n";
+    for (const char c : line.substr(indent)) {
+      if (c == '-' || c == '\\') out += '\\';
+      out += c == '\\' ? 'e' : c;
+    }
+  }
+  return out;
+}
+
+std::string roff(const CLI::Option& option) {
+  std::string head;
+  for (const std::string& name : names(option)) head += (head.empty() ? "\\fB" : ", \\fB") + roff(name) + "\\fR";
+  if (!is_flag(option)) head += " \\fI" + roff(option.get_type_name()) + "\\fR";
+  return ".TP\n" + head + "\n" + roff(option.get_description()) + ".\n";
+}
+
+std::string roff_options(const CLI::App& app) {
+  const Options shared = common(app);
+  std::string text;
+  for (const CLI::App* command : subcommands(app)) {
+    text += ".SS stoss " + command->get_name() + "\n";
+    for (const CLI::Option* option : command->get_options()) {
+      if (!among(option, shared)) text += roff(*option);
+    }
+  }
+  text += ".SS All subcommands\n";
+  for (const CLI::Option* option : shared) text += roff(*option);
+  return text;
+}
+
+/// The cases of subcommand and word before: what may follow an option.
+std::string bash_values(const CLI::App& app) {
+  std::map<std::string, std::set<std::string>> patterns;  // of what is to be done
+  for (const CLI::App* command : subcommands(app)) {
+    for (const CLI::Option* option : command->get_options()) {
+      if (is_flag(*option)) continue;
+      const auto allowed = choices(*option);
+      const std::string action = !allowed.empty() ? fmt::format("words=\"{}\"", fmt::join(allowed, " "))
+                                 : option->get_type_name() == "FILE" ? "files=yes"
+                                                                     : "return";
+      for (const std::string& name : names(*option)) {
+        patterns[action].insert(fmt::format("\"{} {}\"", command->get_name(), name));
+      }
+    }
+  }
+  std::string text;
+  for (const auto& [action, words] : patterns) {
+    text += fmt::format("    {}) {} ;;\n", fmt::join(words, " | \\\n      "), action);
+  }
+  return text;
+}
+
+/// The cases of the subcommand: its options.
+std::string bash_options(const CLI::App& app) {
+  std::string text;
+  for (const CLI::App* command : subcommands(app)) {
+    std::vector<std::string> all;
+    for (const CLI::Option* option : command->get_options()) {
+      for (const std::string& name : names(*option)) all.push_back(name);
+    }
+    text += fmt::format("    {}) words=\"{}\" ;;\n", command->get_name(), fmt::join(all, " "));
+  }
+  return text;
+}
+
+std::string bash_commands(const CLI::App& app) {
+  std::vector<std::string> all;
+  for (const CLI::App* command : subcommands(app)) all.push_back(command->get_name());
+  return fmt::format("{} --help --version", fmt::join(all, " "));
+}
+
+/// A line that is only a placeholder gives place to lines, another one to words.
+std::string filled(std::string text, const CLI::App& app) {
+  const std::vector<std::pair<std::string, std::string>> fillings{{"@OPTIONS@\n", roff_options(app)},
+                                                                  {"@BASH_VALUES@\n", bash_values(app)},
+                                                                  {"@BASH_OPTIONS@\n", bash_options(app)},
+                                                                  {"@BASH_COMMANDS@", bash_commands(app)},
+                                                                  {"@VERSION@", std::string(stoss::version())}};
+  for (const auto& [place, filling] : fillings) {
+    const auto at = text.find(place);
+    if (at != std::string::npos) text.replace(at, place.size(), filling);
+  }
+  return text;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  if (argc != 3) {
+    std::cerr << "usage: stoss_documents TEMPLATE OUTPUT\n";
+    return 2;
+  }
+  CLI::App app;
+  int exit_code = 0;
+  stoss::cli::declare(app, exit_code);
+  std::ifstream in(argv[1]);
+  const std::string text{std::istreambuf_iterator<char>(in), {}};
+  std::ofstream out(argv[2]);
+  out << filled(text, app);
+  out.close();
+  return in && out ? 0 : 1;
+}

@@ -1,0 +1,235 @@
+"""Bodies that meet bodies: --body and --against of stoss restitution and stoss impact."""
+
+import json
+import math
+import signal
+import subprocess
+
+import pytest
+from conftest import number, resume, rows, wait_for_rows
+
+DISK = "restitution --poisson 0.33 --speed 0.2"
+STEEL = "--poisson 0.3 --young 2.1e11 --density 7850 --radius 0.01"
+GLASS = "poisson=0.22,young=7e10,density=2500,radius=0.02"
+PAIR_IMPACT = "impact --poisson 0.33 --speed 0.2 --cutoff 25 --against disk,radius=2"
+
+
+@pytest.mark.parametrize(
+    "against, known, uncertainty",
+    [("same", 0.103067, 2.1e-5), ("disk,radius=2", 0.368291, 1.7e-5), ("disk,young=4", 0.233945, 1.2e-5)],
+)
+def test_disks_agree_with_finite_elements(stoss, against, known, uncertainty):
+    (row,) = stoss.data(DISK, "--against", against)
+    assert abs(number(row, "lost_fraction") - known) <= number(row, "lost_fraction_error") + uncertainty
+
+
+@pytest.mark.parametrize("against", ["same", "disk", "disk,poisson=0.33,radius=1,young=1,density=1"])
+def test_equal_disks_are_the_wall_at_half_the_speed(stoss, against):
+    (pair,) = stoss.data(DISK, "--against", against)
+    (wall,) = stoss.data("restitution --poisson 0.33 --speed 0.1 --against wall")
+    for name in ("restitution", "lost_fraction", "contact_time"):
+        assert number(pair, name) == pytest.approx(number(wall, name), rel=1e-12)
+    half = number(wall, "lost_to_first") / 2
+    assert number(pair, "lost_to_first") == pytest.approx(half, rel=1e-10)
+    assert number(pair, "lost_to_second") == pytest.approx(half, rel=1e-10)
+    assert number(wall, "lost_to_second") == 0
+
+
+def test_rods_tend_to_their_exact_answer(stoss):
+    # Transit times 10 and 25, impedances 3 and 1, in units of the first: E = rho = 1 for both.
+    against = "--against rod,length=2.5,area=0.3333333333333333"
+    (row,) = stoss.data("restitution --body rod --speed 0.1", against, "--tolerance 2e-2")
+    assert abs(number(row, "restitution") - 0.7875) <= number(row, "restitution_error")
+    errors = []
+    for cutoff in (100, 400, 1600):
+        (row,) = stoss.data(f"impact --body rod --speed 0.1 --cutoff {cutoff}", against)
+        errors.append(abs(number(row, "restitution") - 0.7875))
+    assert errors[2] < errors[0] / 8 and errors[2] < 1e-3
+    assert "max_force[EA]" in row and "contact_time[L/c]" in row and "poisson" not in row
+
+
+def test_who_is_first_does_not_matter(stoss):
+    (here,) = stoss.data(DISK, "--against disk,poisson=0.2,radius=0.5,young=2,density=3")
+    there_speed = 0.2 / math.sqrt(2 / 3)
+    (there,) = stoss.data(
+        f"restitution --poisson 0.2 --speed {there_speed!r}",
+        f"--against disk,poisson=0.33,radius=2,young=0.5,density={1 / 3!r}",
+    )
+    assert abs(number(here, "restitution") - number(there, "restitution")) <= number(here, "restitution_error")
+    assert number(here, "lost_to_first") == pytest.approx(number(there, "lost_to_second"), abs=1e-4)
+    assert number(here, "lost_to_second") == pytest.approx(number(there, "lost_to_first"), abs=1e-4)
+
+
+@pytest.mark.parametrize("plane", ["stress", "strain"])
+def test_two_materials_are_their_ratios(stoss, plane):
+    (si,) = stoss.data(f"restitution {STEEL} --speed 20 --plane {plane} --against disk,{GLASS}")
+    in_plane = lambda nu: nu if plane == "stress" else nu / (1 - nu)
+    modulus = lambda young, nu: young if plane == "stress" else young / (1 - nu**2)
+    young, c = modulus(7e10, 0.22) / modulus(2.1e11, 0.3), math.sqrt(modulus(2.1e11, 0.3) / 7850)
+    against = f"disk,poisson={in_plane(0.22)!r},radius=2,young={young!r},density={2500 / 7850!r}"
+    (ratios,) = stoss.data(f"restitution --poisson {in_plane(0.3)!r} --speed {20 / c!r} --against {against}")
+    assert number(si, "restitution") == pytest.approx(number(ratios, "restitution"), abs=1e-11)
+    assert float(si["speed_si[m/s]"]) == pytest.approx(20)
+    scale = {"contact_time_si[s]": 0.01 / c, "max_compression_si[m]": 0.01}
+    for name, unit in scale.items():
+        assert float(si[name]) == pytest.approx(number(ratios, name.partition("_si")[0]) * unit, rel=1e-10)
+
+
+def test_same_of_a_material(stoss):
+    (same,) = stoss.data(f"restitution {STEEL} --speed 20 --against same")
+    (disk,) = stoss.data(f"restitution {STEEL} --speed 20 --against disk,young=2.1e11,density=7850,radius=0.01")
+    assert number(same, "restitution") == pytest.approx(number(disk, "restitution"), abs=1e-12)
+
+
+def test_poisson_number_of_the_second_follows_the_first(stoss):
+    table = stoss.data("restitution --poisson 0.2,0.33 --speed 0.2 --against disk,radius=2")
+    (alone,) = stoss.data("restitution --poisson 0.2 --speed 0.2 --against disk,radius=2,poisson=0.2")
+    assert table[0] == alone and number(table[1], "restitution") < number(table[0], "restitution")
+
+
+def test_who_takes_the_loss(stoss):
+    (record,) = json.loads(stoss.run(DISK, "--against disk,radius=2 --format json").stdout)["records"]
+    ledger = record["ledger"]
+    lost = record["lost_to_first"] + record["lost_to_second"]
+    assert lost == pytest.approx(ledger["vibration"] + ledger["unresolved"], abs=1e-12)
+    assert record["lost_to_second"] > 5 * record["lost_to_first"]
+
+
+def test_impact_says_which_body_a_mode_is_of(stoss):
+    document = json.loads(stoss.run(PAIR_IMPACT, "--format json").stdout)
+    (record,) = document["records"]
+    modes = document["modes"]
+    assert {mode["body"] for mode in modes} == {"first", "second"} and len(modes) == record["modes"]
+    for body in ("first", "second"):
+        after = sum(mode["after"] for mode in modes if mode["body"] == body)
+        assert 0 <= record[f"lost_to_{body}"] - after <= record["unresolved"] * (1 + 1e-12)
+    lines = stoss.run(PAIR_IMPACT).stdout.splitlines()
+    assert [line.split()[0] for line in lines[-11:-9]] == ["body", "second"]
+
+
+def test_trajectory_and_static_tail_of_a_pair(stoss, tmp_path):
+    path = tmp_path / "t.csv"
+    (record,) = stoss.data(PAIR_IMPACT, f"--tail static --step 0.005 --every 5 --trajectory {path}")
+    assert record["unresolved"] == "0"
+    instants = rows(path.read_text())
+    assert number(instants[0], "velocity") == 0.2
+    assert number(instants[-1], "velocity") == pytest.approx(-0.2 * number(record, "restitution"), rel=1e-12)
+    assert "# against_radius: 2.0" in path.read_text()
+
+
+def test_inputs_describe_both(stoss):
+    def inputs(*words):
+        return json.loads(stoss.run(*words, "--format json").stdout)["inputs"]
+
+    pair = inputs(DISK, "--against disk,radius=0.5,density=3")
+    assert (pair["body"], pair["against"], pair["against_poisson"]) == ("disk", "disk", "as the first")
+    assert (pair["against_radius"], pair["against_young"], pair["against_density"]) == (0.5, 1, 3)
+    steel = inputs(f"restitution {STEEL} --speed 20 --against disk,{GLASS}")
+    assert steel["against_radius[m]"] == 0.02 and steel["against_material_young[Pa]"] == 7e10
+    rod = inputs("impact --body rod --speed 0.1 --against rod,length=2")
+    assert (rod["body"], rod["against_length"], rod["against_area"]) == ("rod", 2, 1) and "poisson" not in rod
+    soft = inputs("impact --poisson 0.3 --speed 0.1 --cutoff 12.5 --against exponential,hardness=300")
+    assert (soft["against"], soft["against_hardness"], soft["against_strength"]) == ("exponential", 300, 1)
+
+
+REFUSED = [
+    ("dsk,radius=2", "against", "did you mean disk?"),
+    ("wall,radius=2", "against", "none with wall"),
+    ("same,radius=2", "against", "none with same"),
+    ("disk,raduis=2", "against", "did you mean radius?"),
+    ("disk,length=2", "against", "allowed poisson, radius, young, density with disk"),
+    ("disk,", "against", "''"),
+    (",", "against", "''"),
+    ("disk,radius", "against", "allowed radius=NUMBER"),
+    ("disk,radius=2,radius=2", "against", "twice"),
+    ("disk,radius=", "against radius", "''"),
+    ("disk,radius=nan", "against radius", "'nan'"),
+    ("disk,radius=1e400", "against radius", "1e400"),
+    ("disk,radius=2=3", "against radius", "2=3"),
+    ("disk,radius=0", "against radius", "0"),
+    ("disk,young=-1", "against young", "-1"),
+    ("disk,density=-1", "against density", "-1"),
+    ("disk,poisson=1", "against poisson", "1"),
+    ("disk,radius=60", "against", "some 50 times"),
+    ("disk,radius=1e4", "radius ratio", "10000"),
+    ("disk,young=1e4", "young ratio", "10000"),
+    ("rod", "against", "a disk meets disks"),
+    ("exponential", "against", "exponential"),
+]
+
+
+@pytest.mark.parametrize("against, name, said", REFUSED)
+def test_refusals(stoss, tmp_path, against, name, said):
+    path = tmp_path / "x.csv"
+    path.write_text("precious")
+    result = stoss.run(DISK, f"-o {path} --against", against)
+    assert (result.returncode, result.stdout, path.read_text()) == (3, "", "precious")
+    (line,) = result.stderr.splitlines()
+    assert line.startswith(f"stoss: error: {name}: got ") and said in line and "allowed" in line
+    if against not in ("exponential", "disk,radius=60"):
+        other = stoss.run("impact --poisson 0.33 --speed 0.2 --cutoff 20 --against", against)
+        assert other.returncode == 3 and name in other.stderr and said in other.stderr
+
+
+@pytest.mark.parametrize(
+    "arguments, name, said",
+    [
+        (f"{STEEL} --against disk,radius=2", "against", "without young"),
+        (f"{STEEL} --against disk,young=1e9,density=1e3,radius=-1", "against radius", "-1"),
+        (f"{STEEL} --against disk,young=1e9,density=1e3,radius=0.01,poisson=0.5", "against poisson", "0.5"),
+        ("--body rod --poisson 0.3", "poisson", "--body rod"),
+        ("--body rod --young 1e9", "young", "--body rod"),
+        ("--body rod --plane strain", "plane", "--body rod"),
+        ("--body rod --against disk", "against", "a disk meets disks"),
+        ("--body rod --against rod,area=0", "against area", "0"),
+        ("--poisson 0.3 --against same --method extrapolate", "against", "extrapolate"),
+        ("--body rod --method extrapolate", "against", "extrapolate"),
+    ],
+)
+def test_what_does_not_go_together(stoss, arguments, name, said):
+    result = stoss.run("restitution --speed 1", arguments)
+    assert (result.returncode, result.stdout) == (3, "")
+    (line,) = result.stderr.splitlines()
+    assert line.startswith(f"stoss: error: {name}: got ") and said in line and "allowed" in line
+
+
+def test_spaces_around_keys_and_numbers_do_not_count(stoss):
+    command = [stoss.path, *DISK.split(), "--against", " disk , radius = 2 ", "--format", "csv"]
+    text = subprocess.run(command, capture_output=True, text=True).stdout
+    assert rows(text) == stoss.data(DISK, "--against disk,radius=2")
+
+
+@pytest.mark.parametrize("number_of_signal", [signal.SIGINT, signal.SIGKILL])
+def test_interrupted_or_killed_and_resumed(stoss, tmp_path, number_of_signal):
+    path = tmp_path / "curve.csv"
+    job = "restitution --poisson 0.33,0.2 --speed log:0.01:0.2:40 --tolerance 1e-2 --against disk,radius=2"
+    command = stoss.start(f"{job} --threads 1 --resume {path}", stderr=subprocess.DEVNULL)
+    wait_for_rows(command, path, 3)
+    command.send_signal(number_of_signal)
+    assert command.wait(timeout=60) == (130 if number_of_signal == signal.SIGINT else -signal.SIGKILL)
+    assert resume(stoss, path, job).returncode == 0
+    assert rows(path.read_text()) == rows(stoss.run(job, "--format csv").stdout)
+
+
+@pytest.mark.parametrize(
+    "bodies, others",
+    [
+        (
+            "--poisson 0.33 --against disk,radius=2",
+            ["--poisson 0.33 --against disk,radius=2.5", "--poisson 0.33 --against same", "--poisson 0.33", "--body rod"],
+        ),
+        ("--body rod --against rod,length=2.5", ["--body rod --against same", "--body rod", "--poisson 0.33"]),
+    ],
+)
+def test_resume_keeps_to_the_bodies(stoss, tmp_path, bodies, others):
+    path = tmp_path / "curve.csv"
+    job = "restitution --speed 0.1,0.2 --tolerance 0.1"
+    whole = stoss.run(job, bodies, "--format csv").stdout
+    path.write_text(whole[: whole.rindex("\n", 0, -1) + 1])
+    before = path.read_text()
+    for other in others:
+        result = resume(stoss, path, f"{job} {other}")
+        assert result.returncode == 3 and "another job needs another file" in result.stderr
+        assert path.read_text() == before
+    assert resume(stoss, path, f"{job} {bodies}").returncode == 0
+    assert rows(path.read_text()) == rows(whole)
