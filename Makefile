@@ -4,6 +4,7 @@
 
 JOBS ?= $(shell nproc)
 PREFIX ?= /usr/local
+PYTHON ?= /usr/bin/python3
 SOURCES = $(shell git ls-files '*.cpp' '*.hpp')
 
 help: ## show this list
@@ -37,10 +38,12 @@ validate: setup ## are the errors of restitution honest? writes docs/validation.
 	@cmake --build --preset release -j $(JOBS) --target stoss_validate
 	@build/release/validate/stoss_validate --markdown=docs/validation.md
 
-results: setup ## the curves of docs/results.md, into docs/results/
+results: setup ## the tables and the figure of docs/results/
 	@cmake --preset release -DSTOSS_BUILD_STUDIES=ON
-	@cmake --build --preset release -j $(JOBS) --target stoss_curves
+	@cmake --build --preset release -j $(JOBS) --target stoss_curves stoss_pairs
 	@build/release/studies/stoss_curves docs/results/restitution.csv
+	@build/release/studies/stoss_pairs docs/results/pairs.csv
+	@$(PYTHON) studies/pairs/figure.py docs/results/pairs.csv docs/images/pairs.png
 
 paper: setup python ## reproduce the whole paper: out/paper/report.html, in some minutes
 	@PYTHONPATH=studies build/venv/bin/python -m gerl_zippelius_1999 --output out/paper

@@ -36,17 +36,19 @@ void add_set_up(double cutoff) {
     const int nodes = stoss::recommended_nodes(contact, speed);
     for (auto _ : state) {
       const stoss::ContactGrid grid = stoss::contact_grid(contact, half_width, nodes);
-      benchmark::DoNotOptimize(stoss::make_response(contact, grid, speed, 0.5 / cutoff));
+      benchmark::DoNotOptimize(stoss::make_response(contact, stoss::Tail::radiating, grid, speed, 0.5 / cutoff));
     }
   });
 }
 
-void add_impact(const std::string& name, const stoss::Wall& wall, double cutoff, double cutoff_times_step) {
+void add_impact(const std::string& name, const stoss::Wall& wall, double cutoff, double cutoff_times_step,
+                stoss::Tail tail = stoss::Tail::radiating) {
   add(with_cutoff(name, cutoff), [=](benchmark::State& state) {
     const stoss::Body& body = disk_body(cutoff);
     stoss::ImpactOptions options;
+    options.tail = tail;
     options.step = cutoff_times_step > 0.0 ? cutoff_times_step / cutoff
-                                           : stoss::recommended_step(stoss::contact(body, wall), speed);
+                                           : stoss::recommended_step(stoss::contact(body, wall), speed, tail);
     double lost_fraction = 0.0;
     for (auto _ : state) lost_fraction = stoss::impact(body, wall, speed, options).lost_fraction;
     count(state, lost_fraction);
@@ -76,7 +78,7 @@ void add_impacts() {
     add_impact("hard wall, radiating, half the step", stoss::HardWall{}, cutoff, 0.25);
   }
   for (const double cutoff : cutoffs) {
-    add_impact("hard wall, static", stoss::HardWall{stoss::Tail::quasistatic}, cutoff, 0.5);
+    add_impact("hard wall, static", stoss::HardWall{}, cutoff, 0.5, stoss::Tail::quasistatic);
   }
   for (const double cutoff : cutoffs) {
     add_impact("exponential wall, αR = 500", stoss::ExponentialWall{}, cutoff, 0.0);

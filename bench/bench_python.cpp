@@ -35,7 +35,7 @@ py::object python_call() {
   py::module_::import("site").attr("addsitedir")(STOSS_PYTHON_PACKAGES);
   py::dict names;
   py::exec("import stoss\nbody = stoss.Disk(poisson=" + std::to_string(poisson) +
-               ")\ncall = lambda: stoss.impact(body=body, speed=" + std::to_string(speed) +
+               ")\ncall = lambda: stoss.impact(body, speed=" + std::to_string(speed) +
                ", cutoff=" + std::to_string(cutoff) + ")\n",
            names);
   return names["call"];

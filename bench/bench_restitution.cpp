@@ -46,6 +46,18 @@ void add_tolerance(double tolerance, const Case& at) {
   });
 }
 
+/// Two disks of unequal size at the relative speed 0.2, modes made before; 1 − ε² by tolerance 1e-5.
+void add_pair(double radius, double converged) {
+  std::ostringstream name;
+  name << "restitution of disks 1 : " << radius << " to 0.001";
+  add(name.str(), [radius, converged](benchmark::State& state) {
+    const stoss::RefinableContact pair(stoss::disk(poisson), stoss::disk(stoss::Disk{poisson, radius, 1.0, 1.0}));
+    double lost_fraction = stoss::restitution(pair, 0.2).lost_fraction.value;
+    for (auto _ : state) lost_fraction = stoss::restitution(pair, 0.2).lost_fraction.value;
+    count_apart(state, lost_fraction, converged);
+  });
+}
+
 /// ε(v) of two disks, 60 speeds each, modes included.
 void add_curves(int threads) {
   std::vector<double> speeds;
@@ -71,6 +83,8 @@ void add_restitutions() {
   for (const double tolerance : {1e-2, 1e-3, 1e-4}) {
     for (const Case& at : cases) add_tolerance(tolerance, at);
   }
+  add_pair(2.0, 0.368291);
+  add_pair(4.0, 0.636360);
   add("restitution to 0.001, modes included", [](benchmark::State& state) {
     double lost_fraction = 0.0;
     for (auto _ : state) lost_fraction = stoss::restitution(stoss::disk(poisson), speed).lost_fraction.value;

@@ -3,8 +3,8 @@
 #include <cmath>
 #include <numbers>
 
-// Function multiversioning as in src/kernels.cpp, so that the comparison is one of methods; AVX-512 is 13 % faster
-// here.
+// Function multiversioning as in src/numeric/kernels.cpp, so that the comparison is one of methods; AVX-512 is 13 %
+// faster here.
 #if defined(__GNUC__) && !defined(__clang__) && defined(__x86_64__) && defined(__ELF__) && \
     !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
 #define BENCH_MULTIVERSION __attribute__((target_clones("arch=x86-64-v4", "arch=x86-64-v3", "default")))

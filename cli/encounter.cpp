@@ -66,14 +66,10 @@ RefinableContact Encounter::refinable(double poisson) const {
   return against_.is_body() ? RefinableContact(first(poisson), second(poisson)) : RefinableContact(first(poisson));
 }
 
-Contact Encounter::contact(double poisson, double cutoff, Tail tail) const {
-  if (against_.is_body()) {
-    Contact pair = stoss::contact(first(poisson), second(poisson), cutoff);
-    pair.wall = HardWall{tail};
-    return pair;
-  }
+Contact Encounter::contact(double poisson, double cutoff) const {
+  if (against_.is_body()) return stoss::contact(first(poisson), second(poisson), cutoff);
   const ExponentialWall soft{against_.value("hardness", 500.0), against_.value("strength", 1.0)};
-  const Wall wall = against_.kind == "wall" ? Wall(HardWall{tail}) : Wall(soft);
+  const Wall wall = against_.kind == "wall" ? Wall(HardWall{}) : Wall(soft);
   of_what_is_met([&] { validate(wall); });
   return stoss::contact(rods_ ? rod(cutoff) : stoss::disk(poisson, cutoff), wall);
 }

@@ -27,8 +27,8 @@ class Encounter {
   /// @throws InvalidInput as the core
   [[nodiscard]] RefinableContact refinable(double poisson) const;
 
-  /// At one cutoff, for `impact`. @param tail of hard walls and of two bodies
-  [[nodiscard]] Contact contact(double poisson, double cutoff, Tail tail) const;
+  /// At one cutoff, for `impact`.
+  [[nodiscard]] Contact contact(double poisson, double cutoff) const;
 
   /// Adds the two to the inputs of a result.
   void describe(nlohmann::ordered_json& inputs) const;

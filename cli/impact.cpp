@@ -88,20 +88,21 @@ void run(const ImpactArguments& arguments) {
     throw InvalidInput(fmt::format("speed: got {} speeds, allowed one (stoss restitution takes lists)", speeds.size()));
   }
   const double poisson = encounter.rods() ? 0.0 : arguments.who.disk.plane_poisson();
-  const Tail tail = arguments.tail == "static" ? Tail::quasistatic : Tail::radiating;
-  const Contact contact = encounter.contact(poisson, arguments.cutoff, tail);
+  ImpactOptions options = arguments.options;
+  options.tail = arguments.tail == "static" ? Tail::quasistatic : Tail::radiating;
+  const Contact contact = encounter.contact(poisson, arguments.cutoff);
   const Provenance provenance = describe(arguments, encounter);
 
   Impact result;
   if (arguments.trajectory.empty()) {
-    result = impact(contact, speeds[0], arguments.options);
+    result = impact(contact, speeds[0], options);
   } else {
     Provenance made = provenance;
     made.schema = "trajectory";
     made.inputs["speed"] = speeds[0];
     made.inputs["cutoff"] = arguments.cutoff;
     Trajectory trajectory(arguments.trajectory, made, encounter.units());
-    result = impact(contact, speeds[0], arguments.options, [&](const Snapshot& now) { trajectory.write(now); });
+    result = impact(contact, speeds[0], options, [&](const Snapshot& now) { trajectory.write(now); });
     trajectory.finish();
   }
   if (result.beyond_small_strain) {

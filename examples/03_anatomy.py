@@ -39,7 +39,7 @@ def main(folder: Path) -> None:
     for name in ("translation", "vibration", "unresolved", "energy_error"):
         print(f"  {name:12s} {getattr(hit, name):9.6f}")
     strongest = np.argsort(hit.mode_energies["after"])[::-1][:4]
-    for n, l, omega, after, _ in hit.mode_energies[strongest]:
+    for n, l, omega, after in hit.mode_energies[strongest][["order", "index", "omega", "after"]]:
         print(f"  mode ({n},{l})   {after:9.6f}   omega = {omega:.4f} c/R")
     print(f"greatest von Mises stress at half time {field.von_mises.max():.3f} E")
 

@@ -27,10 +27,10 @@ def main(folder: Path) -> None:
     figure, (left, right) = plt.subplots(1, 2, figsize=(10, 4), layout="constrained")
     figure.get_layout_engine().set(w_pad=0.1, h_pad=0.1)  # inches around the axes
     for plane, marker in (("stress", "o"), ("strain", "s")):
-        steel = stoss.Material(young=2.1e11, poisson=0.3, density=7850, radius=0.01, plane=plane)
-        curve = stoss.restitution(material=steel, speed=SPEEDS)
+        disk = stoss.Disk(radius=0.01, material=stoss.materials["steel"], plane=plane)
+        curve = stoss.restitution(disk, speed=SPEEDS)
 
-        print(f"plane {plane}: c = {steel.scales.speed:.0f} m/s, 2-D Poisson number {steel.plane_poisson:.4f}")
+        print(f"plane {plane}: c = {disk.scales.speed:.0f} m/s, 2-D Poisson number {disk.poisson:.4f}")
         print("  speed m/s    restitution          contact time us   greatest force N/mm")
         for k in range(0, SPEEDS.size, 12):
             value = f"{curve.restitution[k]:.6f} ± {curve.restitution_error[k]:.6f}"
@@ -38,7 +38,7 @@ def main(folder: Path) -> None:
             print(f"  {curve.speed_si[k]:9.4f}  {value}  {time:13.3f}  {force:17.3f}")
 
         curve.to_csv(folder / f"steel_plane_{plane}.csv")
-        label, time_error = f"plane {plane}", curve.contact_time_error * steel.scales.time
+        label, time_error = f"plane {plane}", curve.contact_time_error * disk.scales.time
         style = {"marker": marker, "markersize": 3, "linewidth": 1, "capsize": 2, "label": label}
         left.errorbar(curve.speed_si, curve.restitution, curve.restitution_error, **style)
         right.errorbar(curve.speed_si, curve.contact_time_si * 1e6, time_error * 1e6, **style)

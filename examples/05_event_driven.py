@@ -7,10 +7,10 @@ Expect:  ε of a few speeds of approach, with errors that include the interpolat
 
     u₁′ = u₁ − ½ (1 + ε(v)) v,    u₂′ = u₂ + ½ (1 + ε(v)) v,    v = u₁ − u₂
 
-In such simulations v is the speed at which two disks approach each other. stoss wants v/2: two
-equal disks meet as if each met a wall at v/2. The function takes (simulation, v), as REBOUND's
-sim.coefficient_of_restitution does, and uses |v|, since REBOUND's v has a sign. Disks are taken to
-have stopped ringing before they meet again, and material damping is left out (docs/materials.md).
+Here v is the speed at which two equal disks approach each other. The function takes (simulation,
+v), as REBOUND's sim.coefficient_of_restitution does, and uses |v|, since REBOUND's v has a sign.
+Disks are taken to have stopped ringing before they meet again, and material damping is left out
+(docs/materials.md).
 """
 
 import sys
@@ -23,7 +23,7 @@ import numpy as np
 import stoss
 
 
-def make_restitution(material, slowest, fastest, points=60, clamp=False):
+def make_restitution(disk, slowest, fastest, points=60, clamp=False):
     """Returns restitution(simulation, v), linear in ln v between computed values, and its error(v).
 
     A v outside the table is refused. With clamp it gets the value of the nearest end, with a
@@ -31,7 +31,7 @@ def make_restitution(material, slowest, fastest, points=60, clamp=False):
     and continue with ε = 0.
     """
     fine = np.geomspace(slowest, fastest, 2 * points - 1)  # every other one: a midpoint, as a check
-    direct = stoss.restitution(material=material, speed=fine / 2)
+    direct = stoss.restitution(disk, against="same", speed=fine)
     log_v, table, bars = np.log(fine[::2]), direct.restitution[::2], direct.restitution_error
     missed = np.abs(np.interp(np.log(fine[1::2]), log_v, table) - direct.restitution[1::2])
     # A single midpoint can fit by chance: the worst of three neighbours counts.
@@ -75,7 +75,7 @@ def cool(restitution, collisions, speed, count=20, length=2.0):
 
 def main(folder: Path) -> None:
     folder.mkdir(parents=True, exist_ok=True)
-    rubber = stoss.Material(young=2e6, poisson=0.49, density=1100, radius=0.01)
+    rubber = stoss.Disk(radius=0.01, material=stoss.materials["rubber"])
     restitution, error = make_restitution(rubber, slowest=0.002, fastest=30.0)
     for v in (0.005, 0.1, 2.0, 25.0):
         print(f"speed of approach {v:6.3f} m/s: eps = {restitution(None, v):.6f} ± {error(v):.6f}")

@@ -56,11 +56,9 @@ const std::map<std::string, Job>& jobs() {
        {14, [](const Poll& poll) { (void)Complementarity(body().residual_compliance(grid().points, {}), 200, poll); }}},
       {"static tail",
        {40,
-        [](const Poll& poll) {
-          (void)make_response(contact(body(), HardWall{Tail::quasistatic}), grid(), 0.1, 0.01, poll);
-        }}},
+        [](const Poll& poll) { (void)make_response(contact(body()), Tail::quasistatic, grid(), 0.1, 0.01, poll); }}},
       {"radiating tail",
-       {150, [](const Poll& poll) { (void)make_response(contact(body(), HardWall{}), grid(), 0.1, 0.01, poll); }}},
+       {150, [](const Poll& poll) { (void)make_response(contact(body()), Tail::radiating, grid(), 0.1, 0.01, poll); }}},
       {"impact", {400, [](const Poll& poll) { (void)impact(body(), HardWall{}, 0.1, {.poll = poll}); }}},
       {"motion",
        {5000, [](const Poll& poll) { (void)motion(contact(body()), hit(), std::vector<double>(5000, 1e3), poll); }}},

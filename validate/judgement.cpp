@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 
 #include "stoss/bodies/disk.hpp"
 
@@ -18,19 +19,24 @@ Answer answer_at(const stoss::RefinableContact& body, double speed, double toler
 
 }  // namespace
 
-Disks make_disks(const std::vector<Point>& points) {
-  Disks disks;
+Contacts make_contacts(const std::vector<Point>& points) {
+  std::map<double, stoss::RefinableContact> at_wall;
+  Contacts contacts;
   for (const Point& point : points) {
-    disks.try_emplace(point.poisson, stoss::disk(point.poisson));
+    if (point.against) {
+      contacts.emplace_back(stoss::disk(point.poisson), stoss::disk(*point.against));
+    } else {
+      contacts.push_back(at_wall.try_emplace(point.poisson, stoss::disk(point.poisson)).first->second);
+    }
   }
-  return disks;
+  return contacts;
 }
 
-std::vector<Answer> answer(const Disks& disks, const std::vector<Point>& points, double tolerance) {
+std::vector<Answer> answer(const Contacts& contacts, const std::vector<Point>& points, double tolerance) {
   std::vector<Answer> answers;
   answers.reserve(points.size());
-  for (const Point& point : points) {
-    answers.push_back(answer_at(disks.at(point.poisson), point.speed, tolerance));
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    answers.push_back(answer_at(contacts[i], points[i].speed, tolerance));
   }
   return answers;
 }

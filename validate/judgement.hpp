@@ -15,11 +15,11 @@ struct Answer {
   double cutoff = 0.0;  ///< of the finest impact, c/R
 };
 
-/// The disks of all points by their Poisson numbers.
-using Disks = std::map<double, stoss::RefinableContact>;
-Disks make_disks(const std::vector<Point>& points);
+/// What meets at each of the points; disks of one Poisson number at the wall share their modes.
+using Contacts = std::vector<stoss::RefinableContact>;
+Contacts make_contacts(const std::vector<Point>& points);
 
-std::vector<Answer> answer(const Disks& disks, const std::vector<Point>& points, double tolerance);
+std::vector<Answer> answer(const Contacts& contacts, const std::vector<Point>& points, double tolerance);
 
 /// The best that restitution() gives, whether or not it converges.
 stoss::Restitution best(const stoss::RefinableContact& body, double speed, double tolerance);

@@ -16,7 +16,7 @@ Estimate estimate(const CsvRow& row, const std::string& value, const std::string
 }
 
 Point read_point(const CsvRow& row) {
-  Point point{row.number("poisson"), row.number("speed"), {}, {}};
+  Point point{row.number("poisson"), {}, row.number("speed"), {}, {}};
   const Estimate lost = estimate(row, "lost_fraction", "uncertainty");
   const double restitution = std::sqrt(1.0 - lost.value);
   point.reference[lost_fraction] = lost;
@@ -24,16 +24,31 @@ Point read_point(const CsvRow& row) {
   return point;
 }
 
+/// With the quantities that our own references have.
+Point read_full_point(const CsvRow& row) {
+  Point point = read_point(row);
+  point.reference[contact_time] = estimate(row, "contact_time", "contact_time_uncertainty");
+  point.reference[max_force] = estimate(row, "max_force", "max_force_uncertainty");
+  point.reference[max_compression] = estimate(row, "max_compression", "max_compression_uncertainty");
+  return point;
+}
+
 }  // namespace
+
+std::vector<Point> read_pairs() {
+  std::vector<Point> points;
+  for (const CsvRow& row : stoss::test::read_csv("../../validate/reference_pairs.csv")) {
+    points.push_back(read_full_point(row));
+    points.back().against = stoss::Disk{row.number("against_poisson"), row.number("against_radius"),
+                                        row.number("against_young"), row.number("against_density")};
+  }
+  return points;
+}
 
 std::vector<Point> read_points() {
   std::vector<Point> points;
   for (const CsvRow& row : stoss::test::read_csv("../../validate/reference.csv")) {
-    Point point = read_point(row);
-    point.reference[contact_time] = estimate(row, "contact_time", "contact_time_uncertainty");
-    point.reference[max_force] = estimate(row, "max_force", "max_force_uncertainty");
-    point.reference[max_compression] = estimate(row, "max_compression", "max_compression_uncertainty");
-    points.push_back(point);
+    points.push_back(read_full_point(row));
   }
   for (const CsvRow& row : stoss::test::read_csv("restitution_hard_wall.csv")) {
     Point point = read_point(row);

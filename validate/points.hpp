@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "stoss/bodies/disk.hpp"
 #include "stoss/restitution/restitution.hpp"
 
 namespace validate {
@@ -18,16 +19,20 @@ inline constexpr std::array<const char*, quantities> quantity_names{"1−ε²", 
 template <typename T>
 using PerQuantity = std::array<T, quantities>;
 
-/// An impact of a disk at a hard wall with reference values; their `error` is the uncertainty.
+/// An impact of a disk at a hard wall or at another disk with reference values; their `error` is the uncertainty.
 struct Point {
   double poisson = 0.0;
+  std::optional<stoss::Disk> against{};  ///< sizes in ratio to the first disk; none: the wall
   double speed = 0.0;
   PerQuantity<std::optional<stoss::Estimate>> reference;
   std::optional<stoss::Estimate> finite_elements;  ///< of ε
 };
 
-/// Those of validate/reference.csv, then those of tests/data/restitution_hard_wall.csv.
+/// Those at the wall: of validate/reference.csv, then of tests/data/restitution_hard_wall.csv.
 /// @throws std::runtime_error if a file cannot be read
 std::vector<Point> read_points();
+
+/// Pairs of disks: those of validate/reference_pairs.csv. @throws std::runtime_error as read_points
+std::vector<Point> read_pairs();
 
 }  // namespace validate

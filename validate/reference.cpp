@@ -1,7 +1,6 @@
 // Reference values: single impacts, resolved far more finely than those of restitution(), and their spread.
 #include "reference.hpp"
 
-#include <algorithm>
 #include <array>
 #include <atomic>
 #include <cmath>
@@ -11,10 +10,9 @@
 #include <stdexcept>
 #include <vector>
 
-#include "impact/resolution.hpp"
 #include "restitution/ordered_jobs.hpp"
+#include "runs.hpp"
 #include "stoss/bodies/disk.hpp"
-#include "stoss/impact/impact.hpp"
 
 namespace validate {
 namespace {
@@ -48,51 +46,16 @@ std::vector<Point> design() {
 
 /// The three runs differ in the cutoff, and in step and node spacing by other ratios than in the cutoff: errors of
 /// each kind show in their spread.
-struct Fineness {
-  double cutoff;
-  double step;   ///< times the cutoff
-  double nodes;  ///< over those of restitution() at this cutoff
-};
-constexpr std::array finenesses{Fineness{200.0, 0.2, 1.8}, Fineness{283.0, 0.35, 1.1}, Fineness{400.0, 0.3, 1.3}};
-
-stoss::Impact resolved(const Point& point, const Fineness& fineness, double half_width) {
-  constexpr double fewest_nodes = 128.0;
-  const stoss::Contact contact = stoss::contact(stoss::disk(point.poisson, fineness.cutoff));
-  stoss::ImpactOptions options = stoss::refined_resolution(contact, point.speed, half_width);
-  options.nodes = static_cast<int>(std::max(fewest_nodes, std::ceil(fineness.nodes * options.nodes.value())));
-  options.step = std::min(fineness.step / fineness.cutoff, contact.stable_step);
-  return stoss::impact(contact, point.speed, options);
-}
-
-using Runs = std::array<stoss::Impact, finenesses.size()>;
+constexpr Finenesses finenesses{Fineness{200.0, 0.2, 1.8}, Fineness{283.0, 0.35, 1.1}, Fineness{400.0, 0.3, 1.3}};
 
 Runs compute(const Point& point) {
-  const stoss::Impact coarse = stoss::impact(stoss::disk(point.poisson, 25.0), stoss::HardWall{}, point.speed);
-  Runs runs;
-  for (std::size_t i = 0; i < runs.size(); ++i) runs[i] = resolved(point, finenesses[i], coarse.max_half_width);
-  return runs;
-}
-
-/// The finest value and the spread of all.
-void write_quantity(std::ostream& out, const Runs& runs, double stoss::Impact::*quantity, double least = 0.0) {
-  double low = runs.back().*quantity, high = low;
-  for (const stoss::Impact& run : runs) {
-    low = std::min(low, run.*quantity);
-    high = std::max(high, run.*quantity);
-  }
-  std::array<char, 64> text{};
-  std::snprintf(text.data(), text.size(), ",%.8g,%.1e", runs.back().*quantity, std::max(high - low, least));
-  out << text.data();
+  return resolved_runs([&](double cutoff) { return stoss::contact(stoss::disk(point.poisson, cutoff)); }, point.speed,
+                       finenesses);
 }
 
 void write_row(std::ostream& out, const Point& point, const Runs& runs) {
   out << point.poisson << ',' << point.speed;
-  write_quantity(out, runs, &stoss::Impact::lost_fraction);
-  write_quantity(out, runs, &stoss::Impact::contact_time,
-                 runs.back().step);  // noticed and lost within half a step each
-  write_quantity(out, runs, &stoss::Impact::max_force);
-  write_quantity(out, runs, &stoss::Impact::max_compression);
-  out << std::endl;  // one may look on
+  write_quantities(out, runs);
 }
 
 void write_header(std::ostream& out) {
@@ -104,9 +67,8 @@ void write_header(std::ostream& out) {
          "# step), and 1.8, 1.1, 1.3 times the nodes of restitution() at that cutoff, at least 128. Value: that of the "
          "last\n"
          "# run; uncertainty: spread of the three (contact time: at least the last run's step).\n"
-         "poisson,speed,lost_fraction,uncertainty,contact_time,contact_time_uncertainty,max_force,max_force_"
-         "uncertainty,"
-         "max_compression,max_compression_uncertainty\n";
+         "poisson,speed,"
+      << quantity_columns << '\n';
 }
 
 }  // namespace

@@ -8,4 +8,7 @@ namespace validate {
 /// @throws std::runtime_error if the file cannot be written
 void make_reference(const std::string& path);
 
+/// Computes the reference values of pairs. Takes minutes. @throws std::runtime_error as make_reference
+void make_pair_reference(const std::string& path);
+
 }  // namespace validate

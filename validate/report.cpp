@@ -36,8 +36,8 @@ std::string cell(const char* format, double value) {
 
 double percent(int part, int all) { return 100.0 * part / all; }
 
-void write_verdict(std::ostream& out, const Tally& judged) {
-  out << "\n## Result\n\n1 − ε² at the tolerance " << number("%g", tolerances[by_default]) << ", " << judged.points
+void write_verdict(std::ostream& out, const std::string& what, const Tally& judged) {
+  out << "\n1 − ε² of " << what << " at the tolerance " << number("%g", tolerances[by_default]) << ", " << judged.points
       << " points:\n"
       << number("%.1f %%", percent(judged.within, judged.points)) << " within the error, the greatest at"
       << number(" %.2f", judged.greatest) << " times the error,\nmedian of error / true error"
@@ -73,7 +73,6 @@ void write_times(std::ostream& out) {
 }
 
 void write_tallies(std::ostream& out, const std::vector<Point>& points, const AllAnswers& answers) {
-  out << text::tally;
   for (std::size_t i = 0; i < tolerances.size(); ++i) {
     for (std::size_t quantity = 0; quantity < quantities; ++quantity) {
       const auto which = static_cast<Quantity>(quantity);
@@ -86,9 +85,14 @@ void write_point(std::ostream& out, const Point& point, const Answer& answer) {
   const stoss::Estimate& reference = *point.reference[lost_fraction];
   const stoss::Estimate& value = answer.value[lost_fraction];
   const Deviation off = deviation(value, reference);
-  out << "|" << cell("%g", point.poisson) << cell("%.4g", point.speed) << cell("%.8f", reference.value)
-      << cell("%.1e", reference.error) << cell("%.8f", value.value) << cell("%.1e", value.error)
-      << cell(off.padding ? "%.2f" : "%.2f u", off.ratio) << cell("%.0f", answer.cutoff) << "\n";
+  out << "|" << cell("%g", point.poisson);
+  if (point.against) {
+    out << cell("%g", point.against->poisson) << cell("%g", point.against->radius) << cell("%g", point.against->young)
+        << cell("%g", point.against->density);
+  }
+  out << cell("%.4g", point.speed) << cell("%.8f", reference.value) << cell("%.1e", reference.error)
+      << cell("%.8f", value.value) << cell("%.1e", value.error) << cell(off.padding ? "%.2f" : "%.2f u", off.ratio)
+      << cell("%.0f", answer.cutoff) << "\n";
 }
 
 void write_finite_element_point(std::ostream& out, const Point& point, const Answer& answer) {
@@ -118,30 +122,42 @@ bool write_rod(std::ostream& out) {
 }
 
 void write_points(std::ostream& out, const std::vector<Point>& points, const Answers& answers) {
-  out << text::points;
   for (std::size_t i = 0; i < points.size(); ++i) write_point(out, points[i], answers[i]);
+}
+
+AllAnswers answer_all(const char* what, const std::vector<Point>& points) {
+  const Contacts contacts = make_contacts(points);
+  AllAnswers answers;
+  for (std::size_t i = 0; i < tolerances.size(); ++i) {
+    std::cerr << points.size() << ' ' << what << ", tolerance " << tolerances[i] << '\n';
+    answers[i] = answer(contacts, points, tolerances[i]);
+  }
+  return answers;
 }
 
 }  // namespace
 
 bool write_report(std::ostream& out) {
-  const std::vector<Point> points = read_points();
-  const Disks disks = make_disks(points);
-  AllAnswers answers;
-  for (std::size_t i = 0; i < tolerances.size(); ++i) {
-    std::cerr << points.size() << " points, tolerance " << tolerances[i] << '\n';
-    answers[i] = answer(disks, points, tolerances[i]);
-  }
+  const std::vector<Point> points = read_points(), pairs = read_pairs();
+  const AllAnswers answers = answer_all("points at the wall", points), of_pairs = answer_all("pairs", pairs);
   const Tally judged = tally(points, answers[by_default], lost_fraction);
-  out << text::introduction;
-  write_verdict(out, judged);
+  const Tally pairs_judged = tally(pairs, of_pairs[by_default], lost_fraction);
+  out << text::introduction << "\n## Result\n";
+  write_verdict(out, "disks at a hard wall", judged);
+  write_verdict(out, "pairs of unequal disks", pairs_judged);
   std::cerr << "processor time\n";
   write_times(out);
+  out << text::tally;
   write_tallies(out, points, answers);
+  out << text::pair_tally;
+  write_tallies(out, pairs, of_pairs);
   write_finite_elements(out, points, answers[by_default]);
   const bool rod = write_rod(out);
+  out << text::points;
   write_points(out, points, answers[by_default]);
-  return honest(judged) && rod;
+  out << text::pairs;
+  write_points(out, pairs, of_pairs[by_default]);
+  return honest(judged) && honest(pairs_judged) && rod;
 }
 
 }  // namespace validate

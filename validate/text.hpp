@@ -8,44 +8,45 @@ inline constexpr const char* introduction = R"(# Validation: are the errors hone
 Written by `make validate`; do not edit by hand, edit `validate/text.hpp`.
 
 `restitution` gives every value with an estimated error ([numerics.md](numerics.md) §5). What is
-promised of the error of
-1 − ε² at the default tolerance:
+promised of the error of 1 − ε² at the default tolerance:
 
 1. in at least 95 % of all points the true error is within the estimated one,
 2. in all it is within three times the estimated one,
 3. the estimated one is not padded: in the median it is at most ten times the true one.
 
-The program ends with exit code 1 if one of the three fails. `tests/test_validation_sample.cpp`
-repeats it on a sample.
+The program ends with exit code 1 if one of the three fails.
+`tests/restitution/test_validation_sample.cpp` repeats it on a sample.
 
 ## The references
 
 `validate/reference.csv`: 90 points, ten Poisson numbers from −0.9 to 0.98, nine speeds each, all
-speeds different and evenly
-from 10⁻⁶ c to 0.5 c on the logarithmic scale. At each point three impacts with cutoffs 200, 283 and
-400 (`restitution` typically
-ends at the cutoffs in the first table), whose step and node spacing differ by other ratios than the
-cutoff. The reference is the last; its
-uncertainty is the spread of the three: for 1 − ε² in the median 4·10⁻⁶ of the value and at most
-4·10⁻⁵, but for one point (ν = 0.07,
-v = 0.5) with 3·10⁻⁴. `stoss_validate --make-reference FILE` makes the file anew.
+speeds different and evenly from 10⁻⁶ c to 0.5 c on the logarithmic scale. At each point three
+impacts with cutoffs 200, 283 and 400 (`restitution` typically ends at the cutoffs in the first
+table), whose step and node spacing differ by other ratios than the cutoff. The reference is the
+last; its uncertainty is the spread of the three: for 1 − ε² in the median 4·10⁻⁶ of the value and
+at most 4·10⁻⁵, but for one point (ν = 0.07, v = 0.5) with 3·10⁻⁴. `stoss_validate --make-reference
+FILE` makes the file anew.
 
 `tests/data/restitution_hard_wall.csv`: 15 points from cutoffs up to 100 and a coarser scheme in
-time, with uncertainties of
-2·10⁻⁵ and more.
+time, with uncertainties of 2·10⁻⁵ and more.
+
+`validate/reference_pairs.csv`: 48 pairs of unequal disks, spread by a quasi-random sequence:
+Poisson numbers from −0.6 to 0.9, radii within a factor of 4, moduli and densities within 2,
+relative speeds from 10⁻⁵ c to 0.4 c. Three impacts as above, with cutoffs 100, 141 and 200 over the
+time scale of the pair. `stoss_validate --make-pair-reference FILE` makes the file anew.
 
 These references share the equations and the modes with what they judge: they show what limited
-resolution does. That the
-method has the right limit is for the finite elements and the rod below to show.
+resolution does. That the method has the right limit is for the finite elements and the rod below to
+show.
 )";
 
 inline constexpr const char* speed = R"(
 ## Convergence and time
 
-Processor time of one call over the whole range, −0.95 ≤ ν ≤ 0.995 and 10⁻⁸ ≤ v ≤ 1: 240 points,
-40 Poisson numbers with six speeds each, spread by a quasi-random sequence, speeds evenly on the
-logarithmic scale. A Poisson number's modes are made by the first of its points that needs them,
-and that time is not counted. *99 %*: 99 of 100 calls take no longer.
+Processor time of one call over the whole range, −0.95 ≤ ν ≤ 0.995 and 10⁻⁸ ≤ v ≤ 1: 240 points, 40
+Poisson numbers with six speeds each, spread by a quasi-random sequence, speeds evenly on the
+logarithmic scale. A Poisson number's modes are made by the first of its points that needs them, and
+that time is not counted. *99 %*: 99 of 100 calls take no longer.
 
 | tolerance | converged | cutoff, median | ms, median | ms, 99 % | ms, longest | at ν | v | its cutoff |
 |---:|---:|---:|---:|---:|---:|---:|---:|---:|
@@ -54,20 +55,23 @@ and that time is not counted. *99 %*: 99 of 100 calls take no longer.
 inline constexpr const char* tally = R"(
 ## Errors against true errors
 
-*Within*: share of the points at which |value − reference| ≤ error. *Greatest*: of |value −
-reference| / error. *Error / true error*:
-the median over the points. *Blurred*: points whose reference has an uncertainty above a tenth of
-the error. Those are judged by
-|value − reference| ≤ error + uncertainty (in *greatest* the uncertainty is taken off the difference), and they have no part in
-the median, to which the references' own errors would add. *Strictly*: *within* without that
+*Within*: share of the points at which |value − reference| ≤ error. *Greatest*: of |value − reference| / error. *Error / true error*: the median over the points. *Blurred*: points whose
+reference has an uncertainty above a tenth of the error. Those are judged by |value − reference| ≤
+error + uncertainty (in *greatest* the uncertainty is taken off the difference), and they have no
+part in the median, to which the references' own errors would add. *Strictly*: *within* without that
 allowance.
 
 The promise is that of 1 − ε², and with it of ε. The other quantities come along: the contact time
-is counted in steps, and the
-greatest force may be that of a short peak when a wave returns, which impacts at low cutoffs lack
-and whose
-absence no difference between them betrays (ν = 0.98, v = 0.085: 0.038 up to the cutoff 32, 0.043
-from 91).
+is counted in steps, and the greatest force may be that of a short peak when a wave returns, which
+impacts at low cutoffs lack and whose absence no difference between them betrays (ν = 0.98, v =
+0.085: 0.038 up to the cutoff 32, 0.043 from 91).
+
+| tolerance | quantity | points | within | strictly | greatest | error / true error | blurred |
+|---:|---|---:|---:|---:|---:|---:|---:|
+)";
+
+inline constexpr const char* pair_tally = R"(
+The same for pairs of unequal disks:
 
 | tolerance | quantity | points | within | strictly | greatest | error / true error | blurred |
 |---:|---|---:|---:|---:|---:|---:|---:|
@@ -77,8 +81,8 @@ inline constexpr const char* finite_elements = R"(
 ## Independent finite elements
 
 ε by spectral elements with unilateral contact (two families, up to 550 000 unknowns;
-`tests/data/restitution_hard_wall.csv`), which share
-nothing with stoss but the problem, against `restitution` at the default tolerance.
+`tests/data/restitution_hard_wall.csv`), which share nothing with stoss but the problem, against
+`restitution` at the default tolerance.
 
 | ν | v | finite elements | uncertainty | ε | error | difference |
 |---:|---:|---:|---:|---:|---:|---:|
@@ -88,10 +92,8 @@ inline constexpr const char* rod = R"(
 ## The rod
 
 A rod against a hard wall has the exact answer ε = 1 and contact time 2 L/c, at any speed. Its 1 −
-ε² is 0, of which no error is
-a small share: `restitution` throws `RestitutionNotConverged` at the highest cutoff, and the best
-value, which it carries, must
-contain 1 within its error.
+ε² is 0, of which no error is a small share: `restitution` throws `RestitutionNotConverged` at the
+highest cutoff, and the best value, which it carries, must contain 1 within its error.
 
 | cutoff | ε | error | contact time | error |
 |---:|---:|---:|---:|---:|
@@ -105,6 +107,15 @@ taken off the difference.
 
 | ν | v | 1−ε², reference | uncertainty | 1−ε² | error | ratio | cutoff |
 |---:|---:|---:|---:|---:|---:|---:|---:|
+)";
+
+inline constexpr const char* pairs = R"(
+## All pairs at the default tolerance
+
+ν of the first disk; ν, R, E and ρ of the second, in units of the first; speed of approach v.
+
+| ν | ν₂ | R₂ | E₂ | ρ₂ | v | 1−ε², reference | uncertainty | 1−ε² | error | ratio | cutoff |
+|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|
 )";
 
 }  // namespace validate::text

@@ -12,6 +12,7 @@ void bind_errors(py::module_& module);
 void bind_material(py::module_& module);
 void bind_modes(py::module_& module);
 void bind_body(py::module_& module);
+void bind_contact(py::module_& module);
 void bind_wall(py::module_& module);
 void bind_impact(py::module_& module);
 void bind_motion(py::module_& module);

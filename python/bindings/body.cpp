@@ -6,8 +6,6 @@
 #include "interpreter.hpp"
 #include "stoss/bodies/disk.hpp"
 #include "stoss/bodies/rod.hpp"
-#include "stoss/restitution/ladder.hpp"
-#include "wall.hpp"
 
 namespace stoss::python {
 
@@ -17,33 +15,35 @@ void bind_body(py::module_& module) {
       .def_readonly("mass", &Body::mass)
       .def_readonly("extent", &Body::extent)
       .def_readonly("cutoff", &Body::cutoff);
-  py::class_<RefinableContact> refinable(module, "RefinableContact", "What meets what, at any of a ladder of cutoffs.");
-  py::class_<Contact> contact(module, "Contact", "What meets what, with its kept modes.");
-  contact.def_readonly("mass", &Contact::mass);
-  seal(body);
-  seal(contact);
-  seal(refinable);
-  module.def(
-      "disk",
-      [](double poisson, double cutoff) {
+  py::class_<BodyMaker> maker(module, "BodyMaker", "Makes a body with its modes up to any cutoff.");
+  maker.def(
+      "at",
+      [](const BodyMaker& make, double cutoff) {
         const Poll poll = signal_poll();
         const Released released;
-        return disk(poisson, cutoff, poll);
+        return make(cutoff, poll);
       },
-      py::arg("poisson"), py::arg("cutoff"));
+      py::arg("cutoff"));
+  seal(body);
+  seal(maker);
+  module.def(
+      "disk",
+      [](double poisson, double radius, double young, double density) {
+        return disk(Disk{poisson, radius, young, density});
+      },
+      py::arg("poisson"), py::arg("radius"), py::arg("young"), py::arg("density"));
+  module.def(
+      "rod",
+      [](double length, double young, double density, double area) {
+        return rod(Rod{length, young, density, area});
+      },
+      py::arg("length"), py::arg("young"), py::arg("density"), py::arg("area"));
   module.def(
       "with_modes",
       [](const Body& all, const py::array_t<bool, py::array::c_style>& keep) {
         return with_modes(all, std::vector<bool>(keep.data(), keep.data() + keep.size()));
       },
       py::arg("body"), py::arg("keep"));
-  module.def("rod", py::overload_cast<double>(&rod), py::arg("cutoff"));
-  module.def(
-      "at_wall", [](const Body& at, const AnyWall& wall) { return stoss::contact(at, wall.wall); }, py::arg("body"),
-      py::arg("wall"));
-  module.def(
-      "refinable_disk", [](double poisson) { return RefinableContact(disk(poisson)); }, py::arg("poisson"));
-  module.def("refinable_rod", [] { return RefinableContact(rod()); });
 }
 
 }  // namespace stoss::python

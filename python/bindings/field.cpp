@@ -7,9 +7,10 @@
 namespace stoss::python {
 namespace {
 
-/// Fields of several instants, one after another.
+/// Fields of several instants, one after another, in units of the first body.
 struct Series {
-  std::vector<double> radial, tangential, stress_rr, stress_pp, stress_rp, von_mises, principal_difference;
+  std::vector<double> radial, tangential, stress_rr, stress_pp, stress_rp, von_mises, principal_difference, center;
+  double size = 1.0;  // R of the body
 
   Series() = default;
   explicit Series(std::size_t values) {
@@ -18,30 +19,36 @@ struct Series {
     }
   }
 
-  void append(const Field& field) {
-    const auto add = [](std::vector<double>& all, const std::vector<double>& more) {
-      all.insert(all.end(), more.begin(), more.end());
+  void append(const Field& field, double length, double stress) {
+    const auto add = [](std::vector<double>& all, const std::vector<double>& more, double unit) {
+      for (const double each : more) all.push_back(each * unit);
     };
-    add(radial, field.radial);
-    add(tangential, field.tangential);
-    add(stress_rr, field.stress_rr);
-    add(stress_pp, field.stress_pp);
-    add(stress_rp, field.stress_rp);
-    add(von_mises, stoss::von_mises(field));
-    add(principal_difference, stoss::principal_difference(field));
+    add(radial, field.radial, length);
+    add(tangential, field.tangential, length);
+    add(stress_rr, field.stress_rr, stress);
+    add(stress_pp, field.stress_pp, stress);
+    add(stress_rp, field.stress_rp, stress);
+    add(von_mises, stoss::von_mises(field), stress);
+    add(principal_difference, stoss::principal_difference(field), stress);
   }
 };
 
-Series evaluate(double poisson, const Contact& contact, const Impact& impact, const Frames& frames, PolarGrid points,
-                const Poll& poll) {
+Series evaluate(double poisson, int number, const Contact& contact, const Impact& impact, const Frames& frames,
+                PolarGrid points, const Poll& poll) {
   const ContactGrid grid = contact_grid(contact, impact.half_width, impact.nodes);
   const std::size_t values = frames.all.size() * points.radius.size() * points.angle.size();
-  const DiskField field(poisson, *contact.first, grid.points, std::move(points), poll);
+  Frame rest;
+  rest.state.coordinate.resize(mode_count(contact));
+  const BodyFrame body = seen_by(contact, grid, rest, number);
+  const DiskField field(poisson, *body.body, body.points, std::move(points), poll);
   Series series(values);
   for (const Frame& frame : frames.all) {
     if (poll) poll();
-    series.append(field.at(frame.state.coordinate, frame.node_force, poll));
+    const BodyFrame seen = seen_by(contact, grid, frame, number);
+    series.append(field.at(seen.coordinate, seen.node_force, poll), seen.length, seen.stress);
+    series.center.push_back(seen.center);
   }
+  series.size = body.length;
   return series;
 }
 
@@ -50,7 +57,7 @@ Series evaluate(double poisson, const Contact& contact, const Impact& impact, co
 void bind_field(py::module_& module) {
   module.def(
       "fields",
-      [](double poisson, const Contact& contact, const Impact& impact, const Frames& frames,
+      [](double poisson, int number, const Contact& contact, const Impact& impact, const Frames& frames,
          const py::array_t<double, py::array::c_style>& radius, const py::array_t<double, py::array::c_style>& angle) {
         using namespace py::literals;
         PolarGrid points{to_vector(radius), to_vector(angle)};
@@ -59,7 +66,7 @@ void bind_field(py::module_& module) {
         Series series;
         {
           const Released released;
-          series = evaluate(poisson, contact, impact, frames, std::move(points), poll);
+          series = evaluate(poisson, number, contact, impact, frames, std::move(points), poll);
         }
         return py::dict("radial"_a = take(std::move(series.radial), shape),
                         "tangential"_a = take(std::move(series.tangential), shape),
@@ -67,10 +74,11 @@ void bind_field(py::module_& module) {
                         "stress_pp"_a = take(std::move(series.stress_pp), shape),
                         "stress_rp"_a = take(std::move(series.stress_rp), shape),
                         "von_mises"_a = take(std::move(series.von_mises), shape),
-                        "principal_difference"_a = take(std::move(series.principal_difference), shape));
+                        "principal_difference"_a = take(std::move(series.principal_difference), shape),
+                        "center"_a = take(std::move(series.center)), "size"_a = series.size);
       },
-      py::arg("poisson"), py::arg("contact"), py::arg("impact"), py::arg("frames"), py::arg("radius"), py::arg("angle"),
-      "arrays of times x radii x angles");
+      py::arg("poisson"), py::arg("number"), py::arg("contact"), py::arg("impact"), py::arg("frames"),
+      py::arg("radius"), py::arg("angle"), "arrays of times x radii x angles, centers of the body, and its radius");
 }
 
 }  // namespace stoss::python

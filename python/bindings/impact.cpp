@@ -1,4 +1,4 @@
-#include "stoss/impact/impact.hpp"
+#include "stoss/impact/replay.hpp"
 
 #include <pybind11/stl.h>
 
@@ -20,6 +20,7 @@ py::dict numbers(const Impact& impact) {
   return py::dict("speed"_a = impact.speed, "restitution"_a = impact.restitution,
                   "lost_fraction"_a = impact.lost_fraction, "translation"_a = impact.energy.translation,
                   "vibration"_a = impact.energy.vibration, "unresolved"_a = impact.energy.unresolved,
+                  "lost_to_first"_a = impact.energy.lost_to_first, "lost_to_second"_a = impact.energy.lost_to_second,
                   "contact_time"_a = impact.contact_time, "contacts"_a = impact.contacts,
                   "max_force"_a = impact.max_force, "max_compression"_a = impact.max_compression,
                   "max_half_width"_a = impact.max_half_width, "cutoff"_a = impact.cutoff, "step"_a = impact.step,
@@ -30,10 +31,7 @@ py::dict numbers(const Impact& impact) {
 
 /// The instants of a repetition of an impact, every so many steps.
 std::vector<Instant> trajectory(const Contact& contact, const Impact& impact, int every, const Poll& poll) {
-  ImpactOptions options;
-  options.step = impact.step;
-  options.nodes = impact.nodes;
-  if (!has_single_point(contact)) options.half_width = impact.half_width;
+  ImpactOptions options = repetition(contact, impact);
   options.observe_every = every;
   options.poll = poll;
   std::vector<Instant> instants;
@@ -47,7 +45,7 @@ std::vector<Instant> trajectory(const Contact& contact, const Impact& impact, in
 }  // namespace
 
 void bind_impact(py::module_& module) {
-  PYBIND11_NUMPY_DTYPE(ModeEnergy, order, index, omega, after, average);
+  PYBIND11_NUMPY_DTYPE(ModeEnergy, body, order, index, omega, after, average);
   PYBIND11_NUMPY_DTYPE(Instant, time, center, velocity, force, translation, vibration, stored, unresolved,
                        contact_half_width);
   py::class_<Impact> handle(module, "Impact", "One impact, from which its trajectory can be repeated.");
@@ -68,9 +66,10 @@ void bind_impact(py::module_& module) {
           py::arg("contact"), py::arg("every"));
   module.def(
       "impact",
-      [](const Contact& contact, double speed, std::optional<double> step, std::optional<int> nodes,
+      [](const Contact& contact, bool radiating, double speed, std::optional<double> step, std::optional<int> nodes,
          std::optional<double> half_width) {
         ImpactOptions options;
+        options.tail = radiating ? Tail::radiating : Tail::quasistatic;
         options.step = step;
         options.nodes = nodes;
         options.half_width = half_width;
@@ -78,7 +77,8 @@ void bind_impact(py::module_& module) {
         const Released released;
         return impact(contact, speed, options);
       },
-      py::arg("contact"), py::arg("speed"), py::arg("step"), py::arg("nodes"), py::arg("half_width"));
+      py::arg("contact"), py::arg("radiating"), py::arg("speed"), py::arg("step"), py::arg("nodes"),
+      py::arg("half_width"));
 }
 
 }  // namespace stoss::python

@@ -9,6 +9,7 @@ PYBIND11_MODULE(_core, module) {
   stoss::python::bind_modes(module);
   stoss::python::bind_body(module);
   stoss::python::bind_wall(module);
+  stoss::python::bind_contact(module);
   stoss::python::bind_impact(module);
   stoss::python::bind_motion(module);
   stoss::python::bind_field(module);

@@ -23,7 +23,7 @@ std::vector<FrameSummary> summaries(const Frames& frames) {
 
 /// Energy of one mode at some time, as a share of the initial energy.
 struct EnergyAt {
-  int order, index;
+  int body, order, index;
   double omega, energy;
 };
 
@@ -38,7 +38,7 @@ std::vector<EnergyAt> energies_at(const Contact& contact, const Impact& impact, 
     const std::vector<double> energies = mode_energies(contact, frame.state);
     for (std::size_t k = 0; k < energies.size(); ++k) {
       const ModeEnergy& mode = impact.energy.modes[k];
-      list.push_back({mode.order, mode.index, mode.omega, energies[k] / initial});
+      list.push_back({mode.body, mode.order, mode.index, mode.omega, energies[k] / initial});
     }
   }
   return list;
@@ -48,7 +48,7 @@ std::vector<EnergyAt> energies_at(const Contact& contact, const Impact& impact, 
 
 void bind_motion(py::module_& module) {
   PYBIND11_NUMPY_DTYPE(FrameSummary, time, center, velocity, force, contact_half_width);
-  PYBIND11_NUMPY_DTYPE(EnergyAt, order, index, omega, energy);
+  PYBIND11_NUMPY_DTYPE(EnergyAt, body, order, index, omega, energy);
   py::class_<Frames> handle(module, "Frames", "An impact at some times, with the motion of all modes.");
   seal(handle);
   handle.def("summaries", [](const Frames& frames) { return take(summaries(frames)); });

@@ -17,7 +17,8 @@ namespace {
 /// What stoss.Restitution shows of one value.
 struct RestitutionRow {
   double restitution, restitution_error, lost_fraction, lost_fraction_error, contact_time, contact_time_error,
-      max_compression, max_compression_error, max_force, max_force_error, cutoff, energy_error;
+      max_compression, max_compression_error, max_force, max_force_error, lost_to_first, lost_to_second, cutoff,
+      energy_error;
   long modes, runs, steps;
   bool converged, beyond_small_strain;
 };
@@ -35,6 +36,8 @@ RestitutionRow to_row(const Restitution& r) {
           r.max_compression.error,
           r.max_force.value,
           r.max_force.error,
+          ran ? r.finest.energy.lost_to_first : none,
+          ran ? r.finest.energy.lost_to_second : none,
           ran ? r.finest.cutoff : none,
           ran ? r.finest.energy_error : none,
           static_cast<long>(r.finest.energy.modes.size()),
@@ -77,8 +80,9 @@ void curve(const RefinableContact& contact, const py::array_t<double, py::array:
 
 void bind_restitution(py::module_& module) {
   PYBIND11_NUMPY_DTYPE(RestitutionRow, restitution, restitution_error, lost_fraction, lost_fraction_error, contact_time,
-                       contact_time_error, max_compression, max_compression_error, max_force, max_force_error, cutoff,
-                       energy_error, modes, runs, steps, converged, beyond_small_strain);
+                       contact_time_error, max_compression, max_compression_error, max_force, max_force_error,
+                       lost_to_first, lost_to_second, cutoff, energy_error, modes, runs, steps, converged,
+                       beyond_small_strain);
   module.attr("restitution_row") = py::dtype::of<RestitutionRow>();
   module.def(
       "check_curve",

@@ -8,9 +8,7 @@ namespace stoss::python {
 void bind_wall(py::module_& module) {
   py::class_<AnyWall> any(module, "AnyWall", "A hard or an exponential wall.");
   seal(any);
-  module.def(
-      "hard_wall", [](bool radiating) { return AnyWall{HardWall{radiating ? Tail::radiating : Tail::quasistatic}}; },
-      py::arg("radiating"));
+  module.def("hard_wall", [] { return AnyWall{HardWall{}}; });
   module.def(
       "exponential_wall",
       [](double hardness, double strength) {

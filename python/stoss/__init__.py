@@ -1,14 +1,16 @@
 """Coefficient of restitution of elastic bodies from first principles.
 
 >>> import stoss
->>> stoss.restitution(poisson=0.33, speed=0.1)
+>>> disk = stoss.Disk(poisson=0.33)
+>>> stoss.restitution(disk, speed=0.1)
 Restitution(poisson=0.33, speed=0.1 c: restitution 0.947044 ± 0.000038)
 
-All arguments are named. Units: radius R, bar speed c = √(E/ρ), mass m; with a `Material`, speeds
-are in m/s.
+A body comes first, all other arguments are named. Units are those of the first body: radius R, bar
+speed c = √(E/ρ), mass m; of bodies with a `Material`, speeds are in m/s.
 
 ================================  ==================================================================
-`restitution`                     ε(v) with errors, for numbers and arrays
+`restitution`                     ε(v) with errors, for numbers and arrays, at a wall or of two
+bodies
 `impact`                          one impact: energy ledger, trajectory, deformation and stress in
 time
 `modes`                           the eigenmodes of a disk
@@ -16,23 +18,25 @@ time
 `quasistatic`                     slow impacts, Rayleigh's estimate of the loss, static contacts
 `Disk`, `Rod`                     bodies
 `HardWall`, `ExponentialWall`     walls
-`Material`                        SI
+`Material`, `materials`           SI; typical materials
 `plot`                            pictures (needs matplotlib)
 ================================  ==================================================================
 """
 
 from stoss import quasistatic
-from stoss._bodies import Body, Disk, ExponentialWall, HardWall, Rod, Wall
+from stoss._bodies import Body, Disk, Rod
 from stoss._core import version as __version__
 from stoss._errors import Interrupted, InvalidInput, NotConverged, StossWarning
 from stoss._extrapolation import Extrapolation, extrapolated_restitution
 from stoss._field import Field
 from stoss._impact import impact
 from stoss._impact_result import Impact
-from stoss._material import Material, Scales
+from stoss._material import Material, Scales, materials
 from stoss._modes import Modes, modes
-from stoss._restitution import Restitution, restitution
+from stoss._restitution import restitution
+from stoss._restitution_result import Restitution
 from stoss._trajectory import Trajectory
+from stoss._walls import ExponentialWall, HardWall, Wall
 
 __all__ = [
     "Body",
@@ -57,6 +61,7 @@ __all__ = [
     "animate",
     "extrapolated_restitution",
     "impact",
+    "materials",
     "modes",
     "plot",
     "quasistatic",

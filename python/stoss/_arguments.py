@@ -45,6 +45,12 @@ def number(name: str, value: Any) -> float:
     return float(array)
 
 
+def brief(value: Any) -> str:
+    """The shortest text that is the same number; of other things the usual one."""
+    text = f"{value:g}" if isinstance(value, float) else repr(value)
+    return text if not isinstance(value, float) or float(text) == value else repr(value)
+
+
 def optional_number(name: str, value: Any) -> float | None:
     """One real number or None."""
     return None if value is None else number(name, value)

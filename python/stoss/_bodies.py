@@ -1,146 +1,229 @@
-"""Bodies and walls."""
+"""Bodies."""
 
 from __future__ import annotations
 
+import contextlib
 import dataclasses
-import functools
-from typing import Any, Union
-
-import numpy as np
-from numpy.typing import NDArray
+from typing import Any, Iterator, Union
 
 from stoss import _core
-from stoss._arguments import instance, number, refusal
+from stoss._arguments import brief, instance, number, refusal
 from stoss._errors import InvalidInput
-from stoss._material import Material
+from stoss._material import Material, Scales
 
 
-@dataclasses.dataclass(frozen=True, kw_only=True)
+@dataclasses.dataclass(frozen=True, init=False, repr=False)
 class Disk:
-    """An elastic disk, in units of its radius R, bar speed c and mass m.
+    """An elastic disk: its 2-D Poisson number, and its size and material beside other bodies.
 
-    Its modes are computed when they are needed and kept for the next call.
+    Without a material all sizes are ratios in any consistent units; at a rigid wall only `poisson`
+    counts. With a material, the radius and all speeds are in SI. Modes are computed when they are
+    needed and kept for the next call.
 
     Parameters
     ----------
     poisson : float
-        2-D Poisson number ν, −0.95 to 0.995 (plane strain: see `Material`).
+        2-D Poisson number ν, −0.95 to 0.995.
+    radius : float
+        Radius R; 1, or with a material to be given in m.
+    young, density : float, optional
+        Young's modulus E and density ρ.
+    material : Material
+        In place of `poisson`, `young` and `density`: then these attributes are ν, E and ρ in plane
+        stress, ν/(1−ν), E/(1−ν²) and ρ in plane strain.
+    plane : {'stress', 'strain'}
+        With a material: a thin plate, or a slice of a long cylinder.
 
     Examples
     --------
-    >>> stoss.impact(body=stoss.Disk(poisson=0.33), speed=0.1, cutoff=25).contacts
+    >>> stoss.impact(stoss.Disk(poisson=0.33), speed=0.1, cutoff=25).contacts
     1
+    >>> stoss.Disk(radius=5e-3, material=stoss.materials["steel"], plane="strain").poisson
+    0.4285714285714286
     """
 
     poisson: float
+    radius: float
+    young: float
+    density: float
+    material: Material | None
+    plane: str | None
 
-    def __post_init__(self) -> None:
-        object.__setattr__(self, "poisson", number("poisson", self.poisson))
-        _core.refinable_disk(self.poisson)  # refuses what is out of range
+    def __init__(
+        self,
+        *,
+        poisson: float | None = None,
+        radius: float | None = None,
+        young: float | None = None,
+        density: float | None = None,
+        material: Material | None = None,
+        plane: str | None = None,
+    ) -> None:
+        made: dict[str, float] = {"young": 1.0, "density": 1.0}
+        if material is None:
+            if plane is not None:
+                raise refusal("plane", plane, "none without a material (`poisson` is the 2-D Poisson number)")
+        else:
+            plane = _plane("stress" if plane is None else plane)
+            size = _size("radius", radius, material)
+            material._scales(plane, size)  # refuses what is out of range
+            modulus = material.young if plane == "stress" else material.young / (1.0 - material.poisson**2)
+            made = {"poisson": material._plane_poisson(plane), "young": modulus, "density": material.density}
+        _fill(self, made, material, poisson=poisson, young=young, density=density)
+        _fill(self, {"radius": 1.0}, None, radius=radius)
+        object.__setattr__(self, "material", material)
+        object.__setattr__(self, "plane", plane)
+        self._maker()  # refuses what is out of range
 
-    def _at(self, cutoff: float) -> _core.Body:
-        return _disk(self.poisson, cutoff)
+    def __repr__(self) -> str:
+        return _shown(self, ("poisson", "radius", "young", "density"), ("radius", "material", "plane"))
 
-    def _refinable(self) -> _core.RefinableContact:
-        return _refinable_disk(self.poisson)
+    @property
+    def scales(self) -> Scales:
+        """SI values of the units of all results of which this is the first body."""
+        return _material(self)._scales(str(self.plane), self.radius)
+
+    def _maker(self) -> _core.BodyMaker:
+        return _core.disk(self.poisson, self.radius, self.young, self.density)
+
+    def _shape(self) -> Disk:
+        """What counts at a wall: the same for all sizes."""
+        return Disk(poisson=self.poisson)
 
 
-@dataclasses.dataclass(frozen=True)
+@dataclasses.dataclass(frozen=True, init=False, repr=False)
 class Rod:
-    """A thin elastic rod that meets the wall with one end.
+    """A thin elastic rod that meets a wall or another rod with one end.
 
-    Units are its length L, bar speed c and mass. It has an exact answer, restitution 1 and contact
-    time 2L/c: a check of everything else.
+    Units are its length L, bar speed c and mass. At a wall it has an exact answer, restitution 1
+    and contact time 2L/c: a check of everything else.
+
+    Parameters
+    ----------
+    length : float
+        Length L; 1, or with a material to be given in m.
+    young, density : float, optional
+        Young's modulus E and density ρ.
+    area : float
+        Of the cross-section, A; 1, or with a material to be given in m².
+    material : Material
+        In place of `young` and `density`.
 
     Examples
     --------
-    >>> bounce = stoss.impact(body=stoss.Rod(), speed=0.1, cutoff=1000)
+    >>> bounce = stoss.impact(stoss.Rod(), speed=0.1, cutoff=1000)
     >>> round(bounce.restitution, 2), round(bounce.contact_time, 2)
     (1.0, 2.0)
     """
 
-    def _at(self, cutoff: float) -> _core.Body:
-        return _rod(cutoff)
+    length: float
+    young: float
+    density: float
+    area: float
+    material: Material | None
 
-    def _refinable(self) -> _core.RefinableContact:
-        return _refinable_rod()
+    def __init__(
+        self,
+        *,
+        length: float | None = None,
+        young: float | None = None,
+        density: float | None = None,
+        area: float | None = None,
+        material: Material | None = None,
+    ) -> None:
+        made = {"young": 1.0, "density": 1.0}
+        if material is not None:
+            _size("length", length, material)
+            _size("area", area, material)
+            made = {"young": material.young, "density": material.density}
+        _fill(self, made, material, young=young, density=density)
+        _fill(self, {"length": 1.0, "area": 1.0}, None, length=length, area=area)
+        object.__setattr__(self, "material", material)
+        self._maker()  # refuses what is out of range
+
+    def __repr__(self) -> str:
+        return _shown(self, ("length", "young", "density", "area"), ("length", "area", "material"))
+
+    @property
+    def scales(self) -> Scales:
+        """SI values of the units of all results of which this is the first body."""
+        _material(self)
+        speed = (self.young / self.density) ** 0.5
+        return Scales(self.length, speed, self.length / speed, speed / self.length, self.young * self.area)
+
+    def _maker(self) -> _core.BodyMaker:
+        return _core.rod(self.length, self.young, self.density, self.area)
+
+    def _shape(self) -> Rod:
+        """What counts at a wall: the same for all sizes."""
+        return Rod()
 
 
 Body = Union[Disk, Rod]
 
 
-# Bodies are made once for each resolution. A body with 1000 modes takes 0.1 MB, a refined one 10 MB.
-_disk = functools.lru_cache(maxsize=32)(_core.disk)
-_rod = functools.lru_cache(maxsize=32)(_core.rod)
-_refinable_disk = functools.lru_cache(maxsize=8)(_core.refinable_disk)
-_refinable_rod = functools.lru_cache(maxsize=1)(_core.refinable_rod)
+def _plane(value: Any) -> str:
+    if not isinstance(value, str) or value not in ("stress", "strain"):
+        raise refusal("plane", value, "'stress' or 'strain'")
+    return value
 
 
-def choose_body(poisson: Any, material: Material | None, body: Body | None) -> Body:
-    """The body that was meant: exactly one of the three must be given."""
-    given = [
-        name for name, value in (("poisson", poisson), ("material", material), ("body", body)) if value is not None
-    ]
-    if len(given) != 1:
-        raise InvalidInput(f"body: got {' and '.join(given) or 'none'}, allowed one of poisson, material and body")
-    if body is not None:
-        return instance("body", body, (Disk, Rod))  # type: ignore[no-any-return]
-    if material is not None:
-        return Disk(poisson=instance("material", material, (Material,)).plane_poisson)
-    return Disk(poisson=poisson)
+def _size(name: str, value: Any, material: Any) -> float:
+    """A size in SI, which has no default."""
+    instance("material", material, (Material,))
+    if value is None:
+        raise InvalidInput(f"{name}: got none, allowed a number in SI (the body has a material)")
+    return number(name, value)
 
 
-def contact_with(body: Body, wall: Wall, cutoff: float, keep: NDArray[np.bool_] | None) -> _core.Contact:
-    """A body with its modes up to the cutoff, or with some of them, at a wall."""
-    every = body._at(cutoff)
-    return _core.at_wall(every if keep is None else _core.with_modes(every, keep), wall._made())
+def _fill(body: Body, made: dict[str, float], material: Material | None, **given: Any) -> None:
+    """Set numbers to what was given, or what is made of the material or usual; with a material never both."""
+    for name, value in given.items():
+        if value is None and name not in made:
+            raise InvalidInput(f"{name}: got none, allowed a number, or a material instead")
+        known = made[name] if value is None else number(name, value)
+        if material is not None and known != made[name]:
+            raise refusal(name, value, f"none beside a material, which makes it {made[name]:.6g}")
+        object.__setattr__(body, name, known)
 
 
-@dataclasses.dataclass(frozen=True, kw_only=True)
-class HardWall:
-    """A rigid wall: no point of the body passes it, and pressure is never negative (Signorini).
-
-    Parameters
-    ----------
-    tail : {'radiating', 'static'}
-        How the modes above the cutoff answer: with static compliance at low and plane-wave
-        impedance at high frequency, or with static compliance only.
-    """
-
-    tail: str = "radiating"
-
-    def __post_init__(self) -> None:
-        if not isinstance(self.tail, str) or self.tail not in ("radiating", "static"):
-            raise refusal("tail", self.tail, "'radiating' or 'static'")
-
-    def _made(self) -> _core.AnyWall:
-        return _core.hard_wall(self.tail == "radiating")
+def _shown(body: Body, ratios: tuple[str, ...], si: tuple[str, ...]) -> str:
+    """The call that makes the body, without what is usual."""
+    names = si if body.material is not None else ratios
+    usual: dict[str, Any] = {"plane": "stress"}
+    if body.material is None:
+        usual |= {name: 1.0 for name in ratios if name != "poisson"}
+    values = {name: getattr(body, name) for name in names}
+    said = ", ".join(f"{name}={brief(value)}" for name, value in values.items() if usual.get(name) != value)
+    return f"{type(body).__name__}({said})"
 
 
-@dataclasses.dataclass(frozen=True, kw_only=True)
-class ExponentialWall:
-    """The soft wall of Gerl and Zippelius, with the potential V₀ ∫ dφ e^{αx(φ)}.
-
-    Modes above the cutoff are left out.
-
-    Parameters
-    ----------
-    hardness : float
-        α, 1/R, 1 to 1e6.
-    strength : float
-        V₀, ρc²R²; it shifts the wall by ln V₀/α and changes nothing else.
-    """
-
-    hardness: float = 500.0
-    strength: float = 1.0
-
-    def __post_init__(self) -> None:
-        for name in ("hardness", "strength"):
-            object.__setattr__(self, name, number(name, getattr(self, name)))
-        self._made()
-
-    def _made(self) -> _core.AnyWall:
-        return _core.exponential_wall(self.hardness, self.strength)
+def shown(body: Body) -> str:
+    """The body in the line that says what a result is."""
+    if body.material is None:
+        return repr(body)
+    if isinstance(body, Rod):
+        return f"Rod(length={body.length:g} m)"
+    return f"Disk(poisson={body.poisson:.6g}, radius={body.radius:g} m)"
 
 
-Wall = Union[HardWall, ExponentialWall]
+def _material(body: Body) -> Material:
+    if body.material is None:
+        raise AttributeError(f"scales: {body!r} has no material (make it with material=stoss.Material(...))")
+    return body.material
+
+
+def speed_unit(body: Body | None) -> float:
+    """What a speed that a user gives is divided by."""
+    return 1.0 if body is None or body.material is None else body.scales.speed
+
+
+@contextlib.contextmanager
+def speeds_in_si(body: Body | None) -> Iterator[None]:
+    """Says to a user who thinks in m/s what the core's refusal of a speed means."""
+    try:
+        yield
+    except InvalidInput as error:
+        if body is None or body.material is None or not str(error).startswith("speed"):
+            raise
+        raise InvalidInput(f"{error}; with this material c is {body.scales.speed:.6g} m/s") from None

@@ -9,13 +9,17 @@ from numpy.typing import NDArray
 
 from stoss import _core
 from stoss._bodies import Body
+from stoss._contact import Against, refinable
 
 
 class Curve:
     """The values of one body: rows that the core fills."""
 
-    def __init__(self, body: Body, where: NDArray[np.intp], speeds: NDArray[np.float64]) -> None:
+    def __init__(
+        self, body: Body, against: Against, where: NDArray[np.intp], speeds: NDArray[np.float64]
+    ) -> None:
         self.body = body
+        self.against = against
         self.where = where
         self.speeds = speeds
         self.rows = np.zeros(speeds.size, dtype=_core.restitution_row)
@@ -25,8 +29,8 @@ class Curve:
         self.reasons: list[str] = []
 
     def compute(self, tolerance: float, threads: int, tick: Callable[[], None] | None) -> None:
-        body = self.body._refinable()
-        _core.restitution_curve(body, self.speeds, tolerance, threads, self.rows, self.reasons, tick)
+        contact = refinable(self.body, self.against)
+        _core.restitution_curve(contact, self.speeds, tolerance, threads, self.rows, self.reasons, tick)
 
 
 def gather(curves: list[Curve], size: int) -> tuple[NDArray[Any], NDArray[np.object_]]:

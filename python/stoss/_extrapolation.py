@@ -5,7 +5,6 @@ from __future__ import annotations
 import dataclasses
 from typing import Any, ClassVar
 
-import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from stoss import _core
@@ -51,9 +50,7 @@ class Extrapolation(Result):
 
     def plot(self, ax: Any = None) -> Any:
         """1 − ε² against 1/α with the regressions. See `stoss.plot.extrapolation`."""
-        from stoss import plot
-
-        return plot.extrapolation(self, ax)
+        return self._picture(ax)
 
     def _inputs(self) -> dict[str, Any]:
         names = ("poisson", "speed", "restitution", "restitution_error", "lost_fraction", "lost_fraction_error")

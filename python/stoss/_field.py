@@ -22,12 +22,17 @@ class Field(Result):
 
     Attributes
     ----------
+    of : int
+        Inside which body: 0 the first, 1 the second. Units are those of the first.
+    size : float
+        Radius of the disk, R.
     time, center, force, contact_half_width : float or ndarray
-        Of each instant: R/c; x₀ in R; F in πRE; R.
+        Of each instant: R/c; x of the disk's centre in R; F in πRE; R.
     radius, angle : ndarray
-        Of the points in the undeformed disk: R; radians, 0 towards the wall.
+        Of the points in the undeformed disk: in its own radius; radians, 0 towards the contact.
     x, y : ndarray
-        Where the points are now, R; the wall is at x = 0 and the disk at x < 0.
+        Where the points are now, R. The wall is at x = 0 and the disk at x < 0. Of two disks the
+        first is at x < 0: they first touch at x = 0, and their common centre of mass is at rest.
     stress_rr, stress_pp, stress_rp : ndarray
         σ_rr, σ_φφ and σ_rφ, E; tension is positive.
     von_mises : ndarray
@@ -38,12 +43,14 @@ class Field(Result):
 
     _name: ClassVar[str] = "field"
     _units = {
-        "time": "R/c", "center": "R", "force": "piRE", "contact_half_width": "R", "radius": "R", "angle": "rad",
+        "time": "R/c", "center": "R", "force": "piRE", "contact_half_width": "R", "angle": "rad",
         "x": "R", "y": "R", "stress_rr": "E", "stress_pp": "E", "stress_rp": "E", "von_mises": "E",
         "principal_difference": "E",
     }  # fmt: skip
 
     impact: Impact = dataclasses.field(repr=False)
+    of: int
+    size: float
     time: Number
     center: Number
     force: Number
@@ -64,9 +71,7 @@ class Field(Result):
 
     def plot(self, ax: Any = None) -> Any:
         """Stress inside the disk. See `stoss.plot.stress`."""
-        from stoss import plot
-
-        return plot.stress(self, ax)
+        return self._picture(ax)
 
     def _inputs(self) -> dict[str, Any]:
         return self.impact._inputs() | {"speed": self.impact.speed, "cutoff": self.impact.cutoff}
@@ -85,10 +90,11 @@ class Field(Result):
     def _from_core(
         cls,
         impact: Impact,
+        of: int,
         shape: tuple[int, ...],
         order: NDArray[np.intp],
         instants: NDArray[Any],
-        fields: dict[str, NDArray[np.float64]],
+        fields: dict[str, Any],
         radius: NDArray[np.float64],
         angle: NDArray[np.float64],
     ) -> Field:
@@ -101,18 +107,25 @@ class Field(Result):
             values.flags.writeable = False
             return values if values.ndim else float(values)
 
-        out = (radius[:, None] + fields["radial"]) * np.cos(angle)
+        center, size = fields.pop("center"), float(fields.pop("size"))
+        reach = size * radius[:, None] + fields["radial"]
+        out = reach * np.cos(angle)
         out -= fields["tangential"] * np.sin(angle)
-        up = (radius[:, None] + fields["radial"]) * np.sin(angle)
+        up = reach * np.sin(angle)
         up += fields["tangential"] * np.cos(angle)
+        if of == 1:  # the second body looks the other way
+            out *= -1.0
         for array in (radius, angle):
             array.flags.writeable = False
         return cls(
             impact=impact,
+            of=of,
+            size=size,
+            center=arranged(center),
             radius=radius,
             angle=angle,
-            x=arranged(out + instants["center"][:, None, None]),
+            x=arranged(out + center[:, None, None]),
             y=arranged(up),
-            **{name: arranged(instants[name]) for name in ("time", "center", "force", "contact_half_width")},
+            **{name: arranged(instants[name]) for name in ("time", "force", "contact_half_width")},
             **{name: arranged(array) for name, array in fields.items() if name not in ("radial", "tangential")},
         )

@@ -2,50 +2,46 @@
 
 from __future__ import annotations
 
-import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
-from stoss import _core
-from stoss._arguments import flags, instance, integer, number, optional_number
-from stoss._bodies import Body, ExponentialWall, HardWall, Wall, choose_body, contact_with
+from stoss._arguments import flags, integer, number, optional_number
+from stoss._bodies import Body, speed_unit, speeds_in_si
+from stoss._contact import Against, choose_against, choose_body
 from stoss._errors import InvalidInput
 from stoss._impact_result import Impact
-from stoss._material import Material, speeds_in_si
+from stoss._walls import ExponentialWall, HardWall
 
 
 def impact(
+    body: Body | None = None,
     *,
     speed: float,
+    against: Against | str | None = None,
     poisson: float | None = None,
-    material: Material | None = None,
-    body: Body | None = None,
     cutoff: float = 50.0,
-    wall: Wall = HardWall(),
     step: float | None = None,
     nodes: int | None = None,
     half_width: float | None = None,
     keep: ArrayLike | None = None,
 ) -> Impact:
-    """One impact of an elastic body on a wall at a fixed resolution, with its energy ledger.
+    """One impact of an elastic body at a fixed resolution, with its energy ledger.
 
     The modes with ω ≤ `cutoff` move by m Q̈ = −m ω² Q − F·(their amplitude at the contact); all
-    others answer the wall together. For a value with an error bar use `restitution`.
+    others answer together. For a value with an error bar use `restitution`.
 
     Parameters
     ----------
-    speed : float
-        Of the centre of mass towards the wall, 1e-8 to 1, c (with a material: m/s). Two equal
-        bodies that each move at `speed` towards each other are the same problem.
-    poisson : float
-        2-D Poisson number of a disk, −0.95 to 0.995. Or
-    material : Material
-        a material and radius in SI, or
     body : Disk or Rod
-        a body.
+        The first body, in whose units all results are.
+    speed : float
+        Of approach of the centres of mass, or towards the wall, 1e-8 to 1, c (with a material:
+        m/s). Two equal bodies at twice the speed are one of them at a rigid wall.
+    against : HardWall, ExponentialWall, 'same', Disk or Rod, optional
+        What the body meets: a wall, its like, or another of its kind. Default: a rigid wall.
+    poisson : float
+        In place of `body`: ``Disk(poisson=poisson)``.
     cutoff : float, optional
         Highest frequency of the modes that are kept, c/R.
-    wall : HardWall or ExponentialWall, optional
-        Default: hard.
     step : float, optional
         Time step, R/c.
     nodes : int, optional
@@ -54,7 +50,7 @@ def impact(
         Of the contact grid, R.
     keep : array_like of bool, optional
         Which of the modes with ω ≤ `cutoff` are kept, in the order of `Impact.mode_energies`; only
-        with an `ExponentialWall`, because a hard wall would need what the others give way. Default:
+        with an `ExponentialWall`, because a hard contact would need what the others give way. Default:
         all.
 
     Returns
@@ -80,43 +76,27 @@ def impact(
     most energetic.
 
     >>> soft = stoss.ExponentialWall(hardness=500)
-    >>> average = stoss.impact(poisson=0.33, speed=0.1, wall=soft).mode_energies["average"]
-    >>> stoss.impact(poisson=0.33, speed=0.1, wall=soft, keep=average >= np.sort(average)[-300]).modes
+    >>> average = stoss.impact(poisson=0.33, speed=0.1, against=soft).mode_energies["average"]
+    >>> stoss.impact(poisson=0.33, speed=0.1, against=soft, keep=average >= np.sort(average)[-300]).modes
     300
+
+    Two disks of unequal size, and who takes the loss.
+
+    >>> pair = stoss.impact(stoss.Disk(poisson=0.33), against=stoss.Disk(poisson=0.33, radius=2), speed=0.2)
+    >>> round(pair.lost_to_first, 2), round(pair.lost_to_second, 2)
+    (0.03, 0.33)
     """
-    chosen = choose_body(poisson, material, body)
-    initial = number("speed", speed)
-    if material is not None:
-        initial /= material.scales.speed
+    chosen = choose_body(body, poisson)
+    initial = number("speed", speed) / speed_unit(chosen)
+    met = choose_against(chosen, against, (HardWall, ExponentialWall))
     at = number("cutoff", cutoff)
-    instance("wall", wall, (HardWall, ExponentialWall))
     count = None if nodes is None else integer("nodes", nodes)
     duration, width = optional_number("step", step), optional_number("half_width", half_width)
     kept = None if keep is None else flags("keep", keep)
-    if kept is not None and not isinstance(wall, ExponentialWall):
-        hint = "a hard wall would need what the other modes give way"
+    if kept is not None and not isinstance(met, ExponentialWall):
+        hint = "elsewhere one would need what the other modes give way"
         raise InvalidInput(
-            f"keep: got a selection of modes and {wall!r}, allowed only with a stoss.ExponentialWall ({hint})"
+            f"keep: got a selection of modes and {met!r}, allowed only with a stoss.ExponentialWall ({hint})"
         )
-    with speeds_in_si(material):
-        return repeated(chosen, wall, initial, at, duration, count, width, kept, material)
-
-
-def repeated(
-    body: Body,
-    wall: Wall,
-    speed: float,
-    cutoff: float,
-    step: float | None,
-    nodes: int | None,
-    half_width: float | None,
-    keep: NDArray[np.bool_] | None,
-    material: Material | None,
-) -> Impact:
-    """The impact with these inputs, checked before."""
-    handle = _core.impact(contact_with(body, wall, cutoff, keep), speed, step, nodes, half_width)
-    energies = handle.modes()
-    return Impact(
-        body=body, wall=wall, keep=keep, material=material, modes=len(energies), mode_energies=energies, _handle=handle,
-        **handle.numbers(),
-    )  # fmt: skip
+    with speeds_in_si(chosen):
+        return Impact._made(chosen, met, initial, at, duration, count, width, kept)

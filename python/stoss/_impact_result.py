@@ -8,15 +8,14 @@ from typing import Any, ClassVar
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from stoss import _core
-from stoss._arguments import integer, numbers, require_memory
-from stoss._bodies import Body, Disk, Wall, contact_with
-from stoss._errors import InvalidInput
+from stoss import _core, _replay
+from stoss._bodies import Body, Disk, Rod, shown
+from stoss._contact import Against, contact
 from stoss._field import Field
-from stoss._material import Material
-from stoss._result import Column, Result, columns
+from stoss._result import Column, Result
 from stoss._si import SI_UNITS, InSi
 from stoss._trajectory import Trajectory
+from stoss._walls import HardWall
 
 
 @dataclasses.dataclass(frozen=True, eq=False, repr=False)
@@ -28,16 +27,20 @@ class Impact(InSi, Result):
     Attributes
     ----------
     body : Disk or Rod
-    wall : HardWall or ExponentialWall
+        The first; all units are its own.
+    against : HardWall, ExponentialWall, Disk or Rod
+        What it meets.
     speed : float
-        Of the centre of mass towards the wall, c.
+        Of approach of the centres of mass, or towards the wall, c.
     restitution : float
-        ε = −v_f/v_i of the centre of mass.
+        ε = −v_f/v_i of the relative motion.
     lost_fraction : float
         1 − ε².
     translation, vibration, unresolved : float
-        Energy after the impact: of the centre of mass; of the kept modes; of the modes above the
+        Energy after the impact: of the (relative) translation; of the kept modes; of the modes above the
         cutoff. The sum is 1 but for `energy_error`.
+    lost_to_first, lost_to_second : float
+        Vibration of each body, its part of `unresolved` included; 0 of a wall.
     contact_time : float
         From first to last contact, R/c.
     contacts : int
@@ -65,12 +68,12 @@ class Impact(InSi, Result):
     beyond_small_strain : bool
         Speed above 0.5 c or compression above 0.5 R, where linear elasticity has lost its meaning.
     mode_energies : ndarray
-        Energy of each kept mode, a structured array with the fields order, index, omega, after (the
-        impact) and average (during contact).
+        Energy of each kept mode, a structured array with the fields body (0 of the first, 1 of
+        the second), order, index, omega, after (the impact) and average (during contact).
     keep : ndarray or None
         Which modes up to the cutoff were kept, if not all: those of `mode_energies`.
     material : Material or None
-        What it was made with. If there is one, `speed_si`, `contact_time_si`, `max_force_si` and
+        Of the body. If there is one, `speed_si`, `contact_time_si`, `max_force_si` and
         `max_compression_si` are the SI values.
     """
 
@@ -81,13 +84,15 @@ class Impact(InSi, Result):
     }  # fmt: skip
 
     body: Body
-    wall: Wall
+    against: Against
     speed: float
     restitution: float
     lost_fraction: float
     translation: float
     vibration: float
     unresolved: float
+    lost_to_first: float
+    lost_to_second: float
     contact_time: float
     contacts: int
     max_force: float
@@ -104,22 +109,46 @@ class Impact(InSi, Result):
     beyond_small_strain: bool
     mode_energies: NDArray[Any]
     keep: NDArray[np.bool_] | None
-    material: Material | None
     _handle: _core.Impact = dataclasses.field(repr=False)
 
     def __repr__(self) -> str:
         return (
-            f"Impact({self.body!r}, speed={self.speed:.6g} c: restitution {self.restitution:.5f}, "
+            f"Impact({self._who()}, speed={self.speed:.6g} c: restitution {self.restitution:.5f}, "
             f"contact time {self.contact_time:.4g} R/c, {self.modes} modes)"
         )
+
+    def _who(self) -> str:
+        return shown(self.body) + (f" against {shown(self.against)}" if isinstance(self.against, (Disk, Rod)) else "")
+
+    def _contact(self) -> _core.Contact:
+        return contact(self.body, self.against, self.cutoff, self.keep)
+
+    @classmethod
+    def _made(
+        cls,
+        body: Body,
+        against: Against,
+        speed: float,
+        cutoff: float,
+        step: float | None,
+        nodes: int | None,
+        half_width: float | None,
+        keep: NDArray[np.bool_] | None,
+    ) -> Impact:
+        """The impact with these inputs, checked before."""
+        radiating = not (isinstance(against, HardWall) and against.tail == "static")
+        handle = _core.impact(contact(body, against, cutoff, keep), radiating, speed, step, nodes, half_width)
+        energies = handle.modes()
+        return cls(
+            body=body, against=against, keep=keep, modes=len(energies), mode_energies=energies, _handle=handle,
+            **handle.numbers(),
+        )  # fmt: skip
 
     def __reduce__(self) -> tuple[Any, ...]:
         # Repeated, which gives the same bits, rather than written.
         width = self.half_width if isinstance(self.body, Disk) else None
-        inputs = (self.body, self.wall, self.speed, self.cutoff, self.step, self.nodes, width, self.keep, self.material)
-        from stoss._impact import repeated
-
-        return repeated, inputs
+        inputs = (self.body, self.against, self.speed, self.cutoff, self.step, self.nodes, width, self.keep)
+        return Impact._made, inputs
 
     def trajectory(self, *, every: int = 1) -> Trajectory:
         """The impact in time, by repeating it bit by bit.
@@ -140,18 +169,15 @@ class Impact(InSi, Result):
         >>> bool(abs(energy - 1).max() < 2e-3)
         True
         """
-        rows = integer("every", every)
-        if rows < 1:
-            raise InvalidInput(f"every: got {rows}, allowed 1 or more (steps between two rows)")
-        size = 72.0 * (self.steps // rows + 2)
-        require_memory("every", f"{rows} for {self.steps} steps", size, "give a larger one")
-        table = self._handle.trajectory(contact_with(self.body, self.wall, self.cutoff, self.keep), rows)
-        return Trajectory(impact=self, **columns(table))
+        return _replay.trajectory(self, every)
 
-    def field(self, *, time: ArrayLike, radius: ArrayLike | None = None, angle: ArrayLike | None = None) -> Field:
-        """The deformed disk and the stress inside it at some times.
+    def field(
+        self, *, time: ArrayLike, radius: ArrayLike | None = None, angle: ArrayLike | None = None, of: int = 0
+    ) -> Field:
+        """A deformed disk and the stress inside it at some times.
 
-        The kept modes are as they move; all others are in static equilibrium with the wall.
+        The kept modes are as they move; all others are in static equilibrium with the force of
+        contact.
 
         Parameters
         ----------
@@ -159,10 +185,12 @@ class Impact(InSi, Result):
             R/c from the start of the impact, any order; during the impact the nearest step is
             taken, before and after it the disk flies freely.
         radius : array_like, optional
-            Radii r, 0 to 1, R; default 41 of them.
+            Radii r, 0 to 1, in radii of the disk; default 41 of them.
         angle : array_like, optional
-            Angles φ, radians, 0 towards the wall; default 181 around the disk, denser near the
-            wall.
+            Angles φ, radians, 0 towards the contact; default 181 around the disk, denser near the
+            contact.
+        of : {0, 1}, optional
+            Inside which body: the first, or the second.
 
         Returns
         -------
@@ -181,18 +209,7 @@ class Impact(InSi, Result):
         >>> bool(field.x.max() < 1e-3)  # nothing is beyond the wall
         True
         """
-        if not isinstance(self.body, Disk):
-            raise InvalidInput(f"body: got {self.body!r}, allowed a stoss.Disk (only disks have fields)")
-        times = numbers("time", time)
-        radii = np.linspace(0.0, 1.0, 41) if radius is None else numbers("radius", radius).ravel()
-        angles = _around() if angle is None else numbers("angle", angle).ravel()
-        points = radii.size * angles.size
-        self._require_memory("field", times.size, 11.0 * points, 5.0 * radii.size * self.modes, f" x {points} points")
-        order = np.argsort(times.ravel(), kind="stable")
-        made = contact_with(self.body, self.wall, self.cutoff, self.keep)
-        frames = _core.motion(made, self._handle, times.ravel()[order])
-        fields = _core.fields(self.body.poisson, made, self._handle, frames, radii, angles)
-        return Field._from_core(self, times.shape, order, frames.summaries(), fields, radii, angles)
+        return _replay.field(self, time, radius, angle, of)
 
     def energies_at(self, *, time: ArrayLike) -> NDArray[Any]:
         """Energy of each kept mode at some times, by repeating the impact bit by bit.
@@ -207,7 +224,7 @@ class Impact(InSi, Result):
         -------
         ndarray
             Times × modes, without the first axis if `time` is one number: a structured array with
-            the fields order, index, omega and energy, as a share of the initial one, in the order
+            the fields body, order, index, omega and energy, as a share of the initial one, in the order
             of `mode_energies`.
 
         Examples
@@ -217,37 +234,19 @@ class Impact(InSi, Result):
         >>> energies["energy"].sum(axis=1).round(2)
         array([0.  , 0.96])
         """
-        times = numbers("time", time)
-        self._require_memory("energies", times.size, 3.0 * self.modes, 0.0, f" x {self.modes} modes")
-        order = np.argsort(times.ravel(), kind="stable")
-        table = _core.energies_at(contact_with(self.body, self.wall, self.cutoff, self.keep), self._handle, times.ravel()[order])
-        back = np.argsort(order, kind="stable")
-        energies = table[back].reshape(times.shape + (self.modes,))
-        energies.flags.writeable = False
-        return energies
-
-    def _require_memory(self, name: str, times: int, each: float, once: float, got: str) -> None:
-        """Refuse what is too large: numbers for each time, beside its motion, and numbers once."""
-        size = 8.0 * (times * (each + 2.0 * self.modes + self.nodes) + once)
-        require_memory(name, f"{times} times{got}", size, "give fewer times or points")
+        return _replay.energies_at(self, time)
 
     def plot(self, ax: Any = None) -> Any:
         """Force against time. See `stoss.plot.force`."""
         return self.trajectory().plot(ax)
 
     def _inputs(self) -> dict[str, Any]:
-        inputs: dict[str, Any] = {"body": self.body, "wall": self.wall}
+        inputs: dict[str, Any] = {"body": self.body, "against": self.against}
         if self.keep is not None:
             inputs["keep"] = f"{self.modes} of {self.keep.size} modes"
-        return inputs | ({"material": self.material} if self.material else {})
+        return inputs
 
     def _table(self) -> dict[str, Column]:
-        skipped = ("body", "wall", "keep", "material", "mode_energies", "_handle")
+        skipped = ("body", "against", "keep", "mode_energies", "_handle")
         names = [field.name for field in dataclasses.fields(self) if field.name not in skipped]
         return {name: np.asarray(getattr(self, name)) for name in names}
-
-
-def _around() -> NDArray[np.float64]:
-    """Angles around the disk, three times as dense at the wall as opposite to it."""
-    even = np.linspace(-np.pi, np.pi, 181)
-    return np.asarray(even - 0.5 * np.sin(even))

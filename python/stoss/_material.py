@@ -1,14 +1,13 @@
-"""Materials and sizes in SI: the only place where a user's units meet the core's."""
+"""Materials in SI: the only place where a user's units meet the core's."""
 
 from __future__ import annotations
 
-import contextlib
 import dataclasses
-from typing import Iterator, NamedTuple
+from types import MappingProxyType
+from typing import Mapping, NamedTuple
 
 from stoss import _core
-from stoss._arguments import number, refusal
-from stoss._errors import InvalidInput
+from stoss._arguments import brief, number
 
 
 class Scales(NamedTuple):
@@ -17,7 +16,7 @@ class Scales(NamedTuple):
     Attributes
     ----------
     length : float
-        Radius R, m.
+        Radius R, or length L of a rod, m.
     speed : float
         Bar speed c, m/s.
     time : float
@@ -25,7 +24,7 @@ class Scales(NamedTuple):
     frequency : float
         c/R, rad/s.
     force : float
-        πRE = mc²/R of a disk of unit thickness, N/m.
+        mc²/R: πRE of a disk of unit thickness, N/m, or EA of a rod, N.
     """
 
     length: float
@@ -35,13 +34,12 @@ class Scales(NamedTuple):
     force: float
 
 
-@dataclasses.dataclass(frozen=True, kw_only=True)
+@dataclasses.dataclass(frozen=True, kw_only=True, repr=False)
 class Material:
-    """An isotropic elastic material and the radius of the disk made of it, in SI.
+    """An isotropic elastic material in SI, of which bodies are made.
 
-    In results made with it speeds are given in m/s, and SI values stand beside the dimensionless
-    ones under names that end in ``_si``. The bar speed is c = √(E/ρ), or √(E/((1−ν²)ρ)) in plane
-    strain.
+    Bodies made of it meet at speeds in m/s, and in results SI values stand beside the dimensionless
+    ones under names that end in ``_si``.
 
     Parameters
     ----------
@@ -51,10 +49,6 @@ class Material:
         Poisson number ν of the solid, −1 < ν < ½.
     density : float
         Density ρ, kg/m³.
-    radius : float
-        Radius R of the disk, m.
-    plane : {'stress', 'strain'}
-        A thin plate, or a slice of a long cylinder.
 
     Raises
     ------
@@ -63,44 +57,46 @@ class Material:
 
     Examples
     --------
-    >>> steel = stoss.Material(young=2.1e11, poisson=0.3, density=7850, radius=0.01)
-    >>> round(steel.scales.speed)
+    >>> steel = stoss.Material(young=2.1e11, poisson=0.3, density=7850)
+    >>> disk = stoss.Disk(radius=0.01, material=steel)
+    >>> round(disk.scales.speed)
     5172
-    >>> stoss.restitution(material=steel, speed=5.0)  # 5 m/s
+    >>> stoss.restitution(disk, speed=5.0)  # 5 m/s
     Restitution(poisson=0.3, speed=0.000966708 c: restitution 0.987119 ± 0.000011)
     """
 
     young: float
     poisson: float
     density: float
-    radius: float
-    plane: str = "stress"
 
     def __post_init__(self) -> None:
-        for name in ("young", "poisson", "density", "radius"):
+        for name in ("young", "poisson", "density"):
             object.__setattr__(self, name, number(name, getattr(self, name)))
-        if not isinstance(self.plane, str) or self.plane not in ("stress", "strain"):
-            raise refusal("plane", self.plane, "'stress' or 'strain'")
-        _ = self.scales, self.plane_poisson
+        self._plane_poisson("stress")
 
-    @property
-    def scales(self) -> Scales:
-        """SI values of the units of all results."""
-        strain = self.plane == "strain"
-        return Scales(*_core.scales(self.young, self.poisson, self.density, strain, self.radius))
+    def __repr__(self) -> str:
+        return f"Material({', '.join(f'{name}={brief(value)}' for name, value in vars(self).items())})"
 
-    @property
-    def plane_poisson(self) -> float:
-        """2-D Poisson number that the core computes with: ν, or ν/(1−ν) in plane strain."""
-        return _core.plane_poisson(self.young, self.poisson, self.density, self.plane == "strain")
+    def _plane_poisson(self, plane: str) -> float:
+        """2-D Poisson number: ν, or ν/(1−ν) in plane strain."""
+        return _core.plane_poisson(self.young, self.poisson, self.density, plane == "strain")
+
+    def _scales(self, plane: str, radius: float) -> Scales:
+        """Scales of a disk: c = √(E′/ρ) with E′ = E, or E/(1−ν²) in plane strain."""
+        return Scales(*_core.scales(self.young, self.poisson, self.density, plane == "strain", radius))
 
 
-@contextlib.contextmanager
-def speeds_in_si(material: Material | None) -> Iterator[None]:
-    """Says to a user who thinks in m/s what the core's refusal of a speed means."""
-    try:
-        yield
-    except InvalidInput as error:
-        if material is None or not str(error).startswith("speed"):
-            raise
-        raise InvalidInput(f"{error}; with this material c is {material.scales.speed:.6g} m/s") from None
+materials: Mapping[str, Material] = MappingProxyType(
+    {
+        "steel": Material(young=2.1e11, poisson=0.30, density=7850.0),
+        "glass": Material(young=7.0e10, poisson=0.22, density=2500.0),
+        "ice": Material(young=9.3e9, poisson=0.33, density=917.0),
+        "rubber": Material(young=2e6, poisson=0.49, density=1100.0),
+    }
+)
+"""Typical materials. Yours differs, rubber by a factor of ten: measure it.
+
+Structural steel (Eurocode 3); soda-lime glass (EN 572-1, but ν between the 0.20 there and the 0.23 of makers);
+polycrystalline ice at −16 °C (Gammon et al., J. Glaciology 29, 433 (1983)); soft rubber (orders of magnitude). What ε
+means for each of them: docs/materials.md.
+"""

@@ -9,10 +9,10 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from stoss import _core
-from stoss._arguments import integer, number, numbers
-from stoss._bodies import Disk, choose_body
+from stoss._arguments import instance, integer, number, numbers
+from stoss._bodies import Disk
+from stoss._contact import choose_body
 from stoss._errors import InvalidInput
-from stoss._material import Material
 from stoss._result import Column, Result, columns, span
 
 
@@ -37,8 +37,6 @@ class Modes(Result):
         Eigenfrequency ω, c/R.
     radial, tangential : ndarray
         Amplitudes C = u_r and S = u_φ at the edge; C ≥ 0.
-    material : Material or None
-        What it was made with.
     """
 
     _name: ClassVar[str] = "modes"
@@ -51,7 +49,6 @@ class Modes(Result):
     omega: NDArray[np.float64]
     radial: NDArray[np.float64]
     tangential: NDArray[np.float64]
-    material: Material | None = None
 
     def __len__(self) -> int:
         return len(self.omega)
@@ -111,9 +108,7 @@ class Modes(Result):
 
     def plot(self, ax: Any = None) -> Any:
         """Spectrum, ω against n. See `stoss.plot.spectrum`."""
-        from stoss import plot
-
-        return plot.spectrum(self, ax)
+        return self._picture(ax)
 
     def _inputs(self) -> dict[str, Any]:
         return {"poisson": self.poisson, "cutoff": self.cutoff}
@@ -122,7 +117,7 @@ class Modes(Result):
         return {name: getattr(self, name) for name in ("order", "index", "omega", "radial", "tangential")}
 
 
-def modes(*, cutoff: float, poisson: float | None = None, material: Material | None = None) -> Modes:
+def modes(body: Disk | None = None, *, cutoff: float, poisson: float | None = None) -> Modes:
     """All symmetric in-plane modes of a free disk up to a cutoff.
 
     The frequencies are the roots of D_n(ω) = 0, the free edge's determinant. None
@@ -130,12 +125,11 @@ def modes(*, cutoff: float, poisson: float | None = None, material: Material | N
 
     Parameters
     ----------
+    body : Disk
     cutoff : float
         Highest frequency, c/R, up to 1000.
     poisson : float
-        2-D Poisson number ν, −0.95 to 0.995.
-    material : Material
-        Instead of `poisson`.
+        In place of `body`: 2-D Poisson number ν, −0.95 to 0.995.
 
     Returns
     -------
@@ -154,8 +148,7 @@ def modes(*, cutoff: float, poisson: float | None = None, material: Material | N
     >>> modes.omega[modes.find(2, 0)].round(5)
     1.43853
     """
-    disk = choose_body(poisson, material, None)
-    assert isinstance(disk, Disk)
+    disk: Disk = instance("body", choose_body(body, poisson), (Disk,))
     highest = number("cutoff", cutoff)
     table = _core.disk_modes(disk.poisson, highest)
-    return Modes(poisson=disk.poisson, cutoff=highest, material=material, **columns(table))
+    return Modes(poisson=disk.poisson, cutoff=highest, **columns(table))

@@ -11,8 +11,8 @@ from numpy.typing import ArrayLike, NDArray
 
 from stoss import _core
 from stoss._arguments import arranged, number
+from stoss._bodies import Disk, speeds_in_si
 from stoss._errors import StossWarning
-from stoss._material import Material, speeds_in_si
 from stoss._result import Column, Number, Result, columns, shown, span
 from stoss._si import SI_UNITS, InSi
 from stoss._slow_impact import slow_inputs
@@ -49,8 +49,10 @@ class RayleighEstimate(InSi, Result):
         For a single speed, a structured array with the fields order, index, omega, amplitude (∫F
         cos ωt dt / v, with t from the turning point) and after (energy after the impact, as a share
         of ½mv²).
+    body : Disk or None
+        What it was made with, if it was one.
     material : Material or None
-        What it was made with. If there is one, `speed_si`, `contact_time_si`, `max_force_si` and
+        Of the body. If there is one, `speed_si`, `contact_time_si`, `max_force_si` and
         `max_compression_si` are the SI values.
     """
 
@@ -70,7 +72,7 @@ class RayleighEstimate(InSi, Result):
     beyond_perturbation: Union[bool, NDArray[np.bool_]]
     modes: Union[int, NDArray[np.int32]]
     mode_energies: NDArray[Any] | None
-    material: Material | None
+    body: Disk | None
 
     def __repr__(self) -> str:
         of = f"poisson={span(self.poisson)}, speed={span(self.speed)} c"
@@ -84,24 +86,22 @@ class RayleighEstimate(InSi, Result):
 
     def plot(self, ax: Any = None) -> Any:
         """1 − ε² against v. See `stoss.plot.rayleigh`."""
-        from stoss import plot
-
-        return plot.rayleigh(self, ax)
+        return self._picture(ax)
 
     def _inputs(self) -> dict[str, Any]:
-        return {"law": self.law, "cutoff": self.cutoff} | ({"material": self.material} if self.material else {})
+        return {"law": self.law, "cutoff": self.cutoff} | ({"body": self.body} if self.body else {})
 
     def _table(self) -> dict[str, Column]:
-        skipped = ("law", "cutoff", "mode_energies", "material")
+        skipped = ("law", "cutoff", "mode_energies", "body")
         names = [field.name for field in dataclasses.fields(self) if field.name not in skipped]
         return {name: np.asarray(getattr(self, name)) for name in names}
 
 
 def rayleigh(
+    body: Disk | None = None,
     *,
     speed: ArrayLike,
     poisson: ArrayLike | None = None,
-    material: Material | None = None,
     law: str = "center",
     cutoff: float = 60.0,
 ) -> RayleighEstimate:
@@ -113,13 +113,12 @@ def rayleigh(
 
     Parameters
     ----------
+    body : Disk
     speed : array_like
         Of the centre of mass towards the wall, 1e-100 to `limit_speed`, c (with a material: m/s).
         Two equal disks that each move at `speed` towards each other are the same problem.
     poisson : array_like
-        2-D Poisson number, −0.95 to 0.995; broadcasts with `speed`. Or
-    material : Material
-        a material and radius in SI.
+        In place of `body`: 2-D Poisson number, −0.95 to 0.995; broadcasts with `speed`.
     law : {'center', 'diameter', 'printed'}, optional
         Of compression, see `stoss.quasistatic`.
     cutoff : float, optional
@@ -144,11 +143,11 @@ def rayleigh(
     >>> stoss.quasistatic.rayleigh(poisson=0.33, speed=1e-6)
     RayleighEstimate(poisson=0.33, speed=1e-06 c: lost fraction 0.0061 ± 0.0039)
     """
-    chosen, poissons, speeds = slow_inputs(speed, poisson, material, law)
+    chosen, poissons, speeds = slow_inputs(body, speed, poisson, law)
     highest = number("cutoff", cutoff)
     table = np.zeros(speeds.size, dtype=_core.rayleigh_row)
     energies: NDArray[Any] | None = None
-    with speeds_in_si(material):
+    with speeds_in_si(body):
         for nu in np.unique(poissons):
             where = np.flatnonzero(poissons == nu)
             table[where], energies = _core.rayleigh(chosen, float(nu), speeds.ravel()[where], highest)
@@ -159,4 +158,4 @@ def rayleigh(
         text = f"{beyond} of {speeds.size} values beyond perturbation theory: their lost_fraction is far too great"
         warnings.warn(text, StossWarning, stacklevel=2)
     energies = energies if speeds.ndim == 0 else None
-    return RayleighEstimate(law=chosen, cutoff=highest, material=material, mode_energies=energies, **shaped)
+    return RayleighEstimate(law=chosen, cutoff=highest, body=body, mode_energies=energies, **shaped)

@@ -4,9 +4,10 @@ from __future__ import annotations
 
 import abc
 import dataclasses
+import importlib
 import math
 import os
-from typing import Any, ClassVar, Iterator, Mapping, Union
+from typing import Any, Callable, ClassVar, Iterator, Mapping, Union
 
 import numpy as np
 from numpy.typing import NDArray
@@ -38,8 +39,13 @@ def plain(value: Any) -> Any:
     if isinstance(value, dict):
         return {key: known(key, plain(each)) for key, each in value.items()}
     if dataclasses.is_dataclass(value) and not isinstance(value, type):
-        return plain({field.name: getattr(value, field.name) for field in dataclasses.fields(value) if field.repr})
+        given = {field.name: getattr(value, field.name) for field in dataclasses.fields(value) if field.repr}
+        return plain({name: each for name, each in given.items() if each is not None})
     return value
+
+
+pictures: dict[type, Callable[[Any, Any], Any]] = {}
+"""Draws the usual picture of each kind of result: stoss.plot registers its functions here."""
 
 
 class Result(abc.ABC):
@@ -58,7 +64,7 @@ class Result(abc.ABC):
         dict
         """
         values: dict[str, Any] = plain(self) | plain(self._derived())
-        return {key: value for key, value in values.items() if value is not None}
+        return values
 
     def to_csv(self, path: str | os.PathLike[str]) -> None:
         """Write the result as CSV with all digits.
@@ -83,16 +89,24 @@ class Result(abc.ABC):
         yield f"# stoss {_core.version}: {self._name}\n"
         yield from (f"# {key}: {value}\n" for key, value in self._inputs().items())
         table = {key: np.asarray(column) for key, column in (self._table() | self._derived()).items()}
-        yield ",".join(f"{key}[{self._units[key]}]" if self._units.get(key) else key for key in table) + "\n"
+        yield ",".join(f"{key}[{self._unit(key)}]" if self._unit(key) else key for key in table) + "\n"
         many = 4096
         for first in range(0, min(column.size for column in table.values()), many):
             rows = slice(first, first + many)
             columns = [known(key, column.flat[rows].tolist()) for key, column in table.items()]
             yield from (",".join(_cell(value) for value in row) + "\n" for row in zip(*columns))
 
+    def _unit(self, name: str) -> str | None:
+        """Unit of a column, if it has one."""
+        return self._units.get(name)
+
     def _derived(self) -> dict[str, Any]:
         """Further quantities that follow from the fields."""
         return {}
+
+    def _picture(self, ax: Any) -> Any:
+        importlib.import_module("stoss.plot")
+        return pictures[type(self)](self, ax)
 
     @abc.abstractmethod
     def _inputs(self) -> dict[str, Any]:

@@ -1,9 +1,10 @@
-"""SI values of results that were made with a material."""
+"""SI values of results of bodies that have a material."""
 
 from __future__ import annotations
 
 from typing import Any
 
+from stoss._bodies import Body, Rod
 from stoss._material import Material, Scales
 from stoss._result import Number
 
@@ -11,16 +12,25 @@ from stoss._result import Number
 class InSi:
     """SI values, as names that end in _si."""
 
-    material: Material | None
+    body: Body | None
     speed: Any
     contact_time: Any
     max_force: Any
     max_compression: Any
 
+    @property
+    def material(self) -> Material | None:
+        """What the first body is made of, if that is known."""
+        return None if self.body is None else self.body.material
+
     def _scales(self, name: str) -> Scales:
-        if self.material is None:
-            raise AttributeError(f"{name}: this result has no material (make it with material=stoss.Material(...))")
-        return self.material.scales
+        if self.body is None or self.body.material is None:
+            raise AttributeError(f"{name}: this result has no material (make its body with one)")
+        return self.body.scales
+
+    def _unit(self, name: str) -> str | None:
+        unit = super()._unit(name)  # type: ignore[misc]
+        return ROD_UNITS.get(unit, unit) if isinstance(self.body, Rod) else unit
 
     @property
     def speed_si(self) -> Number:
@@ -34,7 +44,7 @@ class InSi:
 
     @property
     def max_force_si(self) -> Number:
-        """Greatest force per thickness, N/m."""
+        """Greatest force: of a disk per thickness, N/m; of a rod, N."""
         return self.max_force * self._scales("max_force_si").force  # type: ignore[no-any-return]
 
     @property
@@ -61,7 +71,7 @@ class InSiWithErrors(InSi):
 
     @property
     def max_force_si_error(self) -> Number:
-        """Error of the greatest force per thickness, N/m."""
+        """Error of the greatest force, N/m or N."""
         return self.max_force_error * self._scales("max_force_si_error").force  # type: ignore[no-any-return]
 
     @property
@@ -75,3 +85,6 @@ SI_UNITS = {
     "speed_si": "m/s", "contact_time_si": "s", "contact_time_si_error": "s", "max_force_si": "N/m",
     "max_force_si_error": "N/m", "max_compression_si": "m", "max_compression_si_error": "m",
 }  # fmt: skip
+
+# What a rod has in place of a disk's units.
+ROD_UNITS = {"R": "L", "R/c": "L/c", "c/R": "c/L", "piRE": "EA", "N/m": "N"}

@@ -9,10 +9,10 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from stoss import _core
-from stoss._arguments import arranged, broadcast, choice, numbers
-from stoss._bodies import choose_body
+from stoss._arguments import arranged, broadcast, choice, instance, numbers
+from stoss._bodies import Disk, speed_unit, speeds_in_si
 from stoss._compression import LAWS
-from stoss._material import Material, speeds_in_si
+from stoss._contact import choose_body
 from stoss._result import Column, Number, Result, columns, span
 from stoss._si import SI_UNITS, InSi
 
@@ -38,8 +38,10 @@ class SlowImpact(InSi, Result):
         R.
     max_force : float or ndarray
         πRE = mc²/R.
+    body : Disk or None
+        What it was made with, if it was one.
     material : Material or None
-        What it was made with. If there is one, `speed_si`, `contact_time_si`, `max_force_si` and
+        Of the body. If there is one, `speed_si`, `contact_time_si`, `max_force_si` and
         `max_compression_si` are the SI values.
     """
 
@@ -52,7 +54,7 @@ class SlowImpact(InSi, Result):
     contact_time: Number
     max_compression: Number
     max_force: Number
-    material: Material | None
+    body: Disk | None
 
     def __repr__(self) -> str:
         count = "" if isinstance(self.speed, float) else f"{np.size(self.speed)} values, "
@@ -63,12 +65,10 @@ class SlowImpact(InSi, Result):
 
     def plot(self, ax: Any = None) -> Any:
         """Contact time against speed. See `stoss.plot.slow_impact`."""
-        from stoss import plot
-
-        return plot.slow_impact(self, ax)
+        return self._picture(ax)
 
     def _inputs(self) -> dict[str, Any]:
-        return {"law": self.law} | ({"material": self.material} if self.material else {})
+        return {"law": self.law} | ({"body": self.body} if self.body else {})
 
     def _table(self) -> dict[str, Column]:
         names = ("poisson", "speed", "contact_time", "max_compression", "max_force")
@@ -76,33 +76,31 @@ class SlowImpact(InSi, Result):
 
 
 def slow_inputs(
-    speed: Any, poisson: Any, material: Material | None, law: Any
+    body: Any, speed: Any, poisson: Any, law: Any
 ) -> tuple[str, NDArray[np.float64], NDArray[np.float64]]:
     """The law, and Poisson numbers and speeds in c of one shape."""
     chosen = choice("law", law, LAWS)
-    body = choose_body(None if poisson is None else 0.0, material, None)
-    speeds = numbers("speed", speed)
-    if material is not None:
-        speeds = speeds / material.scales.speed
-    poissons = numbers("poisson", getattr(body, "poisson") if poisson is None else poisson)
+    if body is not None or poisson is None:
+        instance("body", choose_body(body, poisson), (Disk,))
+    speeds = numbers("speed", speed) / speed_unit(body)
+    poissons = numbers("poisson", body.poisson if poisson is None else poisson)
     poissons, speeds = broadcast(3, poisson=poissons, speed=speeds)
     return chosen, poissons, speeds
 
 
 def slow_impact(
-    *, speed: ArrayLike, poisson: ArrayLike | None = None, material: Material | None = None, law: str = "center"
+    body: Disk | None = None, *, speed: ArrayLike, poisson: ArrayLike | None = None, law: str = "center"
 ) -> SlowImpact:
     """Impacts that are so slow that the disk follows the wall's force statically: δ̈ = −F(δ).
 
     Parameters
     ----------
+    body : Disk
     speed : array_like
         Of the centre of mass towards the wall, 1e-100 to `limit_speed`, c (with a material: m/s).
         Two equal disks that each move at `speed` towards each other are the same problem.
     poisson : array_like
-        2-D Poisson number, −0.95 to 0.995; broadcasts with `speed`. Or
-    material : Material
-        a material and radius in SI.
+        In place of `body`: 2-D Poisson number, −0.95 to 0.995; broadcasts with `speed`.
     law : {'center', 'diameter', 'printed'}, optional
         Of compression, see `stoss.quasistatic`.
 
@@ -121,9 +119,9 @@ def slow_impact(
     >>> slow.contact_time.round(3)
     array([16.968, 12.174,  8.754])
     """
-    chosen, poissons, speeds = slow_inputs(speed, poisson, material, law)
-    with speeds_in_si(material):
+    chosen, poissons, speeds = slow_inputs(body, speed, poisson, law)
+    with speeds_in_si(body):
         table = _core.slow_impact(chosen, poissons.ravel(), speeds.ravel())
     values = {"poisson": poissons, "speed": speeds, **columns(table)}
     shaped = {name: arranged(column, speeds.shape) for name, column in values.items()}
-    return SlowImpact(law=chosen, material=material, **shaped)
+    return SlowImpact(law=chosen, body=body, **shaped)

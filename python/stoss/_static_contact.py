@@ -10,8 +10,10 @@ from numpy.typing import NDArray
 
 from stoss import _core
 from stoss._arguments import instance, integer, number
-from stoss._bodies import Disk, ExponentialWall
+from stoss._bodies import Disk
+from stoss._contact import resolved
 from stoss._result import Column, Result
+from stoss._walls import ExponentialWall
 
 
 @dataclasses.dataclass(frozen=True, eq=False, repr=False)
@@ -63,9 +65,7 @@ class StaticContact(Result):
 
     def plot(self, ax: Any = None) -> Any:
         """Pressure along the edge. See `stoss.plot.static_contact`."""
-        from stoss import plot
-
-        return plot.static_contact(self, ax)
+        return self._picture(ax)
 
     def _inputs(self) -> dict[str, Any]:
         names = ("poisson", "compression", "force", "force_error", "half_width", "energy")
@@ -125,7 +125,7 @@ class SoftStaticContact(Result):
         δ beyond the plane where V₀e^{αx} = 1, R.
     cutoff : float
         Highest frequency of the modes that give way, c/R.
-    wall : ExponentialWall
+    against : ExponentialWall
     force : float
         F, πRE = mc²/R.
     energy, wall_energy : float
@@ -140,7 +140,7 @@ class SoftStaticContact(Result):
     poisson: float
     compression: float
     cutoff: float
-    wall: ExponentialWall
+    against: ExponentialWall
     force: float
     energy: float
     wall_energy: float
@@ -150,15 +150,15 @@ class SoftStaticContact(Result):
 
     def __repr__(self) -> str:
         return (
-            f"SoftStaticContact(poisson={self.poisson:g}, compression={self.compression:g} R, {self.wall!r}: "
+            f"SoftStaticContact(poisson={self.poisson:g}, compression={self.compression:g} R, {self.against!r}: "
             f"force {self.force:.7g} piRE, {self.modes} modes)"
         )
 
     def _inputs(self) -> dict[str, Any]:
-        return {"wall": self.wall}
+        return {"against": self.against}
 
     def _table(self) -> dict[str, Column]:
-        names = [field.name for field in dataclasses.fields(self) if field.name != "wall"]
+        names = [field.name for field in dataclasses.fields(self) if field.name != "against"]
         return {name: np.asarray(getattr(self, name)) for name in names}
 
 
@@ -167,7 +167,7 @@ def soft_static_contact(
     poisson: float,
     compression: float,
     cutoff: float = 50.0,
-    wall: ExponentialWall = ExponentialWall(),
+    against: ExponentialWall = ExponentialWall(),
     nodes: int | None = None,
 ) -> SoftStaticContact:
     """The static calculation of Gerl and Zippelius, at a soft wall.
@@ -184,7 +184,7 @@ def soft_static_contact(
         δ, −0.5 to 0.5, R.
     cutoff : float, optional
         Highest frequency of the modes, c/R; those above it are left out.
-    wall : ExponentialWall, optional
+    against : ExponentialWall, optional
     nodes : int, optional
         Of the contact grid, 64 to 2048; default: as many as wall and modes need.
 
@@ -202,14 +202,14 @@ def soft_static_contact(
     Examples
     --------
     >>> wall = stoss.ExponentialWall(hardness=4000)
-    >>> soft = stoss.quasistatic.soft_static_contact(poisson=0.33, compression=0.03, cutoff=50, wall=wall)
+    >>> soft = stoss.quasistatic.soft_static_contact(poisson=0.33, compression=0.03, cutoff=50, against=wall)
     >>> hard = stoss.quasistatic.static_contact(poisson=0.33, compression=0.03)
     >>> 1.0 < soft.force / hard.force < 1.3
     True
     """
     disk = Disk(poisson=poisson)
     delta, highest = number("compression", compression), number("cutoff", cutoff)
-    instance("wall", wall, (ExponentialWall,))
+    instance("against", against, (ExponentialWall,))
     count = None if nodes is None else integer("nodes", nodes)
-    found = _core.soft_static_contact(disk._at(highest), wall._made(), delta, count)
-    return SoftStaticContact(poisson=disk.poisson, compression=delta, cutoff=highest, wall=wall, **found)
+    found = _core.soft_static_contact(resolved(disk, highest), against._made(), delta, count)
+    return SoftStaticContact(poisson=disk.poisson, compression=delta, cutoff=highest, against=against, **found)

@@ -23,11 +23,12 @@ class Trajectory(Result):
     time : ndarray
         From the start of the impact, R/c.
     center : ndarray
-        Position x₀ of the centre of mass, R; the wall is at 0 and the body at x < 0.
+        Position x₀ of the centre of mass, R; the wall is at 0 and the body at x < 0. Of two bodies,
+        that of the first seen from the second.
     velocity : ndarray
-        Of the centre of mass, towards the wall, c.
+        Of the centre of mass, towards what it meets, c.
     force : ndarray
-        Force F of the wall, πRE = mc²/R.
+        Force F of the contact, πRE = mc²/R.
     translation, vibration, stored, unresolved : ndarray
         Shares of the initial energy: in the motion of the centre of mass; in the kept modes; in the
         wall's potential or the static tail; taken by the modes above the cutoff.
@@ -57,9 +58,7 @@ class Trajectory(Result):
 
     def plot(self, ax: Any = None) -> Any:
         """Force against time. See `stoss.plot.force`."""
-        from stoss import plot
-
-        return plot.force(self, ax)
+        return self._picture(ax)
 
     def _inputs(self) -> dict[str, Any]:
         return self.impact._inputs()

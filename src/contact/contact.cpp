@@ -134,15 +134,13 @@ double time_scale(const Contact& contact) {
 
 double unresolved_share(const Contact& contact) {
   if (contact.second == nullptr) return 1.0;
-  constexpr double short_arc = 1e-3;  // around the foremost point
-  const ContactPoints axis{1.0, has_single_point(contact) ? 0.0 : short_arc, 1};
+  // On a short arc around the foremost point, the same for both.
+  constexpr double short_arc = 1e-3;
+  ContactPoints axis{contact.radius, has_single_point(contact) ? 0.0 : short_arc, 1};
+  const double first = contact.first->surface(axis).impedance.front();
   const Units units(*contact.second, *contact.first);
-  const auto impedance = [&axis](const Body& body) {
-    const Surface surface = body.surface(axis);
-    return surface.impedance.front() / surface.measure.front();
-  };
-  const double first = impedance(*contact.first);
-  const double second = impedance(*contact.second) * units.impedance / units.length;
+  axis.radius /= units.length;
+  const double second = contact.second->surface(axis).impedance.front() * units.impedance;
   return second / (first + second);
 }
 

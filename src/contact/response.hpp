@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "stoss/contact/contact.hpp"
+#include "stoss/contact/tail.hpp"
 #include "stoss/contact/wall.hpp"
 
 namespace stoss {
@@ -46,7 +47,7 @@ class ContactResponse {
 
 /// @param speed of the impact, which sets what force counts as contact with a soft wall
 /// @param step  time between two calls of advance
-[[nodiscard]] std::unique_ptr<ContactResponse> make_response(const Contact& contact, const ContactGrid& grid,
+[[nodiscard]] std::unique_ptr<ContactResponse> make_response(const Contact& contact, Tail tail, const ContactGrid& grid,
                                                              double speed, double step, const Poll& poll = {});
 
 }  // namespace stoss

@@ -16,12 +16,12 @@ void validate(const Wall& wall) {
           "V0 in units of rho c^2 R^2; it only shifts the wall");
 }
 
-std::unique_ptr<ContactResponse> make_response(const Contact& contact, const ContactGrid& grid, double speed,
+std::unique_ptr<ContactResponse> make_response(const Contact& contact, Tail tail, const ContactGrid& grid, double speed,
                                                double step, const Poll& poll) {
   if (const auto* soft = std::get_if<ExponentialWall>(&contact.wall)) {
     return std::make_unique<ExponentialResponse>(*soft, contact, grid, speed);
   }
-  if (std::get<HardWall>(contact.wall).tail == Tail::quasistatic) {
+  if (tail == Tail::quasistatic) {
     return std::make_unique<QuasistaticTail>(contact, grid, poll);
   }
   return std::make_unique<RadiatingTail>(contact, grid, step, poll);

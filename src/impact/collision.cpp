@@ -13,14 +13,14 @@ constexpr long sampling = 4;
 
 }  // namespace
 
-Collision::Collision(const Contact& contact, const ContactGrid& grid, double speed, double step,
+Collision::Collision(const Contact& contact, Tail tail, const ContactGrid& grid, double speed, double step,
                      const std::optional<State>& start, const Poll& poll)
     : contact_(contact),
       grid_(grid),
       speed_(speed),
       step_(step),
       modes_(contact, grid, step),
-      response_(make_response(contact, grid, speed, step, poll)),
+      response_(make_response(contact, tail, grid, speed, step, poll)),
       position_(grid.recess.size()),
       compression_(-response_->range()),
       velocity_(speed) {

@@ -22,7 +22,7 @@ namespace stoss {
 class Collision {
  public:
   /// Starts just out of reach of the wall, or from `start`.
-  Collision(const Contact& contact, const ContactGrid& grid, double speed, double step,
+  Collision(const Contact& contact, Tail tail, const ContactGrid& grid, double speed, double step,
             const std::optional<State>& start, const Poll& poll);
 
   /// Moves on by one step.

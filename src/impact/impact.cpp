@@ -21,7 +21,7 @@ std::optional<Impact> run(const Contact& contact, double speed, const Resolution
                           const ImpactOptions& options, const ImpactObserver& observer) {
   if (options.poll) options.poll();
   const ContactGrid grid = contact_grid(contact, resolution.half_width, resolution.nodes);
-  Collision collision(contact, grid, speed, resolution.step, options.start, options.poll);
+  Collision collision(contact, options.tail, grid, speed, resolution.step, options.start, options.poll);
   const double flight = std::max(0.0, -(collision.snapshot().center + contact.extent)) + 4.0 * collision.clearance();
   const double steps = (max_contact_time * longest_time(contact) + flight / speed) / resolution.step;
   if (steps > most_steps) {
@@ -78,6 +78,7 @@ Impact impact(const Contact& contact, double speed, const ImpactOptions& options
 
   result->contact = name(contact);
   result->wall = contact.wall;
+  result->tail = options.tail;
   result->cutoff = contact.cutoff;
   result->step = resolution.step;
   result->nodes = resolution.nodes;

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "check.hpp"
+#include "contact/units.hpp"
 #include "stoss/errors.hpp"
 
 namespace stoss {
@@ -33,6 +34,15 @@ bool same_modes(const Contact& contact, const std::vector<ModeEnergy>& modes) {
 
 }  // namespace
 
+ImpactOptions repetition(const Contact& contact, const Impact& impact) {
+  ImpactOptions options;
+  options.step = impact.step;
+  options.nodes = impact.nodes;
+  if (!has_single_point(contact)) options.half_width = impact.half_width;
+  options.tail = impact.tail;
+  return options;
+}
+
 std::vector<double> mode_energies(const Contact& contact, const State& state) {
   const std::size_t count = mode_count(contact);
   if (state.coordinate.size() != count || state.momentum.size() != count) {
@@ -51,6 +61,37 @@ std::vector<double> mode_energies(const Contact& contact, const State& state) {
     }
   }
   return energies;
+}
+
+BodyFrame seen_by(const Contact& contact, const ContactGrid& grid, const Frame& frame, int number) {
+  const bool of_second = number == 1;
+  if ((number != 0 && !of_second) || (of_second && contact.second == nullptr)) {
+    throw InvalidInput("body: got number " + std::to_string(number) + " of '" + name(contact) + "', allowed " +
+                       (contact.second == nullptr ? "0 (a wall has no inside)" : "0 or 1"));
+  }
+  const std::size_t modes = mode_count(contact), of_first = mode_count(*contact.first);
+  if (frame.state.coordinate.size() != modes) {
+    throw InvalidInput("state: got " + std::to_string(frame.state.coordinate.size()) + " coordinates, allowed " +
+                       std::to_string(modes) + " (one for every kept mode)");
+  }
+  BodyFrame seen;
+  seen.body = of_second ? contact.second : contact.first;
+  const Units units = of_second ? Units(*contact.second, *contact.first) : Units{};
+  seen.length = units.length;
+  seen.stress = units.mass / (units.time * units.time);
+  const double overlap = frame.state.center + contact.extent;
+  // The centre of mass of both rests, and the share of a body in their relative motion is that of the other's mass.
+  const double share = contact.mass / (seen.body->mass * units.mass);
+  const double inward = of_second ? 1.0 : -1.0;
+  seen.center = inward * (seen.body->extent * units.length - share * overlap);
+  seen.points = {grid.points.radius / units.length, grid.points.spacing, grid.points.count};
+  const auto begin = frame.state.coordinate.begin();
+  const auto middle = begin + static_cast<std::ptrdiff_t>(of_first);
+  seen.coordinate.assign(of_second ? middle : begin, of_second ? frame.state.coordinate.end() : middle);
+  for (double& each : seen.coordinate) each /= units.length;
+  seen.node_force = frame.node_force;
+  for (double& each : seen.node_force) each /= seen.stress * units.length;
+  return seen;
 }
 
 State free_motion(const Contact& contact, const State& state, double time) {
@@ -101,10 +142,7 @@ std::vector<Frame> motion(const Contact& contact, const Impact& impact, const st
           {now.time, now.force, now.contact_half_width, state(), {now.node_force.begin(), now.node_force.end()}});
     }
   };
-  ImpactOptions options;
-  options.step = impact.step;
-  options.nodes = impact.nodes;
-  if (!has_single_point(contact)) options.half_width = impact.half_width;
+  ImpactOptions options = repetition(contact, impact);
   options.observe_modes = true;
   options.poll = poll;
   const Impact again = stoss::impact(contact, impact.speed, options, observer);

@@ -52,14 +52,14 @@ void require_start(const State& start, double speed) {
 
 }  // namespace
 
-double recommended_step(const Contact& contact, double speed) {
+double recommended_step(const Contact& contact, double speed, Tail tail) {
   require_speed(speed);
   if (const auto* soft = std::get_if<ExponentialWall>(&contact.wall)) {
     // The edge layer on the soft wall oscillates at about √(α v ω_c), and what first touches it bounces within 1/(α v).
     const double bounce = soft->hardness * speed;
     return 0.25 / std::sqrt(contact.cutoff * (contact.cutoff + bounce) + 0.5 * bounce * bounce);
   }
-  if (std::get<HardWall>(contact.wall).tail == Tail::radiating) {
+  if (tail == Tail::radiating) {
     return std::min(0.25 / (contact.cutoff * (1.0 + own_speed(contact, speed))), contact.stable_step);
   }
   // Without damping, the nodes at the edge of the contact bounce the more the faster it spreads.
@@ -92,7 +92,7 @@ Resolution choose_resolution(const Contact& contact, double speed, const ImpactO
     require("nodes", static_cast<long>(*options.nodes), fewest, max_nodes,
             "contact nodes; as many as the kept orders need");
   }
-  return {half_width, options.step ? *options.step : recommended_step(contact, speed),
+  return {half_width, options.step ? *options.step : recommended_step(contact, speed, options.tail),
           options.nodes ? *options.nodes : nodes_within(contact, half_width)};
 }
 

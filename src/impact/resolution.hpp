@@ -11,11 +11,6 @@ struct Resolution {
   int nodes;
 };
 
-/// Largest half-width of the edge on which a wall acts, R: the whole edge at a hard wall; the front
-/// half of it at an exponential wall, as in the paper's integral from −π/2 to π/2 (eq. (40), the
-/// energy with that wall).
-[[nodiscard]] double reachable_half_width(const Body& body, const Wall& wall);
-
 /// The resolution that the options ask for, with the recommended values for what they leave open.
 /// @throws InvalidInput for options out of range
 [[nodiscard]] Resolution choose_resolution(const Contact& contact, double speed, const ImpactOptions& options);

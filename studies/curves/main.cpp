@@ -70,7 +70,8 @@ int main(int argc, char** argv) {
   try {
     auto out = fmt::output_file(argv[1]);
     out.print(
-        "# Disk against a hard wall, tolerance {} of 1-eps^2; made by `make results`. Quasi-static: docs/results.md.\n",
+        "# Disk against a hard wall, tolerance {} of 1-eps^2; made by `make results`. Quasi-static: "
+        "docs/results/wall.md.\n",
         tolerance);
     out.print(
         "poisson,speed[c],restitution,restitution_error,lost_fraction,lost_fraction_error,contact_time[R/c],"

@@ -45,7 +45,8 @@ def compute(quick: bool) -> Tables:
     angle = np.sort(np.append(np.linspace(-np.pi, np.pi, 361), ANGLE))
     edges, rows = [], []
     for hardness in (HARDNESS, 2.0 * HARDNESS):
-        hit = stoss.impact(poisson=POISSON, speed=SPEED, cutoff=cutoff, wall=stoss.ExponentialWall(hardness=hardness))
+        wall = stoss.ExponentialWall(hardness=hardness)
+        hit = stoss.impact(poisson=POISSON, speed=SPEED, cutoff=cutoff, against=wall)
         path = hit.trajectory()
         turn = np.argmax(path.center)
         closest = float(path.time[turn])

@@ -71,7 +71,7 @@ def compute(quick: bool) -> Tables:
     after = hit.mode_energies[np.argsort(-hit.mode_energies["after"], kind="stable")[:5]]
 
     wall = stoss.ExponentialWall(hardness=HARDNESS)
-    protocol = stoss.impact(poisson=POISSON, speed=SPEED, cutoff=cutoff_of(MODES), wall=wall)
+    protocol = stoss.impact(poisson=POISSON, speed=SPEED, cutoff=cutoff_of(MODES), against=wall)
     contact = soft((SPEED,), scaled=False)
     value = stoss.restitution(poisson=POISSON, speed=SPEED, tolerance=1e-3 if quick else 1e-4)
     limit = stoss.extrapolated_restitution(poisson=POISSON, speed=SPEED)

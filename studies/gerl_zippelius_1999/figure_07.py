@@ -117,7 +117,7 @@ def compute(quick: bool) -> Tables:
 def lost_fraction(speed: float, at: float, alpha: float) -> float:
     """1 − ε² of one impact with the modes up to the frequency `at`, c/R, on the wall α, 1/R."""
     wall = stoss.ExponentialWall(hardness=float(alpha))
-    return stoss.impact(poisson=POISSON, speed=speed, cutoff=at, wall=wall).lost_fraction
+    return stoss.impact(poisson=POISSON, speed=speed, cutoff=at, against=wall).lost_fraction
 
 
 def _append(columns: dict[str, list[object]], row: dict[str, object]) -> None:

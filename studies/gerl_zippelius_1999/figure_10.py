@@ -56,7 +56,7 @@ def cutoff_of(count: int) -> float:
 
 def relaxed(compression: float, hardness: float, cutoff: float) -> float:
     """Force of the relaxed disk, compression from the plane V₀e^{αx} = 1."""
-    wall = {"wall": stoss.ExponentialWall(hardness=hardness), "cutoff": cutoff}
+    wall = {"against": stoss.ExponentialWall(hardness=hardness), "cutoff": cutoff}
     return quasistatic.soft_static_contact(poisson=POISSON, compression=compression, **wall).force
 
 
@@ -84,7 +84,7 @@ def in_motion(cutoff: float, quick: bool) -> tuple[Table, Table]:
     parts: list[Table] = []
     for speed in SPEEDS:
         for name, wall in ((SOFT, stoss.ExponentialWall(hardness=HARDNESS)), (HARD, stoss.HardWall())):
-            path = stoss.impact(poisson=POISSON, speed=speed, cutoff=cutoff, wall=wall).trajectory(every=2)
+            path = stoss.impact(poisson=POISSON, speed=speed, cutoff=cutoff, against=wall).trajectory(every=2)
             compression = 1.0 + path.center + (plane(HARDNESS) if name == SOFT else 0.0)
             near = compression > -0.01  # a soft wall begins farther away
             parts.append({

@@ -25,7 +25,7 @@ def selected_impact(preliminary: stoss.Impact, count: int) -> stoss.Impact:
     keep = np.zeros(preliminary.modes, dtype=bool)
     keep[ranked(preliminary.mode_energies)[:count]] = True
     return stoss.impact(
-        body=preliminary.body, speed=preliminary.speed, cutoff=preliminary.cutoff, wall=preliminary.wall, keep=keep
+        preliminary.body, speed=preliminary.speed, cutoff=preliminary.cutoff, against=preliminary.against, keep=keep
     )  # fmt: skip
 
 
@@ -38,7 +38,7 @@ def ranked_intercepts(poisson: float, speed: float, pool: int, counts: tuple[int
 
     def run(alpha: float, keep: NDArray[np.bool_] | None = None) -> stoss.Impact:
         wall = stoss.ExponentialWall(hardness=float(alpha))
-        return stoss.impact(poisson=poisson, speed=speed, cutoff=highest, wall=wall, keep=keep)
+        return stoss.impact(poisson=poisson, speed=speed, cutoff=highest, against=wall, keep=keep)
 
     rank = np.argsort(ranked(run(np.sort(walls(speed))[-2]).mode_energies))
     lost = [[run(alpha, rank < n).lost_fraction for alpha in walls(speed)] for n in counts]

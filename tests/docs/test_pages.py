@@ -1,5 +1,6 @@
 """Links, line lengths, names of files and claims about the sources in the documentation."""
 
+import importlib.util
 import re
 from pathlib import Path
 
@@ -61,6 +62,14 @@ def test_chapter_of_the_theory_names_code_that_exists(page):
             assert all(symbol in code for symbol in re.findall(r"`(\w+)`", symbols)), (name, symbols)
 
 
+@pytest.mark.parametrize("page", PAGES, ids=lambda page: str(page.relative_to(ROOT)))
+def test_files_that_a_page_names_exist(page):
+    folders = "bench|cli|cmake|docs|examples|include|python|scripts|src|studies|tests|validate"
+    named = re.findall(rf"`((?:{folders})/[\w./]*)`", without_code(page))
+    own = ROOT / "tests/docs"  # has the examples of the architecture
+    assert not [name for name in named if not (ROOT / name).exists() and not (own / name).exists()]
+
+
 def test_chapters_of_the_theory_are_all_in_its_index():
     index = (ROOT / "docs/theory/README.md").read_text(encoding="utf-8")
     assert THEORY and all(f"]({page.name})" in index for page in THEORY if page.name != "README.md")
@@ -83,10 +92,68 @@ def test_dependencies_of_the_core_are_those_that_it_includes():
     assert not included("include")
 
 
-def test_index_of_the_private_rooms_has_every_source():
-    page = (ROOT / "docs/architecture.md").read_text(encoding="utf-8")
-    table = page.partition("### Private rooms")[2].partition("###")[0]
-    named = set(re.findall(r"`(?:\w+/)?(\w+)(?:\.hpp)?`", "\n".join(re.findall(r"^\|.*$", table, re.MULTILINE))))
+def named_in(section, sheet=ROOT / "docs/architecture.md"):
+    """What the tables of a section of the architecture set in typewriter."""
+    table = sheet.read_text(encoding="utf-8").partition(f"### {section}")[2].partition("###")[0]
+    return set(re.findall(r"`([^`]+)`", "\n".join(re.findall(r"^\|.*$", table, re.MULTILINE))))
+
+
+def test_index_of_the_private_rooms_has_every_source_and_room():
+    named = {name.removesuffix(".hpp") for name in named_in("Private rooms")}
     public = {header.stem for header in (ROOT / "include").rglob("*.hpp")}
     private = {file.stem for file in (ROOT / "src").rglob("*.?pp")} - public
     assert private <= named, private - named
+    rooms = {str(path.relative_to(ROOT / "src")) for path in (ROOT / "src").rglob("*/")}
+    assert named - private <= rooms
+
+
+def test_index_of_the_public_face_has_every_header():
+    face = ROOT / "include/stoss"
+    headers = {str(header.relative_to(face)) for header in face.rglob("*.hpp")}
+    whole_rooms = {name for name in headers if (face / name).with_suffix("").is_dir() and "/" not in name}
+    named = {name for name in named_in("Public face") if name.endswith(".hpp")}
+    assert named == headers - whole_rooms
+
+
+def test_examples_of_the_architecture_are_those_that_are_compiled():
+    page = (ROOT / "docs/architecture.md").read_text(encoding="utf-8")
+    quoted = dict(re.findall(r"`([\w/]+\.[ch]pp)`:\n\n```cpp\n(.*?)^```$", page, re.MULTILINE | re.DOTALL))
+    here = ROOT / "tests/docs"
+    assert len(quoted) == page.count("```cpp")
+    assert quoted == {name: (here / name).read_text(encoding="utf-8") for name in quoted}
+    assert set(quoted) == {str(file.relative_to(here)) for file in here.glob("*/**/*.?pp")}
+
+
+def rooms_picture():
+    place = ROOT / "docs/images/rooms.py"
+    spec = importlib.util.spec_from_file_location("rooms", place)
+    module = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(module)
+    return module
+
+
+def test_picture_of_the_rooms_is_drawn_by_its_source():
+    drawn = (ROOT / "docs/images/rooms.svg").read_text(encoding="utf-8")
+    assert drawn == "\n".join(rooms_picture().picture()) + "\n"
+
+
+def followed(arrows, room):
+    """The rooms that arrows lead to, straight or through others."""
+    ends = set(arrows.get(room, ()))
+    return ends.union(*(followed(arrows, end) for end in ends))
+
+
+def test_arrows_between_the_rooms_are_the_includes():
+    picture = rooms_picture()
+    rooms = set(picture.ROOMS)
+    included = {room: set() for room in rooms}
+    for folder in (ROOT / "include/stoss", ROOT / "src"):
+        for file in folder.rglob("*/*.?pp"):
+            into = file.relative_to(folder).parts[0]
+            text = file.read_text(encoding="utf-8")
+            for room in re.findall(r'^#include "(?:stoss/)?(\w+)[/.]', text, re.MULTILINE):
+                if {room, into} <= rooms and room != into:
+                    included[room].add(into)
+    straight = {room: set(ends) for room, ends in picture.ARROWS.items()}
+    assert all(ends <= followed(straight, room) for room, ends in included.items()), included
+    assert all(ends <= included[room] for room, ends in straight.items())

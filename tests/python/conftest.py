@@ -67,7 +67,8 @@ def references():
 
 @pytest.fixture(scope="session")
 def steel():
-    return stoss.Material(young=2.1e11, poisson=0.3, density=7850, radius=0.01)
+    """A disk in SI."""
+    return stoss.Disk(radius=0.01, material=stoss.Material(young=2.1e11, poisson=0.3, density=7850))
 
 
 @pytest.fixture(scope="session")

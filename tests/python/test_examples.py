@@ -22,6 +22,7 @@ FILES = {
     "03_anatomy": ["anatomy.csv", "anatomy.png"],
     "04_material": ["steel.png", "steel_plane_strain.csv", "steel_plane_stress.csv"],
     "05_event_driven": ["event_driven.png"],
+    "06_two_disks": ["two_disks.png"],
 }
 NUMBER = re.compile(r"(?<![\w.])[-+]?\d+(?:\.\d+)?(?:e[-+]?\d+)?(?![\w.])")
 
@@ -156,8 +157,8 @@ def test_material(example):
     rows = run.table(5)
     assert len(rows) == 8
     for plane, part in (("stress", rows[:4]), ("strain", rows[4:])):
-        steel = stoss.Material(young=2.1e11, poisson=0.3, density=7850, radius=0.01, plane=plane)
-        direct = stoss.restitution(material=steel, speed=np.geomspace(0.01, 10, 37)[::12])
+        steel = stoss.Disk(radius=0.01, material=stoss.materials["steel"], plane=plane)
+        direct = stoss.restitution(steel, speed=np.geomspace(0.01, 10, 37)[::12])
         speed, value, error, time, force = part.T
         np.testing.assert_allclose(speed, [0.01, 0.1, 1, 10], rtol=1e-9)
         np.testing.assert_allclose(value, direct.restitution, atol=6e-7, rtol=0)
@@ -168,7 +169,7 @@ def test_material(example):
         assert len(run.csv(f"steel_plane_{plane}.csv")) == 37
 
 
-RUBBER = stoss.Material(young=2e6, poisson=0.49, density=1100, radius=0.01)
+RUBBER = stoss.Disk(radius=0.01, material=stoss.materials["rubber"])
 
 
 @pytest.fixture(scope="module")
@@ -181,7 +182,7 @@ def test_event_driven_prints_what_the_wall_gives_at_half_the_speed(example):
     assert len(rows) == 4
     for approach, value, error in rows:
         # Two disks that approach at v are each a disk that meets a wall at v/2.
-        direct = stoss.restitution(material=RUBBER, speed=approach / 2, tolerance=1e-4)
+        direct = stoss.restitution(RUBBER, speed=approach / 2, tolerance=1e-4)
         assert abs(value - direct.restitution) <= error + 1e-6
         assert 1e-6 < error < 1e-3
 
@@ -189,7 +190,7 @@ def test_event_driven_prints_what_the_wall_gives_at_half_the_speed(example):
 def test_interpolated_restitution_is_within_its_error(law):
     restitution, error = law
     speed = np.exp(np.random.default_rng(20).uniform(np.log(0.002), np.log(30.0), 200))
-    direct = stoss.restitution(material=RUBBER, speed=speed / 2, tolerance=2e-4)
+    direct = stoss.restitution(RUBBER, speed=speed / 2, tolerance=2e-4)
     missed = np.abs([restitution(None, v) for v in speed] - direct.restitution)
     assert np.all(missed <= error(speed) + direct.restitution_error)
     # Nor is the error padded: large against what is missed, but not out of all proportion.
@@ -199,8 +200,8 @@ def test_interpolated_restitution_is_within_its_error(law):
 def test_interpolated_restitution_takes_what_simulations_give(law):
     restitution, error = law
     assert restitution(object(), -2.0) == restitution(None, 2.0) and type(restitution(None, 2.0)) is float
-    assert restitution(None, 0.002) == stoss.restitution(material=RUBBER, speed=0.001).restitution
-    assert restitution(None, 30.0) == stoss.restitution(material=RUBBER, speed=15.0).restitution
+    assert restitution(None, 0.002) == stoss.restitution(RUBBER, against="same", speed=0.002).restitution
+    assert restitution(None, 30.0) == stoss.restitution(RUBBER, against="same", speed=30.0).restitution
     assert error(2.0) == error(-2.0) > 0
     for outside in (0.0, 0.0019, 30.1, np.inf, np.nan):
         with pytest.raises(ValueError, match="speed of approach: got .* the table has 0.002 to 30"):
@@ -230,3 +231,15 @@ def test_gas(example, law):
     # Elastic disks keep their energy; sticking ones lose what is relative.
     assert cool(lambda simulation, v: 1.0, 200, 5.0)[1] == pytest.approx(1.0, abs=1e-12)
     assert cool(lambda simulation, v: 0.0, 1, 5.0, count=2)[1][-1] == pytest.approx(0.0, abs=1e-12)
+
+
+def test_two_disks(example):
+    rows = example("06_two_disks").numbers("1 :")
+    assert len(rows) == 7
+    steel = stoss.materials["steel"]
+    small = stoss.Disk(radius=5e-3, material=steel)
+    for _, ratio, value, error, *lost in (rows[0], rows[3]):
+        direct = stoss.restitution(small, against=stoss.Disk(radius=5e-3 * ratio, material=steel), speed=1.0)
+        assert abs(value - direct.restitution) < 1e-6 and abs(error - direct.restitution_error) < 1e-6
+        assert lost == pytest.approx([direct.lost_to_first, direct.lost_to_second], abs=1e-6)
+    assert rows[0][4] == rows[0][5] and rows[-1][4] < 0.01 * rows[-1][5]

@@ -21,7 +21,10 @@ LONG = {
     "map": "stoss.restitution(poisson=np.linspace(-0.9, 0.9, 400), speed=0.1, tolerance=1e-4)",
     "progress": CURVE.format(nu=0.33, threads=2)[:-1] + ", progress=True)",
     "impact": "stoss.impact(poisson=0.33, speed=0.1, cutoff=20, step=5e-6)",
-    "impact on a soft wall": "stoss.impact(poisson=0.33, speed=0.1, step=5e-6, wall=stoss.ExponentialWall())",
+    "pairs": "stoss.restitution(stoss.Disk(poisson=0.33), against=stoss.Disk(poisson=0.2, radius=3),"
+    " speed=np.geomspace(1e-3, 0.3, 300), tolerance=1e-4)",
+    "impact of two bodies": "stoss.impact(stoss.Disk(poisson=0.33), against='same', speed=0.1, cutoff=300)",
+    "impact on a soft wall": "stoss.impact(poisson=0.33, speed=0.1, step=5e-6, against=stoss.ExponentialWall())",
     "trajectory": "hit.trajectory()",
     "field": "hit.field(time=np.linspace(0, 6, 3000))",
     "extrapolation": "stoss.extrapolated_restitution(poisson=0.33, speed=0.1, cutoffs=np.geomspace(20, 80, 30))",
@@ -32,7 +35,8 @@ LONG = {
     "bodies": "stoss.extrapolated_restitution(poisson=0.33, speed=0.1, cutoffs=[900, 950, 1000])",
     "1024 nodes": "stoss.impact(poisson=0.33, speed=0.1, nodes=1024)",
     "4096 nodes": "stoss.impact(poisson=0.33, speed=0.1, nodes=4096)",
-    "4096 nodes, static tail": "stoss.impact(poisson=0.33, speed=0.1, nodes=4096, wall=stoss.HardWall(tail='static'))",
+    "4096 nodes, static tail": "stoss.impact(poisson=0.33, speed=0.1, nodes=4096,"
+    " against=stoss.HardWall(tail='static'))",
     "field at many points": "hit.field(time=1.0, radius=np.linspace(0, 1, 1500), angle=np.linspace(-3, 3, 1500))",
     "field at many radii": "hit.field(time=1.0, radius=np.linspace(0, 1, 20_000), angle=0.0)",
     # Quasi-static.

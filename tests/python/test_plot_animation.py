@@ -165,7 +165,7 @@ def test_mp4(hit, tmp_path):
 
 
 def test_only_disks_have_films(tmp_path):
-    rod = stoss.impact(body=stoss.Rod(), speed=0.1, cutoff=100)
+    rod = stoss.impact(stoss.Rod(), speed=0.1, cutoff=100)
     with pytest.raises(stoss.InvalidInput, match="allowed a stoss.Disk"):
         stoss.animate(rod, tmp_path / "rod.gif")
     assert os.listdir(tmp_path) == []

@@ -121,15 +121,15 @@ def test_single_value():
 
 
 def test_metres_per_second():
-    steel = stoss.Material(young=2.1e11, poisson=0.3, density=7850, radius=0.01)
-    ax = stoss.restitution(material=steel, speed=[1.0, 10.0]).plot()
+    steel = stoss.Disk(radius=0.01, material=stoss.materials["steel"])
+    ax = stoss.restitution(steel, speed=[1.0, 10.0]).plot()
     np.testing.assert_allclose(drawn(ax)[0].lines[0].get_xdata(), [1.0, 10.0])
     assert ax.get_xlabel() == "speed v / (m/s)"
 
 
 @pytest.mark.filterwarnings("ignore::stoss.StossWarning")
 def test_rod():
-    ax = stoss.restitution(body=stoss.Rod(), speed=[0.1, 0.2]).plot()
+    ax = stoss.restitution(stoss.Rod(), speed=[0.1, 0.2]).plot()
     assert drawn(ax)[0].get_label() == "rod"
     assert drawn(ax)[0].lines[0].get_xdata().size == 2
 

@@ -187,7 +187,7 @@ def test_sequence(hit):
 
 @pytest.mark.parametrize("wall", [stoss.HardWall(), stoss.ExponentialWall()])
 def test_default_times(wall):
-    hit = stoss.impact(poisson=0.33, speed=0.2, cutoff=12.5, wall=wall)
+    hit = stoss.impact(poisson=0.33, speed=0.2, cutoff=12.5, against=wall)
     ax = stoss.plot.sequence(hit, count=4)
     times = [float(re.sub("t = | R/c", "", text.get_text()).replace("−", "-")) for text in ax.texts]
     gaps = -hit.field(time=times, radius=[1.0], angle=np.linspace(-np.pi, np.pi, 193)).x.max(axis=(1, 2))
@@ -217,6 +217,6 @@ def test_sequence_refusals(hit, arguments, message):
 
 
 def test_only_disks_have_pictures():
-    rod = stoss.impact(body=stoss.Rod(), speed=0.1, cutoff=100)
+    rod = stoss.impact(stoss.Rod(), speed=0.1, cutoff=100)
     with pytest.raises(stoss.InvalidInput, match="allowed a stoss.Disk"):
         stoss.plot.sequence(rod)

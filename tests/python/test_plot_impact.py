@@ -130,7 +130,7 @@ def test_ledger(hit, when):
 
 
 def test_ledger_of_a_rod():
-    rod = stoss.impact(body=stoss.Rod(), speed=0.1, cutoff=100)
+    rod = stoss.impact(stoss.Rod(), speed=0.1, cutoff=100)
     bars = [bar for group in stoss.plot.ledger(rod).containers for bar in group]
     assert [bar.get_height() for bar in bars] == rod.mode_energies["after"][:4].tolist()
 

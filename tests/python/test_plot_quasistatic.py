@@ -65,9 +65,9 @@ def test_band_is_the_error(estimate):
 
 
 def test_metres_per_second():
-    steel = stoss.Material(young=2.1e11, poisson=0.3, density=7850, radius=0.01)
-    for result in (quasistatic.slow_impact(material=steel, speed=[1.0, 10.0]),
-                   quasistatic.rayleigh(material=steel, speed=[1.0, 10.0], cutoff=6)):  # fmt: skip
+    steel = stoss.Disk(radius=0.01, material=stoss.materials["steel"])
+    for result in (quasistatic.slow_impact(steel, speed=[1.0, 10.0]),
+                   quasistatic.rayleigh(steel, speed=[1.0, 10.0], cutoff=6)):  # fmt: skip
         ax = result.plot()
         np.testing.assert_allclose(ax.lines[0].get_xdata(), [1.0, 10.0])
         assert ax.get_xlabel() == "speed v / (m/s)"

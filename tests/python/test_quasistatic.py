@@ -47,15 +47,15 @@ def test_driven_modes_are_those_of_the_command(command):
 
 @pytest.mark.parametrize("plane", ["stress", "strain"])
 def test_si_is_that_of_the_command(command, plane):
-    material = stoss.Material(young=2.1e11, poisson=0.3, density=7850, radius=0.01, plane=plane)
+    disk = stoss.Disk(radius=0.01, material=stoss.materials["steel"], plane=plane)
     names = ("poisson", "speed", "contact_time_si", "max_force_si", "max_compression_si", "speed_si")
     records = command(f"quasistatic {STEEL} --plane {plane} --speed 1e-9,5 --cutoff 9")["records"]
-    same(quasistatic.slow_impact(material=material, speed=[1e-9, 5]), records, names)
-    estimate = quasistatic.rayleigh(material=material, speed=[1e-9, 5], cutoff=9)
+    same(quasistatic.slow_impact(disk, speed=[1e-9, 5]), records, names)
+    estimate = quasistatic.rayleigh(disk, speed=[1e-9, 5], cutoff=9)
     same(estimate, records, (*names, "lost_fraction"))
     assert "contact_time_si" in estimate.to_dict()
     with pytest.raises(stoss.InvalidInput, match="with this material c is 5.*m/s$"):
-        quasistatic.slow_impact(material=material, speed=5000)
+        quasistatic.slow_impact(disk, speed=5000)
 
 
 @pytest.mark.parametrize("law", LAWS)
@@ -128,24 +128,24 @@ def test_static_contact_is_in_balance():
 def test_soft_contact_tends_to_the_hard_one():
     hard = quasistatic.static_contact(poisson=0.33, compression=0.05).force
     off = [quasistatic.soft_static_contact(poisson=0.33, compression=0.05, cutoff=cutoff,
-                                           wall=stoss.ExponentialWall(hardness=alpha)).force / hard - 1
+                                           against=stoss.ExponentialWall(hardness=alpha)).force / hard - 1
            for cutoff, alpha in ((25, 500), (50, 2000), (100, 8000))]  # fmt: skip
     assert off[0] > off[1] > off[2] > 0 and off[2] < 0.1
     soft = quasistatic.soft_static_contact(poisson=0.33, compression=0.05)
-    twice = quasistatic.soft_static_contact(poisson=0.33, compression=0.05, wall=stoss.ExponentialWall(strength=7))
+    twice = quasistatic.soft_static_contact(poisson=0.33, compression=0.05, against=stoss.ExponentialWall(strength=7))
     assert twice.force == pytest.approx(soft.force, rel=1e-9)
     assert soft.modes == 1146 and 0 < soft.wall_energy < soft.energy
     assert quasistatic.soft_static_contact(poisson=0.33, compression=0.05, nodes=400).nodes == 400
 
 
 def results():
-    steel = stoss.Material(young=2.1e11, poisson=0.3, density=7850, radius=0.01)
+    steel = stoss.Disk(radius=0.01, material=stoss.materials["steel"])
     yield quasistatic.slow_impact(poisson=0.33, speed=0.01)
-    yield quasistatic.slow_impact(material=steel, speed=[[1e-9, 5]])
+    yield quasistatic.slow_impact(steel, speed=[[1e-9, 5]])
     yield quasistatic.slow_impact(poisson=[[0.1], [0.2]], speed=[1e-9, 1e-3])
     yield quasistatic.slow_impact(poisson=0.33, speed=[])
     yield quasistatic.rayleigh(poisson=0.33, speed=0.01, cutoff=8)
-    yield quasistatic.rayleigh(material=steel, speed=[1, 5], cutoff=8)
+    yield quasistatic.rayleigh(steel, speed=[1, 5], cutoff=8)
     yield quasistatic.rayleigh(poisson=[0.1, 0.2], speed=1e-9, cutoff=8)
     yield quasistatic.static_contact(poisson=0.33, compression=0.01, nodes=20)
     yield quasistatic.soft_static_contact(poisson=0.33, compression=0.01, cutoff=8)
@@ -180,7 +180,7 @@ def test_shapes_broadcast():
             alone = make(poisson=nus[i, 0], speed=speeds[j])
             for field in dataclasses.fields(alone):
                 value = getattr(alone, field.name)
-                if field.name not in ("law", "cutoff", "material", "mode_energies"):
+                if field.name not in ("law", "cutoff", "body", "mode_energies"):
                     assert type(value) in (float, int, bool) and getattr(many, field.name)[i, j] == value
     assert type(quasistatic.compression(force=0.01, poisson=0.3)) is float
     assert quasistatic.compression(force=[[0.01]], poisson=[0.3, 0.2]).shape == (1, 2)

@@ -8,7 +8,7 @@ import pytest
 import stoss
 
 SOFT = stoss.ExponentialWall(hardness=100)
-COMMON = {"poisson": 0.33, "speed": 0.1, "cutoff": 12, "wall": SOFT}
+COMMON = {"poisson": 0.33, "speed": 0.1, "cutoff": 12, "against": SOFT}
 
 
 @pytest.fixture(scope="module")
@@ -69,7 +69,7 @@ def test_it_is_told(some, whole, keep, tmp_path):
 
 
 def test_a_rod_may_be_chosen_from_too():
-    rod = stoss.impact(body=stoss.Rod(), speed=0.1, cutoff=50, wall=SOFT, keep=np.arange(15) < 9)
+    rod = stoss.impact(stoss.Rod(), speed=0.1, cutoff=50, against=SOFT, keep=np.arange(15) < 9)
     assert rod.modes == 9 and rod.trajectory().force.max() > 0
 
 
@@ -91,14 +91,14 @@ def test_flags_that_do_not_fit_are_refused(whole):
 def test_a_hard_wall_refuses_any_selection(whole, tail):
     for flags in (np.ones(whole.modes, dtype=bool), np.arange(whole.modes) < 9):
         with pytest.raises(stoss.InvalidInput, match="^keep: .*HardWall.*ExponentialWall"):
-            stoss.impact(**(COMMON | {"wall": stoss.HardWall(tail=tail)}), keep=flags)
+            stoss.impact(**(COMMON | {"against": stoss.HardWall(tail=tail)}), keep=flags)
 
 
 def test_energies_in_time_are_those_of_the_trajectory(some):
     path = some.trajectory(every=50)
     energies = some.energies_at(time=path.time)
     assert energies.shape == (len(path), some.modes) and not energies.flags.writeable
-    assert energies.dtype.names == ("order", "index", "omega", "energy")
+    assert energies.dtype.names == ("body", "order", "index", "omega", "energy")
     assert energies["energy"].sum(axis=1) == pytest.approx(path.vibration, abs=1e-12)
     for name in ("order", "index", "omega"):
         assert np.array_equal(energies[name][0], some.mode_energies[name])
@@ -129,5 +129,5 @@ def test_energies_of_a_hard_wall_and_of_a_rod(hit):
     path = hit.trajectory()
     middle = len(path) // 2
     assert hit.energies_at(time=path.time[middle])["energy"].sum() == pytest.approx(path.vibration[middle], abs=1e-12)
-    rod = stoss.impact(body=stoss.Rod(), speed=0.1, cutoff=50)
+    rod = stoss.impact(stoss.Rod(), speed=0.1, cutoff=50)
     assert rod.energies_at(time=1.0)["energy"].sum() > 0.9  # in the middle of its contact a rod stands still

@@ -47,7 +47,7 @@ def test_dictionaries_say_so(doubtful, several):
 
 
 def test_si_values_say_so(steel):
-    result = stoss.restitution(material=steel, speed=5.0, tolerance=0.1)
+    result = stoss.restitution(steel, speed=5.0, tolerance=0.1)
     result = dataclasses.replace(result, contact_time_error=np.inf)
     assert result.contact_time_si_error == np.inf
     assert result.to_dict()["contact_time_si_error"] == "unknown"

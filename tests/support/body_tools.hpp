@@ -9,6 +9,16 @@
 
 namespace stoss::test {
 
+/// A wall, and how the modes above the cutoff answer it if it is hard.
+struct WallCase {
+  Wall wall = HardWall{};
+  Tail tail = Tail::radiating;
+};
+
+/// Both tails at a hard wall, and the exponential wall.
+inline const std::vector<WallCase> every_wall{
+    {HardWall{}, Tail::quasistatic}, {HardWall{}, Tail::radiating}, {ExponentialWall{500.0, 1.0}}};
+
 /// The contact grid of a body at a hard wall.
 inline ContactGrid grid_of(const Body& body, double half_width, int nodes) {
   return contact_grid(contact(body), half_width, nodes);

@@ -4,16 +4,8 @@
 
 namespace stoss {
 
-/// How the modes above the cutoff answer a hard wall (docs/theory/walls.md).
-enum class Tail {
-  quasistatic,  ///< exact static compliance; stores energy, loses none ("static" on the command line)
-  radiating     ///< static compliance at low and plane-wave impedance at high frequency; takes energy
-};
-
 /// A rigid wall at x = 0: no node passes it, pressure ≥ 0, and their product is 0 (Signorini).
-struct HardWall {
-  Tail tail = Tail::radiating;
-};
+struct HardWall {};
 
 /// The paper's soft wall, potential V = V₀ ∫ dφ e^{αx(φ)} over the front half of the edge, −π/2 to
 /// π/2 on a disk (paper eq. (40)). Modes above the cutoff are left out.

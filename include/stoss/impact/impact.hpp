@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "stoss/contact/contact.hpp"
+#include "stoss/contact/tail.hpp"
 #include "stoss/poll.hpp"
 
 namespace stoss {
@@ -28,6 +29,7 @@ struct ImpactOptions {
   std::optional<double> step{};        ///< Δt, R/c; otherwise recommended_step
   std::optional<int> nodes{};          ///< of the contact grid; otherwise recommended_nodes
   std::optional<double> half_width{};  ///< of the contact grid, R; otherwise 1.25 times the expected one of the contact
+  Tail tail = Tail::radiating;         ///< at a hard contact
   int observe_every = 1;               ///< the observer sees every so many steps
   bool observe_modes = false;          ///< fill Snapshot::coordinate, momentum and node_force
   std::optional<State>
@@ -73,13 +75,14 @@ struct EnergyLedger {
   double stored = 0.0;            ///< left in the exponential wall's potential, < 1e-10
   double lost_to_first = 0.0;     ///< vibration of the first body, its share of `unresolved` included
   double lost_to_second = 0.0;    ///< the same of the second; 0 at a wall
-  std::vector<ModeEnergy> modes;  ///< in the order of Body::groups
+  std::vector<ModeEnergy> modes;  ///< in the order of Contact::groups
 };
 
 /// One impact at a fixed resolution, with the inputs that made it.
 struct Impact {
   std::string contact;  ///< name of what met
   Wall wall;
+  Tail tail = Tail::radiating;
   double speed = 0.0;   ///< c
   double cutoff = 0.0;  ///< c/R
   double step = 0.0;    ///< R/c
@@ -101,17 +104,16 @@ struct Impact {
 };
 
 /// Recommended time step Δt of an impact, R/c (docs/numerics.md).
-[[nodiscard]] double recommended_step(const Contact& contact, double speed);
+[[nodiscard]] double recommended_step(const Contact& contact, double speed, Tail tail = Tail::radiating);
 
 /// Recommended number of contact nodes of an impact.
 [[nodiscard]] int recommended_nodes(const Contact& contact, double speed);
 
-/// Computes one impact of a body at a wall, by kick–rotate–kick with the wall's force. It starts
-/// just out of contact and ends when no later contact is possible: the body recedes, and no
-/// combination of its modes' phases can bring its edge back to the wall (docs/theory/impact.md).
-/// Contacts that follow one another while the body vibrates at the wall are one impact.
-/// @param speed of the centre of mass towards the wall, 1e-8 … 1, in c. Two equal bodies that each move at `speed`
-///              towards each other are the same problem.
+/// Computes one impact, by kick–rotate–kick with the force of the contact. It starts just out of contact and ends when
+/// no later contact is possible: the bodies part, and no combination of their modes' phases can bring them together
+/// again (docs/theory/impact.md). Contacts that follow one another while they vibrate are one impact.
+/// @param speed of approach, of the centre of mass to the wall or of two centres to each other, 1e-8 … 1, in c. Two
+///              equal bodies are one at a wall at half of it.
 /// @throws InvalidInput for arguments out of range; NotConverged if the contact cannot be solved or does not end
 [[nodiscard]] Impact impact(const Contact& contact, double speed, const ImpactOptions& options = {},
                             const ImpactObserver& observer = {});

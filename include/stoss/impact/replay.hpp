@@ -1,5 +1,6 @@
 #pragma once
 
+#include <memory>
 #include <vector>
 
 #include "stoss/impact/impact.hpp"
@@ -15,6 +16,28 @@ struct Frame {
   State state;
   std::vector<double> node_force;  ///< share of each contact node in F
 };
+
+/// Options with which `impact` repeats an impact from a body at rest inside, bit by bit.
+[[nodiscard]] ImpactOptions repetition(const Contact& contact, const Impact& impact);
+
+/// One of two bodies at one instant. Lengths and the place are in units of the first, what is inside the body in its
+/// own: the arguments of DiskField.
+struct BodyFrame {
+  std::shared_ptr<const Body> body;
+  double length = 1.0;             ///< R of the body, in that of the first
+  double stress = 1.0;             ///< its unit of stress (for a disk E), in that of the first
+  double center = 0.0;             ///< place of its centre: the bodies at rest would first touch at x = 0
+  ContactPoints points;            ///< on the body
+  std::vector<double> coordinate;  ///< Q of its modes
+  std::vector<double> node_force;  ///< share of each contact node in F, towards the inside of the body
+};
+
+/// What meets, seen by one of the bodies. Places are those of an observer who moves with the centre of mass of both; at
+/// a wall, with the wall.
+/// @param grid   the contact points of the impact
+/// @param number 0: of the first, 1: of the second body
+/// @throws InvalidInput for a body that is not there, and a frame of another contact
+[[nodiscard]] BodyFrame seen_by(const Contact& contact, const ContactGrid& grid, const Frame& frame, int number);
 
 /// State after the bodies have touched nothing for a time, forward or back: x₀ drifts and every mode
 /// rotates.

@@ -33,7 +33,7 @@ struct Run {
   long steps = 0;
 };
 
-/// The coefficient of restitution against a hard wall, with its errors and the runs that led to it.
+/// The coefficient of restitution at a hard wall or of two bodies, with its errors and the runs that led to it.
 /// Units as in Impact.
 struct Restitution {
   Estimate restitution;    ///< ε; its error is that of 1 − ε²
@@ -70,13 +70,13 @@ class RestitutionNotConverged : public NotConverged {
   Restitution best;
 };
 
-/// Coefficient of restitution of a body at a hard wall, from impacts at rising cutoffs
-/// (docs/numerics.md, section 5): cutoff, step and grid are refined together until the error of
+/// Coefficient of restitution of a body at a hard wall, or of two bodies, from impacts at rising cutoffs
+/// (docs/numerics.md, sections 5 and 7): cutoff, step and grid are refined together until the error of
 /// 1 − ε² is below tolerance × (1 − ε²). The error is eight times the root mean square of the
 /// differences from the coarser runs, each scaled by the observed order of convergence,
 /// (ω_coarse/ω_fine)^(5/2) (with one point of contact ω_coarse/ω_fine). Where the errors fall too
 /// slowly for any cutoff, it gives up before the impacts that take more than some tenths of a second.
-/// @param speed of the centre of mass, 1e-8 … 1, in c
+/// @param speed of approach, 1e-8 … 1, in c
 /// @throws InvalidInput for arguments out of range; RestitutionNotConverged if no cutoff of the ladder is enough;
 ///         NotConverged if no two impacts end
 [[nodiscard]] Restitution restitution(const RefinableContact& contact, double speed,

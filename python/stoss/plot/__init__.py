@@ -12,7 +12,7 @@ pressure
 `spectrum`, `mode_shape`                          eigenmodes
 `force`, `velocity`, `energies`, `half_width`     one impact in time
 `ledger`                                          which mode holds how much energy
-`disk`, `sequence`, `stress`                      the deformed disk at the wall
+`disk`, `sequence`, `stress`                      the deformed disk at the wall, or two disks
 `animate`                                         the same as GIF or MP4
 ================================================  ==================================================
 
@@ -31,6 +31,15 @@ except ModuleNotFoundError as _missing:
     _hint = "pip install matplotlib, or apt install python3-matplotlib"
     raise ImportError(f"stoss.plot needs matplotlib: {_hint}") from None
 
+from stoss._extrapolation import Extrapolation
+from stoss._field import Field
+from stoss._modes import Modes
+from stoss._rayleigh import RayleighEstimate
+from stoss._restitution_result import Restitution
+from stoss._result import pictures
+from stoss._slow_impact import SlowImpact
+from stoss._static_contact import StaticContact
+from stoss._trajectory import Trajectory
 from stoss.plot._animation import animate
 from stoss.plot._disk import disk
 from stoss.plot._extrapolation import extrapolation
@@ -41,6 +50,19 @@ from stoss.plot._restitution import restitution
 from stoss.plot._sequence import sequence
 from stoss.plot._stress import stress
 from stoss.plot._trajectory import energies, force, half_width, velocity
+
+pictures.update(
+    {
+        Extrapolation: extrapolation,
+        Field: stress,
+        Modes: spectrum,
+        RayleighEstimate: rayleigh,
+        Restitution: restitution,
+        SlowImpact: slow_impact,
+        StaticContact: static_contact,
+        Trajectory: force,
+    }
+)
 
 __all__ = [
     "animate",

@@ -20,7 +20,6 @@ from numpy.typing import NDArray
 from PIL import Image
 
 from stoss._arguments import instance, integer, number, refusal, require_memory
-from stoss._field import Field
 from stoss._files import whole_file
 from stoss._impact_result import Impact
 from stoss.plot import _disk, _sequence, _stress, _style
@@ -41,8 +40,8 @@ def animate(
 ) -> str | os.PathLike[str]:
     """Write the impact as a GIF or MP4.
 
-    It goes from just before contact until the disk has flown for some time, vibrating. The file
-    appears whole or not at all.
+    It goes from just before contact until the disk, or two, have flown for some time, vibrating. The
+    file appears whole or not at all.
 
     Parameters
     ----------
@@ -104,13 +103,15 @@ def animate(
     with whole_file(os.fspath(path), suffix) as temporary:
         times = _sequence.default_times(impact, count)
         points = {"radius": _disk.GRID_RADIUS, "angle": _disk.GRID_ANGLE} if quantity is None else {}
-        field = impact.field(time=times, **points)
-        scale = None if quantity is None else _stress.scale_of(field, (), quantity, fringe)
-        shape = _default_pixels(field, scale) if pixels is None else pixels
+        fields = _disk.all_fields(impact, times, **points)
+        film = [[_disk.instant(each, k) for each in fields] for k in range(count)]
+        scale = None if quantity is None else _stress.scale_of([now for each in film for now in each], quantity, fringe)
+        shown = _disk.view(fields)
+        shape = _default_pixels(shown, scale) if pixels is None else pixels
         if suffix == ".mp4":  # its colours are those of pairs of pixels
             shape = shape[0] + shape[0] % 2, shape[1] + shape[1] % 2
         with rc_context(_style.PRINT | {"figure.dpi": DPI}):
-            pictures = _film(field, scale, shape)
+            pictures = _film(film, shown, scale, shape)
             if suffix == ".gif":
                 _write_gif(pictures, rate, None if scale is None else scale.colors, temporary)
             else:
@@ -137,24 +138,25 @@ def _pixels(size: Any) -> tuple[int, int]:
     return width, height
 
 
-def _default_pixels(field: Field, scale: _stress.Scale | None) -> tuple[int, int]:
-    _, height = _disk.size_for(*_disk.extent(field.x, field.y), 3.3)
+def _default_pixels(shown: _disk.View, scale: _stress.Scale | None) -> tuple[int, int]:
+    _, height = _disk.size_for(shown, 3.3)
     return (400 if scale is None else 480), round(DPI * height)
 
 
-def _film(field: Field, scale: _stress.Scale | None, size: tuple[int, int]) -> Iterator[NDArray[np.uint8]]:
+def _film(
+    film: list[list[_disk.Instant]], shown: _disk.View, scale: _stress.Scale | None, size: tuple[int, int]
+) -> Iterator[NDArray[np.uint8]]:
     """The pictures, height × width × RGB, of a figure that pyplot does not know of."""
     figure = Figure(figsize=(size[0] / DPI, size[1] / DPI), dpi=DPI, layout="constrained")
     canvas = FigureCanvasAgg(figure)
     axes = figure.add_subplot()
     _style.small_ticks(axes)
-    left, half = _disk.extent(field.x, field.y)
-    _disk.frame_axes(axes, left, _disk.WALL, half)
-    face = _disk.draw_wall(axes)
-    names = [f"t = {time} R/c" for time in _sequence.spoken_times(np.asarray(field.time))]
+    _disk.frame_axes(axes, shown)
+    faces = [_disk.draw_wall(axes)] if len(film[0]) == 1 else []
+    names = [f"t = {time} R/c" for time in _sequence.spoken_times(np.array([each[0].time for each in film]))]
     title = axes.set_title(names[0])
     if scale is not None:
-        drawn = _stress.draw_stress(axes, field, _disk.instant(field, 0), scale, smooth=False)
+        drawn = _stress.draw_stress(axes, film[0][0], scale, smooth=False)
         _stress.draw_bar(axes, drawn[0], scale)
         for artist in drawn:
             artist.remove()
@@ -163,22 +165,24 @@ def _film(field: Field, scale: _stress.Scale | None, size: tuple[int, int]) -> I
     title.set_animated(True)
     canvas.draw()
     ground = canvas.copy_from_bbox(figure.bbox)
-    for k, name in enumerate(names):
+    for bodies, name in zip(film, names):
         canvas.restore_region(ground)
         title.set_text(name)
-        moving = _draw_frame(axes, field, _disk.instant(field, k), scale)
-        for artist in (*moving, face, title):
+        moving = _draw_frame(axes, bodies, scale)
+        for artist in (*moving, *faces, title):
             axes.draw_artist(artist)
         for artist in moving:
             artist.remove()
         yield np.array(canvas.buffer_rgba())[..., :3]
 
 
-def _draw_frame(axes: Axes, field: Field, now: _disk.Instant, scale: _stress.Scale | None) -> list[Artist]:
+def _draw_frame(axes: Axes, bodies: list[_disk.Instant], scale: _stress.Scale | None) -> list[Artist]:
     if scale is not None:
-        return list(_stress.draw_stress(axes, field, now, scale, smooth=False))
-    outline = _disk.draw_outline(axes, *_disk.undeformed(now.center))
-    return [outline, _disk.draw_grid(axes, now.x, now.y, field.radius, field.angle, width=1.2)]
+        return [artist for now in bodies for artist in _stress.draw_stress(axes, now, scale, smooth=False)]
+    edges = [_disk.draw_outline(axes, *edge) for edge in _disk.undeformed(bodies)]
+    return edges + [
+        _disk.draw_grid(axes, now.x, now.y, now.field.radius, now.field.angle, width=1.2) for now in bodies
+    ]
 
 
 def _write_gif(pictures: Iterator[NDArray[np.uint8]], rate: float, colors: str | None, path: str) -> None:

@@ -1,8 +1,8 @@
-"""The deformed disk at the wall."""
+"""The deformed disk at the wall, or two of them."""
 
 from __future__ import annotations
 
-from typing import Any, NamedTuple
+from typing import Any, NamedTuple, Sequence
 
 import numpy as np
 from matplotlib.axes import Axes
@@ -12,8 +12,10 @@ from matplotlib.ticker import MultipleLocator
 from numpy.typing import NDArray
 
 from stoss._arguments import instance, integer, refusal
+from stoss._bodies import Disk
 from stoss._errors import InvalidInput
 from stoss._field import Field
+from stoss._impact_result import Impact
 from stoss.plot import _style
 
 CIRCLES, SPOKES = 6, 24
@@ -30,11 +32,20 @@ Array = NDArray[np.float64]
 class Instant(NamedTuple):
     """One frame of a `Field`."""
 
+    field: Field
     time: float
     center: float
     x: Array
     y: Array
     where: tuple[Any, ...]  # of this frame in the field's arrays
+
+
+class View(NamedTuple):
+    """What a picture shows, R."""
+
+    left: float
+    right: float
+    half: float  # of the height
 
 
 def instant(field: Field, frame: int | None) -> Instant:
@@ -55,7 +66,21 @@ def instant(field: Field, frame: int | None) -> Instant:
         raise refusal("frame", frame, f"0 to {count - 1} (the field has {count} times)")
     where = tuple(np.unravel_index(k % count, shape)) if shape else ()
     time, center = np.asarray(field.time)[where], np.asarray(field.center)[where]
-    return Instant(float(time), float(center), field.x[where], field.y[where], where)
+    return Instant(field, float(time), float(center), field.x[where], field.y[where], where)
+
+
+def instants(field: Field, frame: int | None) -> list[Instant]:
+    """The same of all bodies."""
+    now = instant(field, frame)
+    if not isinstance(field.impact.against, Disk):
+        return [now]
+    other = field.impact.field(time=now.time, radius=field.radius, angle=field.angle, of=1 - field.of)
+    return sorted((now, instant(other, None)), key=lambda each: each.field.of)
+
+
+def all_fields(impact: Impact, times: Array, **points: Array) -> list[Field]:
+    """The field of each body at these times."""
+    return [impact.field(time=times, of=of, **points) for of in range(1 + isinstance(impact.against, Disk))]
 
 
 def disk(
@@ -70,7 +95,7 @@ def disk(
 ) -> Axes:
     """The deformed disk at the wall: circles and radii that were even before the impact.
 
-    Deformations have their true size.
+    Deformations have their true size. Of two disks both are drawn.
 
     Parameters
     ----------
@@ -98,18 +123,20 @@ def disk(
     >>> ax.get_xlabel()
     'x / R'
     """
-    now = instant(field, frame)
+    bodies = instants(field, frame)
     for name, value in (("circles", circles), ("spokes", spokes)):
         if not 1 <= integer(name, value) <= 1000:
             raise refusal(name, value, "1 to 1000")
-    left, half = extent(now.x, now.y)
-    with _style.canvas(ax, size=size_for(left, half, 2.85)) as axes:
-        if outline:
-            draw_outline(axes, *undeformed(now.center))
-        draw_grid(axes, now.x, now.y, field.radius, field.angle, circles, spokes, color=color)
-        draw_wall(axes)
-        frame_axes(axes, left, WALL, half)
-        axes.set_title(f"t = {_style.written(now.time)} R/c")
+    shown = view([now.field for now in bodies], bodies)
+    with _style.canvas(ax, size=size_for(shown, 2.85)) as axes:
+        for now, edge in zip(bodies, undeformed(bodies)):
+            if outline:
+                draw_outline(axes, *edge)
+            draw_grid(axes, now.x, now.y, field.radius, field.angle, circles, spokes, color=color)
+        if len(bodies) == 1:
+            draw_wall(axes)
+        frame_axes(axes, shown)
+        axes.set_title(f"t = {_style.written(bodies[0].time)} R/c")
     return axes
 
 
@@ -142,13 +169,19 @@ def _nearest(values: Array, wanted: Array) -> NDArray[np.intp]:
     return nearest
 
 
-def undeformed(center: float = -np.inf) -> tuple[Array, Array]:
-    """Edge of an undeformed disk with this centre of mass, up to the wall.
+def circle(center: float = 0.0, size: float = 1.0) -> tuple[Array, Array]:
+    """Edge of an undeformed disk."""
+    return center + size * np.cos(GRID_ANGLE), size * np.sin(GRID_ANGLE)
 
-    Far from any wall, around 0, if there is no centre.
-    """
-    x, y = np.cos(GRID_ANGLE), np.sin(GRID_ANGLE)
-    return (x, y) if np.isinf(center) else (np.where(center + x <= 0.0, center + x, np.nan), y)
+
+def undeformed(bodies: Sequence[Instant]) -> list[tuple[Array, Array]]:
+    """Edges of undeformed disks with these centres, as far as nothing is before them."""
+    edges = []
+    for now, other in zip(bodies, (*bodies[1:], bodies[0])):
+        x, y = circle(now.center, now.field.size)
+        free = x <= 0.0 if other is now else np.hypot(x - other.center, y) >= other.field.size
+        edges.append((np.where(free, x, np.nan), y))
+    return edges
 
 
 def draw_outline(axes: Axes, x: Array, y: Array, width: float = 1.0) -> Line2D:
@@ -163,22 +196,28 @@ def draw_wall(axes: Axes) -> Line2D:
     return axes.axvline(0.0, color=_style.BLACK, linewidth=1.0, zorder=1.8)
 
 
-def extent(x: Array, y: Array) -> tuple[float, float]:
-    """Left edge and half the height of a picture of all points, with a margin, R."""
-    return min(-2.0, float(x.min())) - 0.06, max(1.0, float(np.abs(y).max())) + 0.06
+def view(fields: Sequence[Field], bodies: Sequence[Instant] = ()) -> View:
+    """What holds all points of these fields, or of one of their instants, with a margin."""
+    margin = 0.06
+    points = [(now.x, now.y) for now in bodies] or [(each.x, each.y) for each in fields]
+    half = max(max(each.size, float(np.abs(y).max())) for each, (_, y) in zip(fields, points))
+    left = min(-2.0, float(points[0][0].min()))
+    right = WALL if len(fields) == 1 else max(2.0 * fields[1].size, float(points[1][0].max())) + margin
+    return View(left - margin, right, half + margin)
 
 
-def size_for(left: float, half: float, width: float) -> tuple[float, float]:
+def size_for(shown: View, width: float) -> tuple[float, float]:
     """Size in inches of a figure for one column, in which the disk's Axes can be `width` wide.
 
     It is a little too high, so that the width decides: the layout leaves space for labels where
     equal axes would end if they filled theirs.
     """
-    return _style.COLUMN, min(6.0, width * 2.0 * half / (WALL - left) + 0.7)
+    return _style.COLUMN, min(6.0, width * 2.0 * shown.half / (shown.right - shown.left) + 0.7)
 
 
-def frame_axes(axes: Axes, left: float, right: float, half: float) -> None:
+def frame_axes(axes: Axes, shown: View) -> None:
     """Places in R, equal on both axes."""
+    left, right, half = shown
     axes.set_aspect("equal")
     axes.set(xlim=(left, right), ylim=(-half, half), xlabel="x / R", ylabel="y / R")
     # The same ticks however large the Axes become: or the layout would not leave enough space for them.

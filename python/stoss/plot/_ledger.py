@@ -15,7 +15,9 @@ COLUMNS = 4  # of the legend
 DECADES = 8.0  # below the greatest bar; what is less is left out
 
 
-def ledger(impact: Impact, ax: Axes | None = None, *, when: str = "after", orders: int = 8, indices: int = 4) -> Axes:
+def ledger(
+    impact: Impact, ax: Axes | None = None, *, when: str = "after", orders: int = 8, indices: int = 4, of: int = 0
+) -> Axes:
     """Energy of the modes (n, l), as bars in a group for each n on a logarithmic axis.
 
     Parameters
@@ -27,6 +29,8 @@ def ledger(impact: Impact, ax: Axes | None = None, *, when: str = "after", order
         After the impact, or the mean during contact.
     orders, indices : int, optional
         How many n and l from 0 on, 1 to 100 and 1 to 20; modes above the cutoff have no bars.
+    of : {0, 1}, optional
+        The modes of which body: the first, or the second.
 
     Returns
     -------
@@ -43,7 +47,9 @@ def ledger(impact: Impact, ax: Axes | None = None, *, when: str = "after", order
     for name, value, limit in (("orders", orders, 100), ("indices", indices, 20)):
         if not 1 <= integer(name, value) <= limit:
             raise refusal(name, value, f"1 to {limit}")
-    modes = impact.mode_energies
+    if integer("of", of) not in (0, 1):
+        raise refusal("of", of, "0 or 1")
+    modes = impact.mode_energies[impact.mode_energies["body"] == of]
     modes = modes[(modes["order"] < orders) & (modes["index"] < indices) & (modes[when] > 0.0)]
 
     with _style.canvas(ax, size=(_style.COLUMN, 2.7)) as axes:

@@ -87,9 +87,9 @@ def mode_shape(modes: Modes, ax: Axes | None = None, *, order: int, index: int, 
 
     reach = 1.05 * max(1.0, float(np.abs(x).max()), float(np.abs(y).max()))
     with _style.canvas(ax, size=(2.6, 2.6)) as axes:
-        _disk.draw_outline(axes, *_disk.undeformed())
+        _disk.draw_outline(axes, *_disk.circle())
         _disk.draw_grid(axes, x, y, radius, angle)
-        _disk.frame_axes(axes, -reach, reach, reach)
+        _disk.frame_axes(axes, _disk.View(-reach, reach, reach))
         omega = modes.omega[modes.find(order, index)]
         axes.set_title(f"(n, l) = ({order}, {index}), ω = {omega:.4g} c/R")
     return axes

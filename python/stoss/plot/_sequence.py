@@ -25,9 +25,10 @@ def sequence(
 ) -> Axes:
     """The deformed disk at several times, in rows, each above the wall with its time below.
 
-    The wall, x = 0, is below, and the disk comes from above. Deformations and distances from the
-    wall have their true size. The grey circles, of radius R, have the same centre of mass: what
-    differs from them is deformation.
+    The wall, x = 0, is below, and the disk comes from above. Of two disks the second is below, and
+    the picture moves with their common centre of mass. Deformations and distances have their true
+    size. The grey circles are the undeformed disks around the same centre of mass: what differs
+    from them is deformation.
 
     Parameters
     ----------
@@ -61,15 +62,16 @@ def sequence(
     chosen = default_times(impact, count) if times is None else numbers("times", times).ravel()
     if not 1 <= chosen.size <= LARGEST:
         raise InvalidInput(f"times: got {chosen.size} of them, allowed 1 to {LARGEST}")
-    field = impact.field(time=chosen, radius=_disk.GRID_RADIUS, angle=_disk.GRID_ANGLE)
+    fields = _disk.all_fields(impact, chosen, radius=_disk.GRID_RADIUS, angle=_disk.GRID_ANGLE)
 
     # The picture is turned: along the wall is to the right, away from it is up.
-    across, above = field.y, -field.x
     columns = min(columns, chosen.size)
     rows = -(-chosen.size // columns)
-    pitch = 2.0 * max(1.0, float(np.abs(across).max())) + GAP
-    top = max(float(above.max()), 1.0 - float(np.min(field.center)))  # also of the undeformed disk
-    height = top + 0.05 + _disk.WALL + LINE
+    pitch = 2.0 * max(max(each.size, float(np.abs(each.y).max())) for each in fields) + GAP
+    lowest = [min(float(-each.x.max()), -float(np.max(each.center)) - each.size) for each in fields]
+    ground = _disk.WALL if len(fields) == 1 else 0.05 - lowest[-1]
+    top = max(float(-fields[0].x.min()), 1.0 - float(np.min(fields[0].center)))  # also of the undeformed disk
+    height = top + 0.05 + ground + LINE
     wide, high = columns * pitch, rows * height
     column = _style.COLUMN if columns <= 3 else 2.0 * _style.COLUMN + 0.2
     size = (column, min(9.0, column * high / wide + 0.35))
@@ -80,11 +82,12 @@ def sequence(
         names = [f"t = {first} R/c", *later]
         for k in range(chosen.size):
             x, y = (k % columns) * pitch, -(k // columns) * height
-            toward, along = _disk.undeformed(float(np.asarray(field.center)[k]))
-            _disk.draw_outline(axes, x + along, y - toward, line)
-            _disk.draw_grid(axes, x + across[k], y + above[k], field.radius, field.angle, width=line)
-            axes.text(x, y - _disk.WALL - 0.5 * LINE, names[k], ha="center", va="center")
-        for row in range(rows):
+            bodies = [_disk.instant(each, k) for each in fields]
+            for now, (toward, along) in zip(bodies, _disk.undeformed(bodies)):
+                _disk.draw_outline(axes, x + along, y - toward, line)
+                _disk.draw_grid(axes, x + now.y, y - now.x, now.field.radius, now.field.angle, width=line)
+            axes.text(x, y - ground - 0.5 * LINE, names[k], ha="center", va="center")
+        for row in range(rows if len(fields) == 1 else 0):
             filled = min(columns, chosen.size - row * columns)
             corner = (-0.5 * pitch, -row * height - _disk.WALL)
             axes.add_patch(Rectangle(corner, filled * pitch, _disk.WALL, facecolor="0.8", edgecolor="none", zorder=1.0))
@@ -92,7 +95,7 @@ def sequence(
             axes.plot(edge, (-row * height,) * 2, color=_style.BLACK, linewidth=1.0, zorder=1.8)
         axes.set_aspect("equal")
         axes.set_xlim(-0.5 * pitch, wide - 0.5 * pitch)
-        axes.set_ylim(height - high - _disk.WALL - LINE, height - _disk.WALL - LINE)
+        axes.set_ylim(height - high - ground - LINE, height - ground - LINE)
         axes.set_xticks([])
         axes.set_yticks([])
         for spine in axes.spines.values():

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Any, NamedTuple
+from typing import NamedTuple, Sequence
 
 import numpy as np
 from matplotlib.axes import Axes
@@ -61,7 +61,7 @@ def stress(
     limit: float | None = None,
     frame: int | None = None,
 ) -> Axes:
-    """Stress on the deformed disk at the wall, with a colour bar.
+    """Stress on the deformed disk at the wall, or on two disks, with a colour bar.
 
     At small speeds stress peaks at the contact, where it is a hundred times that of the rest. So
     the colours end where 99 % of the disk's area is covered; what is above has the last colour, and
@@ -96,39 +96,42 @@ def stress(
     >>> ax.figure.axes[-1].get_ylabel()
     'intensity sin²(π (σ₁ − σ₂)/f), f = 0.03 E'
     """
-    now = _disk.instant(field, frame)
-    scale = scale_of(field, now.where, quantity, fringe, limit)
-    left, half = _disk.extent(now.x, now.y)
-    with _style.canvas(ax, size=_disk.size_for(left, half, 2.25)) as axes:
-        mesh, _ = draw_stress(axes, field, now, scale)
-        _disk.draw_wall(axes)
-        _disk.frame_axes(axes, left, _disk.WALL, half)
-        axes.set_title(f"t = {_style.written(now.time)} R/c")
+    bodies = _disk.instants(field, frame)
+    scale = scale_of(bodies, quantity, fringe, limit)
+    shown = _disk.view([now.field for now in bodies], bodies)
+    with _style.canvas(ax, size=_disk.size_for(shown, 2.25)) as axes:
+        for now in bodies:
+            mesh, _ = draw_stress(axes, now, scale)
+        if len(bodies) == 1:
+            _disk.draw_wall(axes)
+        _disk.frame_axes(axes, shown)
+        axes.set_title(f"t = {_style.written(bodies[0].time)} R/c")
         draw_bar(axes, mesh, scale)
     return axes
 
 
 def scale_of(
-    field: Field, where: tuple[Any, ...], quantity: str, fringe: float | None = None, limit: float | None = None
+    instants: Sequence[_disk.Instant], quantity: str, fringe: float | None = None, limit: float | None = None
 ) -> Scale:
-    """The colours for these frames of a field."""
+    """The colours for these instants of one impact."""
     _style.choice("quantity", quantity, QUANTITIES)
     for name, value in (("fringe", fringe), ("limit", limit)):
         if value is not None and not 0.0 < number(name, value) < np.inf:
             raise refusal(name, value, "a stress above 0 (E)")
-    values = _stress_of(field, quantity)[where]
-    covering = max(_covering(frame, field.radius, field.angle) for frame in values.reshape((-1,) + values.shape[-2:]))
+    values = [_stress_of(now.field, quantity)[now.where] for now in instants]
+    covering = max(_covering(each, now.field.radius, now.field.angle) for each, now in zip(values, instants))
     if covering <= 0.0:  # no stress at all, as before the first contact
-        covering = field.impact.max_force
+        covering = instants[0].field.impact.max_force
     top = covering if limit is None else float(limit)
-    return Scale(quantity, top, covering / FRINGES if fringe is None else float(fringe), bool(values.max() > top))
+    clipped = max(float(each.max()) for each in values) > top
+    return Scale(quantity, top, covering / FRINGES if fringe is None else float(fringe), clipped)
 
 
 def draw_stress(
-    axes: Axes, field: Field, now: _disk.Instant, scale: Scale, *, smooth: bool = True
+    axes: Axes, now: _disk.Instant, scale: Scale, *, smooth: bool = True
 ) -> tuple[QuadMesh, Line2D]:
     """The coloured disk and its edge; if not `smooth`, in pieces of one colour, twice as fast."""
-    x, y, values = now.x, now.y, _stress_of(field, scale.quantity)[now.where]
+    x, y, values = now.x, now.y, _stress_of(now.field, scale.quantity)[now.where]
     if scale.quantity == "fringes" or not smooth:
         # Colours between points are interpolated; so the stress has to be before it becomes fringes.
         x, y, values = (_finer(each, FINER[scale.quantity]) for each in (x, y, values))
@@ -136,7 +139,7 @@ def draw_stress(
         x, y, scale.shown(values if smooth else values[:-1, :-1]), cmap=scale.colors, vmin=0.0, vmax=scale.top,
         shading="gouraud" if smooth else "flat", rasterized=True, zorder=1.6,
     )  # fmt: skip
-    edge = np.argmax(field.radius)
+    edge = np.argmax(now.field.radius)
     (line,) = axes.plot(now.x[edge], now.y[edge], color=_style.BLACK, linewidth=0.6, zorder=1.9)
     return mesh, line
 

@@ -8,12 +8,13 @@ from matplotlib.axes import Axes
 from numpy.typing import NDArray
 
 from stoss._arguments import instance
+from stoss._bodies import Disk, Rod
 from stoss._trajectory import Trajectory
 from stoss.plot import _style
 
 
 def force(trajectory: Trajectory, ax: Axes | None = None, *, label: str | None = None, **style: Any) -> Axes:
-    """Force of the wall on the body against time.
+    """Force of the contact against time.
 
     Parameters
     ----------
@@ -41,7 +42,7 @@ def force(trajectory: Trajectory, ax: Axes | None = None, *, label: str | None =
 
 
 def velocity(trajectory: Trajectory, ax: Axes | None = None, *, label: str | None = None, **style: Any) -> Axes:
-    """Velocity of the centre of mass, towards the wall, against time.
+    """Velocity of the centre of mass towards the wall, or of approach of two bodies, against time.
 
     Parameters
     ----------
@@ -65,7 +66,10 @@ def velocity(trajectory: Trajectory, ax: Axes | None = None, *, label: str | Non
     >>> ax.get_ylabel()
     'velocity towards the wall / c'
     """
-    return _against_time(trajectory, "velocity", "velocity towards the wall / c", ax, label, style, zero=True)
+    instance("trajectory", trajectory, (Trajectory,))
+    pair = isinstance(trajectory.impact.against, (Disk, Rod))
+    name = "velocity of approach / c" if pair else "velocity towards the wall / c"
+    return _against_time(trajectory, "velocity", name, ax, label, style, zero=True)
 
 
 def half_width(trajectory: Trajectory, ax: Axes | None = None, *, label: str | None = None, **style: Any) -> Axes:

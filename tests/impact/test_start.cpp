@@ -89,11 +89,11 @@ TEST(StartState, InTheMiddleOfASoftImpactContinuesIt) {
 TEST(StartState, OfAVibratingBodyCanGiveEnergyToTheFlight) {
   // Run backwards, an impact that lost energy returns it: ε > 1.
   const Body body = disk(0.9, 12.5);
-  const Impact forth = impact(body, HardWall{Tail::quasistatic}, 0.1);
+  const Impact forth = impact(body, HardWall{}, 0.1, {.tail = Tail::quasistatic});
   State start = forth.final_state;
   start.velocity = -start.velocity;
   for (double& momentum : start.momentum) momentum = -momentum;
-  const Impact back = impact(body, HardWall{Tail::quasistatic}, start.velocity, {.start = start});
+  const Impact back = impact(body, HardWall{}, start.velocity, {.tail = Tail::quasistatic, .start = start});
   EXPECT_GT(back.restitution, 1.1);
   EXPECT_NEAR(back.restitution * forth.restitution, 1.0, 1e-3);
   EXPECT_LT(back.lost_fraction, 0.0);
@@ -142,9 +142,9 @@ TEST(StartState, IsRefusedIfItDoesNotFitOrTouches) {
   wrong.coordinate.pop_back();
   test::expect_refusal([&] { (void)impact(body, HardWall{}, 0.1, {.start = wrong}); },
                        {"start", std::to_string(mode_count(body))});
-  for (const Wall& wall : {Wall{HardWall{}}, Wall{HardWall{Tail::quasistatic}}}) {
-    const std::string message =
-        test::message_of<InvalidInput>([&] { (void)impact(body, wall, 0.1, {.start = at_rest(body, -0.1, 0.1)}); });
+  for (const Tail tail : {Tail::radiating, Tail::quasistatic}) {
+    const std::string message = test::message_of<InvalidInput>(
+        [&] { (void)impact(body, HardWall{}, 0.1, {.tail = tail, .start = at_rest(body, -0.1, 0.1)}); });
     EXPECT_NE(message.find("start"), std::string::npos) << message;
   }
 }
@@ -152,13 +152,14 @@ TEST(StartState, IsRefusedIfItDoesNotFitOrTouches) {
 TEST(StartState, IsRefusedIfItIsNotANumber) {
   const Body body = disk(0.33, 12.5);
   const double nan = std::nan("");
-  for (const Wall& wall : {Wall{HardWall{}}, Wall{HardWall{Tail::quasistatic}}, Wall{ExponentialWall{}}}) {
+  for (const auto& [wall, tail] : test::every_wall) {
     State center = at_rest(body, 0.1, 0.1), coordinate = center, momentum = center;
     center.center = nan;
     coordinate.coordinate[3] = nan;
     momentum.momentum[3] = nan;
     for (const State& start : {center, coordinate, momentum}) {
-      EXPECT_THROW((void)impact(body, wall, 0.1, {.start = start}), InvalidInput) << "wall " << wall.index();
+      EXPECT_THROW((void)impact(body, wall, 0.1, {.tail = tail, .start = start}), InvalidInput)
+          << "wall " << wall.index();
     }
   }
 }

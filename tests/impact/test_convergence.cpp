@@ -39,7 +39,7 @@ TEST(RodImpact, TendsToTheExactOneAtFirstOrderInTheCutoff) {
 
 TEST(RodImpact, TendsToTheExactOneWithTheStaticTailToo) {
   for (const double cutoff : {50.0, 100.0, 200.0, 400.0, 800.0}) {
-    const Impact result = impact(rod(cutoff), HardWall{Tail::quasistatic}, 0.1);
+    const Impact result = impact(rod(cutoff), HardWall{}, 0.1, {.tail = Tail::quasistatic});
     // It rings at the cutoff, so the error depends on its phase; the envelope falls with the cutoff.
     EXPECT_NEAR(result.restitution, 1.0, 1.2 / cutoff) << cutoff;
     EXPECT_NEAR(result.contact_time, 2.0, 2.0 / cutoff) << cutoff;
@@ -129,7 +129,7 @@ TEST(CutoffConvergence, OfTheRadiatingTailIsFasterThanOfTheStaticOne) {
     for (const double cutoff : {12.5, 25.0, 50.0}) {
       const Body body = disk(0.33, cutoff);
       radiating += std::abs(impact(body, HardWall{}, speed).lost_fraction - converged);
-      fixed += std::abs(impact(body, HardWall{Tail::quasistatic}, speed).lost_fraction - converged);
+      fixed += std::abs(impact(body, HardWall{}, speed, {.tail = Tail::quasistatic}).lost_fraction - converged);
     }
     EXPECT_LT(radiating, 0.5 * fixed) << speed;
     EXPECT_LT(radiating, 0.02 * converged) << speed;

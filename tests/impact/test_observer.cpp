@@ -10,6 +10,7 @@
 #include "stoss/bodies/disk.hpp"
 #include "stoss/bodies/rod.hpp"
 #include "stoss/impact/impact.hpp"
+#include "support/body_tools.hpp"
 #include "support/refusal.hpp"
 
 namespace stoss {
@@ -24,15 +25,16 @@ std::vector<Snapshot> watch(const Body& body, const Wall& wall, double speed, Im
   return seen;
 }
 
-class Observer : public ::testing::TestWithParam<Wall> {
+class Observer : public ::testing::TestWithParam<test::WallCase> {
  protected:
   const Body body = disk(0.33, 12.5);
-  const Wall wall = GetParam();
+  const Wall wall = GetParam().wall;
+  const Tail tail = GetParam().tail;
 };
 
 TEST_P(Observer, SeesAConsistentMotion) {
   Impact result;
-  const auto seen = watch(body, wall, 0.1, {}, &result);
+  const auto seen = watch(body, wall, 0.1, {.tail = tail}, &result);
   ASSERT_EQ(seen.size(), static_cast<std::size_t>(result.steps) + 1);
   double largest_force = 0.0, deepest = -1.0, widest = 0.0;
   for (std::size_t i = 0; i < seen.size(); ++i) {
@@ -60,8 +62,8 @@ TEST_P(Observer, SeesAConsistentMotion) {
 
 TEST_P(Observer, ChangesNothing) {
   Impact seen;
-  (void)watch(body, wall, 0.1, {}, &seen);
-  const Impact unseen = impact(body, wall, 0.1);
+  (void)watch(body, wall, 0.1, {.tail = tail}, &seen);
+  const Impact unseen = impact(body, wall, 0.1, {.tail = tail});
   EXPECT_EQ(seen.restitution, unseen.restitution);
   EXPECT_EQ(seen.steps, unseen.steps);
   EXPECT_EQ(seen.final_state.momentum, unseen.final_state.momentum);
@@ -69,8 +71,8 @@ TEST_P(Observer, ChangesNothing) {
 
 TEST_P(Observer, IsCalledEverySoManySteps) {
   Impact result;
-  const auto all = watch(body, wall, 0.1, {}, &result);
-  const auto some = watch(body, wall, 0.1, {.observe_every = 7}, &result);
+  const auto all = watch(body, wall, 0.1, {.tail = tail}, &result);
+  const auto some = watch(body, wall, 0.1, {.tail = tail, .observe_every = 7}, &result);
   ASSERT_EQ(some.size(), (all.size() - 1) / 7 + 1 + ((all.size() - 1) % 7 == 0 ? 0 : 1));
   for (std::size_t i = 0; i + 1 < some.size(); ++i) {
     EXPECT_EQ(some[i].time, all[7 * i].time);
@@ -82,32 +84,34 @@ TEST_P(Observer, IsCalledEverySoManySteps) {
 
 TEST_P(Observer, GetsTheModesOnRequest) {
   bool without = true;
-  (void)impact(body, wall, 0.1, {}, [&](const Snapshot& now) { without = without && now.coordinate.empty(); });
+  (void)impact(body, wall, 0.1, {.tail = tail},
+               [&](const Snapshot& now) { without = without && now.coordinate.empty(); });
   EXPECT_TRUE(without);
   const double initial = 0.5 * body.mass * 0.01;
   std::vector<double> coordinate, momentum;
-  const Impact result = impact(body, wall, 0.1, {.observe_every = 5, .observe_modes = true}, [&](const Snapshot& now) {
-    ASSERT_EQ(now.coordinate.size(), mode_count(body));
-    ASSERT_EQ(now.momentum.size(), mode_count(body));
-    double energy = 0.0;
-    std::size_t k = 0;
-    for (const ModeGroup& group : body.groups) {
-      for (const double omega : group.omega) {
-        energy += 0.5 * now.momentum[k] * now.momentum[k] / body.mass +
-                  0.5 * body.mass * omega * omega * now.coordinate[k] * now.coordinate[k];
-        ++k;
-      }
-    }
-    EXPECT_NEAR(energy / initial, now.vibration, 1e-12);
-    double force = 0.0;
-    for (const double share : now.node_force) {
-      EXPECT_GE(share, 0.0);
-      force += share;
-    }
-    EXPECT_NEAR(force, now.force, 1e-12);
-    coordinate.assign(now.coordinate.begin(), now.coordinate.end());
-    momentum.assign(now.momentum.begin(), now.momentum.end());
-  });
+  const Impact result =
+      impact(body, wall, 0.1, {.tail = tail, .observe_every = 5, .observe_modes = true}, [&](const Snapshot& now) {
+        ASSERT_EQ(now.coordinate.size(), mode_count(body));
+        ASSERT_EQ(now.momentum.size(), mode_count(body));
+        double energy = 0.0;
+        std::size_t k = 0;
+        for (const ModeGroup& group : body.groups) {
+          for (const double omega : group.omega) {
+            energy += 0.5 * now.momentum[k] * now.momentum[k] / body.mass +
+                      0.5 * body.mass * omega * omega * now.coordinate[k] * now.coordinate[k];
+            ++k;
+          }
+        }
+        EXPECT_NEAR(energy / initial, now.vibration, 1e-12);
+        double force = 0.0;
+        for (const double share : now.node_force) {
+          EXPECT_GE(share, 0.0);
+          force += share;
+        }
+        EXPECT_NEAR(force, now.force, 1e-12);
+        coordinate.assign(now.coordinate.begin(), now.coordinate.end());
+        momentum.assign(now.momentum.begin(), now.momentum.end());
+      });
   EXPECT_EQ(coordinate, result.final_state.coordinate);
   EXPECT_EQ(momentum, result.final_state.momentum);
 }
@@ -115,7 +119,7 @@ TEST_P(Observer, GetsTheModesOnRequest) {
 TEST_P(Observer, ThrowsThroughTheImpact) {
   int calls = 0;
   const std::string message = test::message_of<std::domain_error>([&] {
-    (void)impact(body, wall, 0.1, {}, [&](const Snapshot&) {
+    (void)impact(body, wall, 0.1, {.tail = tail}, [&](const Snapshot&) {
       if (++calls == 10) throw std::domain_error("enough");
     });
   });
@@ -128,7 +132,7 @@ TEST_P(Observer, MeanEnergiesAreThoseOfTheContact) {
   const double initial = 0.5 * body.mass * 0.01;
   std::vector<double> mean(mode_count(body), 0.0);
   int samples = 0;
-  const Impact result = impact(body, wall, 0.1, {.observe_modes = true}, [&](const Snapshot& now) {
+  const Impact result = impact(body, wall, 0.1, {.tail = tail, .observe_modes = true}, [&](const Snapshot& now) {
     if (now.force == 0.0) return;
     ++samples;
     std::size_t k = 0;
@@ -152,9 +156,7 @@ TEST_P(Observer, MeanEnergiesAreThoseOfTheContact) {
   EXPECT_LT(average, 1.0);
 }
 
-INSTANTIATE_TEST_SUITE_P(Walls, Observer,
-                         ::testing::Values(Wall{HardWall{Tail::quasistatic}}, Wall{HardWall{Tail::radiating}},
-                                           Wall{ExponentialWall{500.0, 1.0}}));
+INSTANTIATE_TEST_SUITE_P(Walls, Observer, ::testing::ValuesIn(test::every_wall));
 
 TEST(ImpactResult, CarriesItsInputs) {
   const Body body = disk(0.33, 12.5);

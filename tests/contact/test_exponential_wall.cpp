@@ -28,7 +28,7 @@ TEST(ExponentialWall, ForceIsTheGradientOfThePotential) {
   const ContactGrid grid = test::grid_of(body, 0.4, 24);
   for (const double hardness : {50.0, 500.0}) {
     const ExponentialWall wall{hardness, 0.7};
-    const auto response = make_response(contact(body, wall), grid, 0.1, 0.01);
+    const auto response = make_response(contact(body, wall), Tail::radiating, grid, 0.1, 0.01);
     std::mt19937 random(7);
     std::uniform_real_distribution<double> uniform(-0.02, 0.01);
     std::vector<double> x(24);
@@ -56,7 +56,7 @@ TEST(ExponentialWall, ForceIsTheGradientOfThePotential) {
 TEST(ExponentialWall, SaysSoWhenThePenetrationIsBeyondAnyForce) {
   const Body body = disk(0.33, 12.5);
   const ContactGrid grid = test::grid_of(body, 0.4, 4);
-  const auto response = make_response(contact(body, ExponentialWall{500.0, 1.0}), grid, 0.1, 0.01);
+  const auto response = make_response(contact(body, ExponentialWall{500.0, 1.0}), Tail::radiating, grid, 0.1, 0.01);
   const double infinity = std::numeric_limits<double>::infinity();
   for (const double deep : {1.0, 1e6, 1e300, infinity, std::nan("")}) {
     const std::string message = test::message_of<NotConverged>([&] { response->advance({-1.0, deep, -1.0, -1.0}); });
@@ -68,8 +68,8 @@ TEST(ExponentialWall, SaysSoWhenThePenetrationIsBeyondAnyForce) {
 
 TEST(ExponentialWall, IsWithoutForceFarAway) {
   const Body body = disk(0.33, 12.5);
-  const auto response =
-      make_response(contact(body, ExponentialWall{500.0, 1.0}), test::grid_of(body, 0.4, 4), 0.1, 0.01);
+  const auto response = make_response(contact(body, ExponentialWall{500.0, 1.0}), Tail::radiating,
+                                      test::grid_of(body, 0.4, 4), 0.1, 0.01);
   const std::vector<double> force = response->advance({-1.0, -2.0, -10.0, -1e6});
   for (const double f : force) EXPECT_LT(f, 1e-200);
   EXPECT_FALSE(response->overflows());

@@ -38,7 +38,7 @@ class Tail1 {
   Tail1(Tail tail, double step)
       : body_(test::point_body(1.0, cutoff, compliance, impedance, {})),
         grid_(test::grid_of(body_, 0.0, 1)),
-        response_(make_response(contact(body_, HardWall{tail}), grid_, 0.1, step)) {}
+        response_(make_response(contact(body_), tail, grid_, 0.1, step)) {}
   double force_at(double position) { return response_->advance({position}).front(); }
   [[nodiscard]] const ContactResponse& response() const { return *response_; }
 
@@ -64,8 +64,7 @@ TEST(StaticTail, ForceIsStiffnessTimesDisplacement) {
 
 TEST(StaticTail, OfTwoNodesInvertsTheCompliance) {
   const Body body = test::two_point_body();
-  const auto response =
-      make_response(contact(body, HardWall{Tail::quasistatic}), test::grid_of(body, 1.0, 2), 0.1, 0.01);
+  const auto response = make_response(contact(body), Tail::quasistatic, test::grid_of(body, 1.0, 2), 0.1, 0.01);
   const auto both = response->advance({4.0, 5.0});  // ((2, 1), (1, 2)) f = (4, 5)
   EXPECT_NEAR(both[0], 1.0, 1e-14);
   EXPECT_NEAR(both[1], 2.0, 1e-14);

@@ -88,7 +88,8 @@ TEST(ModeSelection, IsRefusedByAHardWall) {
   keep.back() = false;
   const Body most = with_modes(body, keep);
   for (const Tail tail : {Tail::radiating, Tail::quasistatic}) {
-    test::expect_refusal([&] { (void)impact(most, HardWall{tail}, speed); }, {"body", "hard wall", most.name});
+    test::expect_refusal([&] { (void)impact(most, HardWall{}, speed, {.tail = tail}); },
+                         {"body", "hard wall", most.name});
   }
   const ContactGrid grid = test::grid_of(most, 0.3, 32);
   test::expect_refusal([&] { (void)most.residual_compliance(grid.points, {}); }, {"exponential"});

@@ -1,0 +1,73 @@
+"""An impact again, bit by bit, to look at it in time."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from stoss import _core
+from stoss._arguments import integer, numbers, require_memory
+from stoss._bodies import Disk, Rod
+from stoss._errors import InvalidInput
+from stoss._field import Field
+from stoss._result import columns
+from stoss._trajectory import Trajectory
+
+if TYPE_CHECKING:
+    from stoss._impact_result import Impact
+
+
+def trajectory(impact: Impact, every: Any) -> Trajectory:
+    """See `Impact.trajectory`."""
+    rows = integer("every", every)
+    if rows < 1:
+        raise InvalidInput(f"every: got {rows}, allowed 1 or more (steps between two rows)")
+    size = 72.0 * (impact.steps // rows + 2)
+    require_memory("every", f"{rows} for {impact.steps} steps", size, "give a larger one")
+    return Trajectory(impact=impact, **columns(impact._handle.trajectory(impact._contact(), rows)))
+
+
+def field(impact: Impact, time: Any, radius: Any, angle: Any, of: Any) -> Field:
+    """See `Impact.field`."""
+    if not isinstance(impact.body, Disk):
+        raise InvalidInput(f"body: got {impact.body!r}, allowed a stoss.Disk (only disks have fields)")
+    number, pair = integer("of", of), isinstance(impact.against, (Disk, Rod))
+    if number not in ((0, 1) if pair else (0,)):
+        raise InvalidInput(f"of: got {number}, allowed {'0 or 1' if pair else '0 (a wall has no field)'}")
+    inside = impact.body if number == 0 else impact.against
+    assert isinstance(inside, Disk)
+    times = numbers("time", time)
+    radii = np.linspace(0.0, 1.0, 41) if radius is None else numbers("radius", radius).ravel()
+    angles = _around() if angle is None else numbers("angle", angle).ravel()
+    points = radii.size * angles.size
+    _require_memory(impact, "field", times.size, 11.0 * points, 5.0 * radii.size * impact.modes, f" x {points} points")
+    order = np.argsort(times.ravel(), kind="stable")
+    made = impact._contact()
+    frames = _core.motion(made, impact._handle, times.ravel()[order])
+    fields = _core.fields(inside.poisson, number, made, impact._handle, frames, radii, angles)
+    return Field._from_core(impact, number, times.shape, order, frames.summaries(), fields, radii, angles)
+
+
+def energies_at(impact: Impact, time: Any) -> NDArray[Any]:
+    """See `Impact.energies_at`."""
+    times = numbers("time", time)
+    _require_memory(impact, "energies", times.size, 3.0 * impact.modes, 0.0, f" x {impact.modes} modes")
+    order = np.argsort(times.ravel(), kind="stable")
+    table = _core.energies_at(impact._contact(), impact._handle, times.ravel()[order])
+    energies = table[np.argsort(order, kind="stable")].reshape(times.shape + (impact.modes,))
+    energies.flags.writeable = False
+    return energies
+
+
+def _require_memory(impact: Impact, name: str, times: int, each: float, once: float, got: str) -> None:
+    """Refuse what is too large: numbers for each time, beside its motion, and numbers once."""
+    size = 8.0 * (times * (each + 2.0 * impact.modes + impact.nodes) + once)
+    require_memory(name, f"{times} times{got}", size, "give fewer times or points")
+
+
+def _around() -> NDArray[np.float64]:
+    """Angles around the disk, three times as dense at the contact as opposite to it."""
+    even = np.linspace(-np.pi, np.pi, 181)
+    return np.asarray(even - 0.5 * np.sin(even))

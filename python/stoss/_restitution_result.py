@@ -1,0 +1,126 @@
+"""What a coefficient of restitution is, with its error."""
+
+from __future__ import annotations
+
+import dataclasses
+from typing import Any, ClassVar, Union
+
+import numpy as np
+from numpy.typing import NDArray
+
+from stoss._bodies import Body, Disk, Rod
+from stoss._bodies import shown as shown_body
+from stoss._contact import Against
+from stoss._result import Column, Number, Result, shown, span
+from stoss._si import SI_UNITS, InSiWithErrors
+
+Integer = Union[int, NDArray[np.int64]]
+Flag = Union[bool, NDArray[np.bool_]]
+
+
+@dataclasses.dataclass(frozen=True, eq=False, repr=False)
+class Restitution(InSiWithErrors, Result):
+    """The coefficient of restitution of a body at a rigid wall, or of two bodies, with errors.
+
+    Numbers if all inputs were numbers, otherwise arrays of the shape to which `poisson` and `speed`
+    broadcast. The true error is within the estimated one in 95 % of all cases.
+
+    Attributes
+    ----------
+    body : Disk, Rod or None
+        The first; all units are its own. None if there are several Poisson numbers.
+    against : HardWall, Disk, Rod or 'same'
+        What it meets; 'same' for several Poisson numbers, each meeting its like.
+    poisson : float or ndarray
+        2-D Poisson number; NaN for a rod.
+    speed : float or ndarray
+        Of approach of the centres of mass, or towards the wall, c.
+    restitution, restitution_error : float or ndarray
+        ε = −v_f/v_i of the relative motion, and its estimated error.
+    lost_fraction, lost_fraction_error : float or ndarray
+        1 − ε².
+    contact_time, contact_time_error : float or ndarray
+        From first to last contact, R/c.
+    max_compression, max_compression_error : float or ndarray
+        R.
+    max_force, max_force_error : float or ndarray
+        πRE = mc²/R.
+    lost_to_first, lost_to_second : float or ndarray
+        Vibration of each body after the finest impact, as shares of the initial energy; 0 of a
+        wall. Their sum is `lost_fraction` but for its error.
+    cutoff, energy_error, modes : float, int or ndarray
+        Of the finest impact: c/R; what is missing, as a share of the initial energy; number of kept
+        modes.
+    runs, steps : int or ndarray
+        Impacts computed, and their time steps.
+    converged : bool or ndarray
+        Whether the tolerance is met.
+    beyond_small_strain : bool or ndarray
+        Speed above 0.5 c or compression above 0.5 R, where linear elasticity has lost its meaning.
+    reason : str or ndarray of str
+        Why it is not converged; empty where it is.
+    tolerance : float
+        Asked for: error of 1 − ε² over 1 − ε².
+    material : Material or None
+        Of the body. If there is one, `speed_si`, `contact_time_si`, `max_force_si`,
+        `max_compression_si` and their errors, `contact_time_si_error` and so on, are the SI values.
+    """
+
+    _name: ClassVar[str] = "restitution"
+    _units = {
+        "speed": "c", "contact_time": "R/c", "contact_time_error": "R/c", "max_compression": "R",
+        "max_compression_error": "R", "max_force": "piRE", "max_force_error": "piRE", "cutoff": "c/R", **SI_UNITS,
+    }  # fmt: skip
+
+    body: Body | None
+    against: Against | str
+    poisson: Number
+    speed: Number
+    restitution: Number
+    restitution_error: Number
+    lost_fraction: Number
+    lost_fraction_error: Number
+    contact_time: Number
+    contact_time_error: Number
+    max_compression: Number
+    max_compression_error: Number
+    max_force: Number
+    max_force_error: Number
+    lost_to_first: Number
+    lost_to_second: Number
+    cutoff: Number
+    energy_error: Number
+    modes: Integer
+    runs: Integer
+    steps: Integer
+    converged: Flag
+    beyond_small_strain: Flag
+    reason: str | NDArray[np.object_]
+    tolerance: float
+
+    def __repr__(self) -> str:
+        against = self.against if isinstance(self.against, (Disk, Rod, str)) else None  # else at a wall
+        named = self.body is not None and (against is not None or isinstance(self.body, Rod))
+        of = shown_body(self.body) if named and self.body else f"poisson={span(self.poisson)}"
+        if against is not None:
+            of += f" against {against!r}" if isinstance(against, str) else f" against {shown_body(against)}"
+        of += f", speed={span(self.speed)} c"
+        if isinstance(self.restitution, float):
+            value = f"restitution {shown(self.restitution, float(self.restitution_error))}"
+            return f"Restitution({of}: {value}{'' if self.converged else ', not converged'})"
+        doubtful = int(np.size(self.converged) - np.count_nonzero(self.converged))
+        state = "all converged" if doubtful == 0 else f"{doubtful} not converged"
+        return f"Restitution({np.size(self.speed)} values, {of}: restitution {span(self.restitution)}, {state})"
+
+    def plot(self, ax: Any = None) -> Any:
+        """ε against v with error bars. See `stoss.plot.restitution`."""
+        return self._picture(ax)
+
+    def _inputs(self) -> dict[str, Any]:
+        named = {"body": self.body, "against": self.against, "tolerance": self.tolerance}
+        return {key: value for key, value in named.items() if value is not None}
+
+    def _table(self) -> dict[str, Column]:
+        skipped = ("body", "against", "reason", "tolerance")
+        names = [field.name for field in dataclasses.fields(self) if field.name not in skipped]
+        return {name: np.asarray(getattr(self, name)) for name in names}

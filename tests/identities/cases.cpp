@@ -1,0 +1,160 @@
+// The table of the identity suite. A new body, wall or partner is a line here.
+#include "identities/cases.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <numbers>
+
+#include "stoss/restitution/ladder.hpp"
+
+namespace stoss::test {
+namespace {
+
+struct Named {
+  std::string name;
+  Solid solid;
+};
+
+struct Meeting {
+  std::string name;
+  bool soft;
+  Tail tail;
+  std::vector<double> speeds;
+};
+
+const std::vector<Named> bodies{
+    {"disk_m50", Disk{-0.5}}, {"disk_0", Disk{0.0}}, {"disk_33", Disk{0.33}}, {"disk_90", Disk{0.9}}, {"rod", Rod{}}};
+
+const std::vector<Meeting> walls{{"static", false, Tail::quasistatic, {1e-3, 0.3}},
+                                 {"radiating", false, Tail::radiating, {1e-3, 0.1, 0.3}},
+                                 {"exponential", true, Tail::radiating, {1e-3, 0.3}}};
+
+const std::vector<Meeting> between_bodies{{"static", false, Tail::quasistatic, {0.02}},
+                                          {"radiating", false, Tail::radiating, {0.3}}};
+
+// In size, modulus, density and Poisson number they differ from all bodies.
+const std::vector<Named> other_disks{{"small", Disk{0.2, 0.5, 2.0, 3.0}}, {"large", Disk{-0.3, 3.0, 0.5, 0.2}}};
+const std::vector<Named> other_rods{{"long", Rod{2.5, 1.0, 1.0, 1.0}}, {"thin", Rod{0.4, 2.0, 3.0, 0.2}}};
+
+double cutoff_of(const Case& its) {
+  if (is_rod(its)) return 50.0;
+  if (its.soft) return 12.5;
+  return its.second ? 18.0 : 25.0;
+}
+
+void add(const Named& first, const Named* second, const Meeting& meeting, std::vector<Case>& cases) {
+  for (const double speed : meeting.speeds) {
+    Case its;
+    its.name = first.name + (second == nullptr ? "" : "_" + second->name) + "_" + meeting.name + "_" +
+               std::to_string(std::lround(1000.0 * speed));
+    its.first = first.solid;
+    if (second != nullptr) its.second = second->solid;
+    its.soft = meeting.soft;
+    its.tail = meeting.tail;
+    its.speed = speed;
+    its.cutoff = cutoff_of(its);
+    cases.push_back(its);
+  }
+}
+
+std::vector<Case> make_cases() {
+  std::vector<Case> cases;
+  for (const Named& body : bodies) {
+    for (const Meeting& wall : walls) add(body, nullptr, wall, cases);
+    std::vector<Named> partners = std::holds_alternative<Rod>(body.solid) ? other_rods : other_disks;
+    partners.push_back({"same", body.solid});
+    for (const Named& partner : partners) {
+      for (const Meeting& meeting : between_bodies) add(body, &partner, meeting, cases);
+    }
+  }
+  return cases;
+}
+
+template <typename Condition>
+std::vector<Case> those(Condition condition) {
+  std::vector<Case> some;
+  std::copy_if(all_cases().begin(), all_cases().end(), std::back_inserter(some), condition);
+  return some;
+}
+
+double inverse_time(const Solid& solid) { return wave_speed(solid) / size(solid); }
+
+}  // namespace
+
+const std::vector<Case>& all_cases() {
+  static const std::vector<Case> cases = make_cases();
+  return cases;
+}
+
+std::vector<Case> pairs() {
+  return those([](const Case& its) { return its.second.has_value(); });
+}
+
+std::vector<Case> equal_pairs() {
+  return those([](const Case& its) { return its.name.find("_same_") != std::string::npos; });
+}
+
+std::vector<Case> soft_walls() {
+  return those([](const Case& its) { return its.soft; });
+}
+
+bool is_rod(const Case& its) { return std::holds_alternative<Rod>(its.first); }
+
+BodyMaker maker(const Solid& solid) {
+  if (const auto* slender = std::get_if<Rod>(&solid)) return rod(*slender);
+  return disk(std::get<Disk>(solid));
+}
+
+Contact contact_of(const Case& its) {
+  if (its.soft) return contact(maker(its.first)(its.cutoff, {}), ExponentialWall{500.0, 1.0});
+  if (its.second) return contact(maker(its.first), maker(*its.second), its.cutoff);
+  return contact(maker(its.first)(its.cutoff, {}));
+}
+
+Case swapped(const Case& its) {
+  Case other = its;
+  other.first = *its.second;
+  other.second = its.first;
+  other.speed *= wave_speed(its.first) / wave_speed(other.first);
+  other.cutoff *= inverse_time(its.first) / inverse_time(other.first);
+  return other;
+}
+
+Case in_units(const Case& its, double length, double modulus, double density) {
+  const auto measured = [&](Solid solid) {
+    if (auto* slender = std::get_if<Rod>(&solid)) {
+      slender->length *= length;
+      slender->area *= length * length;
+      slender->young *= modulus;
+      slender->density *= density;
+    } else {
+      Disk& round = std::get<Disk>(solid);
+      round.radius *= length;
+      round.young *= modulus;
+      round.density *= density;
+    }
+    return solid;
+  };
+  Case other = its;
+  other.first = measured(its.first);
+  if (its.second) other.second = measured(*its.second);
+  return other;
+}
+
+double wave_speed(const Solid& solid) {
+  return std::visit([](const auto& body) { return std::sqrt(body.young / body.density); }, solid);
+}
+
+double size(const Solid& solid) {
+  const auto* slender = std::get_if<Rod>(&solid);
+  return slender != nullptr ? slender->length : std::get<Disk>(solid).radius;
+}
+
+double mass(const Solid& solid) {
+  if (const auto* slender = std::get_if<Rod>(&solid)) return slender->density * slender->area * slender->length;
+  const Disk& round = std::get<Disk>(solid);
+  return std::numbers::pi * round.density * round.radius * round.radius;
+}
+
+}  // namespace stoss::test

@@ -1,0 +1,59 @@
+#pragma once
+
+#include <optional>
+#include <ostream>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "stoss/bodies/disk.hpp"
+#include "stoss/bodies/rod.hpp"
+#include "stoss/contact/contact.hpp"
+#include "stoss/contact/tail.hpp"
+#include "stoss/contact/wall.hpp"
+
+namespace stoss::test {
+
+/// A body as a value.
+using Solid = std::variant<Disk, Rod>;
+
+/// Who meets what, how fast: a line of the table of the identity suite.
+struct Case {
+  std::string name;
+  Solid first;
+  std::optional<Solid> second;  ///< none: a wall
+  bool soft = false;            ///< an exponential wall
+  Tail tail = Tail::radiating;  ///< at a hard wall and between two bodies
+  double speed = 0.0;
+  double cutoff = 0.0;
+};
+
+/// A case is known by its name.
+inline void PrintTo(const Case& its, std::ostream* out) { *out << its.name; }
+
+/// All cases: bodies × what they can meet × speeds.
+[[nodiscard]] const std::vector<Case>& all_cases();
+
+/// Those of two bodies, of two equal ones, and of exponential walls.
+[[nodiscard]] std::vector<Case> pairs();
+[[nodiscard]] std::vector<Case> equal_pairs();
+[[nodiscard]] std::vector<Case> soft_walls();
+
+[[nodiscard]] bool is_rod(const Case& its);
+[[nodiscard]] BodyMaker maker(const Solid& solid);
+
+/// The contact of a case, its second body or its wall included.
+[[nodiscard]] Contact contact_of(const Case& its);
+
+/// The same bodies with the second called the first, in its units.
+[[nodiscard]] Case swapped(const Case& its);
+
+/// The same bodies measured in other units of length, modulus and density.
+[[nodiscard]] Case in_units(const Case& its, double length, double modulus, double density);
+
+/// Wave speed and mass of a body, from its definition alone.
+[[nodiscard]] double wave_speed(const Solid& solid);
+[[nodiscard]] double size(const Solid& solid);
+[[nodiscard]] double mass(const Solid& solid);
+
+}  // namespace stoss::test

@@ -1,0 +1,79 @@
+// The cutoffs at which a contact can be made.
+#include "stoss/restitution/ladder.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "stoss/bodies/disk.hpp"
+#include "stoss/bodies/rod.hpp"
+#include "support/refusal.hpp"
+
+namespace stoss {
+namespace {
+
+TEST(Ladder, AtAWallRisesFromEightByFourthRootsOfTwo) {
+  const RefinableContact wall(disk(0.33));
+  EXPECT_EQ(wall.highest_level(), 22);
+  EXPECT_EQ(wall.cutoff(0), 8.0);
+  EXPECT_NEAR(wall.cutoff(4), 16.0, 1e-13);
+  EXPECT_NEAR(wall.cutoff(22), 362.0, 0.1);
+}
+
+TEST(Ladder, MakesEachContactOnceAndSharesIt) {
+  const RefinableContact pair(disk(0.33), disk(Disk{0.2, 0.5, 2.0, 3.0}));
+  const RefinableContact copy = pair;
+  const Contact& made = pair.at(2);
+  EXPECT_EQ(&copy.at(2), &made);
+  EXPECT_NE(&pair.at(1), &made);
+  EXPECT_EQ(made.cutoff, pair.cutoff(2));
+  EXPECT_NE(made.second, nullptr);
+  EXPECT_EQ(RefinableContact(disk(0.33)).at(0).second, nullptr);
+}
+
+TEST(Ladder, OfAPairIsOneLadderOfFrequenciesWhoeverIsFirst) {
+  const Disk one{0.33}, other{0.2, 2.0, 0.5, 3.0};
+  const double time = 2.0 / std::sqrt(0.5 / 3.0);  // R/c of the other
+  const RefinableContact here(disk(one), disk(other)), there(disk(other), disk(one));
+  EXPECT_EQ(there.highest_level(), here.highest_level());
+  EXPECT_NEAR(there.cutoff(5) / time, here.cutoff(5), 1e-12);
+  EXPECT_NEAR(here.cutoff(0), 8.0 / time_scale(here.at(0)), 1e-13);
+  EXPECT_EQ(RefinableContact(disk(one), disk(one)).highest_level(), 22);
+}
+
+TEST(Ladder, EndsWhereTheLargerBodyHasMoreModesThanAreComputed) {
+  for (const double radius : {5.0, 20.0, 40.0}) {
+    const RefinableContact pair(disk(0.33), disk(Disk{0.33, radius, 1.0, 1.0}));
+    const int highest = pair.highest_level();
+    EXPECT_LT(highest, 22) << radius;
+    EXPECT_GE(highest, 7) << radius;
+    EXPECT_LE(pair.cutoff(highest) * radius, 1000.0) << radius;
+    EXPECT_GT(pair.cutoff(highest + 1) * radius, 1000.0) << radius;
+  }
+}
+
+TEST(Ladder, OfRodsIsInTheShorterTransitTime) {
+  EXPECT_NEAR(RefinableContact(rod(), rod(Rod{4.0, 1.0, 1.0, 1.0})).cutoff(0), 8.0, 1e-13);
+  EXPECT_NEAR(RefinableContact(rod(), rod(Rod{0.25, 1.0, 1.0, 1.0})).cutoff(0), 32.0, 1e-12);
+}
+
+TEST(Ladder, RefusesLevelsThatItDoesNotHave) {
+  const RefinableContact pair(disk(0.33), disk(Disk{0.33, 20.0, 1.0, 1.0}));
+  test::expect_refusal([&] { (void)pair.at(-1); }, {"level", "-1"});
+  test::expect_refusal([&] { (void)pair.at(pair.highest_level() + 1); }, {"level"});
+}
+
+TEST(Ladder, RefusesBodiesThatItCannotRefine) {
+  test::expect_refusal([] { RefinableContact none{BodyMaker{}}; }, {"body"});
+  test::expect_refusal([] { RefinableContact none(disk(0.33), BodyMaker{}); }, {"against"});
+  test::expect_refusal([] { RefinableContact none(disk(0.33), rod()); }, {"against", "rod", "disk"});
+  test::expect_refusal(
+      [] {
+        RefinableContact none(disk(0.33), disk(Disk{0.33, 60.0, 1.0, 1.0}));
+      },
+      {"against", "radius=60", "50"});
+  test::expect_refusal([] { RefinableContact none(disk(Disk{0.33, 60.0, 1.0, 1.0}), disk(0.33)); }, {"against", "50"});
+}
+
+}  // namespace
+}  // namespace stoss
