@@ -5,6 +5,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <exception>
 #include <fstream>
 #include <iostream>
 #include <iterator>
@@ -151,20 +152,26 @@ std::string filled(std::string text, const CLI::App& app) {
   return text;
 }
 
-}  // namespace
-
-int main(int argc, char** argv) {
-  if (argc != 3) {
-    std::cerr << "usage: stoss_documents TEMPLATE OUTPUT\n";
-    return 2;
-  }
+bool make(const char* source, const char* target) {
   CLI::App app;
   int exit_code = 0;
   stoss::cli::declare(app, exit_code);
-  std::ifstream in(argv[1]);
+  std::ifstream in(source);
   const std::string text{std::istreambuf_iterator<char>(in), {}};
-  std::ofstream out(argv[2]);
+  std::ofstream out(target);
   out << filled(text, app);
   out.close();
-  return in && out ? 0 : 1;
+  return in && out;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  try {
+    if (argc == 3 && make(argv[1], argv[2])) return 0;
+    std::cerr << "stoss_documents: cannot make TEMPLATE into OUTPUT\n";
+  } catch (const std::exception& error) {
+    std::cerr << "stoss_documents: " << error.what() << '\n';
+  }
+  return 1;
 }

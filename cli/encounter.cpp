@@ -22,7 +22,7 @@ auto of_what_is_met(Make make) {
 
 void require_si_keys(const Against& against) {
   for (const char* key : {"young", "density", "radius"}) {
-    if (against.values.count(key) > 0) continue;
+    if (against.values.contains(key)) continue;
     throw InvalidInput(
         fmt::format("against: got disk without {}, allowed all of young, density and radius, in SI as the first", key));
   }

@@ -4,6 +4,7 @@ import json
 import os
 import pty
 import re
+import shutil
 import signal
 import subprocess
 import time
@@ -235,6 +236,7 @@ printf '%s\\n' "${{COMPREPLY[@]}}\""""
     assert complete("stoss impact --speed ") == []
 
 
+@pytest.mark.skipif(shutil.which("groff") is None, reason="needs groff")
 def test_manual_can_be_typeset(stoss):
     path = os.path.join(os.path.dirname(stoss.path), "stoss.1")
     result = subprocess.run(["groff", "-man", "-ww", "-Tascii", path], capture_output=True, text=True, timeout=60)
