@@ -1,34 +1,14 @@
 #include "check.hpp"
 
 #include <cmath>
-#include <limits>
-#include <locale>
-#include <sstream>
 #include <string>
 
+#include "digits.hpp"
 #include "stoss/bodies/disk/modes.hpp"
 #include "stoss/errors.hpp"
 
 namespace stoss {
 namespace {
-
-/// With ten digits, or as many as tell the value from every other one.
-std::string shown(double value) {
-  if (std::isnan(value)) return "nan";  // without the sign that some processors give it
-  std::string text;
-  for (int digits = 10; digits <= std::numeric_limits<double>::max_digits10; ++digits) {
-    std::ostringstream writer;
-    writer.imbue(std::locale::classic());
-    writer.precision(digits);
-    writer << value;
-    text = writer.str();
-    std::istringstream reader(text);
-    reader.imbue(std::locale::classic());
-    double read = 0.0;
-    if (reader >> read && read == value) break;
-  }
-  return text;
-}
 
 [[noreturn]] void refuse(std::string_view name, const std::string& got, std::string_view allowed,
                          std::string_view hint) {

@@ -8,9 +8,10 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
-#include <sstream>
+#include <string>
 
 #include "check.hpp"
+#include "digits.hpp"
 
 namespace stoss {
 namespace {
@@ -26,14 +27,12 @@ void require_rod(const Rod& rod) {
 }
 
 std::string name_of(const Rod& rod) {
-  std::ostringstream name;
-  name.precision(17);
-  name << "rod";
-  if (rod.length != 1.0) name << " length=" << rod.length;
-  if (rod.young != 1.0) name << " young=" << rod.young;
-  if (rod.density != 1.0) name << " density=" << rod.density;
-  if (rod.area != 1.0) name << " area=" << rod.area;
-  return name.str();
+  std::string name = "rod";
+  if (rod.length != 1.0) name += " length=" + shown(rod.length);
+  if (rod.young != 1.0) name += " young=" + shown(rod.young);
+  if (rod.density != 1.0) name += " density=" + shown(rod.density);
+  if (rod.area != 1.0) name += " area=" + shown(rod.area);
+  return name;
 }
 
 }  // namespace

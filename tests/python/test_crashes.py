@@ -31,7 +31,7 @@ hit = stoss.impact(poisson=0.33, speed=0.1, cutoff=6)
 energies, handle = hit.mode_energies, hit._handle
 disk, rod = core.disk(0.33, 1.0, 1.0, 1.0), core.rod(1.0, 1.0, 1.0, 1.0)
 def at(maker, cutoff):
-    return core.at_wall(maker.at(cutoff), core.hard_wall(True))
+    return core.at_wall(maker.at(cutoff), core.hard_wall())
 body, met = disk.at(6.0), at(disk, 6.0)
 finer, frames = stoss.impact(poisson=0.33, speed=0.1, cutoff=6, nodes=90)._handle, core.motion(met, handle, two)
 def run(function, **arguments):

@@ -9,12 +9,13 @@
 #include <limits>
 #include <memory>
 #include <numbers>
-#include <sstream>
+#include <string>
 
 #include "bodies/disk/edge_points.hpp"
 #include "bodies/disk/mode_search.hpp"
 #include "bodies/disk/residual.hpp"
 #include "check.hpp"
+#include "digits.hpp"
 #include "stoss/bodies/disk/modes.hpp"
 
 namespace stoss {
@@ -67,13 +68,11 @@ std::vector<ModeGroup> group_by_order(const std::vector<Mode>& modes) {
 }
 
 std::string name_of(const Disk& disk) {
-  std::ostringstream name;
-  name.precision(17);
-  name << "disk poisson=" << disk.poisson;
-  if (disk.radius != 1.0) name << " radius=" << disk.radius;
-  if (disk.young != 1.0) name << " young=" << disk.young;
-  if (disk.density != 1.0) name << " density=" << disk.density;
-  return name.str();
+  std::string name = "disk poisson=" + shown(disk.poisson);
+  if (disk.radius != 1.0) name += " radius=" + shown(disk.radius);
+  if (disk.young != 1.0) name += " young=" + shown(disk.young);
+  if (disk.density != 1.0) name += " density=" + shown(disk.density);
+  return name;
 }
 
 void require_disk(const Disk& disk) {
