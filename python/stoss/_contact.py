@@ -74,6 +74,11 @@ def contact(body: Body, against: Against, cutoff: float, keep: NDArray[np.bool_]
     return _core.at_wall(every if keep is None else _core.with_modes(every, keep), against._made())
 
 
+def radiates(against: Against) -> bool:
+    """Whether the modes above the cutoff carry waves away: not with a static tail."""
+    return not (isinstance(against, HardWall) and against.tail == "static")
+
+
 def refinable(body: Body, against: Against) -> _core.RefinableContact:
     """The same at any cutoff, at a rigid wall or at a body."""
     return _refinable_pair(body, against) if isinstance(against, (Disk, Rod)) else _refinable(body._shape())

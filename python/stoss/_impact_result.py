@@ -10,12 +10,11 @@ from numpy.typing import ArrayLike, NDArray
 
 from stoss import _core, _replay
 from stoss._bodies import Body, Disk, Rod, shown
-from stoss._contact import Against, contact
+from stoss._contact import Against, contact, radiates
 from stoss._field import Field
 from stoss._result import Column, Result
 from stoss._si import SI_UNITS, InSi
 from stoss._trajectory import Trajectory
-from stoss._walls import HardWall
 
 
 @dataclasses.dataclass(frozen=True, eq=False, repr=False)
@@ -136,8 +135,8 @@ class Impact(InSi, Result):
         keep: NDArray[np.bool_] | None,
     ) -> Impact:
         """The impact with these inputs, checked before."""
-        radiating = not (isinstance(against, HardWall) and against.tail == "static")
-        handle = _core.impact(contact(body, against, cutoff, keep), radiating, speed, step, nodes, half_width)
+        met = contact(body, against, cutoff, keep)
+        handle = _core.impact(met, radiates(against), speed, step, nodes, half_width)
         energies = handle.modes()
         return cls(
             body=body, against=against, keep=keep, modes=len(energies), mode_energies=energies, _handle=handle,
