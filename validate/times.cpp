@@ -33,7 +33,7 @@ double speed(int i) {
 
 /// A body whose modes are made on a clock of their own.
 stoss::RefinableBody timed_disk(double poisson, double& seconds) {
-  return stoss::RefinableBody([poisson, &seconds](double cutoff) {
+  return stoss::RefinableBody([poisson, &seconds](double cutoff, const stoss::Poll&) {
     const double begin = processor_time();
     stoss::Body body = stoss::disk(poisson, cutoff);
     seconds += processor_time() - begin;
