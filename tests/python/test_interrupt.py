@@ -160,7 +160,7 @@ class Counter(threading.Thread):
 
 @pytest.mark.parametrize("call", [
     lambda: stoss.restitution(poisson=0.33, speed=np.geomspace(1e-3, 0.3, 40), tolerance=1e-3, threads=1),
-    lambda: stoss.impact(poisson=0.33, speed=0.1, cutoff=60),
+    lambda: stoss.impact(poisson=0.33, speed=0.1, cutoff=60, step=5e-4),
     lambda: stoss.modes(poisson=0.33, cutoff=500),
     lambda: stoss.extrapolated_restitution(poisson=0.33, speed=0.1),
 ])  # fmt: skip
