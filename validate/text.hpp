@@ -55,11 +55,12 @@ that time is not counted. *99 %*: 99 of 100 calls take no longer.
 inline constexpr const char* tally = R"(
 ## Errors against true errors
 
-*Within*: share of the points at which |value − reference| ≤ error. *Greatest*: of |value − reference| / error. *Error / true error*: the median over the points. *Blurred*: points whose
-reference has an uncertainty above a tenth of the error. Those are judged by |value − reference| ≤
-error + uncertainty (in *greatest* the uncertainty is taken off the difference), and they have no
-part in the median, to which the references' own errors would add. *Strictly*: *within* without that
-allowance.
+*Within*: share of the points at which |value − reference| ≤ error. *Greatest*: of
+(value − reference) / error in size. *Error / true error*: the median over the points. *Blurred*:
+points whose reference has an uncertainty above a tenth of the error. Those are judged by the
+condition |value − reference| ≤ error + uncertainty (in *greatest* the uncertainty is taken off the
+difference), and they have no part in the median, to which the references' own errors would add.
+*Strictly*: *within* without that allowance.
 
 The promise is that of 1 − ε², and with it of ε. The other quantities come along: the contact time
 is counted in steps, and the greatest force may be that of a short peak when a wave returns, which
