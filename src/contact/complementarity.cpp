@@ -6,51 +6,16 @@
 #include <utility>
 
 #include "numeric/dense.hpp"
-#include "numeric/kernels.hpp"
 #include "stoss/errors.hpp"
 
 namespace stoss {
-namespace {
-
-using Matrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
-
-}  // namespace
 
 Complementarity::Complementarity(std::vector<double> matrix, std::size_t size, Poll poll)
-    : size_(size), matrix_(std::move(matrix)), inner_(size), poll_(std::move(poll)) {
-  const auto n = static_cast<Eigen::Index>(size);
-  Eigen::MatrixXd lower = dense::square(matrix_.data(), n, poll_);
-  const bool finite = std::all_of(matrix_.begin(), matrix_.end(), [](double w) { return std::isfinite(w); });
-  if (!finite || !dense::factor(lower, poll_)) {
-    throw NotConverged("contact: the compliance between the nodes is not positive definite (use fewer nodes)");
-  }
-  inverse_transposed_ = dense::zeros(size * size, poll_);
-  Eigen::Map<Eigen::MatrixXd> inverse(inverse_transposed_.data(), n, n);
-  dense::invert_lower(lower, inverse, poll_);
-  inverse_ = dense::zeros(size * size, poll_);
-  dense::by_columns(n, poll_, [&](Eigen::Index first, Eigen::Index count) {
-    Eigen::Map<Matrix>(inverse_.data(), n, n).middleCols(first, count) = inverse.middleCols(first, count);
-  });
-}
+    : compliance_(std::move(matrix), size, poll), inner_(size), poll_(std::move(poll)) {}
 
 void Complementarity::solve_leading(std::size_t count, const std::vector<double>& q, std::vector<double>& force) {
-  // In blocks, so that most of the zeros of the triangles are passed over; to whole vectors, of which the excess is
-  // void.
-  constexpr std::size_t block = 32;
-  constexpr std::size_t vector = 8;
-  const std::size_t end = std::min((count + vector - 1) / vector * vector, size_);
-  for (std::size_t i = 0; i < end; i += block) {
-    kernels::multiply_transposed(inverse_transposed_.data(), size_, std::min(count, i + block), i,
-                                 std::min(end, i + block), q.data(), inner_.data());
-  }
-  for (std::size_t j = 0; j < end; j += block) {
-    kernels::multiply_transposed(inverse_.data() + j * size_, size_, count - std::min(count, j), j,
-                                 std::min(end, j + block), inner_.data() + j, force.data());
-  }
-}
-
-void Complementarity::multiply(const std::vector<double>& x, std::vector<double>& result) const {
-  kernels::multiply_transposed(matrix_.data(), size_, size_, 0, size_, x.data(), result.data());
+  compliance_.forward(count, q, inner_);
+  compliance_.backward(count, inner_, force);
 }
 
 void Complementarity::solve(const std::vector<double>& q, std::vector<double>& force,
@@ -90,10 +55,10 @@ bool Complementarity::solve_interval(const std::vector<double>& q, double tolera
       continue;
     }
     std::copy_n(q.begin(), count, displacement.begin());
-    kernels::multiply_transposed(matrix_.data(), size_, count, count, size_, force.data(), displacement.data());
+    compliance_.multiply(count, count, force, displacement);
     std::size_t grown = count;
-    while (grown < size_ && displacement[grown] - q[grown] < -tolerance) ++grown;
-    for (std::size_t i = grown; i < size_; ++i) {
+    while (grown < compliance_.size() && displacement[grown] - q[grown] < -tolerance) ++grown;
+    for (std::size_t i = grown; i < compliance_.size(); ++i) {
       if (displacement[i] - q[i] < -tolerance) return false;
     }
     if (grown == count) {
@@ -109,12 +74,14 @@ bool Complementarity::solve_interval(const std::vector<double>& q, double tolera
 void Complementarity::solve_on_set(const std::vector<std::size_t>& set, const std::vector<double>& q,
                                    std::vector<double>& force, std::vector<double>& displacement) const {
   const auto n = static_cast<Eigen::Index>(set.size());
+  const auto w = compliance_.matrix();
   Eigen::MatrixXd block(n, n);
   Eigen::MatrixXd right(n, 1);
   for (Eigen::Index i = 0; i < n; ++i) {
     const std::size_t row = set[static_cast<std::size_t>(i)];
     right(i, 0) = q[row];
-    for (Eigen::Index j = 0; j < n; ++j) block(i, j) = matrix_[row * size_ + set[static_cast<std::size_t>(j)]];
+    for (Eigen::Index j = 0; j < n; ++j)
+      block(i, j) = w(static_cast<Eigen::Index>(row), static_cast<Eigen::Index>(set[static_cast<std::size_t>(j)]));
   }
   if (!dense::factor(block, poll_)) {
     throw NotConverged("contact: the compliance between the nodes is not positive definite (use fewer nodes)");
@@ -122,27 +89,27 @@ void Complementarity::solve_on_set(const std::vector<std::size_t>& set, const st
   dense::solve(block, right, poll_);
   std::fill(force.begin(), force.end(), 0.0);
   for (Eigen::Index i = 0; i < n; ++i) force[set[static_cast<std::size_t>(i)]] = right(i, 0);
-  multiply(force, displacement);
+  compliance_.multiply(0, compliance_.size(), force, displacement);
   for (const std::size_t row : set) displacement[row] = q[row];
 }
 
 void Complementarity::solve_any(const std::vector<double>& q, double tolerance, std::vector<double>& force,
                                 std::vector<double>& displacement) {
   constexpr int patience = 4;  // block exchanges without progress before single ones
-  std::vector<bool> in_contact(size_, false);
-  for (std::size_t i = 0; i < size_; ++i) in_contact[i] = q[i] > 0.0;
+  std::vector<bool> in_contact(compliance_.size(), false);
+  for (std::size_t i = 0; i < compliance_.size(); ++i) in_contact[i] = q[i] > 0.0;
   std::vector<std::size_t> set, wrong;
-  std::size_t fewest = size_ + 1;
+  std::size_t fewest = compliance_.size() + 1;
   int tries_left = patience;
-  const std::size_t max_passes = 20 * size_ + 100;
+  const std::size_t max_passes = 20 * compliance_.size() + 100;
   for (std::size_t pass = 0; pass < max_passes; ++pass) {
     set.clear();
-    for (std::size_t i = 0; i < size_; ++i) {
+    for (std::size_t i = 0; i < compliance_.size(); ++i) {
       if (in_contact[i]) set.push_back(i);
     }
     solve_on_set(set, q, force, displacement);
     wrong.clear();
-    for (std::size_t i = 0; i < size_; ++i) {
+    for (std::size_t i = 0; i < compliance_.size(); ++i) {
       if (in_contact[i] ? force[i] < 0.0 : displacement[i] - q[i] < -tolerance) wrong.push_back(i);
     }
     if (wrong.empty()) {

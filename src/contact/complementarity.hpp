@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "contact/factored_compliance.hpp"
 #include "stoss/poll.hpp"
 
 namespace stoss {
@@ -11,8 +12,7 @@ namespace stoss {
 ///
 ///   f ≥ 0,   g = W f − q ≥ 0,   fᵀ g = 0.
 ///
-/// It has exactly one solution. W = L Lᵀ is factored once: the Cholesky factor of a leading block of W is the
-/// leading block of L, and its inverse that of L⁻¹, so a contact that is an interval {0 … k−1} costs two products with
+/// It has exactly one solution: static contact. A contact that is an interval {0 … k−1} costs two products with
 /// triangular matrices. Any other contact set is found by block principal pivoting with Murty's rule as the finite last
 /// resort (Júdice and Pires, Comput. Oper. Res. 21, 587, 1994).
 class Complementarity {
@@ -29,9 +29,6 @@ class Complementarity {
   /// Number of leading nodes beyond which the last force vanishes.
   [[nodiscard]] std::size_t extent() const { return extent_; }
 
-  /// The product W x, all rows.
-  void multiply(const std::vector<double>& x, std::vector<double>& result) const;
-
  private:
   /// The forces on the first `count` nodes that bring them to q; those behind are void.
   void solve_leading(std::size_t count, const std::vector<double>& q, std::vector<double>& force);
@@ -42,11 +39,8 @@ class Complementarity {
   void solve_on_set(const std::vector<std::size_t>& set, const std::vector<double>& q, std::vector<double>& force,
                     std::vector<double>& displacement) const;
 
-  std::size_t size_;
-  std::vector<double> matrix_;
-  std::vector<double> inverse_;             // L⁻¹, row-major
-  std::vector<double> inverse_transposed_;  // L⁻ᵀ
-  std::vector<double> inner_;               // L⁻¹ q
+  FactoredCompliance compliance_;
+  std::vector<double> inner_;  // L⁻¹ q
   std::size_t extent_ = 0;
   Poll poll_;
 };

@@ -52,11 +52,11 @@ const std::vector<double>& ExponentialResponse::advance(const std::vector<double
   return force_;
 }
 
-std::size_t ExponentialResponse::contact_nodes() const {
+double ExponentialResponse::half_width() const {
   const double noticeable = 1e-3 * *std::max_element(force_.begin(), force_.end());
   std::size_t count = extent_;
   while (count > 0 && force_[count - 1] < noticeable) --count;
-  return count;
+  return static_cast<double>(count);
 }
 
 bool ExponentialResponse::overflows() const {

@@ -12,7 +12,7 @@ class ExponentialResponse final : public ContactResponse {
   ExponentialResponse(const ExponentialWall& wall, const Contact& contact, const ContactGrid& grid, double speed);
   const std::vector<double>& advance(const std::vector<double>& position) override;
   [[nodiscard]] std::size_t extent() const override { return extent_; }
-  [[nodiscard]] std::size_t contact_nodes() const override;
+  [[nodiscard]] double half_width() const override;
   [[nodiscard]] bool overflows() const override;
   [[nodiscard]] double stored_energy() const override { return total_force_ / wall_.hardness; }
   [[nodiscard]] double contact_threshold() const override { return threshold_; }

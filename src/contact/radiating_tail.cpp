@@ -129,23 +129,27 @@ RadiatingTail::Matrices RadiatingTail::discretize(const Contact& contact, const 
           static_cast<std::size_t>(masses)};
 }
 
-RadiatingTail::RadiatingTail(const Contact& contact, const ContactGrid& grid, double step, const Poll& poll)
-    : RadiatingTail(discretize(contact, grid, step, poll), grid.recess.size(), contact.cutoff, step, poll) {}
+RadiatingTail::RadiatingTail(const Contact& contact, const ContactGrid& grid, double speed, double step,
+                             const Poll& poll)
+    : RadiatingTail(discretize(contact, grid, step, poll), edge_law(contact, grid, speed), grid, contact.cutoff, step,
+                    poll) {}
 
-RadiatingTail::RadiatingTail(Matrices matrices, std::size_t nodes, double cutoff, double step, const Poll& poll)
+RadiatingTail::RadiatingTail(Matrices matrices, EdgeLaw law, const ContactGrid& grid, double cutoff, double step,
+                             const Poll& poll)
     : step_(step),
       fading_(1.0 / (1.0 + link_stiffness * cutoff * step)),
-      contact_(std::move(matrices.compliance), nodes, poll),
+      contact_(std::move(matrices.compliance), std::move(law), grid.recess.size(), poll),
+      range_(contact_.range(grid.recess)),
       participation_(std::move(matrices.participation)),
       mobility_(std::move(matrices.mobility)),
       memory_(std::move(matrices.memory)),
-      position_(nodes),
-      displacement_(nodes),
-      force_(nodes),
-      old_force_(nodes),
-      free_(nodes),
-      contact_displacement_(nodes),
-      gap_(nodes),
+      position_(grid.recess.size()),
+      displacement_(grid.recess.size()),
+      force_(grid.recess.size()),
+      old_force_(grid.recess.size()),
+      free_(grid.recess.size()),
+      contact_displacement_(grid.recess.size()),
+      gap_(grid.recess.size()),
       mass_displacement_(matrices.masses),
       mass_velocity_(matrices.masses),
       mass_acceleration_(matrices.masses),

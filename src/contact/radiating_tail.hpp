@@ -1,6 +1,6 @@
 #pragma once
 
-#include "contact/complementarity.hpp"
+#include "contact/edge_contact.hpp"
 #include "contact/response.hpp"
 
 namespace stoss {
@@ -22,12 +22,13 @@ namespace stoss {
 /// the same contact problem as with the quasistatic tail, with W′ for W and x_dyn − W′R S⁻¹ r for x_dyn.
 class RadiatingTail final : public ContactResponse {
  public:
-  RadiatingTail(const Contact& contact, const ContactGrid& grid, double step, const Poll& poll);
+  RadiatingTail(const Contact& contact, const ContactGrid& grid, double speed, double step, const Poll& poll);
   const std::vector<double>& advance(const std::vector<double>& position) override;
   [[nodiscard]] std::size_t extent() const override { return contact_.extent(); }
-  [[nodiscard]] std::size_t contact_nodes() const override { return contact_.extent(); }
+  [[nodiscard]] double half_width() const override { return contact_.half_width(); }
   [[nodiscard]] bool overflows() const override { return contact_.extent() == force_.size(); }
   [[nodiscard]] double unresolved_energy() const override { return work_; }
+  [[nodiscard]] double range() const override { return range_; }
   [[nodiscard]] double protrusion() const override;
 
  private:
@@ -39,11 +40,12 @@ class RadiatingTail final : public ContactResponse {
     std::size_t masses = 0;
   };
   static Matrices discretize(const Contact& contact, const ContactGrid& grid, double step, const Poll& poll);
-  RadiatingTail(Matrices matrices, std::size_t nodes, double cutoff, double step, const Poll& poll);
+  RadiatingTail(Matrices matrices, EdgeLaw law, const ContactGrid& grid, double cutoff, double step, const Poll& poll);
 
   double step_;
-  double fading_;            // 1/(1 + γ ω_c Δt)
-  Complementarity contact_;  // with W′
+  double fading_;        // 1/(1 + γ ω_c Δt)
+  EdgeContact contact_;  // with W′
+  double range_;
   std::vector<double> participation_, mobility_, memory_;
   // On the nodes.
   std::vector<double> position_;      // x_dyn

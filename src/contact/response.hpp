@@ -20,8 +20,9 @@ class ContactResponse {
   /// Number of leading nodes beyond which the last force vanishes.
   [[nodiscard]] virtual std::size_t extent() const = 0;
 
-  /// Number of leading nodes that are in contact; with a soft wall, those with a noticeable share of the force.
-  [[nodiscard]] virtual std::size_t contact_nodes() const = 0;
+  /// Half-width of the contact in spacings of the nodes; with a soft wall, of the nodes with a noticeable share of the
+  /// force.
+  [[nodiscard]] virtual double half_width() const = 0;
 
   /// Whether the contact reaches the end of the grid, which is then too small.
   [[nodiscard]] virtual bool overflows() const = 0;
@@ -41,11 +42,12 @@ class ContactResponse {
   /// How far in front of x = 0 the wall's own plane lies, from which compression is measured.
   [[nodiscard]] virtual double plane_offset() const { return 0.0; }
 
-  /// Distance from first contact beyond which the wall exerts no force that counts.
+  /// Distance in front of first contact beyond which no force acts that counts.
   [[nodiscard]] virtual double range() const { return 0.0; }
 };
 
-/// @param speed of the impact, which sets what force counts as contact with a soft wall
+/// @param speed of an impact with all the energy there is: it sets what force counts as contact with a soft wall, and
+///              how fast the edge of a hard contact moves
 /// @param step  time between two calls of advance
 [[nodiscard]] std::unique_ptr<ContactResponse> make_response(const Contact& contact, Tail tail, const ContactGrid& grid,
                                                              double speed, double step, const Poll& poll = {});

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "contact/touch.hpp"
 #include "stoss/errors.hpp"
 
 namespace stoss {
@@ -10,6 +11,18 @@ namespace {
 
 /// The modes' energies change slowly between steps: every fourth step is enough for their mean.
 constexpr long sampling = 4;
+
+/// Where a force that starts like t^p is best caught by kicks: the time of the first kick after its start, in steps,
+/// at which the sum of the kicks has no error of order p + 1, the zero of Hurwitz' ζ(−p, x). A jump (p = 0) at a single
+/// point, a kink (p = 1) where a line of contact begins to grow.
+double first_kick(const Contact& contact) {
+  constexpr double jump = 0.5;
+  constexpr double kink = 0.7886751345948129;  // (3 + √3)/6
+  return has_single_point(contact) ? jump : kink;
+}
+
+/// Share of the impulse before the beginning and after the end of impulse_time.
+constexpr double tail_of_impulse = 0.01;
 
 }  // namespace
 
@@ -20,14 +33,13 @@ Collision::Collision(const Contact& contact, Tail tail, const ContactGrid& grid,
       speed_(speed),
       step_(step),
       modes_(contact, grid, step),
-      response_(make_response(contact, tail, grid, speed, step, poll)),
       position_(grid.recess.size()),
-      compression_(-response_->range()),
       velocity_(speed) {
-  if (start) {
-    modes_.set(start->coordinate, start->momentum);
-    compression_ = contact.extent + start->center;
-  }
+  if (start) modes_.set(start->coordinate, start->momentum);
+  // The same before and after an impact, so that it can be reversed.
+  const double energy_speed = start ? std::sqrt(speed * speed + 2.0 * modes_.energy() / contact.mass) : speed;
+  response_ = make_response(contact, tail, grid, energy_speed, step, poll);
+  place(start);
   respond();
   if (std::holds_alternative<HardWall>(contact.wall) && force_ > 0.0) {
     throw InvalidInput("start: the body already touches the wall (move its center back)");
@@ -37,6 +49,21 @@ Collision::Collision(const Contact& contact, Tail tail, const ContactGrid& grid,
   modes_.begin();
   initial_velocity_ = velocity();
   initial_energy_ = translation() + modes_.energy() + response_->stored_energy();
+}
+
+void Collision::place(const std::optional<State>& start) {
+  const bool hard = std::holds_alternative<HardWall>(contact_.wall);
+  if (hard) touch_ = touch_compression(contact_, grid_);
+  if (start) {
+    compression_ = contact_.extent + start->center;
+  } else if (hard) {
+    const double phase = 1.0 - first_kick(contact_);  // of the touch, after a kick
+    const double step = speed_ * step_;
+    const double steps = std::max(0.0, std::ceil((response_->range() + touch_) / step - phase));
+    compression_ = touch_ - (steps + phase) * step;
+  } else {
+    compression_ = -response_->range();
+  }
 }
 
 double Collision::velocity() const { return velocity_ - 0.5 * force_ * step_ / contact_.mass; }
@@ -64,7 +91,8 @@ void Collision::advance() {
   respond();
   const double mean_force = 0.5 * (force_before + force_);
   impulse_ += mean_force * step_;
-  max_force_ = std::max(max_force_, mean_force);
+  force_peak_.add(mean_force);
+  if (impulse_ > 0.0) impulse_history_.push_back(impulse_);
   record();
 }
 
@@ -79,25 +107,32 @@ void Collision::record() {
       modes_.accumulate_energy();
       ++samples_;
     }
-    max_compression_ = std::max(max_compression_, compression_ + response_->plane_offset());
-    max_half_width_ = std::max(max_half_width_, half_width());
+    compression_peak_.add(compression_ - touch_ + response_->plane_offset());
+    half_width_peak_.add(half_width());
     reach_ = -1.0;
   }
   in_contact_ = touching;
 }
 
 double Collision::since_touch() const {
-  // At a hard wall the foremost node has moved uniformly from its last position out of contact.
-  const bool hard = response_->contact_threshold() == 0.0;
-  return hard && foremost_ > foremost_before_ ? std::min(1.0, foremost_ / (foremost_ - foremost_before_)) : 0.5;
+  // At a hard wall the foremost node has moved uniformly from its last position out of contact; it touches where the
+  // foremost point of the whole surface does, which may still be to come.
+  if (response_->contact_threshold() > 0.0 || foremost_ <= foremost_before_) return 0.5;
+  const double touching = touch_ - grid_.recess.front();
+  return std::min(1.0, (foremost_ - touching) / (foremost_ - foremost_before_));
 }
 
-double Collision::half_width() const {
-  const std::size_t nodes = response_->contact_nodes();
-  const std::vector<double>& at = grid_.coordinate;
-  if (nodes == 0 || at.size() == 1) return 0.0;
-  return at[nodes - 1] + 0.5 * (at[1] - at[0]);  // each node stands for half a spacing to either side
+double Collision::impulse_time() const {
+  const auto reached = [this](double share) {
+    const double wanted = share * impulse_;
+    const auto after = std::lower_bound(impulse_history_.begin(), impulse_history_.end(), wanted);
+    const double before = after == impulse_history_.begin() ? 0.0 : *(after - 1);
+    return static_cast<double>(after - impulse_history_.begin()) + (wanted - before) / (*after - before);
+  };
+  return impulse_ > 0.0 ? (reached(1.0 - tail_of_impulse) - reached(tail_of_impulse)) * step_ : 0.0;
 }
+
+double Collision::half_width() const { return response_->half_width() * grid_.points.spacing * grid_.points.radius; }
 
 bool Collision::over() {
   if (in_contact_ || velocity() >= 0.0) return false;
@@ -139,9 +174,10 @@ Impact Collision::result() const {
   impact.lost_fraction = 1.0 - impact.restitution * impact.restitution;
   impact.contact_time = contacts_ > 0 ? last_contact_ - first_contact_ : 0.0;
   impact.contacts = contacts_;
-  impact.max_force = max_force_ / contact_.first->mass;
-  impact.max_compression = max_compression_;
-  impact.max_half_width = max_half_width_;
+  impact.impulse_time = impulse_time();
+  impact.max_force = force_peak_.value(0.0) / contact_.first->mass;
+  impact.max_compression = compression_peak_.value(0.0);
+  impact.max_half_width = half_width_peak_.value(0.0);
   const double momentum_change = contact_.mass * (initial_velocity_ - velocity());
   impact.momentum_error = std::abs(impulse_ - momentum_change) / (contact_.mass * std::abs(initial_velocity_));
   impact.steps = steps_;

@@ -6,6 +6,7 @@
 
 #include "contact/response.hpp"
 #include "impact/kept_modes.hpp"
+#include "impact/peak.hpp"
 #include "stoss/impact/impact.hpp"
 
 namespace stoss {
@@ -21,7 +22,8 @@ namespace stoss {
 /// wall and with the quasistatic tail, not with the radiating tail, which takes energy for good.
 class Collision {
  public:
-  /// Starts just out of reach of the wall, or from `start`.
+  /// Starts just out of reach of what is met, at a hard contact with the first touch at the best phase within a step;
+  /// or from `start`.
   Collision(const Contact& contact, Tail tail, const ContactGrid& grid, double speed, double step,
             const std::optional<State>& start, const Poll& poll);
 
@@ -49,9 +51,11 @@ class Collision {
   [[nodiscard]] std::vector<double> node_force() const;
 
  private:
+  void place(const std::optional<State>& start);
   void respond();
   void record();
   [[nodiscard]] double since_touch() const;  // in steps, at the first notice of a contact
+  [[nodiscard]] double impulse_time() const;
   [[nodiscard]] double half_width() const;
   [[nodiscard]] double velocity() const;  // synchronous with the position
   [[nodiscard]] double translation() const;
@@ -66,8 +70,9 @@ class Collision {
   double foremost_ = 0.0;         // largest of them
   double foremost_before_ = 0.0;
 
-  double compression_;  // extent + x₀, kept instead of x₀ for its digits at small speed
-  double velocity_;     // before the kick that is due
+  double touch_ = 0.0;        // compression at which the contact begins to push
+  double compression_ = 0.0;  // extent + x₀, kept instead of x₀ for its digits at small speed
+  double velocity_;           // before the kick that is due
   const std::vector<double>* node_force_ = nullptr;  // of response_
   double force_ = 0.0;                               // total
   double initial_energy_;
@@ -81,9 +86,8 @@ class Collision {
   long contact_steps_ = 0;
   long samples_ = 0;  // of the modes' energies during contact
   double impulse_ = 0.0;
-  double max_force_ = 0.0;
-  double max_compression_ = 0.0;
-  double max_half_width_ = 0.0;
+  std::vector<double> impulse_history_;  // after each step since the first force
+  Peak force_peak_, compression_peak_, half_width_peak_;
   double reach_ = -1.0;  // of the free vibration; < 0: not known
 };
 

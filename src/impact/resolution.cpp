@@ -29,7 +29,7 @@ int nyquist_nodes(const Contact& contact, double half_width) {
 
 int nodes_within(const Contact& contact, double half_width) {
   if (has_single_point(contact)) return 1;
-  constexpr int fewest = 64;
+  constexpr int fewest = 32;
   double nodes = std::max<double>(fewest, 1.5 * nyquist_nodes(contact, half_width));
   if (const auto* soft = std::get_if<ExponentialWall>(&contact.wall)) {
     nodes = std::max({nodes, 128.0, soft->hardness * half_width * half_width});
@@ -100,16 +100,16 @@ ImpactOptions refined_resolution(const Contact& contact, double speed, double ha
   ImpactOptions options;
   options.step = std::min(0.5 / contact.cutoff, contact.stable_step);
   if (has_single_point(contact)) return options;
-  // A coarser run shows how far the contact spreads.
-  constexpr double margin = 1.06;
-  const double width = half_width > 0.0 ? std::min(margin * half_width, greatest_half_width(contact))
-                                        : initial_half_width(contact, speed);
+  // A coarser run shows how far the contact spreads. The edge law needs room beyond it: most of two spacings.
+  constexpr double margin = 1.06, spacings = 2.0;
+  const double width = half_width > 0.0 ? half_width : initial_half_width(contact, speed);
   // The pressure varies over the contact; and over the waves that the kept modes send along the edge.
   const double cutoff = contact.cutoff * time_scale(contact);
-  const double nodes = std::max({20.0 * std::pow(cutoff / 12.5, 0.65), 1.3 * cutoff * std::sqrt(width / contact.radius),
-                                 1.02 * nyquist_nodes(contact, width)});
+  const double wanted =
+      std::max({24.0 * std::pow(cutoff / 32.0, 0.65), 0.7 * cutoff * std::sqrt(width / contact.radius), 16.0});
+  options.half_width = std::min(width * std::max(margin, 1.0 + spacings / wanted), greatest_half_width(contact));
+  const double nodes = std::max(wanted, 1.02 * nyquist_nodes(contact, *options.half_width));
   constexpr double vector = 8.0;
-  options.half_width = width;
   options.nodes = static_cast<int>(std::min<double>(vector * std::ceil(nodes / vector), max_nodes));
   return options;
 }

@@ -42,7 +42,7 @@ class Attempts {
 Restitution failed(double speed, double tolerance, const std::string& reason) {
   constexpr double none = std::numeric_limits<double>::quiet_NaN();
   constexpr Estimate nothing{none, none};
-  Restitution result{nothing, nothing, nothing, nothing, nothing, tolerance, false, reason, {}, {}, 0};
+  Restitution result{nothing, nothing, nothing, nothing, nothing, nothing, tolerance, false, reason, {}, {}, 0};
   result.finest.speed = speed;
   result.finest.restitution = result.finest.lost_fraction = none;
   return result;

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <mutex>
+#include <numbers>
 #include <optional>
 #include <utility>
 
@@ -17,10 +18,10 @@ namespace {
 /// Below the modes of all bodies: at this cutoff one can be asked what it is by itself.
 constexpr double least_cutoff = 1e-6;
 
-constexpr int levels = 23;
-constexpr int fewest_levels = 8;  // for an error
+constexpr int levels = 25;
+constexpr int fewest_levels = 10;  // for an error
 
-double cutoff_at(int level) { return 8.0 * std::exp2(0.25 * level); }
+double cutoff_at(int level) { return 4.0 * std::numbers::sqrt2 * std::exp2(0.25 * level); }
 
 /// What meets, without modes.
 Contact probed(const BodyMaker& first, const BodyMaker& second) {

@@ -10,57 +10,31 @@
 
 #include "check.hpp"
 #include "impact/resolution.hpp"
+#include "restitution/error_bar.hpp"
 
 namespace stoss {
 namespace {
 
-constexpr int first_runs = 4;  // two that agree by chance say nothing
-constexpr int first_rungs = 2, most_rungs = 8;
-constexpr double slow_order = 1.5;
-constexpr double safety = 8.0;
+constexpr int first_runs = 3;  // two that agree by chance say nothing
+constexpr std::array first_rungs{4, 2};
+constexpr int most_rungs = 4;  // a run far above all others would find the differences from them without weight
 constexpr double unknown = std::numeric_limits<double>::infinity();
 constexpr double aim = 0.9;         // of the tolerance: one run too fine costs less than another run
 constexpr double affordable = 5e8;  // of `work`, about a second: what a run without hope may cost
 
-/// Order of convergence in the cutoff, as observed: with one point of contact the force jumps, on a surface it grows.
-double convergence_order(const Contact& contact) { return has_single_point(contact) ? 1.0 : 2.5; }
-
-/// Quantity of the last run, with eight times the root mean square of the differences from the earlier ones, each
-/// scaled to what is left of it. One run that is off by chance then counts with its share only.
-Estimate estimate(const std::vector<Run>& runs, double order, double Run::*quantity) {
-  const Run& last = runs.back();
-  double squares = 0.0;
-  for (auto run = runs.begin(); run + 1 < runs.end(); ++run) {
-    const double left = std::pow(run->cutoff / last.cutoff, order) * ((*run).*quantity - last.*quantity);
-    squares += left * left;
-  }
-  return {last.*quantity, safety * std::sqrt(squares / static_cast<double>(runs.size() - 1))};
-}
-
-/// An error as large as the value leaves nothing of it.
-void judge(Estimate& estimate) {
-  if (estimate.error >= std::abs(estimate.value)) estimate.error = unknown;
-}
-
 Run summary(const Impact& impact) {
-  return {impact.cutoff,       impact.step,      impact.nodes,           impact.half_width,   impact.lost_fraction,
-          impact.contact_time, impact.max_force, impact.max_compression, impact.energy_error, impact.steps};
-}
-
-void conclude(Restitution& result, double order) {
-  const std::vector<Run>& runs = result.runs;
-  result.lost_fraction = estimate(runs, order, &Run::lost_fraction);
-  // Instants and peaks converge more slowly. A contact is noticed and lost within half a step each.
-  const double slow = std::min(order, slow_order);
-  result.contact_time = estimate(runs, slow, &Run::contact_time);
-  result.contact_time.error = std::max(result.contact_time.error, runs.back().step);
-  result.max_force = estimate(runs, slow, &Run::max_force);
-  result.max_compression = estimate(runs, order, &Run::max_compression);
-  for (Estimate* each : {&result.contact_time, &result.max_force, &result.max_compression}) judge(*each);
-  const double value = result.finest.restitution;
-  const double error = result.lost_fraction.error;
-  result.restitution = {value, error / (std::sqrt(value * value + error) + std::abs(value))};
-  result.converged = error <= result.tolerance * std::abs(result.lost_fraction.value);
+  return {.cutoff = impact.cutoff,
+          .step = impact.step,
+          .nodes = impact.nodes,
+          .half_width = impact.half_width,
+          .lost_fraction = impact.lost_fraction,
+          .unresolved = impact.energy.unresolved,
+          .contact_time = impact.contact_time,
+          .impulse_time = impact.impulse_time,
+          .max_force = impact.max_force,
+          .max_compression = impact.max_compression,
+          .energy_error = impact.energy_error,
+          .steps = impact.steps};
 }
 
 double relative_error(const Restitution& result) {
@@ -135,7 +109,7 @@ Restitution restitution(const RefinableContact& contact, double speed, const Res
   Restitution result;
   result.tolerance = options.tolerance;
   std::optional<Bar> first;
-  Outlook next{first_rungs, 0.0, 0.0, true};
+  Outlook next{first_rungs.front(), 0.0, 0.0, true};
   std::string trouble;
   for (int level = 0; level <= highest && next.worthwhile; level += next.rungs) {
     if (options.attempt_observer) options.attempt_observer({contact.cutoff(level), result.lost_fraction});
@@ -150,15 +124,18 @@ Restitution restitution(const RefinableContact& contact, double speed, const Res
     trouble.clear();
     result.runs.push_back(summary(result.finest));
     result.steps += result.finest.steps;
-    if (result.runs.size() < first_runs) continue;
-    conclude(result, order);
+    if (result.runs.size() < first_runs) {
+      next.rungs = first_rungs[result.runs.size() - 1];
+      continue;
+    }
+    conclude(contact.at(level), speed, result);
     if (result.converged) return result;
     if (!first) first = Bar{result.runs.back().cutoff, relative_error(result)};
     next = outlook(result, *first, order, contact.cutoff(highest));
     if (level < highest) next.rungs = std::min(next.rungs, highest - level);
   }
   if (result.runs.size() < 2) throw NotConverged(trouble);
-  conclude(result, order);
+  conclude(contact.at(0), speed, result);
   if (result.lost_fraction.error > 1.0) result.lost_fraction.error = result.restitution.error = unknown;
   result.converged = false;  // two or three runs that agree are not enough
   result.reason = trouble.empty() ? beyond_reach(next, contact.cutoff(highest)) : trouble;

@@ -74,7 +74,7 @@ TEST(StaticTail, OfTwoNodesInvertsTheCompliance) {
   EXPECT_NEAR(one[0], 2.0, 1e-14);
   EXPECT_EQ(one[1], 0.0);
   EXPECT_NEAR(response->stored_energy(), 4.0, 1e-13);
-  EXPECT_EQ(response->contact_nodes(), 1U);
+  EXPECT_EQ(response->half_width(), 1.0);
   EXPECT_FALSE(response->overflows());
 }
 

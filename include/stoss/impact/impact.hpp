@@ -92,8 +92,9 @@ struct Impact {
   double lost_fraction = 0.0;  ///< 1 − ε²
   EnergyLedger energy;
   double contact_time = 0.0;     ///< from first to last contact, R/c
+  double impulse_time = 0.0;     ///< from 1 % to 99 % of the impulse, R/c: no matter when a last grazing contact ends
   int contacts = 0;              ///< separate periods of contact
-  double max_force = 0.0;        ///< greatest mean over one step, πRE = mc²/R
+  double max_force = 0.0;        ///< greatest mean over about one step, πRE = mc²/R
   double max_compression = 0.0;  ///< R, beyond the wall; beyond the plane V₀e^{αx} = 1 of an exponential one
   double max_half_width = 0.0;   ///< of the contact, R
   double momentum_error = 0.0;   ///< |impulse − change of momentum| / (m v)

@@ -17,10 +17,10 @@ class RefinableContact {
   /// contact would need more modes of the larger or slower one than are computed
   RefinableContact(BodyMaker first, BodyMaker second);
 
-  /// 22 at a wall, less for two bodies of which one would need more modes than are computed.
+  /// 24 at a wall, less for two bodies of which one would need more modes than are computed.
   [[nodiscard]] int highest_level() const;
 
-  /// ω_c = 8 · 2^(level/4) c/R of the first body, 362 at level 22; for two bodies over their time_scale.
+  /// ω_c = 4√2 · 2^(level/4) c/R of the first body, 362 at level 24; for two bodies over their time_scale.
   [[nodiscard]] double cutoff(int level) const;
 
   /// The contact at the cutoff of a level.

@@ -26,7 +26,9 @@ struct Run {
   int nodes = 0;
   double half_width = 0.0;  ///< of the contact grid
   double lost_fraction = 0.0;
+  double unresolved = 0.0;  ///< energy that the modes above the cutoff took, share of the initial energy
   double contact_time = 0.0;
+  double impulse_time = 0.0;
   double max_force = 0.0;
   double max_compression = 0.0;
   double energy_error = 0.0;
@@ -39,6 +41,7 @@ struct Restitution {
   Estimate restitution;    ///< ε; its error is that of 1 − ε²
   Estimate lost_fraction;  ///< 1 − ε²
   Estimate contact_time;
+  Estimate impulse_time;
   Estimate max_force;
   Estimate max_compression;
   double tolerance = 0.0;  ///< asked for, relative to 1 − ε²

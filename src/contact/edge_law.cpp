@@ -1,0 +1,45 @@
+#include "contact/edge_law.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "contact/touch.hpp"
+
+namespace stoss {
+namespace {
+
+// Constants of the law for which the force follows the envelope, to 1 % from 12 touching nodes on.
+constexpr double force_constant = 0.35725;  // per length of edge: a node and its mirror image stand for 2h
+constexpr double gap_constant = 0.6177;
+constexpr double outrun = 0.5;  // fit: the edge, which moves at v/(y/R), opens a smaller gap above the wave speed
+
+}  // namespace
+
+double EdgeLaw::energy_at(std::size_t i, double closure) const {
+  const double t = std::clamp(closure, 0.0, 1.0);
+  return force[i] * gap[i] * t * t * (1.0 - t * (4.0 / 3.0 - 0.5 * t));
+}
+
+double EdgeLaw::range(const std::vector<double>& recess) const {
+  double range = 0.0;
+  for (std::size_t i = 0; i < gap.size(); ++i) range = std::max(range, gap[i] - recess[i]);
+  return range;
+}
+
+EdgeLaw edge_law(const Contact& contact, const ContactGrid& grid, double speed) {
+  EdgeLaw law;
+  if (has_single_point(contact)) return law;
+  const Touch met = touch(contact);
+  const double spacing = grid.points.spacing * grid.points.radius;
+  for (std::size_t i = 0; i < grid.coordinate.size(); ++i) {
+    const double at = grid.coordinate[i];
+    const double mach = outrun * speed * met.slowness / (met.curvature * at);
+    const double opening = 2.0 * std::numbers::sqrt2 / 3.0 * met.curvature * std::sqrt(at) / (1.0 + mach * mach);
+    law.force.push_back(force_constant * grid.measure[i] * opening * std::sqrt(spacing) / met.softness);
+    law.gap.push_back(gap_constant * opening * spacing * std::sqrt(spacing));
+  }
+  return law;
+}
+
+}  // namespace stoss

@@ -1,0 +1,21 @@
+#pragma once
+
+#include "stoss/contact/contact.hpp"
+
+namespace stoss {
+
+/// What meets, near the first point of contact, in units of the first body: all that a small contact knows of the
+/// bodies.
+struct Touch {
+  double curvature = 1.0;  ///< 1/R₁ + 1/R₂
+  double softness = 1.0;   ///< 1/E₁ + 1/E₂
+  double slowness = 1.0;   ///< 1/c of the bodies, weighted with their share of the compression
+};
+
+[[nodiscard]] Touch touch(const Contact& contact);
+
+/// Compression at which evenly spaced contact points with the edge law begin to push: they answer like a continuous
+/// surface that is closer by this (docs/numerics.md, section 3); negative, R.
+[[nodiscard]] double touch_compression(const Contact& contact, const ContactGrid& grid);
+
+}  // namespace stoss

@@ -1,0 +1,92 @@
+#include "restitution/error_bar.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace stoss {
+namespace {
+
+constexpr double unknown = std::numeric_limits<double>::infinity();
+constexpr double slow_order = 1.5;  // instants and peaks converge more slowly
+
+/// Greatest difference of a quantity from the coarser runs, each scaled to what is left of it.
+template <typename Quantity>
+double spread(const std::vector<Run>& runs, double order, Quantity quantity) {
+  const Run& last = runs.back();
+  double greatest = 0.0;
+  for (const Run& run : runs) {
+    const double left = std::pow(run.cutoff / last.cutoff, order) * std::abs(quantity(run) - quantity(last));
+    greatest = std::max(greatest, left);
+  }
+  return greatest;
+}
+
+/// What 1 − ε² lacks at a cutoff, as shares of the unresolved energy.
+struct Missing {
+  double share;  ///< which the modes above the cutoff would return
+  double noise;  ///< by which one run is off by chance
+};
+
+/// @param cutoff over the time scale of the contact
+/// @param speed  of the faster body in its own wave speed
+Missing missing(double cutoff, double speed) {
+  constexpr double at_64 = 0.0115, cutoff_power = 0.8;
+  const double slow = std::clamp(std::pow(speed / 0.02, -0.1), 1.0, 1.7);
+  const double fast = 1.0 / (1.0 + speed / 0.1);
+  const double calm = std::min(1.0, std::pow(speed / 1e-4, -0.3));
+  return {at_64 * std::pow(64.0 / cutoff, cutoff_power) * slow * fast, 0.2 * calm * std::pow(16.0 / cutoff, 2)};
+}
+
+Estimate lost_on_a_line(const Contact& contact, double speed, const std::vector<Run>& runs, double order) {
+  constexpr double doubt = 0.8, safety = 3.0;
+  const double scale = time_scale(contact), own = own_speed(contact, speed);
+  const auto corrected = [&](const Run& run) {
+    return run.lost_fraction - missing(run.cutoff * scale, own).share * run.unresolved;
+  };
+  const Run& last = runs.back();
+  const Missing lacks = missing(last.cutoff * scale, own);
+  return {corrected(last),
+          std::max((doubt * lacks.share + lacks.noise) * last.unresolved, safety * spread(runs, order, corrected))};
+}
+
+Estimate lost_at_a_point(const std::vector<Run>& runs, double order) {
+  constexpr double doubt = 0.5, safety = 6.0;
+  const auto lost = [](const Run& run) { return run.lost_fraction; };
+  const Run& last = runs.back();
+  return {last.lost_fraction, std::max(doubt * last.unresolved, safety * spread(runs, order, lost))};
+}
+
+Estimate slowly(const std::vector<Run>& runs, double order, double Run::*quantity, double least) {
+  constexpr double safety = 4.0;
+  const auto value = [quantity](const Run& run) { return run.*quantity; };
+  Estimate estimate{runs.back().*quantity, std::max(least, safety * spread(runs, order, value))};
+  // An error as large as the value leaves nothing of it.
+  if (estimate.error >= std::abs(estimate.value)) estimate.error = unknown;
+  return estimate;
+}
+
+}  // namespace
+
+double convergence_order(const Contact& contact) { return has_single_point(contact) ? 1.0 : 2.5; }
+
+void conclude(const Contact& contact, double speed, Restitution& result) {
+  constexpr double focus = 0.45;  // peaks of the force that a wave brings back are short
+  const std::vector<Run>& runs = result.runs;
+  const Run& last = runs.back();
+  const double order = convergence_order(contact), slow = std::min(order, slow_order);
+  result.lost_fraction =
+      has_single_point(contact) ? lost_at_a_point(runs, order) : lost_on_a_line(contact, speed, runs, order);
+  const double lost = result.lost_fraction.value, error = result.lost_fraction.error;
+  const double squared = std::max(0.0, 1.0 - lost);
+  const double value = std::copysign(std::sqrt(squared), result.finest.restitution);
+  result.restitution = {value, error / (std::sqrt(squared + error) + std::abs(value))};
+  // An instant is known to half a step at either end.
+  result.contact_time = slowly(runs, slow, &Run::contact_time, last.step);
+  result.impulse_time = slowly(runs, slow, &Run::impulse_time, last.step);
+  result.max_force = slowly(runs, slow, &Run::max_force, focus * std::sqrt(last.unresolved) * last.max_force);
+  result.max_compression = slowly(runs, order, &Run::max_compression, 0.0);
+  result.converged = error <= result.tolerance * std::abs(lost);
+}
+
+}  // namespace stoss

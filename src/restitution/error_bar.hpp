@@ -1,0 +1,22 @@
+#pragma once
+
+#include "stoss/contact/contact.hpp"
+#include "stoss/restitution/restitution.hpp"
+
+namespace stoss {
+
+/// Order of convergence of 1 − ε² in the cutoff, as observed: with one point of contact the force jumps, on a surface
+/// it grows.
+[[nodiscard]] double convergence_order(const Contact& contact);
+
+/// Fills the estimates of a result from its runs, of which the last is the finest (docs/numerics.md, section 5).
+///
+/// What an impact at a finite cutoff lacks is what the modes above it, which take the energy U for good, would have
+/// given back. With the share s of U (`missing`), 1 − ε² is q − sU, and its error the greater of a part of U and of
+/// the differences from the coarser runs, scaled to what is left of them at the last cutoff:
+///
+///   max(0.8 s U + n U, 3 max_j |q_j − q_k| (ω_j/ω_k)^{5/2}),   n the noise of a single run;
+///   at one point of contact max(U/2, 6 max_j |q_j − q_k| ω_j/ω_k).
+void conclude(const Contact& contact, double speed, Restitution& result);
+
+}  // namespace stoss
