@@ -14,7 +14,6 @@
 #include <limits>
 
 #include "check.hpp"
-#include "impact/resolution.hpp"
 #include "numeric/dense.hpp"
 #include "stoss/errors.hpp"
 

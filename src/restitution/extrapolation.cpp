@@ -153,8 +153,7 @@ ExtrapolatedRestitution extrapolated_restitution(double poisson, double speed, c
   require_series("cutoffs", "number of cutoffs", cutoffs);
   const std::vector<Body> bodies = make_bodies(poisson, cutoffs, options.poll);
 
-  ImpactOptions impact_options;
-  impact_options.poll = options.poll;
+  const ImpactOptions impact_options{.poll = options.poll};
   ExtrapolatedRestitution result;
   for (const Body& body : bodies) {
     const std::size_t first = result.impacts.size();

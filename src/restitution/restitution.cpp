@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "check.hpp"
-#include "impact/resolution.hpp"
+#include "impact/refined_resolution.hpp"
 
 namespace stoss {
 namespace {
@@ -139,10 +139,9 @@ Restitution restitution(const RefinableContact& contact, double speed, const Res
   std::string trouble;
   for (int level = 0; level <= highest && next.worthwhile; level += next.rungs) {
     if (options.attempt_observer) options.attempt_observer({contact.cutoff(level), result.lost_fraction});
-    ImpactOptions resolution = refined_resolution(contact.at(level, options.poll), speed, result.finest.max_half_width);
-    resolution.poll = options.poll;
+    const Resolution fine = refined_resolution(contact.at(level, options.poll), speed, result.finest.max_half_width);
     try {
-      result.finest = impact(contact.at(level), speed, resolution);
+      result.finest = impact(contact.at(level), speed, {.resolution = fine, .poll = options.poll});
     } catch (const NotConverged& error) {  // too coarse, perhaps
       trouble = error.what();
       continue;

@@ -30,15 +30,16 @@ class FieldInAnImpact : public ::testing::TestWithParam<Tail> {
 
   void collide(double speed) {
     total = 0.0;
+    const ImpactObserver observer = [&](const Snapshot& now) {
+      if (now.force <= total) return;
+      total = now.force;
+      center = now.center;
+      half_width = now.contact_half_width;
+      coordinate.assign(now.coordinate.begin(), now.coordinate.end());
+      force.assign(now.node_force.begin(), now.node_force.end());
+    };
     const Impact result =
-        impact(body, HardWall{}, speed, {.tail = GetParam(), .observe_modes = true}, [&](const Snapshot& now) {
-          if (now.force <= total) return;
-          total = now.force;
-          center = now.center;
-          half_width = now.contact_half_width;
-          coordinate.assign(now.coordinate.begin(), now.coordinate.end());
-          force.assign(now.node_force.begin(), now.node_force.end());
-        });
+        impact(body, HardWall{}, speed, {.resolution = {.tail = GetParam()}}, {.observer = observer, .modes = true});
     contact = test::grid_of(body, result.half_width, result.nodes);
   }
 

@@ -205,7 +205,7 @@ TEST(Errata, E6PrintedSignMakesTheWallAttractTheEdge) {
   const ExponentialWall wall{.hardness = 50.0};
   const auto reversed = InteractionPicture(body, wall, +1.0).collide(0.1, 0.01);
   EXPECT_LT(reversed.energy_error, 1e-6);
-  const Impact expected = impact(body, wall, 0.1, {.step = 0.002});
+  const Impact expected = impact(body, wall, 0.1, {.resolution = {.step = 0.002}});
   EXPECT_NEAR(reversed.lost_fraction, expected.lost_fraction, 1e-4);
   const auto printed = InteractionPicture(body, wall, -1.0).collide(0.1, 0.01);
   EXPECT_FALSE(printed.energy_error < 10.0);
@@ -240,7 +240,7 @@ TEST(Errata, E11AllLawsHaveTheSameWaveAtOtherSpeeds) {
 TEST(Errata, E12FewModesGiveLessThanAllDo) {
   // ε at ν = 0.9, v = 0.3 c and αR = 500 with the modes below a cutoff; the paper prints 0.65, all modes give 0.7477.
   const auto restitution = [](double cutoff) {
-    return impact(disk(0.9, cutoff), ExponentialWall{500.0}, 0.3, {.step = 0.001}).restitution;
+    return impact(disk(0.9, cutoff), ExponentialWall{500.0}, 0.3, {.resolution = {.step = 0.001}}).restitution;
   };
   EXPECT_EQ(mode_count(disk(0.9, 3.0)), 5U);
   EXPECT_NEAR(restitution(3.0), 0.63, 0.005);

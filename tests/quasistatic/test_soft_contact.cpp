@@ -152,12 +152,13 @@ TEST(QuasistaticSoftContact, TendsToTheHardWallWithAllModes) {
 TEST(QuasistaticSoftContact, IsWhatASlowImpactComesTo) {
   const Body body = disk(0.33, 12.5);
   double deepest = -2.0, force = 0.0;
-  (void)impact(body, ExponentialWall{}, 0.003, {}, [&](const Snapshot& now) {
+  const ImpactObserver observer = [&](const Snapshot& now) {
     if (now.center > deepest) {
       deepest = now.center;
       force = now.force;
     }
-  });
+  };
+  (void)impact(body, ExponentialWall{}, 0.003, {}, {observer});
   const SoftStaticContact at_rest = soft_static_contact(body, ExponentialWall{}, deepest + 1.0);
   EXPECT_LT(deepest, -1.0);  // not yet at the plane V = 1
   EXPECT_NEAR(force / at_rest.force, 1.0, 0.1);

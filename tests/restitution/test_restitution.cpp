@@ -71,8 +71,9 @@ TEST(Restitution, MeetsItsToleranceAndSaysHow) {
 TEST(Restitution, RecordsRunsThatCanBeRepeated) {
   const Restitution result = restitution(disk(-0.5), 0.02);
   for (const auto& run : result.runs) {
-    const Impact repeated = impact(disk(-0.5, run.cutoff), HardWall{}, 0.02,
-                                   {.step = run.step, .nodes = run.nodes, .half_width = run.half_width});
+    const Impact repeated =
+        impact(disk(-0.5, run.cutoff), HardWall{}, 0.02,
+               {.resolution = {.step = run.step, .nodes = run.nodes, .half_width = run.half_width}});
     EXPECT_EQ(repeated.lost_fraction, run.lost_fraction);
     EXPECT_EQ(repeated.contact_time, run.contact_time);
     EXPECT_EQ(repeated.max_force, run.max_force);
