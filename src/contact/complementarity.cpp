@@ -12,6 +12,9 @@
 namespace stoss {
 namespace {
 
+namespace dense = numeric::dense;
+namespace kernels = numeric::kernels;
+
 using Matrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
 }  // namespace

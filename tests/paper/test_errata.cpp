@@ -20,6 +20,9 @@
 #include "support/body_tools.hpp"
 
 namespace stoss {
+using namespace bodies::disk;
+using namespace quasistatic;
+
 namespace {
 
 using std::numbers::pi;
@@ -80,7 +83,7 @@ double overlap(int n, bool as_printed) {
                       -n * a * cyl_bessel_j(n, first * r) / r - b * second * cyl_bessel_j_prime(n, second * r)};
   };
   std::vector<Mode> modes;
-  for (const Mode& mode : disk_modes(poisson, 12.0)) {
+  for (const Mode& mode : bodies::disk::modes(poisson, 12.0)) {
     if (mode.order == n) modes.push_back(mode);
   }
   const auto product = [&](const Mode& one, const Mode& other) {
@@ -213,7 +216,7 @@ TEST(Errata, E6PrintedSignMakesTheWallAttractTheEdge) {
 
 TEST(Errata, E10DilatationHasTheOppositeSign) {
   // In the mode (0, l), u_r = A dJ_0(κr)/dr: the paper prints η = +Aκ²J_0.
-  for (const Mode& mode : disk_modes(0.33, 12.0)) {
+  for (const Mode& mode : bodies::disk::modes(0.33, 12.0)) {
     if (mode.order != 0) continue;
     const double k = mode.omega * std::sqrt(1.0 - 0.33 * 0.33), r = 0.3, h = 1e-3;
     const auto field = displacement(0.33, mode, {r - h, r, r + h});
@@ -227,7 +230,7 @@ TEST(Errata, E10DilatationHasTheOppositeSign) {
 TEST(Errata, E11AllLawsHaveTheSameWaveAtOtherSpeeds) {
   // The estimate depends on v/F* only, with F* the limit force of the law.
   const double poisson = 0.33;
-  const std::vector<Mode> modes = disk_modes(poisson, 25.0);
+  const std::vector<Mode> modes = bodies::disk::modes(poisson, 25.0);
   for (const auto law : {CompressionLaw::printed, CompressionLaw::diameter}) {
     for (const double speed : {1e-8, 1e-4, 0.0012, 0.009}) {
       const double other = speed * limit_force(law, poisson) / limit_force(CompressionLaw::center, poisson);

@@ -18,6 +18,9 @@
 #include "support/refusal.hpp"
 
 namespace stoss {
+using namespace bodies::disk;
+using namespace quasistatic;
+
 namespace {
 
 constexpr double pi = std::numbers::pi;
@@ -28,7 +31,7 @@ struct Minimum {
 
 /// Newton's method over the coordinates of all modes of a disk, with the wall's integral by the trapezoidal rule.
 Minimum by_modes(double poisson, double cutoff, const ExponentialWall& wall, double compression) {
-  const std::vector<Mode> modes = disk_modes(poisson, cutoff);
+  const std::vector<Mode> modes = bodies::disk::modes(poisson, cutoff);
   const double center = compression - 1.0 - std::log(wall.strength) / wall.hardness;
   constexpr int points = 600;
   const double h = pi / points;
