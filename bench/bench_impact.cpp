@@ -3,7 +3,7 @@
 
 #include "common.hpp"
 #include "contact/response.hpp"
-#include "impact/resolution.hpp"
+#include "impact/refined_resolution.hpp"
 #include "stoss/bodies/disk.hpp"
 #include "stoss/impact/impact.hpp"
 
@@ -46,9 +46,10 @@ void add_impact(const std::string& name, const stoss::Wall& wall, double cutoff,
   add(with_cutoff(name, cutoff), [=](benchmark::State& state) {
     const stoss::Body& body = disk_body(cutoff);
     stoss::ImpactOptions options;
-    options.tail = tail;
-    options.step = cutoff_times_step > 0.0 ? cutoff_times_step / cutoff
-                                           : stoss::recommended_step(stoss::contact(body, wall), speed, tail);
+    options.resolution.tail = tail;
+    options.resolution.step = cutoff_times_step > 0.0
+                                  ? cutoff_times_step / cutoff
+                                  : stoss::recommended_step(stoss::contact(body, wall), speed, tail);
     double lost_fraction = 0.0;
     for (auto _ : state) lost_fraction = stoss::impact(body, wall, speed, options).lost_fraction;
     count(state, lost_fraction);
@@ -59,7 +60,7 @@ void add_impact(const std::string& name, const stoss::Wall& wall, double cutoff,
 void add_refined(double cutoff) {
   add(with_cutoff("hard wall, as restitution resolves it", cutoff), [cutoff](benchmark::State& state) {
     const stoss::Contact contact = stoss::contact(disk_body(cutoff));
-    const stoss::ImpactOptions options = stoss::refined_resolution(contact, speed, half_width_of_contact);
+    const stoss::ImpactOptions options{.resolution = stoss::refined_resolution(contact, speed, half_width_of_contact)};
     double lost_fraction = 0.0;
     for (auto _ : state) lost_fraction = stoss::impact(contact, speed, options).lost_fraction;
     count(state, lost_fraction);

@@ -12,7 +12,7 @@ void add_modes() {
     add(name.str(), [cutoff](benchmark::State& state) {
       std::size_t modes = 0;
       for (auto _ : state) {
-        const auto list = stoss::disk_modes(poisson, cutoff);
+        const auto list = stoss::bodies::disk::modes(poisson, cutoff);
         modes = list.size();
         benchmark::DoNotOptimize(list.data());
       }

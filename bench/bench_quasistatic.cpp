@@ -8,13 +8,13 @@
 namespace bench {
 namespace {
 
-constexpr auto law = stoss::CompressionLaw::center;
+constexpr auto law = stoss::quasistatic::CompressionLaw::center;
 constexpr double slow = 1e-8;
 
 /// Greatest compression by the classical method of Runge and Kutta for δ̈ = −F(δ): the rival of the quadrature.
 double stepped_compression(double speed, double step) {
   const auto force = [](double compression) {
-    return compression > 0.0 ? stoss::compression_force(law, poisson, compression) : 0.0;
+    return compression > 0.0 ? stoss::quasistatic::compression_force(law, poisson, compression) : 0.0;
   };
   double x = 0.0, v = speed;
   for (;;) {
@@ -33,25 +33,26 @@ double stepped_compression(double speed, double step) {
 
 void add_quasistatic() {
   add("slow impact by quadrature, v = 1e-8", [](benchmark::State& state) {
-    for (auto _ : state) benchmark::DoNotOptimize(stoss::slow_impact(law, poisson, slow).contact_time);
+    for (auto _ : state) benchmark::DoNotOptimize(stoss::quasistatic::slow_impact(law, poisson, slow).contact_time);
   });
   add("slow impact in 3000 steps of time, v = 1e-8", [](benchmark::State& state) {
-    const stoss::SlowImpact exact = stoss::slow_impact(law, poisson, slow);
+    const stoss::quasistatic::SlowImpact exact = stoss::quasistatic::slow_impact(law, poisson, slow);
     double compression = 0.0;
     for (auto _ : state) compression = stepped_compression(slow, exact.contact_time / 3000.0);
     state.counters["relative error of the compression"] = std::abs(compression / exact.max_compression - 1.0);
   });
   add("Rayleigh's estimate, 1800 modes, v = 1e-8", [](benchmark::State& state) {
-    const std::vector<stoss::Mode> modes = stoss::disk_modes(poisson, 62.9);
-    for (auto _ : state) benchmark::DoNotOptimize(stoss::rayleigh(law, poisson, slow, modes).lost_fraction);
+    const std::vector<stoss::bodies::disk::Mode> modes = stoss::bodies::disk::modes(poisson, 62.9);
+    for (auto _ : state)
+      benchmark::DoNotOptimize(stoss::quasistatic::rayleigh(law, poisson, slow, modes).lost_fraction);
     state.counters["modes"] = static_cast<double>(modes.size());
   });
   add("static contact of all modes, δ = 0.03 R", [](benchmark::State& state) {
-    for (auto _ : state) benchmark::DoNotOptimize(stoss::static_contact(poisson, 0.03).force);
+    for (auto _ : state) benchmark::DoNotOptimize(stoss::quasistatic::static_contact(poisson, 0.03).force);
   });
   add("the paper's relaxation, 1300 modes, αR = 500, δ = 0.03 R", [](benchmark::State& state) {
     const stoss::Body& body = disk_body(53.3);
-    for (auto _ : state) benchmark::DoNotOptimize(stoss::soft_static_contact(body, {}, 0.03).force);
+    for (auto _ : state) benchmark::DoNotOptimize(stoss::quasistatic::soft_static_contact(body, {}, 0.03).force);
     state.counters["modes"] = static_cast<double>(stoss::mode_count(body));
   });
 }

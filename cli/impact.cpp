@@ -20,8 +20,9 @@ struct ImpactArguments {
   std::string speed;
   std::string tail = "radiating";
   double cutoff = 50.0;
-  ImpactOptions options;
+  Resolution resolution;
   std::string trajectory;
+  int every = 1;
   OutputArguments output;
   CLI::Option* tail_option = nullptr;
 };
@@ -79,17 +80,17 @@ void run(const ImpactArguments& arguments) {
     throw InvalidInput(
         "trajectory: got the file of --output or stdout, allowed another one (one would overwrite the other)");
   }
-  if (arguments.options.observe_every < 1) {
-    throw InvalidInput(fmt::format("every: got {}, allowed 1 or more (steps between two rows of the trajectory)",
-                                   arguments.options.observe_every));
+  if (arguments.every < 1) {
+    throw InvalidInput(
+        fmt::format("every: got {}, allowed 1 or more (steps between two rows of the trajectory)", arguments.every));
   }
   const std::vector<double> speeds = parse_speeds(arguments.speed, encounter.units().si);
   if (speeds.size() != 1) {
     throw InvalidInput(fmt::format("speed: got {} speeds, allowed one (stoss restitution takes lists)", speeds.size()));
   }
   const double poisson = encounter.rods() ? 0.0 : arguments.who.disk.plane_poisson();
-  ImpactOptions options = arguments.options;
-  options.tail = arguments.tail == "static" ? Tail::quasistatic : Tail::radiating;
+  ImpactOptions options{.resolution = arguments.resolution};
+  options.resolution.tail = arguments.tail == "static" ? Tail::quasistatic : Tail::radiating;
   const Contact contact = encounter.contact(poisson, arguments.cutoff);
   const Provenance provenance = describe(arguments, encounter);
 
@@ -102,7 +103,8 @@ void run(const ImpactArguments& arguments) {
     made.inputs["speed"] = speeds[0];
     made.inputs["cutoff"] = arguments.cutoff;
     Trajectory trajectory(arguments.trajectory, made, encounter.units());
-    result = impact(contact, speeds[0], options, [&](const Snapshot& now) { trajectory.write(now); });
+    const ImpactObserver observer = [&](const Snapshot& now) { trajectory.write(now); };
+    result = impact(contact, speeds[0], options, {.observer = observer, .every = arguments.every});
     trajectory.finish();
   }
   if (result.beyond_small_strain) {
@@ -147,16 +149,16 @@ void add_impact(CLI::App& app) {
   add_number(*command, "--cutoff", arguments->cutoff, "Modes up to this frequency in c/R are kept (default: 50)")
       ->type_name("OMEGA")
       ->group("Resolution");
-  add_number(*command, "--step", arguments->options.step, "Time step in R/c (default: recommended)")
+  add_number(*command, "--step", arguments->resolution.step, "Time step in R/c (default: recommended)")
       ->type_name("DT")
       ->group("Resolution");
-  add_integer(*command, "--nodes", arguments->options.nodes, "Contact nodes, 16 to 4096 (default: recommended)")
+  add_integer(*command, "--nodes", arguments->resolution.nodes, "Contact nodes, 16 to 4096 (default: recommended)")
       ->type_name("N")
       ->group("Resolution");
   command->add_option("--trajectory", arguments->trajectory, "Write time, center, force, energies as CSV to FILE")
       ->type_name("FILE")
       ->group("Output");
-  add_integer(*command, "--every", arguments->options.observe_every, "Trajectory: every so many steps (default: 1)")
+  add_integer(*command, "--every", arguments->every, "Trajectory: every so many steps (default: 1)")
       ->type_name("K")
       ->group("Output");
   arguments->output.add_to(*command);

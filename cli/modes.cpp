@@ -11,6 +11,8 @@
 namespace stoss::cli {
 namespace {
 
+using namespace bodies::disk;
+
 struct ModesArguments {
   DiskArguments disk;
   double cutoff = 30.0;
@@ -19,7 +21,7 @@ struct ModesArguments {
 
 void run(const ModesArguments& arguments) {
   const auto si = arguments.disk.si();
-  const std::vector<Mode> modes = disk_modes(arguments.disk.plane_poisson(), arguments.cutoff);
+  const std::vector<Mode> modes = bodies::disk::modes(arguments.disk.plane_poisson(), arguments.cutoff);
 
   Provenance provenance{"modes", command_line(), {}};
   arguments.disk.describe(provenance.inputs);

@@ -5,6 +5,8 @@
 namespace stoss::cli {
 namespace {
 
+using namespace quasistatic;
+
 /// Of the finest impact; there is none where no two impacts end.
 double finest(const Restitution& r, double value) {
   return r.runs.empty() ? std::numeric_limits<double>::quiet_NaN() : value;
@@ -15,7 +17,9 @@ long count(const List& list) {
   return static_cast<long>(list.size());
 }
 
-std::string family_name(const Mode& mode) { return family(mode) == ModeFamily::radial ? "radial" : "tangential"; }
+std::string family_name(const bodies::disk::Mode& mode) {
+  return family(mode) == bodies::disk::ModeFamily::radial ? "radial" : "tangential";
+}
 
 Estimate lost_by_rayleigh(const RayleighEstimate& e) { return {e.lost_fraction, e.lost_fraction_error}; }
 
@@ -146,14 +150,14 @@ const Quantities<Snapshot>& snapshot_quantities() {
   return all;
 }
 
-const Quantities<Mode>& eigenmode_quantities() {
-  static const Quantities<Mode> all{
-      {"order", none, &Mode::order, {7, 7}},
-      {"index", none, &Mode::index, {7, 7}},
-      {"omega", frequency, &Mode::omega, {13, 13}},
-      {"radial", none, &Mode::radial, {13, 13}},
-      {"tangential", none, &Mode::tangential, {13, 13}},
-      {"family", none, [](const Mode& m) { return family_name(m); }, {13, 13}},
+const Quantities<bodies::disk::Mode>& eigenmode_quantities() {
+  static const Quantities<bodies::disk::Mode> all{
+      {"order", none, &bodies::disk::Mode::order, {7, 7}},
+      {"index", none, &bodies::disk::Mode::index, {7, 7}},
+      {"omega", frequency, &bodies::disk::Mode::omega, {13, 13}},
+      {"radial", none, &bodies::disk::Mode::radial, {13, 13}},
+      {"tangential", none, &bodies::disk::Mode::tangential, {13, 13}},
+      {"family", none, [](const bodies::disk::Mode& m) { return family_name(m); }, {13, 13}},
   };
   return all;
 }

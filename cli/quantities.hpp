@@ -16,7 +16,7 @@ struct Compressed {
   double force = 0.0;
   double energy = 0.0;
   double half_width = 0.0;
-  StaticContact contact;
+  quasistatic::StaticContact contact;
 };
 
 /// What is said of each kind of result, in the order of CSV columns and JSON members. A new quantity is a new line.
@@ -29,9 +29,9 @@ struct Compressed {
 [[nodiscard]] const Quantities<ModeEnergy>& mode_quantities();
 [[nodiscard]] const Quantities<Snapshot>& snapshot_quantities();
 
-[[nodiscard]] const Quantities<Mode>& eigenmode_quantities();
-[[nodiscard]] const Quantities<RayleighEstimate>& slow_impact_quantities();
-[[nodiscard]] const Quantities<DrivenMode>& driven_mode_quantities();
+[[nodiscard]] const Quantities<bodies::disk::Mode>& eigenmode_quantities();
+[[nodiscard]] const Quantities<quasistatic::RayleighEstimate>& slow_impact_quantities();
+[[nodiscard]] const Quantities<quasistatic::DrivenMode>& driven_mode_quantities();
 [[nodiscard]] const Quantities<Compressed>& compression_quantities();
 
 }  // namespace stoss::cli

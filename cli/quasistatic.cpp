@@ -19,6 +19,8 @@
 namespace stoss::cli {
 namespace {
 
+using namespace quasistatic;
+
 constexpr double least_compression = 1e-12;  // of static_contact, as the greatest
 constexpr double greatest_compression = 0.5;
 constexpr double great_compression = 0.1;  // beyond it small strains mean little
@@ -74,7 +76,7 @@ void impacts(const QuasistaticArguments& arguments, Provenance provenance) {
   const SpeedRange range{min_slow_speed, limit_speed(law, poisson),
                          "of the centre of mass, 1e-100 c to where the static law ends"};
   const std::vector<double> speeds = parse_speeds(arguments.speeds, si, range);
-  const std::vector<Mode> modes = disk_modes(poisson, arguments.cutoff);
+  const std::vector<bodies::disk::Mode> modes = bodies::disk::modes(poisson, arguments.cutoff);
   provenance.inputs["cutoff"] = arguments.cutoff;
   Report report(Output(arguments.output.path), arguments.output.chosen_format(), provenance);
   std::size_t beyond = 0;

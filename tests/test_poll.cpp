@@ -18,6 +18,9 @@
 #include "support/body_tools.hpp"
 
 namespace stoss {
+using namespace bodies::disk;
+using namespace quasistatic;
+
 namespace {
 
 struct Enough {};
@@ -45,9 +48,9 @@ struct Job {
 const std::map<std::string, Job>& jobs() {
   static const std::vector<double> force(200, 0.0), coordinate(mode_count(body()), 0.0);
   static const PolarGrid points{std::vector<double>(100, 0.5), {0.0}};
-  static const std::vector<Mode> modes = disk_modes(0.33, 12.0);
+  static const std::vector<Mode> modes = bodies::disk::modes(0.33, 12.0);
   static const std::map<std::string, Job> all{
-      {"modes", {24, [](const Poll& poll) { (void)disk_modes(0.33, 12.0, poll); }}},
+      {"modes", {24, [](const Poll& poll) { (void)bodies::disk::modes(0.33, 12.0, poll); }}},
       {"displacement", {100, [](const Poll& poll) { (void)displacement(0.33, modes[0], points.radius, poll); }}},
       {"disk", {24, [](const Poll& poll) { (void)disk(0.33, 12.0, poll); }}},
       {"W", {25, [](const Poll& poll) { (void)body().residual_compliance(grid().points, poll); }}},

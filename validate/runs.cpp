@@ -4,17 +4,17 @@
 #include <cmath>
 #include <cstdio>
 
-#include "impact/resolution.hpp"
+#include "impact/refined_resolution.hpp"
 
 namespace validate {
 namespace {
 
 stoss::Impact resolved(const stoss::Contact& contact, double speed, const Fineness& fineness, double half_width) {
   constexpr double fewest_nodes = 128.0;
-  stoss::ImpactOptions options = stoss::refined_resolution(contact, speed, half_width);
-  options.nodes = static_cast<int>(std::max(fewest_nodes, std::ceil(fineness.nodes * options.nodes.value())));
-  options.step = std::min(fineness.step / contact.cutoff, contact.stable_step);
-  return stoss::impact(contact, speed, options);
+  stoss::Resolution resolution = stoss::refined_resolution(contact, speed, half_width);
+  resolution.nodes = static_cast<int>(std::max(fewest_nodes, std::ceil(fineness.nodes * resolution.nodes.value())));
+  resolution.step = std::min(fineness.step / contact.cutoff, contact.stable_step);
+  return stoss::impact(contact, speed, {.resolution = resolution});
 }
 
 void write_quantity(std::ostream& out, const Runs& runs, double stoss::Impact::*quantity, double least = 0.0) {

@@ -2,23 +2,23 @@
 
 from pathlib import Path
 
-WIDTH, HEIGHT = 800, 330
+WIDTH, HEIGHT = 800, 340
 BOX_WIDTH, BOX_HEIGHT = 150, 84
 
 # Name: left, top, what it holds.
 ROOMS = {
     "body": (20, 20, ("what a contact asks", "an elastic body")),
     "contact": (215, 20, ("who meets whom, as", "one system; the walls")),
-    "impact": (410, 20, ("one collision, step by", "step; its resolution")),
+    "impact": (422, 20, ("one collision, step by", "step; its resolution")),
     "restitution": (630, 20, ("ε with its error;", "curves")),
-    "bodies": (215, 150, ("disk, rod: modes and", "response of the rest")),
-    "quasistatic": (630, 150, ("slow contacts:", "Hertz, Rayleigh")),
+    "bodies": (215, 175, ("disk, rod: modes and", "response of the rest")),
+    "quasistatic": (630, 175, ("slow contacts:", "Hertz, Rayleigh")),
 }
 # A room and those that include its headers (apart from what follows through a third one).
 ARROWS = {
     "body": ("contact", "bodies"),
-    "contact": ("impact",),
-    "impact": ("restitution", "quasistatic"),
+    "contact": ("impact", "quasistatic"),
+    "impact": ("restitution",),
     "bodies": ("restitution", "quasistatic"),
 }
 FOUNDATION = "numeric, errors, poll, material: all rooms stand on them"
@@ -61,8 +61,8 @@ def picture():
         yield from room(name)
     for start, ends in ARROWS.items():
         yield from (arrow(start, end) for end in ends)
-    yield rectangle(20, 270, WIDTH - 40, 40, "#f1f1ee")
-    yield text(WIDTH // 2, 295, FOUNDATION, 13)
+    yield rectangle(20, 280, WIDTH - 40, 40, "#f1f1ee")
+    yield text(WIDTH // 2, 305, FOUNDATION, 13)
     yield "</svg>"
 
 

@@ -4,3 +4,4 @@
 
 #include "stoss/impact/impact.hpp"
 #include "stoss/impact/replay.hpp"
+#include "stoss/impact/resolution.hpp"

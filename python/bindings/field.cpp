@@ -7,6 +7,8 @@
 namespace stoss::python {
 namespace {
 
+using namespace bodies::disk;
+
 /// Fields of several instants, one after another, in units of the first body.
 struct Series {
   std::vector<double> radial, tangential, stress_rr, stress_pp, stress_rp, von_mises, principal_difference, center;
@@ -28,8 +30,8 @@ struct Series {
     add(stress_rr, field.stress_rr, stress);
     add(stress_pp, field.stress_pp, stress);
     add(stress_rp, field.stress_rp, stress);
-    add(von_mises, stoss::von_mises(field), stress);
-    add(principal_difference, stoss::principal_difference(field), stress);
+    add(von_mises, bodies::disk::von_mises(field), stress);
+    add(principal_difference, bodies::disk::principal_difference(field), stress);
   }
 };
 

@@ -31,14 +31,13 @@ py::dict numbers(const Impact& impact) {
 
 /// The instants of a repetition of an impact, every so many steps.
 std::vector<Instant> trajectory(const Contact& contact, const Impact& impact, int every, const Poll& poll) {
-  ImpactOptions options = repetition(contact, impact);
-  options.observe_every = every;
-  options.poll = poll;
   std::vector<Instant> instants;
-  (void)stoss::impact(contact, impact.speed, options, [&](const Snapshot& now) {
+  const ImpactObserver observer = [&](const Snapshot& now) {
     instants.push_back({now.time, now.center, now.velocity, now.force, now.translation, now.vibration, now.stored,
                         now.unresolved, now.contact_half_width});
-  });
+  };
+  const ImpactOptions options{.resolution = repetition(contact, impact), .poll = poll};
+  (void)stoss::impact(contact, impact.speed, options, {.observer = observer, .every = every});
   return instants;
 }
 
@@ -68,12 +67,8 @@ void bind_impact(py::module_& module) {
       "impact",
       [](const Contact& contact, bool radiating, double speed, std::optional<double> step, std::optional<int> nodes,
          std::optional<double> half_width) {
-        ImpactOptions options;
-        options.tail = radiating ? Tail::radiating : Tail::quasistatic;
-        options.step = step;
-        options.nodes = nodes;
-        options.half_width = half_width;
-        options.poll = signal_poll();
+        const Tail tail = radiating ? Tail::radiating : Tail::quasistatic;
+        const ImpactOptions options{.resolution = {step, nodes, half_width, tail}, .poll = signal_poll()};
         const Released released;
         return impact(contact, speed, options);
       },

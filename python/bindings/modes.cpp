@@ -6,6 +6,8 @@
 
 namespace stoss::python {
 
+using namespace bodies::disk;
+
 void bind_modes(py::module_& module) {
   PYBIND11_NUMPY_DTYPE(Mode, order, index, omega, radial, tangential);
   PYBIND11_NUMPY_DTYPE(Displacement, radial, tangential);
@@ -18,7 +20,7 @@ void bind_modes(py::module_& module) {
         std::vector<Mode> modes;
         {
           const Released released;
-          modes = disk_modes(poisson, cutoff, poll);
+          modes = bodies::disk::modes(poisson, cutoff, poll);
         }
         return take(std::move(modes));
       },

@@ -15,6 +15,8 @@
 namespace stoss::python {
 namespace {
 
+using namespace quasistatic;
+
 using Doubles = py::array_t<double, py::array::c_style>;
 
 CompressionLaw to_law(const std::string& name) {
@@ -98,7 +100,7 @@ py::tuple rayleigh_rows(const std::string& law, double poisson, const Doubles& s
   const Poll poll = signal_poll();
   {
     const Released released;
-    const std::vector<Mode> modes = disk_modes(poisson, cutoff, poll);
+    const std::vector<bodies::disk::Mode> modes = bodies::disk::modes(poisson, cutoff, poll);
     rows.reserve(at.size());
     for (const double speed : at) {
       RayleighEstimate estimate = rayleigh(chosen, poisson, speed, modes, poll);

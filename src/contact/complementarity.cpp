@@ -83,10 +83,10 @@ void Complementarity::solve_on_set(const std::vector<std::size_t>& set, const st
     for (Eigen::Index j = 0; j < n; ++j)
       block(i, j) = w(static_cast<Eigen::Index>(row), static_cast<Eigen::Index>(set[static_cast<std::size_t>(j)]));
   }
-  if (!dense::factor(block, poll_)) {
+  if (!numeric::dense::factor(block, poll_)) {
     throw NotConverged("contact: the compliance between the nodes is not positive definite (use fewer nodes)");
   }
-  dense::solve(block, right, poll_);
+  numeric::dense::solve(block, right, poll_);
   std::fill(force.begin(), force.end(), 0.0);
   for (Eigen::Index i = 0; i < n; ++i) force[set[static_cast<std::size_t>(i)]] = right(i, 0);
   compliance_.multiply(0, compliance_.size(), force, displacement);

@@ -10,7 +10,7 @@ namespace stoss {
 namespace {
 
 // Constants of the law for which the force follows the envelope, to 1 % from 12 touching nodes on.
-constexpr double force_constant = 0.35725;  // per length of edge: a node and its mirror image stand for 2h
+constexpr double force_constant = 0.7145;  // of a node and its mirror image
 constexpr double gap_constant = 0.6177;
 constexpr double outrun = 0.5;  // fit: the edge, which moves at v/(y/R), opens a smaller gap above the wave speed
 
@@ -36,7 +36,7 @@ EdgeLaw edge_law(const Contact& contact, const ContactGrid& grid, double speed) 
     const double at = grid.coordinate[i];
     const double mach = outrun * speed * met.slowness / (met.curvature * at);
     const double opening = 2.0 * std::numbers::sqrt2 / 3.0 * met.curvature * std::sqrt(at) / (1.0 + mach * mach);
-    law.force.push_back(force_constant * grid.measure[i] * opening * std::sqrt(spacing) / met.softness);
+    law.force.push_back(force_constant * opening * spacing * std::sqrt(spacing) / met.softness);
     law.gap.push_back(gap_constant * opening * spacing * std::sqrt(spacing));
   }
   return law;

@@ -1,6 +1,6 @@
 #include "contact/edge_newton.hpp"
 
-#include <Eigen/LU>
+#include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -68,7 +68,8 @@ VectorXd residual(const FactoredCompliance& compliance, const EdgeLaw& law, cons
   return rest;
 }
 
-/// The Newton step. Nodes with t ≤ 0 carry no force and follow the others, so only those in contact are coupled.
+/// The Newton step. Nodes with t ≤ 0 carry no force and follow the others, so only those in contact are coupled; with
+/// their changes of force for unknowns the matrix is W and a diagonal, positive definite. Empty if it is not.
 std::vector<double> step(const FactoredCompliance& compliance, const EdgeLaw& law, const std::vector<double>& closure,
                          const VectorXd& rest) {
   const std::size_t n = closure.size();
@@ -78,27 +79,29 @@ std::vector<double> step(const FactoredCompliance& compliance, const EdgeLaw& la
     if (closure[i] > 0.0) active.push_back(static_cast<Index>(i));
   }
   const auto m = static_cast<Index>(active.size());
-  Eigen::MatrixXd jacobian(m, m);
-  VectorXd right(m);
+  Eigen::MatrixXd matrix(m, m);
+  VectorXd change(m);  // of the forces
   for (Index b = 0; b < m; ++b) {
-    const auto j = static_cast<std::size_t>(active[static_cast<std::size_t>(b)]);
-    const double slope = slope_of_force(law, j, closure[j]);
-    for (Index a = 0; a < m; ++a) {
-      jacobian(a, b) = w(active[static_cast<std::size_t>(a)], static_cast<Index>(j)) * slope;
-    }
-    jacobian(b, b) += slope_of_gap(law, j, closure[j]);
-    right(b) = -rest(static_cast<Index>(j));
+    const Index j = active[static_cast<std::size_t>(b)];
+    const auto node = static_cast<std::size_t>(j);
+    for (Index a = b; a < m; ++a) matrix(a, b) = w(active[static_cast<std::size_t>(a)], j);
+    matrix(b, b) += slope_of_gap(law, node, closure[node]) / slope_of_force(law, node, closure[node]);
+    change(b) = -rest(j);
   }
-  const VectorXd change = m > 0 ? VectorXd(jacobian.partialPivLu().solve(right)) : VectorXd();
+  if (m > 0) {
+    const Eigen::LLT<Eigen::Ref<Eigen::MatrixXd>> factored(matrix);
+    if (factored.info() != Eigen::Success) return {};
+    factored.solveInPlace(change);
+  }
   std::vector<double> result(n);
-  for (Index a = 0; a < m; ++a) result[static_cast<std::size_t>(active[static_cast<std::size_t>(a)])] = change(a);
+  for (Index a = 0; a < m; ++a) {
+    const auto node = static_cast<std::size_t>(active[static_cast<std::size_t>(a)]);
+    result[node] = change(a) / slope_of_force(law, node, closure[node]);
+  }
   for (std::size_t i = 0; i < n; ++i) {
     if (closure[i] > 0.0) continue;
     double left = rest(static_cast<Index>(i));
-    for (Index a = 0; a < m; ++a) {
-      const auto j = static_cast<std::size_t>(active[static_cast<std::size_t>(a)]);
-      left += w(static_cast<Index>(i), static_cast<Index>(j)) * slope_of_force(law, j, closure[j]) * change(a);
-    }
+    for (Index a = 0; a < m; ++a) left += w(static_cast<Index>(i), active[static_cast<std::size_t>(a)]) * change(a);
     result[i] = -left / slope_of_gap(law, i, closure[i]);
   }
   return result;
@@ -145,6 +148,7 @@ bool solve_all(const FactoredCompliance& compliance, const EdgeLaw& law, const s
     const double size = norm(rest, q, scale);
     if (size <= rounding) return true;
     const std::vector<double> change = step(compliance, law, closure, rest);
+    if (change.empty()) return false;
     std::vector<double> next(closure.size());
     VectorXd left;
     double share = 1.0;

@@ -13,6 +13,9 @@
 namespace stoss {
 namespace {
 
+namespace dense = numeric::dense;
+namespace kernels = numeric::kernels;
+
 using Eigen::Index;
 using Eigen::MatrixXd;
 using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;

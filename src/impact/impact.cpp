@@ -4,8 +4,9 @@
 #include <cmath>
 #include <string>
 
+#include "check.hpp"
 #include "impact/collision.hpp"
-#include "impact/resolution.hpp"
+#include "impact/fixed_resolution.hpp"
 #include "stoss/errors.hpp"
 
 namespace stoss {
@@ -17,11 +18,11 @@ constexpr double max_energy_error = 1e-2;   // beyond, the motion is not resolve
 constexpr double small_strain_limit = 0.5;  // compression, R
 
 /// One run; empty if the contact outgrew the grid.
-std::optional<Impact> run(const Contact& contact, double speed, const Resolution& resolution,
-                          const ImpactOptions& options, const ImpactObserver& observer) {
+std::optional<Impact> run(const Contact& contact, double speed, const FixedResolution& resolution,
+                          const ImpactOptions& options, const Observation& observation) {
   if (options.poll) options.poll();
   const ContactGrid grid = contact_grid(contact, resolution.half_width, resolution.nodes);
-  Collision collision(contact, options.tail, grid, speed, resolution.step, options.start, options.poll);
+  Collision collision(contact, options.resolution.tail, grid, speed, resolution.step, options.start, options.poll);
   const double flight = std::max(0.0, -(collision.snapshot().center + contact.extent)) + 4.0 * collision.clearance();
   const double steps = (max_contact_time * longest_time(contact) + flight / speed) / resolution.step;
   if (steps > most_steps) {
@@ -32,16 +33,16 @@ std::optional<Impact> run(const Contact& contact, double speed, const Resolution
     Snapshot now = collision.snapshot();
     State state;
     std::vector<double> node_force;
-    if (options.observe_modes) {
+    if (observation.modes) {
       state = collision.state();
       node_force = collision.node_force();
       now.coordinate = state.coordinate;
       now.momentum = state.momentum;
       now.node_force = node_force;
     }
-    observer(now);
+    observation.observer(now);
   };
-  if (observer) observe();
+  if (observation.observer) observe();
   for (long step = 1; !collision.over(); ++step) {
     if (static_cast<double>(step) > steps) {
       throw NotConverged("impact: the contact has not ended after " + std::to_string(step) + " steps");
@@ -55,15 +56,16 @@ std::optional<Impact> run(const Contact& contact, double speed, const Resolution
         throw NotConverged("impact: the contact spreads over the whole body (speed too high for this model)");
       }
     }
-    if (observer && (step % options.observe_every == 0 || collision.over())) observe();
+    if (observation.observer && (step % observation.every == 0 || collision.over())) observe();
   }
   return collision.result();
 }
 
 }  // namespace
 
-Impact impact(const Contact& contact, double speed, const ImpactOptions& options, const ImpactObserver& observer) {
-  Resolution resolution = choose_resolution(contact, speed, options);
+Impact impact(const Contact& contact, double speed, const ImpactOptions& options, const Observation& observation) {
+  FixedResolution resolution = fix(contact, speed, options);
+  require("every", static_cast<long>(observation.every), 1, 1'000'000'000, "steps between two calls of the observer");
   std::optional<Impact> result = run(contact, speed, resolution, options, {});
   while (!result) {
     resolution = widened(contact, resolution);
@@ -74,11 +76,11 @@ Impact impact(const Contact& contact, double speed, const ImpactOptions& options
                        " of the energy is unaccounted for (use a smaller step)");
   }
   // The observer must see one impact only, so it watches a repetition on the grid that is known to suffice.
-  if (observer) result = run(contact, speed, resolution, options, observer);
+  if (observation.observer) result = run(contact, speed, resolution, options, observation);
 
   result->contact = name(contact);
   result->wall = contact.wall;
-  result->tail = options.tail;
+  result->tail = options.resolution.tail;
   result->cutoff = contact.cutoff;
   result->step = resolution.step;
   result->nodes = resolution.nodes;
@@ -89,8 +91,8 @@ Impact impact(const Contact& contact, double speed, const ImpactOptions& options
 }
 
 Impact impact(const Body& body, const Wall& wall, double speed, const ImpactOptions& options,
-              const ImpactObserver& observer) {
-  return impact(contact(body, wall), speed, options, observer);
+              const Observation& observation) {
+  return impact(contact(body, wall), speed, options, observation);
 }
 
 }  // namespace stoss

@@ -7,6 +7,8 @@
 
 namespace stoss {
 
+namespace kernels = numeric::kernels;
+
 KeptModes::KeptModes(const Contact& contact, const ContactGrid& grid, double step)
     : mass_(contact.mass), step_(step), count_(mode_count(contact)), nodes_(grid.recess.size()) {
   constexpr std::size_t lanes = kernels::lanes;

@@ -49,7 +49,7 @@ class KeptModes {
  private:
   template <typename Value>
   [[nodiscard]] std::vector<double> collect(Value value) const;
-  [[nodiscard]] kernels::Oscillators view();
+  [[nodiscard]] numeric::kernels::Oscillators view();
   [[nodiscard]] std::size_t blocks() const { return begin_.size() - 1; }
   [[nodiscard]] std::size_t position(std::size_t group, std::size_t index) const;  // in the arrays over modes
   [[nodiscard]] double velocity(std::size_t group, std::size_t k) const;

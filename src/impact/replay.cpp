@@ -34,13 +34,13 @@ bool same_modes(const Contact& contact, const std::vector<ModeEnergy>& modes) {
 
 }  // namespace
 
-ImpactOptions repetition(const Contact& contact, const Impact& impact) {
-  ImpactOptions options;
-  options.step = impact.step;
-  options.nodes = impact.nodes;
-  if (!has_single_point(contact)) options.half_width = impact.half_width;
-  options.tail = impact.tail;
-  return options;
+Resolution repetition(const Contact& contact, const Impact& impact) {
+  Resolution resolution;
+  resolution.step = impact.step;
+  resolution.nodes = impact.nodes;
+  if (!has_single_point(contact)) resolution.half_width = impact.half_width;
+  resolution.tail = impact.tail;
+  return resolution;
 }
 
 std::vector<double> mode_energies(const Contact& contact, const State& state) {
@@ -142,10 +142,8 @@ std::vector<Frame> motion(const Contact& contact, const Impact& impact, const st
           {now.time, now.force, now.contact_half_width, state(), {now.node_force.begin(), now.node_force.end()}});
     }
   };
-  ImpactOptions options = repetition(contact, impact);
-  options.observe_modes = true;
-  options.poll = poll;
-  const Impact again = stoss::impact(contact, impact.speed, options, observer);
+  const ImpactOptions options{.resolution = repetition(contact, impact), .poll = poll};
+  const Impact again = stoss::impact(contact, impact.speed, options, {.observer = observer, .modes = true});
   const double end = static_cast<double>(again.steps) * again.step;
   while (wanted()) {
     if (poll) poll();

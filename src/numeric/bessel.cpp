@@ -4,7 +4,7 @@
 #include <cmath>
 #include <cstddef>
 
-namespace stoss {
+namespace stoss::numeric {
 
 void bessel_pairs(double x, std::vector<BesselPair>& pairs) {
   constexpr int chunk = 200;
@@ -87,4 +87,4 @@ BesselPair BesselTaylor::operator()(double shift) const {
   return {value, (center_ + shift) * next, exponent_};
 }
 
-}  // namespace stoss
+}  // namespace stoss::numeric

@@ -3,7 +3,7 @@
 #include <array>
 #include <vector>
 
-namespace stoss {
+namespace stoss::numeric {
 
 /// Two neighbouring Bessel functions, (J_n(x), x J_{n+1}(x)) = (value, next) · 2^exponent.
 /// The slope is x J_n' = n J_n − x J_{n+1}: keeping `next` instead of the slope avoids the cancellation of the two
@@ -42,4 +42,4 @@ class BesselTaylor {
   int exponent_;
 };
 
-}  // namespace stoss
+}  // namespace stoss::numeric

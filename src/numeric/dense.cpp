@@ -2,7 +2,7 @@
 
 #include <Eigen/Cholesky>
 
-namespace stoss::dense {
+namespace stoss::numeric::dense {
 
 std::vector<double> zeros(std::size_t size, const Poll& poll) {
   constexpr std::size_t block = std::size_t{1} << 20;
@@ -62,4 +62,4 @@ void solve(const Eigen::MatrixXd& lower, Eigen::MatrixXd& right, const Poll& pol
   });
 }
 
-}  // namespace stoss::dense
+}  // namespace stoss::numeric::dense

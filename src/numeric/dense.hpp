@@ -8,7 +8,7 @@
 #include "stoss/poll.hpp"
 
 /// Dense linear algebra in blocks of columns, with a poll between them: a matrix of 4096 rows takes seconds.
-namespace stoss::dense {
+namespace stoss::numeric::dense {
 
 /// Calls work(first, count) for one block of columns after the other.
 template <typename Work>
@@ -36,4 +36,4 @@ void invert_lower(const Eigen::MatrixXd& lower, Eigen::Ref<Eigen::MatrixXd> inve
 /// Overwrites B with A⁻¹B = L⁻ᵀL⁻¹B.
 void solve(const Eigen::MatrixXd& lower, Eigen::MatrixXd& right, const Poll& poll);
 
-}  // namespace stoss::dense
+}  // namespace stoss::numeric::dense

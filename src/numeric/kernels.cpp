@@ -11,7 +11,7 @@
 #define STOSS_MULTIVERSION
 #endif
 
-namespace stoss::kernels {
+namespace stoss::numeric::kernels {
 namespace {
 
 using Lanes = std::array<double, lanes>;
@@ -124,4 +124,4 @@ void multiply_transposed(const double* matrix, std::size_t stride, std::size_t r
   for (; i < end; ++i) multiply_block<1>(matrix + i, stride, rows, x, result + i);
 }
 
-}  // namespace stoss::kernels
+}  // namespace stoss::numeric::kernels

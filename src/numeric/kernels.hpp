@@ -3,7 +3,7 @@
 #include <cstddef>
 
 /// The inner loops of an impact, apart so that they alone need vector instructions. Every sum has a fixed order.
-namespace stoss::kernels {
+namespace stoss::numeric::kernels {
 
 /// Orders that the loops over modes take side by side.
 inline constexpr std::size_t lanes = 8;
@@ -34,4 +34,4 @@ void accumulate_energy(const Oscillators& modes, const std::size_t* begin, std::
 void multiply_transposed(const double* matrix, std::size_t stride, std::size_t rows, std::size_t begin, std::size_t end,
                          const double* x, double* result);
 
-}  // namespace stoss::kernels
+}  // namespace stoss::numeric::kernels

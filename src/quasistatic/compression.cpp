@@ -8,7 +8,7 @@
 
 #include "check.hpp"
 
-namespace stoss {
+namespace stoss::quasistatic {
 namespace {
 
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
@@ -60,4 +60,4 @@ double compression_energy(CompressionLaw law, double poisson, double force) {
   return force == 0.0 ? 0.0 : force * force * (0.25 + 0.5 * std::log(limit / force));
 }
 
-}  // namespace stoss
+}  // namespace stoss::quasistatic

@@ -4,7 +4,7 @@
 
 #include "check.hpp"
 
-namespace stoss {
+namespace stoss::quasistatic {
 
 PlaneStress heavy_disk_stress(HeavyDiskContact contact, double force, double x, double y) {
   require("force", force, {0.0, max_hertz_force, true, true, "0 to 0.25"}, "weight in units of pi R E");
@@ -28,4 +28,4 @@ PlaneStress heavy_disk_stress(HeavyDiskContact contact, double force, double x, 
   return stress;
 }
 
-}  // namespace stoss
+}  // namespace stoss::quasistatic

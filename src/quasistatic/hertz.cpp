@@ -8,7 +8,7 @@
 
 #include "check.hpp"
 
-namespace stoss {
+namespace stoss::quasistatic {
 namespace {
 
 constexpr double largest = std::numeric_limits<double>::max();
@@ -67,4 +67,4 @@ PlaneStress hertz_stress(double force, double depth, double y) {
   return stress;
 }
 
-}  // namespace stoss
+}  // namespace stoss::quasistatic

@@ -7,7 +7,7 @@
 #include <limits>
 #include <numbers>
 
-namespace stoss {
+namespace stoss::quasistatic {
 namespace {
 
 // Falls ln(F_max/F) beyond which the force adds nothing to the time and to the impulse.
@@ -110,4 +110,4 @@ ForcePulse::Nodes ForcePulse::nodes(double omega) const {
   return result;
 }
 
-}  // namespace stoss
+}  // namespace stoss::quasistatic

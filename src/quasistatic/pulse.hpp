@@ -2,7 +2,7 @@
 
 #include <vector>
 
-namespace stoss {
+namespace stoss::quasistatic {
 
 /// The pulse of force of an impact with the static law δ = F [1 + ln(F*/F)] (F* its limit_force), apart from scales.
 ///
@@ -52,4 +52,4 @@ class ForcePulse {
 /// ln(limit_speed/v) is the excess.
 [[nodiscard]] double solve_fall(double energy_factor, double excess);
 
-}  // namespace stoss
+}  // namespace stoss::quasistatic

@@ -8,7 +8,7 @@
 #include "check.hpp"
 #include "quasistatic/slow_pulse.hpp"
 
-namespace stoss {
+namespace stoss::quasistatic {
 namespace {
 
 constexpr std::size_t lanes = 4;  // sums side by side: their order is fixed, and they need not wait for one another
@@ -63,26 +63,27 @@ ForcePulse::Nodes padded(ForcePulse::Nodes nodes) {
   return nodes;
 }
 
-void require_modes(const std::vector<Mode>& modes) {
-  for (const Mode& mode : modes) {
-    require("omega", mode.omega, {0.0, max_cutoff, false, true, "above 0 to 1000"}, "frequency of a mode, in c/R");
+void require_modes(const std::vector<bodies::disk::Mode>& modes) {
+  for (const bodies::disk::Mode& mode : modes) {
+    require("omega", mode.omega, {0.0, bodies::disk::max_cutoff, false, true, "above 0 to 1000"},
+            "frequency of a mode, in c/R");
     require("radial", mode.radial, {0.0, 1e6, true, true, "0 to 1e6"}, "edge amplitude C of a mode");
   }
 }
 
 }  // namespace
 
-RayleighEstimate rayleigh(CompressionLaw law, double poisson, double speed, const std::vector<Mode>& modes,
-                          const Poll& poll) {
+RayleighEstimate rayleigh(CompressionLaw law, double poisson, double speed,
+                          const std::vector<bodies::disk::Mode>& modes, const Poll& poll) {
   RayleighEstimate result;
   result.impact = slow_impact(law, poisson, speed);
   require_modes(modes);
   const ForcePulse pulse = slow_pulse(law, poisson, speed);
-  for (const Mode& mode : modes) result.cutoff = std::max(result.cutoff, mode.omega);
+  for (const bodies::disk::Mode& mode : modes) result.cutoff = std::max(result.cutoff, mode.omega);
   const ForcePulse::Nodes nodes = padded(pulse.nodes(result.cutoff));
   double inertia = 0.0;  // Σ C²/ω⁴
   result.modes.reserve(modes.size());
-  for (const Mode& mode : modes) {
+  for (const bodies::disk::Mode& mode : modes) {
     if (poll) poll();
     const double integral = amplitude(nodes, mode.omega);
     const double edge = mode.radial * integral;
@@ -100,4 +101,4 @@ RayleighEstimate rayleigh(CompressionLaw law, double poisson, double speed, cons
   return result;
 }
 
-}  // namespace stoss
+}  // namespace stoss::quasistatic

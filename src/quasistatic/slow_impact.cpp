@@ -10,7 +10,7 @@
 #include "quasistatic/pulse.hpp"
 #include "quasistatic/slow_pulse.hpp"
 
-namespace stoss {
+namespace stoss::quasistatic {
 namespace {
 
 ContactInstant instant(const SlowImpact& impact, const ForcePulse& pulse, double phase) {
@@ -63,4 +63,4 @@ std::vector<ContactInstant> contact_history(const SlowImpact& impact, const std:
   return result;
 }
 
-}  // namespace stoss
+}  // namespace stoss::quasistatic

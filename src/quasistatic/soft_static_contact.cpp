@@ -14,12 +14,13 @@
 #include <limits>
 
 #include "check.hpp"
-#include "impact/resolution.hpp"
 #include "numeric/dense.hpp"
 #include "stoss/errors.hpp"
 
-namespace stoss {
+namespace stoss::quasistatic {
 namespace {
+
+namespace dense = numeric::dense;
 
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
@@ -194,4 +195,4 @@ SoftStaticContact soft_static_contact(const Body& body, const ExponentialWall& w
   return result;
 }
 
-}  // namespace stoss
+}  // namespace stoss::quasistatic

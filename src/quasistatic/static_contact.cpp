@@ -11,7 +11,7 @@
 #include "contact/complementarity.hpp"
 #include "stoss/errors.hpp"
 
-namespace stoss {
+namespace stoss::quasistatic {
 namespace {
 
 constexpr double mass = std::numbers::pi;
@@ -44,8 +44,8 @@ double end_of_contact(const StaticContact& contact) {
 }
 
 /// The contact on nodes of a given spacing that cover a half-width.
-StaticContact on_nodes(const DiskResidual& disk, double poisson, double compression, double spacing, int nodes,
-                       const Poll& poll) {
+StaticContact on_nodes(const bodies::disk::Residual& disk, double poisson, double compression, double spacing,
+                       int nodes, const Poll& poll) {
   StaticContact result;
   result.poisson = poisson;
   result.compression = compression;
@@ -81,7 +81,7 @@ StaticContact static_contact(double poisson, double compression, const StaticCon
           "R + x0 in R; small-strain elasticity means little from about 0.1 on");
   require("nodes", static_cast<long>(options.nodes), 16, 1024, "on half of the contact; 160 is usual");
   // No mode is kept: all of them answer statically.
-  const DiskResidual disk(poisson, 1.0, {});
+  const bodies::disk::Residual disk(poisson, 1.0, {});
   // The undeformed edge would pass the wall as far as √(2δ). From there the grid closes in on the contact.
   constexpr int first_nodes = 64;
   constexpr double margin = 1.25;
@@ -102,4 +102,4 @@ StaticContact static_contact(double poisson, double compression, const StaticCon
   return result;
 }
 
-}  // namespace stoss
+}  // namespace stoss::quasistatic

@@ -41,9 +41,9 @@ std::vector<double> usual_hardnesses(double speed) {
 std::vector<double> usual_cutoffs(double poisson, const Poll& poll) {
   // Weyl's law N = (1 + ν)(3 − ν) ω²/8 for the symmetric modes; the free edge adds some.
   const double enough = std::sqrt(8.0 * 1000.0 / ((1.0 + poisson) * (3.0 - poisson)));
-  const std::vector<Mode> modes = disk_modes(poisson, enough, poll);
+  const std::vector<bodies::disk::Mode> modes = bodies::disk::modes(poisson, enough, poll);
   std::vector<double> omega(modes.size());
-  std::transform(modes.begin(), modes.end(), omega.begin(), [](const Mode& mode) { return mode.omega; });
+  std::transform(modes.begin(), modes.end(), omega.begin(), [](const bodies::disk::Mode& mode) { return mode.omega; });
   std::sort(omega.begin(), omega.end());
   assert(omega.size() > usual_mode_numbers.back());
   std::vector<double> cutoffs;
@@ -153,8 +153,7 @@ ExtrapolatedRestitution extrapolated_restitution(double poisson, double speed, c
   require_series("cutoffs", "number of cutoffs", cutoffs);
   const std::vector<Body> bodies = make_bodies(poisson, cutoffs, options.poll);
 
-  ImpactOptions impact_options;
-  impact_options.poll = options.poll;
+  const ImpactOptions impact_options{.poll = options.poll};
   ExtrapolatedRestitution result;
   for (const Body& body : bodies) {
     const std::size_t first = result.impacts.size();

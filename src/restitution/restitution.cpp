@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "check.hpp"
-#include "impact/resolution.hpp"
+#include "impact/refined_resolution.hpp"
 #include "restitution/error_bar.hpp"
 
 namespace stoss {
@@ -20,7 +20,7 @@ constexpr std::array first_rungs{4, 2};
 constexpr int most_rungs = 4;  // a run far above all others would find the differences from them without weight
 constexpr double unknown = std::numeric_limits<double>::infinity();
 constexpr double aim = 0.9;         // of the tolerance: one run too fine costs less than another run
-constexpr double affordable = 5e8;  // of `work`, about a second: what a run without hope may cost
+constexpr double affordable = 2e8;  // of `work`, less than a second: what a run without hope may cost
 
 Run summary(const Impact& impact) {
   return {.cutoff = impact.cutoff,
@@ -113,10 +113,9 @@ Restitution restitution(const RefinableContact& contact, double speed, const Res
   std::string trouble;
   for (int level = 0; level <= highest && next.worthwhile; level += next.rungs) {
     if (options.attempt_observer) options.attempt_observer({contact.cutoff(level), result.lost_fraction});
-    ImpactOptions resolution = refined_resolution(contact.at(level, options.poll), speed, result.finest.max_half_width);
-    resolution.poll = options.poll;
+    const Resolution fine = refined_resolution(contact.at(level, options.poll), speed, result.finest.max_half_width);
     try {
-      result.finest = impact(contact.at(level), speed, resolution);
+      result.finest = impact(contact.at(level), speed, {.resolution = fine, .poll = options.poll});
     } catch (const NotConverged& error) {  // too coarse, perhaps
       trouble = error.what();
       continue;

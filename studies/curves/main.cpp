@@ -25,8 +25,8 @@ std::vector<double> series(double from, double to, int count) {
   return result;
 }
 
-double frequency_of_quadrupole(const std::vector<stoss::Mode>& modes) {
-  for (const stoss::Mode& mode : modes) {
+double frequency_of_quadrupole(const std::vector<stoss::bodies::disk::Mode>& modes) {
+  for (const stoss::bodies::disk::Mode& mode : modes) {
     if (mode.order == 2 && mode.index == 0) return mode.omega;
   }
   return std::nan("");
@@ -40,14 +40,15 @@ double energy_of_quadrupole(const stoss::Impact& impact) {
 }
 
 /// The quasi-static estimate, where it has a meaning.
-std::string estimate(double poisson, double speed, const std::vector<stoss::Mode>& modes) {
+std::string estimate(double poisson, double speed, const std::vector<stoss::bodies::disk::Mode>& modes) {
   if (speed > 0.03) return ",";
-  const stoss::RayleighEstimate slow = stoss::rayleigh(stoss::CompressionLaw::center, poisson, speed, modes);
+  const stoss::quasistatic::RayleighEstimate slow =
+      stoss::quasistatic::rayleigh(stoss::quasistatic::CompressionLaw::center, poisson, speed, modes);
   return fmt::format("{:.5f},{:.6g}", slow.impact.contact_time, slow.lost_fraction);
 }
 
 void write_curve(fmt::ostream& out, double poisson, const std::vector<double>& speeds) {
-  const std::vector<stoss::Mode> modes = stoss::disk_modes(poisson, 60.0);
+  const std::vector<stoss::bodies::disk::Mode> modes = stoss::bodies::disk::modes(poisson, 60.0);
   const double period = 2.0 * std::numbers::pi / frequency_of_quadrupole(modes);
   for (const stoss::Restitution& r : stoss::restitution_curve(poisson, speeds, {.tolerance = tolerance})) {
     const double speed = r.finest.speed;

@@ -46,7 +46,8 @@ TEST(BodyRefusal, OfASurfaceOrAComplianceOfTheWrongSize) {
   for (const Tail tail : {Tail::radiating, Tail::quasistatic}) {
     body = rod(40.0);
     body.residual_compliance = [](const ContactPoints&, const Poll&) { return std::vector<double>(4, 1.0); };
-    test::expect_refusal([&] { (void)impact(body, HardWall{}, 0.1, {.tail = tail}); }, {"body", "residual"});
+    test::expect_refusal([&] { (void)impact(body, HardWall{}, 0.1, {.resolution = {.tail = tail}}); },
+                         {"body", "residual"});
   }
   body = rod(40.0);
   body.residual_second_moment = [](const ContactPoints&, const Poll&) { return std::vector<double>{}; };

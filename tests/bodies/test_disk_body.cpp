@@ -13,6 +13,8 @@
 #include "support/body_tools.hpp"
 
 namespace stoss {
+using namespace bodies::disk;
+
 namespace {
 
 constexpr double pi = std::numbers::pi;
@@ -53,7 +55,7 @@ class DiskBody : public ::testing::TestWithParam<double> {
 
 TEST_P(DiskBody, HoldsTheModes) {
   const Body body = disk(poisson, 25.0);
-  const auto modes = disk_modes(poisson, 25.0);
+  const auto modes = bodies::disk::modes(poisson, 25.0);
   EXPECT_EQ(mode_count(body), modes.size());
   EXPECT_DOUBLE_EQ(body.mass, pi);
   EXPECT_EQ(body.extent, 1.0);
@@ -116,7 +118,7 @@ TEST_P(DiskBody, ResidualComplianceIsTheSumOverOrders) {
   constexpr double cutoff = 25.0;
   const Body body = disk(poisson, cutoff);
   std::map<int, Flexibility> kept;
-  for (const Mode& mode : disk_modes(poisson, cutoff)) add(kept[mode.order], mode, -1.0);
+  for (const Mode& mode : bodies::disk::modes(poisson, cutoff)) add(kept[mode.order], mode, -1.0);
   for (const double half_width : {0.05, 0.5, 0.5 * pi}) {
     const ContactGrid grid = test::grid_of(body, half_width, 20);
     const auto found = body.residual_compliance(grid.points, {});
@@ -137,7 +139,7 @@ TEST_P(DiskBody, ResidualSecondMomentIsThatOfTheModesThemselves) {
   const Body low = disk(poisson, 20.0), high = disk(poisson, 80.0);
   const ContactGrid grid = test::grid_of(low, 0.5, 24);
   std::map<int, Flexibility> between;
-  for (const Mode& mode : disk_modes(poisson, 80.0)) {
+  for (const Mode& mode : bodies::disk::modes(poisson, 80.0)) {
     if (mode.omega > 20.0) add(between[mode.order], mode, 1.0 / (mode.omega * mode.omega));
   }
   const auto expected = double_sum(grid, nyquist(grid), [&](int n) { return between[n]; });
@@ -150,7 +152,8 @@ TEST_P(DiskBody, ResidualSecondMomentIsThatOfTheModesThemselves) {
 
 TEST_P(DiskBody, StaticSecondMomentIsTheSumOverTheModes) {
   std::map<int, Flexibility> sum;
-  for (const Mode& mode : disk_modes(poisson, 300.0)) add(sum[mode.order], mode, 1.0 / (mode.omega * mode.omega));
+  for (const Mode& mode : bodies::disk::modes(poisson, 300.0))
+    add(sum[mode.order], mode, 1.0 / (mode.omega * mode.omega));
   for (const int n : {0, 1, 2, 3, 7, 20}) {
     const Flexibility closed = static_second_moment(poisson, n);
     const double scale = closed.radial + closed.tangential;
@@ -173,7 +176,7 @@ TEST_P(DiskBody, ResidualComplianceIsThatOfTheModesThemselves) {
   const ContactGrid grid = test::grid_of(low, 0.5, 24), same = test::grid_of(high, 0.5, 24);
   ASSERT_EQ(grid.coordinate, same.coordinate);
   std::map<int, Flexibility> between;
-  for (const Mode& mode : disk_modes(poisson, 80.0)) {
+  for (const Mode& mode : bodies::disk::modes(poisson, 80.0)) {
     if (mode.omega > 20.0) add(between[mode.order], mode, 1.0);
   }
   const auto expected = double_sum(grid, nyquist(grid), [&](int n) { return between[n]; });

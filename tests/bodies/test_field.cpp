@@ -18,6 +18,8 @@
 #include "support/refusal.hpp"
 
 namespace stoss {
+using namespace bodies::disk;
+
 namespace {
 
 using test::derivative;

@@ -18,6 +18,8 @@
 #include "support/field_tools.hpp"
 
 namespace stoss {
+using namespace bodies::disk;
+
 namespace {
 
 using test::derivative;
@@ -177,7 +179,7 @@ INSTANTIATE_TEST_SUITE_P(Field, ModeStress,
 TEST(FieldOfHighOrders, EndsInTheEdgeAmplitudes) {
   // Rayleigh waves far below n, where Bessel functions are smallest.
   const double poisson = -0.9;
-  for (const Mode& mode : disk_modes(poisson, 200.0)) {
+  for (const Mode& mode : bodies::disk::modes(poisson, 200.0)) {
     if (mode.order < 100) continue;
     const Displacement edge = displacement(poisson, mode, {1.0}).front();
     const double mismatch = std::hypot(edge.radial - mode.radial, edge.tangential - mode.tangential);

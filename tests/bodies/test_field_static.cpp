@@ -15,6 +15,8 @@
 #include "support/field_tools.hpp"
 
 namespace stoss {
+using namespace bodies::disk;
+
 namespace {
 
 constexpr double pi = std::numbers::pi;

@@ -16,6 +16,8 @@
 #include "support/disk_pairs.hpp"
 
 namespace stoss {
+using namespace bodies::disk;
+
 namespace {
 
 constexpr double pi = std::numbers::pi, cutoff = 12.5, poisson = 0.33;
@@ -69,7 +71,7 @@ double difference(const std::vector<double>& matrix, const ContactPoints& points
 /// Static answer less that of the kept modes, with ω to the power 2 or 4.
 Response residual(int power) {
   std::vector<Flexibility> kept;
-  for (const Mode& mode : disk_modes(poisson, cutoff)) {
+  for (const Mode& mode : bodies::disk::modes(poisson, cutoff)) {
     kept.resize(static_cast<std::size_t>(mode.order) + 1);
     const double weight = std::pow(mode.omega, -power);
     kept.back().radial += weight * mode.radial * mode.radial;

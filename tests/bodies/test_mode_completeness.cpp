@@ -13,6 +13,8 @@
 #include "support/eigenvalue_equation.hpp"
 
 namespace stoss {
+using namespace bodies::disk;
+
 namespace {
 
 double bessel(int n, double x) {
@@ -83,7 +85,7 @@ TEST_P(Completeness, OfEveryOrderByBruteForce) {
   constexpr double cutoff = 40.0;
   std::map<int, int> found;
   int highest = 0;
-  for (const Mode& mode : disk_modes(poisson, cutoff)) {
+  for (const Mode& mode : bodies::disk::modes(poisson, cutoff)) {
     EXPECT_EQ(mode.index, found[mode.order]++);
     highest = std::max(highest, mode.order);
   }
@@ -130,7 +132,7 @@ bool sum_rule_holds(const Flexibility& rest, const Tail& tail) {
 
 std::map<int, std::vector<Mode>> by_order(double poisson, double cutoff) {
   std::map<int, std::vector<Mode>> groups;
-  for (const Mode& mode : disk_modes(poisson, cutoff)) groups[mode.order].push_back(mode);
+  for (const Mode& mode : bodies::disk::modes(poisson, cutoff)) groups[mode.order].push_back(mode);
   return groups;
 }
 

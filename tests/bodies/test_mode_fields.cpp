@@ -16,11 +16,13 @@
 #include "support/refusal.hpp"
 
 namespace stoss {
+using namespace bodies::disk;
+
 namespace {
 
 std::vector<Mode> modes_of_order(double poisson, double cutoff, int order) {
   std::vector<Mode> modes;
-  for (const Mode& mode : disk_modes(poisson, cutoff)) {
+  for (const Mode& mode : bodies::disk::modes(poisson, cutoff)) {
     if (mode.order == order) modes.push_back(mode);
   }
   return modes;
@@ -136,7 +138,7 @@ TEST(ModeField, OfOrderZeroIsABesselFunction) {
 }
 
 TEST(ModeField, RefusesBadInput) {
-  const Mode mode = disk_modes(0.33, 5.0).front();
+  const Mode mode = bodies::disk::modes(0.33, 5.0).front();
   test::expect_refusal([&] { (void)displacement(0.33, mode, {0.5, 1.5}); }, {"radius", "1.5", "0 to 1"});
   test::expect_refusal([&] { (void)displacement(0.33, mode, {-0.1}); }, {"radius", "-0.1", "0 to 1"});
   test::expect_refusal([&] { (void)displacement(0.33, mode, {std::nan("")}); }, {"radius", "nan", "0 to 1"});

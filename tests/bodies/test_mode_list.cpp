@@ -1,4 +1,4 @@
-// The list that disk_modes returns: its order, its end at the cutoff, and what it refuses.
+// The list that bodies::disk::modes returns: its order, its end at the cutoff, and what it refuses.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -12,12 +12,14 @@
 #include "support/refusal.hpp"
 
 namespace stoss {
+using namespace bodies::disk;
+
 namespace {
 
 class ModeList : public ::testing::TestWithParam<double> {};
 
 TEST_P(ModeList, IsSortedByOrderThenFrequency) {
-  const auto modes = disk_modes(GetParam(), 100.0);
+  const auto modes = bodies::disk::modes(GetParam(), 100.0);
   EXPECT_EQ(modes.front().order, 0);
   for (std::size_t i = 0; i < modes.size(); ++i) {
     EXPECT_GT(modes[i].omega, 1.0);
@@ -33,10 +35,10 @@ TEST_P(ModeList, IsSortedByOrderThenFrequency) {
 }
 
 TEST_P(ModeList, OfALowerCutoffIsTheLowerPartOfEveryOrder) {
-  const auto low = disk_modes(GetParam(), 50.0);
+  const auto low = bodies::disk::modes(GetParam(), 50.0);
   std::map<std::pair<int, int>, Mode> high;
   std::size_t below = 0;
-  for (const Mode& mode : disk_modes(GetParam(), 100.0)) {
+  for (const Mode& mode : bodies::disk::modes(GetParam(), 100.0)) {
     high.emplace(std::pair{mode.order, mode.index}, mode);
     if (mode.omega <= 50.0) ++below;
   }
@@ -52,11 +54,11 @@ TEST_P(ModeList, OfALowerCutoffIsTheLowerPartOfEveryOrder) {
 
 TEST_P(ModeList, EndsAtTheCutoffWhereverItLies) {
   // A cutoff just beside a root decides whether this root is in.
-  const auto modes = disk_modes(GetParam(), 12.0);
+  const auto modes = bodies::disk::modes(GetParam(), 12.0);
   for (std::size_t i = 0; i < modes.size(); i += 5) {
     const double omega = modes[i].omega;
     const auto contains = [&](double cutoff) {
-      for (const Mode& mode : disk_modes(GetParam(), cutoff)) {
+      for (const Mode& mode : bodies::disk::modes(GetParam(), cutoff)) {
         if (mode.order == modes[i].order && mode.index == modes[i].index) return true;
       }
       return false;
@@ -80,7 +82,7 @@ TEST(ModeListInput, RefusesPoissonNumbersOutOfRange) {
                                                                                {1.5, "got 1.5,"},
                                                                                {0.9951, "got 0.9951,"}}) {
     const double poisson = value;
-    test::expect_refusal([&] { (void)disk_modes(poisson, 25.0); }, {"poisson", text, "-0.95 to 0.995"});
+    test::expect_refusal([&] { (void)bodies::disk::modes(poisson, 25.0); }, {"poisson", text, "-0.95 to 0.995"});
     test::expect_refusal([&] { (void)static_flexibility(poisson, 2); }, {"poisson", text, "-0.95 to 0.995"});
   }
 }
@@ -90,12 +92,12 @@ TEST(ModeListInput, RefusesCutoffsOutOfRange) {
   for (const auto& [value, text] : std::vector<std::pair<double, std::string>>{
            {std::nan(""), "nan"}, {infinity, "inf"}, {0.0, "got 0,"}, {-3.0, "got -3,"}, {1e9, "got 1000000000,"}}) {
     const double cutoff = value;
-    test::expect_refusal([&] { (void)disk_modes(0.33, cutoff); }, {"cutoff", text, "to 1000"});
+    test::expect_refusal([&] { (void)bodies::disk::modes(0.33, cutoff); }, {"cutoff", text, "to 1000"});
   }
   // Below the lowest mode: the message gives its frequency.
-  test::expect_refusal([] { (void)disk_modes(0.33, 1.2); }, {"cutoff", "got 1.2,", "1.43853"});
-  test::expect_refusal([] { (void)disk_modes(0.9, 1.2); }, {"cutoff", "got 1.2,", "1.20715"});
-  EXPECT_EQ(disk_modes(0.33, 1.43854).size(), 1U);
+  test::expect_refusal([] { (void)bodies::disk::modes(0.33, 1.2); }, {"cutoff", "got 1.2,", "1.43853"});
+  test::expect_refusal([] { (void)bodies::disk::modes(0.9, 1.2); }, {"cutoff", "got 1.2,", "1.20715"});
+  EXPECT_EQ(bodies::disk::modes(0.33, 1.43854).size(), 1U);
 }
 
 TEST(ModeListInput, RefusesNegativeOrders) {
@@ -103,8 +105,8 @@ TEST(ModeListInput, RefusesNegativeOrders) {
 }
 
 TEST(ModeListInput, AcceptsTheEndsOfTheRange) {
-  EXPECT_GT(disk_modes(min_poisson, 25.0).size(), 10U);
-  EXPECT_GT(disk_modes(max_poisson, 25.0).size(), 10U);
+  EXPECT_GT(bodies::disk::modes(min_poisson, 25.0).size(), 10U);
+  EXPECT_GT(bodies::disk::modes(max_poisson, 25.0).size(), 10U);
 }
 
 }  // namespace

@@ -76,7 +76,7 @@ TEST(ModeSelection, OfAllBelowALowerCutoffIsTheBodyOfThatCutoff) {
     for (const double omega : group.omega) keep.push_back(omega <= low.cutoff);
   }
   // Only where a step belongs to both are they the same motion.
-  const ImpactOptions options{.step = 0.002, .nodes = 128, .half_width = 0.8};
+  const ImpactOptions options{.resolution = {.step = 0.002, .nodes = 128, .half_width = 0.8}};
   const Impact expected = impact(low, soft, speed, options);
   const Impact found = impact(with_modes(high, keep), soft, speed, options);
   EXPECT_NEAR(found.restitution, expected.restitution, 1e-12);
@@ -88,7 +88,7 @@ TEST(ModeSelection, IsRefusedByAHardWall) {
   keep.back() = false;
   const Body most = with_modes(body, keep);
   for (const Tail tail : {Tail::radiating, Tail::quasistatic}) {
-    test::expect_refusal([&] { (void)impact(most, HardWall{}, speed, {.tail = tail}); },
+    test::expect_refusal([&] { (void)impact(most, HardWall{}, speed, {.resolution = {.tail = tail}}); },
                          {"body", "hard wall", most.name});
   }
   const ContactGrid grid = test::grid_of(most, 0.3, 32);
@@ -132,9 +132,10 @@ TEST(ModeEnergies, AreThoseOfTheLedgerAndOfTheMotion) {
     EXPECT_NEAR(after[k] / initial, result.energy.modes[k].after, 1e-12);
   }
   double vibration = 0.0;
-  (void)impact(body, soft, speed, {}, [&](const Snapshot& now) {
+  const ImpactObserver observer = [&](const Snapshot& now) {
     if (now.time <= 3.0) vibration = now.vibration;
-  });
+  };
+  (void)impact(body, soft, speed, {}, {observer});
   const std::vector<Frame> frames = motion(contact(body, soft), result, {3.0 - 0.5 * result.step});
   double sum = 0.0;
   for (const double energy : mode_energies(contact(body, soft), frames[0].state)) sum += energy / initial;

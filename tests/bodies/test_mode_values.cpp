@@ -14,6 +14,8 @@
 #include "support/eigenvalue_equation.hpp"
 
 namespace stoss {
+using namespace bodies::disk;
+
 namespace {
 
 /// |D/D′|/ω, the relative error of ω by Newton's method, with D the paper's printed equation.
@@ -28,17 +30,17 @@ double newton_correction(double poisson, const Mode& mode, double relative_step)
 }
 
 TEST(ModeValues, CountsBelowACutoff) {
-  EXPECT_EQ(disk_modes(0.33, 25.0).size(), 295U);
-  EXPECT_EQ(disk_modes(0.33, 50.0).size(), 1146U);
-  EXPECT_EQ(disk_modes(0.33, 100.0).size(), 4510U);
-  EXPECT_EQ(disk_modes(0.0, 100.0).size(), 3829U);
+  EXPECT_EQ(bodies::disk::modes(0.33, 25.0).size(), 295U);
+  EXPECT_EQ(bodies::disk::modes(0.33, 50.0).size(), 1146U);
+  EXPECT_EQ(bodies::disk::modes(0.33, 100.0).size(), 4510U);
+  EXPECT_EQ(bodies::disk::modes(0.0, 100.0).size(), 3829U);
 }
 
 TEST(ModeValues, AgreeWithTheReferenceToItsDigits) {
   std::map<double, std::vector<Mode>> modes;
   for (const auto& row : test::read_csv("disk_modes.csv")) {
     const double poisson = row.number("poisson");
-    if (modes[poisson].empty()) modes[poisson] = disk_modes(poisson, 30.0);
+    if (modes[poisson].empty()) modes[poisson] = bodies::disk::modes(poisson, 30.0);
     const auto found = std::find_if(modes[poisson].begin(), modes[poisson].end(), [&](const Mode& mode) {
       return mode.order == row.integer("n") && mode.index == row.integer("l");
     });
@@ -68,7 +70,7 @@ TEST(ModeValues, AgreeWithMpmathInEveryWindow) {
   std::size_t compared = 0;
   for (const auto& [window, reference] : expected) {
     auto& all = modes[window.poisson];
-    if (all.empty()) all = disk_modes(window.poisson, 400.0);
+    if (all.empty()) all = bodies::disk::modes(window.poisson, 400.0);
     std::vector<Mode> found;
     for (const Mode& mode : all) {
       if (mode.order == window.order && mode.omega > window.low && mode.omega < window.high) found.push_back(mode);
@@ -91,7 +93,7 @@ class ModeResidual : public ::testing::TestWithParam<double> {};
 
 TEST_P(ModeResidual, OfThePaperEquationInLongDouble) {
   const double poisson = GetParam();
-  const auto modes = disk_modes(poisson, 100.0);
+  const auto modes = bodies::disk::modes(poisson, 100.0);
   for (std::size_t i = 0; i < modes.size(); i += 11) {
     EXPECT_LE(newton_correction<long double>(poisson, modes[i], 1e-7), 1e-12)
         << "n = " << modes[i].order << ", omega = " << modes[i].omega;
@@ -101,7 +103,7 @@ TEST_P(ModeResidual, OfThePaperEquationInLongDouble) {
 TEST_P(ModeResidual, OfThePaperEquationAtFiftyDigits) {
   using Real = boost::multiprecision::cpp_bin_float_50;
   const double poisson = GetParam();
-  const auto modes = disk_modes(poisson, 100.0);
+  const auto modes = bodies::disk::modes(poisson, 100.0);
   for (std::size_t i = 0; i < modes.size(); i += modes.size() / 12) {
     EXPECT_LE(newton_correction<Real>(poisson, modes[i], 1e-18), 1e-12)
         << "n = " << modes[i].order << ", omega = " << modes[i].omega;
@@ -114,7 +116,7 @@ INSTANTIATE_TEST_SUITE_P(Poisson, ModeResidual,
 TEST(ModeValues, FamilyIsThatOfTheLargerAmplitude) {
   EXPECT_EQ(family({2, 0, 1.0, 1.0, -0.9}), ModeFamily::radial);
   EXPECT_EQ(family({2, 0, 1.0, 0.9, -1.0}), ModeFamily::tangential);
-  const auto modes = disk_modes(0.33, 25.0);
+  const auto modes = bodies::disk::modes(0.33, 25.0);
   EXPECT_EQ(family(modes.front()), ModeFamily::radial);  // n = 0 is purely radial
   for (const Mode& mode : modes) {
     EXPECT_EQ(family(mode) == ModeFamily::radial, mode.radial > std::abs(mode.tangential));

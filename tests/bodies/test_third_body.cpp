@@ -51,8 +51,8 @@ TEST_P(RodInOtherUnits, GivesTheSameImpact) {
     soft->strength *= line_density * wave_speed * wave_speed * length;
     plane = std::log(soft->strength) / soft->hardness;
   }
-  const Impact here = impact(rod(60.0), GetParam().wall, speed, {.step = 0.002, .tail = tail});
-  const Impact there = impact(body, wall, speed * wave_speed, {.step = 0.002 * time, .tail = tail});
+  const Impact here = impact(rod(60.0), GetParam().wall, speed, {.resolution = {.step = 0.002, .tail = tail}});
+  const Impact there = impact(body, wall, speed * wave_speed, {.resolution = {.step = 0.002 * time, .tail = tail}});
   EXPECT_NEAR(there.restitution, here.restitution, 1e-9);
   EXPECT_NEAR(there.contact_time / time, here.contact_time, 1e-9);
   EXPECT_NEAR((there.max_compression - plane) / length, here.max_compression, 1e-9);
@@ -91,7 +91,7 @@ TEST(Dumbbell, AgreesWithRungeKutta) {
     for (const double speed : {0.1, 0.4}) {
       const Body body = test::dumbbell(2.0, omega);
       const double expected = dumbbell_by_runge_kutta(2.0, omega, 40.0, speed);
-      const Impact found = impact(body, ExponentialWall{40.0, 1.0}, speed, {.step = 2.5e-4});
+      const Impact found = impact(body, ExponentialWall{40.0, 1.0}, speed, {.resolution = {.step = 2.5e-4}});
       EXPECT_NEAR(found.restitution, expected, 2e-6) << "omega " << omega << ", speed " << speed;
       EXPECT_NEAR(found.energy.modes.front().after, 1.0 - expected * expected, 1e-5);
       largest_loss = std::max(largest_loss, 1.0 - expected * expected);

@@ -87,12 +87,15 @@ TEST(ExponentialWall, ActsOnTheFrontHalfOfTheDisk) {
         Gauss::integrate([&](double phi) { return std::exp(hardness * (center + std::cos(phi))); }, 0.0, 0.5 * pi);
     double share = -1.0;  // of the potential in the kinetic energy
     const ImpactOptions options{.start = State{center, speed, rest, rest}};
-    const Impact result = impact(body, ExponentialWall{hardness, 1e-2}, speed, options, [&](const Snapshot& now) {
+    const ImpactObserver observer = [&](const Snapshot& now) {
       if (share < 0.0) share = now.stored / now.translation;
-    });
+    };
+    const Impact result = impact(body, ExponentialWall{hardness, 1e-2}, speed, options, {observer});
     EXPECT_NEAR(share * 0.5 * body.mass * speed * speed, 1e-2 * potential, 1e-5 * 1e-2 * potential) << hardness;
     EXPECT_LE(result.half_width, 0.5 * pi);
-    const auto wider = [&] { (void)impact(body, ExponentialWall{hardness}, speed, {.half_width = 1.6}); };
+    const auto wider = [&] {
+      (void)impact(body, ExponentialWall{hardness}, speed, {.resolution = {.half_width = 1.6}});
+    };
     test::expect_refusal(wider, {"half_width", "1.6"});
   }
 }

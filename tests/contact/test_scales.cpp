@@ -14,6 +14,8 @@
 #include "support/disk_pairs.hpp"
 
 namespace stoss {
+using namespace bodies::disk;
+
 namespace {
 
 constexpr double cutoff = 14.0;
@@ -28,7 +30,8 @@ class DiskPair : public ::testing::TestWithParam<Disk> {
 };
 
 TEST_P(DiskPair, HasTheModesOfBothInUnitsOfTheFirst) {
-  const auto of_one = disk_modes(one.poisson, cutoff), of_other = disk_modes(other.poisson, cutoff * unit.time);
+  const auto of_one = bodies::disk::modes(one.poisson, cutoff),
+             of_other = bodies::disk::modes(other.poisson, cutoff * unit.time);
   ASSERT_EQ(mode_count(here), of_one.size() + of_other.size());
   const double m1 = std::numbers::pi, m2 = std::numbers::pi * unit.mass, reduced = m1 * m2 / (m1 + m2);
   EXPECT_NEAR(here.mass, reduced, 1e-14);

@@ -19,11 +19,13 @@ class Identity : public ::testing::TestWithParam<Case> {
   [[nodiscard]] bool has_static_tail() const { return !its.soft && its.tail == Tail::quasistatic; }
   [[nodiscard]] bool loses_energy() const { return !its.soft && its.tail == Tail::radiating; }
 
-  [[nodiscard]] Impact run() const { return impact(contact, its.speed, {.step = step, .tail = its.tail}); }
+  [[nodiscard]] Impact run() const {
+    return impact(contact, its.speed, {.resolution = {.step = step, .tail = its.tail}});
+  }
 
   /// The same impact described otherwise: its time step is that of this one, in units of which `unit` are R/c here.
   [[nodiscard]] Impact run(const Case& otherwise, double unit = 1.0) const {
-    return impact(contact_of(otherwise), otherwise.speed, {.step = step / unit, .tail = its.tail});
+    return impact(contact_of(otherwise), otherwise.speed, {.resolution = {.step = step / unit, .tail = its.tail}});
   }
 };
 

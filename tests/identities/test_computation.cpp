@@ -35,8 +35,8 @@ TEST_P(Identity, GridDoesNotMatter) {
   if (is_rod(its)) GTEST_SKIP() << "a rod has a single point of contact";
   // On a soft wall the nodes integrate a smooth pressure, which needs a grid that resolves 1/√α.
   const int coarse = its.soft ? 192 : 64, fine = its.soft ? 288 : 96;
-  const Impact a = impact(contact, its.speed, {.step = step, .nodes = coarse, .tail = its.tail});
-  const Impact b = impact(contact, its.speed, {.step = step, .nodes = fine, .tail = its.tail});
+  const Impact a = impact(contact, its.speed, {.resolution = {.step = step, .nodes = coarse, .tail = its.tail}});
+  const Impact b = impact(contact, its.speed, {.resolution = {.step = step, .nodes = fine, .tail = its.tail}});
   // Without damping the nodes at the edge of a fast contact rattle, which costs the static tail a digit.
   const double rattle = has_static_tail() ? its.speed : 0.0;
   EXPECT_NEAR(a.lost_fraction, b.lost_fraction, its.soft ? 1e-9 : 5e-5 + 1e-3 * rattle);
@@ -54,7 +54,7 @@ TEST_P(Identity, OrderOfTheModesDoesNotMatter) {
     after.wall = before.wall;
     return after;
   };
-  const Impact backward = impact(turned(contact), its.speed, {.step = step, .tail = its.tail});
+  const Impact backward = impact(turned(contact), its.speed, {.resolution = {.step = step, .tail = its.tail}});
   EXPECT_NEAR(backward.restitution, straight.restitution, 1e-9);
   EXPECT_NEAR(backward.max_force / straight.max_force, 1.0, 1e-9);
   ASSERT_EQ(backward.energy.modes.size(), straight.energy.modes.size());

@@ -41,11 +41,12 @@ TEST_P(Identity, EnergyIsConservedAndTheLedgerSumsToOne) {
 
 TEST_P(Identity, ImpulseIsTheChangeOfMomentum) {
   double impulse = 0.0, before = 0.0, last = 0.0;
-  const Impact result = impact(contact, its.speed, {.step = step, .tail = its.tail}, [&](const Snapshot& now) {
+  const ImpactObserver observer = [&](const Snapshot& now) {
     impulse += 0.5 * (before + now.force) * (now.time - last);
     before = now.force;
     last = now.time;
-  });
+  };
+  const Impact result = impact(contact, its.speed, {.resolution = {.step = step, .tail = its.tail}}, {observer});
   EXPECT_LE(result.momentum_error, 1e-12);
   // From what the observer saw: forces are those of the mass of the first body.
   const double reduced = its.second ? mass(*its.second) / (mass(its.first) + mass(*its.second)) : 1.0;
@@ -68,8 +69,8 @@ TEST_P(Identity, RestitutionFromRestIsAtMostOne) {
 // In the units of the case, with masses from the definitions of the bodies.
 TEST_P(IdentityOfPairs, EnergyAndMomentumHoldInAnyFrame) {
   double impulse = 0.0;
-  const Impact result = impact(contact, its.speed, {.step = step, .tail = its.tail},
-                               [&](const Snapshot& now) { impulse += now.force * step; });
+  const Impact result = impact(contact, its.speed, {.resolution = {.step = step, .tail = its.tail}},
+                               {[&](const Snapshot& now) { impulse += now.force * step; }});
   const double m1 = mass(its.first), m2 = mass(*its.second);
   const double wave = wave_speed(its.first), approach = its.speed * wave;
   impulse *= m1 * wave;

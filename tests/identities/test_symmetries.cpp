@@ -10,11 +10,11 @@ namespace stoss::test {
 
 TEST_P(Identity, TimeReversalGivesBackTheStart) {
   if (loses_energy()) GTEST_SKIP() << "the radiating tail takes energy";
-  ImpactOptions options{.step = step, .tail = its.tail};
-  use_one_grid(contact, its.speed, options);
+  ImpactOptions options{.resolution = {.step = step, .tail = its.tail}};
+  use_one_grid(contact, its.speed, options.resolution);
   const Impact forth = impact(contact, its.speed, options);
   options.start = backwards(forth.final_state);
-  if (!is_rod(its)) options.nodes = forth.nodes;
+  if (!is_rod(its)) options.resolution.nodes = forth.nodes;
   const Impact back = impact(contact, -forth.final_state.velocity, options);
   EXPECT_NEAR(back.restitution * forth.restitution, 1.0, 1e-8);
   EXPECT_NEAR(-back.final_state.velocity / its.speed, 1.0, 1e-8);
@@ -22,7 +22,9 @@ TEST_P(Identity, TimeReversalGivesBackTheStart) {
   EXPECT_NEAR(back.max_force / forth.max_force, 1.0, 1e-8);
   EXPECT_NEAR(back.max_compression, forth.max_compression, 1e-8 * std::abs(forth.max_compression));
   if (!its.soft) {  // what counts as contact with a soft wall depends on the speed of the impact
-    EXPECT_NEAR(back.contact_time, forth.contact_time, 1.001 * step);
+    // It begins where the continuous surface touches, and ends where the last force does, a little in front of that.
+    EXPECT_NEAR(back.contact_time, forth.contact_time, 3.0 * step);
+    EXPECT_NEAR(back.impulse_time, forth.impulse_time, 1e-8 * forth.impulse_time);
   }
 }
 
@@ -72,7 +74,7 @@ TEST_P(IdentityOfSoftWalls, StrengthOnlyShiftsTheWall) {
   for (const double strength : {1e-3, 1e3}) {
     Contact shifted = contact;
     shifted.wall = ExponentialWall{500.0, strength};
-    EXPECT_NEAR(impact(shifted, its.speed, {.step = step, .tail = its.tail}).lost_fraction, lost, 1e-9);
+    EXPECT_NEAR(impact(shifted, its.speed, {.resolution = {.step = step, .tail = its.tail}}).lost_fraction, lost, 1e-9);
   }
 }
 

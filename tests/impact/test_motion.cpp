@@ -18,10 +18,11 @@ TEST(Motion, IsTheImpactItself) {
   const Body body = disk(0.33, 12.5);
   const Impact result = impact(body, HardWall{}, 0.1);
   std::vector<double> centers, forces;
-  (void)impact(body, HardWall{}, 0.1, {}, [&](const Snapshot& now) {
+  const ImpactObserver observer = [&](const Snapshot& now) {
     centers.push_back(now.center);
     forces.push_back(now.force);
-  });
+  };
+  (void)impact(body, HardWall{}, 0.1, {}, {observer});
   std::vector<double> times;
   for (std::size_t i = 0; i < centers.size(); i += 7) times.push_back(static_cast<double>(i) * result.step);
   const std::vector<Frame> frames = motion(contact(body), result, times);

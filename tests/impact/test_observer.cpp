@@ -16,12 +16,14 @@
 namespace stoss {
 namespace {
 
-std::vector<Snapshot> watch(const Body& body, const Wall& wall, double speed, ImpactOptions options, Impact* result) {
+std::vector<Snapshot> watch(const Body& body, const Wall& wall, double speed, Tail tail, Impact* result,
+                            int every = 1) {
   std::vector<Snapshot> seen;
-  *result = impact(body, wall, speed, options, [&](const Snapshot& now) {
+  const ImpactObserver observer = [&](const Snapshot& now) {
     seen.push_back(now);
     seen.back().coordinate = seen.back().momentum = {};
-  });
+  };
+  *result = impact(body, wall, speed, {.resolution = {.tail = tail}}, {.observer = observer, .every = every});
   return seen;
 }
 
@@ -34,7 +36,7 @@ class Observer : public ::testing::TestWithParam<test::WallCase> {
 
 TEST_P(Observer, SeesAConsistentMotion) {
   Impact result;
-  const auto seen = watch(body, wall, 0.1, {.tail = tail}, &result);
+  const auto seen = watch(body, wall, 0.1, tail, &result);
   ASSERT_EQ(seen.size(), static_cast<std::size_t>(result.steps) + 1);
   double largest_force = 0.0, deepest = -1.0, widest = 0.0;
   for (std::size_t i = 0; i < seen.size(); ++i) {
@@ -55,15 +57,21 @@ TEST_P(Observer, SeesAConsistentMotion) {
   EXPECT_EQ(seen.back().translation, result.energy.translation);
   EXPECT_EQ(seen.back().unresolved, result.energy.unresolved);
   EXPECT_NEAR(seen.back().vibration, result.energy.vibration, 1e-14);
-  EXPECT_DOUBLE_EQ(largest_force, result.max_force);
-  EXPECT_NEAR(deepest, result.max_compression, 1e-15);
-  EXPECT_EQ(widest, result.max_half_width);
+  // The greatest values are tops of parabolas through the samples; compression counts from the touch of the continuous
+  // surface, h²/24 before that of the centre's position.
+  const double spacing = result.half_width / result.nodes;
+  EXPECT_GE(result.max_force, largest_force);
+  EXPECT_LT(result.max_force, 1.003 * largest_force);
+  EXPECT_GE(result.max_compression, deepest);
+  EXPECT_LT(result.max_compression, deepest + spacing * spacing / 20.0 + 1e-6);
+  EXPECT_GE(result.max_half_width, widest);
+  EXPECT_LT(result.max_half_width, 1.003 * widest);
 }
 
 TEST_P(Observer, ChangesNothing) {
   Impact seen;
-  (void)watch(body, wall, 0.1, {.tail = tail}, &seen);
-  const Impact unseen = impact(body, wall, 0.1, {.tail = tail});
+  (void)watch(body, wall, 0.1, tail, &seen);
+  const Impact unseen = impact(body, wall, 0.1, {.resolution = {.tail = tail}});
   EXPECT_EQ(seen.restitution, unseen.restitution);
   EXPECT_EQ(seen.steps, unseen.steps);
   EXPECT_EQ(seen.final_state.momentum, unseen.final_state.momentum);
@@ -71,8 +79,8 @@ TEST_P(Observer, ChangesNothing) {
 
 TEST_P(Observer, IsCalledEverySoManySteps) {
   Impact result;
-  const auto all = watch(body, wall, 0.1, {.tail = tail}, &result);
-  const auto some = watch(body, wall, 0.1, {.tail = tail, .observe_every = 7}, &result);
+  const auto all = watch(body, wall, 0.1, tail, &result);
+  const auto some = watch(body, wall, 0.1, tail, &result, 7);
   ASSERT_EQ(some.size(), (all.size() - 1) / 7 + 1 + ((all.size() - 1) % 7 == 0 ? 0 : 1));
   for (std::size_t i = 0; i + 1 < some.size(); ++i) {
     EXPECT_EQ(some[i].time, all[7 * i].time);
@@ -84,34 +92,35 @@ TEST_P(Observer, IsCalledEverySoManySteps) {
 
 TEST_P(Observer, GetsTheModesOnRequest) {
   bool without = true;
-  (void)impact(body, wall, 0.1, {.tail = tail},
-               [&](const Snapshot& now) { without = without && now.coordinate.empty(); });
+  (void)impact(body, wall, 0.1, {.resolution = {.tail = tail}},
+               {[&](const Snapshot& now) { without = without && now.coordinate.empty(); }});
   EXPECT_TRUE(without);
   const double initial = 0.5 * body.mass * 0.01;
   std::vector<double> coordinate, momentum;
+  const ImpactObserver observer = [&](const Snapshot& now) {
+    ASSERT_EQ(now.coordinate.size(), mode_count(body));
+    ASSERT_EQ(now.momentum.size(), mode_count(body));
+    double energy = 0.0;
+    std::size_t k = 0;
+    for (const ModeGroup& group : body.groups) {
+      for (const double omega : group.omega) {
+        energy += 0.5 * now.momentum[k] * now.momentum[k] / body.mass +
+                  0.5 * body.mass * omega * omega * now.coordinate[k] * now.coordinate[k];
+        ++k;
+      }
+    }
+    EXPECT_NEAR(energy / initial, now.vibration, 1e-12);
+    double force = 0.0;
+    for (const double share : now.node_force) {
+      EXPECT_GE(share, 0.0);
+      force += share;
+    }
+    EXPECT_NEAR(force, now.force, 1e-12);
+    coordinate.assign(now.coordinate.begin(), now.coordinate.end());
+    momentum.assign(now.momentum.begin(), now.momentum.end());
+  };
   const Impact result =
-      impact(body, wall, 0.1, {.tail = tail, .observe_every = 5, .observe_modes = true}, [&](const Snapshot& now) {
-        ASSERT_EQ(now.coordinate.size(), mode_count(body));
-        ASSERT_EQ(now.momentum.size(), mode_count(body));
-        double energy = 0.0;
-        std::size_t k = 0;
-        for (const ModeGroup& group : body.groups) {
-          for (const double omega : group.omega) {
-            energy += 0.5 * now.momentum[k] * now.momentum[k] / body.mass +
-                      0.5 * body.mass * omega * omega * now.coordinate[k] * now.coordinate[k];
-            ++k;
-          }
-        }
-        EXPECT_NEAR(energy / initial, now.vibration, 1e-12);
-        double force = 0.0;
-        for (const double share : now.node_force) {
-          EXPECT_GE(share, 0.0);
-          force += share;
-        }
-        EXPECT_NEAR(force, now.force, 1e-12);
-        coordinate.assign(now.coordinate.begin(), now.coordinate.end());
-        momentum.assign(now.momentum.begin(), now.momentum.end());
-      });
+      impact(body, wall, 0.1, {.resolution = {.tail = tail}}, {.observer = observer, .every = 5, .modes = true});
   EXPECT_EQ(coordinate, result.final_state.coordinate);
   EXPECT_EQ(momentum, result.final_state.momentum);
 }
@@ -119,9 +128,10 @@ TEST_P(Observer, GetsTheModesOnRequest) {
 TEST_P(Observer, ThrowsThroughTheImpact) {
   int calls = 0;
   const std::string message = test::message_of<std::domain_error>([&] {
-    (void)impact(body, wall, 0.1, {.tail = tail}, [&](const Snapshot&) {
+    const ImpactObserver observer = [&](const Snapshot&) {
       if (++calls == 10) throw std::domain_error("enough");
-    });
+    };
+    (void)impact(body, wall, 0.1, {.resolution = {.tail = tail}}, {observer});
   });
   EXPECT_EQ(message, "enough");
   EXPECT_EQ(calls, 10);
@@ -132,7 +142,7 @@ TEST_P(Observer, MeanEnergiesAreThoseOfTheContact) {
   const double initial = 0.5 * body.mass * 0.01;
   std::vector<double> mean(mode_count(body), 0.0);
   int samples = 0;
-  const Impact result = impact(body, wall, 0.1, {.tail = tail, .observe_modes = true}, [&](const Snapshot& now) {
+  const ImpactObserver observer = [&](const Snapshot& now) {
     if (now.force == 0.0) return;
     ++samples;
     std::size_t k = 0;
@@ -143,7 +153,8 @@ TEST_P(Observer, MeanEnergiesAreThoseOfTheContact) {
         ++k;
       }
     }
-  });
+  };
+  const Impact result = impact(body, wall, 0.1, {.resolution = {.tail = tail}}, {.observer = observer, .modes = true});
   double average = 0.0;
   for (std::size_t k = 0; k < mean.size(); ++k) {
     // The engine may look at some of the steps only.
@@ -160,7 +171,7 @@ INSTANTIATE_TEST_SUITE_P(Walls, Observer, ::testing::ValuesIn(test::every_wall))
 
 TEST(ImpactResult, CarriesItsInputs) {
   const Body body = disk(0.33, 12.5);
-  const Impact result = impact(body, ExponentialWall{321.0, 2.0}, 0.07, {.step = 0.004, .nodes = 150});
+  const Impact result = impact(body, ExponentialWall{321.0, 2.0}, 0.07, {.resolution = {.step = 0.004, .nodes = 150}});
   EXPECT_EQ(result.contact, body.name);
   EXPECT_NE(result.contact.find("0.33"), std::string::npos);
   ASSERT_TRUE(std::holds_alternative<ExponentialWall>(result.wall));

@@ -57,7 +57,7 @@ TEST_P(StatesOfAPair, EnergiesOfTheModesAreThoseOfTheLedger) {
 
 TEST_P(StatesOfAPair, AreReplayedBitByBit) {
   std::vector<Frame> seen;
-  const Impact result = impact(pair, speed, {.observe_every = 9, .observe_modes = true}, [&](const Snapshot& now) {
+  const ImpactObserver observer = [&](const Snapshot& now) {
     seen.push_back({now.time,
                     now.force,
                     now.contact_half_width,
@@ -66,7 +66,8 @@ TEST_P(StatesOfAPair, AreReplayedBitByBit) {
                      {now.coordinate.begin(), now.coordinate.end()},
                      {now.momentum.begin(), now.momentum.end()}},
                     {now.node_force.begin(), now.node_force.end()}});
-  });
+  };
+  const Impact result = impact(pair, speed, {}, {.observer = observer, .every = 9, .modes = true});
   std::vector<double> times;
   for (const Frame& frame : seen) times.push_back(frame.time);
   const std::vector<Frame> again = motion(pair, result, times);
@@ -116,14 +117,15 @@ TEST_P(StatesOfAPair, OfASecondBodyThatVibratesAreLedFreelyToTheImpact) {
   EXPECT_NEAR(share, 0.5 * modes.mass[k] * std::pow(0.004 * modes.omega[k], 2), 1e-15);
   bool free = true;
   int seen = 0;
-  const Impact result = impact(pair, speed, {.observe_modes = true, .start = start}, [&](const Snapshot& now) {
+  const ImpactObserver observer = [&](const Snapshot& now) {
     free = free && now.force == 0.0;
     if (!free) return;
     ++seen;
     EXPECT_NEAR(now.center, start.center + speed * now.time, 1e-12);
     EXPECT_NEAR(now.coordinate[k], 0.004 * std::cos(modes.omega[k] * now.time), 1e-13);
     EXPECT_NEAR(now.vibration, share / all, 1e-12);
-  });
+  };
+  const Impact result = impact(pair, speed, {.start = start}, {.observer = observer, .modes = true});
   EXPECT_GT(seen, 10);
   EXPECT_NEAR(result.energy_error, 0.0, 2e-4);
   EXPECT_LE(result.momentum_error, 1e-12);
@@ -145,8 +147,8 @@ TEST_P(StatesOfAPair, MayBeToldFromTheOtherBody) {
   there.coordinate[3] = here.coordinate[of_first + 3] / units.length;
   there.momentum[1] = here.momentum[of_first + 1] / momentum;
   const double step = recommended_step(pair, speed);
-  const Impact a = impact(pair, speed, {.step = step, .start = here});
-  const Impact b = impact(swapped, speed / wave, {.step = step / units.time, .start = there});
+  const Impact a = impact(pair, speed, {.resolution = {.step = step}, .start = here});
+  const Impact b = impact(swapped, speed / wave, {.resolution = {.step = step / units.time}, .start = there});
   EXPECT_NEAR(b.restitution, a.restitution, 1e-10);
   EXPECT_NEAR(b.energy.lost_to_second, a.energy.lost_to_first, 1e-10);
   EXPECT_NEAR(b.final_state.coordinate[0] * units.length, a.final_state.coordinate[of_first], 1e-10);

@@ -25,7 +25,8 @@ TEST(ImpactValues, HardWallWithStaticTail) {
   constexpr std::array expected{0.1009, 0.1024, 0.1027};
   for (std::size_t i = 0; i < cutoffs.size(); ++i) {
     const Body body = disk(0.33, cutoffs[i]);
-    const Impact fixed = impact(body, HardWall{}, 0.1, {.step = 0.5 / cutoffs[i], .tail = Tail::quasistatic});
+    const Impact fixed =
+        impact(body, HardWall{}, 0.1, {.resolution = {.step = 0.5 / cutoffs[i], .tail = Tail::quasistatic}});
     EXPECT_NEAR(fixed.lost_fraction, expected[i], 2e-4) << "cutoff " << cutoffs[i];
   }
 }
@@ -34,7 +35,7 @@ TEST(ImpactValues, HardWallWithRadiatingTail) {
   constexpr std::array expected{0.1032, 0.1031, 0.1031};
   for (std::size_t i = 0; i < cutoffs.size(); ++i) {
     const Body body = disk(0.33, cutoffs[i]);
-    const Impact fixed = impact(body, HardWall{}, 0.1, {.step = 0.25 / cutoffs[i]});
+    const Impact fixed = impact(body, HardWall{}, 0.1, {.resolution = {.step = 0.25 / cutoffs[i]}});
     EXPECT_NEAR(fixed.lost_fraction, expected[i], 1.5e-4) << "cutoff " << cutoffs[i];
     const Impact recommended = impact(body, HardWall{}, 0.1);
     EXPECT_NEAR(recommended.lost_fraction, expected[i], 1.5e-4) << "cutoff " << cutoffs[i];
@@ -47,7 +48,7 @@ class SoftWallValues : public ::testing::Test {
   static Impact refined(double cutoff) {
     const Body body = disk(0.33, cutoff);
     return impact(body, ExponentialWall{}, 0.1,
-                  {.step = 0.25 * recommended_step(contact(body, ExponentialWall{}), 0.1)});
+                  {.resolution = {.step = 0.25 * recommended_step(contact(body, ExponentialWall{}), 0.1)}});
   }
 };
 
@@ -107,7 +108,7 @@ TEST(ImpactReference, ContactAtHardWallIsThatOfFiniteElements) {
     if (!bodies.contains(poisson)) bodies.emplace(poisson, disk(poisson, 100.0));
     std::vector<double> force;
     const Impact result =
-        impact(bodies.at(poisson), HardWall{}, speed, {}, [&](const Snapshot& now) { force.push_back(now.force); });
+        impact(bodies.at(poisson), HardWall{}, speed, {}, {[&](const Snapshot& now) { force.push_back(now.force); }});
     EXPECT_NEAR(result.contact_time, row.number("contact_time"),
                 row.number("contact_time_uncertainty") + 2.0 * result.step);
     // The reference averages the force over 0.05 R/c.
@@ -132,7 +133,7 @@ TEST_P(DefaultAccuracy, EnergyErrorIsBelowOneInTenThousand) {
     const Body body = disk(GetParam(), cutoff);
     for (const double speed : {1e-4, 1e-3, 0.01, 0.05, 0.1, 0.2, 0.3, 0.4}) {
       for (const Tail tail : {Tail::quasistatic, Tail::radiating}) {
-        const Impact result = impact(body, HardWall{}, speed, {.tail = tail});
+        const Impact result = impact(body, HardWall{}, speed, {.resolution = {.tail = tail}});
         EXPECT_NEAR(result.energy_error, 0.0, 1e-4)
             << "cutoff " << cutoff << ", v = " << speed << (tail == Tail::radiating ? ", radiating" : ", static");
         EXPECT_LE(result.momentum_error, 1e-12);

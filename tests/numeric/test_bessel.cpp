@@ -10,6 +10,8 @@
 #include "numeric/bessel.hpp"
 
 namespace stoss {
+using namespace numeric;
+
 namespace {
 
 constexpr int highest = 900;

@@ -6,7 +6,7 @@
 #include <Eigen/Cholesky>
 #include <Eigen/Core>
 
-namespace stoss::dense {
+namespace stoss::numeric::dense {
 namespace {
 
 using Eigen::MatrixXd;
@@ -51,4 +51,4 @@ TEST(Dense, SaysWhatIsNotPositiveDefinite) {
 }
 
 }  // namespace
-}  // namespace stoss::dense
+}  // namespace stoss::numeric::dense

@@ -20,6 +20,9 @@
 #include "support/body_tools.hpp"
 
 namespace stoss {
+using namespace bodies::disk;
+using namespace quasistatic;
+
 namespace {
 
 using std::numbers::pi;
@@ -80,7 +83,7 @@ double overlap(int n, bool as_printed) {
                       -n * a * cyl_bessel_j(n, first * r) / r - b * second * cyl_bessel_j_prime(n, second * r)};
   };
   std::vector<Mode> modes;
-  for (const Mode& mode : disk_modes(poisson, 12.0)) {
+  for (const Mode& mode : bodies::disk::modes(poisson, 12.0)) {
     if (mode.order == n) modes.push_back(mode);
   }
   const auto product = [&](const Mode& one, const Mode& other) {
@@ -205,7 +208,7 @@ TEST(Errata, E6PrintedSignMakesTheWallAttractTheEdge) {
   const ExponentialWall wall{.hardness = 50.0};
   const auto reversed = InteractionPicture(body, wall, +1.0).collide(0.1, 0.01);
   EXPECT_LT(reversed.energy_error, 1e-6);
-  const Impact expected = impact(body, wall, 0.1, {.step = 0.002});
+  const Impact expected = impact(body, wall, 0.1, {.resolution = {.step = 0.002}});
   EXPECT_NEAR(reversed.lost_fraction, expected.lost_fraction, 1e-4);
   const auto printed = InteractionPicture(body, wall, -1.0).collide(0.1, 0.01);
   EXPECT_FALSE(printed.energy_error < 10.0);
@@ -213,7 +216,7 @@ TEST(Errata, E6PrintedSignMakesTheWallAttractTheEdge) {
 
 TEST(Errata, E10DilatationHasTheOppositeSign) {
   // In the mode (0, l), u_r = A dJ_0(κr)/dr: the paper prints η = +Aκ²J_0.
-  for (const Mode& mode : disk_modes(0.33, 12.0)) {
+  for (const Mode& mode : bodies::disk::modes(0.33, 12.0)) {
     if (mode.order != 0) continue;
     const double k = mode.omega * std::sqrt(1.0 - 0.33 * 0.33), r = 0.3, h = 1e-3;
     const auto field = displacement(0.33, mode, {r - h, r, r + h});
@@ -227,7 +230,7 @@ TEST(Errata, E10DilatationHasTheOppositeSign) {
 TEST(Errata, E11AllLawsHaveTheSameWaveAtOtherSpeeds) {
   // The estimate depends on v/F* only, with F* the limit force of the law.
   const double poisson = 0.33;
-  const std::vector<Mode> modes = disk_modes(poisson, 25.0);
+  const std::vector<Mode> modes = bodies::disk::modes(poisson, 25.0);
   for (const auto law : {CompressionLaw::printed, CompressionLaw::diameter}) {
     for (const double speed : {1e-8, 1e-4, 0.0012, 0.009}) {
       const double other = speed * limit_force(law, poisson) / limit_force(CompressionLaw::center, poisson);
@@ -240,7 +243,7 @@ TEST(Errata, E11AllLawsHaveTheSameWaveAtOtherSpeeds) {
 TEST(Errata, E12FewModesGiveLessThanAllDo) {
   // ε at ν = 0.9, v = 0.3 c and αR = 500 with the modes below a cutoff; the paper prints 0.65, all modes give 0.7477.
   const auto restitution = [](double cutoff) {
-    return impact(disk(0.9, cutoff), ExponentialWall{500.0}, 0.3, {.step = 0.001}).restitution;
+    return impact(disk(0.9, cutoff), ExponentialWall{500.0}, 0.3, {.resolution = {.step = 0.001}}).restitution;
   };
   EXPECT_EQ(mode_count(disk(0.9, 3.0)), 5U);
   EXPECT_NEAR(restitution(3.0), 0.63, 0.005);

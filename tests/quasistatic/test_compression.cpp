@@ -11,6 +11,8 @@
 #include "support/refusal.hpp"
 
 namespace stoss {
+using namespace quasistatic;
+
 namespace {
 
 constexpr std::array laws{CompressionLaw::center, CompressionLaw::diameter, CompressionLaw::printed};

@@ -8,6 +8,8 @@
 #include <numbers>
 
 namespace stoss {
+using namespace quasistatic;
+
 namespace {
 
 double sum_of(const ForcePulse::Nodes& nodes, double omega) {

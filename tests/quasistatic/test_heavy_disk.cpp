@@ -22,6 +22,9 @@
 #include "support/refusal.hpp"
 
 namespace stoss {
+using namespace bodies::disk;
+using namespace quasistatic;
+
 namespace {
 
 constexpr double pi = std::numbers::pi;

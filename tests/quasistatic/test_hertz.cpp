@@ -17,6 +17,8 @@
 #include "support/refusal.hpp"
 
 namespace stoss {
+using namespace quasistatic;
+
 namespace {
 
 constexpr double pi = std::numbers::pi;

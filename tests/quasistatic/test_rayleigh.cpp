@@ -17,6 +17,9 @@
 #include "support/runge_kutta.hpp"
 
 namespace stoss {
+using namespace bodies::disk;
+using namespace quasistatic;
+
 namespace {
 
 constexpr std::array laws{CompressionLaw::center, CompressionLaw::diameter, CompressionLaw::printed};
@@ -92,7 +95,7 @@ TEST(Rayleigh, EnergyIsThatOfADrivenOscillator) {
 }
 
 TEST(Rayleigh, SumsItsModesAndRepeatsItself) {
-  const std::vector<Mode> modes = disk_modes(0.33, 63.0);
+  const std::vector<Mode> modes = bodies::disk::modes(0.33, 63.0);
   const RayleighEstimate estimate = rayleigh(CompressionLaw::center, 0.33, 1e-4, modes);
   const RayleighEstimate again = rayleigh(CompressionLaw::center, 0.33, 1e-4, modes);
   ASSERT_EQ(estimate.modes.size(), modes.size());
@@ -118,7 +121,7 @@ TEST(Rayleigh, SumsItsModesAndRepeatsItself) {
   }
   EXPECT_NEAR(estimate.kinetic_share / (inertia * std::pow(rate / 1e-4, 2)), 1.0, 1e-5);
   // What the modes beyond hold falls as 1/ω².
-  const double further = rayleigh(CompressionLaw::center, 0.33, 1e-4, disk_modes(0.33, 126.0)).lost_fraction;
+  const double further = rayleigh(CompressionLaw::center, 0.33, 1e-4, bodies::disk::modes(0.33, 126.0)).lost_fraction;
   EXPECT_GT(further, estimate.lost_fraction);
   EXPECT_LT(further, estimate.lost_fraction * (1.0 + 3e-4));
 }
@@ -130,7 +133,7 @@ TEST(Rayleigh, IsNearTheFullSolutionOfSlowImpacts) {
     bool beyond;
   };
   const RefinableContact body(disk(0.33));
-  const std::vector<Mode> modes = disk_modes(0.33, 60.0);
+  const std::vector<Mode> modes = bodies::disk::modes(0.33, 60.0);
   for (const auto& expected : {Expected{1e-08, 0.00396, 0.00491, 0.00192, 0.00313, false},
                                {1e-07, 0.00630, 0.00641, 0.00471, 0.00542, false},
                                {1e-06, 0.00671, 0.00605, 0.00493, 0.00372, false},
@@ -162,7 +165,7 @@ TEST(Rayleigh, ErrorEstimateHoldsForAllPoissonNumbers) {
   double tightest = 0.0;  // true error over the estimated one
   for (const double poisson : {-0.5, 0.0, 0.33, 0.9}) {
     const Body body = disk(poisson, 25.0);
-    const std::vector<Mode> modes = disk_modes(poisson, 25.0);
+    const std::vector<Mode> modes = bodies::disk::modes(poisson, 25.0);
     for (const double speed : {1e-8, 1e-7, 1e-6, 1e-5, 1e-4, 3e-4, 1e-3, 3e-3, 1e-2, 3e-2, 0.1}) {
       const RayleighEstimate estimate = rayleigh(CompressionLaw::center, poisson, speed, modes);
       const double loss = impact(body, HardWall{}, speed).lost_fraction;
@@ -204,7 +207,7 @@ TEST(Rayleigh, DecreaseOfTheLossWithSpeedIsPhysical) {
   // period of the quadrupole. The contact time depends on the logarithm of v, so that the estimate has them at a lower
   // v.
   const Body body = disk(0.33, 25.0);
-  const std::vector<Mode> modes = disk_modes(0.33, 25.0);
+  const std::vector<Mode> modes = bodies::disk::modes(0.33, 25.0);
   const Wave full = wave(5e-4, 0.04, [&](double speed) {
     const Impact result = impact(body, HardWall{}, speed);
     return std::pair{result.lost_fraction, result.contact_time};

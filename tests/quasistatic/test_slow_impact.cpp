@@ -16,6 +16,8 @@
 #include "support/runge_kutta.hpp"
 
 namespace stoss {
+using namespace quasistatic;
+
 namespace {
 
 using Digits50 = boost::multiprecision::cpp_bin_float_50;

@@ -18,6 +18,9 @@
 #include "support/refusal.hpp"
 
 namespace stoss {
+using namespace bodies::disk;
+using namespace quasistatic;
+
 namespace {
 
 constexpr double pi = std::numbers::pi;
@@ -28,7 +31,7 @@ struct Minimum {
 
 /// Newton's method over the coordinates of all modes of a disk, with the wall's integral by the trapezoidal rule.
 Minimum by_modes(double poisson, double cutoff, const ExponentialWall& wall, double compression) {
-  const std::vector<Mode> modes = disk_modes(poisson, cutoff);
+  const std::vector<Mode> modes = bodies::disk::modes(poisson, cutoff);
   const double center = compression - 1.0 - std::log(wall.strength) / wall.hardness;
   constexpr int points = 600;
   const double h = pi / points;
@@ -152,12 +155,13 @@ TEST(QuasistaticSoftContact, TendsToTheHardWallWithAllModes) {
 TEST(QuasistaticSoftContact, IsWhatASlowImpactComesTo) {
   const Body body = disk(0.33, 12.5);
   double deepest = -2.0, force = 0.0;
-  (void)impact(body, ExponentialWall{}, 0.003, {}, [&](const Snapshot& now) {
+  const ImpactObserver observer = [&](const Snapshot& now) {
     if (now.center > deepest) {
       deepest = now.center;
       force = now.force;
     }
-  });
+  };
+  (void)impact(body, ExponentialWall{}, 0.003, {}, {observer});
   const SoftStaticContact at_rest = soft_static_contact(body, ExponentialWall{}, deepest + 1.0);
   EXPECT_LT(deepest, -1.0);  // not yet at the plane V = 1
   EXPECT_NEAR(force / at_rest.force, 1.0, 0.1);

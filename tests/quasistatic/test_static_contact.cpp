@@ -16,6 +16,8 @@
 #include "support/spectral_contact.hpp"
 
 namespace stoss {
+using namespace quasistatic;
+
 namespace {
 
 constexpr double pi = std::numbers::pi;

@@ -12,12 +12,14 @@
 namespace stoss {
 namespace {
 
-TEST(Ladder, AtAWallRisesFromEightByFourthRootsOfTwo) {
+const double lowest = 4.0 * std::sqrt(2.0);
+
+TEST(Ladder, AtAWallRisesByFourthRootsOfTwo) {
   const RefinableContact wall(disk(0.33));
-  EXPECT_EQ(wall.highest_level(), 22);
-  EXPECT_EQ(wall.cutoff(0), 8.0);
-  EXPECT_NEAR(wall.cutoff(4), 16.0, 1e-13);
-  EXPECT_NEAR(wall.cutoff(22), 362.0, 0.1);
+  EXPECT_EQ(wall.highest_level(), 24);
+  EXPECT_NEAR(wall.cutoff(0), lowest, 1e-14);
+  EXPECT_NEAR(wall.cutoff(6), 16.0, 1e-13);
+  EXPECT_NEAR(wall.cutoff(24), 362.0, 0.1);
 }
 
 TEST(Ladder, MakesEachContactOnceAndSharesIt) {
@@ -37,24 +39,24 @@ TEST(Ladder, OfAPairIsOneLadderOfFrequenciesWhoeverIsFirst) {
   const RefinableContact here(disk(one), disk(other)), there(disk(other), disk(one));
   EXPECT_EQ(there.highest_level(), here.highest_level());
   EXPECT_NEAR(there.cutoff(5) / time, here.cutoff(5), 1e-12);
-  EXPECT_NEAR(here.cutoff(0), 8.0 / time_scale(here.at(0)), 1e-13);
-  EXPECT_EQ(RefinableContact(disk(one), disk(one)).highest_level(), 22);
+  EXPECT_NEAR(here.cutoff(0), lowest / time_scale(here.at(0)), 1e-13);
+  EXPECT_EQ(RefinableContact(disk(one), disk(one)).highest_level(), 24);
 }
 
 TEST(Ladder, EndsWhereTheLargerBodyHasMoreModesThanAreComputed) {
   for (const double radius : {5.0, 20.0, 40.0}) {
     const RefinableContact pair(disk(0.33), disk(Disk{0.33, radius, 1.0, 1.0}));
     const int highest = pair.highest_level();
-    EXPECT_LT(highest, 22) << radius;
-    EXPECT_GE(highest, 7) << radius;
+    EXPECT_LT(highest, 24) << radius;
+    EXPECT_GE(highest, 9) << radius;
     EXPECT_LE(pair.cutoff(highest) * radius, 1000.0) << radius;
     EXPECT_GT(pair.cutoff(highest + 1) * radius, 1000.0) << radius;
   }
 }
 
 TEST(Ladder, OfRodsIsInTheShorterTransitTime) {
-  EXPECT_NEAR(RefinableContact(rod(), rod(Rod{4.0, 1.0, 1.0, 1.0})).cutoff(0), 8.0, 1e-13);
-  EXPECT_NEAR(RefinableContact(rod(), rod(Rod{0.25, 1.0, 1.0, 1.0})).cutoff(0), 32.0, 1e-12);
+  EXPECT_NEAR(RefinableContact(rod(), rod(Rod{4.0, 1.0, 1.0, 1.0})).cutoff(0), lowest, 1e-13);
+  EXPECT_NEAR(RefinableContact(rod(), rod(Rod{0.25, 1.0, 1.0, 1.0})).cutoff(0), 4.0 * lowest, 1e-12);
 }
 
 TEST(Ladder, RefusesLevelsThatItDoesNotHave) {

@@ -39,7 +39,7 @@ TEST(RestitutionLadder, OneRunThatIsOffDoesNotDriveTheCutoffUp) {
 
 TEST(RestitutionLadder, EndsEarlyWhereErrorsFallTooSlowly) {
   const Restitution best = given_up(-0.95, 1.0, 1e-3);
-  EXPECT_LT(best.steps, 10'000);
+  EXPECT_LT(best.steps, 15'000);
   EXPECT_NEAR(best.lost_fraction.value, 0.5857, best.lost_fraction.error);  // at cutoff 362
   EXPECT_LT(best.lost_fraction.error, 3e-3);
   EXPECT_NE(best.reason.find("about"), std::string::npos) << best.reason;
@@ -48,7 +48,7 @@ TEST(RestitutionLadder, EndsEarlyWhereErrorsFallTooSlowly) {
 
 TEST(RestitutionLadder, EndsEarlyForToleranceOutOfReach) {
   const Restitution best = given_up(0.99, 1.0, 1e-7);
-  EXPECT_LT(best.steps, 12'000);
+  EXPECT_LT(best.steps, 15'000);
   EXPECT_LT(best.finest.cutoff, 362.0);
   EXPECT_LT(best.lost_fraction.error, 1e-4 * best.lost_fraction.value);
   EXPECT_NE(best.reason.find("cutoff"), std::string::npos) << best.reason;
@@ -59,12 +59,12 @@ TEST(RestitutionLadder, ItsObserverSeesEveryAttempt) {
   const Restitution result =
       restitution(disk(0.33), 0.1, {.attempt_observer = [&](const Attempt& next) { attempts.push_back(next); }});
   ASSERT_EQ(attempts.size(), result.runs.size());
-  ASSERT_GT(attempts.size(), 4U);
+  ASSERT_GT(attempts.size(), 3U);
   for (std::size_t i = 0; i < attempts.size(); ++i) {
     EXPECT_EQ(attempts[i].cutoff, result.runs[i].cutoff);
     const Estimate& before = attempts[i].lost_fraction;
-    EXPECT_EQ(before.value, i < 4 ? 0.0 : result.runs[i - 1].lost_fraction);
-    EXPECT_EQ(before.error > 0.0, i >= 4);
+    EXPECT_NEAR(before.value, i < 3 ? 0.0 : result.runs[i - 1].lost_fraction, 1e-3);
+    EXPECT_EQ(before.error > 0.0, i >= 3);
   }
 }
 

@@ -6,6 +6,7 @@
 
 #include "stoss/contact/contact.hpp"
 #include "stoss/impact/impact.hpp"
+#include "stoss/impact/resolution.hpp"
 
 namespace stoss::test {
 
@@ -25,9 +26,9 @@ inline ContactGrid grid_of(const Body& body, double half_width, int nodes) {
 }
 
 /// A contact grid wide enough for all speeds up to this one, so that two impacts see the same nodes.
-inline void use_one_grid(const Contact& contact, double speed, ImpactOptions& options) {
+inline void use_one_grid(const Contact& contact, double speed, Resolution& resolution) {
   if (has_single_point(contact)) return;
-  options.half_width = std::min(1.5 * expected_half_width(contact, speed) + 0.25, greatest_half_width(contact));
+  resolution.half_width = std::min(1.5 * expected_half_width(contact, speed) + 0.25, greatest_half_width(contact));
 }
 
 /// The same body with its groups in reverse order, and the modes in reverse order within each group.

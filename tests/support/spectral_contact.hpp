@@ -49,7 +49,7 @@ struct SpectralContact {
     }
     const int orders = static_cast<int>(reach / a);
     for (int n = 0; n <= orders; ++n) {
-      const Flexibility f = static_flexibility(poisson, n);
+      const bodies::disk::Flexibility f = bodies::disk::static_flexibility(poisson, n);
       for (std::size_t j = 0; j < terms; ++j) {
         const double c = 0.5 * (p_low[j] + p_high[j]), s = 0.5 * (p_high[j] - p_low[j]);
         const double radial = (f.radial * c + f.mixed * s) / pi, tangential = (f.mixed * c + f.tangential * s) / pi;

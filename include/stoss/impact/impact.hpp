@@ -8,6 +8,7 @@
 
 #include "stoss/contact/contact.hpp"
 #include "stoss/contact/tail.hpp"
+#include "stoss/impact/resolution.hpp"
 #include "stoss/poll.hpp"
 
 namespace stoss {
@@ -24,14 +25,9 @@ struct State {
   std::vector<double> momentum;    ///< P, mc
 };
 
-/// Resolution, observation and start of an impact.
+/// How an impact is computed, and from where.
 struct ImpactOptions {
-  std::optional<double> step{};        ///< Δt, R/c; otherwise recommended_step
-  std::optional<int> nodes{};          ///< of the contact grid; otherwise recommended_nodes
-  std::optional<double> half_width{};  ///< of the contact grid, R; otherwise 1.25 times the expected one of the contact
-  Tail tail = Tail::radiating;         ///< at a hard contact
-  int observe_every = 1;               ///< the observer sees every so many steps
-  bool observe_modes = false;          ///< fill Snapshot::coordinate, momentum and node_force
+  Resolution resolution{};
   std::optional<State>
       start{};  ///< a vibrating body, of velocity `speed`; otherwise at rest inside, just out of contact
   Poll poll{};
@@ -56,6 +52,13 @@ struct Snapshot {
 /// Receives the instants of an impact in order of time. What it throws ends the impact and reaches
 /// the caller.
 using ImpactObserver = std::function<void(const Snapshot&)>;
+
+/// What is seen of an impact.
+struct Observation {
+  ImpactObserver observer{};
+  int every = 1;       ///< the observer sees the first instant, every so many steps, and the last
+  bool modes = false;  ///< fill Snapshot::coordinate, momentum and node_force
+};
 
 /// Energy of one kept mode, as shares of the initial energy.
 struct ModeEnergy {
@@ -104,12 +107,6 @@ struct Impact {
   State final_state;
 };
 
-/// Recommended time step Δt of an impact, R/c (docs/numerics.md).
-[[nodiscard]] double recommended_step(const Contact& contact, double speed, Tail tail = Tail::radiating);
-
-/// Recommended number of contact nodes of an impact.
-[[nodiscard]] int recommended_nodes(const Contact& contact, double speed);
-
 /// Computes one impact, by kick–rotate–kick with the force of the contact. It starts just out of contact and ends when
 /// no later contact is possible: the bodies part, and no combination of their modes' phases can bring them together
 /// again (docs/theory/impact.md). Contacts that follow one another while they vibrate are one impact.
@@ -117,8 +114,8 @@ struct Impact {
 ///              equal bodies are one at a wall at half of it.
 /// @throws InvalidInput for arguments out of range; NotConverged if the contact cannot be solved or does not end
 [[nodiscard]] Impact impact(const Contact& contact, double speed, const ImpactOptions& options = {},
-                            const ImpactObserver& observer = {});
+                            const Observation& observation = {});
 [[nodiscard]] Impact impact(const Body& body, const Wall& wall, double speed, const ImpactOptions& options = {},
-                            const ImpactObserver& observer = {});
+                            const Observation& observation = {});
 
 }  // namespace stoss

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "stoss/impact/impact.hpp"
+#include "stoss/impact/resolution.hpp"
 #include "stoss/poll.hpp"
 
 namespace stoss {
@@ -17,8 +18,8 @@ struct Frame {
   std::vector<double> node_force;  ///< share of each contact node in F
 };
 
-/// Options with which `impact` repeats an impact from a body at rest inside, bit by bit.
-[[nodiscard]] ImpactOptions repetition(const Contact& contact, const Impact& impact);
+/// Resolution at which `impact` repeats an impact from a body at rest inside, bit by bit.
+[[nodiscard]] Resolution repetition(const Contact& contact, const Impact& impact);
 
 /// One of two bodies at one instant. Lengths and the place are in units of the first, what is inside the body in its
 /// own: the arguments of DiskField.

@@ -1,6 +1,6 @@
 #pragma once
 
-namespace stoss {
+namespace stoss::quasistatic {
 
 /// Force against compression of a disk that is pressed slowly against a wall. With the force F in πRE and lengths in R
 ///
@@ -33,4 +33,4 @@ enum class CompressionLaw {
 /// @param force F, as above
 [[nodiscard]] double compression_energy(CompressionLaw law, double poisson, double force);
 
-}  // namespace stoss
+}  // namespace stoss::quasistatic

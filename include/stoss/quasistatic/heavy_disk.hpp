@@ -2,7 +2,7 @@
 
 #include "stoss/quasistatic/hertz.hpp"
 
-namespace stoss {
+namespace stoss::quasistatic {
 
 /// Contact of a disk with the wall on which it stands in a gravitational field.
 enum class HeavyDiskContact {
@@ -25,4 +25,4 @@ enum class HeavyDiskContact {
 /// @throws InvalidInput for a point outside the disk or, for `point`, nearer than 1e-100 to the point of contact
 [[nodiscard]] PlaneStress heavy_disk_stress(HeavyDiskContact contact, double force, double x, double y);
 
-}  // namespace stoss
+}  // namespace stoss::quasistatic

@@ -1,6 +1,6 @@
 #pragma once
 
-namespace stoss {
+namespace stoss::quasistatic {
 
 /// Greatest force for which Hertz' contact is evaluated, πRE: its half-width is the radius. It is meant for much less.
 inline constexpr double max_hertz_force = 0.25;
@@ -40,4 +40,4 @@ struct PlaneStress {
 /// @throws InvalidInput as hertz_pressure, and for a negative depth
 [[nodiscard]] PlaneStress hertz_stress(double force, double depth, double y);
 
-}  // namespace stoss
+}  // namespace stoss::quasistatic

@@ -14,7 +14,7 @@
 /// It is the first order of a perturbation theory. Its small number is the kinetic energy of modes that follow the
 /// force, Q̇ = −C Ḟ/ω², which the quasi-static balance of energy leaves out. As v → 0 that number falls as 1/ln²(1/v)
 /// and the amplitudes as 1/ln(1/v), so that the relative error of the estimate falls only as 1/ln(1/v).
-namespace stoss {
+namespace stoss::quasistatic {
 
 /// Error of √lost_fraction as a multiple of kinetic_share. Measured: at most 6.6 in 251 impacts
 /// against the hard wall, ν = 0 … 0.9, v = 1e-8 … 0.16.
@@ -51,6 +51,6 @@ struct RayleighEstimate {
 ///              (v ≤ 0.01, ν = 0.33), which falls as 1/cutoff²
 /// @throws InvalidInput as slow_impact, and for a frequency outside 0 … max_cutoff
 [[nodiscard]] RayleighEstimate rayleigh(CompressionLaw law, double poisson, double speed,
-                                        const std::vector<Mode>& modes, const Poll& poll = {});
+                                        const std::vector<bodies::disk::Mode>& modes, const Poll& poll = {});
 
-}  // namespace stoss
+}  // namespace stoss::quasistatic

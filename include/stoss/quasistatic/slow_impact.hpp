@@ -17,7 +17,7 @@
 ///
 /// which completes paper eq. (60) (docs/theory/quasistatic.md). The law, and with it the impact, ends where
 /// F_max = F*, at v = F*/√2.
-namespace stoss {
+namespace stoss::quasistatic {
 
 /// Lowest speed that slow_impact accepts, in c.
 inline constexpr double min_slow_speed = 1e-100;
@@ -57,4 +57,4 @@ struct ContactInstant {
 /// @throws InvalidInput for a phase outside 0 … π, and as slow_impact
 [[nodiscard]] std::vector<ContactInstant> contact_history(const SlowImpact& impact, const std::vector<double>& phases);
 
-}  // namespace stoss
+}  // namespace stoss::quasistatic

@@ -6,7 +6,7 @@
 #include "stoss/contact/contact.hpp"
 #include "stoss/poll.hpp"
 
-namespace stoss {
+namespace stoss::quasistatic {
 
 /// Resolution of a static contact with an exponential wall.
 struct SoftStaticContactOptions {
@@ -45,4 +45,4 @@ struct SoftStaticContact {
 [[nodiscard]] SoftStaticContact soft_static_contact(const Body& body, const ExponentialWall& wall, double compression,
                                                     const SoftStaticContactOptions& options = {});
 
-}  // namespace stoss
+}  // namespace stoss::quasistatic

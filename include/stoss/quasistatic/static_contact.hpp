@@ -4,7 +4,7 @@
 
 #include "stoss/poll.hpp"
 
-namespace stoss {
+namespace stoss::quasistatic {
 
 /// Resolution of a static contact with a hard wall.
 struct StaticContactOptions {
@@ -42,4 +42,4 @@ struct StaticContact {
 [[nodiscard]] StaticContact static_contact(double poisson, double compression,
                                            const StaticContactOptions& options = {});
 
-}  // namespace stoss
+}  // namespace stoss::quasistatic

@@ -21,6 +21,8 @@
 namespace stoss {
 namespace {
 
+using namespace bodies::disk;
+
 // The lowest mode lies between these for every ν.
 constexpr double no_mode_below = 1.0;
 constexpr double highest_lowest_mode = 2.0;
@@ -103,7 +105,7 @@ Body disk(const Disk& disk, double cutoff, const Poll& poll) {
   body.groups = group_by_order(modes);
   const std::size_t rows = modes.empty() ? 0 : static_cast<std::size_t>(modes.back().order) + 2;
   body.surface = [poisson, rows](const ContactPoints& points) { return make_surface(poisson, rows, points); };
-  const auto residual = std::make_shared<const DiskResidual>(poisson, cutoff, modes);
+  const auto residual = std::make_shared<const Residual>(poisson, cutoff, modes);
   body.stable_step = residual->stable_step();
   body.residual_compliance = [residual](const ContactPoints& points, const Poll& heed) {
     return residual->compliance(points, heed);
@@ -115,7 +117,8 @@ Body disk(const Disk& disk, double cutoff, const Poll& poll) {
 }
 
 Body disk(double poisson, double cutoff, const Poll& poll) {
-  if (cutoff < highest_lowest_mode) (void)disk_modes(poisson, cutoff);  // by itself, a disk without modes is a mistake
+  // By itself, a disk without modes is a mistake.
+  if (cutoff < highest_lowest_mode) (void)bodies::disk::modes(poisson, cutoff);
   return disk(Disk{poisson}, cutoff, poll);
 }
 

@@ -4,7 +4,7 @@
 
 #include "stoss/body/body.hpp"
 
-namespace stoss {
+namespace stoss::bodies::disk {
 
 /// Angle φ of a contact point on the edge of the disk: sin φ = radius · sin α.
 [[nodiscard]] inline double edge_angle(const ContactPoints& points, std::size_t i) {
@@ -18,4 +18,4 @@ namespace stoss {
   return points.radius * std::cos(points.angle(i)) / std::cos(edge_angle(points, i));
 }
 
-}  // namespace stoss
+}  // namespace stoss::bodies::disk

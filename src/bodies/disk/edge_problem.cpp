@@ -2,11 +2,11 @@
 
 #include <cmath>
 
-namespace stoss {
+namespace stoss::bodies::disk {
 namespace {
 
 /// ∫_0^1 r [(df/dr)² + n² f²/r²] dr for f = J_n(κr): αβ + [α² + (κ²−n²)β²]/2 with α = nβ − γ.
-double gradient_norm(int order, double kappa, const BesselPair& pair) {
+double gradient_norm(int order, double kappa, const numeric::BesselPair& pair) {
   const double beta = pair.value, gamma = pair.next;
   return beta * (order * beta - (order + 1) * gamma) + 0.5 * (gamma * gamma + kappa * kappa * beta * beta);
 }
@@ -76,4 +76,4 @@ EdgeProblem::Vibration EdgeProblem::vibration() const {
   return {a * scale, b * scale, radial * scale, tangential * scale};
 }
 
-}  // namespace stoss
+}  // namespace stoss::bodies::disk

@@ -2,7 +2,7 @@
 
 #include "numeric/bessel.hpp"
 
-namespace stoss {
+namespace stoss::bodies::disk {
 
 /// The free edge of a disk for one angular order n ≥ 1 at one frequency ω.
 ///
@@ -19,11 +19,11 @@ namespace stoss {
 /// For n ≫ κ, κ′ (Rayleigh waves at small ν) these terms cancel almost wholly. The code therefore uses
 /// α = nβ − γ with γ = κ J_{n+1}(κ), in which the large parts drop out by algebra.
 struct EdgeProblem {
-  int order;            ///< n
-  double kappa;         ///< κ = ω √(1−ν²)
-  double kappa_shear;   ///< κ′ = ω √(2(1+ν))
-  BesselPair pressure;  ///< (β, γ), any positive scale
-  BesselPair shear;     ///< (β′, γ′), any positive scale
+  int order;                     ///< n
+  double kappa;                  ///< κ = ω √(1−ν²)
+  double kappa_shear;            ///< κ′ = ω √(2(1+ν))
+  numeric::BesselPair pressure;  ///< (β, γ), any positive scale
+  numeric::BesselPair shear;     ///< (β′, γ′), any positive scale
 
   /// D_n, times a positive factor.
   [[nodiscard]] double determinant() const;
@@ -43,4 +43,4 @@ struct EdgeProblem {
   [[nodiscard]] Vibration vibration() const;
 };
 
-}  // namespace stoss
+}  // namespace stoss::bodies::disk

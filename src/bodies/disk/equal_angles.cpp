@@ -7,8 +7,10 @@
 #include "bodies/disk/order_sums.hpp"
 #include "numeric/dense.hpp"
 
-namespace stoss {
+namespace stoss::bodies::disk {
 namespace {
+
+namespace dense = numeric::dense;
 
 constexpr double mass = std::numbers::pi;
 
@@ -95,4 +97,4 @@ std::vector<double> sum_at_equal_angles(const OrderSum& sum, const ContactPoints
   return assemble(tables, points, poll);
 }
 
-}  // namespace stoss
+}  // namespace stoss::bodies::disk

@@ -19,8 +19,10 @@
 #include "numeric/dense.hpp"
 #include "stoss/errors.hpp"
 
-namespace stoss {
+namespace stoss::bodies::disk {
 namespace {
+
+namespace dense = numeric::dense;
 
 constexpr std::array<bool, OrderProfiles::components> with_cosine{true, false, true, true, false};
 
@@ -132,4 +134,4 @@ std::vector<double> principal_difference(const Field& field) {
   return map_stress(field, [](double rr, double pp, double rp) { return std::hypot(rr - pp, 2.0 * rp); });
 }
 
-}  // namespace stoss
+}  // namespace stoss::bodies::disk

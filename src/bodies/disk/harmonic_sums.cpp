@@ -7,7 +7,7 @@
 #include <complex>
 #include <numbers>
 
-namespace stoss {
+namespace stoss::bodies::disk {
 namespace {
 
 /// e^z E₁(z) at z = −iπm, by Lentz' continued fraction (Abramowitz and Stegun 5.1.22).
@@ -55,4 +55,4 @@ HarmonicSums infinite_harmonic_sums(double theta) {
   return {-std::log(2.0 * std::sin(0.5 * theta)), 0.5 * (std::numbers::pi - theta)};
 }
 
-}  // namespace stoss
+}  // namespace stoss::bodies::disk

@@ -2,7 +2,7 @@
 
 #include <cstddef>
 
-namespace stoss {
+namespace stoss::bodies::disk {
 
 /// Σ cos kθ/k and Σ sin kθ/k.
 struct HarmonicSums {
@@ -16,4 +16,4 @@ struct HarmonicSums {
 /// Over all k, 0 < θ < 2π: −ln(2 sin ½θ) and ½(π − θ).
 [[nodiscard]] HarmonicSums infinite_harmonic_sums(double theta);
 
-}  // namespace stoss
+}  // namespace stoss::bodies::disk

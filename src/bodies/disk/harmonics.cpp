@@ -1,6 +1,6 @@
 #include "bodies/disk/harmonics.hpp"
 
-namespace stoss {
+namespace stoss::bodies::disk {
 
 Harmonics harmonics(const Eigen::ArrayXd& angle, int first) {
   const Eigen::RowVectorXd cosine = angle.cos().transpose(), sine = angle.sin().transpose();
@@ -16,4 +16,4 @@ Harmonics harmonics(const Eigen::ArrayXd& angle, int first) {
   return table;
 }
 
-}  // namespace stoss
+}  // namespace stoss::bodies::disk

@@ -2,7 +2,7 @@
 
 #include <Eigen/Core>
 
-namespace stoss {
+namespace stoss::bodies::disk {
 
 /// Sums over angular orders are taken so many orders at a time: the tables stay small for any number of orders.
 inline constexpr int order_block = 32;
@@ -15,4 +15,4 @@ struct Harmonics {
 
 [[nodiscard]] Harmonics harmonics(const Eigen::ArrayXd& angle, int first);
 
-}  // namespace stoss
+}  // namespace stoss::bodies::disk

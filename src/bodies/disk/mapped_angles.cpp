@@ -11,7 +11,7 @@
 #include "bodies/disk/harmonic_sums.hpp"
 #include "bodies/disk/order_sums.hpp"
 
-namespace stoss {
+namespace stoss::bodies::disk {
 namespace {
 
 using Matrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
@@ -123,4 +123,4 @@ std::vector<double> sum_at_mapped_angles(const OrderSum& sum, const ContactPoint
   return matrix;
 }
 
-}  // namespace stoss
+}  // namespace stoss::bodies::disk

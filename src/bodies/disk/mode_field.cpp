@@ -8,7 +8,7 @@
 #include "check.hpp"
 #include "numeric/bessel.hpp"
 
-namespace stoss {
+namespace stoss::bodies::disk {
 namespace {
 
 /// Ratio of the same Bessel function at two arguments, given as scaled pairs.
@@ -17,15 +17,15 @@ struct Ratio {
   double next;
 };
 
-Ratio rescaled(const BesselPair& inside, const BesselPair& edge) {
+Ratio rescaled(const numeric::BesselPair& inside, const numeric::BesselPair& edge) {
   const int shift = inside.exponent - edge.exponent;
   return {std::ldexp(inside.value, shift), std::ldexp(inside.next, shift)};
 }
 
 /// J_n(x) and x J_{n+1}(x), scaled to about 1: the norm of a vibration is of the fourth degree in them.
-BesselPair edge_pair(double x, std::vector<BesselPair>& pairs) {
-  bessel_pairs(x, pairs);
-  const BesselPair& pair = pairs.back();
+numeric::BesselPair edge_pair(double x, std::vector<numeric::BesselPair>& pairs) {
+  numeric::bessel_pairs(x, pairs);
+  const numeric::BesselPair& pair = pairs.back();
   const int shift = std::ilogb(std::hypot(pair.value, pair.next));
   return {std::ldexp(pair.value, -shift), std::ldexp(pair.next, -shift), pair.exponent + shift};
 }
@@ -44,9 +44,9 @@ std::vector<RadialField> mode_field(double poisson, const Mode& mode, std::span<
   const double n = mode.order;
   const double m = n * (n - 1.0);
 
-  std::vector<BesselPair> pairs(static_cast<std::size_t>(mode.order) + 1);
-  const BesselPair pressure = edge_pair(kappa, pairs);
-  const BesselPair shear = edge_pair(kappa_shear, pairs);
+  std::vector<numeric::BesselPair> pairs(static_cast<std::size_t>(mode.order) + 1);
+  const numeric::BesselPair pressure = edge_pair(kappa, pairs);
+  const numeric::BesselPair shear = edge_pair(kappa_shear, pairs);
   double a = -mode.radial / pressure.next;  // n = 0: u_r = A κ J_0'(κr)
   double b = 0.0;
   if (mode.order > 0) {
@@ -61,9 +61,9 @@ std::vector<RadialField> mode_field(double poisson, const Mode& mode, std::span<
     if (poll) poll();
     // The limit at the centre: evaluate just beside it.
     const double r = std::max(radius, 1e-30);
-    bessel_pairs(kappa * r, pairs);
+    numeric::bessel_pairs(kappa * r, pairs);
     const Ratio p = rescaled(pairs.back(), pressure);
-    bessel_pairs(kappa_shear * r, pairs);
+    numeric::bessel_pairs(kappa_shear * r, pairs);
     const Ratio s = rescaled(pairs.back(), shear);
     const double y = 0.5 * kappa_shear * kappa_shear * r * r;
     const double sum = a * p.value + b * s.value;
@@ -77,4 +77,4 @@ std::vector<RadialField> mode_field(double poisson, const Mode& mode, std::span<
   return field;
 }
 
-}  // namespace stoss
+}  // namespace stoss::bodies::disk

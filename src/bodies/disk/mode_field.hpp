@@ -6,7 +6,7 @@
 #include "bodies/disk/radial_field.hpp"
 #include "stoss/bodies/disk/modes.hpp"
 
-namespace stoss {
+namespace stoss::bodies::disk {
 
 /// Displacement and stress of a free vibration inside the disk. With the potentials β = A J_n(κr), β′ = B J_n(κ′r),
 /// their slopes α = rβ_r = nβ − γ (paper eq. (19)), M = n(n−1) and y = κ′²r²/2,
@@ -23,4 +23,4 @@ namespace stoss {
 [[nodiscard]] std::vector<RadialField> mode_field(double poisson, const Mode& mode, std::span<const double> radii,
                                                   const Poll& poll);
 
-}  // namespace stoss
+}  // namespace stoss::bodies::disk

@@ -15,7 +15,7 @@
 #include "numeric/bessel.hpp"
 #include "stoss/errors.hpp"
 
-namespace stoss {
+namespace stoss::bodies::disk {
 namespace {
 
 /// Largest grid step in κ′. Zeros of J_n and of J_n' (n ≥ 1) lie more than 3 apart, so at most one falls in a step.
@@ -36,8 +36,8 @@ bool opposite(double a, double b) { return std::signbit(a) != std::signbit(b); }
 
 /// What is known of one order n ≥ 1 at one frequency.
 struct OrderState {
-  BesselPair pressure;
-  BesselPair shear;
+  numeric::BesselPair pressure;
+  numeric::BesselPair shear;
   int poles = 0;  ///< zeros of J_n in (0, κ) plus zeros of J_n' in (0, κ′)
   int roots = 0;  ///< eigenfrequencies in (0, ω)
 };
@@ -107,8 +107,8 @@ class Interval {
   WaveNumbers wave_;
   double omega_;
   OrderState left_;
-  BesselTaylor pressure_;
-  BesselTaylor shear_;
+  numeric::BesselTaylor pressure_;
+  numeric::BesselTaylor shear_;
 };
 
 /// n = 0 (paper eq. (20)): κ J_1' + ν J_1 = 0. κ J_1'/J_1 falls from 1 between its poles, so there is exactly
@@ -116,9 +116,9 @@ class Interval {
 std::vector<Mode> radial_modes(double poisson, double cutoff) {
   const double per_omega = std::sqrt(1.0 - poisson * poisson);
   std::vector<Mode> modes;
-  std::vector<BesselPair> pairs(2);
+  std::vector<numeric::BesselPair> pairs(2);
   const auto f = [&](double kappa) {
-    bessel_pairs(kappa, pairs);
+    numeric::bessel_pairs(kappa, pairs);
     return slope(1, pairs[1]) + poisson * pairs[1].value;
   };
   const double step = 0.5;
@@ -154,16 +154,16 @@ std::vector<Mode> find_modes(double poisson, double cutoff, const Poll& poll) {
   std::vector<OrderState> left(orders);
   std::vector<OrderState> right(orders);
   std::vector<std::vector<Mode>> found(orders);
-  std::vector<BesselPair> pressure(orders);
-  std::vector<BesselPair> shear(orders);
+  std::vector<numeric::BesselPair> pressure(orders);
+  std::vector<numeric::BesselPair> shear(orders);
   found[0] = radial_modes(poisson, cutoff);
 
   double left_omega = 0.0;
   for (int step = 1; step <= steps; ++step) {
     if (poll) poll();
     const double omega = cutoff * step / steps;
-    bessel_pairs(wave.per_omega * omega, pressure);
-    bessel_pairs(wave.shear_per_omega * omega, shear);
+    numeric::bessel_pairs(wave.per_omega * omega, pressure);
+    numeric::bessel_pairs(wave.shear_per_omega * omega, shear);
     for (std::size_t n = 1; n < orders; ++n) {
       OrderState& here = right[n];
       here.pressure = pressure[n];
@@ -196,4 +196,4 @@ std::vector<Mode> find_modes(double poisson, double cutoff, const Poll& poll) {
   return modes;
 }
 
-}  // namespace stoss
+}  // namespace stoss::bodies::disk

@@ -13,7 +13,7 @@
 #include "check.hpp"
 #include "stoss/errors.hpp"
 
-namespace stoss {
+namespace stoss::bodies::disk {
 namespace {
 
 [[noreturn]] void refuse_low_cutoff(double poisson, double cutoff) {
@@ -63,7 +63,7 @@ ModeFamily family(const Mode& mode) {
   return mode.radial > std::abs(mode.tangential) ? ModeFamily::radial : ModeFamily::tangential;
 }
 
-std::vector<Mode> disk_modes(double poisson, double cutoff, const Poll& poll) {
+std::vector<Mode> modes(double poisson, double cutoff, const Poll& poll) {
   require_poisson(poisson);
   constexpr Range allowed{0.0, max_cutoff, false, true, "the lowest mode (about 1.4) to 1000"};
   require("cutoff", cutoff, allowed, "highest frequency in c/R; 25 to 100 is usual");
@@ -114,4 +114,4 @@ std::vector<Displacement> displacement(double poisson, const Mode& mode, const s
   return field;
 }
 
-}  // namespace stoss
+}  // namespace stoss::bodies::disk

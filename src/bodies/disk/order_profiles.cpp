@@ -11,7 +11,7 @@
 #include "bodies/disk/static_field.hpp"
 #include "stoss/errors.hpp"
 
-namespace stoss {
+namespace stoss::bodies::disk {
 namespace {
 
 using Eigen::Index;
@@ -158,4 +158,4 @@ void OrderProfiles::evaluate(const Eigen::VectorXd& coordinate, const Eigen::Arr
   add_kept(coordinate, loads, first, profile);
 }
 
-}  // namespace stoss
+}  // namespace stoss::bodies::disk

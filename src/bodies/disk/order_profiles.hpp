@@ -9,7 +9,7 @@
 #include "bodies/disk/radial_field.hpp"
 #include "stoss/body/body.hpp"
 
-namespace stoss {
+namespace stoss::bodies::disk {
 
 /// Displacement and stress of every angular order n of a disk at given radii,
 ///
@@ -20,7 +20,7 @@ namespace stoss {
 ///   g_C = −Σ_i F_i cos nφ_i cos φ_i,   g_S = Σ_i F_i sin nφ_i sin φ_i,
 ///
 /// p = g_C and t = g_S for n ≥ 1, p = ½ g_C for n = 0, and w_n = 1 below the Nyquist order π/h of the nodes, ½ at it
-/// and 0 beyond, as in DiskResidual.
+/// and 0 beyond, as in Residual.
 class OrderProfiles {
  public:
   static constexpr std::size_t components = 5;  // those of RadialField, in its order
@@ -69,4 +69,4 @@ class OrderProfiles {
   Eigen::Index modes_ = 0;
 };
 
-}  // namespace stoss
+}  // namespace stoss::bodies::disk

@@ -6,7 +6,7 @@
 #include "stoss/body/body.hpp"
 #include "stoss/poll.hpp"
 
-namespace stoss {
+namespace stoss::bodies::disk {
 
 /// A response between points of the edge as a sum over the angular orders,
 ///
@@ -50,4 +50,4 @@ class StaticOrders {
   double low_, high_;  // n ≥ 2: F^CC = F^SS = low/(n−1) + high/(n+1), F^CS = −low/(n−1) + high/(n+1)
 };
 
-}  // namespace stoss
+}  // namespace stoss::bodies::disk

@@ -1,6 +1,6 @@
 #pragma once
 
-namespace stoss {
+namespace stoss::bodies::disk {
 
 /// Displacement and stress of one angular order n at one radius, E = 1: `radial`, `stress_rr` and `stress_pp` are to be
 /// multiplied by cos nφ, `tangential` and `stress_rp` by sin nφ.
@@ -12,4 +12,4 @@ struct RadialField {
   double stress_rp = 0.0;   ///< σ_rφ
 };
 
-}  // namespace stoss
+}  // namespace stoss::bodies::disk

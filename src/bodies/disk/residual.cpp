@@ -7,7 +7,7 @@
 
 #include "numeric/dense.hpp"
 
-namespace stoss {
+namespace stoss::bodies::disk {
 namespace {
 
 void add(Flexibility& sum, const Mode& mode, double weight) {
@@ -23,7 +23,7 @@ std::vector<double> sum_over_orders(const OrderSum& sum, const ContactPoints& po
 
 }  // namespace
 
-DiskResidual::DiskResidual(double poisson, double cutoff, const std::vector<Mode>& kept)
+Residual::Residual(double poisson, double cutoff, const std::vector<Mode>& kept)
     : poisson_(poisson), highest_order_(static_cast<int>(std::lround(8.0 * cutoff))) {
   const auto orders = kept.empty() ? 0 : static_cast<std::size_t>(kept.back().order) + 1;
   kept_radial_.resize(orders);
@@ -38,13 +38,13 @@ DiskResidual::DiskResidual(double poisson, double cutoff, const std::vector<Mode
   }
 }
 
-std::vector<double> DiskResidual::compliance(const ContactPoints& points, const Poll& poll) const {
+std::vector<double> Residual::compliance(const ContactPoints& points, const Poll& poll) const {
   OrderSum sum{poisson_, true, {}};
   for (const Flexibility& kept : kept_) sum.coefficients.push_back({-kept.radial, -kept.mixed, -kept.tangential});
   return sum_over_orders(sum, points, poll);
 }
 
-std::vector<double> DiskResidual::second_moment(const ContactPoints& points, const Poll& poll) const {
+std::vector<double> Residual::second_moment(const ContactPoints& points, const Poll& poll) const {
   OrderSum sum{poisson_, false, {}};
   for (int n = 0; n <= highest_order_; ++n) {
     sum.coefficients.push_back(static_second_moment(poisson_, n));
@@ -58,7 +58,7 @@ std::vector<double> DiskResidual::second_moment(const ContactPoints& points, con
   return sum_over_orders(sum, points, poll);
 }
 
-double DiskResidual::stable_step() const {
+double Residual::stable_step() const {
   double smallest = std::numeric_limits<double>::infinity();
   for (std::size_t n = 0; n < kept_.size(); ++n) {
     const double residual = static_flexibility(poisson_, static_cast<int>(n)).radial - kept_[n].radial;
@@ -67,4 +67,4 @@ double DiskResidual::stable_step() const {
   return std::sqrt(smallest);
 }
 
-}  // namespace stoss
+}  // namespace stoss::bodies::disk

@@ -6,13 +6,13 @@
 #include "stoss/bodies/disk/modes.hpp"
 #include "stoss/body/body.hpp"
 
-namespace stoss {
+namespace stoss::bodies::disk {
 
 /// Static response of the modes of a disk that are not kept, between contact points.
-class DiskResidual {
+class Residual {
  public:
   /// @param kept modes, sorted by order
-  DiskResidual(double poisson, double cutoff, const std::vector<Mode>& kept);
+  Residual(double poisson, double cutoff, const std::vector<Mode>& kept);
 
   /// W_ij: the OrderSum of R_n = Σ_{not kept} (C,S)(C,S)ᵀ/ω².
   [[nodiscard]] std::vector<double> compliance(const ContactPoints& points, const Poll& poll = {}) const;
@@ -32,4 +32,4 @@ class DiskResidual {
   std::vector<Flexibility> kept_squared_;  // Σ_kept (C,S)(C,S)ᵀ/ω⁴
 };
 
-}  // namespace stoss
+}  // namespace stoss::bodies::disk

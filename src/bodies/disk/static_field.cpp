@@ -1,6 +1,6 @@
 #include "bodies/disk/static_field.hpp"
 
-namespace stoss {
+namespace stoss::bodies::disk {
 
 StaticField static_field(double poisson, int order, double normal, double shear) {
   StaticField field;
@@ -32,4 +32,4 @@ StaticField static_field(double poisson, int order, double normal, double shear)
   return field;
 }
 
-}  // namespace stoss
+}  // namespace stoss::bodies::disk

@@ -2,7 +2,7 @@
 
 #include "bodies/disk/radial_field.hpp"
 
-namespace stoss {
+namespace stoss::bodies::disk {
 
 /// r^{n−2} − r^n, r^{n−1}, r^n and r^{n+1}, with 0 for a negative power.
 struct RadialPowers {
@@ -33,4 +33,4 @@ struct StaticField {
 /// The field for the tractions p = normal and t = shear (of no effect for n = 0), in E.
 [[nodiscard]] StaticField static_field(double poisson, int order, double normal, double shear);
 
-}  // namespace stoss
+}  // namespace stoss::bodies::disk

@@ -2,7 +2,7 @@
 
 #include "bodies/disk/order_sums.hpp"
 
-namespace stoss {
+namespace stoss::bodies::disk {
 
 StaticOrders::StaticOrders(double poisson)
     : zero_(static_flexibility(poisson, 0)),
@@ -24,4 +24,4 @@ StaticSums StaticOrders::at(double theta, double cosine_sum, double sine_sum, do
           zero_.tangential + one_.tangential * cosine + low_ * up_cosine + high_ * down_cosine};
 }
 
-}  // namespace stoss
+}  // namespace stoss::bodies::disk

@@ -7,7 +7,7 @@
 #include "stoss/body/body.hpp"
 #include "stoss/poll.hpp"
 
-namespace stoss {
+namespace stoss::bodies::disk {
 
 /// Points inside a disk: every radius with every angle. φ = 0 points to the wall, φ = π away from it.
 struct PolarGrid {
@@ -66,4 +66,4 @@ class DiskField {
 /// @throws InvalidInput for stresses of different lengths
 [[nodiscard]] std::vector<double> principal_difference(const Field& field);
 
-}  // namespace stoss
+}  // namespace stoss::bodies::disk

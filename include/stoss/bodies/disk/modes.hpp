@@ -4,13 +4,13 @@
 
 #include "stoss/poll.hpp"
 
-namespace stoss {
+namespace stoss::bodies::disk {
 
 /// Range of the 2-D Poisson number in which the modes are tested.
 inline constexpr double min_poisson = -0.95;
 inline constexpr double max_poisson = 0.995;
 
-/// Highest cutoff that disk_modes accepts, in c/R (about 450 000 modes at ν = 0.33).
+/// Highest cutoff that `modes` accepts, in c/R (about 450 000 modes at ν = 0.33).
 inline constexpr double max_cutoff = 1000.0;
 
 /// One symmetric in-plane vibration of a free disk, in units R = c = ρ = 1.
@@ -39,7 +39,7 @@ enum class ModeFamily { radial, tangential };
 /// @param poisson 2-D Poisson number, −0.95 … 0.995
 /// @param cutoff  highest frequency in c/R, from the lowest mode to 1000
 /// @throws InvalidInput outside these ranges; NotConverged if the list fails its own check
-[[nodiscard]] std::vector<Mode> disk_modes(double poisson, double cutoff, const Poll& poll = {});
+[[nodiscard]] std::vector<Mode> modes(double poisson, double cutoff, const Poll& poll = {});
 
 /// Displacement of a mode, in units of its normalisation.
 struct Displacement {
@@ -69,4 +69,4 @@ struct Flexibility {
 /// static_second_moment.
 [[nodiscard]] Flexibility static_second_moment(double poisson, int order);
 
-}  // namespace stoss
+}  // namespace stoss::bodies::disk
