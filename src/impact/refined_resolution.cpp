@@ -15,10 +15,7 @@ Resolution refined_resolution(const Contact& contact, double speed, double half_
   constexpr double margin = 1.06;
   const double width = half_width > 0.0 ? std::min(margin * half_width, greatest_half_width(contact))
                                         : initial_half_width(contact, speed);
-  // The pressure varies over the contact; and over the waves that the kept modes send along the edge.
-  const double cutoff = contact.cutoff * time_scale(contact);
-  const double nodes = std::max({20.0 * std::pow(cutoff / 12.5, 0.65), 1.3 * cutoff * std::sqrt(width / contact.radius),
-                                 1.02 * nyquist_nodes(contact, width)});
+  const double nodes = std::max(sampled_nodes(contact, width), 1.02 * nyquist_nodes(contact, width));
   constexpr double vector = 8.0;
   resolution.half_width = width;
   resolution.nodes = static_cast<int>(std::min<double>(vector * std::ceil(nodes / vector), most_nodes));
