@@ -29,6 +29,9 @@ void validate(const Body& body) {
           "a positive finite mass, extent and cutoff");
   require(body, body.highest_cutoff >= body.cutoff, "a cutoff up to its highest");
   require(body, body.stable_step > 0.0, "a positive stable_step");
+  const auto& [points, cutoff, power, along_edge, fewest] = body.sampling;
+  require(body, positive(points) && positive(cutoff) && finite({power, along_edge}) && along_edge >= 0.0 && fewest > 0,
+          "a positive finite sampling");
   for (const ModeGroup& group : body.groups) {
     require(body, group.upper.size() == group.omega.size() && group.lower.size() == group.omega.size(),
             "omega, upper and lower of one length in each group");

@@ -5,6 +5,19 @@
 #include <numbers>
 
 namespace stoss {
+namespace {
+
+double asked(const Sampling& sampling, double cutoff, double half_width) {
+  return std::max(sampling.points * std::pow(cutoff / sampling.cutoff, sampling.power),
+                  sampling.along_edge * cutoff * std::sqrt(half_width));
+}
+
+int fewest_nodes(const Contact& contact) {
+  const int first = contact.first->sampling.fewest;
+  return contact.second == nullptr ? first : std::max(first, contact.second->sampling.fewest);
+}
+
+}  // namespace
 
 double initial_half_width(const Contact& contact, double speed) {
   constexpr double margin = 1.25;
@@ -18,10 +31,15 @@ int nyquist_nodes(const Contact& contact, double half_width) {
   return static_cast<int>(std::ceil(half_width * highest_wave_number(contact) / std::numbers::pi));
 }
 
+double sampled_nodes(const Contact& contact, double half_width) {
+  const double cutoff = contact.cutoff * time_scale(contact), width = half_width / contact.radius;
+  const double first = asked(contact.first->sampling, cutoff, width);
+  return contact.second == nullptr ? first : std::max(first, asked(contact.second->sampling, cutoff, width));
+}
+
 int nodes_within(const Contact& contact, double half_width) {
   if (has_single_point(contact)) return 1;
-  constexpr int fewest = 32;
-  double nodes = std::max<double>(fewest, 1.5 * nyquist_nodes(contact, half_width));
+  double nodes = std::max<double>(fewest_nodes(contact), 1.5 * nyquist_nodes(contact, half_width));
   if (const auto* soft = std::get_if<ExponentialWall>(&contact.wall)) {
     nodes = std::max({nodes, 128.0, soft->hardness * half_width * half_width});
   }

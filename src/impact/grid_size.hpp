@@ -13,6 +13,9 @@ inline constexpr int most_nodes = 4096;
 /// Nodes at which the Nyquist order π/h of a grid is the highest kept order.
 [[nodiscard]] int nyquist_nodes(const Contact& contact, double half_width);
 
+/// Nodes that the bodies ask for across the half-width of a hard contact (Body::sampling).
+[[nodiscard]] double sampled_nodes(const Contact& contact, double half_width);
+
 /// Recommended nodes of a grid.
 [[nodiscard]] int nodes_within(const Contact& contact, double half_width);
 

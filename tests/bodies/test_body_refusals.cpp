@@ -31,6 +31,11 @@ TEST(BodyRefusal, NamesTheBodyAndTheRule) {
       {"functions", [](Body& body) { body.residual_compliance = nullptr; }},
       {"functions", [](Body& body) { body.residual_second_moment = nullptr; }},
       {"stable_step", [](Body& body) { body.stable_step = 0.0; }},
+      {"sampling", [](Body& body) { body.sampling.points = 0.0; }},
+      {"sampling", [](Body& body) { body.sampling.cutoff = not_a_number; }},
+      {"sampling", [](Body& body) { body.sampling.power = not_a_number; }},
+      {"sampling", [](Body& body) { body.sampling.along_edge = -1.0; }},
+      {"sampling", [](Body& body) { body.sampling.fewest = 0; }},
   };
   for (const auto& [rule, spoil] : flaws) {
     Body body = rod(40.0);

@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "impact/refined_resolution.hpp"
 #include "stoss/bodies/disk.hpp"
 #include "stoss/bodies/rod.hpp"
 #include "stoss/impact/impact.hpp"
@@ -18,6 +19,26 @@ TEST(Resolution, DefaultNodesSufficeAtAHighCutoff) {
   const Impact finer = impact(body, HardWall{}, 0.1, {.resolution = {.step = 2e-3, .nodes = 2 * chosen.nodes}});
   EXPECT_GT(chosen.nodes, 64);
   EXPECT_NEAR(chosen.lost_fraction, finer.lost_fraction, 2e-5);
+}
+
+TEST(Resolution, ABodySaysHowManyPointsItNeeds) {
+  const Body usual = disk(0.33, 25.0);
+  Body fine = usual;
+  fine.sampling = {.points = 100.0, .cutoff = 10.0, .power = 1.0, .along_edge = 0.0, .fewest = 300};
+  EXPECT_EQ(recommended_nodes(contact(fine), 0.1), 300);
+  EXPECT_EQ(refined_resolution(contact(fine), 0.1, 0.1).nodes, 256);  // 100 · 2.5, in eights
+  fine.sampling.along_edge = 40.0;
+  EXPECT_EQ(refined_resolution(contact(fine), 0.1, 0.25).nodes, 504);  // 40 · 25 · √¼
+}
+
+TEST(Resolution, OfAPairTheBodyThatAsksForMorePointsDecides) {
+  const Body usual = disk(0.33, 25.0);
+  Body fine = usual;
+  fine.sampling = {.points = 100.0, .cutoff = 10.0, .power = 1.0, .along_edge = 0.0, .fewest = 300};
+  for (const Contact& pair : {contact(fine, usual), contact(usual, fine)}) {
+    EXPECT_EQ(recommended_nodes(pair, 0.2), 300);
+    EXPECT_EQ(refined_resolution(pair, 0.2, 0.1).nodes, 256);
+  }
 }
 
 TEST(Resolution, RefusesNodesThatAliasTheKeptModes) {

@@ -183,7 +183,7 @@ TEST(RefinableContact, MakesEachLevelOnce) {
   EXPECT_EQ(&body.at(3), &copy.at(3));
   EXPECT_EQ(made, 1);
   EXPECT_EQ(body.at(3).cutoff, body.cutoff(3));
-  EXPECT_DOUBLE_EQ(body.cutoff(8), 32.0);
+  EXPECT_DOUBLE_EQ(body.cutoff(10), 32.0);
   test::expect_refusal([&] { (void)body.at(-1); }, {"level", "-1"});
   test::expect_refusal([&] { (void)body.at(body.highest_level() + 1); }, {"level"});
 }

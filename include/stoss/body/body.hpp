@@ -59,6 +59,21 @@ struct BodyScale {
   double mass = 1.0;    ///< m
 };
 
+/// How many contact points a body asks for across the half-width a of a hard contact when points and modes are refined
+/// together: with modes up to ω_c the greater of
+///
+///   points · (ω_c/cutoff)^power   for the pressure, and   along_edge · ω_c √a   for the waves along the edge,
+///
+/// a in R of the circle of the contact points, ω_c over the time of the contact (R/c at a wall). Of a pair the body
+/// that asks for more decides.
+struct Sampling {
+  double points = 64.0;     ///< at the cutoff below
+  double cutoff = 1.0;      ///< c/R
+  double power = 0.0;       ///< how they grow with the cutoff
+  double along_edge = 0.0;  ///< 0: no waves that the contact must follow
+  int fewest = 64;          ///< recommended for one impact by itself
+};
+
 /// An elastic body by itself, with its modes up to a cutoff: all that a contact needs to know of it, in its own units
 /// (for a disk R = c = ρ = 1). Motion is along the axis, towards what it meets. A new body is a function that fills
 /// this structure (docs/architecture.md).
@@ -73,6 +88,7 @@ struct Body {
   /// Largest stable time step at a hard wall: above it one kick moves the kept modes of some order further than the
   /// residual compliance does.
   double stable_step = std::numeric_limits<double>::infinity();
+  Sampling sampling{};            ///< of a contact with more than a single point
   std::vector<ModeGroup> groups;  ///< kept modes
 
   std::function<Surface(const ContactPoints&)> surface;

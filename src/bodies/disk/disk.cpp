@@ -85,6 +85,9 @@ void require_disk(const Disk& disk) {
   require("density", disk.density, positive, "of the disk");
 }
 
+/// Chosen so that steps, contact points and modes are refined together (docs/numerics.md, section 5).
+constexpr Sampling sampling{.points = 24.0, .cutoff = 32.0, .power = 0.65, .along_edge = 0.7, .fewest = 32};
+
 }  // namespace
 
 Body disk(const Disk& disk, double cutoff, const Poll& poll) {
@@ -102,6 +105,7 @@ Body disk(const Disk& disk, double cutoff, const Poll& poll) {
   body.extent = 1.0;
   body.cutoff = cutoff;
   body.highest_cutoff = max_cutoff;
+  body.sampling = sampling;
   body.groups = group_by_order(modes);
   const std::size_t rows = modes.empty() ? 0 : static_cast<std::size_t>(modes.back().order) + 2;
   body.surface = [poisson, rows](const ContactPoints& points) { return make_surface(poisson, rows, points); };
