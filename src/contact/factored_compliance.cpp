@@ -49,7 +49,7 @@ void FactoredCompliance::forward(std::size_t count, const std::vector<double>& q
   const std::size_t end = std::min((count + vector - 1) / vector * vector, size_);
   for (std::size_t i = 0; i < end; i += block) {
     numeric::kernels::multiply_transposed(inverse_transposed_.data(), size_, std::min(count, i + block), i,
-                                 std::min(end, i + block), q.data(), y.data());
+                                          std::min(end, i + block), q.data(), y.data());
   }
 }
 
@@ -57,7 +57,7 @@ void FactoredCompliance::backward(std::size_t count, const std::vector<double>& 
   const std::size_t end = std::min((count + vector - 1) / vector * vector, size_);
   for (std::size_t j = 0; j < end; j += block) {
     numeric::kernels::multiply_transposed(inverse_.data() + j * size_, size_, count - std::min(count, j), j,
-                                 std::min(end, j + block), y.data() + j, f.data());
+                                          std::min(end, j + block), y.data() + j, f.data());
   }
 }
 

@@ -113,7 +113,8 @@ TEST(EdgeContact, RefusesWhatIsNoContact) {
   EXPECT_THROW(contact.solve({std::nan("")}, f, u), NotConverged);
 }
 
-/// A disk pressed to a wall: total force and half-width against the compression of its centre, by all its modes but the lowest pair.
+/// A disk pressed to a wall: total force and half-width against the compression of its centre, by all its modes but the
+/// lowest pair.
 class Pressed : public ::testing::Test {
  protected:
   static constexpr double width = 0.2;
@@ -162,21 +163,6 @@ TEST_F(Pressed, FollowsTheExactContactAtAShiftedCompression) {
   EXPECT_LT(worst, 3e-5);
   EXPECT_GT(without, 10.0 * worst);
   EXPECT_LT(wide, 0.1);  // of a spacing
-}
-
-TEST_F(Pressed, ConvergesFasterThanWithoutLaw) {
-  double error[2] = {};
-  const double compression = 0.02;
-  for (int k = 0; k < 2; ++k) {
-    const int nodes = 20 << (2 * k);
-    const double h = std::numbers::pi / std::floor(std::numbers::pi * nodes / width);
-    for (int i = 0; i < 20; ++i) {
-      const double at = compression * (1.0 + 0.013 * i);
-      const double exact = with_law(1200, at).force;
-      error[k] = std::max(error[k], std::abs(with_law(nodes, at - h * h / 24.0).force / exact - 1.0));
-    }
-  }
-  EXPECT_GT(std::log(error[0] / error[1]) / std::log(4.0), 2.5);
 }
 
 }  // namespace
