@@ -34,7 +34,7 @@ Missing missing(double cutoff, double speed) {
   constexpr double at_64 = 0.0115, cutoff_power = 0.8;
   const double slow = std::clamp(std::pow(speed / 0.02, -0.1), 1.0, 1.7);
   const double fast = 1.0 / (1.0 + speed / 0.1);
-  const double calm = std::min(1.0, std::pow(speed / 1e-4, -0.3));
+  const double calm = std::min(1.0, std::pow(speed / 1e-4, -0.25));
   return {at_64 * std::pow(64.0 / cutoff, cutoff_power) * slow * fast, 0.2 * calm * std::pow(16.0 / cutoff, 2)};
 }
 
@@ -71,10 +71,11 @@ Estimate slowly(const std::vector<Run>& runs, double order, double Run::*quantit
 double convergence_order(const Contact& contact) { return has_single_point(contact) ? 1.0 : 2.5; }
 
 void conclude(const Contact& contact, double speed, Restitution& result) {
-  constexpr double focus = 0.45;  // peaks of the force that a wave brings back are short
+  constexpr double focus = 0.6;  // peaks of the force that a wave brings back are short
+  constexpr double turn = 0.008;
   const std::vector<Run>& runs = result.runs;
   const Run& last = runs.back();
-  const double order = convergence_order(contact), slow = std::min(order, slow_order);
+  const double order = convergence_order(contact), slow = std::min(order, slow_order), of_turn = std::min(order, 2.0);
   result.lost_fraction =
       has_single_point(contact) ? lost_at_a_point(runs, order) : lost_on_a_line(contact, speed, runs, order);
   const double lost = result.lost_fraction.value, error = result.lost_fraction.error;
@@ -85,7 +86,8 @@ void conclude(const Contact& contact, double speed, Restitution& result) {
   result.contact_time = slowly(runs, slow, &Run::contact_time, last.step);
   result.impulse_time = slowly(runs, slow, &Run::impulse_time, last.step);
   result.max_force = slowly(runs, slow, &Run::max_force, focus * std::sqrt(last.unresolved) * last.max_force);
-  result.max_compression = slowly(runs, order, &Run::max_compression, 0.0);
+  result.max_compression =
+      slowly(runs, of_turn, &Run::max_compression, turn * last.unresolved * std::abs(last.max_compression));
   result.converged = error <= result.tolerance * std::abs(lost);
 }
 
