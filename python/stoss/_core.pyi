@@ -6,6 +6,7 @@ from numpy.typing import NDArray
 version: str
 min_poisson: float
 max_poisson: float
+quantities: dict[str, tuple[tuple[str, str, bool], ...]]
 rayleigh_row: np.dtype[Any]
 restitution_row: np.dtype[Any]
 
@@ -36,6 +37,7 @@ class Impact:
     def modes(self) -> NDArray[Any]: ...
     def trajectory(self, contact: Contact, every: int) -> NDArray[Any]: ...
 
+def units(rod: bool, si: bool) -> dict[str, str]: ...
 def plane_poisson(young: float, poisson: float, density: float, strain: bool) -> float: ...
 def scales(
     young: float, poisson: float, density: float, strain: bool, radius: float

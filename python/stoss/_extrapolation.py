@@ -32,7 +32,7 @@ class Extrapolation(Result):
     """
 
     _name: ClassVar[str] = "extrapolation"
-    _units = {"cutoff": "c/R", "hardness": "1/R"}
+    _kind = "soft impact"
 
     poisson: float
     speed: float

@@ -12,8 +12,8 @@ from stoss import _core, _replay
 from stoss._bodies import Body, Disk, Rod, shown
 from stoss._contact import Against, contact, radiates
 from stoss._field import Field
-from stoss._result import Column, Result
-from stoss._si import SI_UNITS, InSi
+from stoss._result import Result
+from stoss._si import InSi
 from stoss._trajectory import Trajectory
 
 
@@ -77,10 +77,8 @@ class Impact(InSi, Result):
     """
 
     _name: ClassVar[str] = "impact"
-    _units = {
-        "speed": "c", "contact_time": "R/c", "max_force": "piRE", "max_compression": "R", "max_half_width": "R",
-        "cutoff": "c/R", "step": "R/c", "half_width": "R", **SI_UNITS,
-    }  # fmt: skip
+    _kind = "impact"
+    _given = {"speed": "speed"}
 
     body: Body
     against: Against
@@ -113,7 +111,7 @@ class Impact(InSi, Result):
     def __repr__(self) -> str:
         return (
             f"Impact({self._who()}, speed={self.speed:.6g} c: restitution {self.restitution:.5f}, "
-            f"contact time {self.contact_time:.4g} R/c, {self.modes} modes)"
+            f"contact time {self.contact_time:.4g} {self._unit('contact_time')}, {self.modes} modes)"
         )
 
     def _who(self) -> str:
@@ -137,9 +135,8 @@ class Impact(InSi, Result):
         """The impact with these inputs, checked before."""
         met = contact(body, against, cutoff, keep)
         handle = _core.impact(met, radiates(against), speed, step, nodes, half_width)
-        energies = handle.modes()
         return cls(
-            body=body, against=against, keep=keep, modes=len(energies), mode_energies=energies, _handle=handle,
+            body=body, against=against, keep=keep, mode_energies=handle.modes(), _handle=handle,
             **handle.numbers(),
         )  # fmt: skip
 
@@ -244,8 +241,3 @@ class Impact(InSi, Result):
         if self.keep is not None:
             inputs["keep"] = f"{self.modes} of {self.keep.size} modes"
         return inputs
-
-    def _table(self) -> dict[str, Column]:
-        skipped = ("body", "against", "keep", "mode_energies", "_handle")
-        names = [field.name for field in dataclasses.fields(self) if field.name not in skipped]
-        return {name: np.asarray(getattr(self, name)) for name in names}

@@ -13,8 +13,8 @@ from stoss import _core
 from stoss._arguments import arranged, number
 from stoss._bodies import Disk, speeds_in_si
 from stoss._errors import StossWarning
-from stoss._result import Column, Number, Result, columns, shown, span
-from stoss._si import SI_UNITS, InSi
+from stoss._result import Number, Result, columns, shown, span
+from stoss._si import InSi
 from stoss._slow_impact import slow_inputs
 
 
@@ -57,20 +57,21 @@ class RayleighEstimate(InSi, Result):
     """
 
     _name: ClassVar[str] = "rayleigh"
-    _units = {"speed": "c", "contact_time": "R/c", "max_compression": "R", "max_force": "piRE", **SI_UNITS}
+    _kind = "rayleigh"
+    _given = {"poisson": "", "speed": "speed"}
 
     law: str
     cutoff: float
     poisson: Number
     speed: Number
+    lost_fraction: Number
+    lost_fraction_error: Number
     contact_time: Number
     max_compression: Number
     max_force: Number
-    lost_fraction: Number
-    lost_fraction_error: Number
     kinetic_share: Number
     beyond_perturbation: Union[bool, NDArray[np.bool_]]
-    modes: Union[int, NDArray[np.int32]]
+    modes: Union[int, NDArray[np.int64]]
     mode_energies: NDArray[Any] | None
     body: Disk | None
 
@@ -90,11 +91,6 @@ class RayleighEstimate(InSi, Result):
 
     def _inputs(self) -> dict[str, Any]:
         return {"law": self.law, "cutoff": self.cutoff} | ({"body": self.body} if self.body else {})
-
-    def _table(self) -> dict[str, Column]:
-        skipped = ("law", "cutoff", "mode_energies", "body")
-        names = [field.name for field in dataclasses.fields(self) if field.name not in skipped]
-        return {name: np.asarray(getattr(self, name)) for name in names}
 
 
 def rayleigh(

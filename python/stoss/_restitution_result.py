@@ -11,8 +11,8 @@ from numpy.typing import NDArray
 from stoss._bodies import Body, Disk, Rod
 from stoss._bodies import shown as shown_body
 from stoss._contact import Against
-from stoss._result import Column, Number, Result, shown, span
-from stoss._si import SI_UNITS, InSiWithErrors
+from stoss._result import Number, Result, shown, span
+from stoss._si import InSiWithErrors
 
 Integer = Union[int, NDArray[np.int64]]
 Flag = Union[bool, NDArray[np.bool_]]
@@ -67,10 +67,8 @@ class Restitution(InSiWithErrors, Result):
     """
 
     _name: ClassVar[str] = "restitution"
-    _units = {
-        "speed": "c", "contact_time": "R/c", "contact_time_error": "R/c", "max_compression": "R",
-        "max_compression_error": "R", "max_force": "piRE", "max_force_error": "piRE", "cutoff": "c/R", **SI_UNITS,
-    }  # fmt: skip
+    _kind = "restitution"
+    _given = {"poisson": "", "speed": "speed"}
 
     body: Body | None
     against: Against | str
@@ -89,10 +87,10 @@ class Restitution(InSiWithErrors, Result):
     lost_to_first: Number
     lost_to_second: Number
     cutoff: Number
-    energy_error: Number
     modes: Integer
     runs: Integer
     steps: Integer
+    energy_error: Number
     converged: Flag
     beyond_small_strain: Flag
     reason: str | NDArray[np.object_]
@@ -119,8 +117,3 @@ class Restitution(InSiWithErrors, Result):
     def _inputs(self) -> dict[str, Any]:
         named = {"body": self.body, "against": self.against, "tolerance": self.tolerance}
         return {key: value for key, value in named.items() if value is not None}
-
-    def _table(self) -> dict[str, Column]:
-        skipped = ("body", "against", "reason", "tolerance")
-        names = [field.name for field in dataclasses.fields(self) if field.name not in skipped]
-        return {name: np.asarray(getattr(self, name)) for name in names}

@@ -28,9 +28,8 @@ class InSi:
             raise AttributeError(f"{name}: this result has no material (make its body with one)")
         return self.body.scales
 
-    def _unit(self, name: str) -> str | None:
-        unit = super()._unit(name)  # type: ignore[misc]
-        return ROD_UNITS.get(unit, unit) if isinstance(self.body, Rod) else unit
+    def _of_a_rod(self) -> bool:
+        return isinstance(self.body, Rod)
 
     @property
     def speed_si(self) -> Number:
@@ -53,7 +52,7 @@ class InSi:
         return self.max_compression * self._scales("max_compression_si").length  # type: ignore[no-any-return]
 
     def _derived(self) -> dict[str, Any]:
-        names = [name for name in SI_UNITS if hasattr(type(self), name)]
+        names = [name for name in SI_COLUMNS if hasattr(type(self), name)]
         return {name: getattr(self, name) for name in names} if self.material is not None else {}
 
 
@@ -81,10 +80,7 @@ class InSiWithErrors(InSi):
         return self.max_compression_error * scales.length  # type: ignore[no-any-return]
 
 
-SI_UNITS = {
-    "speed_si": "m/s", "contact_time_si": "s", "contact_time_si_error": "s", "max_force_si": "N/m",
-    "max_force_si_error": "N/m", "max_compression_si": "m", "max_compression_si_error": "m",
-}  # fmt: skip
-
-# What a rod has in place of a disk's units.
-ROD_UNITS = {"R": "L", "R/c": "L/c", "c/R": "c/L", "piRE": "EA", "N/m": "N"}
+SI_COLUMNS = (
+    "speed_si", "contact_time_si", "contact_time_si_error", "max_force_si", "max_force_si_error",
+    "max_compression_si", "max_compression_si_error",
+)  # fmt: skip
