@@ -13,7 +13,7 @@ from stoss import _core
 from stoss._arguments import arranged, number
 from stoss._bodies import Disk, speeds_in_si
 from stoss._errors import StossWarning
-from stoss._result import Number, Result, columns, shown, span
+from stoss._result import Number, Result, columns, span, with_error
 from stoss._si import InSi
 from stoss._slow_impact import slow_inputs
 
@@ -78,7 +78,7 @@ class RayleighEstimate(InSi, Result):
     def __repr__(self) -> str:
         of = f"poisson={span(self.poisson)}, speed={span(self.speed)} c"
         if isinstance(self.lost_fraction, float):
-            value = shown(self.lost_fraction, float(self.lost_fraction_error))
+            value = with_error(self.lost_fraction, float(self.lost_fraction_error))
             doubt = ", beyond perturbation theory" if self.beyond_perturbation else ""
             return f"RayleighEstimate({of}: lost fraction {value}{doubt})"
         beyond = np.count_nonzero(self.beyond_perturbation)

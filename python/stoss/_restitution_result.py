@@ -8,10 +8,9 @@ from typing import Any, ClassVar, Union
 import numpy as np
 from numpy.typing import NDArray
 
-from stoss._bodies import Body, Disk, Rod
-from stoss._bodies import shown as shown_body
+from stoss._bodies import Body, Disk, Rod, shown
 from stoss._contact import Against
-from stoss._result import Number, Result, shown, span
+from stoss._result import Number, Result, span, with_error
 from stoss._si import InSiWithErrors
 
 Integer = Union[int, NDArray[np.int64]]
@@ -99,12 +98,12 @@ class Restitution(InSiWithErrors, Result):
     def __repr__(self) -> str:
         against = self.against if isinstance(self.against, (Disk, Rod, str)) else None  # else at a wall
         named = self.body is not None and (against is not None or isinstance(self.body, Rod))
-        of = shown_body(self.body) if named and self.body else f"poisson={span(self.poisson)}"
+        of = shown(self.body) if named and self.body else f"poisson={span(self.poisson)}"
         if against is not None:
-            of += f" against {against!r}" if isinstance(against, str) else f" against {shown_body(against)}"
+            of += f" against {against!r}" if isinstance(against, str) else f" against {shown(against)}"
         of += f", speed={span(self.speed)} c"
         if isinstance(self.restitution, float):
-            value = f"restitution {shown(self.restitution, float(self.restitution_error))}"
+            value = f"restitution {with_error(self.restitution, float(self.restitution_error))}"
             return f"Restitution({of}: {value}{'' if self.converged else ', not converged'})"
         doubtful = int(np.size(self.converged) - np.count_nonzero(self.converged))
         state = "all converged" if doubtful == 0 else f"{doubtful} not converged"

@@ -154,12 +154,24 @@ def _write(path: str, lines: Iterator[str]) -> None:
         stream.writelines(lines)
 
 
-def shown(value: float, error: float | None = None) -> str:
+def with_error(value: float, error: float | None = None) -> str:
     """Write a number with the digits that its error leaves it.
 
-    >>> shown(0.947041, 0.0000523)
+    Parameters
+    ----------
+    value : float
+    error : float, optional
+        Two digits of it are written; infinite if it is unknown. Without one the number has six digits.
+
+    Returns
+    -------
+    str
+
+    Examples
+    --------
+    >>> stoss.with_error(0.947041, 0.0000523)
     '0.947041 ± 0.000052'
-    >>> shown(3.35, math.inf)
+    >>> stoss.with_error(3.35, np.inf)
     '3.35 ± unknown'
     """
     if error == math.inf and math.isfinite(value):
