@@ -42,6 +42,9 @@ def plane_poisson(young: float, poisson: float, density: float, strain: bool) ->
 def scales(
     young: float, poisson: float, density: float, strain: bool, radius: float
 ) -> tuple[float, float, float, float, float]: ...
+def rod_scales(
+    length: float, young: float, density: float, area: float
+) -> tuple[float, float, float, float, float]: ...
 def disk_modes(poisson: float, cutoff: float) -> NDArray[Any]: ...
 def displacement(
     poisson: float, order: int, omega: float, radial: float, tangential: float, radii: NDArray[np.float64]
