@@ -41,7 +41,7 @@ def test_formats_agree(stoss):
     arguments = "restitution --poisson 0.33 --speed 0.05,0.2"
     table = stoss.data(arguments)
     document = json.loads(stoss.run(arguments, "--format json").stdout)
-    assert document["schema"] == "stoss/restitution/1"
+    assert document["schema"] == "stoss/restitution/2"
     assert document["complete"] is True
     assert document["inputs"]["poisson"] == 0.33
     assert document["inputs"]["speed"] == "0.05,0.2"
