@@ -12,13 +12,13 @@ from stoss import _core, _replay
 from stoss._bodies import Body, Disk, Rod, shown
 from stoss._contact import Against, contact, radiates
 from stoss._field import Field
-from stoss._result import Result
+from stoss._result import Number
 from stoss._si import InSi
 from stoss._trajectory import Trajectory
 
 
 @dataclasses.dataclass(frozen=True, eq=False, repr=False)
-class Impact(InSi, Result):
+class Impact(InSi):
     """One impact at a fixed resolution, with the inputs that made it.
 
     Energies are shares of the initial energy.
@@ -72,8 +72,8 @@ class Impact(InSi, Result):
     keep : ndarray or None
         Which modes up to the cutoff were kept, if not all: those of `mode_energies`.
     material : Material or None
-        Of the body. If there is one, `speed_si`, `contact_time_si`, `max_force_si` and
-        `max_compression_si` are the SI values.
+        Of the body. If there is one, `speed_si`, `contact_time_si`, `max_force_si`,
+        `max_compression_si` and `max_half_width_si` are the SI values.
     """
 
     _name: ClassVar[str] = "impact"
@@ -107,6 +107,11 @@ class Impact(InSi, Result):
     mode_energies: NDArray[Any]
     keep: NDArray[np.bool_] | None
     _handle: _core.Impact = dataclasses.field(repr=False)
+
+    @property
+    def max_half_width_si(self) -> Number:
+        """Greatest half-width of the contact, m."""
+        return self._in_si("max_half_width")
 
     def __repr__(self) -> str:
         return (

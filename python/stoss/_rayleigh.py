@@ -13,13 +13,13 @@ from stoss import _core
 from stoss._arguments import arranged, number
 from stoss._bodies import Disk, speeds_in_si
 from stoss._errors import StossWarning
-from stoss._result import Number, Result, columns, span, with_error
+from stoss._result import Number, columns, span, with_error
 from stoss._si import InSi
 from stoss._slow_impact import slow_inputs
 
 
 @dataclasses.dataclass(frozen=True, eq=False, repr=False)
-class RayleighEstimate(InSi, Result):
+class RayleighEstimate(InSi):
     """What slow impacts lose to vibration, to first order of a perturbation theory.
 
     Numbers if all inputs were numbers, otherwise arrays of the shape to which `poisson` and `speed`

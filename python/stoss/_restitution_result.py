@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from stoss._bodies import Body, Disk, Rod, shown
 from stoss._contact import Against
-from stoss._result import Number, Result, span, with_error
+from stoss._result import Number, span, with_error
 from stoss._si import InSiWithErrors
 
 Integer = Union[int, NDArray[np.int64]]
@@ -18,7 +18,7 @@ Flag = Union[bool, NDArray[np.bool_]]
 
 
 @dataclasses.dataclass(frozen=True, eq=False, repr=False)
-class Restitution(InSiWithErrors, Result):
+class Restitution(InSiWithErrors):
     """The coefficient of restitution of a body at a rigid wall, or of two bodies, with errors.
 
     Numbers if all inputs were numbers, otherwise arrays of the shape to which `poisson` and `speed`

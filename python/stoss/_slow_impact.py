@@ -13,12 +13,12 @@ from stoss._arguments import arranged, broadcast, choice, instance, numbers
 from stoss._bodies import Disk, speed_unit, speeds_in_si
 from stoss._compression import LAWS
 from stoss._contact import choose_body
-from stoss._result import Number, Result, columns, span
+from stoss._result import Number, columns, span
 from stoss._si import InSi
 
 
 @dataclasses.dataclass(frozen=True, eq=False, repr=False)
-class SlowImpact(InSi, Result):
+class SlowImpact(InSi):
     """Slow impacts, by conservation of energy: nothing is lost.
 
     Numbers if all inputs were numbers, otherwise arrays of the shape to which `poisson` and `speed`

@@ -87,3 +87,34 @@ def test_order_and_units_are_those_of_the_command(command, tmp_path, arguments, 
     columns = [f"{name}[{units[name]}]" if name in units else name for name in document["records"][0]]
     ours = header(result(), tmp_path / "python.csv")
     assert [name for name in ours if name != "poisson"] == [n for n in columns if n not in ("poisson", "ledger")]
+
+
+STEEL = "--young 2.1e11 --density 7850"
+
+
+@pytest.mark.parametrize(
+    "arguments, result",
+    [
+        (f"restitution --poisson 0.3 --radius 0.01 --speed 1 {STEEL}",
+         lambda disk, rod: stoss.restitution(disk, speed=1.0)),
+        (f"restitution --body rod --length 0.5 --area 1e-4 --speed 1 --tolerance 0.05 {STEEL} "
+         "--against rod,length=1,area=1e-4,young=2.1e11,density=7850",
+         lambda disk, rod: stoss.restitution(
+             rod, speed=1.0, tolerance=0.05, against=stoss.Rod(length=1.0, area=1e-4, material=rod.material))),
+        (f"impact --poisson 0.3 --radius 0.01 --speed 1 --cutoff 20 {STEEL}",
+         lambda disk, rod: stoss.impact(disk, speed=1.0, cutoff=20)),
+        (f"impact --body rod --length 0.5 --area 1e-4 --speed 1 --cutoff 20 {STEEL}",
+         lambda disk, rod: stoss.impact(rod, speed=1.0, cutoff=20)),
+    ],
+    ids=["disk", "rods", "impact", "impact-rod"],
+)  # fmt: skip
+def test_si_columns_are_those_of_the_command(command, tmp_path, arguments, result):
+    steel = stoss.Material(young=2.1e11, poisson=0.3, density=7850)
+    ours = result(stoss.Disk(radius=0.01, material=steel), stoss.Rod(length=0.5, area=1e-4, material=steel))
+    document = command(arguments)
+    units, (record,) = document["units"], document["records"]
+    theirs = [f"{name}[{units[name]}]" for name in record if "_si" in name]
+    assert [column for column in header(ours, tmp_path / "python.csv") if "_si" in column] == theirs
+    for column in theirs:
+        name = column.partition("[")[0]
+        assert getattr(ours, name) == pytest.approx(record[name], rel=1e-9)
