@@ -8,7 +8,14 @@ namespace stoss {
 namespace {
 
 constexpr double unknown = std::numeric_limits<double>::infinity();
-constexpr double slow_order = 1.5;  // instants and peaks converge more slowly
+
+/// How the error of a quantity other than 1 − ε² follows from the differences of runs.
+struct Bar {
+  double order;   ///< at which it falls with the cutoff, at most
+  double safety;  ///< by which the greatest difference is multiplied
+};
+constexpr Bar rough{1.5, 4.0};   // an instant, and the peak of a force that jumps about
+constexpr Bar smooth{2.0, 6.0};  // what is integrated twice, or between two parts of the impulse
 
 /// Greatest difference of a quantity from the coarser runs, each scaled to what is left of it.
 template <typename Quantity>
@@ -57,10 +64,11 @@ Estimate lost_at_a_point(const std::vector<Run>& runs, double order) {
   return {last.lost_fraction, std::max(doubt * last.unresolved, safety * spread(runs, order, lost))};
 }
 
-Estimate slowly(const std::vector<Run>& runs, double order, double Run::*quantity, double least) {
-  constexpr double safety = 4.0;
+Estimate by_differences(const std::vector<Run>& runs, const Bar& bar, double highest_order, double Run::*quantity,
+                        double least) {
   const auto value = [quantity](const Run& run) { return run.*quantity; };
-  Estimate estimate{runs.back().*quantity, std::max(least, safety * spread(runs, order, value))};
+  const double order = std::min(bar.order, highest_order);
+  Estimate estimate{runs.back().*quantity, std::max(least, bar.safety * spread(runs, order, value))};
   // An error as large as the value leaves nothing of it.
   if (estimate.error >= std::abs(estimate.value)) estimate.error = unknown;
   return estimate;
@@ -71,23 +79,26 @@ Estimate slowly(const std::vector<Run>& runs, double order, double Run::*quantit
 double convergence_order(const Contact& contact) { return has_single_point(contact) ? 1.0 : 2.5; }
 
 void conclude(const Contact& contact, double speed, Restitution& result) {
-  constexpr double focus = 0.6;  // peaks of the force that a wave brings back are short
-  constexpr double turn = 0.008;
+  constexpr double focus = 0.6;   // peaks of the force that a wave brings back are short
+  constexpr double turn = 0.008;  // share of the unresolved energy that may be missing at closest approach
   const std::vector<Run>& runs = result.runs;
   const Run& last = runs.back();
-  const double order = convergence_order(contact), slow = std::min(order, slow_order), of_turn = std::min(order, 2.0);
-  result.lost_fraction =
-      has_single_point(contact) ? lost_at_a_point(runs, order) : lost_on_a_line(contact, speed, runs, order);
+  const bool at_a_point = has_single_point(contact);
+  const double order = convergence_order(contact);
+  result.lost_fraction = at_a_point ? lost_at_a_point(runs, order) : lost_on_a_line(contact, speed, runs, order);
   const double lost = result.lost_fraction.value, error = result.lost_fraction.error;
   const double squared = std::max(0.0, 1.0 - lost);
   const double value = std::copysign(std::sqrt(squared), result.finest.restitution);
   result.restitution = {value, error / (std::sqrt(squared + error) + std::abs(value))};
-  // An instant is known to half a step at either end.
-  result.contact_time = slowly(runs, slow, &Run::contact_time, last.step);
-  result.impulse_time = slowly(runs, slow, &Run::impulse_time, last.step);
-  result.max_force = slowly(runs, slow, &Run::max_force, focus * std::sqrt(last.unresolved) * last.max_force);
+  const auto estimate = [&](const Bar& bar, double Run::*quantity, double least) {
+    return by_differences(runs, bar, order, quantity, least);
+  };
+  // An instant is known to half a step at either end, and so are the parts of an impulse that begins with a jump.
+  result.contact_time = estimate(rough, &Run::contact_time, last.step);
+  result.impulse_time = estimate(smooth, &Run::impulse_time, at_a_point ? last.step : 0.0);
+  result.max_force = estimate(rough, &Run::max_force, focus * std::sqrt(last.unresolved) * last.max_force);
   result.max_compression =
-      slowly(runs, of_turn, &Run::max_compression, turn * last.unresolved * std::abs(last.max_compression));
+      estimate(smooth, &Run::max_compression, turn * last.unresolved * std::abs(last.max_compression));
   result.converged = error <= result.tolerance * std::abs(lost);
 }
 
