@@ -32,7 +32,7 @@ double spread(const std::vector<Run>& runs, double order, Quantity quantity) {
 /// What 1 − ε² lacks at a cutoff, as shares of the unresolved energy.
 struct Missing {
   double share;  ///< which the modes above the cutoff would return
-  double noise;  ///< by which one run is off by chance
+  double doubt;  ///< by which one run may be off
 };
 
 /// @param cutoff over the time scale of the contact
@@ -42,19 +42,21 @@ Missing missing(double cutoff, double speed) {
   const double slow = std::clamp(std::pow(speed / 0.02, -0.1), 1.0, 1.7);
   const double fast = 1.0 / (1.0 + speed / 0.1);
   const double calm = std::min(1.0, std::pow(speed / 1e-4, -0.3));
-  return {at_64 * std::pow(64.0 / cutoff, cutoff_power) * slow * fast, 0.2 * calm * std::pow(16.0 / cutoff, 2)};
+  const double whole = at_64 * std::pow(64.0 / cutoff, cutoff_power) * slow, share = whole * fast;
+  const double noise = 0.2 * calm * std::pow(16.0 / cutoff, 2);
+  // At high speed the errors have either sign: they fall less than their mean.
+  return {share, std::max(0.8 * share + noise, 0.5 * whole)};
 }
 
 Estimate lost_on_a_line(const Contact& contact, double speed, const std::vector<Run>& runs, double order) {
-  constexpr double doubt = 0.8, safety = 3.0;
+  constexpr double safety = 3.0;
   const double scale = time_scale(contact), own = own_speed(contact, speed);
   const auto corrected = [&](const Run& run) {
     return run.lost_fraction - missing(run.cutoff * scale, own).share * run.unresolved;
   };
   const Run& last = runs.back();
   const Missing lacks = missing(last.cutoff * scale, own);
-  return {corrected(last),
-          std::max((doubt * lacks.share + lacks.noise) * last.unresolved, safety * spread(runs, order, corrected))};
+  return {corrected(last), std::max(lacks.doubt * last.unresolved, safety * spread(runs, order, corrected))};
 }
 
 Estimate lost_at_a_point(const std::vector<Run>& runs, double order) {
