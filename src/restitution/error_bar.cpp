@@ -44,8 +44,9 @@ Missing missing(double cutoff, double speed) {
   const double calm = std::min(1.0, std::pow(speed / 1e-4, -0.3));
   const double whole = at_64 * std::pow(64.0 / cutoff, cutoff_power) * slow, share = whole * fast;
   const double noise = 0.2 * calm * std::pow(16.0 / cutoff, 2);
-  // At high speed the errors have either sign: they fall less than their mean.
-  return {share, std::max(0.8 * share + noise, 0.5 * whole)};
+  // At high speed the errors have either sign: they are greater than their mean, the more so above v = 1/3.
+  const double either = std::clamp(std::pow(speed / 0.33, 4), 0.5, 3.5);
+  return {share, std::max(0.8 * share + noise, either * whole)};
 }
 
 Estimate lost_on_a_line(const Contact& contact, double speed, const std::vector<Run>& runs, double order) {
