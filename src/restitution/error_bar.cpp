@@ -32,7 +32,7 @@ double spread(const std::vector<Run>& runs, double order, Quantity quantity) {
 /// What 1 − ε² lacks at a cutoff, as shares of the unresolved energy.
 struct Missing {
   double share;  ///< which the modes above the cutoff would return
-  double noise;  ///< by which one run is off by chance
+  double doubt;  ///< by which one run may be off
 };
 
 /// @param cutoff over the time scale of the contact
@@ -42,19 +42,22 @@ Missing missing(double cutoff, double speed) {
   const double slow = std::clamp(std::pow(speed / 0.02, -0.1), 1.0, 1.7);
   const double fast = 1.0 / (1.0 + speed / 0.1);
   const double calm = std::min(1.0, std::pow(speed / 1e-4, -0.25));
-  return {at_64 * std::pow(64.0 / cutoff, cutoff_power) * slow * fast, at_16 * calm * std::pow(16.0 / cutoff, 2.5)};
+  const double whole = at_64 * std::pow(64.0 / cutoff, cutoff_power) * slow, share = whole * fast;
+  const double noise = at_16 * calm * std::pow(16.0 / cutoff, 2.5);
+  // At high speed the errors have either sign: they are greater than their mean.
+  const double either = std::min(std::pow(speed / 0.33, 4), 3.5);
+  return {share, std::max(0.8 * share + noise, either * whole)};
 }
 
 Estimate lost_on_a_line(const Contact& contact, double speed, const std::vector<Run>& runs, double order) {
-  constexpr double doubt = 0.8, safety = 3.0;
+  constexpr double safety = 3.0;
   const double scale = time_scale(contact), own = own_speed(contact, speed);
   const auto corrected = [&](const Run& run) {
     return run.lost_fraction - missing(run.cutoff * scale, own).share * run.unresolved;
   };
   const Run& last = runs.back();
   const Missing lacks = missing(last.cutoff * scale, own);
-  return {corrected(last),
-          std::max((doubt * lacks.share + lacks.noise) * last.unresolved, safety * spread(runs, order, corrected))};
+  return {corrected(last), std::max(lacks.doubt * last.unresolved, safety * spread(runs, order, corrected))};
 }
 
 Estimate lost_at_a_point(const std::vector<Run>& runs, double order) {
