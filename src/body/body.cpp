@@ -29,6 +29,7 @@ void validate(const Body& body) {
           "a positive finite mass, extent and cutoff");
   require(body, body.highest_cutoff >= body.cutoff, "a cutoff up to its highest");
   require(body, body.stable_step > 0.0, "a positive stable_step");
+  require(body, body.part.size > 0.0 && body.part.beyond >= 0.0 && body.part.echo > 0.0, "a part that it can have");
   for (const ModeGroup& group : body.groups) {
     require(body, group.upper.size() == group.omega.size() && group.lower.size() == group.omega.size(),
             "omega, upper and lower of one length in each group");
@@ -47,6 +48,8 @@ std::size_t mode_count(const Body& body) {
   for (const ModeGroup& group : body.groups) count += group.omega.size();
   return count;
 }
+
+double whole_mass(const Body& body) { return body.mass + body.part.beyond; }
 
 Body with_modes(const Body& body, const std::vector<bool>& keep) {
   const std::size_t all = mode_count(body);

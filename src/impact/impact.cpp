@@ -6,6 +6,7 @@
 
 #include "impact/collision.hpp"
 #include "impact/resolution.hpp"
+#include "impact/whole_bodies.hpp"
 #include "stoss/errors.hpp"
 
 namespace stoss {
@@ -22,6 +23,7 @@ std::optional<Impact> run(const Contact& contact, double speed, const Resolution
   if (options.poll) options.poll();
   const ContactGrid grid = contact_grid(contact, resolution.half_width, resolution.nodes);
   Collision collision(contact, options.tail, grid, speed, resolution.step, options.start, options.poll);
+  const WholeBodies whole(contact, collision.snapshot());
   const double flight = std::max(0.0, -(collision.snapshot().center + contact.extent)) + 4.0 * collision.clearance();
   const double steps = (max_contact_time * longest_time(contact) + flight / speed) / resolution.step;
   if (steps > most_steps) {
@@ -39,6 +41,7 @@ std::optional<Impact> run(const Contact& contact, double speed, const Resolution
       now.momentum = state.momentum;
       now.node_force = node_force;
     }
+    whole.show(now);
     observer(now);
   };
   if (observer) observe();
@@ -57,7 +60,9 @@ std::optional<Impact> run(const Contact& contact, double speed, const Resolution
     }
     if (observer && (step % options.observe_every == 0 || collision.over())) observe();
   }
-  return collision.result();
+  Impact result = collision.result();
+  whole.show(result);
+  return result;
 }
 
 }  // namespace

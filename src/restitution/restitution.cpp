@@ -10,6 +10,7 @@
 
 #include "check.hpp"
 #include "impact/resolution.hpp"
+#include "restitution/curvature.hpp"
 
 namespace stoss {
 namespace {
@@ -47,9 +48,10 @@ Run summary(const Impact& impact) {
           impact.contact_time, impact.max_force, impact.max_compression, impact.energy_error, impact.steps};
 }
 
-void conclude(Restitution& result, double order) {
+void conclude(Restitution& result, double order, const CurvatureCorrection& correction) {
   const std::vector<Run>& runs = result.runs;
   result.lost_fraction = estimate(runs, order, &Run::lost_fraction);
+  result.lost_fraction.error += neglected(correction, result.finest);
   // Instants and peaks converge more slowly. A contact is noticed and lost within half a step each.
   const double slow = std::min(order, slow_order);
   result.contact_time = estimate(runs, slow, &Run::contact_time);
@@ -136,6 +138,7 @@ Restitution restitution(const RefinableContact& contact, double speed, const Res
   result.tolerance = options.tolerance;
   std::optional<Bar> first;
   Outlook next{first_rungs, 0.0, 0.0, true};
+  const CurvatureCorrection correction = curvature_correction(contact, speed, options.poll);
   std::string trouble;
   for (int level = 0; level <= highest && next.worthwhile; level += next.rungs) {
     if (options.attempt_observer) options.attempt_observer({contact.cutoff(level), result.lost_fraction});
@@ -143,6 +146,7 @@ Restitution restitution(const RefinableContact& contact, double speed, const Res
     resolution.poll = options.poll;
     try {
       result.finest = impact(contact.at(level), speed, resolution);
+      correct(correction, contact.at(level), result.finest);
     } catch (const NotConverged& error) {  // too coarse, perhaps
       trouble = error.what();
       continue;
@@ -151,14 +155,16 @@ Restitution restitution(const RefinableContact& contact, double speed, const Res
     result.runs.push_back(summary(result.finest));
     result.steps += result.finest.steps;
     if (result.runs.size() < first_runs) continue;
-    conclude(result, order);
+    conclude(result, order, correction);
     if (result.converged) return result;
+    trouble = out_of_reach(correction, result);
+    if (!trouble.empty()) break;
     if (!first) first = Bar{result.runs.back().cutoff, relative_error(result)};
     next = outlook(result, *first, order, contact.cutoff(highest));
     if (level < highest) next.rungs = std::min(next.rungs, highest - level);
   }
   if (result.runs.size() < 2) throw NotConverged(trouble);
-  conclude(result, order);
+  conclude(result, order, correction);
   if (result.lost_fraction.error > 1.0) result.lost_fraction.error = result.restitution.error = unknown;
   result.converged = false;  // two or three runs that agree are not enough
   result.reason = trouble.empty() ? beyond_reach(next, contact.cutoff(highest)) : trouble;
