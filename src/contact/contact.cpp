@@ -103,7 +103,8 @@ double own_compression(const Contact& contact, double approach) {
 }
 
 double longest_time(const Contact& contact) {
-  return contact.second == nullptr ? 1.0 : std::max(1.0, Units(*contact.second, *contact.first).time);
+  if (contact.second == nullptr) return contact.first->part.size;
+  return std::max(contact.first->part.size, contact.second->part.size * Units(*contact.second, *contact.first).time);
 }
 
 std::size_t mode_count(const Contact& contact) {

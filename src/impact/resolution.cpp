@@ -77,7 +77,9 @@ Resolution choose_resolution(const Contact& contact, double speed, const ImpactO
   require("observe_every", static_cast<long>(options.observe_every), 1, 1'000'000'000,
           "steps between two calls of the observer");
   if (options.step) {
-    require("step", *options.step, {5e-6, 1.0 / contact.cutoff, true, true, "5e-6 to 1/cutoff"},
+    const double least = 5e-6 * std::min(1.0, time_scale(contact));
+    require("step", *options.step,
+            {least, 1.0 / contact.cutoff, true, true, "5e-6 (of two bodies, less where they meet faster) to 1/cutoff"},
             "time step in R/c; 0.25/cutoff is usual");
   }
   if (options.half_width) {

@@ -5,40 +5,43 @@
 #include <cmath>
 #include <cstdio>
 #include <numbers>
+#include <vector>
 
 #include "impact/resolution.hpp"
 
 namespace stoss {
 namespace {
 
-constexpr std::array stretches{1.0, 2.0, 4.0};
-constexpr std::size_t parts = stretches.size();
-
-/// 1/size of a part.
-double curvature(const RefinableContact& contact, std::size_t i) {
-  return 1.0 / std::min(contact.part() * stretches[i], 1.0);
+/// How much larger than the usual part those are from which ε is extrapolated: twice, and twice again, or the whole.
+std::vector<double> stretches(const RefinableContact& contact) {
+  std::vector<double> result{1.0};
+  while (result.size() < 3 && result.back() * contact.part() < 1.0) {
+    result.push_back(std::min(2.0 * result.back(), 1.0 / contact.part()));
+  }
+  return result;
 }
 
-/// ε with each part.
-std::array<double, parts> restitutions(const RefinableContact& contact, double cutoff, double speed, const Poll& poll) {
-  std::array<double, parts> values{};
-  for (std::size_t i = 0; i < parts; ++i) {
-    const Contact& one = contact.at(cutoff, stretches[i], poll);
+/// ε with a part of each size.
+std::vector<double> restitutions(const RefinableContact& contact, double cutoff, double speed, const Poll& poll) {
+  std::vector<double> values;
+  for (const double stretch : stretches(contact)) {
+    const Contact& one = contact.at(cutoff, stretch, poll);
     ImpactOptions options = refined_resolution(one, speed, 0.0);
     options.poll = poll;
-    values[i] = impact(one, speed, options).restitution;
+    values.push_back(impact(one, speed, options).restitution);
   }
   return values;
 }
 
-/// Value at curvature 1 of the polynomial through the largest `count` parts.
-double extrapolated(const RefinableContact& contact, const std::array<double, parts>& values, std::size_t count) {
+/// Value at curvature 1 of the polynomial through all parts but the first `without`.
+double extrapolated(const RefinableContact& contact, const std::vector<double>& values, std::size_t without) {
+  std::vector<double> curvature;
+  for (const double stretch : stretches(contact)) curvature.push_back(1.0 / (contact.part() * stretch));
   double sum = 0.0;
-  for (std::size_t i = parts - count; i < parts; ++i) {
+  for (std::size_t i = without; i < values.size(); ++i) {
     double weight = 1.0;
-    for (std::size_t j = parts - count; j < parts; ++j) {
-      const double here = curvature(contact, i), there = curvature(contact, j);
-      if (j != i) weight *= (1.0 - there) / (here - there);
+    for (std::size_t j = without; j < values.size(); ++j) {
+      if (j != i) weight *= (1.0 - curvature[j]) / (curvature[i] - curvature[j]);
     }
     sum += weight * values[i];
   }
@@ -49,13 +52,14 @@ double extrapolated(const RefinableContact& contact, const std::array<double, pa
 
 CurvatureCorrection curvature_correction(const RefinableContact& contact, double speed, const Poll& poll) {
   if (contact.part() == 1.0) return {};
-  const double coarse = contact.cutoff(0), coarser = coarse / std::numbers::sqrt2;
+  // The largest part has the fewest cutoffs.
+  const double coarse = std::min(contact.cutoff(0), 0.25 * contact.cutoff(contact.highest_level()));
   const auto values = restitutions(contact, coarse, speed, poll);
-  const auto others = restitutions(contact, coarser, speed, poll);
-  const double whole = extrapolated(contact, values, 3);
-  const double shift = whole - values[0];
-  const double other_shift = extrapolated(contact, others, 3) - others[0];
-  return {shift, std::abs(whole - extrapolated(contact, values, 2)) + std::abs(shift - other_shift)};
+  const auto others = restitutions(contact, coarse / std::numbers::sqrt2, speed, poll);
+  const double whole = extrapolated(contact, values, 0);
+  const double shift = whole - values.front();
+  const double other_shift = extrapolated(contact, others, 0) - others.front();
+  return {shift, std::abs(whole - extrapolated(contact, values, 1)) + std::abs(shift - other_shift)};
 }
 
 double neglected(const CurvatureCorrection& correction, const Impact& impact) {

@@ -22,13 +22,16 @@ constexpr int fewest_levels = 8;  // for an error
 
 double cutoff_at(int level) { return 8.0 * std::exp2(0.25 * level); }
 
-/// The near side of a body stands for it from this size on, in what its waves travel within time_scale: from there on
-/// it is computed faster than the whole, to a tolerance of 1e-3.
-constexpr double largest_whole = 24.0;
+/// The near side of a body stands for it where the whole has at least twice its size, as it is faster to compute from
+/// there on (to a tolerance of 1e-3), or where the whole has too many modes.
+constexpr double least_surplus = 2.0;
 
-/// Size of the part that does. Waves are back from its far side after some 45 times time_scale; a contact lasts 6 to 10
-/// at v = 0.1, and 20 at 1e-8.
-constexpr double part_size = 12.0;
+/// Least size of the part, in what waves of the speed c travel within time_scale.
+constexpr double least_size = 16.0;
+
+/// Time until its first echo, over time_scale, of a part in which pressure waves are much faster; else it is longer, 60
+/// at ν = 0.33. A contact lasts 6 to 8 times time_scale at v > 0.01, and 14 times at 1e-8.
+constexpr double least_echo = 36.0;
 
 /// Two bodies that meet.
 struct Pair {
@@ -43,8 +46,13 @@ Contact probed(const BodyMaker& first, const BodyMaker& second) {
   return contact(std::move(one), second(least_cutoff * units.time, {}));
 }
 
-double computed_size(const Body& body, double transit) {
-  return body.near_side && transit > largest_whole ? part_size / transit : 1.0;
+/// @param unit of time of the body, over time_scale
+double computed_size(const Body& body, double unit) {
+  if (!body.near_side) return 1.0;
+  const double largest = body.highest_cutoff / cutoff_at(fewest_levels - 1) / unit;
+  const double echo = body.near_side(1.0, least_cutoff, {}).part.echo;
+  const double size = std::min(std::max(least_size, least_echo / echo) / unit, largest);
+  return size < (largest < 1.0 ? 1.0 : 1.0 / least_surplus) ? size : 1.0;
 }
 
 Pair pair_of(const BodyMaker& first, const BodyMaker& second) {

@@ -74,7 +74,7 @@ struct Contact {
 /// Compression of the more compressed body in its own radius, of which the approach δ (in R of the first) is the sum.
 [[nodiscard]] double own_compression(const Contact& contact, double approach);
 
-/// Longest R/c of the bodies, in that of the first.
+/// Longest R/c of the bodies, or of the part that is there, in that of the first.
 [[nodiscard]] double longest_time(const Contact& contact);
 
 /// Half-width of the contact that Hertz' theory expects of an impact at this speed, R; 0 for a single point.
