@@ -42,7 +42,7 @@ void WholeBodies::show(Impact& impact) const {
   if (part_ == 1.0) return;
   if (impact.contact_time > echo(contact_)) {
     throw NotConverged("impact: the contact lasts " + std::to_string(impact.contact_time) +
-                       " R/c, longer than the near side of the larger body can stand for it");
+                       " R/c, and the echo from within the larger body is back before");
   }
   EnergyLedger& ledger = impact.energy;
   const double lost = 1.0 + impact.restitution;
