@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <mutex>
 #include <optional>
@@ -9,6 +10,7 @@
 
 #include "check.hpp"
 #include "contact/units.hpp"
+#include "digits.hpp"
 #include "stoss/errors.hpp"
 
 namespace stoss {
@@ -136,7 +138,14 @@ const Contact& RefinableContact::at(double cutoff, double stretch, const Poll& p
 }
 
 Contact contact(const BodyMaker& first, const BodyMaker& second, double cutoff, const Poll& poll) {
-  return contact_of(pair_of(first, second), cutoff, 1.0, poll);
+  const Pair pair = pair_of(first, second);
+  if (pair.first_size == 1.0 && pair.second_size == 1.0) return contact_of(pair, cutoff, 1.0, poll);
+  const double most = highest_cutoff(pair);
+  constexpr double smallest = 0.5;
+  constexpr double none = std::numeric_limits<double>::min();
+  require("cutoff", cutoff, {none, most / smallest, true, true, "above 0 to " + shown(most / smallest)},
+          "highest frequency in c/R of the first body; the larger one has more modes than are computed");
+  return contact_of(pair, cutoff, std::min(1.0, most / cutoff), poll);
 }
 
 }  // namespace stoss

@@ -14,7 +14,7 @@ class RefinableContact {
   explicit RefinableContact(BodyMaker body);
 
   /// Two bodies. @throws InvalidInput as contact, and for bodies so unequal in size or wave speed that even a coarse
-  /// contact would need more modes of the larger or slower one than are computed
+  /// contact would need more modes of the larger or slower one than are computed, unless it has a near side (disks)
   RefinableContact(BodyMaker first, BodyMaker second);
 
   /// 22 at a wall, less for two bodies of which one would need more modes than are computed.
@@ -41,8 +41,11 @@ class RefinableContact {
   std::shared_ptr<Levels> levels_;
 };
 
-/// Two bodies with one cutoff for both; where RefinableContact takes the near side of one, so does this.
+/// Two bodies with one cutoff for both. Where RefinableContact takes the near side of one, so does this, with a part
+/// down to half of that size if the cutoff is high; ε then lacks what `restitution` adds for the curvature, some 1e-3
+/// to 1e-2.
 /// @param cutoff c/R of the first body
+/// @throws InvalidInput for a cutoff beyond that of the bodies
 [[nodiscard]] Contact contact(const BodyMaker& first, const BodyMaker& second, double cutoff, const Poll& poll = {});
 
 }  // namespace stoss
