@@ -21,15 +21,26 @@ std::vector<double> stretches(const RefinableContact& contact) {
   return result;
 }
 
+/// One resolution for all: with nodes of their own each would err in another way, which the extrapolation would
+/// enlarge.
+ImpactOptions common_resolution(const std::vector<const Contact*>& contacts, double speed) {
+  ImpactOptions common = refined_resolution(*contacts.front(), speed, 0.0);
+  for (const Contact* contact : contacts) {
+    const ImpactOptions own = refined_resolution(*contact, speed, 0.0);
+    common.step = std::min(*common.step, *own.step);
+    if (common.nodes) common.nodes = std::max(*common.nodes, *own.nodes);
+  }
+  return common;
+}
+
 /// ε with a part of each size.
 std::vector<double> restitutions(const RefinableContact& contact, double cutoff, double speed, const Poll& poll) {
+  std::vector<const Contact*> contacts;
+  for (const double stretch : stretches(contact)) contacts.push_back(&contact.at(cutoff, stretch, poll));
+  ImpactOptions options = common_resolution(contacts, speed);
+  options.poll = poll;
   std::vector<double> values;
-  for (const double stretch : stretches(contact)) {
-    const Contact& one = contact.at(cutoff, stretch, poll);
-    ImpactOptions options = refined_resolution(one, speed, 0.0);
-    options.poll = poll;
-    values.push_back(impact(one, speed, options).restitution);
-  }
+  for (const Contact* each : contacts) values.push_back(impact(*each, speed, options).restitution);
   return values;
 }
 
