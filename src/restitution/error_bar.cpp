@@ -81,7 +81,7 @@ Estimate by_differences(const std::vector<Run>& runs, const Bar& bar, double hig
 
 double convergence_order(const Contact& contact) { return has_single_point(contact) ? 1.0 : 2.5; }
 
-void conclude(const Contact& contact, double speed, Restitution& result) {
+void conclude(const Contact& contact, double speed, const CurvatureCorrection& correction, Restitution& result) {
   constexpr double focus = 0.6;   // peaks of the force that a wave brings back are short
   constexpr double turn = 0.008;  // share of the unresolved energy that may be missing at closest approach
   const std::vector<Run>& runs = result.runs;
@@ -89,6 +89,7 @@ void conclude(const Contact& contact, double speed, Restitution& result) {
   const bool at_a_point = has_single_point(contact);
   const double order = convergence_order(contact);
   result.lost_fraction = at_a_point ? lost_at_a_point(runs, order) : lost_on_a_line(contact, speed, runs, order);
+  result.lost_fraction.error += neglected(correction, result.finest);
   const double lost = result.lost_fraction.value, error = result.lost_fraction.error;
   const double squared = std::max(0.0, 1.0 - lost);
   const double value = std::copysign(std::sqrt(squared), result.finest.restitution);

@@ -22,6 +22,14 @@ def test_disks_agree_with_finite_elements(stoss, against, known, uncertainty):
     assert abs(number(row, "lost_fraction") - known) <= number(row, "lost_fraction_error") + uncertainty
 
 
+# Finite elements of a disk on a half-plane: 0.67529(1).
+def test_a_disk_of_thousand_times_the_radius_is_a_half_plane(stoss):
+    (row,) = stoss.data("restitution --poisson 0.33 --speed 0.1 --against disk,radius=1000")
+    assert abs(number(row, "lost_fraction") - 0.67529) <= number(row, "lost_fraction_error") + 1e-5
+    lost = number(row, "lost_to_first") + number(row, "lost_to_second")
+    assert lost == pytest.approx(number(row, "lost_fraction"), abs=1e-3)
+
+
 @pytest.mark.parametrize("against", ["same", "disk", "disk,poisson=0.33,radius=1,young=1,density=1"])
 def test_equal_disks_are_the_wall_at_half_the_speed(stoss, against):
     (pair,) = stoss.data(DISK, "--against", against)

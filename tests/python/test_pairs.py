@@ -194,8 +194,8 @@ def test_refusals():
     for call in (stoss.restitution, stoss.impact):
         with pytest.raises(stoss.InvalidInput, match="^radius ratio: got 0.0001, allowed"):
             call(ONE, against=stoss.Disk(poisson=0.3, radius=1e-4), speed=0.1)
-    with pytest.raises(stoss.InvalidInput, match="^against: got .*, allowed a body whose R/c is up to some 50 times"):
-        stoss.restitution(ONE, against=stoss.Disk(poisson=0.3, radius=900.0), speed=0.1)
+    with pytest.raises(stoss.InvalidInput, match="^body: got number 1 .*, allowed 0 .*near side"):
+        stoss.impact(ONE, against=stoss.Disk(poisson=0.3, radius=900.0), speed=0.1, cutoff=6).field(time=1, of=1)
     with pytest.raises(stoss.InvalidInput, match="^of: got 1, allowed 0 .a wall has no field"):
         stoss.impact(ONE, speed=0.1, cutoff=6).field(time=1, of=1)
     with pytest.raises(stoss.InvalidInput, match="^of: got 2, allowed 0 or 1"):
