@@ -86,7 +86,7 @@ void conclude(const Contact& contact, double speed, Restitution& result) {
   result.impulse_time = slowly(runs, slow, &Run::impulse_time, last.step);
   result.max_force = slowly(runs, slow, &Run::max_force, focus * std::sqrt(last.unresolved) * last.max_force);
   result.max_compression = slowly(runs, order, &Run::max_compression, 0.0);
-  result.converged = error <= result.tolerance * std::abs(lost);
+  result.converged = error <= std::max(result.tolerance * std::abs(lost), result.absolute);
 }
 
 }  // namespace stoss
