@@ -30,7 +30,7 @@ struct Missing {
 
 /// @param cutoff over the time scale of the contact
 /// @param speed  of the faster body in its own wave speed
-Missing missing(double cutoff, double speed) {
+Missing missing_on_a_line(double cutoff, double speed) {
   constexpr double at_64 = 0.0115, cutoff_power = 0.8;
   const double slow = std::clamp(std::pow(speed / 0.02, -0.1), 1.0, 1.7);
   const double fast = 1.0 / (1.0 + speed / 0.1);
@@ -38,8 +38,21 @@ Missing missing(double cutoff, double speed) {
   return {at_64 * std::pow(64.0 / cutoff, cutoff_power) * slow * fast, 0.2 * calm * std::pow(16.0 / cutoff, 2)};
 }
 
-Estimate lost_on_a_line(const Contact& contact, double speed, const std::vector<Run>& runs, double order) {
+/// The same where a circle touches. At low speed the loss is a wave of the speed (docs/theory/spheres.md), and what one
+/// run is off by falls no faster than the cutoff rises.
+Missing missing_of_balls(double cutoff, double speed) {
+  constexpr double at_64 = 0.045, cutoff_power = 0.6, doubt = 0.8;
+  const double slow = std::clamp(std::pow(speed / 0.02, -0.1), 1.0, 1.7);
+  const double fast = 1.0 / (1.0 + speed / 0.2);
+  const double whole = at_64 * std::pow(64.0 / cutoff, cutoff_power) * slow, share = whole * fast;
+  const double calm = std::max(std::min(std::pow(speed / 1e-3, -0.4), 16.0), std::pow(speed / 1e-3, -0.25));
+  // At high speed the errors have either sign: they fall less than their mean.
+  return {share, std::max(0.2 * calm * 16.0 / cutoff, 0.6 * whole - doubt * share)};
+}
+
+Estimate lost_on_a_growing_contact(const Contact& contact, double speed, const std::vector<Run>& runs, double order) {
   constexpr double doubt = 0.8, safety = 3.0;
+  const auto missing = contact.first->contour == Contour::ball ? missing_of_balls : missing_on_a_line;
   const double scale = time_scale(contact), own = own_speed(contact, speed);
   const auto corrected = [&](const Run& run) {
     return run.lost_fraction - missing(run.cutoff * scale, own).share * run.unresolved;
@@ -76,7 +89,7 @@ void conclude(const Contact& contact, double speed, Restitution& result) {
   const Run& last = runs.back();
   const double order = convergence_order(contact), slow = std::min(order, slow_order);
   result.lost_fraction =
-      has_single_point(contact) ? lost_at_a_point(runs, order) : lost_on_a_line(contact, speed, runs, order);
+      has_single_point(contact) ? lost_at_a_point(runs, order) : lost_on_a_growing_contact(contact, speed, runs, order);
   const double lost = result.lost_fraction.value, error = result.lost_fraction.error;
   const double squared = std::max(0.0, 1.0 - lost);
   const double value = std::copysign(std::sqrt(squared), result.finest.restitution);

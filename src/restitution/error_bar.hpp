@@ -15,7 +15,8 @@ namespace stoss {
 /// given back. With the share s of U (`missing`), 1 − ε² is q − sU, and its error the greater of a part of U and of
 /// the differences from the coarser runs, scaled to what is left of them at the last cutoff:
 ///
-///   max(0.8 s U + n U, 3 max_j |q_j − q_k| (ω_j/ω_k)^{5/2}),   n the noise of a single run;
+///   max(0.8 s U + n U, 3 max_j |q_j − q_k| (ω_j/ω_k)^{5/2}),   n the noise of a single run
+///   (s and n differ between lines and balls);
 ///   at one point of contact max(U/2, 6 max_j |q_j − q_k| ω_j/ω_k).
 void conclude(const Contact& contact, double speed, Restitution& result);
 

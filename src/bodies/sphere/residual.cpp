@@ -55,7 +55,7 @@ double Residual::stable_step() const {
   double smallest = std::numeric_limits<double>::infinity();
   for (std::size_t n = 0; n < kept_.size(); ++n) {
     const double residual = static_flexibility(poisson_, static_cast<int>(n)).radial - kept_[n].radial;
-    if (kept_radial_[n] > 0.0) smallest = std::min(smallest, 1.8 * residual / kept_radial_[n]);
+    if (kept_radial_[n] > 0.0) smallest = std::min(smallest, 0.9 * residual / kept_radial_[n]);
   }
   return std::sqrt(smallest);
 }
