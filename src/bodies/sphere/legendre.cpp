@@ -8,10 +8,14 @@ namespace stoss::bodies::sphere {
 LegendreSequence::LegendreSequence(const Eigen::ArrayXd& angle)
     : fall_(2.0 * (0.5 * angle).sin().square()),
       value_(Eigen::ArrayXd::Ones(angle.size())),
-      rise_(Eigen::ArrayXd::Zero(angle.size())) {}
+      rise_(Eigen::ArrayXd::Zero(angle.size())),
+      slope_(rise_),
+      slope_below_(rise_) {}
 
 void LegendreSequence::advance() {
   const double n = degree_++;
+  slope_below_ += (2.0 * n + 1.0) * value_;
+  slope_.swap(slope_below_);
   rise_ = (n * rise_ - (2.0 * n + 1.0) * fall_ * value_) / (n + 1.0);
   value_ += rise_;
 }

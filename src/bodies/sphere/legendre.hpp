@@ -17,12 +17,16 @@ class LegendreSequence {
   [[nodiscard]] const Eigen::ArrayXd& value() const { return value_; }
   [[nodiscard]] int degree() const { return degree_; }
 
+  /// dP_n/dx at x = cos θ, by P_{n+1}' = P_{n−1}' + (2n+1) P_n.
+  [[nodiscard]] const Eigen::ArrayXd& slope() const { return slope_; }
+
   /// Goes on to n + 1.
   void advance();
 
  private:
   Eigen::ArrayXd fall_;  // 2 sin²(θ/2)
   Eigen::ArrayXd value_, rise_;
+  Eigen::ArrayXd slope_, slope_below_;
   int degree_ = 0;
 };
 
