@@ -1,6 +1,7 @@
 // The sphere as a body: its rings, and the response of the modes that are not kept against sums degree by degree.
 #include <gtest/gtest.h>
 
+#include <Eigen/Eigenvalues>
 #include <boost/math/special_functions/legendre.hpp>
 #include <cmath>
 #include <cstddef>
@@ -99,6 +100,23 @@ TEST(SphereBody, IsTheWholeFlexibilityOnceItsModesAreBack) {
   for (int n = 0; n <= 200; ++n) moments.push_back(bodies::sphere::static_second_moment(0.3, n));
   const std::vector<double> moment = bodies::sphere::sum_over_degrees({0.3, false, moments}, points, {});
   for (std::size_t k = 0; k < v.size(); ++k) EXPECT_NEAR(v[k], moment[k], 1e-12 * moment[0]);
+}
+
+TEST(SphereBody, ResolvesTheRingsOfASmallerPartner) {
+  constexpr std::size_t count = 48;
+  const auto softest = [](const ContactPoints& points) {
+    const std::vector<double> w = bodies::sphere::sum_over_degrees({0.3, true, {}}, points, {});
+    const auto size = static_cast<Eigen::Index>(points.count);
+    const Eigen::Map<const Eigen::MatrixXd> matrix(w.data(), size, size);
+    return Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(matrix, Eigen::EigenvaluesOnly).eigenvalues()(0);
+  };
+  // In units of the partner the same material is as stiff whatever its size, wide as the contact may be.
+  for (const double width : {0.05, 0.6, 1.3}) {
+    const double own = softest({1.0, width / count, count});
+    for (const double radius : {0.8, 0.5, 0.1}) {
+      EXPECT_NEAR(softest({radius, width / count, count}) * radius / own, 1.0, 0.1) << width << ", " << radius;
+    }
+  }
 }
 
 TEST(SphereBody, HasLegendreFunctionsOfAnyDegree) {

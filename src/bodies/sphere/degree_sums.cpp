@@ -10,6 +10,7 @@
 #include "bodies/sphere/static_flexibility.hpp"
 #include "bodies/sphere/sum_quadrature.hpp"
 #include "bodies/sphere/surface_points.hpp"
+#include "numeric/cosine_integral.hpp"
 
 namespace stoss::bodies::sphere {
 namespace {
@@ -117,6 +118,28 @@ void add_blocks(double poisson, const Eigen::ArrayXd& angle, long first, long ny
   add(static_cast<double>(nyquist), -0.5);
 }
 
+/// On the circle of a smaller partner, rings lie closer to each other on this sphere the further out they are, and a
+/// sum to one degree N for all leaves too little of the shortest waves there: W would not stay positive definite. Each
+/// pair of rings has the degrees that its own distance resolves instead. High degrees add C cos nΔθ/n, C =
+/// 4(1−ν²)/(3π√(sin θ_i sin θ_j)), so the change is C [Ci(π|i−j|) − Ci(NΔθ)].
+void resolve_each_pair(double poisson, const ContactPoints& points, const Eigen::ArrayXd& angle, double nyquist,
+                       Matrix& lower) {
+  const double strength = 4.0 * (1.0 - poisson * poisson) / (3.0 * std::numbers::pi);
+  std::vector<double> wanted{0.0};
+  for (std::size_t k = 1; k < points.count; ++k) {
+    wanted.push_back(numeric::cosine_integral(std::numbers::pi * static_cast<double>(k)));
+  }
+  for (Eigen::Index i = 0; i < lower.rows(); ++i) {
+    const double stretch = points.radius * std::cos(points.angle(static_cast<std::size_t>(i))) / std::cos(angle(i));
+    lower(i, i) -= strength / std::sin(angle(i)) * std::log(nyquist * points.spacing * stretch / std::numbers::pi);
+    for (Eigen::Index j = 0; j < i; ++j) {
+      const double change =
+          wanted[static_cast<std::size_t>(i - j)] - numeric::cosine_integral(nyquist * (angle(i) - angle(j)));
+      lower(i, j) += strength / std::sqrt(std::sin(angle(i)) * std::sin(angle(j))) * change;
+    }
+  }
+}
+
 }  // namespace
 
 std::vector<double> sum_over_degrees(const DegreeSum& sum, const ContactPoints& points, const Poll& poll) {
@@ -137,7 +160,10 @@ std::vector<double> sum_over_degrees(const DegreeSum& sum, const ContactPoints& 
     add_degrees(sum, angle, start - 1, nyquist, products);
     add_blocks(sum.poisson, angle, start, nyquist, products);
   }
-  const Matrix& half = products.sum();
+  Matrix half = products.sum();
+  if (sum.with_static && points.radius != 1.0) {
+    resolve_each_pair(sum.poisson, points, angle, static_cast<double>(nyquist), half);
+  }
   std::vector<double> result(points.count * points.count);
   Eigen::Map<Matrix> matrix(result.data(), rings, rings);
   matrix = half.triangularView<Eigen::Lower>();
