@@ -103,7 +103,8 @@ double expected_half_width(const Contact& contact, double speed) {
     curvature += 1.0 / units.length;
   }
   const double logarithm = std::log1p(1.0 / own_speed(contact, speed));
-  const double force = speed * std::sqrt(contact.mass / contact.first->mass / softness) / std::sqrt(1.0 + logarithm);
+  const double force =
+      speed * std::sqrt(contact.whole_mass / whole_mass(*contact.first) / softness) / std::sqrt(1.0 + logarithm);
   return 2.0 * std::sqrt(force * softness / curvature);
 }
 

@@ -38,14 +38,14 @@ struct Missing {
 /// @param cutoff over the time scale of the contact
 /// @param speed  of the faster body in its own wave speed
 Missing missing(double cutoff, double speed) {
-  constexpr double at_64 = 0.0115, cutoff_power = 0.8;
+  constexpr double at_64 = 0.0115, cutoff_power = 0.8, at_16 = 0.3;
   const double slow = std::clamp(std::pow(speed / 0.02, -0.1), 1.0, 1.7);
   const double fast = 1.0 / (1.0 + speed / 0.1);
-  const double calm = std::min(1.0, std::pow(speed / 1e-4, -0.3));
+  const double calm = std::min(1.0, std::pow(speed / 1e-4, -0.25));
   const double whole = at_64 * std::pow(64.0 / cutoff, cutoff_power) * slow, share = whole * fast;
-  const double noise = 0.2 * calm * std::pow(16.0 / cutoff, 2);
-  // At high speed the errors have either sign: they are greater than their mean, the more so above v = 1/3.
-  const double either = std::clamp(std::pow(speed / 0.33, 4), 0.5, 3.5);
+  const double noise = at_16 * calm * std::pow(16.0 / cutoff, 2.5);
+  // At high speed the errors have either sign: they are greater than their mean.
+  const double either = std::min(std::pow(speed / 0.33, 4), 3.5);
   return {share, std::max(0.8 * share + noise, either * whole)};
 }
 
@@ -81,13 +81,15 @@ Estimate by_differences(const std::vector<Run>& runs, const Bar& bar, double hig
 
 double convergence_order(const Contact& contact) { return has_single_point(contact) ? 1.0 : 2.5; }
 
-void conclude(const Contact& contact, double speed, Restitution& result) {
-  constexpr double focus = 0.45;  // peaks of the force that a wave brings back are short
+void conclude(const Contact& contact, double speed, const CurvatureCorrection& correction, Restitution& result) {
+  constexpr double focus = 0.6;   // peaks of the force that a wave brings back are short
+  constexpr double turn = 0.008;  // share of the unresolved energy that may be missing at closest approach
   const std::vector<Run>& runs = result.runs;
   const Run& last = runs.back();
   const bool at_a_point = has_single_point(contact);
   const double order = convergence_order(contact);
   result.lost_fraction = at_a_point ? lost_at_a_point(runs, order) : lost_on_a_line(contact, speed, runs, order);
+  result.lost_fraction.error += neglected(correction, result.finest);
   const double lost = result.lost_fraction.value, error = result.lost_fraction.error;
   const double squared = std::max(0.0, 1.0 - lost);
   const double value = std::copysign(std::sqrt(squared), result.finest.restitution);
@@ -99,7 +101,8 @@ void conclude(const Contact& contact, double speed, Restitution& result) {
   result.contact_time = estimate(rough, &Run::contact_time, last.step);
   result.impulse_time = estimate(smooth, &Run::impulse_time, at_a_point ? last.step : 0.0);
   result.max_force = estimate(rough, &Run::max_force, focus * std::sqrt(last.unresolved) * last.max_force);
-  result.max_compression = estimate(smooth, &Run::max_compression, 0.0);
+  result.max_compression =
+      estimate(smooth, &Run::max_compression, turn * last.unresolved * std::abs(last.max_compression));
   result.converged = error <= result.tolerance * std::abs(lost);
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "restitution/curvature.hpp"
 #include "stoss/contact/contact.hpp"
 #include "stoss/restitution/restitution.hpp"
 
@@ -17,8 +18,10 @@ namespace stoss {
 ///
 ///   max(0.8 s U + n U, e s₀ U, 3 max_j |q_j − q_k| (ω_j/ω_k)^{5/2}),   n the noise of a single run,
 ///
-/// s₀ the share s without its fall at high speed and e = 0.5 … 3.5 rising above v = 0.28;
+/// s₀ the share s without its fall at high speed and e = (v/0.33)⁴, at most 3.5;
 ///   at one point of contact max(U/2, 6 max_j |q_j − q_k| ω_j/ω_k).
-void conclude(const Contact& contact, double speed, Restitution& result);
+///
+/// What the near side of a much larger body leaves out adds to the error.
+void conclude(const Contact& contact, double speed, const CurvatureCorrection& correction, Restitution& result);
 
 }  // namespace stoss
