@@ -9,7 +9,7 @@
 namespace stoss {
 namespace {
 
-// Constants of the law for which the force follows the envelope, to 1 % from 12 touching nodes on.
+// Constants of the law for which the force follows the envelope, to 2 % from 12 touching nodes on.
 constexpr double force_constant = 0.7145;  // of two edges of unit length, those of a node and its mirror image
 constexpr double gap_constant = 0.6177;
 constexpr double outrun = 0.5;  // fit: the edge, which moves at v/(y/R), opens a smaller gap above the wave speed

@@ -29,8 +29,9 @@ const Quantities<RayleighEstimate>& rayleigh_quantities() {
            return WithError{e.lost_fraction, e.lost_fraction_error};
          }},
     };
-    for (const auto& [name, dimension, value, error] : slow_impact_quantities()) {
-      quantities.emplace_back(name, dimension, [value](const E& e) { return value(e.impact); });
+    for (const Quantity<SlowImpact>& of_impact : slow_impact_quantities()) {
+      quantities.emplace_back(of_impact.name, of_impact.dimension,
+                              [value = of_impact.value](const E& e) { return value(e.impact); });
     }
     quantities.emplace_back("kinetic_share", none, &E::kinetic_share);
     quantities.emplace_back("beyond_perturbation", none, &E::beyond_perturbation);
