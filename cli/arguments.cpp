@@ -44,23 +44,19 @@ void DiskArguments::add_to(CLI::App& command) {
       ->required()
       ->type_name("NU")
       ->group("Body");
-  add_material_to(command);
+  add_material_to(command, "Material in SI (all three or none)");
 }
 
-void DiskArguments::add_material_to(CLI::App& command) {
+void DiskArguments::add_material_to(CLI::App& command, const std::string& group) {
   add_number(command, "--young", young, "Young's modulus in Pa; makes speeds m/s and adds SI values")
       ->type_name("PA")
-      ->group("Material in SI (all three or none)");
-  add_number(command, "--density", density, "Density in kg/m^3")
-      ->type_name("RHO")
-      ->group("Material in SI (all three or none)");
-  add_number(command, "--radius", radius, "Radius of the disk in m")
-      ->type_name("M")
-      ->group("Material in SI (all three or none)");
+      ->group(group);
+  add_number(command, "--density", density, "Density in kg/m^3")->type_name("RHO")->group(group);
+  add_number(command, "--radius", radius, "Radius of the disk in m")->type_name("M")->group(group);
   plane_option_ = command.add_option("--plane", plane, "Thin disk (stress) or long cylinder (strain); default: stress")
                       ->check(CLI::IsMember({"stress", "strain"}))
                       ->type_name("PLANE")
-                      ->group("Material in SI (all three or none)");
+                      ->group(group);
 }
 
 Plane DiskArguments::chosen_plane() const { return plane == "strain" ? Plane::strain : Plane::stress; }

@@ -24,6 +24,10 @@ struct OutputArguments {
   void warn(const std::string& text) const;
 };
 
+/// Heading of the options that give a body in SI.
+inline const std::string material_group =
+    "Material in SI (a disk needs all of young, density, radius; a rod young, density, length, area)";
+
 /// The disk: a 2-D Poisson number, or a material in SI with a radius.
 struct DiskArguments {
   double poisson = 0.0;
@@ -35,7 +39,7 @@ struct DiskArguments {
   void add_to(CLI::App& command);
 
   /// All but the Poisson number.
-  void add_material_to(CLI::App& command);
+  void add_material_to(CLI::App& command, const std::string& group);
 
   /// SI scales if a material was given. @throws InvalidInput if only part of one was
   [[nodiscard]] std::optional<Scales> si() const;

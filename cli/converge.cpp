@@ -5,16 +5,16 @@
 
 #include "csv.hpp"
 #include "interrupt.hpp"
-#include "quantities.hpp"
 #include "stoss/restitution/curve.hpp"
+#include "tables.hpp"
 
 namespace stoss::cli {
 namespace {
 
 Row make_row(const Job& job, std::size_t row, const Restitution& r) {
-  Row made{.record = job.record(row, restitution_quantities(), r), .trouble = r.converged ? "" : r.reason};
-  made.details["runs"] = to_json(run_quantities(), r.runs);
-  if (!r.runs.empty()) made.details["ledger"] = to_json(ledger_quantities(), r.finest.energy);
+  Row made{.record = job.record(row, restitution_table(), r), .trouble = r.converged ? "" : r.reason};
+  made.details["runs"] = to_json(run_table(), r.runs);
+  if (!r.runs.empty()) made.details["ledger"] = to_json(ledger_table(), r.finest.energy);
   if (!r.converged) made.details["reason"] = r.reason;
   return made;
 }
@@ -27,7 +27,7 @@ std::string describe(const Attempt& attempt) {
 
 }  // namespace
 
-std::string converge_columns(const Job& job) { return csv_columns(job.record(0, restitution_quantities(), {})); }
+std::string converge_columns(const Job& job) { return csv_columns(job.record(0, restitution_table(), {})); }
 
 void check_converge(const Job& job, double tolerance, int threads) {
   validate(job.speeds, {tolerance, 0.0, threads});

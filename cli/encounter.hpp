@@ -6,6 +6,7 @@
 
 #include "against.hpp"
 #include "arguments.hpp"
+#include "rod_arguments.hpp"
 #include "stoss/bodies/disk.hpp"
 #include "stoss/restitution/ladder.hpp"
 #include "units.hpp"
@@ -17,7 +18,8 @@ class Encounter {
  public:
   /// @param disk the first body, if it is one
   /// @throws InvalidInput for numbers that no body or wall can have
-  Encounter(bool rods, const DiskArguments& disk, Against against);
+  /// @param rod  the first body in SI, if it is a rod with a material
+  Encounter(bool rods, const DiskArguments& disk, const std::optional<Rod>& rod, Against against);
 
   [[nodiscard]] bool rods() const { return rods_; }
   [[nodiscard]] Units units() const { return {si_, rods_}; }
@@ -37,10 +39,12 @@ class Encounter {
   [[nodiscard]] BodyMaker first(double poisson) const;
   [[nodiscard]] BodyMaker second(double poisson) const;
   [[nodiscard]] Disk second_disk(double poisson) const;
+  [[nodiscard]] Rod second_rod() const;
   [[nodiscard]] Material second_material() const;
 
   bool rods_;
   DiskArguments disk_;
+  std::optional<Rod> rod_;
   std::optional<Scales> si_;
   Against against_;
 };
@@ -48,6 +52,7 @@ class Encounter {
 /// The options that say who meets whom, but for --poisson.
 struct EncounterArguments {
   DiskArguments disk;
+  RodArguments rod;
   std::string body = "disk";
   std::string against = "wall";
   CLI::App* command = nullptr;

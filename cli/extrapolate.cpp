@@ -8,9 +8,9 @@
 
 #include "csv.hpp"
 #include "interrupt.hpp"
-#include "quantities.hpp"
 #include "stoss/errors.hpp"
 #include "stoss/restitution/extrapolation.hpp"
+#include "tables.hpp"
 
 namespace stoss::cli {
 namespace {
@@ -32,8 +32,8 @@ nlohmann::ordered_json intercepts(const ExtrapolatedRestitution& r) {
 }
 
 Row make_row(const Job& job, std::size_t row, const ExtrapolatedRestitution& r) {
-  Row made{.record = job.record(row, extrapolation_quantities(), r), .trouble = {}};
-  made.details["impacts"] = to_json(soft_impact_quantities(), r.impacts);
+  Row made{.record = job.record(row, extrapolation_table(), r), .trouble = {}};
+  made.details["impacts"] = to_json(soft_impact_table(), r.impacts);
   made.details["hard_wall"] = intercepts(r);
   return made;
 }
@@ -45,7 +45,7 @@ ExtrapolatedRestitution nothing() {
 
 }  // namespace
 
-std::string extrapolate_columns(const Job& job) { return csv_columns(job.record(0, extrapolation_quantities(), {})); }
+std::string extrapolate_columns(const Job& job) { return csv_columns(job.record(0, extrapolation_table(), {})); }
 
 void check_extrapolate(const Job& job) {
   constexpr double slowest = 1e-3, fastest = 0.5;

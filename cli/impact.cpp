@@ -8,8 +8,8 @@
 
 #include "encounter.hpp"
 #include "options.hpp"
-#include "quantities.hpp"
 #include "stoss/errors.hpp"
+#include "tables.hpp"
 #include "trajectory.hpp"
 
 namespace stoss::cli {
@@ -40,7 +40,7 @@ Record make_record(const Impact& impact, const Encounter& encounter, double pois
   if (!encounter.rods()) record.push_back({"poisson", "", poisson});
   record.push_back({"speed", units.own_name(Dimension::speed), impact.speed});
   if (units.si) record.push_back({"speed_si", "m/s", impact.speed * units.si->speed});
-  add_quantities(record, impact_quantities(), impact, units);
+  add_quantities(record, impact_table(), impact, units);
   return record;
 }
 
@@ -119,7 +119,7 @@ void run(const ImpactArguments& arguments) {
   Report report(Output(arguments.output.path), arguments.output.chosen_format(), provenance);
   report.add(record);
   if (arguments.output.chosen_format() == Format::json)
-    report.attach("modes", to_json(mode_quantities(), result.energy.modes));
+    report.attach("modes", to_json(mode_energy_table(), result.energy.modes));
   report.finish();
 }
 

@@ -6,7 +6,7 @@
 
 #include "arguments.hpp"
 #include "options.hpp"
-#include "quantities.hpp"
+#include "tables.hpp"
 
 namespace stoss::cli {
 namespace {
@@ -29,7 +29,7 @@ void run(const ModesArguments& arguments) {
   Report report(Output(arguments.output.path), arguments.output.chosen_format(), provenance);
   for (const Mode& mode : modes) {
     Record record;
-    add_quantities(record, eigenmode_quantities(), mode, {});
+    add_quantities(record, mode_table(), mode, {});
     if (si) record.push_back({"frequency", "Hz", mode.omega * si->frequency / (2.0 * std::numbers::pi), 13});
     report.add(record);
   }

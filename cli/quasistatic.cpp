@@ -13,8 +13,8 @@
 #include "numbers.hpp"
 #include "options.hpp"
 #include "progress.hpp"
-#include "quantities.hpp"
 #include "stoss/errors.hpp"
+#include "tables.hpp"
 
 namespace stoss::cli {
 namespace {
@@ -65,7 +65,7 @@ Record impact_record(const RayleighEstimate& estimate, const Units& units) {
   const SlowImpact& impact = estimate.impact;
   Record record{{"poisson", "", impact.poisson}, {"speed", "c", impact.speed, units.si ? 0 : 12}};
   if (units.si) record.push_back({"speed_si", "m/s", impact.speed * units.si->speed, 12});
-  add_quantities(record, slow_impact_quantities(), estimate, units);
+  add_quantities(record, rayleigh_table(), estimate, units);
   return record;
 }
 
@@ -84,7 +84,7 @@ void impacts(const QuasistaticArguments& arguments, Provenance provenance) {
     const RayleighEstimate estimate = rayleigh(law, poisson, speeds[i], modes, heed_interrupts);
     beyond += estimate.beyond_perturbation ? 1 : 0;
     if (speeds.size() == 1 && arguments.output.chosen_format() == Format::json) {
-      report.attach("modes", to_json(driven_mode_quantities(), estimate.modes));
+      report.attach("modes", to_json(driven_mode_table(), estimate.modes));
     }
     return impact_record(estimate, {si});
   });
@@ -122,7 +122,7 @@ Record compression_record(CompressionLaw law, double poisson, double compression
   const Compressed result{compression, force, compression_energy(law, poisson, force), hertz_half_width(force),
                           static_contact(poisson, compression, {.poll = heed_interrupts})};
   Record record{{"poisson", "", poisson}};
-  add_quantities(record, compression_quantities(), result, units);
+  add_quantities(record, compression_table(), result, units);
   return record;
 }
 

@@ -3,12 +3,11 @@
 #include <nlohmann/json.hpp>
 #include <string>
 #include <string_view>
-#include <variant>
 #include <vector>
 
-namespace stoss::cli {
+#include "stoss/quantity.hpp"
 
-using Value = std::variant<double, long, bool, std::string>;
+namespace stoss::cli {
 
 /// One quantity of a record.
 struct Entry {

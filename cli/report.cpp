@@ -56,7 +56,7 @@ Report::Report(Output output, Format format, Provenance provenance) : format_(fo
   if (format_ == Format::csv) {
     output_.write(csv_header(provenance));
   } else if (format_ == Format::json) {
-    document_["schema"] = fmt::format("stoss/{}/1", provenance.schema);
+    document_["schema"] = fmt::format("stoss/{}/2", provenance.schema);
     document_["version"] = version();
     document_["command"] = std::move(provenance.command);
     document_["inputs"] = std::move(provenance.inputs);

@@ -84,7 +84,7 @@ Job make_job(RestitutionArguments& arguments) {
     throw InvalidInput(fmt::format("poisson: got {} numbers with a material, allowed one (a material has only one)",
                                    job.poissons.size()));
   }
-  if (job.units.si) job.poissons = {disk.plane_poisson()};
+  if (job.units.si && !job.encounter.rods()) job.poissons = {disk.plane_poisson()};
   job.speeds = parse_speeds(arguments.speeds, job.units.si);
   return job;
 }
@@ -210,7 +210,9 @@ void add_restitution(CLI::App& app, int& exit_code) {
       "  stoss restitution --poisson 0.33 --speed 0.1 --method extrapolate\n"
       "  stoss restitution --poisson 0.3 --young 2.1e11 --density 7850 --radius 0.01 --speed 1,5,10\n"
       "  stoss restitution --poisson 0.33 --speed 0.1 --against disk,poisson=0.2,radius=0.5,young=2\n"
-      "  stoss restitution --body rod --speed 0.1 --against rod,length=2.5,density=3");
+      "  stoss restitution --body rod --speed 0.1 --against rod,length=2.5,density=3\n"
+      "  stoss restitution --body rod --young 2.1e11 --density 7850 --length 0.5 --area 1e-4 --speed 1\n"
+      "      --against rod,young=7e10,density=2700,length=1,area=2e-4");
   command->callback([arguments, &exit_code] { exit_code = run(*arguments); });
 }
 

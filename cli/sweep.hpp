@@ -7,8 +7,8 @@
 #include "arguments.hpp"
 #include "encounter.hpp"
 #include "progress.hpp"
-#include "quantity.hpp"
 #include "report.hpp"
+#include "table.hpp"
 #include "units.hpp"
 
 namespace stoss::cli {
@@ -29,9 +29,9 @@ struct Job {
 
   /// The whole record of a row.
   template <typename Result>
-  [[nodiscard]] Record record(std::size_t row, const Quantities<Result>& quantities, const Result& result) const {
+  [[nodiscard]] Record record(std::size_t row, const Table<Result>& table, const Result& result) const {
     Record record = key(row);
-    add_quantities(record, quantities, result, units);
+    add_quantities(record, table, result, units);
     return record;
   }
 };

@@ -1,7 +1,7 @@
 #include "trajectory.hpp"
 
 #include "interrupt.hpp"
-#include "quantities.hpp"
+#include "tables.hpp"
 
 namespace stoss::cli {
 
@@ -15,7 +15,7 @@ void Trajectory::write(const Snapshot& now) {
     throw Interrupted{};
   }
   Record record;
-  add_quantities(record, snapshot_quantities(), now, units_);
+  add_quantities(record, snapshot_table(), now, units_);
   report_->add(record);
 }
 

@@ -3,11 +3,9 @@
 #include <optional>
 #include <string>
 
-#include "stoss/material.hpp"
+#include "stoss/quantity.hpp"
 
 namespace stoss::cli {
-
-enum class Dimension { none, length, time, speed, frequency, force, energy };
 
 /// The units of results: those of the first body and, with a material, SI.
 struct Units {
@@ -18,7 +16,7 @@ struct Units {
   [[nodiscard]] std::string own_name(Dimension dimension) const;
 
   /// Name of the SI unit, as in s.
-  [[nodiscard]] static std::string si_name(Dimension dimension);
+  [[nodiscard]] std::string si_name(Dimension dimension) const;
 
   /// SI value of the unit of the first body; there must be a material.
   [[nodiscard]] double scale(Dimension dimension) const;

@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "stoss/bodies/disk.hpp"
+#include "stoss/bodies/rod.hpp"
 #include "stoss/impact/impact.hpp"
 #include "stoss/material.hpp"
 #include "support/refusal.hpp"
@@ -31,6 +32,19 @@ TEST(MaterialScales, AreThoseOfTheBarWave) {
   EXPECT_DOUBLE_EQ(s.force, std::numbers::pi * 0.05 * 2.1e11);
   // mc²/R per thickness, with m = πR²ρ
   EXPECT_NEAR(s.force / (std::numbers::pi * 0.05 * 7850.0 * s.speed * s.speed), 1.0, 1e-14);
+}
+
+TEST(MaterialScales, OfARodAreThoseOfItsCrossSection) {
+  const Rod rod{0.5, steel.young, steel.density, 1e-4};
+  const Scales s = scales(rod);
+  EXPECT_NEAR(s.speed, 5172.194154, 1e-5);
+  EXPECT_DOUBLE_EQ(s.length, 0.5);
+  EXPECT_DOUBLE_EQ(s.time * s.speed, 0.5);
+  EXPECT_DOUBLE_EQ(s.frequency * s.time, 1.0);
+  EXPECT_NEAR(s.force, 2.1e7, 1e-6);
+  const double mass = 7850.0 * 0.5 * 1e-4;  // mc²/L
+  EXPECT_NEAR(s.force / (mass * s.speed * s.speed / 0.5), 1.0, 1e-14);
+  EXPECT_THROW((void)scales(Rod{0.5, -1.0, 7850.0, 1e-4}), InvalidInput);
 }
 
 TEST(MaterialScales, OfPlaneStrainUseTheStifferModulus) {

@@ -12,7 +12,8 @@ namespace {
 
 Answer answer_at(const stoss::RefinableContact& body, double speed, double tolerance) {
   const stoss::Restitution result = best(body, speed, tolerance);
-  return {{result.lost_fraction, result.restitution, result.contact_time, result.max_force, result.max_compression},
+  return {{result.lost_fraction, result.restitution, result.contact_time, result.impulse_time, result.max_force,
+           result.max_compression},
           result.converged,
           result.finest.cutoff};
 }

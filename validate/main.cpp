@@ -34,6 +34,10 @@ int run(int argc, char** argv) {
     validate::make_reference(argv[2]);
     return 0;
   }
+  if (first == "--make-unseen-reference" && argc == 3) {
+    validate::make_unseen_reference(argv[2]);
+    return 0;
+  }
   if (first == "--make-pair-reference" && argc == 3) {
     validate::make_pair_reference(argv[2]);
     return 0;
@@ -41,6 +45,7 @@ int run(int argc, char** argv) {
   if (argc == 1) return report("");
   if (argc == 2 && first.rfind(markdown, 0) == 0) return report(first.substr(markdown.size()));
   std::cerr << "usage: stoss_validate [--markdown=FILE]\n       stoss_validate --make-reference FILE\n"
+               "       stoss_validate --make-unseen-reference FILE\n"
                "       stoss_validate --make-pair-reference FILE\n";
   return 2;
 }

@@ -28,12 +28,21 @@ Point read_point(const CsvRow& row) {
 Point read_full_point(const CsvRow& row) {
   Point point = read_point(row);
   point.reference[contact_time] = estimate(row, "contact_time", "contact_time_uncertainty");
+  point.reference[impulse_time] = estimate(row, "impulse_time", "impulse_time_uncertainty");
   point.reference[max_force] = estimate(row, "max_force", "max_force_uncertainty");
   point.reference[max_compression] = estimate(row, "max_compression", "max_compression_uncertainty");
   return point;
 }
 
+std::vector<Point> read_full_points(const std::string& path) {
+  std::vector<Point> points;
+  for (const CsvRow& row : stoss::test::read_csv(path)) points.push_back(read_full_point(row));
+  return points;
+}
+
 }  // namespace
+
+std::vector<Point> read_unseen_points() { return read_full_points("../../validate/reference_unseen.csv"); }
 
 std::vector<Point> read_pairs() {
   std::vector<Point> points;
@@ -46,10 +55,7 @@ std::vector<Point> read_pairs() {
 }
 
 std::vector<Point> read_points() {
-  std::vector<Point> points;
-  for (const CsvRow& row : stoss::test::read_csv("../../validate/reference.csv")) {
-    points.push_back(read_full_point(row));
-  }
+  std::vector<Point> points = read_full_points("../../validate/reference.csv");
   for (const CsvRow& row : stoss::test::read_csv("restitution_hard_wall.csv")) {
     Point point = read_point(row);
     if (row.has("finite_elements_restitution")) {

@@ -11,10 +11,17 @@
 namespace validate {
 
 /// What restitution() gives with an error, in this order everywhere.
-enum Quantity : std::size_t { lost_fraction, restitution_coefficient, contact_time, max_force, max_compression };
-inline constexpr std::size_t quantities = 5;
-inline constexpr std::array<const char*, quantities> quantity_names{"1−ε²", "ε", "contact time", "greatest force",
-                                                                    "greatest compression"};
+enum Quantity : std::size_t {
+  lost_fraction,
+  restitution_coefficient,
+  contact_time,
+  impulse_time,
+  max_force,
+  max_compression,
+  quantities
+};
+inline constexpr std::array<const char*, quantities> quantity_names{
+    "1−ε²", "ε", "contact time", "time of the impulse", "greatest force", "greatest compression"};
 
 template <typename T>
 using PerQuantity = std::array<T, quantities>;
@@ -31,6 +38,10 @@ struct Point {
 /// Those at the wall: of validate/reference.csv, then of tests/data/restitution_hard_wall.csv.
 /// @throws std::runtime_error if a file cannot be read
 std::vector<Point> read_points();
+
+/// Those at the wall that had no part in choosing any constant: of validate/reference_unseen.csv.
+/// @throws std::runtime_error as read_points
+std::vector<Point> read_unseen_points();
 
 /// Pairs of disks: those of validate/reference_pairs.csv. @throws std::runtime_error as read_points
 std::vector<Point> read_pairs();

@@ -59,7 +59,7 @@ std::vector<Pair> design() {
 
 Runs compute(const Pair& pair) {
   const stoss::BodyMaker first = stoss::disk(pair.poisson), second = stoss::disk(pair.against);
-  const double unit = stoss::RefinableContact(first, second).cutoff(0) / 8.0;
+  const double unit = 1.0 / stoss::time_scale(stoss::RefinableContact(first, second).at(0));
   return resolved_runs([&](double cutoff) { return stoss::contact(first, second, unit * cutoff); }, pair.speed,
                        finenesses);
 }

@@ -36,12 +36,20 @@ std::string cell(const char* format, double value) {
 
 double percent(int part, int all) { return 100.0 * part / all; }
 
-void write_verdict(std::ostream& out, const std::string& what, const Tally& judged) {
-  out << "\n1 − ε² of " << what << " at the tolerance " << number("%g", tolerances[by_default]) << ", " << judged.points
-      << " points:\n"
-      << number("%.1f %%", percent(judged.within, judged.points)) << " within the error, the greatest at"
-      << number(" %.2f", judged.greatest) << " times the error,\nmedian of error / true error"
-      << number(" %.1f", judged.padding) << ". The conditions are " << (honest(judged) ? "met.\n" : "**not met**.\n");
+/// Points, and what restitution() said of them at each tolerance.
+struct Judged {
+  const char* what;
+  std::vector<Point> points;
+  AllAnswers answers;
+};
+
+void write_verdict(std::ostream& out, const Judged& judged, std::size_t at) {
+  const Tally all = tally(judged.points, judged.answers[at], lost_fraction);
+  const auto converged = std::count_if(judged.answers[at].begin(), judged.answers[at].end(),
+                                       [](const Answer& answer) { return answer.converged; });
+  out << "|" << cell("%g", tolerances[at]) << " " << judged.what << " | " << converged << " of " << judged.points.size()
+      << " |" << cell("%.1f %%", percent(all.within, all.points)) << cell("%.2f", all.greatest)
+      << cell("%.1f", all.padding) << (honest(all) ? " met |" : " **not met** |") << "\n";
 }
 
 void write_time(std::ostream& out, double tolerance, const Times& times) {
@@ -125,39 +133,46 @@ void write_points(std::ostream& out, const std::vector<Point>& points, const Ans
   for (std::size_t i = 0; i < points.size(); ++i) write_point(out, points[i], answers[i]);
 }
 
-AllAnswers answer_all(const char* what, const std::vector<Point>& points) {
+Judged judge(const char* what, const std::vector<Point>& points) {
   const Contacts contacts = make_contacts(points);
-  AllAnswers answers;
+  Judged judged{what, points, {}};
   for (std::size_t i = 0; i < tolerances.size(); ++i) {
-    std::cerr << points.size() << ' ' << what << ", tolerance " << tolerances[i] << '\n';
-    answers[i] = answer(contacts, points, tolerances[i]);
+    std::cerr << what << ", tolerance " << tolerances[i] << '\n';
+    judged.answers[i] = answer(contacts, points, tolerances[i]);
   }
-  return answers;
+  return judged;
 }
 
 }  // namespace
 
 bool write_report(std::ostream& out) {
-  const std::vector<Point> points = read_points(), pairs = read_pairs();
-  const AllAnswers answers = answer_all("points at the wall", points), of_pairs = answer_all("pairs", pairs);
-  const Tally judged = tally(points, answers[by_default], lost_fraction);
-  const Tally pairs_judged = tally(pairs, of_pairs[by_default], lost_fraction);
-  out << text::introduction << "\n## Result\n";
-  write_verdict(out, "disks at a hard wall", judged);
-  write_verdict(out, "pairs of unequal disks", pairs_judged);
+  const Judged wall = judge("wall", read_points()), unseen = judge("wall, unseen", read_unseen_points()),
+               pairs = judge("pairs", read_pairs());
+  out << text::introduction << text::verdict;
+  bool all_honest = true;
+  for (std::size_t i = 0; i < tolerances.size(); ++i) {
+    for (const Judged* judged : {&wall, &unseen, &pairs}) {
+      write_verdict(out, *judged, i);
+      all_honest = all_honest && honest(tally(judged->points, judged->answers[i], lost_fraction));
+    }
+  }
   std::cerr << "processor time\n";
   write_times(out);
   out << text::tally;
-  write_tallies(out, points, answers);
+  write_tallies(out, wall.points, wall.answers);
+  out << text::unseen_tally;
+  write_tallies(out, unseen.points, unseen.answers);
   out << text::pair_tally;
-  write_tallies(out, pairs, of_pairs);
-  write_finite_elements(out, points, answers[by_default]);
+  write_tallies(out, pairs.points, pairs.answers);
+  write_finite_elements(out, wall.points, wall.answers[by_default]);
   const bool rod = write_rod(out);
   out << text::points;
-  write_points(out, points, answers[by_default]);
+  write_points(out, wall.points, wall.answers[by_default]);
+  out << text::unseen_points;
+  write_points(out, unseen.points, unseen.answers[by_default]);
   out << text::pairs;
-  write_points(out, pairs, of_pairs[by_default]);
-  return honest(judged) && honest(pairs_judged) && rod;
+  write_points(out, pairs.points, pairs.answers[by_default]);
+  return all_honest && rod;
 }
 
 }  // namespace validate

@@ -43,6 +43,7 @@ Runs resolved_runs(const std::function<stoss::Contact(double cutoff)>& contact, 
 void write_quantities(std::ostream& out, const Runs& runs) {
   write_quantity(out, runs, &stoss::Impact::lost_fraction);
   write_quantity(out, runs, &stoss::Impact::contact_time, runs.back().step);  // noticed and lost within half a step
+  write_quantity(out, runs, &stoss::Impact::impulse_time);
   write_quantity(out, runs, &stoss::Impact::max_force);
   write_quantity(out, runs, &stoss::Impact::max_compression);
   out << std::endl;  // one may look on

@@ -29,7 +29,7 @@ void write_quantities(std::ostream& out, const Runs& runs);
 
 /// The names of these columns.
 inline constexpr const char* quantity_columns =
-    "lost_fraction,uncertainty,contact_time,contact_time_uncertainty,max_force,max_force_uncertainty,"
-    "max_compression,max_compression_uncertainty";
+    "lost_fraction,uncertainty,contact_time,contact_time_uncertainty,impulse_time,impulse_time_uncertainty,"
+    "max_force,max_force_uncertainty,max_compression,max_compression_uncertainty";
 
 }  // namespace validate

@@ -18,11 +18,11 @@ enum class Plane { stress, strain };
 
 /// SI values of the units of the core. Multiply a dimensionless result by its scale.
 struct Scales {
-  double length = 0.0;     ///< R, m
+  double length = 0.0;     ///< R, m; of a rod L
   double speed = 0.0;      ///< c = √(E′/ρ), m/s, with E′ = E or E/(1−ν²)
   double time = 0.0;       ///< R/c, s
   double frequency = 0.0;  ///< c/R, rad/s
-  double force = 0.0;      ///< πRE′ = mc²/R per thickness, N/m
+  double force = 0.0;      ///< πRE′ = mc²/R per thickness, N/m; of a rod EA, N
 };
 
 /// Scales of a disk of this material.

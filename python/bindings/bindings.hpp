@@ -9,6 +9,7 @@ namespace stoss::python {
 namespace py = pybind11;
 
 void bind_errors(py::module_& module);
+void bind_quantities(py::module_& module);
 void bind_material(py::module_& module);
 void bind_modes(py::module_& module);
 void bind_body(py::module_& module);

@@ -1,11 +1,14 @@
 #include "stoss/material.hpp"
 
 #include "bindings.hpp"
+#include "stoss/bodies/rod.hpp"
 
 namespace stoss::python {
 namespace {
 
 Plane to_plane(bool strain) { return strain ? Plane::strain : Plane::stress; }
+
+py::tuple to_tuple(const Scales& si) { return py::make_tuple(si.length, si.speed, si.time, si.frequency, si.force); }
 
 }  // namespace
 
@@ -19,10 +22,16 @@ void bind_material(py::module_& module) {
   module.def(
       "scales",
       [](double young, double poisson, double density, bool strain, double radius) {
-        const Scales si = scales({young, poisson, density}, to_plane(strain), radius);
-        return py::make_tuple(si.length, si.speed, si.time, si.frequency, si.force);
+        return to_tuple(scales({young, poisson, density}, to_plane(strain), radius));
       },
       py::arg("young"), py::arg("poisson"), py::arg("density"), py::arg("strain"), py::arg("radius"),
+      "(length, speed, time, frequency, force)");
+  module.def(
+      "rod_scales",
+      [](double length, double young, double density, double area) {
+        return to_tuple(scales(Rod{length, young, density, area}));
+      },
+      py::arg("length"), py::arg("young"), py::arg("density"), py::arg("area"),
       "(length, speed, time, frequency, force)");
 }
 

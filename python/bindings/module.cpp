@@ -5,6 +5,7 @@ PYBIND11_MODULE(_core, module) {
   module.doc() = "The C++ core of stoss. Use the package stoss, which checks, broadcasts and documents.";
   module.attr("version") = std::string(stoss::version());
   stoss::python::bind_errors(module);
+  stoss::python::bind_quantities(module);
   stoss::python::bind_material(module);
   stoss::python::bind_modes(module);
   stoss::python::bind_body(module);

@@ -10,6 +10,8 @@
 #include "arrays.hpp"
 #include "bindings.hpp"
 #include "interpreter.hpp"
+#include "quantities.hpp"
+#include "stoss/quasistatic/quantities.hpp"
 #include "wall.hpp"
 
 namespace stoss::python {
@@ -24,29 +26,6 @@ CompressionLaw to_law(const std::string& name) {
   if (name == "diameter") return CompressionLaw::diameter;
   if (name == "printed") return CompressionLaw::printed;
   throw std::invalid_argument("law: center, diameter or printed");
-}
-
-/// What stoss.quasistatic.SlowImpact shows of one value.
-struct SlowImpactRow {
-  double contact_time, max_compression, max_force;
-};
-
-/// What stoss.quasistatic.RayleighEstimate shows of one value.
-struct RayleighRow {
-  double contact_time, max_compression, max_force, lost_fraction, lost_fraction_error, kinetic_share;
-  int modes;
-  bool beyond_perturbation;
-};
-
-RayleighRow to_row(const RayleighEstimate& estimate) {
-  return {estimate.impact.contact_time,
-          estimate.impact.max_compression,
-          estimate.impact.max_force,
-          estimate.lost_fraction,
-          estimate.lost_fraction_error,
-          estimate.kinetic_share,
-          static_cast<int>(estimate.modes.size()),
-          estimate.beyond_perturbation};
 }
 
 /// An array of function(i), which is computed without the interpreter, for arrays of one size.
@@ -86,29 +65,39 @@ auto limit(Function function) {
   };
 }
 
-SlowImpactRow slow_impact_row(CompressionLaw law, double poisson, double speed) {
-  const SlowImpact impact = slow_impact(law, poisson, speed);
-  return {impact.contact_time, impact.max_compression, impact.max_force};
+py::array slow_impacts(const std::string& law, const Doubles& poisson, const Doubles& speeds) {
+  const CompressionLaw chosen = to_law(law);
+  if (poisson.size() != speeds.size()) throw std::invalid_argument("arrays: all of one size");
+  const std::vector<double> nu = to_vector(poisson), at = to_vector(speeds);
+  Rows<SlowImpact> rows(slow_impact_quantities());
+  const Poll poll = signal_poll();
+  {
+    const Released released;
+    for (std::size_t i = 0; i < at.size(); ++i) {
+      if (poll) poll();
+      rows.add(slow_impact(chosen, nu[i], at[i]));
+    }
+  }
+  return rows.take();
 }
 
 /// Estimates for several speeds, and, if there is only one, its modes.
 py::tuple rayleigh_rows(const std::string& law, double poisson, const Doubles& speeds, double cutoff) {
   const CompressionLaw chosen = to_law(law);
   const std::vector<double> at = to_vector(speeds);
-  std::vector<RayleighRow> rows;
+  Rows<RayleighEstimate> rows(rayleigh_quantities());
   std::vector<DrivenMode> driven;
   const Poll poll = signal_poll();
   {
     const Released released;
     const std::vector<bodies::disk::Mode> modes = bodies::disk::modes(poisson, cutoff, poll);
-    rows.reserve(at.size());
     for (const double speed : at) {
       RayleighEstimate estimate = rayleigh(chosen, poisson, speed, modes, poll);
-      rows.push_back(to_row(estimate));
+      rows.add(estimate);
       if (at.size() == 1) driven = std::move(estimate.modes);
     }
   }
-  return py::make_tuple(take(std::move(rows)), take(std::move(driven)));
+  return py::make_tuple(rows.take(), take(std::move(driven)));
 }
 
 py::dict static_contact_numbers(double poisson, double compression, int nodes) {
@@ -126,7 +115,6 @@ py::dict static_contact_numbers(double poisson, double compression, int nodes) {
 
 py::dict soft_static_contact_numbers(const Body& body, const AnyWall& wall, double compression,
                                      std::optional<int> nodes) {
-  using namespace py::literals;
   const auto* soft = std::get_if<ExponentialWall>(&wall.wall);
   if (soft == nullptr) throw std::invalid_argument("wall: an exponential one");
   SoftStaticContact contact;
@@ -135,8 +123,7 @@ py::dict soft_static_contact_numbers(const Body& body, const AnyWall& wall, doub
     const Released released;
     contact = soft_static_contact(body, *soft, compression, {nodes, poll});
   }
-  return py::dict("force"_a = contact.force, "energy"_a = contact.energy, "wall_energy"_a = contact.wall_energy,
-                  "modes"_a = contact.modes, "nodes"_a = contact.nodes, "newton_steps"_a = contact.newton_steps);
+  return to_dict(soft_static_contact_quantities(), contact);
 }
 
 void bind_stresses(py::module_& module) {
@@ -167,20 +154,17 @@ void bind_stresses(py::module_& module) {
 }  // namespace
 
 void bind_quasistatic(py::module_& module) {
-  PYBIND11_NUMPY_DTYPE(SlowImpactRow, contact_time, max_compression, max_force);
-  PYBIND11_NUMPY_DTYPE(RayleighRow, contact_time, max_compression, max_force, lost_fraction, lost_fraction_error,
-                       kinetic_share, modes, beyond_perturbation);
   PYBIND11_NUMPY_DTYPE(DrivenMode, order, index, omega, amplitude, after);
   PYBIND11_NUMPY_DTYPE(PlaneStress, xx, yy, xy);
-  module.attr("rayleigh_row") = py::dtype::of<RayleighRow>();
+  module.attr("rayleigh_row") = Rows<RayleighEstimate>(rayleigh_quantities()).type();
   module.def("limit_force", limit(&limit_force), py::arg("law"), py::arg("poisson"));
   module.def("limit_speed", limit(&limit_speed), py::arg("law"), py::arg("poisson"));
   module.def("compression", over_law(&compression), py::arg("law"), py::arg("poisson"), py::arg("force"));
   module.def("compression_force", over_law(&compression_force), py::arg("law"), py::arg("poisson"),
              py::arg("compression"));
   module.def("compression_energy", over_law(&compression_energy), py::arg("law"), py::arg("poisson"), py::arg("force"));
-  module.def("slow_impact", over_law(&slow_impact_row), py::arg("law"), py::arg("poisson"), py::arg("speed"),
-             "structured array of contact_time, max_compression, max_force");
+  module.def("slow_impact", &slow_impacts, py::arg("law"), py::arg("poisson"), py::arg("speed"),
+             "structured array of its quantities");
   module.def("rayleigh", &rayleigh_rows, py::arg("law"), py::arg("poisson"), py::arg("speeds"), py::arg("cutoff"),
              "rows for the speeds, and the modes if there is only one speed");
   module.def("static_contact", &static_contact_numbers, py::arg("poisson"), py::arg("compression"), py::arg("nodes"));

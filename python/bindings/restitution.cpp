@@ -2,59 +2,28 @@
 
 #include <pybind11/stl.h>
 
-#include <limits>
 #include <optional>
 #include <string>
 
 #include "arrays.hpp"
 #include "bindings.hpp"
 #include "interpreter.hpp"
+#include "quantities.hpp"
 #include "stoss/restitution/curve.hpp"
+#include "stoss/restitution/quantities.hpp"
 
 namespace stoss::python {
 namespace {
 
-/// What stoss.Restitution shows of one value.
-struct RestitutionRow {
-  double restitution, restitution_error, lost_fraction, lost_fraction_error, contact_time, contact_time_error,
-      max_compression, max_compression_error, max_force, max_force_error, lost_to_first, lost_to_second, cutoff,
-      energy_error;
-  long modes, runs, steps;
-  bool converged, beyond_small_strain;
-};
-
-RestitutionRow to_row(const Restitution& r) {
-  constexpr double none = std::numeric_limits<double>::quiet_NaN();
-  const bool ran = !r.runs.empty();
-  return {r.restitution.value,
-          r.restitution.error,
-          r.lost_fraction.value,
-          r.lost_fraction.error,
-          r.contact_time.value,
-          r.contact_time.error,
-          r.max_compression.value,
-          r.max_compression.error,
-          r.max_force.value,
-          r.max_force.error,
-          ran ? r.finest.energy.lost_to_first : none,
-          ran ? r.finest.energy.lost_to_second : none,
-          ran ? r.finest.cutoff : none,
-          ran ? r.finest.energy_error : none,
-          static_cast<long>(r.finest.energy.modes.size()),
-          static_cast<long>(r.runs.size()),
-          r.steps,
-          r.converged,
-          r.finest.beyond_small_strain};
-}
-
 /// Fills rows as the values come, and `reasons` at the end, so that what is done is there if Ctrl-C ends the curve.
 /// Only where there is a `tick` is the interpreter asked for after each value.
 void curve(const RefinableContact& contact, const py::array_t<double, py::array::c_style>& speeds, double tolerance,
-           int threads, py::array_t<RestitutionRow, py::array::c_style>& rows, py::list reasons,
-           const std::optional<py::function>& tick) {
+           int threads, py::array& rows, py::list reasons, const std::optional<py::function>& tick) {
   const std::vector<double> at = to_vector(speeds);
-  if (rows.size() != speeds.size()) throw std::invalid_argument("rows: one for each speed");
-  RestitutionRow* row = rows.mutable_data();
+  const Rows<Restitution> layout(restitution_quantities());
+  const bool fits = rows.ndim() == 1 && (rows.flags() & py::array::c_style) != 0 && rows.dtype().equal(layout.type());
+  if (!fits || rows.size() != speeds.size()) throw std::invalid_argument("rows: one restitution_row for each speed");
+  auto* const row = static_cast<std::byte*>(rows.mutable_data());
   std::vector<std::string> why;
   const auto hand_over = [&] {
     for (const std::string& reason : why) reasons.append(reason);
@@ -63,7 +32,7 @@ void curve(const RefinableContact& contact, const py::array_t<double, py::array:
   try {
     const Released released;
     restitution_curve(contact, at, {tolerance, 0.0, threads, poll}, [&](std::size_t i, const Restitution& result) {
-      row[i] = to_row(result);
+      layout.write(result, row + i * layout.width());
       why.push_back(result.reason);
       if (!tick) return;
       const py::gil_scoped_acquire interpreter;
@@ -79,11 +48,7 @@ void curve(const RefinableContact& contact, const py::array_t<double, py::array:
 }  // namespace
 
 void bind_restitution(py::module_& module) {
-  PYBIND11_NUMPY_DTYPE(RestitutionRow, restitution, restitution_error, lost_fraction, lost_fraction_error, contact_time,
-                       contact_time_error, max_compression, max_compression_error, max_force, max_force_error,
-                       lost_to_first, lost_to_second, cutoff, energy_error, modes, runs, steps, converged,
-                       beyond_small_strain);
-  module.attr("restitution_row") = py::dtype::of<RestitutionRow>();
+  module.attr("restitution_row") = Rows<Restitution>(restitution_quantities()).type();
   module.def(
       "check_curve",
       [](const py::array_t<double, py::array::c_style>& speeds, double tolerance, int threads) {

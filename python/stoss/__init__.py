@@ -3,7 +3,7 @@
 >>> import stoss
 >>> disk = stoss.Disk(poisson=0.33)
 >>> stoss.restitution(disk, speed=0.1)
-Restitution(poisson=0.33, speed=0.1 c: restitution 0.947044 ± 0.000038)
+Restitution(poisson=0.33, speed=0.1 c: restitution 0.947060 ± 0.000031)
 
 A body comes first, all other arguments are named. Units are those of the first body: radius R, bar
 speed c = √(E/ρ), mass m; of bodies with a `Material`, speeds are in m/s.
@@ -20,6 +20,7 @@ time
 `HardWall`, `ExponentialWall`     walls
 `Material`, `materials`           SI; typical materials
 `plot`                            pictures (needs matplotlib)
+`with_error`                      a number with the digits that its error leaves it, for reading
 ================================  ==================================================================
 """
 
@@ -35,6 +36,7 @@ from stoss._material import Material, Scales, materials
 from stoss._modes import Modes, modes
 from stoss._restitution import restitution
 from stoss._restitution_result import Restitution
+from stoss._result import with_error
 from stoss._trajectory import Trajectory
 from stoss._walls import ExponentialWall, HardWall, Wall
 
@@ -66,6 +68,7 @@ __all__ = [
     "plot",
     "quasistatic",
     "restitution",
+    "with_error",
 ]
 
 

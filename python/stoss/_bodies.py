@@ -148,8 +148,7 @@ class Rod:
     def scales(self) -> Scales:
         """SI values of the units of all results of which this is the first body."""
         _material(self)
-        speed = (self.young / self.density) ** 0.5
-        return Scales(self.length, speed, self.length / speed, speed / self.length, self.young * self.area)
+        return Scales(*_core.rod_scales(self.length, self.young, self.density, self.area))
 
     def _maker(self) -> _core.BodyMaker:
         return _core.rod(self.length, self.young, self.density, self.area)

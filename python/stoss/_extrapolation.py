@@ -9,7 +9,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from stoss import _core
 from stoss._arguments import number, numbers
-from stoss._result import Column, Result, columns, shown
+from stoss._result import Column, Result, columns, with_error
 
 
 @dataclasses.dataclass(frozen=True, eq=False, repr=False)
@@ -32,7 +32,7 @@ class Extrapolation(Result):
     """
 
     _name: ClassVar[str] = "extrapolation"
-    _units = {"cutoff": "c/R", "hardness": "1/R"}
+    _kind = "soft impact"
 
     poisson: float
     speed: float
@@ -45,7 +45,7 @@ class Extrapolation(Result):
     steps: int
 
     def __repr__(self) -> str:
-        value = shown(self.restitution, self.restitution_error)
+        value = with_error(self.restitution, self.restitution_error)
         return f"Extrapolation(poisson={self.poisson:g}, speed={self.speed:g} c: restitution {value})"
 
     def plot(self, ax: Any = None) -> Any:

@@ -42,9 +42,9 @@ class Field(Result):
     """
 
     _name: ClassVar[str] = "field"
+    _kind = "snapshot"
     _units = {
-        "time": "R/c", "center": "R", "force": "piRE", "contact_half_width": "R", "angle": "rad",
-        "x": "R", "y": "R", "stress_rr": "E", "stress_pp": "E", "stress_rp": "E", "von_mises": "E",
+        "angle": "rad", "x": "R", "y": "R", "stress_rr": "E", "stress_pp": "E", "stress_rp": "E", "von_mises": "E",
         "principal_difference": "E",
     }  # fmt: skip
 

@@ -68,7 +68,7 @@ def impact(
     --------
     >>> hit = stoss.impact(poisson=0.33, speed=0.1)
     >>> hit
-    Impact(Disk(poisson=0.33), speed=0.1 c: restitution 0.94705, contact time 5.898 R/c, 1146 modes)
+    Impact(Disk(poisson=0.33), speed=0.1 c: restitution 0.94705, contact time 5.897 R/c, 1146 modes)
     >>> round(hit.translation + hit.vibration + hit.unresolved, 3)
     1.0
 

@@ -12,13 +12,13 @@ from stoss import _core, _replay
 from stoss._bodies import Body, Disk, Rod, shown
 from stoss._contact import Against, contact, radiates
 from stoss._field import Field
-from stoss._result import Column, Result
-from stoss._si import SI_UNITS, InSi
+from stoss._result import Number
+from stoss._si import InSiOfAnImpact
 from stoss._trajectory import Trajectory
 
 
 @dataclasses.dataclass(frozen=True, eq=False, repr=False)
-class Impact(InSi, Result):
+class Impact(InSiOfAnImpact):
     """One impact at a fixed resolution, with the inputs that made it.
 
     Energies are shares of the initial energy.
@@ -28,7 +28,6 @@ class Impact(InSi, Result):
     body : Disk or Rod
         The first; all units are its own.
     against : HardWall, ExponentialWall, Disk or Rod
-        What it meets.
     speed : float
         Of approach of the centres of mass, or towards the wall, c.
     restitution : float
@@ -42,6 +41,8 @@ class Impact(InSi, Result):
         Vibration of each body, its part of `unresolved` included; 0 of a wall.
     contact_time : float
         From first to last contact, R/c.
+    impulse_time : float
+        From 1 % to 99 % of the impulse, R/c.
     contacts : int
         Separate periods of contact.
     max_force : float
@@ -72,15 +73,13 @@ class Impact(InSi, Result):
     keep : ndarray or None
         Which modes up to the cutoff were kept, if not all: those of `mode_energies`.
     material : Material or None
-        Of the body. If there is one, `speed_si`, `contact_time_si`, `max_force_si` and
-        `max_compression_si` are the SI values.
+        Of the body. If there is one, `speed_si`, `contact_time_si`, `max_force_si`,
+        `max_compression_si` and `max_half_width_si` are the SI values.
     """
 
     _name: ClassVar[str] = "impact"
-    _units = {
-        "speed": "c", "contact_time": "R/c", "max_force": "piRE", "max_compression": "R", "max_half_width": "R",
-        "cutoff": "c/R", "step": "R/c", "half_width": "R", **SI_UNITS,
-    }  # fmt: skip
+    _kind = "impact"
+    _given = {"speed": "speed"}
 
     body: Body
     against: Against
@@ -93,6 +92,7 @@ class Impact(InSi, Result):
     lost_to_first: float
     lost_to_second: float
     contact_time: float
+    impulse_time: float
     contacts: int
     max_force: float
     max_compression: float
@@ -110,10 +110,15 @@ class Impact(InSi, Result):
     keep: NDArray[np.bool_] | None
     _handle: _core.Impact = dataclasses.field(repr=False)
 
+    @property
+    def max_half_width_si(self) -> Number:
+        """Greatest half-width of the contact, m."""
+        return self._in_si("max_half_width")
+
     def __repr__(self) -> str:
         return (
             f"Impact({self._who()}, speed={self.speed:.6g} c: restitution {self.restitution:.5f}, "
-            f"contact time {self.contact_time:.4g} R/c, {self.modes} modes)"
+            f"contact time {self.contact_time:.4g} {self._unit('contact_time')}, {self.modes} modes)"
         )
 
     def _who(self) -> str:
@@ -137,9 +142,8 @@ class Impact(InSi, Result):
         """The impact with these inputs, checked before."""
         met = contact(body, against, cutoff, keep)
         handle = _core.impact(met, radiates(against), speed, step, nodes, half_width)
-        energies = handle.modes()
         return cls(
-            body=body, against=against, keep=keep, modes=len(energies), mode_energies=energies, _handle=handle,
+            body=body, against=against, keep=keep, mode_energies=handle.modes(), _handle=handle,
             **handle.numbers(),
         )  # fmt: skip
 
@@ -244,8 +248,3 @@ class Impact(InSi, Result):
         if self.keep is not None:
             inputs["keep"] = f"{self.modes} of {self.keep.size} modes"
         return inputs
-
-    def _table(self) -> dict[str, Column]:
-        skipped = ("body", "against", "keep", "mode_energies", "_handle")
-        names = [field.name for field in dataclasses.fields(self) if field.name not in skipped]
-        return {name: np.asarray(getattr(self, name)) for name in names}

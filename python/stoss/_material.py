@@ -62,7 +62,7 @@ class Material:
     >>> round(disk.scales.speed)
     5172
     >>> stoss.restitution(disk, speed=5.0)  # 5 m/s
-    Restitution(poisson=0.3, speed=0.000966708 c: restitution 0.987119 ± 0.000011)
+    Restitution(poisson=0.3, speed=0.000966708 c: restitution 0.987121 ± 0.000010)
     """
 
     young: float

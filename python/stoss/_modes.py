@@ -13,7 +13,7 @@ from stoss._arguments import instance, integer, number, numbers
 from stoss._bodies import Disk
 from stoss._contact import choose_body
 from stoss._errors import InvalidInput
-from stoss._result import Column, Result, columns, span
+from stoss._result import Result, columns, span
 
 
 @dataclasses.dataclass(frozen=True, eq=False, repr=False)
@@ -40,7 +40,7 @@ class Modes(Result):
     """
 
     _name: ClassVar[str] = "modes"
-    _units = {"omega": "c/R"}
+    _kind = "mode"
 
     poisson: float
     cutoff: float
@@ -112,9 +112,6 @@ class Modes(Result):
 
     def _inputs(self) -> dict[str, Any]:
         return {"poisson": self.poisson, "cutoff": self.cutoff}
-
-    def _table(self) -> dict[str, Column]:
-        return {name: getattr(self, name) for name in ("order", "index", "omega", "radial", "tangential")}
 
 
 def modes(body: Disk | None = None, *, cutoff: float, poisson: float | None = None) -> Modes:

@@ -13,13 +13,13 @@ from stoss import _core
 from stoss._arguments import arranged, number
 from stoss._bodies import Disk, speeds_in_si
 from stoss._errors import StossWarning
-from stoss._result import Column, Number, Result, columns, shown, span
-from stoss._si import SI_UNITS, InSi
+from stoss._result import Number, columns, span, with_error
+from stoss._si import InSi
 from stoss._slow_impact import slow_inputs
 
 
 @dataclasses.dataclass(frozen=True, eq=False, repr=False)
-class RayleighEstimate(InSi, Result):
+class RayleighEstimate(InSi):
     """What slow impacts lose to vibration, to first order of a perturbation theory.
 
     Numbers if all inputs were numbers, otherwise arrays of the shape to which `poisson` and `speed`
@@ -57,27 +57,28 @@ class RayleighEstimate(InSi, Result):
     """
 
     _name: ClassVar[str] = "rayleigh"
-    _units = {"speed": "c", "contact_time": "R/c", "max_compression": "R", "max_force": "piRE", **SI_UNITS}
+    _kind = "rayleigh"
+    _given = {"poisson": "", "speed": "speed"}
 
     law: str
     cutoff: float
     poisson: Number
     speed: Number
+    lost_fraction: Number
+    lost_fraction_error: Number
     contact_time: Number
     max_compression: Number
     max_force: Number
-    lost_fraction: Number
-    lost_fraction_error: Number
     kinetic_share: Number
     beyond_perturbation: Union[bool, NDArray[np.bool_]]
-    modes: Union[int, NDArray[np.int32]]
+    modes: Union[int, NDArray[np.int64]]
     mode_energies: NDArray[Any] | None
     body: Disk | None
 
     def __repr__(self) -> str:
         of = f"poisson={span(self.poisson)}, speed={span(self.speed)} c"
         if isinstance(self.lost_fraction, float):
-            value = shown(self.lost_fraction, float(self.lost_fraction_error))
+            value = with_error(self.lost_fraction, float(self.lost_fraction_error))
             doubt = ", beyond perturbation theory" if self.beyond_perturbation else ""
             return f"RayleighEstimate({of}: lost fraction {value}{doubt})"
         beyond = np.count_nonzero(self.beyond_perturbation)
@@ -90,11 +91,6 @@ class RayleighEstimate(InSi, Result):
 
     def _inputs(self) -> dict[str, Any]:
         return {"law": self.law, "cutoff": self.cutoff} | ({"body": self.body} if self.body else {})
-
-    def _table(self) -> dict[str, Column]:
-        skipped = ("law", "cutoff", "mode_energies", "body")
-        names = [field.name for field in dataclasses.fields(self) if field.name not in skipped]
-        return {name: np.asarray(getattr(self, name)) for name in names}
 
 
 def rayleigh(

@@ -72,7 +72,7 @@ def restitution(
     Examples
     --------
     >>> stoss.restitution(poisson=0.33, speed=0.1)
-    Restitution(poisson=0.33, speed=0.1 c: restitution 0.947044 ± 0.000038)
+    Restitution(poisson=0.33, speed=0.1 c: restitution 0.947060 ± 0.000031)
     >>> curve = stoss.restitution(poisson=0.33, speed=np.geomspace(1e-4, 0.3, 50))
     >>> curve.restitution.shape
     (50,)
@@ -80,8 +80,7 @@ def restitution(
     0.9974
     >>> disk = stoss.Disk(poisson=0.33)
     >>> stoss.restitution(disk, against=stoss.Disk(poisson=0.33, radius=2), speed=0.2)
-    Restitution(Disk(poisson=0.33) against Disk(poisson=0.33, radius=2), speed=0.2 c:
-    restitution 0.794777 ± 0.000034)
+    Restitution(Disk(poisson=0.33) against Disk(poisson=0.33, radius=2), speed=0.2 c: restitution 0.79480 ± 0.00016)
     """
     speeds = numbers("speed", speed)
     if body is None and poisson is not None:

@@ -8,18 +8,17 @@ from typing import Any, ClassVar, Union
 import numpy as np
 from numpy.typing import NDArray
 
-from stoss._bodies import Body, Disk, Rod
-from stoss._bodies import shown as shown_body
+from stoss._bodies import Body, Disk, Rod, shown
 from stoss._contact import Against
-from stoss._result import Column, Number, Result, shown, span
-from stoss._si import SI_UNITS, InSiWithErrors
+from stoss._result import Number, span, with_error
+from stoss._si import InSiWithErrors
 
 Integer = Union[int, NDArray[np.int64]]
 Flag = Union[bool, NDArray[np.bool_]]
 
 
 @dataclasses.dataclass(frozen=True, eq=False, repr=False)
-class Restitution(InSiWithErrors, Result):
+class Restitution(InSiWithErrors):
     """The coefficient of restitution of a body at a rigid wall, or of two bodies, with errors.
 
     Numbers if all inputs were numbers, otherwise arrays of the shape to which `poisson` and `speed`
@@ -41,6 +40,8 @@ class Restitution(InSiWithErrors, Result):
         1 − ε².
     contact_time, contact_time_error : float or ndarray
         From first to last contact, R/c.
+    impulse_time, impulse_time_error : float or ndarray
+        From 1 % to 99 % of the impulse, R/c: a last grazing contact hardly changes it.
     max_compression, max_compression_error : float or ndarray
         R.
     max_force, max_force_error : float or ndarray
@@ -67,10 +68,8 @@ class Restitution(InSiWithErrors, Result):
     """
 
     _name: ClassVar[str] = "restitution"
-    _units = {
-        "speed": "c", "contact_time": "R/c", "contact_time_error": "R/c", "max_compression": "R",
-        "max_compression_error": "R", "max_force": "piRE", "max_force_error": "piRE", "cutoff": "c/R", **SI_UNITS,
-    }  # fmt: skip
+    _kind = "restitution"
+    _given = {"poisson": "", "speed": "speed"}
 
     body: Body | None
     against: Against | str
@@ -82,6 +81,8 @@ class Restitution(InSiWithErrors, Result):
     lost_fraction_error: Number
     contact_time: Number
     contact_time_error: Number
+    impulse_time: Number
+    impulse_time_error: Number
     max_compression: Number
     max_compression_error: Number
     max_force: Number
@@ -89,10 +90,10 @@ class Restitution(InSiWithErrors, Result):
     lost_to_first: Number
     lost_to_second: Number
     cutoff: Number
-    energy_error: Number
     modes: Integer
     runs: Integer
     steps: Integer
+    energy_error: Number
     converged: Flag
     beyond_small_strain: Flag
     reason: str | NDArray[np.object_]
@@ -101,12 +102,12 @@ class Restitution(InSiWithErrors, Result):
     def __repr__(self) -> str:
         against = self.against if isinstance(self.against, (Disk, Rod, str)) else None  # else at a wall
         named = self.body is not None and (against is not None or isinstance(self.body, Rod))
-        of = shown_body(self.body) if named and self.body else f"poisson={span(self.poisson)}"
+        of = shown(self.body) if named and self.body else f"poisson={span(self.poisson)}"
         if against is not None:
-            of += f" against {against!r}" if isinstance(against, str) else f" against {shown_body(against)}"
+            of += f" against {against!r}" if isinstance(against, str) else f" against {shown(against)}"
         of += f", speed={span(self.speed)} c"
         if isinstance(self.restitution, float):
-            value = f"restitution {shown(self.restitution, float(self.restitution_error))}"
+            value = f"restitution {with_error(self.restitution, float(self.restitution_error))}"
             return f"Restitution({of}: {value}{'' if self.converged else ', not converged'})"
         doubtful = int(np.size(self.converged) - np.count_nonzero(self.converged))
         state = "all converged" if doubtful == 0 else f"{doubtful} not converged"
@@ -119,8 +120,3 @@ class Restitution(InSiWithErrors, Result):
     def _inputs(self) -> dict[str, Any]:
         named = {"body": self.body, "against": self.against, "tolerance": self.tolerance}
         return {key: value for key, value in named.items() if value is not None}
-
-    def _table(self) -> dict[str, Column]:
-        skipped = ("body", "against", "reason", "tolerance")
-        names = [field.name for field in dataclasses.fields(self) if field.name not in skipped]
-        return {name: np.asarray(getattr(self, name)) for name in names}

@@ -7,6 +7,7 @@ import dataclasses
 import importlib
 import math
 import os
+import re
 from typing import Any, Callable, ClassVar, Iterator, Mapping, Union
 
 import numpy as np
@@ -14,6 +15,7 @@ from numpy.typing import NDArray
 
 from stoss import _core
 from stoss._files import whole_file
+from stoss._quantities import QUANTITIES, unit
 
 Number = Union[float, NDArray[np.float64]]
 Column = NDArray[Any]
@@ -51,8 +53,10 @@ pictures: dict[type, Callable[[Any, Any], Any]] = {}
 class Result(abc.ABC):
     """Base of all results: frozen, with the inputs that made them."""
 
-    _units: ClassVar[Mapping[str, str]] = {}
     _name: ClassVar[str] = ""
+    _kind: ClassVar[str] = ""  # of the core's quantities, from which columns have their order and units
+    _given: ClassVar[Mapping[str, str]] = {}  # dimensions of inputs that are columns too, before all others
+    _units: ClassVar[Mapping[str, str]] = {}  # of columns of which the core knows nothing
 
     def to_dict(self) -> dict[str, Any]:
         """Return all that the result holds in plain Python types, ready for json.
@@ -96,9 +100,21 @@ class Result(abc.ABC):
             columns = [known(key, column.flat[rows].tolist()) for key, column in table.items()]
             yield from (",".join(_cell(value) for value in row) + "\n" for row in zip(*columns))
 
-    def _unit(self, name: str) -> str | None:
-        """Unit of a column, if it has one."""
-        return self._units.get(name)
+    @classmethod
+    def _dimensions(cls) -> dict[str, str]:
+        """Dimensions of all that the result may show, in order."""
+        return {**cls._given, **QUANTITIES.get(cls._kind, {})}
+
+    def _of_a_rod(self) -> bool:
+        """Whether the units are those of a rod."""
+        return False
+
+    def _unit(self, name: str) -> str:
+        """Unit of a column; "" of a pure number."""
+        if name in self._units:
+            return self._units[name]
+        own = re.sub(r"_si(?=$|_error$)", "", name)
+        return unit(self._dimensions().get(own, ""), rod=self._of_a_rod(), si=own != name)
 
     def _derived(self) -> dict[str, Any]:
         """Further quantities that follow from the fields."""
@@ -112,9 +128,10 @@ class Result(abc.ABC):
     def _inputs(self) -> dict[str, Any]:
         """What made the result, for the head of the CSV."""
 
-    @abc.abstractmethod
     def _table(self) -> dict[str, Column]:
         """Columns of one length."""
+        fields = {field.name for field in dataclasses.fields(self)}
+        return {name: np.asarray(getattr(self, name)) for name in self._dimensions() if name in fields}
 
 
 def columns(table: NDArray[Any]) -> dict[str, Column]:
@@ -137,12 +154,24 @@ def _write(path: str, lines: Iterator[str]) -> None:
         stream.writelines(lines)
 
 
-def shown(value: float, error: float | None = None) -> str:
+def with_error(value: float, error: float | None = None) -> str:
     """Write a number with the digits that its error leaves it.
 
-    >>> shown(0.947041, 0.0000523)
+    Parameters
+    ----------
+    value : float
+    error : float, optional
+        Two digits of it are written; infinite if it is unknown. Without one the number has six digits.
+
+    Returns
+    -------
+    str
+
+    Examples
+    --------
+    >>> stoss.with_error(0.947041, 0.0000523)
     '0.947041 ± 0.000052'
-    >>> shown(3.35, math.inf)
+    >>> stoss.with_error(3.35, np.inf)
     '3.35 ± unknown'
     """
     if error == math.inf and math.isfinite(value):

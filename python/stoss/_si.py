@@ -5,11 +5,17 @@ from __future__ import annotations
 from typing import Any
 
 from stoss._bodies import Body, Rod
-from stoss._material import Material, Scales
-from stoss._result import Number
+from stoss._material import Material
+from stoss._result import Number, Result
 
 
-class InSi:
+def si_name(name: str) -> str:
+    """Name of the SI value of a column: contact_time_error is contact_time_si_error."""
+    own = name.removesuffix("_error")
+    return f"{own}_si{name[len(own):]}"
+
+
+class InSi(Result):
     """SI values, as names that end in _si."""
 
     body: Body | None
@@ -23,68 +29,75 @@ class InSi:
         """What the first body is made of, if that is known."""
         return None if self.body is None else self.body.material
 
-    def _scales(self, name: str) -> Scales:
+    def _in_si(self, name: str) -> Number:
+        """What a column is in SI, by its dimension."""
         if self.body is None or self.body.material is None:
-            raise AttributeError(f"{name}: this result has no material (make its body with one)")
-        return self.body.scales
+            raise AttributeError(f"{si_name(name)}: this result has no material (make its body with one)")
+        return getattr(self, name) * getattr(self.body.scales, self._dimensions()[name])  # type: ignore[no-any-return]
 
-    def _unit(self, name: str) -> str | None:
-        unit = super()._unit(name)  # type: ignore[misc]
-        return ROD_UNITS.get(unit, unit) if isinstance(self.body, Rod) else unit
+    def _of_a_rod(self) -> bool:
+        return isinstance(self.body, Rod)
 
     @property
     def speed_si(self) -> Number:
         """Speed before the impact, m/s."""
-        return self.speed * self._scales("speed_si").speed  # type: ignore[no-any-return]
+        return self._in_si("speed")
 
     @property
     def contact_time_si(self) -> Number:
         """Contact time, s."""
-        return self.contact_time * self._scales("contact_time_si").time  # type: ignore[no-any-return]
+        return self._in_si("contact_time")
 
     @property
     def max_force_si(self) -> Number:
         """Greatest force: of a disk per thickness, N/m; of a rod, N."""
-        return self.max_force * self._scales("max_force_si").force  # type: ignore[no-any-return]
+        return self._in_si("max_force")
 
     @property
     def max_compression_si(self) -> Number:
         """Greatest compression, m."""
-        return self.max_compression * self._scales("max_compression_si").length  # type: ignore[no-any-return]
+        return self._in_si("max_compression")
 
     def _derived(self) -> dict[str, Any]:
-        names = [name for name in SI_UNITS if hasattr(type(self), name)]
+        names = [si_name(name) for name in self._dimensions() if hasattr(type(self), si_name(name))]
         return {name: getattr(self, name) for name in names} if self.material is not None else {}
 
 
-class InSiWithErrors(InSi):
+class InSiOfAnImpact(InSi):
+    """Those of an impact that was computed in time."""
+
+    impulse_time: Any
+
+    @property
+    def impulse_time_si(self) -> Number:
+        """Time between 1 % and 99 % of the impulse, s."""
+        return self._in_si("impulse_time")
+
+
+class InSiWithErrors(InSiOfAnImpact):
     """The errors too."""
 
     contact_time_error: Any
+    impulse_time_error: Any
     max_force_error: Any
     max_compression_error: Any
 
     @property
     def contact_time_si_error(self) -> Number:
         """Error of the contact time, s."""
-        return self.contact_time_error * self._scales("contact_time_si_error").time  # type: ignore[no-any-return]
+        return self._in_si("contact_time_error")
+
+    @property
+    def impulse_time_si_error(self) -> Number:
+        """Error of the impulse time, s."""
+        return self._in_si("impulse_time_error")
 
     @property
     def max_force_si_error(self) -> Number:
         """Error of the greatest force, N/m or N."""
-        return self.max_force_error * self._scales("max_force_si_error").force  # type: ignore[no-any-return]
+        return self._in_si("max_force_error")
 
     @property
     def max_compression_si_error(self) -> Number:
         """Error of the greatest compression, m."""
-        scales = self._scales("max_compression_si_error")
-        return self.max_compression_error * scales.length  # type: ignore[no-any-return]
-
-
-SI_UNITS = {
-    "speed_si": "m/s", "contact_time_si": "s", "contact_time_si_error": "s", "max_force_si": "N/m",
-    "max_force_si_error": "N/m", "max_compression_si": "m", "max_compression_si_error": "m",
-}  # fmt: skip
-
-# What a rod has in place of a disk's units.
-ROD_UNITS = {"R": "L", "R/c": "L/c", "c/R": "c/L", "piRE": "EA", "N/m": "N"}
+        return self._in_si("max_compression_error")

@@ -13,12 +13,12 @@ from stoss._arguments import arranged, broadcast, choice, instance, numbers
 from stoss._bodies import Disk, speed_unit, speeds_in_si
 from stoss._compression import LAWS
 from stoss._contact import choose_body
-from stoss._result import Column, Number, Result, columns, span
-from stoss._si import SI_UNITS, InSi
+from stoss._result import Number, columns, span
+from stoss._si import InSi
 
 
 @dataclasses.dataclass(frozen=True, eq=False, repr=False)
-class SlowImpact(InSi, Result):
+class SlowImpact(InSi):
     """Slow impacts, by conservation of energy: nothing is lost.
 
     Numbers if all inputs were numbers, otherwise arrays of the shape to which `poisson` and `speed`
@@ -46,7 +46,8 @@ class SlowImpact(InSi, Result):
     """
 
     _name: ClassVar[str] = "slow impact"
-    _units = {"speed": "c", "contact_time": "R/c", "max_compression": "R", "max_force": "piRE", **SI_UNITS}
+    _kind = "slow impact"
+    _given = {"poisson": "", "speed": "speed"}
 
     law: str
     poisson: Number
@@ -69,10 +70,6 @@ class SlowImpact(InSi, Result):
 
     def _inputs(self) -> dict[str, Any]:
         return {"law": self.law} | ({"body": self.body} if self.body else {})
-
-    def _table(self) -> dict[str, Column]:
-        names = ("poisson", "speed", "contact_time", "max_compression", "max_force")
-        return {name: np.asarray(getattr(self, name)) for name in names}
 
 
 def slow_inputs(

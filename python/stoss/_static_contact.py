@@ -135,7 +135,8 @@ class SoftStaticContact(Result):
     """
 
     _name: ClassVar[str] = "soft static contact"
-    _units = {"compression": "R", "cutoff": "c/R", "force": "piRE", "energy": "mc^2", "wall_energy": "mc^2"}
+    _kind = "soft static contact"
+    _given = {"poisson": "", "compression": "length", "cutoff": "frequency"}
 
     poisson: float
     compression: float
@@ -156,10 +157,6 @@ class SoftStaticContact(Result):
 
     def _inputs(self) -> dict[str, Any]:
         return {"against": self.against}
-
-    def _table(self) -> dict[str, Column]:
-        names = [field.name for field in dataclasses.fields(self) if field.name != "against"]
-        return {name: np.asarray(getattr(self, name)) for name in names}
 
 
 def soft_static_contact(

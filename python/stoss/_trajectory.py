@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any, ClassVar
 import numpy as np
 from numpy.typing import NDArray
 
-from stoss._result import Column, Result
+from stoss._result import Result
 
 if TYPE_CHECKING:
     from stoss._impact_result import Impact
@@ -37,7 +37,7 @@ class Trajectory(Result):
     """
 
     _name: ClassVar[str] = "trajectory"
-    _units = {"time": "R/c", "center": "R", "velocity": "c", "force": "piRE", "contact_half_width": "R"}
+    _kind = "snapshot"
 
     impact: Impact = dataclasses.field(repr=False)
     time: NDArray[np.float64]
@@ -54,7 +54,10 @@ class Trajectory(Result):
         return len(self.time)
 
     def __repr__(self) -> str:
-        return f"Trajectory({len(self)} rows, time 0 to {self.time[-1]:.6g} R/c, of {self.impact!r})"
+        return f"Trajectory({len(self)} rows, time 0 to {self.time[-1]:.6g} {self._unit('time')}, of {self.impact!r})"
+
+    def _of_a_rod(self) -> bool:
+        return self.impact._of_a_rod()
 
     def plot(self, ax: Any = None) -> Any:
         """Force against time. See `stoss.plot.force`."""
@@ -62,6 +65,3 @@ class Trajectory(Result):
 
     def _inputs(self) -> dict[str, Any]:
         return self.impact._inputs()
-
-    def _table(self) -> dict[str, Column]:
-        return {field.name: getattr(self, field.name) for field in dataclasses.fields(self) if field.repr}

@@ -37,6 +37,12 @@ std::string name_of(const Rod& rod) {
 
 }  // namespace
 
+Scales scales(const Rod& rod) {
+  require_rod(rod);
+  const double speed = std::sqrt(rod.young / rod.density);
+  return {rod.length, speed, rod.length / speed, speed / rod.length, rod.young * rod.area};
+}
+
 Body rod(const Rod& rod, double cutoff) {
   require_rod(rod);
   require("cutoff", cutoff, {0.0, highest_cutoff, false, true, "above 0 to 1e6"}, "highest frequency in c/L");

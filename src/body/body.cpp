@@ -33,6 +33,7 @@ void validate(const Body& body) {
   const auto& [points, cutoff, power, along_edge, fewest] = body.sampling;
   require(body, positive(points) && positive(cutoff) && finite({power, along_edge}) && along_edge >= 0.0 && fewest > 0,
           "a positive finite sampling");
+  require(body, body.part.size > 0.0 && body.part.beyond >= 0.0 && body.part.echo > 0.0, "a part that it can have");
   for (const ModeGroup& group : body.groups) {
     require(body, group.upper.size() == group.omega.size() && group.lower.size() == group.omega.size(),
             "omega, upper and lower of one length in each group");
@@ -51,6 +52,8 @@ std::size_t mode_count(const Body& body) {
   for (const ModeGroup& group : body.groups) count += group.omega.size();
   return count;
 }
+
+double whole_mass(const Body& body) { return body.mass + body.part.beyond; }
 
 Body with_modes(const Body& body, const std::vector<bool>& keep) {
   const std::size_t all = mode_count(body);

@@ -32,6 +32,9 @@ void add_modes(const Body& body, const Units& units, std::size_t first_row, Cont
   }
 }
 
+/// In this order it is m/2 to the last bit for equal bodies.
+double reduced(double first, double second) { return first * (second / (first + second)); }
+
 }  // namespace
 
 std::size_t shape_rows(const Body& body) {
@@ -46,6 +49,7 @@ Contact contact(std::shared_ptr<const Body> body, const Wall& wall) {
   Contact contact;
   contact.wall = wall;
   contact.mass = body->mass;
+  contact.whole_mass = whole_mass(*body);
   contact.extent = body->extent;
   contact.cutoff = body->cutoff;
   contact.stable_step = body->stable_step;
@@ -60,10 +64,9 @@ Contact contact(std::shared_ptr<const Body> first, std::shared_ptr<const Body> s
   validate(*second);
   require_partners(*first, *second);
   const Units units(*second, *first);
-  const double second_mass = second->mass * units.mass;
   Contact contact;
-  // In this order it is m/2 to the last bit for equal bodies.
-  contact.mass = first->mass * (second_mass / (first->mass + second_mass));
+  contact.mass = reduced(first->mass, second->mass * units.mass);
+  contact.whole_mass = reduced(whole_mass(*first), whole_mass(*second) * units.mass);
   contact.extent = first->extent + second->extent * units.length;
   contact.cutoff = std::max(first->cutoff, second->cutoff / units.time);
   contact.stable_step = std::min(first->stable_step, second->stable_step * units.time);
@@ -103,7 +106,8 @@ double own_compression(const Contact& contact, double approach) {
 }
 
 double longest_time(const Contact& contact) {
-  return contact.second == nullptr ? 1.0 : std::max(1.0, Units(*contact.second, *contact.first).time);
+  if (contact.second == nullptr) return contact.first->part.size;
+  return std::max(contact.first->part.size, contact.second->part.size * Units(*contact.second, *contact.first).time);
 }
 
 std::size_t mode_count(const Contact& contact) {
@@ -117,10 +121,12 @@ double modal_mass(const Contact& contact, std::size_t group) {
 }
 
 double highest_wave_number(const Contact& contact) {
-  const double second_length = contact.second == nullptr ? 1.0 : Units(*contact.second, *contact.first).length;
+  const double first = contact.first->part.size;
+  const double second =
+      contact.second == nullptr ? 1.0 : Units(*contact.second, *contact.first).length * contact.second->part.size;
   double highest = 0.0;
   for (std::size_t g = 0; g < contact.groups.size(); ++g) {
-    highest = std::max(highest, contact.groups[g].order / (g < contact.first_groups ? 1.0 : second_length));
+    highest = std::max(highest, contact.groups[g].order / (g < contact.first_groups ? first : second));
   }
   return highest;
 }
@@ -130,9 +136,9 @@ double time_scale(const Contact& contact) {
   const Units units(*contact.second, *contact.first);
   // Waves in flat-ended bodies run to and fro without spreading: the shorter body sets what has to be resolved.
   if (has_single_point(contact)) return std::min(1.0, units.time);
-  const double first_stiffness = contact.first->mass;
-  const double second_stiffness = contact.second->mass * units.mass / (units.time * units.time);
-  return std::sqrt(contact.mass * (1.0 / first_stiffness + 1.0 / second_stiffness));
+  const double first_stiffness = whole_mass(*contact.first);
+  const double second_stiffness = whole_mass(*contact.second) * units.mass / (units.time * units.time);
+  return std::sqrt(contact.whole_mass * (1.0 / first_stiffness + 1.0 / second_stiffness));
 }
 
 double unresolved_share(const Contact& contact) {

@@ -98,7 +98,7 @@ double expected_half_width(const Contact& contact, double speed) {
   const Touch met = touch(contact);
   if (contact.first->contour == Contour::ball) {
     // Hertz: the energy of the approach is (8/15) δ^{5/2}/(D √curvature), a² = δ/curvature.
-    const double energy = 0.5 * contact.mass * speed * speed;
+    const double energy = 0.5 * contact.whole_mass * speed * speed;
     const double approach = std::pow(1.875 * energy * met.softness * std::sqrt(met.curvature), 0.4);
     return std::sqrt(approach / met.curvature);
   }
@@ -106,7 +106,7 @@ double expected_half_width(const Contact& contact, double speed) {
   // tests/data/contact_hard_wall.csv.
   const double logarithm = std::log1p(1.0 / own_speed(contact, speed));
   const double force =
-      speed * std::sqrt(contact.mass / contact.first->mass / met.softness) / std::sqrt(1.0 + logarithm);
+      speed * std::sqrt(contact.whole_mass / whole_mass(*contact.first) / met.softness) / std::sqrt(1.0 + logarithm);
   return 2.0 * std::sqrt(force * met.softness / met.curvature);
 }
 

@@ -31,7 +31,9 @@ FixedResolution fix(const Contact& contact, double speed, const ImpactOptions& o
   if (options.start) require_start(*options.start, speed);
   const auto& [step, nodes, asked_half_width, tail] = options.resolution;
   if (step) {
-    require("step", *step, {5e-6, 1.0 / contact.cutoff, true, true, "5e-6 to 1/cutoff"},
+    const double least = 5e-6 * std::min(1.0, time_scale(contact));
+    require("step", *step,
+            {least, 1.0 / contact.cutoff, true, true, "5e-6 (of two bodies, less where they meet faster) to 1/cutoff"},
             "time step in R/c; 0.25/cutoff is usual");
   }
   if (asked_half_width) {

@@ -7,6 +7,7 @@
 #include "check.hpp"
 #include "impact/collision.hpp"
 #include "impact/fixed_resolution.hpp"
+#include "impact/whole_bodies.hpp"
 #include "stoss/errors.hpp"
 
 namespace stoss {
@@ -24,6 +25,7 @@ std::optional<Impact> run(const Contact& contact, double speed, const FixedResol
   if (options.poll) options.poll();
   const ContactGrid grid = contact_grid(contact, resolution.half_width, resolution.nodes);
   Collision collision(contact, options.resolution.tail, grid, speed, resolution.step, options.start, options.poll);
+  const WholeBodies whole(contact, collision.snapshot());
   const double flight = std::max(0.0, -(collision.snapshot().center + contact.extent)) + 4.0 * collision.clearance();
   const double longest = contact.first->contour == Contour::ball ? max_contact_time_of_balls : max_contact_time;
   const double steps = (longest * longest_time(contact) + flight / speed) / resolution.step;
@@ -42,6 +44,7 @@ std::optional<Impact> run(const Contact& contact, double speed, const FixedResol
       now.momentum = state.momentum;
       now.node_force = node_force;
     }
+    whole.show(now);
     observation.observer(now);
   };
   if (observation.observer) observe();
@@ -60,7 +63,9 @@ std::optional<Impact> run(const Contact& contact, double speed, const FixedResol
     }
     if (observation.observer && (step % observation.every == 0 || collision.over())) observe();
   }
-  return collision.result();
+  Impact result = collision.result();
+  whole.show(result);
+  return result;
 }
 
 }  // namespace

@@ -76,6 +76,10 @@ BodyFrame seen_by(const Contact& contact, const ContactGrid& grid, const Frame& 
   }
   BodyFrame seen;
   seen.body = of_second ? contact.second : contact.first;
+  if (seen.body->part.size < 1.0) {
+    throw InvalidInput("body: got number " + std::to_string(number) + " of '" + name(contact) + "', allowed " +
+                       std::to_string(1 - number) + " (of the larger body only the near side is computed)");
+  }
   const Units units = of_second ? Units(*contact.second, *contact.first) : Units{};
   seen.length = units.length;
   seen.stress = units.mass / (units.time * units.time);

@@ -8,7 +8,14 @@ namespace stoss {
 namespace {
 
 constexpr double unknown = std::numeric_limits<double>::infinity();
-constexpr double slow_order = 1.5;  // instants and peaks converge more slowly
+
+/// How the error of a quantity other than 1 − ε² follows from the differences of runs.
+struct Bar {
+  double order;   ///< at which it falls with the cutoff, at most
+  double safety;  ///< by which the greatest difference is multiplied
+};
+constexpr Bar rough{1.5, 4.0};   // an instant, and the peak of a force that jumps about
+constexpr Bar smooth{2.0, 6.0};  // what is integrated twice, or between two parts of the impulse
 
 /// Greatest difference of a quantity from the coarser runs, each scaled to what is left of it.
 template <typename Quantity>
@@ -25,33 +32,37 @@ double spread(const std::vector<Run>& runs, double order, Quantity quantity) {
 /// What 1 − ε² lacks at a cutoff, as shares of the unresolved energy.
 struct Missing {
   double share;  ///< which the modes above the cutoff would return
-  double noise;  ///< by which one run is off by chance
+  double doubt;  ///< by which one run may be off
 };
 
 /// @param cutoff over the time scale of the contact
 /// @param speed  of the faster body in its own wave speed
 Missing missing_on_a_line(double cutoff, double speed) {
-  constexpr double at_64 = 0.0115, cutoff_power = 0.8;
+  constexpr double at_64 = 0.0115, cutoff_power = 0.8, at_16 = 0.3;
   const double slow = std::clamp(std::pow(speed / 0.02, -0.1), 1.0, 1.7);
   const double fast = 1.0 / (1.0 + speed / 0.1);
-  const double calm = std::min(1.0, std::pow(speed / 1e-4, -0.3));
-  return {at_64 * std::pow(64.0 / cutoff, cutoff_power) * slow * fast, 0.2 * calm * std::pow(16.0 / cutoff, 2)};
+  const double calm = std::min(1.0, std::pow(speed / 1e-4, -0.25));
+  const double whole = at_64 * std::pow(64.0 / cutoff, cutoff_power) * slow, share = whole * fast;
+  const double noise = at_16 * calm * std::pow(16.0 / cutoff, 2.5);
+  // At high speed the errors have either sign: they are greater than their mean.
+  const double either = std::min(std::pow(speed / 0.33, 4), 3.5);
+  return {share, std::max(0.8 * share + noise, either * whole)};
 }
 
 /// The same where a circle touches. At low speed the loss is a wave of the speed (docs/theory/spheres.md), and what one
 /// run is off by falls no faster than the cutoff rises.
 Missing missing_of_balls(double cutoff, double speed) {
-  constexpr double at_64 = 0.045, cutoff_power = 0.6, doubt = 0.8;
+  constexpr double at_64 = 0.045, cutoff_power = 0.6, at_16 = 0.2;
   const double slow = std::clamp(std::pow(speed / 0.02, -0.1), 1.0, 1.7);
   const double fast = 1.0 / (1.0 + speed / 0.2);
   const double whole = at_64 * std::pow(64.0 / cutoff, cutoff_power) * slow, share = whole * fast;
   const double calm = std::max(std::min(std::pow(speed / 1e-3, -0.4), 16.0), std::pow(speed / 1e-3, -0.25));
   // At high speed the errors have either sign: they fall less than their mean.
-  return {share, std::max(0.2 * calm * 16.0 / cutoff, 0.6 * whole - doubt * share)};
+  return {share, std::max(0.8 * share + at_16 * calm * 16.0 / cutoff, 0.6 * whole)};
 }
 
 Estimate lost_on_a_growing_contact(const Contact& contact, double speed, const std::vector<Run>& runs, double order) {
-  constexpr double doubt = 0.8, safety = 3.0;
+  constexpr double safety = 3.0;
   const auto missing = contact.first->contour == Contour::ball ? missing_of_balls : missing_on_a_line;
   const double scale = time_scale(contact), own = own_speed(contact, speed);
   const auto corrected = [&](const Run& run) {
@@ -59,8 +70,7 @@ Estimate lost_on_a_growing_contact(const Contact& contact, double speed, const s
   };
   const Run& last = runs.back();
   const Missing lacks = missing(last.cutoff * scale, own);
-  return {corrected(last),
-          std::max((doubt * lacks.share + lacks.noise) * last.unresolved, safety * spread(runs, order, corrected))};
+  return {corrected(last), std::max(lacks.doubt * last.unresolved, safety * spread(runs, order, corrected))};
 }
 
 Estimate lost_at_a_point(const std::vector<Run>& runs, double order) {
@@ -70,10 +80,11 @@ Estimate lost_at_a_point(const std::vector<Run>& runs, double order) {
   return {last.lost_fraction, std::max(doubt * last.unresolved, safety * spread(runs, order, lost))};
 }
 
-Estimate slowly(const std::vector<Run>& runs, double order, double Run::*quantity, double least) {
-  constexpr double safety = 4.0;
+Estimate by_differences(const std::vector<Run>& runs, const Bar& bar, double highest_order, double Run::*quantity,
+                        double least) {
   const auto value = [quantity](const Run& run) { return run.*quantity; };
-  Estimate estimate{runs.back().*quantity, std::max(least, safety * spread(runs, order, value))};
+  const double order = std::min(bar.order, highest_order);
+  Estimate estimate{runs.back().*quantity, std::max(least, bar.safety * spread(runs, order, value))};
   // An error as large as the value leaves nothing of it.
   if (estimate.error >= std::abs(estimate.value)) estimate.error = unknown;
   return estimate;
@@ -83,22 +94,29 @@ Estimate slowly(const std::vector<Run>& runs, double order, double Run::*quantit
 
 double convergence_order(const Contact& contact) { return has_single_point(contact) ? 1.0 : 2.5; }
 
-void conclude(const Contact& contact, double speed, Restitution& result) {
-  constexpr double focus = 0.45;  // peaks of the force that a wave brings back are short
+void conclude(const Contact& contact, double speed, const CurvatureCorrection& correction, Restitution& result) {
+  constexpr double focus = 0.6;   // peaks of the force that a wave brings back are short
+  constexpr double turn = 0.008;  // share of the unresolved energy that may be missing at closest approach
   const std::vector<Run>& runs = result.runs;
   const Run& last = runs.back();
-  const double order = convergence_order(contact), slow = std::min(order, slow_order);
+  const bool at_a_point = has_single_point(contact);
+  const double order = convergence_order(contact);
   result.lost_fraction =
-      has_single_point(contact) ? lost_at_a_point(runs, order) : lost_on_a_growing_contact(contact, speed, runs, order);
+      at_a_point ? lost_at_a_point(runs, order) : lost_on_a_growing_contact(contact, speed, runs, order);
+  result.lost_fraction.error += neglected(correction, result.finest);
   const double lost = result.lost_fraction.value, error = result.lost_fraction.error;
   const double squared = std::max(0.0, 1.0 - lost);
   const double value = std::copysign(std::sqrt(squared), result.finest.restitution);
   result.restitution = {value, error / (std::sqrt(squared + error) + std::abs(value))};
-  // An instant is known to half a step at either end.
-  result.contact_time = slowly(runs, slow, &Run::contact_time, last.step);
-  result.impulse_time = slowly(runs, slow, &Run::impulse_time, last.step);
-  result.max_force = slowly(runs, slow, &Run::max_force, focus * std::sqrt(last.unresolved) * last.max_force);
-  result.max_compression = slowly(runs, order, &Run::max_compression, 0.0);
+  const auto estimate = [&](const Bar& bar, double Run::*quantity, double least) {
+    return by_differences(runs, bar, order, quantity, least);
+  };
+  // An instant is known to half a step at either end, and so are the parts of an impulse that begins with a jump.
+  result.contact_time = estimate(rough, &Run::contact_time, last.step);
+  result.impulse_time = estimate(smooth, &Run::impulse_time, at_a_point ? last.step : 0.0);
+  result.max_force = estimate(rough, &Run::max_force, focus * std::sqrt(last.unresolved) * last.max_force);
+  result.max_compression =
+      estimate(smooth, &Run::max_compression, turn * last.unresolved * std::abs(last.max_compression));
   result.converged = error <= std::max(result.tolerance * std::abs(lost), result.absolute);
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "restitution/curvature.hpp"
 #include "stoss/contact/contact.hpp"
 #include "stoss/restitution/restitution.hpp"
 
@@ -15,9 +16,13 @@ namespace stoss {
 /// given back. With the share s of U (`missing`), 1 − ε² is q − sU, and its error the greater of a part of U and of
 /// the differences from the coarser runs, scaled to what is left of them at the last cutoff:
 ///
-///   max(0.8 s U + n U, 3 max_j |q_j − q_k| (ω_j/ω_k)^{5/2}),   n the noise of a single run
-///   (s and n differ between lines and balls);
+///   max(0.8 s U + n U, e s₀ U, 3 max_j |q_j − q_k| (ω_j/ω_k)^{5/2}),   n the noise of a single run,
+///
+/// s₀ the share s without its fall at high speed and e = (v/0.33)⁴, at most 3.5; s and n of balls are others, with
+/// e = 0.6;
 ///   at one point of contact max(U/2, 6 max_j |q_j − q_k| ω_j/ω_k).
-void conclude(const Contact& contact, double speed, Restitution& result);
+///
+/// What the near side of a much larger body leaves out adds to the error.
+void conclude(const Contact& contact, double speed, const CurvatureCorrection& correction, Restitution& result);
 
 }  // namespace stoss

@@ -1,8 +1,9 @@
 #include "stoss/restitution/ladder.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
+#include <limits>
+#include <map>
 #include <mutex>
 #include <numbers>
 #include <optional>
@@ -10,6 +11,7 @@
 
 #include "check.hpp"
 #include "contact/units.hpp"
+#include "digits.hpp"
 #include "stoss/errors.hpp"
 
 namespace stoss {
@@ -23,61 +25,128 @@ constexpr int fewest_levels = 10;  // for an error
 
 double cutoff_at(int level) { return 4.0 * std::numbers::sqrt2 * std::exp2(0.25 * level); }
 
-/// What meets, without modes.
+/// The near side of a body stands for it where the whole has at least twice its size, as it is faster to compute from
+/// there on (to a tolerance of 1e-3), or where the whole has too many modes.
+constexpr double least_surplus = 2.0;
+
+/// Least size of the part, in what waves of the speed c travel within time_scale.
+constexpr double least_size = 16.0;
+
+/// Time until its first echo, over time_scale, of a part in which pressure waves are much faster; else it is longer, 60
+/// at ν = 0.33. A contact lasts 6 to 8 times time_scale at v > 0.01, and 14 times at 1e-8.
+constexpr double least_echo = 36.0;
+
+/// Two bodies that meet.
+struct Pair {
+  BodyMaker first, second;
+  Contact probe;                               // without modes
+  double first_size = 1.0, second_size = 1.0;  // of the parts that are computed
+};
+
 Contact probed(const BodyMaker& first, const BodyMaker& second) {
   Body one = first(least_cutoff, {});
   const Units units(second(least_cutoff, {}), one);
   return contact(std::move(one), second(least_cutoff * units.time, {}));
 }
 
+/// @param unit of time of the body, over time_scale
+double computed_size(const Body& body, double unit) {
+  if (!body.near_side) return 1.0;
+  const double largest = body.highest_cutoff / cutoff_at(fewest_levels - 1) / unit;
+  const double echo = body.near_side(1.0, least_cutoff, {}).part.echo;
+  const double size = std::min(std::max(least_size, least_echo / echo) / unit, largest);
+  return size < (largest < 1.0 ? 1.0 : 1.0 / least_surplus) ? size : 1.0;
+}
+
+Pair pair_of(const BodyMaker& first, const BodyMaker& second) {
+  Pair pair{first, second, probed(first, second)};
+  const double unit = time_scale(pair.probe);
+  pair.first_size = computed_size(*pair.probe.first, 1.0 / unit);
+  pair.second_size = computed_size(*pair.probe.second, Units(*pair.probe.second, *pair.probe.first).time / unit);
+  return pair;
+}
+
+/// The part of a body, or the body.
+Body made(const BodyMaker& maker, const Body& probe, double size, double cutoff, const Poll& poll) {
+  return size < 1.0 ? probe.near_side(size, cutoff, poll) : maker(cutoff, poll);
+}
+
+/// @param stretch of the part, where there is one; it ends with the whole
+Contact contact_of(const Pair& pair, double cutoff, double stretch, const Poll& poll) {
+  const auto size = [stretch](double usual) { return usual < 1.0 ? std::min(usual * stretch, 1.0) : 1.0; };
+  const double time = Units(*pair.probe.second, *pair.probe.first).time;
+  return contact(made(pair.first, *pair.probe.first, size(pair.first_size), cutoff, poll),
+                 made(pair.second, *pair.probe.second, size(pair.second_size), cutoff * time, poll));
+}
+
+/// Highest cutoff of both bodies, c/R of the first.
+double highest_cutoff(const Pair& pair) {
+  const Body &one = *pair.probe.first, &other = *pair.probe.second;
+  return std::min(one.highest_cutoff / pair.first_size,
+                  other.highest_cutoff / pair.second_size / Units(other, one).time);
+}
+
 }  // namespace
 
 struct RefinableContact::Levels {
-  BodyMaker first, second;
-  double unit = 1.0;  // of the cutoffs
+  BodyMaker body;            // at a wall
+  std::optional<Pair> pair;  // or two
+  double unit = 1.0;         // of the cutoffs
   int highest = levels - 1;
   std::mutex mutex;
-  std::array<std::optional<Contact>, levels> contacts;
+  std::map<std::pair<double, double>, Contact> contacts;  // by cutoff and stretch
 };
 
 RefinableContact::RefinableContact(BodyMaker body) : levels_(std::make_shared<Levels>()) {
   if (!body) throw InvalidInput("body: got no function that makes it, allowed one, such as disk(poisson)");
-  levels_->first = std::move(body);
+  levels_->body = std::move(body);
 }
 
 RefinableContact::RefinableContact(BodyMaker first, BodyMaker second) : RefinableContact(std::move(first)) {
   if (!second) throw InvalidInput("against: got no function that makes the body, allowed one, such as disk(poisson)");
-  const Contact probe = probed(levels_->first, second);
-  const Body &one = *probe.first, &other = *probe.second;
-  levels_->unit = 1.0 / time_scale(probe);
-  const double most = std::min(one.highest_cutoff, other.highest_cutoff / Units(other, one).time) / levels_->unit;
+  const Pair& pair = levels_->pair.emplace(pair_of(levels_->body, second));
+  levels_->unit = 1.0 / time_scale(pair.probe);
+  const double most = highest_cutoff(pair) / levels_->unit;
   while (levels_->highest >= 0 && cutoff_at(levels_->highest) > most) --levels_->highest;
   if (levels_->highest + 1 < fewest_levels) {
-    throw InvalidInput(
-        "against: got '" + other.name + "' for '" + one.name +
-        "', allowed a body whose R/c is up to some 50 times that of the other (more modes than are computed)");
+    throw InvalidInput("against: got '" + pair.probe.second->name + "' for '" + pair.probe.first->name +
+                       "', allowed a body whose R/c is up to some 50 times that of the other (more modes than are "
+                       "computed)");
   }
-  levels_->second = std::move(second);
 }
 
 int RefinableContact::highest_level() const { return levels_->highest; }
 
 double RefinableContact::cutoff(int level) const { return cutoff_at(level) * levels_->unit; }
 
+double RefinableContact::part() const {
+  return levels_->pair ? std::min(levels_->pair->first_size, levels_->pair->second_size) : 1.0;
+}
+
 const Contact& RefinableContact::at(int level, const Poll& poll) const {
   require("level", static_cast<long>(level), 0, highest_level(), "of refinement");
+  return at(cutoff(level), 1.0, poll);
+}
+
+const Contact& RefinableContact::at(double cutoff, double stretch, const Poll& poll) const {
   const std::lock_guard lock(levels_->mutex);
-  std::optional<Contact>& made = levels_->contacts[static_cast<std::size_t>(level)];
-  if (!made) {
-    made = levels_->second ? contact(levels_->first, levels_->second, cutoff(level), poll)
-                           : contact(levels_->first(cutoff(level), poll));
-  }
-  return *made;
+  const std::pair key(cutoff, stretch);
+  const auto known = levels_->contacts.find(key);
+  if (known != levels_->contacts.end()) return known->second;
+  Contact contact =
+      levels_->pair ? contact_of(*levels_->pair, cutoff, stretch, poll) : stoss::contact(levels_->body(cutoff, poll));
+  return levels_->contacts.emplace(key, std::move(contact)).first->second;
 }
 
 Contact contact(const BodyMaker& first, const BodyMaker& second, double cutoff, const Poll& poll) {
-  const Contact probe = probed(first, second);
-  return contact(first(cutoff, poll), second(cutoff * Units(*probe.second, *probe.first).time, poll));
+  const Pair pair = pair_of(first, second);
+  if (pair.first_size == 1.0 && pair.second_size == 1.0) return contact_of(pair, cutoff, 1.0, poll);
+  const double most = highest_cutoff(pair);
+  constexpr double smallest = 0.5;
+  constexpr double none = std::numeric_limits<double>::min();
+  require("cutoff", cutoff, {none, most / smallest, true, true, "above 0 to " + shown(most / smallest)},
+          "highest frequency in c/R of the first body; the larger one has more modes than are computed");
+  return contact_of(pair, cutoff, std::min(1.0, most / cutoff), poll);
 }
 
 }  // namespace stoss

@@ -10,6 +10,7 @@
 
 #include "check.hpp"
 #include "impact/refined_resolution.hpp"
+#include "restitution/curvature.hpp"
 #include "restitution/error_bar.hpp"
 
 namespace stoss {
@@ -116,12 +117,14 @@ Restitution restitution(const RefinableContact& contact, double speed, const Res
   result.absolute = options.absolute;
   std::optional<Bar> first;
   Outlook next{first_rungs.front(), 0.0, 0.0, true};
+  const CurvatureCorrection correction = curvature_correction(contact, speed, options.poll);
   std::string trouble;
   for (int level = 0; level <= highest && next.worthwhile; level += next.rungs) {
     if (options.attempt_observer) options.attempt_observer({contact.cutoff(level), result.lost_fraction});
     const Resolution fine = refined_resolution(contact.at(level, options.poll), speed, result.finest.max_half_width);
     try {
       result.finest = impact(contact.at(level), speed, {.resolution = fine, .poll = options.poll});
+      correct(correction, contact.at(level), result.finest);
     } catch (const NotConverged& error) {  // too coarse, perhaps
       trouble = error.what();
       continue;
@@ -133,14 +136,16 @@ Restitution restitution(const RefinableContact& contact, double speed, const Res
       next.rungs = first_rungs[result.runs.size() - 1];
       continue;
     }
-    conclude(contact.at(level), speed, result);
+    conclude(contact.at(level), speed, correction, result);
     if (result.converged) return result;
+    trouble = out_of_reach(correction, result);
+    if (!trouble.empty()) break;
     if (!first) first = Bar{result.runs.back().cutoff, relative_error(result)};
     next = outlook(result, *first, order, contact.cutoff(highest));
     if (level < highest) next.rungs = std::min(next.rungs, highest - level);
   }
   if (result.runs.size() < 2) throw NotConverged(trouble);
-  conclude(contact.at(0), speed, result);
+  conclude(contact.at(0), speed, correction, result);
   if (result.lost_fraction.error > 1.0) result.lost_fraction.error = result.restitution.error = unknown;
   result.converged = false;  // two or three runs that agree are not enough
   result.reason = trouble.empty() ? beyond_reach(next, contact.cutoff(highest)) : trouble;

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import matplotlib
 import numpy as np
+import stoss
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from numpy.typing import NDArray
 
-from stoss._result import shown
 from stoss.plot import _style
 from stoss.plot._style import BLACK, BLUE, COLORS, GREEN, GREY, LINES, MARKERS, ORANGE, PRINT, PURPLE, SKY, VERMILION
 from stoss.plot._style import legend, small_ticks
@@ -46,7 +46,7 @@ def axes_of(
 
 def measured(value: float, error: float | None = None) -> str:
     """A value with the digits that its error leaves it: '0.94704 ± 0.00005'."""
-    return shown(float(value), None if error is None else float(error)).replace("-", "−")
+    return stoss.with_error(float(value), None if error is None else float(error)).replace("-", "−")
 
 
 def written(value: float, digits: int = 4) -> str:

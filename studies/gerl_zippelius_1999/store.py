@@ -23,18 +23,19 @@ from typing import Callable
 
 import numpy as np
 import stoss
-from stoss import _core
 
 from gerl_zippelius_1999.common import Table, Tables
 
 PACKAGE = Path(__file__).parent
 LIST = "item.json"
+LOADED = {".py", ".so", ".pyd"}  # what Python loads of a package
 
 
 def item_key(item: str, quick: bool) -> str:
     """Hash of all that the tables depend on: the item, its imports from the study, and stoss."""
     digest = hashlib.sha256(f"{stoss.__version__} {quick}\n".encode())
-    for path in (*_sources(item), *sorted(Path(stoss.__file__).parent.glob("*.py")), Path(_core.__file__)):
+    package = Path(stoss.__file__).parent
+    for path in (*_sources(item), *sorted(path for path in package.iterdir() if path.suffix in LOADED)):
         digest.update(path.name.encode() + path.read_bytes())
     return digest.hexdigest()
 

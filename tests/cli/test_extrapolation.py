@@ -25,7 +25,7 @@ def test_meets_the_hard_wall_within_its_error(stoss):
 
 def test_json_has_every_impact_and_the_intercepts(stoss):
     document = json.loads(stoss.run(f"{ONE} --format json").stdout)
-    assert document["schema"] == "stoss/extrapolation/1"
+    assert document["schema"] == "stoss/extrapolation/2"
     assert document["inputs"]["method"] == "extrapolate"
     assert "tolerance" not in document["inputs"]
     (record,) = document["records"]

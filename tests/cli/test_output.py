@@ -166,7 +166,7 @@ def test_a_long_value_shows_what_it_has_come_to(stoss, more):
     terminal, end = pty.openpty()
     # Several seconds of work; it is interrupted as soon as it has said something.
     command = stoss.start(
-        f"restitution --poisson 0.9 --speed 0.1448 --tolerance 7.6e-5 {more}", stdout=subprocess.DEVNULL, stderr=end
+        f"restitution --poisson -0.95 --speed 1 --tolerance 1e-4 {more}", stdout=subprocess.DEVNULL, stderr=end
     )
     os.close(end)
     text, shown = "", False

@@ -2,11 +2,10 @@
 
 import json
 import math
-import signal
 import subprocess
 
 import pytest
-from conftest import number, resume, rows, wait_for_rows
+from conftest import number, rows
 
 DISK = "restitution --poisson 0.33 --speed 0.2"
 STEEL = "--poisson 0.3 --young 2.1e11 --density 7850 --radius 0.01"
@@ -21,6 +20,14 @@ PAIR_IMPACT = "impact --poisson 0.33 --speed 0.2 --cutoff 25 --against disk,radi
 def test_disks_agree_with_finite_elements(stoss, against, known, uncertainty):
     (row,) = stoss.data(DISK, "--against", against)
     assert abs(number(row, "lost_fraction") - known) <= number(row, "lost_fraction_error") + uncertainty
+
+
+# Finite elements of a disk on a half-plane: 0.67529(1).
+def test_a_disk_of_thousand_times_the_radius_is_a_half_plane(stoss):
+    (row,) = stoss.data("restitution --poisson 0.33 --speed 0.1 --against disk,radius=1000")
+    assert abs(number(row, "lost_fraction") - 0.67529) <= number(row, "lost_fraction_error") + 1e-5
+    lost = number(row, "lost_to_first") + number(row, "lost_to_second")
+    assert lost == pytest.approx(number(row, "lost_fraction"), abs=1e-3)
 
 
 @pytest.mark.parametrize("against", ["same", "disk", "disk,poisson=0.33,radius=1,young=1,density=1"])
@@ -132,104 +139,7 @@ def test_inputs_describe_both(stoss):
     assert (soft["against"], soft["against_hardness"], soft["against_strength"]) == ("exponential", 300, 1)
 
 
-REFUSED = [
-    ("dsk,radius=2", "against", "did you mean disk?"),
-    ("wall,radius=2", "against", "none with wall"),
-    ("same,radius=2", "against", "none with same"),
-    ("disk,raduis=2", "against", "did you mean radius?"),
-    ("disk,length=2", "against", "allowed poisson, radius, young, density with disk"),
-    ("disk,", "against", "''"),
-    (",", "against", "''"),
-    ("disk,radius", "against", "allowed radius=NUMBER"),
-    ("disk,radius=2,radius=2", "against", "twice"),
-    ("disk,radius=", "against radius", "''"),
-    ("disk,radius=nan", "against radius", "'nan'"),
-    ("disk,radius=1e400", "against radius", "1e400"),
-    ("disk,radius=2=3", "against radius", "2=3"),
-    ("disk,radius=0", "against radius", "0"),
-    ("disk,young=-1", "against young", "-1"),
-    ("disk,density=-1", "against density", "-1"),
-    ("disk,poisson=1", "against poisson", "1"),
-    ("disk,radius=60", "against", "some 50 times"),
-    ("disk,radius=1e4", "radius ratio", "10000"),
-    ("disk,young=1e4", "young ratio", "10000"),
-    ("rod", "against", "a disk meets disks"),
-    ("exponential", "against", "exponential"),
-]
-
-
-@pytest.mark.parametrize("against, name, said", REFUSED)
-def test_refusals(stoss, tmp_path, against, name, said):
-    path = tmp_path / "x.csv"
-    path.write_text("precious")
-    result = stoss.run(DISK, f"-o {path} --against", against)
-    assert (result.returncode, result.stdout, path.read_text()) == (3, "", "precious")
-    (line,) = result.stderr.splitlines()
-    assert line.startswith(f"stoss: error: {name}: got ") and said in line and "allowed" in line
-    if against not in ("exponential", "disk,radius=60"):
-        other = stoss.run("impact --poisson 0.33 --speed 0.2 --cutoff 20 --against", against)
-        assert other.returncode == 3 and name in other.stderr and said in other.stderr
-
-
-@pytest.mark.parametrize(
-    "arguments, name, said",
-    [
-        (f"{STEEL} --against disk,radius=2", "against", "without young"),
-        (f"{STEEL} --against disk,young=1e9,density=1e3,radius=-1", "against radius", "-1"),
-        (f"{STEEL} --against disk,young=1e9,density=1e3,radius=0.01,poisson=0.5", "against poisson", "0.5"),
-        ("--body rod --poisson 0.3", "poisson", "--body rod"),
-        ("--body rod --young 1e9", "young", "--body rod"),
-        ("--body rod --plane strain", "plane", "--body rod"),
-        ("--body rod --against disk", "against", "a disk meets disks"),
-        ("--body rod --against rod,area=0", "against area", "0"),
-        ("--poisson 0.3 --against same --method extrapolate", "against", "extrapolate"),
-        ("--body rod --method extrapolate", "against", "extrapolate"),
-    ],
-)
-def test_what_does_not_go_together(stoss, arguments, name, said):
-    result = stoss.run("restitution --speed 1", arguments)
-    assert (result.returncode, result.stdout) == (3, "")
-    (line,) = result.stderr.splitlines()
-    assert line.startswith(f"stoss: error: {name}: got ") and said in line and "allowed" in line
-
-
 def test_spaces_around_keys_and_numbers_do_not_count(stoss):
     command = [stoss.path, *DISK.split(), "--against", " disk , radius = 2 ", "--format", "csv"]
     text = subprocess.run(command, capture_output=True, text=True).stdout
     assert rows(text) == stoss.data(DISK, "--against disk,radius=2")
-
-
-@pytest.mark.parametrize("number_of_signal", [signal.SIGINT, signal.SIGKILL])
-def test_interrupted_or_killed_and_resumed(stoss, tmp_path, number_of_signal):
-    path = tmp_path / "curve.csv"
-    job = "restitution --poisson 0.33,0.2 --speed log:0.01:0.2:40 --tolerance 1e-2 --against disk,radius=2"
-    command = stoss.start(f"{job} --threads 1 --resume {path}", stderr=subprocess.DEVNULL)
-    wait_for_rows(command, path, 3)
-    command.send_signal(number_of_signal)
-    assert command.wait(timeout=60) == (130 if number_of_signal == signal.SIGINT else -signal.SIGKILL)
-    assert resume(stoss, path, job).returncode == 0
-    assert rows(path.read_text()) == rows(stoss.run(job, "--format csv").stdout)
-
-
-@pytest.mark.parametrize(
-    "bodies, others",
-    [
-        (
-            "--poisson 0.33 --against disk,radius=2",
-            ["--poisson 0.33 --against disk,radius=2.5", "--poisson 0.33 --against same", "--poisson 0.33", "--body rod"],
-        ),
-        ("--body rod --against rod,length=2.5", ["--body rod --against same", "--body rod", "--poisson 0.33"]),
-    ],
-)
-def test_resume_keeps_to_the_bodies(stoss, tmp_path, bodies, others):
-    path = tmp_path / "curve.csv"
-    job = "restitution --speed 0.1,0.2 --tolerance 0.1"
-    whole = stoss.run(job, bodies, "--format csv").stdout
-    path.write_text(whole[: whole.rindex("\n", 0, -1) + 1])
-    before = path.read_text()
-    for other in others:
-        result = resume(stoss, path, f"{job} {other}")
-        assert result.returncode == 3 and "another job needs another file" in result.stderr
-        assert path.read_text() == before
-    assert resume(stoss, path, f"{job} {bodies}").returncode == 0
-    assert rows(path.read_text()) == rows(whole)

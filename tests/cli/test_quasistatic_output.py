@@ -28,7 +28,7 @@ def test_formats_agree(stoss, job, columns):
     table = rows(text)
     assert list(table[0]) == columns
     document = json.loads(stoss.run(job, "--format json --quiet").stdout)
-    assert document["schema"] == "stoss/quasistatic/1" and document["complete"] is True
+    assert document["schema"] == "stoss/quasistatic/2" and document["complete"] is True
     assert document["inputs"]["law"] == "center" and "modes" not in document
     units = {name.partition("[")[0]: name[name.index("[") + 1 : -1] for name in columns if "[" in name}
     assert document["units"] == units

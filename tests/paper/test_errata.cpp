@@ -22,7 +22,6 @@
 namespace stoss {
 using namespace bodies::disk;
 using namespace quasistatic;
-
 namespace {
 
 using std::numbers::pi;

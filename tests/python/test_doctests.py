@@ -21,7 +21,7 @@ def test_examples(name, tmp_path, monkeypatch):
     matplotlib.use("Agg")
     monkeypatch.chdir(tmp_path)
     module = importlib.import_module(name)
-    names = {"stoss": stoss, "np": np, "shown": getattr(module, "shown", None)}
+    names = {"stoss": stoss, "np": np}
     found = doctest.testmod(module, extraglobs=names, optionflags=doctest.NORMALIZE_WHITESPACE | doctest.ELLIPSIS)
     plt.close("all")
     assert found.failed == 0

@@ -33,7 +33,7 @@ LONG = {
     "modes": "stoss.modes(poisson=0.33, cutoff=1000)",
     "body": "stoss.impact(poisson=0.33, speed=0.1, cutoff=1000)",
     "bodies": "stoss.extrapolated_restitution(poisson=0.33, speed=0.1, cutoffs=[900, 950, 1000])",
-    "1024 nodes": "stoss.impact(poisson=0.33, speed=0.1, nodes=1024)",
+    "2048 nodes": "stoss.impact(poisson=0.33, speed=0.1, nodes=2048)",
     "4096 nodes": "stoss.impact(poisson=0.33, speed=0.1, nodes=4096)",
     "4096 nodes, static tail": "stoss.impact(poisson=0.33, speed=0.1, nodes=4096,"
     " against=stoss.HardWall(tail='static'))",

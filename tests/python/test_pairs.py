@@ -24,8 +24,9 @@ def test_values_are_those_of_finite_elements(references):
         second = stoss.Disk(**{name: row[f"{name}2"] for name in ("poisson", "radius", "young", "density")})
         found = stoss.restitution(ONE, against=second, speed=row["speed"])
         assert abs(found.lost_fraction - row["lost_fraction"]) < 2 * (row["uncertainty"] + found.lost_fraction_error)
-        for name, within in (("contact_time", 2e-3), ("max_compression", 2e-3)):
-            assert getattr(found, name) == pytest.approx(row[name], rel=within)
+        assert found.contact_time == pytest.approx(row["contact_time"], abs=found.contact_time_error)
+        assert found.contact_time_error < 0.02 * found.contact_time
+        assert found.max_compression == pytest.approx(row["max_compression"], rel=1e-4)
         assert found.lost_to_first + found.lost_to_second == pytest.approx(found.lost_fraction, abs=3e-3)
 
 
@@ -118,7 +119,8 @@ def test_ledger_and_trajectory(pair):
     assert pair.lost_to_first >= of_each[0] and pair.lost_to_second >= of_each[1]
     assert pair.lost_to_first + pair.lost_to_second == pytest.approx(pair.vibration + pair.unresolved, abs=1e-12)
     path = pair.trajectory()
-    assert path.center[0] == pytest.approx(-3.0, abs=1e-12) and path.velocity[0] == pair.speed
+    # It starts at most two steps in front of the touch.
+    assert -2 * pair.step * pair.speed < path.center[0] + 3.0 < 0 and path.velocity[0] == pair.speed
     assert path.velocity[-1] == pytest.approx(-pair.restitution * pair.speed, rel=1e-14)
     mass = 1 / (1 + 1 / 8)  # reduced, in that of the first
     momentum = np.sum(0.5 * (path.force[1:] + path.force[:-1]) * np.diff(path.time))
@@ -146,7 +148,8 @@ def test_field_of_both(pair):
     assert (centers[0] - centers[1])[1:3] == pytest.approx(apart, abs=1e-12)
     # Before, they fly as they were made.
     before = pair.field(time=-1.0, radius=[1.0], angle=[0.0], of=1)
-    assert before.x[0, 0] == pytest.approx(0.2 / 9, abs=1e-12) and before.von_mises.max() == 0
+    ahead = -3.0 - pair.trajectory().center[0]  # of the touch, at the start
+    assert before.x[0, 0] == pytest.approx((0.2 + ahead) / 9, abs=1e-12) and before.von_mises.max() == 0
 
 
 def test_both_surfaces_meet_and_press_alike(pair):
@@ -156,7 +159,7 @@ def test_both_surfaces_meet_and_press_alike(pair):
     inside = first.y[0] < 0.8 * first.contact_half_width
     there = np.interp(first.y[0], second.y[0], second.x[0])
     assert np.abs(first.x[0] - there)[inside].max() < 1e-3  # the radiating tail's inertia is left out
-    assert second.stress_rr[0, 0] == pytest.approx(first.stress_rr[0, 0], rel=2e-3)
+    assert second.stress_rr[0, 0] == pytest.approx(first.stress_rr[0, 0], rel=3e-3)
     # Each carries the whole force: pressure on its own edge, with the same unit.
     for of, size in ((0, 1.0), (1, 2.0)):
         edge = pair.field(time=time, radius=1, angle=np.linspace(-0.7, 0.7, 4001), of=of)
@@ -191,8 +194,8 @@ def test_refusals():
     for call in (stoss.restitution, stoss.impact):
         with pytest.raises(stoss.InvalidInput, match="^radius ratio: got 0.0001, allowed"):
             call(ONE, against=stoss.Disk(poisson=0.3, radius=1e-4), speed=0.1)
-    with pytest.raises(stoss.InvalidInput, match="^against: got .*, allowed a body whose R/c is up to some 50 times"):
-        stoss.restitution(ONE, against=stoss.Disk(poisson=0.3, radius=900.0), speed=0.1)
+    with pytest.raises(stoss.InvalidInput, match="^body: got number 1 .*, allowed 0 .*near side"):
+        stoss.impact(ONE, against=stoss.Disk(poisson=0.3, radius=900.0), speed=0.1, cutoff=6).field(time=1, of=1)
     with pytest.raises(stoss.InvalidInput, match="^of: got 1, allowed 0 .a wall has no field"):
         stoss.impact(ONE, speed=0.1, cutoff=6).field(time=1, of=1)
     with pytest.raises(stoss.InvalidInput, match="^of: got 2, allowed 0 or 1"):

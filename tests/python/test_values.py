@@ -54,7 +54,7 @@ def test_restitution_is_that_of_finite_elements(references):
 def test_contact_is_that_of_finite_elements(references):
     for row in references("contact_hard_wall.csv"):
         hit = stoss.impact(poisson=row["poisson"], speed=row["speed"])
-        assert hit.contact_time == pytest.approx(row["contact_time"], abs=row["contact_time_uncertainty"] + hit.step)
+        assert hit.contact_time == pytest.approx(row["contact_time"], abs=row["contact_time_uncertainty"] + 2 * hit.step)
         assert hit.max_compression == pytest.approx(row["max_compression"], rel=3e-4)
         # The references are averaged over 0.05 R/c, and a node more or less is in contact.
         assert hit.max_force == pytest.approx(row["max_force_over_piRE"], rel=0.01)
@@ -189,13 +189,17 @@ def test_energy_ledger(hit):
 def test_trajectory_is_the_impact(hit):
     path = hit.trajectory()
     assert len(path) == hit.steps + 1
-    assert (path.time[0], path.center[0], path.velocity[0]) == (0, -1, hit.speed)
+    # It starts less than a step in front of the contact grid's first touch.
+    assert (path.time[0], path.velocity[0]) == (0, hit.speed)
+    assert -1 - 2 * hit.step * hit.speed < path.center[0] < -1
     assert path.time[-1] == pytest.approx(hit.steps * hit.step, rel=1e-14)
     assert path.velocity[-1] == pytest.approx(-hit.restitution * hit.speed, rel=1e-14)
     assert (path.vibration[-1], path.unresolved[-1]) == pytest.approx((hit.vibration, hit.unresolved), abs=1e-14)
-    assert 1 + path.center.max() == pytest.approx(hit.max_compression, rel=1e-12)
+    # Compression counts from the touch of the continuous surface, a part of the spacing of the nodes before.
+    spacing = hit.half_width / hit.nodes
+    assert 0 < hit.max_compression - (1 + path.center.max()) < spacing**2 / 20
     assert path.force.max() == pytest.approx(hit.max_force, rel=1e-3)
-    assert path.contact_half_width.max() == hit.max_half_width
+    assert path.contact_half_width.max() == pytest.approx(hit.max_half_width, rel=1e-3)
     touching = path.time[path.force > 0]
     assert np.ptp(touching) == pytest.approx(hit.contact_time, abs=2 * hit.step)
     # Force is m dv/dt, and m is 1 in these units.
@@ -237,7 +241,8 @@ def test_field_is_elasticity(hit):
     assert abs(free.stress_rr).max() < 0.01 * abs(near.stress_rr).max()
     # Before, the disk flies as it was made.
     before = hit.field(time=-2, radius=[0, 0.5, 1], angle=[0, 1, 2])
-    assert before.x == pytest.approx(-1 - 2 * hit.speed + np.outer([0, 0.5, 1], np.cos([0, 1, 2])), abs=1e-14)
+    start = hit.trajectory().center[0]
+    assert before.x == pytest.approx(start - 2 * hit.speed + np.outer([0, 0.5, 1], np.cos([0, 1, 2])), abs=1e-14)
     assert before.von_mises.max() == 0 and before.force == 0
 
 

@@ -14,6 +14,15 @@ namespace {
 
 const double lowest = 4.0 * std::sqrt(2.0);
 
+/// A disk whose near side is not known.
+BodyMaker only_whole(double poisson, double radius) {
+  return [maker = disk(Disk{poisson, radius, 1.0, 1.0})](double cutoff, const Poll& poll) {
+    Body body = maker(cutoff, poll);
+    body.near_side = nullptr;
+    return body;
+  };
+}
+
 TEST(Ladder, AtAWallRisesByFourthRootsOfTwo) {
   const RefinableContact wall(disk(0.33));
   EXPECT_EQ(wall.highest_level(), 24);
@@ -46,11 +55,24 @@ TEST(Ladder, OfAPairIsOneLadderOfFrequenciesWhoeverIsFirst) {
 TEST(Ladder, EndsWhereTheLargerBodyHasMoreModesThanAreComputed) {
   for (const double radius : {5.0, 20.0, 40.0}) {
     const RefinableContact pair(disk(0.33), disk(Disk{0.33, radius, 1.0, 1.0}));
+    EXPECT_EQ(pair.part(), 1.0);
     const int highest = pair.highest_level();
     EXPECT_LT(highest, 24) << radius;
     EXPECT_GE(highest, 9) << radius;
     EXPECT_LE(pair.cutoff(highest) * radius, 1000.0) << radius;
     EXPECT_GT(pair.cutoff(highest + 1) * radius, 1000.0) << radius;
+  }
+}
+
+TEST(Ladder, OfMuchLargerOrSlowerDisksTakesTheirNearSide) {
+  for (const Disk& second : {Disk{0.33, 46.0, 1.0, 1.0}, Disk{0.33, 1000.0, 1.0, 1.0}, Disk{0.33, 1000.0, 1e-3, 1e3}}) {
+    const RefinableContact pair(disk(0.33), disk(second)), swapped(disk(second), disk(0.33));
+    EXPECT_LT(pair.part(), 0.5) << second.radius;
+    EXPECT_NEAR(swapped.part() / pair.part(), 1.0, 1e-12);
+    EXPECT_EQ(swapped.highest_level(), pair.highest_level());
+    EXPECT_EQ(pair.at(0).second->part.size, pair.part());
+    EXPECT_EQ(swapped.at(0).first->part.size, swapped.part());
+    EXPECT_EQ(pair.at(0).first->part.size, 1.0);
   }
 }
 
@@ -69,12 +91,8 @@ TEST(Ladder, RefusesBodiesThatItCannotRefine) {
   test::expect_refusal([] { RefinableContact none{BodyMaker{}}; }, {"body"});
   test::expect_refusal([] { RefinableContact none(disk(0.33), BodyMaker{}); }, {"against"});
   test::expect_refusal([] { RefinableContact none(disk(0.33), rod()); }, {"against", "rod", "disk"});
-  test::expect_refusal(
-      [] {
-        RefinableContact none(disk(0.33), disk(Disk{0.33, 60.0, 1.0, 1.0}));
-      },
-      {"against", "radius=60", "50"});
-  test::expect_refusal([] { RefinableContact none(disk(Disk{0.33, 60.0, 1.0, 1.0}), disk(0.33)); }, {"against", "50"});
+  test::expect_refusal([] { RefinableContact none(only_whole(0.33, 1.0), only_whole(0.33, 60.0)); },
+                       {"against", "radius=60", "50"});
 }
 
 }  // namespace

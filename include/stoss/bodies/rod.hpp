@@ -1,6 +1,7 @@
 #pragma once
 
 #include "stoss/body/body.hpp"
+#include "stoss/material.hpp"
 
 namespace stoss {
 
@@ -21,6 +22,10 @@ struct Rod {
 
 /// A rod by itself. @param cutoff c/L, from π to 1e6
 [[nodiscard]] Body rod(double cutoff);
+
+/// SI values of the units of a rod that is given in SI: L, c = √(E/ρ), L/c, c/L, and the force EA.
+/// @throws InvalidInput for a size or material that is not positive and finite
+[[nodiscard]] Scales scales(const Rod& rod);
 
 /// Makes rods at any cutoff, for `restitution`, which chooses the cutoffs.
 [[nodiscard]] BodyMaker rod(const Rod& rod = {});

@@ -75,6 +75,14 @@ struct Sampling {
   int fewest = 64;          ///< recommended for one impact by itself
 };
 
+/// What of a body is there: all of it, or only its near side, which answers as the whole does until waves are back from
+/// where it ends (docs/theory/pairs.md).
+struct BodyPart {
+  double size = 1.0;    ///< of the part beside the body; the orders of the modes count waves around the part
+  double beyond = 0.0;  ///< mass of the body that does not belong to the part: Body::mass and this are its whole mass
+  double echo = std::numeric_limits<double>::infinity();  ///< after which the part is no longer like the body, R/c
+};
+
 /// An elastic body by itself, with its modes up to a cutoff: all that a contact needs to know of it, in its own units
 /// (for a disk R = c = ρ = 1). Motion is along the axis, towards what it meets. A new body is a function that fills
 /// this structure (docs/architecture.md).
@@ -93,6 +101,7 @@ struct Body {
   double stable_step = std::numeric_limits<double>::infinity();
   Sampling sampling{};            ///< of a contact with more than a single point
   std::vector<ModeGroup> groups;  ///< kept modes
+  BodyPart part;                  ///< what of the body is there
 
   std::function<Surface(const ContactPoints&)> surface;
 
@@ -103,6 +112,10 @@ struct Body {
   /// Second moment of the modes that are not kept, V (points × points, symmetric, positive semidefinite): as W with
   /// 1/ω⁴ for 1/ω². These modes answer forces that vary slowly with W f − V f̈.
   std::function<std::vector<double>(const ContactPoints&, const Poll&)> residual_second_moment;
+
+  /// Makes the near side of the body, a part of size 0 < `size` ≤ 1, in the units of the whole. Empty for bodies that
+  /// have none, or are one.
+  std::function<Body(double size, double cutoff, const Poll& poll)> near_side{};
 };
 
 /// Makes a body with all modes up to a cutoff.
@@ -115,6 +128,9 @@ void validate(const Body& body);
 
 /// Number of kept modes.
 [[nodiscard]] std::size_t mode_count(const Body& body);
+
+/// Mass of the body, whatever part of it is there.
+[[nodiscard]] double whole_mass(const Body& body);
 
 /// A body with only some of its kept modes, as the paper selects them, for exponential walls. A hard wall would need
 /// the compliance of the others: the residual functions refuse. With all of them, the body itself.

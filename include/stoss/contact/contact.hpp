@@ -30,6 +30,7 @@ struct Contact {
   std::shared_ptr<const Body> second;  ///< null at a wall
   Wall wall;                           ///< for two bodies a HardWall: they do not pass through each other
   double mass = 0.0;                   ///< m of the first at a wall, else μ
+  double whole_mass = 0.0;             ///< the same of whole bodies, where only a part of one is there (BodyPart)
   double extent = 0.0;                 ///< distance of the centres (or of centre and wall) at first touch
   double cutoff = 0.0;                 ///< all modes with ω ≤ cutoff are kept
   double stable_step = 0.0;            ///< as Body::stable_step
@@ -73,7 +74,7 @@ struct Contact {
 /// Compression of the more compressed body in its own radius, of which the approach δ (in R of the first) is the sum.
 [[nodiscard]] double own_compression(const Contact& contact, double approach);
 
-/// Longest R/c of the bodies, in that of the first.
+/// Longest R/c of the bodies, or of the part that is there, in that of the first.
 [[nodiscard]] double longest_time(const Contact& contact);
 
 /// Half-width of the contact that Hertz' theory expects of an impact at this speed, R; 0 for a single point.

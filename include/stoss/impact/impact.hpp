@@ -104,7 +104,7 @@ struct Impact {
   double energy_error = 0.0;     ///< 1 − sum of the ledger
   long steps = 0;
   bool beyond_small_strain = false;  ///< speed > 0.5 c or compression > 0.5 R: linear elasticity has lost its meaning
-  State final_state;
+  State final_state;                 ///< where a part of a body is there (BodyPart), that of the part
 };
 
 /// Computes one impact, by kick–rotate–kick with the force of the contact. It starts just out of contact and ends when

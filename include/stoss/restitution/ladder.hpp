@@ -14,7 +14,7 @@ class RefinableContact {
   explicit RefinableContact(BodyMaker body);
 
   /// Two bodies. @throws InvalidInput as contact, and for bodies so unequal in size or wave speed that even a coarse
-  /// contact would need more modes of the larger or slower one than are computed
+  /// contact would need more modes of the larger or slower one than are computed, unless it has a near side (disks)
   RefinableContact(BodyMaker first, BodyMaker second);
 
   /// 24 at a wall, less for two bodies of which one would need more modes than are computed.
@@ -27,12 +27,25 @@ class RefinableContact {
   /// @throws what the makers and poll throw; InvalidInput for a level outside 0 … highest_level()
   [[nodiscard]] const Contact& at(int level, const Poll& poll = {}) const;
 
+  /// Size of the part of a body that stands for it, beside the whole (BodyPart); 1 where both are whole. A disk that is
+  /// so much larger or slower than the other that no echo from its far side can be back in time, by a factor of about
+  /// two, is computed by its near side.
+  [[nodiscard]] double part() const;
+
+  /// The contact at any cutoff, with a part that is larger by a factor, where there is one; it ends with the whole. How
+  /// the impact depends on it tells what the part leaves out. @throws as above
+  [[nodiscard]] const Contact& at(double cutoff, double stretch, const Poll& poll) const;
+
  private:
   struct Levels;
   std::shared_ptr<Levels> levels_;
 };
 
-/// Two bodies with one cutoff for both. @param cutoff c/R of the first body
+/// Two bodies with one cutoff for both. Where RefinableContact takes the near side of one, so does this, with a part
+/// down to half of that size if the cutoff is high; ε then lacks what `restitution` adds for the curvature, some 1e-3
+/// to 1e-2.
+/// @param cutoff c/R of the first body
+/// @throws InvalidInput for a cutoff beyond that of the bodies
 [[nodiscard]] Contact contact(const BodyMaker& first, const BodyMaker& second, double cutoff, const Poll& poll = {});
 
 }  // namespace stoss

@@ -49,7 +49,8 @@ struct Restitution {
   bool converged = false;  ///< whether one of them is met
   std::string reason;      ///< why not
   std::vector<Run> runs;   ///< from coarse to fine
-  Impact finest;           ///< the last of them, whole; beyond_small_strain says where linear elasticity has ended
+  Impact finest;           ///< the last of them, whole; beyond_small_strain says where linear elasticity has ended.
+                           ///< Where the near side of a body stands for it, corrected for its curvature
   long steps = 0;          ///< of all runs
 };
 

@@ -13,6 +13,7 @@
 
 #include "bodies/disk/edge_points.hpp"
 #include "bodies/disk/mode_search.hpp"
+#include "bodies/disk/near_side.hpp"
 #include "bodies/disk/residual.hpp"
 #include "check.hpp"
 #include "digits.hpp"
@@ -116,6 +117,9 @@ Body disk(const Disk& disk, double cutoff, const Poll& poll) {
   };
   body.residual_second_moment = [residual](const ContactPoints& points, const Poll& heed) {
     return residual->second_moment(points, heed);
+  };
+  body.near_side = [disk](double size, double highest, const Poll& heed) {
+    return near_side(disk, size, highest, heed);
   };
   return body;
 }

@@ -1,0 +1,125 @@
+#include "tables.hpp"
+
+#include "stoss/bodies/disk/quantities.hpp"
+#include "stoss/impact/quantities.hpp"
+#include "stoss/quasistatic/quantities.hpp"
+#include "stoss/restitution/quantities.hpp"
+
+namespace stoss::cli {
+
+using bodies::disk::Mode;
+using quasistatic::DrivenMode;
+using quasistatic::RayleighEstimate;
+
+const Table<Restitution>& restitution_table() {
+  const auto unconverged = [](const Restitution& r) { return !r.converged; };
+  static const Table<Restitution> table(
+      restitution_quantities(),
+      {
+          {"restitution", {.width = 22, .si_width = 22, .with_error = true}},
+          {"lost_fraction", {.width = 25, .si_width = 25, .with_error = true, .marked = unconverged}},
+          {"contact_time", {.width = 13, .si_width = 17}},
+          {"cutoff", {.in_si = false}},
+      });
+  return table;
+}
+
+const Table<Run>& run_table() {
+  static const Table<Run> table(run_quantities());
+  return table;
+}
+
+const Table<ExtrapolatedRestitution>& extrapolation_table() {
+  static const Table<ExtrapolatedRestitution> table(
+      extrapolation_quantities(), {
+                                      {"restitution", {.width = 22, .si_width = 22, .with_error = true}},
+                                      {"lost_fraction", {.width = 24, .si_width = 24, .with_error = true}},
+                                      {"impacts", {.width = 9, .si_width = 9}},
+                                  });
+  return table;
+}
+
+const Table<SoftImpact>& soft_impact_table() {
+  static const Table<SoftImpact> table(soft_impact_quantities());
+  return table;
+}
+
+const Table<Impact>& impact_table() {
+  static const Table<Impact> table(impact_quantities(), {
+                                                            {"cutoff", {.in_si = false}},
+                                                            {"step", {.in_si = false}},
+                                                            {"half_width", {.left_out = true}},
+                                                        });
+  return table;
+}
+
+const Table<EnergyLedger>& ledger_table() {
+  static const Table<EnergyLedger> table(ledger_quantities());
+  return table;
+}
+
+const Table<ModeEnergy>& mode_energy_table() {
+  static const Table<ModeEnergy> table(mode_energy_quantities());
+  return table;
+}
+
+const Table<Snapshot>& snapshot_table() {
+  static const Table<Snapshot> table(snapshot_quantities());
+  return table;
+}
+
+const Table<Mode>& mode_table() {
+  static const Table<Mode> table(bodies::disk::mode_quantities(), {
+                                                                      {"order", {.width = 7, .si_width = 7}},
+                                                                      {"index", {.width = 7, .si_width = 7}},
+                                                                      {"omega", {.width = 13, .si_width = 13}},
+                                                                      {"radial", {.width = 13, .si_width = 13}},
+                                                                      {"tangential", {.width = 13, .si_width = 13}},
+                                                                      {"family", {.width = 13, .si_width = 13}},
+                                                                  });
+  return table;
+}
+
+const Table<RayleighEstimate>& rayleigh_table() {
+  static const Table<RayleighEstimate> table(
+      quasistatic::rayleigh_quantities(),
+      {
+          {"lost_fraction",
+           {.width = 24,
+            .si_width = 24,
+            .with_error = true,
+            .marked = [](const RayleighEstimate& e) { return e.beyond_perturbation; }}},
+          {"contact_time", {.width = 14, .si_width = 17}},
+          {"max_compression", {.width = 17, .si_width = 20}},
+          {"max_force", {.width = 13}},
+      });
+  return table;
+}
+
+const Table<DrivenMode>& driven_mode_table() {
+  static const Table<DrivenMode> table(quasistatic::driven_mode_quantities());
+  return table;
+}
+
+const Table<Compressed>& compression_table() {
+  using C = Compressed;
+  using enum Dimension;
+  const auto static_force = [](const C& c) { return Estimate{c.contact.force, c.contact.force_error}; };
+  static const Quantities<C> quantities{
+      {"compression", length, &C::compression},  //
+      {"force", force, &C::force},               //
+      {"energy", energy, &C::energy},            //
+      {"half_width", length, &C::half_width},    //
+      {"static_force", force, static_force},
+  };
+  static const Table<C> table(quantities, {
+                                              {"compression", {.width = 13, .si_width = 16}},
+                                              {"force", {.width = 13, .si_width = 13}},
+                                              {"energy", {.width = 14, .si_width = 14}},
+                                              {"half_width", {.width = 12, .si_width = 15}},
+                                              {"static_force", {.width = 27, .si_width = 17, .with_error = true}},
+                                          });
+  return table;
+}
+
+}  // namespace stoss::cli

@@ -1,0 +1,20 @@
+#pragma once
+
+#include "stoss/impact/impact.hpp"
+#include "stoss/quantity.hpp"
+
+namespace stoss {
+
+/// Quantities of one impact. Energies are shares of the initial energy.
+[[nodiscard]] const Quantities<Impact>& impact_quantities();
+
+/// Where the energy is after an impact.
+[[nodiscard]] const Quantities<EnergyLedger>& ledger_quantities();
+
+/// Quantities of one kept mode after an impact.
+[[nodiscard]] const Quantities<ModeEnergy>& mode_energy_quantities();
+
+/// Quantities of one instant of an impact.
+[[nodiscard]] const Quantities<Snapshot>& snapshot_quantities();
+
+}  // namespace stoss

@@ -1,0 +1,22 @@
+#pragma once
+
+#include "stoss/quantity.hpp"
+#include "stoss/quasistatic/rayleigh.hpp"
+#include "stoss/quasistatic/slow_impact.hpp"
+#include "stoss/quasistatic/soft_static_contact.hpp"
+
+namespace stoss::quasistatic {
+
+/// Quantities of a slow impact.
+[[nodiscard]] const Quantities<SlowImpact>& slow_impact_quantities();
+
+/// Quantities of Rayleigh's estimate, those of the impact that drives the modes included.
+[[nodiscard]] const Quantities<RayleighEstimate>& rayleigh_quantities();
+
+/// Quantities of one mode that a slow impact has driven.
+[[nodiscard]] const Quantities<DrivenMode>& driven_mode_quantities();
+
+/// Quantities of a static contact at an exponential wall.
+[[nodiscard]] const Quantities<SoftStaticContact>& soft_static_contact_quantities();
+
+}  // namespace stoss::quasistatic

@@ -1,0 +1,21 @@
+#pragma once
+
+#include "stoss/quantity.hpp"
+#include "stoss/restitution/extrapolation.hpp"
+#include "stoss/restitution/restitution.hpp"
+
+namespace stoss {
+
+/// Quantities of a coefficient of restitution. What is of its finest impact is NaN where no impact was computed.
+[[nodiscard]] const Quantities<Restitution>& restitution_quantities();
+
+/// Quantities of one impact on the way to it.
+[[nodiscard]] const Quantities<Run>& run_quantities();
+
+/// Quantities of a coefficient of restitution by the paper's two limits.
+[[nodiscard]] const Quantities<ExtrapolatedRestitution>& extrapolation_quantities();
+
+/// Quantities of one impact on the way to these limits.
+[[nodiscard]] const Quantities<SoftImpact>& soft_impact_quantities();
+
+}  // namespace stoss

@@ -1,0 +1,56 @@
+#include "quantities.hpp"
+
+#include "bindings.hpp"
+#include "stoss/bodies/disk/quantities.hpp"
+#include "stoss/impact/quantities.hpp"
+#include "stoss/quasistatic/quantities.hpp"
+#include "stoss/restitution/quantities.hpp"
+
+namespace stoss::python {
+namespace {
+
+/// Name, dimension and whether there is an error, of each.
+template <typename Result>
+py::tuple listed(const Quantities<Result>& quantities) {
+  py::list list;
+  for (const auto& [name, dimension, value, error] : quantities) {
+    list.append(py::make_tuple(name, dimension_name(dimension), static_cast<bool>(error)));
+  }
+  return py::tuple(list);
+}
+
+UnitSystem system(bool rod, bool si) {
+  if (rod) return si ? UnitSystem::rod_si : UnitSystem::rod;
+  return si ? UnitSystem::disk_si : UnitSystem::disk;
+}
+
+/// Names of the units by dimension.
+py::dict units(bool rod, bool si) {
+  py::dict names;
+  using enum Dimension;
+  for (const Dimension each : {none, length, inverse_length, time, speed, frequency, force, energy}) {
+    names[py::str(std::string(dimension_name(each)))] = unit_name(each, system(rod, si));
+  }
+  return names;
+}
+
+}  // namespace
+
+void bind_quantities(py::module_& module) {
+  py::dict all;
+  all["impact"] = listed(impact_quantities());
+  all["mode energy"] = listed(mode_energy_quantities());
+  all["snapshot"] = listed(snapshot_quantities());
+  all["restitution"] = listed(restitution_quantities());
+  all["extrapolation"] = listed(extrapolation_quantities());
+  all["soft impact"] = listed(soft_impact_quantities());
+  all["mode"] = listed(bodies::disk::mode_quantities());
+  all["slow impact"] = listed(quasistatic::slow_impact_quantities());
+  all["rayleigh"] = listed(quasistatic::rayleigh_quantities());
+  all["driven mode"] = listed(quasistatic::driven_mode_quantities());
+  all["soft static contact"] = listed(quasistatic::soft_static_contact_quantities());
+  module.attr("quantities") = all;
+  module.def("units", &units, py::arg("rod"), py::arg("si"), "names by dimension");
+}
+
+}  // namespace stoss::python

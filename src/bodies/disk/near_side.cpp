@@ -1,0 +1,69 @@
+// The part is a disk with units R_p = size · R, c and ρR_p² of its own: its times are `size` times those of the whole
+// and its masses size² times, so that compliances t²/m are the same, and second moments t⁴/m size² times.
+#include "bodies/disk/near_side.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <utility>
+
+#include "bodies/disk/edge_points.hpp"
+#include "check.hpp"
+#include "stoss/errors.hpp"
+
+namespace stoss {
+namespace {
+
+/// Points as the part sees them, in its units.
+ContactPoints seen_by_part(const ContactPoints& points, double size) {
+  const ContactPoints seen{points.radius / size, points.spacing, points.count};
+  if (points.count > 0 && !(seen.radius * std::sin(seen.angle(points.count - 1)) < 1.0)) {
+    throw NotConverged("contact: it spreads over more than the near side of the larger body (speed too high)");
+  }
+  return seen;
+}
+
+/// Surface of the part in units of the whole, with the contour of the whole.
+Surface whole_surface(Surface surface, const ContactPoints& points, double size) {
+  for (std::size_t i = 0; i < points.count; ++i) {
+    const double sine = std::sin(0.5 * bodies::disk::edge_angle(points, i));
+    surface.recess[i] = 2.0 * sine * sine;
+    surface.measure[i] *= size;
+    surface.impedance[i] *= size;
+  }
+  return surface;
+}
+
+}  // namespace
+
+Body near_side(const Disk& disk, double size, double cutoff, const Poll& poll) {
+  require("size", size, {0.0, 1.0, false, true, "above 0 to 1"}, "of the near side of a disk, in its radius");
+  const auto part = std::make_shared<const Body>(stoss::disk(disk, cutoff * size, poll));
+  const double whole_mass = part->mass;
+  Body body = *part;
+  body.name += " (near side)";
+  body.mass = whole_mass * size * size;
+  body.scale.mass *= size * size;
+  body.part = {size, whole_mass - body.mass, 4.0 * size * std::sqrt(1.0 - disk.poisson * disk.poisson)};
+  body.cutoff = cutoff;
+  body.highest_cutoff = part->highest_cutoff / size;
+  body.stable_step *= size;
+  for (ModeGroup& group : body.groups) {
+    for (double& omega : group.omega) omega = std::min(omega / size, cutoff);  // rounding
+  }
+  body.surface = [part, size](const ContactPoints& points) {
+    return whole_surface(part->surface(seen_by_part(points, size)), points, size);
+  };
+  body.residual_compliance = [part, size](const ContactPoints& points, const Poll& heed) {
+    return part->residual_compliance(seen_by_part(points, size), heed);
+  };
+  body.residual_second_moment = [part, size](const ContactPoints& points, const Poll& heed) {
+    std::vector<double> moment = part->residual_second_moment(seen_by_part(points, size), heed);
+    for (double& each : moment) each *= size * size;
+    return moment;
+  };
+  body.near_side = nullptr;
+  return body;
+}
+
+}  // namespace stoss

@@ -1,0 +1,76 @@
+#include "stoss/impact/quantities.hpp"
+
+namespace stoss {
+
+using enum Dimension;
+
+const Quantities<Impact>& impact_quantities() {
+  using I = Impact;
+  static const Quantities<I> all{
+      {"restitution", none, &I::restitution},
+      {"lost_fraction", none, &I::lost_fraction},
+      {"translation", none, [](const I& i) { return i.energy.translation; }},
+      {"vibration", none, [](const I& i) { return i.energy.vibration; }},
+      {"unresolved", none, [](const I& i) { return i.energy.unresolved; }},
+      {"lost_to_first", none, [](const I& i) { return i.energy.lost_to_first; }},
+      {"lost_to_second", none, [](const I& i) { return i.energy.lost_to_second; }},
+      {"contact_time", time, &I::contact_time},
+      {"impulse_time", time, &I::impulse_time},
+      {"contacts", none, &I::contacts},
+      {"max_force", force, &I::max_force},
+      {"max_compression", length, &I::max_compression},
+      {"max_half_width", length, &I::max_half_width},
+      {"cutoff", frequency, &I::cutoff},
+      {"modes", none, [](const I& i) { return static_cast<long>(i.energy.modes.size()); }},
+      {"step", time, &I::step},
+      {"nodes", none, &I::nodes},
+      {"half_width", length, &I::half_width},
+      {"steps", none, &I::steps},
+      {"energy_error", none, &I::energy_error},
+      {"momentum_error", none, &I::momentum_error},
+      {"beyond_small_strain", none, &I::beyond_small_strain},
+  };
+  return all;
+}
+
+const Quantities<EnergyLedger>& ledger_quantities() {
+  using L = EnergyLedger;
+  static const Quantities<L> all{
+      {"translation", none, &L::translation},
+      {"vibration", none, &L::vibration},
+      {"unresolved", none, &L::unresolved},
+      {"stored", none, &L::stored},
+  };
+  return all;
+}
+
+const Quantities<ModeEnergy>& mode_energy_quantities() {
+  using M = ModeEnergy;
+  static const Quantities<M> all{
+      {"body", none, [](const M& m) { return std::string(m.body == 0 ? "first" : "second"); }},
+      {"order", none, &M::order},
+      {"index", none, &M::index},
+      {"omega", frequency, &M::omega},
+      {"average", none, &M::average},
+      {"after", none, &M::after},
+  };
+  return all;
+}
+
+const Quantities<Snapshot>& snapshot_quantities() {
+  using S = Snapshot;
+  static const Quantities<S> all{
+      {"time", time, &S::time},
+      {"center", length, &S::center},
+      {"velocity", speed, &S::velocity},
+      {"force", force, &S::force},
+      {"translation", none, &S::translation},
+      {"vibration", none, &S::vibration},
+      {"stored", none, &S::stored},
+      {"unresolved", none, &S::unresolved},
+      {"contact_half_width", length, &S::contact_half_width},
+  };
+  return all;
+}
+
+}  // namespace stoss

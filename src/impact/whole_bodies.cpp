@@ -1,0 +1,66 @@
+#include "impact/whole_bodies.hpp"
+
+#include <algorithm>
+#include <string>
+
+#include "contact/units.hpp"
+#include "stoss/errors.hpp"
+
+namespace stoss {
+namespace {
+
+/// Time until the first echo of a part, in units of the first body.
+double echo(const Contact& contact) {
+  if (contact.second == nullptr) return contact.first->part.echo;
+  return std::min(contact.first->part.echo, contact.second->part.echo * Units(*contact.second, *contact.first).time);
+}
+
+}  // namespace
+
+WholeBodies::WholeBodies(const Contact& contact, const Snapshot& start)
+    : contact_(contact),
+      start_(start),
+      part_(contact.mass / contact.whole_mass),
+      energy_(1.0 + start.translation * (1.0 / part_ - 1.0)),
+      force_(contact.first->mass / whole_mass(*contact.first)) {}
+
+void WholeBodies::show(Snapshot& now) const {
+  if (part_ == 1.0) return;
+  const double lost = 1.0 - now.velocity / start_.velocity;
+  const double velocity = 1.0 - part_ * lost;
+  const double free = start_.center + start_.velocity * now.time;
+  now.center = free - part_ * (free - now.center);
+  now.velocity = start_.velocity * velocity;
+  now.force *= force_;
+  now.translation = velocity * velocity * start_.translation / part_ / energy_;
+  now.vibration = (now.vibration + (1.0 - part_) * lost * lost * start_.translation) / energy_;
+  now.stored /= energy_;
+  now.unresolved /= energy_;
+}
+
+void WholeBodies::show(Impact& impact) const {
+  if (part_ == 1.0) return;
+  if (impact.contact_time > echo(contact_)) {
+    throw NotConverged("impact: the contact lasts " + std::to_string(impact.contact_time) +
+                       " R/c, and the echo from within the larger body is back before");
+  }
+  EnergyLedger& ledger = impact.energy;
+  const double lost = 1.0 + impact.restitution;
+  const double beyond = (1.0 - part_) * lost * lost * start_.translation / energy_;
+  for (double* each : {&ledger.vibration, &ledger.unresolved, &ledger.stored, &ledger.lost_to_first,
+                       &ledger.lost_to_second, &impact.energy_error}) {
+    *each /= energy_;
+  }
+  for (ModeEnergy& mode : ledger.modes) {
+    mode.after /= energy_;
+    mode.average /= energy_;
+  }
+  ledger.vibration += beyond;
+  (contact_.first->part.size < 1.0 ? ledger.lost_to_first : ledger.lost_to_second) += beyond;
+  impact.restitution = part_ * lost - 1.0;
+  impact.lost_fraction = 1.0 - impact.restitution * impact.restitution;
+  ledger.translation = impact.restitution * impact.restitution * start_.translation / part_ / energy_;
+  impact.max_force *= force_;
+}
+
+}  // namespace stoss

@@ -1,0 +1,36 @@
+#pragma once
+
+#include "stoss/impact/impact.hpp"
+
+namespace stoss {
+
+/// The motion and the energies of whole bodies, of which the near side of one has met the other (BodyPart).
+///
+/// Until the first echo the force is that of the whole bodies, and moves them with their reduced mass μ instead of that
+/// of the part, κμ. With w the velocity of the part beside that before the impact, v,
+///
+///   velocity   v [1 − κ(1 − w)],   at the end   ε = κ(1 + ε_part) − 1,
+///
+/// and what the part has of energy more than the whole by its translation, κ(1 − κ)(1 − w)² of ½μv², is vibration of
+/// the whole. Where both bodies are whole nothing changes.
+class WholeBodies {
+ public:
+  /// @param start of the impact
+  WholeBodies(const Contact& contact, const Snapshot& start);
+
+  /// Makes an instant that of the whole bodies.
+  void show(Snapshot& now) const;
+
+  /// Makes a result that of the whole bodies; the final state remains that of the part.
+  /// @throws NotConverged if the contact has lasted longer than the first echo of the part takes
+  void show(Impact& impact) const;
+
+ private:
+  const Contact& contact_;
+  Snapshot start_;
+  double part_;    // κ
+  double energy_;  // at the start, beside that with the part
+  double force_;   // unit of force of the part, in that of the whole
+};
+
+}  // namespace stoss

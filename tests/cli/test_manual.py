@@ -1,0 +1,39 @@
+"""The manual explains every key of the records."""
+
+import json
+import re
+from pathlib import Path
+
+import pytest
+
+MANUAL = Path(__file__).resolve().parents[2] / "cli/stoss.1.in"
+QUANTITIES = {"energy_error", "momentum_error"}
+EVERYWHERE = {"poisson", "speed"}  # explained as options
+
+
+def keys(value):
+    """All keys of nested records, without what _si and _error add."""
+    if isinstance(value, list):
+        return {key for each in value for key in keys(each)}
+    if not isinstance(value, dict):
+        return set()
+    here = {key if key in QUANTITIES else re.sub(r"(_si)?(_error)?$", "", key) for key in value}
+    return here | keys(list(value.values()))
+
+
+@pytest.mark.parametrize(
+    "arguments",
+    [
+        "restitution --poisson 0.33 --speed 0.1",
+        "restitution --poisson 0.33 --speed 0.1 --method extrapolate",
+        "impact --poisson 0.33 --speed 0.1 --cutoff 12",
+        "quasistatic --poisson 0.33 --speed 1e-3",
+        "quasistatic --poisson 0.33 --compression 0.01",
+        "modes --poisson 0.33 --cutoff 3",
+    ],
+)
+def test_every_key_is_explained(stoss, arguments):
+    document = json.loads(stoss.run(arguments, "--format json").stdout)
+    words = set(re.findall(r"[a-z]+(?:_[a-z]+)*", MANUAL.read_text(encoding="utf-8").replace("\\f", " ")))
+    found = keys([document["records"], document.get("modes", [])])
+    assert found and found - EVERYWHERE <= words
