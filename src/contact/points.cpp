@@ -98,7 +98,7 @@ double expected_half_width(const Contact& contact, double speed) {
   const Touch met = touch(contact);
   if (contact.first->contour == Contour::ball) {
     // Hertz: the energy of the approach is (8/15) δ^{5/2}/(D √curvature), a² = δ/curvature.
-    const double energy = 0.5 * contact.mass * speed * speed;
+    const double energy = 0.5 * contact.whole_mass * speed * speed;
     const double approach = std::pow(1.875 * energy * met.softness * std::sqrt(met.curvature), 0.4);
     return std::sqrt(approach / met.curvature);
   }

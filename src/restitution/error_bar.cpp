@@ -52,13 +52,13 @@ Missing missing_on_a_line(double cutoff, double speed) {
 /// The same where a circle touches. At low speed the loss is a wave of the speed (docs/theory/spheres.md), and what one
 /// run is off by falls no faster than the cutoff rises.
 Missing missing_of_balls(double cutoff, double speed) {
-  constexpr double at_64 = 0.045, cutoff_power = 0.6;
+  constexpr double at_64 = 0.045, cutoff_power = 0.6, at_16 = 0.2;
   const double slow = std::clamp(std::pow(speed / 0.02, -0.1), 1.0, 1.7);
   const double fast = 1.0 / (1.0 + speed / 0.2);
   const double whole = at_64 * std::pow(64.0 / cutoff, cutoff_power) * slow, share = whole * fast;
   const double calm = std::max(std::min(std::pow(speed / 1e-3, -0.4), 16.0), std::pow(speed / 1e-3, -0.25));
   // At high speed the errors have either sign: they fall less than their mean.
-  return {share, std::max(0.8 * share + 0.2 * calm * 16.0 / cutoff, 0.6 * whole)};
+  return {share, std::max(0.8 * share + at_16 * calm * 16.0 / cutoff, 0.6 * whole)};
 }
 
 Estimate lost_on_a_growing_contact(const Contact& contact, double speed, const std::vector<Run>& runs, double order) {

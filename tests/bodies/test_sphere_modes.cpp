@@ -120,7 +120,7 @@ TEST_P(SphereModesOf, AreOrthonormal) {
   }
 }
 
-/// 2(1 + 2·4/π⟨…⟩): what modes above a cutoff carry of Σ x²/ω² falls as 1/cutoff, so two cutoffs give the whole.
+/// What modes above a cutoff carry of Σ x²/ω² falls as 1/cutoff.
 TEST_P(SphereModesOf, AddUpToTheStaticFlexibilityAndSecondMoment) {
   const double poisson = GetParam();
   const auto modes = bodies::sphere::modes(poisson, 400.0);

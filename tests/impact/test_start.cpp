@@ -56,8 +56,9 @@ TEST(StartState, FurtherAwayChangesTheImpactOnlyByTheStep) {
   const double step = 0.01;
   const Impact near = impact(body, HardWall{}, 0.1, {.resolution = {.step = step}});
   // So many whole steps further away, the touch falls on the same phase within a step.
-  const Collision beside(contact(body), Tail::radiating, contact_grid(contact(body), near.half_width, near.nodes), 0.1,
-                         step, {}, {});
+  const Contact at_wall = contact(body);
+  const ContactGrid grid = contact_grid(at_wall, near.half_width, near.nodes);
+  const Collision beside(at_wall, Tail::radiating, grid, 0.1, step, {}, {});
   const double distance = -(beside.snapshot().center + body.extent) + 0.1 * 250 * step;
   const Impact far =
       impact(body, HardWall{}, 0.1, {.resolution = {.step = step}, .start = at_rest(body, distance, 0.1)});

@@ -52,7 +52,6 @@ TEST(RestitutionOfSpheres, OfAnEqualPairIsThatOfAWallAtHalfTheSpeed) {
   EXPECT_NEAR(pair.lost_fraction.error, wall.lost_fraction.error, 1e-9);
 }
 
-/// A small sphere at one of the same material that is far larger loses more to it than both would to a wall.
 TEST(RestitutionOfSpheres, OfUnequalPairsDoesNotDependOnWhoIsFirst) {
   const Sphere small{0.3, 0.5, 2.0, 1.0}, large{0.2, 1.0, 1.0, 2.0};
   const Restitution one = restitution(RefinableContact(sphere(small), sphere(large)), 0.1);

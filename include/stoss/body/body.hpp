@@ -90,11 +90,10 @@ struct Body {
   std::string name;  ///< with its parameters, for provenance
   BodyScale scale;   ///< of this body beside others
   Contour contour = Contour::flat;
-  double mass = 0.0;    ///< of the body, and of every mode
-  double extent = 0.0;  ///< distance from the centre of mass to the foremost point
-  double softness =
-      1.0;  ///< D: pressed at its end, it yields as plane waves of modulus 1/D would (1 − ν² in plane strain)
-  double cutoff = 0.0;  ///< all modes with ω ≤ cutoff are in `groups` (but see with_modes)
+  double mass = 0.0;      ///< of the body, and of every mode
+  double extent = 0.0;    ///< distance from the centre of mass to the foremost point
+  double softness = 1.0;  ///< 1/E* near its end, in 1/E: 1 in plane stress, 1 − ν² in plane strain
+  double cutoff = 0.0;    ///< all modes with ω ≤ cutoff are in `groups` (but see with_modes)
   double highest_cutoff = std::numeric_limits<double>::infinity();  ///< that such a body can be made with
   /// Largest stable time step at a hard wall: above it one kick moves the kept modes of some order further than the
   /// residual compliance does.
