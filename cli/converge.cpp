@@ -30,7 +30,7 @@ std::string describe(const Attempt& attempt) {
 std::string converge_columns(const Job& job) { return csv_columns(job.record(0, restitution_table(), {})); }
 
 void check_converge(const Job& job, double tolerance, int threads) {
-  validate(job.speeds, {tolerance, threads});
+  validate(job.speeds, {tolerance, 0.0, threads});
   for (const double poisson : job.poissons) (void)job.encounter.refinable(poisson);
 }
 
@@ -46,7 +46,7 @@ void converge(Sweep& sweep, Report& report, double tolerance, int threads) {
       sweep.wait(state);
     };
     const auto note = [&state](std::size_t, const Attempt& attempt) { state = describe(attempt); };
-    restitution_curve(job.encounter.refinable(poisson), speeds, {tolerance, threads, poll, note},
+    restitution_curve(job.encounter.refinable(poisson), speeds, {tolerance, 0.0, threads, poll, note},
                       [&](std::size_t, const Restitution& result) {
                         heed_interrupts();
                         sweep.add(make_row(job, sweep.done(), result), report);

@@ -41,8 +41,9 @@ void require_speed(double speed) {
   require("speed", speed, {1e-8, 1.0, true, true, "1e-8 to 1"}, "speed of the centre of mass, in units of c");
 }
 
-void require_tolerance(double tolerance) {
+void require_tolerance(double tolerance, double absolute) {
   require("tolerance", tolerance, {1e-15, 0.5, true, true, "1e-15 to 0.5"}, "relative error of 1 - eps^2");
+  require("absolute", absolute, {0.0, 0.5, true, true, "0 to 0.5"}, "error of 1 - eps^2 that is small enough");
 }
 
 }  // namespace stoss

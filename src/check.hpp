@@ -25,7 +25,8 @@ void require_poisson(double poisson);
 /// Throws InvalidInput unless `speed` is one that an impact can have, 1e-8 … 1 c.
 void require_speed(double speed);
 
-/// Throws InvalidInput unless `tolerance` is a relative error that can be asked for, 1e-15 … 0.5.
-void require_tolerance(double tolerance);
+/// Throws InvalidInput unless `tolerance` is a relative error that can be asked for, 1e-15 … 0.5, and `absolute` an
+/// error of 1 − ε², 0 … 0.5.
+void require_tolerance(double tolerance, double absolute);
 
 }  // namespace stoss

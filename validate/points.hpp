@@ -39,7 +39,7 @@ struct Point {
 /// @throws std::runtime_error if a file cannot be read
 std::vector<Point> read_points();
 
-/// Those at the wall that had no part in choosing any constant: of validate/reference_unseen.csv.
+/// Those at the wall to which no constant was fitted: of validate/reference_unseen.csv.
 /// @throws std::runtime_error as read_points
 std::vector<Point> read_unseen_points();
 

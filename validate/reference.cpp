@@ -120,8 +120,7 @@ void make_reference(const std::string& path) {
 
 void make_unseen_reference(const std::string& path) {
   std::ofstream file(path);
-  write_header(file, "Impacts of a disk at a hard wall that had no part in choosing any constant",
-               "--make-unseen-reference");
+  write_header(file, "Impacts of a disk at a hard wall to which no constant was fitted", "--make-unseen-reference");
   compute_all(file, path, unseen_design());
 }
 

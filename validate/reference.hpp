@@ -8,7 +8,7 @@ namespace validate {
 /// @throws std::runtime_error if the file cannot be written
 void make_reference(const std::string& path);
 
-/// The same at points that had no part in choosing any constant. @throws std::runtime_error as make_reference
+/// The same at points to which no constant was fitted. @throws std::runtime_error as make_reference
 void make_unseen_reference(const std::string& path);
 
 /// Computes the reference values of pairs. Takes minutes. @throws std::runtime_error as make_reference

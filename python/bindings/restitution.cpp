@@ -31,7 +31,7 @@ void curve(const RefinableContact& contact, const py::array_t<double, py::array:
   const auto poll = signal_poll();
   try {
     const Released released;
-    restitution_curve(contact, at, {tolerance, threads, poll}, [&](std::size_t i, const Restitution& result) {
+    restitution_curve(contact, at, {tolerance, 0.0, threads, poll}, [&](std::size_t i, const Restitution& result) {
       layout.write(result, row + i * layout.width());
       why.push_back(result.reason);
       if (!tick) return;
@@ -52,7 +52,7 @@ void bind_restitution(py::module_& module) {
   module.def(
       "check_curve",
       [](const py::array_t<double, py::array::c_style>& speeds, double tolerance, int threads) {
-        validate(to_vector(speeds), {tolerance, threads});
+        validate(to_vector(speeds), {tolerance, 0.0, threads});
       },
       py::arg("speeds"), py::arg("tolerance"), py::arg("threads"));
   module.def("restitution_curve", &curve, py::arg("contact"), py::arg("speeds"), py::arg("tolerance"),

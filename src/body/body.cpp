@@ -28,6 +28,7 @@ void validate(const Body& body) {
   require(body, positive(body.mass) && positive(body.extent) && positive(body.cutoff),
           "a positive finite mass, extent and cutoff");
   require(body, body.highest_cutoff >= body.cutoff, "a cutoff up to its highest");
+  require(body, positive(body.softness), "a positive finite softness");
   require(body, body.stable_step > 0.0, "a positive stable_step");
   const auto& [points, cutoff, power, along_edge, fewest] = body.sampling;
   require(body, positive(points) && positive(cutoff) && finite({power, along_edge}) && along_edge >= 0.0 && fewest > 0,

@@ -12,8 +12,11 @@
 namespace stoss {
 namespace {
 
-/// Share of the first body in the approach: compressions go with compliances.
-double share_of_first(const Units& units) { return 1.0 / (1.0 + units.compliance); }
+/// Share of the first body in the approach: compressions go with softness.
+double share_of_first(const Contact& contact, const Units& units) {
+  const double first = contact.first->softness;
+  return first / (first + contact.second->softness * units.softness);
+}
 
 /// Adds a body's modes, in the units of the first body and with the modal mass of the contact.
 void add_modes(const Body& body, const Units& units, std::size_t first_row, Contact& contact) {
@@ -91,14 +94,14 @@ bool has_single_point(const Contact& contact) { return contact.first->contour ==
 double own_speed(const Contact& contact, double speed) {
   if (contact.second == nullptr) return speed;
   const Units units(*contact.second, *contact.first);
-  const double share = share_of_first(units);
+  const double share = share_of_first(contact, units);
   return speed * std::max(share, (1.0 - share) * units.time / units.length);
 }
 
 double own_compression(const Contact& contact, double approach) {
   if (contact.second == nullptr) return approach;
   const Units units(*contact.second, *contact.first);
-  const double share = share_of_first(units);
+  const double share = share_of_first(contact, units);
   return approach * std::max(share, (1.0 - share) / units.length);
 }
 

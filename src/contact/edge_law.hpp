@@ -12,8 +12,8 @@ namespace stoss {
 ///   √(f/f*) + √(g/g*) = 1   for 0 < f < f*;   g = 0 for f ≥ f*;   f = 0 for g ≥ g*.
 ///
 /// It lets the edge of the contact pass a node gradually, and the force follow the envelope of those of all whole
-/// numbers of touching nodes, which is that of the exact contact at compression + h²/(24 R) (docs/numerics.md,
-/// section 3). With the closure t = 1 − √(g/g*), f = f* t² and g = g* (1 − t)²: one smooth curve.
+/// numbers of touching nodes, which is that of the exact contact at compression + h²/(24 R), of rings h²/(12 R)
+/// (docs/numerics.md, section 3). With the closure t = 1 − √(g/g*), f = f* t² and g = g* (1 − t)²: one smooth curve.
 struct EdgeLaw {
   std::vector<double> force;  ///< f* of each node
   std::vector<double> gap;    ///< g* of each node, R
@@ -36,7 +36,8 @@ struct EdgeLaw {
 };
 
 /// f* = 0.7145 κ h^{3/2}/D, g* = 0.6177 κ h^{3/2} with κ s^{3/2} the gap at a distance s from the edge of a Hertzian
-/// contact, D its softness and h the spacing; κ is less where the edge outruns the waves. Empty for a single point.
+/// contact, (2√2/3) √a/R at a line and (8√2/3π) √a/R at a circle, D its softness and h the spacing; a ring has π sin α
+/// times that force, for the length of its edge. κ is less where the edge outruns the waves. Empty for a single point.
 /// @param speed of approach, which says how fast the edge moves
 [[nodiscard]] EdgeLaw edge_law(const Contact& contact, const ContactGrid& grid, double speed);
 

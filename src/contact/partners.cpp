@@ -20,7 +20,7 @@ void require_ratio(const std::string& name, double ratio) {
 void require_partners(const Body& first, const Body& second) {
   if (first.contour != second.contour) {
     throw InvalidInput("against: got '" + second.name + "' for '" + first.name +
-                       "', allowed a body of the same kind of end (a disk meets disks, a rod rods)");
+                       "', allowed a body of the same kind of end (a disk meets disks, a sphere spheres, a rod rods)");
   }
   const Units units(second, first);
   require_ratio(first.contour == Contour::flat ? "length" : "radius", units.length);
@@ -28,8 +28,9 @@ void require_partners(const Body& first, const Body& second) {
     require_ratio("transit time", units.time);
     require_ratio("impedance", units.impedance);
   } else {
-    require_ratio("young", 1.0 / units.compliance);
-    require_ratio("density", units.mass / (units.length * units.length));
+    const double volume = units.length * units.length * (first.contour == Contour::ball ? units.length : 1.0);
+    require_ratio("young", 1.0 / units.softness);
+    require_ratio("density", units.mass / volume);
   }
   constexpr double rounding = 1e-9;
   const double cutoff = second.cutoff / units.time;

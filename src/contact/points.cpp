@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "check.hpp"
+#include "contact/touch.hpp"
 #include "contact/units.hpp"
 #include "stoss/contact/contact.hpp"
 #include "stoss/errors.hpp"
@@ -94,18 +95,19 @@ double greatest_half_width(const Contact& contact) {
 
 double expected_half_width(const Contact& contact, double speed) {
   if (has_single_point(contact)) return 0.0;
+  const Touch met = touch(contact);
+  if (contact.first->contour == Contour::ball) {
+    // Hertz: the energy of the approach is (8/15) δ^{5/2}/(D √curvature), a² = δ/curvature.
+    const double energy = 0.5 * contact.whole_mass * speed * speed;
+    const double approach = std::pow(1.875 * energy * met.softness * std::sqrt(met.curvature), 0.4);
+    return std::sqrt(approach / met.curvature);
+  }
   // Hertz in the plane, a² = 4F/π · (1/E₁ + 1/E₂)/(1/R₁ + 1/R₂), with a fit of the greatest force to the impacts of
   // tests/data/contact_hard_wall.csv.
-  double softness = 1.0, curvature = 1.0;
-  if (contact.second != nullptr) {
-    const Units units(*contact.second, *contact.first);
-    softness += units.compliance;
-    curvature += 1.0 / units.length;
-  }
   const double logarithm = std::log1p(1.0 / own_speed(contact, speed));
   const double force =
-      speed * std::sqrt(contact.whole_mass / whole_mass(*contact.first) / softness) / std::sqrt(1.0 + logarithm);
-  return 2.0 * std::sqrt(force * softness / curvature);
+      speed * std::sqrt(contact.whole_mass / whole_mass(*contact.first) / met.softness) / std::sqrt(1.0 + logarithm);
+  return 2.0 * std::sqrt(force * met.softness / met.curvature);
 }
 
 ContactGrid contact_grid(const Contact& contact, double half_width, int nodes) {

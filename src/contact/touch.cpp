@@ -5,19 +5,23 @@
 namespace stoss {
 
 Touch touch(const Contact& contact) {
-  if (contact.second == nullptr) return {};
-  const Units units(*contact.second, *contact.first);
   Touch touch;
+  const double first = contact.first->softness;
+  touch.softness = first;
+  if (contact.second == nullptr) return touch;
+  const Units units(*contact.second, *contact.first);
+  const double second = contact.second->softness * units.softness;
   touch.curvature = 1.0 + 1.0 / units.length;
-  touch.softness = 1.0 + units.compliance;
-  touch.slowness = (1.0 + units.compliance * units.time / units.length) / touch.softness;
+  touch.softness = first + second;
+  touch.slowness = (first + second * units.time / units.length) / touch.softness;
   return touch;
 }
 
 double touch_compression(const Contact& contact, const ContactGrid& grid) {
   if (has_single_point(contact)) return 0.0;
   const double spacing = grid.points.spacing * grid.points.radius;
-  return -touch(contact).curvature * spacing * spacing / 24.0;
+  const double shift = contact.first->contour == Contour::ball ? 12.0 : 24.0;
+  return -touch(contact).curvature * spacing * spacing / shift;
 }
 
 }  // namespace stoss

@@ -12,6 +12,7 @@ struct Units {
   double time = 1.0;  ///< R/c
   double mass = 1.0;
   double compliance = 1.0;     ///< displacement per force, time²/mass
+  double softness = 1.0;       ///< 1/E: compliance along a line, compliance times length at a point of contact
   double second_moment = 1.0;  ///< time⁴/mass
   double impedance = 1.0;      ///< force per velocity, mass/time
 
@@ -23,6 +24,7 @@ struct Units {
         time(length / (body.scale.speed / other.scale.speed)),
         mass(body.scale.mass / other.scale.mass * (other.mass / body.mass)),
         compliance(time * time / mass),
+        softness(body.contour == Contour::ball ? compliance * length : compliance),
         second_moment(compliance * time * time),
         impedance(mass / time) {}
 };

@@ -14,11 +14,13 @@ constexpr long sampling = 4;
 
 /// Where a force that starts like t^p is best caught by kicks: the time of the first kick after its start, in steps,
 /// at which the sum of the kicks has no error of order p + 1, the zero of Hurwitz' ζ(−p, x). A jump (p = 0) at a single
-/// point, a kink (p = 1) where a line of contact begins to grow.
+/// point, a kink (p = 1) where a line of contact begins to grow, t^{3/2} where a circle does.
 double first_kick(const Contact& contact) {
   constexpr double jump = 0.5;
   constexpr double kink = 0.7886751345948129;  // (3 + √3)/6
-  return has_single_point(contact) ? jump : kink;
+  constexpr double bend = 0.9018628666552377;
+  if (has_single_point(contact)) return jump;
+  return contact.first->contour == Contour::ball ? bend : kink;
 }
 
 /// Share of the impulse before the beginning and after the end of impulse_time.

@@ -6,7 +6,21 @@
 
 namespace stoss::numeric {
 
-void bessel_pairs(double x, std::vector<BesselPair>& pairs) {
+namespace {
+
+/// By how much the order of the kind exceeds n twice.
+double twice_excess(BesselKind kind) { return kind == BesselKind::spherical ? 1.0 : 0.0; }
+
+/// Factor that normalises spherical functions that are known up to it.
+double spherical_scale(double x, double zeroth, double first) {
+  const double j0 = std::sin(x) / x;
+  const double j1 = (j0 - std::cos(x)) / x;
+  return std::abs(zeroth) > std::abs(first) ? j0 / zeroth : j1 / first;
+}
+
+}  // namespace
+
+void bessel_pairs(double x, std::vector<BesselPair>& pairs, BesselKind kind) {
   constexpr int chunk = 200;
   const double big = std::ldexp(1.0, chunk);
   const double small = std::ldexp(1.0, -chunk);
@@ -17,15 +31,21 @@ void bessel_pairs(double x, std::vector<BesselPair>& pairs) {
   const int turning = static_cast<int>(std::ceil(x + 12.0 * width));
   const int start = std::max(top + 1, turning) + static_cast<int>(5.0 * width) + 16;
 
+  const double excess = twice_excess(kind);
   double above = 0.0;
   double here = small;
   int exponent = 0;  // of `above` and `here`, common
   double sum = 0.0;  // J_0 + 2 Σ J_{2k}, same exponent
+  double zeroth = 0.0, first = 0.0;
   for (int n = start; n >= 0; --n) {
     // here ∝ J_n, above ∝ J_{n+1}
-    const double below = n > 0 ? 2.0 * n / x * here - above : -above;
+    const double below = n > 0 ? (2.0 * n + excess) / x * here - above : -above;
     if (n <= top) {
       pairs[static_cast<std::size_t>(n)] = {here, x * above, exponent};
+    }
+    if (n == 0) {
+      zeroth = here;
+      first = above;
     }
     if (n % 2 == 0) sum += n > 0 ? 2.0 * here : here;
     above = here;
@@ -37,7 +57,7 @@ void bessel_pairs(double x, std::vector<BesselPair>& pairs) {
       exponent += chunk;
     }
   }
-  const double scale = 1.0 / sum;
+  const double scale = kind == BesselKind::spherical ? spherical_scale(x, zeroth, first) : 1.0 / sum;
   for (auto& pair : pairs) {
     pair.value *= scale;
     pair.next *= scale;
@@ -45,13 +65,14 @@ void bessel_pairs(double x, std::vector<BesselPair>& pairs) {
   }
 }
 
-BesselTaylor::BesselTaylor(int order, double center, const BesselPair& pair, double reach)
+BesselTaylor::BesselTaylor(int order, double center, const BesselPair& pair, double reach, BesselKind kind)
     : center_(center), exponent_(pair.exponent) {
   // With x = c + h, J_n = Σ a_k h^k and J_{n+1} = Σ b_k h^k, from x J_n' = n J_n − x J_{n+1} and
   // x J_{n+1}' = x J_n − (n+1) J_{n+1}:
   //   c (k+1) a_{k+1} = (n−k) a_k − c b_k − b_{k−1},   c (k+1) b_{k+1} = c a_k + a_{k−1} − (n+1+k) b_k.
-  // The loop works with a_k reach^k, which cannot overflow.
+  // For the spherical ones n + 2 stands for n + 1. The loop works with a_k reach^k, which cannot overflow.
   const double step = reach / center;
+  const double after = order + 1 + twice_excess(kind);
   auto& c = coefficient_;
   c[0] = {pair.value, pair.next / center};
   const double amplitude = std::abs(c[0].here) + std::abs(c[0].next);
@@ -60,7 +81,7 @@ BesselTaylor::BesselTaylor(int order, double center, const BesselPair& pair, dou
     const auto i = static_cast<std::size_t>(k);
     const double factor = step / (k + 1);
     c[i + 1].here = factor * ((order - k) * c[i].here - center * c[i].next - reach * before.next);
-    c[i + 1].next = factor * (center * c[i].here + reach * before.here - (order + 1 + k) * c[i].next);
+    c[i + 1].next = factor * (center * c[i].here + reach * before.here - (after + k) * c[i].next);
     before = c[i];
     if (std::abs(c[i + 1].here) + std::abs(c[i + 1].next) < 1e-18 * amplitude) {
       degree_ = k + 1;

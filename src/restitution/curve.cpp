@@ -39,10 +39,11 @@ class Attempts {
 };
 
 /// A point at which no two impacts ended.
-Restitution failed(double speed, double tolerance, const std::string& reason) {
+Restitution failed(double speed, const RestitutionOptions& options, const std::string& reason) {
   constexpr double none = std::numeric_limits<double>::quiet_NaN();
   constexpr Estimate nothing{none, none};
-  Restitution result{nothing, nothing, nothing, nothing, nothing, nothing, tolerance, false, reason, {}, {}, 0};
+  Restitution result{nothing,          nothing, nothing, nothing, nothing, nothing, options.tolerance,
+                     options.absolute, false,   reason,  {},      {},      0};
   result.finest.speed = speed;
   result.finest.restitution = result.finest.lost_fraction = none;
   return result;
@@ -54,14 +55,14 @@ Restitution point(const RefinableContact& contact, double speed, const Restituti
   } catch (const RestitutionNotConverged& error) {
     return error.best;
   } catch (const NotConverged& error) {
-    return failed(speed, options.tolerance, error.what());
+    return failed(speed, options, error.what());
   }
 }
 
 }  // namespace
 
 void validate(const std::vector<double>& speeds, const CurveOptions& options) {
-  require_tolerance(options.tolerance);
+  require_tolerance(options.tolerance, options.absolute);
   require("threads", static_cast<long>(options.threads), 0, 1024, "0 for as many as the machine has");
   for (const double speed : speeds) require_speed(speed);
 }
@@ -84,7 +85,7 @@ void restitution_curve(const RefinableContact& contact, const std::vector<double
       if (stop) throw Stopped{};
     };
     const auto note = [&attempts, i](const Attempt& attempt) { attempts.put(i, attempt); };
-    return point(contact, speeds[i], {options.tolerance, heed, note});
+    return point(contact, speeds[i], {options.tolerance, options.absolute, heed, note});
   };
   const auto deliver = [&](std::size_t i, Restitution&& result) {
     awaited = i + 1;

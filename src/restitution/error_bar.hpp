@@ -18,7 +18,8 @@ namespace stoss {
 ///
 ///   max(0.8 s U + n U, e s₀ U, 3 max_j |q_j − q_k| (ω_j/ω_k)^{5/2}),   n the noise of a single run,
 ///
-/// s₀ the share s without its fall at high speed and e = (v/0.33)⁴, at most 3.5;
+/// s₀ the share s without its fall at high speed and e = (v/0.33)⁴, at most 3.5; s and n of balls are others, with
+/// e = 0.6;
 ///   at one point of contact max(U/2, 6 max_j |q_j − q_k| ω_j/ω_k).
 ///
 /// What the near side of a much larger body leaves out adds to the error.

@@ -38,6 +38,11 @@ Run summary(const Impact& impact) {
           .steps = impact.steps};
 }
 
+/// Error of 1 − ε² with which a result counts as converged.
+double wanted_error(const Restitution& result) {
+  return std::max(result.tolerance * std::abs(result.lost_fraction.value), result.absolute);
+}
+
 double relative_error(const Restitution& result) {
   return result.lost_fraction.error / std::abs(result.lost_fraction.value);
 }
@@ -73,7 +78,7 @@ struct Outlook {
 Outlook outlook(const Restitution& result, const Bar& first, double expected, double highest) {
   const Bar last{result.runs.back().cutoff, relative_error(result)};
   const double order = falling_order(first, last, expected);
-  const double missing = last.error / (aim * result.tolerance);
+  const double missing = result.lost_fraction.error / (aim * wanted_error(result));
   Outlook next{};
   next.rungs = static_cast<int>(std::clamp(std::ceil(4.0 * std::log2(missing) / expected), 1.0, 1.0 * most_rungs));
   next.cutoff = last.cutoff * std::pow(missing, 1.0 / order);
@@ -103,12 +108,13 @@ RestitutionNotConverged::RestitutionNotConverged(Restitution result)
     : NotConverged("restitution: " + result.reason), best(std::move(result)) {}
 
 Restitution restitution(const RefinableContact& contact, double speed, const RestitutionOptions& options) {
-  require_tolerance(options.tolerance);
+  require_tolerance(options.tolerance, options.absolute);
   require_speed(speed);
   const int highest = contact.highest_level();
   const double order = convergence_order(contact.at(0, options.poll));
   Restitution result;
   result.tolerance = options.tolerance;
+  result.absolute = options.absolute;
   std::optional<Bar> first;
   Outlook next{first_rungs.front(), 0.0, 0.0, true};
   const CurvatureCorrection correction = curvature_correction(contact, speed, options.poll);

@@ -62,10 +62,8 @@ def determinant(poisson, n, omega):
             + (x**4 - 2 * (n**2 + n) * soft * x**2) * here * here_s)
 
 
-def roots_in(poisson, n, low, high):
-    def f(omega):
-        return determinant(poisson, n, omega)
-
+def roots_in(f, low, high):
+    """All roots of f between low and high."""
     def bisect(a, b):
         fa = f(a)
         for _ in range(20):
@@ -143,7 +141,7 @@ def main():
         mp.dps = DIGITS
         # The library is given the nearest double: so is the reference.
         nu = mpf(float(poisson))
-        for i, omega in enumerate(roots_in(nu, n, mpf(low), mpf(high))):
+        for i, omega in enumerate(roots_in(lambda w, n=n, nu=nu: determinant(nu, n, w), mpf(low), mpf(high))):
             mp.dps = DIGITS
             C, S = edge(nu, n, omega, check=i == 0 and omega < 8)
             texts = [mp.nstr(v, 22, strip_zeros=False) for v in (omega, C, S)]

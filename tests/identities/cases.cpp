@@ -24,17 +24,22 @@ struct Meeting {
 };
 
 const std::vector<Named> bodies{
-    {"disk_m50", Disk{-0.5}}, {"disk_0", Disk{0.0}}, {"disk_33", Disk{0.33}}, {"disk_90", Disk{0.9}}, {"rod", Rod{}}};
+    {"disk_m50", Disk{-0.5}}, {"disk_0", Disk{0.0}},        {"disk_33", Disk{0.33}},    {"disk_90", Disk{0.9}},
+    {"rod", Rod{}},           {"sphere_m50", Sphere{-0.5}}, {"sphere_30", Sphere{0.3}}, {"sphere_49", Sphere{0.49}}};
 
 const std::vector<Meeting> walls{{"static", false, Tail::quasistatic, {1e-3, 0.3}},
                                  {"radiating", false, Tail::radiating, {1e-3, 0.1, 0.3}},
                                  {"exponential", true, Tail::radiating, {1e-3, 0.3}}};
+
+// A fast sphere rattles on an exponential wall (docs/theory/spheres.md): there no number is exact.
+const std::vector<Meeting> walls_of_spheres{walls[0], walls[1], {"exponential", true, Tail::radiating, {1e-3}}};
 
 const std::vector<Meeting> between_bodies{{"static", false, Tail::quasistatic, {0.02}},
                                           {"radiating", false, Tail::radiating, {0.3}}};
 
 // In size, modulus, density and Poisson number they differ from all bodies.
 const std::vector<Named> other_disks{{"small", Disk{0.2, 0.5, 2.0, 3.0}}, {"large", Disk{-0.3, 3.0, 0.5, 0.2}}};
+const std::vector<Named> other_spheres{{"small", Sphere{0.2, 0.5, 2.0, 3.0}}, {"large", Sphere{-0.3, 3.0, 0.5, 0.2}}};
 const std::vector<Named> other_rods{{"long", Rod{2.5, 1.0, 1.0, 1.0}}, {"thin", Rod{0.4, 2.0, 3.0, 0.2}}};
 
 double cutoff_of(const Case& its) {
@@ -58,11 +63,17 @@ void add(const Named& first, const Named* second, const Meeting& meeting, std::v
   }
 }
 
+const std::vector<Named>& others(const Solid& solid) {
+  if (std::holds_alternative<Rod>(solid)) return other_rods;
+  return std::holds_alternative<Sphere>(solid) ? other_spheres : other_disks;
+}
+
 std::vector<Case> make_cases() {
   std::vector<Case> cases;
   for (const Named& body : bodies) {
-    for (const Meeting& wall : walls) add(body, nullptr, wall, cases);
-    std::vector<Named> partners = std::holds_alternative<Rod>(body.solid) ? other_rods : other_disks;
+    const bool ball = std::holds_alternative<Sphere>(body.solid);
+    for (const Meeting& wall : ball ? walls_of_spheres : walls) add(body, nullptr, wall, cases);
+    std::vector<Named> partners = others(body.solid);
     partners.push_back({"same", body.solid});
     for (const Named& partner : partners) {
       for (const Meeting& meeting : between_bodies) add(body, &partner, meeting, cases);
@@ -76,6 +87,16 @@ std::vector<Case> those(Condition condition) {
   std::vector<Case> some;
   std::copy_if(all_cases().begin(), all_cases().end(), std::back_inserter(some), condition);
   return some;
+}
+
+void resize_round(Solid& solid, double length, double modulus, double density) {
+  const auto resize = [=](auto& round) {
+    round.radius *= length;
+    round.young *= modulus;
+    round.density *= density;
+  };
+  if (auto* ball = std::get_if<Sphere>(&solid)) return resize(*ball);
+  resize(std::get<Disk>(solid));
 }
 
 double inverse_time(const Solid& solid) { return wave_speed(solid) / size(solid); }
@@ -103,6 +124,7 @@ bool is_rod(const Case& its) { return std::holds_alternative<Rod>(its.first); }
 
 BodyMaker maker(const Solid& solid) {
   if (const auto* slender = std::get_if<Rod>(&solid)) return rod(*slender);
+  if (const auto* ball = std::get_if<Sphere>(&solid)) return sphere(*ball);
   return disk(std::get<Disk>(solid));
 }
 
@@ -129,10 +151,7 @@ Case in_units(const Case& its, double length, double modulus, double density) {
       slender->young *= modulus;
       slender->density *= density;
     } else {
-      Disk& round = std::get<Disk>(solid);
-      round.radius *= length;
-      round.young *= modulus;
-      round.density *= density;
+      resize_round(solid, length, modulus, density);
     }
     return solid;
   };
@@ -148,11 +167,16 @@ double wave_speed(const Solid& solid) {
 
 double size(const Solid& solid) {
   const auto* slender = std::get_if<Rod>(&solid);
-  return slender != nullptr ? slender->length : std::get<Disk>(solid).radius;
+  if (slender != nullptr) return slender->length;
+  if (const auto* ball = std::get_if<Sphere>(&solid)) return ball->radius;
+  return std::get<Disk>(solid).radius;
 }
 
 double mass(const Solid& solid) {
   if (const auto* slender = std::get_if<Rod>(&solid)) return slender->density * slender->area * slender->length;
+  if (const auto* ball = std::get_if<Sphere>(&solid)) {
+    return 4.0 * std::numbers::pi / 3.0 * ball->density * std::pow(ball->radius, 3);
+  }
   const Disk& round = std::get<Disk>(solid);
   return std::numbers::pi * round.density * round.radius * round.radius;
 }

@@ -8,6 +8,7 @@
 
 #include "stoss/bodies/disk.hpp"
 #include "stoss/bodies/rod.hpp"
+#include "stoss/bodies/sphere.hpp"
 #include "stoss/contact/contact.hpp"
 #include "stoss/contact/tail.hpp"
 #include "stoss/contact/wall.hpp"
@@ -15,7 +16,7 @@
 namespace stoss::test {
 
 /// A body as a value.
-using Solid = std::variant<Disk, Rod>;
+using Solid = std::variant<Disk, Rod, Sphere>;
 
 /// Who meets what, how fast: a line of the table of the identity suite.
 struct Case {

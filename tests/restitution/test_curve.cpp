@@ -68,7 +68,9 @@ TEST(Curve, EndsSoonWhenPollOrObserverThrow) {
     if (Clock::now() - begin > std::chrono::milliseconds(100)) throw Enough{};
   };
   // Each point alone takes seconds.
-  EXPECT_THROW((void)restitution_curve(0.33, speeds(50), {.tolerance = 1e-9, .threads = 2, .poll = poll}), Enough);
+  EXPECT_THROW(
+      (void)restitution_curve(0.33, speeds(50), {.tolerance = 1e-9, .absolute = 0.0, .threads = 2, .poll = poll}),
+      Enough);
   EXPECT_LT(Clock::now() - begin, std::chrono::seconds(10));
   std::size_t seen = 0;
   const auto observer = [&](std::size_t i, const Restitution&) {

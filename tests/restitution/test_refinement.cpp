@@ -14,7 +14,7 @@ namespace {
 
 Restitution given_up(double poisson, double speed, double tolerance) {
   try {
-    (void)restitution(disk(poisson), speed, {.tolerance = tolerance});
+    (void)restitution(disk(poisson), speed, {.tolerance = tolerance, .absolute = 0.0});
   } catch (const RestitutionNotConverged& error) {
     return error.best;
   }

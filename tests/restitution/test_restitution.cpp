@@ -20,7 +20,7 @@ namespace {
 TEST(Restitution, OfARodIsOneWithinItsError) {
   for (const double speed : {1e-6, 0.1}) {
     try {
-      (void)restitution(rod(), speed);
+      (void)restitution(rod(), speed, {.absolute = 0.0});
       FAIL() << "the loss of a rod is nothing but error, so no relative tolerance is met";
     } catch (const RestitutionNotConverged& error) {
       const Restitution& best = error.best;
@@ -106,10 +106,30 @@ TEST(Restitution, CoversTheWholeRange) {
   }
 }
 
+TEST(Restitution, IsContentWithAnAbsoluteError) {
+  const RefinableContact body(disk(0.33));
+  const Restitution relative = restitution(body, 0.1, {.tolerance = 1e-3});
+  for (const double absolute : {1e-2, 3e-4, 3e-5}) {
+    const Restitution result = restitution(body, 0.1, {.tolerance = 1e-12, .absolute = absolute});
+    EXPECT_TRUE(result.converged);
+    EXPECT_EQ(result.absolute, absolute);
+    EXPECT_LE(result.lost_fraction.error, absolute);
+    // It aims at what is asked for: no more than a run too fine.
+    if (absolute >= 3e-4) {
+      EXPECT_LE(result.finest.cutoff, relative.finest.cutoff);
+    }
+  }
+  const Restitution rod_at_wall = restitution(rod(), 0.1, {.absolute = 0.05});
+  EXPECT_NEAR(rod_at_wall.restitution.value, 1.0, rod_at_wall.restitution.error);
+  for (const double bad : {-1e-9, 0.6, std::nan("")}) {
+    test::expect_refusal([&] { (void)restitution(body, 0.1, {.absolute = bad}); }, {"absolute", "0 to 0.5"});
+  }
+}
+
 TEST(Restitution, WhatCannotConvergeEndsWithTheBestValue) {
   const RefinableContact body{disk(0.33)};
   try {
-    (void)restitution(body, 0.3, {.tolerance = 1e-12});
+    (void)restitution(body, 0.3, {.tolerance = 1e-12, .absolute = 0.0});
     FAIL();
   } catch (const RestitutionNotConverged& error) {
     EXPECT_FALSE(error.best.converged);
@@ -158,7 +178,7 @@ TEST(Restitution, APollThatThrowsEndsIt) {
   const auto poll = [&calls] {
     if (++calls == 3) throw Enough{};
   };
-  EXPECT_THROW((void)restitution(disk(0.33), 0.1, {.tolerance = 1e-6, .poll = poll}), Enough);
+  EXPECT_THROW((void)restitution(disk(0.33), 0.1, {.tolerance = 1e-6, .absolute = 0.0, .poll = poll}), Enough);
   EXPECT_EQ(calls, 3);
 }
 

@@ -28,7 +28,7 @@ struct ModeGroup {
 
 /// Points at which bodies can touch: they belong to the contact, and every body is asked about the same ones. They lie
 /// at the lateral distances y_i = radius · sin α_i from the axis, α_i = (i + ½) · spacing. Each stands for itself and
-/// for its mirror image.
+/// for its mirror image, or for a whole ring around the axis.
 struct ContactPoints {
   double radius = 1.0;   ///< of the circle on which they are equally spaced, in units of the size of the body asked
   double spacing = 0.0;  ///< radians; 0: a single point on the axis
@@ -41,15 +41,16 @@ struct ContactPoints {
 /// The surface of a body at contact points, in the units of the body.
 struct Surface {
   std::vector<double> recess;     ///< distance of each point of the body at rest behind the foremost one, R
-  std::vector<double> measure;    ///< length of edge that the point stands for, both sides, R
+  std::vector<double> measure;    ///< length of edge that the point stands for, both sides, R; area of a ring, R²
   std::vector<double> impedance;  ///< Z, force per velocity of an outgoing plane wave, ρcR
   std::vector<double> shape;      ///< rows × points, row-major; see ModeGroup
 };
 
 /// How the end of a body is shaped that meets something, which decides where it can touch.
 enum class Contour {
-  flat,     ///< touches as a whole: a single point stands for it
-  cylinder  ///< touches along a line of growing width, as a disk in its plane
+  flat,      ///< touches as a whole: a single point stands for it
+  cylinder,  ///< touches along a line of growing width, as a disk in its plane
+  ball       ///< touches on a growing circle, as a sphere: points are rings around the axis
 };
 
 /// Size, wave speed and mass of a body, in any units common to all bodies that meet.
@@ -89,9 +90,10 @@ struct Body {
   std::string name;  ///< with its parameters, for provenance
   BodyScale scale;   ///< of this body beside others
   Contour contour = Contour::flat;
-  double mass = 0.0;    ///< of the body, and of every mode
-  double extent = 0.0;  ///< distance from the centre of mass to the foremost point
-  double cutoff = 0.0;  ///< all modes with ω ≤ cutoff are in `groups` (but see with_modes)
+  double mass = 0.0;      ///< of the body, and of every mode
+  double extent = 0.0;    ///< distance from the centre of mass to the foremost point
+  double softness = 1.0;  ///< 1/E* near its end, in 1/E: 1 in plane stress, 1 − ν² in plane strain
+  double cutoff = 0.0;    ///< all modes with ω ≤ cutoff are in `groups` (but see with_modes)
   double highest_cutoff = std::numeric_limits<double>::infinity();  ///< that such a body can be made with
   /// Largest stable time step at a hard wall: above it one kick moves the kept modes of some order further than the
   /// residual compliance does.

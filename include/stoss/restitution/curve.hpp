@@ -20,13 +20,14 @@ using AttemptObserver = std::function<void(std::size_t index, const Attempt& att
 /// Tolerance and threads of a curve.
 struct CurveOptions {
   double tolerance = 1e-3;             ///< as in RestitutionOptions
+  double absolute = 1e-6;              ///< as in RestitutionOptions
   int threads = 0;                     ///< 0: as many as the machine has; results do not depend on it
   Poll poll{};                         ///< on the calling thread, at least every 50 ms
   AttemptObserver attempt_observer{};  ///< what it throws ends the curve
 };
 
 /// Checks the speeds and the options of a curve.
-/// @throws InvalidInput for speeds, a tolerance or threads out of range
+/// @throws InvalidInput for speeds, tolerances or threads out of range
 void validate(const std::vector<double>& speeds, const CurveOptions& options);
 
 /// Computes ε at each of the speeds and hands the results over one by one. A point that does not

@@ -45,7 +45,8 @@ struct Restitution {
   Estimate max_force;
   Estimate max_compression;
   double tolerance = 0.0;  ///< asked for, relative to 1 − ε²
-  bool converged = false;  ///< whether it is met
+  double absolute = 0.0;   ///< error of 1 − ε² that is small enough in any case
+  bool converged = false;  ///< whether one of them is met
   std::string reason;      ///< why not
   std::vector<Run> runs;   ///< from coarse to fine
   Impact finest;           ///< the last of them, whole; beyond_small_strain says where linear elasticity has ended.
@@ -62,6 +63,7 @@ struct Attempt {
 /// Tolerance of the coefficient of restitution.
 struct RestitutionOptions {
   double tolerance = 1e-3;  ///< error of 1 − ε² over 1 − ε², 1e-15 … 0.5
+  double absolute = 1e-6;   ///< or error of 1 − ε² that is small enough in any case, 0 … 0.5
   Poll poll{};
   std::function<void(const Attempt&)> attempt_observer{};  ///< called before each impact; what it throws ends them
 };
@@ -76,10 +78,10 @@ class RestitutionNotConverged : public NotConverged {
 
 /// Coefficient of restitution of a body at a hard wall, or of two bodies, from impacts at rising cutoffs
 /// (docs/numerics.md, sections 5 and 7): cutoff, step and grid are refined together until the error of
-/// 1 − ε² is below tolerance × (1 − ε²). The error is eight times the root mean square of the
-/// differences from the coarser runs, each scaled by the observed order of convergence,
-/// (ω_coarse/ω_fine)^(5/2) (with one point of contact ω_coarse/ω_fine). Where the errors fall too
-/// slowly for any cutoff, it gives up before the impacts that take more than some tenths of a second.
+/// 1 − ε² is at most tolerance × (1 − ε²), or at most `absolute`. The error is the greater of a share of the energy
+/// that the modes above the cutoff took and a multiple of the greatest difference from a coarser run, scaled by the
+/// observed order of convergence. Where the errors fall too slowly for any cutoff, it gives up before impacts that take
+/// more than a second.
 /// @param speed of approach, 1e-8 … 1, in c
 /// @throws InvalidInput for arguments out of range; RestitutionNotConverged if no cutoff of the ladder is enough;
 ///         NotConverged if no two impacts end

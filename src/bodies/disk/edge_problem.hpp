@@ -1,6 +1,7 @@
 #pragma once
 
 #include "numeric/bessel.hpp"
+#include "stoss/bodies/disk/modes.hpp"
 
 namespace stoss::bodies::disk {
 
@@ -19,6 +20,9 @@ namespace stoss::bodies::disk {
 /// For n ≫ κ, κ′ (Rayleigh waves at small ν) these terms cancel almost wholly. The code therefore uses
 /// α = nβ − γ with γ = κ J_{n+1}(κ), in which the large parts drop out by algebra.
 struct EdgeProblem {
+  using Mode = disk::Mode;
+  static constexpr auto bessel = numeric::BesselKind::cylindrical;
+
   int order;                     ///< n
   double kappa;                  ///< κ = ω √(1−ν²)
   double kappa_shear;            ///< κ′ = ω √(2(1+ν))
@@ -27,6 +31,9 @@ struct EdgeProblem {
 
   /// D_n, times a positive factor.
   [[nodiscard]] double determinant() const;
+
+  /// J_n'(κ′), at whose zeros the clamped disk has a pole.
+  [[nodiscard]] double shear_pole() const { return slope(order, shear); }
 
   /// Number of eigenfrequencies in (0, ω), exact by the theorem of Wittrick and Williams (Q. J. Mech. Appl.
   /// Math. 24, 263, 1971): those of the clamped disk plus the negative eigenvalues of the dynamic stiffness.
@@ -41,6 +48,12 @@ struct EdgeProblem {
     double tangential;  ///< S = u_φ(1)
   };
   [[nodiscard]] Vibration vibration() const;
+
+  /// The mode at a root of D_n.
+  [[nodiscard]] Mode mode(int index, double omega) const {
+    const Vibration at = vibration();
+    return {order, index, omega, at.radial, at.tangential};
+  }
 };
 
 }  // namespace stoss::bodies::disk

@@ -1,0 +1,26 @@
+#pragma once
+
+#include "stoss/body/body.hpp"
+
+namespace stoss {
+
+/// A sphere as a value: its Poisson number, and its size and material beside other bodies, in any consistent units.
+struct Sphere {
+  double poisson = 0.0;  ///< ν, −0.95 … 0.4999
+  double radius = 1.0;   ///< R
+  double young = 1.0;    ///< E
+  double density = 1.0;  ///< ρ
+};
+
+/// An elastic sphere with all axisymmetric spheroidal modes up to a cutoff, in its own units R = c = ρ = E = 1,
+/// c = √(E/ρ), m = 4π/3 (docs/theory/spheres.md). It meets walls and spheres centrally and without friction.
+/// @param cutoff c/R, above 0 to 1000; below the lowest mode the sphere keeps none
+/// @throws InvalidInput outside these ranges, and for a radius, modulus or density that is not positive and finite
+[[nodiscard]] Body sphere(const Sphere& sphere, double cutoff, const Poll& poll = {});
+[[nodiscard]] Body sphere(double poisson, double cutoff, const Poll& poll = {});
+
+/// Makes spheres at any cutoff, for `restitution`, which chooses the cutoffs. @throws InvalidInput as above
+[[nodiscard]] BodyMaker sphere(const Sphere& sphere);
+[[nodiscard]] BodyMaker sphere(double poisson);
+
+}  // namespace stoss

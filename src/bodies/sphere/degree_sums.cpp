@@ -1,0 +1,175 @@
+#include "bodies/sphere/degree_sums.hpp"
+
+#include <Eigen/Core>
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <numbers>
+
+#include "bodies/sphere/legendre.hpp"
+#include "bodies/sphere/static_flexibility.hpp"
+#include "bodies/sphere/sum_quadrature.hpp"
+#include "bodies/sphere/surface_points.hpp"
+#include "numeric/cosine_integral.hpp"
+
+namespace stoss::bodies::sphere {
+namespace {
+
+using Matrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+
+constexpr double mass = 4.0 * std::numbers::pi / 3.0;
+constexpr int block = 48;            // rows of a product of matrices at a time
+constexpr int rule_nodes = 24;       // of the quadrature of a sum
+constexpr double rule_phase = 18.0;  // by which its terms may turn to either side of the middle
+constexpr long lowest_start = 64;    // of the quadrature: the expansion of P_ν needs a high degree
+
+/// Coefficients between the two shapes P_{n+1} and P_{n−1} of a degree.
+struct Pair {
+  double upper = 0.0, mixed = 0.0, lower = 0.0;
+
+  Pair(double n, const Flexibility& r, double weight) {
+    const double up = (n + 1.0) / (2.0 * n + 1.0), down = n / (2.0 * n + 1.0);
+    upper = weight * up * up * (r.radial - 2.0 * n * r.mixed + n * n * r.tangential);
+    mixed = weight * up * down * (r.radial + r.mixed - n * (n + 1.0) * r.tangential);
+    lower = weight * down * down * (r.radial + 2.0 * (n + 1.0) * r.mixed + (n + 1.0) * (n + 1.0) * r.tangential);
+  }
+};
+
+/// Σ (upper x xᵀ + mixed (x yᵀ + y xᵀ) + lower y yᵀ) over rows x = P_{n+1}, y = P_{n−1}, some rows at a time.
+class ShapeProducts {
+ public:
+  ShapeProducts(Eigen::Index rings, const Poll& poll)
+      : poll_(poll), sum_(Matrix::Zero(rings, rings)), shape_(2 * block, rings), load_(2 * block, rings) {}
+
+  void add(const Pair& pair, const Eigen::ArrayXd& upper, const Eigen::ArrayXd& lower) {
+    shape_.row(rows_) = upper.matrix().transpose();
+    shape_.row(rows_ + 1) = lower.matrix().transpose();
+    load_.row(rows_) = (pair.upper * upper + pair.mixed * lower).matrix().transpose();
+    load_.row(rows_ + 1) = (pair.mixed * upper + pair.lower * lower).matrix().transpose();
+    rows_ += 2;
+    if (rows_ == shape_.rows()) flush();
+  }
+
+  [[nodiscard]] const Matrix& sum() {
+    flush();
+    return sum_;
+  }
+
+ private:
+  void flush() {
+    // In blocks of columns of the lower triangle, between which there is time to look up.
+    constexpr Eigen::Index width = 64;
+    const Eigen::Index rings = sum_.rows();
+    for (Eigen::Index first = 0; first < rings; first += width) {
+      if (poll_) poll_();
+      const Eigen::Index columns = std::min(width, rings - first), rest = rings - first;
+      sum_.block(first, first, rest, columns).noalias() +=
+          shape_.topRows(rows_).rightCols(rest).transpose() * load_.topRows(rows_).middleCols(first, columns);
+    }
+    rows_ = 0;
+  }
+
+  const Poll& poll_;
+  Matrix sum_, shape_, load_;
+  Eigen::Index rows_ = 0;
+};
+
+Flexibility coefficient(const DegreeSum& sum, long n) {
+  Flexibility r;
+  if (sum.with_static) r = static_flexibility(sum.poisson, static_cast<int>(n));
+  if (static_cast<std::size_t>(n) < sum.coefficients.size()) {
+    const Flexibility& given = sum.coefficients[static_cast<std::size_t>(n)];
+    r.radial += given.radial;
+    r.mixed += given.mixed;
+    r.tangential += given.tangential;
+  }
+  return r;
+}
+
+/// The degrees 0 … last one by one; that of Nyquist with weight ½.
+void add_degrees(const DegreeSum& sum, const Eigen::ArrayXd& angle, long last, long nyquist, ShapeProducts& products) {
+  LegendreSequence sequence(angle);
+  Eigen::ArrayXd below = Eigen::ArrayXd::Zero(angle.size()), here = sequence.value();
+  for (long n = 0; n <= last; ++n) {
+    sequence.advance();
+    const auto degree = static_cast<double>(n);
+    products.add(Pair(degree, coefficient(sum, n), n == nyquist ? 0.5 : 1.0), sequence.value(), below);
+    below = here;
+    here = sequence.value();
+  }
+}
+
+/// The static flexibilities of the degrees first … nyquist by quadrature.
+void add_blocks(double poisson, const Eigen::ArrayXd& angle, long first, long nyquist, ShapeProducts& products) {
+  const LegendreOfRealDegree legendre(angle);
+  const auto add = [&](double n, double weight) {
+    products.add(Pair(n, flexibility_of_degree(poisson, n), weight), legendre(n + 1.0), legendre(n - 1.0));
+  };
+  const auto most = static_cast<long>(rule_phase / angle.maxCoeff());
+  SumRule rule;
+  long terms = 0;
+  while (first <= nyquist) {
+    const long wanted = std::min({most, 2 * first, nyquist - first + 1});
+    if (wanted != terms) rule = sum_rule(wanted, rule_nodes);
+    terms = wanted;
+    for (std::size_t k = 0; k < rule.node.size(); ++k) add(static_cast<double>(first) + rule.node[k], rule.weight[k]);
+    first += terms;
+  }
+  add(static_cast<double>(nyquist), -0.5);
+}
+
+/// On the circle of a smaller partner, rings lie closer to each other on this sphere the further out they are, and a
+/// sum to one degree N for all leaves too little of the shortest waves there: W would not stay positive definite. Each
+/// pair of rings has the degrees that its own distance resolves instead. High degrees add C cos nΔθ/n, C =
+/// 4(1−ν²)/(3π√(sin θ_i sin θ_j)), so the change is C [Ci(π|i−j|) − Ci(NΔθ)].
+void resolve_each_pair(double poisson, const ContactPoints& points, const Eigen::ArrayXd& angle, double nyquist,
+                       Matrix& lower) {
+  const double strength = 4.0 * (1.0 - poisson * poisson) / (3.0 * std::numbers::pi);
+  std::vector<double> wanted{0.0};
+  for (std::size_t k = 1; k < points.count; ++k) {
+    wanted.push_back(numeric::cosine_integral(std::numbers::pi * static_cast<double>(k)));
+  }
+  for (Eigen::Index i = 0; i < lower.rows(); ++i) {
+    const double stretch = points.radius * std::cos(points.angle(static_cast<std::size_t>(i))) / std::cos(angle(i));
+    lower(i, i) -= strength / std::sin(angle(i)) * std::log(nyquist * points.spacing * stretch / std::numbers::pi);
+    for (Eigen::Index j = 0; j < i; ++j) {
+      const double change =
+          wanted[static_cast<std::size_t>(i - j)] - numeric::cosine_integral(nyquist * (angle(i) - angle(j)));
+      lower(i, j) += strength / std::sqrt(std::sin(angle(i)) * std::sin(angle(j))) * change;
+    }
+  }
+}
+
+}  // namespace
+
+std::vector<double> sum_over_degrees(const DegreeSum& sum, const ContactPoints& points, const Poll& poll) {
+  const auto rings = static_cast<Eigen::Index>(points.count);
+  if (rings == 0) return {};
+  Eigen::ArrayXd angle(rings);
+  for (Eigen::Index i = 0; i < rings; ++i) angle(i) = ring_angle(points, static_cast<std::size_t>(i));
+  const auto nyquist = std::lround(std::numbers::pi / (points.spacing * points.radius));
+  const auto given = static_cast<long>(sum.coefficients.size());
+  ShapeProducts products(rings, poll);
+  // A term of the quadrature costs as much as some ten degrees one by one.
+  const long start = std::max({lowest_start, given, static_cast<long>(2000.0 * angle.maxCoeff())});
+  if (!sum.with_static) {
+    add_degrees(sum, angle, std::min(given - 1, nyquist), nyquist, products);
+  } else if (nyquist < start + 32 * rings || angle.maxCoeff() > 0.1) {
+    add_degrees(sum, angle, nyquist, nyquist, products);
+  } else {
+    add_degrees(sum, angle, start - 1, nyquist, products);
+    add_blocks(sum.poisson, angle, start, nyquist, products);
+  }
+  Matrix half = products.sum();
+  if (sum.with_static && points.radius != 1.0) {
+    resolve_each_pair(sum.poisson, points, angle, static_cast<double>(nyquist), half);
+  }
+  std::vector<double> result(points.count * points.count);
+  Eigen::Map<Matrix> matrix(result.data(), rings, rings);
+  matrix = half.triangularView<Eigen::Lower>();
+  matrix.triangularView<Eigen::StrictlyUpper>() = half.transpose();
+  matrix /= mass;
+  return result;
+}
+
+}  // namespace stoss::bodies::sphere

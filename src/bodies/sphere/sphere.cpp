@@ -1,0 +1,131 @@
+// A sphere as a body: its modes by degree, the shapes of the degrees on its surface, and the response of the others.
+//
+// A mode moves the ring at θ towards the wall by Q (U P_n cos θ − V dP_n/dθ sin θ) = Q (p P_{n+1} + q P_{n−1}) with
+// p = (n+1)(U − nV)/(2n+1), q = n(U + (n+1)V)/(2n+1).
+#include "stoss/bodies/sphere.hpp"
+
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <memory>
+#include <numbers>
+#include <string>
+
+#include "bodies/sphere/legendre.hpp"
+#include "bodies/sphere/mode_search.hpp"
+#include "bodies/sphere/residual.hpp"
+#include "bodies/sphere/surface_points.hpp"
+#include "check.hpp"
+#include "digits.hpp"
+#include "stoss/bodies/sphere/modes.hpp"
+
+namespace stoss {
+namespace {
+
+using namespace bodies::sphere;
+
+// The lowest mode lies between these for every ν.
+constexpr double no_mode_below = 1.0;
+constexpr double highest_lowest_mode = 2.0;
+constexpr double mass = 4.0 * std::numbers::pi / 3.0;
+
+Surface make_surface(double poisson, std::size_t rows, const ContactPoints& points) {
+  const WaveSpeeds speed = wave_speeds(poisson);
+  Surface surface;
+  Eigen::ArrayXd angle(static_cast<Eigen::Index>(points.count));
+  for (std::size_t i = 0; i < points.count; ++i) {
+    const double theta = ring_angle(points, i);
+    angle(static_cast<Eigen::Index>(i)) = theta;
+    const double area = ring_area(points, i), cosine = std::cos(theta), sine = std::sin(theta);
+    surface.recess.push_back(2.0 * std::sin(0.5 * theta) * std::sin(0.5 * theta));
+    surface.measure.push_back(area);
+    surface.impedance.push_back(area / (cosine * cosine / speed.pressure + sine * sine / speed.shear));
+  }
+  LegendreSequence sequence(angle);
+  for (std::size_t n = 0; n < rows; ++n, sequence.advance()) {
+    surface.shape.insert(surface.shape.end(), sequence.value().begin(), sequence.value().end());
+  }
+  return surface;
+}
+
+std::vector<ModeGroup> group_by_degree(const std::vector<Mode>& modes) {
+  std::vector<ModeGroup> groups;
+  for (const Mode& mode : modes) {
+    const double n = mode.order;
+    if (groups.empty() || groups.back().order != mode.order) {
+      const auto row = static_cast<std::size_t>(mode.order);
+      groups.push_back({mode.order, {}, {}, {}, row + 1, row > 0 ? row - 1 : 1});
+    }
+    groups.back().omega.push_back(mode.omega);
+    groups.back().upper.push_back((n + 1.0) / (2.0 * n + 1.0) * (mode.radial - n * mode.tangential));
+    groups.back().lower.push_back(n / (2.0 * n + 1.0) * (mode.radial + (n + 1.0) * mode.tangential));
+  }
+  return groups;
+}
+
+std::string name_of(const Sphere& sphere) {
+  std::string name = "sphere poisson=" + shown(sphere.poisson);
+  if (sphere.radius != 1.0) name += " radius=" + shown(sphere.radius);
+  if (sphere.young != 1.0) name += " young=" + shown(sphere.young);
+  if (sphere.density != 1.0) name += " density=" + shown(sphere.density);
+  return name;
+}
+
+void require_sphere(const Sphere& sphere) {
+  bodies::sphere::require_poisson(sphere.poisson);
+  constexpr Range positive{0.0, std::numeric_limits<double>::max(), false, true, "a positive finite number"};
+  require("radius", sphere.radius, positive, "of the sphere");
+  require("young", sphere.young, positive, "Young's modulus of the sphere");
+  require("density", sphere.density, positive, "of the sphere");
+}
+
+/// Chosen so that steps, rings and modes are refined together (docs/numerics.md, section 5).
+constexpr Sampling sampling{.points = 40.0, .cutoff = 32.0, .power = 0.7, .along_edge = 0.0, .fewest = 32};
+
+}  // namespace
+
+Body sphere(const Sphere& sphere, double cutoff, const Poll& poll) {
+  require_sphere(sphere);
+  const double poisson = sphere.poisson;
+  constexpr Range allowed{0.0, max_cutoff, false, true, "above 0 to 1000"};
+  require("cutoff", cutoff, allowed, "highest frequency in c/R of this sphere; 25 to 100 is usual");
+  const std::vector<Mode> modes = cutoff <= no_mode_below ? std::vector<Mode>{} : checked_modes(poisson, cutoff, poll);
+  Body body;
+  body.name = name_of(sphere);
+  body.scale = {sphere.radius, std::sqrt(sphere.young / sphere.density),
+                mass * sphere.density * sphere.radius * sphere.radius * sphere.radius};
+  body.contour = Contour::ball;
+  body.mass = mass;
+  body.extent = 1.0;
+  body.softness = 1.0 - poisson * poisson;
+  body.cutoff = cutoff;
+  body.highest_cutoff = max_cutoff;
+  body.sampling = sampling;
+  body.groups = group_by_degree(modes);
+  const std::size_t rows = modes.empty() ? 0 : static_cast<std::size_t>(modes.back().order) + 2;
+  body.surface = [poisson, rows](const ContactPoints& points) { return make_surface(poisson, rows, points); };
+  const auto residual = std::make_shared<const Residual>(poisson, cutoff, modes);
+  body.stable_step = residual->stable_step();
+  body.residual_compliance = [residual](const ContactPoints& points, const Poll& heed) {
+    return residual->compliance(points, heed);
+  };
+  body.residual_second_moment = [residual](const ContactPoints& points, const Poll& heed) {
+    return residual->second_moment(points, heed);
+  };
+  return body;
+}
+
+Body sphere(double poisson, double cutoff, const Poll& poll) {
+  // By itself, a sphere without modes is a mistake.
+  if (cutoff < highest_lowest_mode) (void)bodies::sphere::modes(poisson, cutoff);
+  return sphere(Sphere{poisson}, cutoff, poll);
+}
+
+BodyMaker sphere(const Sphere& sphere) {
+  require_sphere(sphere);
+  return [sphere](double cutoff, const Poll& poll) { return stoss::sphere(sphere, cutoff, poll); };
+}
+
+BodyMaker sphere(double poisson) { return sphere(Sphere{poisson}); }
+
+}  // namespace stoss

@@ -1,0 +1,38 @@
+#pragma once
+
+#include "bodies/sphere/radial_field.hpp"
+
+namespace stoss::bodies::sphere {
+
+/// r^{n−2} − r^n, r^{n−1}, r^n and r^{n+1}, with 0 for a negative power.
+struct RadialPowers {
+  double below, low, here, high;
+};
+
+/// Static field of a sphere under the surface tractions σ_rr = p P_n and σ_rθ = t dP_n/dθ (docs/theory/spheres.md), for
+/// n = 1 with inertia relief: the sphere accelerates, its centre of mass stays.
+///
+///   u = low r^{n−1} + high r^{n+1},   σ = below (r^{n−2} − r^n) + edge r^n
+///
+/// for each component. In the stresses the powers r^{n−2} and r^n have large factors, which cancel at the surface; this
+/// form has no such difference.
+struct StaticField {
+  double radial_low = 0.0, radial_high = 0.0;
+  double tangential_low = 0.0, tangential_high = 0.0;
+  double rr_below = 0.0, rr_edge = 0.0;
+  double rt_below = 0.0, rt_edge = 0.0;
+  double hoop_below = 0.0, hoop_edge = 0.0;
+  double bend_below = 0.0, bend_edge = 0.0;
+
+  [[nodiscard]] RadialField at(const RadialPowers& power) const {
+    return {
+        radial_low * power.low + radial_high * power.high, tangential_low * power.low + tangential_high * power.high,
+        rr_below * power.below + rr_edge * power.here,     rt_below * power.below + rt_edge * power.here,
+        hoop_below * power.below + hoop_edge * power.here, bend_below * power.below + bend_edge * power.here};
+  }
+};
+
+/// The field for the tractions p = normal and t = shear (of no effect for n = 0), in E.
+[[nodiscard]] StaticField static_field(double poisson, int order, double normal, double shear);
+
+}  // namespace stoss::bodies::sphere
