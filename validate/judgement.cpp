@@ -6,6 +6,7 @@
 #include <map>
 
 #include "stoss/bodies/disk.hpp"
+#include "stoss/bodies/sphere.hpp"
 
 namespace validate {
 namespace {
@@ -21,11 +22,13 @@ Answer answer_at(const stoss::RefinableContact& body, double speed, double toler
 }  // namespace
 
 Contacts make_contacts(const std::vector<Point>& points) {
-  std::map<double, stoss::RefinableContact> at_wall;
+  std::map<double, stoss::RefinableContact> at_wall, spheres_at_wall;
   Contacts contacts;
   for (const Point& point : points) {
     if (point.against) {
       contacts.emplace_back(stoss::disk(point.poisson), stoss::disk(*point.against));
+    } else if (point.sphere) {
+      contacts.push_back(spheres_at_wall.try_emplace(point.poisson, stoss::sphere(point.poisson)).first->second);
     } else {
       contacts.push_back(at_wall.try_emplace(point.poisson, stoss::disk(point.poisson)).first->second);
     }
@@ -44,7 +47,7 @@ std::vector<Answer> answer(const Contacts& contacts, const std::vector<Point>& p
 
 stoss::Restitution best(const stoss::RefinableContact& body, double speed, double tolerance) {
   try {
-    return stoss::restitution(body, speed, {tolerance, {}});
+    return stoss::restitution(body, speed, {.tolerance = tolerance, .absolute = 0.0});
   } catch (const stoss::RestitutionNotConverged& failure) {
     return failure.best;
   }

@@ -44,6 +44,15 @@ std::vector<Point> read_full_points(const std::string& path) {
 
 std::vector<Point> read_unseen_points() { return read_full_points("../../validate/reference_unseen.csv"); }
 
+std::vector<Point> read_spheres() {
+  std::vector<Point> points;
+  for (const CsvRow& row : stoss::test::read_csv("../../validate/reference_spheres.csv")) {
+    points.push_back(read_full_point(row));
+    points.back().sphere = true;
+  }
+  return points;
+}
+
 std::vector<Point> read_pairs() {
   std::vector<Point> points;
   for (const CsvRow& row : stoss::test::read_csv("../../validate/reference_pairs.csv")) {

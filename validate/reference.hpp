@@ -14,4 +14,7 @@ void make_unseen_reference(const std::string& path);
 /// Computes the reference values of pairs. Takes minutes. @throws std::runtime_error as make_reference
 void make_pair_reference(const std::string& path);
 
+/// Computes the reference values of spheres. Takes minutes. @throws std::runtime_error as make_reference
+void make_sphere_reference(const std::string& path);
+
 }  // namespace validate

@@ -147,11 +147,11 @@ Judged judge(const char* what, const std::vector<Point>& points) {
 
 bool write_report(std::ostream& out) {
   const Judged wall = judge("wall", read_points()), unseen = judge("wall, unseen", read_unseen_points()),
-               pairs = judge("pairs", read_pairs());
+               pairs = judge("pairs", read_pairs()), spheres = judge("spheres", read_spheres());
   out << text::introduction << text::verdict;
   bool all_honest = true;
   for (std::size_t i = 0; i < tolerances.size(); ++i) {
-    for (const Judged* judged : {&wall, &unseen, &pairs}) {
+    for (const Judged* judged : {&wall, &unseen, &pairs, &spheres}) {
       write_verdict(out, *judged, i);
       all_honest = all_honest && honest(tally(judged->points, judged->answers[i], lost_fraction));
     }
@@ -164,6 +164,8 @@ bool write_report(std::ostream& out) {
   write_tallies(out, unseen.points, unseen.answers);
   out << text::pair_tally;
   write_tallies(out, pairs.points, pairs.answers);
+  out << text::sphere_tally;
+  write_tallies(out, spheres.points, spheres.answers);
   write_finite_elements(out, wall.points, wall.answers[by_default]);
   const bool rod = write_rod(out);
   out << text::points;
@@ -172,6 +174,8 @@ bool write_report(std::ostream& out) {
   write_points(out, unseen.points, unseen.answers[by_default]);
   out << text::pairs;
   write_points(out, pairs.points, pairs.answers[by_default]);
+  out << text::sphere_points;
+  write_points(out, spheres.points, spheres.answers[by_default]);
   return all_honest && rod;
 }
 

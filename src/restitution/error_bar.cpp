@@ -38,10 +38,10 @@ struct Missing {
 /// @param cutoff over the time scale of the contact
 /// @param speed  of the faster body in its own wave speed
 Missing missing_on_a_line(double cutoff, double speed) {
-  constexpr double at_64 = 0.0115, cutoff_power = 0.8, at_16 = 0.3;
+  constexpr double at_64 = 0.0115, cutoff_power = 0.8, at_16 = 0.27;
   const double slow = std::clamp(std::pow(speed / 0.02, -0.1), 1.0, 1.7);
   const double fast = 1.0 / (1.0 + speed / 0.1);
-  const double calm = std::min(1.0, std::pow(speed / 1e-4, -0.25));
+  const double calm = std::min(2.2, std::pow(speed / 1e-4, -0.25));
   const double whole = at_64 * std::pow(64.0 / cutoff, cutoff_power) * slow, share = whole * fast;
   const double noise = at_16 * calm * std::pow(16.0 / cutoff, 2.5);
   // At high speed the errors have either sign: they are greater than their mean.
