@@ -19,6 +19,7 @@ const std::map<std::string, std::vector<std::string>> kinds{
     {"wall", {}},
     {"same", {}},
     {"disk", {"poisson", "radius", "young", "density"}},
+    {"sphere", {"poisson", "radius", "young", "density", "yield"}},
     {"rod", {"length", "young", "density", "area"}},
     {"exponential", {"hardness", "strength"}},
 };
@@ -47,7 +48,7 @@ Against parse_against(const std::string& text) {
   Against against;
   against.kind = without_spaces(parts.front());
   const auto kind = kinds.find(against.kind);
-  if (kind == kinds.end()) refuse(against.kind, {"wall", "same", "disk", "rod", "exponential"}, "");
+  if (kind == kinds.end()) refuse(against.kind, {"wall", "same", "disk", "sphere", "rod", "exponential"}, "");
   const std::vector<std::string>& keys = kind->second;
   for (auto part = parts.begin() + 1; part != parts.end(); ++part) {
     const auto equals = part->find('=');

@@ -7,7 +7,7 @@ namespace stoss::cli {
 
 /// What --against says: KIND[,key=value…].
 struct Against {
-  std::string kind = "wall";             ///< wall, same, disk, rod or exponential
+  std::string kind = "wall";             ///< wall, same, disk, sphere, rod or exponential
   std::map<std::string, double> values;  ///< of the keys that were given
 
   /// Of a key, or what holds without it.

@@ -16,7 +16,8 @@ void declare(CLI::App& app, int& exit_code) {
   app.require_subcommand(1);
   app.footer(
       "Lengths are in R, speeds in c = sqrt(E/rho), times in R/c, forces in pi R E, frequencies in c/R\n"
-      "of the first body (of a rod: L, c, L/c, E A, c/L).\n"
+      "of the first body (of a sphere: forces in m c^2/R = (4 pi/3) R^2 E; of a rod: L, c, L/c, E A,\n"
+      "c/L).\n"
       "Exit codes: 0 ok, 1 not converged, 2 usage, 3 bad input, 4 input/output, 130 interrupted.");
   add_modes(app);
   add_impact(app);

@@ -40,7 +40,8 @@ void OutputArguments::warn(const std::string& text) const {
 }
 
 void DiskArguments::add_to(CLI::App& command) {
-  add_number(command, "--poisson", poisson, "Poisson number, -0.95 to 0.995; with a material: of the solid")
+  add_number(command, "--poisson", poisson,
+             "Poisson number, -0.95 to 0.995 of a disk, to 0.4999 of a sphere; with\na material: of the solid")
       ->required()
       ->type_name("NU")
       ->group("Body");
@@ -52,11 +53,12 @@ void DiskArguments::add_material_to(CLI::App& command, const std::string& group)
       ->type_name("PA")
       ->group(group);
   add_number(command, "--density", density, "Density in kg/m^3")->type_name("RHO")->group(group);
-  add_number(command, "--radius", radius, "Radius of the disk in m")->type_name("M")->group(group);
-  plane_option_ = command.add_option("--plane", plane, "Thin disk (stress) or long cylinder (strain); default: stress")
-                      ->check(CLI::IsMember({"stress", "strain"}))
-                      ->type_name("PLANE")
-                      ->group(group);
+  add_number(command, "--radius", radius, "Radius of the disk or the sphere in m")->type_name("M")->group(group);
+  plane_option_ =
+      command.add_option("--plane", plane, "Of a disk: thin (stress) or a long cylinder (strain); default: stress")
+          ->check(CLI::IsMember({"stress", "strain"}))
+          ->type_name("PLANE")
+          ->group(group);
 }
 
 Plane DiskArguments::chosen_plane() const { return plane == "strain" ? Plane::strain : Plane::stress; }
@@ -65,7 +67,7 @@ Material DiskArguments::material() const { return {*young, poisson, *density}; }
 
 std::optional<Scales> DiskArguments::si() const {
   const int given = (young ? 1 : 0) + (density ? 1 : 0) + (radius ? 1 : 0);
-  if (given == 0 && plane_option_->count() == 0) return std::nullopt;
+  if (given == 0 && !plane_given()) return std::nullopt;
   if (given != 3) {
     throw InvalidInput(fmt::format(
         "material: got {} of --young, --density, --radius, allowed all three or none (--plane needs all three)",

@@ -26,9 +26,10 @@ struct OutputArguments {
 
 /// Heading of the options that give a body in SI.
 inline const std::string material_group =
-    "Material in SI (a disk needs all of young, density, radius; a rod young, density, length, area)";
+    "Material in SI (disk, sphere: all of young, density, radius; rod: young, density, length, area)";
 
-/// The disk: a 2-D Poisson number, or a material in SI with a radius.
+/// The disk: a 2-D Poisson number, or a material in SI with a radius. A sphere is given in the same way, but for a
+/// plane (SphereArguments).
 struct DiskArguments {
   double poisson = 0.0;
   std::optional<double> young;
@@ -48,6 +49,7 @@ struct DiskArguments {
   [[nodiscard]] double plane_poisson() const;
 
   [[nodiscard]] Plane chosen_plane() const;
+  [[nodiscard]] bool plane_given() const { return plane_option_ != nullptr && plane_option_->count() > 0; }
 
   /// Adds what was given, and the scales, to the inputs of a result.
   void describe(nlohmann::ordered_json& inputs) const;

@@ -29,12 +29,12 @@ std::string describe(const Attempt& attempt) {
 
 std::string converge_columns(const Job& job) { return csv_columns(job.record(0, restitution_table(), {})); }
 
-void check_converge(const Job& job, double tolerance, int threads) {
-  validate(job.speeds, {tolerance, 0.0, threads});
+void check_converge(const Job& job, const CurveOptions& accuracy) {
+  validate(job.speeds, accuracy);
   for (const double poisson : job.poissons) (void)job.encounter.refinable(poisson);
 }
 
-void converge(Sweep& sweep, Report& report, double tolerance, int threads) {
+void converge(Sweep& sweep, Report& report, const CurveOptions& accuracy) {
   const Job& job = sweep.job();
   while (sweep.done() < job.size()) {
     const double poisson = job.poisson(sweep.done());
@@ -46,11 +46,13 @@ void converge(Sweep& sweep, Report& report, double tolerance, int threads) {
       sweep.wait(state);
     };
     const auto note = [&state](std::size_t, const Attempt& attempt) { state = describe(attempt); };
-    restitution_curve(job.encounter.refinable(poisson), speeds, {tolerance, 0.0, threads, poll, note},
-                      [&](std::size_t, const Restitution& result) {
-                        heed_interrupts();
-                        sweep.add(make_row(job, sweep.done(), result), report);
-                      });
+    CurveOptions options = accuracy;
+    options.poll = poll;
+    options.attempt_observer = note;
+    restitution_curve(job.encounter.refinable(poisson), speeds, options, [&](std::size_t, const Restitution& result) {
+      heed_interrupts();
+      sweep.add(make_row(job, sweep.done(), result), report);
+    });
   }
 }
 

@@ -2,6 +2,7 @@
 
 #include <string>
 
+#include "stoss/restitution/curve.hpp"
 #include "sweep.hpp"
 
 namespace stoss::cli {
@@ -10,9 +11,10 @@ namespace stoss::cli {
 [[nodiscard]] std::string converge_columns(const Job& job);
 
 /// @throws InvalidInput for what the core does not accept, before anything is computed
-void check_converge(const Job& job, double tolerance, int threads);
+void check_converge(const Job& job, const CurveOptions& accuracy);
 
 /// Computes the rows that the sweep does not have yet. @throws Interrupted, OutputError
-void converge(Sweep& sweep, Report& report, double tolerance, int threads);
+/// @param accuracy tolerances and threads
+void converge(Sweep& sweep, Report& report, const CurveOptions& accuracy);
 
 }  // namespace stoss::cli

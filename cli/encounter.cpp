@@ -8,9 +8,12 @@
 
 #include "stoss/bodies/rod.hpp"
 #include "stoss/errors.hpp"
+#include "stoss/quasistatic/yield.hpp"
 
 namespace stoss::cli {
 namespace {
+
+constexpr double default_hardness = 500.0;  // of an exponential wall
 
 /// What `make` returns; its refusals say that they are of what is met.
 template <typename Make>
@@ -22,9 +25,17 @@ auto of_what_is_met(Make make) {
   }
 }
 
+void require_partner(BodyKind kind, const Against& against) {
+  if (!against.is_body() || against.kind == "same" || against.kind == name(kind)) return;
+  throw InvalidInput(
+      fmt::format("against: got {} with --body {}, allowed wall, same or {} (a disk meets disks, a sphere "
+                  "spheres, a rod rods)",
+                  against.kind, name(kind), name(kind)));
+}
+
 void require_si_keys(const Against& against) {
-  const std::vector<std::string> disk{"young", "density", "radius"}, rod{"young", "density", "length", "area"};
-  const auto& keys = against.kind == "rod" ? rod : disk;
+  const std::vector<std::string> round{"young", "density", "radius"}, rod{"young", "density", "length", "area"};
+  const auto& keys = against.kind == "rod" ? rod : round;
   for (const std::string& key : keys) {
     if (against.values.contains(key)) continue;
     throw InvalidInput(fmt::format("against: got {} without {}, allowed all of {}, in SI as the first", against.kind,
@@ -32,19 +43,33 @@ void require_si_keys(const Against& against) {
   }
 }
 
-std::optional<Scales> si_scales(bool rods, const DiskArguments& disk, const std::optional<Rod>& rod) {
-  if (!rods) return disk.si();
-  return rod ? std::optional(scales(*rod)) : std::nullopt;
+std::optional<Scales> si_scales(const FirstBody& first) {
+  if (first.kind == BodyKind::disk) return first.disk.si();
+  if (first.sphere) return scales(first.sphere->sphere());
+  return first.rod ? std::optional(scales(*first.rod)) : std::nullopt;
 }
 
 }  // namespace
 
-Encounter::Encounter(bool rods, const DiskArguments& disk, const std::optional<Rod>& rod, Against against)
-    : rods_(rods), disk_(disk), rod_(rod), si_(si_scales(rods, disk, rod)), against_(std::move(against)) {
-  if (si_ && against_.kind == (rods_ ? "rod" : "disk")) require_si_keys(against_);
+Encounter::Encounter(FirstBody first, Against against)
+    : first_(std::move(first)), si_(si_scales(first_)), against_(std::move(against)) {
+  require_partner(first_.kind, against_);
+  if (si_ && against_.kind == name(first_.kind)) require_si_keys(against_);
+  if (!si_ && against_.values.contains("yield")) {
+    throw InvalidInput("against: got yield without a material, allowed only with --young, --density, --radius");
+  }
+  yield_speed_ = find_yield_speed();
 }
 
-BodyMaker Encounter::first(double poisson) const { return rods_ ? rod(rod_.value_or(Rod{})) : stoss::disk(poisson); }
+double Encounter::poisson() const {
+  if (first_.kind == BodyKind::disk) return first_.disk.plane_poisson();
+  return rods() ? 0.0 : first_.disk.poisson;
+}
+
+BodyMaker Encounter::make_first(double poisson) const {
+  if (first_.kind == BodyKind::disk) return stoss::disk(poisson);
+  return rods() ? rod(first_.rod.value_or(Rod{})) : stoss::sphere(poisson);
+}
 
 Rod Encounter::second_rod() const {
   return {against_.value("length", 1.0), against_.value("young", 1.0), against_.value("density", 1.0),
@@ -53,102 +78,109 @@ Rod Encounter::second_rod() const {
 
 Material Encounter::second_material() const {
   const auto& given = against_.values;
-  return {given.at("young"), against_.value("poisson", disk_.poisson), given.at("density")};
+  const auto yield = given.find("yield");
+  return {given.at("young"), against_.value("poisson", first_.disk.poisson), given.at("density"),
+          yield == given.end() ? std::nullopt : std::optional(yield->second)};
 }
 
 Disk Encounter::second_disk(double poisson) const {
-  if (!si_ || rods_) {
+  if (!si_) {
     return {against_.value("poisson", poisson), against_.value("radius", 1.0), against_.value("young", 1.0),
             against_.value("density", 1.0)};
   }
-  const Scales other = scales(second_material(), disk_.chosen_plane(), against_.values.at("radius"));
+  const Plane plane = first_.disk.chosen_plane();
+  const Scales other = scales(second_material(), plane, against_.values.at("radius"));
   const auto modulus = [](const Scales& of) { return of.force / of.length; };
-  return {stoss::plane_poisson(second_material(), disk_.chosen_plane()), other.length / si_->length,
-          modulus(other) / modulus(*si_), against_.values.at("density") / *disk_.density};
+  return {stoss::plane_poisson(second_material(), plane), other.length / si_->length, modulus(other) / modulus(*si_),
+          against_.values.at("density") / *first_.disk.density};
 }
 
-BodyMaker Encounter::second(double poisson) const {
-  if (against_.kind == "same") return first(poisson);
+Sphere Encounter::second_sphere(double poisson) const {
+  const Sphere one = first_.sphere ? first_.sphere->sphere() : Sphere{};
+  return {against_.value("poisson", poisson), against_.value("radius", 1.0) / one.radius,
+          against_.value("young", 1.0) / one.young, against_.value("density", 1.0) / one.density};
+}
+
+BodyMaker Encounter::make_second(double poisson) const {
+  if (against_.kind == "same") return make_first(poisson);
   return of_what_is_met([&]() -> BodyMaker {
-    if (against_.kind == "disk") return stoss::disk(second_disk(poisson));
-    return rod(second_rod());
+    if (first_.kind == BodyKind::disk) return stoss::disk(second_disk(poisson));
+    return rods() ? rod(second_rod()) : stoss::sphere(second_sphere(poisson));
   });
 }
 
 RefinableContact Encounter::refinable(double poisson) const {
-  return against_.is_body() ? RefinableContact(first(poisson), second(poisson)) : RefinableContact(first(poisson));
+  if (!against_.is_body()) return RefinableContact(make_first(poisson));
+  return {make_first(poisson), make_second(poisson)};
 }
 
 Contact Encounter::contact(double poisson, double cutoff) const {
-  if (against_.is_body()) return stoss::contact(first(poisson), second(poisson), cutoff);
-  const ExponentialWall soft{against_.value("hardness", 500.0), against_.value("strength", 1.0)};
+  if (against_.is_body()) return stoss::contact(make_first(poisson), make_second(poisson), cutoff);
+  const ExponentialWall soft{against_.value("hardness", default_hardness), against_.value("strength", 1.0)};
   const Wall wall = against_.kind == "wall" ? Wall(HardWall{}) : Wall(soft);
   of_what_is_met([&] { validate(wall); });
-  return stoss::contact(rods_ ? rod(rod_.value_or(Rod{}), cutoff) : stoss::disk(poisson, cutoff), wall);
+  if (first_.kind == BodyKind::disk) return stoss::contact(stoss::disk(poisson, cutoff), wall);
+  return stoss::contact(rods() ? rod(first_.rod.value_or(Rod{}), cutoff) : stoss::sphere(poisson, cutoff), wall);
+}
+
+std::optional<double> Encounter::find_yield_speed() const {
+  if (!first_.sphere) return std::nullopt;
+  const auto& [material, radius] = *first_.sphere;
+  if (!against_.is_body()) return quasistatic::yield_speed(material, radius);
+  if (against_.kind == "same") return quasistatic::yield_speed(material, radius, material, radius);
+  (void)quasistatic::yield_speed(material, radius);
+  return of_what_is_met([&] {
+    return quasistatic::yield_speed(first_.sphere->material, first_.sphere->radius, second_material(),
+                                    against_.values.at("radius"));
+  });
+}
+
+void Encounter::add_yield(Record& record, double speed) const {
+  if (!yield_speed_) return;
+  record.push_back({"yield_speed", units().own_name(Dimension::speed), *yield_speed_ / si_->speed});
+  record.push_back({"yield_speed_si", units().si_name(Dimension::speed), *yield_speed_});
+  record.push_back({"beyond_yield", "", speed * si_->speed > *yield_speed_});
+}
+
+std::string yield_warning(double yield_speed) {
+  return fmt::format("speed above {:.4g} m/s, where yielding begins (beyond_yield): eps is an upper bound there",
+                     yield_speed);
 }
 
 void Encounter::describe(nlohmann::ordered_json& inputs) const {
-  inputs["body"] = rods_ ? "rod" : "disk";
-  if (!rods_) disk_.describe(inputs);
-  if (rod_) cli::describe(*rod_, inputs);
+  inputs["body"] = name(first_.kind);
+  if (first_.kind == BodyKind::disk) first_.disk.describe(inputs);
+  if (first_.kind == BodyKind::sphere) cli::describe(first_.disk.poisson, first_.sphere, inputs);
+  if (first_.rod) cli::describe(*first_.rod, inputs);
   inputs["against"] = against_.kind;
-  if (against_.kind == "rod" && si_) {
-    inputs["against_material_young[Pa]"] = second_rod().young;
-    inputs["against_material_density[kg/m^3]"] = second_rod().density;
-    inputs["against_length[m]"] = second_rod().length;
-    inputs["against_area[m^2]"] = second_rod().area;
-  } else if (against_.kind == "rod") {
-    for (const char* key : {"length", "young", "density", "area"}) {
-      inputs[std::string("against_") + key] = against_.value(key, 1.0);
-    }
-  } else if (against_.kind == "exponential") {
-    inputs["against_hardness"] = against_.value("hardness", 500.0);
+  if (against_.kind == "exponential") {
+    inputs["against_hardness"] = against_.value("hardness", default_hardness);
     inputs["against_strength"] = against_.value("strength", 1.0);
-  } else if (against_.kind == "disk" && si_) {
-    inputs["against_poisson"] = second_disk(0.0).poisson;
-    inputs["against_material_young[Pa]"] = second_material().young;
-    inputs["against_material_poisson"] = second_material().poisson;
-    inputs["against_material_density[kg/m^3]"] = second_material().density;
-    inputs["against_radius[m]"] = against_.values.at("radius");
-  } else if (against_.kind == "disk") {
+  } else if (against_.kind == name(first_.kind)) {
+    describe_second(inputs);
+  }
+}
+
+void Encounter::describe_second(nlohmann::ordered_json& inputs) const {
+  if (si_) {
+    if (first_.kind == BodyKind::disk) inputs["against_poisson"] = second_disk(0.0).poisson;
+    if (first_.kind == BodyKind::sphere) inputs["against_poisson"] = second_material().poisson;
+    inputs["against_material_young[Pa]"] = against_.values.at("young");
+    if (first_.kind == BodyKind::disk) inputs["against_material_poisson"] = second_material().poisson;
+    inputs["against_material_density[kg/m^3]"] = against_.values.at("density");
+    if (against_.values.contains("yield")) inputs["against_material_yield[Pa]"] = against_.values.at("yield");
+    for (const auto& [key, unit] : {std::pair{"radius", "m"}, {"length", "m"}, {"area", "m^2"}}) {
+      if (against_.values.contains(key)) inputs[fmt::format("against_{}[{}]", key, unit)] = against_.values.at(key);
+    }
+    return;
+  }
+  if (!rods()) {
     const auto poisson = against_.values.find("poisson");
     inputs["against_poisson"] = poisson == against_.values.end() ? nlohmann::ordered_json("as the first")
                                                                  : nlohmann::ordered_json(poisson->second);
-    for (const char* key : {"radius", "young", "density"}) {
-      inputs[std::string("against_") + key] = against_.value(key, 1.0);
-    }
   }
-}
-
-void EncounterArguments::add_to(CLI::App& to, const std::string& kind, const std::string& help) {
-  command = &to;
-  to.add_option("--body", body, "Kind of body (default: disk); a rod has no Poisson number")
-      ->check(CLI::IsMember({"disk", "rod"}))
-      ->type_name("BODY")
-      ->group("Body");
-  disk.add_material_to(to, material_group);
-  rod.add_to(to);
-  to.add_option("--against", against,
-                "What the body meets (default: wall)\n"
-                "  wall: a rigid wall; same: a second body, equal to the first\n"
-                "  disk[,poisson=NU,radius=R,young=E,density=RHO]: a second disk,\n"
-                "               in units of the first; with a material, in SI\n"
-                "  rod[,length=L,young=E,density=RHO,area=A]: a second rod, likewise" +
-                    help)
-      ->type_name("{wall,same,disk,rod" + (kind.empty() ? "" : "," + kind) + "}[,KEY=NUMBER]...")
-      ->group("Against");
-}
-
-Encounter EncounterArguments::encounter() const {
-  const bool rods = body == "rod";
-  if (!rods && command->get_option("--poisson")->count() == 0) throw CLI::RequiredError("--poisson");
-  const std::vector<std::string> of_disks{"poisson", "radius", "plane"}, of_rods{"length", "area"};
-  for (const std::string& name : rods ? of_disks : of_rods) {
-    if (command->get_option("--" + name)->count() == 0) continue;
-    throw InvalidInput(
-        fmt::format("{0}: got --{0} with --body {1}, allowed only with --body {2}", name, body, rods ? "disk" : "rod"));
-  }
-  return {rods, disk, rods ? rod.si(disk) : std::nullopt, parse_against(against)};
+  const std::vector<std::string> round{"radius", "young", "density"}, rod{"length", "young", "density", "area"};
+  for (const std::string& key : rods() ? rod : round) inputs["against_" + key] = against_.value(key, 1.0);
 }
 
 }  // namespace stoss::cli

@@ -6,26 +6,37 @@
 
 #include "against.hpp"
 #include "arguments.hpp"
+#include "record.hpp"
 #include "rod_arguments.hpp"
+#include "sphere_arguments.hpp"
 #include "stoss/bodies/disk.hpp"
 #include "stoss/restitution/ladder.hpp"
 #include "units.hpp"
 
 namespace stoss::cli {
 
-/// Who meets whom: a disk or a rod, and a wall or a second body.
+/// The first body as it was given.
+struct FirstBody {
+  BodyKind kind = BodyKind::disk;
+  DiskArguments disk;                 ///< the disk; of a sphere, the Poisson number
+  std::optional<SolidSphere> sphere;  ///< with a material
+  std::optional<Rod> rod;             ///< with a material
+};
+
+/// Who meets whom: a disk, a sphere or a rod, and a wall or a second body.
 class Encounter {
  public:
-  /// @param disk the first body, if it is one
-  /// @throws InvalidInput for numbers that no body or wall can have
-  /// @param rod  the first body in SI, if it is a rod with a material
-  Encounter(bool rods, const DiskArguments& disk, const std::optional<Rod>& rod, Against against);
+  /// @throws InvalidInput for numbers that no body or wall can have, and bodies that do not meet
+  Encounter(FirstBody first, Against against);
 
-  [[nodiscard]] bool rods() const { return rods_; }
-  [[nodiscard]] Units units() const { return {si_, rods_}; }
+  [[nodiscard]] bool rods() const { return first_.kind == BodyKind::rod; }
+  [[nodiscard]] Units units() const { return {si_, first_.kind}; }
   [[nodiscard]] const Against& against() const { return against_; }
 
-  /// At any cutoff, for `restitution`. @param poisson of the first disk; rods have none
+  /// The Poisson number of the first body that the core computes with; 0 of a rod.
+  [[nodiscard]] double poisson() const;
+
+  /// At any cutoff, for `restitution`. @param poisson of the first body; rods have none
   /// @throws InvalidInput as the core
   [[nodiscard]] RefinableContact refinable(double poisson) const;
 
@@ -35,23 +46,35 @@ class Encounter {
   /// Adds the two to the inputs of a result.
   void describe(nlohmann::ordered_json& inputs) const;
 
+  /// Speed at which a sphere, or one of two, begins to yield, m/s, where a yield strength was given.
+  [[nodiscard]] std::optional<double> yield_speed() const { return yield_speed_; }
+
+  /// Adds that speed to a record, and whether `speed`, in c, is beyond it.
+  void add_yield(Record& record, double speed) const;
+
  private:
-  [[nodiscard]] BodyMaker first(double poisson) const;
-  [[nodiscard]] BodyMaker second(double poisson) const;
+  [[nodiscard]] BodyMaker make_first(double poisson) const;
+  [[nodiscard]] BodyMaker make_second(double poisson) const;
   [[nodiscard]] Disk second_disk(double poisson) const;
+  [[nodiscard]] Sphere second_sphere(double poisson) const;
   [[nodiscard]] Rod second_rod() const;
   [[nodiscard]] Material second_material() const;
+  [[nodiscard]] std::optional<double> find_yield_speed() const;
+  void describe_second(nlohmann::ordered_json& inputs) const;
 
-  bool rods_;
-  DiskArguments disk_;
-  std::optional<Rod> rod_;
+  FirstBody first_;
   std::optional<Scales> si_;
   Against against_;
+  std::optional<double> yield_speed_;
 };
+
+/// What is said of impacts beyond the speed at which yielding begins, m/s.
+[[nodiscard]] std::string yield_warning(double yield_speed);
 
 /// The options that say who meets whom, but for --poisson.
 struct EncounterArguments {
   DiskArguments disk;
+  SphereArguments sphere;
   RodArguments rod;
   std::string body = "disk";
   std::string against = "wall";
@@ -60,7 +83,7 @@ struct EncounterArguments {
   /// @param kind  that --against takes besides, with its help
   void add_to(CLI::App& to, const std::string& kind = {}, const std::string& help = {});
 
-  /// @throws CLI::RequiredError for a disk without a Poisson number, InvalidInput for options that do not go together
+  /// @throws CLI::RequiredError for a body without its Poisson number, InvalidInput for options that do not go together
   [[nodiscard]] Encounter encounter() const;
 };
 

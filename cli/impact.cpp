@@ -41,6 +41,7 @@ Record make_record(const Impact& impact, const Encounter& encounter, double pois
   record.push_back({"speed", units.own_name(Dimension::speed), impact.speed});
   if (units.si) record.push_back({"speed_si", "m/s", impact.speed * units.si->speed});
   add_quantities(record, impact_table(), impact, units);
+  encounter.add_yield(record, impact.speed);
   return record;
 }
 
@@ -88,7 +89,7 @@ void run(const ImpactArguments& arguments) {
   if (speeds.size() != 1) {
     throw InvalidInput(fmt::format("speed: got {} speeds, allowed one (stoss restitution takes lists)", speeds.size()));
   }
-  const double poisson = encounter.rods() ? 0.0 : arguments.who.disk.plane_poisson();
+  const double poisson = encounter.poisson();
   ImpactOptions options{.resolution = arguments.resolution};
   options.resolution.tail = arguments.tail == "static" ? Tail::quasistatic : Tail::radiating;
   const Contact contact = encounter.contact(poisson, arguments.cutoff);
@@ -110,6 +111,8 @@ void run(const ImpactArguments& arguments) {
   if (result.beyond_small_strain) {
     arguments.output.warn("speed above 0.5 c or compression above 0.5 R: linear elasticity has lost its meaning here");
   }
+  const auto yield = encounter.yield_speed();
+  if (yield && result.speed * encounter.units().si->speed > *yield) arguments.output.warn(yield_warning(*yield));
 
   const Record record = make_record(result, encounter, poisson);
   if (arguments.output.chosen_format() == Format::table) {
@@ -129,7 +132,7 @@ void add_impact(CLI::App& app) {
   auto* command = app.add_subcommand("impact", "One impact at a fixed resolution, with its energy ledger");
   auto arguments = std::make_shared<ImpactArguments>();
   add_number(*command, "--poisson", arguments->who.disk.poisson,
-             "Poisson number of the disk, -0.95 to 0.995; with a material: of the\nsolid")
+             "Poisson number, -0.95 to 0.995 of a disk, to 0.4999 of a sphere; with\na material: of the solid")
       ->type_name("NU")
       ->group("Body");
   command
@@ -139,8 +142,8 @@ void add_impact(CLI::App& app) {
       ->group("Body");
   arguments->who.add_to(*command, "exponential",
                         "\n  exponential[,hardness=A,strength=V0]: the soft wall V0 exp(A x), A\n"
-                        "               in 1/R, 1 to 1e6 (default: 500), V0 in rho c^2 R^2\n"
-                        "               (default: 1; it only shifts the wall)");
+                        "               in 1/R, 1 to 1e6 (default: 500), V0 in rho c^2 R^2,\n"
+                        "               of a sphere rho c^2 R (default: 1; only shifts it)");
   arguments->tail_option =
       command->add_option("--tail", arguments->tail, "How modes above the cutoff answer (default: radiating)")
           ->check(CLI::IsMember({"radiating", "static"}))
@@ -166,7 +169,8 @@ void add_impact(CLI::App& app) {
       "Examples:\n"
       "  stoss impact --poisson 0.33 --speed 0.1 --trajectory t.csv --every 4\n"
       "  stoss impact --poisson 0.33 --speed 0.2 --against disk,radius=2\n"
-      "  stoss impact --poisson 0.33 --speed 0.1 --against exponential,hardness=300");
+      "  stoss impact --poisson 0.33 --speed 0.1 --against exponential,hardness=300\n"
+      "  stoss impact --body sphere --poisson 0.3 --speed 0.1 --against sphere,radius=2,young=4");
   command->callback([arguments] { run(*arguments); });
 }
 

@@ -13,6 +13,7 @@
 #include "options.hpp"
 #include "resume.hpp"
 #include "stoss/errors.hpp"
+#include "stoss/restitution/curve.hpp"
 #include "sweep.hpp"
 #include "text.hpp"
 
@@ -25,6 +26,7 @@ struct RestitutionArguments {
   std::string speeds;
   std::string method = "converge";
   double tolerance = 1e-3;
+  double absolute = 1e-6;
   int threads = 0;
   OutputArguments output;
   std::string resume;
@@ -32,10 +34,11 @@ struct RestitutionArguments {
 
   [[nodiscard]] bool given(const std::string& option) const { return command->get_option(option)->count() > 0; }
   [[nodiscard]] bool converges() const { return method == "converge"; }
+  [[nodiscard]] CurveOptions accuracy() const { return {tolerance, absolute, threads, {}, {}}; }
 };
 
 void check_method(const RestitutionArguments& arguments) {
-  for (const std::string name : {"tolerance", "threads"}) {
+  for (const std::string name : {"tolerance", "absolute", "threads"}) {
     if (!arguments.converges() && arguments.given("--" + name)) {
       throw InvalidInput(
           fmt::format("{0}: got --{0} with --method extrapolate, allowed only with --method converge", name));
@@ -47,9 +50,9 @@ void check_against(const RestitutionArguments& arguments, const Encounter& encou
   const std::string& kind = encounter.against().kind;
   if (kind == "exponential") {
     throw InvalidInput(
-        "against: got exponential, allowed wall, same, disk or rod (stoss impact meets an exponential wall)");
+        "against: got exponential, allowed wall, same, disk, sphere or rod (stoss impact meets an exponential wall)");
   }
-  if (!arguments.converges() && (kind != "wall" || encounter.rods())) {
+  if (!arguments.converges() && (kind != "wall" || encounter.units().body != BodyKind::disk)) {
     throw InvalidInput(
         fmt::format("against: got --body {} --against {} with --method extrapolate, allowed a disk at a wall",
                     arguments.who.body, kind));
@@ -84,7 +87,7 @@ Job make_job(RestitutionArguments& arguments) {
     throw InvalidInput(fmt::format("poisson: got {} numbers with a material, allowed one (a material has only one)",
                                    job.poissons.size()));
   }
-  if (job.units.si && !job.encounter.rods()) job.poissons = {disk.plane_poisson()};
+  if (job.units.si) job.poissons = {job.encounter.poisson()};
   job.speeds = parse_speeds(arguments.speeds, job.units.si);
   return job;
 }
@@ -107,7 +110,10 @@ Provenance describe(const RestitutionArguments& arguments, const Job& job) {
   if (!job.units.si && !job.encounter.rods()) inputs["poisson"] = as_typed(arguments.poissons);
   inputs[job.units.si ? "speed[m/s]" : "speed"] = as_typed(arguments.speeds);
   inputs["method"] = arguments.method;
-  if (arguments.converges()) inputs["tolerance"] = arguments.tolerance;
+  if (arguments.converges()) {
+    inputs["tolerance"] = arguments.tolerance;
+    inputs["absolute"] = arguments.absolute;
+  }
   return provenance;
 }
 
@@ -129,7 +135,7 @@ int run(RestitutionArguments arguments) {
   redirect(arguments);
   const Job job = make_job(arguments);
   if (arguments.converges()) {
-    check_converge(job, arguments.tolerance, arguments.threads);
+    check_converge(job, arguments.accuracy());
   } else {
     check_extrapolate(job);
   }
@@ -139,7 +145,7 @@ int run(RestitutionArguments arguments) {
   Report report = open(arguments, describe(arguments, job), columns, sweep);
   try {
     if (arguments.converges()) {
-      converge(sweep, report, arguments.tolerance, arguments.threads);
+      converge(sweep, report, arguments.accuracy());
     } else {
       extrapolate(sweep, report);
     }
@@ -157,7 +163,7 @@ void add_resolution(CLI::App& command, RestitutionArguments& arguments) {
   command
       .add_option("--method", arguments.method,
                   "How to reach the value (default: converge)\n"
-                  "  converge:    refine until the error is below the tolerance\n"
+                  "  converge:    refine until tolerance or absolute error is met\n"
                   "  extrapolate: regressions over exponential walls, as Gerl and\n"
                   "               Zippelius do; 1e-3 to 0.5 c")
       ->check(CLI::IsMember({"converge", "extrapolate"}))
@@ -166,6 +172,11 @@ void add_resolution(CLI::App& command, RestitutionArguments& arguments) {
   add_number(command, "--tolerance", arguments.tolerance,
              "Relative error of 1-eps^2 to reach, 1e-15 to 0.5 (default: 0.001)")
       ->type_name("TOL")
+      ->group("Resolution");
+  add_number(
+      command, "--absolute", arguments.absolute,
+      "Error of 1-eps^2 that is small enough in any case, 0 to 0.5\n(default: 1e-6; 0: only the tolerance counts)")
+      ->type_name("ERROR")
       ->group("Resolution");
   add_integer(command, "--threads", arguments.threads,
               "Threads, 0 for all cores; results do not depend on it\n(default: 0)")
@@ -182,8 +193,9 @@ void add_restitution(CLI::App& app, int& exit_code) {
   arguments->command = command;
   command
       ->add_option("--poisson", arguments->poissons,
-                   "Poisson numbers of the disk, -0.95 to 0.995: a number, a,b,c,\n"
-                   "log:a:b:n or lin:a:b:n. With a material: the one of the solid")
+                   "Poisson numbers, -0.95 to 0.995 of a disk, to 0.4999 of a sphere: a\n"
+                   "number, a,b,c, log:a:b:n or lin:a:b:n. With a material: the one of\n"
+                   "the solid")
       ->type_name("NUS")
       ->group("Body");
   command
@@ -210,6 +222,9 @@ void add_restitution(CLI::App& app, int& exit_code) {
       "  stoss restitution --poisson 0.33 --speed 0.1 --method extrapolate\n"
       "  stoss restitution --poisson 0.3 --young 2.1e11 --density 7850 --radius 0.01 --speed 1,5,10\n"
       "  stoss restitution --poisson 0.33 --speed 0.1 --against disk,poisson=0.2,radius=0.5,young=2\n"
+      "  stoss restitution --body sphere --poisson 0.3 --speed log:1e-5:0.3:40\n"
+      "  stoss restitution --body sphere --poisson 0.3 --young 2.1e11 --density 7850 --radius 0.01\n"
+      "      --yield 1e9 --speed 0.1,1 --against sphere,young=7e10,density=2500,radius=0.02\n"
       "  stoss restitution --body rod --speed 0.1 --against rod,length=2.5,density=3\n"
       "  stoss restitution --body rod --young 2.1e11 --density 7850 --length 0.5 --area 1e-4 --speed 1\n"
       "      --against rod,young=7e10,density=2700,length=1,area=2e-4");

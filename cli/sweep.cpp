@@ -30,6 +30,7 @@ bool Sweep::has(const std::vector<std::string>& cells, const std::string& column
 void Sweep::count(const std::vector<std::string>& cells) {
   if (has(cells, "converged", "false") || has(cells, "restitution", "nan")) ++marked_;
   if (has(cells, "beyond_small_strain", "true")) beyond_small_strain_ = true;
+  if (has(cells, "beyond_yield", "true")) beyond_yield_ = true;
   ++done_;
 }
 
@@ -65,6 +66,7 @@ int Sweep::conclude() const {
   if (beyond_small_strain_) {
     output_.warn("speed above 0.5 c or compression above 0.5 R: linear elasticity has lost its meaning there");
   }
+  if (beyond_yield_) output_.warn(yield_warning(*job_.encounter.yield_speed()));
   if (marked_ == 0) return 0;
   output_.warn(fmt::format("{} of {} values not as accurate as asked for (marked)", marked_, done_));
   return 1;

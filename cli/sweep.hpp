@@ -32,6 +32,7 @@ struct Job {
   [[nodiscard]] Record record(std::size_t row, const Table<Result>& table, const Result& result) const {
     Record record = key(row);
     add_quantities(record, table, result, units);
+    encounter.add_yield(record, speed(row));
     return record;
   }
 };
@@ -76,6 +77,7 @@ class Sweep {
   std::size_t done_ = 0;
   std::size_t marked_ = 0;
   bool beyond_small_strain_ = false;
+  bool beyond_yield_ = false;
 };
 
 }  // namespace stoss::cli

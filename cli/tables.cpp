@@ -1,6 +1,7 @@
 #include "tables.hpp"
 
 #include "stoss/bodies/disk/quantities.hpp"
+#include "stoss/bodies/sphere/quantities.hpp"
 #include "stoss/impact/quantities.hpp"
 #include "stoss/quasistatic/quantities.hpp"
 #include "stoss/restitution/quantities.hpp"
@@ -77,6 +78,18 @@ const Table<Mode>& mode_table() {
                                                                       {"tangential", {.width = 13, .si_width = 13}},
                                                                       {"family", {.width = 13, .si_width = 13}},
                                                                   });
+  return table;
+}
+
+const Table<bodies::sphere::Mode>& sphere_mode_table() {
+  static const Table<bodies::sphere::Mode> table(bodies::sphere::mode_quantities(),
+                                                 {
+                                                     {"order", {.width = 7, .si_width = 7}},
+                                                     {"index", {.width = 7, .si_width = 7}},
+                                                     {"omega", {.width = 13, .si_width = 13}},
+                                                     {"radial", {.width = 13, .si_width = 13}},
+                                                     {"tangential", {.width = 13, .si_width = 13}},
+                                                 });
   return table;
 }
 

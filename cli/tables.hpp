@@ -1,6 +1,7 @@
 #pragma once
 
 #include "stoss/bodies/disk/modes.hpp"
+#include "stoss/bodies/sphere/modes.hpp"
 #include "stoss/impact/impact.hpp"
 #include "stoss/quasistatic/rayleigh.hpp"
 #include "stoss/quasistatic/static_contact.hpp"
@@ -30,6 +31,7 @@ struct Compressed {
 [[nodiscard]] const Table<Snapshot>& snapshot_table();
 
 [[nodiscard]] const Table<bodies::disk::Mode>& mode_table();
+[[nodiscard]] const Table<bodies::sphere::Mode>& sphere_mode_table();
 [[nodiscard]] const Table<quasistatic::RayleighEstimate>& rayleigh_table();
 [[nodiscard]] const Table<quasistatic::DrivenMode>& driven_mode_table();
 [[nodiscard]] const Table<Compressed>& compression_table();

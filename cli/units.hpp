@@ -2,15 +2,25 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include "stoss/quantity.hpp"
 
 namespace stoss::cli {
 
+/// Kind of the first body, and of the second if there is one.
+enum class BodyKind { disk, sphere, rod };
+
+/// As --body and --against have it.
+[[nodiscard]] std::string_view name(BodyKind kind);
+
+/// @param text one of these names
+[[nodiscard]] BodyKind body_kind(std::string_view text);
+
 /// The units of results: those of the first body and, with a material, SI.
 struct Units {
   std::optional<Scales> si{};
-  bool rods = false;  ///< the first body is a rod, of length L, modulus E and cross-section A
+  BodyKind body = BodyKind::disk;  ///< the first
 
   /// Name of a unit of the first body, as in R/c; "" for a pure number.
   [[nodiscard]] std::string own_name(Dimension dimension) const;

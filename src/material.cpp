@@ -17,6 +17,8 @@ void validate(const Material& material) {
   require("density", material.density, positive, "in kg/m^3; steel has 7850");
   require("poisson", material.poisson, {-1.0, 0.5, false, false, "above -1 and below 0.5"},
           "Poisson number of the material; steel has 0.3");
+  constexpr double any = 1.0;
+  require("yield_strength", material.yield_strength.value_or(any), positive, "in Pa; steel has 2e8 to 2e9");
 }
 
 }  // namespace
@@ -28,7 +30,7 @@ double plane_poisson(const Material& material, Plane plane) {
 
 Scales scales(const Material& material, Plane plane, double radius) {
   validate(material);
-  require("radius", radius, positive, "radius of the disk in m");
+  require("radius", radius, positive, "in m");
   const double nu = material.poisson;
   const double modulus = plane == Plane::stress ? material.young : material.young / (1.0 - nu * nu);
   const double speed = std::sqrt(modulus / material.density);

@@ -7,6 +7,7 @@
 
 #include "stoss/bodies/disk.hpp"
 #include "stoss/bodies/rod.hpp"
+#include "stoss/bodies/sphere.hpp"
 #include "stoss/impact/impact.hpp"
 #include "stoss/material.hpp"
 #include "support/refusal.hpp"
@@ -45,6 +46,18 @@ TEST(MaterialScales, OfARodAreThoseOfItsCrossSection) {
   const double mass = 7850.0 * 0.5 * 1e-4;  // mc²/L
   EXPECT_NEAR(s.force / (mass * s.speed * s.speed / 0.5), 1.0, 1e-14);
   EXPECT_THROW((void)scales(Rod{0.5, -1.0, 7850.0, 1e-4}), InvalidInput);
+}
+
+TEST(MaterialScales, OfASphereAreThoseOfItsMass) {
+  const Scales s = scales(Sphere{steel.poisson, 0.01, steel.young, steel.density});
+  EXPECT_NEAR(s.speed, 5172.194154, 1e-5);
+  EXPECT_DOUBLE_EQ(s.length, 0.01);
+  EXPECT_DOUBLE_EQ(s.time * s.speed, 0.01);
+  EXPECT_DOUBLE_EQ(s.frequency * s.time, 1.0);
+  const double mass = 4.0 / 3.0 * std::numbers::pi * 1e-6 * 7850.0;  // 33 g
+  EXPECT_NEAR(s.force / (mass * s.speed * s.speed / 0.01), 1.0, 1e-14);
+  EXPECT_THROW((void)scales(Sphere{0.3, -1.0, 2.1e11, 7850.0}), InvalidInput);
+  EXPECT_THROW((void)scales(Sphere{0.5, 0.01, 2.1e11, 7850.0}), InvalidInput);
 }
 
 TEST(MaterialScales, OfPlaneStrainUseTheStifferModulus) {

@@ -6,6 +6,8 @@
 
 #include "stoss/bodies/disk.hpp"
 #include "stoss/bodies/disk/quantities.hpp"
+#include "stoss/bodies/sphere.hpp"
+#include "stoss/bodies/sphere/quantities.hpp"
 #include "stoss/impact/quantities.hpp"
 #include "stoss/quasistatic/quantities.hpp"
 #include "stoss/restitution/quantities.hpp"
@@ -69,6 +71,7 @@ TEST(Quantities, HaveNamesOfTheirOwn) {
   expect_plain_names(extrapolation_quantities());
   expect_plain_names(soft_impact_quantities());
   expect_plain_names(bodies::disk::mode_quantities());
+  expect_plain_names(bodies::sphere::mode_quantities());
   expect_plain_names(quasistatic::slow_impact_quantities());
   expect_plain_names(quasistatic::rayleigh_quantities());
   expect_plain_names(quasistatic::driven_mode_quantities());
@@ -110,6 +113,10 @@ TEST(Units, HaveNames) {
   EXPECT_EQ(unit_name(Dimension::time, UnitSystem::rod), "L/c");
   EXPECT_EQ(unit_name(Dimension::force, UnitSystem::disk_si), "N/m");
   EXPECT_EQ(unit_name(Dimension::force, UnitSystem::rod_si), "N");
+  EXPECT_EQ(unit_name(Dimension::time, UnitSystem::sphere), "R/c");
+  EXPECT_EQ(unit_name(Dimension::force, UnitSystem::sphere), "mc^2/R");
+  EXPECT_EQ(unit_name(Dimension::force, UnitSystem::sphere_si), "N");
+  EXPECT_EQ(unit_name(Dimension::energy, UnitSystem::sphere_si), "J");
   EXPECT_EQ(unit_name(Dimension::none, UnitSystem::rod), "");
   EXPECT_EQ(dimension_name(Dimension::inverse_length), "inverse length");
 }

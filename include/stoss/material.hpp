@@ -1,12 +1,15 @@
 #pragma once
 
+#include <optional>
+
 namespace stoss {
 
 /// An isotropic linear elastic material in SI.
 struct Material {
-  double young = 0.0;    ///< E, Pa
-  double poisson = 0.0;  ///< ν of the solid, −1 < ν < ½
-  double density = 0.0;  ///< ρ, kg/m³
+  double young = 0.0;                      ///< E, Pa
+  double poisson = 0.0;                    ///< ν of the solid, −1 < ν < ½
+  double density = 0.0;                    ///< ρ, kg/m³
+  std::optional<double> yield_strength{};  ///< Y in simple tension, Pa, if known
 };
 
 /// Kind of body behind a disk: a thin plate (plane stress) or a slice of a long cylinder (plane strain).
@@ -19,10 +22,10 @@ enum class Plane { stress, strain };
 /// SI values of the units of the core. Multiply a dimensionless result by its scale.
 struct Scales {
   double length = 0.0;     ///< R, m; of a rod L
-  double speed = 0.0;      ///< c = √(E′/ρ), m/s, with E′ = E or E/(1−ν²)
+  double speed = 0.0;      ///< c = √(E′/ρ), m/s, with E′ = E or, of a disk in plane strain, E/(1−ν²)
   double time = 0.0;       ///< R/c, s
   double frequency = 0.0;  ///< c/R, rad/s
-  double force = 0.0;      ///< πRE′ = mc²/R per thickness, N/m; of a rod EA, N
+  double force = 0.0;      ///< mc²/R: of a disk πRE′ per thickness, N/m; of a sphere (4π/3)R²E, of a rod EA, N
 };
 
 /// Scales of a disk of this material.

@@ -30,6 +30,8 @@ def keys(value):
         "quasistatic --poisson 0.33 --speed 1e-3",
         "quasistatic --poisson 0.33 --compression 0.01",
         "modes --poisson 0.33 --cutoff 3",
+        "modes --body sphere --poisson 0.3 --cutoff 3",
+        "impact --body sphere --poisson 0.3 --young 1e9 --density 1e3 --radius 1 --yield 1e6 --speed 1 --cutoff 12",
     ],
 )
 def test_every_key_is_explained(stoss, arguments):

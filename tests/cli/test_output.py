@@ -141,7 +141,7 @@ def test_no_progress_bar_off_a_terminal(stoss, tmp_path):
     assert result.stderr == ""
 
 
-@pytest.mark.parametrize("more, status", [("", 0), ("--tolerance 1e-12", 1), ("--quiet", 0)])
+@pytest.mark.parametrize("more, status", [("", 0), ("--tolerance 1e-12 --absolute 0", 1), ("--quiet", 0)])
 def test_progress_bar_on_a_terminal(stoss, tmp_path, more, status):
     terminal, end = pty.openpty()
     command = stoss.start(f"restitution --poisson 0.33,0.2 --speed 0.1 -o {tmp_path}/x {more}", stderr=end)
@@ -230,7 +230,7 @@ printf '%s\\n' "${{COMPREPLY[@]}}\""""
     assert complete("stoss re") == ["restitution"]
     assert complete("stoss impact --tr") == ["--trajectory"]
     assert complete("stoss restitution --format ") == ["table", "csv", "json"]
-    assert complete("stoss restitution --against ") == ["wall", "same", "disk", "rod"]
+    assert complete("stoss restitution --against ") == ["wall", "same", "disk", "sphere", "rod"]
     assert complete("stoss impact --against e") == ["exponential"]
     assert complete("stoss restitution --against e") == []
     assert complete("stoss impact --speed ") == []

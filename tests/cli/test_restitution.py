@@ -47,7 +47,7 @@ def test_formats_agree(stoss):
     assert document["complete"] is True
     assert document["inputs"]["poisson"] == 0.33
     assert document["inputs"]["speed"] == "0.05,0.2"
-    assert document["inputs"]["tolerance"] == 0.001
+    assert document["inputs"]["tolerance"] == 0.001 and document["inputs"]["absolute"] == 1e-6
     assert document["units"]["contact_time"] == document["units"]["contact_time_error"] == "R/c"
     assert document["command"].startswith("stoss restitution --poisson 0.33")
     assert [list(record) for record in document["records"]] == 2 * [KEYS + ["ledger"]]
@@ -128,7 +128,7 @@ def test_speed_beyond_small_strain_is_flagged(stoss):
 
 @pytest.mark.parametrize("form", ["table", "csv", "json"])
 def test_not_converged_is_marked_told_and_exits_with_1(stoss, form):
-    result = stoss.run(f"restitution --poisson 0.33 --speed 0.1 --tolerance 1e-12 --format {form}")
+    result = stoss.run(f"restitution --poisson 0.33 --speed 0.1 --tolerance 1e-12 --absolute 0 --format {form}")
     assert result.returncode == 1
     why, summary = result.stderr.splitlines()
     assert why.startswith("stoss: warning: poisson 0.33, speed 0.1 c: ") and "tolerance" in why

@@ -38,7 +38,7 @@ def test_closed_stdout_is_an_error(stoss, words):
 
 
 @pytest.mark.parametrize("words, status", [
-    ("modes --poisson 0.33 --cutoff 3", 0), (LINEAR, 0), ("restitution --poisson 0.33 --speed 0.1 --tolerance 1e-12", 1),
+    ("modes --poisson 0.33 --cutoff 3", 0), (LINEAR, 0), ("restitution --poisson 0.33 --speed 0.1 --tolerance 1e-12 --absolute 0", 1),
     ("modes --colour", 2), ("modes --poisson 7", 3), ("modes --poisson 0.33 -o /no/such/folder/x", 4),
 ])  # fmt: skip
 def test_unwritable_stderr_changes_no_exit_code(stoss, words, status):

@@ -8,10 +8,11 @@ namespace stoss {
 struct HardWall {};
 
 /// The paper's soft wall, potential V = V₀ ∫ dφ e^{αx(φ)} over the front half of the edge, −π/2 to
-/// π/2 on a disk (paper eq. (40)). Modes above the cutoff are left out.
+/// π/2 on a disk (paper eq. (40)), and over the area of the front half of a sphere. Modes above the cutoff are left
+/// out.
 struct ExponentialWall {
   double hardness = 500.0;  ///< α, 1/R; 1 … 1e6
-  double strength = 1.0;    ///< V₀, ρc²R²; shifts the wall by ln V₀/α and changes nothing else
+  double strength = 1.0;  ///< V₀, ρc²R², of a sphere ρc²R; shifts the wall by ln V₀/α and changes nothing else
 };
 
 using Wall = std::variant<HardWall, ExponentialWall>;

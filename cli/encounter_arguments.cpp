@@ -1,0 +1,68 @@
+// The options that say who meets whom.
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <vector>
+
+#include "encounter.hpp"
+#include "stoss/errors.hpp"
+
+namespace stoss::cli {
+namespace {
+
+/// An option that only some bodies have.
+struct Owned {
+  std::string option;
+  std::vector<std::string> bodies;
+};
+
+const std::vector<Owned> owned{
+    {"poisson", {"disk", "sphere"}},
+    {"radius", {"disk", "sphere"}},
+    {"plane", {"disk"}},
+    {"yield", {"sphere"}},
+    {"length", {"rod"}},
+    {"area", {"rod"}},
+};
+
+}  // namespace
+
+void EncounterArguments::add_to(CLI::App& to, const std::string& kind, const std::string& help) {
+  command = &to;
+  to.add_option("--body", body, "Kind of body (default: disk); a rod has no Poisson number")
+      ->check(CLI::IsMember({"disk", "sphere", "rod"}))
+      ->type_name("BODY")
+      ->group("Body");
+  disk.add_material_to(to, material_group);
+  sphere.add_to(to);
+  rod.add_to(to);
+  to.add_option("--against", against,
+                "What the body meets (default: wall)\n"
+                "  wall: a rigid wall; same: a second body, equal to the first\n"
+                "  disk[,poisson=NU,radius=R,young=E,density=RHO]: a second disk,\n"
+                "               in units of the first; with a material, in SI\n"
+                "  sphere[,poisson=NU,radius=R,young=E,density=RHO,yield=Y]: a second\n"
+                "               sphere, likewise; yield only with a material\n"
+                "  rod[,length=L,young=E,density=RHO,area=A]: a second rod, likewise" +
+                    help)
+      ->type_name("{wall,same,disk,sphere,rod" + (kind.empty() ? "" : "," + kind) + "}[,KEY=NUMBER]...")
+      ->group("Against");
+}
+
+Encounter EncounterArguments::encounter() const {
+  const BodyKind kind = body_kind(body);
+  if (kind != BodyKind::rod && command->get_option("--poisson")->count() == 0) throw CLI::RequiredError("--poisson");
+  for (const auto& [option, bodies] : owned) {
+    if (command->get_option("--" + option)->count() == 0) continue;
+    if (std::find(bodies.begin(), bodies.end(), body) != bodies.end()) continue;
+    throw InvalidInput(fmt::format("{0}: got --{0} with --body {1}, allowed only with --body {2}", option, body,
+                                   fmt::join(bodies, " or ")));
+  }
+  FirstBody first{kind, disk, {}, {}};
+  if (kind == BodyKind::sphere) first.sphere = sphere.si(disk);
+  if (kind == BodyKind::rod) first.rod = rod.si(disk);
+  return {std::move(first), parse_against(against)};
+}
+
+}  // namespace stoss::cli
