@@ -8,18 +8,18 @@ namespace {
 
 struct Names {
   std::string_view dimension;
-  std::array<std::string_view, 4> units;  // in the order of UnitSystem
+  std::array<std::string_view, 6> units;  // in the order of UnitSystem
 };
 
 // In the order of Dimension.
-constexpr std::array<Names, 8> names{{{"", {"", "", "", ""}},
-                                      {"length", {"R", "L", "m", "m"}},
-                                      {"inverse length", {"1/R", "1/L", "1/m", "1/m"}},
-                                      {"time", {"R/c", "L/c", "s", "s"}},
-                                      {"speed", {"c", "c", "m/s", "m/s"}},
-                                      {"frequency", {"c/R", "c/L", "rad/s", "rad/s"}},
-                                      {"force", {"piRE", "EA", "N/m", "N"}},
-                                      {"energy", {"mc^2", "mc^2", "J/m", "J"}}}};
+constexpr std::array<Names, 8> names{{{"", {"", "", "", "", "", ""}},
+                                      {"length", {"R", "L", "m", "m", "R", "m"}},
+                                      {"inverse length", {"1/R", "1/L", "1/m", "1/m", "1/R", "1/m"}},
+                                      {"time", {"R/c", "L/c", "s", "s", "R/c", "s"}},
+                                      {"speed", {"c", "c", "m/s", "m/s", "c", "m/s"}},
+                                      {"frequency", {"c/R", "c/L", "rad/s", "rad/s", "c/R", "rad/s"}},
+                                      {"force", {"piRE", "EA", "N/m", "N", "mc^2/R", "N"}},
+                                      {"energy", {"mc^2", "mc^2", "J/m", "J", "mc^2", "J"}}}};
 
 const Names& of(Dimension dimension) { return names.at(static_cast<std::size_t>(dimension)); }
 

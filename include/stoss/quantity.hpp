@@ -17,11 +17,11 @@ namespace stoss {
 /// What a quantity is measured in; `none` for a pure number, a share of energy, a flag or a name.
 enum class Dimension { none, length, inverse_length, time, speed, frequency, force, energy };
 
-/// Units of the first body, R and c of a disk or L and c of a rod, and what they are in SI. Forces and energies of a
-/// disk are per thickness.
-enum class UnitSystem { disk, rod, disk_si, rod_si };
+/// Units of the first body, R and c of a disk or a sphere or L and c of a rod, and what they are in SI. Forces and
+/// energies of a disk are per thickness.
+enum class UnitSystem { disk, rod, disk_si, rod_si, sphere, sphere_si };
 
-/// Name of a unit in plain ASCII, as in R/c, piRE or N/m; "" for a pure number.
+/// Name of a unit in plain ASCII, as in R/c, piRE, mc^2/R or N/m; "" for a pure number.
 [[nodiscard]] std::string_view unit_name(Dimension dimension, UnitSystem system);
 
 /// The word for a dimension, as in "inverse length"; "" for none.

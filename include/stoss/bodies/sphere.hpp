@@ -1,6 +1,7 @@
 #pragma once
 
 #include "stoss/body/body.hpp"
+#include "stoss/material.hpp"
 
 namespace stoss {
 
@@ -18,6 +19,10 @@ struct Sphere {
 /// @throws InvalidInput outside these ranges, and for a radius, modulus or density that is not positive and finite
 [[nodiscard]] Body sphere(const Sphere& sphere, double cutoff, const Poll& poll = {});
 [[nodiscard]] Body sphere(double poisson, double cutoff, const Poll& poll = {});
+
+/// SI values of the units of a sphere that is given in SI: R, c = √(E/ρ), R/c, c/R, and the force mc²/R = (4π/3)R²E.
+/// @throws InvalidInput as above
+[[nodiscard]] Scales scales(const Sphere& sphere);
 
 /// Makes spheres at any cutoff, for `restitution`, which chooses the cutoffs. @throws InvalidInput as above
 [[nodiscard]] BodyMaker sphere(const Sphere& sphere);

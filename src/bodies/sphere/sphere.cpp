@@ -84,6 +84,13 @@ constexpr Sampling sampling{.points = 40.0, .cutoff = 32.0, .power = 0.7, .along
 
 }  // namespace
 
+Scales scales(const Sphere& sphere) {
+  require_sphere(sphere);
+  const double speed = std::sqrt(sphere.young / sphere.density);
+  return {sphere.radius, speed, sphere.radius / speed, speed / sphere.radius,
+          mass * sphere.radius * sphere.radius * sphere.young};
+}
+
 Body sphere(const Sphere& sphere, double cutoff, const Poll& poll) {
   require_sphere(sphere);
   const double poisson = sphere.poisson;
