@@ -6,6 +6,7 @@
 #include "interpreter.hpp"
 #include "stoss/bodies/disk.hpp"
 #include "stoss/bodies/rod.hpp"
+#include "stoss/bodies/sphere.hpp"
 
 namespace stoss::python {
 
@@ -38,6 +39,12 @@ void bind_body(py::module_& module) {
         return rod(Rod{length, young, density, area});
       },
       py::arg("length"), py::arg("young"), py::arg("density"), py::arg("area"));
+  module.def(
+      "sphere",
+      [](double poisson, double radius, double young, double density) {
+        return sphere(Sphere{poisson, radius, young, density});
+      },
+      py::arg("poisson"), py::arg("radius"), py::arg("young"), py::arg("density"));
   module.def(
       "with_modes",
       [](const Body& all, const py::array_t<bool, py::array::c_style>& keep) {

@@ -1,86 +1,121 @@
-#include "stoss/bodies/disk/field.hpp"
+#include <array>
 
 #include "arrays.hpp"
 #include "frames.hpp"
 #include "interpreter.hpp"
+#include "stoss/bodies/disk/field.hpp"
+#include "stoss/bodies/sphere/field.hpp"
 
 namespace stoss::python {
 namespace {
 
-using namespace bodies::disk;
+namespace disk = bodies::disk;
+namespace sphere = bodies::sphere;
+
+using Values = std::vector<double>;
+using Doubles = py::array_t<double, py::array::c_style>;
+
+/// A displacement or a stress, by name.
+template <typename Field>
+struct Component {
+  const char* name;
+  Values Field::*of;
+};
+
+/// What is inside a kind of body: two displacements, then stresses.
+struct Disk {
+  using Inside = disk::DiskField;
+  using Field = disk::Field;
+  using Grid = disk::PolarGrid;
+  static constexpr std::array<Component<Field>, 5> components{{{"radial", &Field::radial},
+                                                               {"tangential", &Field::tangential},
+                                                               {"stress_rr", &Field::stress_rr},
+                                                               {"stress_pp", &Field::stress_pp},
+                                                               {"stress_rp", &Field::stress_rp}}};
+};
+
+struct Sphere {
+  using Inside = sphere::SphereField;
+  using Field = sphere::Field;
+  using Grid = sphere::PolarGrid;
+  static constexpr std::array<Component<Field>, 6> components{{{"radial", &Field::radial},
+                                                               {"tangential", &Field::tangential},
+                                                               {"stress_rr", &Field::stress_rr},
+                                                               {"stress_tt", &Field::stress_tt},
+                                                               {"stress_pp", &Field::stress_pp},
+                                                               {"stress_rt", &Field::stress_rt}}};
+};
 
 /// Fields of several instants, one after another, in units of the first body.
 struct Series {
-  std::vector<double> radial, tangential, stress_rr, stress_pp, stress_rp, von_mises, principal_difference, center;
+  std::vector<Values> components;  // and von Mises stress and principal difference
+  Values center;
   double size = 1.0;  // R of the body
-
-  Series() = default;
-  explicit Series(std::size_t values) {
-    for (auto* each : {&radial, &tangential, &stress_rr, &stress_pp, &stress_rp, &von_mises, &principal_difference}) {
-      each->reserve(values);
-    }
-  }
-
-  void append(const Field& field, double length, double stress) {
-    const auto add = [](std::vector<double>& all, const std::vector<double>& more, double unit) {
-      for (const double each : more) all.push_back(each * unit);
-    };
-    add(radial, field.radial, length);
-    add(tangential, field.tangential, length);
-    add(stress_rr, field.stress_rr, stress);
-    add(stress_pp, field.stress_pp, stress);
-    add(stress_rp, field.stress_rp, stress);
-    add(von_mises, bodies::disk::von_mises(field), stress);
-    add(principal_difference, bodies::disk::principal_difference(field), stress);
-  }
 };
 
+template <typename Kind>
 Series evaluate(double poisson, int number, const Contact& contact, const Impact& impact, const Frames& frames,
-                PolarGrid points, const Poll& poll) {
+                typename Kind::Grid points, const Poll& poll) {
   const ContactGrid grid = contact_grid(contact, impact.half_width, impact.nodes);
   const std::size_t values = frames.all.size() * points.radius.size() * points.angle.size();
+  const std::size_t count = Kind::components.size();
   Frame rest;
   rest.state.coordinate.resize(mode_count(contact));
   const BodyFrame body = seen_by(contact, grid, rest, number);
-  const DiskField field(poisson, *body.body, body.points, std::move(points), poll);
-  Series series(values);
+  const typename Kind::Inside inside(poisson, *body.body, body.points, std::move(points), poll);
+  Series series;
+  series.components.resize(count + 2);
+  for (Values& each : series.components) each.reserve(values);
+  const auto add = [&](std::size_t to, const Values& more, double unit) {
+    for (const double each : more) series.components[to].push_back(each * unit);
+  };
   for (const Frame& frame : frames.all) {
     if (poll) poll();
     const BodyFrame seen = seen_by(contact, grid, frame, number);
-    series.append(field.at(seen.coordinate, seen.node_force, poll), seen.length, seen.stress);
+    const typename Kind::Field field = inside.at(seen.coordinate, seen.node_force, poll);
+    for (std::size_t k = 0; k < count; ++k) add(k, field.*Kind::components[k].of, k < 2 ? seen.length : seen.stress);
+    add(count, von_mises(field), seen.stress);
+    add(count + 1, principal_difference(field), seen.stress);
     series.center.push_back(seen.center);
   }
   series.size = body.length;
   return series;
 }
 
+template <typename Kind>
+py::dict fields(double poisson, int number, const Contact& contact, const Impact& impact, const Frames& frames,
+                const Doubles& radius, const Doubles& angle) {
+  typename Kind::Grid points{to_vector(radius), to_vector(angle)};
+  const std::vector<py::ssize_t> shape{static_cast<py::ssize_t>(frames.all.size()), radius.size(), angle.size()};
+  const auto poll = signal_poll();
+  Series series;
+  {
+    const Released released;
+    series = evaluate<Kind>(poisson, number, contact, impact, frames, std::move(points), poll);
+  }
+  py::dict all;
+  const std::size_t count = Kind::components.size();
+  for (std::size_t k = 0; k < count; ++k) {
+    all[Kind::components[k].name] = take(std::move(series.components[k]), shape);
+  }
+  all["von_mises"] = take(std::move(series.components[count]), shape);
+  all["principal_difference"] = take(std::move(series.components[count + 1]), shape);
+  all["center"] = take(std::move(series.center));
+  all["size"] = series.size;
+  return all;
+}
+
+template <typename Kind>
+void bind(py::module_& module, const char* name, const char* what) {
+  module.def(name, &fields<Kind>, py::arg("poisson"), py::arg("number"), py::arg("contact"), py::arg("impact"),
+             py::arg("frames"), py::arg("radius"), py::arg("angle"), what);
+}
+
 }  // namespace
 
 void bind_field(py::module_& module) {
-  module.def(
-      "fields",
-      [](double poisson, int number, const Contact& contact, const Impact& impact, const Frames& frames,
-         const py::array_t<double, py::array::c_style>& radius, const py::array_t<double, py::array::c_style>& angle) {
-        using namespace py::literals;
-        PolarGrid points{to_vector(radius), to_vector(angle)};
-        const std::vector<py::ssize_t> shape{static_cast<py::ssize_t>(frames.all.size()), radius.size(), angle.size()};
-        const auto poll = signal_poll();
-        Series series;
-        {
-          const Released released;
-          series = evaluate(poisson, number, contact, impact, frames, std::move(points), poll);
-        }
-        return py::dict("radial"_a = take(std::move(series.radial), shape),
-                        "tangential"_a = take(std::move(series.tangential), shape),
-                        "stress_rr"_a = take(std::move(series.stress_rr), shape),
-                        "stress_pp"_a = take(std::move(series.stress_pp), shape),
-                        "stress_rp"_a = take(std::move(series.stress_rp), shape),
-                        "von_mises"_a = take(std::move(series.von_mises), shape),
-                        "principal_difference"_a = take(std::move(series.principal_difference), shape),
-                        "center"_a = take(std::move(series.center)), "size"_a = series.size);
-      },
-      py::arg("poisson"), py::arg("number"), py::arg("contact"), py::arg("impact"), py::arg("frames"),
-      py::arg("radius"), py::arg("angle"), "arrays of times x radii x angles, centers of the body, and its radius");
+  bind<Disk>(module, "disk_fields", "arrays of times x radii x angles, centers of the body, and its radius");
+  bind<Sphere>(module, "sphere_fields", "the same on a meridian plane");
 }
 
 }  // namespace stoss::python

@@ -2,6 +2,7 @@
 
 #include "bindings.hpp"
 #include "stoss/bodies/rod.hpp"
+#include "stoss/bodies/sphere.hpp"
 
 namespace stoss::python {
 namespace {
@@ -32,6 +33,13 @@ void bind_material(py::module_& module) {
         return to_tuple(scales(Rod{length, young, density, area}));
       },
       py::arg("length"), py::arg("young"), py::arg("density"), py::arg("area"),
+      "(length, speed, time, frequency, force)");
+  module.def(
+      "sphere_scales",
+      [](double poisson, double radius, double young, double density) {
+        return to_tuple(scales(Sphere{poisson, radius, young, density}));
+      },
+      py::arg("poisson"), py::arg("radius"), py::arg("young"), py::arg("density"),
       "(length, speed, time, frequency, force)");
 }
 

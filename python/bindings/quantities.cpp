@@ -1,7 +1,11 @@
 #include "quantities.hpp"
 
+#include <stdexcept>
+#include <string>
+
 #include "bindings.hpp"
 #include "stoss/bodies/disk/quantities.hpp"
+#include "stoss/bodies/sphere/quantities.hpp"
 #include "stoss/impact/quantities.hpp"
 #include "stoss/quasistatic/quantities.hpp"
 #include "stoss/restitution/quantities.hpp"
@@ -19,17 +23,19 @@ py::tuple listed(const Quantities<Result>& quantities) {
   return py::tuple(list);
 }
 
-UnitSystem system(bool rod, bool si) {
-  if (rod) return si ? UnitSystem::rod_si : UnitSystem::rod;
-  return si ? UnitSystem::disk_si : UnitSystem::disk;
+UnitSystem system(const std::string& body, bool si) {
+  if (body == "rod") return si ? UnitSystem::rod_si : UnitSystem::rod;
+  if (body == "sphere") return si ? UnitSystem::sphere_si : UnitSystem::sphere;
+  if (body == "disk") return si ? UnitSystem::disk_si : UnitSystem::disk;
+  throw std::invalid_argument("body: disk, rod or sphere");
 }
 
 /// Names of the units by dimension.
-py::dict units(bool rod, bool si) {
+py::dict units(const std::string& body, bool si) {
   py::dict names;
   using enum Dimension;
   for (const Dimension each : {none, length, inverse_length, time, speed, frequency, force, energy}) {
-    names[py::str(std::string(dimension_name(each)))] = unit_name(each, system(rod, si));
+    names[py::str(std::string(dimension_name(each)))] = unit_name(each, system(body, si));
   }
   return names;
 }
@@ -45,12 +51,13 @@ void bind_quantities(py::module_& module) {
   all["extrapolation"] = listed(extrapolation_quantities());
   all["soft impact"] = listed(soft_impact_quantities());
   all["mode"] = listed(bodies::disk::mode_quantities());
+  all["sphere mode"] = listed(bodies::sphere::mode_quantities());
   all["slow impact"] = listed(quasistatic::slow_impact_quantities());
   all["rayleigh"] = listed(quasistatic::rayleigh_quantities());
   all["driven mode"] = listed(quasistatic::driven_mode_quantities());
   all["soft static contact"] = listed(quasistatic::soft_static_contact_quantities());
   module.attr("quantities") = all;
-  module.def("units", &units, py::arg("rod"), py::arg("si"), "names by dimension");
+  module.def("units", &units, py::arg("body"), py::arg("si"), "names by dimension");
 }
 
 }  // namespace stoss::python

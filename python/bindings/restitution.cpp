@@ -18,7 +18,7 @@ namespace {
 /// Fills rows as the values come, and `reasons` at the end, so that what is done is there if Ctrl-C ends the curve.
 /// Only where there is a `tick` is the interpreter asked for after each value.
 void curve(const RefinableContact& contact, const py::array_t<double, py::array::c_style>& speeds, double tolerance,
-           int threads, py::array& rows, py::list reasons, const std::optional<py::function>& tick) {
+           double absolute, int threads, py::array& rows, py::list reasons, const std::optional<py::function>& tick) {
   const std::vector<double> at = to_vector(speeds);
   const Rows<Restitution> layout(restitution_quantities());
   const bool fits = rows.ndim() == 1 && (rows.flags() & py::array::c_style) != 0 && rows.dtype().equal(layout.type());
@@ -31,7 +31,7 @@ void curve(const RefinableContact& contact, const py::array_t<double, py::array:
   const auto poll = signal_poll();
   try {
     const Released released;
-    restitution_curve(contact, at, {tolerance, 0.0, threads, poll}, [&](std::size_t i, const Restitution& result) {
+    restitution_curve(contact, at, {tolerance, absolute, threads, poll}, [&](std::size_t i, const Restitution& result) {
       layout.write(result, row + i * layout.width());
       why.push_back(result.reason);
       if (!tick) return;
@@ -51,12 +51,12 @@ void bind_restitution(py::module_& module) {
   module.attr("restitution_row") = Rows<Restitution>(restitution_quantities()).type();
   module.def(
       "check_curve",
-      [](const py::array_t<double, py::array::c_style>& speeds, double tolerance, int threads) {
-        validate(to_vector(speeds), {tolerance, 0.0, threads});
+      [](const py::array_t<double, py::array::c_style>& speeds, double tolerance, double absolute, int threads) {
+        validate(to_vector(speeds), {tolerance, absolute, threads});
       },
-      py::arg("speeds"), py::arg("tolerance"), py::arg("threads"));
+      py::arg("speeds"), py::arg("tolerance"), py::arg("absolute"), py::arg("threads"));
   module.def("restitution_curve", &curve, py::arg("contact"), py::arg("speeds"), py::arg("tolerance"),
-             py::arg("threads"), py::arg("rows").noconvert(), py::arg("reasons"), py::arg("tick"),
+             py::arg("absolute"), py::arg("threads"), py::arg("rows").noconvert(), py::arg("reasons"), py::arg("tick"),
              "fills rows and reasons; calls tick, unless it is None, after each");
 }
 

@@ -13,10 +13,10 @@ speed c = √(E/ρ), mass m; of bodies with a `Material`, speeds are in m/s.
 bodies
 `impact`                          one impact: energy ledger, trajectory, deformation and stress in
 time
-`modes`                           the eigenmodes of a disk
+`modes`                           the eigenmodes of a disk or a sphere
 `extrapolated_restitution`        ε as Gerl and Zippelius compute it
 `quasistatic`                     slow impacts, Rayleigh's estimate of the loss, static contacts
-`Disk`, `Rod`                     bodies
+`Disk`, `Sphere`, `Rod`           bodies
 `HardWall`, `ExponentialWall`     walls
 `Material`, `materials`           SI; typical materials
 `plot`                            pictures (needs matplotlib)
@@ -25,11 +25,11 @@ time
 """
 
 from stoss import quasistatic
-from stoss._bodies import Body, Disk, Rod
+from stoss._bodies import Body, Disk, Rod, Sphere
 from stoss._core import version as __version__
 from stoss._errors import Interrupted, InvalidInput, NotConverged, StossWarning
 from stoss._extrapolation import Extrapolation, extrapolated_restitution
-from stoss._field import Field
+from stoss._field import DiskField, Field, SphereField
 from stoss._impact import impact
 from stoss._impact_result import Impact
 from stoss._material import Material, Scales, materials
@@ -43,6 +43,7 @@ from stoss._walls import ExponentialWall, HardWall, Wall
 __all__ = [
     "Body",
     "Disk",
+    "DiskField",
     "ExponentialWall",
     "Extrapolation",
     "Field",
@@ -56,6 +57,8 @@ __all__ = [
     "Restitution",
     "Rod",
     "Scales",
+    "Sphere",
+    "SphereField",
     "StossWarning",
     "Trajectory",
     "Wall",

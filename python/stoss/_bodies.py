@@ -7,9 +7,11 @@ import dataclasses
 from typing import Any, Iterator, Union
 
 from stoss import _core
-from stoss._arguments import brief, instance, number, refusal
+from stoss._arguments import refusal
+from stoss._body_values import call, fill, known_material, size
 from stoss._errors import InvalidInput
 from stoss._material import Material, Scales
+from stoss._sphere import Sphere as Sphere
 
 
 @dataclasses.dataclass(frozen=True, init=False, repr=False)
@@ -65,23 +67,23 @@ class Disk:
                 raise refusal("plane", plane, "none without a material (`poisson` is the 2-D Poisson number)")
         else:
             plane = _plane("stress" if plane is None else plane)
-            size = _size("radius", radius, material)
-            material._scales(plane, size)  # refuses what is out of range
+            size_in_si = size("radius", radius, material)
+            material._scales(plane, size_in_si)  # refuses what is out of range
             modulus = material.young if plane == "stress" else material.young / (1.0 - material.poisson**2)
             made = {"poisson": material._plane_poisson(plane), "young": modulus, "density": material.density}
-        _fill(self, made, material, poisson=poisson, young=young, density=density)
-        _fill(self, {"radius": 1.0}, None, radius=radius)
+        fill(self, made, material, poisson=poisson, young=young, density=density)
+        fill(self, {"radius": 1.0}, None, radius=radius)
         object.__setattr__(self, "material", material)
         object.__setattr__(self, "plane", plane)
         self._maker()  # refuses what is out of range
 
     def __repr__(self) -> str:
-        return _shown(self, ("poisson", "radius", "young", "density"), ("radius", "material", "plane"))
+        return call(self, ("poisson", "radius", "young", "density"), ("radius", "material", "plane"))
 
     @property
     def scales(self) -> Scales:
         """SI values of the units of all results of which this is the first body."""
-        return _material(self)._scales(str(self.plane), self.radius)
+        return known_material(self)._scales(str(self.plane), self.radius)
 
     def _maker(self) -> _core.BodyMaker:
         return _core.disk(self.poisson, self.radius, self.young, self.density)
@@ -133,21 +135,21 @@ class Rod:
     ) -> None:
         made = {"young": 1.0, "density": 1.0}
         if material is not None:
-            _size("length", length, material)
-            _size("area", area, material)
+            size("length", length, material)
+            size("area", area, material)
             made = {"young": material.young, "density": material.density}
-        _fill(self, made, material, young=young, density=density)
-        _fill(self, {"length": 1.0, "area": 1.0}, None, length=length, area=area)
+        fill(self, made, material, young=young, density=density)
+        fill(self, {"length": 1.0, "area": 1.0}, None, length=length, area=area)
         object.__setattr__(self, "material", material)
         self._maker()  # refuses what is out of range
 
     def __repr__(self) -> str:
-        return _shown(self, ("length", "young", "density", "area"), ("length", "area", "material"))
+        return call(self, ("length", "young", "density", "area"), ("length", "area", "material"))
 
     @property
     def scales(self) -> Scales:
         """SI values of the units of all results of which this is the first body."""
-        _material(self)
+        known_material(self)
         return Scales(*_core.rod_scales(self.length, self.young, self.density, self.area))
 
     def _maker(self) -> _core.BodyMaker:
@@ -158,7 +160,14 @@ class Rod:
         return Rod()
 
 
-Body = Union[Disk, Rod]
+Body = Union[Disk, Rod, Sphere]
+BODIES = (Disk, Rod, Sphere)
+"""The classes of bodies, for isinstance."""
+
+
+def kind(body: Any) -> str:
+    """What the core calls the kind of a body: its units depend on it."""
+    return type(body).__name__.lower()
 
 
 def _plane(value: Any) -> str:
@@ -167,49 +176,13 @@ def _plane(value: Any) -> str:
     return value
 
 
-def _size(name: str, value: Any, material: Any) -> float:
-    """A size in SI, which has no default."""
-    instance("material", material, (Material,))
-    if value is None:
-        raise InvalidInput(f"{name}: got none, allowed a number in SI (the body has a material)")
-    return number(name, value)
-
-
-def _fill(body: Body, made: dict[str, float], material: Material | None, **given: Any) -> None:
-    """Set numbers to what was given, or what is made of the material or usual; with a material never both."""
-    for name, value in given.items():
-        if value is None and name not in made:
-            raise InvalidInput(f"{name}: got none, allowed a number, or a material instead")
-        known = made[name] if value is None else number(name, value)
-        if material is not None and known != made[name]:
-            raise refusal(name, value, f"none beside a material, which makes it {made[name]:.6g}")
-        object.__setattr__(body, name, known)
-
-
-def _shown(body: Body, ratios: tuple[str, ...], si: tuple[str, ...]) -> str:
-    """The call that makes the body, without what is usual."""
-    names = si if body.material is not None else ratios
-    usual: dict[str, Any] = {"plane": "stress"}
-    if body.material is None:
-        usual |= {name: 1.0 for name in ratios if name != "poisson"}
-    values = {name: getattr(body, name) for name in names}
-    said = ", ".join(f"{name}={brief(value)}" for name, value in values.items() if usual.get(name) != value)
-    return f"{type(body).__name__}({said})"
-
-
 def shown(body: Body) -> str:
     """The body in the line that says what a result is."""
     if body.material is None:
         return repr(body)
     if isinstance(body, Rod):
         return f"Rod(length={body.length:g} m)"
-    return f"Disk(poisson={body.poisson:.6g}, radius={body.radius:g} m)"
-
-
-def _material(body: Body) -> Material:
-    if body.material is None:
-        raise AttributeError(f"scales: {body!r} has no material (make it with material=stoss.Material(...))")
-    return body.material
+    return f"{type(body).__name__}(poisson={body.poisson:.6g}, radius={body.radius:g} m)"
 
 
 def speed_unit(body: Body | None) -> float:

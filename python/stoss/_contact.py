@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from stoss import _core
 from stoss._arguments import instance, refusal
-from stoss._bodies import Body, Disk, Rod
+from stoss._bodies import BODIES, Body, Disk
 from stoss._errors import InvalidInput
 from stoss._walls import HardWall, Wall
 
@@ -22,7 +22,7 @@ def choose_body(body: Any, poisson: Any) -> Body:
     if (body is None) == (poisson is None):
         got = "neither" if body is None else "body and poisson"
         raise InvalidInput(f"body: got {got}, allowed one of body and poisson")
-    return Disk(poisson=poisson) if body is None else instance("body", body, (Disk, Rod))
+    return Disk(poisson=poisson) if body is None else instance("body", body, BODIES)
 
 
 def choose_against(body: Body, against: Any, walls: tuple[type, ...]) -> Against:
@@ -31,12 +31,12 @@ def choose_against(body: Body, against: Any, walls: tuple[type, ...]) -> Against
         return HardWall()
     if isinstance(against, str) and against == "same":
         return body
-    if not isinstance(against, (*walls, Disk, Rod)):
+    if not isinstance(against, (*walls, *BODIES)):
         kinds = ", ".join(f"a stoss.{wall.__name__}" for wall in walls)
-        raise refusal("against", against, f"None, 'same', {kinds}, a stoss.Disk or a stoss.Rod")
-    if isinstance(against, (Disk, Rod)):
+        raise refusal("against", against, f"None, 'same', {kinds}, a stoss.Disk, a stoss.Rod or a stoss.Sphere")
+    if isinstance(against, BODIES):
         if type(against) is not type(body):
-            raise refusal("against", against, f"a stoss.{type(body).__name__} (a disk meets disks, a rod rods)")
+            raise refusal("against", against, f"a stoss.{type(body).__name__} (a disk meets disks, a rod rods, a sphere spheres)")
         if (against.material is None) != (body.material is None):
             raise refusal("against", against, "two bodies with a material, or two without")
         plane = getattr(body, "plane", None)
@@ -68,7 +68,7 @@ def _refinable_pair(first: Body, second: Body) -> _core.RefinableContact:
 
 def contact(body: Body, against: Against, cutoff: float, keep: NDArray[np.bool_] | None) -> _core.Contact:
     """A body with its modes up to the cutoff, or with some of them, at what it meets."""
-    if isinstance(against, (Disk, Rod)):
+    if isinstance(against, BODIES):
         return _pair(body, against, cutoff)
     every = resolved(body, cutoff)
     return _core.at_wall(every if keep is None else _core.with_modes(every, keep), against._made())
@@ -81,7 +81,7 @@ def radiates(against: Against) -> bool:
 
 def refinable(body: Body, against: Against) -> _core.RefinableContact:
     """The same at any cutoff, at a rigid wall or at a body."""
-    return _refinable_pair(body, against) if isinstance(against, (Disk, Rod)) else _refinable(body._shape())
+    return _refinable_pair(body, against) if isinstance(against, BODIES) else _refinable(body._shape())
 
 
 def resolved(body: Body, cutoff: float) -> _core.Body:

@@ -1,9 +1,9 @@
-"""Displacement and stress inside a disk."""
+"""Displacement and stress inside a disk or a sphere."""
 
 from __future__ import annotations
 
 import dataclasses
-from typing import TYPE_CHECKING, Any, ClassVar
+from typing import TYPE_CHECKING, Any, ClassVar, TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
@@ -13,10 +13,12 @@ from stoss._result import Column, Number, Result, span
 if TYPE_CHECKING:
     from stoss._impact_result import Impact
 
+FieldKind = TypeVar("FieldKind", bound="Field")
+
 
 @dataclasses.dataclass(frozen=True, eq=False, repr=False)
 class Field(Result):
-    """The deformed disk and the stress inside it.
+    """The deformed body and the stress inside it: what a `DiskField` and a `SphereField` have in common.
 
     Arrays are times × radii × angles, or radii × angles for one time.
 
@@ -25,28 +27,26 @@ class Field(Result):
     of : int
         Inside which body: 0 the first, 1 the second. Units are those of the first.
     size : float
-        Radius of the disk, R.
+        Radius of the body, R.
     time, center, force, contact_half_width : float or ndarray
-        Of each instant: R/c; x of the disk's centre in R; F in πRE; R.
+        Of each instant: R/c; x of the body's centre in R; F in mc²/R (of disks πRE); R.
     radius, angle : ndarray
-        Of the points in the undeformed disk: in its own radius; radians, 0 towards the contact.
+        Of the points in the undeformed body: in its own radius; radians, 0 towards the contact.
     x, y : ndarray
-        Where the points are now, R. The wall is at x = 0 and the disk at x < 0. Of two disks the
+        Where the points are now, R. The wall is at x = 0 and the body at x < 0. Of two bodies the
         first is at x < 0: they first touch at x = 0, and their common centre of mass is at rest.
-    stress_rr, stress_pp, stress_rp : ndarray
-        σ_rr, σ_φφ and σ_rφ, E; tension is positive.
-    von_mises : ndarray
-        √(σ₁² − σ₁σ₂ + σ₂²) of plane stress, E.
-    principal_difference : ndarray
-        |σ₁ − σ₂|, E: what photoelastic fringes count.
+    stress_rr : ndarray
+        σ_rr, E; tension is positive.
+    von_mises, principal_difference : ndarray
+        E.
     """
 
     _name: ClassVar[str] = "field"
     _kind = "snapshot"
-    _units = {
-        "angle": "rad", "x": "R", "y": "R", "stress_rr": "E", "stress_pp": "E", "stress_rp": "E", "von_mises": "E",
-        "principal_difference": "E",
-    }  # fmt: skip
+    _stresses: ClassVar[tuple[str, ...]] = ()  # in the order of the columns
+    _units = {"angle": "rad", "x": "R", "y": "R", "von_mises": "E", "principal_difference": "E"} | {
+        f"stress_{pair}": "E" for pair in ("rr", "tt", "pp", "rt", "rp")
+    }
 
     impact: Impact = dataclasses.field(repr=False)
     of: int
@@ -60,18 +60,19 @@ class Field(Result):
     x: NDArray[np.float64]
     y: NDArray[np.float64]
     stress_rr: NDArray[np.float64]
-    stress_pp: NDArray[np.float64]
-    stress_rp: NDArray[np.float64]
     von_mises: NDArray[np.float64]
     principal_difference: NDArray[np.float64]
 
     def __repr__(self) -> str:
         points = f"{len(self.radius)} radii x {len(self.angle)} angles"
-        return f"Field(time {span(self.time)} R/c, {points}, of {self.impact!r})"
+        return f"{type(self).__name__}(time {span(self.time)} R/c, {points}, of {self.impact!r})"
 
     def plot(self, ax: Any = None) -> Any:
-        """Stress inside the disk. See `stoss.plot.stress`."""
+        """Stress inside the body. See `stoss.plot.stress`."""
         return self._picture(ax)
+
+    def _kind_of_body(self) -> str:
+        return self.impact._kind_of_body()
 
     def _inputs(self) -> dict[str, Any]:
         return self.impact._inputs() | {"speed": self.impact.speed, "cutoff": self.impact.cutoff}
@@ -82,13 +83,13 @@ class Field(Result):
         columns = {name: np.broadcast_to(value[..., None, None], shape) for name, value in instants.items()}
         columns["radius"] = np.broadcast_to(self.radius[:, None], shape)
         columns["angle"] = np.broadcast_to(self.angle, shape)
-        for name in ("x", "y", "stress_rr", "stress_pp", "stress_rp", "von_mises", "principal_difference"):
+        for name in ("x", "y", *self._stresses, "von_mises", "principal_difference"):
             columns[name] = getattr(self, name)
         return columns
 
     @classmethod
     def _from_core(
-        cls,
+        cls: type[FieldKind],
         impact: Impact,
         of: int,
         shape: tuple[int, ...],
@@ -97,7 +98,7 @@ class Field(Result):
         fields: dict[str, Any],
         radius: NDArray[np.float64],
         angle: NDArray[np.float64],
-    ) -> Field:
+    ) -> FieldKind:
         """From the core's arrays, whose times are sorted: `order` says where each belongs."""
         back = np.argsort(order, kind="stable")
         in_order = bool(np.all(order == np.arange(order.size)))
@@ -129,3 +130,56 @@ class Field(Result):
             **{name: arranged(instants[name]) for name in ("time", "force", "contact_half_width")},
             **{name: arranged(array) for name, array in fields.items() if name not in ("radial", "tangential")},
         )
+
+
+@dataclasses.dataclass(frozen=True, eq=False, repr=False)
+class DiskField(Field):
+    """The deformed disk and the stress inside it.
+
+    Attributes
+    ----------
+    stress_rr, stress_pp, stress_rp : ndarray
+        σ_rr, σ_φφ and σ_rφ, E; tension is positive.
+    von_mises : ndarray
+        √(σ₁² − σ₁σ₂ + σ₂²) of plane stress, E.
+    principal_difference : ndarray
+        |σ₁ − σ₂|, E: what photoelastic fringes count.
+
+    See Also
+    --------
+    Field : what it has in common with the field of a sphere.
+    """
+
+    _stresses = ("stress_rr", "stress_pp", "stress_rp")
+
+    stress_pp: NDArray[np.float64]
+    stress_rp: NDArray[np.float64]
+
+
+@dataclasses.dataclass(frozen=True, eq=False, repr=False)
+class SphereField(Field):
+    """The deformed sphere and the stress inside it, on a plane through the axis of the impact.
+
+    Angles are polar angles θ from the contact; negative ones are the other half of the plane, the
+    mirror image of the first.
+
+    Attributes
+    ----------
+    stress_rr, stress_tt, stress_pp, stress_rt : ndarray
+        σ_rr, σ_θθ, σ_φφ (across the plane) and σ_rθ, E; tension is positive.
+    von_mises : ndarray
+        √(½[(σ₁−σ₂)² + (σ₂−σ₃)² + (σ₃−σ₁)²]), E.
+    principal_difference : ndarray
+        |σ₁ − σ₂| of the principal stresses in the plane, E: what a thin slice would show as
+        photoelastic fringes.
+
+    See Also
+    --------
+    Field : what it has in common with the field of a disk.
+    """
+
+    _stresses = ("stress_rr", "stress_tt", "stress_pp", "stress_rt")
+
+    stress_tt: NDArray[np.float64]
+    stress_pp: NDArray[np.float64]
+    stress_rt: NDArray[np.float64]

@@ -31,12 +31,12 @@ def impact(
 
     Parameters
     ----------
-    body : Disk or Rod
+    body : Disk, Sphere or Rod
         The first body, in whose units all results are.
     speed : float
         Of approach of the centres of mass, or towards the wall, 1e-8 to 1, c (with a material:
         m/s). Two equal bodies at twice the speed are one of them at a rigid wall.
-    against : HardWall, ExponentialWall, 'same', Disk or Rod, optional
+    against : HardWall, ExponentialWall, 'same', Disk, Sphere or Rod, optional
         What the body meets: a wall, its like, or another of its kind. Default: a rigid wall.
     poisson : float
         In place of `body`: ``Disk(poisson=poisson)``.

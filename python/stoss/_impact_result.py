@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from stoss import _core, _replay
-from stoss._bodies import Body, Disk, Rod, shown
+from stoss._bodies import BODIES, Body, Rod, shown
 from stoss._contact import Against, contact, radiates
 from stoss._field import Field
 from stoss._result import Number
@@ -25,9 +25,9 @@ class Impact(InSiOfAnImpact):
 
     Attributes
     ----------
-    body : Disk or Rod
+    body : Disk, Sphere or Rod
         The first; all units are its own.
-    against : HardWall, ExponentialWall, Disk or Rod
+    against : HardWall, ExponentialWall, Disk, Sphere or Rod
     speed : float
         Of approach of the centres of mass, or towards the wall, c.
     restitution : float
@@ -46,11 +46,11 @@ class Impact(InSiOfAnImpact):
     contacts : int
         Separate periods of contact.
     max_force : float
-        Greatest mean over one step of the force, πRE = mc²/R.
+        Greatest mean over one step of the force, mc²/R: πRE of a disk, (4π/3)R²E of a sphere.
     max_compression : float
         R.
     max_half_width : float
-        Greatest half-width of the contact, R.
+        Greatest half-width of the contact, R; of spheres its radius.
     cutoff : float
         Modes up to this frequency are kept, c/R.
     modes : int
@@ -122,7 +122,7 @@ class Impact(InSiOfAnImpact):
         )
 
     def _who(self) -> str:
-        return shown(self.body) + (f" against {shown(self.against)}" if isinstance(self.against, (Disk, Rod)) else "")
+        return shown(self.body) + (f" against {shown(self.against)}" if isinstance(self.against, BODIES) else "")
 
     def _contact(self) -> _core.Contact:
         return contact(self.body, self.against, self.cutoff, self.keep)
@@ -149,7 +149,7 @@ class Impact(InSiOfAnImpact):
 
     def __reduce__(self) -> tuple[Any, ...]:
         # Repeated, which gives the same bits, rather than written.
-        width = self.half_width if isinstance(self.body, Disk) else None
+        width = None if isinstance(self.body, Rod) else self.half_width
         inputs = (self.body, self.against, self.speed, self.cutoff, self.step, self.nodes, width, self.keep)
         return Impact._made, inputs
 
@@ -177,7 +177,7 @@ class Impact(InSiOfAnImpact):
     def field(
         self, *, time: ArrayLike, radius: ArrayLike | None = None, angle: ArrayLike | None = None, of: int = 0
     ) -> Field:
-        """A deformed disk and the stress inside it at some times.
+        """A deformed disk or sphere and the stress inside it at some times.
 
         The kept modes are as they move; all others are in static equilibrium with the force of
         contact.
@@ -186,24 +186,24 @@ class Impact(InSiOfAnImpact):
         ----------
         time : array_like
             R/c from the start of the impact, any order; during the impact the nearest step is
-            taken, before and after it the disk flies freely.
+            taken, before and after it the body flies freely.
         radius : array_like, optional
-            Radii r, 0 to 1, in radii of the disk; default 41 of them.
+            Radii r, 0 to 1, in radii of the body; default 41 of them.
         angle : array_like, optional
-            Angles φ, radians, 0 towards the contact; default 181 around the disk, denser near the
-            contact.
+            Angles φ, radians, 0 towards the contact; default 181 around the body, denser near it. In a
+            sphere polar angles θ on a plane through the axis, of which negative ones are the other half.
         of : {0, 1}, optional
             Inside which body: the first, or the second.
 
         Returns
         -------
-        Field
+        DiskField or SphereField
             Arrays of times × radii × angles, without the first axis if `time` is one number.
 
         Raises
         ------
         InvalidInput
-            If the body is no disk, for points outside it, and for more than 2 GB of values.
+            If the body is a rod, for points outside it, and for more than 2 GB of values.
 
         Examples
         --------

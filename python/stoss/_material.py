@@ -7,7 +7,7 @@ from types import MappingProxyType
 from typing import Mapping, NamedTuple
 
 from stoss import _core
-from stoss._arguments import brief, number
+from stoss._arguments import brief, number, optional_number, refusal
 
 
 class Scales(NamedTuple):
@@ -24,7 +24,7 @@ class Scales(NamedTuple):
     frequency : float
         c/R, rad/s.
     force : float
-        mc²/R: πRE of a disk of unit thickness, N/m, or EA of a rod, N.
+        mc²/R: πRE of a disk of unit thickness, N/m; (4π/3)R²E of a sphere or EA of a rod, N.
     """
 
     length: float
@@ -49,6 +49,9 @@ class Material:
         Poisson number ν of the solid, −1 < ν < ½.
     density : float
         Density ρ, kg/m³.
+    yield_strength : float, optional
+        Yield strength in simple tension, Pa, 1e-30 to 1e30: kept beside the elastic constants. A sphere begins
+        to yield where the contact pressure is 1.6 times that. Results, which are elastic, do not depend on it.
 
     Raises
     ------
@@ -68,14 +71,19 @@ class Material:
     young: float
     poisson: float
     density: float
+    yield_strength: float | None = None
 
     def __post_init__(self) -> None:
         for name in ("young", "poisson", "density"):
             object.__setattr__(self, name, number(name, getattr(self, name)))
         self._plane_poisson("stress")
+        strength = optional_number("yield_strength", self.yield_strength)
+        if strength is not None and not 1e-30 <= strength <= 1e30:
+            raise refusal("yield_strength", strength, "above 0, 1e-30 to 1e30 (in Pa; steel has 2e8 to 2e9)")
+        object.__setattr__(self, "yield_strength", strength)
 
     def __repr__(self) -> str:
-        return f"Material({', '.join(f'{name}={brief(value)}' for name, value in vars(self).items())})"
+        return f"Material({', '.join(f'{name}={brief(value)}' for name, value in vars(self).items() if value is not None)})"
 
     def _plane_poisson(self, plane: str) -> float:
         """2-D Poisson number: ν, or ν/(1−ν) in plane strain."""

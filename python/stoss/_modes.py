@@ -1,4 +1,4 @@
-"""Eigenmodes of a disk."""
+"""Eigenmodes of a disk or a sphere."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from stoss import _core
 from stoss._arguments import instance, integer, number, numbers
-from stoss._bodies import Disk
+from stoss._bodies import Disk, Sphere, kind
 from stoss._contact import choose_body
 from stoss._errors import InvalidInput
 from stoss._result import Result, columns, span
@@ -18,30 +18,34 @@ from stoss._result import Result, columns, span
 
 @dataclasses.dataclass(frozen=True, eq=False, repr=False)
 class Modes(Result):
-    """The symmetric in-plane modes of a free disk up to a cutoff, by order, then by frequency.
+    """The modes of a free disk or sphere up to a cutoff, by order, then by frequency.
 
-    Inside the disk u = (u_r(r) cos nφ, u_φ(r) sin nφ), normalised so that every mode has the mass
-    of the disk. All arrays have one element for each mode; ``len()`` is their number.
+    Of a disk they are the symmetric ones in its plane, u = (u_r(r) cos nφ, u_φ(r) sin nφ) inside;
+    of a sphere the axisymmetric spheroidal ones, u = (u_r(r) P_n(cos θ), u_θ(r) dP_n(cos θ)/dθ).
+    Every mode is normalised to the mass of the body. All arrays have one element for each mode;
+    ``len()`` is their number.
 
     Attributes
     ----------
+    body : Disk or Sphere
     poisson : float
-        2-D Poisson number.
+        Poisson number, of a disk the 2-D one.
     cutoff : float
         Highest frequency, c/R.
     order : ndarray of int
-        Angular order n.
+        Angular order n of a disk, degree n of a sphere.
     index : ndarray of int
         Number l of the root for this order, from 0.
     omega : ndarray
         Eigenfrequency ω, c/R.
     radial, tangential : ndarray
-        Amplitudes C = u_r and S = u_φ at the edge; C ≥ 0.
+        Amplitudes at the surface: C = u_r and S = u_φ, of a sphere U = u_r and V = u_θ; C, U ≥ 0.
     """
 
     _name: ClassVar[str] = "modes"
     _kind = "mode"
 
+    body: Disk | Sphere
     poisson: float
     cutoff: float
     order: NDArray[np.int32]
@@ -54,12 +58,16 @@ class Modes(Result):
         return len(self.omega)
 
     def __repr__(self) -> str:
-        return f"Modes(poisson={self.poisson:g}, cutoff={self.cutoff:g}: {len(self)} modes, omega {span(self.omega)})"
+        of = f"poisson={self.poisson:g}" if isinstance(self.body, Disk) else repr(self.body._shape())
+        return f"Modes({of}, cutoff={self.cutoff:g}: {len(self)} modes, omega {span(self.omega)})"
 
     @property
     def radial_family(self) -> NDArray[np.bool_]:
-        """Whether the edge moves mostly along the radius, C > |S|."""
-        return self.radial > np.abs(self.tangential)
+        """Whether the surface moves mostly along the radius, C > |S|; of a sphere U > √(n(n+1)) |V|."""
+        along = np.abs(self.tangential)
+        if isinstance(self.body, Sphere):
+            along = along * np.sqrt(self.order * (self.order + 1.0))
+        return np.asarray(self.radial > along)
 
     def find(self, order: int, index: int) -> int:
         """Position of the mode (n, l) in the arrays.
@@ -78,7 +86,7 @@ class Modes(Result):
     def displacement(
         self, *, order: int, index: int, radius: ArrayLike
     ) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-        """Displacement of the mode (n, l) inside the disk.
+        """Displacement of the mode (n, l) inside the body.
 
         Parameters
         ----------
@@ -90,7 +98,8 @@ class Modes(Result):
         Returns
         -------
         u_r, u_phi : ndarray
-            Of the shape of `radius`, to be multiplied by cos nφ and sin nφ.
+            Of the shape of `radius`, to be multiplied by cos nφ and sin nφ; of a sphere u_r and u_θ, by
+            P_n(cos θ) and dP_n(cos θ)/dθ.
 
         Examples
         --------
@@ -100,7 +109,8 @@ class Modes(Result):
         """
         k = self.find(order, index)
         radii = numbers("radius", radius)
-        field = _core.displacement(
+        displacement = _core.disk_displacement if isinstance(self.body, Disk) else _core.sphere_displacement
+        field = displacement(
             self.poisson, int(self.order[k]), float(self.omega[k]), float(self.radial[k]), float(self.tangential[k]),
             radii.ravel(),
         )
@@ -110,19 +120,22 @@ class Modes(Result):
         """Spectrum, ω against n. See `stoss.plot.spectrum`."""
         return self._picture(ax)
 
+    def _kind_of_body(self) -> str:
+        return kind(self.body)
+
     def _inputs(self) -> dict[str, Any]:
-        return {"poisson": self.poisson, "cutoff": self.cutoff}
+        return {"body": self.body, "poisson": self.poisson, "cutoff": self.cutoff}
 
 
-def modes(body: Disk | None = None, *, cutoff: float, poisson: float | None = None) -> Modes:
-    """All symmetric in-plane modes of a free disk up to a cutoff.
+def modes(body: Disk | Sphere | None = None, *, cutoff: float, poisson: float | None = None) -> Modes:
+    """All symmetric in-plane modes of a free disk, or axisymmetric spheroidal ones of a sphere, up to a cutoff.
 
-    The frequencies are the roots of D_n(ω) = 0, the free edge's determinant. None
+    The frequencies are the roots of D_n(ω) = 0, the free surface's determinant. None
     is missed: they are counted exactly.
 
     Parameters
     ----------
-    body : Disk
+    body : Disk or Sphere
     cutoff : float
         Highest frequency, c/R, up to 1000.
     poisson : float
@@ -144,8 +157,11 @@ def modes(body: Disk | None = None, *, cutoff: float, poisson: float | None = No
     Modes(poisson=0.33, cutoff=30: 421 modes, omega 1.43853 to 29.9516)
     >>> modes.omega[modes.find(2, 0)].round(5)
     1.43853
+    >>> stoss.modes(stoss.Sphere(poisson=0.3), cutoff=12.5)
+    Modes(Sphere(poisson=0.3), cutoff=12.5: 69 modes, omega 1.64111 to 12.4994)
     """
-    disk: Disk = instance("body", choose_body(body, poisson), (Disk,))
+    free: Disk | Sphere = instance("body", choose_body(body, poisson), (Disk, Sphere))
     highest = number("cutoff", cutoff)
-    table = _core.disk_modes(disk.poisson, highest)
-    return Modes(poisson=disk.poisson, cutoff=highest, **columns(table))
+    all_of_them = _core.disk_modes if isinstance(free, Disk) else _core.sphere_modes
+    table = all_of_them(free.poisson, highest)
+    return Modes(body=free, poisson=free.poisson, cutoff=highest, **columns(table))

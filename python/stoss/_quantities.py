@@ -22,6 +22,6 @@ QUANTITIES: Mapping[str, Mapping[str, str]] = MappingProxyType(
 """Dimension of each column of each kind of result, in the order of the core; errors follow their values."""
 
 
-def unit(dimension: str, *, rod: bool, si: bool) -> str:
-    """Name of the unit of a dimension: of a disk or a rod, or in SI."""
-    return _core.units(rod, si)[dimension]
+def unit(dimension: str, *, body: str, si: bool) -> str:
+    """Name of the unit of a dimension: of a disk, a rod or a sphere, or in SI."""
+    return _core.units(body, si)[dimension]

@@ -9,9 +9,9 @@ from numpy.typing import NDArray
 
 from stoss import _core
 from stoss._arguments import integer, numbers, require_memory
-from stoss._bodies import Disk, Rod
+from stoss._bodies import BODIES, Disk, Sphere
 from stoss._errors import InvalidInput
-from stoss._field import Field
+from stoss._field import DiskField, Field, SphereField
 from stoss._result import columns
 from stoss._trajectory import Trajectory
 
@@ -31,23 +31,28 @@ def trajectory(impact: Impact, every: Any) -> Trajectory:
 
 def field(impact: Impact, time: Any, radius: Any, angle: Any, of: Any) -> Field:
     """See `Impact.field`."""
-    if not isinstance(impact.body, Disk):
-        raise InvalidInput(f"body: got {impact.body!r}, allowed a stoss.Disk (only disks have fields)")
-    number, pair = integer("of", of), isinstance(impact.against, (Disk, Rod))
+    if not isinstance(impact.body, (Disk, Sphere)):
+        hint = "a stoss.Disk or a stoss.Sphere (a rod has no field)"
+        raise InvalidInput(f"body: got {impact.body!r}, allowed {hint}")
+    number, pair = integer("of", of), isinstance(impact.against, BODIES)
     if number not in ((0, 1) if pair else (0,)):
         raise InvalidInput(f"of: got {number}, allowed {'0 or 1' if pair else '0 (a wall has no field)'}")
     inside = impact.body if number == 0 else impact.against
-    assert isinstance(inside, Disk)
+    assert isinstance(inside, (Disk, Sphere))
     times = numbers("time", time)
     radii = np.linspace(0.0, 1.0, 41) if radius is None else numbers("radius", radius).ravel()
     angles = _around() if angle is None else numbers("angle", angle).ravel()
     points = radii.size * angles.size
-    _require_memory(impact, "field", times.size, 11.0 * points, 5.0 * radii.size * impact.modes, f" x {points} points")
+    _require_memory(impact, "field", times.size, 12.0 * points, 5.0 * radii.size * impact.modes, f" x {points} points")
     order = np.argsort(times.ravel(), kind="stable")
     made = impact._contact()
     frames = _core.motion(made, impact._handle, times.ravel()[order])
-    fields = _core.fields(inside.poisson, number, made, impact._handle, frames, radii, angles)
-    return Field._from_core(impact, number, times.shape, order, frames.summaries(), fields, radii, angles)
+    kind: type[Field] = SphereField
+    evaluate = _core.sphere_fields
+    if isinstance(inside, Disk):
+        kind, evaluate = DiskField, _core.disk_fields
+    fields = evaluate(inside.poisson, number, made, impact._handle, frames, radii, angles)
+    return kind._from_core(impact, number, times.shape, order, frames.summaries(), fields, radii, angles)
 
 
 def energies_at(impact: Impact, time: Any) -> NDArray[Any]:
@@ -68,6 +73,6 @@ def _require_memory(impact: Impact, name: str, times: int, each: float, once: fl
 
 
 def _around() -> NDArray[np.float64]:
-    """Angles around the disk, three times as dense at the contact as opposite to it."""
+    """Angles around the body, three times as dense at the contact as opposite to it."""
     even = np.linspace(-np.pi, np.pi, 181)
     return np.asarray(even - 0.5 * np.sin(even))

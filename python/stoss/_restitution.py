@@ -27,28 +27,32 @@ def restitution(
     against: HardWall | Body | str | None = None,
     poisson: ArrayLike | None = None,
     tolerance: float = 1e-3,
+    absolute: float = 1e-6,
     threads: int = 0,
     progress: bool = False,
 ) -> Restitution:
     """Compute the coefficient of restitution ε = −v_f/v_i of a body at a wall or of two bodies.
 
     Cutoff, time step and contact grid are refined together until the estimated error of 1 − ε² is
-    below ``tolerance * (1 − ε²)``. A value takes 3 ms in the median, 0.1 s or more in one case of a
+    below ``tolerance * (1 − ε²)`` or below ``absolute``. A value takes 3 ms in the median, 0.1 s or more in one case of a
     hundred.
 
     Parameters
     ----------
-    body : Disk or Rod
+    body : Disk, Sphere or Rod
         The first body, in whose units all results are.
     speed : array_like
         Of approach of the centres of mass, or towards the wall, 1e-8 to 1, c (with a material:
         m/s). Two equal bodies at twice the speed are one of them at a rigid wall.
-    against : HardWall, 'same', Disk or Rod, optional
+    against : HardWall, 'same', Disk, Sphere or Rod, optional
         What the body meets: a rigid wall (default), its like, or another of its kind.
     poisson : array_like
-        In place of `body`: 2-D Poisson number of a disk, −0.95 to 0.995; broadcasts with `speed`.
+        In place of `body`: 2-D Poisson number of disks, −0.95 to 0.995; broadcasts with `speed`.
     tolerance : float, optional
-        Relative error of 1 − ε².
+        Relative error of 1 − ε², 1e-15 to 0.5.
+    absolute : float, optional
+        Error of 1 − ε² that is small enough in any case, 0 to 0.5: what a slow sphere loses is
+        small.
     threads : int, optional
         0: as many as the machine has. Results do not depend on it.
     progress : bool, optional
@@ -95,22 +99,22 @@ def restitution(
     if isinstance(against, HardWall) and against.tail != "radiating":
         raise refusal("against", against, "HardWall() (what the modes above the cutoff do is part of the refinement)")
     met = [choose_against(each, against, (HardWall,)) for each in bodies or [Disk(poisson=0.0)]]
-    limit, count = number("tolerance", tolerance), integer("threads", threads)
+    limit, enough, count = number("tolerance", tolerance), number("absolute", absolute), integer("threads", threads)
     with speeds_in_si(body):
-        _core.check_curve(speeds.ravel(), limit, count)
+        _core.check_curve(speeds.ravel(), limit, enough, count)
 
     curves = [Curve(*each, speeds.ravel()[each[-1]]) for each in zip(bodies, met, places)]
     stopped = False
     with bar(speeds.size, boolean("progress", progress)) as seen:
         try:
             for curve in curves:
-                curve.compute(limit, count, None if seen is None else seen.update)
+                curve.compute(limit, enough, count, None if seen is None else seen.update)
         except KeyboardInterrupt:
             stopped = True
     table, reasons = gather(curves, speeds.size)
     one = bodies[0] if len(bodies) == 1 else None
     shared = "same" if one is None and isinstance(against, str) else met[0]
-    result = _make(one, shared, poissons, speeds, table, reasons, limit)
+    result = _make(one, shared, poissons, speeds, table, reasons, limit, enough)
     if stopped:
         done = sum(len(curve.reasons) for curve in curves)
         raise Interrupted(f"restitution: interrupted after {done} of {speeds.size} values (they are in .best)", result)
@@ -126,11 +130,12 @@ def _make(
     table: NDArray[Any],
     reasons: NDArray[np.object_],
     tolerance: float,
+    absolute: float,
 ) -> Restitution:
     values = {name: arranged(column, speeds.shape) for name, column in columns(table).items()}
     given = {"poisson": poissons, "speed": speeds, "reason": reasons}
     inputs = {name: arranged(column, speeds.shape) for name, column in given.items()}
-    return Restitution(body=body, against=against, tolerance=tolerance, **inputs, **values)
+    return Restitution(body=body, against=against, tolerance=tolerance, absolute=absolute, **inputs, **values)
 
 
 def _judge(result: Restitution) -> None:

@@ -8,7 +8,7 @@ from typing import Any, ClassVar, Union
 import numpy as np
 from numpy.typing import NDArray
 
-from stoss._bodies import Body, Disk, Rod, shown
+from stoss._bodies import BODIES, Body, Rod, Sphere, shown
 from stoss._contact import Against
 from stoss._result import Number, span, with_error
 from stoss._si import InSiWithErrors
@@ -26,12 +26,12 @@ class Restitution(InSiWithErrors):
 
     Attributes
     ----------
-    body : Disk, Rod or None
+    body : Disk, Sphere, Rod or None
         The first; all units are its own. None if there are several Poisson numbers.
-    against : HardWall, Disk, Rod or 'same'
+    against : HardWall, Disk, Sphere, Rod or 'same'
         What it meets; 'same' for several Poisson numbers, each meeting its like.
     poisson : float or ndarray
-        2-D Poisson number; NaN for a rod.
+        Poisson number, of a disk the 2-D one; NaN for a rod.
     speed : float or ndarray
         Of approach of the centres of mass, or towards the wall, c.
     restitution, restitution_error : float or ndarray
@@ -45,7 +45,7 @@ class Restitution(InSiWithErrors):
     max_compression, max_compression_error : float or ndarray
         R.
     max_force, max_force_error : float or ndarray
-        πRE = mc²/R.
+        mc²/R: πRE of a disk, (4π/3)R²E of a sphere.
     lost_to_first, lost_to_second : float or ndarray
         Vibration of each body after the finest impact, as shares of the initial energy; 0 of a
         wall. Their sum is `lost_fraction` but for its error.
@@ -62,6 +62,8 @@ class Restitution(InSiWithErrors):
         Why it is not converged; empty where it is.
     tolerance : float
         Asked for: error of 1 − ε² over 1 − ε².
+    absolute : float
+        Or error of 1 − ε².
     material : Material or None
         Of the body. If there is one, `speed_si`, `contact_time_si`, `max_force_si`,
         `max_compression_si` and their errors, `contact_time_si_error` and so on, are the SI values.
@@ -98,10 +100,11 @@ class Restitution(InSiWithErrors):
     beyond_small_strain: Flag
     reason: str | NDArray[np.object_]
     tolerance: float
+    absolute: float
 
     def __repr__(self) -> str:
-        against = self.against if isinstance(self.against, (Disk, Rod, str)) else None  # else at a wall
-        named = self.body is not None and (against is not None or isinstance(self.body, Rod))
+        against = self.against if isinstance(self.against, (*BODIES, str)) else None  # else at a wall
+        named = self.body is not None and (against is not None or isinstance(self.body, (Rod, Sphere)))
         of = shown(self.body) if named and self.body else f"poisson={span(self.poisson)}"
         if against is not None:
             of += f" against {against!r}" if isinstance(against, str) else f" against {shown(against)}"
@@ -118,5 +121,5 @@ class Restitution(InSiWithErrors):
         return self._picture(ax)
 
     def _inputs(self) -> dict[str, Any]:
-        named = {"body": self.body, "against": self.against, "tolerance": self.tolerance}
+        named = {"body": self.body, "against": self.against, "tolerance": self.tolerance, "absolute": self.absolute}
         return {key: value for key, value in named.items() if value is not None}

@@ -105,16 +105,16 @@ class Result(abc.ABC):
         """Dimensions of all that the result may show, in order."""
         return {**cls._given, **QUANTITIES.get(cls._kind, {})}
 
-    def _of_a_rod(self) -> bool:
-        """Whether the units are those of a rod."""
-        return False
+    def _kind_of_body(self) -> str:
+        """Whose units they are."""
+        return "disk"
 
     def _unit(self, name: str) -> str:
         """Unit of a column; "" of a pure number."""
         if name in self._units:
             return self._units[name]
         own = re.sub(r"_si(?=$|_error$)", "", name)
-        return unit(self._dimensions().get(own, ""), rod=self._of_a_rod(), si=own != name)
+        return unit(self._dimensions().get(own, ""), body=self._kind_of_body(), si=own != name)
 
     def _derived(self) -> dict[str, Any]:
         """Further quantities that follow from the fields."""

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from stoss._bodies import Body, Rod
+from stoss._bodies import Body, kind
 from stoss._material import Material
 from stoss._result import Number, Result
 
@@ -35,8 +35,8 @@ class InSi(Result):
             raise AttributeError(f"{si_name(name)}: this result has no material (make its body with one)")
         return getattr(self, name) * getattr(self.body.scales, self._dimensions()[name])  # type: ignore[no-any-return]
 
-    def _of_a_rod(self) -> bool:
-        return isinstance(self.body, Rod)
+    def _kind_of_body(self) -> str:
+        return "disk" if self.body is None else kind(self.body)
 
     @property
     def speed_si(self) -> Number:
@@ -50,7 +50,7 @@ class InSi(Result):
 
     @property
     def max_force_si(self) -> Number:
-        """Greatest force: of a disk per thickness, N/m; of a rod, N."""
+        """Greatest force: of a disk per thickness, N/m; of a sphere or a rod, N."""
         return self._in_si("max_force")
 
     @property

@@ -28,12 +28,12 @@ class Trajectory(Result):
     velocity : ndarray
         Of the centre of mass, towards what it meets, c.
     force : ndarray
-        Force F of the contact, πRE = mc²/R.
+        Force F of the contact, mc²/R (of a disk πRE).
     translation, vibration, stored, unresolved : ndarray
         Shares of the initial energy: in the motion of the centre of mass; in the kept modes; in the
         wall's potential or the static tail; taken by the modes above the cutoff.
     contact_half_width : ndarray
-        R, in steps of the nodes' spacing.
+        R, in steps of the nodes' spacing; of spheres the radius of the contact.
     """
 
     _name: ClassVar[str] = "trajectory"
@@ -56,8 +56,8 @@ class Trajectory(Result):
     def __repr__(self) -> str:
         return f"Trajectory({len(self)} rows, time 0 to {self.time[-1]:.6g} {self._unit('time')}, of {self.impact!r})"
 
-    def _of_a_rod(self) -> bool:
-        return self.impact._of_a_rod()
+    def _kind_of_body(self) -> str:
+        return self.impact._kind_of_body()
 
     def plot(self, ax: Any = None) -> Any:
         """Force against time. See `stoss.plot.force`."""

@@ -82,7 +82,9 @@ BodyFrame seen_by(const Contact& contact, const ContactGrid& grid, const Frame& 
   }
   const Units units = of_second ? Units(*contact.second, *contact.first) : Units{};
   seen.length = units.length;
-  seen.stress = units.mass / (units.time * units.time);
+  const double force = units.mass * units.length / (units.time * units.time);
+  const bool solid = seen.body->contour == Contour::ball;  // forces of a disk are per thickness
+  seen.stress = force / (solid ? units.length * units.length : units.length);
   const double overlap = frame.state.center + contact.extent;
   // The centre of mass of both rests, and the share of a body in their relative motion is that of the other's mass.
   const double share = contact.mass / (seen.body->mass * units.mass);
@@ -94,7 +96,7 @@ BodyFrame seen_by(const Contact& contact, const ContactGrid& grid, const Frame& 
   seen.coordinate.assign(of_second ? middle : begin, of_second ? frame.state.coordinate.end() : middle);
   for (double& each : seen.coordinate) each /= units.length;
   seen.node_force = frame.node_force;
-  for (double& each : seen.node_force) each /= seen.stress * units.length;
+  for (double& each : seen.node_force) each /= force;
   return seen;
 }
 

@@ -15,7 +15,7 @@ NASTY = [
     "core.fields(0.33, 0, met, finer, frames, two, two)",
     "core.fields(0.33, 1, met, handle, frames, two, two)", "core.fields(0.33, -7, met, handle, frames, two, two)",
     "core.fields(0.33, 1, core.pair(disk, disk, 6.0), handle, frames, two, two)",
-    "core.displacement(0.33, 10**6, 1.0, 1.0, 1.0, two)", "core.displacement(0.33, -1, nan, nan, nan, two)",
+    "core.disk_displacement(0.33, 10**6, 1.0, 1.0, 1.0, two)", "core.disk_displacement(0.33, -1, nan, nan, nan, two)",
     "core.impact(met, 0.1, None, None, 1e-300)", "rod.at(1e300)", "disk.at(1e300)", "rod.at(nan)",
     "core.check_curve(two, nan, 1)", "threading.stack_size(65536); run(stoss.modes, poisson=0.3, cutoff=50)",
     "run(stoss.restitution, poisson=[0.1, 0.2], speed=0.1, tolerance=0.1)", "del hit, handle; energies[0]",

@@ -84,6 +84,7 @@ RANGES = [
     (restitution, "poisson", [-1, 1, nan, inf, [0.3, 1], [nan, 0.3]]),
     (restitution, "speed", [0, -0.1, 9e-9, 1.01, nan, inf, -inf, 1e300, [0.1, nan], [[0.1, 2]]]),
     (restitution, "tolerance", [0, -1, 1e-16, 0.6, nan, inf]),
+    (restitution, "absolute", [-1e-9, 0.6, nan, inf]),
     (restitution, "threads", [-1, 1025, 2**31 - 1]),
     (impact, "poisson", [1, nan]),
     (impact, "speed", [0, 1.01, nan]),
@@ -140,7 +141,7 @@ MAY_BE_NONE = [(impact, "step"), (impact, "half_width"), (impact, "poisson"), (m
                (restitution, "poisson"), (field, "radius"), (field, "angle"), (disk, "radius"), (disk, "young"),
                (disk, "density"), (in_si, "young"), (in_si, "poisson"), (rod, "length"), (rod, "young"),
                (rod, "density"), (rod, "area")]  # fmt: skip
-ONE = ("cutoff", "tolerance", "step", "half_width", "young", "strength")
+ONE = ("cutoff", "tolerance", "absolute", "step", "half_width", "young", "strength")
 SCALARS = [(make, name) for make, name, _ in RANGES if name in ONE]
 
 

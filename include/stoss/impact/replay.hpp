@@ -22,11 +22,11 @@ struct Frame {
 [[nodiscard]] Resolution repetition(const Contact& contact, const Impact& impact);
 
 /// One of two bodies at one instant. Lengths and the place are in units of the first, what is inside the body in its
-/// own: the arguments of DiskField.
+/// own: the arguments of DiskField and SphereField.
 struct BodyFrame {
   std::shared_ptr<const Body> body;
   double length = 1.0;             ///< R of the body, in that of the first
-  double stress = 1.0;             ///< its unit of stress (for a disk E), in that of the first
+  double stress = 1.0;             ///< its unit of stress (of a disk or a sphere E), in that of the first
   double center = 0.0;             ///< place of its centre: the bodies at rest would first touch at x = 0
   ContactPoints points;            ///< on the body
   std::vector<double> coordinate;  ///< Q of its modes

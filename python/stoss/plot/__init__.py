@@ -12,7 +12,7 @@ pressure
 `spectrum`, `mode_shape`                          eigenmodes
 `force`, `velocity`, `energies`, `half_width`     one impact in time
 `ledger`                                          which mode holds how much energy
-`disk`, `sequence`, `stress`                      the deformed disk at the wall, or two disks
+`disk`, `sphere`, `sequence`, `stress`            the deformed disk or sphere at the wall, or two
 `animate`                                         the same as GIF or MP4
 ================================================  ==================================================
 
@@ -32,7 +32,7 @@ except ModuleNotFoundError as _missing:
     raise ImportError(f"stoss.plot needs matplotlib: {_hint}") from None
 
 from stoss._extrapolation import Extrapolation
-from stoss._field import Field
+from stoss._field import DiskField, SphereField
 from stoss._modes import Modes
 from stoss._rayleigh import RayleighEstimate
 from stoss._restitution_result import Restitution
@@ -41,7 +41,7 @@ from stoss._slow_impact import SlowImpact
 from stoss._static_contact import StaticContact
 from stoss._trajectory import Trajectory
 from stoss.plot._animation import animate
-from stoss.plot._disk import disk
+from stoss.plot._disk import disk, sphere
 from stoss.plot._extrapolation import extrapolation
 from stoss.plot._ledger import ledger
 from stoss.plot._modes import mode_shape, spectrum
@@ -54,10 +54,11 @@ from stoss.plot._trajectory import energies, force, half_width, velocity
 pictures.update(
     {
         Extrapolation: extrapolation,
-        Field: stress,
+        DiskField: stress,
         Modes: spectrum,
         RayleighEstimate: rayleigh,
         Restitution: restitution,
+        SphereField: stress,
         SlowImpact: slow_impact,
         StaticContact: static_contact,
         Trajectory: force,
@@ -78,6 +79,7 @@ __all__ = [
     "sequence",
     "slow_impact",
     "spectrum",
+    "sphere",
     "static_contact",
     "stress",
     "velocity",

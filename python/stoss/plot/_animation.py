@@ -40,13 +40,13 @@ def animate(
 ) -> str | os.PathLike[str]:
     """Write the impact as a GIF or MP4.
 
-    It goes from just before contact until the disk, or two, have flown for some time, vibrating. The
+    It goes from just before contact until the body, or two, have flown for some time, vibrating. The
     file appears whole or not at all.
 
     Parameters
     ----------
     impact : Impact
-        Of a disk.
+        Of a disk or a sphere.
     path : str or path
         Where to; an existing file is replaced. Its suffix, .gif or .mp4, says what is written; the
         latter needs ffmpeg.

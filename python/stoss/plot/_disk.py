@@ -1,4 +1,4 @@
-"""The deformed disk at the wall, or two of them."""
+"""The deformed disk or sphere at the wall, or two of them."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from matplotlib.ticker import MultipleLocator
 from numpy.typing import NDArray
 
 from stoss._arguments import instance, integer, refusal
-from stoss._bodies import Disk
+from stoss._bodies import BODIES
 from stoss._errors import InvalidInput
 from stoss._field import Field
 from stoss._impact_result import Impact
@@ -72,7 +72,7 @@ def instant(field: Field, frame: int | None) -> Instant:
 def instants(field: Field, frame: int | None) -> list[Instant]:
     """The same of all bodies."""
     now = instant(field, frame)
-    if not isinstance(field.impact.against, Disk):
+    if not isinstance(field.impact.against, BODIES):
         return [now]
     other = field.impact.field(time=now.time, radius=field.radius, angle=field.angle, of=1 - field.of)
     return sorted((now, instant(other, None)), key=lambda each: each.field.of)
@@ -80,7 +80,7 @@ def instants(field: Field, frame: int | None) -> list[Instant]:
 
 def all_fields(impact: Impact, times: Array, **points: Array) -> list[Field]:
     """The field of each body at these times."""
-    return [impact.field(time=times, of=of, **points) for of in range(1 + isinstance(impact.against, Disk))]
+    return [impact.field(time=times, of=of, **points) for of in range(1 + isinstance(impact.against, BODIES))]
 
 
 def disk(
@@ -95,7 +95,8 @@ def disk(
 ) -> Axes:
     """The deformed disk at the wall: circles and radii that were even before the impact.
 
-    Deformations have their true size. Of two disks both are drawn.
+    Deformations have their true size. Of two disks both are drawn. `sphere` is the same function:
+    of a sphere it draws the plane through the axis.
 
     Parameters
     ----------
@@ -140,6 +141,9 @@ def disk(
     return axes
 
 
+sphere = disk
+
+
 def draw_grid(
     axes: Axes,
     x: Array,
@@ -170,7 +174,7 @@ def _nearest(values: Array, wanted: Array) -> NDArray[np.intp]:
 
 
 def circle(center: float = 0.0, size: float = 1.0) -> tuple[Array, Array]:
-    """Edge of an undeformed disk."""
+    """Edge of an undeformed disk or sphere."""
     return center + size * np.cos(GRID_ANGLE), size * np.sin(GRID_ANGLE)
 
 

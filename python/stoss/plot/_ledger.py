@@ -6,6 +6,7 @@ import numpy as np
 from matplotlib.axes import Axes
 
 from stoss._arguments import instance, integer, refusal
+from stoss._bodies import Sphere
 from stoss._impact_result import Impact
 from stoss.plot import _style
 
@@ -74,6 +75,6 @@ def ledger(
             shown = np.unique(modes["order"])
             axes.set_xticks(shown[:: -(-shown.size // 12)])
             _style.legend(axes, ncol=COLUMNS, loc="upper right", columnspacing=0.8, handlelength=1.2, handletextpad=0.5)
-        axes.set_xlabel("angular order n")
+        axes.set_xlabel("degree n" if isinstance(impact.body, Sphere) else "angular order n")
         axes.set_ylabel(LABELS[when])
     return axes

@@ -4,16 +4,18 @@ from __future__ import annotations
 
 import numpy as np
 from matplotlib.axes import Axes
+from numpy.typing import NDArray
 
 from stoss._arguments import instance, number, refusal
+from stoss._bodies import Sphere
 from stoss._modes import Modes
 from stoss.plot import _disk, _style
 
 
 def spectrum(modes: Modes, ax: Axes | None = None) -> Axes:
-    """Eigenfrequencies ω against the angular order n, radial and tangential modes told apart.
+    """Eigenfrequencies ω against the order or degree n, radial and tangential modes told apart.
 
-    Radial are those whose edge moves mostly along the radius, C > |S|.
+    Radial are those whose surface moves mostly along the radius, C > |S|, of a sphere U > √(n(n+1)) |V|.
 
     Parameters
     ----------
@@ -33,9 +35,11 @@ def spectrum(modes: Modes, ax: Axes | None = None) -> Axes:
     """
     instance("modes", modes, (Modes,))
     size = 3.5 if len(modes) < 150 else 2.5 if len(modes) < 600 else 1.5
+    ball = isinstance(modes.body, Sphere)
+    names = ("U > √(n(n+1)) |V|", "U ≤ √(n(n+1)) |V|") if ball else ("C > |S|", "C ≤ |S|")
     kinds = (
-        (modes.radial_family, "radial, C > |S|", {"color": _style.BLUE, "marker": "o"}),
-        (~modes.radial_family, "tangential, C ≤ |S|", {"color": _style.VERMILION, "marker": "^", "fillstyle": "none"}),
+        (modes.radial_family, f"radial, {names[0]}", {"color": _style.BLUE, "marker": "o"}),
+        (~modes.radial_family, f"tangential, {names[1]}", {"color": _style.VERMILION, "marker": "^", "fillstyle": "none"}),
     )
     with _style.canvas(ax, size=(_style.COLUMN, 2.8)) as axes:
         for where, name, style in kinds:
@@ -43,7 +47,7 @@ def spectrum(modes: Modes, ax: Axes | None = None) -> Axes:
             axes.plot(modes.order[where], modes.omega[where], label=name, **look)
         axes.xaxis.get_major_locator().set_params(integer=True)
         axes.set_ylim(bottom=0.0)
-        axes.set_xlabel("angular order n")
+        axes.set_xlabel("degree n" if ball else "angular order n")
         axes.set_ylabel("frequency ω / (c/R)")
         _style.legend(axes, loc="lower right", handlelength=1.0)
     return axes
@@ -51,6 +55,8 @@ def spectrum(modes: Modes, ax: Axes | None = None) -> Axes:
 
 def mode_shape(modes: Modes, ax: Axes | None = None, *, order: int, index: int, amplitude: float = 0.15) -> Axes:
     """Shape of the mode (n, l): a deformed grid over the undeformed outline in grey.
+
+    Of a sphere it is the plane through the axis, which is horizontal.
 
     Parameters
     ----------
@@ -78,8 +84,9 @@ def mode_shape(modes: Modes, ax: Axes | None = None, *, order: int, index: int, 
         raise refusal("amplitude", amplitude, "-1 to 1 (R)")
     radius, angle = _disk.GRID_RADIUS, _disk.GRID_ANGLE
     u_r, u_phi = modes.displacement(order=order, index=index, radius=radius)
-    out = u_r[:, None] * np.cos(order * angle)
-    along = u_phi[:, None] * np.sin(order * angle)
+    across, turning = _around(modes, order, angle)
+    out = u_r[:, None] * across
+    along = u_phi[:, None] * turning
     scale = greatest / np.hypot(out, along).max()
     out, along = radius[:, None] + scale * out, scale * along
     x = out * np.cos(angle) - along * np.sin(angle)
@@ -93,3 +100,16 @@ def mode_shape(modes: Modes, ax: Axes | None = None, *, order: int, index: int, 
         omega = modes.omega[modes.find(order, index)]
         axes.set_title(f"(n, l) = ({order}, {index}), ω = {omega:.4g} c/R")
     return axes
+
+
+def _around(modes: Modes, order: int, angle: NDArray[np.float64]) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """How the two displacements of a mode vary with the angle: cos nφ and sin nφ, or P_n(cos θ) and its derivative."""
+    if not isinstance(modes.body, Sphere):
+        return np.cos(order * angle), np.sin(order * angle)
+    x = np.cos(angle)
+    before, value = np.zeros_like(x), np.ones_like(x)  # P_{k−1}, P_k
+    slope_before, slope = np.zeros_like(x), np.zeros_like(x)  # their derivatives with respect to x
+    for k in range(order):
+        slope_before, slope = slope, slope_before + (2 * k + 1) * value
+        before, value = value, ((2 * k + 1) * x * value - k * before) / (k + 1)
+    return value, -np.sin(angle) * slope

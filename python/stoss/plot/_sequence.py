@@ -23,9 +23,9 @@ LINE = 0.62  # height of the line that says the time, R
 def sequence(
     impact: Impact, ax: Axes | None = None, *, times: ArrayLike | None = None, count: int = 6, columns: int = 3
 ) -> Axes:
-    """The deformed disk at several times, in rows, each above the wall with its time below.
+    """The deformed disk or sphere at several times, in rows, each above the wall with its time below.
 
-    The wall, x = 0, is below, and the disk comes from above. Of two disks the second is below, and
+    The wall, x = 0, is below, and the body comes from above. Of two bodies the second is below, and
     the picture moves with their common centre of mass. Deformations and distances have their true
     size. The grey circles are the undeformed disks around the same centre of mass: what differs
     from them is deformation.
@@ -33,7 +33,7 @@ def sequence(
     Parameters
     ----------
     impact : Impact
-        Of a disk.
+        Of a disk or a sphere.
     ax : Axes, optional
         Where to draw.
     times : array_like, optional

@@ -1,4 +1,4 @@
-"""Stress inside the deformed disk."""
+"""Stress inside the deformed disk or sphere."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ from stoss.plot import _disk, _style
 Array = NDArray[np.float64]
 
 QUANTITIES = ("von_mises", "principal_difference", "fringes")
-COVERED = 0.99  # of the disk's area is within the default colour range
+COVERED = 0.99  # of the area is within the default colour range
 FRINGES = 6.0  # in the default colour range
 FINER = {"von_mises": 2, "principal_difference": 2, "fringes": 3}  # interpolated points for each, in each direction
 
@@ -61,10 +61,10 @@ def stress(
     limit: float | None = None,
     frame: int | None = None,
 ) -> Axes:
-    """Stress on the deformed disk at the wall, or on two disks, with a colour bar.
+    """Stress on the deformed disk or sphere at the wall, or on two, with a colour bar.
 
     At small speeds stress peaks at the contact, where it is a hundred times that of the rest. So
-    the colours end where 99 % of the disk's area is covered; what is above has the last colour, and
+    the colours end where 99 % of the picture's area is covered; what is above has the last colour, and
     the colour bar a point. Give the greatest stress as `limit` to see the peak instead.
 
     Parameters
@@ -74,7 +74,7 @@ def stress(
     ax : Axes, optional
         Where to draw; the colour bar takes some of its space.
     quantity : {'von_mises', 'principal_difference', 'fringes'}
-        √(σ₁² − σ₁σ₂ + σ₂²), |σ₁ − σ₂|, or what a polariscope shows in a dark field, sin²(π (σ₁ −
+        Von Mises stress; |σ₁ − σ₂|, of a sphere that in the plane; or what a polariscope shows in a dark field, sin²(π (σ₁ −
         σ₂)/fringe).
     fringe : float, optional
         σ₁ − σ₂ from one dark fringe to the next, E; default: a sixth of the default colour range of

@@ -8,7 +8,7 @@ from matplotlib.axes import Axes
 from numpy.typing import NDArray
 
 from stoss._arguments import instance
-from stoss._bodies import Disk, Rod
+from stoss._bodies import BODIES, Disk, Sphere
 from stoss._trajectory import Trajectory
 from stoss.plot import _style
 
@@ -38,7 +38,9 @@ def force(trajectory: Trajectory, ax: Axes | None = None, *, label: str | None =
     >>> ax.get_ylabel()
     'force F / (πRE)'
     """
-    return _against_time(trajectory, "force", "force F / (πRE)", ax, label, style)
+    instance("trajectory", trajectory, (Trajectory,))
+    named = "force F / (πRE)" if isinstance(trajectory.impact.body, Disk) else "force F / (mc²/R)"
+    return _against_time(trajectory, "force", named, ax, label, style)
 
 
 def velocity(trajectory: Trajectory, ax: Axes | None = None, *, label: str | None = None, **style: Any) -> Axes:
@@ -67,13 +69,13 @@ def velocity(trajectory: Trajectory, ax: Axes | None = None, *, label: str | Non
     'velocity towards the wall / c'
     """
     instance("trajectory", trajectory, (Trajectory,))
-    pair = isinstance(trajectory.impact.against, (Disk, Rod))
+    pair = isinstance(trajectory.impact.against, BODIES)
     name = "velocity of approach / c" if pair else "velocity towards the wall / c"
     return _against_time(trajectory, "velocity", name, ax, label, style, zero=True)
 
 
 def half_width(trajectory: Trajectory, ax: Axes | None = None, *, label: str | None = None, **style: Any) -> Axes:
-    """Half-width of the contact against time.
+    """Half-width of the contact, of spheres its radius, against time.
 
     Parameters
     ----------
@@ -97,7 +99,9 @@ def half_width(trajectory: Trajectory, ax: Axes | None = None, *, label: str | N
     >>> ax.get_ylabel()
     'contact half-width / R'
     """
-    return _against_time(trajectory, "contact_half_width", "contact half-width / R", ax, label, style)
+    instance("trajectory", trajectory, (Trajectory,))
+    named = "contact radius / R" if isinstance(trajectory.impact.body, Sphere) else "contact half-width / R"
+    return _against_time(trajectory, "contact_half_width", named, ax, label, style)
 
 
 def energies(trajectory: Trajectory, ax: Axes | None = None) -> Axes:
