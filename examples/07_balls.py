@@ -2,7 +2,7 @@
 
 Run:     python examples/07_balls.py [FOLDER]        (default: out/)
 Expect:  a table of restitution, contact time, greatest force and pressure at 0.01 to 10 m/s; balls.csv
-         and balls.png with 1 − ε² against speed, and the stress inside a rubber ball. Five seconds.
+         and balls.png with 1 − ε² against speed, and the stress inside a rubber ball. Eight seconds.
 
     p₀ = 3F/(2πa²),    a³ = 3FR/(4E*),    E* = E/(1 − ν²)        (Hertz)
 
@@ -46,7 +46,7 @@ def main(folder: Path) -> None:
             print(f"{time * 1e6:12.5g} {force:12.4g} {pressure[k] / 1e6:12.4g}")
             values = (speed, curve.speed[k], loss, error, time, force, pressure[k])
             lines.append(",".join([name, *(f"{value:.9g}" for value in values)]))
-        fine = stoss.restitution(ball, speed=np.geomspace(SPEEDS[0], SPEEDS[-1], 60))
+        fine = stoss.restitution(ball, speed=np.geomspace(SPEEDS[0], SPEEDS[-1], 160))
         stoss.plot.restitution(fine, left, quantity="lost_fraction", label=name)
     (folder / "balls.csv").write_text("\n".join(lines) + "\n", encoding="utf-8")
     left.set_title(f"radius {RADIUS * 1000:g} mm, rigid wall")

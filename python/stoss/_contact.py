@@ -36,7 +36,8 @@ def choose_against(body: Body, against: Any, walls: tuple[type, ...]) -> Against
         raise refusal("against", against, f"None, 'same', {kinds}, a stoss.Disk, a stoss.Rod or a stoss.Sphere")
     if isinstance(against, BODIES):
         if type(against) is not type(body):
-            raise refusal("against", against, f"a stoss.{type(body).__name__} (a disk meets disks, a rod rods, a sphere spheres)")
+            hint = "a disk meets disks, a rod rods, a sphere spheres"
+            raise refusal("against", against, f"a stoss.{type(body).__name__} ({hint})")
         if (against.material is None) != (body.material is None):
             raise refusal("against", against, "two bodies with a material, or two without")
         plane = getattr(body, "plane", None)

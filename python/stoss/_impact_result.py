@@ -190,8 +190,8 @@ class Impact(InSiOfAnImpact):
         radius : array_like, optional
             Radii r, 0 to 1, in radii of the body; default 41 of them.
         angle : array_like, optional
-            Angles φ, radians, 0 towards the contact; default 181 around the body, denser near it. In a
-            sphere polar angles θ on a plane through the axis, of which negative ones are the other half.
+            Angles φ, radians, 0 towards the contact, where the default 181 are denser. In a sphere
+            polar angles θ on a plane through the axis; negative ones are its other half.
         of : {0, 1}, optional
             Inside which body: the first, or the second.
 

@@ -50,8 +50,9 @@ class Material:
     density : float
         Density ρ, kg/m³.
     yield_strength : float, optional
-        Yield strength in simple tension, Pa, 1e-30 to 1e30: kept beside the elastic constants. A sphere begins
-        to yield where the contact pressure is 1.6 times that. Results, which are elastic, do not depend on it.
+        Yield strength in simple tension, Pa, 1e-30 to 1e30: kept beside the elastic constants. A
+        sphere begins to yield where the contact pressure is 1.6 times that. Results, which are
+        elastic, do not depend on it.
 
     Raises
     ------
@@ -83,7 +84,8 @@ class Material:
         object.__setattr__(self, "yield_strength", strength)
 
     def __repr__(self) -> str:
-        return f"Material({', '.join(f'{name}={brief(value)}' for name, value in vars(self).items() if value is not None)})"
+        given = {name: value for name, value in vars(self).items() if value is not None}
+        return f"Material({', '.join(f'{name}={brief(value)}' for name, value in given.items())})"
 
     def _plane_poisson(self, plane: str) -> float:
         """2-D Poisson number: ν, or ν/(1−ν) in plane strain."""

@@ -23,6 +23,7 @@ FILES = {
     "04_material": ["steel.png", "steel_plane_strain.csv", "steel_plane_stress.csv"],
     "05_event_driven": ["event_driven.png"],
     "06_two_disks": ["two_disks.png"],
+    "07_balls": ["balls.csv", "balls.png"],
 }
 NUMBER = re.compile(r"(?<![\w.])[-+]?\d+(?:\.\d+)?(?:e[-+]?\d+)?(?![\w.])")
 

@@ -15,7 +15,8 @@ Q = stoss.quasistatic
 # Kind of result, its class, quantities that the class has in another form, fields that are no quantities.
 RESULTS = [
     ("impact", stoss.Impact, set(), {"body", "against", "speed", "mode_energies", "keep", "_handle"}),
-    ("restitution", stoss.Restitution, set(), {"body", "against", "poisson", "speed", "reason", "tolerance", "absolute"}),
+    ("restitution", stoss.Restitution, set(),
+     {"body", "against", "poisson", "speed", "reason", "tolerance", "absolute"}),
     ("snapshot", stoss.Trajectory, set(), {"impact"}),
     ("mode", stoss.Modes, {"family"}, {"body", "poisson", "cutoff"}),  # radial_family
     ("sphere mode", stoss.Modes, set(), {"body", "poisson", "cutoff"}),

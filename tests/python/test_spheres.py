@@ -194,7 +194,8 @@ def test_pictures_name_degrees_and_units(bounce, uneven, closed, tmp_path):
     assert stoss.plot.ledger(bounce).get_xlabel() == "degree n" == stoss.plot.spectrum(modes).get_xlabel()
     assert stoss.plot.force(bounce.trajectory()).get_ylabel() == "force F / (mc²/R)"
     assert stoss.plot.half_width(bounce.trajectory()).get_ylabel() == "contact radius / R"
-    field = uneven.field(time=uneven.contact_time / 2, radius=np.linspace(0, 1, 9), angle=np.linspace(-np.pi, np.pi, 33))
+    points = {"radius": np.linspace(0, 1, 9), "angle": np.linspace(-np.pi, np.pi, 33)}
+    field = uneven.field(time=uneven.contact_time / 2, **points)
     for quantity in ("von_mises", "principal_difference", "fringes"):
         assert len(stoss.plot.stress(field, quantity=quantity).collections) == 2  # of both
     assert stoss.plot.sphere(field).get_xlabel() == "x / R"

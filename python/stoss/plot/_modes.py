@@ -39,8 +39,9 @@ def spectrum(modes: Modes, ax: Axes | None = None) -> Axes:
     names = ("U > √(n(n+1)) |V|", "U ≤ √(n(n+1)) |V|") if ball else ("C > |S|", "C ≤ |S|")
     kinds = (
         (modes.radial_family, f"radial, {names[0]}", {"color": _style.BLUE, "marker": "o"}),
-        (~modes.radial_family, f"tangential, {names[1]}", {"color": _style.VERMILION, "marker": "^", "fillstyle": "none"}),
-    )
+        (~modes.radial_family, f"tangential, {names[1]}",
+         {"color": _style.VERMILION, "marker": "^", "fillstyle": "none"}),
+    )  # fmt: skip
     with _style.canvas(ax, size=(_style.COLUMN, 2.8)) as axes:
         for where, name, style in kinds:
             look = {"linestyle": "none", "markersize": size, "markeredgewidth": 0.7} | style
