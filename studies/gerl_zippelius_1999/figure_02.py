@@ -125,8 +125,8 @@ def draw(tables: Tables) -> Figure:
     """Three shapes side by side."""
     table = tables["modes"]
     modes = stoss.Modes(
-        poisson=POISSON, cutoff=12.0, order=table["order"], index=table["index"], omega=table["omega[c/R]"],
-        radial=table["radial"], tangential=table["tangential"],
+        body=stoss.Disk(poisson=POISSON), poisson=POISSON, cutoff=12.0, order=table["order"],
+        index=table["index"], omega=table["omega[c/R]"], radial=table["radial"], tangential=table["tangential"],
     )  # fmt: skip
     figure, axes = axes_of(PAGE, 2.75, 1, 3, sharey=True)
     for each, (order, index) in zip(axes, MODES):

@@ -65,8 +65,8 @@ def draw(tables: Tables) -> Figure:
     """The spectrum, as `stoss.plot` draws it."""
     table = tables["modes"]
     modes = stoss.Modes(
-        poisson=POISSON, cutoff=SHOWN, order=table["order"], index=table["index"], omega=table["omega[c/R]"],
-        radial=table["radial"], tangential=table["tangential"],
+        body=stoss.Disk(poisson=POISSON), poisson=POISSON, cutoff=SHOWN, order=table["order"],
+        index=table["index"], omega=table["omega[c/R]"], radial=table["radial"], tangential=table["tangential"],
     )  # fmt: skip
     figure, (axes,) = axes_of(1.5 * COLUMN, 3.9)
     spectrum(modes, axes)
