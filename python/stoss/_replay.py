@@ -43,7 +43,8 @@ def field(impact: Impact, time: Any, radius: Any, angle: Any, of: Any) -> Field:
     radii = np.linspace(0.0, 1.0, 41) if radius is None else numbers("radius", radius).ravel()
     angles = _around() if angle is None else numbers("angle", angle).ravel()
     points = radii.size * angles.size
-    _require_memory(impact, "field", times.size, 12.0 * points, 5.0 * radii.size * impact.modes, f" x {points} points")
+    each = (11.0 if isinstance(inside, Disk) else 12.0) * points
+    _require_memory(impact, "field", times.size, each, 5.0 * radii.size * impact.modes, f" x {points} points")
     order = np.argsort(times.ravel(), kind="stable")
     made = impact._contact()
     frames = _core.motion(made, impact._handle, times.ravel()[order])
