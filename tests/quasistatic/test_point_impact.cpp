@@ -11,6 +11,7 @@
 #include "quasistatic/point_pulse.hpp"
 #include "stoss/bodies/sphere.hpp"
 #include "stoss/bodies/sphere/modes.hpp"
+#include "stoss/quasistatic/point_quantities.hpp"
 #include "stoss/quasistatic/point_rayleigh.hpp"
 #include "stoss/quasistatic/point_slow_impact.hpp"
 #include "stoss/restitution/restitution.hpp"
@@ -148,6 +149,18 @@ TEST(PointRayleigh, ErrorEstimateHoldsForAllPoissonNumbers) {
   }
   EXPECT_GT(tightest, 0.5);
   EXPECT_TRUE(rayleigh(PointLaw::center, 0.3, 0.1, bodies::sphere::modes(0.3, 60.0)).beyond_perturbation);
+}
+
+TEST(PointRayleigh, ShowsItsQuantities) {
+  const PointRayleighEstimate estimate = rayleigh(PointLaw::center, 0.3, 1e-3, bodies::sphere::modes(0.3, 10.0));
+  const auto& all = point_rayleigh_quantities();
+  EXPECT_EQ(all.front().name, "lost_fraction");
+  EXPECT_EQ(all.front().error(estimate), estimate.lost_fraction_error);
+  for (const auto& quantity : all) {
+    if (quantity.name != "max_radius") continue;
+    EXPECT_EQ(std::get<double>(quantity.value(estimate)), estimate.impact.max_radius);
+  }
+  EXPECT_EQ(all.size(), 9u);
 }
 
 TEST(PointRayleigh, RefusesNonsense) {
