@@ -53,7 +53,7 @@ struct AxisymmetricStress {
 ///   σ_rr = p₀ {b + w³ a²/h − w [(1 − ν) q + (1 + ν) e]},   σ_φφ = −p₀ {b − w [(1 − ν) q − (1 + ν) e]}
 ///
 /// which has no differences of large terms far from the contact. At the circle's edge σ_rr = −σ_φφ = ⅓(1 − 2ν) p₀.
-/// The relative error is below 1e-14 of the largest component.
+/// On the axis each component is good to 1e-14 p₀.
 /// @param poisson  of the half-space, −0.95 … 0.4999; it does not enter σ_zz and σ_rz
 /// @param depth    z ≥ 0, R
 /// @param distance r ≥ 0 from the axis, R

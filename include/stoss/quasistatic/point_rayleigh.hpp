@@ -34,7 +34,7 @@ struct PointRayleighEstimate {
 
 /// Rayleigh's estimate of the loss of a slow sphere to the given modes.
 /// @param poisson, speed as for slow_impact
-/// @param modes of the same sphere, in any order. Those beyond a cutoff of 60 would add less than 1e-4 of lost_fraction
+/// @param modes of the same sphere, in any order. Those beyond a cutoff of 60 would add 2e-4 to 1e-3 of lost_fraction
 /// @throws InvalidInput as slow_impact, and for a frequency outside 0 … max_cutoff
 [[nodiscard]] PointRayleighEstimate rayleigh(PointLaw law, double poisson, double speed,
                                              const std::vector<bodies::sphere::Mode>& modes, const Poll& poll = {});
