@@ -1,6 +1,7 @@
 #pragma once
 
-// Slow contacts: everything in include/stoss/quasistatic/.
+// Slow contacts: everything in include/stoss/quasistatic/ but the point contacts of spheres (point_*.hpp), whose
+// functions overload those here: with both, an address such as &compression needs a cast.
 
 #include "stoss/quasistatic/compression.hpp"
 #include "stoss/quasistatic/heavy_disk.hpp"

@@ -4,9 +4,14 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <functional>
 #include <numbers>
+#include <vector>
 
 #include "bodies/disk/residual.hpp"
+#include "bodies/sphere/mode_search.hpp"
+#include "bodies/sphere/residual.hpp"
+#include "bodies/sphere/surface_points.hpp"
 #include "check.hpp"
 #include "contact/complementarity.hpp"
 #include "stoss/errors.hpp"
@@ -14,7 +19,29 @@
 namespace stoss::quasistatic {
 namespace {
 
-constexpr double mass = std::numbers::pi;
+/// A body without inertia of its own: what a static contact needs to know of it.
+struct Pressed {
+  double poisson;
+  double mass;
+  std::function<std::vector<double>(const ContactPoints&)> compliance;  ///< of all modes
+  std::function<double(const ContactPoints&, std::size_t)> measure;     ///< length of edge or area of a node
+  double usual_error;                                                   ///< of the force, in 1/nodes²
+};
+
+Pressed pressed_disk(double poisson, const Poll& poll) {
+  // No mode is kept: all of them answer statically.
+  const bodies::disk::Residual disk(poisson, 1.0, {});
+  return {poisson, std::numbers::pi,
+          [disk, poll](const ContactPoints& points) { return disk.compliance(points, poll); },
+          [](const ContactPoints& points, std::size_t) { return 2.0 * points.spacing; }, 0.2};
+}
+
+Pressed pressed_sphere(double poisson, const Poll& poll) {
+  const bodies::sphere::Residual sphere(poisson, 1.0, {});
+  return {poisson, 4.0 / 3.0 * std::numbers::pi,
+          [sphere, poll](const ContactPoints& points) { return sphere.compliance(points, poll); },
+          bodies::sphere::ring_area, 0.25};
+}
 
 /// Angle at which the pressure vanishes. Over the inner part of the contact its square is nearly a
 /// parabola in φ²; the last nodes, whose distance from the end is comparable with h, are left out.
@@ -44,10 +71,9 @@ double end_of_contact(const StaticContact& contact) {
 }
 
 /// The contact on nodes of a given spacing that cover a half-width.
-StaticContact on_nodes(const bodies::disk::Residual& disk, double poisson, double compression, double spacing,
-                       int nodes, const Poll& poll) {
+StaticContact on_nodes(const Pressed& body, double compression, double spacing, int nodes, const Poll& poll) {
   StaticContact result;
-  result.poisson = poisson;
+  result.poisson = body.poisson;
   result.compression = compression;
   // A whole number of spacings in the half circle: the compliance of the grid is a sum of harmonics.
   result.spacing = std::numbers::pi / std::round(std::numbers::pi / spacing);
@@ -59,17 +85,41 @@ StaticContact on_nodes(const bodies::disk::Residual& disk, double poisson, doubl
     result.position.push_back(phi);
     approach[i] = compression - 2.0 * std::sin(0.5 * phi) * std::sin(0.5 * phi);
   }
-  Complementarity problem(disk.compliance(points, poll), count, poll);
+  Complementarity problem(body.compliance(points), count, poll);
   std::vector<double> force(count), displacement(count);
   problem.solve(approach, force, displacement);
   if (problem.extent() == count) throw NotConverged("static contact: the contact outgrew its grid (use fewer nodes)");
   for (std::size_t i = 0; i < count; ++i) {
-    result.force += force[i] / mass;
-    result.energy += 0.5 * force[i] * displacement[i] / mass;
-    result.pressure.push_back(0.5 * force[i] / result.spacing);
+    result.force += force[i] / body.mass;
+    result.energy += 0.5 * force[i] * displacement[i] / body.mass;
+    result.pressure.push_back(force[i] / body.measure(points, i));
   }
   result.contact_nodes = static_cast<int>(problem.extent());
   result.half_width = end_of_contact(result);
+  return result;
+}
+
+StaticContact pressed(const Pressed& body, double compression, const StaticContactOptions& options) {
+  require("compression", compression, {1e-12, 0.5, true, true, "1e-12 to 0.5"},
+          "R + x0 in R; small-strain elasticity means little from about 0.1 on");
+  require("nodes", static_cast<long>(options.nodes), 16, 1024, "on half of the contact; 160 is usual");
+  // The undeformed edge would pass the wall as far as √(2δ). From there the grid closes in on the contact.
+  constexpr int first_nodes = 64;
+  constexpr double margin = 1.25;
+  double half_width = std::sqrt(2.0 * compression);
+  half_width =
+      on_nodes(body, compression, half_width / first_nodes, static_cast<int>(margin * first_nodes), options.poll)
+          .half_width;
+  const auto refined = [&](int nodes) {
+    const int covering = static_cast<int>(std::lround(margin * nodes)) + 2;
+    return on_nodes(body, compression, half_width / nodes, covering, options.poll);
+  };
+  const StaticContact coarse = refined(options.nodes / 2);
+  half_width = coarse.half_width;
+  StaticContact result = refined(options.nodes);
+  // The error depends a little on where the contact ends between two nodes: the change can be small by chance.
+  const double usual = body.usual_error * result.force / (static_cast<double>(options.nodes) * options.nodes);
+  result.force_error = std::max(std::abs(result.force - coarse.force), usual);
   return result;
 }
 
@@ -77,29 +127,12 @@ StaticContact on_nodes(const bodies::disk::Residual& disk, double poisson, doubl
 
 StaticContact static_contact(double poisson, double compression, const StaticContactOptions& options) {
   require_poisson(poisson);
-  require("compression", compression, {1e-12, 0.5, true, true, "1e-12 to 0.5"},
-          "R + x0 in R; small-strain elasticity means little from about 0.1 on");
-  require("nodes", static_cast<long>(options.nodes), 16, 1024, "on half of the contact; 160 is usual");
-  // No mode is kept: all of them answer statically.
-  const bodies::disk::Residual disk(poisson, 1.0, {});
-  // The undeformed edge would pass the wall as far as √(2δ). From there the grid closes in on the contact.
-  constexpr int first_nodes = 64;
-  constexpr double margin = 1.25;
-  double half_width = std::sqrt(2.0 * compression);
-  half_width = on_nodes(disk, poisson, compression, half_width / first_nodes, static_cast<int>(margin * first_nodes),
-                        options.poll)
-                   .half_width;
-  const auto refined = [&](int nodes) {
-    const int covering = static_cast<int>(std::lround(margin * nodes)) + 2;
-    return on_nodes(disk, poisson, compression, half_width / nodes, covering, options.poll);
-  };
-  const StaticContact coarse = refined(options.nodes / 2);
-  half_width = coarse.half_width;
-  StaticContact result = refined(options.nodes);
-  // The error depends a little on where the contact ends between two nodes: the change can be small by chance.
-  const double usual = 0.2 * result.force / (static_cast<double>(options.nodes) * options.nodes);
-  result.force_error = std::max(std::abs(result.force - coarse.force), usual);
-  return result;
+  return pressed(pressed_disk(poisson, options.poll), compression, options);
+}
+
+StaticContact static_contact(const Sphere& sphere, double compression, const StaticContactOptions& options) {
+  bodies::sphere::require_poisson(sphere.poisson);
+  return pressed(pressed_sphere(sphere.poisson, options.poll), compression, options);
 }
 
 }  // namespace stoss::quasistatic

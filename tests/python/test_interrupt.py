@@ -28,9 +28,9 @@ LONG = {
     "trajectory": "hit.trajectory()",
     "field": "hit.field(time=np.linspace(0, 6, 3000))",
     "extrapolation": "stoss.extrapolated_restitution(poisson=0.33, speed=0.1, cutoffs=np.geomspace(20, 80, 30))",
-    "one value": "stoss.restitution(poisson=0.99, speed=1.0, tolerance=1e-7, absolute=0)",
+    "one value": "stoss.restitution(poisson=-0.95, speed=1.0, tolerance=1e-7, absolute=0)",
     # Set-ups, each a second and more.
-    "modes": "stoss.modes(poisson=0.33, cutoff=1000)",
+    "modes": "[stoss.modes(poisson=nu, cutoff=1000) for nu in (0.33, 0.4)]",
     "body": "stoss.impact(poisson=0.33, speed=0.1, cutoff=1000)",
     "bodies": "stoss.extrapolated_restitution(poisson=0.33, speed=0.1, cutoffs=[900, 950, 1000])",
     "2048 nodes": "stoss.impact(poisson=0.33, speed=0.1, nodes=2048)",

@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "stoss/bodies/sphere.hpp"
 #include "stoss/poll.hpp"
 
 namespace stoss::quasistatic {
@@ -12,12 +13,12 @@ struct StaticContactOptions {
   Poll poll{};
 };
 
-/// A disk held against a hard wall, at rest.
+/// A disk or a sphere held against a hard wall, at rest.
 struct StaticContact {
   double poisson = 0.0;
   double compression = 0.0;      ///< δ = R + x₀, R
   double force = 0.0;            ///< F, πRE = mc²/R
-  double force_error = 0.0;      ///< estimate: change from half as many nodes, at least 0.2 F/nodes²
+  double force_error = 0.0;      ///< estimate: change from half as many nodes, at least 0.2 F/nodes² (sphere: 0.25)
   double half_width = 0.0;       ///< of the contact, R; the arc on the undeformed edge
   double energy = 0.0;           ///< stored in the disk, mc²; dU/dδ = F
   int contact_nodes = 0;         ///< nodes with a pressure; the first ones
@@ -40,6 +41,13 @@ struct StaticContact {
 /// @param compression δ, 1e-12 … 0.5 R. Small-strain elasticity means little from about 0.1 on.
 /// @throws InvalidInput outside these ranges; NotConverged if no set of touching nodes satisfies the conditions
 [[nodiscard]] StaticContact static_contact(double poisson, double compression,
+                                           const StaticContactOptions& options = {});
+
+/// The same of a sphere: rings for nodes, and the compliance of all degrees. `half_width` is the radius of the contact,
+/// `pressure` that of each ring, and Σ area · pressure = (4π/3)F. The force converges with the square of the nodes: to
+/// 3e-6 with 160 for δ up to 0.1. Takes a second with 160 nodes for δ below 1e-3, a quarter with 80.
+/// @throws InvalidInput as above, with a 3-D Poisson number of −0.95 … 0.4999
+[[nodiscard]] StaticContact static_contact(const Sphere& sphere, double compression,
                                            const StaticContactOptions& options = {});
 
 }  // namespace stoss::quasistatic

@@ -1,0 +1,15 @@
+#pragma once
+
+#include "stoss/quantity.hpp"
+#include "stoss/quasistatic/point_rayleigh.hpp"
+#include "stoss/quasistatic/point_slow_impact.hpp"
+
+namespace stoss::quasistatic {
+
+/// Quantities of a slow impact of a sphere.
+[[nodiscard]] const Quantities<PointSlowImpact>& point_slow_impact_quantities();
+
+/// Quantities of Rayleigh's estimate for a sphere, those of the impact that drives the modes included.
+[[nodiscard]] const Quantities<PointRayleighEstimate>& point_rayleigh_quantities();
+
+}  // namespace stoss::quasistatic

@@ -1,0 +1,163 @@
+// The kernel of a sphere is that of a half-space and Σ_n D_n P_n(cos θ) = −g ln(θ/2) + K₁ + O(θ). From the closed
+// flexibilities, n ≥ 2,
+//
+//   D_n = r/(n − 1) + (αn + β)/(n² + (1 + 2ν) n + 1 + ν),   r = 1/(4(1 − ν)), α = g − r, β = (1 + ν)(D₀ + r),
+//
+// so that D_n − g/n is a series in 1/n from n⁻² on. K₁ is summed up to a degree and from there by that series.
+#include "stoss/quasistatic/point_compression.hpp"
+
+#include <algorithm>
+#include <boost/math/special_functions/polygamma.hpp>
+#include <boost/math/tools/roots.hpp>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "bodies/sphere/mode_search.hpp"
+#include "check.hpp"
+#include "quasistatic/point_law.hpp"
+#include "stoss/bodies/sphere/modes.hpp"
+
+namespace stoss::quasistatic {
+namespace {
+
+constexpr double pi = std::numbers::pi;
+constexpr double epsilon = std::numeric_limits<double>::epsilon();
+
+/// Coefficient of the logarithm.
+double log_factor(double poisson) { return 0.5 * (1.0 - 2.0 * poisson) * (1.0 - 2.0 * poisson) / (1.0 - poisson); }
+
+/// D_n
+double excess_flexibility(double poisson, int degree) {
+  return 0.75 * bodies::sphere::static_flexibility(poisson, degree).radial / (1.0 - poisson * poisson) - 1.0;
+}
+
+/// The x > 0 at which a growing function with the given slope vanishes.
+template <typename Function>
+double root(Function function, double guess, double highest) {
+  constexpr int digits = std::numeric_limits<double>::digits - 2;
+  std::uintmax_t steps = 100;
+  return boost::math::tools::newton_raphson_iterate(function, std::min(guess, highest), 0.0, highest, digits, steps);
+}
+
+void require_force(const RadiusLaw& law, double force) {
+  require("force", force,
+          {0.0, law.force(law.limit()) * (1.0 + 8.0 * epsilon), true, true, "0 to limit_force(law, poisson)"},
+          "in units of m c^2/R; there the contact is as wide as the sphere, or the law has a maximum");
+}
+
+}  // namespace
+
+double center_constant(double poisson) {
+  bodies::sphere::require_poisson(poisson);
+  const double g = log_factor(poisson);
+  constexpr int first = 32;  // degree of the series
+  constexpr int terms = 14;
+  double sum = excess_flexibility(poisson, 0);
+  const double r = 0.25 / (1.0 - poisson), beta = (1.0 + poisson) * (sum + r);
+  for (int n = 1; n < first; ++n) sum += excess_flexibility(poisson, n) - g / n;
+  double before = 0.0, here = g - r;  // of (αn + β)/(n² + …) in 1/n
+  double factorial = 1.0;
+  for (int k = 2; k <= terms; ++k) {
+    const double next = (k == 2 ? beta : 0.0) - (1.0 + 2.0 * poisson) * here - (1.0 + poisson) * before;
+    before = here, here = next;
+    factorial *= k - 1;
+    const double sign = k % 2 == 0 ? 1.0 : -1.0;
+    sum += (r + here) * sign * boost::math::polygamma(k - 1, static_cast<double>(first)) / factorial;
+  }
+  return sum;
+}
+
+RadiusLaw::RadiusLaw(PointLaw law, double poisson) : scale_(0.0) {
+  bodies::sphere::require_poisson(poisson);
+  scale_ = 1.0 / (pi * (1.0 - poisson * poisson));
+  if (law == PointLaw::hertz) return;
+  constexpr double factor = 4.0 / (3.0 * pi);
+  const double g = log_factor(poisson);
+  logarithm_ = factor * g;
+  constant_ = factor * (g * (19.0 / 12.0 - std::numbers::ln2) + center_constant(poisson) -
+                        0.5 * (1.0 - 2.0 * poisson) / (1.0 - poisson));
+  // The slope rises from a while the logarithm wins and then falls: it vanishes once at most.
+  if (half_slope(1.0) >= 0.0) return;
+  double low = 0.0, high = 1.0;
+  while (high - low > epsilon) {
+    const double middle = 0.5 * (low + high);
+    (middle > 0.0 && half_slope(middle) < 0.0 ? high : low) = middle;
+  }
+  limit_ = low;
+}
+
+double RadiusLaw::half_slope(double a) const {
+  return 1.0 + 0.5 * a * (3.0 * constant_ - logarithm_ * (1.0 + 3.0 * std::log(a)));
+}
+
+double RadiusLaw::radius(double force) const { return std::min(std::cbrt(force / scale_), limit_); }
+
+double RadiusLaw::compression(double a) const {
+  return a > 0.0 ? a * a * (1.0 + a * (constant_ - logarithm_ * std::log(a))) : 0.0;
+}
+
+double RadiusLaw::energy(double a) const {
+  if (!(a > 0.0)) return 0.0;
+  const double beyond = 0.5 * constant_ - logarithm_ / 12.0 - 0.5 * logarithm_ * std::log(a);
+  return scale_ * a * a * a * a * a * (0.4 + a * beyond);
+}
+
+double RadiusLaw::stiffness(double a) const { return a > 0.0 ? 1.5 * scale_ * a / half_slope(a) : 0.0; }
+
+double RadiusLaw::at_compression(double compression) const {
+  if (!(compression > 0.0)) return 0.0;
+  const double unit = std::sqrt(compression);
+  // a = unit x, and √(δ/a²) x − 1 = 0 is nearly linear.
+  const auto function = [&](double x) {
+    const double a = unit * x;
+    const double reached = this->compression(a) / compression;
+    return std::pair{reached - 1.0, x > 0.0 ? 2.0 * x * half_slope(a) : 0.0};
+  };
+  return std::min(unit * root(function, 1.0, limit_ / unit), limit_);
+}
+
+double RadiusLaw::at_energy(double energy) const {
+  if (!(energy > 0.0)) return 0.0;
+  const double unit = std::pow(2.5 * energy / scale_, 0.2);
+  const auto function = [&](double x) {
+    const double a = unit * x;
+    const double x4 = x * x * x * x;
+    return std::pair{this->energy(a) / energy - 1.0, x > 0.0 ? 5.0 * x4 * half_slope(a) : 0.0};
+  };
+  return std::min(unit * root(function, 1.0, limit_ / unit), limit_);
+}
+
+double contact_radius(PointLaw law, double poisson, double force) {
+  const RadiusLaw radius_law(law, poisson);
+  require_force(radius_law, force);
+  return radius_law.radius(force);
+}
+
+double limit_force(PointLaw law, double poisson) {
+  const RadiusLaw radius_law(law, poisson);
+  return radius_law.force(radius_law.limit());
+}
+
+double compression(PointLaw law, double poisson, double force) {
+  const RadiusLaw radius_law(law, poisson);
+  require_force(radius_law, force);
+  return radius_law.compression(radius_law.radius(force));
+}
+
+double compression_force(PointLaw law, double poisson, double compression) {
+  const RadiusLaw radius_law(law, poisson);
+  const double greatest = radius_law.compression(radius_law.limit());
+  require("compression", compression,
+          {0.0, greatest * (1.0 + 8.0 * epsilon), true, true, "0 to compression(law, poisson, limit_force)"},
+          "in units of R; the law ends there");
+  return radius_law.force(radius_law.at_compression(compression));
+}
+
+double compression_energy(PointLaw law, double poisson, double force) {
+  const RadiusLaw radius_law(law, poisson);
+  require_force(radius_law, force);
+  return radius_law.energy(radius_law.radius(force));
+}
+
+}  // namespace stoss::quasistatic

@@ -1,0 +1,38 @@
+#pragma once
+
+#include "stoss/quasistatic/point_compression.hpp"
+
+namespace stoss::quasistatic {
+
+/// A law of compression of a sphere as a function of the radius a of the contact:
+///
+///   F = s a³,   δ = a² + k a³ (b − g ln a),   U = s [⅖a⁵ + k a⁶ (½b − g/12 − ½g ln a)],   s = 1/(π(1 − ν²)), k = 4/3π.
+///
+/// Forces are in mc²/R, energies in mc².
+class RadiusLaw {
+ public:
+  /// @throws InvalidInput for a Poisson number out of range
+  RadiusLaw(PointLaw law, double poisson);
+
+  [[nodiscard]] double limit() const { return limit_; }  ///< greatest a for which the law has a meaning
+  [[nodiscard]] double force(double a) const { return scale_ * a * a * a; }
+  [[nodiscard]] double radius(double force) const;
+  [[nodiscard]] double compression(double a) const;
+  [[nodiscard]] double energy(double a) const;
+  [[nodiscard]] double stiffness(double a) const;  ///< dF/dδ, mc²/R²
+
+  /// The a of a compression, and of an energy.
+  [[nodiscard]] double at_compression(double compression) const;
+  [[nodiscard]] double at_energy(double energy) const;
+
+ private:
+  double scale_;
+  double constant_ = 0.0;   // k b
+  double logarithm_ = 0.0;  // k g
+  double limit_ = 1.0;
+
+  /// ½ dδ/da / a
+  [[nodiscard]] double half_slope(double a) const;
+};
+
+}  // namespace stoss::quasistatic

@@ -1,0 +1,57 @@
+#pragma once
+
+#include <vector>
+
+#include "quasistatic/point_law.hpp"
+
+namespace stoss::quasistatic {
+
+/// The pulse of force of a slow impact of a sphere.
+///
+/// With the velocity v cos p and q the distance of the phase p from the last contact, q = π/(1 + e^{2u}): time t from
+/// the turning point is odd in u and F even, both analytic near the real axis, so that the trapezium rule in u
+/// converges exponentially. At the end F dt = v sin p dp falls as e^{−4u}, t as e^{−8u/5}.
+class PointPulse {
+ public:
+  /// @throws InvalidInput as slow_impact
+  PointPulse(PointLaw law, double poisson, double speed);
+
+  [[nodiscard]] const RadiusLaw& law() const { return law_; }
+  [[nodiscard]] double greatest_radius() const { return greatest_; }
+
+  /// Radius of the contact at a phase of 0 … π/2.
+  [[nodiscard]] double radius(double phase) const;
+
+  /// Time from the turning point to the place u, R/c.
+  [[nodiscard]] double time(double u) const;
+
+  /// From first to last contact, R/c.
+  [[nodiscard]] double contact_time() const;
+
+  /// Greatest |dF/dt| / v.
+  [[nodiscard]] double max_force_rate() const;
+
+  /// The u of a phase of 0 … π/2 before or after the turning point, at most where time and impulse end.
+  [[nodiscard]] static double place_of(double phase);
+
+  /// Instants of one half of the pulse, from the turning point: over the whole of it ∫F f(t) dt = v Σ weight f(time)
+  /// for even f that turn no faster than the given frequency.
+  struct Nodes {
+    std::vector<double> time, weight;
+    std::vector<double> stiffness;  ///< ∫ dF/dδ dt from the turning point
+  };
+  [[nodiscard]] Nodes nodes(double omega) const;
+
+ private:
+  RadiusLaw law_;
+  double speed_;
+  double greatest_ = 0.0;
+
+  /// dt/du and the radius of the contact there.
+  struct Rate {
+    double time, radius;
+  };
+  [[nodiscard]] Rate rate(double u) const;
+};
+
+}  // namespace stoss::quasistatic
