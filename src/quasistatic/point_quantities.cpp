@@ -25,8 +25,9 @@ const Quantities<PointRayleighEstimate>& point_rayleigh_quantities() {
       return with_error;
     };
     Quantities<E> quantities{{"lost_fraction", none, lost}, {"mean_lost_fraction", none, &E::mean_lost_fraction}};
-    for (const auto& [name, dimension, value, error] : point_slow_impact_quantities()) {
-      quantities.emplace_back(name, dimension, [value](const E& e) { return value(e.impact); });
+    for (const auto& of_impact : point_slow_impact_quantities()) {
+      quantities.emplace_back(of_impact.name, of_impact.dimension,
+                              [value = of_impact.value](const E& e) { return value(e.impact); });
     }
     quantities.emplace_back("kinetic_share", none, &E::kinetic_share);
     quantities.emplace_back("beyond_perturbation", none, &E::beyond_perturbation);
