@@ -24,8 +24,7 @@ from matplotlib.patches import Rectangle
 from gerl_zippelius_1999.common import (
     BLACK, BLUE, GREY, NONE, PAGE, PRINT, VERMILION, Row, Tables, legend, measured, small_ticks, written,
 )  # fmt: skip
-from gerl_zippelius_1999.figure_10 import PRESSURE, cutoff_of
-from gerl_zippelius_1999.figure_11 import HARDNESS, MODES, SHARE, soft
+from gerl_zippelius_1999.soft_impacts import HARDNESS, MODES, PRESSURE, SHARE, cutoff_of, soft
 
 TITLE = "Figure 5: a disk with v = 0.2 c hits the wall"
 CAPTION = (

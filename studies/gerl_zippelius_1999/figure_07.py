@@ -19,18 +19,16 @@ witnesses.
 
 from __future__ import annotations
 
-from typing import NamedTuple
-
 import matplotlib
 import numpy as np
 import stoss
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
-from numpy.typing import NDArray
 
 from gerl_zippelius_1999.common import (
     BLACK, GREY, NONE, PAGE, PRINT, Row, Table, Tables, axes_of, legend, measured, power, written,
 )  # fmt: skip
+from gerl_zippelius_1999.two_limits import POISSON, SCALED, SLOW, SPEEDS, colour, cutoff, line, lost_fraction, name_curve
 
 TITLE = "Figure 7: the loss against the softness of the wall"
 CAPTION = (
@@ -43,55 +41,15 @@ CAPTION = (
     "lines miss on the right is mostly the effect of the missing modes (Figure 8)."
 )
 
-Column = NDArray[np.float64]
-
 ALT = (
     "Two plots of seventeen nearly straight, falling lines each, one for each speed; they end at the hard wall a few "
     "percent above black bars. On the left the lines of the slowest impacts are steep and cross."
 )
 
-POISSON = 0.33
 MODES = 940
-SPEEDS = (0.005, 0.01, *(round(0.02 * k, 2) for k in range(1, 16)))  # c
-SCALED = (25.0, 100.0 / 3.0, 50.0, 100.0)  # αv, c/R
 COMMON = (200.0, 300.0, 500.0, 1000.0, 2000.0)  # α, 1/R
 HARDEST = 200.0  # αv, c/R; beyond it 940 modes bounce
-SLOW = 0.1  # c; up to here three points make a line
 QUICK = (0.005, 0.01, 0.02, 0.04, 0.1, 0.2, 0.3)
-
-
-class Line(NamedTuple):
-    value: float  # at x = 0
-    error: float  # 95 %, as that of the slope
-    slope: float
-    slope_error: float
-
-
-def walls(speed: float) -> Column:
-    """α of the walls whose impacts carry the line, 1/R: at v ≤ 0.1 c the three hardest."""
-    return np.array(SCALED[-3:] if speed <= SLOW else SCALED) / speed
-
-
-def cutoff(count: int, poisson: float = POISSON) -> float:
-    """A frequency below which there are `count` modes, c/R: midway between two of them."""
-    weyl = np.sqrt(8.0 * (count + 60) / ((1.0 + poisson) * (3.0 - poisson)))
-    omega = np.sort(stoss.modes(poisson=poisson, cutoff=weyl).omega)
-    return float(0.5 * (omega[count - 1] + omega[count]))
-
-
-def line(x: Column, y: Column, errors: Column | float = 0.0) -> Line:
-    """The line through points of equal weight; its errors contain those of the points."""
-    mean, spread = x.mean(), np.sum((x - x.mean()) ** 2)
-    slope = float(np.sum((x - mean) * y) / spread)
-    intercept = float(y.mean() - slope * mean)
-    scatter = np.sqrt(np.sum((y - intercept - slope * x) ** 2) / (len(x) - 2))
-    student = 12.706 if len(x) == 3 else 4.303
-    in_slope = (x - mean) / spread  # weight of a point
-    at_zero, of_slope = (
-        float(np.hypot(student * scatter * np.linalg.norm(weight), np.linalg.norm(weight * errors)))
-        for weight in (1.0 / len(x) - mean * in_slope, in_slope)
-    )
-    return Line(intercept, at_zero, slope, of_slope)
 
 
 def compute(quick: bool) -> Tables:
@@ -114,12 +72,6 @@ def compute(quick: bool) -> Tables:
     return {"impacts": _arrays(impacts), "lines": _arrays(lines), "converged": {"speed[c]": np.array(speeds)} | hard}
 
 
-def lost_fraction(speed: float, at: float, alpha: float) -> float:
-    """1 − ε² of one impact with the modes up to the frequency `at`, c/R, on the wall α, 1/R."""
-    wall = stoss.ExponentialWall(hardness=float(alpha))
-    return stoss.impact(poisson=POISSON, speed=speed, cutoff=at, against=wall).lost_fraction
-
-
 def _append(columns: dict[str, list[object]], row: dict[str, object]) -> None:
     for name, value in row.items():
         columns.setdefault(name, []).append(value)
@@ -134,16 +86,6 @@ def _of(table: Table, series: str, speed: float | None = None) -> Table:
     if speed is not None:
         kept &= table["speed[c]"] == speed
     return {name: values[kept] for name, values in table.items()}
-
-
-def colour(speed: float) -> tuple[float, ...]:
-    """From dark, slow, to light, fast: viridis without yellow, too light for white paper."""
-    return tuple(matplotlib.colormaps["viridis"](0.87 * np.sqrt(speed / 0.3)))
-
-
-def name_curve(axes: Axes, text: str, x: float, y: float) -> None:
-    """A speed at the right end of its curve."""
-    axes.annotate(text, (x, y), (4, 0), textcoords="offset points", va="center", fontsize=6.5, color="0.25")
 
 
 def draw(tables: Tables) -> Figure:

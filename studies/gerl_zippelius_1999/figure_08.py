@@ -22,7 +22,7 @@ from matplotlib.figure import Figure
 
 from gerl_zippelius_1999.common import BLACK, BLUE, GREEN, GREY, NONE, PAGE, PRINT, VERMILION
 from gerl_zippelius_1999.common import Row, Table, Tables, axes_of, legend, measured, written
-from gerl_zippelius_1999.figure_07 import (
+from gerl_zippelius_1999.two_limits import (
     POISSON, SPEEDS, Line, colour, cutoff, line, lost_fraction, name_curve, walls,
 )  # fmt: skip
 from gerl_zippelius_1999.ranking import ranked_intercepts

@@ -21,6 +21,7 @@ from stoss import quasistatic
 
 from .common import BLACK, BLUE, GREEN, GREY, NONE, ORANGE, PAGE, PURPLE, VERMILION
 from .common import Row, Table, Tables, axes_of, legend, measured, written
+from .soft_impacts import cutoff_of, plane
 
 TITLE = "Figure 10: force against compression"
 CAPTION = (
@@ -35,23 +36,11 @@ CAPTION = (
 ALT = "Force over compression: four panels of curves at rest and loops during impacts, at both kinds of wall."
 
 POISSON, HARDNESS, MODES = 0.33, 500.0, 1300
-PRESSURE = 0.1  # E; of the plane from which compressions at the exponential wall are counted
 SPEEDS, MARKS = (0.1, 0.04), (0.01, 0.03, 0.1)  # c; compressions of the table, R
 SOFT, HARD = "exponential", "hard"
 COLORS_OF = dict(zip(SPEEDS, (VERMILION, BLUE)))
 LAWS = ("printed", "center", "diameter")
 PRESSED, UNIT = "relaxed_from_pressure_plane", "relaxed_from_unit_plane"
-
-
-def plane(hardness: float) -> float:
-    """How far the plane of the pressure 0.1 E stands before that of V₀e^{αx} = 1, R."""
-    return float(np.log(hardness / PRESSURE) / hardness)
-
-
-def cutoff_of(count: int) -> float:
-    """A cutoff below which there are so many modes."""
-    omega = np.sort(stoss.modes(poisson=POISSON, cutoff=1.1 * np.sqrt(count / 0.45)).omega)
-    return float(omega[count - 1 : count + 1].mean())
 
 
 def relaxed(compression: float, hardness: float, cutoff: float) -> float:

@@ -29,7 +29,7 @@ from stoss import quasistatic
 
 from .common import BLACK, BLUE, GREEN, GREY, NONE, ORANGE, PAGE, PURPLE
 from .common import Row, Table, Tables, axes_of, legend, measured, power, written
-from .figure_10 import cutoff_of, plane
+from .soft_impacts import HARDNESS, MODES, POISSON, SCALED, soft
 
 TITLE = "Figure 11: contact time and greatest compression against the speed"
 CAPTION = (
@@ -44,10 +44,6 @@ CAPTION = (
 )
 ALT = "Contact time and greatest compression over speed fall slowly with ln v; quasi-static curves follow the points."
 
-POISSON = 0.33
-HARDNESS = 500.0  # 1/R
-SCALED = 50.0  # αv, c/R
-MODES = 940
 LAWS = ("printed", "center")
 MARKS = (1e-8, 1e-6, 1e-4, 0.01, 0.04, 0.1)  # of the table, c
 PAPER_SPEEDS = (0.005, 0.01, 0.02, 0.04, 0.06, 0.1, 0.2, 0.3)  # c
@@ -55,7 +51,6 @@ CLAIM = (
     "“agree well with the numerical simulations of the full dynamic problem in the range of velocities were both "
     "methods apply”"
 )
-SHARE = 0.01  # of the greatest force: contact at the exponential wall
 STYLES = {"printed": (GREEN, "-", "the paper’s eq. (56)"), "center": (PURPLE, "--", "law of the centre (E8)")}
 
 
@@ -87,20 +82,6 @@ def dynamic(speeds: NDArray[np.float64], tolerance: float) -> Table:
         "max_compression[R]": curve.max_compression,
         "max_compression_error[R]": curve.max_compression_error,
     }
-
-
-def soft(speeds: tuple[float, ...], scaled: bool) -> Table:
-    """The paper's own impacts, at one wall or at walls that follow the speed."""
-    cutoff = cutoff_of(MODES)
-    rows = []
-    for speed in speeds:
-        hardness = SCALED / speed if scaled else HARDNESS
-        wall = stoss.ExponentialWall(hardness=hardness)
-        path = stoss.impact(poisson=POISSON, speed=speed, cutoff=cutoff, against=wall).trajectory()
-        pressed = path.time[path.force > SHARE * path.force.max()]
-        rows.append((speed, hardness, pressed[-1] - pressed[0], 1.0 + path.center.max() + plane(hardness)))
-    names = ("speed[c]", "hardness[1/R]", "contact_time[R/c]", "max_compression_from_pressure_plane[R]")
-    return dict(zip(names, np.array(rows).T))
 
 
 def compute(quick: bool) -> Tables:

@@ -32,7 +32,7 @@ from stoss import quasistatic
 
 from .common import BLACK, BLUE, GREEN, NONE, PAGE, PURPLE
 from .common import Row, Table, Tables, axes_of, legend, measured, power, written
-from .figure_10 import cutoff_of
+from .soft_impacts import cutoff_of
 
 TITLE = "Figure 12: energy left in vibration by slow impacts"
 CAPTION = (
