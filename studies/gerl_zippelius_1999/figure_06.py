@@ -19,7 +19,8 @@ from matplotlib.ticker import FixedLocator, FuncFormatter
 from mpl_toolkits.mplot3d import Axes3D
 
 from gerl_zippelius_1999.common import NONE, PAGE, PRINT, Row, Table, Tables, measured, power, small_ticks
-from gerl_zippelius_1999.ranking import POISSON, place, selected_impact
+from gerl_zippelius_1999.ranking import place, selected_impact
+from gerl_zippelius_1999.two_limits import POISSON
 
 TITLE = "Figure 6: energy of the modes at closest approach"
 CAPTION = (

@@ -12,7 +12,7 @@ import numpy as np
 import stoss
 from numpy.typing import NDArray
 
-from gerl_zippelius_1999.two_limits import POISSON, cutoff, line, walls
+from gerl_zippelius_1999.two_limits import cutoff, line, walls
 
 
 def ranked(energies: NDArray) -> NDArray[np.intp]:

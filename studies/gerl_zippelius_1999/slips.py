@@ -13,7 +13,7 @@ import numpy as np
 import stoss
 from numpy.typing import NDArray
 
-from gerl_zippelius_1999.ranking import POISSON
+from gerl_zippelius_1999.two_limits import POISSON
 
 Array = NDArray[np.float64]
 ANGLES, REACH = 256, 0.9  # in the upper quadrant; radians beyond which the wall of αR = 500 is never felt at v = 0.1 c
