@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <utility>
 
 #include "stoss/errors.hpp"
@@ -16,6 +17,8 @@ void require(const Body& body, bool condition, const std::string& rule) {
 
 bool positive(double x) { return std::isfinite(x) && x > 0.0; }
 
+bool not_negative(double x) { return std::isfinite(x) && x >= 0.0; }
+
 bool finite(const std::vector<double>& values) {
   return std::all_of(values.begin(), values.end(), [](double x) { return std::isfinite(x); });
 }
@@ -25,10 +28,10 @@ bool finite(const std::vector<double>& values) {
 void validate(const Body& body) {
   require(body, positive(body.scale.length) && positive(body.scale.speed) && positive(body.scale.mass),
           "a positive finite scale");
-  require(body, positive(body.mass) && positive(body.extent) && positive(body.cutoff),
-          "a positive finite mass, extent and cutoff");
+  require(body, positive(body.mass) && positive(body.cutoff), "a positive finite mass and cutoff");
+  require(body, not_negative(body.extent) && not_negative(body.curvature) && not_negative(body.softness),
+          "a finite extent, curvature and softness, none below 0");
   require(body, body.highest_cutoff >= body.cutoff, "a cutoff up to its highest");
-  require(body, positive(body.softness), "a positive finite softness");
   require(body, body.stable_step > 0.0, "a positive stable_step");
   const auto& [points, cutoff, power, along_edge, fewest] = body.sampling;
   require(body, positive(points) && positive(cutoff) && finite({power, along_edge}) && along_edge >= 0.0 && fewest > 0,
@@ -55,6 +58,36 @@ std::size_t mode_count(const Body& body) {
 
 double whole_mass(const Body& body) { return body.mass + body.part.beyond; }
 
+bool is_unbounded(const Body& body) { return std::isinf(body.part.beyond); }
+
+Body rigid(const Body& body) {
+  Body result = body;
+  result.name = "rigid " + body.name;
+  result.softness = 0.0;
+  result.highest_cutoff = result.stable_step = std::numeric_limits<double>::infinity();
+  result.groups.clear();
+  result.near_side = nullptr;
+  result.surface = [surface = body.surface](const ContactPoints& points) {
+    Surface same = surface(points);
+    std::fill(same.impedance.begin(), same.impedance.end(), std::numeric_limits<double>::infinity());
+    same.shape.clear();
+    return same;
+  };
+  result.residual_compliance = result.residual_second_moment = [](const ContactPoints& points, const Poll&) {
+    return std::vector<double>(points.count * points.count);
+  };
+  return result;
+}
+
+BodyMaker rigid(const BodyMaker& maker) {
+  constexpr double without_modes = 1e-6;
+  return [maker](double cutoff, const Poll& poll) {
+    Body body = rigid(maker(without_modes, poll));
+    body.cutoff = cutoff;
+    return body;
+  };
+}
+
 Body with_modes(const Body& body, const std::vector<bool>& keep) {
   const std::size_t all = mode_count(body);
   const auto kept = static_cast<std::size_t>(std::count(keep.begin(), keep.end(), true));
@@ -69,7 +102,7 @@ Body with_modes(const Body& body, const std::vector<bool>& keep) {
   result.groups.clear();
   std::size_t mode = 0;
   for (const ModeGroup& from : body.groups) {
-    ModeGroup to{from.order, {}, {}, {}, from.upper_row, from.lower_row};
+    ModeGroup to{from.order, {}, {}, {}, from.upper_row, from.lower_row, {}, from.wave_number};
     for (std::size_t l = 0; l < from.omega.size(); ++l) {
       if (!keep[mode++]) continue;
       to.omega.push_back(from.omega[l]);

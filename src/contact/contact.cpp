@@ -25,6 +25,7 @@ void add_modes(const Body& body, const Units& units, std::size_t first_row, Cont
     ModeGroup group = from;
     group.upper_row += first_row;
     group.lower_row += first_row;
+    group.wave_number /= units.length;
     for (double& omega : group.omega) omega /= units.time;
     for (double& weight : group.upper) weight *= amplitude;
     for (double& weight : group.lower) weight *= amplitude;
@@ -33,7 +34,9 @@ void add_modes(const Body& body, const Units& units, std::size_t first_row, Cont
 }
 
 /// In this order it is m/2 to the last bit for equal bodies.
-double reduced(double first, double second) { return first * (second / (first + second)); }
+double reduced(double first, double second) {
+  return std::isinf(second) ? first : first * (second / (first + second));
+}
 
 }  // namespace
 
@@ -46,6 +49,10 @@ std::size_t shape_rows(const Body& body) {
 Contact contact(std::shared_ptr<const Body> body, const Wall& wall) {
   validate(*body);
   validate(wall);
+  if (is_unbounded(*body) || body->softness == 0.0) {
+    throw InvalidInput("against: got a wall for '" + body->name +
+                       "', allowed only what moves and gives way (or an elastic body to meet)");
+  }
   Contact contact;
   contact.wall = wall;
   contact.mass = body->mass;
@@ -65,14 +72,15 @@ Contact contact(std::shared_ptr<const Body> first, std::shared_ptr<const Body> s
   require_partners(*first, *second);
   const Units units(*second, *first);
   Contact contact;
-  contact.mass = reduced(first->mass, second->mass * units.mass);
+  contact.mass = reduced(first->mass, is_unbounded(*second) ? whole_mass(*second) : second->mass * units.mass);
   contact.whole_mass = reduced(whole_mass(*first), whole_mass(*second) * units.mass);
   contact.extent = first->extent + second->extent * units.length;
   contact.cutoff = std::max(first->cutoff, second->cutoff / units.time);
   contact.stable_step = std::min(first->stable_step, second->stable_step * units.time);
-  contact.radius = std::min(1.0, units.length);
+  contact.radius = is_unbounded(*second) ? 1.0 : std::min(1.0, units.length);
   add_modes(*first, Units{}, 0, contact);
   contact.first_groups = contact.groups.size();
+  contact.radiating = is_unbounded(*second);
   add_modes(*second, units, shape_rows(*first), contact);
   contact.first = std::move(first);
   contact.second = std::move(second);
@@ -102,12 +110,13 @@ double own_compression(const Contact& contact, double approach) {
   if (contact.second == nullptr) return approach;
   const Units units(*contact.second, *contact.first);
   const double share = share_of_first(contact, units);
-  return approach * std::max(share, (1.0 - share) / units.length);
+  return approach * std::max(share, (1.0 - share) / (is_unbounded(*contact.second) ? 1.0 : units.length));
 }
 
 double longest_time(const Contact& contact) {
   if (contact.second == nullptr) return contact.first->part.size;
-  return std::max(contact.first->part.size, contact.second->part.size * Units(*contact.second, *contact.first).time);
+  const double second = contact.second->part.size * Units(*contact.second, *contact.first).time;
+  return is_unbounded(*contact.second) ? time_scale(contact) : std::max(contact.first->part.size, second);
 }
 
 std::size_t mode_count(const Contact& contact) {
@@ -121,13 +130,8 @@ double modal_mass(const Contact& contact, std::size_t group) {
 }
 
 double highest_wave_number(const Contact& contact) {
-  const double first = contact.first->part.size;
-  const double second =
-      contact.second == nullptr ? 1.0 : Units(*contact.second, *contact.first).length * contact.second->part.size;
   double highest = 0.0;
-  for (std::size_t g = 0; g < contact.groups.size(); ++g) {
-    highest = std::max(highest, contact.groups[g].order / (g < contact.first_groups ? first : second));
-  }
+  for (const ModeGroup& group : contact.groups) highest = std::max(highest, group.wave_number);
   return highest;
 }
 
@@ -136,9 +140,13 @@ double time_scale(const Contact& contact) {
   const Units units(*contact.second, *contact.first);
   // Waves in flat-ended bodies run to and fro without spreading: the shorter body sets what has to be resolved.
   if (has_single_point(contact)) return std::min(1.0, units.time);
-  const double first_stiffness = whole_mass(*contact.first);
-  const double second_stiffness = whole_mass(*contact.second) * units.mass / (units.time * units.time);
-  return std::sqrt(contact.whole_mass * (1.0 / first_stiffness + 1.0 / second_stiffness));
+  const double first_softness = contact.first->softness > 0.0 ? 1.0 / whole_mass(*contact.first) : 0.0;
+  const double second_mass = whole_mass(*contact.second) * units.mass;
+  double second_softness = units.time * units.time / second_mass;
+  // As a body of the size of the first.
+  if (is_unbounded(*contact.second)) second_softness = units.softness / whole_mass(*contact.first);
+  if (contact.second->softness == 0.0) second_softness = 0.0;
+  return std::sqrt(contact.whole_mass * (first_softness + second_softness));
 }
 
 double unresolved_share(const Contact& contact) {

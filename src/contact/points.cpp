@@ -60,8 +60,7 @@ void join(const Surface& second, const Units& units, std::size_t first_rows, Sur
   surface.shape.insert(surface.shape.end(), second.shape.begin(), second.shape.end());
   for (std::size_t i = 0; i < points; ++i) {
     surface.recess[i] += second.recess[i] * units.length;
-    const double impedance = second.impedance[i] * units.impedance;
-    surface.impedance[i] = surface.impedance[i] * impedance / (surface.impedance[i] + impedance);
+    surface.impedance[i] = 1.0 / (1.0 / surface.impedance[i] + 1.0 / (second.impedance[i] * units.impedance));
   }
 }
 
@@ -108,6 +107,15 @@ double expected_half_width(const Contact& contact, double speed) {
   const double force =
       speed * std::sqrt(contact.whole_mass / whole_mass(*contact.first) / met.softness) / std::sqrt(1.0 + logarithm);
   return 2.0 * std::sqrt(force * met.softness / met.curvature);
+}
+
+double expected_duration(const Contact& contact, double speed) {
+  const Touch met = touch(contact);
+  const double width = expected_half_width(contact, speed);
+  if (contact.first->contour == Contour::ball) return 2.943 * width * width * met.curvature / speed;
+  // The impulse 2μv over the greatest force, times the shape of the pulse.
+  const double force = 0.25 * width * width * met.curvature / met.softness;
+  return 3.3 * speed * contact.whole_mass / whole_mass(*contact.first) / force;
 }
 
 ContactGrid contact_grid(const Contact& contact, double half_width, int nodes) {

@@ -11,7 +11,7 @@ Touch touch(const Contact& contact) {
   if (contact.second == nullptr) return touch;
   const Units units(*contact.second, *contact.first);
   const double second = contact.second->softness * units.softness;
-  touch.curvature = 1.0 + 1.0 / units.length;
+  touch.curvature = contact.first->curvature + contact.second->curvature / units.length;
   touch.softness = first + second;
   touch.slowness = (first + second * units.time / units.length) / touch.softness;
   return touch;

@@ -19,6 +19,13 @@ constexpr double most_steps = 5e7;
 constexpr double max_energy_error = 1e-2;   // beyond, the motion is not resolved in time and means nothing
 constexpr double small_strain_limit = 0.5;  // compression, R
 
+double longest_contact(const Contact& contact) {
+  // A contact that outlasts what stands for a half-space is given up soon after.
+  if (contact.radiating) return 2.0 * echo_time(contact);
+  const double longest = contact.first->contour == Contour::ball ? max_contact_time_of_balls : max_contact_time;
+  return longest * longest_time(contact);
+}
+
 /// One run; empty if the contact outgrew the grid.
 std::optional<Impact> run(const Contact& contact, double speed, const FixedResolution& resolution,
                           const ImpactOptions& options, const Observation& observation) {
@@ -27,8 +34,7 @@ std::optional<Impact> run(const Contact& contact, double speed, const FixedResol
   Collision collision(contact, options.resolution.tail, grid, speed, resolution.step, options.start, options.poll);
   const WholeBodies whole(contact, collision.snapshot());
   const double flight = std::max(0.0, -(collision.snapshot().center + contact.extent)) + 4.0 * collision.clearance();
-  const double longest = contact.first->contour == Contour::ball ? max_contact_time_of_balls : max_contact_time;
-  const double steps = (longest * longest_time(contact) + flight / speed) / resolution.step;
+  const double steps = (longest_contact(contact) + flight / speed) / resolution.step;
   if (steps > most_steps) {
     throw NotConverged("impact: would take more than " + std::to_string(static_cast<long>(most_steps)) +
                        " steps (use a larger step, or a hard wall instead of an exponential one)");
@@ -50,6 +56,7 @@ std::optional<Impact> run(const Contact& contact, double speed, const FixedResol
   if (observation.observer) observe();
   for (long step = 1; !collision.over(); ++step) {
     if (static_cast<double>(step) > steps) {
+      if (contact.radiating) throw Outlasted(static_cast<double>(step) * resolution.step, echo_time(contact));
       throw NotConverged("impact: the contact has not ended after " + std::to_string(step) + " steps");
     }
     if (options.poll) options.poll();

@@ -10,7 +10,9 @@ namespace stoss {
 namespace kernels = numeric::kernels;
 
 KeptModes::KeptModes(const Contact& contact, const ContactGrid& grid, double step)
-    : mass_(contact.mass), step_(step), count_(mode_count(contact)), nodes_(grid.recess.size()) {
+    : mass_(contact.mass), step_(step), count_(mode_count(contact)),
+      nodes_(grid.recess.size()),
+      lasting_groups_(contact.radiating ? contact.first_groups : contact.groups.size()) {
   constexpr std::size_t lanes = kernels::lanes;
   const std::size_t groups = contact.groups.size();
   begin_.push_back(0);
@@ -136,7 +138,7 @@ double KeptModes::reach() const {
     return result;
   };
   double sum = 0.0;
-  for (std::size_t g = 0; g < size_.size(); ++g) {
+  for (std::size_t g = 0; g < lasting_groups_; ++g) {
     const double upper = greatest(shapes_of_[g].upper);
     const double lower = greatest(shapes_of_[g].lower);
     for (std::size_t l = 0; l < size_[g]; ++l) {

@@ -38,7 +38,7 @@ class KeptModes {
   /// Energy of all kept modes, Σ ½m(Q̇² + ω²Q²).
   [[nodiscard]] double energy() const;
 
-  /// Upper bound of the displacement of any node in free vibration.
+  /// Upper bound of the displacement of any node in free vibration, but for waves that run away.
   [[nodiscard]] double reach() const;
 
   [[nodiscard]] std::vector<double> coordinate() const;
@@ -58,6 +58,7 @@ class KeptModes {
   double step_;
   std::size_t count_ = 0;
   std::size_t nodes_;
+  std::size_t lasting_groups_;      // of bounded bodies
   std::vector<std::size_t> size_;   // modes of each group
   std::vector<std::size_t> begin_;  // of each block of groups in the arrays over modes, and the end
   std::vector<double> omega_, a_, b_, cosine_, sine_, upper_, lower_;

@@ -7,15 +7,15 @@
 #include "stoss/errors.hpp"
 
 namespace stoss {
-namespace {
 
-/// Time until the first echo of a part, in units of the first body.
-double echo(const Contact& contact) {
+double echo_time(const Contact& contact) {
   if (contact.second == nullptr) return contact.first->part.echo;
   return std::min(contact.first->part.echo, contact.second->part.echo * Units(*contact.second, *contact.first).time);
 }
 
-}  // namespace
+Outlasted::Outlasted(double contact_time, double echo)
+    : NotConverged("impact: the contact lasts " + std::to_string(contact_time) +
+                   " R/c, and what stands for the larger body is like it for " + std::to_string(echo) + " only") {}
 
 WholeBodies::WholeBodies(const Contact& contact, const Snapshot& start)
     : contact_(contact),
@@ -39,11 +39,8 @@ void WholeBodies::show(Snapshot& now) const {
 }
 
 void WholeBodies::show(Impact& impact) const {
+  if (impact.contact_time > echo_time(contact_)) throw Outlasted(impact.contact_time, echo_time(contact_));
   if (part_ == 1.0) return;
-  if (impact.contact_time > echo(contact_)) {
-    throw NotConverged("impact: the contact lasts " + std::to_string(impact.contact_time) +
-                       " R/c, and the echo from within the larger body is back before");
-  }
   EnergyLedger& ledger = impact.energy;
   const double lost = 1.0 + impact.restitution;
   const double beyond = (1.0 - part_) * lost * lost * start_.translation / energy_;

@@ -1,8 +1,18 @@
 #pragma once
 
+#include "stoss/errors.hpp"
 #include "stoss/impact/impact.hpp"
 
 namespace stoss {
+
+/// Time until the first echo of a part, in units of the first body; infinite where both bodies are whole.
+[[nodiscard]] double echo_time(const Contact& contact);
+
+/// A contact has lasted longer than the part of a body that is there stands for it.
+class Outlasted : public NotConverged {
+ public:
+  Outlasted(double contact_time, double echo);
+};
 
 /// The motion and the energies of whole bodies, of which the near side of one has met the other (BodyPart).
 ///
@@ -22,7 +32,7 @@ class WholeBodies {
   void show(Snapshot& now) const;
 
   /// Makes a result that of the whole bodies; the final state remains that of the part.
-  /// @throws NotConverged if the contact has lasted longer than the first echo of the part takes
+  /// @throws Outlasted if the contact has lasted longer than the first echo of the part takes
   void show(Impact& impact) const;
 
  private:

@@ -36,6 +36,9 @@ constexpr double least_size = 16.0;
 /// at ν = 0.33. A contact lasts 6 to 8 times time_scale at v > 0.01, and 14 times at 1e-8.
 constexpr double least_echo = 36.0;
 
+/// Duration of the shortest contacts with a half-space, over time_scale.
+constexpr double shortest_contact = 6.0;
+
 /// Two bodies that meet.
 struct Pair {
   BodyMaker first, second;
@@ -51,6 +54,7 @@ Contact probed(const BodyMaker& first, const BodyMaker& second) {
 
 /// @param unit of time of the body, over time_scale
 double computed_size(const Body& body, double unit) {
+  if (is_unbounded(body)) return shortest_contact / unit;
   if (!body.near_side) return 1.0;
   const double largest = body.highest_cutoff / cutoff_at(fewest_levels - 1) / unit;
   const double echo = body.near_side(1.0, least_cutoff, {}).part.echo;
@@ -66,17 +70,25 @@ Pair pair_of(const BodyMaker& first, const BodyMaker& second) {
   return pair;
 }
 
+/// Over time_scale.
+double expected_duration(const Pair& pair, double speed) {
+  return stoss::expected_duration(pair.probe, speed) / time_scale(pair.probe);
+}
+
 /// The part of a body, or the body.
 Body made(const BodyMaker& maker, const Body& probe, double size, double cutoff, const Poll& poll) {
-  return size < 1.0 ? probe.near_side(size, cutoff, poll) : maker(cutoff, poll);
+  return size < 1.0 || is_unbounded(probe) ? probe.near_side(size, cutoff, poll) : maker(cutoff, poll);
 }
 
 /// @param stretch of the part, where there is one; it ends with the whole
 Contact contact_of(const Pair& pair, double cutoff, double stretch, const Poll& poll) {
-  const auto size = [stretch](double usual) { return usual < 1.0 ? std::min(usual * stretch, 1.0) : 1.0; };
+  const auto size = [stretch](const Body& body, double usual) {
+    if (is_unbounded(body)) return usual * stretch;
+    return usual < 1.0 ? std::min(usual * stretch, 1.0) : 1.0;
+  };
   const double time = Units(*pair.probe.second, *pair.probe.first).time;
-  return contact(made(pair.first, *pair.probe.first, size(pair.first_size), cutoff, poll),
-                 made(pair.second, *pair.probe.second, size(pair.second_size), cutoff * time, poll));
+  return contact(made(pair.first, *pair.probe.first, size(*pair.probe.first, pair.first_size), cutoff, poll),
+                 made(pair.second, *pair.probe.second, size(*pair.probe.second, pair.second_size), cutoff * time, poll));
 }
 
 /// Highest cutoff of both bodies, c/R of the first.
@@ -120,7 +132,17 @@ int RefinableContact::highest_level() const { return levels_->highest; }
 double RefinableContact::cutoff(int level) const { return cutoff_at(level) * levels_->unit; }
 
 double RefinableContact::part() const {
-  return levels_->pair ? std::min(levels_->pair->first_size, levels_->pair->second_size) : 1.0;
+  if (!levels_->pair) return 1.0;
+  const double second = is_unbounded(*levels_->pair->probe.second) ? 1.0 : levels_->pair->second_size;
+  return std::min(levels_->pair->first_size, second);
+}
+
+double RefinableContact::stretch(double speed) const {
+  if (!levels_->pair || !is_unbounded(*levels_->pair->probe.second)) return 1.0;
+  // In steps, so that the contacts of neighbouring speeds are the same.
+  constexpr double margin = 1.05, steps = 4.0;
+  const double wanted = std::max(1.0, margin * expected_duration(*levels_->pair, speed) / shortest_contact);
+  return std::exp2(std::ceil(steps * std::log2(wanted)) / steps);
 }
 
 const Contact& RefinableContact::at(int level, const Poll& poll) const {
@@ -138,8 +160,12 @@ const Contact& RefinableContact::at(double cutoff, double stretch, const Poll& p
   return levels_->contacts.emplace(key, std::move(contact)).first->second;
 }
 
-Contact contact(const BodyMaker& first, const BodyMaker& second, double cutoff, const Poll& poll) {
+Contact contact(const BodyMaker& first, const BodyMaker& second, double cutoff, double slowest, const Poll& poll) {
   const Pair pair = pair_of(first, second);
+  if (is_unbounded(*pair.probe.second)) {
+    constexpr double margin = 1.25;
+    return contact_of(pair, cutoff, std::max(1.0, margin * expected_duration(pair, slowest) / shortest_contact), poll);
+  }
   if (pair.first_size == 1.0 && pair.second_size == 1.0) return contact_of(pair, cutoff, 1.0, poll);
   const double most = highest_cutoff(pair);
   constexpr double smallest = 0.5;

@@ -5,11 +5,13 @@
 #include <cmath>
 #include <cstdio>
 #include <limits>
+#include <numbers>
 #include <optional>
 #include <utility>
 
 #include "check.hpp"
 #include "impact/refined_resolution.hpp"
+#include "impact/whole_bodies.hpp"
 #include "restitution/curvature.hpp"
 #include "restitution/error_bar.hpp"
 
@@ -18,6 +20,7 @@ namespace {
 
 constexpr int first_runs = 3;  // two that agree by chance say nothing
 constexpr std::array first_rungs{4, 2};
+constexpr std::array first_rungs_with_half_space{2, 2};  // of which few waves are enough
 constexpr int most_rungs = 4;  // a run far above all others would find the differences from them without weight
 constexpr double unknown = std::numeric_limits<double>::infinity();
 constexpr double aim = 0.9;         // of the tolerance: one run too fine costs less than another run
@@ -36,6 +39,22 @@ Run summary(const Impact& impact) {
           .max_compression = impact.max_compression,
           .energy_error = impact.energy_error,
           .steps = impact.steps};
+}
+
+/// An impact, with a half-space made anew for a longer time where the contact outlasts it.
+/// @param half_width of the contact in a coarser run, or 0
+/// @param stretch    of the half-space (RefinableContact::stretch); becomes greater
+Impact impact_to_its_end(const RefinableContact& contact, double cutoff, double speed, double half_width,
+                         double& stretch, const Poll& poll) {
+  const double longest = 8.0 * stretch;
+  for (;; stretch *= std::numbers::sqrt2) {
+    const Contact& resolved = contact.at(cutoff, stretch, poll);
+    try {
+      return impact(resolved, speed, {.resolution = refined_resolution(resolved, speed, half_width), .poll = poll});
+    } catch (const Outlasted&) {
+      if (!resolved.radiating || stretch > longest) throw;
+    }
+  }
 }
 
 /// Error of 1 − ε² with which a result counts as converged.
@@ -116,15 +135,17 @@ Restitution restitution(const RefinableContact& contact, double speed, const Res
   result.tolerance = options.tolerance;
   result.absolute = options.absolute;
   std::optional<Bar> first;
-  Outlook next{first_rungs.front(), 0.0, 0.0, true};
+  const auto& rungs = contact.at(0, options.poll).radiating ? first_rungs_with_half_space : first_rungs;
+  Outlook next{rungs.front(), 0.0, 0.0, true};
+  double stretch = contact.stretch(speed);
   const CurvatureCorrection correction = curvature_correction(contact, speed, options.poll);
   std::string trouble;
   for (int level = 0; level <= highest && next.worthwhile; level += next.rungs) {
     if (options.attempt_observer) options.attempt_observer({contact.cutoff(level), result.lost_fraction});
-    const Resolution fine = refined_resolution(contact.at(level, options.poll), speed, result.finest.max_half_width);
     try {
-      result.finest = impact(contact.at(level), speed, {.resolution = fine, .poll = options.poll});
-      correct(correction, contact.at(level), result.finest);
+      const double width = result.finest.max_half_width;
+      result.finest = impact_to_its_end(contact, contact.cutoff(level), speed, width, stretch, options.poll);
+      correct(correction, contact.at(level, options.poll), result.finest);
     } catch (const NotConverged& error) {  // too coarse, perhaps
       trouble = error.what();
       continue;
@@ -133,7 +154,7 @@ Restitution restitution(const RefinableContact& contact, double speed, const Res
     result.runs.push_back(summary(result.finest));
     result.steps += result.finest.steps;
     if (result.runs.size() < first_runs) {
-      next.rungs = first_rungs[result.runs.size() - 1];
+      next.rungs = rungs[result.runs.size() - 1];
       continue;
     }
     conclude(contact.at(level), speed, correction, result);

@@ -24,6 +24,7 @@ struct ModeGroup {
   std::size_t upper_row = 0;  ///< of Surface::shape
   std::size_t lower_row = 0;  ///< of Surface::shape
   std::vector<int> index{};   ///< l of each mode; empty: 0, 1, 2, …
+  double wave_number = 0.0;   ///< of the shapes along the surface, 1/R
 };
 
 /// Points at which bodies can touch: they belong to the contact, and every body is asked about the same ones. They lie
@@ -78,8 +79,9 @@ struct Sampling {
 /// What of a body is there: all of it, or only its near side, which answers as the whole does until waves are back from
 /// where it ends (docs/theory/pairs.md).
 struct BodyPart {
-  double size = 1.0;    ///< of the part beside the body; the orders of the modes count waves around the part
-  double beyond = 0.0;  ///< mass of the body that does not belong to the part: Body::mass and this are its whole mass
+  double size = 1.0;    ///< of the part beside the body
+  double beyond = 0.0;  ///< mass of the body that does not belong to the part: Body::mass and this are its whole mass;
+                        ///< infinite for a half-space, which has no translation: its modes alone move it
   double echo = std::numeric_limits<double>::infinity();  ///< after which the part is no longer like the body, R/c
 };
 
@@ -92,7 +94,8 @@ struct Body {
   Contour contour = Contour::flat;
   double mass = 0.0;      ///< of the body, and of every mode
   double extent = 0.0;    ///< distance from the centre of mass to the foremost point
-  double softness = 1.0;  ///< 1/E* near its end, in 1/E: 1 in plane stress, 1 − ν² in plane strain
+  double curvature = 1.0;  ///< of its surface near the foremost point, 1/R
+  double softness = 1.0;   ///< 1/E* near its end, in 1/E: 1 in plane stress, 1 − ν² in plane strain, 0 if rigid
   double cutoff = 0.0;    ///< all modes with ω ≤ cutoff are in `groups` (but see with_modes)
   double highest_cutoff = std::numeric_limits<double>::infinity();  ///< that such a body can be made with
   /// Largest stable time step at a hard wall: above it one kick moves the kept modes of some order further than the
@@ -112,16 +115,19 @@ struct Body {
   /// 1/ω⁴ for 1/ω². These modes answer forces that vary slowly with W f − V f̈.
   std::function<std::vector<double>(const ContactPoints&, const Poll&)> residual_second_moment;
 
-  /// Makes the near side of the body, a part of size 0 < `size` ≤ 1, in the units of the whole. Empty for bodies that
-  /// have none, or are one.
+  /// Makes the near side of the body, a part of size 0 < `size` ≤ 1, in the units of the whole; of a half-space, one for
+  /// contacts of duration `size`. Empty for bodies that have none, or are one.
   std::function<Body(double size, double cutoff, const Poll& poll)> near_side{};
 };
 
 /// Makes a body with all modes up to a cutoff.
 using BodyMaker = std::function<Body(double cutoff, const Poll& poll)>;
 
-/// Checks what a contact relies on: positive finite scale, mass, extent and cutoff; groups with arrays of one length,
-/// finite weights and 0 < ω ≤ cutoff; all functions.
+/// Makes the rigid body at any cutoff.
+[[nodiscard]] BodyMaker rigid(const BodyMaker& maker);
+
+/// Checks what a contact relies on: positive finite scale, mass and cutoff; groups with arrays of one length, finite
+/// weights and 0 < ω ≤ cutoff; all functions.
 /// @throws InvalidInput naming the body and what is wrong with it
 void validate(const Body& body);
 
@@ -130,6 +136,13 @@ void validate(const Body& body);
 
 /// Mass of the body, whatever part of it is there.
 [[nodiscard]] double whole_mass(const Body& body);
+
+/// Whether the body extends to infinity: it has no translation, and its modes only carry waves away.
+[[nodiscard]] bool is_unbounded(const Body& body);
+
+/// The same body without elasticity: it keeps mass and surface, and the units in which it is given. It meets elastic
+/// bodies.
+[[nodiscard]] Body rigid(const Body& body);
 
 /// A body with only some of its kept modes, as the paper selects them, for exponential walls. A hard wall would need
 /// the compliance of the others: the residual functions refuse. With all of them, the body itself.

@@ -36,6 +36,7 @@ struct Contact {
   double stable_step = 0.0;            ///< as Body::stable_step
   std::vector<ModeGroup> groups;       ///< of the first, then of the second, every modal mass `mass`
   std::size_t first_groups = 0;        ///< how many of them are of the first
+  bool radiating = false;              ///< those of the second only carry waves away (half-space)
   double radius = 1.0;                 ///< of the circle of the contact points
 };
 
@@ -74,11 +75,14 @@ struct Contact {
 /// Compression of the more compressed body in its own radius, of which the approach δ (in R of the first) is the sum.
 [[nodiscard]] double own_compression(const Contact& contact, double approach);
 
-/// Longest R/c of the bodies, or of the part that is there, in that of the first.
+/// Longest R/c of the bodies, or of the part that is there, in that of the first; beside a half-space, time_scale.
 [[nodiscard]] double longest_time(const Contact& contact);
 
 /// Half-width of the contact that Hertz' theory expects of an impact at this speed, R; 0 for a single point.
 [[nodiscard]] double expected_half_width(const Contact& contact, double speed);
+
+/// How long Hertz' theory expects an impact on a growing contact to last, R/c.
+[[nodiscard]] double expected_duration(const Contact& contact, double speed);
 
 /// Points from the axis to at least half_width, and what the bodies are there.
 /// @throws InvalidInput for a half-width or a number of points that the contact cannot have
@@ -96,8 +100,9 @@ struct Contact {
 /// takes f²/Z.
 [[nodiscard]] double unresolved_share(const Contact& contact);
 
-/// Time of a contact beside R/c of the first body: both bodies as springs of stiffness mc²/R² under the reduced mass;
-/// for flat ends, the shorter transit time. It is 1 at a wall, and the same whoever is called the first.
+/// Time of a contact beside R/c of the first body: both bodies as springs of stiffness mc²/R² under the reduced mass, a
+/// half-space as one of the size of the first; for flat ends, the shorter transit time. It is 1 at a wall, and the same
+/// whoever is called the first.
 [[nodiscard]] double time_scale(const Contact& contact);
 
 }  // namespace stoss

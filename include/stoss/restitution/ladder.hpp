@@ -32,6 +32,9 @@ class RefinableContact {
   /// two, is computed by its near side.
   [[nodiscard]] double part() const;
 
+  /// How much longer than the usual a half-space must be good for at this speed; 1 without one.
+  [[nodiscard]] double stretch(double speed) const;
+
   /// The contact at any cutoff, with a part that is larger by a factor, where there is one; it ends with the whole. How
   /// the impact depends on it tells what the part leaves out. @throws as above
   [[nodiscard]] const Contact& at(double cutoff, double stretch, const Poll& poll) const;
@@ -44,8 +47,10 @@ class RefinableContact {
 /// Two bodies with one cutoff for both. Where RefinableContact takes the near side of one, so does this, with a part
 /// down to half of that size if the cutoff is high; ε then lacks what `restitution` adds for the curvature, some 1e-3
 /// to 1e-2.
-/// @param cutoff c/R of the first body
+/// @param cutoff  c/R of the first body
+/// @param slowest speed that is to be computed, c: a half-space is made for contacts that last so long
 /// @throws InvalidInput for a cutoff beyond that of the bodies
-[[nodiscard]] Contact contact(const BodyMaker& first, const BodyMaker& second, double cutoff, const Poll& poll = {});
+[[nodiscard]] Contact contact(const BodyMaker& first, const BodyMaker& second, double cutoff, double slowest = 1e-3,
+                              const Poll& poll = {});
 
 }  // namespace stoss

@@ -61,7 +61,7 @@ std::vector<ModeGroup> group_by_order(const std::vector<Mode>& modes) {
   for (const Mode& mode : modes) {
     if (groups.empty() || groups.back().order != mode.order) {
       const auto n = static_cast<std::size_t>(mode.order);
-      groups.push_back({mode.order, {}, {}, {}, n + 1, n > 0 ? n - 1 : 1});
+      groups.push_back({mode.order, {}, {}, {}, n + 1, n > 0 ? n - 1 : 1, {}, 1.0 * mode.order});
     }
     groups.back().omega.push_back(mode.omega);
     groups.back().upper.push_back(0.5 * (mode.radial + mode.tangential));

@@ -49,6 +49,7 @@ Body near_side(const Disk& disk, double size, double cutoff, const Poll& poll) {
   body.highest_cutoff = part->highest_cutoff / size;
   body.stable_step *= size;
   for (ModeGroup& group : body.groups) {
+    group.wave_number /= size;
     for (double& omega : group.omega) omega = std::min(omega / size, cutoff);  // rounding
   }
   body.surface = [part, size](const ContactPoints& points) {

@@ -54,7 +54,7 @@ std::vector<ModeGroup> group_by_degree(const std::vector<Mode>& modes) {
     const double n = mode.order;
     if (groups.empty() || groups.back().order != mode.order) {
       const auto row = static_cast<std::size_t>(mode.order);
-      groups.push_back({mode.order, {}, {}, {}, row + 1, row > 0 ? row - 1 : 1});
+      groups.push_back({mode.order, {}, {}, {}, row + 1, row > 0 ? row - 1 : 1, {}, n});
     }
     groups.back().omega.push_back(mode.omega);
     groups.back().upper.push_back((n + 1.0) / (2.0 * n + 1.0) * (mode.radial - n * mode.tangential));

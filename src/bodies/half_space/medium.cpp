@@ -1,0 +1,26 @@
+#include "bodies/half_space/medium.hpp"
+
+#include <boost/math/special_functions/bessel.hpp>
+#include <cmath>
+#include <numbers>
+
+namespace stoss::bodies::half_space {
+
+double Medium::compliance(double wave_number) const {
+  return contour == Contour::ball ? softness / std::numbers::pi : 2.0 * softness / (std::numbers::pi * wave_number);
+}
+
+double Medium::shape(double phase) const {
+  return contour == Contour::ball ? boost::math::cyl_bessel_j(0, phase) : std::cos(phase);
+}
+
+Medium medium(Contour contour, double poisson) {
+  // A half-plane in plane stress with ν₂ moves as one in plane strain with ν₂/(1 + ν₂), with 2μ(1 + ν₂) = E₂ = 1.
+  const bool plane = contour == Contour::cylinder;
+  const LambKernel kernel = lamb_kernel(plane ? poisson / (1.0 + poisson) : poisson);
+  const double shear_speed = 1.0 / std::sqrt(2.0 * (1.0 + poisson));
+  return {kernel, contour, shear_speed / std::sqrt(kernel.squared_ratio), shear_speed,
+          plane ? 1.0 : 1.0 - poisson * poisson};
+}
+
+}  // namespace stoss::bodies::half_space

@@ -1,0 +1,15 @@
+#pragma once
+
+#include <vector>
+
+namespace stoss::numeric {
+
+/// Nodes and weights of Gauss–Legendre quadrature on −1 … 1, ascending.
+struct GaussRule {
+  std::vector<double> node, weight;
+};
+
+/// The rule of any number of nodes, to 1e-15; kept for the next call on the same thread.
+[[nodiscard]] const GaussRule& gauss_legendre(int nodes);
+
+}  // namespace stoss::numeric
