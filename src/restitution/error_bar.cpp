@@ -65,8 +65,9 @@ Estimate lost_on_a_growing_contact(const Contact& contact, double speed, const s
   constexpr double safety = 3.0;
   const auto missing = contact.first->contour == Contour::ball ? missing_of_balls : missing_on_a_line;
   const double scale = time_scale(contact), own = own_speed(contact, speed);
+  const double returned = contact.radiating ? unresolved_share(contact) : 1.0;  // a half-space returns nothing
   const auto corrected = [&](const Run& run) {
-    return run.lost_fraction - missing(run.cutoff * scale, own).share * run.unresolved;
+    return run.lost_fraction - returned * missing(run.cutoff * scale, own).share * run.unresolved;
   };
   const Run& last = runs.back();
   const Missing lacks = missing(last.cutoff * scale, own);
