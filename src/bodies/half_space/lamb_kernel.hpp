@@ -1,0 +1,40 @@
+#pragma once
+
+namespace stoss::bodies::half_space {
+
+/// The surface of an elastic half-space as undamped oscillators: one Rayleigh wave and a continuum (docs/theory/
+/// half_space.md).
+///
+/// A pressure p of wave number k moves the surface by (1 − ν)/(μk) Γ p, at the frequency s = −iω by
+///
+///   Γ(ζ) = aζ² / {(1 − ν)[(2 + ζ²)² − 4ab]},   ζ = s/(c_s k),   a² = 1 + η̂ζ²,   b² = 1 + ζ²,   η̂ = (c_s/c_p)²
+///        = a_R/(ζ² + x_R²) + ∫₁^∞ ρ(x)/(ζ² + x²) dx,   x = ω/(c_s k),
+///
+/// with Γ(0) = a_R/x_R² + ∫ρ/x² dx = 1, and a_R, ρ ≥ 0 (H. Lamb, Phil. Trans. R. Soc. A 203, 1, 1904). All numbers are
+/// good to 1e-15.
+struct LambKernel {
+  double poisson = 0.0;          ///< ν
+  double squared_ratio = 0.0;    ///< η̂ = (1 − 2ν)/(2(1 − ν))
+  double rayleigh_root = 0.0;    ///< x_R: speed of the Rayleigh wave over c_s
+  double rayleigh_weight = 0.0;  ///< a_R
+  double second_moment = 0.0;    ///< m₂ = a_R/x_R⁴ + ∫ρ/x⁴ dx = (3 − 4η̂ + 3η̂²)/(4(1 − η̂))
+
+  /// ρ(x) of the continuum. It starts as √(x − 1), falls to 0 and rises again as a root at the speed of pressure waves,
+  /// x = 1/√η̂ (at ν = 0 alone it stays finite there), and tends to ρ(∞) = (2/π)√η̂/(1 − ν).
+  /// @param x speed of the wave along the surface over c_s, 1 … ∞
+  [[nodiscard]] double density(double x) const;
+};
+
+/// The kernel of a Poisson number.
+/// @param poisson −0.95 … 0.4999. @throws InvalidInput outside
+[[nodiscard]] LambKernel lamb_kernel(double poisson);
+
+/// C(ν) of the energy that a force F on a small part of the surface radiates, C/(ρc_s³) ∫Ḟ² dt, to 1e-14:
+///
+///   C = ¼(1 − ν) [a_R/x_R³ + ∫ρ/x³ dx]
+///
+/// 0.137227 at ν = 0.3; the first term is the share of the Rayleigh wave, 65 % there. It holds where all waves are long
+/// against the loaded part.
+[[nodiscard]] double radiation_coefficient(const LambKernel& kernel);
+
+}  // namespace stoss::bodies::half_space
