@@ -1,7 +1,8 @@
 #pragma once
 
-// Slow contacts: everything in include/stoss/quasistatic/ but the point contacts of spheres (point_*.hpp), whose
-// functions overload those here: with both, an address such as &compression needs a cast.
+// Slow contacts: everything in include/stoss/quasistatic/ but the point contacts of spheres (point_*.hpp,
+// half_space_radiation.hpp), whose functions overload those here: with both, an address such as &compression needs a
+// cast.
 
 #include "stoss/quasistatic/compression.hpp"
 #include "stoss/quasistatic/heavy_disk.hpp"
