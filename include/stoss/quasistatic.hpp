@@ -7,6 +7,7 @@
 #include "stoss/quasistatic/compression.hpp"
 #include "stoss/quasistatic/heavy_disk.hpp"
 #include "stoss/quasistatic/hertz.hpp"
+#include "stoss/quasistatic/lossy_impact.hpp"
 #include "stoss/quasistatic/rayleigh.hpp"
 #include "stoss/quasistatic/slow_impact.hpp"
 #include "stoss/quasistatic/soft_static_contact.hpp"

@@ -59,4 +59,15 @@ const Quantities<HalfSpaceRadiation>& half_space_radiation_quantities() {
   return all;
 }
 
+const Quantities<LossyImpact>& lossy_impact_quantities() {
+  using L = LossyImpact;
+  static const Quantities<L> all{
+      {"restitution", none, &L::restitution},
+      {"loss_number", none, &L::loss_number},
+      {"contact_time", time, &L::contact_time},
+      {"max_compression", length, &L::max_compression},
+  };
+  return all;
+}
+
 }  // namespace stoss::quasistatic

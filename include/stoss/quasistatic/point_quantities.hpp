@@ -2,6 +2,7 @@
 
 #include "stoss/quantity.hpp"
 #include "stoss/quasistatic/half_space_radiation.hpp"
+#include "stoss/quasistatic/point_lossy_impact.hpp"
 #include "stoss/quasistatic/point_rayleigh.hpp"
 #include "stoss/quasistatic/point_slow_impact.hpp"
 
@@ -15,5 +16,8 @@ namespace stoss::quasistatic {
 
 /// Quantities of the loss of a slow ball to a half-space.
 [[nodiscard]] const Quantities<HalfSpaceRadiation>& half_space_radiation_quantities();
+
+/// Quantities of an impact of lossy round bodies.
+[[nodiscard]] const Quantities<LossyImpact>& lossy_impact_quantities();
 
 }  // namespace stoss::quasistatic
