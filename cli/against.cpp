@@ -21,8 +21,13 @@ const std::map<std::string, std::vector<std::string>> kinds{
     {"disk", {"poisson", "radius", "young", "density"}},
     {"sphere", {"poisson", "radius", "young", "density", "yield"}},
     {"rod", {"length", "young", "density", "area"}},
+    {"half-space", {"poisson", "young", "density", "yield"}},
+    {"half-plane", {"poisson", "young", "density"}},
     {"exponential", {"hardness", "strength"}},
 };
+
+const std::vector<std::string> names_of_kinds{"wall", "same",       "disk",       "sphere",
+                                              "rod",  "half-space", "half-plane", "exponential"};
 
 [[noreturn]] void refuse(const std::string& got, const std::vector<std::string>& allowed, const std::string& where) {
   const std::string similar = nearest(got, allowed);
@@ -48,7 +53,7 @@ Against parse_against(const std::string& text) {
   Against against;
   against.kind = without_spaces(parts.front());
   const auto kind = kinds.find(against.kind);
-  if (kind == kinds.end()) refuse(against.kind, {"wall", "same", "disk", "sphere", "rod", "exponential"}, "");
+  if (kind == kinds.end()) refuse(against.kind, names_of_kinds, "");
   const std::vector<std::string>& keys = kind->second;
   for (auto part = parts.begin() + 1; part != parts.end(); ++part) {
     const auto equals = part->find('=');

@@ -7,7 +7,7 @@ namespace stoss::cli {
 
 /// What --against says: KIND[,key=value…].
 struct Against {
-  std::string kind = "wall";             ///< wall, same, disk, sphere, rod or exponential
+  std::string kind = "wall";             ///< wall, same, disk, sphere, rod, half-space, half-plane or exponential
   std::map<std::string, double> values;  ///< of the keys that were given
 
   /// Of a key, or what holds without it.
@@ -15,6 +15,9 @@ struct Against {
 
   /// Whether it is a body, not a wall.
   [[nodiscard]] bool is_body() const { return kind != "wall" && kind != "exponential"; }
+
+  /// Whether it extends to infinity, and has no size.
+  [[nodiscard]] bool is_unbounded() const { return kind == "half-space" || kind == "half-plane"; }
 };
 
 /// @throws InvalidInput for a kind or a key that there is not, a key that comes twice, and what is no number

@@ -3,9 +3,11 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <limits>
 #include <utility>
 #include <vector>
 
+#include "stoss/bodies/half_space.hpp"
 #include "stoss/bodies/rod.hpp"
 #include "stoss/errors.hpp"
 #include "stoss/quasistatic/yield.hpp"
@@ -25,17 +27,39 @@ auto of_what_is_met(Make make) {
   }
 }
 
+/// Where the half-space has its surface for such bodies; "" for rods.
+std::string unbounded_partner(BodyKind kind) {
+  if (kind == BodyKind::rod) return {};
+  return kind == BodyKind::sphere ? "half-space" : "half-plane";
+}
+
 void require_partner(BodyKind kind, const Against& against) {
-  if (!against.is_body() || against.kind == "same" || against.kind == name(kind)) return;
+  const std::string unbounded = unbounded_partner(kind);
+  if (!against.is_body() || against.kind == "same" || against.kind == name(kind) || against.kind == unbounded) return;
+  const std::string own(name(kind));
   throw InvalidInput(
-      fmt::format("against: got {} with --body {}, allowed wall, same or {} (a disk meets disks, a sphere "
-                  "spheres, a rod rods)",
-                  against.kind, name(kind), name(kind)));
+      fmt::format("against: got {} with --body {}, allowed wall, same{} (a disk meets disks and half-planes, a sphere "
+                  "spheres and half-spaces, a rod rods)",
+                  against.kind, own, unbounded.empty() ? " or " + own : ", " + own + " or " + unbounded));
+}
+
+void require_elastic(const FirstBody& first, const Against& against) {
+  if (!first.rigid) return;
+  if (!against.is_body() || against.kind == "same") {
+    throw InvalidInput(
+        fmt::format("rigid-body: got --rigid-body with --against {}, allowed only with {} or {}, which "
+                    "give way",
+                    against.kind, name(first.kind), unbounded_partner(first.kind)));
+  }
+  if (first.sphere && first.sphere->material.yield_strength) {
+    throw InvalidInput("yield: got --yield with --rigid-body, allowed only without (the second may have yield=)");
+  }
 }
 
 void require_si_keys(const Against& against) {
   const std::vector<std::string> round{"young", "density", "radius"}, rod{"young", "density", "length", "area"};
-  const auto& keys = against.kind == "rod" ? rod : round;
+  const std::vector<std::string> unbounded{"young", "density"};
+  const auto& keys = against.is_unbounded() ? unbounded : against.kind == "rod" ? rod : round;
   for (const std::string& key : keys) {
     if (against.values.contains(key)) continue;
     throw InvalidInput(fmt::format("against: got {} without {}, allowed all of {}, in SI as the first", against.kind,
@@ -54,12 +78,15 @@ std::optional<Scales> si_scales(const FirstBody& first) {
 Encounter::Encounter(FirstBody first, Against against)
     : first_(std::move(first)), si_(si_scales(first_)), against_(std::move(against)) {
   require_partner(first_.kind, against_);
-  if (si_ && against_.kind == name(first_.kind)) require_si_keys(against_);
+  require_elastic(first_, against_);
+  if (si_ && second_is_given()) require_si_keys(against_);
   if (!si_ && against_.values.contains("yield")) {
     throw InvalidInput("against: got yield without a material, allowed only with --young, --density, --radius");
   }
   yield_speed_ = find_yield_speed();
 }
+
+bool Encounter::second_is_given() const { return against_.is_body() && against_.kind != "same"; }
 
 double Encounter::poisson() const {
   if (first_.kind == BodyKind::disk) return first_.disk.plane_poisson();
@@ -67,8 +94,9 @@ double Encounter::poisson() const {
 }
 
 BodyMaker Encounter::make_first(double poisson) const {
-  if (first_.kind == BodyKind::disk) return stoss::disk(poisson);
-  return rods() ? rod(first_.rod.value_or(Rod{})) : stoss::sphere(poisson);
+  if (rods()) return rod(first_.rod.value_or(Rod{}));
+  const BodyMaker elastic = first_.kind == BodyKind::disk ? stoss::disk(poisson) : stoss::sphere(poisson);
+  return first_.rigid ? rigid(elastic) : elastic;
 }
 
 Rod Encounter::second_rod() const {
@@ -89,7 +117,7 @@ Disk Encounter::second_disk(double poisson) const {
             against_.value("density", 1.0)};
   }
   const Plane plane = first_.disk.chosen_plane();
-  const Scales other = scales(second_material(), plane, against_.values.at("radius"));
+  const Scales other = scales(second_material(), plane, against_.value("radius", si_->length));
   const auto modulus = [](const Scales& of) { return of.force / of.length; };
   return {stoss::plane_poisson(second_material(), plane), other.length / si_->length, modulus(other) / modulus(*si_),
           against_.values.at("density") / *first_.disk.density};
@@ -104,8 +132,13 @@ Sphere Encounter::second_sphere(double poisson) const {
 BodyMaker Encounter::make_second(double poisson) const {
   if (against_.kind == "same") return make_first(poisson);
   return of_what_is_met([&]() -> BodyMaker {
-    if (first_.kind == BodyKind::disk) return stoss::disk(second_disk(poisson));
-    return rods() ? rod(second_rod()) : stoss::sphere(second_sphere(poisson));
+    if (rods()) return rod(second_rod());
+    if (first_.kind == BodyKind::disk) {
+      const Disk disk = second_disk(poisson);
+      return against_.is_unbounded() ? half_plane({disk.poisson, disk.young, disk.density}) : stoss::disk(disk);
+    }
+    const Sphere sphere = second_sphere(poisson);
+    return against_.is_unbounded() ? half_space({sphere.poisson, sphere.young, sphere.density}) : stoss::sphere(sphere);
   });
 }
 
@@ -114,8 +147,8 @@ RefinableContact Encounter::refinable(double poisson) const {
   return {make_first(poisson), make_second(poisson)};
 }
 
-Contact Encounter::contact(double poisson, double cutoff) const {
-  if (against_.is_body()) return stoss::contact(make_first(poisson), make_second(poisson), cutoff);
+Contact Encounter::contact(double poisson, double cutoff, double speed) const {
+  if (against_.is_body()) return stoss::contact(make_first(poisson), make_second(poisson), cutoff, speed);
   const ExponentialWall soft{against_.value("hardness", default_hardness), against_.value("strength", 1.0)};
   const Wall wall = against_.kind == "wall" ? Wall(HardWall{}) : Wall(soft);
   of_what_is_met([&] { validate(wall); });
@@ -129,9 +162,11 @@ std::optional<double> Encounter::find_yield_speed() const {
   if (!against_.is_body()) return quasistatic::yield_speed(material, radius);
   if (against_.kind == "same") return quasistatic::yield_speed(material, radius, material, radius);
   (void)quasistatic::yield_speed(material, radius);
-  return of_what_is_met([&] {
-    return quasistatic::yield_speed(first_.sphere->material, first_.sphere->radius, second_material(),
-                                    against_.values.at("radius"));
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  Material met = material;
+  if (first_.rigid) met.young = infinity;
+  return of_what_is_met([&, radius = radius] {
+    return quasistatic::yield_speed(met, radius, second_material(), against_.value("radius", infinity));
   });
 }
 
@@ -152,11 +187,12 @@ void Encounter::describe(nlohmann::ordered_json& inputs) const {
   if (first_.kind == BodyKind::disk) first_.disk.describe(inputs);
   if (first_.kind == BodyKind::sphere) cli::describe(first_.disk.poisson, first_.sphere, inputs);
   if (first_.rod) cli::describe(*first_.rod, inputs);
+  if (first_.rigid) inputs["rigid_body"] = true;
   inputs["against"] = against_.kind;
   if (against_.kind == "exponential") {
     inputs["against_hardness"] = against_.value("hardness", default_hardness);
     inputs["against_strength"] = against_.value("strength", 1.0);
-  } else if (against_.kind == name(first_.kind)) {
+  } else if (second_is_given()) {
     describe_second(inputs);
   }
 }
@@ -180,7 +216,10 @@ void Encounter::describe_second(nlohmann::ordered_json& inputs) const {
                                                                  : nlohmann::ordered_json(poisson->second);
   }
   const std::vector<std::string> round{"radius", "young", "density"}, rod{"length", "young", "density", "area"};
-  for (const std::string& key : rods() ? rod : round) inputs["against_" + key] = against_.value(key, 1.0);
+  for (const std::string& key : rods() ? rod : round) {
+    if (key == "radius" && against_.is_unbounded()) continue;
+    inputs["against_" + key] = against_.value(key, 1.0);
+  }
 }
 
 }  // namespace stoss::cli

@@ -21,9 +21,10 @@ struct FirstBody {
   DiskArguments disk;                 ///< the disk; of a sphere, the Poisson number
   std::optional<SolidSphere> sphere;  ///< with a material
   std::optional<Rod> rod;             ///< with a material
+  bool rigid = false;                 ///< has the mass and the units of the elastic one
 };
 
-/// Who meets whom: a disk, a sphere or a rod, and a wall or a second body.
+/// Who meets whom: a disk, a sphere or a rod, and a wall, a second body, a half-space or a half-plane.
 class Encounter {
  public:
   /// @throws InvalidInput for numbers that no body or wall can have, and bodies that do not meet
@@ -40,8 +41,8 @@ class Encounter {
   /// @throws InvalidInput as the core
   [[nodiscard]] RefinableContact refinable(double poisson) const;
 
-  /// At one cutoff, for `impact`.
-  [[nodiscard]] Contact contact(double poisson, double cutoff) const;
+  /// At one cutoff and speed, for `impact`.
+  [[nodiscard]] Contact contact(double poisson, double cutoff, double speed) const;
 
   /// Adds the two to the inputs of a result.
   void describe(nlohmann::ordered_json& inputs) const;
@@ -58,6 +59,7 @@ class Encounter {
   [[nodiscard]] Disk second_disk(double poisson) const;
   [[nodiscard]] Sphere second_sphere(double poisson) const;
   [[nodiscard]] Rod second_rod() const;
+  [[nodiscard]] bool second_is_given() const;
   [[nodiscard]] Material second_material() const;
   [[nodiscard]] std::optional<double> find_yield_speed() const;
   void describe_second(nlohmann::ordered_json& inputs) const;
@@ -77,6 +79,7 @@ struct EncounterArguments {
   SphereArguments sphere;
   RodArguments rod;
   std::string body = "disk";
+  bool rigid = false;
   std::string against = "wall";
   CLI::App* command = nullptr;
 

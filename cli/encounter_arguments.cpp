@@ -22,6 +22,7 @@ const std::vector<Owned> owned{
     {"radius", {"disk", "sphere"}},
     {"plane", {"disk"}},
     {"yield", {"sphere"}},
+    {"rigid-body", {"disk", "sphere"}},
     {"length", {"rod"}},
     {"area", {"rod"}},
 };
@@ -34,6 +35,10 @@ void EncounterArguments::add_to(CLI::App& to, const std::string& kind, const std
       ->check(CLI::IsMember({"disk", "sphere", "rod"}))
       ->type_name("BODY")
       ->group("Body");
+  to.add_flag("--rigid-body", rigid,
+              "The body is rigid: it keeps its mass, and its modulus and density\n"
+              "remain the units; with something to meet that gives way")
+      ->group("Body");
   disk.add_material_to(to, material_group);
   sphere.add_to(to);
   rod.add_to(to);
@@ -44,9 +49,13 @@ void EncounterArguments::add_to(CLI::App& to, const std::string& kind, const std
                 "               in units of the first; with a material, in SI\n"
                 "  sphere[,poisson=NU,radius=R,young=E,density=RHO,yield=Y]: a second\n"
                 "               sphere, likewise; yield only with a material\n"
-                "  rod[,length=L,young=E,density=RHO,area=A]: a second rod, likewise" +
+                "  rod[,length=L,young=E,density=RHO,area=A]: a second rod, likewise\n"
+                "  half-space[,poisson=NU,young=E,density=RHO,yield=Y]: an elastic\n"
+                "               half-space for a sphere, likewise\n"
+                "  half-plane[,poisson=NU,young=E,density=RHO]: one for a disk" +
                     help)
-      ->type_name("{wall,same,disk,sphere,rod" + (kind.empty() ? "" : "," + kind) + "}[,KEY=NUMBER]...")
+      ->type_name("{wall,same,disk,sphere,rod,half-space,half-plane" + (kind.empty() ? "" : "," + kind) +
+                  "}[,KEY=NUMBER]...")
       ->group("Against");
 }
 
@@ -59,7 +68,7 @@ Encounter EncounterArguments::encounter() const {
     throw InvalidInput(fmt::format("{0}: got --{0} with --body {1}, allowed only with --body {2}", option, body,
                                    fmt::join(bodies, " or ")));
   }
-  FirstBody first{kind, disk, {}, {}};
+  FirstBody first{kind, disk, {}, {}, rigid};
   if (kind == BodyKind::sphere) first.sphere = sphere.si(disk);
   if (kind == BodyKind::rod) first.rod = rod.si(disk);
   return {std::move(first), parse_against(against)};

@@ -60,6 +60,7 @@ void write_table(const std::string& path, const Record& record, std::vector<Mode
   const std::size_t count = std::min(shown, modes.size());
   std::partial_sort(modes.begin(), modes.begin() + static_cast<std::ptrdiff_t>(count), modes.end(),
                     [](const ModeEnergy& a, const ModeEnergy& b) { return a.average > b.average; });
+  if (count == 0) return output.close();
   output.write("\nmost energetic modes (shares of the initial energy)\n");
   const auto body = [&](const std::string& text) { return pair ? fmt::format("{:>8}", text) : ""; };
   output.write(fmt::format("{}{:>5}{:>5}{:>12}{:>14}{:>14}\n", body("body"), "n", "l", "omega", "average", "after"));
@@ -92,7 +93,7 @@ void run(const ImpactArguments& arguments) {
   const double poisson = encounter.poisson();
   ImpactOptions options{.resolution = arguments.resolution};
   options.resolution.tail = arguments.tail == "static" ? Tail::quasistatic : Tail::radiating;
-  const Contact contact = encounter.contact(poisson, arguments.cutoff);
+  const Contact contact = encounter.contact(poisson, arguments.cutoff, speeds[0]);
   const Provenance provenance = describe(arguments, encounter);
 
   Impact result;
@@ -116,7 +117,11 @@ void run(const ImpactArguments& arguments) {
 
   const Record record = make_record(result, encounter, poisson);
   if (arguments.output.chosen_format() == Format::table) {
-    write_table(arguments.output.path, record, result.energy.modes, encounter.against().is_body());
+    const bool unbounded = encounter.against().is_unbounded();
+    std::vector<ModeEnergy> modes = result.energy.modes;
+    // The waves of a half-space are a continuum: single ones say little.
+    if (unbounded) std::erase_if(modes, [](const ModeEnergy& mode) { return mode.body == 1; });
+    write_table(arguments.output.path, record, std::move(modes), encounter.against().is_body() && !unbounded);
     return;
   }
   Report report(Output(arguments.output.path), arguments.output.chosen_format(), provenance);
@@ -170,7 +175,8 @@ void add_impact(CLI::App& app) {
       "  stoss impact --poisson 0.33 --speed 0.1 --trajectory t.csv --every 4\n"
       "  stoss impact --poisson 0.33 --speed 0.2 --against disk,radius=2\n"
       "  stoss impact --poisson 0.33 --speed 0.1 --against exponential,hardness=300\n"
-      "  stoss impact --body sphere --poisson 0.3 --speed 0.1 --against sphere,radius=2,young=4");
+      "  stoss impact --body sphere --poisson 0.3 --speed 0.1 --against sphere,radius=2,young=4\n"
+      "  stoss impact --body sphere --poisson 0.3 --speed 0.1 --against half-space --cutoff 12");
   command->callback([arguments] { run(*arguments); });
 }
 

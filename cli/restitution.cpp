@@ -50,7 +50,7 @@ void check_against(const RestitutionArguments& arguments, const Encounter& encou
   const std::string& kind = encounter.against().kind;
   if (kind == "exponential") {
     throw InvalidInput(
-        "against: got exponential, allowed wall, same, disk, sphere or rod (stoss impact meets an exponential wall)");
+        "against: got exponential, allowed wall, same or a body (stoss impact meets an exponential wall)");
   }
   if (!arguments.converges() && (kind != "wall" || encounter.units().body != BodyKind::disk)) {
     throw InvalidInput(
@@ -188,7 +188,7 @@ void add_resolution(CLI::App& command, RestitutionArguments& arguments) {
 
 void add_restitution(CLI::App& app, int& exit_code) {
   auto* command =
-      app.add_subcommand("restitution", "Coefficient of restitution at a wall or of two bodies, with errors");
+      app.add_subcommand("restitution", "Coefficient of restitution at a wall, a half-space or of two bodies");
   auto arguments = std::make_shared<RestitutionArguments>();
   arguments->command = command;
   command
@@ -225,6 +225,9 @@ void add_restitution(CLI::App& app, int& exit_code) {
       "  stoss restitution --body sphere --poisson 0.3 --speed log:1e-5:0.3:40\n"
       "  stoss restitution --body sphere --poisson 0.3 --young 2.1e11 --density 7850 --radius 0.01\n"
       "      --yield 1e9 --speed 0.1,1 --against sphere,young=7e10,density=2500,radius=0.02\n"
+      "  stoss restitution --body sphere --poisson 0.3 --speed log:1e-5:0.1:20 --against half-space\n"
+      "  stoss restitution --body sphere --poisson 0.3 --young 2.1e11 --density 7850 --radius 0.005\n"
+      "      --speed 0.1,1 --against half-space,poisson=0.23,young=7e10,density=2500\n"
       "  stoss restitution --body rod --speed 0.1 --against rod,length=2.5,density=3\n"
       "  stoss restitution --body rod --young 2.1e11 --density 7850 --length 0.5 --area 1e-4 --speed 1\n"
       "      --against rod,young=7e10,density=2700,length=1,area=2e-4");

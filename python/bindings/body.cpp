@@ -5,6 +5,7 @@
 #include "bindings.hpp"
 #include "interpreter.hpp"
 #include "stoss/bodies/disk.hpp"
+#include "stoss/bodies/half_space.hpp"
 #include "stoss/bodies/rod.hpp"
 #include "stoss/bodies/sphere.hpp"
 
@@ -45,6 +46,20 @@ void bind_body(py::module_& module) {
         return sphere(Sphere{poisson, radius, young, density});
       },
       py::arg("poisson"), py::arg("radius"), py::arg("young"), py::arg("density"));
+  module.def(
+      "half_space",
+      [](double poisson, double young, double density) {
+        return half_space(HalfSpace{poisson, young, density});
+      },
+      py::arg("poisson"), py::arg("young"), py::arg("density"));
+  module.def(
+      "half_plane",
+      [](double poisson, double young, double density) {
+        return half_plane(HalfPlane{poisson, young, density});
+      },
+      py::arg("poisson"), py::arg("young"), py::arg("density"));
+  module.def(
+      "rigid", [](const BodyMaker& elastic) { return rigid(elastic); }, py::arg("elastic"));
   module.def(
       "with_modes",
       [](const Body& all, const py::array_t<bool, py::array::c_style>& keep) {

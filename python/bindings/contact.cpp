@@ -18,12 +18,12 @@ void bind_contact(py::module_& module) {
       py::arg("wall"));
   module.def(
       "pair",
-      [](const BodyMaker& first, const BodyMaker& second, double cutoff) {
+      [](const BodyMaker& first, const BodyMaker& second, double cutoff, double slowest) {
         const Poll poll = signal_poll();
         const Released released;
-        return stoss::contact(first, second, cutoff, poll);
+        return stoss::contact(first, second, cutoff, slowest, poll);
       },
-      py::arg("first"), py::arg("second"), py::arg("cutoff"));
+      py::arg("first"), py::arg("second"), py::arg("cutoff"), py::arg("slowest"));
   module.def(
       "refinable", [](const BodyMaker& body) { return RefinableContact(body); }, py::arg("body"));
   module.def(

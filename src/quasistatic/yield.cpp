@@ -5,14 +5,18 @@
 #include <limits>
 #include <numbers>
 
+#include "stoss/errors.hpp"
+
 namespace stoss::quasistatic {
 namespace {
 
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
 /// What Hertz' impact knows of one sphere; of two, what their series is.
 struct Hertzian {
-  double compliance;    ///< 1/E*
-  double curvature;     ///< 1/R
-  double inverse_mass;  ///< 1/m
+  double compliance;    ///< 1/E*, 0 of a rigid sphere
+  double curvature;     ///< 1/R, 0 of a half-space
+  double inverse_mass;  ///< 1/m, 0 of a half-space
 };
 
 Hertzian of_sphere(const Material& material, double radius) {
@@ -20,6 +24,21 @@ Hertzian of_sphere(const Material& material, double radius) {
   const double volume = 4.0 * std::numbers::pi / 3.0 * radius * radius * radius;
   return {(1.0 - material.poisson * material.poisson) / material.young, 1.0 / radius,
           1.0 / (volume * material.density)};
+}
+
+/// A sphere, or what is the limit of spheres.
+Hertzian of_any(const Material& material, double radius) {
+  constexpr double any = 1.0;
+  Material elastic = material;
+  if (material.young == infinity) elastic.young = any;
+  Hertzian hertzian = of_sphere(elastic, radius == infinity ? any : radius);
+  if (material.young == infinity) hertzian.compliance = 0.0;
+  if (radius == infinity) hertzian.curvature = hertzian.inverse_mass = 0.0;
+  return hertzian;
+}
+
+double strength_of(const Material& material) {
+  return material.young == infinity ? infinity : material.yield_strength.value_or(infinity);
 }
 
 /// The power is taken last, so that no material overflows.
@@ -40,13 +59,15 @@ std::optional<double> yield_speed(const Material& material, double radius) {
 
 std::optional<double> yield_speed(const Material& first, double first_radius, const Material& second,
                                   double second_radius) {
-  const Hertzian one = of_sphere(first, first_radius), other = of_sphere(second, second_radius);
-  if (!first.yield_strength && !second.yield_strength) return std::nullopt;
-  constexpr double unbreakable = std::numeric_limits<double>::infinity();
-  const double strength =
-      std::min(first.yield_strength.value_or(unbreakable), second.yield_strength.value_or(unbreakable));
+  const Hertzian one = of_any(first, first_radius), other = of_any(second, second_radius);
   const Hertzian both{one.compliance + other.compliance, one.curvature + other.curvature,
                       one.inverse_mass + other.inverse_mass};
+  if (both.curvature == 0.0)
+    throw InvalidInput("radius: got inf of both, allowed one half-space (the other is a sphere)");
+  if (both.compliance == 0.0)
+    throw InvalidInput("young: got inf of both, allowed one rigid body (the other gives way)");
+  const double strength = std::min(strength_of(first), strength_of(second));
+  if (strength == infinity) return std::nullopt;
   return speed_at(both, yield_pressure_ratio * strength);
 }
 

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "stoss/bodies/sphere.hpp"
@@ -48,6 +49,27 @@ TEST(YieldSpeed, AtAGreatHardSphereIsThatAtAWall) {
   const Material diamond{1e30, 0.2, 1e10};
   const double pair = yield_speed(steel(1e9), 0.01, diamond, 1e6).value();
   EXPECT_NEAR(pair / yield_speed(steel(1e9), 0.01).value(), 1.0, 1e-6);
+}
+
+// Two spheres of which one grows: the error is of the order of R/R₂.
+TEST(YieldSpeed, AtAHalfSpaceIsTheLimitOfAGreatSphere) {
+  constexpr double half_space = std::numeric_limits<double>::infinity();
+  const Material glass{7e10, 0.22, 2500.0, 5e8};
+  const double limit = yield_speed(steel(1e9), 0.01, glass, half_space).value();
+  EXPECT_NEAR(yield_speed(steel(1e9), 0.01, glass, 1e4).value() / limit, 1.0, 1e-5);
+  EXPECT_NEAR(yield_speed(glass, half_space, steel(1e9), 0.01).value() / limit, 1.0, 1e-14);
+  const double wall = yield_speed(steel(1e9), 0.01).value();  // v ∝ 1/E*²: of one material it is twice as soft
+  EXPECT_NEAR(yield_speed(steel(1e9), 0.01, steel(1e9), half_space).value() / wall, 4.0, 1e-12);
+}
+
+TEST(YieldSpeed, OfARigidSphereIsTheLimitOfAHardOne) {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  const Material glass{7e10, 0.22, 2500.0, 5e8}, rigid{infinity, 0.3, 7850.0, 1.0}, hard{1e20, 0.3, 7850.0};
+  const double limit = yield_speed(rigid, 0.01, glass, infinity).value();
+  EXPECT_NEAR(yield_speed(hard, 0.01, glass, infinity).value() / limit, 1.0, 1e-8);
+  EXPECT_FALSE(yield_speed(rigid, 0.01, steel({}), infinity));  // it does not yield itself
+  EXPECT_THROW((void)yield_speed(rigid, 0.01, rigid, infinity), InvalidInput);
+  EXPECT_THROW((void)yield_speed(glass, infinity, glass, infinity), InvalidInput);
 }
 
 TEST(YieldSpeed, IsNotKnownWithoutAStrength) {

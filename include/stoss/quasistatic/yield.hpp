@@ -25,6 +25,9 @@ inline constexpr double yield_pressure_ratio = 1.6;
 /// Speed of approach of two spheres at which the one of less yield strength begins to yield, m/s: as above with
 /// 1/E* = Σ(1 − ν²)/E, 1/R = Σ 1/R_k, 1/m = Σ 1/m_k. Nothing where neither has a yield strength; one that has none is
 /// taken not to yield.
+///
+/// A half-space is a sphere of infinite radius, and so of infinite mass; a rigid sphere, which does not yield, one of
+/// infinite Young's modulus. Of each there may be one.
 /// @throws InvalidInput as scales
 [[nodiscard]] std::optional<double> yield_speed(const Material& first, double first_radius, const Material& second,
                                                 double second_radius);
