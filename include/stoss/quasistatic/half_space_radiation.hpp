@@ -27,7 +27,7 @@ struct BallOnHalfSpace {
 /// k of 1 − ε² → k (v/c)^{3/5} as v → 0: (15π/2) B(4/5, 3/2) D (5πS/4)^{−6/5} with the softness S = 1/E* of both.
 ///
 /// 1.132 for ball and half-space of one material with ν = 0.3, 2.600 for a rigid ball. The law itself is 2 % low at
-/// v = 1e-4 and 10 % low at v = 0.01, where half_space_radiation is better.
+/// v = 1e-4 and 9 % low at v = 0.01, where half_space_radiation is better.
 /// @throws InvalidInput outside the ranges of BallOnHalfSpace
 [[nodiscard]] double radiation_constant(const BallOnHalfSpace& bodies);
 
