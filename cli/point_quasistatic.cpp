@@ -7,8 +7,7 @@
 #include "interrupt.hpp"
 #include "quasistatic.hpp"
 #include "stoss/errors.hpp"
-#include "stoss/quasistatic/point_rayleigh.hpp"
-#include "stoss/quasistatic/yield.hpp"
+#include "stoss/quasistatic.hpp"
 #include "tables.hpp"
 
 namespace stoss::cli {

@@ -17,6 +17,7 @@ from stoss._errors import Interrupted, NotConverged, StossWarning
 from stoss._progress import bar
 from stoss._restitution_result import Restitution
 from stoss._result import columns
+from stoss._si import warn_of_yielding
 from stoss._walls import HardWall
 
 
@@ -151,3 +152,4 @@ def _judge(result: Restitution) -> None:
     if np.any(result.beyond_small_strain):
         text = "speed above 0.5 c or compression above 0.5 R: linear elasticity has lost its meaning here"
         warnings.warn(text, StossWarning, stacklevel=3)
+    warn_of_yielding(result, 3)

@@ -67,6 +67,8 @@ class Restitution(InSiWithErrors):
     material : Material or None
         Of the body. If there is one, `speed_si`, `contact_time_si`, `max_force_si`,
         `max_compression_si` and their errors, `contact_time_si_error` and so on, are the SI values.
+        If a sphere has a yield strength, `yield_speed` and `yield_speed_si` say where yielding
+        begins, and `beyond_yield` which values are beyond it.
     """
 
     _name: ClassVar[str] = "restitution"
