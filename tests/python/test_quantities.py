@@ -18,7 +18,7 @@ HARD = stoss.Material(young=2.1e11, poisson=0.3, density=7850, yield_strength=1e
 RESULTS = [
     ("impact", stoss.Impact, set(), {"body", "against", "speed", "mode_energies", "keep", "_handle"}),
     ("restitution", stoss.Restitution, set(),
-     {"body", "against", "poisson", "speed", "reason", "tolerance", "absolute"}),
+     {"body", "bodies", "against", "poisson", "speed", "reason", "tolerance", "absolute"}),
     ("snapshot", stoss.Trajectory, set(), {"impact"}),
     ("mode", stoss.Modes, {"family"}, {"body", "poisson", "cutoff"}),  # radial_family
     ("sphere mode", stoss.Modes, set(), {"body", "poisson", "cutoff"}),
