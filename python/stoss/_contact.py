@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from stoss import _core
 from stoss._arguments import instance, refusal
-from stoss._bodies import BODIES, Body, Disk
+from stoss._bodies import BODIES, Body, Disk, Sphere
 from stoss._errors import InvalidInput
 from stoss._walls import HardWall, Wall
 
@@ -23,6 +23,25 @@ def choose_body(body: Any, poisson: Any) -> Body:
         got = "neither" if body is None else "body and poisson"
         raise InvalidInput(f"body: got {got}, allowed one of body and poisson")
     return Disk(poisson=poisson) if body is None else instance("body", body, BODIES)
+
+
+def choose_bodies(given: Any) -> tuple[list[Body], NDArray[np.float64]]:
+    """Each of several bodies once, and an array of the shape in which they were given of their numbers among these."""
+    try:
+        array = np.array(given, dtype=object)
+    except Exception:  # whatever a foreign object raises when it is asked for its elements
+        array = np.empty(0, dtype=object)
+    found: dict[Body, int] = {}
+    for each in array.flat:
+        instance("body", each, (Disk, Sphere))
+        if found and type(each) is not type(next(iter(found))):
+            raise refusal("body", each, "one kind of bodies in a list")
+        if each.material is not None:
+            raise refusal("body", each, "bodies without a material in a list (their units would differ)")
+        found.setdefault(each, len(found))
+    if not found:
+        raise refusal("body", given, "one body, or a list or an array of them")
+    return list(found), np.array([found[each] for each in array.flat], dtype=np.float64).reshape(array.shape)
 
 
 def choose_against(body: Body, against: Any, walls: tuple[type, ...]) -> Against:
