@@ -51,9 +51,11 @@ std::vector<double> speeds(double poisson, double omega) {
 }
 
 /// 1 − ε² by the ends of Hertz' pulse alone (docs/theory/points.md), with the contact time of the law of the centre.
-double loss_of_ends(const PointRayleighEstimate& slow, const std::vector<Mode>& modes) {
+/// @param share 1, or 0 without the phase Φ that the stiffness of the contact adds
+double loss_of_ends(const PointRayleighEstimate& slow, const std::vector<Mode>& modes, double share) {
   const double modulus = 1.0 / (1.0 - slow.impact.poisson * slow.impact.poisson), mass = 4.0 * pi / 3.0;
-  const double contact = 0.5549 * 4.0 * modulus * std::pow(slow.impact.max_radius, 3.0) / (mass * slow.impact.speed);
+  const double contact =
+      share * 0.5549 * 4.0 * modulus * std::pow(slow.impact.max_radius, 3.0) / (mass * slow.impact.speed);
   double sum = 0.0;
   for (const Mode& mode : modes) {
     const double square = mode.radial * mode.radial;
@@ -66,11 +68,11 @@ double loss_of_ends(const PointRayleighEstimate& slow, const std::vector<Mode>& 
 
 /// The quasi-static columns, where they have a meaning.
 std::string estimate(double poisson, double speed, const std::vector<Mode>& modes) {
-  if (speed > 0.9 * stoss::quasistatic::limit_speed(PointLaw::center, poisson)) return ",,,";
+  if (speed > 0.9 * stoss::quasistatic::limit_speed(PointLaw::center, poisson)) return ",,,,";
   const PointRayleighEstimate slow = stoss::quasistatic::rayleigh(PointLaw::center, poisson, speed, modes);
-  if (slow.beyond_perturbation) return ",,,";
-  return fmt::format("{:.5f},{:.6g},{:.1e},{:.6g}", slow.impact.contact_time, slow.lost_fraction,
-                     slow.lost_fraction_error, loss_of_ends(slow, modes));
+  if (slow.beyond_perturbation) return ",,,,";
+  return fmt::format("{:.5f},{:.6g},{:.1e},{:.6g},{:.6g}", slow.impact.contact_time, slow.lost_fraction,
+                     slow.lost_fraction_error, loss_of_ends(slow, modes, 1.0), loss_of_ends(slow, modes, 0.0));
 }
 
 void write_curve(fmt::ostream& out, double poisson) {
@@ -106,15 +108,15 @@ int main(int argc, char** argv) {
   try {
     auto out = fmt::output_file(argv[1]);
     out.print(
-        "# Sphere against a rigid wall, tolerance {} of 1-eps^2; made by `make results`. See "
+        "# Sphere against a rigid wall, tolerance {} of 1-eps^2; made by `make results`. Columns: "
         "docs/results/spheres.md.\n",
         tolerance);
     out.print(
         "poisson,speed[c],restitution,restitution_error,lost_fraction,lost_fraction_error,contact_time[R/c],"
         "contact_time_error,max_force[mc^2/R],max_compression[R],contact_time_over_quadrupole_period,"
-        "quadrupole_share_of_loss,mean_loss_factor,mean_loss_factor_of_quadrupole,quasistatic_contact_time[R/"
-        "c],quasistatic_lost_fraction,"
-        "quasistatic_error,lost_fraction_of_ends,converged\n");
+        "quadrupole_share_of_loss,mean_loss_factor,mean_loss_factor_of_quadrupole,quasistatic_contact_time[R/c],"
+        "quasistatic_lost_fraction,quasistatic_error,lost_fraction_of_ends,lost_fraction_of_ends_without_phase,"
+        "converged\n");
     for (const double poisson : {0.0, 0.2, 0.3, 0.45, 0.49}) write_curve(out, poisson);
   } catch (const std::exception& error) {
     fmt::print(stderr, "stoss_spheres: {}\n", error.what());
