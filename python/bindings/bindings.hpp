@@ -21,5 +21,6 @@ void bind_field(py::module_& module);
 void bind_restitution(py::module_& module);
 void bind_extrapolation(py::module_& module);
 void bind_quasistatic(py::module_& module);
+void bind_point_quasistatic(py::module_& module);
 
 }  // namespace stoss::python

@@ -77,7 +77,9 @@ class Impact(InSiOfAnImpact):
         Which modes up to the cutoff were kept, if not all: those of `mode_energies`.
     material : Material or None
         Of the body. If there is one, `speed_si`, `contact_time_si`, `max_force_si`,
-        `max_compression_si` and `max_half_width_si` are the SI values.
+        `max_compression_si` and `max_half_width_si` are the SI values. If a sphere has a yield
+        strength, `yield_speed` and `yield_speed_si` say where yielding begins, and `beyond_yield`
+        whether the impact is faster.
     """
 
     _name: ClassVar[str] = "impact"

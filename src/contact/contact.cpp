@@ -34,9 +34,7 @@ void add_modes(const Body& body, const Units& units, std::size_t first_row, Cont
 }
 
 /// In this order it is m/2 to the last bit for equal bodies.
-double reduced(double first, double second) {
-  return std::isinf(second) ? first : first * (second / (first + second));
-}
+double reduced(double first, double second) { return std::isinf(second) ? first : first * (second / (first + second)); }
 
 }  // namespace
 

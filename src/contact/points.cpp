@@ -17,6 +17,8 @@ namespace {
 /// Largest angle of a point on the circle. The exponential wall acts on the front half of a body (paper eq. (40)), and
 /// behind its widest place a disk touches only a body of its own size (or the wall, where the model means little).
 double greatest_angle(const Contact& contact) {
+  constexpr double before_the_widest = 0.95;  // where points at equal angles crowd together on a plane
+  if (contact.radiating) return before_the_widest * 0.5 * std::numbers::pi;
   const bool same_size = contact.second == nullptr || contact.second->scale.length == contact.first->scale.length;
   const bool all_around = same_size && std::holds_alternative<HardWall>(contact.wall);
   return all_around ? std::numbers::pi : 0.5 * std::numbers::pi;

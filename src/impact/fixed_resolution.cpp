@@ -5,6 +5,7 @@
 #include <string>
 
 #include "check.hpp"
+#include "digits.hpp"
 #include "impact/grid_size.hpp"
 #include "stoss/errors.hpp"
 
@@ -28,6 +29,10 @@ void require_start(const State& start, double speed) {
 
 FixedResolution fix(const Contact& contact, double speed, const ImpactOptions& options) {
   require_speed(speed);
+  if (contact.radiating && own_speed(contact, speed) > 1.0) {
+    throw InvalidInput("speed: got " + shown(speed) + " c at a soft half-space, allowed up to " +
+                       shown(speed / own_speed(contact, speed)) + " (the wave speed of the softer body)");
+  }
   if (options.start) require_start(*options.start, speed);
   const auto& [step, nodes, asked_half_width, tail] = options.resolution;
   if (step) {

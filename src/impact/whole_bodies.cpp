@@ -15,7 +15,8 @@ double echo_time(const Contact& contact) {
 
 Outlasted::Outlasted(double contact_time, double echo)
     : NotConverged("impact: the contact lasts " + std::to_string(contact_time) +
-                   " R/c, and what stands for the larger body is like it for " + std::to_string(echo) + " only") {}
+                   " R/c, and the echo from where the part of the larger body ends is back after " +
+                   std::to_string(echo)) {}
 
 WholeBodies::WholeBodies(const Contact& contact, const Snapshot& start)
     : contact_(contact),

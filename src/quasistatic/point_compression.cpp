@@ -68,11 +68,12 @@ double center_constant(double poisson) {
   return sum;
 }
 
-RadiusLaw::RadiusLaw(PointLaw law, double poisson) : scale_(0.0) {
+RadiusLaw::RadiusLaw(PointLaw law, double poisson) : RadiusLaw(law, poisson, 1.0 - poisson * poisson) {}
+
+RadiusLaw::RadiusLaw(PointLaw law, double poisson, double softness) : scale_(1.0 / (pi * softness)) {
   bodies::sphere::require_poisson(poisson);
-  scale_ = 1.0 / (pi * (1.0 - poisson * poisson));
   if (law == PointLaw::hertz) return;
-  constexpr double factor = 4.0 / (3.0 * pi);
+  const double factor = 4.0 / (3.0 * pi) * ((1.0 - poisson * poisson) / softness);
   const double g = log_factor(poisson);
   logarithm_ = factor * g;
   constant_ = factor * (g * (19.0 / 12.0 - std::numbers::ln2) + center_constant(poisson) -

@@ -33,6 +33,9 @@ PointPulse::PointPulse(PointLaw law, double poisson, double speed) : law_(law, p
   greatest_ = law_.at_energy(0.5 * speed * speed);
 }
 
+PointPulse::PointPulse(const RadiusLaw& law, double speed)
+    : law_(law), speed_(speed), greatest_(law_.at_energy(0.5 * speed * speed)) {}
+
 double PointPulse::place_of(double phase) {
   if (!(phase > 0.0)) return end_of_time;
   return std::clamp(0.5 * std::log((pi - phase) / phase), 0.0, end_of_time);
@@ -65,6 +68,28 @@ double PointPulse::max_force_rate() const {
   const auto negative_rate = [this](double phase) { return -std::cos(phase) * law_.stiffness(radius(phase)); };
   constexpr int bits = 26;
   return -boost::math::tools::brent_find_minima(negative_rate, 0.0, 0.5 * pi, bits).second;
+}
+
+template <typename Function>
+double PointPulse::over_pulse(Function f) const {
+  constexpr double step = 0.125;  // the nearest singularities are at Im u = π/2
+  double sum = 0.0;
+  for (int i = 0; i * step < end_of_time; ++i) {
+    const Rate at = rate(i * step);
+    sum += (i > 0 ? 2.0 : 1.0) * at.time * f(phase_at(i * step), at.radius);
+  }
+  return step * sum;
+}
+
+double PointPulse::squared_force() const {
+  return over_pulse([this](double, double a) { return law_.force(a) * law_.force(a); });
+}
+
+double PointPulse::squared_force_rate() const {
+  return over_pulse([this](double phase, double a) {
+    const double rate = speed_ * std::cos(phase) * law_.stiffness(a);
+    return rate * rate;
+  });
 }
 
 PointPulse::Nodes PointPulse::nodes(double omega) const {

@@ -15,6 +15,8 @@ class PointPulse {
  public:
   /// @throws InvalidInput as slow_impact
   PointPulse(PointLaw law, double poisson, double speed);
+  /// @param speed at which the law does not end
+  PointPulse(const RadiusLaw& law, double speed);
 
   [[nodiscard]] const RadiusLaw& law() const { return law_; }
   [[nodiscard]] double greatest_radius() const { return greatest_; }
@@ -30,6 +32,10 @@ class PointPulse {
 
   /// Greatest |dF/dt| / v.
   [[nodiscard]] double max_force_rate() const;
+
+  /// ∫F² dt over the whole pulse, and ∫(dF/dt)² dt, both to 1e-13; F in mc²/R.
+  [[nodiscard]] double squared_force() const;
+  [[nodiscard]] double squared_force_rate() const;
 
   /// The u of a phase of 0 … π/2 before or after the turning point, at most where time and impulse end.
   [[nodiscard]] static double place_of(double phase);
@@ -52,6 +58,10 @@ class PointPulse {
     double time, radius;
   };
   [[nodiscard]] Rate rate(double u) const;
+
+  /// ∫f dt over the whole pulse for an f(phase, radius) that is even about the turning point.
+  template <typename Function>
+  [[nodiscard]] double over_pulse(Function f) const;
 };
 
 }  // namespace stoss::quasistatic

@@ -85,6 +85,15 @@ double ForcePulse::max_force_rate() const {
   return -boost::math::tools::brent_find_minima(negative_rate, 0.0, place_of(end_of_time), bits).second;
 }
 
+double ForcePulse::squared_force() const {
+  constexpr double step = 0.125;
+  double sum = 0.0;
+  for (double u = 0.0; fall_at(u) < end_of_impulse; u += step) {
+    sum += (u > 0.0 ? 2.0 : 1.0) * rate(u) * std::exp(-2.0 * fall_at(u));
+  }
+  return step * sum / energy_factor();
+}
+
 ForcePulse::Nodes ForcePulse::nodes(double omega) const {
   const double end = place_of(end_of_impulse);
   double fastest = 0.0;

@@ -31,6 +31,9 @@ class ForcePulse {
   /// Greatest |dF/dt| / v.
   [[nodiscard]] double max_force_rate() const;
 
+  /// ∫F² dt / v² over the whole pulse, to 1e-13.
+  [[nodiscard]] double squared_force() const;
+
   /// Instants of one half of the pulse, from the turning point: over the whole of it ∫F f(t) dt = v Σ weight f(time)
   /// for even f; for f = cos ωt up to the given frequency to 1e-11, below D = 1e-2 and ω = 1000, and mostly to 1e-14.
   struct Nodes {

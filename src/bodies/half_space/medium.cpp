@@ -11,7 +11,8 @@ double Medium::compliance(double wave_number) const {
 }
 
 double Medium::shape(double phase) const {
-  return contour == Contour::ball ? boost::math::cyl_bessel_j(0, phase) : std::cos(phase);
+  constexpr boost::math::policies::policy<boost::math::policies::promote_double<false>> in_double{};
+  return contour == Contour::ball ? boost::math::cyl_bessel_j(0, phase, in_double) : std::cos(phase);
 }
 
 Medium medium(Contour contour, double poisson) {

@@ -21,8 +21,12 @@ using Eigen::Index;
 class ShapeProducts {
  public:
   ShapeProducts(const Medium& medium, const ContactPoints& points, const Poll& poll)
-      : medium_(medium), poll_(poll), distance_(points.count), sum_(Matrix::Zero(count(points), count(points))),
-        shape_(block, count(points)), load_(block, count(points)) {
+      : medium_(medium),
+        poll_(poll),
+        distance_(points.count),
+        sum_(Matrix::Zero(count(points), count(points))),
+        shape_(block, count(points)),
+        load_(block, count(points)) {
     for (std::size_t i = 0; i < points.count; ++i) distance_[i] = lateral_distance(points, i);
   }
 
@@ -102,7 +106,9 @@ void resolve_each_pair(const Medium& medium, const ContactPoints& points, double
 
 }  // namespace
 
-double lateral_distance(const ContactPoints& points, std::size_t i) { return points.radius * std::sin(points.angle(i)); }
+double lateral_distance(const ContactPoints& points, std::size_t i) {
+  return points.radius * std::sin(points.angle(i));
+}
 
 Residual::Residual(const Medium& medium, double cutoff, std::shared_ptr<const std::vector<SurfaceWaves>> waves)
     : medium_(medium),

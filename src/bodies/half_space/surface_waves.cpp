@@ -67,7 +67,13 @@ Piece continuum(const LambKernel& kernel, double end, double turns) {
   if (end <= pressure) return piece;
   const double root_end = std::min(end, root_reach * pressure);
   add_root_part(kernel, pressure, pressure, root_end, nodes(2.0 * (root_end - pressure), 6.0), piece);
-  if (end > root_end) add_smooth_part(kernel, root_end, end, nodes(end - root_end, 4.0), piece);
+  // Its moments fall as powers of x: none of the parts is much longer than it is far from 0.
+  constexpr double widest = 4.0;
+  for (double from = root_end; from < end;) {
+    const double to = end < 1.5 * widest * from ? end : widest * from;
+    add_smooth_part(kernel, from, to, nodes(to - from, 4.0), piece);
+    from = to;
+  }
   return piece;
 }
 
@@ -156,8 +162,8 @@ std::vector<SurfaceWaves> surface_waves(const Medium& medium, double cutoff, dou
 
 double expected_count(const Medium& medium, double cutoff, double duration) {
   const double turns = 0.25 * share_of_duration * duration * cutoff;
-  const double wave_numbers = 1.1 * turns * medium.pressure_speed / (medium.kernel.rayleigh_root * medium.shear_speed) + 24.0;
-  return wave_numbers * (turns + 20.0);
+  const double roots = 5.0 / std::sqrt(medium.kernel.squared_ratio) + 16.0;
+  return (2.3 * turns + 24.0) * (turns + roots);
 }
 
 }  // namespace stoss::bodies::half_space
