@@ -44,7 +44,7 @@ def compression(
     >>> round(stoss.quasistatic.compression(stoss.Sphere(poisson=0.3), force=0.001), 6)
     0.018322
     """
-    return by_law(_core.compression, _core.point_compression, body, poisson, law, force=force)  # type: ignore[no-any-return]
+    return by_law(_core.compression, _core.point_compression, body, poisson, law, force=force)
 
 
 def compression_force(
@@ -75,7 +75,7 @@ def compression_force(
     >>> stoss.quasistatic.compression_force(compression=[0.01, 0.02], poisson=0.33).round(6)
     array([0.001645, 0.003821])
     """
-    return by_law(_core.compression_force, _core.point_compression_force, body, poisson, law, compression=compression)  # type: ignore[no-any-return]
+    return by_law(_core.compression_force, _core.point_compression_force, body, poisson, law, compression=compression)
 
 
 def compression_energy(
@@ -104,7 +104,7 @@ def compression_energy(
     >>> round(energy / (0.5 * 0.01**2), 12)
     1.0
     """
-    return by_law(_core.compression_energy, _core.point_compression_energy, body, poisson, law, force=force)  # type: ignore[no-any-return]
+    return by_law(_core.compression_energy, _core.point_compression_energy, body, poisson, law, force=force)
 
 
 def contact_radius(body: Sphere, *, force: ArrayLike) -> Number:
@@ -157,7 +157,7 @@ def limit_force(
     >>> round(stoss.quasistatic.limit_force(poisson=0.33), 4)
     0.2638
     """
-    return by_law(_core.limit_force, _core.point_limit_force, body, poisson, law)  # type: ignore[no-any-return]
+    return by_law(_core.limit_force, _core.point_limit_force, body, poisson, law)
 
 
 def limit_speed(
@@ -179,4 +179,4 @@ def limit_speed(
     >>> round(stoss.quasistatic.limit_speed(poisson=0.33), 4)
     0.1865
     """
-    return by_law(_core.limit_speed, _core.point_limit_speed, body, poisson, law)  # type: ignore[no-any-return]
+    return by_law(_core.limit_speed, _core.point_limit_speed, body, poisson, law)

@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 from stoss._arguments import arranged, broadcast, choice, instance, numbers
 from stoss._bodies import Disk, Sphere
 from stoss._contact import choose_body
+from stoss._result import Number
 
 LAWS: Mapping[type, tuple[str, ...]] = {Disk: ("center", "diameter", "printed"), Sphere: ("center", "hertz")}
 """Laws of compression of the bodies that have some."""
@@ -35,10 +36,11 @@ def by_law(
     poisson: Any,
     law: Any,
     **given: Any,
-) -> Any:
+) -> Number:
     """One of two functions of the core of a law, a Poisson number and what else is given, over arrays."""
     nu = poissons_of(body, poisson)
     chosen = choose_law(body, law)
     arrays = broadcast(poisson=nu, **{name: numbers(name, value) for name, value in given.items()})
     function = point if isinstance(body, Sphere) else line
-    return arranged(function(chosen, *(each.ravel() for each in arrays)), arrays[0].shape)
+    values = function(chosen, *(each.ravel() for each in arrays))
+    return arranged(values, arrays[0].shape)  # type: ignore[no-any-return]

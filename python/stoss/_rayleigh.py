@@ -46,16 +46,17 @@ def rayleigh(
     """Rayleigh's estimate of the energy that slow impacts leave in vibration, with its error.
 
     The force F(t) of a `slow_impact` drives every mode at the point of contact, Q̈ + ω²Q = −C F/m,
-    which leaves it the share C² (∫F cos ωt dt / v)² of the energy. The stiffness of a sphere's contact
-    turns the phases of its modes besides. For a value that is as exact as
-    you ask use `stoss.restitution`.
+    which leaves it the share C² (∫F cos ωt dt / v)² of the energy. The stiffness of a sphere's
+    contact turns the phases of its modes besides. For a value that is as exact as you ask use
+    `stoss.restitution`.
 
     Parameters
     ----------
     body : Disk or Sphere
     speed : array_like
         Of the centre of mass towards the wall, 1e-100 (of a sphere 1e-12) to `limit_speed`, c (with
-        a material: m/s). Two equal bodies that each move at `speed` towards each other are the same problem.
+        a material: m/s). Two equal bodies that each move at `speed` towards each other are the same
+        problem.
     poisson : array_like
         In place of `body`: 2-D Poisson number of disks, −0.95 to 0.995; broadcasts with `speed`.
     law : {'center', 'diameter', 'printed', 'hertz'}, optional
@@ -75,8 +76,8 @@ def rayleigh(
     Warns
     -----
     StossWarning
-        If there are values beyond perturbation theory or the speed at which yielding begins. Of a disk at ν = 0.33 from v = 0.024 c on, of a
-        sphere at ν = 0.3 from 0.039 c on.
+        If there are values beyond perturbation theory, of a disk at ν = 0.33 from v = 0.024 c on, of a
+        sphere at ν = 0.3 from 0.039 c on; or beyond the speed at which a sphere begins to yield.
 
     Examples
     --------

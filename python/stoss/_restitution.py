@@ -150,7 +150,8 @@ def _make(
     values = {name: arranged(column, speeds.shape) for name, column in columns(table).items()}
     given = {"poisson": poissons, "speed": speeds, "reason": reasons}
     inputs = {name: arranged(column, speeds.shape) for name, column in given.items()}
-    return Restitution(body=body, bodies=bodies, against=against, tolerance=tolerance, absolute=absolute, **inputs, **values)
+    who: dict[str, Any] = {"body": body, "bodies": bodies, "against": against}
+    return Restitution(**who, tolerance=tolerance, absolute=absolute, **inputs, **values)
 
 
 def _judge(result: Restitution) -> None:

@@ -100,7 +100,8 @@ def warn_of_yielding(result: InSi, stacklevel: int) -> None:
     """A warning, as from that many calls above, if impacts are faster than the speed at which yielding begins."""
     found = result._yield_speed()
     if found is not None and np.any(result.beyond_yield):
-        text = f"speed above {found:.4g} m/s, where yielding begins (see .beyond_yield): elastic values are bounds there"
+        hint = "see .beyond_yield: elastic values are bounds there"
+        text = f"speed above {found:.4g} m/s, where yielding begins ({hint})"
         warnings.warn(text, StossWarning, stacklevel=stacklevel + 1)
 
 

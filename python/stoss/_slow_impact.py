@@ -46,7 +46,8 @@ def slow_impact(
     body : Disk or Sphere
     speed : array_like
         Of the centre of mass towards the wall, 1e-100 (of a sphere 1e-12) to `limit_speed`, c (with
-        a material: m/s). Two equal bodies that each move at `speed` towards each other are the same problem.
+        a material: m/s). Two equal bodies that each move at `speed` towards each other are the same
+        problem.
     poisson : array_like
         In place of `body`: 2-D Poisson number of disks, −0.95 to 0.995; broadcasts with `speed`.
     law : {'center', 'diameter', 'printed', 'hertz'}, optional
@@ -60,6 +61,11 @@ def slow_impact(
     ------
     InvalidInput
         For arguments out of range.
+
+    Warns
+    -----
+    StossWarning
+        If there are values beyond the speed at which a sphere begins to yield.
 
     Examples
     --------

@@ -160,7 +160,8 @@ def test_yield_speed_is_that_of_the_greatest_pressure(stoss):
     (row,) = stoss.data(f"{SPHERE} {STEEL} --yield {strength} --speed 1e-3")
     speed = number(row, "yield_speed_si")
     assert number(row, "yield_speed") == pytest.approx(speed / C, rel=1e-14) and row["beyond_yield"] == "false"
-    result = stoss.run(f"{SPHERE} {STEEL} --yield {strength} --law hertz --speed {speed!r},{1.001 * speed!r} --format csv")
+    speeds = f"{speed!r},{1.001 * speed!r}"
+    result = stoss.run(f"{SPHERE} {STEEL} --yield {strength} --law hertz --speed {speeds} --format csv")
     at, beyond = rows(result.stdout)
     pressure = 1.5 * number(at, "max_force_si") / (math.pi * number(at, "max_radius_si") ** 2)
     assert pressure == pytest.approx(1.6 * strength, rel=1e-12)

@@ -79,7 +79,7 @@ def test_refusals_of_combinations(steel):
     with pytest.raises(stoss.InvalidInput, match="^distance: got -0.1, allowed"):
         quasistatic.hertz_pressure(BALL, force=0.01, y=-0.1)
     for pair in ({"body": BALL}, {"body": HARD, "against": BALL}):
-        with pytest.raises(stoss.InvalidInput, match=r"^(body|against): got Sphere\(poisson=0.3\), allowed a stoss.Sphere"):
+        with pytest.raises(stoss.InvalidInput, match=r"^(body|against): got Sphere\(.*\), allowed a stoss.Sphere"):
             quasistatic.yield_speed(**pair)
     for function in (quasistatic.slow_impact, quasistatic.rayleigh):
         for given_ in ({}, {"poisson": 0.3, "body": steel}, {"body": "steel"}, {"body": stoss.Rod()}):

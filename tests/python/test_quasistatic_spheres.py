@@ -41,7 +41,8 @@ def test_slow_impacts_are_those_of_the_command(command, law):
         [f"{beyond} of 4 values beyond perturbation theory"] if beyond else []
     )
     assert beyond or law == "hertz"
-    more = ("lost_fraction", "lost_fraction_error", "mean_lost_fraction", "kinetic_share", "beyond_perturbation", "modes")
+    more = ("lost_fraction", "lost_fraction_error", "mean_lost_fraction", "kinetic_share", "beyond_perturbation",
+            "modes")  # fmt: skip
     same(estimate, records, alike + more)
     assert estimate.mode_energies is None
 
