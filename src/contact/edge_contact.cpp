@@ -28,6 +28,14 @@ double EdgeContact::energy(const std::vector<double>& force, const std::vector<d
   return sum;
 }
 
+double EdgeContact::law_energy(const std::vector<double>& force) const {
+  double sum = 0.0;
+  for (std::size_t i = 0; i < extent_ && !law_.gap.empty(); ++i) {
+    sum += law_.energy_at(i, closure_[i]) - force[i] * law_.gap_at(i, closure_[i]);
+  }
+  return sum;
+}
+
 void EdgeContact::solve(const std::vector<double>& q, std::vector<double>& force, std::vector<double>& displacement) {
   double scale = 0.0;
   bool near = false;

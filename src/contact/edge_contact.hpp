@@ -33,6 +33,9 @@ class EdgeContact {
   /// Energy ½ fᵀW f of the compliance and that of the law, whose gradient in q is the last f.
   [[nodiscard]] double energy(const std::vector<double>& force, const std::vector<double>& displacement) const;
 
+  /// That of the law alone.
+  [[nodiscard]] double law_energy(const std::vector<double>& force) const;
+
   /// Distance in front of first contact from which a body at rest inside feels the law.
   [[nodiscard]] double range(const std::vector<double>& recess) const { return law_.range(recess); }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <memory>
 #include <vector>
 
@@ -32,6 +33,9 @@ class ContactResponse {
 
   /// Energy that the modes above the cutoff have taken so far.
   [[nodiscard]] virtual double unresolved_energy() const { return 0.0; }
+
+  /// Energy that the material of the first and of the second body has taken so far from the modes above the cutoff.
+  [[nodiscard]] virtual std::array<double, 2> dissipated_energy() const { return {}; }
 
   /// Largest distance by which a free node may at present lie in front of its x_dyn.
   [[nodiscard]] virtual double protrusion() const { return 0.0; }

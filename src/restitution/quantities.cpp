@@ -30,6 +30,7 @@ const Quantities<Restitution>& restitution_quantities() {
       {"max_force", force, &R::max_force},
       {"lost_to_first", none, [](const R& r) { return finest(r, r.finest.energy.lost_to_first); }},
       {"lost_to_second", none, [](const R& r) { return finest(r, r.finest.energy.lost_to_second); }},
+      {"dissipated", none, [](const R& r) { return finest(r, r.finest.energy.dissipated); }},
       {"cutoff", frequency, [](const R& r) { return finest(r, r.finest.cutoff); }},
       {"modes", none, [](const R& r) { return count(r.finest.energy.modes); }},
       {"runs", none, [](const R& r) { return count(r.runs); }},

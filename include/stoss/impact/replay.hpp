@@ -40,8 +40,9 @@ struct BodyFrame {
 /// @throws InvalidInput for a body that is not there, and a frame of another contact
 [[nodiscard]] BodyFrame seen_by(const Contact& contact, const ContactGrid& grid, const Frame& frame, int number);
 
-/// State after the bodies have touched nothing for a time, forward or back: x₀ drifts and every mode
-/// rotates.
+/// State after the bodies have touched nothing for a time, forward or back: x₀ drifts and every mode rotates, and
+/// decays in a lossy body; back in time it grows.
+/// @throws InvalidInput for a time so far back that a vibration of a lossy body exceeds all numbers
 [[nodiscard]] State free_motion(const Contact& contact, const State& state, double time);
 
 /// Energy of each mode, mc², in the order of Contact::groups.
