@@ -24,6 +24,9 @@ class EdgeContact {
   /// @throws NotConverged if q is not finite, or no forces obey the law to rounding
   void solve(const std::vector<double>& q, std::vector<double>& force, std::vector<double>& displacement);
 
+  /// Tells the law of a lossy contact how the foremost node has moved in a step, before it is solved.
+  void follow(double before, double now, double step);
+
   /// Number of leading nodes beyond which the last force vanishes.
   [[nodiscard]] std::size_t extent() const { return extent_; }
 

@@ -7,7 +7,8 @@ namespace stoss {
 
 QuasistaticTail::QuasistaticTail(const Contact& contact, const ContactGrid& grid, double speed, double step,
                                  const Poll& poll)
-    : residuals_(contact, grid, ResidualMotion::Inertia::none, step, poll),
+    : step_(step),
+      residuals_(contact, grid, ResidualMotion::Inertia::none, step, poll),
       contact_(residuals_.compliance(), edge_law(contact, grid, speed), grid.recess.size(), poll),
       range_(contact_.range(grid.recess)),
       lossy_(longest_loss_time(contact) > 0.0),
@@ -22,6 +23,8 @@ const std::vector<double>& QuasistaticTail::advance(const std::vector<double>& p
   }
   const std::vector<double>& free = residuals_.predict();
   for (std::size_t i = 0; i < position.size(); ++i) gap_[i] = position[i] - free[i];
+  contact_.follow(foremost_, position.front(), step_);
+  foremost_ = position.front();
   contact_.solve(gap_, force_, displacement_);
   for (std::size_t i = 0; i < position.size(); ++i) displacement_[i] += free[i];
   residuals_.move(displacement_, force_, contact_.extent());

@@ -21,6 +21,7 @@ class QuasistaticTail final : public ContactResponse {
   [[nodiscard]] double range() const override { return range_; }
 
  private:
+  double step_;
   Residuals residuals_;
   EdgeContact contact_;
   double range_;
@@ -28,6 +29,7 @@ class QuasistaticTail final : public ContactResponse {
   std::vector<double> force_;
   std::vector<double> displacement_;
   std::vector<double> gap_;  // x_dyn − h
+  double foremost_ = 0.0;    // x_dyn of the first node
 };
 
 }  // namespace stoss

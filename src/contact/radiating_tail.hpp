@@ -16,11 +16,12 @@ class RadiatingTail final : public ContactResponse {
   [[nodiscard]] double half_width() const override { return contact_.half_width(); }
   [[nodiscard]] bool overflows() const override { return contact_.extent() == force_.size(); }
   [[nodiscard]] double unresolved_energy() const override;
-  [[nodiscard]] std::array<double, 2> dissipated_energy() const override { return residuals_.dissipated(); }
+  [[nodiscard]] std::array<double, 2> dissipated_energy() const override;
   [[nodiscard]] double range() const override { return range_; }
   [[nodiscard]] double protrusion() const override;
 
  private:
+  double step_;
   Residuals residuals_;
   EdgeContact contact_;  // with W′
   double range_;
@@ -31,6 +32,9 @@ class RadiatingTail final : public ContactResponse {
   std::vector<double> gap_;                   // x_dyn − h
   // ∫ f u̇ dt = ∫ f ẋ_dyn dt, as f = 0 where the two differ; by the trapezium rule in x_dyn, which is smooth.
   double work_ = 0.0;
+  bool lossy_;
+  double edge_work_ = 0.0;  // of a lossy contact: ∫ f (ẋ_dyn − u̇) dt, what the edge law takes
+  double first_share_;      // of the first body in that
 };
 
 }  // namespace stoss

@@ -177,7 +177,7 @@ ResidualMotion::ResidualMotion(const ResidualPart& part, const Contact& contact,
     }
   }
   moved_before_.resize(matrices_.masses);
-  for (auto* each : {&displacement_, &before_, &spring_force_, &spring_before_, &reaction_}) each->resize(nodes_);
+  for (auto* each : {&displacement_, &before_, &spring_force_, &spring_before_, &viscous_force_, &reaction_}) each->resize(nodes_);
 }
 
 const std::vector<double>& ResidualMotion::predict() {
@@ -220,10 +220,10 @@ void ResidualMotion::lose(const std::vector<double>& displacement, const std::ve
                                reaction_.data());
   for (std::size_t i = 0; i < nodes_; ++i) {
     const double springs = force[i] - reaction_[i];
-    const double now =
-        share_ * (springs + viscous_ * (2.0 * spring_force_[i] - 0.5 * spring_before_[i]));
-    // BDF2 of u times the viscous force, η u̇ᵀK u̇ Δt: never negative.
-    dissipated_ += (1.5 * displacement[i] - 2.0 * displacement_[i] + 0.5 * before_[i]) * (springs - now);
+    const double now = share_ * (springs + viscous_ * (2.0 * spring_force_[i] - 0.5 * spring_before_[i]));
+    const double viscous = springs - now;
+    dissipated_ += 0.5 * (viscous_force_[i] + viscous) * (displacement[i] - displacement_[i]);
+    viscous_force_[i] = viscous;
     spring_before_[i] = spring_force_[i];
     spring_force_[i] = now;
     before_[i] = displacement_[i];

@@ -81,6 +81,7 @@ class ResidualMotion {
   std::vector<double> moved_before_;                 // Rᵀu of the step before
   std::vector<double> displacement_, before_;        // u of the last two steps
   std::vector<double> spring_force_, spring_before_;  // K u of the last two steps
+  std::vector<double> viscous_force_;                // η K u̇
   std::vector<double> reaction_;                     // R ξ̈
   double dissipated_ = 0.0;
 };

@@ -58,6 +58,7 @@ KeptModes::KeptModes(const Contact& contact, const ContactGrid& grid, double ste
 void KeptModes::damp(const Contact& contact) {
   velocity_cosine_ = cosine_;
   rate_.resize(cosine_.size());
+  due_.resize(cosine_.size());
   lost_.resize(blocks() * kernels::lanes);
   for (std::size_t g = 0; g < size_.size(); ++g) {
     const double loss = loss_time(contact, g);
@@ -65,6 +66,7 @@ void KeptModes::damp(const Contact& contact) {
       const std::size_t k = position(g, l);
       const double gamma = 0.5 * loss * omega_[k] * omega_[k];
       const auto [kept, coupling, velocity] = numeric::damped_motion(omega_[k], gamma, step_);
+      due_[k] = numeric::share_due(omega_[k], gamma, step_);
       rate_[k] = 2.0 * gamma * omega_[k] * step_;
       cosine_[k] = kept;
       sine_[k] = coupling;
@@ -131,7 +133,7 @@ void KeptModes::advance() {
   if (velocity_cosine_.empty()) {
     kernels::advance(view(), begin_.data(), blocks(), push_.data(), edge_.data());
   } else {
-    kernels::advance_damped(view(), {velocity_cosine_.data(), rate_.data()}, begin_.data(), blocks(), push_.data(),
+    kernels::advance_damped(view(), {velocity_cosine_.data(), rate_.data(), due_.data()}, begin_.data(), blocks(), push_.data(),
                             edge_.data(), lost_.data());
   }
 }
@@ -167,7 +169,9 @@ double KeptModes::half_power(std::size_t group) const {
   double sum = 0.0;
   for (std::size_t l = 0; l < size_[group]; ++l) {
     const std::size_t k = position(group, l);
-    sum += 0.5 * rate_[k] * velocity(group, k) * velocity(group, k);
+    const double kick = upper_[k] * push_[group] + lower_[k] * push_[push_.size() / 2 + group];
+    const double velocity = b_[k] - due_[k] * kick;
+    sum += 0.5 * rate_[k] * velocity * velocity;
   }
   return sum;
 }

@@ -38,8 +38,8 @@ class KeptModes {
   /// Energy of all kept modes, Σ ½m(Q̇² + ω²Q²).
   [[nodiscard]] double energy() const;
 
-  /// Energy ∫ m 2γ Q̇² dt that the modes of some groups have lost to their material so far, by the trapezium rule in the
-  /// velocities that are synchronous with the coordinates: those between kicks jump, and would lose by it.
+  /// Energy ∫ m 2γ Q̇² dt that the modes of some groups have lost to their material so far, by the trapezium rule in
+  /// velocities between those before and after a kick: the jumps between these would lose energy of their own.
   [[nodiscard]] double dissipated(std::size_t begin, std::size_t end) const;
 
   /// Upper bound of the displacement of any node in free vibration.
@@ -70,6 +70,7 @@ class KeptModes {
   std::vector<double> energy_sum_;
   std::vector<double> velocity_cosine_;  // what a free step leaves of b, if any mode is damped; else empty
   std::vector<double> rate_;             // 2γωΔt of each mode: m Q̇² 2γΔt = m rate b²
+  std::vector<double> due_;              // as kernels::advance_damped has it
   std::vector<double> lost_;             // of each group in units of the mass, all but half of the present power
   std::vector<double> amplitude_of_;  // of each group: Q of its body beside that of the contact, √(mass/modal mass)
   std::vector<double> push_;          // velocity kick of a full step per unit amplitude; as kernels::advance has it

@@ -63,4 +63,9 @@ double share_beside_kicks(double omega, double gamma, double time) {
   return 1.0 - omega * time * coupling / determinant(omega, gamma, time);
 }
 
+double share_due(double omega, double gamma, double time) {
+  if (gamma == 0.0) return 0.5;
+  return 1.0 - (1.0 - damped_motion(omega, gamma, time).position) / determinant(omega, gamma, time);
+}
+
 }  // namespace stoss::numeric

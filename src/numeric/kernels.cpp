@@ -87,13 +87,14 @@ void advance_damped(const Oscillators& modes, const Damping& damping, const std:
       const double* const sine = modes.sine + at;
       const double* const velocity = damping.velocity + at;
       const double* const rate = damping.rate + at;
+      const double* const due = damping.due + at;
       const double* const upper = modes.upper + at;
       const double* const lower = modes.lower + at;
 #pragma omp simd
       for (std::size_t i = 0; i < lanes; ++i) {
         const double before = a[i];
         const double kick = upper[i] * upper_kick[i] + lower[i] * lower_kick[i];
-        const double kicked = b[i] - kick, between = b[i] - 0.5 * kick;
+        const double kicked = b[i] - kick, between = b[i] - due[i] * kick;
         const double after = before * cosine[i] + kicked * sine[i];
         a[i] = after;
         b[i] = kicked * velocity[i] - before * sine[i];

@@ -29,9 +29,10 @@ void advance(const Oscillators& modes, const std::size_t* begin, std::size_t blo
 struct Damping {
   const double* velocity;  ///< what a free step leaves of b, where `cosine` says what it leaves of a
   const double* rate;      ///< weight of b² in the power that is lost
+  const double* due;       ///< share of the kick after which b is the velocity of smooth motion
 };
 
-/// The same for damped oscillators. Adds to `lost` of each order the sum of rate b² after half of the kick.
+/// The same for damped oscillators. Adds to `lost` of each order the sum of rate b² after the due share of the kick.
 void advance_damped(const Oscillators& modes, const Damping& damping, const std::size_t* begin, std::size_t blocks,
                     const double* push, double* edge, double* lost);
 
