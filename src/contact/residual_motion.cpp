@@ -6,7 +6,7 @@
 #include <numbers>
 #include <utility>
 
-#include "numeric/damped_oscillator.hpp"
+#include "contact/kick_compliance.hpp"
 #include "numeric/dense.hpp"
 #include "numeric/kernels.hpp"
 #include "stoss/errors.hpp"
@@ -19,7 +19,6 @@ namespace kernels = numeric::kernels;
 
 using Eigen::Index;
 using Eigen::MatrixXd;
-using numeric::share_beside_kicks;
 using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
 /// γ: with it the tail of a family of modes has the spring constant (2/π) ω_c Z at high frequency (docs/numerics.md).
@@ -31,33 +30,6 @@ std::vector<double> values_of_symmetric(const MatrixXd& matrix, const Poll& poll
   std::vector<double> result = dense::zeros(static_cast<std::size_t>(matrix.size()), poll);
   std::copy_n(matrix.data(), matrix.size(), result.begin());
   return result;
-}
-
-/// Kicks of period Δt move a mode under a constant force by (Δt/2ω) cot(ωΔt/2) instead of 1/ω², or what damping makes
-/// of it. The difference of the kept modes of a part, which adds to the compliance of the others, so that the response
-/// to slow forces is exact.
-void add_kick_compliance(const ResidualPart& part, const Contact& contact, const ContactGrid& grid, double step,
-                         const Poll& poll, MatrixXd& compliance) {
-  const auto n = compliance.rows();
-  const Eigen::Map<const RowMajor> shape(grid.shape.data(), static_cast<Index>(grid.shape.size()) / n, n);
-  RowMajor response = RowMajor::Zero(shape.rows(), n);  // of each shape to forces on the nodes
-  for (std::size_t g = part.first_group; g < part.end_group; ++g) {
-    const ModeGroup& group = contact.groups[g];
-    double upper = 0.0, mixed = 0.0, lower = 0.0;
-    for (std::size_t l = 0; l < group.omega.size(); ++l) {
-      const double omega = group.omega[l], gamma = 0.5 * part.loss_time * omega * omega;
-      const double missing = share_beside_kicks(omega, gamma, step) / (omega * omega * contact.mass);
-      upper += missing * group.upper[l] * group.upper[l];
-      mixed += missing * group.upper[l] * group.lower[l];
-      lower += missing * group.lower[l] * group.lower[l];
-    }
-    const auto u = static_cast<Index>(group.upper_row), l = static_cast<Index>(group.lower_row);
-    response.row(u) += upper * shape.row(u) + mixed * shape.row(l);
-    response.row(l) += mixed * shape.row(u) + lower * shape.row(l);
-  }
-  dense::by_columns(n, poll, [&](Index first, Index count) {
-    compliance.middleCols(first, count).noalias() += shape.transpose() * response.middleCols(first, count);
-  });
 }
 
 /// Y with V = Y Yᵀ, by Cholesky factorization with pivots, up to the rank at which what is left of V is rounding: Eigen
@@ -110,7 +82,7 @@ ResidualMotion::Matrices ResidualMotion::discretize(const ResidualPart& part, co
                                                     const ContactGrid& grid, double step, const Poll& poll) {
   const auto n = static_cast<Index>(grid.recess.size());
   MatrixXd compliance = dense::square(part.compliance.data(), n, poll);
-  add_kick_compliance(part, contact, grid, step, poll, compliance);
+  if (longest_loss_time(contact) == 0.0) add_kick_compliance(contact, grid, step, poll, compliance);
   MatrixXd moment = root(dense::square(part.second_moment().data(), n, poll), poll);
   const auto masses = moment.cols();
   const Eigen::VectorXd impedance = Eigen::Map<const Eigen::VectorXd>(part.impedance.data(), n);

@@ -28,7 +28,7 @@ class ResidualMotion {
   /// Which of the modes that are not kept carry mass, and what stands in for them.
   enum class Inertia {
     none,       ///< u answers the force by itself
-    radiating,  ///< as above, with what the kicks leave out of the kept modes (docs/numerics.md, section 2) in W
+    radiating,  ///< as above; while nothing is lost, W has in it what the kicks leave out of the kept modes
   };
 
   ResidualMotion(const ResidualPart& part, const Contact& contact, const ContactGrid& grid, Inertia inertia,

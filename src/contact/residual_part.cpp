@@ -47,9 +47,7 @@ ResidualPart first_part(const Contact& contact, const ContactGrid& grid, const P
           [&body, &grid, poll] { return residual_matrix(body, body.residual_second_moment, grid.points, poll); },
           body.surface(grid.points).impedance,
           kept_cutoff(body),
-          body.loss_time,
-          0,
-          contact.first_groups};
+          body.loss_time};
 }
 
 ResidualPart second_part(const Contact& contact, const ContactGrid& grid, const Poll& poll) {
@@ -61,9 +59,7 @@ ResidualPart second_part(const Contact& contact, const ContactGrid& grid, const 
           },
           times(units.impedance, body.surface(seen_by_second(grid.points, units)).impedance),
           kept_cutoff(body) / units.time,
-          body.loss_time * units.time,
-          contact.first_groups,
-          contact.groups.size()};
+          body.loss_time * units.time};
 }
 
 }  // namespace
@@ -75,7 +71,7 @@ std::vector<ResidualPart> residual_parts(const Contact& contact, const ContactGr
   }
   return {{residual_compliance(contact, grid, poll),
            [&contact, &grid, poll] { return residual_second_moment(contact, grid, poll); }, grid.impedance,
-           kept_cutoff(contact.cutoff, loss_time), loss_time, 0, contact.groups.size()}};
+           kept_cutoff(contact.cutoff, loss_time), loss_time}};
 }
 
 std::vector<double> residual_compliance(const Contact& contact, const ContactGrid& grid, const Poll& poll) {

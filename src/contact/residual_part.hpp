@@ -1,6 +1,5 @@
 #pragma once
 
-#include <cstddef>
 #include <functional>
 #include <vector>
 
@@ -16,8 +15,6 @@ struct ResidualPart {
   std::vector<double> impedance;                       ///< Z of each point
   double cutoff = 0.0;                                 ///< of the kept modes
   double loss_time = 0.0;                              ///< η
-  std::size_t first_group = 0;                         ///< of the kept modes that belong to the part
-  std::size_t end_group = 0;
 };
 
 /// The parts that yield to one force, in series: all bodies together while they lose nothing, else each body, as each

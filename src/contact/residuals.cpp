@@ -1,5 +1,8 @@
 #include "contact/residuals.hpp"
 
+#include <algorithm>
+
+#include "contact/kick_compliance.hpp"
 #include "numeric/kernels.hpp"
 
 namespace stoss {
@@ -7,41 +10,49 @@ namespace stoss {
 namespace kernels = numeric::kernels;
 
 Residuals::Residuals(const Contact& contact, const ContactGrid& grid, ResidualMotion::Inertia inertia, double step,
-                     const Poll& poll) {
+                     const Poll& poll)
+    : lossy_(longest_loss_time(contact) > 0.0) {
   for (const ResidualPart& part : residual_parts(contact, grid, poll)) {
     parts_.emplace_back(part, contact, grid, inertia, step, poll);
   }
-  if (parts_.size() == 1) return;
-  for (auto* each : {&free_, &first_, &second_}) each->resize(grid.recess.size());
+  if (!lossy_) return;
+  const std::size_t nodes = grid.recess.size();
+  free_.resize(nodes);
+  displacement_.resize(parts_.size(), std::vector<double>(nodes));
+  const auto size = static_cast<Eigen::Index>(nodes);
+  Eigen::MatrixXd kicks = Eigen::MatrixXd::Zero(size, size);
+  if (inertia == ResidualMotion::Inertia::radiating) add_kick_compliance(contact, grid, step, poll, kicks);
+  kicks_.assign(kicks.data(), kicks.data() + kicks.size());
 }
 
 std::vector<double> Residuals::compliance() const {
   std::vector<double> sum = parts_.front().compliance();
-  if (parts_.size() == 1) return sum;
-  for (std::size_t i = 0; i < sum.size(); ++i) sum[i] += parts_.back().compliance()[i];
+  if (!lossy_) return sum;
+  for (std::size_t i = 0; i < sum.size(); ++i) {
+    if (parts_.size() > 1) sum[i] += parts_.back().compliance()[i];
+    sum[i] += kicks_[i];
+  }
   return sum;
 }
 
 const std::vector<double>& Residuals::predict() {
-  const std::vector<double>& first = parts_.front().predict();
-  if (parts_.size() == 1) return first;
-  const std::vector<double>& second = parts_.back().predict();
-  first_ = first;
-  for (std::size_t i = 0; i < free_.size(); ++i) free_[i] = first[i] + second[i];
+  if (!lossy_) return parts_.front().predict();
+  std::fill(free_.begin(), free_.end(), 0.0);
+  for (std::size_t k = 0; k < parts_.size(); ++k) {
+    displacement_[k] = parts_[k].predict();
+    for (std::size_t i = 0; i < free_.size(); ++i) free_[i] += displacement_[k][i];
+  }
   return free_;
 }
 
 void Residuals::move(const std::vector<double>& displacement, const std::vector<double>& force, std::size_t count) {
-  if (parts_.size() == 1) return parts_.front().move(displacement, force);
+  if (!lossy_) return parts_.front().move(displacement, force);
   const std::size_t nodes = displacement.size();
-  kernels::multiply_transposed(parts_.front().compliance().data(), nodes, count, 0, nodes, force.data(),
-                               second_.data());
-  for (std::size_t i = 0; i < nodes; ++i) {
-    first_[i] += second_[i];
-    second_[i] = displacement[i] - first_[i];
+  for (std::size_t k = 0; k < parts_.size(); ++k) {
+    kernels::multiply_transposed(parts_[k].compliance().data(), nodes, count, 0, nodes, force.data(), free_.data());
+    for (std::size_t i = 0; i < nodes; ++i) displacement_[k][i] += free_[i];
+    parts_[k].move(displacement_[k], force);
   }
-  parts_.front().move(first_, force);
-  parts_.back().move(second_, force);
 }
 
 std::array<double, 2> Residuals::dissipated() const {

@@ -7,13 +7,14 @@
 
 namespace stoss {
 
-/// The modes of all bodies that are not kept, part by part in series: one force, u = Σ u_k, u_k = W′_k f + h_k.
+/// The modes of all bodies that are not kept, part by part in series under one force, u = Σ u_k, u_k = W′_k f + h_k. In
+/// lossy bodies what the kicks leave out of the kept modes is a further part, A f, which loses nothing.
 class Residuals {
  public:
   Residuals(const Contact& contact, const ContactGrid& grid, ResidualMotion::Inertia inertia, double step,
             const Poll& poll);
 
-  /// W′ = Σ W′_k
+  /// Σ W′_k + A
   [[nodiscard]] std::vector<double> compliance() const;
 
   /// Begins a step: h = Σ h_k, the displacement without force.
@@ -30,8 +31,10 @@ class Residuals {
 
  private:
   std::vector<ResidualMotion> parts_;
-  std::vector<double> free_;           // of several parts
-  std::vector<double> first_, second_;  // displacements
+  bool lossy_;
+  std::vector<double> kicks_;  // A, nodes × nodes; in lossy bodies
+  std::vector<double> free_;   // of lossy bodies
+  std::vector<std::vector<double>> displacement_;  // of each part
 };
 
 }  // namespace stoss
