@@ -48,7 +48,7 @@ std::array<double, 2> RadiatingTail::dissipated_energy() const {
 
 double RadiatingTail::unresolved_energy() const {
   const auto [first, second] = dissipated_energy();
-  return work_ - first - second;
+  return work_ - first - second - stored_energy();
 }
 
 double RadiatingTail::protrusion() const {

@@ -17,6 +17,7 @@ class RadiatingTail final : public ContactResponse {
   [[nodiscard]] bool overflows() const override { return contact_.extent() == force_.size(); }
   [[nodiscard]] double unresolved_energy() const override;
   [[nodiscard]] std::array<double, 2> dissipated_energy() const override;
+  [[nodiscard]] double stored_energy() const override { return residuals_.stored(); }
   [[nodiscard]] double range() const override { return range_; }
   [[nodiscard]] double protrusion() const override;
 

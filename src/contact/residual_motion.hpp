@@ -46,7 +46,7 @@ class ResidualMotion {
   /// ∫ η u̇ᵀK u̇ dt so far.
   [[nodiscard]] double dissipated() const { return dissipated_; }
 
-  /// ½ uᵀK u, of a lossy material.
+  /// ½ uᵀK u of a lossy contact; 0 of others.
   [[nodiscard]] double stored() const;
 
  private:

@@ -26,7 +26,7 @@ class Residuals {
   /// What the material of the first and of the second body has taken.
   [[nodiscard]] std::array<double, 2> dissipated() const;
 
-  /// Energy of the springs, in lossy bodies.
+  /// Energy of the springs of lossy bodies; 0 of others.
   [[nodiscard]] double stored() const;
 
  private:

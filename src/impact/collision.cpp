@@ -218,8 +218,9 @@ Impact Collision::result() const {
   ledger.vibration = ledger.lost_to_first + ledger.lost_to_second;
   const auto [first, second] = dissipated();
   ledger.dissipated = (first + second) / initial_energy_;
-  ledger.lost_to_first += first / initial_energy_;
-  ledger.lost_to_second += second / initial_energy_;
+  const double relaxing = lossy_ ? ledger.stored : 0.0, of_first = loss_share(contact_);
+  ledger.lost_to_first += first / initial_energy_ + of_first * relaxing;
+  ledger.lost_to_second += second / initial_energy_ + (1.0 - of_first) * relaxing;
   const double share = unresolved_share(contact_);
   ledger.lost_to_first += share * ledger.unresolved;
   ledger.lost_to_second += (1.0 - share) * ledger.unresolved;

@@ -48,6 +48,7 @@ const Quantities<Run>& run_quantities() {
       {"step", time, &Run::step},
       {"nodes", none, &Run::nodes},
       {"lost_fraction", none, &Run::lost_fraction},
+      {"dissipated", none, &Run::dissipated},
       {"unresolved", none, &Run::unresolved},
       {"contact_time", time, &Run::contact_time},
       {"impulse_time", time, &Run::impulse_time},

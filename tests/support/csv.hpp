@@ -15,6 +15,7 @@ class CsvRow {
  public:
   explicit CsvRow(std::map<std::string, std::string> cells) : cells_(std::move(cells)) {}
   [[nodiscard]] bool has(const std::string& column) const { return !cells_.at(column).empty(); }
+  [[nodiscard]] const std::string& text(const std::string& column) const { return cells_.at(column); }
   [[nodiscard]] double number(const std::string& column) const { return std::stod(cells_.at(column)); }
   [[nodiscard]] int integer(const std::string& column) const { return std::stoi(cells_.at(column)); }
 

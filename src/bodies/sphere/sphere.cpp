@@ -89,6 +89,9 @@ void require_sphere(const Sphere& sphere) {
 /// Chosen so that steps, rings and modes are refined together (docs/numerics.md, section 5).
 constexpr Sampling sampling{.points = 40.0, .cutoff = 32.0, .power = 0.7, .along_edge = 0.0, .fewest = 32};
 
+/// What a lossy sphere loses is as accurate as its modes with twice the rings.
+constexpr Sampling sampling_of_losses{.points = 80.0, .cutoff = 32.0, .power = 0.7, .along_edge = 0.0, .fewest = 64};
+
 }  // namespace
 
 Scales scales(const Sphere& sphere) {
@@ -117,7 +120,7 @@ Body sphere(const Sphere& sphere, double cutoff, const Poll& poll) {
   body.loss_time = loss_time;
   body.cutoff = cutoff;
   body.highest_cutoff = max_cutoff;
-  body.sampling = sampling;
+  body.sampling = loss_time > 0.0 ? sampling_of_losses : sampling;
   body.groups = group_by_degree(modes);
   const std::size_t rows = modes.empty() ? 0 : static_cast<std::size_t>(modes.back().order) + 2;
   body.surface = [poisson, rows](const ContactPoints& points) { return make_surface(poisson, rows, points); };
