@@ -66,8 +66,10 @@ void write_header(std::ostream& out) {
   out << "# Impacts of lossy spheres and disks at a hard wall, and of pairs of them in units of the first\n"
          "# (docs/theory/loss.md), more finely resolved than those of restitution(). Made by:\n"
          "# stoss_validate --make-lossy-reference FILE\n"
-         "# Three runs at each point, with cutoffs 80, 113, 160 over the time scale of the contact, at least 128 nodes\n"
-         "# and up to 2.4 times those of restitution(). Value: that of the last run; uncertainty: spread of the three.\n"
+         "# Three runs at each point, with cutoffs 80, 113, 160 over the time scale of the contact, at least 128 "
+         "nodes\n"
+         "# and up to 2.4 times those of restitution(). Value: that of the last run; uncertainty: spread of the "
+         "three.\n"
          "body,poisson,loss_time,against_poisson,against_radius,against_loss_time,speed,"
       << quantity_columns << '\n';
 }

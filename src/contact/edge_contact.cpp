@@ -157,7 +157,8 @@ void EdgeContact::solve_generally(const std::vector<double>& q, double scale, st
                                   std::vector<double>& displacement) {
   const std::size_t size = compliance_.size();
   // From the last solution, whose far nodes may never have been asked for.
-  for (std::size_t i = extent_; i < size; ++i) closure_[i] = 1.0 - std::sqrt(std::max(0.0, -q[i]) / (law_.opening * law_.gap[i]));
+  for (std::size_t i = extent_; i < size; ++i)
+    closure_[i] = 1.0 - std::sqrt(std::max(0.0, -q[i]) / (law_.opening * law_.gap[i]));
   if (!solve_all(compliance_, law_, q, scale, poll_, closure_)) {
     throw NotConverged("contact: no forces at the nodes obey the law of contact (use another number of nodes)");
   }

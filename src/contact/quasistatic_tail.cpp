@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "contact/touch.hpp"
+
 namespace stoss {
 
 QuasistaticTail::QuasistaticTail(const Contact& contact, const ContactGrid& grid, double speed, double step,
@@ -11,10 +13,14 @@ QuasistaticTail::QuasistaticTail(const Contact& contact, const ContactGrid& grid
       residuals_(contact, grid, ResidualMotion::Inertia::none, step, poll),
       contact_(residuals_.compliance(), edge_law(contact, grid, speed), grid.recess.size(), poll),
       range_(contact_.range(grid.recess)),
-      lossy_(longest_loss_time(contact) > 0.0),
       force_(grid.recess.size()),
       displacement_(grid.recess.size()),
-      gap_(grid.recess.size()) {}
+      lossy_(longest_loss_time(contact) > 0.0),
+      first_share_(loss_share(contact)),
+      position_(grid.recess.size()),
+      gap_(grid.recess.size()),
+      old_force_(grid.recess.size()),
+      old_displacement_(grid.recess.size()) {}
 
 const std::vector<double>& QuasistaticTail::advance(const std::vector<double>& position) {
   if (!lossy_) {
@@ -23,12 +29,25 @@ const std::vector<double>& QuasistaticTail::advance(const std::vector<double>& p
   }
   const std::vector<double>& free = residuals_.predict();
   for (std::size_t i = 0; i < position.size(); ++i) gap_[i] = position[i] - free[i];
-  contact_.follow(foremost_, position.front(), step_);
-  foremost_ = position.front();
+  old_force_.swap(force_);
+  old_displacement_.swap(displacement_);
+  contact_.follow(position_.front(), position.front(), step_);
   contact_.solve(gap_, force_, displacement_);
-  for (std::size_t i = 0; i < position.size(); ++i) displacement_[i] += free[i];
+  for (std::size_t i = 0; i < position.size(); ++i) {
+    displacement_[i] += free[i];
+    const double opened = position[i] - position_[i] - (displacement_[i] - old_displacement_[i]);
+    edge_work_ += 0.5 * (old_force_[i] + force_[i]) * opened;
+  }
   residuals_.move(displacement_, force_, contact_.extent());
+  position_ = position;
   return force_;
+}
+
+std::array<double, 2> QuasistaticTail::dissipated_energy() const {
+  if (!lossy_) return {};
+  const auto [first, second] = residuals_.dissipated();
+  const double edge = edge_work_ - contact_.law_energy(force_);
+  return {first + first_share_ * edge, second + (1.0 - first_share_) * edge};
 }
 
 double QuasistaticTail::stored_energy() const {

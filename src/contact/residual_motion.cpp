@@ -149,7 +149,8 @@ ResidualMotion::ResidualMotion(const ResidualPart& part, const Contact& contact,
     }
   }
   moved_before_.resize(matrices_.masses);
-  for (auto* each : {&displacement_, &before_, &spring_force_, &spring_before_, &viscous_force_, &reaction_}) each->resize(nodes_);
+  for (auto* each : {&displacement_, &before_, &spring_force_, &spring_before_, &viscous_force_, &reaction_})
+    each->resize(nodes_);
 }
 
 const std::vector<double>& ResidualMotion::predict() {

@@ -77,12 +77,12 @@ class ResidualMotion {
   std::vector<double> moved_;                                                  // Rᵀu
   // Of a lossy material.
   bool lossy_;
-  std::vector<double> reaction_of_;                  // Rᵀ, masses × nodes
-  std::vector<double> moved_before_;                 // Rᵀu of the step before
-  std::vector<double> displacement_, before_;        // u of the last two steps
+  std::vector<double> reaction_of_;                   // Rᵀ, masses × nodes
+  std::vector<double> moved_before_;                  // Rᵀu of the step before
+  std::vector<double> displacement_, before_;         // u of the last two steps
   std::vector<double> spring_force_, spring_before_;  // K u of the last two steps
-  std::vector<double> viscous_force_;                // η K u̇
-  std::vector<double> reaction_;                     // R ξ̈
+  std::vector<double> viscous_force_;                 // η K u̇
+  std::vector<double> reaction_;                      // R ξ̈
   double dissipated_ = 0.0;
 };
 

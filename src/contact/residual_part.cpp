@@ -45,9 +45,7 @@ ResidualPart first_part(const Contact& contact, const ContactGrid& grid, const P
   const Body& body = *contact.first;
   return {residual_matrix(body, body.residual_compliance, grid.points, poll),
           [&body, &grid, poll] { return residual_matrix(body, body.residual_second_moment, grid.points, poll); },
-          body.surface(grid.points).impedance,
-          kept_cutoff(body),
-          body.loss_time};
+          body.surface(grid.points).impedance, kept_cutoff(body), body.loss_time};
 }
 
 ResidualPart second_part(const Contact& contact, const ContactGrid& grid, const Poll& poll) {
@@ -58,8 +56,7 @@ ResidualPart second_part(const Contact& contact, const ContactGrid& grid, const 
             return times(units.second_moment, of_second(contact, grid, &Body::residual_second_moment, poll));
           },
           times(units.impedance, body.surface(seen_by_second(grid.points, units)).impedance),
-          kept_cutoff(body) / units.time,
-          body.loss_time * units.time};
+          kept_cutoff(body) / units.time, body.loss_time * units.time};
 }
 
 }  // namespace

@@ -32,8 +32,8 @@ class Residuals {
  private:
   std::vector<ResidualMotion> parts_;
   bool lossy_;
-  std::vector<double> kicks_;  // A, nodes × nodes; in lossy bodies
-  std::vector<double> free_;   // of lossy bodies
+  std::vector<double> kicks_;                      // A, nodes × nodes; in lossy bodies
+  std::vector<double> free_;                       // of lossy bodies
   std::vector<std::vector<double>> displacement_;  // of each part
 };
 

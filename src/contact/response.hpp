@@ -28,8 +28,8 @@ class ContactResponse {
   /// Whether the contact reaches the end of the grid, which is then too small.
   [[nodiscard]] virtual bool overflows() const = 0;
 
-  /// Energy in the wall's potential or in the quasistatic tail at the last positions, given back when contact ends; and in
-  /// the strain of the modes above the cutoff of lossy bodies, what the material has not yet taken.
+  /// Energy in the wall's potential or in the quasistatic tail at the last positions, given back when contact ends; and
+  /// in the strain of the modes above the cutoff of lossy bodies, what the material has not yet taken.
   [[nodiscard]] virtual double stored_energy() const { return 0.0; }
 
   /// Energy that the modes above the cutoff have taken so far.

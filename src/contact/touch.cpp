@@ -21,7 +21,8 @@ Touch touch(const Contact& contact) {
 
 double loss_share(const Contact& contact) {
   const Touch met = touch(contact);
-  return met.loss_time > 0.0 ? contact.first->softness * contact.first->loss_time / (met.softness * met.loss_time) : 1.0;
+  return met.loss_time > 0.0 ? contact.first->softness * contact.first->loss_time / (met.softness * met.loss_time)
+                             : 1.0;
 }
 
 double touch_compression(const Contact& contact, const ContactGrid& grid) {

@@ -20,8 +20,8 @@ namespace stoss {
 ///
 /// by kick–rotate–kick: half a kick by the force, exact rotation of every mode and drift of the centre, half a kick. A
 /// mode of a lossy body has −m η ω² Q̇ besides, and its exact free motion for the rotation. Second order, exact between
-/// contacts; reversible in time at an exponential wall and with the quasistatic tail, not with the radiating tail, which
-/// takes energy for good, and not in a lossy material.
+/// contacts; reversible in time at an exponential wall and with the quasistatic tail, not with the radiating tail,
+/// which takes energy for good, and not in a lossy material.
 class Collision {
  public:
   /// Starts just out of reach of what is met, at a hard contact with the first touch at the best phase within a step;

@@ -133,8 +133,8 @@ void KeptModes::advance() {
   if (velocity_cosine_.empty()) {
     kernels::advance(view(), begin_.data(), blocks(), push_.data(), edge_.data());
   } else {
-    kernels::advance_damped(view(), {velocity_cosine_.data(), rate_.data(), due_.data()}, begin_.data(), blocks(), push_.data(),
-                            edge_.data(), lost_.data());
+    kernels::advance_damped(view(), {velocity_cosine_.data(), rate_.data(), due_.data()}, begin_.data(), blocks(),
+                            push_.data(), edge_.data(), lost_.data());
   }
 }
 

@@ -37,11 +37,8 @@ const Quantities<Impact>& impact_quantities() {
 const Quantities<EnergyLedger>& ledger_quantities() {
   using L = EnergyLedger;
   static const Quantities<L> all{
-      {"translation", none, &L::translation},
-      {"vibration", none, &L::vibration},
-      {"dissipated", none, &L::dissipated},
-      {"unresolved", none, &L::unresolved},
-      {"stored", none, &L::stored},
+      {"translation", none, &L::translation}, {"vibration", none, &L::vibration}, {"dissipated", none, &L::dissipated},
+      {"unresolved", none, &L::unresolved},   {"stored", none, &L::stored},
   };
   return all;
 }

@@ -48,8 +48,8 @@ void WholeBodies::show(Impact& impact) const {
   EnergyLedger& ledger = impact.energy;
   const double lost = 1.0 + impact.restitution;
   const double beyond = (1.0 - part_) * lost * lost * start_.translation / energy_;
-  for (double* each : {&ledger.vibration, &ledger.dissipated, &ledger.unresolved, &ledger.stored,
-                       &ledger.lost_to_first, &ledger.lost_to_second, &impact.energy_error}) {
+  for (double* each : {&ledger.vibration, &ledger.dissipated, &ledger.unresolved, &ledger.stored, &ledger.lost_to_first,
+                       &ledger.lost_to_second, &impact.energy_error}) {
     *each /= energy_;
   }
   for (ModeEnergy& mode : ledger.modes) {

@@ -65,7 +65,8 @@ double share_beside_kicks(double omega, double gamma, double time) {
 
 double share_due(double omega, double gamma, double time) {
   if (gamma == 0.0) return 0.5;
-  return 1.0 - (1.0 - damped_motion(omega, gamma, time).position) / determinant(omega, gamma, time);
+  const double velocity = damped_motion(omega, gamma, time).velocity;
+  return (std::exp(-2.0 * gamma * time) - velocity) / determinant(omega, gamma, time);
 }
 
 }  // namespace stoss::numeric

@@ -63,8 +63,8 @@ Missing missing_of_balls(double cutoff, double speed) {
   return {share, std::max(0.8 * share + at_16 * calm * 16.0 / cutoff, 0.6 * whole)};
 }
 
-/// Error of what the material takes in one run, from its nodes: those that a lossy contact leaves are the worse resolved
-/// the fewer there are and the less each of them relaxes meanwhile, 2 η n/t nodes in the time η.
+/// Error of what the material takes in one run, from its nodes: those that a lossy contact leaves are the worse
+/// resolved the fewer there are and the less each of them relaxes meanwhile, 2 η n/t nodes in the time η.
 double node_error(const Contact& contact, const Run& run) {
   const bool ball = contact.first->contour == Contour::ball;
   const double constant = ball ? 9.0 : 1.6, nodes = run.nodes;

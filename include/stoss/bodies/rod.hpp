@@ -11,8 +11,8 @@ struct Rod {
   double young = 1.0;    ///< E
   double density = 1.0;  ///< ρ
   double area = 1.0;     ///< of the cross-section, A
-  /// η of a Kelvin–Voigt material, stress = (1 + η ∂/∂t) elastic stress: in the unit of time that the others imply, that
-  /// of length √(density/young); 0 … 1e5 L/c of the rod.
+  /// η of a Kelvin–Voigt material, stress = (1 + η ∂/∂t) elastic stress: in the unit of time that the others imply,
+  /// that of length √(density/young); 0 … 1e5 L/c of the rod.
   double loss_time = 0.0;
 };
 

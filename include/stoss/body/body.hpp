@@ -90,11 +90,11 @@ struct Body {
   std::string name;  ///< with its parameters, for provenance
   BodyScale scale;   ///< of this body beside others
   Contour contour = Contour::flat;
-  double mass = 0.0;      ///< of the body, and of every mode
-  double extent = 0.0;    ///< distance from the centre of mass to the foremost point
-  double softness = 1.0;  ///< 1/E* near its end, in 1/E: 1 in plane stress, 1 − ν² in plane strain
+  double mass = 0.0;       ///< of the body, and of every mode
+  double extent = 0.0;     ///< distance from the centre of mass to the foremost point
+  double softness = 1.0;   ///< 1/E* near its end, in 1/E: 1 in plane stress, 1 − ν² in plane strain
   double loss_time = 0.0;  ///< η of a lossy material, R/c: stress = (1 + η ∂/∂t) elastic stress
-  double cutoff = 0.0;    ///< all modes with ω ≤ kept_cutoff(body) are in `groups` (but see with_modes)
+  double cutoff = 0.0;     ///< all modes with ω ≤ kept_cutoff(body) are in `groups` (but see with_modes)
   double highest_cutoff = std::numeric_limits<double>::infinity();  ///< that such a body can be made with
   /// Largest stable time step at a hard wall: above it one kick moves the kept modes of some order further than the
   /// residual compliance does.

@@ -80,9 +80,7 @@ std::string name_of(const Disk& disk) {
 }
 
 /// η in R/c
-double own_loss_time(const Disk& disk) {
-  return disk.loss_time * (std::sqrt(disk.young / disk.density) / disk.radius);
-}
+double own_loss_time(const Disk& disk) { return disk.loss_time * (std::sqrt(disk.young / disk.density) / disk.radius); }
 
 void require_disk(const Disk& disk) {
   require_poisson(disk.poisson);
