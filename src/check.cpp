@@ -41,6 +41,11 @@ void require_speed(double speed) {
   require("speed", speed, {1e-8, 1.0, true, true, "1e-8 to 1"}, "speed of the centre of mass, in units of c");
 }
 
+void require_loss_time(double loss_time) {
+  require("loss_time", loss_time, {0.0, 1e5, true, true, "0 to 100000"},
+          "eta of stress = (1 + eta d/dt) elastic stress, in R/c of the body");
+}
+
 void require_tolerance(double tolerance, double absolute) {
   require("tolerance", tolerance, {1e-15, 0.5, true, true, "1e-15 to 0.5"}, "relative error of 1 - eps^2");
   require("absolute", absolute, {0.0, 0.5, true, true, "0 to 0.5"}, "error of 1 - eps^2 that is small enough");

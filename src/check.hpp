@@ -25,6 +25,9 @@ void require_poisson(double poisson);
 /// Throws InvalidInput unless `speed` is one that an impact can have, 1e-8 … 1 c.
 void require_speed(double speed);
 
+/// Throws InvalidInput unless `loss_time`, in R/c of its body, is one that an impact is computed for, 0 … 1e5.
+void require_loss_time(double loss_time);
+
 /// Throws InvalidInput unless `tolerance` is a relative error that can be asked for, 1e-15 … 0.5, and `absolute` an
 /// error of 1 − ε², 0 … 0.5.
 void require_tolerance(double tolerance, double absolute);

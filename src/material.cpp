@@ -28,6 +28,13 @@ double plane_poisson(const Material& material, Plane plane) {
   return plane == Plane::stress ? material.poisson : material.poisson / (1.0 - material.poisson);
 }
 
+double loss_time_of_quality(double quality, double frequency) {
+  require("quality", quality, positive,
+          "1/Q is the tangent of the angle of loss; steel has 1e3 to 1e4, rubber 5 to 20");
+  require("frequency", frequency, positive, "at which the material has this quality, in radians per unit of time");
+  return 1.0 / (quality * frequency);
+}
+
 Scales scales(const Material& material, Plane plane, double radius) {
   validate(material);
   require("radius", radius, positive, "in m");

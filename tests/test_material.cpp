@@ -8,6 +8,7 @@
 #include "stoss/bodies/disk.hpp"
 #include "stoss/bodies/rod.hpp"
 #include "stoss/bodies/sphere.hpp"
+#include "stoss/errors.hpp"
 #include "stoss/impact/impact.hpp"
 #include "stoss/material.hpp"
 #include "support/refusal.hpp"
@@ -22,6 +23,18 @@ TEST(MaterialPoisson, PlaneStressKeepsItAndPlaneStrainMapsIt) {
   EXPECT_DOUBLE_EQ(plane_poisson(steel, Plane::strain), 3.0 / 7.0);
   EXPECT_DOUBLE_EQ(plane_poisson({1e6, 0.4975, 1000.0}, Plane::strain), 0.4975 / 0.5025);
   EXPECT_DOUBLE_EQ(plane_poisson({1e6, -0.5, 1000.0}, Plane::strain), -1.0 / 3.0);
+}
+
+TEST(MaterialQuality, IsThatOfAModeAtItsFrequency) {
+  EXPECT_DOUBLE_EQ(loss_time_of_quality(50.0, 4.0), 0.005);
+  // A mode ω loses 2π/Q of its energy per period: γ = ηω²/2, and e^{−2γ 2π/ω} = 1 − 2π/Q + …
+  const double omega = 3.0, quality = 1e6, gamma = 0.5 * loss_time_of_quality(quality, omega) * omega * omega;
+  EXPECT_NEAR(-std::expm1(-4.0 * std::numbers::pi * gamma / omega) * quality / (2.0 * std::numbers::pi), 1.0, 1e-5);
+  const double nan = std::numeric_limits<double>::quiet_NaN(), infinite = std::numeric_limits<double>::infinity();
+  for (const double bad : {0.0, -1.0, nan, infinite}) {
+    EXPECT_THROW((void)loss_time_of_quality(bad, 1.0), InvalidInput) << bad;
+    EXPECT_THROW((void)loss_time_of_quality(1.0, bad), InvalidInput) << bad;
+  }
 }
 
 TEST(MaterialScales, AreThoseOfTheBarWave) {

@@ -19,13 +19,25 @@ Answer answer_at(const stoss::RefinableContact& body, double speed, double toler
           result.finest.cutoff};
 }
 
+stoss::RefinableContact lossy(const Point& point) {
+  const stoss::Disk disk{.poisson = point.poisson, .loss_time = point.loss_time};
+  const auto maker = [&point](const stoss::Disk& its) {
+    if (!point.sphere) return stoss::disk(its);
+    return stoss::sphere(stoss::Sphere{its.poisson, its.radius, its.young, its.density, its.loss_time});
+  };
+  if (point.against) return stoss::RefinableContact(maker(disk), maker(*point.against));
+  return stoss::RefinableContact(maker(disk));
+}
+
 }  // namespace
 
 Contacts make_contacts(const std::vector<Point>& points) {
   std::map<double, stoss::RefinableContact> at_wall, spheres_at_wall;
   Contacts contacts;
   for (const Point& point : points) {
-    if (point.against) {
+    if (point.loss_time > 0.0) {
+      contacts.push_back(lossy(point));
+    } else if (point.against) {
       contacts.emplace_back(stoss::disk(point.poisson), stoss::disk(*point.against));
     } else if (point.sphere) {
       contacts.push_back(spheres_at_wall.try_emplace(point.poisson, stoss::sphere(point.poisson)).first->second);

@@ -53,6 +53,22 @@ std::vector<Point> read_spheres() {
   return points;
 }
 
+std::vector<Point> read_lossy() {
+  std::vector<Point> points;
+  for (const CsvRow& row : stoss::test::read_csv("../../validate/reference_lossy.csv")) {
+    Point point = read_full_point(row);
+    point.sphere = row.text("body") == "sphere";
+    point.loss_time = row.number("loss_time");
+    if (row.has("against_radius")) {
+      point.against = stoss::Disk{.poisson = row.number("against_poisson"),
+                                  .radius = row.number("against_radius"),
+                                  .loss_time = row.number("against_loss_time")};
+    }
+    points.push_back(point);
+  }
+  return points;
+}
+
 std::vector<Point> read_pairs() {
   std::vector<Point> points;
   for (const CsvRow& row : stoss::test::read_csv("../../validate/reference_pairs.csv")) {

@@ -26,14 +26,15 @@ inline constexpr std::array<const char*, quantities> quantity_names{
 template <typename T>
 using PerQuantity = std::array<T, quantities>;
 
-/// An impact at a hard wall, or of a disk at another disk, with reference values; their `error` is the uncertainty.
+/// An impact at a hard wall, or of two bodies of a kind, with reference values; their `error` is the uncertainty.
 struct Point {
   double poisson = 0.0;
-  std::optional<stoss::Disk> against{};  ///< sizes in ratio to the first disk; none: the wall
+  std::optional<stoss::Disk> against{};  ///< in units of the first body, a sphere at a sphere; none: the wall
   double speed = 0.0;
   PerQuantity<std::optional<stoss::Estimate>> reference;
   std::optional<stoss::Estimate> finite_elements;  ///< of ε
   bool sphere = false;                             ///< instead of a disk
+  double loss_time = 0.0;                          ///< of the first body
 };
 
 /// Those at the wall: of validate/reference.csv, then of tests/data/restitution_hard_wall.csv.
@@ -46,6 +47,9 @@ std::vector<Point> read_unseen_points();
 
 /// Spheres at the wall: those of validate/reference_spheres.csv. @throws std::runtime_error as read_points
 std::vector<Point> read_spheres();
+
+/// Lossy spheres and disks: those of validate/reference_lossy.csv. @throws std::runtime_error as read_points
+std::vector<Point> read_lossy();
 
 /// Pairs of disks: those of validate/reference_pairs.csv. @throws std::runtime_error as read_points
 std::vector<Point> read_pairs();

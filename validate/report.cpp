@@ -93,8 +93,17 @@ void write_point(std::ostream& out, const Point& point, const Answer& answer) {
   const stoss::Estimate& reference = *point.reference[lost_fraction];
   const stoss::Estimate& value = answer.value[lost_fraction];
   const Deviation off = deviation(value, reference);
-  out << "|" << cell("%g", point.poisson);
-  if (point.against) {
+  out << "|";
+  if (point.loss_time > 0.0) out << (point.sphere ? " sphere |" : " disk |") << cell("%g", point.loss_time);
+  out << cell("%g", point.poisson);
+  if (point.loss_time > 0.0) {
+    if (point.against) {
+      out << cell("%g", point.against->loss_time) << cell("%g", point.against->poisson)
+          << cell("%g", point.against->radius);
+    } else {
+      out << " | | |";
+    }
+  } else if (point.against) {
     out << cell("%g", point.against->poisson) << cell("%g", point.against->radius) << cell("%g", point.against->young)
         << cell("%g", point.against->density);
   }
@@ -147,11 +156,12 @@ Judged judge(const char* what, const std::vector<Point>& points) {
 
 bool write_report(std::ostream& out) {
   const Judged wall = judge("wall", read_points()), unseen = judge("wall, unseen", read_unseen_points()),
-               pairs = judge("pairs", read_pairs()), spheres = judge("spheres", read_spheres());
+               pairs = judge("pairs", read_pairs()), spheres = judge("spheres", read_spheres()),
+               lossy = judge("lossy", read_lossy());
   out << text::introduction << text::verdict;
   bool all_honest = true;
   for (std::size_t i = 0; i < tolerances.size(); ++i) {
-    for (const Judged* judged : {&wall, &unseen, &pairs, &spheres}) {
+    for (const Judged* judged : {&wall, &unseen, &pairs, &spheres, &lossy}) {
       write_verdict(out, *judged, i);
       all_honest = all_honest && honest(tally(judged->points, judged->answers[i], lost_fraction));
     }
@@ -166,6 +176,8 @@ bool write_report(std::ostream& out) {
   write_tallies(out, pairs.points, pairs.answers);
   out << text::sphere_tally;
   write_tallies(out, spheres.points, spheres.answers);
+  out << text::lossy_tally;
+  write_tallies(out, lossy.points, lossy.answers);
   write_finite_elements(out, wall.points, wall.answers[by_default]);
   const bool rod = write_rod(out);
   out << text::points;
@@ -176,6 +188,8 @@ bool write_report(std::ostream& out) {
   write_points(out, pairs.points, pairs.answers[by_default]);
   out << text::sphere_points;
   write_points(out, spheres.points, spheres.answers[by_default]);
+  out << text::lossy_points;
+  write_points(out, lossy.points, lossy.answers[by_default]);
   return all_honest && rod;
 }
 

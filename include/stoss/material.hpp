@@ -19,6 +19,14 @@ enum class Plane { stress, strain };
 /// @throws InvalidInput unless the material's constants are positive and ν in range
 [[nodiscard]] double plane_poisson(const Material& material, Plane plane);
 
+/// Loss time η = 1/(Q ω) of a Kelvin–Voigt material, stress = (1 + η ∂/∂t) elastic stress, that has the quality Q at
+/// the angular frequency ω: 1/Q is the tangent of the angle by which its strain lags behind, ηω there. A material whose
+/// Q does not depend on the frequency, as of most metals, has it at this frequency only; π/(contact time) is that of an
+/// impact.
+/// @param frequency ω, in radians per unit of time
+/// @throws InvalidInput unless both are positive and finite, and so is η
+[[nodiscard]] double loss_time_of_quality(double quality, double frequency);
+
 /// SI values of the units of the core. Multiply a dimensionless result by its scale.
 struct Scales {
   double length = 0.0;     ///< R, m; of a rod L

@@ -34,12 +34,12 @@ class Impact(InSiOfAnImpact):
         ε = −v_f/v_i of the relative motion.
     lost_fraction : float
         1 − ε².
-    translation, vibration, unresolved : float
-        Energy after the impact: of the (relative) translation; of the kept modes; of the modes above the
-        cutoff. The sum is 1 but for `energy_error`.
+    translation, vibration, dissipated, unresolved : float
+        Energy after the impact: of the (relative) translation; of the kept modes; lost to the material;
+        of the modes above the cutoff. The sum is 1 but for `energy_error`.
     lost_to_first, lost_to_second : float
-        Vibration of each body, its part of `unresolved` included; of a half-space what its waves
-        carry away; 0 of a wall and of a rigid body.
+        Vibration and dissipation of each body, its part of `unresolved` included; of a half-space what
+        its waves carry away; 0 of a wall and of a rigid body.
     contact_time : float
         From first to last contact, R/c.
     impulse_time : float
@@ -93,6 +93,7 @@ class Impact(InSiOfAnImpact):
     lost_fraction: float
     translation: float
     vibration: float
+    dissipated: float
     unresolved: float
     lost_to_first: float
     lost_to_second: float

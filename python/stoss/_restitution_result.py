@@ -49,8 +49,11 @@ class Restitution(InSiWithErrors):
     max_force, max_force_error : float or ndarray
         mc²/R: πRE of a disk, (4π/3)R²E of a sphere.
     lost_to_first, lost_to_second : float or ndarray
-        Vibration of each body after the finest impact, as shares of the initial energy; of
-        a half-space what its waves carry away; 0 of a wall. Their sum is `lost_fraction` but for its error.
+        Vibration of each body after the finest impact and what its material took, as shares of the
+        initial energy; of a half-space what its waves carry away; 0 of a wall. Their sum is
+        `lost_fraction` but for its error.
+    dissipated : float or ndarray
+        What the material of both took.
     cutoff, energy_error, modes : float, int or ndarray
         Of the finest impact: c/R; what is missing, as a share of the initial energy; number of kept
         modes.
@@ -96,6 +99,7 @@ class Restitution(InSiWithErrors):
     max_force_error: Number
     lost_to_first: Number
     lost_to_second: Number
+    dissipated: Number
     cutoff: Number
     modes: Integer
     runs: Integer

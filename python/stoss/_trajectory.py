@@ -29,9 +29,9 @@ class Trajectory(Result):
         Of the centre of mass, towards what it meets, c.
     force : ndarray
         Force F of the contact, mc²/R (of a disk πRE).
-    translation, vibration, stored, unresolved : ndarray
+    translation, vibration, stored, dissipated, unresolved : ndarray
         Shares of the initial energy: in the motion of the centre of mass; in the kept modes; in the
-        wall's potential or the static tail; taken by the modes above the cutoff.
+        wall's potential or the static tail; lost to the material; taken by the modes above the cutoff.
     contact_half_width : ndarray
         R, in steps of the nodes' spacing; of spheres the radius of the contact.
     """
@@ -47,6 +47,7 @@ class Trajectory(Result):
     translation: NDArray[np.float64]
     vibration: NDArray[np.float64]
     stored: NDArray[np.float64]
+    dissipated: NDArray[np.float64]
     unresolved: NDArray[np.float64]
     contact_half_width: NDArray[np.float64]
 

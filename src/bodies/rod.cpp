@@ -18,12 +18,16 @@ namespace {
 
 constexpr double highest_cutoff = 1e6;
 
+/// η in L/c
+double own_loss_time(const Rod& rod) { return rod.loss_time * (std::sqrt(rod.young / rod.density) / rod.length); }
+
 void require_rod(const Rod& rod) {
   constexpr Range positive{0.0, std::numeric_limits<double>::max(), false, true, "a positive finite number"};
   require("length", rod.length, positive, "of the rod");
   require("young", rod.young, positive, "Young's modulus of the rod");
   require("density", rod.density, positive, "of the rod");
   require("area", rod.area, positive, "cross-section of the rod");
+  require_loss_time(own_loss_time(rod));
 }
 
 std::string name_of(const Rod& rod) {
@@ -32,6 +36,7 @@ std::string name_of(const Rod& rod) {
   if (rod.young != 1.0) name += " young=" + shown(rod.young);
   if (rod.density != 1.0) name += " density=" + shown(rod.density);
   if (rod.area != 1.0) name += " area=" + shown(rod.area);
+  if (rod.loss_time != 0.0) name += " loss_time=" + shown(rod.loss_time);
   return name;
 }
 
@@ -47,7 +52,8 @@ Body rod(const Rod& rod, double cutoff) {
   require_rod(rod);
   require("cutoff", cutoff, {0.0, highest_cutoff, false, true, "above 0 to 1e6"}, "highest frequency in c/L");
   ModeGroup group;
-  for (int l = 1; l * std::numbers::pi <= cutoff; ++l) {
+  const double highest = kept_cutoff(cutoff, own_loss_time(rod));
+  for (int l = 1; l * std::numbers::pi <= highest; ++l) {
     const double omega = l * std::numbers::pi;
     group.omega.push_back(omega);
     group.upper.push_back(std::numbers::sqrt2);
@@ -64,6 +70,7 @@ Body rod(const Rod& rod, double cutoff) {
   body.contour = Contour::flat;
   body.mass = 1.0;
   body.extent = 0.5;
+  body.loss_time = own_loss_time(rod);
   body.cutoff = cutoff;
   body.highest_cutoff = highest_cutoff;
   body.groups.push_back(std::move(group));

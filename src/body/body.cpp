@@ -32,11 +32,13 @@ void validate(const Body& body) {
   require(body, not_negative(body.extent) && not_negative(body.curvature) && not_negative(body.softness),
           "a finite extent, curvature and softness, none below 0");
   require(body, body.highest_cutoff >= body.cutoff, "a cutoff up to its highest");
+  require(body, std::isfinite(body.loss_time) && body.loss_time >= 0.0, "a loss_time of 0 or more");
   require(body, body.stable_step > 0.0, "a positive stable_step");
   const auto& [points, cutoff, power, along_edge, fewest] = body.sampling;
   require(body, positive(points) && positive(cutoff) && finite({power, along_edge}) && along_edge >= 0.0 && fewest > 0,
           "a positive finite sampling");
   require(body, body.part.size > 0.0 && body.part.beyond >= 0.0 && body.part.echo > 0.0, "a part that it can have");
+  const double highest = kept_cutoff(body);
   for (const ModeGroup& group : body.groups) {
     require(body, group.upper.size() == group.omega.size() && group.lower.size() == group.omega.size(),
             "omega, upper and lower of one length in each group");
@@ -44,11 +46,17 @@ void validate(const Body& body) {
     require(body, finite(group.upper) && finite(group.lower), "finite weights");
     require(body,
             std::all_of(group.omega.begin(), group.omega.end(),
-                        [&body](double omega) { return omega > 0.0 && omega <= body.cutoff; }),
-            "frequencies above 0 and up to its cutoff");
+                        [highest](double omega) { return omega > 0.0 && omega <= highest; }),
+            "frequencies above 0 and up to its cutoff, or kept_cutoff of a lossy one");
   }
   require(body, body.surface && body.residual_compliance && body.residual_second_moment, "all three functions set");
 }
+
+double kept_cutoff(double cutoff, double loss_time) {
+  return loss_time * cutoff > 1.0 ? std::sqrt(cutoff / loss_time) : cutoff;
+}
+
+double kept_cutoff(const Body& body) { return kept_cutoff(body.cutoff, body.loss_time); }
 
 std::size_t mode_count(const Body& body) {
   std::size_t count = 0;
@@ -63,7 +71,7 @@ bool is_unbounded(const Body& body) { return std::isinf(body.part.beyond); }
 Body rigid(const Body& body) {
   Body result = body;
   result.name = "rigid " + body.name;
-  result.softness = 0.0;
+  result.softness = result.loss_time = 0.0;
   result.highest_cutoff = result.stable_step = std::numeric_limits<double>::infinity();
   result.groups.clear();
   result.near_side = nullptr;

@@ -127,6 +127,17 @@ double modal_mass(const Contact& contact, std::size_t group) {
   return contact.second->mass * Units(*contact.second, *contact.first).mass;
 }
 
+double loss_time(const Contact& contact, std::size_t group) {
+  if (group < contact.first_groups) return contact.first->loss_time;
+  return contact.second->loss_time * Units(*contact.second, *contact.first).time;
+}
+
+double longest_loss_time(const Contact& contact) {
+  const double first = contact.first->loss_time;
+  if (contact.second == nullptr) return first;
+  return std::max(first, contact.second->loss_time * Units(*contact.second, *contact.first).time);
+}
+
 double highest_wave_number(const Contact& contact) {
   double highest = 0.0;
   for (const ModeGroup& group : contact.groups) highest = std::max(highest, group.wave_number);

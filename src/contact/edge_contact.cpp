@@ -28,6 +28,22 @@ double EdgeContact::energy(const std::vector<double>& force, const std::vector<d
   return sum;
 }
 
+double EdgeContact::law_energy(const std::vector<double>& force) const {
+  double sum = 0.0;
+  for (std::size_t i = 0; i < extent_ && !law_.gap.empty(); ++i) {
+    sum += law_.energy_at(i, closure_[i]) - force[i] * law_.gap_at(i, closure_[i]);
+  }
+  return sum;
+}
+
+void EdgeContact::follow(double before, double now, double step) {
+  if (law_.loss_time == 0.0) return;
+  // Half-widths go with the root of the compression, nearly so along a line; the last node to leave has one of ½.
+  constexpr double least = 1e-6;
+  const double left = std::max(now, least * std::abs(before));
+  law_.recede(now < before ? 0.5 * std::max(half_width(), 0.5) * (before - now) / (left * step) : 0.0);
+}
+
 void EdgeContact::solve(const std::vector<double>& q, std::vector<double>& force, std::vector<double>& displacement) {
   double scale = 0.0;
   bool near = false;
@@ -35,7 +51,7 @@ void EdgeContact::solve(const std::vector<double>& q, std::vector<double>& force
     if (!std::isfinite(q[i])) {
       throw NotConverged("contact: the position of a node is not a finite number (use a smaller step)");
     }
-    const double gap = law_.gap.empty() ? 0.0 : law_.gap[i];
+    const double gap = law_.gap.empty() ? 0.0 : law_.opening * law_.gap[i];
     near = near || q[i] > -gap;
     if (q[i] > -gap) scale = std::max({scale, q[i], gap});
   }
@@ -108,9 +124,9 @@ bool EdgeContact::solve_edge(const std::vector<double>& q, double tolerance, std
     }
     compliance_.multiply(count, count, force, displacement);
     std::size_t grown = count;
-    while (grown < size && displacement[grown] - q[grown] < law_.gap[grown] - tolerance) ++grown;
+    while (grown < size && displacement[grown] - q[grown] < law_.opening * law_.gap[grown] - tolerance) ++grown;
     for (std::size_t i = grown; i < size; ++i) {
-      if (displacement[i] - q[i] < law_.gap[i] - tolerance) return false;
+      if (displacement[i] - q[i] < law_.opening * law_.gap[i] - tolerance) return false;
     }
     if (grown > count) {
       // What is closed in front of the zone's end becomes rigid; if nothing is, the zone is wider than three nodes.
@@ -141,7 +157,8 @@ void EdgeContact::solve_generally(const std::vector<double>& q, double scale, st
                                   std::vector<double>& displacement) {
   const std::size_t size = compliance_.size();
   // From the last solution, whose far nodes may never have been asked for.
-  for (std::size_t i = extent_; i < size; ++i) closure_[i] = 1.0 - std::sqrt(std::max(0.0, -q[i]) / law_.gap[i]);
+  for (std::size_t i = extent_; i < size; ++i)
+    closure_[i] = 1.0 - std::sqrt(std::max(0.0, -q[i]) / (law_.opening * law_.gap[i]));
   if (!solve_all(compliance_, law_, q, scale, poll_, closure_)) {
     throw NotConverged("contact: no forces at the nodes obey the law of contact (use another number of nodes)");
   }

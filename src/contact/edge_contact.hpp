@@ -24,6 +24,9 @@ class EdgeContact {
   /// @throws NotConverged if q is not finite, or no forces obey the law to rounding
   void solve(const std::vector<double>& q, std::vector<double>& force, std::vector<double>& displacement);
 
+  /// Tells the law of a lossy contact how the foremost node has moved in a step, before it is solved.
+  void follow(double before, double now, double step);
+
   /// Number of leading nodes beyond which the last force vanishes.
   [[nodiscard]] std::size_t extent() const { return extent_; }
 
@@ -32,6 +35,9 @@ class EdgeContact {
 
   /// Energy ½ fᵀW f of the compliance and that of the law, whose gradient in q is the last f.
   [[nodiscard]] double energy(const std::vector<double>& force, const std::vector<double>& displacement) const;
+
+  /// That of the law alone.
+  [[nodiscard]] double law_energy(const std::vector<double>& force) const;
 
   /// Distance in front of first contact from which a body at rest inside feels the law.
   [[nodiscard]] double range(const std::vector<double>& recess) const { return law_.range(recess); }

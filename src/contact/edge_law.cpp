@@ -24,7 +24,13 @@ double opening_constant(Contour contour) {
 
 double EdgeLaw::energy_at(std::size_t i, double closure) const {
   const double t = std::clamp(closure, 0.0, 1.0);
-  return force[i] * gap[i] * t * t * (1.0 - t * (4.0 / 3.0 - 0.5 * t));
+  return opening * force[i] * gap[i] * t * t * (1.0 - t * (4.0 / 3.0 - 0.5 * t));
+}
+
+void EdgeLaw::recede(double rate) {
+  constexpr double constant = 24.0, least = 1e-6;
+  const double passing = constant * loss_time * rate;
+  opening = std::max(least, 1.0 / (1.0 + passing * passing));
 }
 
 double EdgeLaw::range(const std::vector<double>& recess) const {
@@ -37,6 +43,7 @@ EdgeLaw edge_law(const Contact& contact, const ContactGrid& grid, double speed) 
   EdgeLaw law;
   if (has_single_point(contact)) return law;
   const Touch met = touch(contact);
+  law.loss_time = met.loss_time;
   const double spacing = grid.points.spacing * grid.points.radius;
   const bool rings = contact.first->contour == Contour::ball;
   const double constant = opening_constant(contact.first->contour);

@@ -17,6 +17,8 @@ namespace stoss {
 struct EdgeLaw {
   std::vector<double> force;  ///< f* of each node
   std::vector<double> gap;    ///< g* of each node, R
+  double loss_time = 0.0;     ///< η of what meets, R/c
+  double opening = 1.0;       ///< by which all g* are multiplied at present (recede)
 
   /// f for any closure: none below 0, as rigid contact needs it above 1.
   [[nodiscard]] double force_at(std::size_t i, double closure) const {
@@ -25,8 +27,13 @@ struct EdgeLaw {
 
   /// g for any closure: 0 from 1 on.
   [[nodiscard]] double gap_at(std::size_t i, double closure) const {
-    return closure < 1.0 ? gap[i] * (1.0 - closure) * (1.0 - closure) : 0.0;
+    return closure < 1.0 ? opening * gap[i] * (1.0 - closure) * (1.0 - closure) : 0.0;
   }
+
+  /// Makes the gaps those of a contact that spreads (0), or shrinks by `rate` spacings per R/c. Where a lossy contact
+  /// shrinks, the law holds between f and g + η ġ (Ting 1966), and g + η ġ reaches g* at a smaller gap the faster the
+  /// edge recedes: at g*/(1 + (24 η rate)²), a fit (docs/theory/loss.md).
+  void recede(double rate);
 
   /// Energy that the law of a node holds, ∫₀ᶠ g df.
   [[nodiscard]] double energy_at(std::size_t i, double closure) const;

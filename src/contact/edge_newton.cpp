@@ -41,7 +41,7 @@ double slope_of_force(const EdgeLaw& law, std::size_t i, double closure) {
 }
 
 double slope_of_gap(const EdgeLaw& law, std::size_t i, double closure) {  // downhill
-  return closure < 1.0 ? 2.0 * law.gap[i] * (1.0 - closure) : 0.0;
+  return closure < 1.0 ? 2.0 * law.opening * law.gap[i] * (1.0 - closure) : 0.0;
 }
 
 /// Residual of each node over what rounding is measured by there: far from the contact the nodes are far behind.

@@ -1,7 +1,6 @@
 // Where bodies can touch, and what they are there together.
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <limits>
 #include <numbers>
 
@@ -50,11 +49,6 @@ Surface surface_of(const Body& body, const ContactPoints& points) {
   return surface;
 }
 
-/// The points as the second body sees them: for the smaller of the two the circle is its own edge, exactly.
-ContactPoints seen_by_second(const ContactPoints& points, const Units& units) {
-  return {points.radius / units.length, points.spacing, points.count};
-}
-
 /// Joins the second body's surface to that of the first, in its units: recesses add, impedances are in series.
 void join(const Surface& second, const Units& units, std::size_t first_rows, Surface& surface) {
   const std::size_t points = surface.recess.size();
@@ -66,29 +60,11 @@ void join(const Surface& second, const Units& units, std::size_t first_rows, Sur
   }
 }
 
-using Residual = std::function<std::vector<double>(const ContactPoints&, const Poll&)>;
-
-std::vector<double> residual_matrix(const Body& body, const Residual& residual, const ContactPoints& points,
-                                    const Poll& poll) {
-  std::vector<double> matrix = residual(points, poll);
-  if (matrix.size() == points.count * points.count) return matrix;
-  throw InvalidInput("body: got a residual of '" + body.name + "' of another size, allowed points x points values");
-}
-
-/// The sum of one residual matrix of both bodies.
-std::vector<double> residual_sum(const Contact& contact, const ContactGrid& grid, Residual Body::*residual,
-                                 double Units::*unit, const Poll& poll) {
-  std::vector<double> sum = residual_matrix(*contact.first, (*contact.first).*residual, grid.points, poll);
-  if (contact.second == nullptr) return sum;
-  const Units units(*contact.second, *contact.first);
-  const double scale = units.*unit;
-  const std::vector<double> second =
-      residual_matrix(*contact.second, (*contact.second).*residual, seen_by_second(grid.points, units), poll);
-  for (std::size_t i = 0; i < sum.size(); ++i) sum[i] += scale * second[i];
-  return sum;
-}
-
 }  // namespace
+
+ContactPoints seen_by_second(const ContactPoints& points, const Units& units) {
+  return {points.radius / units.length, points.spacing, points.count};
+}
 
 double greatest_half_width(const Contact& contact) {
   return has_single_point(contact) ? 0.0 : greatest_angle(contact) * contact.radius;
@@ -135,14 +111,6 @@ ContactGrid contact_grid(const Contact& contact, double half_width, int nodes) {
     grid.coordinate.push_back(grid.points.angle(i) * grid.points.radius);
   }
   return grid;
-}
-
-std::vector<double> residual_compliance(const Contact& contact, const ContactGrid& grid, const Poll& poll) {
-  return residual_sum(contact, grid, &Body::residual_compliance, &Units::compliance, poll);
-}
-
-std::vector<double> residual_second_moment(const Contact& contact, const ContactGrid& grid, const Poll& poll) {
-  return residual_sum(contact, grid, &Body::residual_second_moment, &Units::second_moment, poll);
 }
 
 }  // namespace stoss

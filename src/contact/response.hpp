@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <memory>
 #include <vector>
 
@@ -27,11 +28,15 @@ class ContactResponse {
   /// Whether the contact reaches the end of the grid, which is then too small.
   [[nodiscard]] virtual bool overflows() const = 0;
 
-  /// Energy in the wall's potential or in the quasistatic tail at the last positions, given back when contact ends.
+  /// Energy in the wall's potential or in the quasistatic tail at the last positions, given back when contact ends; and
+  /// in the strain of the modes above the cutoff of lossy bodies, what the material has not yet taken.
   [[nodiscard]] virtual double stored_energy() const { return 0.0; }
 
   /// Energy that the modes above the cutoff have taken so far.
   [[nodiscard]] virtual double unresolved_energy() const { return 0.0; }
+
+  /// Energy that the material of the first and of the second body has taken so far from the modes above the cutoff.
+  [[nodiscard]] virtual std::array<double, 2> dissipated_energy() const { return {}; }
 
   /// Largest distance by which a free node may at present lie in front of its x_dyn.
   [[nodiscard]] virtual double protrusion() const { return 0.0; }

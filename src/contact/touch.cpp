@@ -8,13 +8,21 @@ Touch touch(const Contact& contact) {
   Touch touch;
   const double first = contact.first->softness;
   touch.softness = first;
+  touch.loss_time = contact.first->loss_time;
   if (contact.second == nullptr) return touch;
   const Units units(*contact.second, *contact.first);
   const double second = contact.second->softness * units.softness;
   touch.curvature = contact.first->curvature + contact.second->curvature / units.length;
   touch.softness = first + second;
+  touch.loss_time = (first * touch.loss_time + second * contact.second->loss_time * units.time) / touch.softness;
   touch.slowness = (first + second * units.time / units.length) / touch.softness;
   return touch;
+}
+
+double loss_share(const Contact& contact) {
+  const Touch met = touch(contact);
+  return met.loss_time > 0.0 ? contact.first->softness * contact.first->loss_time / (met.softness * met.loss_time)
+                             : 1.0;
 }
 
 double touch_compression(const Contact& contact, const ContactGrid& grid) {

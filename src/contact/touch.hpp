@@ -10,9 +10,13 @@ struct Touch {
   double curvature = 1.0;  ///< 1/R₁ + 1/R₂
   double softness = 1.0;   ///< D₁/E₁ + D₂/E₂, D = 1 for a disk and 1 − ν² for a sphere
   double slowness = 1.0;   ///< 1/c of the bodies, weighted with their share of the compression
+  double loss_time = 0.0;  ///< η of the bodies, weighted in the same way
 };
 
 [[nodiscard]] Touch touch(const Contact& contact);
+
+/// Share of the first body in what the material of both loses near the contact: losses go with η times the compression.
+[[nodiscard]] double loss_share(const Contact& contact);
 
 /// Compression at which evenly spaced contact points with the edge law begin to push: they answer like a continuous
 /// surface that is closer by this, −h²/24 of a line and −h²/12 of a ball in their radius (docs/numerics.md, section 3).

@@ -29,6 +29,10 @@ struct Units {
         impedance(mass / time) {}
 };
 
+/// Contact points as the second body sees them: for the smaller of the two the circle is its own edge, exactly.
+/// @param units those of the second body in those of the first
+[[nodiscard]] ContactPoints seen_by_second(const ContactPoints& points, const Units& units);
+
 /// Number of rows of Surface::shape that the modes of a body use.
 [[nodiscard]] std::size_t shape_rows(const Body& body);
 

@@ -22,7 +22,7 @@ std::unique_ptr<ContactResponse> make_response(const Contact& contact, Tail tail
     return std::make_unique<ExponentialResponse>(*soft, contact, grid, speed);
   }
   if (tail == Tail::quasistatic) {
-    return std::make_unique<QuasistaticTail>(contact, grid, speed, poll);
+    return std::make_unique<QuasistaticTail>(contact, grid, speed, step, poll);
   }
   return std::make_unique<RadiatingTail>(contact, grid, speed, step, poll);
 }

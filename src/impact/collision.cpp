@@ -9,7 +9,8 @@
 namespace stoss {
 namespace {
 
-/// The modes' energies change slowly between steps: every fourth step is enough for their mean.
+/// The modes' energies change slowly between steps: every fourth step is enough for their mean, and for what is left of
+/// a vibration that decays.
 constexpr long sampling = 4;
 
 /// Where a force that starts like t^p is best caught by kicks: the time of the first kick after its start, in steps,
@@ -36,7 +37,8 @@ Collision::Collision(const Contact& contact, Tail tail, const ContactGrid& grid,
       step_(step),
       modes_(contact, grid, step),
       position_(grid.recess.size()),
-      velocity_(speed) {
+      velocity_(speed),
+      lossy_(longest_loss_time(contact) > 0.0) {
   if (start) modes_.set(start->coordinate, start->momentum);
   // The same before and after an impact, so that it can be reversed.
   const double energy_speed = start ? std::sqrt(speed * speed + 2.0 * modes_.energy() / contact.mass) : speed;
@@ -139,7 +141,7 @@ double Collision::half_width() const { return response_->half_width() * grid_.po
 bool Collision::over() {
   if (in_contact_ || velocity() >= 0.0) return false;
   const auto clear = [this] { return compression_ + reach_ + response_->protrusion() < -response_->range(); };
-  if (reach_ < 0.0) reach_ = modes_.reach();
+  if (reach_ < 0.0 || (lossy_ && steps_ % sampling == 0)) reach_ = modes_.reach();
   if (!clear()) return false;
   reach_ = modes_.reach();  // a soft wall has pushed on, below its threshold of contact
   return clear();
@@ -154,9 +156,18 @@ Snapshot Collision::snapshot() const {
   now.translation = translation() / initial_energy_;
   now.vibration = modes_.energy() / initial_energy_;
   now.stored = response_->stored_energy() / initial_energy_;
+  const auto [first, second] = dissipated();
+  now.dissipated = (first + second) / initial_energy_;
   now.unresolved = response_->unresolved_energy() / initial_energy_;
   now.contact_half_width = in_contact_ ? half_width() : 0.0;
   return now;
+}
+
+std::array<double, 2> Collision::dissipated() const {
+  std::array<double, 2> lost = response_->dissipated_energy();
+  lost[0] += modes_.dissipated(0, contact_.first_groups);
+  lost[1] += modes_.dissipated(contact_.first_groups, contact_.groups.size());
+  return lost;
 }
 
 State Collision::state() const {
@@ -205,10 +216,16 @@ Impact Collision::result() const {
     }
   }
   ledger.vibration = ledger.lost_to_first + ledger.lost_to_second;
+  const auto [first, second] = dissipated();
+  ledger.dissipated = (first + second) / initial_energy_;
+  const double relaxing = lossy_ ? ledger.stored : 0.0, of_first = loss_share(contact_);
+  ledger.lost_to_first += first / initial_energy_ + of_first * relaxing;
+  ledger.lost_to_second += second / initial_energy_ + (1.0 - of_first) * relaxing;
   const double share = unresolved_share(contact_);
   ledger.lost_to_first += share * ledger.unresolved;
   ledger.lost_to_second += (1.0 - share) * ledger.unresolved;
-  impact.energy_error = 1.0 - ledger.translation - ledger.vibration - ledger.unresolved - ledger.stored;
+  impact.energy_error =
+      1.0 - ledger.translation - ledger.vibration - ledger.dissipated - ledger.unresolved - ledger.stored;
   return impact;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <memory>
 #include <vector>
 
@@ -17,9 +18,10 @@ namespace stoss {
 ///
 /// with s_i what the mode moves node i, and for two bodies m their reduced mass,
 ///
-/// by kick–rotate–kick: half a kick by the force, exact rotation of every mode and drift of the
-/// centre, half a kick. Second order, exact between contacts; reversible in time at an exponential
-/// wall and with the quasistatic tail, not with the radiating tail, which takes energy for good.
+/// by kick–rotate–kick: half a kick by the force, exact rotation of every mode and drift of the centre, half a kick. A
+/// mode of a lossy body has −m η ω² Q̇ besides, and its exact free motion for the rotation. Second order, exact between
+/// contacts; reversible in time at an exponential wall and with the quasistatic tail, not with the radiating tail,
+/// which takes energy for good, and not in a lossy material.
 class Collision {
  public:
   /// Starts just out of reach of what is met, at a hard contact with the first touch at the best phase within a step;
@@ -59,6 +61,7 @@ class Collision {
   [[nodiscard]] double half_width() const;
   [[nodiscard]] double velocity() const;  // synchronous with the position
   [[nodiscard]] double translation() const;
+  [[nodiscard]] std::array<double, 2> dissipated() const;  // in the first and in the second body
 
   const Contact& contact_;
   const ContactGrid& grid_;
@@ -88,6 +91,7 @@ class Collision {
   double impulse_ = 0.0;
   std::vector<double> impulse_history_;  // after each step since the first force
   Peak force_peak_, compression_peak_, half_width_peak_;
+  bool lossy_;
   double reach_ = -1.0;  // of the free vibration; < 0: not known
 };
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "numeric/damped_oscillator.hpp"
 #include "stoss/errors.hpp"
 
 namespace stoss {
@@ -42,6 +43,7 @@ KeptModes::KeptModes(const Contact& contact, const ContactGrid& grid, double ste
       lower_[k] = group.lower[l] / std::sqrt(omega);
     }
   }
+  if (longest_loss_time(contact) > 0.0) damp(contact);
   push_.resize(2 * blocks() * lanes);
   edge_.resize(push_.size());
   moved_.resize(nodes_);
@@ -52,6 +54,26 @@ KeptModes::KeptModes(const Contact& contact, const ContactGrid& grid, double ste
   shapes_by_node_.resize(amplitude_.size() * nodes_);
   for (std::size_t row = 0; row < rows; ++row) {
     for (std::size_t i = 0; i < nodes_; ++i) shapes_by_node_[i * amplitude_.size() + row] = shapes_[row * nodes_ + i];
+  }
+}
+
+void KeptModes::damp(const Contact& contact) {
+  velocity_cosine_ = cosine_;
+  rate_.resize(cosine_.size());
+  due_.resize(cosine_.size());
+  lost_.resize(blocks() * kernels::lanes);
+  for (std::size_t g = 0; g < size_.size(); ++g) {
+    const double loss = loss_time(contact, g);
+    for (std::size_t l = 0; l < size_[g]; ++l) {
+      const std::size_t k = position(g, l);
+      const double gamma = 0.5 * loss * omega_[k] * omega_[k];
+      const auto [kept, coupling, velocity] = numeric::damped_motion(omega_[k], gamma, step_);
+      due_[k] = numeric::share_due(omega_[k], gamma, step_);
+      rate_[k] = 2.0 * gamma * omega_[k] * step_;
+      cosine_[k] = kept;
+      sine_[k] = coupling;
+      velocity_cosine_[k] = velocity;
+    }
   }
 }
 
@@ -105,10 +127,18 @@ void KeptModes::begin() {
       const std::size_t k = position(g, l);
       b_[k] += b_[k] - velocity(g, k);
     }
+    if (!lost_.empty()) lost_[g] = -half_power(g);
   }
 }
 
-void KeptModes::advance() { kernels::advance(view(), begin_.data(), blocks(), push_.data(), edge_.data()); }
+void KeptModes::advance() {
+  if (velocity_cosine_.empty()) {
+    kernels::advance(view(), begin_.data(), blocks(), push_.data(), edge_.data());
+  } else {
+    kernels::advance_damped(view(), {velocity_cosine_.data(), rate_.data(), due_.data()}, begin_.data(), blocks(),
+                            push_.data(), edge_.data(), lost_.data());
+  }
+}
 
 void KeptModes::add_displacement(std::vector<double>& position) {
   std::fill(amplitude_.begin(), amplitude_.end(), 0.0);
@@ -128,6 +158,23 @@ void KeptModes::accumulate_energy() {
 double KeptModes::energy() const {
   double sum = 0.0;
   for (const double energy : energies()) sum += energy;
+  return sum;
+}
+
+double KeptModes::dissipated(std::size_t begin, std::size_t end) const {
+  double sum = 0.0;
+  for (std::size_t g = begin; g < end && !lost_.empty(); ++g) sum += lost_[g] + half_power(g);
+  return mass_ * sum;
+}
+
+double KeptModes::half_power(std::size_t group) const {
+  double sum = 0.0;
+  for (std::size_t l = 0; l < size_[group]; ++l) {
+    const std::size_t k = position(group, l);
+    const double kick = upper_[k] * push_[group] + lower_[k] * push_[push_.size() / 2 + group];
+    const double velocity = b_[k] - due_[k] * kick;
+    sum += 0.5 * rate_[k] * velocity * velocity;
+  }
   return sum;
 }
 

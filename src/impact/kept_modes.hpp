@@ -8,8 +8,8 @@
 
 namespace stoss {
 
-/// The kept modes of a contact as driven oscillators of one mass, advanced by kick and exact rotation: a = √ω Q,
-/// b = Q̇/√ω.
+/// The kept modes of a contact as driven oscillators of one mass, advanced by kick and exact free motion: a = √ω Q,
+/// b = Q̇/√ω. They rotate, and those of a lossy body decay besides, at γ = ηω²/2.
 ///
 /// Between two steps b is the velocity before the kick that is due, whose two halves end one step and begin the next.
 /// All that is read out (energies, momenta) is synchronous with the coordinates: half of that kick is applied.
@@ -26,7 +26,7 @@ class KeptModes {
   /// Takes half of the kick that is due out of the velocities: for the very first step, which has only the other half.
   void begin();
 
-  /// Kicks and rotates by one step.
+  /// Kicks, and moves freely by one step.
   void advance();
 
   /// Adds the displacement towards the wall of each node.
@@ -37,6 +37,10 @@ class KeptModes {
 
   /// Energy of all kept modes, Σ ½m(Q̇² + ω²Q²).
   [[nodiscard]] double energy() const;
+
+  /// Energy ∫ m 2γ Q̇² dt that the modes of some groups have lost to their material so far, by the trapezium rule in
+  /// velocities between those before and after a kick: the jumps between these would lose energy of their own.
+  [[nodiscard]] double dissipated(std::size_t begin, std::size_t end) const;
 
   /// Upper bound of the displacement of any node in free vibration, but for waves that run away.
   [[nodiscard]] double reach() const;
@@ -53,6 +57,8 @@ class KeptModes {
   [[nodiscard]] std::size_t blocks() const { return begin_.size() - 1; }
   [[nodiscard]] std::size_t position(std::size_t group, std::size_t index) const;  // in the arrays over modes
   [[nodiscard]] double velocity(std::size_t group, std::size_t k) const;
+  void damp(const Contact& contact);
+  [[nodiscard]] double half_power(std::size_t group) const;
 
   double mass_;
   double step_;
@@ -63,6 +69,10 @@ class KeptModes {
   std::vector<std::size_t> begin_;  // of each block of groups in the arrays over modes, and the end
   std::vector<double> omega_, a_, b_, cosine_, sine_, upper_, lower_;
   std::vector<double> energy_sum_;
+  std::vector<double> velocity_cosine_;  // what a free step leaves of b, if any mode is damped; else empty
+  std::vector<double> rate_;             // 2γωΔt of each mode: m Q̇² 2γΔt = m rate b²
+  std::vector<double> due_;              // as kernels::advance_damped has it
+  std::vector<double> lost_;             // of each group in units of the mass, all but half of the present power
   std::vector<double> amplitude_of_;  // of each group: Q of its body beside that of the contact, √(mass/modal mass)
   std::vector<double> push_;          // velocity kick of a full step per unit amplitude; as kernels::advance has it
   std::vector<double> edge_;          // Σ C Q, then Σ S Q, over each group

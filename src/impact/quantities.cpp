@@ -11,6 +11,7 @@ const Quantities<Impact>& impact_quantities() {
       {"lost_fraction", none, &I::lost_fraction},
       {"translation", none, [](const I& i) { return i.energy.translation; }},
       {"vibration", none, [](const I& i) { return i.energy.vibration; }},
+      {"dissipated", none, [](const I& i) { return i.energy.dissipated; }},
       {"unresolved", none, [](const I& i) { return i.energy.unresolved; }},
       {"lost_to_first", none, [](const I& i) { return i.energy.lost_to_first; }},
       {"lost_to_second", none, [](const I& i) { return i.energy.lost_to_second; }},
@@ -36,10 +37,8 @@ const Quantities<Impact>& impact_quantities() {
 const Quantities<EnergyLedger>& ledger_quantities() {
   using L = EnergyLedger;
   static const Quantities<L> all{
-      {"translation", none, &L::translation},
-      {"vibration", none, &L::vibration},
-      {"unresolved", none, &L::unresolved},
-      {"stored", none, &L::stored},
+      {"translation", none, &L::translation}, {"vibration", none, &L::vibration}, {"dissipated", none, &L::dissipated},
+      {"unresolved", none, &L::unresolved},   {"stored", none, &L::stored},
   };
   return all;
 }
@@ -67,6 +66,7 @@ const Quantities<Snapshot>& snapshot_quantities() {
       {"translation", none, &S::translation},
       {"vibration", none, &S::vibration},
       {"stored", none, &S::stored},
+      {"dissipated", none, &S::dissipated},
       {"unresolved", none, &S::unresolved},
       {"contact_half_width", length, &S::contact_half_width},
   };

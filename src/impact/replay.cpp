@@ -6,6 +6,7 @@
 
 #include "check.hpp"
 #include "contact/units.hpp"
+#include "numeric/damped_oscillator.hpp"
 #include "stoss/errors.hpp"
 
 namespace stoss {
@@ -122,13 +123,18 @@ State free_motion(const Contact& contact, const State& state, double time) {
   moved.center += state.velocity * time;
   std::size_t k = 0;
   for (std::size_t g = 0; g < contact.groups.size(); ++g) {
-    const double mass = modal_mass(contact, g);
-    for (const double omega : contact.groups[g].omega) {
-      const double cosine = std::cos(omega * time), sine = std::sin(omega * time);
+    const double mass = modal_mass(contact, g), half_loss = 0.5 * loss_time(contact, g);
+    for (std::size_t l = 0; l < contact.groups[g].omega.size(); ++l, ++k) {
+      if (half_loss > 0.0 && state.coordinate[k] == 0.0 && state.momentum[k] == 0.0) continue;  // however far back
+      const double omega = contact.groups[g].omega[l];
+      const auto [kept, coupling, slowed] = numeric::damped_motion(omega, half_loss * omega * omega, time);
       const double inertia = mass * omega;
-      moved.coordinate[k] = state.coordinate[k] * cosine + state.momentum[k] * sine / inertia;
-      moved.momentum[k] = state.momentum[k] * cosine - state.coordinate[k] * sine * inertia;
-      ++k;
+      moved.coordinate[k] = state.coordinate[k] * kept + state.momentum[k] * coupling / inertia;
+      moved.momentum[k] = state.momentum[k] * slowed - state.coordinate[k] * coupling * inertia;
+      if (!std::isfinite(moved.coordinate[k]) || !std::isfinite(moved.momentum[k])) {
+        throw InvalidInput("time: got " + std::to_string(time) +
+                           ", allowed times at which the modes are finite (a lossy body cannot be followed far back)");
+      }
     }
   }
   return moved;

@@ -35,6 +35,7 @@ void WholeBodies::show(Snapshot& now) const {
   now.force *= force_;
   now.translation = velocity * velocity * start_.translation / part_ / energy_;
   now.vibration = (now.vibration + (1.0 - part_) * lost * lost * start_.translation) / energy_;
+  now.dissipated /= energy_;
   now.stored /= energy_;
   now.unresolved /= energy_;
 }
@@ -45,7 +46,7 @@ void WholeBodies::show(Impact& impact) const {
   EnergyLedger& ledger = impact.energy;
   const double lost = 1.0 + impact.restitution;
   const double beyond = (1.0 - part_) * lost * lost * start_.translation / energy_;
-  for (double* each : {&ledger.vibration, &ledger.unresolved, &ledger.stored, &ledger.lost_to_first,
+  for (double* each : {&ledger.vibration, &ledger.dissipated, &ledger.unresolved, &ledger.stored, &ledger.lost_to_first,
                        &ledger.lost_to_second, &impact.energy_error}) {
     *each /= energy_;
   }

@@ -70,6 +70,46 @@ void advance(const Oscillators& modes, const std::size_t* begin, std::size_t blo
 }
 
 STOSS_MULTIVERSION
+void advance_damped(const Oscillators& modes, const Damping& damping, const std::size_t* begin, std::size_t blocks,
+                    const double* push, double* edge, double* lost) {
+  const double* const push_lower = push + blocks * lanes;
+  double* const edge_tangential = edge + blocks * lanes;
+  for (std::size_t block = 0; block < blocks; ++block) {
+    const Lanes upper_kick = load(push + block * lanes, 1.0);
+    const Lanes lower_kick = load(push_lower + block * lanes, 1.0);
+    Lanes upper_sum{};
+    Lanes lower_sum{};
+    Lanes lost_sum{};
+    for (std::size_t at = begin[block]; at < begin[block + 1]; at += lanes) {
+      double* const a = modes.a + at;
+      double* const b = modes.b + at;
+      const double* const cosine = modes.cosine + at;
+      const double* const sine = modes.sine + at;
+      const double* const velocity = damping.velocity + at;
+      const double* const rate = damping.rate + at;
+      const double* const due = damping.due + at;
+      const double* const upper = modes.upper + at;
+      const double* const lower = modes.lower + at;
+#pragma omp simd
+      for (std::size_t i = 0; i < lanes; ++i) {
+        const double before = a[i];
+        const double kick = upper[i] * upper_kick[i] + lower[i] * lower_kick[i];
+        const double kicked = b[i] - kick, between = b[i] - due[i] * kick;
+        const double after = before * cosine[i] + kicked * sine[i];
+        a[i] = after;
+        b[i] = kicked * velocity[i] - before * sine[i];
+        upper_sum[i] += upper[i] * after;
+        lower_sum[i] += lower[i] * after;
+        lost_sum[i] += rate[i] * between * between;
+      }
+    }
+    for (std::size_t i = 0; i < lanes; ++i) edge[block * lanes + i] = upper_sum[i];
+    for (std::size_t i = 0; i < lanes; ++i) edge_tangential[block * lanes + i] = lower_sum[i];
+    for (std::size_t i = 0; i < lanes; ++i) lost[block * lanes + i] += lost_sum[i];
+  }
+}
+
+STOSS_MULTIVERSION
 void accumulate_energy(const Oscillators& modes, const std::size_t* begin, std::size_t blocks, const double* push,
                        double* energy) {
   for (std::size_t block = 0; block < blocks; ++block) {

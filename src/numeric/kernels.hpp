@@ -25,6 +25,17 @@ struct Oscillators {
 /// value for each order, first of the upper rows, then of the lower ones.
 void advance(const Oscillators& modes, const std::size_t* begin, std::size_t blocks, const double* push, double* edge);
 
+/// What damped oscillators have besides.
+struct Damping {
+  const double* velocity;  ///< what a free step leaves of b, where `cosine` says what it leaves of a
+  const double* rate;      ///< weight of b² in the power that is lost
+  const double* due;       ///< share of the kick after which b is the velocity of smooth motion
+};
+
+/// The same for damped oscillators. Adds to `lost` of each order the sum of rate b² after the due share of the kick.
+void advance_damped(const Oscillators& modes, const Damping& damping, const std::size_t* begin, std::size_t blocks,
+                    const double* push, double* edge, double* lost);
+
 /// Adds the oscillators' energies a² + b², in units of mass ω/2, to energy[k], after half of the kick that is due.
 void accumulate_energy(const Oscillators& modes, const std::size_t* begin, std::size_t blocks, const double* push,
                        double* energy);

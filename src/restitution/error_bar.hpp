@@ -7,7 +7,7 @@
 namespace stoss {
 
 /// Order of convergence of 1 − ε² in the cutoff, as observed: with one point of contact the force jumps, on a surface
-/// it grows.
+/// it grows, and slower in lossy bodies.
 [[nodiscard]] double convergence_order(const Contact& contact);
 
 /// Fills the estimates of a result from its runs, of which the last is the finest (docs/numerics.md, section 5).
@@ -21,6 +21,9 @@ namespace stoss {
 /// s₀ the share s without its fall at high speed and e = (v/0.33)⁴, at most 3.5; s and n of balls are others, with
 /// e = 0.6;
 ///   at one point of contact max(U/2, 6 max_j |q_j − q_k| ω_j/ω_k).
+///
+/// Of lossy bodies, which dissipate D, it is at least C D/(n (1 + 2ηn/t))² with n nodes and the contact time t, C = 9
+/// of balls and 1.6 of disks (docs/theory/loss.md), and the power of the differences is 1.75.
 ///
 /// What the near side of a much larger body leaves out adds to the error.
 void conclude(const Contact& contact, double speed, const CurvatureCorrection& correction, Restitution& result);

@@ -32,6 +32,7 @@ Run summary(const Impact& impact) {
           .nodes = impact.nodes,
           .half_width = impact.half_width,
           .lost_fraction = impact.lost_fraction,
+          .dissipated = impact.energy.dissipated,
           .unresolved = impact.energy.unresolved,
           .contact_time = impact.contact_time,
           .impulse_time = impact.impulse_time,

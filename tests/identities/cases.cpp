@@ -23,9 +23,17 @@ struct Meeting {
   std::vector<double> speeds;
 };
 
-const std::vector<Named> bodies{
-    {"disk_m50", Disk{-0.5}}, {"disk_0", Disk{0.0}},        {"disk_33", Disk{0.33}},    {"disk_90", Disk{0.9}},
-    {"rod", Rod{}},           {"sphere_m50", Sphere{-0.5}}, {"sphere_30", Sphere{0.3}}, {"sphere_49", Sphere{0.49}}};
+const std::vector<Named> bodies{{"disk_m50", Disk{-0.5}},
+                                {"disk_0", Disk{0.0}},
+                                {"disk_33", Disk{0.33}},
+                                {"disk_90", Disk{0.9}},
+                                {"rod", Rod{}},
+                                {"sphere_m50", Sphere{-0.5}},
+                                {"sphere_30", Sphere{0.3}},
+                                {"sphere_49", Sphere{0.49}},
+                                {"lossy_disk", Disk{.poisson = 0.33, .loss_time = 0.1}},
+                                {"lossy_rod", Rod{.loss_time = 0.05}},
+                                {"lossy_sphere", Sphere{.poisson = 0.3, .loss_time = 0.1}}};
 
 const std::vector<Meeting> walls{{"static", false, Tail::quasistatic, {1e-3, 0.3}},
                                  {"radiating", false, Tail::radiating, {1e-3, 0.1, 0.3}},
@@ -41,6 +49,17 @@ const std::vector<Meeting> between_bodies{{"static", false, Tail::quasistatic, {
 const std::vector<Named> other_disks{{"small", Disk{0.2, 0.5, 2.0, 3.0}}, {"large", Disk{-0.3, 3.0, 0.5, 0.2}}};
 const std::vector<Named> other_spheres{{"small", Sphere{0.2, 0.5, 2.0, 3.0}}, {"large", Sphere{-0.3, 3.0, 0.5, 0.2}}};
 const std::vector<Named> other_rods{{"long", Rod{2.5, 1.0, 1.0, 1.0}}, {"thin", Rod{0.4, 2.0, 3.0, 0.2}}};
+
+// Beside a lossy body: one that loses nothing, and one that loses more.
+const std::vector<Named> beside_lossy_disks{{"small", Disk{0.2, 0.5, 2.0, 3.0}},
+                                            {"large", Disk{-0.3, 3.0, 0.5, 0.2, 0.7}}};
+const std::vector<Named> beside_lossy_spheres{{"small", Sphere{0.2, 0.5, 2.0, 3.0}},
+                                              {"large", Sphere{-0.3, 3.0, 0.5, 0.2, 0.7}}};
+const std::vector<Named> beside_lossy_rods{{"long", Rod{2.5, 1.0, 1.0, 1.0}}, {"thin", Rod{0.4, 2.0, 3.0, 0.2, 0.3}}};
+
+double loss_time_of(const Solid& solid) {
+  return std::visit([](const auto& body) { return body.loss_time; }, solid);
+}
 
 double cutoff_of(const Case& its) {
   if (is_rod(its)) return 50.0;
@@ -64,8 +83,10 @@ void add(const Named& first, const Named* second, const Meeting& meeting, std::v
 }
 
 const std::vector<Named>& others(const Solid& solid) {
-  if (std::holds_alternative<Rod>(solid)) return other_rods;
-  return std::holds_alternative<Sphere>(solid) ? other_spheres : other_disks;
+  const bool lossy = loss_time_of(solid) > 0.0;
+  if (std::holds_alternative<Rod>(solid)) return lossy ? beside_lossy_rods : other_rods;
+  if (std::holds_alternative<Sphere>(solid)) return lossy ? beside_lossy_spheres : other_spheres;
+  return lossy ? beside_lossy_disks : other_disks;
 }
 
 std::vector<Case> make_cases() {
@@ -120,6 +141,10 @@ std::vector<Case> soft_walls() {
   return those([](const Case& its) { return its.soft; });
 }
 
+bool is_lossy(const Case& its) {
+  return loss_time_of(its.first) > 0.0 || (its.second && loss_time_of(*its.second) > 0.0);
+}
+
 bool is_rod(const Case& its) { return std::holds_alternative<Rod>(its.first); }
 
 BodyMaker maker(const Solid& solid) {
@@ -144,7 +169,9 @@ Case swapped(const Case& its) {
 }
 
 Case in_units(const Case& its, double length, double modulus, double density) {
+  const double time = length * std::sqrt(density / modulus);
   const auto measured = [&](Solid solid) {
+    std::visit([time](auto& body) { body.loss_time *= time; }, solid);
     if (auto* slender = std::get_if<Rod>(&solid)) {
       slender->length *= length;
       slender->area *= length * length;

@@ -41,6 +41,9 @@ inline void PrintTo(const Case& its, std::ostream* out) { *out << its.name; }
 [[nodiscard]] std::vector<Case> soft_walls();
 
 [[nodiscard]] bool is_rod(const Case& its);
+
+/// Whether a material takes energy.
+[[nodiscard]] bool is_lossy(const Case& its);
 [[nodiscard]] BodyMaker maker(const Solid& solid);
 
 /// The contact of a case, its second body or its wall included.

@@ -25,6 +25,7 @@ void expect_same_bits(const Impact& a, const Impact& b) {
   EXPECT_EQ(a.final_state.coordinate, b.final_state.coordinate);
   EXPECT_EQ(a.final_state.momentum, b.final_state.momentum);
   EXPECT_EQ(a.energy.unresolved, b.energy.unresolved);
+  EXPECT_EQ(a.energy.dissipated, b.energy.dissipated);
   EXPECT_EQ(a.energy.lost_to_first, b.energy.lost_to_first);
   EXPECT_EQ(a.energy.lost_to_second, b.energy.lost_to_second);
 }
@@ -39,7 +40,9 @@ TEST_P(Identity, GridDoesNotMatter) {
   const Impact b = impact(contact, its.speed, {.resolution = {.step = step, .nodes = fine, .tail = its.tail}});
   // Without damping the nodes at the edge of a fast contact rattle, which costs the static tail a digit.
   const double rattle = has_static_tail() ? its.speed : 0.0;
-  EXPECT_NEAR(a.lost_fraction, b.lost_fraction, its.soft ? 1e-9 : 5e-5 + 1e-3 * rattle);
+  // What a node that leaves dissipates, 9/n² at most (docs/theory/loss.md).
+  const double relaxed = (its.soft ? 1e-5 : 2e-3) * a.energy.dissipated;
+  EXPECT_NEAR(a.lost_fraction, b.lost_fraction, (its.soft ? 1e-9 : 5e-5 + 1e-3 * rattle) + relaxed);
   // Extrema are those of the steps, which on another grid fall on other instants.
   EXPECT_NEAR(a.max_force / b.max_force, 1.0, 1e-3 + 1e-2 * rattle);
   EXPECT_NEAR(a.max_compression, b.max_compression, 1e-4 * std::abs(b.max_compression));

@@ -74,7 +74,7 @@ def test_rods_have_their_own_units_at_every_instant(tmp_path):
     hit = stoss.impact(rod, speed=1.0, cutoff=100)
     assert "max_force_si[N]" in header(hit, tmp_path / "impact.csv") and "contact time 2" in repr(hit)
     path = hit.trajectory(every=10)
-    expected = "time[L/c],center[L],velocity[c],force[EA],translation,vibration,stored,unresolved"
+    expected = "time[L/c],center[L],velocity[c],force[EA],translation,vibration,stored,dissipated,unresolved"
     assert header(path, tmp_path / "path.csv") == [*expected.split(","), "contact_half_width[L]"]
     assert "R/c" not in repr(path)
 

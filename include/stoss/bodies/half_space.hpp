@@ -7,16 +7,18 @@ namespace stoss {
 /// An elastic half-space as a value, which a sphere meets: its Poisson number, and its material beside other bodies, in
 /// any consistent units.
 struct HalfSpace {
-  double poisson = 0.0;  ///< ν, −0.95 … 0.4999
-  double young = 1.0;    ///< E
-  double density = 1.0;  ///< ρ
+  double poisson = 0.0;    ///< ν, −0.95 … 0.4999
+  double young = 1.0;      ///< E
+  double density = 1.0;    ///< ρ
+  double loss_time = 0.0;  ///< η (docs/theory/loss.md), in the unit of time that goes with the others
 };
 
 /// An elastic half-plane, which a disk meets.
 struct HalfPlane {
-  double poisson = 0.0;  ///< 2-D ν, −0.95 … 0.995 (plane strain: Material)
-  double young = 1.0;    ///< 2-D E
-  double density = 1.0;  ///< ρ
+  double poisson = 0.0;    ///< 2-D ν, −0.95 … 0.995 (plane strain: Material)
+  double young = 1.0;      ///< 2-D E
+  double density = 1.0;    ///< ρ
+  double loss_time = 0.0;  ///< η
 };
 
 /// An elastic half-space with the waves of its surface up to a cutoff, for contacts of limited duration.

@@ -11,6 +11,9 @@ struct Sphere {
   double radius = 1.0;   ///< R
   double young = 1.0;    ///< E
   double density = 1.0;  ///< ρ
+  /// η of a Kelvin–Voigt material, stress = (1 + η ∂/∂t) elastic stress: in the unit of time that the others imply,
+  /// that of length √(density/young); 0 … 1e5 R/c of the sphere.
+  double loss_time = 0.0;
 };
 
 /// An elastic sphere with all axisymmetric spheroidal modes up to a cutoff, in its own units R = c = ρ = E = 1,

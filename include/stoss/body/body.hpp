@@ -92,11 +92,12 @@ struct Body {
   std::string name;  ///< with its parameters, for provenance
   BodyScale scale;   ///< of this body beside others
   Contour contour = Contour::flat;
-  double mass = 0.0;      ///< of the body, and of every mode
-  double extent = 0.0;    ///< distance from the centre of mass to the foremost point
+  double mass = 0.0;       ///< of the body, and of every mode
+  double extent = 0.0;     ///< distance from the centre of mass to the foremost point
   double curvature = 1.0;  ///< of its surface near the foremost point, 1/R
   double softness = 1.0;   ///< 1/E* near its end, in 1/E: 1 in plane stress, 1 − ν² in plane strain, 0 if rigid
-  double cutoff = 0.0;    ///< all modes with ω ≤ cutoff are in `groups` (but see with_modes)
+  double loss_time = 0.0;  ///< η of a lossy material, R/c: stress = (1 + η ∂/∂t) elastic stress
+  double cutoff = 0.0;     ///< all modes with ω ≤ kept_cutoff(body) are in `groups` (but see with_modes)
   double highest_cutoff = std::numeric_limits<double>::infinity();  ///< that such a body can be made with
   /// Largest stable time step at a hard wall: above it one kick moves the kept modes of some order further than the
   /// residual compliance does.
@@ -127,9 +128,19 @@ using BodyMaker = std::function<Body(double cutoff, const Poll& poll)>;
 [[nodiscard]] BodyMaker rigid(const BodyMaker& maker);
 
 /// Checks what a contact relies on: positive finite scale, mass and cutoff; groups with arrays of one length, finite
-/// weights and 0 < ω ≤ cutoff; all functions.
+/// weights and 0 < ω ≤ kept_cutoff(body); all functions.
 /// @throws InvalidInput naming the body and what is wrong with it
 void validate(const Body& body);
+
+/// Highest frequency of the modes that a body keeps at a cutoff, both in one unit of frequency and η in that of time:
+/// the cutoff, or less in a lossy material, min(ω_c, √(ω_c/η)).
+///
+/// A mode decays at up to 2γ = ηω². Where that is faster than the steps, which ω_c sets, kicks are no substitute for
+/// a force, while the compliance of the modes that are not kept describes it (docs/theory/loss.md).
+[[nodiscard]] double kept_cutoff(double cutoff, double loss_time);
+
+/// The same of a body, in its own units.
+[[nodiscard]] double kept_cutoff(const Body& body);
 
 /// Number of kept modes.
 [[nodiscard]] std::size_t mode_count(const Body& body);

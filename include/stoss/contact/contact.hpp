@@ -32,7 +32,7 @@ struct Contact {
   double mass = 0.0;                   ///< m of the first at a wall, else μ
   double whole_mass = 0.0;             ///< the same of whole bodies, where only a part of one is there (BodyPart)
   double extent = 0.0;                 ///< distance of the centres (or of centre and wall) at first touch
-  double cutoff = 0.0;                 ///< all modes with ω ≤ cutoff are kept
+  double cutoff = 0.0;                 ///< all modes with ω ≤ cutoff are kept; of a lossy body fewer (kept_cutoff)
   double stable_step = 0.0;            ///< as Body::stable_step
   std::vector<ModeGroup> groups;       ///< of the first, then of the second, every modal mass `mass`
   std::size_t first_groups = 0;        ///< how many of them are of the first
@@ -64,6 +64,12 @@ struct Contact {
 
 /// Modal mass of the modes of a group by themselves: the mass of their body.
 [[nodiscard]] double modal_mass(const Contact& contact, std::size_t group);
+
+/// Loss time η of the body that the modes of a group belong to, R/c of the first.
+[[nodiscard]] double loss_time(const Contact& contact, std::size_t group);
+
+/// Longest loss time of the bodies, R/c of the first; 0 if they lose nothing.
+[[nodiscard]] double longest_loss_time(const Contact& contact);
 
 /// Highest wave number of the kept modes along the contact, 1/R.
 [[nodiscard]] double highest_wave_number(const Contact& contact);

@@ -41,7 +41,8 @@ struct Snapshot {
   double force = 0.0;                  ///< F, πRE = mc²/R
   double translation = 0.0;            ///< ½mv²
   double vibration = 0.0;              ///< of the kept modes
-  double stored = 0.0;                 ///< in the wall's potential or the quasistatic tail
+  double stored = 0.0;                 ///< in the wall's potential, the quasistatic tail or a lossy one
+  double dissipated = 0.0;             ///< lost to the material so far
   double unresolved = 0.0;             ///< taken by the modes above the cutoff
   double contact_half_width = 0.0;     ///< R
   std::span<const double> coordinate;  ///< Q, on request; valid during the call
@@ -73,10 +74,11 @@ struct ModeEnergy {
 /// Where the energy is after the impact, as shares of the initial energy; the sum is 1 but for energy_error.
 struct EnergyLedger {
   double translation = 0.0;
-  double vibration = 0.0;         ///< of the kept modes
-  double unresolved = 0.0;        ///< of the modes above the cutoff (radiating tail)
-  double stored = 0.0;            ///< left in the exponential wall's potential, < 1e-10
-  double lost_to_first = 0.0;     ///< vibration of the first body, its share of `unresolved` included
+  double vibration = 0.0;   ///< of the kept modes; in a lossy body it will become heat
+  double dissipated = 0.0;  ///< lost to the material until the end of the impact; 0 without a loss time
+  double unresolved = 0.0;  ///< of the modes above the cutoff (radiating tail)
+  double stored = 0.0;      ///< left in the exponential wall's potential, < 1e-10, and in a lossy body where it relaxes
+  double lost_to_first = 0.0;     ///< what the first body vibrates with, dissipates and holds, and of `unresolved`
   double lost_to_second = 0.0;    ///< the same of the second; 0 at a wall
   std::vector<ModeEnergy> modes;  ///< in the order of Contact::groups
 };

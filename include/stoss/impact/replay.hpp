@@ -44,8 +44,9 @@ struct BodyFrame {
 /// on the surface as contact points do.
 [[nodiscard]] std::vector<double> surface_displacement(const BodyFrame& seen, const ContactPoints& points);
 
-/// State after the bodies have touched nothing for a time, forward or back: x₀ drifts and every mode
-/// rotates.
+/// State after the bodies have touched nothing for a time, forward or back: x₀ drifts and every mode rotates, and
+/// decays in a lossy body; back in time it grows.
+/// @throws InvalidInput for a time so far back that a vibration of a lossy body exceeds all numbers
 [[nodiscard]] State free_motion(const Contact& contact, const State& state, double time);
 
 /// Energy of each mode, mc², in the order of Contact::groups.

@@ -26,6 +26,7 @@ struct Run {
   int nodes = 0;
   double half_width = 0.0;  ///< of the contact grid
   double lost_fraction = 0.0;
+  double dissipated = 0.0;  ///< energy that the material took, share of the initial energy
   double unresolved = 0.0;  ///< energy that the modes above the cutoff took, share of the initial energy
   double contact_time = 0.0;
   double impulse_time = 0.0;

@@ -75,8 +75,12 @@ std::string name_of(const Disk& disk) {
   if (disk.radius != 1.0) name += " radius=" + shown(disk.radius);
   if (disk.young != 1.0) name += " young=" + shown(disk.young);
   if (disk.density != 1.0) name += " density=" + shown(disk.density);
+  if (disk.loss_time != 0.0) name += " loss_time=" + shown(disk.loss_time);
   return name;
 }
+
+/// η in R/c
+double own_loss_time(const Disk& disk) { return disk.loss_time * (std::sqrt(disk.young / disk.density) / disk.radius); }
 
 void require_disk(const Disk& disk) {
   require_poisson(disk.poisson);
@@ -84,6 +88,7 @@ void require_disk(const Disk& disk) {
   require("radius", disk.radius, positive, "of the disk");
   require("young", disk.young, positive, "Young's modulus of the disk");
   require("density", disk.density, positive, "of the disk");
+  require_loss_time(own_loss_time(disk));
 }
 
 /// Chosen so that steps, contact points and modes are refined together (docs/numerics.md, section 5).
@@ -96,7 +101,9 @@ Body disk(const Disk& disk, double cutoff, const Poll& poll) {
   const double poisson = disk.poisson;
   constexpr Range allowed{0.0, max_cutoff, false, true, "above 0 to 1000"};
   require("cutoff", cutoff, allowed, "highest frequency in c/R of this disk; 25 to 100 is usual");
-  const std::vector<Mode> modes = cutoff <= no_mode_below ? std::vector<Mode>{} : checked_modes(poisson, cutoff, poll);
+  const double loss_time = own_loss_time(disk), highest = kept_cutoff(cutoff, loss_time);
+  const std::vector<Mode> modes =
+      highest <= no_mode_below ? std::vector<Mode>{} : checked_modes(poisson, highest, poll);
   Body body;
   body.name = name_of(disk);
   body.scale = {disk.radius, std::sqrt(disk.young / disk.density),
@@ -104,6 +111,7 @@ Body disk(const Disk& disk, double cutoff, const Poll& poll) {
   body.contour = Contour::cylinder;
   body.mass = std::numbers::pi;
   body.extent = 1.0;
+  body.loss_time = loss_time;
   body.cutoff = cutoff;
   body.highest_cutoff = max_cutoff;
   body.sampling = sampling;
@@ -118,8 +126,10 @@ Body disk(const Disk& disk, double cutoff, const Poll& poll) {
   body.residual_second_moment = [residual](const ContactPoints& points, const Poll& heed) {
     return residual->second_moment(points, heed);
   };
-  body.near_side = [disk](double size, double highest, const Poll& heed) {
-    return near_side(disk, size, highest, heed);
+  body.near_side = [disk, name = body.name](double size, double up_to, const Poll& heed) {
+    Body part = near_side(disk, size, up_to, heed);
+    part.name = name + " (near side)";
+    return part;
   };
   return body;
 }

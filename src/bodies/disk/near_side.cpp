@@ -38,19 +38,21 @@ Surface whole_surface(Surface surface, const ContactPoints& points, double size)
 
 Body near_side(const Disk& disk, double size, double cutoff, const Poll& poll) {
   require("size", size, {0.0, 1.0, false, true, "above 0 to 1"}, "of the near side of a disk, in its radius");
-  const auto part = std::make_shared<const Body>(stoss::disk(disk, cutoff * size, poll));
+  Disk like = disk;
+  like.loss_time /= size;
+  const auto part = std::make_shared<const Body>(stoss::disk(like, cutoff * size, poll));
   const double whole_mass = part->mass;
   Body body = *part;
-  body.name += " (near side)";
   body.mass = whole_mass * size * size;
   body.scale.mass *= size * size;
   body.part = {size, whole_mass - body.mass, 4.0 * size * std::sqrt(1.0 - disk.poisson * disk.poisson)};
   body.cutoff = cutoff;
+  body.loss_time *= size;
   body.highest_cutoff = part->highest_cutoff / size;
   body.stable_step *= size;
   for (ModeGroup& group : body.groups) {
     group.wave_number /= size;
-    for (double& omega : group.omega) omega = std::min(omega / size, cutoff);  // rounding
+    for (double& omega : group.omega) omega = std::min(omega / size, kept_cutoff(body));  // rounding
   }
   body.surface = [part, size](const ContactPoints& points) {
     return whole_surface(part->surface(seen_by_part(points, size)), points, size);

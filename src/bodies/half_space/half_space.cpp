@@ -26,11 +26,19 @@ constexpr double most_waves = 1e6;
 /// A half-space or a half-plane.
 struct Solid {
   Contour contour;
-  double poisson, young, density;
+  double poisson, young, density, loss_time;
+
+  /// η in its own unit of time.
+  [[nodiscard]] double own_loss_time() const { return loss_time * std::sqrt(young / density); }
 };
 
-Solid solid(const HalfSpace& given) { return {Contour::ball, given.poisson, given.young, given.density}; }
-Solid solid(const HalfPlane& given) { return {Contour::cylinder, given.poisson, given.young, given.density}; }
+Solid solid(const HalfSpace& given) {
+  return {Contour::ball, given.poisson, given.young, given.density, given.loss_time};
+}
+
+Solid solid(const HalfPlane& given) {
+  return {Contour::cylinder, given.poisson, given.young, given.density, given.loss_time};
+}
 
 void require_solid(const Solid& given) {
   if (given.contour == Contour::ball) {
@@ -41,6 +49,7 @@ void require_solid(const Solid& given) {
   constexpr Range positive{0.0, std::numeric_limits<double>::max(), false, true, "a positive finite number"};
   require("young", given.young, positive, "Young's modulus of the half-space");
   require("density", given.density, positive, "of the half-space");
+  require_loss_time(given.own_loss_time());
 }
 
 std::string name_of(const Solid& given) {
@@ -48,6 +57,7 @@ std::string name_of(const Solid& given) {
   name += " poisson=" + shown(given.poisson);
   if (given.young != 1.0) name += " young=" + shown(given.young);
   if (given.density != 1.0) name += " density=" + shown(given.density);
+  if (given.loss_time != 0.0) name += " loss_time=" + shown(given.loss_time);
   return name;
 }
 
@@ -80,11 +90,12 @@ Body made(const Solid& given, double cutoff, double duration, const Poll& poll) 
   require("cutoff", cutoff, positive, "highest frequency of the half-space");
   require("duration", duration, positive, "longest contact with the half-space");
   const Medium medium = bodies::half_space::medium(given.contour, given.poisson);
-  if (expected_count(medium, cutoff, duration) > most_waves) {
+  const double loss_time = given.own_loss_time(), highest = kept_cutoff(cutoff, loss_time);
+  if (expected_count(medium, highest, duration) > most_waves) {
     throw InvalidInput("cutoff: got " + shown(cutoff) + " of a half-space for contacts of " + shown(duration) +
                        " in its own time, allowed a smaller product (more waves than are computed)");
   }
-  const auto waves = std::make_shared<const std::vector<SurfaceWaves>>(surface_waves(medium, cutoff, duration, poll));
+  const auto waves = std::make_shared<const std::vector<SurfaceWaves>>(surface_waves(medium, highest, duration, poll));
   Body body;
   body.name = name_of(given);
   body.scale = {1.0, std::sqrt(given.young / given.density), given.density};
@@ -93,6 +104,7 @@ Body made(const Solid& given, double cutoff, double duration, const Poll& poll) 
   body.mass = 1.0;
   body.part = {1.0, infinity, duration};
   body.softness = medium.softness;
+  body.loss_time = loss_time;
   body.cutoff = cutoff;
   body.sampling = given.contour == Contour::ball ? sampling_of_balls : sampling_of_disks;
   for (const SurfaceWaves& each : *waves) {
@@ -103,7 +115,7 @@ Body made(const Solid& given, double cutoff, double duration, const Poll& poll) 
     body.groups.push_back(std::move(group));
   }
   body.surface = [medium, waves](const ContactPoints& points) { return make_surface(medium, *waves, points); };
-  const auto residual = std::make_shared<const Residual>(medium, cutoff, waves);
+  const auto residual = std::make_shared<const Residual>(medium, highest, waves);
   body.stable_step = residual->stable_step();
   body.residual_compliance = [residual](const ContactPoints& points, const Poll& heed) {
     return residual->compliance(points, heed);
@@ -111,8 +123,8 @@ Body made(const Solid& given, double cutoff, double duration, const Poll& poll) 
   body.residual_second_moment = [residual](const ContactPoints& points, const Poll& heed) {
     return residual->second_moment(points, heed);
   };
-  body.near_side = [given](double longest, double highest, const Poll& heed) {
-    return made(given, highest, longest, heed);
+  body.near_side = [given](double longest, double limit, const Poll& heed) {
+    return made(given, limit, longest, heed);
   };
   return body;
 }

@@ -68,7 +68,13 @@ std::string name_of(const Sphere& sphere) {
   if (sphere.radius != 1.0) name += " radius=" + shown(sphere.radius);
   if (sphere.young != 1.0) name += " young=" + shown(sphere.young);
   if (sphere.density != 1.0) name += " density=" + shown(sphere.density);
+  if (sphere.loss_time != 0.0) name += " loss_time=" + shown(sphere.loss_time);
   return name;
+}
+
+/// η in R/c
+double own_loss_time(const Sphere& sphere) {
+  return sphere.loss_time * (std::sqrt(sphere.young / sphere.density) / sphere.radius);
 }
 
 void require_sphere(const Sphere& sphere) {
@@ -77,10 +83,14 @@ void require_sphere(const Sphere& sphere) {
   require("radius", sphere.radius, positive, "of the sphere");
   require("young", sphere.young, positive, "Young's modulus of the sphere");
   require("density", sphere.density, positive, "of the sphere");
+  require_loss_time(own_loss_time(sphere));
 }
 
 /// Chosen so that steps, rings and modes are refined together (docs/numerics.md, section 5).
 constexpr Sampling sampling{.points = 40.0, .cutoff = 32.0, .power = 0.7, .along_edge = 0.0, .fewest = 32};
+
+/// What a lossy sphere loses is as accurate as its modes with twice the rings.
+constexpr Sampling sampling_of_losses{.points = 80.0, .cutoff = 32.0, .power = 0.7, .along_edge = 0.0, .fewest = 64};
 
 }  // namespace
 
@@ -96,7 +106,9 @@ Body sphere(const Sphere& sphere, double cutoff, const Poll& poll) {
   const double poisson = sphere.poisson;
   constexpr Range allowed{0.0, max_cutoff, false, true, "above 0 to 1000"};
   require("cutoff", cutoff, allowed, "highest frequency in c/R of this sphere; 25 to 100 is usual");
-  const std::vector<Mode> modes = cutoff <= no_mode_below ? std::vector<Mode>{} : checked_modes(poisson, cutoff, poll);
+  const double loss_time = own_loss_time(sphere), highest = kept_cutoff(cutoff, loss_time);
+  const std::vector<Mode> modes =
+      highest <= no_mode_below ? std::vector<Mode>{} : checked_modes(poisson, highest, poll);
   Body body;
   body.name = name_of(sphere);
   body.scale = {sphere.radius, std::sqrt(sphere.young / sphere.density),
@@ -105,9 +117,10 @@ Body sphere(const Sphere& sphere, double cutoff, const Poll& poll) {
   body.mass = mass;
   body.extent = 1.0;
   body.softness = 1.0 - poisson * poisson;
+  body.loss_time = loss_time;
   body.cutoff = cutoff;
   body.highest_cutoff = max_cutoff;
-  body.sampling = sampling;
+  body.sampling = loss_time > 0.0 ? sampling_of_losses : sampling;
   body.groups = group_by_degree(modes);
   const std::size_t rows = modes.empty() ? 0 : static_cast<std::size_t>(modes.back().order) + 2;
   body.surface = [poisson, rows](const ContactPoints& points) { return make_surface(poisson, rows, points); };
