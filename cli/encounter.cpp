@@ -166,8 +166,8 @@ std::optional<double> Encounter::find_yield_speed() const {
   constexpr double infinity = std::numeric_limits<double>::infinity();
   Material met = material;
   if (first_.rigid) met.young = infinity;
-  return of_what_is_met([&, radius = radius] {
-    return quasistatic::yield_speed(met, radius, second_material(), against_.value("radius", infinity));
+  return of_what_is_met([&] {
+    return quasistatic::yield_speed(met, first_.sphere->radius, second_material(), against_.value("radius", infinity));
   });
 }
 
