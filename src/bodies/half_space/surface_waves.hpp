@@ -24,7 +24,7 @@ struct SurfaceWaves {
 [[nodiscard]] std::vector<SurfaceWaves> surface_waves(const Medium& medium, double cutoff, double duration,
                                                       const Poll& poll);
 
-/// About how many waves that would be.
-[[nodiscard]] double expected_count(const Medium& medium, double cutoff, double duration);
+/// Cutoff at which that would be about so many waves.
+[[nodiscard]] double cutoff_of_count(const Medium& medium, double count, double duration);
 
 }  // namespace stoss::bodies::half_space
