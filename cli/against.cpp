@@ -18,9 +18,9 @@ namespace {
 const std::map<std::string, std::vector<std::string>> kinds{
     {"wall", {}},
     {"same", {}},
-    {"disk", {"poisson", "radius", "young", "density"}},
-    {"sphere", {"poisson", "radius", "young", "density", "yield"}},
-    {"rod", {"length", "young", "density", "area"}},
+    {"disk", {"poisson", "radius", "young", "density", "loss_time"}},
+    {"sphere", {"poisson", "radius", "young", "density", "loss_time", "yield"}},
+    {"rod", {"length", "young", "density", "area", "loss_time"}},
     {"exponential", {"hardness", "strength"}},
 };
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "encounter.hpp"
+#include "options.hpp"
 #include "stoss/errors.hpp"
 
 namespace stoss::cli {
@@ -34,17 +35,23 @@ void EncounterArguments::add_to(CLI::App& to, const std::string& kind, const std
       ->check(CLI::IsMember({"disk", "sphere", "rod"}))
       ->type_name("BODY")
       ->group("Body");
+  add_number(to, "--loss-time", loss_time,
+             "Loss time eta of the body: stress = (1 + eta d/dt) elastic stress\n(default: 0); in R/c, with a material "
+             "in s")
+      ->type_name("ETA")
+      ->group("Body");
   disk.add_material_to(to, material_group);
   sphere.add_to(to);
   rod.add_to(to);
   to.add_option("--against", against,
                 "What the body meets (default: wall)\n"
                 "  wall: a rigid wall; same: a second body, equal to the first\n"
-                "  disk[,poisson=NU,radius=R,young=E,density=RHO]: a second disk,\n"
-                "               in units of the first; with a material, in SI\n"
-                "  sphere[,poisson=NU,radius=R,young=E,density=RHO,yield=Y]: a second\n"
-                "               sphere, likewise; yield only with a material\n"
-                "  rod[,length=L,young=E,density=RHO,area=A]: a second rod, likewise" +
+                "  disk[,poisson=NU,radius=R,young=E,density=RHO,loss_time=ETA]: a second\n"
+                "               disk, in units of the first; with a material, in SI\n"
+                "  sphere[,poisson=NU,radius=R,young=E,density=RHO,loss_time=ETA,yield=Y]:\n"
+                "               a second sphere, likewise; yield only with a material\n"
+                "  rod[,length=L,young=E,density=RHO,area=A,loss_time=ETA]: a second rod,\n"
+                "               likewise" +
                     help)
       ->type_name("{wall,same,disk,sphere,rod" + (kind.empty() ? "" : "," + kind) + "}[,KEY=NUMBER]...")
       ->group("Against");
@@ -59,7 +66,7 @@ Encounter EncounterArguments::encounter() const {
     throw InvalidInput(fmt::format("{0}: got --{0} with --body {1}, allowed only with --body {2}", option, body,
                                    fmt::join(bodies, " or ")));
   }
-  FirstBody first{kind, disk, {}, {}};
+  FirstBody first{kind, disk, {}, {}, loss_time};
   if (kind == BodyKind::sphere) first.sphere = sphere.si(disk);
   if (kind == BodyKind::rod) first.rod = rod.si(disk);
   return {std::move(first), parse_against(against)};

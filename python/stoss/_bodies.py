@@ -8,7 +8,7 @@ from typing import Any, Iterator, Union
 
 from stoss import _core
 from stoss._arguments import refusal
-from stoss._body_values import call, fill, known_material, size
+from stoss._body_values import call, fill, known_material, own_loss_time, size
 from stoss._errors import InvalidInput
 from stoss._material import Material, Scales
 from stoss._sphere import Sphere as Sphere
@@ -30,6 +30,10 @@ class Disk:
         Radius R; 1, or with a material to be given in m.
     young, density : float, optional
         Young's modulus E and density ρ.
+    loss_time : float, optional
+        Loss time η of a Kelvin–Voigt material, stress = (1 + η ∂/∂t) elastic stress; 0. In the unit of
+        time that the others imply, R/c of the first body; with a material in s. A quality Q at a
+        frequency ω is η = 1/(Qω).
     material : Material
         In place of `poisson`, `young` and `density`: then these attributes are ν, E and ρ in plane
         stress, ν/(1−ν), E/(1−ν²) and ρ in plane strain.
@@ -48,6 +52,7 @@ class Disk:
     radius: float
     young: float
     density: float
+    loss_time: float
     material: Material | None
     plane: str | None
 
@@ -58,6 +63,7 @@ class Disk:
         radius: float | None = None,
         young: float | None = None,
         density: float | None = None,
+        loss_time: float | None = None,
         material: Material | None = None,
         plane: str | None = None,
     ) -> None:
@@ -72,13 +78,14 @@ class Disk:
             modulus = material.young if plane == "stress" else material.young / (1.0 - material.poisson**2)
             made = {"poisson": material._plane_poisson(plane), "young": modulus, "density": material.density}
         fill(self, made, material, poisson=poisson, young=young, density=density)
-        fill(self, {"radius": 1.0}, None, radius=radius)
+        fill(self, {"radius": 1.0, "loss_time": 0.0}, None, radius=radius, loss_time=loss_time)
         object.__setattr__(self, "material", material)
         object.__setattr__(self, "plane", plane)
         self._maker()  # refuses what is out of range
 
     def __repr__(self) -> str:
-        return call(self, ("poisson", "radius", "young", "density"), ("radius", "material", "plane"))
+        ratios = ("poisson", "radius", "young", "density", "loss_time")
+        return call(self, ratios, ("radius", "loss_time", "material", "plane"))
 
     @property
     def scales(self) -> Scales:
@@ -86,11 +93,11 @@ class Disk:
         return known_material(self)._scales(str(self.plane), self.radius)
 
     def _maker(self) -> _core.BodyMaker:
-        return _core.disk(self.poisson, self.radius, self.young, self.density)
+        return _core.disk(self.poisson, self.radius, self.young, self.density, self.loss_time)
 
     def _shape(self) -> Disk:
         """What counts at a wall: the same for all sizes."""
-        return Disk(poisson=self.poisson)
+        return Disk(poisson=self.poisson, loss_time=own_loss_time(self, self.radius))
 
 
 @dataclasses.dataclass(frozen=True, init=False, repr=False)
@@ -108,6 +115,10 @@ class Rod:
         Young's modulus E and density ρ.
     area : float
         Of the cross-section, A; 1, or with a material to be given in m².
+    loss_time : float, optional
+        Loss time η of a Kelvin–Voigt material, stress = (1 + η ∂/∂t) elastic stress; 0. In the unit of
+        time that the others imply, L/c of the first body; with a material in s. A quality Q at a
+        frequency ω is η = 1/(Qω).
     material : Material
         In place of `young` and `density`.
 
@@ -122,6 +133,7 @@ class Rod:
     young: float
     density: float
     area: float
+    loss_time: float
     material: Material | None
 
     def __init__(
@@ -131,6 +143,7 @@ class Rod:
         young: float | None = None,
         density: float | None = None,
         area: float | None = None,
+        loss_time: float | None = None,
         material: Material | None = None,
     ) -> None:
         made = {"young": 1.0, "density": 1.0}
@@ -139,12 +152,13 @@ class Rod:
             size("area", area, material)
             made = {"young": material.young, "density": material.density}
         fill(self, made, material, young=young, density=density)
-        fill(self, {"length": 1.0, "area": 1.0}, None, length=length, area=area)
+        fill(self, {"length": 1.0, "area": 1.0, "loss_time": 0.0}, None, length=length, area=area, loss_time=loss_time)
         object.__setattr__(self, "material", material)
         self._maker()  # refuses what is out of range
 
     def __repr__(self) -> str:
-        return call(self, ("length", "young", "density", "area"), ("length", "area", "material"))
+        ratios = ("length", "young", "density", "area", "loss_time")
+        return call(self, ratios, ("length", "area", "loss_time", "material"))
 
     @property
     def scales(self) -> Scales:
@@ -153,11 +167,11 @@ class Rod:
         return Scales(*_core.rod_scales(self.length, self.young, self.density, self.area))
 
     def _maker(self) -> _core.BodyMaker:
-        return _core.rod(self.length, self.young, self.density, self.area)
+        return _core.rod(self.length, self.young, self.density, self.area, self.loss_time)
 
     def _shape(self) -> Rod:
         """What counts at a wall: the same for all sizes."""
-        return Rod()
+        return Rod(loss_time=own_loss_time(self, self.length))
 
 
 Body = Union[Disk, Rod, Sphere]
