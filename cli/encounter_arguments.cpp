@@ -46,12 +46,12 @@ void EncounterArguments::add_to(CLI::App& to, const std::string& kind, const std
   to.add_option("--against", against,
                 "What the body meets (default: wall)\n"
                 "  wall: a rigid wall; same: a second body, equal to the first\n"
-                "  disk[,poisson=NU,radius=R,young=E,density=RHO,loss_time=ETA]: a second\n"
-                "               disk, in units of the first; with a material, in SI\n"
-                "  sphere[,poisson=NU,radius=R,young=E,density=RHO,loss_time=ETA,yield=Y]:\n"
-                "               a second sphere, likewise; yield only with a material\n"
-                "  rod[,length=L,young=E,density=RHO,area=A,loss_time=ETA]: a second rod,\n"
-                "               likewise" +
+                "  disk[,poisson=NU,radius=R,young=E,density=RHO]: a second disk,\n"
+                "               in units of the first; with a material, in SI\n"
+                "  sphere[,poisson=NU,radius=R,young=E,density=RHO,yield=Y]: a second\n"
+                "               sphere, likewise; yield only with a material\n"
+                "  rod[,length=L,young=E,density=RHO,area=A]: a second rod, likewise;\n"
+                "               a second body may have loss_time=ETA too" +
                     help)
       ->type_name("{wall,same,disk,sphere,rod" + (kind.empty() ? "" : "," + kind) + "}[,KEY=NUMBER]...")
       ->group("Against");

@@ -225,7 +225,7 @@ void add_restitution(CLI::App& app, int& exit_code) {
       "  stoss restitution --body sphere --poisson 0.3 --speed log:1e-5:0.3:40\n"
       "  stoss restitution --body sphere --poisson 0.3 --young 2.1e11 --density 7850 --radius 0.01\n"
       "      --yield 1e9 --speed 0.1,1 --against sphere,young=7e10,density=2500,radius=0.02\n"
-      "  stoss restitution --body sphere --poisson 0.3 --loss-time 0.1 --speed 0.1 --against sphere,loss_time=1\n"
+      "  stoss restitution --body sphere --poisson 0.3 --loss-time 0.1 --speed log:1e-4:0.1:7\n"
       "  stoss restitution --body rod --speed 0.1 --against rod,length=2.5,density=3\n"
       "  stoss restitution --body rod --young 2.1e11 --density 7850 --length 0.5 --area 1e-4 --speed 1\n"
       "      --against rod,young=7e10,density=2700,length=1,area=2e-4");

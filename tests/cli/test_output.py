@@ -207,10 +207,10 @@ def test_manual_and_completion_have_the_options_of_the_help(stoss):
     assert "@" not in manual and "@" not in completion
     for subcommand in ("modes", "impact", "restitution", "quasistatic"):
         text = stoss.run(subcommand, "--help").stdout
-        options = set(re.findall(r"^  (?:-\w,)?(--[a-z]+)", text, re.MULTILINE))
+        options = set(re.findall(r"^  (?:-\w,)?(--[a-z-]+)", text, re.MULTILINE))
         assert len(options) > 8
         manual_options = sections[f"stoss {subcommand}"] + sections["All subcommands"]
-        assert set(re.findall(r"\\fB(--[a-z]+)", manual_options)) == options
+        assert set(re.findall(r"\\fB(--[a-z-]+)", manual_options)) == options
         (words,) = re.findall(rf'^ +{subcommand}\) words="(.*)"', completion, re.MULTILINE)
         assert {word for word in words.split() if word.startswith("--")} == options
 
