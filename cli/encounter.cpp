@@ -55,6 +55,10 @@ void require_elastic(const FirstBody& first, const Against& against) {
   if (first.sphere && first.sphere->material.yield_strength) {
     throw InvalidInput("yield: got --yield with --rigid-body, allowed only without (the second may have yield=)");
   }
+  if (first.loss_time != 0.0) {
+    throw InvalidInput(
+        "loss-time: got --loss-time with --rigid-body, allowed only without (a rigid body loses nothing)");
+  }
 }
 
 void require_si_keys(const Against& against) {

@@ -8,7 +8,7 @@ from typing import Any, Iterator, Union
 
 from stoss import _core
 from stoss._arguments import boolean, refusal
-from stoss._body_values import call, fill, known_material, own_loss_time, size
+from stoss._body_values import call, fill, fill_loss_time, known_material, own_loss_time, size
 from stoss._errors import InvalidInput
 from stoss._half_space import UNBOUNDED, Unbounded
 from stoss._material import Material, Scales
@@ -32,9 +32,9 @@ class Disk:
     young, density : float, optional
         Young's modulus E and density ρ.
     loss_time : float, optional
-        Loss time η of a Kelvin–Voigt material, stress = (1 + η ∂/∂t) elastic stress; 0. In the unit of
-        time that the others imply, R/c of the first body; with a material in s. A quality Q at a
-        frequency ω is η = 1/(Qω).
+        Loss time η of a Kelvin–Voigt material, stress = (1 + η ∂/∂t) elastic stress; 0, or
+        that of the material. In the unit of time that the others imply, R/c of the first body; with a
+        material in s.
     material : Material
         In place of `poisson`, `young` and `density`: then these attributes are ν, E and ρ in plane
         stress, ν/(1−ν), E/(1−ν²) and ρ in plane strain.
@@ -83,10 +83,11 @@ class Disk:
             made = material._in_plane(plane)
             material._scales(plane, size_in_si)  # refuses what is out of range
         fill(self, made, material, poisson=poisson, young=young, density=density)
-        fill(self, {"radius": 1.0, "loss_time": 0.0}, None, radius=radius, loss_time=loss_time)
+        fill(self, {"radius": 1.0}, None, radius=radius)
         object.__setattr__(self, "material", material)
         object.__setattr__(self, "plane", plane)
         object.__setattr__(self, "rigid", boolean("rigid", rigid))
+        fill_loss_time(self, loss_time, material, self.rigid)
         self._maker()  # refuses what is out of range
 
     def __repr__(self) -> str:
@@ -123,9 +124,9 @@ class Rod:
     area : float
         Of the cross-section, A; 1, or with a material to be given in m².
     loss_time : float, optional
-        Loss time η of a Kelvin–Voigt material, stress = (1 + η ∂/∂t) elastic stress; 0. In the unit of
-        time that the others imply, L/c of the first body; with a material in s. A quality Q at a
-        frequency ω is η = 1/(Qω).
+        Loss time η of a Kelvin–Voigt material, stress = (1 + η ∂/∂t) elastic stress; 0, or
+        that of the material. In the unit of time that the others imply, L/c of the first body; with a
+        material in s.
     material : Material
         In place of `young` and `density`.
 
@@ -159,7 +160,8 @@ class Rod:
             size("area", area, material)
             made = {"young": material.young, "density": material.density}
         fill(self, made, material, young=young, density=density)
-        fill(self, {"length": 1.0, "area": 1.0, "loss_time": 0.0}, None, length=length, area=area, loss_time=loss_time)
+        fill(self, {"length": 1.0, "area": 1.0}, None, length=length, area=area)
+        fill_loss_time(self, loss_time, material)
         object.__setattr__(self, "material", material)
         self._maker()  # refuses what is out of range
 

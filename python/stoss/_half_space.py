@@ -7,7 +7,7 @@ from typing import Any, Union
 
 from stoss import _core
 from stoss._arguments import number, refusal
-from stoss._body_values import call, fill
+from stoss._body_values import call, fill, fill_loss_time
 from stoss._material import Material
 
 
@@ -24,7 +24,7 @@ class _Unbounded:
         usual = {"young": 1.0, "density": 1.0} | made
         poisson = given.pop("poisson")
         fill(self, usual, material, **given)
-        fill(self, {"loss_time": 0.0}, None, loss_time=loss_time)
+        fill_loss_time(self, loss_time, material)
         if material is None:
             object.__setattr__(self, "poisson", None if poisson is None else number("poisson", poisson))
         else:
@@ -52,8 +52,9 @@ class HalfSpace(_Unbounded):
     young, density : float, optional
         Young's modulus E and density ρ, 1e-3 to 1e6 of those of the sphere; default 1.
     loss_time : float, optional
-        Loss time η of a Kelvin–Voigt material, stress = (1 + η ∂/∂t) elastic stress; 0. In R/c of the
-        sphere; with a material in s. What it takes is in `lost_to_second` and in `dissipated`.
+        Loss time η of a Kelvin–Voigt material, stress = (1 + η ∂/∂t) elastic stress; 0, or
+        that of the material. In R/c of the sphere; with a material in s. What it takes is in
+        `lost_to_second` and in `dissipated`.
     material : Material
         In place of `poisson`, `young` and `density`, for a sphere that has one.
 

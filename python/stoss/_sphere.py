@@ -6,7 +6,7 @@ import dataclasses
 
 from stoss import _core
 from stoss._arguments import boolean
-from stoss._body_values import call, fill, known_material, own_loss_time, size
+from stoss._body_values import call, fill, fill_loss_time, known_material, own_loss_time, size
 from stoss._material import Material, Scales
 
 
@@ -28,9 +28,9 @@ class Sphere:
     young, density : float, optional
         Young's modulus E and density ρ.
     loss_time : float, optional
-        Loss time η of a Kelvin–Voigt material, stress = (1 + η ∂/∂t) elastic stress; 0. In the unit of
-        time that the others imply, R/c of the first body; with a material in s. A quality Q at a
-        frequency ω is η = 1/(Qω).
+        Loss time η of a Kelvin–Voigt material, stress = (1 + η ∂/∂t) elastic stress; 0, or
+        that of the material. In the unit of time that the others imply, R/c of the first body; with a
+        material in s.
     material : Material
         In place of `poisson`, `young` and `density`.
     rigid : bool, optional
@@ -73,9 +73,10 @@ class Sphere:
             size("radius", radius, material)
             made = {"poisson": material.poisson, "young": material.young, "density": material.density}
         fill(self, made, material, poisson=poisson, young=young, density=density)
-        fill(self, {"radius": 1.0, "loss_time": 0.0}, None, radius=radius, loss_time=loss_time)
+        fill(self, {"radius": 1.0}, None, radius=radius)
         object.__setattr__(self, "material", material)
         object.__setattr__(self, "rigid", boolean("rigid", rigid))
+        fill_loss_time(self, loss_time, material, self.rigid)
         self._maker()  # refuses what is out of range
 
     def __repr__(self) -> str:
