@@ -18,11 +18,11 @@ namespace {
 const std::map<std::string, std::vector<std::string>> kinds{
     {"wall", {}},
     {"same", {}},
-    {"disk", {"poisson", "radius", "young", "density"}},
-    {"sphere", {"poisson", "radius", "young", "density", "yield"}},
-    {"rod", {"length", "young", "density", "area"}},
-    {"half-space", {"poisson", "young", "density", "yield"}},
-    {"half-plane", {"poisson", "young", "density"}},
+    {"disk", {"poisson", "radius", "young", "density", "loss_time"}},
+    {"sphere", {"poisson", "radius", "young", "density", "loss_time", "yield"}},
+    {"rod", {"length", "young", "density", "area", "loss_time"}},
+    {"half-space", {"poisson", "young", "density", "loss_time", "yield"}},
+    {"half-plane", {"poisson", "young", "density", "loss_time"}},
     {"exponential", {"hardness", "strength"}},
 };
 

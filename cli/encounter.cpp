@@ -55,6 +55,10 @@ void require_elastic(const FirstBody& first, const Against& against) {
   if (first.sphere && first.sphere->material.yield_strength) {
     throw InvalidInput("yield: got --yield with --rigid-body, allowed only without (the second may have yield=)");
   }
+  if (first.loss_time != 0.0) {
+    throw InvalidInput(
+        "loss-time: got --loss-time with --rigid-body, allowed only without (a rigid body loses nothing)");
+  }
 }
 
 void require_si_keys(const Against& against) {
@@ -94,15 +98,32 @@ double Encounter::poisson() const {
   return rods() ? 0.0 : first_.disk.poisson;
 }
 
+double Encounter::own_loss_time(double loss_time) const { return si_ ? loss_time / si_->time : loss_time; }
+
+Disk Encounter::first_disk(double poisson) const {
+  return {.poisson = poisson, .loss_time = own_loss_time(first_.loss_time)};
+}
+
+Sphere Encounter::first_sphere(double poisson) const {
+  return {.poisson = poisson, .loss_time = own_loss_time(first_.loss_time)};
+}
+
+Rod Encounter::first_rod() const {
+  Rod its = first_.rod.value_or(Rod{});
+  its.loss_time = first_.loss_time;
+  return its;
+}
+
 BodyMaker Encounter::make_first(double poisson) const {
-  if (rods()) return rod(first_.rod.value_or(Rod{}));
-  const BodyMaker elastic = first_.kind == BodyKind::disk ? stoss::disk(poisson) : stoss::sphere(poisson);
+  if (rods()) return rod(first_rod());
+  const BodyMaker elastic =
+      first_.kind == BodyKind::disk ? stoss::disk(first_disk(poisson)) : stoss::sphere(first_sphere(poisson));
   return first_.rigid ? rigid(elastic) : elastic;
 }
 
 Rod Encounter::second_rod() const {
   return {against_.value("length", 1.0), against_.value("young", 1.0), against_.value("density", 1.0),
-          against_.value("area", 1.0)};
+          against_.value("area", 1.0), against_.value("loss_time", 0.0)};
 }
 
 Material Encounter::second_material() const {
@@ -115,19 +136,20 @@ Material Encounter::second_material() const {
 Disk Encounter::second_disk(double poisson) const {
   if (!si_) {
     return {against_.value("poisson", poisson), against_.value("radius", 1.0), against_.value("young", 1.0),
-            against_.value("density", 1.0)};
+            against_.value("density", 1.0), against_.value("loss_time", 0.0)};
   }
   const Plane plane = first_.disk.chosen_plane();
   const Scales other = scales(second_material(), plane, against_.value("radius", si_->length));
   const auto modulus = [](const Scales& of) { return of.force / of.length; };
   return {stoss::plane_poisson(second_material(), plane), other.length / si_->length, modulus(other) / modulus(*si_),
-          against_.values.at("density") / *first_.disk.density};
+          against_.values.at("density") / *first_.disk.density, own_loss_time(against_.value("loss_time", 0.0))};
 }
 
 Sphere Encounter::second_sphere(double poisson) const {
   const Sphere one = first_.sphere ? first_.sphere->sphere() : Sphere{};
   return {against_.value("poisson", poisson), against_.value("radius", 1.0) / one.radius,
-          against_.value("young", 1.0) / one.young, against_.value("density", 1.0) / one.density};
+          against_.value("young", 1.0) / one.young, against_.value("density", 1.0) / one.density,
+          own_loss_time(against_.value("loss_time", 0.0))};
 }
 
 BodyMaker Encounter::make_second(double poisson) const {
@@ -136,10 +158,12 @@ BodyMaker Encounter::make_second(double poisson) const {
     if (rods()) return rod(second_rod());
     if (first_.kind == BodyKind::disk) {
       const Disk disk = second_disk(poisson);
-      return against_.is_unbounded() ? half_plane({disk.poisson, disk.young, disk.density}) : stoss::disk(disk);
+      return against_.is_unbounded() ? half_plane({disk.poisson, disk.young, disk.density, disk.loss_time})
+                                     : stoss::disk(disk);
     }
     const Sphere sphere = second_sphere(poisson);
-    return against_.is_unbounded() ? half_space({sphere.poisson, sphere.young, sphere.density}) : stoss::sphere(sphere);
+    return against_.is_unbounded() ? half_space({sphere.poisson, sphere.young, sphere.density, sphere.loss_time})
+                                   : stoss::sphere(sphere);
   });
 }
 
@@ -153,8 +177,10 @@ Contact Encounter::contact(double poisson, double cutoff, double speed) const {
   const ExponentialWall soft{against_.value("hardness", default_hardness), against_.value("strength", 1.0)};
   const Wall wall = against_.kind == "wall" ? Wall(HardWall{}) : Wall(soft);
   of_what_is_met([&] { validate(wall); });
+  if (lossy()) return stoss::contact(make_first(poisson)(cutoff, {}), wall);
+  // By itself a body without modes is refused.
   if (first_.kind == BodyKind::disk) return stoss::contact(stoss::disk(poisson, cutoff), wall);
-  return stoss::contact(rods() ? rod(first_.rod.value_or(Rod{}), cutoff) : stoss::sphere(poisson, cutoff), wall);
+  return stoss::contact(rods() ? rod(first_rod(), cutoff) : stoss::sphere(poisson, cutoff), wall);
 }
 
 std::optional<double> Encounter::find_yield_speed() const {
@@ -181,6 +207,7 @@ void Encounter::describe(nlohmann::ordered_json& inputs) const {
   if (first_.kind == BodyKind::sphere) cli::describe(first_.disk.poisson, first_.sphere, inputs);
   if (first_.rod) cli::describe(*first_.rod, inputs);
   if (first_.rigid) inputs["rigid_body"] = true;
+  if (lossy()) inputs[si_ ? "loss_time[s]" : "loss_time"] = first_.loss_time;
   inputs["against"] = against_.kind;
   if (against_.kind == "exponential") {
     inputs["against_hardness"] = against_.value("hardness", default_hardness);
@@ -191,6 +218,9 @@ void Encounter::describe(nlohmann::ordered_json& inputs) const {
 }
 
 void Encounter::describe_second(nlohmann::ordered_json& inputs) const {
+  if (const auto loss_time = against_.values.find("loss_time"); loss_time != against_.values.end()) {
+    inputs[si_ ? "against_loss_time[s]" : "against_loss_time"] = loss_time->second;
+  }
   if (si_) {
     if (first_.kind == BodyKind::disk) inputs["against_poisson"] = second_disk(0.0).poisson;
     if (first_.kind == BodyKind::sphere) inputs["against_poisson"] = second_material().poisson;

@@ -22,6 +22,7 @@ struct FirstBody {
   std::optional<SolidSphere> sphere;  ///< with a material
   std::optional<Rod> rod;             ///< with a material
   bool rigid = false;                 ///< has the mass and the units of the elastic one
+  double loss_time = 0.0;             ///< R/c; s with a material
 };
 
 /// Who meets whom: a disk, a sphere or a rod, and a wall, a second body, a half-space or a half-plane.
@@ -54,6 +55,11 @@ class Encounter {
   void add_yield(Record& record, double speed) const;
 
  private:
+  [[nodiscard]] bool lossy() const { return first_.loss_time != 0.0; }
+  [[nodiscard]] Disk first_disk(double poisson) const;
+  [[nodiscard]] Sphere first_sphere(double poisson) const;
+  [[nodiscard]] Rod first_rod() const;
+  [[nodiscard]] double own_loss_time(double loss_time) const;  // in R/c of the first
   [[nodiscard]] BodyMaker make_first(double poisson) const;
   [[nodiscard]] BodyMaker make_second(double poisson) const;
   [[nodiscard]] Disk second_disk(double poisson) const;
@@ -78,6 +84,7 @@ struct EncounterArguments {
   std::string body = "disk";
   bool rigid = false;
   std::string against = "wall";
+  double loss_time = 0.0;
   CLI::App* command = nullptr;
 
   /// @param kind  that --against takes besides, with its help

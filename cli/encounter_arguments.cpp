@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "encounter.hpp"
+#include "options.hpp"
 #include "stoss/errors.hpp"
 
 namespace stoss::cli {
@@ -39,6 +40,11 @@ void EncounterArguments::add_to(CLI::App& to, const std::string& kind, const std
               "The body is rigid: it keeps its mass, and its modulus and density\n"
               "remain the units; with something to meet that gives way")
       ->group("Body");
+  add_number(to, "--loss-time", loss_time,
+             "Loss time eta of the body: stress = (1 + eta d/dt) elastic stress\n(default: 0); in R/c, with a material "
+             "in s")
+      ->type_name("ETA")
+      ->group("Body");
   disk.add_material_to(to, material_group);
   sphere.add_to(to, material_group);
   rod.add_to(to);
@@ -52,7 +58,8 @@ void EncounterArguments::add_to(CLI::App& to, const std::string& kind, const std
                 "  rod[,length=L,young=E,density=RHO,area=A]: a second rod, likewise\n"
                 "  half-space[,poisson=NU,young=E,density=RHO,yield=Y]: an elastic\n"
                 "               half-space for a sphere, likewise\n"
-                "  half-plane[,poisson=NU,young=E,density=RHO]: one for a disk" +
+                "  half-plane[,poisson=NU,young=E,density=RHO]: one for a disk;\n"
+                "               whatever gives way may have loss_time=ETA too" +
                     help)
       ->type_name("{wall,same,disk,sphere,rod,half-space,half-plane" + (kind.empty() ? "" : "," + kind) +
                   "}[,KEY=NUMBER]...")
@@ -68,7 +75,7 @@ Encounter EncounterArguments::encounter() const {
     throw InvalidInput(fmt::format("{0}: got --{0} with --body {1}, allowed only with --body {2}", option, body,
                                    fmt::join(bodies, " or ")));
   }
-  FirstBody first{kind, disk, {}, {}, rigid};
+  FirstBody first{kind, disk, {}, {}, rigid, loss_time};
   if (kind == BodyKind::sphere) first.sphere = sphere.si(disk);
   if (kind == BodyKind::rod) first.rod = rod.si(disk);
   return {std::move(first), parse_against(against)};

@@ -38,7 +38,7 @@ struct RestitutionArguments {
 };
 
 void check_method(const RestitutionArguments& arguments) {
-  for (const std::string name : {"tolerance", "absolute", "threads"}) {
+  for (const std::string name : {"tolerance", "absolute", "threads", "loss-time"}) {
     if (!arguments.converges() && arguments.given("--" + name)) {
       throw InvalidInput(
           fmt::format("{0}: got --{0} with --method extrapolate, allowed only with --method converge", name));
@@ -225,6 +225,7 @@ void add_restitution(CLI::App& app, int& exit_code) {
       "  stoss restitution --body sphere --poisson 0.3 --speed log:1e-5:0.3:40\n"
       "  stoss restitution --body sphere --poisson 0.3 --young 2.1e11 --density 7850 --radius 0.01\n"
       "      --yield 1e9 --speed 0.1,1 --against sphere,young=7e10,density=2500,radius=0.02\n"
+      "  stoss restitution --body sphere --poisson 0.3 --loss-time 0.1 --speed log:1e-4:0.1:7\n"
       "  stoss restitution --body sphere --poisson 0.3 --speed log:1e-5:0.1:20 --against half-space\n"
       "  stoss restitution --body sphere --poisson 0.3 --young 2.1e11 --density 7850 --radius 0.005\n"
       "      --speed 0.1,1 --against half-space,poisson=0.23,young=7e10,density=2500\n"

@@ -30,34 +30,34 @@ void bind_body(py::module_& module) {
   seal(maker);
   module.def(
       "disk",
-      [](double poisson, double radius, double young, double density) {
-        return disk(Disk{poisson, radius, young, density});
+      [](double poisson, double radius, double young, double density, double loss_time) {
+        return disk(Disk{poisson, radius, young, density, loss_time});
       },
-      py::arg("poisson"), py::arg("radius"), py::arg("young"), py::arg("density"));
+      py::arg("poisson"), py::arg("radius"), py::arg("young"), py::arg("density"), py::arg("loss_time"));
   module.def(
       "rod",
-      [](double length, double young, double density, double area) {
-        return rod(Rod{length, young, density, area});
+      [](double length, double young, double density, double area, double loss_time) {
+        return rod(Rod{length, young, density, area, loss_time});
       },
-      py::arg("length"), py::arg("young"), py::arg("density"), py::arg("area"));
+      py::arg("length"), py::arg("young"), py::arg("density"), py::arg("area"), py::arg("loss_time"));
   module.def(
       "sphere",
-      [](double poisson, double radius, double young, double density) {
-        return sphere(Sphere{poisson, radius, young, density});
+      [](double poisson, double radius, double young, double density, double loss_time) {
+        return sphere(Sphere{poisson, radius, young, density, loss_time});
       },
-      py::arg("poisson"), py::arg("radius"), py::arg("young"), py::arg("density"));
+      py::arg("poisson"), py::arg("radius"), py::arg("young"), py::arg("density"), py::arg("loss_time"));
   module.def(
       "half_space",
-      [](double poisson, double young, double density) {
-        return half_space(HalfSpace{poisson, young, density});
+      [](double poisson, double young, double density, double loss_time) {
+        return half_space(HalfSpace{poisson, young, density, loss_time});
       },
-      py::arg("poisson"), py::arg("young"), py::arg("density"));
+      py::arg("poisson"), py::arg("young"), py::arg("density"), py::arg("loss_time"));
   module.def(
       "half_plane",
-      [](double poisson, double young, double density) {
-        return half_plane(HalfPlane{poisson, young, density});
+      [](double poisson, double young, double density, double loss_time) {
+        return half_plane(HalfPlane{poisson, young, density, loss_time});
       },
-      py::arg("poisson"), py::arg("young"), py::arg("density"));
+      py::arg("poisson"), py::arg("young"), py::arg("density"), py::arg("loss_time"));
   module.def(
       "rigid", [](const BodyMaker& elastic) { return rigid(elastic); }, py::arg("elastic"));
   module.def(

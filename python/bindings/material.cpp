@@ -20,6 +20,7 @@ void bind_material(py::module_& module) {
         return plane_poisson({young, poisson, density}, to_plane(strain));
       },
       py::arg("young"), py::arg("poisson"), py::arg("density"), py::arg("strain"));
+  module.def("loss_time_of_quality", &loss_time_of_quality, py::arg("quality"), py::arg("frequency"));
   module.def(
       "scales",
       [](double young, double poisson, double density, bool strain, double radius) {

@@ -8,7 +8,7 @@ from typing import Any, Iterator, Union
 
 from stoss import _core
 from stoss._arguments import boolean, refusal
-from stoss._body_values import call, fill, known_material, size
+from stoss._body_values import call, fill, fill_loss_time, known_material, own_loss_time, size
 from stoss._errors import InvalidInput
 from stoss._half_space import UNBOUNDED, Unbounded
 from stoss._material import Material, Scales
@@ -31,6 +31,10 @@ class Disk:
         Radius R; 1, or with a material to be given in m.
     young, density : float, optional
         Young's modulus E and density ρ.
+    loss_time : float, optional
+        Loss time η of a Kelvin–Voigt material, stress = (1 + η ∂/∂t) elastic stress; 0, or
+        that of the material. In the unit of time that the others imply, R/c of the first body; with a
+        material in s.
     material : Material
         In place of `poisson`, `young` and `density`: then these attributes are ν, E and ρ in plane
         stress, ν/(1−ν), E/(1−ν²) and ρ in plane strain.
@@ -52,6 +56,7 @@ class Disk:
     radius: float
     young: float
     density: float
+    loss_time: float
     material: Material | None
     plane: str | None
     rigid: bool
@@ -63,6 +68,7 @@ class Disk:
         radius: float | None = None,
         young: float | None = None,
         density: float | None = None,
+        loss_time: float | None = None,
         material: Material | None = None,
         plane: str | None = None,
         rigid: bool = False,
@@ -81,10 +87,12 @@ class Disk:
         object.__setattr__(self, "material", material)
         object.__setattr__(self, "plane", plane)
         object.__setattr__(self, "rigid", boolean("rigid", rigid))
+        fill_loss_time(self, loss_time, material, self.rigid)
         self._maker()  # refuses what is out of range
 
     def __repr__(self) -> str:
-        return call(self, ("poisson", "radius", "young", "density", "rigid"), ("radius", "material", "plane", "rigid"))
+        ratios = ("poisson", "radius", "young", "density", "loss_time", "rigid")
+        return call(self, ratios, ("radius", "loss_time", "material", "plane", "rigid"))
 
     @property
     def scales(self) -> Scales:
@@ -92,12 +100,12 @@ class Disk:
         return known_material(self)._scales(str(self.plane), self.radius)
 
     def _maker(self) -> _core.BodyMaker:
-        elastic = _core.disk(self.poisson, self.radius, self.young, self.density)
+        elastic = _core.disk(self.poisson, self.radius, self.young, self.density, self.loss_time)
         return _core.rigid(elastic) if self.rigid else elastic
 
     def _shape(self) -> Disk:
         """What counts at a wall: the same for all sizes."""
-        return Disk(poisson=self.poisson)
+        return Disk(poisson=self.poisson, loss_time=own_loss_time(self, self.radius))
 
 
 @dataclasses.dataclass(frozen=True, init=False, repr=False)
@@ -115,6 +123,10 @@ class Rod:
         Young's modulus E and density ρ.
     area : float
         Of the cross-section, A; 1, or with a material to be given in m².
+    loss_time : float, optional
+        Loss time η of a Kelvin–Voigt material, stress = (1 + η ∂/∂t) elastic stress; 0, or
+        that of the material. In the unit of time that the others imply, L/c of the first body; with a
+        material in s.
     material : Material
         In place of `young` and `density`.
 
@@ -129,6 +141,7 @@ class Rod:
     young: float
     density: float
     area: float
+    loss_time: float
     material: Material | None
 
     def __init__(
@@ -138,6 +151,7 @@ class Rod:
         young: float | None = None,
         density: float | None = None,
         area: float | None = None,
+        loss_time: float | None = None,
         material: Material | None = None,
     ) -> None:
         made = {"young": 1.0, "density": 1.0}
@@ -147,11 +161,13 @@ class Rod:
             made = {"young": material.young, "density": material.density}
         fill(self, made, material, young=young, density=density)
         fill(self, {"length": 1.0, "area": 1.0}, None, length=length, area=area)
+        fill_loss_time(self, loss_time, material)
         object.__setattr__(self, "material", material)
         self._maker()  # refuses what is out of range
 
     def __repr__(self) -> str:
-        return call(self, ("length", "young", "density", "area"), ("length", "area", "material"))
+        ratios = ("length", "young", "density", "area", "loss_time")
+        return call(self, ratios, ("length", "area", "loss_time", "material"))
 
     @property
     def scales(self) -> Scales:
@@ -160,11 +176,11 @@ class Rod:
         return Scales(*_core.rod_scales(self.length, self.young, self.density, self.area))
 
     def _maker(self) -> _core.BodyMaker:
-        return _core.rod(self.length, self.young, self.density, self.area)
+        return _core.rod(self.length, self.young, self.density, self.area, self.loss_time)
 
     def _shape(self) -> Rod:
         """What counts at a wall: the same for all sizes."""
-        return Rod()
+        return Rod(loss_time=own_loss_time(self, self.length))
 
 
 Body = Union[Disk, Rod, Sphere]

@@ -28,15 +28,30 @@ def fill(body: Any, made: dict[str, float], material: Material | None, **given: 
         object.__setattr__(body, name, known)
 
 
+def fill_loss_time(body: Any, given: Any, material: Material | None, rigid: bool = False) -> None:
+    """Set the loss time of a body to what was given, or that of its material; a rigid one has none."""
+    usual = 0.0 if material is None or rigid else material.loss_time or 0.0
+    fill(body, {"loss_time": usual}, None, loss_time=given)
+    if rigid and body.loss_time != 0.0:
+        raise refusal("loss_time", given, "0 of a rigid body, which loses nothing")
+
+
 def call(body: Any, ratios: tuple[str, ...], si: tuple[str, ...]) -> str:
     """The call that makes the body, without what is usual."""
     names = si if body.material is not None else ratios
-    usual: dict[str, Any] = {"plane": "stress", "poisson": None, "rigid": False}
+    usual: dict[str, Any] = {"plane": "stress", "poisson": None, "loss_time": 0.0, "rigid": False}
+    if body.material is not None and not getattr(body, "rigid", False):
+        usual["loss_time"] = body.material.loss_time or 0.0
     if body.material is None:
-        usual |= {name: 1.0 for name in ratios if name not in ("poisson", "rigid")}
+        usual |= {name: 1.0 for name in ratios if name not in usual}
     values = {name: getattr(body, name) for name in names}
     said = ", ".join(f"{name}={brief(value)}" for name, value in values.items() if usual.get(name) != value)
     return f"{type(body).__name__}({said})"
+
+
+def own_loss_time(body: Any, length: float) -> float:
+    """The loss time of a body in units of its own."""
+    return float(body.loss_time * (body.young / body.density) ** 0.5 / length)
 
 
 def known_material(body: Any) -> Material:

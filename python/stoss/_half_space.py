@@ -7,7 +7,7 @@ from typing import Any, Union
 
 from stoss import _core
 from stoss._arguments import number, refusal
-from stoss._body_values import call, fill
+from stoss._body_values import call, fill, fill_loss_time
 from stoss._material import Material
 
 
@@ -17,11 +17,14 @@ class _Unbounded:
     poisson: float | None
     young: float
     density: float
+    loss_time: float
     material: Material | None
 
-    def _fill(self, made: dict[str, float], material: Any, poisson: Any, young: Any, density: Any) -> None:
+    def _fill(self, made: dict[str, float], material: Any, loss_time: Any, **given: Any) -> None:
         usual = {"young": 1.0, "density": 1.0} | made
-        fill(self, usual, material, young=young, density=density)
+        poisson = given.pop("poisson")
+        fill(self, usual, material, **given)
+        fill_loss_time(self, loss_time, material)
         if material is None:
             object.__setattr__(self, "poisson", None if poisson is None else number("poisson", poisson))
         else:
@@ -48,6 +51,10 @@ class HalfSpace(_Unbounded):
         Poisson number ν, −0.95 to 0.4999; default: that of the sphere.
     young, density : float, optional
         Young's modulus E and density ρ, 1e-3 to 1e6 of those of the sphere; default 1.
+    loss_time : float, optional
+        Loss time η of a Kelvin–Voigt material, stress = (1 + η ∂/∂t) elastic stress; 0, or
+        that of the material. In R/c of the sphere; with a material in s. What it takes is in
+        `lost_to_second` and in `dissipated`.
     material : Material
         In place of `poisson`, `young` and `density`, for a sphere that has one.
 
@@ -65,6 +72,7 @@ class HalfSpace(_Unbounded):
     poisson: float | None
     young: float
     density: float
+    loss_time: float
     material: Material | None
 
     def __init__(
@@ -73,23 +81,26 @@ class HalfSpace(_Unbounded):
         poisson: float | None = None,
         young: float | None = None,
         density: float | None = None,
+        loss_time: float | None = None,
         material: Material | None = None,
     ) -> None:
         made: dict[str, float] = {}
         if material is not None:
             material = _checked(material)
             made = {"poisson": material.poisson, "young": material.young, "density": material.density}
-        self._fill(made, material, poisson, young, density)
+        self._fill(made, material, loss_time, poisson=poisson, young=young, density=density)
 
     def __repr__(self) -> str:
-        return call(self, ("poisson", "young", "density"), ("material",))
+        return call(self, ("poisson", "young", "density", "loss_time"), ("loss_time", "material"))
 
     def _beside(self, poisson: float) -> HalfSpace:
-        return HalfSpace(poisson=poisson, young=self.young, density=self.density) if self.poisson is None else self
+        if self.poisson is not None:
+            return self
+        return HalfSpace(poisson=poisson, young=self.young, density=self.density, loss_time=self.loss_time)
 
     def _maker(self) -> _core.BodyMaker:
         assert self.poisson is not None
-        return _core.half_space(self.poisson, self.young, self.density)
+        return _core.half_space(self.poisson, self.young, self.density, self.loss_time)
 
 
 @dataclasses.dataclass(frozen=True, init=False, repr=False)
@@ -102,6 +113,8 @@ class HalfPlane(_Unbounded):
         2-D Poisson number ν, −0.95 to 0.995; default: that of the disk.
     young, density : float, optional
         2-D Young's modulus E and density ρ, 1e-3 to 1e6 of those of the disk; default 1.
+    loss_time : float, optional
+        Loss time η, as of a half-space.
     material : Material
         In place of `poisson`, `young` and `density`, for a disk that has one.
     plane : {'stress', 'strain'}
@@ -116,6 +129,7 @@ class HalfPlane(_Unbounded):
     poisson: float | None
     young: float
     density: float
+    loss_time: float
     material: Material | None
     plane: str | None
 
@@ -125,6 +139,7 @@ class HalfPlane(_Unbounded):
         poisson: float | None = None,
         young: float | None = None,
         density: float | None = None,
+        loss_time: float | None = None,
         material: Material | None = None,
         plane: str | None = None,
     ) -> None:
@@ -136,17 +151,19 @@ class HalfPlane(_Unbounded):
             made = _checked(material)._in_plane("stress" if plane is None else plane)
             plane = "stress" if plane is None else plane
         object.__setattr__(self, "plane", plane)
-        self._fill(made, material, poisson, young, density)
+        self._fill(made, material, loss_time, poisson=poisson, young=young, density=density)
 
     def __repr__(self) -> str:
-        return call(self, ("poisson", "young", "density"), ("material", "plane"))
+        return call(self, ("poisson", "young", "density", "loss_time"), ("loss_time", "material", "plane"))
 
     def _beside(self, poisson: float) -> HalfPlane:
-        return HalfPlane(poisson=poisson, young=self.young, density=self.density) if self.poisson is None else self
+        if self.poisson is not None:
+            return self
+        return HalfPlane(poisson=poisson, young=self.young, density=self.density, loss_time=self.loss_time)
 
     def _maker(self) -> _core.BodyMaker:
         assert self.poisson is not None
-        return _core.half_plane(self.poisson, self.young, self.density)
+        return _core.half_plane(self.poisson, self.young, self.density, self.loss_time)
 
 
 def _checked(material: Any) -> Material:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import dataclasses
+import math
 from types import MappingProxyType
 from typing import Any, Mapping, NamedTuple
 
@@ -53,6 +54,13 @@ class Material:
         Yield strength in simple tension, Pa, 1e-30 to 1e30. A sphere begins to yield where the
         contact pressure is 1.6 times that: its results say at which speed (`yield_speed`), and
         which of them are beyond it. They are elastic all the same.
+    loss_time : float, optional
+        Loss time η, s: stress = (1 + η ∂/∂t) elastic stress. Bodies have it unless told otherwise;
+        ``loss_time=0`` makes one that loses nothing. A rigid one loses nothing anyway.
+    quality : tuple of float, optional
+        In place of `loss_time`, (Q, ω) with the quality Q at the angular frequency ω in rad/s, π over
+        the contact time for an impact: η = 1/(Qω). Of the same η a slower impact, of lower
+        frequency, has a higher quality; a material whose Q is constant is met at ω only.
 
     Raises
     ------
@@ -73,8 +81,10 @@ class Material:
     poisson: float
     density: float
     yield_strength: float | None = None
+    loss_time: float | None = None
+    quality: dataclasses.InitVar[tuple[float, float] | None] = None
 
-    def __post_init__(self) -> None:
+    def __post_init__(self, quality: Any) -> None:
         for name in ("young", "poisson", "density"):
             object.__setattr__(self, name, number(name, getattr(self, name)))
         self._plane_poisson("stress")
@@ -82,10 +92,23 @@ class Material:
         if strength is not None and not 1e-30 <= strength <= 1e30:
             raise refusal("yield_strength", strength, "above 0, 1e-30 to 1e30 (in Pa; steel has 2e8 to 2e9)")
         object.__setattr__(self, "yield_strength", strength)
+        object.__setattr__(self, "loss_time", self._chosen_loss_time(quality))
 
     def __repr__(self) -> str:
         given = {name: value for name, value in vars(self).items() if value is not None}
         return f"Material({', '.join(f'{name}={brief(value)}' for name, value in given.items())})"
+
+    def _chosen_loss_time(self, quality: Any) -> float | None:
+        loss_time = optional_number("loss_time", self.loss_time)
+        if quality is not None:
+            if loss_time is not None:
+                raise refusal("quality", quality, "none beside loss_time")
+            if not isinstance(quality, (tuple, list)) or len(quality) != 2:
+                raise refusal("quality", quality, "(Q, ω), a quality and its frequency in rad/s")
+            return _core.loss_time_of_quality(number("quality", quality[0]), number("frequency", quality[1]))
+        if loss_time is not None and not 0.0 <= loss_time < math.inf:
+            raise refusal("loss_time", loss_time, "0 or more, in s")
+        return loss_time
 
     def _plane_poisson(self, plane: str) -> float:
         """2-D Poisson number: ν, or ν/(1−ν) in plane strain."""
@@ -103,18 +126,23 @@ class Material:
         return Scales(*_core.scales(self.young, self.poisson, self.density, plane == "strain", radius))
 
 
+HARD, SOFT = 2.0 * math.pi * 1e4, 2.0 * math.pi * 500.0
+"""Frequencies of the qualities below, rad/s: of contacts that last 50 µs and, of rubber, 1 ms."""
+
 materials: Mapping[str, Material] = MappingProxyType(
     {
-        "steel": Material(young=2.1e11, poisson=0.30, density=7850.0),
-        "glass": Material(young=7.0e10, poisson=0.22, density=2500.0),
-        "ice": Material(young=9.3e9, poisson=0.33, density=917.0),
-        "rubber": Material(young=2e6, poisson=0.49, density=1100.0),
-        "bearing steel": Material(young=2.1e11, poisson=0.30, density=7810.0, yield_strength=1.7e9),
-        "brass": Material(young=1.1e11, poisson=0.33, density=8530.0, yield_strength=4.3e8),
-        "aluminium": Material(young=6.9e10, poisson=0.33, density=2700.0, yield_strength=2.8e8),
+        "steel": Material(young=2.1e11, poisson=0.30, density=7850.0, quality=(3000, HARD)),
+        "glass": Material(young=7.0e10, poisson=0.22, density=2500.0, quality=(1000, HARD)),
+        "ice": Material(young=9.3e9, poisson=0.33, density=917.0, quality=(200, HARD)),
+        "rubber": Material(young=2e6, poisson=0.49, density=1100.0, quality=(10, SOFT)),
+        "bearing steel": Material(
+            young=2.1e11, poisson=0.30, density=7810.0, yield_strength=1.7e9, quality=(3000, HARD)
+        ),
+        "brass": Material(young=1.1e11, poisson=0.33, density=8530.0, yield_strength=4.3e8, quality=(2000, HARD)),
+        "aluminium": Material(young=6.9e10, poisson=0.33, density=2700.0, yield_strength=2.8e8, quality=(10000, HARD)),
         "tungsten carbide": Material(young=6.2e11, poisson=0.22, density=14900.0),
-        "granite": Material(young=5e10, poisson=0.25, density=2650.0),
-        "PMMA": Material(young=3.2e9, poisson=0.37, density=1190.0),
+        "granite": Material(young=5e10, poisson=0.25, density=2650.0, quality=(100, HARD)),
+        "PMMA": Material(young=3.2e9, poisson=0.37, density=1190.0, quality=(30, HARD)),
     }
 )
 """Typical materials. Yours differs, rubber and rock by factors: measure it.
@@ -124,5 +152,9 @@ polycrystalline ice at −16 °C (Gammon et al., J. Glaciology 29, 433 (1983)); 
 hard-drawn brass CuZn30 and aluminium 6061-T6 (as engineering tables have them). Typical without a single source:
 hardened ball-bearing steel, tungsten carbide with 6 % of cobalt, granite (E from 20 to 70 GPa), and PMMA, whose modulus
 grows with the rate of loading. What has no `yield_strength` here is brittle, or not known well enough; structural steel
-has 0.235 GPa and more. What ε means for each of them: docs/materials.md.
+has 0.235 GPa and more.
+
+The qualities Q are at 10 kHz, that of rubber at 500 Hz: contacts of 50 µs and 1 ms. They are orders of magnitude. The
+metals lie in the range of L. Cremer and M. Heckl, Structure-Borne Sound (1988); the others are typical without a single
+source. That of tungsten carbide is not known well enough. What ε means for each of them: docs/materials.md.
 """

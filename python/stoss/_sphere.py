@@ -6,7 +6,7 @@ import dataclasses
 
 from stoss import _core
 from stoss._arguments import boolean
-from stoss._body_values import call, fill, known_material, size
+from stoss._body_values import call, fill, fill_loss_time, known_material, own_loss_time, size
 from stoss._material import Material, Scales
 
 
@@ -27,6 +27,10 @@ class Sphere:
         Radius R; 1, or with a material to be given in m.
     young, density : float, optional
         Young's modulus E and density ρ.
+    loss_time : float, optional
+        Loss time η of a Kelvin–Voigt material, stress = (1 + η ∂/∂t) elastic stress; 0, or
+        that of the material. In the unit of time that the others imply, R/c of the first body; with a
+        material in s.
     material : Material
         In place of `poisson`, `young` and `density`.
     rigid : bool, optional
@@ -40,12 +44,16 @@ class Sphere:
     >>> ball = stoss.Sphere(radius=5e-3, material=stoss.materials["steel"])
     >>> round(ball.scales.speed), round(ball.scales.time * 1e6, 3)
     (5172, 0.967)
+    >>> lossy = stoss.restitution(stoss.Sphere(poisson=0.3, loss_time=0.3), speed=0.01)
+    >>> round(lossy.restitution, 3), round(lossy.dissipated, 3)
+    (0.866, 0.251)
     """
 
     poisson: float
     radius: float
     young: float
     density: float
+    loss_time: float
     material: Material | None
     rigid: bool
 
@@ -56,6 +64,7 @@ class Sphere:
         radius: float | None = None,
         young: float | None = None,
         density: float | None = None,
+        loss_time: float | None = None,
         material: Material | None = None,
         rigid: bool = False,
     ) -> None:
@@ -67,10 +76,12 @@ class Sphere:
         fill(self, {"radius": 1.0}, None, radius=radius)
         object.__setattr__(self, "material", material)
         object.__setattr__(self, "rigid", boolean("rigid", rigid))
+        fill_loss_time(self, loss_time, material, self.rigid)
         self._maker()  # refuses what is out of range
 
     def __repr__(self) -> str:
-        return call(self, ("poisson", "radius", "young", "density", "rigid"), ("radius", "material", "rigid"))
+        ratios = ("poisson", "radius", "young", "density", "loss_time", "rigid")
+        return call(self, ratios, ("radius", "loss_time", "material", "rigid"))
 
     @property
     def scales(self) -> Scales:
@@ -79,9 +90,9 @@ class Sphere:
         return Scales(*_core.sphere_scales(self.poisson, self.radius, self.young, self.density))
 
     def _maker(self) -> _core.BodyMaker:
-        elastic = _core.sphere(self.poisson, self.radius, self.young, self.density)
+        elastic = _core.sphere(self.poisson, self.radius, self.young, self.density, self.loss_time)
         return _core.rigid(elastic) if self.rigid else elastic
 
     def _shape(self) -> Sphere:
         """What counts at a wall: the same for all sizes."""
-        return Sphere(poisson=self.poisson)
+        return Sphere(poisson=self.poisson, loss_time=own_loss_time(self, self.radius))

@@ -18,17 +18,17 @@ namespace stoss {
 /// stretch of the links. By the trapezium rule for the masses, backward Euler for the links (docs/numerics.md, section
 /// 3) and the backward differentiation formula of second order (BDF2) for the viscous springs (docs/theory/loss.md):
 ///
-///   f = (1 + 3c/2) K u − c K w + R ξ̈,   c = η/Δt,   w = 2u − ½u of the two steps before,
+///   f = (1 + 3c/2) K u − c K w + R ξ̈,   c = η/Δt,   w = 2u₁ − ½u₂ of the two steps before,
 ///   ξ̈ = S⁻¹ (Rᵀu − r),   S = ¼Δt² + Rᵀ B⁻¹ R,   B = G + Z/Δt,
 ///   r = ξ + Δt ξ̇ + ¼Δt² ξ̈ + Rᵀz/(1 + γ ω_c Δt)   of the step before,
 ///   u = W′f + h,   W′ = θW − θY T θYᵀ,   θ = 1/(1 + 3c/2),   T = (S + θYᵀR)⁻¹,
 ///   h = cθ w + θY T (r − cθ Rᵀw).
 class ResidualMotion {
  public:
-  /// Which of the modes that are not kept carry mass, and what stands in for them.
+  /// Which of the modes that are not kept carry mass.
   enum class Inertia {
-    none,       ///< u answers the force by itself
-    radiating,  ///< as above; while nothing is lost, W has in it what the kicks leave out of the kept modes
+    none,       ///< none: u answers the force by itself, u + η u̇ = W f
+    radiating,  ///< all; and while nothing is lost, what the kicks leave out of the kept modes is in W
   };
 
   ResidualMotion(const ResidualPart& part, const Contact& contact, const ContactGrid& grid, Inertia inertia,

@@ -135,8 +135,8 @@ void conclude(const Contact& contact, double speed, const CurvatureCorrection& c
   result.contact_time = estimate(rough, &Run::contact_time, last.step);
   result.impulse_time = estimate(smooth, &Run::impulse_time, at_a_point ? last.step : 0.0);
   result.max_force = estimate(rough, &Run::max_force, focus * std::sqrt(last.unresolved) * last.max_force);
-  result.max_compression =
-      estimate(smooth, &Run::max_compression, turn * last.unresolved * std::abs(last.max_compression));
+  const double missing = turn * last.unresolved + (at_a_point ? 0.0 : node_error(contact, last));
+  result.max_compression = estimate(smooth, &Run::max_compression, missing * std::abs(last.max_compression));
   result.converged = error <= std::max(result.tolerance * std::abs(lost), result.absolute);
 }
 

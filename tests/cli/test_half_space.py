@@ -166,12 +166,39 @@ def test_resume_keeps_to_the_half_space(stoss, tmp_path):
     whole = stoss.run(job, given, "--format csv").stdout
     path.write_text(whole[: whole.rindex("\n", 0, -1) + 1])
     before = path.read_text()
-    for other in ("--against half-space,young=2", "--against half-space --rigid-body", "--against sphere,young=2"):
+    for other in ("--against half-space,young=2", "--against half-space --rigid-body", "--against sphere,young=2", f"{given}".replace("young=2", "young=2,loss_time=1")):
         result = resume(stoss, path, f"{job} {other}")
         assert result.returncode == 3 and "another job needs another file" in result.stderr
         assert path.read_text() == before
     assert resume(stoss, path, f"{job} {given}").returncode == 0
     assert rows(path.read_text()) == rows(whole)
+
+
+# Both bodies of one material take equal shares of heat, as each yields as much as the other.
+@pytest.mark.parametrize("body, against", BODIES.values(), ids=BODIES)
+def test_lossy_half_space(stoss, body, against):
+    job = f"restitution {body} --speed 1e-3 --against {against}"
+    (none,), (lossy,), (both,) = (
+        stoss.data(job + more) for more in (",loss_time=0", ",loss_time=0.1", ",loss_time=0.1 --loss-time 0.1")
+    )
+    assert none == stoss.data(job)[0]
+    heat = [number(row, "dissipated") for row in (none, lossy, both)]
+    assert heat[0] == 0 and heat[2] == pytest.approx(2 * heat[1], rel=0.05)
+    shares = number(lossy, "lost_to_first") + number(lossy, "lost_to_second")
+    assert shares == pytest.approx(number(lossy, "lost_fraction"), abs=2e-3 * shares)
+    assert number(lossy, "lost_to_second") > heat[1] > 0
+
+
+def test_loss_time_of_a_half_space_in_si_is_in_seconds(stoss):
+    wave = (2.1e11 / 7850) ** 0.5
+    si = f"impact {STEEL} --cutoff 6 --speed {0.01 * wave!r} --against {GLASS},loss_time={0.1 * 0.005 / wave!r}"
+    ratios = f"half-space,poisson=0.23,young={7e10 / 2.1e11!r},density={2500 / 7850!r},loss_time=0.1"
+    (one,) = stoss.data(si)
+    (other,) = stoss.data(f"impact --body sphere --poisson 0.3 --cutoff 6 --speed 0.01 --against {ratios}")
+    for name in ("restitution", "dissipated", "lost_to_second"):
+        assert number(one, name) == pytest.approx(number(other, name), rel=1e-9)
+    text = stoss.run(si, "--format json").stdout
+    assert json.loads(text)["inputs"]["against_loss_time[s]"] == 0.1 * 0.005 / wave
 
 
 SPHERE = "--body sphere --poisson 0.3"
@@ -180,8 +207,8 @@ REFUSED = [
     ("--poisson 0.3 --against half-space", "against", "allowed wall, same, disk or half-plane"),
     ("--body rod --against half-space", "against", "allowed wall, same or rod"),
     (f"{SPHERE} --against halfspace", "against", "did you mean half-space?"),
-    (f"{SPHERE} --against half-space,radius=2", "against", "allowed poisson, young, density, yield with half-space"),
-    ("--poisson 0.3 --against half-plane,yield=1e9", "against", "allowed poisson, young, density with half-plane"),
+    (f"{SPHERE} --against half-space,radius=2", "against", "allowed poisson, young, density, loss_time, yield with half-space"),
+    ("--poisson 0.3 --against half-plane,yield=1e9", "against", "allowed poisson, young, density, loss_time with half-plane"),
     (f"{SPHERE} --against half-space,poisson=0.5", "against poisson", "0.5, allowed -0.95 to 0.4999"),
     (f"{SPHERE} --against half-space,young=0", "against young", "0"),
     (f"{SPHERE} --against half-space,young=-1", "against young", "-1"),
@@ -192,6 +219,9 @@ REFUSED = [
     (f"{SPHERE} --against half-space,yield=1e9", "against", "yield without a material"),
     (f"{STEEL} --against half-space,young=1e9", "against", "half-space without density, allowed all of young, density"),
     (f"{STEEL} --yield 1e9 --rigid-body --against {GLASS}", "yield", "--rigid-body"),
+    (f"{SPHERE} --rigid-body --loss-time 1 --against half-space", "loss-time", "--rigid-body"),
+    (f"{SPHERE} --against half-space,loss_time=-1", "against loss_time", "-1"),
+    (f"{SPHERE} --against half-space,loss_time=nan", "against loss_time", "nan"),
     (f"{SPHERE} --rigid-body", "rigid-body", "--against wall, allowed only with sphere or half-space"),
     (f"{SPHERE} --rigid-body --against same", "rigid-body", "--against same"),
     ("--poisson 0.3 --rigid-body", "rigid-body", "allowed only with disk or half-plane"),

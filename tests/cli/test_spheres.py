@@ -152,7 +152,7 @@ REFUSED = [
     ("--poisson 0.3 --area 1", "area", "--body sphere, allowed only with --body rod"),
     ("--poisson 0.3 --against disk", "against", "a disk meets disks and half-planes, a sphere spheres"),
     ("--poisson 0.3 --against rod", "against", "a sphere spheres"),
-    ("--poisson 0.3 --against sphere,length=2", "against", "allowed poisson, radius, young, density, yield"),
+    ("--poisson 0.3 --against sphere,length=2", "against", "allowed poisson, radius, young, density, loss_time, yield"),
     ("--poisson 0.3 --against spere", "against", "did you mean sphere?"),
     ("--poisson 0.3 --against sphere,radius=-2", "against radius", "-2"),
     ("--poisson 0.3 --against sphere,poisson=0.5", "against poisson", "0.5"),

@@ -29,7 +29,7 @@ import copy, gc, pickle, threading, numpy as np, stoss
 core, nan, two = stoss._core, float("nan"), np.array([0.1, 0.2])
 hit = stoss.impact(poisson=0.33, speed=0.1, cutoff=6)
 energies, handle = hit.mode_energies, hit._handle
-disk, rod = core.disk(0.33, 1.0, 1.0, 1.0), core.rod(1.0, 1.0, 1.0, 1.0)
+disk, rod = core.disk(0.33, 1.0, 1.0, 1.0, 0.0), core.rod(1.0, 1.0, 1.0, 1.0, 0.0)
 def at(maker, cutoff):
     return core.at_wall(maker.at(cutoff), core.hard_wall())
 body, met = disk.at(6.0), at(disk, 6.0)

@@ -139,7 +139,7 @@ def called(function, arguments):
 
 hit = stoss.impact(poisson=0.33, speed=0.1, cutoff=6)
 modes = stoss.modes(poisson=0.33, cutoff=6)
-MAKER, ROD = stoss._core.disk(0.3, 1.0, 1.0, 1.0), stoss._core.rod(1.0, 1.0, 1.0, 1.0)
+MAKER, ROD = stoss._core.disk(0.3, 1.0, 1.0, 1.0, 0.0), stoss._core.rod(1.0, 1.0, 1.0, 1.0, 0.0)
 few = {"cutoffs": [4, 5, 6], "hardnesses": [50, 60, 70]}
 PUBLIC = {
     "restitution": (stoss.restitution, CHEAP),
