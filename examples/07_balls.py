@@ -18,6 +18,7 @@ import numpy as np
 
 import stoss
 
+MATERIALS = ("steel", "glass", "ice", "rubber")
 RADIUS = 0.01  # m
 SPEEDS = np.array([0.01, 0.1, 1.0, 10.0])  # m/s
 COLUMNS = "material,speed_m_s,speed_c,lost_fraction,lost_fraction_error,contact_time_s,force_N,pressure_Pa"
@@ -35,8 +36,8 @@ def main(folder: Path) -> None:
     figure, (left, right) = plt.subplots(1, 2, figsize=(10, 4.2), layout="constrained")
     lines = [COLUMNS]
     print("material   m/s       v/c      1 - eps^2                   time/us      force/N     pressure/MPa")
-    for name, material in stoss.materials.items():
-        ball = stoss.Sphere(radius=RADIUS, material=material)
+    for name in MATERIALS:
+        ball = stoss.Sphere(radius=RADIUS, material=stoss.materials[name])
         curve = stoss.restitution(ball, speed=SPEEDS)
         pressure = greatest_pressure(ball, curve.max_force_si)
         for k, speed in enumerate(SPEEDS):

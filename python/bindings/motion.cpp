@@ -1,5 +1,7 @@
 #include "stoss/impact/replay.hpp"
 
+#include <cmath>
+
 #include "arrays.hpp"
 #include "frames.hpp"
 #include "interpreter.hpp"
@@ -44,6 +46,29 @@ std::vector<EnergyAt> energies_at(const Contact& contact, const Impact& impact, 
   return list;
 }
 
+/// Lateral distances and, for each instant, places of the surface of the second body, a half-space, in R.
+struct Surfaces {
+  std::vector<double> lateral, place;
+};
+
+Surfaces surfaces(const Contact& contact, const Impact& impact, const Frames& frames, double reach, std::size_t count,
+                  const Poll& poll) {
+  const ContactGrid grid = contact_grid(contact, impact.half_width, impact.nodes);
+  Surfaces all;
+  // On a circle so large that they are evenly spaced.
+  constexpr double flat = 1e4;
+  const ContactPoints even{flat * reach, 1.0 / (flat * static_cast<double>(count)), count};
+  for (std::size_t i = 0; i < count; ++i) all.lateral.push_back(even.radius * std::sin(even.angle(i)));
+  for (const Frame& frame : frames.all) {
+    if (poll) poll();
+    const BodyFrame seen = seen_by(contact, grid, frame, 1);
+    ContactPoints own = even;
+    own.radius /= seen.length;
+    for (const double each : surface_displacement(seen, own)) all.place.push_back(seen.center - each * seen.length);
+  }
+  return all;
+}
+
 }  // namespace
 
 void bind_motion(py::module_& module) {
@@ -61,6 +86,21 @@ void bind_motion(py::module_& module) {
         return Frames{motion(contact, impact, at, poll)};
       },
       py::arg("contact"), py::arg("impact"), py::arg("times"));
+  module.def(
+      "surfaces",
+      [](const Contact& contact, const Impact& impact, const Frames& frames, double reach, std::size_t count) {
+        const auto poll = signal_poll();
+        Surfaces all;
+        {
+          const Released released;
+          all = surfaces(contact, impact, frames, reach, count, poll);
+        }
+        const auto instants = static_cast<py::ssize_t>(frames.all.size());
+        return py::make_tuple(take(std::move(all.lateral)),
+                              take(std::move(all.place), {instants, static_cast<py::ssize_t>(count)}));
+      },
+      py::arg("contact"), py::arg("impact"), py::arg("frames"), py::arg("reach"), py::arg("count"),
+      "lateral distances, and times x places of the surface of a half-space");
   module.def(
       "energies_at",
       [](const Contact& contact, const Impact& impact, const py::array_t<double, py::array::c_style>& times) {

@@ -17,6 +17,7 @@ time
 `extrapolated_restitution`        ε as Gerl and Zippelius compute it
 `quasistatic`                     slow impacts, Rayleigh's estimate of the loss, static contacts
 `Disk`, `Sphere`, `Rod`           bodies
+`HalfSpace`, `HalfPlane`          what gives way, and carries waves away
 `HardWall`, `ExponentialWall`     walls
 `Material`, `materials`           SI; typical materials
 `plot`                            pictures (needs matplotlib)
@@ -30,6 +31,7 @@ from stoss._core import version as __version__
 from stoss._errors import Interrupted, InvalidInput, NotConverged, StossWarning
 from stoss._extrapolation import Extrapolation, extrapolated_restitution
 from stoss._field import DiskField, Field, SphereField
+from stoss._half_space import HalfPlane, HalfSpace
 from stoss._impact import impact
 from stoss._impact_result import Impact
 from stoss._material import Material, Scales, materials
@@ -47,6 +49,8 @@ __all__ = [
     "ExponentialWall",
     "Extrapolation",
     "Field",
+    "HalfPlane",
+    "HalfSpace",
     "HardWall",
     "Impact",
     "Interrupted",

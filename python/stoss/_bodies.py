@@ -7,9 +7,10 @@ import dataclasses
 from typing import Any, Iterator, Union
 
 from stoss import _core
-from stoss._arguments import refusal
+from stoss._arguments import boolean, refusal
 from stoss._body_values import call, fill, known_material, size
 from stoss._errors import InvalidInput
+from stoss._half_space import UNBOUNDED, Unbounded
 from stoss._material import Material, Scales
 from stoss._sphere import Sphere as Sphere
 
@@ -35,6 +36,9 @@ class Disk:
         stress, ν/(1−ν), E/(1−ν²) and ρ in plane strain.
     plane : {'stress', 'strain'}
         With a material: a thin plate, or a slice of a long cylinder.
+    rigid : bool, optional
+        Young's modulus is infinite. The disk keeps its mass, and the given modulus remains a unit.
+        It meets what gives way: disks and half-planes.
 
     Examples
     --------
@@ -50,6 +54,7 @@ class Disk:
     density: float
     material: Material | None
     plane: str | None
+    rigid: bool
 
     def __init__(
         self,
@@ -60,25 +65,26 @@ class Disk:
         density: float | None = None,
         material: Material | None = None,
         plane: str | None = None,
+        rigid: bool = False,
     ) -> None:
         made: dict[str, float] = {"young": 1.0, "density": 1.0}
         if material is None:
             if plane is not None:
                 raise refusal("plane", plane, "none without a material (`poisson` is the 2-D Poisson number)")
         else:
-            plane = _plane("stress" if plane is None else plane)
             size_in_si = size("radius", radius, material)
+            plane = "stress" if plane is None else plane
+            made = material._in_plane(plane)
             material._scales(plane, size_in_si)  # refuses what is out of range
-            modulus = material.young if plane == "stress" else material.young / (1.0 - material.poisson**2)
-            made = {"poisson": material._plane_poisson(plane), "young": modulus, "density": material.density}
         fill(self, made, material, poisson=poisson, young=young, density=density)
         fill(self, {"radius": 1.0}, None, radius=radius)
         object.__setattr__(self, "material", material)
         object.__setattr__(self, "plane", plane)
+        object.__setattr__(self, "rigid", boolean("rigid", rigid))
         self._maker()  # refuses what is out of range
 
     def __repr__(self) -> str:
-        return call(self, ("poisson", "radius", "young", "density"), ("radius", "material", "plane"))
+        return call(self, ("poisson", "radius", "young", "density", "rigid"), ("radius", "material", "plane", "rigid"))
 
     @property
     def scales(self) -> Scales:
@@ -86,7 +92,8 @@ class Disk:
         return known_material(self)._scales(str(self.plane), self.radius)
 
     def _maker(self) -> _core.BodyMaker:
-        return _core.disk(self.poisson, self.radius, self.young, self.density)
+        elastic = _core.disk(self.poisson, self.radius, self.young, self.density)
+        return _core.rigid(elastic) if self.rigid else elastic
 
     def _shape(self) -> Disk:
         """What counts at a wall: the same for all sizes."""
@@ -164,25 +171,30 @@ Body = Union[Disk, Rod, Sphere]
 BODIES = (Disk, Rod, Sphere)
 """The classes of bodies, for isinstance."""
 
+PARTNERS = (*BODIES, *UNBOUNDED)
+"""The classes of what a body can meet that is no wall."""
+
 
 def kind(body: Any) -> str:
     """What the core calls the kind of a body: its units depend on it."""
     return type(body).__name__.lower()
 
 
-def _plane(value: Any) -> str:
-    if not isinstance(value, str) or value not in ("stress", "strain"):
-        raise refusal("plane", value, "'stress' or 'strain'")
-    return value
+def is_rigid(body: Any) -> bool:
+    """Whether it is a body that gives way nowhere."""
+    return bool(getattr(body, "rigid", False))
 
 
-def shown(body: Body) -> str:
+def shown(body: Body | Unbounded) -> str:
     """The body in the line that says what a result is."""
     if body.material is None:
         return repr(body)
+    if isinstance(body, UNBOUNDED):
+        return f"{type(body).__name__}(poisson={body.poisson:.6g})"
     if isinstance(body, Rod):
         return f"Rod(length={body.length:g} m)"
-    return f"{type(body).__name__}(poisson={body.poisson:.6g}, radius={body.radius:g} m)"
+    rigid = ", rigid" if body.rigid else ""
+    return f"{type(body).__name__}(poisson={body.poisson:.6g}, radius={body.radius:g} m{rigid})"
 
 
 def speed_unit(body: Body | None) -> float:

@@ -31,9 +31,10 @@ def fill(body: Any, made: dict[str, float], material: Material | None, **given: 
 def call(body: Any, ratios: tuple[str, ...], si: tuple[str, ...]) -> str:
     """The call that makes the body, without what is usual."""
     names = si if body.material is not None else ratios
-    usual: dict[str, Any] = {"plane": "stress"}
+    usual: dict[str, Any] = {"plane": "stress", "poisson": None}
+    usual["rigid"] = False
     if body.material is None:
-        usual |= {name: 1.0 for name in ratios if name != "poisson"}
+        usual |= {name: 1.0 for name in ratios if name not in ("poisson", "rigid")}
     values = {name: getattr(body, name) for name in names}
     said = ", ".join(f"{name}={brief(value)}" for name, value in values.items() if usual.get(name) != value)
     return f"{type(body).__name__}({said})"

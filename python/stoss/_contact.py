@@ -10,39 +10,50 @@ from numpy.typing import NDArray
 
 from stoss import _core
 from stoss._arguments import instance, refusal
-from stoss._bodies import BODIES, Body, Disk
+from stoss._bodies import BODIES, PARTNERS, Body, Disk, Rod, Sphere, is_rigid
 from stoss._errors import InvalidInput
+from stoss._half_space import UNBOUNDED, HalfPlane, HalfSpace, Unbounded
 from stoss._walls import HardWall, Wall
 
-Against = Union[Wall, Body]
+Against = Union[Wall, Body, Unbounded]
+
+MEETS: dict[type, tuple[type, ...]] = {Disk: (Disk, HalfPlane), Rod: (Rod,), Sphere: (Sphere, HalfSpace)}
 
 
-def choose_body(body: Any, poisson: Any) -> Body:
-    """The body that was meant: exactly one of the two must be given."""
+def choose_body(body: Any, poisson: Any, *, rigid: bool = False) -> Body:
+    """The body that was meant: exactly one of the two must be given. Only where that may be, it is a `rigid` one."""
     if (body is None) == (poisson is None):
         got = "neither" if body is None else "body and poisson"
         raise InvalidInput(f"body: got {got}, allowed one of body and poisson")
-    return Disk(poisson=poisson) if body is None else instance("body", body, BODIES)
+    chosen: Body = Disk(poisson=poisson) if body is None else instance("body", body, BODIES)
+    if is_rigid(chosen) and not rigid:
+        raise refusal("body", chosen, "an elastic body (a rigid one only meets others)")
+    return chosen
 
 
 def choose_against(body: Body, against: Any, walls: tuple[type, ...]) -> Against:
     """What the body meets: one of these walls, its like, or another body."""
     if against is None:
-        return HardWall()
+        against = HardWall()
     if isinstance(against, str) and against == "same":
-        return body
-    if not isinstance(against, (*walls, *BODIES)):
-        kinds = ", ".join(f"a stoss.{wall.__name__}" for wall in walls)
-        raise refusal("against", against, f"None, 'same', {kinds}, a stoss.Disk, a stoss.Rod or a stoss.Sphere")
-    if isinstance(against, BODIES):
-        if type(against) is not type(body):
-            hint = "a disk meets disks, a rod rods, a sphere spheres"
-            raise refusal("against", against, f"a stoss.{type(body).__name__} ({hint})")
+        against = body
+    if not isinstance(against, (*walls, *PARTNERS)):
+        kinds = ", ".join(f"a stoss.{kind.__name__}" for kind in (*walls, *PARTNERS[:-1]))
+        raise refusal("against", against, f"None, 'same', {kinds} or a stoss.{PARTNERS[-1].__name__}")
+    if is_rigid(body) and (not isinstance(against, PARTNERS) or is_rigid(against)):
+        raise refusal("against", against, "what gives way, as the body is rigid")
+    if isinstance(against, PARTNERS):
+        if not isinstance(against, MEETS[type(body)]):
+            kinds = " or ".join(f"a stoss.{kind.__name__}" for kind in MEETS[type(body)])
+            hint = "a disk meets disks and half-planes, a rod rods, a sphere spheres and half-spaces"
+            raise refusal("against", against, f"{kinds} ({hint})")
         if (against.material is None) != (body.material is None):
             raise refusal("against", against, "two bodies with a material, or two without")
         plane = getattr(body, "plane", None)
         if getattr(against, "plane", None) != plane:
             raise refusal("against", against, f"the same plane as that of the first, {plane!r}")
+        if isinstance(against, UNBOUNDED):
+            return against._beside(body.poisson)  # type: ignore[no-any-return, union-attr]
     return against  # type: ignore[no-any-return]
 
 
@@ -53,8 +64,8 @@ def _resolved(shape: Body, cutoff: float) -> _core.Body:
 
 
 @functools.lru_cache(maxsize=16)
-def _pair(first: Body, second: Body, cutoff: float) -> _core.Contact:
-    return _core.pair(first._maker(), second._maker(), cutoff)
+def _pair(first: Body, second: Body | Unbounded, cutoff: float, slowest: float) -> _core.Contact:
+    return _core.pair(first._maker(), second._maker(), cutoff, slowest)
 
 
 @functools.lru_cache(maxsize=8)
@@ -63,14 +74,17 @@ def _refinable(shape: Body) -> _core.RefinableContact:
 
 
 @functools.lru_cache(maxsize=8)
-def _refinable_pair(first: Body, second: Body) -> _core.RefinableContact:
+def _refinable_pair(first: Body, second: Body | Unbounded) -> _core.RefinableContact:
     return _core.refinable_pair(first._maker(), second._maker())
 
 
-def contact(body: Body, against: Against, cutoff: float, keep: NDArray[np.bool_] | None) -> _core.Contact:
-    """A body with its modes up to the cutoff, or with some of them, at what it meets."""
-    if isinstance(against, BODIES):
-        return _pair(body, against, cutoff)
+def contact(
+    body: Body, against: Against, cutoff: float, speed: float, keep: NDArray[np.bool_] | None
+) -> _core.Contact:
+    """A body with its modes up to the cutoff, or with some of them, at what it meets at this speed."""
+    if isinstance(against, PARTNERS):
+        # Only a half-space is made for contacts that last so long.
+        return _pair(body, against, cutoff, speed if isinstance(against, UNBOUNDED) else 1.0)
     every = resolved(body, cutoff)
     return _core.at_wall(every if keep is None else _core.with_modes(every, keep), against._made())
 
@@ -82,7 +96,7 @@ def radiates(against: Against) -> bool:
 
 def refinable(body: Body, against: Against) -> _core.RefinableContact:
     """The same at any cutoff, at a rigid wall or at a body."""
-    return _refinable_pair(body, against) if isinstance(against, BODIES) else _refinable(body._shape())
+    return _refinable_pair(body, against) if isinstance(against, PARTNERS) else _refinable(body._shape())
 
 
 def resolved(body: Body, cutoff: float) -> _core.Body:

@@ -36,8 +36,9 @@ def impact(
     speed : float
         Of approach of the centres of mass, or towards the wall, 1e-8 to 1, c (with a material:
         m/s). Two equal bodies at twice the speed are one of them at a rigid wall.
-    against : HardWall, ExponentialWall, 'same', Disk, Sphere or Rod, optional
-        What the body meets: a wall, its like, or another of its kind. Default: a rigid wall.
+    against : HardWall, ExponentialWall, 'same', Disk, Sphere, Rod, HalfSpace or HalfPlane, optional
+        What the body meets: a wall, its like, another of its kind, or, for a sphere, a half-space,
+        for a disk a half-plane. Default: a rigid wall.
     poisson : float
         In place of `body`: ``Disk(poisson=poisson)``.
     cutoff : float, optional
@@ -86,7 +87,7 @@ def impact(
     >>> round(pair.lost_to_first, 2), round(pair.lost_to_second, 2)
     (0.03, 0.33)
     """
-    chosen = choose_body(body, poisson)
+    chosen = choose_body(body, poisson, rigid=True)
     initial = number("speed", speed) / speed_unit(chosen)
     met = choose_against(chosen, against, (HardWall, ExponentialWall))
     at = number("cutoff", cutoff)

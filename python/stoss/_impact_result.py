@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from stoss import _core, _replay
-from stoss._bodies import BODIES, Body, Rod, shown
+from stoss._bodies import PARTNERS, Body, Rod, shown
 from stoss._contact import Against, contact, radiates
 from stoss._field import Field
 from stoss._result import Number
@@ -27,7 +27,7 @@ class Impact(InSiOfAnImpact):
     ----------
     body : Disk, Sphere or Rod
         The first; all units are its own.
-    against : HardWall, ExponentialWall, Disk, Sphere or Rod
+    against : HardWall, ExponentialWall, Disk, Sphere, Rod, HalfSpace or HalfPlane
     speed : float
         Of approach of the centres of mass, or towards the wall, c.
     restitution : float
@@ -38,7 +38,8 @@ class Impact(InSiOfAnImpact):
         Energy after the impact: of the (relative) translation; of the kept modes; of the modes above the
         cutoff. The sum is 1 but for `energy_error`.
     lost_to_first, lost_to_second : float
-        Vibration of each body, its part of `unresolved` included; 0 of a wall.
+        Vibration of each body, its part of `unresolved` included; of a half-space what its waves
+        carry away; 0 of a wall and of a rigid body.
     contact_time : float
         From first to last contact, R/c.
     impulse_time : float
@@ -69,7 +70,9 @@ class Impact(InSiOfAnImpact):
         Speed above 0.5 c or compression above 0.5 R, where linear elasticity has lost its meaning.
     mode_energies : ndarray
         Energy of each kept mode, a structured array with the fields body (0 of the first, 1 of
-        the second), order, index, omega, after (the impact) and average (during contact).
+        the second), order, index, omega, after (the impact) and average (during contact). Those of
+        a half-space are waves, a continuum of which they are samples; their order counts wave
+        numbers.
     keep : ndarray or None
         Which modes up to the cutoff were kept, if not all: those of `mode_energies`.
     material : Material or None
@@ -122,10 +125,10 @@ class Impact(InSiOfAnImpact):
         )
 
     def _who(self) -> str:
-        return shown(self.body) + (f" against {shown(self.against)}" if isinstance(self.against, BODIES) else "")
+        return shown(self.body) + (f" against {shown(self.against)}" if isinstance(self.against, PARTNERS) else "")
 
     def _contact(self) -> _core.Contact:
-        return contact(self.body, self.against, self.cutoff, self.keep)
+        return contact(self.body, self.against, self.cutoff, self.speed, self.keep)
 
     @classmethod
     def _made(
@@ -140,7 +143,7 @@ class Impact(InSiOfAnImpact):
         keep: NDArray[np.bool_] | None,
     ) -> Impact:
         """The impact with these inputs, checked before."""
-        met = contact(body, against, cutoff, keep)
+        met = contact(body, against, cutoff, speed, keep)
         handle = _core.impact(met, radiates(against), speed, step, nodes, half_width)
         return cls(
             body=body, against=against, keep=keep, mode_energies=handle.modes(), _handle=handle,

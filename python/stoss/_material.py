@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import dataclasses
 from types import MappingProxyType
-from typing import Mapping, NamedTuple
+from typing import Any, Mapping, NamedTuple
 
 from stoss import _core
 from stoss._arguments import brief, number, optional_number, refusal
@@ -91,6 +91,13 @@ class Material:
         """2-D Poisson number: ν, or ν/(1−ν) in plane strain."""
         return _core.plane_poisson(self.young, self.poisson, self.density, plane == "strain")
 
+    def _in_plane(self, plane: Any) -> dict[str, float]:
+        """The constants of a disk: ν, E, ρ of a thin plate; ν/(1−ν), E/(1−ν²), ρ in plane strain."""
+        if not isinstance(plane, str) or plane not in ("stress", "strain"):
+            raise refusal("plane", plane, "'stress' or 'strain'")
+        modulus = self.young if plane == "stress" else self.young / (1.0 - self.poisson**2)
+        return {"poisson": self._plane_poisson(plane), "young": modulus, "density": self.density}
+
     def _scales(self, plane: str, radius: float) -> Scales:
         """Scales of a disk: c = √(E′/ρ) with E′ = E, or E/(1−ν²) in plane strain."""
         return Scales(*_core.scales(self.young, self.poisson, self.density, plane == "strain", radius))
@@ -102,11 +109,20 @@ materials: Mapping[str, Material] = MappingProxyType(
         "glass": Material(young=7.0e10, poisson=0.22, density=2500.0),
         "ice": Material(young=9.3e9, poisson=0.33, density=917.0),
         "rubber": Material(young=2e6, poisson=0.49, density=1100.0),
+        "bearing steel": Material(young=2.1e11, poisson=0.30, density=7810.0, yield_strength=1.7e9),
+        "brass": Material(young=1.1e11, poisson=0.33, density=8530.0, yield_strength=4.3e8),
+        "aluminium": Material(young=6.9e10, poisson=0.33, density=2700.0, yield_strength=2.8e8),
+        "tungsten carbide": Material(young=6.2e11, poisson=0.22, density=14900.0),
+        "granite": Material(young=5e10, poisson=0.25, density=2650.0),
+        "PMMA": Material(young=3.2e9, poisson=0.37, density=1190.0),
     }
 )
-"""Typical materials. Yours differs, rubber by a factor of ten: measure it.
+"""Typical materials. Yours differs, rubber and rock by factors: measure it.
 
 Structural steel (Eurocode 3); soda-lime glass (EN 572-1, but ν between the 0.20 there and the 0.23 of makers);
-polycrystalline ice at −16 °C (Gammon et al., J. Glaciology 29, 433 (1983)); soft rubber (orders of magnitude). What ε
-means for each of them: docs/materials.md.
+polycrystalline ice at −16 °C (Gammon et al., J. Glaciology 29, 433 (1983)); soft rubber (orders of magnitude);
+hard-drawn brass CuZn30 and aluminium 6061-T6 (as engineering tables have them). Typical without a single source:
+hardened ball-bearing steel, tungsten carbide with 6 % of cobalt, granite (E from 20 to 70 GPa), and PMMA, whose modulus
+grows with the rate of loading. What has no `yield_strength` here is brittle, or not known well enough; structural steel
+has 0.235 GPa and more. What ε means for each of them: docs/materials.md.
 """

@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from stoss import _core
 from stoss._arguments import integer, numbers, require_memory
-from stoss._bodies import BODIES, Disk, Sphere
+from stoss._bodies import BODIES, Disk, Sphere, is_rigid
 from stoss._errors import InvalidInput
 from stoss._field import DiskField, Field, SphereField
 from stoss._result import columns
@@ -36,9 +36,12 @@ def field(impact: Impact, time: Any, radius: Any, angle: Any, of: Any) -> Field:
         raise InvalidInput(f"body: got {impact.body!r}, allowed {hint}")
     number, pair = integer("of", of), isinstance(impact.against, BODIES)
     if number not in ((0, 1) if pair else (0,)):
-        raise InvalidInput(f"of: got {number}, allowed {'0 or 1' if pair else '0 (a wall has no field)'}")
+        hint = "0 or 1" if pair else "0 (a wall or a half-space has no field)"
+        raise InvalidInput(f"of: got {number}, allowed {hint}")
     inside = impact.body if number == 0 else impact.against
     assert isinstance(inside, (Disk, Sphere))
+    if is_rigid(inside):
+        raise InvalidInput(f"body: got {inside!r}, allowed an elastic one (a rigid one has no field)")
     times = numbers("time", time)
     radii = np.linspace(0.0, 1.0, 41) if radius is None else numbers("radius", radius).ravel()
     angles = _around() if angle is None else numbers("angle", angle).ravel()
@@ -54,6 +57,19 @@ def field(impact: Impact, time: Any, radius: Any, angle: Any, of: Any) -> Field:
         kind, evaluate = DiskField, _core.disk_fields
     fields = evaluate(inside.poisson, number, made, impact._handle, frames, radii, angles)
     return kind._from_core(impact, number, times.shape, order, frames.summaries(), fields, radii, angles)
+
+
+def surface(impact: Impact, time: Any, reach: float) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """Where the surface of a half-space is at some times: places y, −reach to reach, and times × places x, in R.
+
+    It is moved by the kept modes alone.
+    """
+    times = numbers("time", time).ravel()
+    order = np.argsort(times, kind="stable")
+    made = impact._contact()
+    lateral, place = _core.surfaces(made, impact._handle, _core.motion(made, impact._handle, times[order]), reach, 256)
+    x = place[np.argsort(order, kind="stable")]
+    return np.concatenate((-lateral[::-1], lateral)), np.concatenate((x[:, ::-1], x), axis=1)
 
 
 def energies_at(impact: Impact, time: Any) -> NDArray[Any]:

@@ -14,6 +14,7 @@ from stoss._bodies import Body, Disk, speed_unit, speeds_in_si
 from stoss._contact import Against, choose_against, choose_body
 from stoss._curve import Curve, gather
 from stoss._errors import Interrupted, NotConverged, StossWarning
+from stoss._half_space import HalfPlane, Unbounded
 from stoss._progress import bar
 from stoss._restitution_result import Restitution
 from stoss._result import columns
@@ -24,7 +25,7 @@ def restitution(
     body: Body | None = None,
     *,
     speed: ArrayLike,
-    against: HardWall | Body | str | None = None,
+    against: HardWall | Body | Unbounded | str | None = None,
     poisson: ArrayLike | None = None,
     tolerance: float = 1e-3,
     absolute: float = 1e-6,
@@ -44,8 +45,9 @@ def restitution(
     speed : array_like
         Of approach of the centres of mass, or towards the wall, 1e-8 to 1, c (with a material:
         m/s). Two equal bodies at twice the speed are one of them at a rigid wall.
-    against : HardWall, 'same', Disk, Sphere or Rod, optional
-        What the body meets: a rigid wall (default), its like, or another of its kind.
+    against : HardWall, 'same', Disk, Sphere, Rod, HalfSpace or HalfPlane, optional
+        What the body meets: a rigid wall (default), its like, another of its kind, or, for a sphere,
+        a half-space, for a disk a half-plane.
     poisson : array_like
         In place of `body`: 2-D Poisson number of disks, −0.95 to 0.995; broadcasts with `speed`.
     tolerance : float, optional
@@ -92,7 +94,7 @@ def restitution(
         bodies: list[Body] = [Disk(poisson=value) for value in np.unique(poissons)]
         places = [np.flatnonzero(poissons == each.poisson) for each in bodies if isinstance(each, Disk)]
     else:
-        bodies = [choose_body(body, poisson)]
+        bodies = [choose_body(body, poisson, rigid=True)]
         nu = np.full((), getattr(bodies[0], "poisson", np.nan))
         poissons, speeds = broadcast(22, poisson=nu, speed=speeds / speed_unit(bodies[0]))
         places = [np.arange(speeds.size)]
@@ -113,7 +115,8 @@ def restitution(
             stopped = True
     table, reasons = gather(curves, speeds.size)
     one = bodies[0] if len(bodies) == 1 else None
-    shared = "same" if one is None and isinstance(against, str) else met[0]
+    # Each of several bodies meets these in its own form.
+    shared = against if one is None and isinstance(against, (str, HalfPlane)) else met[0]
     result = _make(one, shared, poissons, speeds, table, reasons, limit, enough)
     if stopped:
         done = sum(len(curve.reasons) for curve in curves)

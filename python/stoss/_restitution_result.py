@@ -8,7 +8,7 @@ from typing import Any, ClassVar, Union
 import numpy as np
 from numpy.typing import NDArray
 
-from stoss._bodies import BODIES, Body, Rod, Sphere, shown
+from stoss._bodies import PARTNERS, Body, Rod, Sphere, shown
 from stoss._contact import Against
 from stoss._result import Number, span, with_error
 from stoss._si import InSiWithErrors
@@ -19,7 +19,7 @@ Flag = Union[bool, NDArray[np.bool_]]
 
 @dataclasses.dataclass(frozen=True, eq=False, repr=False)
 class Restitution(InSiWithErrors):
-    """The coefficient of restitution of a body at a rigid wall, or of two bodies, with errors.
+    """The coefficient of restitution of a body at a wall or a half-space, or of two bodies.
 
     Numbers if all inputs were numbers, otherwise arrays of the shape to which `poisson` and `speed`
     broadcast. The true error is within the estimated one in 95 % of all cases.
@@ -28,7 +28,7 @@ class Restitution(InSiWithErrors):
     ----------
     body : Disk, Sphere, Rod or None
         The first; all units are its own. None if there are several Poisson numbers.
-    against : HardWall, Disk, Sphere, Rod or 'same'
+    against : HardWall, Disk, Sphere, Rod, HalfSpace, HalfPlane or 'same'
         What it meets; 'same' for several Poisson numbers, each meeting its like.
     poisson : float or ndarray
         Poisson number, of a disk the 2-D one; NaN for a rod.
@@ -47,8 +47,8 @@ class Restitution(InSiWithErrors):
     max_force, max_force_error : float or ndarray
         mc²/R: πRE of a disk, (4π/3)R²E of a sphere.
     lost_to_first, lost_to_second : float or ndarray
-        Vibration of each body after the finest impact, as shares of the initial energy; 0 of a
-        wall. Their sum is `lost_fraction` but for its error.
+        Vibration of each body after the finest impact, as shares of the initial energy; of
+        a half-space what its waves carry away; 0 of a wall. Their sum is `lost_fraction` but for its error.
     cutoff, energy_error, modes : float, int or ndarray
         Of the finest impact: c/R; what is missing, as a share of the initial energy; number of kept
         modes.
@@ -103,7 +103,7 @@ class Restitution(InSiWithErrors):
     absolute: float
 
     def __repr__(self) -> str:
-        against = self.against if isinstance(self.against, (*BODIES, str)) else None  # else at a wall
+        against = self.against if isinstance(self.against, (*PARTNERS, str)) else None  # else at a wall
         named = self.body is not None and (against is not None or isinstance(self.body, (Rod, Sphere)))
         of = shown(self.body) if named and self.body else f"poisson={span(self.poisson)}"
         if against is not None:

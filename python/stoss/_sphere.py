@@ -5,6 +5,7 @@ from __future__ import annotations
 import dataclasses
 
 from stoss import _core
+from stoss._arguments import boolean
 from stoss._body_values import call, fill, known_material, size
 from stoss._material import Material, Scales
 
@@ -28,6 +29,9 @@ class Sphere:
         Young's modulus E and density ρ.
     material : Material
         In place of `poisson`, `young` and `density`.
+    rigid : bool, optional
+        Young's modulus is infinite. The sphere keeps its mass, and the given modulus remains a
+        unit. It meets what gives way: spheres and half-spaces.
 
     Examples
     --------
@@ -43,6 +47,7 @@ class Sphere:
     young: float
     density: float
     material: Material | None
+    rigid: bool
 
     def __init__(
         self,
@@ -52,6 +57,7 @@ class Sphere:
         young: float | None = None,
         density: float | None = None,
         material: Material | None = None,
+        rigid: bool = False,
     ) -> None:
         made: dict[str, float] = {"young": 1.0, "density": 1.0}
         if material is not None:
@@ -60,10 +66,11 @@ class Sphere:
         fill(self, made, material, poisson=poisson, young=young, density=density)
         fill(self, {"radius": 1.0}, None, radius=radius)
         object.__setattr__(self, "material", material)
+        object.__setattr__(self, "rigid", boolean("rigid", rigid))
         self._maker()  # refuses what is out of range
 
     def __repr__(self) -> str:
-        return call(self, ("poisson", "radius", "young", "density"), ("radius", "material"))
+        return call(self, ("poisson", "radius", "young", "density", "rigid"), ("radius", "material", "rigid"))
 
     @property
     def scales(self) -> Scales:
@@ -72,7 +79,8 @@ class Sphere:
         return Scales(*_core.sphere_scales(self.poisson, self.radius, self.young, self.density))
 
     def _maker(self) -> _core.BodyMaker:
-        return _core.sphere(self.poisson, self.radius, self.young, self.density)
+        elastic = _core.sphere(self.poisson, self.radius, self.young, self.density)
+        return _core.rigid(elastic) if self.rigid else elastic
 
     def _shape(self) -> Sphere:
         """What counts at a wall: the same for all sizes."""

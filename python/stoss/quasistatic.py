@@ -1,4 +1,4 @@
-"""Slow contacts of a disk with a wall, in closed form where there is one.
+"""Slow contacts of a disk with a wall, in closed form where there is one; when a sphere begins to yield.
 
 Where the disk follows the wall's force statically, energy conservation gives the whole impact, and
 Rayleigh's estimate gives the small loss to vibration. Forces are in πRE = mc²/R, lengths in R,
@@ -11,6 +11,7 @@ stresses in E, speeds in c.
 `compression_energy`, `limit_force`, `limit_speed`      its energy, and where it ends
 `static_contact`, `soft_static_contact`                 a disk held against a wall
 `hertz_pressure`, `hertz_stress`, `heavy_disk_stress`   stress under a contact or in a heavy disk
+`yield_speed`                                           when a sphere, or what it meets, begins to yield
 ======================================================  ============================================
 
 Laws of compression, δ = F (ln(s/F) − b):
@@ -29,6 +30,7 @@ from stoss._hertz import PlaneStress, heavy_disk_stress, hertz_pressure, hertz_s
 from stoss._rayleigh import RayleighEstimate, rayleigh
 from stoss._slow_impact import SlowImpact, slow_impact
 from stoss._static_contact import SoftStaticContact, StaticContact, soft_static_contact, static_contact
+from stoss._yield import yield_speed
 
 __all__ = [
     "PlaneStress",
@@ -48,4 +50,5 @@ __all__ = [
     "slow_impact",
     "soft_static_contact",
     "static_contact",
+    "yield_speed",
 ]

@@ -87,7 +87,7 @@ BodyFrame seen_by(const Contact& contact, const ContactGrid& grid, const Frame& 
   seen.stress = force / (solid ? units.length * units.length : units.length);
   const double overlap = frame.state.center + contact.extent;
   // The centre of mass of both rests, and the share of a body in their relative motion is that of the other's mass.
-  const double share = contact.mass / (seen.body->mass * units.mass);
+  const double share = contact.mass / (whole_mass(*seen.body) * units.mass);
   const double inward = of_second ? 1.0 : -1.0;
   seen.center = inward * (seen.body->extent * units.length - share * overlap);
   seen.points = {grid.points.radius / units.length, grid.points.spacing, grid.points.count};
@@ -98,6 +98,23 @@ BodyFrame seen_by(const Contact& contact, const ContactGrid& grid, const Frame& 
   seen.node_force = frame.node_force;
   for (double& each : seen.node_force) each /= force;
   return seen;
+}
+
+std::vector<double> surface_displacement(const BodyFrame& seen, const ContactPoints& points) {
+  const std::vector<double> shape = seen.body->surface(points).shape;
+  std::vector<double> displacement(points.count);
+  std::size_t k = 0;
+  for (const ModeGroup& group : seen.body->groups) {
+    double upper = 0.0, lower = 0.0;
+    for (std::size_t l = 0; l < group.omega.size(); ++l, ++k) {
+      upper += seen.coordinate[k] * group.upper[l];
+      lower += seen.coordinate[k] * group.lower[l];
+    }
+    const double* const above = shape.data() + group.upper_row * points.count;
+    const double* const below = shape.data() + group.lower_row * points.count;
+    for (std::size_t i = 0; i < points.count; ++i) displacement[i] += upper * above[i] + lower * below[i];
+  }
+  return displacement;
 }
 
 State free_motion(const Contact& contact, const State& state, double time) {

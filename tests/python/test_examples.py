@@ -24,6 +24,7 @@ FILES = {
     "05_event_driven": ["event_driven.png"],
     "06_two_disks": ["two_disks.png"],
     "07_balls": ["balls.csv", "balls.png"],
+    "08_drop_test": ["drop_test.csv", "drop_test.png"],
 }
 NUMBER = re.compile(r"(?<![\w.])[-+]?\d+(?:\.\d+)?(?:e[-+]?\d+)?(?![\w.])")
 

@@ -193,7 +193,7 @@ def test_private(data):
     function = data.draw(st.sampled_from(doors))
     usual = [0.3, 0.1, 3, True, np.array([0.1, 0.2]), ROD.at(9.0), MAKER.at(5.0), hit._handle, [], len]
     usual += [core.hard_wall(), core.refinable(MAKER), np.zeros(2, core.restitution_row), MAKER, ROD]
-    usual += [core.at_wall(MAKER.at(5.0), core.hard_wall()), core.pair(MAKER, MAKER, 5.0)]
+    usual += [core.at_wall(MAKER.at(5.0), core.hard_wall()), core.pair(MAKER, MAKER, 5.0, 0.1)]
     cheap = boxes.filter(lambda box: harmless("tolerance", box.content))
     arguments = data.draw(st.lists(boxed(st.sampled_from(usual)) | cheap, max_size=7))
     try:

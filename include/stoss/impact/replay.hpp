@@ -40,6 +40,10 @@ struct BodyFrame {
 /// @throws InvalidInput for a body that is not there, and a frame of another contact
 [[nodiscard]] BodyFrame seen_by(const Contact& contact, const ContactGrid& grid, const Frame& frame, int number);
 
+/// Displacement of the surface of a body by its kept modes, towards what it meets, in its own units: at points that lie
+/// on the surface as contact points do.
+[[nodiscard]] std::vector<double> surface_displacement(const BodyFrame& seen, const ContactPoints& points);
+
 /// State after the bodies have touched nothing for a time, forward or back: x₀ drifts and every mode
 /// rotates.
 [[nodiscard]] State free_motion(const Contact& contact, const State& state, double time);

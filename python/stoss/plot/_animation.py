@@ -107,11 +107,12 @@ def animate(
         film = [[_disk.instant(each, k) for each in fields] for k in range(count)]
         scale = None if quantity is None else _stress.scale_of([now for each in film for now in each], quantity, fringe)
         shown = _disk.view(fields)
+        ground = _disk.surface(impact, times, shown.half)
         shape = _default_pixels(shown, scale) if pixels is None else pixels
         if suffix == ".mp4":  # its colours are those of pairs of pixels
             shape = shape[0] + shape[0] % 2, shape[1] + shape[1] % 2
         with rc_context(_style.PRINT | {"figure.dpi": DPI}):
-            pictures = _film(film, shown, scale, shape)
+            pictures = _film(film, shown, scale, shape, ground)
             if suffix == ".gif":
                 _write_gif(pictures, rate, None if scale is None else scale.colors, temporary)
             else:
@@ -144,7 +145,8 @@ def _default_pixels(shown: _disk.View, scale: _stress.Scale | None) -> tuple[int
 
 
 def _film(
-    film: list[list[_disk.Instant]], shown: _disk.View, scale: _stress.Scale | None, size: tuple[int, int]
+    film: list[list[_disk.Instant]], shown: _disk.View, scale: _stress.Scale | None, size: tuple[int, int],
+    surface: _disk.Surface | None,
 ) -> Iterator[NDArray[np.uint8]]:
     """The pictures, height × width × RGB, of a figure that pyplot does not know of."""
     figure = Figure(figsize=(size[0] / DPI, size[1] / DPI), dpi=DPI, layout="constrained")
@@ -152,7 +154,7 @@ def _film(
     axes = figure.add_subplot()
     _style.small_ticks(axes)
     _disk.frame_axes(axes, shown)
-    faces = [_disk.draw_wall(axes)] if len(film[0]) == 1 else []
+    faces = [_disk.draw_wall(axes)] if len(film[0]) == 1 and surface is None else []
     names = [f"t = {time} R/c" for time in _sequence.spoken_times(np.array([each[0].time for each in film]))]
     title = axes.set_title(names[0])
     if scale is not None:
@@ -165,10 +167,11 @@ def _film(
     title.set_animated(True)
     canvas.draw()
     ground = canvas.copy_from_bbox(figure.bbox)
-    for bodies, name in zip(film, names):
+    for k, (bodies, name) in enumerate(zip(film, names)):
         canvas.restore_region(ground)
         title.set_text(name)
-        moving = _draw_frame(axes, bodies, scale)
+        moving = [] if surface is None else _disk.draw_half_space(axes, surface.y, surface.x[k], shown.right)
+        moving += _draw_frame(axes, bodies, scale)
         for artist in (*moving, *faces, title):
             axes.draw_artist(artist)
         for artist in moving:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import Any, NamedTuple, Sequence
 
 import numpy as np
+from matplotlib.artist import Artist
 from matplotlib.axes import Axes
 from matplotlib.collections import LineCollection
 from matplotlib.lines import Line2D
@@ -12,9 +13,11 @@ from matplotlib.ticker import MultipleLocator
 from numpy.typing import NDArray
 
 from stoss._arguments import instance, integer, refusal
+from stoss import _replay
 from stoss._bodies import BODIES
 from stoss._errors import InvalidInput
 from stoss._field import Field
+from stoss._half_space import UNBOUNDED
 from stoss._impact_result import Impact
 from stoss.plot import _style
 
@@ -93,7 +96,7 @@ def disk(
     outline: bool = True,
     color: Any = _style.BLUE,
 ) -> Axes:
-    """The deformed disk at the wall: circles and radii that were even before the impact.
+    """The deformed disk at what it meets: circles and radii that were even before the impact.
 
     Deformations have their true size. Of two disks both are drawn. `sphere` is the same function:
     of a sphere it draws the plane through the axis.
@@ -134,8 +137,7 @@ def disk(
             if outline:
                 draw_outline(axes, *edge)
             draw_grid(axes, now.x, now.y, field.radius, field.angle, circles, spokes, color=color)
-        if len(bodies) == 1:
-            draw_wall(axes)
+        draw_ground(axes, bodies, shown)
         frame_axes(axes, shown)
         axes.set_title(f"t = {_style.written(bodies[0].time)} R/c")
     return axes
@@ -183,9 +185,14 @@ def undeformed(bodies: Sequence[Instant]) -> list[tuple[Array, Array]]:
     edges = []
     for now, other in zip(bodies, (*bodies[1:], bodies[0])):
         x, y = circle(now.center, now.field.size)
-        free = x <= 0.0 if other is now else np.hypot(x - other.center, y) >= other.field.size
+        free = x <= _edge_of_ground(now) if other is now else np.hypot(x - other.center, y) >= other.field.size
         edges.append((np.where(free, x, np.nan), y))
     return edges
+
+
+def _edge_of_ground(now: Instant) -> float:
+    """A half-space gives way."""
+    return np.inf if isinstance(now.field.impact.against, UNBOUNDED) else 0.0
 
 
 def draw_outline(axes: Axes, x: Array, y: Array, width: float = 1.0) -> Line2D:
@@ -200,13 +207,50 @@ def draw_wall(axes: Axes) -> Line2D:
     return axes.axvline(0.0, color=_style.BLACK, linewidth=1.0, zorder=1.8)
 
 
+class Surface(NamedTuple):
+    """The surface of a half-space at several times."""
+
+    y: Array
+    x: Array  # times × places
+
+
+def surface(impact: Impact, times: Array, reach: float) -> Surface | None:
+    """That of the half-space that is met, if there is one."""
+    if not isinstance(impact.against, UNBOUNDED):
+        return None
+    return Surface(*_replay.surface(impact, times, reach))
+
+
+def draw_half_space(axes: Axes, y: Array, x: Array, depth: float) -> list[Artist]:
+    """The half-space from its moved surface down to some depth."""
+    body = axes.fill_betweenx(y, x, depth, facecolor="0.85", edgecolor="none", zorder=1.0)
+    return [body, *axes.plot(x, y, color=_style.BLACK, linewidth=1.0, zorder=1.8)]
+
+
+def draw_ground(axes: Axes, bodies: Sequence[Instant], shown: View) -> None:
+    """What a single body meets: the wall, or a half-space."""
+    if len(bodies) > 1:
+        return
+    moved = surface(bodies[0].field.impact, np.array([bodies[0].time]), shown.half)
+    if moved is None:
+        draw_wall(axes)
+    else:
+        draw_half_space(axes, moved.y, moved.x[0], shown.right)
+
+
+def ground_of(fields: Sequence[Field]) -> float:
+    """How far what a single body meets is drawn, R."""
+    deepest = float(fields[0].x.max()) if isinstance(fields[0].impact.against, UNBOUNDED) else 0.0
+    return WALL + max(0.0, deepest)
+
+
 def view(fields: Sequence[Field], bodies: Sequence[Instant] = ()) -> View:
     """What holds all points of these fields, or of one of their instants, with a margin."""
     margin = 0.06
     points = [(now.x, now.y) for now in bodies] or [(each.x, each.y) for each in fields]
     half = max(max(each.size, float(np.abs(y).max())) for each, (_, y) in zip(fields, points))
     left = min(-2.0, float(points[0][0].min()))
-    right = WALL if len(fields) == 1 else max(2.0 * fields[1].size, float(points[1][0].max())) + margin
+    right = ground_of(fields) if len(fields) == 1 else max(2.0 * fields[1].size, float(points[1][0].max())) + margin
     return View(left - margin, right, half + margin)
 
 

@@ -6,7 +6,8 @@ import numpy as np
 from matplotlib.axes import Axes
 
 from stoss._arguments import instance, integer, refusal
-from stoss._bodies import Sphere
+from stoss._bodies import Disk, Sphere
+from stoss._half_space import UNBOUNDED
 from stoss._impact_result import Impact
 from stoss.plot import _style
 
@@ -20,6 +21,8 @@ def ledger(
     impact: Impact, ax: Axes | None = None, *, when: str = "after", orders: int = 8, indices: int = 4, of: int = 0
 ) -> Axes:
     """Energy of the modes (n, l), as bars in a group for each n on a logarithmic axis.
+
+    The waves of a half-space are a continuum: one bar is what they hold together.
 
     Parameters
     ----------
@@ -50,6 +53,10 @@ def ledger(
             raise refusal(name, value, f"1 to {limit}")
     if integer("of", of) not in (0, 1):
         raise refusal("of", of, "0 or 1")
+    unbounded = isinstance(impact.against, UNBOUNDED)
+    if of == 1 and unbounded:
+        raise refusal("of", of, "0 (a half-space has no modes (n, l); its energy is beside those of the body)")
+    waves = float(impact.mode_energies[when][impact.mode_energies["body"] == 1].sum()) if unbounded else 0.0
     modes = impact.mode_energies[impact.mode_energies["body"] == of]
     modes = modes[(modes["order"] < orders) & (modes["index"] < indices) & (modes[when] > 0.0)]
 
@@ -66,14 +73,19 @@ def ledger(
                 hatch=HATCHES[n], label=f"l = {index}",
             )  # fmt: skip
         axes.set_yscale("log")
-        if modes.size:
-            top = np.log10(modes[when].max())
-            low = np.floor(max(np.log10(0.7 * modes[when].min()), top - DECADES))
-            rows = -(-np.unique(modes["index"]).size // COLUMNS)
+        places, bars = np.unique(modes["order"]), modes[when]
+        if waves > 0.0:
+            last = places[-1] + 1.5 if places.size else 0
+            name = "half-plane" if isinstance(impact.body, Disk) else "half-space"
+            axes.bar(last, waves, 0.84, color=_style.GREY, edgecolor="white", linewidth=0.0, label=name)
+            bars = np.append(bars, waves)
+        if bars.size:
+            top = np.log10(bars.max())
+            low = np.floor(max(np.log10(0.7 * bars.min()), top - DECADES))
+            rows = -(-(np.unique(modes["index"]).size + (waves > 0.0)) // COLUMNS)
             head = 0.03 + 0.09 * rows  # of the picture's height, for the legend
             axes.set_ylim(10.0**low, 10.0 ** ((top - head * low) / (1.0 - head)))
-            shown = np.unique(modes["order"])
-            axes.set_xticks(shown[:: -(-shown.size // 12)])
+            axes.set_xticks(places[:: -(-places.size // 12)] if places.size else [])
             _style.legend(axes, ncol=COLUMNS, loc="upper right", columnspacing=0.8, handlelength=1.2, handletextpad=0.5)
         axes.set_xlabel("degree n" if isinstance(impact.body, Sphere) else "angular order n")
         axes.set_ylabel(LABELS[when])

@@ -25,10 +25,10 @@ def sequence(
 ) -> Axes:
     """The deformed disk or sphere at several times, in rows, each above the wall with its time below.
 
-    The wall, x = 0, is below, and the body comes from above. Of two bodies the second is below, and
-    the picture moves with their common centre of mass. Deformations and distances have their true
-    size. The grey circles are the undeformed disks around the same centre of mass: what differs
-    from them is deformation.
+    The wall, x = 0, or the surface of a half-space is below, and the body comes from above. Of two
+    bodies the second is below, and the picture moves with their common centre of mass. Deformations
+    and distances have their true size. The grey circles are the undeformed disks around the same
+    centre of mass: what differs from them is deformation.
 
     Parameters
     ----------
@@ -69,7 +69,8 @@ def sequence(
     rows = -(-chosen.size // columns)
     pitch = 2.0 * max(max(each.size, float(np.abs(each.y).max())) for each in fields) + GAP
     lowest = [min(float(-each.x.max()), -float(np.max(each.center)) - each.size) for each in fields]
-    ground = _disk.WALL if len(fields) == 1 else 0.05 - lowest[-1]
+    ground = _disk.ground_of(fields) if len(fields) == 1 else 0.05 - lowest[-1]
+    moved = _disk.surface(impact, chosen, 0.5 * pitch)
     top = max(float(-fields[0].x.min()), 1.0 - float(np.min(fields[0].center)))  # also of the undeformed disk
     height = top + 0.05 + ground + LINE
     wide, high = columns * pitch, rows * height
@@ -86,8 +87,12 @@ def sequence(
             for now, (toward, along) in zip(bodies, _disk.undeformed(bodies)):
                 _disk.draw_outline(axes, x + along, y - toward, line)
                 _disk.draw_grid(axes, x + now.y, y - now.x, now.field.radius, now.field.angle, width=line)
+            if moved is not None:
+                below = {"facecolor": "0.85", "edgecolor": "none", "zorder": 1.0}
+                axes.fill_between(x + moved.y, y - moved.x[k], y - ground, **below)
+                axes.plot(x + moved.y, y - moved.x[k], color=_style.BLACK, linewidth=line, zorder=1.8)
             axes.text(x, y - ground - 0.5 * LINE, names[k], ha="center", va="center")
-        for row in range(rows if len(fields) == 1 else 0):
+        for row in range(rows if len(fields) == 1 and moved is None else 0):
             filled = min(columns, chosen.size - row * columns)
             corner = (-0.5 * pitch, -row * height - _disk.WALL)
             axes.add_patch(Rectangle(corner, filled * pitch, _disk.WALL, facecolor="0.8", edgecolor="none", zorder=1.0))

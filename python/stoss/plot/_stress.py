@@ -102,8 +102,7 @@ def stress(
     with _style.canvas(ax, size=_disk.size_for(shown, 2.25)) as axes:
         for now in bodies:
             mesh, _ = draw_stress(axes, now, scale)
-        if len(bodies) == 1:
-            _disk.draw_wall(axes)
+        _disk.draw_ground(axes, bodies, shown)
         _disk.frame_axes(axes, shown)
         axes.set_title(f"t = {_style.written(bodies[0].time)} R/c")
         draw_bar(axes, mesh, scale)

@@ -8,7 +8,7 @@ from matplotlib.axes import Axes
 from numpy.typing import NDArray
 
 from stoss._arguments import instance
-from stoss._bodies import BODIES, Disk, Sphere
+from stoss._bodies import PARTNERS, Disk, Sphere
 from stoss._trajectory import Trajectory
 from stoss.plot import _style
 
@@ -69,7 +69,7 @@ def velocity(trajectory: Trajectory, ax: Axes | None = None, *, label: str | Non
     'velocity towards the wall / c'
     """
     instance("trajectory", trajectory, (Trajectory,))
-    pair = isinstance(trajectory.impact.against, BODIES)
+    pair = isinstance(trajectory.impact.against, PARTNERS)
     name = "velocity of approach / c" if pair else "velocity towards the wall / c"
     return _against_time(trajectory, "velocity", name, ax, label, style, zero=True)
 
