@@ -119,6 +119,11 @@ class ProfileSum {
 
 }  // namespace
 
+WaveSpeeds wave_speeds(Contour contour, double poisson) {
+  const Medium its = medium(contour, poisson);
+  return {its.pressure_speed, its.shear_speed, its.kernel.rayleigh_root * its.shear_speed};
+}
+
 struct HalfSpaceField::Parts {
   Medium medium;
   std::vector<ModeGroup> groups;

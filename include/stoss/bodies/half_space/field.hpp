@@ -21,6 +21,17 @@ struct Field {
   std::vector<double> normal;   ///< u_z, into the half-space
 };
 
+/// Speeds of the waves of a half-space, √(E/ρ).
+struct WaveSpeeds {
+  double pressure = 0.0;  ///< c_p
+  double shear = 0.0;     ///< c_s
+  double rayleigh = 0.0;  ///< c_R: along the surface
+};
+
+/// Those of a half-space (Contour::ball), or of a half-plane (Contour::cylinder) with its 2-D Poisson number.
+/// @throws InvalidInput for a Poisson number that they cannot have
+[[nodiscard]] WaveSpeeds wave_speeds(Contour contour, double poisson);
+
 /// Displacement inside a half-space or a half-plane during an impact: the kept waves as they move, and all others in
 /// their static answer to the forces,
 ///
