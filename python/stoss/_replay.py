@@ -90,9 +90,12 @@ def wave(impact: Impact, time: Any, distance: Any, depth: Any) -> Wave:
 
     for array in (across, below):
         array.flags.writeable = False
-    names = ("pressure_speed", "shear_speed", "rayleigh_speed")
+    pressure, shear, rayleigh = speeds
     fields = {name: placed(value) for name, value in made.items()}
-    return Wave(impact=impact, distance=across, depth=below, **fields, **dict(zip(names, speeds)))
+    return Wave(
+        impact=impact, distance=across, depth=below, **fields,
+        pressure_speed=pressure, shear_speed=shear, rayleigh_speed=rayleigh,
+    )  # fmt: skip
 
 
 def wave_speeds(impact: Impact) -> tuple[float, float, float]:

@@ -1,9 +1,12 @@
 """The waves below a half-space's surface: they are those of the surface, move as time passes, and can be drawn."""
 
+import csv
+from pathlib import Path
+
 import numpy as np
 import pytest
-import stoss
 
+import stoss
 from stoss import _replay
 
 pyplot = pytest.importorskip("matplotlib.pyplot")
@@ -96,3 +99,34 @@ def test_picture_refusals(hit):
             stoss.plot.wave(wave, **arguments)
     with pytest.raises(stoss.InvalidInput, match="allowed at least 2"):
         stoss.plot.wave(hit.wave(time=3.0, distance=[0.0, 1.0], depth=[0.0]))
+
+
+def test_numbers_of_the_results():
+    """What docs/results/half_space.md says of how the waves spread."""
+    hit = stoss.impact(stoss.Sphere(poisson=0.3), against=stoss.HalfSpace(), speed=0.1, cutoff=8)
+    peaks = []
+    for time, reach in ((20.0, 24.0), (40.0, 48.0)):
+        places = np.linspace(0, reach, int(4 * reach) + 1)
+        surface = hit.wave(time=time, distance=places, depth=[0.0])
+        axis = hit.wave(time=time, distance=[0.0], depth=places)
+        along = np.hypot(surface.lateral_velocity, surface.normal_velocity)[0] / hit.speed
+        down = np.abs(axis.normal_velocity)[:, 0] / hit.speed
+        fast = down[places > 0.75 * axis.pressure_speed * time].max()
+        peaks.append([along.max(), fast, along[places > 1.1 * surface.shear_speed * time].max()])
+    assert np.array(peaks) == pytest.approx(np.array([[0.0263, 0.0035, 0.0031], [0.0180, 0.0016, 0.0008]]), rel=0.03)
+    assert (surface.pressure_speed, surface.shear_speed, surface.rayleigh_speed) == pytest.approx(
+        (1.160, 0.620, 0.575), abs=5e-4
+    )
+
+
+@pytest.mark.parametrize("ball, rigid", [("elastic", False), ("rigid", True)])
+def test_table_of_the_results(ball, rigid):
+    lines = (Path(__file__).parents[2] / "docs/results/half_space.csv").read_text(encoding="utf-8").splitlines()
+    table = csv.DictReader(line for line in lines if not line.startswith("#"))
+    known = [row for row in table if row["ball"] == ball][10::20]
+    body = stoss.Sphere(poisson=0.3, rigid=rigid)
+    speeds = [float(row["speed[c]"]) for row in known]
+    found = stoss.restitution(body, against=stoss.HalfSpace(), speed=speeds)
+    for row, lost, error in zip(known, found.lost_fraction, found.lost_fraction_error):
+        # Speeds have six digits in the table.
+        assert abs(lost - float(row["lost_fraction"])) <= error + float(row["lost_fraction_error"]) + 1e-6 * lost
