@@ -40,10 +40,12 @@ validate: setup ## are the errors of restitution honest? writes docs/validation.
 
 results: setup python ## the tables and the figures of docs/results/
 	@cmake --preset release -DSTOSS_BUILD_STUDIES=ON
-	@cmake --build --preset release -j $(JOBS) --target stoss_curves stoss_half_space stoss_pairs
+	@cmake --build --preset release -j $(JOBS) --target stoss_curves stoss_half_space stoss_pairs stoss_spheres
 	@build/release/studies/stoss_curves docs/results/restitution.csv
 	@build/release/studies/stoss_pairs docs/results/pairs.csv
 	@$(PYTHON) studies/pairs/figure.py docs/results/pairs.csv docs/images/pairs.png
+	@build/release/studies/stoss_spheres docs/results/spheres.csv
+	@$(PYTHON) studies/spheres/figure.py docs/results/spheres.csv docs/results/restitution.csv docs/images/spheres.png
 	@build/release/studies/stoss_half_space docs/results/half_space.csv
 	@$(PYTHON) studies/half_space/figure.py docs/results/half_space.csv docs/images/half_space.png
 	@build/venv/bin/python studies/half_space/wave.py docs/images/half_space_wave.png

@@ -15,6 +15,9 @@ inline constexpr double speed = 0.1;
 /// Its converged 1 − ε² at a hard wall (docs/numerics.md).
 inline constexpr double converged_lost_fraction = 0.103088;
 
+/// The Poisson number of spheres.
+inline constexpr double poisson_of_sphere = 0.3;
+
 /// The benchmark to whose time the others are compared.
 inline constexpr const char* reference_name = "the paper's protocol";
 
@@ -23,6 +26,9 @@ inline constexpr const char* lost_fraction_counter = "lost_fraction";
 inline constexpr const char* error_counter = "error";
 inline constexpr const char* ratio_counter = "ratio";
 inline constexpr const char* apart_counter = "apart";
+inline constexpr const char* sphere_counter = "sphere";
+inline constexpr const char* quoted_from_counter = "finite elements from [s]";
+inline constexpr const char* quoted_to_counter = "finite elements to [s]";
 
 /// The disk with all modes up to a cutoff, made once.
 const stoss::Body& disk_body(double cutoff);
@@ -43,6 +49,7 @@ void add_paper();
 void add_modes();
 void add_impacts();
 void add_restitutions();
+void add_spheres();
 void add_quasistatic();
 void add_python();
 

@@ -1,5 +1,6 @@
 #include "summary.hpp"
 
+#include <algorithm>
 #include <fstream>
 #include <iomanip>
 #include <ostream>
@@ -50,6 +51,13 @@ std::string cell(std::optional<double> value, int digits) {
   return text.str();
 }
 
+std::string scientific(std::optional<double> value, int digits) {
+  if (!value) return "–";
+  std::ostringstream text;
+  text << std::scientific << std::setprecision(digits) << *value;
+  return text.str();
+}
+
 }  // namespace
 
 void Summary::ReportRuns(const std::vector<Run>& reports) {
@@ -68,6 +76,9 @@ void Summary::ReportRuns(const std::vector<Run>& reports) {
     row.milliseconds = wall_time ? run.GetAdjustedRealTime() : run.GetAdjustedCPUTime();
     row.lost_fraction = find(run.counters, lost_fraction_counter);
     row.error = find(run.counters, error_counter);
+    row.sphere = find(run.counters, sphere_counter).has_value();
+    row.quoted_from = find(run.counters, quoted_from_counter);
+    row.quoted_to = find(run.counters, quoted_to_counter);
     if (rows_.empty() && row.name == reference_name) row.ratio = 1.0;
     if (!rows_.empty() && rows_.front().name == reference_name && row.lost_fraction &&
         !find(run.counters, apart_counter)) {
@@ -81,8 +92,14 @@ void Summary::ReportRuns(const std::vector<Run>& reports) {
 
 void Summary::write(std::ostream& out) const {
   out << processor() << ", one core, " << vector_units() << "; " << compiler() << ", " << STOSS_BUILD_TYPE << "; stoss "
-      << stoss::version() << ".\n"
-      << "Disk, ν = " << poisson << ", v = " << speed
+      << stoss::version() << ".\n";
+  const auto is_sphere = [](const Row& row) { return row.sphere; };
+  if (!std::all_of(rows_.begin(), rows_.end(), is_sphere)) write_disks(out);
+  if (std::any_of(rows_.begin(), rows_.end(), is_sphere)) write_spheres(out);
+}
+
+void Summary::write_disks(std::ostream& out) const {
+  out << "Disk, ν = " << poisson << ", v = " << speed
       << " c unless the row says otherwise. Time: processor time, median "
       << "(curves: wall time). Error: of 1−ε² against the converged value of the hard wall, " << converged_lost_fraction
       << ".\n"
@@ -90,8 +107,32 @@ void Summary::write(std::ostream& out) const {
       << "| benchmark | ms | 1−ε² | error | ratio |\n"
       << "|---|---:|---:|---:|---:|\n";
   for (const Row& row : rows_) {
+    if (row.sphere) continue;
     out << "| " << row.name << " | " << cell(row.milliseconds, 3) << " | " << cell(row.lost_fraction, 5) << " | "
         << cell(row.error, 6) << " | " << cell(row.ratio, 2) << " |\n";
+  }
+}
+
+void Summary::write_spheres(std::ostream& out) const {
+  out << "\nSphere, ν = " << poisson_of_sphere
+      << ", default tolerances unless the row says otherwise. Error: relative, of 1−ε² against "
+      << "tests/data/sphere_restitution.csv.\n"
+      << "Finite elements: seconds to 0.1 %, quoted from another machine. Ratio: their time / time.\n\n"
+      << "| benchmark | ms | 1−ε² | error | finite elements, s | ratio |\n"
+      << "|---|---:|---:|---:|---:|---:|\n";
+  for (const Row& row : rows_) {
+    if (!row.sphere) continue;
+    std::optional<double> relative;
+    if (row.error) relative = *row.error / *row.lost_fraction;
+    out << "| " << row.name << " | " << cell(row.milliseconds, 2) << " | " << scientific(row.lost_fraction, 4) << " | "
+        << scientific(relative, 0) << " | ";
+    if (row.quoted_to) {
+      const double seconds = 1e-3 * row.milliseconds;
+      out << cell(row.quoted_from, 0) << " … " << cell(row.quoted_to, 0) << " | " << cell(*row.quoted_from / seconds, 0)
+          << " … " << cell(*row.quoted_to / seconds, 0) << " |\n";
+    } else {
+      out << "– | – |\n";
+    }
   }
 }
 

@@ -16,6 +16,8 @@ struct Row {
   std::optional<double> lost_fraction;
   std::optional<double> error;
   std::optional<double> ratio;  ///< the reference's time over this one's
+  bool sphere = false;
+  std::optional<double> quoted_from, quoted_to;  ///< a rival's time in seconds, as quoted
 };
 
 /// Prints the medians as they come, with the ratio of times as a counter, and keeps them.
@@ -24,12 +26,16 @@ class Summary final : public benchmark::ConsoleReporter {
   Summary() : benchmark::ConsoleReporter(OO_None) {}
   void ReportRuns(const std::vector<Run>& reports) override;
 
-  /// The rows as a Markdown table, headed by a description of the machine and the build.
+  /// The rows as Markdown tables, one of disks and one of spheres, headed by a description of the machine and the
+  /// build.
   void write(std::ostream& out) const;
 
   [[nodiscard]] bool failed() const { return failed_; }
 
  private:
+  void write_disks(std::ostream& out) const;
+  void write_spheres(std::ostream& out) const;
+
   std::vector<Row> rows_;
   bool failed_ = false;
 };

@@ -45,7 +45,7 @@ void DiskArguments::add_to(CLI::App& command) {
       ->required()
       ->type_name("NU")
       ->group("Body");
-  add_material_to(command, "Material in SI (all three or none)");
+  add_material_to(command, round_material_group);
 }
 
 void DiskArguments::add_material_to(CLI::App& command, const std::string& group) {

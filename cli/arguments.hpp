@@ -24,6 +24,9 @@ struct OutputArguments {
   void warn(const std::string& text) const;
 };
 
+/// Heading of the options that give a disk or a sphere in SI.
+inline const std::string round_material_group = "Material in SI (all of young, density, radius, or none)";
+
 /// Heading of the options that give a body in SI.
 inline const std::string material_group =
     "Material in SI (disk, sphere: all of young, density, radius; rod: young, density, length, area)";

@@ -11,6 +11,7 @@
 #include "stoss/bodies/rod.hpp"
 #include "stoss/errors.hpp"
 #include "stoss/quasistatic/yield.hpp"
+#include "yield.hpp"
 
 namespace stoss::cli {
 namespace {
@@ -165,21 +166,13 @@ std::optional<double> Encounter::find_yield_speed() const {
   constexpr double infinity = std::numeric_limits<double>::infinity();
   Material met = material;
   if (first_.rigid) met.young = infinity;
-  return of_what_is_met([&, radius = radius] {
-    return quasistatic::yield_speed(met, radius, second_material(), against_.value("radius", infinity));
+  return of_what_is_met([&] {
+    return quasistatic::yield_speed(met, first_.sphere->radius, second_material(), against_.value("radius", infinity));
   });
 }
 
 void Encounter::add_yield(Record& record, double speed) const {
-  if (!yield_speed_) return;
-  record.push_back({"yield_speed", units().own_name(Dimension::speed), *yield_speed_ / si_->speed});
-  record.push_back({"yield_speed_si", units().si_name(Dimension::speed), *yield_speed_});
-  record.push_back({"beyond_yield", "", speed * si_->speed > *yield_speed_});
-}
-
-std::string yield_warning(double yield_speed) {
-  return fmt::format("speed above {:.4g} m/s, where yielding begins (beyond_yield): eps is an upper bound there",
-                     yield_speed);
+  if (yield_speed_) cli::add_yield(record, units(), *yield_speed_, speed);
 }
 
 void Encounter::describe(nlohmann::ordered_json& inputs) const {

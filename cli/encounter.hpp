@@ -50,7 +50,7 @@ class Encounter {
   /// Speed at which a sphere, or one of two, begins to yield, m/s, where a yield strength was given.
   [[nodiscard]] std::optional<double> yield_speed() const { return yield_speed_; }
 
-  /// Adds that speed to a record, and whether `speed`, in c, is beyond it.
+  /// Adds that speed to a record, if there is one, and whether `speed`, in c, is beyond it.
   void add_yield(Record& record, double speed) const;
 
  private:
@@ -69,9 +69,6 @@ class Encounter {
   Against against_;
   std::optional<double> yield_speed_;
 };
-
-/// What is said of impacts beyond the speed at which yielding begins, m/s.
-[[nodiscard]] std::string yield_warning(double yield_speed);
 
 /// The options that say who meets whom, but for --poisson.
 struct EncounterArguments {

@@ -40,7 +40,7 @@ void EncounterArguments::add_to(CLI::App& to, const std::string& kind, const std
               "remain the units; with something to meet that gives way")
       ->group("Body");
   disk.add_material_to(to, material_group);
-  sphere.add_to(to);
+  sphere.add_to(to, material_group);
   rod.add_to(to);
   to.add_option("--against", against,
                 "What the body meets (default: wall)\n"

@@ -11,6 +11,7 @@
 #include "stoss/errors.hpp"
 #include "tables.hpp"
 #include "trajectory.hpp"
+#include "yield.hpp"
 
 namespace stoss::cli {
 namespace {

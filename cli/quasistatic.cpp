@@ -1,32 +1,28 @@
 // stoss quasistatic: slow impacts and static compression, in closed form where there is one.
-#include "stoss/quasistatic.hpp"
+#include "quasistatic.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
-#include <functional>
 #include <memory>
 
-#include "arguments.hpp"
 #include "interrupt.hpp"
 #include "numbers.hpp"
 #include "options.hpp"
 #include "progress.hpp"
 #include "stoss/errors.hpp"
 #include "tables.hpp"
+#include "yield.hpp"
 
 namespace stoss::cli {
 namespace {
 
-using namespace quasistatic;
-
-constexpr double least_compression = 1e-12;  // of static_contact, as the greatest
-constexpr double greatest_compression = 0.5;
 constexpr double great_compression = 0.1;  // beyond it small strains mean little
 
 struct QuasistaticArguments {
   DiskArguments disk;
+  SphereArguments sphere;
+  std::string body = "disk";
   std::string speeds;
   std::string compressions;
   std::string law = "center";
@@ -35,11 +31,6 @@ struct QuasistaticArguments {
   CLI::Option* speed_option = nullptr;
   CLI::Option* compression_option = nullptr;
   CLI::Option* cutoff_option = nullptr;
-
-  [[nodiscard]] CompressionLaw chosen_law() const {
-    if (law == "diameter") return CompressionLaw::diameter;
-    return law == "printed" ? CompressionLaw::printed : CompressionLaw::center;
-  }
 };
 
 /// A number of rows that are written one by one, until Ctrl-C.
@@ -59,50 +50,48 @@ void write_rows(const QuasistaticArguments& arguments, Report& report, std::size
     report.finish(false);
     throw;
   }
+  report.finish();
 }
 
-Record impact_record(const RayleighEstimate& estimate, const Units& units) {
-  const SlowImpact& impact = estimate.impact;
-  Record record{{"poisson", "", impact.poisson}, {"speed", "c", impact.speed, units.si ? 0 : 12}};
-  if (units.si) record.push_back({"speed_si", "m/s", impact.speed * units.si->speed, 12});
-  add_quantities(record, rayleigh_table(), estimate, units);
+Record slow_impact_key(const QuasistaticBody& body, double speed) {
+  const auto& si = body.units.si;
+  Record record{{"poisson", "", body.poisson}, {"speed", body.units.own_name(Dimension::speed), speed, si ? 0 : 12}};
+  if (si) record.push_back({"speed_si", body.units.si_name(Dimension::speed), speed * si->speed, 12});
   return record;
 }
 
-void impacts(const QuasistaticArguments& arguments, Provenance provenance) {
-  const auto si = arguments.disk.si();
-  const double poisson = arguments.disk.plane_poisson();
-  const CompressionLaw law = arguments.chosen_law();
-  const SpeedRange range{min_slow_speed, limit_speed(law, poisson),
-                         "of the centre of mass, 1e-100 c to where the static law ends"};
-  const std::vector<double> speeds = parse_speeds(arguments.speeds, si, range);
-  const std::vector<bodies::disk::Mode> modes = bodies::disk::modes(poisson, arguments.cutoff);
+void impacts(const QuasistaticArguments& arguments, const QuasistaticBody& body, Provenance provenance) {
+  const std::vector<double> speeds = parse_speeds(arguments.speeds, body.units.si, body.speeds);
+  const auto add_impact = body.impacts(arguments.cutoff);
   provenance.inputs["cutoff"] = arguments.cutoff;
   Report report(Output(arguments.output.path), arguments.output.chosen_format(), provenance);
   std::size_t beyond = 0;
   write_rows(arguments, report, speeds.size(), [&](std::size_t i) {
-    const RayleighEstimate estimate = rayleigh(law, poisson, speeds[i], modes, heed_interrupts);
-    beyond += estimate.beyond_perturbation ? 1 : 0;
+    Record record = slow_impact_key(body, speeds[i]);
+    const SlowRow row = add_impact(speeds[i], record);
+    beyond += row.beyond_perturbation ? 1 : 0;
     if (speeds.size() == 1 && arguments.output.chosen_format() == Format::json) {
-      report.attach("modes", to_json(driven_mode_table(), estimate.modes));
+      report.attach("modes", to_json(driven_mode_table(), row.modes));
     }
-    return impact_record(estimate, {si});
+    if (body.yield_speed) add_yield(record, body.units, *body.yield_speed, speeds[i]);
+    return record;
   });
-  report.finish();
   if (beyond > 0) {
     arguments.output.warn(
         fmt::format("{} of {} rows beyond perturbation theory (marked): lost_fraction is no estimate there, but far "
                     "too great (see stoss restitution)",
                     beyond, speeds.size()));
   }
+  const double fastest = *std::max_element(speeds.begin(), speeds.end());
+  if (body.yield_speed && fastest * body.units.si->speed > *body.yield_speed) {
+    arguments.output.warn(yield_warning(*body.yield_speed));
+  }
 }
 
 /// In R, of numbers that are in R or, with a material, in m. @throws InvalidInput where a quantity has no value
-std::vector<double> parse_compressions(const std::string& text, CompressionLaw law, double poisson,
-                                       const std::optional<Scales>& si) {
-  const double unit = si ? si->length : 1.0;
-  const double last_force = std::min(limit_force(law, poisson), max_hertz_force);
-  const double greatest = std::min(compression(law, poisson, last_force), greatest_compression);
+std::vector<double> parse_compressions(const std::string& text, const QuasistaticBody& body) {
+  const auto& si = body.units.si;
+  const double unit = si ? si->length : 1.0, greatest = body.greatest_compression;
   std::vector<double> values = parse_series("compression", text);
   for (double& value : values) {
     if (!(value >= least_compression * unit && value <= greatest * unit)) {
@@ -115,29 +104,20 @@ std::vector<double> parse_compressions(const std::string& text, CompressionLaw l
   return values;
 }
 
-Record compression_record(CompressionLaw law, double poisson, double compression, const Units& units) {
-  // The rounding of the inversion must not lead beyond the last force.
-  const double last_force = std::min(limit_force(law, poisson), max_hertz_force);
-  const double force = std::min(compression_force(law, poisson, compression), last_force);
-  const Compressed result{compression, force, compression_energy(law, poisson, force), hertz_half_width(force),
-                          static_contact(poisson, compression, {.poll = heed_interrupts})};
-  Record record{{"poisson", "", poisson}};
-  add_quantities(record, compression_table(), result, units);
-  return record;
-}
-
-void compressions(const QuasistaticArguments& arguments, const Provenance& provenance) {
+void compressions(const QuasistaticArguments& arguments, const QuasistaticBody& body, const Provenance& provenance) {
   if (arguments.cutoff_option->count() > 0) {
     throw InvalidInput("cutoff: got --cutoff with --compression, allowed only with --speed (here all modes count)");
   }
-  const auto si = arguments.disk.si();
-  const double poisson = arguments.disk.plane_poisson();
-  const CompressionLaw law = arguments.chosen_law();
-  const std::vector<double> values = parse_compressions(arguments.compressions, law, poisson, si);
+  if (arguments.sphere.yield) {
+    throw InvalidInput("yield: got --yield with --compression, allowed only with --speed (it is a speed that is said)");
+  }
+  const std::vector<double> values = parse_compressions(arguments.compressions, body);
   Report report(Output(arguments.output.path), arguments.output.chosen_format(), provenance);
-  write_rows(arguments, report, values.size(),
-             [&](std::size_t i) { return compression_record(law, poisson, values[i], {si}); });
-  report.finish();
+  write_rows(arguments, report, values.size(), [&](std::size_t i) {
+    Record record{{"poisson", "", body.poisson}};
+    body.compress(values[i], record);
+    return record;
+  });
   const auto great = std::count_if(values.begin(), values.end(), [](double v) { return v > great_compression; });
   if (great > 0) {
     arguments.output.warn(fmt::format("{} of {} compressions above {} R: linear elasticity means little there", great,
@@ -145,16 +125,31 @@ void compressions(const QuasistaticArguments& arguments, const Provenance& prove
   }
 }
 
+/// The body, and its part of the inputs of a result.
+QuasistaticBody chosen_body(const QuasistaticArguments& arguments, nlohmann::ordered_json& inputs) {
+  inputs["body"] = arguments.body;
+  if (body_kind(arguments.body) == BodyKind::sphere) {
+    const auto sphere = arguments.sphere.si(arguments.disk);
+    describe(arguments.disk.poisson, sphere, inputs);
+    return point_quasistatic(arguments.disk.poisson, sphere, arguments.law);
+  }
+  if (arguments.sphere.yield) {
+    throw InvalidInput("yield: got --yield with --body disk, allowed only with --body sphere");
+  }
+  arguments.disk.describe(inputs);
+  return line_quasistatic(arguments.disk, arguments.law);
+}
+
 void run(const QuasistaticArguments& arguments) {
   const bool speeds = arguments.speed_option->count() > 0;
   if (!speeds && arguments.compression_option->count() == 0) throw CLI::RequiredError("--speed or --compression");
   Provenance provenance{"quasistatic", command_line(), {}};
-  arguments.disk.describe(provenance.inputs);
+  const QuasistaticBody body = chosen_body(arguments, provenance.inputs);
   provenance.inputs["law"] = arguments.law;
   if (speeds) {
-    impacts(arguments, provenance);
+    impacts(arguments, body, provenance);
   } else {
-    compressions(arguments, provenance);
+    compressions(arguments, body, provenance);
   }
 }
 
@@ -163,12 +158,17 @@ void run(const QuasistaticArguments& arguments) {
 void add_quasistatic(CLI::App& app) {
   auto* command = app.add_subcommand("quasistatic", "Slow impacts with an estimate of the loss, or static compression");
   auto arguments = std::make_shared<QuasistaticArguments>();
+  command->add_option("--body", arguments->body, "Kind of body (default: disk)")
+      ->check(CLI::IsMember({"disk", "sphere"}))
+      ->type_name("BODY")
+      ->group("Body");
   arguments->disk.add_to(*command);
+  arguments->sphere.add_to(*command, round_material_group);
   arguments->speed_option = command
                                 ->add_option("--speed", arguments->speeds,
                                              "Slow impacts at these speeds, in c (m/s with a material): a number,\n"
-                                             "a,b,c, log:a:b:n or lin:a:b:n; 1e-100 c to 0.14 c or more, where\n"
-                                             "the law ends")
+                                             "a,b,c, log:a:b:n or lin:a:b:n; 1e-100 c (of a sphere 1e-12 c) to\n"
+                                             "0.14 c or more, where the law ends")
                                 ->type_name("SPEEDS")
                                 ->group("Body");
   arguments->compression_option =
@@ -177,8 +177,8 @@ void add_quasistatic(CLI::App& app) {
                        "In place of --speed: static contacts at these compressions, in R\n"
                        "(m with a material): a number, a,b,c, log:a:b:n or lin:a:b:n; 1e-12\n"
                        "to 0.2 or more, where the law or the contact ends (at most 0.5 R).\n"
-                       "Gives force, energy and half-width by the law, and the force of the\n"
-                       "exact static contact with its error")
+                       "Gives force, energy and half-width or radius of the contact by the\n"
+                       "law, and the force of the exact static contact with its error")
           ->excludes(arguments->speed_option)
           ->type_name("DELTAS")
           ->group("Body");
@@ -186,9 +186,10 @@ void add_quasistatic(CLI::App& app) {
       ->add_option("--law", arguments->law,
                    "Force against compression (default: center)\n"
                    "  center:   approach of the centre of mass to the wall\n"
-                   "  diameter: shortening of the diameter between two walls\n"
-                   "  printed:  as Gerl and Zippelius print it")
-      ->check(CLI::IsMember({"center", "diameter", "printed"}))
+                   "  diameter: of a disk, shortening of the diameter between two walls\n"
+                   "  printed:  of a disk, as Gerl and Zippelius print it\n"
+                   "  hertz:    of a sphere, two half-spaces")
+      ->check(CLI::IsMember({"center", "diameter", "printed", "hertz"}))
       ->type_name("LAW")
       ->group("Body");
   arguments->cutoff_option = add_number(*command, "--cutoff", arguments->cutoff,
@@ -202,7 +203,8 @@ void add_quasistatic(CLI::App& app) {
       "  stoss quasistatic --poisson 0.33 --speed log:1e-6:0.1:50\n"
       "  stoss quasistatic --poisson 0.33 --speed 1e-12 --format json\n"
       "  stoss quasistatic --poisson 0.33 --compression lin:0.001:0.03:20\n"
-      "Two equal disks that each move at SPEED towards each other are the same problem.");
+      "  stoss quasistatic --body sphere --poisson 0.3 --speed log:1e-9:0.01:50\n"
+      "Two equal bodies that each move at SPEED towards each other are the same problem.");
   command->callback([arguments] { run(*arguments); });
 }
 

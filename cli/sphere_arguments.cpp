@@ -7,12 +7,12 @@
 
 namespace stoss::cli {
 
-void SphereArguments::add_to(CLI::App& command) {
+void SphereArguments::add_to(CLI::App& command, const std::string& group) {
   add_number(
       command, "--yield", yield,
       "Yield strength of a sphere in Pa; adds the speed at which it begins\nto yield, and flags values beyond it")
       ->type_name("PA")
-      ->group(material_group);
+      ->group(group);
 }
 
 std::optional<SolidSphere> SphereArguments::si(const DiskArguments& given) const {

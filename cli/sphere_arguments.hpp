@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <string>
 
 #include "arguments.hpp"
 #include "stoss/bodies/sphere.hpp"
@@ -22,7 +23,7 @@ struct SolidSphere {
 struct SphereArguments {
   std::optional<double> yield;
 
-  void add_to(CLI::App& command);
+  void add_to(CLI::App& command, const std::string& group);
 
   /// The sphere in SI if a material was given. @throws InvalidInput if only part of one was, and for a plane
   [[nodiscard]] std::optional<SolidSphere> si(const DiskArguments& given) const;

@@ -8,6 +8,7 @@
 #include "csv.hpp"
 #include "stoss/errors.hpp"
 #include "text.hpp"
+#include "yield.hpp"
 
 namespace stoss::cli {
 

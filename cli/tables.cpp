@@ -3,6 +3,7 @@
 #include "stoss/bodies/disk/quantities.hpp"
 #include "stoss/bodies/sphere/quantities.hpp"
 #include "stoss/impact/quantities.hpp"
+#include "stoss/quasistatic/point_quantities.hpp"
 #include "stoss/quasistatic/quantities.hpp"
 #include "stoss/restitution/quantities.hpp"
 
@@ -10,7 +11,48 @@ namespace stoss::cli {
 
 using bodies::disk::Mode;
 using quasistatic::DrivenMode;
+using quasistatic::PointRayleighEstimate;
 using quasistatic::RayleighEstimate;
+
+namespace {
+
+/// Of Rayleigh's estimates for one kind of body.
+template <typename Made>
+Table<Made> table_of_estimates(const Quantities<Made>& quantities) {
+  return Table<Made>(quantities, {
+                                     {"lost_fraction",
+                                      {.width = 24,
+                                       .si_width = 24,
+                                       .with_error = true,
+                                       .marked = [](const Made& e) { return e.beyond_perturbation; }}},
+                                     {"contact_time", {.width = 14, .si_width = 17}},
+                                     {"max_compression", {.width = 17, .si_width = 20}},
+                                     {"max_force", {.width = 13}},
+                                 });
+}
+
+/// Of static contacts. @param size what the half-width is called, and how it is shown
+Table<Compressed> table_of_compressions(const std::string& size, const Column<Compressed>& shown) {
+  using C = Compressed;
+  using enum Dimension;
+  const auto static_force = [](const C& c) { return Estimate{c.contact.force, c.contact.force_error}; };
+  const Quantities<C> quantities{
+      {"compression", length, &C::compression},  //
+      {"force", force, &C::force},               //
+      {"energy", energy, &C::energy},            //
+      {size, length, &C::half_width},            //
+      {"static_force", force, static_force},
+  };
+  return Table<C>(quantities, {
+                                  {"compression", {.width = 13, .si_width = 16}},
+                                  {"force", {.width = 13, .si_width = 13}},
+                                  {"energy", {.width = 13, .si_width = 13}},
+                                  {size, shown},
+                                  {"static_force", {.width = 25, .si_width = 17, .with_error = true}},
+                              });
+}
+
+}  // namespace
 
 const Table<Restitution>& restitution_table() {
   const auto unconverged = [](const Restitution& r) { return !r.converged; };
@@ -94,18 +136,12 @@ const Table<bodies::sphere::Mode>& sphere_mode_table() {
 }
 
 const Table<RayleighEstimate>& rayleigh_table() {
-  static const Table<RayleighEstimate> table(
-      quasistatic::rayleigh_quantities(),
-      {
-          {"lost_fraction",
-           {.width = 24,
-            .si_width = 24,
-            .with_error = true,
-            .marked = [](const RayleighEstimate& e) { return e.beyond_perturbation; }}},
-          {"contact_time", {.width = 14, .si_width = 17}},
-          {"max_compression", {.width = 17, .si_width = 20}},
-          {"max_force", {.width = 13}},
-      });
+  static const Table<RayleighEstimate> table = table_of_estimates(quasistatic::rayleigh_quantities());
+  return table;
+}
+
+const Table<PointRayleighEstimate>& point_rayleigh_table() {
+  static const Table<PointRayleighEstimate> table = table_of_estimates(quasistatic::point_rayleigh_quantities());
   return table;
 }
 
@@ -115,23 +151,12 @@ const Table<DrivenMode>& driven_mode_table() {
 }
 
 const Table<Compressed>& compression_table() {
-  using C = Compressed;
-  using enum Dimension;
-  const auto static_force = [](const C& c) { return Estimate{c.contact.force, c.contact.force_error}; };
-  static const Quantities<C> quantities{
-      {"compression", length, &C::compression},  //
-      {"force", force, &C::force},               //
-      {"energy", energy, &C::energy},            //
-      {"half_width", length, &C::half_width},    //
-      {"static_force", force, static_force},
-  };
-  static const Table<C> table(quantities, {
-                                              {"compression", {.width = 13, .si_width = 16}},
-                                              {"force", {.width = 13, .si_width = 13}},
-                                              {"energy", {.width = 14, .si_width = 14}},
-                                              {"half_width", {.width = 12, .si_width = 15}},
-                                              {"static_force", {.width = 27, .si_width = 17, .with_error = true}},
-                                          });
+  static const Table<Compressed> table = table_of_compressions("half_width", {.width = 12, .si_width = 15});
+  return table;
+}
+
+const Table<Compressed>& point_compression_table() {
+  static const Table<Compressed> table = table_of_compressions("contact_radius", {.width = 16, .si_width = 19});
   return table;
 }
 

@@ -3,6 +3,7 @@
 #include "stoss/bodies/disk/modes.hpp"
 #include "stoss/bodies/sphere/modes.hpp"
 #include "stoss/impact/impact.hpp"
+#include "stoss/quasistatic/point_rayleigh.hpp"
 #include "stoss/quasistatic/rayleigh.hpp"
 #include "stoss/quasistatic/static_contact.hpp"
 #include "stoss/restitution/extrapolation.hpp"
@@ -11,12 +12,12 @@
 
 namespace stoss::cli {
 
-/// A disk that is pressed to a wall: by the law of compression, and as the exact static contact has it.
+/// A disk or a sphere that is pressed to a wall: by the law of compression, and as the exact static contact has it.
 struct Compressed {
   double compression = 0.0;
   double force = 0.0;
   double energy = 0.0;
-  double half_width = 0.0;
+  double half_width = 0.0;  ///< of a sphere, radius of the contact
   quasistatic::StaticContact contact;
 };
 
@@ -34,6 +35,8 @@ struct Compressed {
 [[nodiscard]] const Table<bodies::sphere::Mode>& sphere_mode_table();
 [[nodiscard]] const Table<quasistatic::RayleighEstimate>& rayleigh_table();
 [[nodiscard]] const Table<quasistatic::DrivenMode>& driven_mode_table();
+[[nodiscard]] const Table<quasistatic::PointRayleighEstimate>& point_rayleigh_table();
 [[nodiscard]] const Table<Compressed>& compression_table();
+[[nodiscard]] const Table<Compressed>& point_compression_table();
 
 }  // namespace stoss::cli

@@ -15,6 +15,7 @@ first wave needs longer than the contact to its other side and back.
 """
 
 import sys
+import warnings
 from pathlib import Path
 
 import matplotlib.pyplot as plt
@@ -52,6 +53,7 @@ def pressure_wave_speed(material: stoss.Material) -> float:
 
 def main(folder: Path) -> None:
     folder.mkdir(parents=True, exist_ok=True)
+    warnings.simplefilter("ignore", stoss.StossWarning)  # the table says where a ball or a block begins to yield
     figure, axes = plt.subplots(figsize=(6, 4.2), layout="constrained")
     lines = [COLUMNS]
     print("ball           block             m/s      eps     1 - eps^2  radiation    ringing   adhesion        air")

@@ -1,16 +1,10 @@
 // Reference values for pairs of unequal disks.
-#include <array>
-#include <atomic>
 #include <cmath>
-#include <cstdio>
-#include <fstream>
-#include <iostream>
-#include <stdexcept>
+#include <sstream>
 #include <string>
 #include <vector>
 
 #include "reference.hpp"
-#include "restitution/ordered_jobs.hpp"
 #include "runs.hpp"
 #include "stoss/bodies/disk.hpp"
 #include "stoss/restitution/ladder.hpp"
@@ -18,24 +12,10 @@
 namespace validate {
 namespace {
 
-constexpr int threads = 2;
 constexpr int pairs = 48;
 
 /// In units of 1/time_scale, as the ladder of restitution().
 constexpr Finenesses finenesses{Fineness{100.0, 0.2, 1.8}, Fineness{141.0, 0.35, 1.1}, Fineness{200.0, 0.3, 1.3}};
-
-struct Pair {
-  double poisson;
-  stoss::Disk against;
-  double speed;
-};
-
-/// Rounded to what the file holds.
-double rounded(const char* format, double value) {
-  std::array<char, 32> text{};
-  std::snprintf(text.data(), text.size(), format, value);
-  return std::stod(text.data());
-}
 
 /// Point i of an additive sequence in six dimensions, with the generalised golden ratio.
 double spread(int i, int dimension) {
@@ -45,53 +25,38 @@ double spread(int i, int dimension) {
 }
 
 /// ν from −0.6 to 0.9, radii within a factor of 4, moduli and densities within 2, speeds from 1e-5 to 0.4.
-std::vector<Pair> design() {
-  std::vector<Pair> all;
+std::vector<ReferencePoint> design() {
+  std::vector<ReferencePoint> points;
   const auto poisson = [](double x) { return rounded("%.2f", -0.6 + 1.5 * x); };
   const auto factor = [](double x, double greatest) { return rounded("%.3g", std::pow(greatest, 2.0 * x - 1.0)); };
   for (int i = 0; i < pairs; ++i) {
     const stoss::Disk against{poisson(spread(i, 1)), factor(spread(i, 2), 4.0), factor(spread(i, 3), 2.0),
                               factor(spread(i, 4), 2.0)};
-    all.push_back({poisson(spread(i, 0)), against, rounded("%.3e", 0.4 * std::pow(2.5e-5, spread(i, 5)))});
+    const double nu = poisson(spread(i, 0)), speed = rounded("%.3e", 0.4 * std::pow(2.5e-5, spread(i, 5)));
+    std::ostringstream place;
+    place << nu << ',' << against.poisson << ',' << against.radius << ',' << against.young << ',' << against.density
+          << ',' << speed;
+    points.push_back({place.str(), speed, [nu, against](double cutoff) {
+                        const stoss::BodyMaker first = stoss::disk(nu), second = stoss::disk(against);
+                        const double unit = 1.0 / stoss::time_scale(stoss::RefinableContact(first, second).at(0));
+                        return stoss::contact(first, second, unit * cutoff);
+                      }});
   }
-  return all;
+  return points;
 }
 
-Runs compute(const Pair& pair) {
-  const stoss::BodyMaker first = stoss::disk(pair.poisson), second = stoss::disk(pair.against);
-  const double unit = 1.0 / stoss::time_scale(stoss::RefinableContact(first, second).at(0));
-  return resolved_runs([&](double cutoff) { return stoss::contact(first, second, unit * cutoff); }, pair.speed,
-                       finenesses);
-}
-
-void write_header(std::ostream& out) {
-  out << "# Pairs of unequal disks in units of the first (docs/theory/pairs.md), more finely resolved than those of\n"
+std::string header() {
+  return "# Pairs of unequal disks in units of the first (docs/theory/pairs.md), more finely resolved than those of\n"
          "# restitution(). Made by: stoss_validate --make-pair-reference FILE\n"
          "# Three runs at each point, with cutoffs 100, 141, 200 over the time scale of the pair, steps and nodes as "
          "in\n"
          "# reference.csv. Value: that of the last run; uncertainty: spread of the three.\n"
-         "poisson,against_poisson,against_radius,against_young,against_density,speed,"
-      << quantity_columns << '\n';
+         "poisson,against_poisson,against_radius,against_young,against_density,speed," +
+         quantity_columns + '\n';
 }
 
 }  // namespace
 
-void make_pair_reference(const std::string& path) {
-  std::ofstream file(path);
-  write_header(file);
-  const std::vector<Pair> all = design();
-  stoss::run_in_order<Runs>(
-      all.size(), threads, [&](std::size_t i, const std::atomic<bool>&) { return compute(all[i]); },
-      [&](std::size_t i, Runs&& runs) {
-        const Pair& pair = all[i];
-        file << pair.poisson << ',' << pair.against.poisson << ',' << pair.against.radius << ',' << pair.against.young
-             << ',' << pair.against.density << ',' << pair.speed;
-        write_quantities(file, runs);
-        std::cerr << "\rreference " << i + 1 << " of " << all.size() << std::flush;
-      },
-      {});
-  std::cerr << '\n';
-  if (!file.flush()) throw std::runtime_error("cannot write " + path);
-}
+void make_pair_reference(const std::string& path) { write_reference(path, header(), design(), finenesses); }
 
 }  // namespace validate

@@ -1,13 +1,23 @@
 #include "runs.hpp"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <cstdio>
+#include <fstream>
+#include <iostream>
+#include <stdexcept>
 
 #include "impact/refined_resolution.hpp"
+#include "restitution/ordered_jobs.hpp"
+#include "stoss/impact/impact.hpp"
 
 namespace validate {
 namespace {
+
+using Runs = std::array<stoss::Impact, 3>;
+
+constexpr int threads = 2;
 
 stoss::Impact resolved(const stoss::Contact& contact, double speed, const Fineness& fineness, double half_width) {
   constexpr double fewest_nodes = 128.0;
@@ -28,14 +38,11 @@ void write_quantity(std::ostream& out, const Runs& runs, double stoss::Impact::*
   out << text.data();
 }
 
-}  // namespace
-
-Runs resolved_runs(const std::function<stoss::Contact(double cutoff)>& contact, double speed,
-                   const Finenesses& finenesses) {
-  const stoss::Impact coarse = stoss::impact(contact(25.0), speed);
+Runs resolved_runs(const ReferencePoint& point, const Finenesses& finenesses) {
+  const stoss::Impact coarse = stoss::impact(point.contact(25.0), point.speed);
   Runs runs;
   for (std::size_t i = 0; i < runs.size(); ++i) {
-    runs[i] = resolved(contact(finenesses[i].cutoff), speed, finenesses[i], coarse.max_half_width);
+    runs[i] = resolved(point.contact(finenesses[i].cutoff), point.speed, finenesses[i], coarse.max_half_width);
   }
   return runs;
 }
@@ -47,6 +54,31 @@ void write_quantities(std::ostream& out, const Runs& runs) {
   write_quantity(out, runs, &stoss::Impact::max_force);
   write_quantity(out, runs, &stoss::Impact::max_compression);
   out << std::endl;  // one may look on
+}
+
+}  // namespace
+
+void write_reference(const std::string& path, const std::string& header, const std::vector<ReferencePoint>& points,
+                     const Finenesses& finenesses) {
+  std::ofstream file(path);
+  file << header;
+  stoss::run_in_order<Runs>(
+      points.size(), threads,
+      [&](std::size_t i, const std::atomic<bool>&) { return resolved_runs(points[i], finenesses); },
+      [&](std::size_t i, Runs&& runs) {
+        file << points[i].place;
+        write_quantities(file, runs);
+        std::cerr << "\rreference " << i + 1 << " of " << points.size() << std::flush;
+      },
+      {});
+  std::cerr << '\n';
+  if (!file.flush()) throw std::runtime_error("cannot write " + path);
+}
+
+double rounded(const char* format, double value) {
+  std::array<char, 32> text{};
+  std::snprintf(text.data(), text.size(), format, value);
+  return std::stod(text.data());
 }
 
 }  // namespace validate

@@ -2,9 +2,10 @@
 
 #include <array>
 #include <functional>
-#include <ostream>
+#include <string>
+#include <vector>
 
-#include "stoss/impact/impact.hpp"
+#include "stoss/contact/contact.hpp"
 
 namespace validate {
 
@@ -16,19 +17,26 @@ struct Fineness {
 };
 
 using Finenesses = std::array<Fineness, 3>;
-using Runs = std::array<stoss::Impact, 3>;
 
-/// The same impact at each fineness.
-/// @param contact at a cutoff
-Runs resolved_runs(const std::function<stoss::Contact(double cutoff)>& contact, double speed,
-                   const Finenesses& finenesses);
+/// One impact to be computed.
+struct ReferencePoint {
+  std::string place;  ///< its first columns in the file
+  double speed;
+  std::function<stoss::Contact(double cutoff)> contact;
+};
 
-/// `,value,uncertainty` of each quantity and the line's end: the value of the last run, and the spread of all (of the
-/// contact time at least the last run's step).
-void write_quantities(std::ostream& out, const Runs& runs);
+/// Computes each point at each fineness and writes a CSV file of the header and a row for each: its place, then
+/// `,value,uncertainty` of each quantity: the value of the last run, and the spread of all (of the contact time at
+/// least the last run's step).
+/// @throws std::runtime_error if the file cannot be written
+void write_reference(const std::string& path, const std::string& header, const std::vector<ReferencePoint>& points,
+                     const Finenesses& finenesses);
 
-/// The names of these columns.
-inline constexpr const char* quantity_columns =
+/// Rounded to what the file holds: that is what is computed. @param format of printf
+double rounded(const char* format, double value);
+
+/// The names of the columns of the quantities.
+inline const std::string quantity_columns =
     "lost_fraction,uncertainty,contact_time,contact_time_uncertainty,impulse_time,impulse_time_uncertainty,"
     "max_force,max_force_uncertainty,max_compression,max_compression_uncertainty";
 

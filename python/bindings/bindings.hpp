@@ -22,5 +22,6 @@ void bind_wave(py::module_& module);
 void bind_restitution(py::module_& module);
 void bind_extrapolation(py::module_& module);
 void bind_quasistatic(py::module_& module);
+void bind_point_quasistatic(py::module_& module);
 
 }  // namespace stoss::python

@@ -1,14 +1,8 @@
 #include "stoss/material.hpp"
 
-#include <pybind11/stl.h>
-
-#include <optional>
-#include <tuple>
-
 #include "bindings.hpp"
 #include "stoss/bodies/rod.hpp"
 #include "stoss/bodies/sphere.hpp"
-#include "stoss/quasistatic/yield.hpp"
 
 namespace stoss::python {
 namespace {
@@ -16,18 +10,6 @@ namespace {
 Plane to_plane(bool strain) { return strain ? Plane::strain : Plane::stress; }
 
 py::tuple to_tuple(const Scales& si) { return py::make_tuple(si.length, si.speed, si.time, si.frequency, si.force); }
-
-/// Young's modulus, Poisson number, density and yield strength of a sphere, and its radius; infinite of a half-space.
-using Solid = std::tuple<double, double, double, std::optional<double>, double>;
-
-Material material_of(const Solid& solid) {
-  return {std::get<0>(solid), std::get<1>(solid), std::get<2>(solid), std::get<3>(solid)};
-}
-
-std::optional<double> yield_speed(const Solid& first, const std::optional<Solid>& second) {
-  if (!second) return quasistatic::yield_speed(material_of(first), std::get<4>(first));
-  return quasistatic::yield_speed(material_of(first), std::get<4>(first), material_of(*second), std::get<4>(*second));
-}
 
 }  // namespace
 
@@ -45,8 +27,6 @@ void bind_material(py::module_& module) {
       },
       py::arg("young"), py::arg("poisson"), py::arg("density"), py::arg("strain"), py::arg("radius"),
       "(length, speed, time, frequency, force)");
-  module.def("yield_speed", &yield_speed, py::arg("first"), py::arg("second"),
-             "of (young, poisson, density, yield strength, radius); m/s, or None");
   module.def(
       "rod_scales",
       [](double length, double young, double density, double area) {

@@ -18,4 +18,5 @@ PYBIND11_MODULE(_core, module) {
   stoss::python::bind_restitution(module);
   stoss::python::bind_extrapolation(module);
   stoss::python::bind_quasistatic(module);
+  stoss::python::bind_point_quasistatic(module);
 }

@@ -7,6 +7,7 @@
 #include "stoss/bodies/disk/quantities.hpp"
 #include "stoss/bodies/sphere/quantities.hpp"
 #include "stoss/impact/quantities.hpp"
+#include "stoss/quasistatic/point_quantities.hpp"
 #include "stoss/quasistatic/quantities.hpp"
 #include "stoss/restitution/quantities.hpp"
 
@@ -54,6 +55,8 @@ void bind_quantities(py::module_& module) {
   all["sphere mode"] = listed(bodies::sphere::mode_quantities());
   all["slow impact"] = listed(quasistatic::slow_impact_quantities());
   all["rayleigh"] = listed(quasistatic::rayleigh_quantities());
+  all["point slow impact"] = listed(quasistatic::point_slow_impact_quantities());
+  all["point rayleigh"] = listed(quasistatic::point_rayleigh_quantities());
   all["driven mode"] = listed(quasistatic::driven_mode_quantities());
   all["soft static contact"] = listed(quasistatic::soft_static_contact_quantities());
   module.attr("quantities") = all;

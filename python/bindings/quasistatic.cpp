@@ -7,20 +7,18 @@
 #include <string>
 #include <variant>
 
-#include "arrays.hpp"
 #include "bindings.hpp"
+#include "elementwise.hpp"
 #include "interpreter.hpp"
 #include "quantities.hpp"
 #include "stoss/quasistatic/quantities.hpp"
 #include "wall.hpp"
 
 namespace stoss::python {
-namespace {
 
 using namespace quasistatic;
 
-using Doubles = py::array_t<double, py::array::c_style>;
-
+template <>
 CompressionLaw to_law(const std::string& name) {
   if (name == "center") return CompressionLaw::center;
   if (name == "diameter") return CompressionLaw::diameter;
@@ -28,45 +26,10 @@ CompressionLaw to_law(const std::string& name) {
   throw std::invalid_argument("law: center, diameter or printed");
 }
 
-/// An array of function(i), which is computed without the interpreter, for arrays of one size.
-template <typename Function, typename... Arrays>
-auto over(const Function& function, const Doubles& first, const Arrays&... others) {
-  const auto size = static_cast<std::size_t>(first.size());
-  if ((... || (others.size() != first.size()))) throw std::invalid_argument("arrays: all of one size");
-  std::vector<decltype(function(size))> values(size);
-  const Poll poll = signal_poll();
-  {
-    const Released released;
-    for (std::size_t i = 0; i < size; ++i) {
-      if (poll) poll();
-      values[i] = function(i);
-    }
-  }
-  return take(std::move(values));
-}
-
-/// A function of law, Poisson number and another number, over arrays of both.
-template <typename Function>
-auto over_law(Function function) {
-  return [function](const std::string& law, const Doubles& poisson, const Doubles& argument) {
-    const CompressionLaw chosen = to_law(law);
-    const double *nu = poisson.data(), *x = argument.data();
-    return over([&](std::size_t i) { return function(chosen, nu[i], x[i]); }, poisson, argument);
-  };
-}
-
-/// The same of law and Poisson number alone.
-template <typename Function>
-auto limit(Function function) {
-  return [function](const std::string& law, const Doubles& poisson) {
-    const CompressionLaw chosen = to_law(law);
-    const double* nu = poisson.data();
-    return over([&](std::size_t i) { return function(chosen, nu[i]); }, poisson);
-  };
-}
+namespace {
 
 py::array slow_impacts(const std::string& law, const Doubles& poisson, const Doubles& speeds) {
-  const CompressionLaw chosen = to_law(law);
+  const CompressionLaw chosen = to_law<CompressionLaw>(law);
   if (poisson.size() != speeds.size()) throw std::invalid_argument("arrays: all of one size");
   const std::vector<double> nu = to_vector(poisson), at = to_vector(speeds);
   Rows<SlowImpact> rows(slow_impact_quantities());
@@ -83,7 +46,7 @@ py::array slow_impacts(const std::string& law, const Doubles& poisson, const Dou
 
 /// Estimates for several speeds, and, if there is only one, its modes.
 py::tuple rayleigh_rows(const std::string& law, double poisson, const Doubles& speeds, double cutoff) {
-  const CompressionLaw chosen = to_law(law);
+  const CompressionLaw chosen = to_law<CompressionLaw>(law);
   const std::vector<double> at = to_vector(speeds);
   Rows<RayleighEstimate> rows(rayleigh_quantities());
   std::vector<DrivenMode> driven;
@@ -100,13 +63,15 @@ py::tuple rayleigh_rows(const std::string& law, double poisson, const Doubles& s
   return py::make_tuple(rows.take(), take(std::move(driven)));
 }
 
-py::dict static_contact_numbers(double poisson, double compression, int nodes) {
+/// Of a disk, or of a sphere.
+template <typename Pressed>
+py::dict static_contact_numbers(const Pressed& body, double compression, int nodes) {
   using namespace py::literals;
   StaticContact contact;
   const Poll poll = signal_poll();
   {
     const Released released;
-    contact = static_contact(poisson, compression, {nodes, poll});
+    contact = static_contact(body, compression, {nodes, poll});
   }
   return py::dict("force"_a = contact.force, "force_error"_a = contact.force_error, "half_width"_a = contact.half_width,
                   "energy"_a = contact.energy, "contact_nodes"_a = contact.contact_nodes, "spacing"_a = contact.spacing,
@@ -157,17 +122,26 @@ void bind_quasistatic(py::module_& module) {
   PYBIND11_NUMPY_DTYPE(DrivenMode, order, index, omega, amplitude, after);
   PYBIND11_NUMPY_DTYPE(PlaneStress, xx, yy, xy);
   module.attr("rayleigh_row") = Rows<RayleighEstimate>(rayleigh_quantities()).type();
-  module.def("limit_force", limit(&limit_force), py::arg("law"), py::arg("poisson"));
-  module.def("limit_speed", limit(&limit_speed), py::arg("law"), py::arg("poisson"));
-  module.def("compression", over_law(&compression), py::arg("law"), py::arg("poisson"), py::arg("force"));
-  module.def("compression_force", over_law(&compression_force), py::arg("law"), py::arg("poisson"),
+  module.def("limit_force", over_law<CompressionLaw>(&limit_force), py::arg("law"), py::arg("poisson"));
+  module.def("limit_speed", over_law<CompressionLaw>(&limit_speed), py::arg("law"), py::arg("poisson"));
+  module.def("compression", over_law<CompressionLaw>(&compression), py::arg("law"), py::arg("poisson"),
+             py::arg("force"));
+  module.def("compression_force", over_law<CompressionLaw>(&compression_force), py::arg("law"), py::arg("poisson"),
              py::arg("compression"));
-  module.def("compression_energy", over_law(&compression_energy), py::arg("law"), py::arg("poisson"), py::arg("force"));
+  module.def("compression_energy", over_law<CompressionLaw>(&compression_energy), py::arg("law"), py::arg("poisson"),
+             py::arg("force"));
   module.def("slow_impact", &slow_impacts, py::arg("law"), py::arg("poisson"), py::arg("speed"),
              "structured array of its quantities");
   module.def("rayleigh", &rayleigh_rows, py::arg("law"), py::arg("poisson"), py::arg("speeds"), py::arg("cutoff"),
              "rows for the speeds, and the modes if there is only one speed");
-  module.def("static_contact", &static_contact_numbers, py::arg("poisson"), py::arg("compression"), py::arg("nodes"));
+  module.def("static_contact", &static_contact_numbers<double>, py::arg("poisson"), py::arg("compression"),
+             py::arg("nodes"));
+  module.def(
+      "point_static_contact",
+      [](double poisson, double compression, int nodes) {
+        return static_contact_numbers(Sphere{.poisson = poisson}, compression, nodes);
+      },
+      py::arg("poisson"), py::arg("compression"), py::arg("nodes"));
   module.def("soft_static_contact", &soft_static_contact_numbers, py::arg("body"), py::arg("wall"),
              py::arg("compression"), py::arg("nodes"));
   bind_stresses(module);

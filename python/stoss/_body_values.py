@@ -31,8 +31,7 @@ def fill(body: Any, made: dict[str, float], material: Material | None, **given: 
 def call(body: Any, ratios: tuple[str, ...], si: tuple[str, ...]) -> str:
     """The call that makes the body, without what is usual."""
     names = si if body.material is not None else ratios
-    usual: dict[str, Any] = {"plane": "stress", "poisson": None}
-    usual["rigid"] = False
+    usual: dict[str, Any] = {"plane": "stress", "poisson": None, "rigid": False}
     if body.material is None:
         usual |= {name: 1.0 for name in ratios if name not in ("poisson", "rigid")}
     values = {name: getattr(body, name) for name in names}

@@ -31,6 +31,25 @@ def choose_body(body: Any, poisson: Any, *, rigid: bool = False) -> Body:
     return chosen
 
 
+def choose_bodies(given: Any) -> tuple[list[Body], NDArray[np.float64]]:
+    """Each of several bodies once, and an array of the shape in which they were given of their numbers among these."""
+    try:
+        array = np.array(given, dtype=object)
+    except Exception:  # whatever a foreign object raises when it is asked for its elements
+        array = np.empty(0, dtype=object)
+    found: dict[Body, int] = {}
+    for each in array.flat:
+        instance("body", each, (Disk, Sphere))
+        if found and type(each) is not type(next(iter(found))):
+            raise refusal("body", each, "one kind of bodies in a list")
+        if each.material is not None:
+            raise refusal("body", each, "bodies without a material in a list (their units would differ)")
+        found.setdefault(each, len(found))
+    if not found:
+        raise refusal("body", given, "one body, or a list or an array of them")
+    return list(found), np.array([found[each] for each in array.flat], dtype=np.float64).reshape(array.shape)
+
+
 def choose_against(body: Body, against: Any, walls: tuple[type, ...]) -> Against:
     """What the body meets: one of these walls, its like, or another body."""
     if against is None:
@@ -53,7 +72,7 @@ def choose_against(body: Body, against: Any, walls: tuple[type, ...]) -> Against
         if getattr(against, "plane", None) != plane:
             raise refusal("against", against, f"the same plane as that of the first, {plane!r}")
         if isinstance(against, UNBOUNDED):
-            return against._beside(body.poisson)  # type: ignore[no-any-return, union-attr]
+            return against._beside(body.poisson)  # type: ignore[union-attr]
     return against  # type: ignore[no-any-return]
 
 

@@ -39,8 +39,7 @@ class Impact(InSiOfAnImpact):
         Energy after the impact: of the (relative) translation; of the kept modes; of the modes above the
         cutoff. The sum is 1 but for `energy_error`.
     lost_to_first, lost_to_second : float
-        Vibration of each body, its part of `unresolved` included; of a half-space what its waves
-        carry away; 0 of a wall and of a rigid body.
+        Vibration of each body, `unresolved` included; what the waves of a half-space carry away.
     contact_time : float
         From first to last contact, R/c.
     impulse_time : float
@@ -55,16 +54,12 @@ class Impact(InSiOfAnImpact):
         Greatest half-width of the contact, R; of spheres its radius.
     cutoff : float
         Modes up to this frequency are kept, c/R.
-    modes : int
-        Number of kept modes.
+    modes, steps : int
+        Numbers of kept modes and of time steps.
     step : float
         Time step, R/c.
-    nodes : int
-        Of the contact grid.
-    half_width : float
-        Of the contact grid, R.
-    steps : int
-        Number of time steps.
+    nodes, half_width : int, float
+        Of the contact grid; R.
     energy_error, momentum_error : float
         What is missing, as shares of the initial energy and momentum.
     beyond_small_strain : bool
@@ -72,13 +67,14 @@ class Impact(InSiOfAnImpact):
     mode_energies : ndarray
         Energy of each kept mode, a structured array with the fields body (0 of the first, 1 of
         the second), order, index, omega, after (the impact) and average (during contact). Those of
-        a half-space are waves, a continuum of which they are samples; their order counts wave
-        numbers.
+        a half-space are samples of a continuum, and their order counts wave numbers.
     keep : ndarray or None
         Which modes up to the cutoff were kept, if not all: those of `mode_energies`.
     material : Material or None
         Of the body. If there is one, `speed_si`, `contact_time_si`, `max_force_si`,
-        `max_compression_si` and `max_half_width_si` are the SI values.
+        `max_compression_si` and `max_half_width_si` are the SI values. If a sphere has a yield
+        strength, `yield_speed` and `yield_speed_si` say where yielding begins, and `beyond_yield`
+        whether the impact is faster.
     """
 
     _name: ClassVar[str] = "impact"

@@ -50,9 +50,9 @@ class Material:
     density : float
         Density ρ, kg/m³.
     yield_strength : float, optional
-        Yield strength in simple tension, Pa, 1e-30 to 1e30: kept beside the elastic constants. A
-        sphere begins to yield where the contact pressure is 1.6 times that. Results, which are
-        elastic, do not depend on it.
+        Yield strength in simple tension, Pa, 1e-30 to 1e30. A sphere begins to yield where the
+        contact pressure is 1.6 times that: its results say at which speed (`yield_speed`), and
+        which of them are beyond it. They are elastic all the same.
 
     Raises
     ------

@@ -38,7 +38,8 @@ def field(impact: Impact, time: Any, radius: Any, angle: Any, of: Any) -> Field:
         raise InvalidInput(f"body: got {impact.body!r}, allowed {hint}")
     number, pair = integer("of", of), isinstance(impact.against, BODIES)
     if number not in ((0, 1) if pair else (0,)):
-        hint = "0 or 1" if pair else "0 (a wall or a half-space has no field)"
+        other = "half-space" if isinstance(impact.against, UNBOUNDED) else "wall"
+        hint = "0 or 1" if pair else f"0 (a {other} has no field)"
         raise InvalidInput(f"of: got {number}, allowed {hint}")
     inside = impact.body if number == 0 else impact.against
     assert isinstance(inside, (Disk, Sphere))

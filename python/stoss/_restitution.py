@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import warnings
-from typing import Any
+from typing import Any, Sequence
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -11,18 +11,19 @@ from numpy.typing import ArrayLike, NDArray
 from stoss import _core
 from stoss._arguments import arranged, boolean, broadcast, integer, number, numbers, refusal
 from stoss._bodies import Body, Disk, speed_unit, speeds_in_si
-from stoss._contact import Against, choose_against, choose_body
+from stoss._contact import Against, choose_against, choose_bodies, choose_body
 from stoss._curve import Curve, gather
 from stoss._errors import Interrupted, NotConverged, StossWarning
-from stoss._half_space import HalfPlane, Unbounded
+from stoss._half_space import UNBOUNDED, Unbounded
 from stoss._progress import bar
 from stoss._restitution_result import Restitution
 from stoss._result import columns
+from stoss._si import warn_of_yielding
 from stoss._walls import HardWall
 
 
 def restitution(
-    body: Body | None = None,
+    body: Body | Sequence[Body] | NDArray[np.object_] | None = None,
     *,
     speed: ArrayLike,
     against: HardWall | Body | Unbounded | str | None = None,
@@ -40,8 +41,9 @@ def restitution(
 
     Parameters
     ----------
-    body : Disk, Sphere or Rod
-        The first body, in whose units all results are.
+    body : Disk, Sphere or Rod, or a list or an array of disks or of spheres
+        The first body, in whose units all results are. Several broadcast with `speed`, and have no
+        material.
     speed : array_like
         Of approach of the centres of mass, or towards the wall, 1e-8 to 1, c (with a material:
         m/s). Two equal bodies at twice the speed are one of them at a rigid wall.
@@ -84,6 +86,10 @@ def restitution(
     (50,)
     >>> curve.restitution.max().round(4)
     0.9974
+    >>> balls = [[stoss.Sphere(poisson=nu)] for nu in (0.0, 0.3)]
+    >>> stoss.restitution(balls, speed=[0.01, 0.1]).lost_fraction.round(4)
+    array([[0.0014, 0.0234],
+           [0.0028, 0.0173]])
     >>> disk = stoss.Disk(poisson=0.33)
     >>> stoss.restitution(disk, against=stoss.Disk(poisson=0.33, radius=2), speed=0.2)
     Restitution(Disk(poisson=0.33) against Disk(poisson=0.33, radius=2), speed=0.2 c: restitution 0.79480 ± 0.00016)
@@ -93,6 +99,11 @@ def restitution(
         poissons, speeds = broadcast(22, poisson=numbers("poisson", poisson), speed=speeds)
         bodies: list[Body] = [Disk(poisson=value) for value in np.unique(poissons)]
         places = [np.flatnonzero(poissons == each.poisson) for each in bodies if isinstance(each, Disk)]
+    elif isinstance(body, (list, tuple, np.ndarray)) and poisson is None:
+        bodies, which = choose_bodies(body)
+        which, speeds = broadcast(22, body=which, speed=speeds)
+        poissons = np.array([getattr(each, "poisson") for each in bodies])[which.astype(np.intp)]
+        places = [np.flatnonzero(which == k) for k in range(len(bodies))]
     else:
         bodies = [choose_body(body, poisson, rigid=True)]
         nu = np.full((), getattr(bodies[0], "poisson", np.nan))
@@ -102,7 +113,7 @@ def restitution(
         raise refusal("against", against, "HardWall() (what the modes above the cutoff do is part of the refinement)")
     met = [choose_against(each, against, (HardWall,)) for each in bodies or [Disk(poisson=0.0)]]
     limit, enough, count = number("tolerance", tolerance), number("absolute", absolute), integer("threads", threads)
-    with speeds_in_si(body):
+    with speeds_in_si(bodies[0] if bodies else None):
         _core.check_curve(speeds.ravel(), limit, enough, count)
 
     curves = [Curve(*each, speeds.ravel()[each[-1]]) for each in zip(bodies, met, places)]
@@ -116,8 +127,8 @@ def restitution(
     table, reasons = gather(curves, speeds.size)
     one = bodies[0] if len(bodies) == 1 else None
     # Each of several bodies meets these in its own form.
-    shared = against if one is None and isinstance(against, (str, HalfPlane)) else met[0]
-    result = _make(one, shared, poissons, speeds, table, reasons, limit, enough)
+    shared = against if one is None and isinstance(against, (str, *UNBOUNDED)) else met[0]
+    result = _make(one, tuple(bodies), shared, poissons, speeds, table, reasons, limit, enough)
     if stopped:
         done = sum(len(curve.reasons) for curve in curves)
         raise Interrupted(f"restitution: interrupted after {done} of {speeds.size} values (they are in .best)", result)
@@ -127,6 +138,7 @@ def restitution(
 
 def _make(
     body: Body | None,
+    bodies: tuple[Body, ...],
     against: Against | str,
     poissons: NDArray[np.float64],
     speeds: NDArray[np.float64],
@@ -138,7 +150,8 @@ def _make(
     values = {name: arranged(column, speeds.shape) for name, column in columns(table).items()}
     given = {"poisson": poissons, "speed": speeds, "reason": reasons}
     inputs = {name: arranged(column, speeds.shape) for name, column in given.items()}
-    return Restitution(body=body, against=against, tolerance=tolerance, absolute=absolute, **inputs, **values)
+    who: dict[str, Any] = {"body": body, "bodies": bodies, "against": against}
+    return Restitution(**who, tolerance=tolerance, absolute=absolute, **inputs, **values)
 
 
 def _judge(result: Restitution) -> None:
@@ -154,3 +167,4 @@ def _judge(result: Restitution) -> None:
     if np.any(result.beyond_small_strain):
         text = "speed above 0.5 c or compression above 0.5 R: linear elasticity has lost its meaning here"
         warnings.warn(text, StossWarning, stacklevel=3)
+    warn_of_yielding(result, 3)

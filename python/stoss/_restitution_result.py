@@ -8,7 +8,7 @@ from typing import Any, ClassVar, Union
 import numpy as np
 from numpy.typing import NDArray
 
-from stoss._bodies import PARTNERS, Body, Rod, Sphere, shown
+from stoss._bodies import PARTNERS, Body, Disk, Rod, Sphere, kind, shown
 from stoss._contact import Against
 from stoss._result import Number, span, with_error
 from stoss._si import InSiWithErrors
@@ -27,7 +27,9 @@ class Restitution(InSiWithErrors):
     Attributes
     ----------
     body : Disk, Sphere, Rod or None
-        The first; all units are its own. None if there are several Poisson numbers.
+        The first; all units are its own. None if there are several.
+    bodies : tuple
+        All first bodies, each once.
     against : HardWall, Disk, Sphere, Rod, HalfSpace, HalfPlane or 'same'
         What it meets; 'same' for several Poisson numbers, each meeting its like.
     poisson : float or ndarray
@@ -67,6 +69,8 @@ class Restitution(InSiWithErrors):
     material : Material or None
         Of the body. If there is one, `speed_si`, `contact_time_si`, `max_force_si`,
         `max_compression_si` and their errors, `contact_time_si_error` and so on, are the SI values.
+        If a sphere has a yield strength, `yield_speed` and `yield_speed_si` say where yielding
+        begins, and `beyond_yield` which values are beyond it.
     """
 
     _name: ClassVar[str] = "restitution"
@@ -74,6 +78,7 @@ class Restitution(InSiWithErrors):
     _given = {"poisson": "", "speed": "speed"}
 
     body: Body | None
+    bodies: tuple[Body, ...] = dataclasses.field(repr=False)
     against: Against | str
     poisson: Number
     speed: Number
@@ -106,6 +111,8 @@ class Restitution(InSiWithErrors):
         against = self.against if isinstance(self.against, (*PARTNERS, str)) else None  # else at a wall
         named = self.body is not None and (against is not None or isinstance(self.body, (Rod, Sphere)))
         of = shown(self.body) if named and self.body else f"poisson={span(self.poisson)}"
+        if self.body is None and self._kind_of_body() != "disk":
+            of = f"{len(self.bodies)} {self._kind_of_body()}s, {of}"
         if against is not None:
             of += f" against {against!r}" if isinstance(against, str) else f" against {shown(against)}"
         of += f", speed={span(self.speed)} c"
@@ -116,10 +123,17 @@ class Restitution(InSiWithErrors):
         state = "all converged" if doubtful == 0 else f"{doubtful} not converged"
         return f"Restitution({np.size(self.speed)} values, {of}: restitution {span(self.restitution)}, {state})"
 
+    def _kind_of_body(self) -> str:
+        return kind(self.bodies[0]) if self.bodies else "disk"
+
     def plot(self, ax: Any = None) -> Any:
         """ε against v with error bars. See `stoss.plot.restitution`."""
         return self._picture(ax)
 
     def _inputs(self) -> dict[str, Any]:
-        named = {"body": self.body, "against": self.against, "tolerance": self.tolerance, "absolute": self.absolute}
+        # Several disks without sizes are told by their Poisson numbers.
+        plain = [isinstance(each, Disk) and each == Disk(poisson=each.poisson) for each in self.bodies]
+        told = self.body is not None or all(plain)
+        named: dict[str, Any] = {"body": self.body, "bodies": None if told else self.bodies, "against": self.against}
+        named |= {"tolerance": self.tolerance, "absolute": self.absolute}
         return {key: value for key, value in named.items() if value is not None}

@@ -2,11 +2,17 @@
 
 from __future__ import annotations
 
+import warnings
 from typing import Any
 
+import numpy as np
+from numpy.typing import NDArray
+
 from stoss._bodies import Body, kind
+from stoss._errors import StossWarning
 from stoss._material import Material
 from stoss._result import Number, Result
+from stoss._yielding import yield_speed_of
 
 
 def si_name(name: str) -> str:
@@ -16,7 +22,9 @@ def si_name(name: str) -> str:
 
 
 class InSi(Result):
-    """SI values, as names that end in _si."""
+    """SI values, as names that end in _si; of spheres with a yield strength, where yielding begins."""
+
+    _units = {"yield_speed": "c", "yield_speed_si": "m/s"}
 
     body: Body | None
     speed: Any
@@ -58,9 +66,43 @@ class InSi(Result):
         """Greatest compression, m."""
         return self._in_si("max_compression")
 
+    @property
+    def yield_speed_si(self) -> Number:
+        """Speed at which the sphere, or the weaker of two, begins to yield, m/s, once for each value."""
+        found = self._yield_speed()
+        if found is None:
+            raise AttributeError("yield_speed_si: no sphere of this result has a yield strength (see stoss.Material)")
+        return found if isinstance(self.speed, float) else np.full(np.shape(self.speed), found)
+
+    @property
+    def yield_speed(self) -> Number:
+        """The same in c."""
+        return self.yield_speed_si / self.body.scales.speed  # type: ignore[union-attr]
+
+    @property
+    def beyond_yield(self) -> bool | NDArray[np.bool_]:
+        """Whether the impact is faster: the elastic results are then bounds."""
+        return self.yield_speed_si < self.speed_si
+
+    def _yield_speed(self) -> float | None:
+        return yield_speed_of(self.body, getattr(self, "against", None))
+
     def _derived(self) -> dict[str, Any]:
+        if self.material is None:
+            return {}
         names = [si_name(name) for name in self._dimensions() if hasattr(type(self), si_name(name))]
-        return {name: getattr(self, name) for name in names} if self.material is not None else {}
+        if self._yield_speed() is not None:
+            names += ["yield_speed", "yield_speed_si", "beyond_yield"]
+        return {name: getattr(self, name) for name in names}
+
+
+def warn_of_yielding(result: InSi, stacklevel: int) -> None:
+    """A warning, as from that many calls above, if impacts are faster than the speed at which yielding begins."""
+    found = result._yield_speed()
+    if found is not None and np.any(result.beyond_yield):
+        hint = "see .beyond_yield: elastic values are bounds there"
+        text = f"speed above {found:.4g} m/s, where yielding begins ({hint})"
+        warnings.warn(text, StossWarning, stacklevel=stacklevel + 1)
 
 
 class InSiOfAnImpact(InSi):

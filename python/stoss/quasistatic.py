@@ -1,39 +1,67 @@
-"""Slow contacts of a disk with a wall, in closed form where there is one; when a sphere begins to yield.
+"""Slow contacts of a disk or a sphere with a wall, in closed form where there is one.
 
-Where the disk follows the wall's force statically, energy conservation gives the whole impact, and
-Rayleigh's estimate gives the small loss to vibration. Forces are in πRE = mc²/R, lengths in R,
-stresses in E, speeds in c.
+Where the body follows the wall's force statically, energy conservation gives the whole impact, and
+Rayleigh's estimate gives the small loss to vibration. Forces are in mc²/R, which is πRE of a disk
+and (4π/3)R²E of a sphere, lengths in R, stresses in E, speeds in c (with a material in m/s).
 
 ======================================================  ============================================
 `slow_impact`                                           contact time, greatest compression and force
 `rayleigh`                                              lost fraction of a slow impact
 `compression`, `compression_force`,                     a law of compression, its inverse,
 `compression_energy`, `limit_force`, `limit_speed`      its energy, and where it ends
-`static_contact`, `soft_static_contact`                 a disk held against a wall
+`contact_radius`                                        of a sphere
+`static_contact`, `soft_static_contact`                 a body held against a wall
 `hertz_pressure`, `hertz_stress`, `heavy_disk_stress`   stress under a contact or in a heavy disk
-`yield_speed`                                           when a sphere, or what it meets, begins to yield
+`greatest_shear`, `yield_speed`                         of a sphere: where and when it yields
 ======================================================  ============================================
 
-Laws of compression, δ = F (ln(s/F) − b):
+Laws of compression of a disk, δ = F (ln(s/F) − b):
 
 * ``'center'``: s = 1, b = (1 + ν)/4, the approach of the centre of mass, which belongs in its
   equation of motion;
 * ``'diameter'``: s = 4, b = 1, the shortening of the diameter through the point of contact;
 * ``'printed'``: s = 4, b = 1 + ν, what Gerl and Zippelius print for the latter.
 
+Those of a sphere, with the radius a of the contact, a³ = π(1 − ν²)F:
+
+* ``'center'``: the approach of the centre of mass to the first order beyond Hertz;
+* ``'hertz'``: δ = a², two half-spaces.
+
 >>> stoss.quasistatic.slow_impact(poisson=0.33, speed=1e-4)
 SlowImpact(poisson=0.33, speed=0.0001 c: contact time 10.0392 R/c, compression 0.000324499 R)
 """
 
-from stoss._compression import compression, compression_energy, compression_force, limit_force, limit_speed
-from stoss._hertz import PlaneStress, heavy_disk_stress, hertz_pressure, hertz_stress
-from stoss._rayleigh import RayleighEstimate, rayleigh
-from stoss._slow_impact import SlowImpact, slow_impact
-from stoss._static_contact import SoftStaticContact, StaticContact, soft_static_contact, static_contact
-from stoss._yield import yield_speed
+from stoss._compression import (
+    compression,
+    compression_energy,
+    compression_force,
+    contact_radius,
+    limit_force,
+    limit_speed,
+)
+from stoss._hertz import (
+    AxisymmetricStress,
+    GreatestShear,
+    PlaneStress,
+    greatest_shear,
+    heavy_disk_stress,
+    hertz_pressure,
+    hertz_stress,
+)
+from stoss._rayleigh import rayleigh
+from stoss._rayleigh_result import PointRayleighEstimate, RayleighEstimate
+from stoss._slow_impact import slow_impact
+from stoss._slow_impact_result import PointSlowImpact, SlowImpact
+from stoss._soft_static_contact import SoftStaticContact, soft_static_contact
+from stoss._static_contact import StaticContact, static_contact
+from stoss._yielding import yield_speed
 
 __all__ = [
+    "AxisymmetricStress",
+    "GreatestShear",
     "PlaneStress",
+    "PointRayleighEstimate",
+    "PointSlowImpact",
     "RayleighEstimate",
     "SlowImpact",
     "SoftStaticContact",
@@ -41,6 +69,8 @@ __all__ = [
     "compression",
     "compression_energy",
     "compression_force",
+    "contact_radius",
+    "greatest_shear",
     "heavy_disk_stress",
     "hertz_pressure",
     "hertz_stress",

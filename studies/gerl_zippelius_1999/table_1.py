@@ -6,8 +6,7 @@ collision (eqs. 40 and 43; no Poisson number is given, the others are for ν = 0
 here: a preliminary run with all 4510 modes up to ω = 100 c/R, then one with the 1600 of highest
 mean energy; means over the contact. The converged values, of all modes at the same wall, are
 parabolas in 1/ω_c at 0 through runs below five cutoffs. The table is not reproduced (erratum E13).
-`slips` computes what plausible slips would do to it; one of them, C doubled for n = 0, l ≥ 1, is
-not plausible but what the printed averages ask for.
+`slips` computes what slips would do to it, also one that only the printed averages ask for.
 """
 
 from __future__ import annotations

@@ -21,6 +21,18 @@ TEST(Estimate, UnknownErrorIsAWord) {
   EXPECT_EQ(with_error(3.35, 0.5), "3.35 ± 0.50");
 }
 
+TEST(Estimate, ErrorHasTwoDigits) {
+  EXPECT_EQ(with_error(0.94706, 0.000038), "0.947060 ± 0.000038");
+  EXPECT_EQ(with_error(0.94706123, 1.2e-7), "0.94706123(12)");
+  EXPECT_EQ(with_error(0.94706123, 1.2e-14), "0.947061230000(0)");
+  EXPECT_EQ(with_error(1.4153e-9, 1.2e-11), "0.000000001415(12)");
+  EXPECT_EQ(with_error(3.497938e-19, 1.37e-23), "3.49794(14)e-19");
+  EXPECT_EQ(with_error(-3.497938e-19, 1.37e-20), "-3.50(14)e-19");
+  EXPECT_EQ(with_error(9.9999e-20, 1.37e-22), "1.0000(14)e-19");
+  EXPECT_EQ(with_error(9.9e-20, 9.6e-20), "9.9(96)e-20");
+  EXPECT_EQ(with_error(3.4e-280, 1e-281), "3.40(10)e-280");
+}
+
 TEST(Estimate, RecordHasTheWordInPlaceOfTheErrorAndTheTableInPlaceOfTheValue) {
   Record record;
   add_estimate(record, "contact_time", "R/c", {3.35, infinite}, 13);

@@ -29,6 +29,8 @@ def keys(value):
         "impact --poisson 0.33 --speed 0.1 --cutoff 12",
         "quasistatic --poisson 0.33 --speed 1e-3",
         "quasistatic --poisson 0.33 --compression 0.01",
+        "quasistatic --body sphere --poisson 0.3 --young 1e9 --density 1e3 --radius 1 --yield 1e6 --speed 0.1",
+        "quasistatic --body sphere --poisson 0.3 --compression 0.01",
         "modes --poisson 0.33 --cutoff 3",
         "modes --body sphere --poisson 0.3 --cutoff 3",
         "impact --body sphere --poisson 0.3 --young 1e9 --density 1e3 --radius 1 --yield 1e6 --speed 1 --cutoff 12",

@@ -92,6 +92,8 @@ BAD_VALUES = [
     ("quasistatic --poisson 1 --speed 0.1", "poisson", "1"),
     ("quasistatic --poisson nan --compression 0.1", "poisson", "nan"),
     (f"{IMPACT} 0.1 --young 1e9", "material", "1 of"),
+    (f"{IMPACT} 0.1 --law hertz", "law", "hertz with --body disk, allowed center, diameter or printed"),
+    (f"{STEEL} --speed 1 --yield 1e9", "yield", "--body disk"),
 ]
 
 
@@ -110,9 +112,9 @@ def test_value_out_of_range(stoss, tmp_path, arguments, name, got):
 
 
 @pytest.mark.parametrize("arguments", [
-    "quasistatic", f"quasistatic --poisson {NU}", f"{IMPACT} 0.1 --compression 0.1", f"{IMPACT} 0.1 --law hertz",
+    "quasistatic", f"quasistatic --poisson {NU}", f"{IMPACT} 0.1 --compression 0.1", f"{IMPACT} 0.1 --law linear",
     f"{CONTACT} 0.1 --tolerance 1", f"{IMPACT}",
-    f"{IMPACT} 0.1 --against wall",
+    f"{IMPACT} 0.1 --against wall", f"{IMPACT} 0.1 --body rod",
 ])  # fmt: skip
 def test_usage(stoss, arguments):
     result = stoss.run(arguments)

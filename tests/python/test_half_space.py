@@ -187,3 +187,28 @@ def test_pictures_have_the_moved_surface(hit, tmp_path, closed):
     assert sum(len(line.get_xdata()) == 512 for line in ax.lines) == 3
     stoss.animate(hit, tmp_path / "a.gif", frames=3)
     assert (tmp_path / "a.gif").stat().st_size > 1000
+
+
+def test_several_spheres_at_a_half_space_like_each():
+    balls = [stoss.Sphere(poisson=0.2), BALL]
+    curve = stoss.restitution(balls, against=stoss.HalfSpace(young=2.0), speed=0.1)
+    assert curve.against == stoss.HalfSpace(young=2.0)
+    for k, ball in enumerate(balls):
+        one = stoss.restitution(ball, against=stoss.HalfSpace(poisson=ball.poisson, young=2.0), speed=0.1)
+        assert one.lost_fraction == curve.lost_fraction[k]
+
+
+# Johnson's number for a hard steel sphere that strikes steel (Contact Mechanics, section 11.5), 0.14 m/s.
+def test_results_say_where_yielding_begins():
+    hard = stoss.Material(young=2.1e11, poisson=0.3, density=7850, yield_strength=1e9)
+    block = stoss.HalfSpace(material=hard)
+    with pytest.warns(stoss.StossWarning, match="where yielding begins"):
+        curve = stoss.restitution(stoss.Sphere(radius=0.01, material=hard), against=block, speed=[0.1, 0.2])
+    assert curve.beyond_yield.tolist() == [False, True]
+    assert curve.yield_speed_si[0] == pytest.approx(0.14, abs=0.005)
+    # A rigid ball makes the contact stiffer, and does not yield itself: v is proportional to 1/E*².
+    rigid = stoss.Sphere(radius=0.01, material=hard, rigid=True)
+    assert stoss.quasistatic.yield_speed(rigid, against=block) == pytest.approx(curve.yield_speed_si[0] / 4)
+    assert stoss.quasistatic.yield_speed(rigid, against=stoss.HalfSpace(material=GLASS)) is None
+    with pytest.raises(stoss.InvalidInput, match="allowed an elastic sphere at a wall"):
+        stoss.quasistatic.yield_speed(rigid)

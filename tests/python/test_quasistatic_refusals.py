@@ -16,6 +16,8 @@ nan, inf = math.nan, math.inf
 USUAL = {
     "poisson": 0.33, "speed": 0.01, "force": 0.01, "compression": 0.01, "depth": 0.1, "x": 1.0, "y": 0.1, "cutoff": 6,
 }  # fmt: skip
+BALL = stoss.Sphere(poisson=0.3)
+HARD = stoss.Sphere(radius=0.01, material=stoss.Material(young=2e11, poisson=0.3, density=8e3, yield_strength=1e9))
 FUNCTIONS = [getattr(quasistatic, name) for name in quasistatic.__all__ if name[0].islower()]
 BAD = {
     "poisson": [-1, 1, nan, inf, "0.3", True, [0.3, nan], 1j],
@@ -34,24 +36,51 @@ BAD = {
 
 
 def usual(function):
-    names = [each for each in inspect.signature(function).parameters]
-    return names, {name: USUAL[name] for name in names if name in USUAL}
+    """The names of the arguments, and arguments with which the function works."""
+    parameters = inspect.signature(function).parameters
+    arguments = {name: USUAL[name] for name in parameters if name in USUAL}
+    if "body" in parameters and parameters["body"].default is inspect.Parameter.empty:
+        arguments["body"] = HARD
+    return list(parameters), arguments
 
 
-@pytest.mark.parametrize("function", FUNCTIONS, ids=lambda each: each.__name__)
-def test_refusals(function):
+def of_a_sphere(function):
+    """The same, of a sphere in its units."""
     names, arguments = usual(function)
+    given = {name: value for name, value in arguments.items() if name != "poisson"}
+    return names, {**given, "body": HARD if function is quasistatic.yield_speed else BALL}
+
+
+@pytest.mark.parametrize("usually", [usual, of_a_sphere])
+@pytest.mark.parametrize("function", FUNCTIONS, ids=lambda each: each.__name__)
+def test_refusals(function, usually):
+    names, arguments = usually(function)
+    if usually is of_a_sphere and "body" not in names:
+        return  # of disks alone
     assert function(**arguments) is not None
     with pytest.raises(TypeError, match="positional"):
         function(0.3, 0.3)
-    for name in set(names) & set(BAD):
-        for value in BAD[name]:
+    bodies = [stoss.Rod(), "disk", 0.3, [BALL]] if "body" in names else []
+    for name in set(names) & set(BAD) | {"body"} & set(names):
+        for value in bodies if name == "body" else BAD[name]:
+            if value == inspect.signature(function).parameters[name].default:
+                continue
             with pytest.raises(stoss.InvalidInput, match=r"^[\w ]+: got .+, allowed .+") as caught:
                 function(**{**arguments, name: value})
             assert str(caught.value).isprintable() and len(str(caught.value)) < 300
 
 
 def test_refusals_of_combinations(steel):
+    for law in ("diameter", "printed"):
+        with pytest.raises(stoss.InvalidInput, match=f"^law: got '{law}', allowed 'center' or 'hertz'$"):
+            quasistatic.slow_impact(BALL, speed=0.01, law=law)
+    with pytest.raises(stoss.InvalidInput, match="^law: got 'hertz', allowed 'center', 'diameter' or 'printed'$"):
+        quasistatic.compression(poisson=0.3, force=0.01, law="hertz")
+    with pytest.raises(stoss.InvalidInput, match="^distance: got -0.1, allowed"):
+        quasistatic.hertz_pressure(BALL, force=0.01, y=-0.1)
+    for pair in ({"body": BALL}, {"body": HARD, "against": BALL}):
+        with pytest.raises(stoss.InvalidInput, match=r"^(body|against): got Sphere\(.*\), allowed a stoss.Sphere"):
+            quasistatic.yield_speed(**pair)
     for function in (quasistatic.slow_impact, quasistatic.rayleigh):
         for given_ in ({}, {"poisson": 0.3, "body": steel}, {"body": "steel"}, {"body": stoss.Rod()}):
             with pytest.raises(stoss.InvalidInput, match="^body: got "):
@@ -70,11 +99,14 @@ def test_refusals_of_combinations(steel):
             call()
 
 
+@pytest.mark.parametrize("usually", [usual, of_a_sphere])
 @pytest.mark.parametrize("function", FUNCTIONS, ids=lambda each: each.__name__)
 @given(data=st.data())
 @FUZZ
-def test_fuzz(function, data):
-    names, arguments = usual(function)
+def test_fuzz(function, usually, data):
+    names, arguments = usually(function)
+    if usually is of_a_sphere and "body" not in names:
+        return  # of disks alone
     for name in data.draw(st.lists(st.sampled_from(names), min_size=1, max_size=2, unique=True)):
         box = data.draw(boxes.filter(lambda box, name=name: harmless(name, box.content)), name)
         arguments[name] = box.content

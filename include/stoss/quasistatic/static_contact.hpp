@@ -44,8 +44,9 @@ struct StaticContact {
                                            const StaticContactOptions& options = {});
 
 /// The same of a sphere: rings for nodes, and the compliance of all degrees. `half_width` is the radius of the contact,
-/// `pressure` that of each ring, and Σ area · pressure = (4π/3)F. The force converges with the square of the nodes: to
-/// 3e-6 with 160 for δ up to 0.1. Takes a second with 160 nodes for δ below 1e-3, a quarter with 80.
+/// `pressure` that of each ring, and Σ area · pressure = (4π/3)F: 13 % too little in the innermost ring and 2.4 % too
+/// much in the next, at any resolution, and within 1 % elsewhere. The force converges with the square of the nodes: to
+/// 3e-6 with 160 for δ up to 0.1. Takes 0.3 s with 160 nodes for δ below 1e-3, 0.1 s with 80.
 /// @throws InvalidInput as above, with a 3-D Poisson number of −0.95 … 0.4999
 [[nodiscard]] StaticContact static_contact(const Sphere& sphere, double compression,
                                            const StaticContactOptions& options = {});

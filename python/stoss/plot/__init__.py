@@ -35,10 +35,10 @@ except ModuleNotFoundError as _missing:
 from stoss._extrapolation import Extrapolation
 from stoss._field import DiskField, SphereField
 from stoss._modes import Modes
-from stoss._rayleigh import RayleighEstimate
+from stoss._rayleigh_result import PointRayleighEstimate, RayleighEstimate
 from stoss._restitution_result import Restitution
 from stoss._result import pictures
-from stoss._slow_impact import SlowImpact
+from stoss._slow_impact_result import PointSlowImpact, SlowImpact
 from stoss._static_contact import StaticContact
 from stoss._trajectory import Trajectory
 from stoss._wave import Wave
@@ -59,6 +59,8 @@ pictures.update(
         Extrapolation: extrapolation,
         DiskField: stress,
         Modes: spectrum,
+        PointRayleighEstimate: rayleigh,
+        PointSlowImpact: slow_impact,
         RayleighEstimate: rayleigh,
         Restitution: restitution,
         SphereField: stress,

@@ -22,7 +22,7 @@ from PIL import Image
 from stoss._arguments import instance, integer, number, refusal, require_memory
 from stoss._files import whole_file
 from stoss._impact_result import Impact
-from stoss.plot import _disk, _sequence, _stress, _style
+from stoss.plot import _disk, _ground, _sequence, _stress, _style
 
 DPI = 100
 SUFFIXES = (".gif", ".mp4")
@@ -107,7 +107,7 @@ def animate(
         film = [[_disk.instant(each, k) for each in fields] for k in range(count)]
         scale = None if quantity is None else _stress.scale_of([now for each in film for now in each], quantity, fringe)
         shown = _disk.view(fields)
-        ground = _disk.surface(impact, times, shown.half)
+        ground = _ground.surface(impact, times, shown.half)
         shape = _default_pixels(shown, scale) if pixels is None else pixels
         if suffix == ".mp4":  # its colours are those of pairs of pixels
             shape = shape[0] + shape[0] % 2, shape[1] + shape[1] % 2
@@ -146,7 +146,7 @@ def _default_pixels(shown: _disk.View, scale: _stress.Scale | None) -> tuple[int
 
 def _film(
     film: list[list[_disk.Instant]], shown: _disk.View, scale: _stress.Scale | None, size: tuple[int, int],
-    surface: _disk.Surface | None,
+    surface: _ground.Surface | None,
 ) -> Iterator[NDArray[np.uint8]]:
     """The pictures, height × width × RGB, of a figure that pyplot does not know of."""
     figure = Figure(figsize=(size[0] / DPI, size[1] / DPI), dpi=DPI, layout="constrained")
@@ -154,7 +154,7 @@ def _film(
     axes = figure.add_subplot()
     _style.small_ticks(axes)
     _disk.frame_axes(axes, shown)
-    faces = [_disk.draw_wall(axes)] if len(film[0]) == 1 and surface is None else []
+    faces = [_ground.draw_wall(axes)] if len(film[0]) == 1 and surface is None else []
     names = [f"t = {time} R/c" for time in _sequence.spoken_times(np.array([each[0].time for each in film]))]
     title = axes.set_title(names[0])
     if scale is not None:
@@ -170,7 +170,7 @@ def _film(
     for k, (bodies, name) in enumerate(zip(film, names)):
         canvas.restore_region(ground)
         title.set_text(name)
-        moving = [] if surface is None else _disk.draw_half_space(axes, surface.y, surface.x[k], shown.right)
+        moving = [] if surface is None else _ground.draw_half_space(axes, surface.y, surface.x[k], shown.right)
         moving += _draw_frame(axes, bodies, scale)
         for artist in (*moving, *faces, title):
             axes.draw_artist(artist)

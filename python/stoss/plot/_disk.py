@@ -5,7 +5,6 @@ from __future__ import annotations
 from typing import Any, NamedTuple, Sequence
 
 import numpy as np
-from matplotlib.artist import Artist
 from matplotlib.axes import Axes
 from matplotlib.collections import LineCollection
 from matplotlib.lines import Line2D
@@ -13,21 +12,17 @@ from matplotlib.ticker import MultipleLocator
 from numpy.typing import NDArray
 
 from stoss._arguments import instance, integer, refusal
-from stoss import _replay
 from stoss._bodies import BODIES
 from stoss._errors import InvalidInput
 from stoss._field import Field
-from stoss._half_space import UNBOUNDED
 from stoss._impact_result import Impact
-from stoss.plot import _style
+from stoss.plot import _ground, _style
 
 CIRCLES, SPOKES = 6, 24
 
 # Points for pictures that need the grid only: fine along the lines, and every line on a point.
 GRID_RADIUS = np.linspace(0.0, 1.0, 4 * CIRCLES + 1)
 GRID_ANGLE = np.linspace(-np.pi, np.pi, 8 * SPOKES + 1)
-
-WALL = 0.12  # thickness of what is drawn as the wall, R
 
 Array = NDArray[np.float64]
 
@@ -137,7 +132,8 @@ def disk(
             if outline:
                 draw_outline(axes, *edge)
             draw_grid(axes, now.x, now.y, field.radius, field.angle, circles, spokes, color=color)
-        draw_ground(axes, bodies, shown)
+        if len(bodies) == 1:
+            _ground.draw(axes, field.impact, bodies[0].time, shown.half, shown.right)
         frame_axes(axes, shown)
         axes.set_title(f"t = {_style.written(bodies[0].time)} R/c")
     return axes
@@ -185,14 +181,10 @@ def undeformed(bodies: Sequence[Instant]) -> list[tuple[Array, Array]]:
     edges = []
     for now, other in zip(bodies, (*bodies[1:], bodies[0])):
         x, y = circle(now.center, now.field.size)
-        free = x <= _edge_of_ground(now) if other is now else np.hypot(x - other.center, y) >= other.field.size
+        end = np.inf if _ground.gives_way(now.field.impact) else 0.0
+        free = x <= end if other is now else np.hypot(x - other.center, y) >= other.field.size
         edges.append((np.where(free, x, np.nan), y))
     return edges
-
-
-def _edge_of_ground(now: Instant) -> float:
-    """A half-space gives way."""
-    return np.inf if isinstance(now.field.impact.against, UNBOUNDED) else 0.0
 
 
 def draw_outline(axes: Axes, x: Array, y: Array, width: float = 1.0) -> Line2D:
@@ -201,56 +193,15 @@ def draw_outline(axes: Axes, x: Array, y: Array, width: float = 1.0) -> Line2D:
     return line
 
 
-def draw_wall(axes: Axes) -> Line2D:
-    """The wall at x = 0, as high as the picture, and its face."""
-    axes.axvspan(0.0, WALL, facecolor="0.8", edgecolor="none", zorder=1.0)
-    return axes.axvline(0.0, color=_style.BLACK, linewidth=1.0, zorder=1.8)
-
-
-class Surface(NamedTuple):
-    """The surface of a half-space at several times."""
-
-    y: Array
-    x: Array  # times × places
-
-
-def surface(impact: Impact, times: Array, reach: float) -> Surface | None:
-    """That of the half-space that is met, if there is one."""
-    if not isinstance(impact.against, UNBOUNDED):
-        return None
-    return Surface(*_replay.surface(impact, times, reach))
-
-
-def draw_half_space(axes: Axes, y: Array, x: Array, depth: float) -> list[Artist]:
-    """The half-space from its moved surface down to some depth."""
-    body = axes.fill_betweenx(y, x, depth, facecolor="0.85", edgecolor="none", zorder=1.0)
-    return [body, *axes.plot(x, y, color=_style.BLACK, linewidth=1.0, zorder=1.8)]
-
-
-def draw_ground(axes: Axes, bodies: Sequence[Instant], shown: View) -> None:
-    """What a single body meets: the wall, or a half-space."""
-    if len(bodies) > 1:
-        return
-    moved = surface(bodies[0].field.impact, np.array([bodies[0].time]), shown.half)
-    if moved is None:
-        draw_wall(axes)
-    else:
-        draw_half_space(axes, moved.y, moved.x[0], shown.right)
-
-
-def ground_of(fields: Sequence[Field]) -> float:
-    """How far what a single body meets is drawn, R."""
-    deepest = float(fields[0].x.max()) if isinstance(fields[0].impact.against, UNBOUNDED) else 0.0
-    return WALL + max(0.0, deepest)
-
-
 def view(fields: Sequence[Field], bodies: Sequence[Instant] = ()) -> View:
     """What holds all points of these fields, or of one of their instants, with a margin."""
     margin = 0.06
     points = [(now.x, now.y) for now in bodies] or [(each.x, each.y) for each in fields]
     half = max(max(each.size, float(np.abs(y).max())) for each, (_, y) in zip(fields, points))
     left = min(-2.0, float(points[0][0].min()))
-    right = ground_of(fields) if len(fields) == 1 else max(2.0 * fields[1].size, float(points[1][0].max())) + margin
+    right = _ground.thickness(fields)
+    if len(fields) > 1:
+        right = max(2.0 * fields[1].size, float(points[1][0].max())) + margin
     return View(left - margin, right, half + margin)
 
 

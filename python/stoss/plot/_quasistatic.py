@@ -10,22 +10,25 @@ from numpy.typing import NDArray
 
 from stoss._arguments import instance
 from stoss._hertz import hertz_pressure
-from stoss._rayleigh import RayleighEstimate
-from stoss._slow_impact import SlowImpact
+from stoss._rayleigh_result import PointRayleighEstimate, RayleighEstimate
+from stoss._slow_impact_result import PointSlowImpact, SlowImpact
 from stoss._static_contact import StaticContact
 from stoss.plot import _style
 
+Slow = Union[SlowImpact, PointSlowImpact, RayleighEstimate, PointRayleighEstimate]
+SLOW = (SlowImpact, PointSlowImpact)
+ESTIMATES = (RayleighEstimate, PointRayleighEstimate)
 BEYOND = "beyond perturbation theory"
 
 
-def slow_impact(result: SlowImpact, ax: Axes | None = None) -> Axes:
+def slow_impact(result: SlowImpact | PointSlowImpact, ax: Axes | None = None) -> Axes:
     """Contact time against speed, a curve for each Poisson number.
 
     Speeds are in c, or in m/s if the result has a material.
 
     Parameters
     ----------
-    result : SlowImpact
+    result : SlowImpact or PointSlowImpact
     ax : Axes, optional
         Where to draw; further calls with the same Axes add curves.
 
@@ -39,7 +42,7 @@ def slow_impact(result: SlowImpact, ax: Axes | None = None) -> Axes:
     >>> ax.get_xlabel(), ax.get_ylabel()
     ('speed v / c', 'contact time τ / (R/c)')
     """
-    instance("result", result, (SlowImpact,))
+    instance("result", result, SLOW)
     with _style.canvas(ax) as axes:
         _speed_axis(axes, result)
         axes.set_ylabel("contact time τ / (R/c)")
@@ -49,7 +52,7 @@ def slow_impact(result: SlowImpact, ax: Axes | None = None) -> Axes:
     return axes
 
 
-def rayleigh(result: RayleighEstimate, ax: Axes | None = None) -> Axes:
+def rayleigh(result: RayleighEstimate | PointRayleighEstimate, ax: Axes | None = None) -> Axes:
     """Rayleigh's estimate of 1 − ε² against speed, with a band for its error.
 
     Speeds are in c, or in m/s if the result has a material. Values beyond perturbation theory are
@@ -57,7 +60,7 @@ def rayleigh(result: RayleighEstimate, ax: Axes | None = None) -> Axes:
 
     Parameters
     ----------
-    result : RayleighEstimate
+    result : RayleighEstimate or PointRayleighEstimate
     ax : Axes, optional
         Where to draw; further calls with the same Axes add curves.
 
@@ -71,7 +74,7 @@ def rayleigh(result: RayleighEstimate, ax: Axes | None = None) -> Axes:
     >>> ax.get_ylabel()
     'lost fraction 1 − ε²'
     """
-    instance("result", result, (RayleighEstimate,))
+    instance("result", result, ESTIMATES)
     with _style.canvas(ax) as axes:
         _speed_axis(axes, result)
         axes.set_yscale("log")
@@ -118,7 +121,7 @@ def static_contact(result: StaticContact, ax: Axes | None = None) -> Axes:
     pressure = np.concatenate((result.pressure[touching][::-1], result.pressure[touching]))
     with _style.canvas(ax) as axes:
         axes.plot(y, pressure, color=_style.BLUE, label=f"δ = {_style.written(result.compression)} R")
-        hertz = np.asarray(hertz_pressure(force=result.force, y=y))
+        hertz = np.asarray(hertz_pressure(result.body, force=result.force, y=np.abs(y)))
         axes.plot(y, hertz, color=_style.BLACK, linestyle="--", label="Hertz")
         axes.set_ylim(bottom=0.0)
         axes.set_xlabel("position along the edge / R")
@@ -127,13 +130,13 @@ def static_contact(result: StaticContact, ax: Axes | None = None) -> Axes:
     return axes
 
 
-def _speed_axis(axes: Axes, result: Union[SlowImpact, RayleighEstimate]) -> None:
+def _speed_axis(axes: Axes, result: Slow) -> None:
     axes.set_xscale("log")
     axes.set_xlabel("speed v / c" if result.material is None else "speed v / (m/s)")
 
 
 def _curves(
-    result: Union[SlowImpact, RayleighEstimate], axes: Axes
+    result: Slow, axes: Axes
 ) -> Iterator[tuple[NDArray[np.float64], NDArray[np.intp], dict[str, Any]]]:
     """For each Poisson number: sorted speeds, where they are in the flat result, and a look."""
     poisson = np.ravel(result.poisson)

@@ -10,7 +10,7 @@ from numpy.typing import ArrayLike, NDArray
 from stoss._arguments import instance, integer, numbers, refusal
 from stoss._errors import InvalidInput
 from stoss._impact_result import Impact
-from stoss.plot import _disk, _style
+from stoss.plot import _disk, _ground, _style
 
 Array = NDArray[np.float64]
 
@@ -69,8 +69,8 @@ def sequence(
     rows = -(-chosen.size // columns)
     pitch = 2.0 * max(max(each.size, float(np.abs(each.y).max())) for each in fields) + GAP
     lowest = [min(float(-each.x.max()), -float(np.max(each.center)) - each.size) for each in fields]
-    ground = _disk.ground_of(fields) if len(fields) == 1 else 0.05 - lowest[-1]
-    moved = _disk.surface(impact, chosen, 0.5 * pitch)
+    ground = _ground.thickness(fields) if len(fields) == 1 else 0.05 - lowest[-1]
+    moved = _ground.surface(impact, chosen, 0.5 * pitch)
     top = max(float(-fields[0].x.min()), 1.0 - float(np.min(fields[0].center)))  # also of the undeformed disk
     height = top + 0.05 + ground + LINE
     wide, high = columns * pitch, rows * height
@@ -88,14 +88,15 @@ def sequence(
                 _disk.draw_outline(axes, x + along, y - toward, line)
                 _disk.draw_grid(axes, x + now.y, y - now.x, now.field.radius, now.field.angle, width=line)
             if moved is not None:
-                below = {"facecolor": "0.85", "edgecolor": "none", "zorder": 1.0}
+                below = {"facecolor": "0.8", "edgecolor": "none", "zorder": 1.0}
                 axes.fill_between(x + moved.y, y - moved.x[k], y - ground, **below)
                 axes.plot(x + moved.y, y - moved.x[k], color=_style.BLACK, linewidth=line, zorder=1.8)
             axes.text(x, y - ground - 0.5 * LINE, names[k], ha="center", va="center")
         for row in range(rows if len(fields) == 1 and moved is None else 0):
             filled = min(columns, chosen.size - row * columns)
-            corner = (-0.5 * pitch, -row * height - _disk.WALL)
-            axes.add_patch(Rectangle(corner, filled * pitch, _disk.WALL, facecolor="0.8", edgecolor="none", zorder=1.0))
+            corner = (-0.5 * pitch, -row * height - _ground.WALL)
+            look = {"facecolor": "0.8", "edgecolor": "none", "zorder": 1.0}
+            axes.add_patch(Rectangle(corner, filled * pitch, _ground.WALL, **look))
             edge = (corner[0], corner[0] + filled * pitch)
             axes.plot(edge, (-row * height,) * 2, color=_style.BLACK, linewidth=1.0, zorder=1.8)
         axes.set_aspect("equal")

@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 
 from stoss._arguments import number, refusal
 from stoss._field import Field
-from stoss.plot import _disk, _style
+from stoss.plot import _disk, _ground, _style
 
 Array = NDArray[np.float64]
 
@@ -102,7 +102,8 @@ def stress(
     with _style.canvas(ax, size=_disk.size_for(shown, 2.25)) as axes:
         for now in bodies:
             mesh, _ = draw_stress(axes, now, scale)
-        _disk.draw_ground(axes, bodies, shown)
+        if len(bodies) == 1:
+            _ground.draw(axes, field.impact, bodies[0].time, shown.half, shown.right)
         _disk.frame_axes(axes, shown)
         axes.set_title(f"t = {_style.written(bodies[0].time)} R/c")
         draw_bar(axes, mesh, scale)

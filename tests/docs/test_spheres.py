@@ -1,0 +1,181 @@
+"""The numbers of docs/results/spheres.md: those of its CSV file, and those of the command that it names."""
+
+import csv
+import itertools
+import math
+import os
+import subprocess
+from pathlib import Path
+
+import pytest
+
+RESULTS = Path(__file__).resolve().parents[2] / "docs/results"
+PAGE = (RESULTS / "spheres.md").read_text(encoding="utf-8")
+POISSON = (0.0, 0.2, 0.3, 0.45, 0.49)
+DECADES = (1e-6, 1e-5, 1e-4, 1e-3, 1e-2)
+SLOW = 1e-3  # up to where the wave is measured
+DIGITS = "⁰¹²³⁴⁵⁶⁷⁸⁹"
+
+
+def table(name):
+    with open(RESULTS / name, encoding="utf-8") as file:
+        rows = csv.DictReader(line for line in file if not line.startswith("#"))
+        return [{key: float(text) if text else math.nan for key, text in row.items() if key != "converged"}
+                for row in rows]  # fmt: skip
+
+
+ROWS = {nu: list(group) for nu, group in itertools.groupby(table("spheres.csv"), lambda row: row["poisson"])}
+
+
+def within(nu, low, high):
+    return [row for row in ROWS[nu] if low * (1 - 1e-9) <= row["speed[c]"] < high]
+
+
+def over_speed(row, name="lost_fraction"):
+    return row[name] / row["speed[c]"]
+
+
+def mean(rows, value):
+    """Mean over v^(-1/5), in which the wave is even."""
+    steps = [(a["speed[c]"] ** -0.2 - b["speed[c]"] ** -0.2, a, b) for a, b in itertools.pairwise(rows)]
+    return sum(step * 0.5 * (value(a) + value(b)) for step, a, b in steps) / sum(step for step, _, _ in steps)
+
+
+def share_of_quadrupole(rows):
+    """Share of (2,0) in the mean loss."""
+    return mean(rows, lambda row: row["quadrupole_share_of_loss"] * over_speed(row)) / mean(rows, over_speed)
+
+
+def turning_points(rows):
+    """Speeds of the extrema of 1 − ε², and by how many error bars the least of them stands out."""
+    loss = [row["lost_fraction"] for row in rows]
+    found = [i for i in range(1, len(rows) - 1) if (loss[i] - loss[i - 1]) * (loss[i + 1] - loss[i]) < 0]
+    heights = [abs(loss[i] - loss[j]) / rows[i]["lost_fraction_error"] for j, i in itertools.pairwise(found)]
+    return [rows[i]["speed[c]"] for i in found], min(heights)
+
+
+def deviations(nu, low, name="quasistatic_lost_fraction"):
+    """Root mean square and greatest of the relative deviation of an estimate in a decade, in per cent."""
+    ratios = [row[name] / row["lost_fraction"] - 1 for row in within(nu, low, 10 * low) if row[name] == row[name]]
+    return 100 * math.sqrt(sum(x * x for x in ratios) / len(ratios)), 100 * max(map(abs, ratios))
+
+
+def digits(value, error):
+    """0.00278(2)·10⁻⁷, the error in units of the last digits."""
+    exponent = math.floor(math.log10(value)) if value < 0.01 else 0
+    error, value = error / 10.0**exponent, value / 10.0**exponent
+    places = 1 - math.floor(math.log10(error))
+    power = f"·10⁻{DIGITS[-exponent]}" if exponent else ""
+    return f"{value:.{places}f}({error * 10**places:.0f}){power}"
+
+
+def line(*cells):
+    return f"| {' | '.join(map(str, cells))} |"
+
+
+def waves():
+    """A line for each Poisson number: the factor, the swing, who takes the loss, how often it turns."""
+    for nu, rows in ROWS.items():
+        slow = within(nu, 0.0, SLOW)
+        factor = rows[0]["mean_loss_factor"]
+        share = share_of_quadrupole(slow)
+        least, most = min(map(over_speed, slow)), max(map(over_speed, slow))
+        found = len(turning_points(rows)[0])
+        periods = rows[0]["contact_time_over_quadrupole_period"] - rows[-1]["contact_time_over_quadrupole_period"]
+        yield line(f"{nu:g}", f"{factor:.4f}", f"{mean(slow, over_speed):.4f}", f"{least:.3f} … {most:.3f}",
+                   f"{2 * factor:.3f}", f"{rows[0]['mean_loss_factor_of_quadrupole'] / factor:.3f}",
+                   f"{share:.3f}", found, f"{periods:.1f}")  # fmt: skip
+
+
+def decade(low):
+    return f"10⁻{DIGITS[-round(math.log10(low))]}"
+
+
+def agreement():
+    for low in DECADES:
+        numbers = (deviations(nu, low) for nu in POISSON)
+        yield line(f"{decade(low)} …", *(f"{rms:.1f} ({most:.1f})" for rms, most in numbers))
+
+
+def turns():
+    for low in DECADES:
+        counts = (sum(low <= v < 10 * low for v in turning_points(ROWS[nu])[0]) for nu in POISSON)
+        yield line(f"{decade(low)} …", *counts)
+
+
+def phases():
+    """Least and greatest ratio of the formula of the ends without the phase of the contact to the loss."""
+    for low in DECADES[:-1]:
+        cells = []
+        for nu in POISSON:
+            name = "lost_fraction_of_ends_without_phase"
+            ratios = [row[name] / row["lost_fraction"] for row in within(nu, low, 10 * low)]
+            cells.append(f"{min(ratios):.2f} … {max(ratios):.2f}")
+        yield line(f"{decade(low)} …", *cells)
+
+
+def test_all_values_are_converged_and_their_bars_small_beside_the_wave():
+    text = (RESULTS / "spheres.csv").read_text(encoding="utf-8")
+    assert tuple(ROWS) == POISSON and "false" not in text and text.count("true\n") == sum(map(len, ROWS.values()))
+    assert f"{sum(map(len, ROWS.values()))} impacts" in PAGE
+    for rows in ROWS.values():
+        assert rows[0]["speed[c]"] == 1e-6 and rows[-1]["speed[c]"] == 0.5
+        assert max(row["lost_fraction_error"] / row["lost_fraction"] for row in rows) < 1.05e-3
+
+
+@pytest.mark.parametrize("lines", [waves, agreement, turns, phases])
+def test_table_is_that_of_the_file(lines):
+    for expected in lines():
+        assert expected in PAGE.splitlines()
+
+
+def test_mean_loss_and_its_share_of_the_quadrupole_are_those_of_the_theory():
+    for nu, rows in ROWS.items():
+        slow, factor = within(nu, 0.0, SLOW), rows[0]["mean_loss_factor"]
+        assert mean(slow, over_speed) == pytest.approx(factor, rel=0.01)
+        expected = rows[0]["mean_loss_factor_of_quadrupole"] / factor
+        assert share_of_quadrupole(slow) == pytest.approx(expected, rel=0.015)
+
+
+def test_loss_is_below_twice_its_mean_and_turning_points_are_no_noise():
+    for nu, rows in ROWS.items():
+        assert max(map(over_speed, within(nu, 0.0, 1e-2))) < 2 * rows[0]["mean_loss_factor"]
+    least = min(turning_points(rows)[1] for rows in ROWS.values())
+    assert f"by {least:.1f} error bars" in PAGE
+
+
+def test_estimate_is_within_its_own_error_below_a_hundredth():
+    for nu in POISSON:
+        for row in within(nu, 0.0, 1e-2):
+            error = row["quasistatic_error"] + row["lost_fraction_error"]
+            assert abs(row["quasistatic_lost_fraction"] - row["lost_fraction"]) < error
+    ends = ", ".join(f"{deviations(0.3, low, 'lost_fraction_of_ends')[0]:.1f}" for low in DECADES)
+    assert f"{ends} %" in " ".join(PAGE.split())
+
+
+def test_disk_beside_the_sphere():
+    disk = {row["speed[c]"]: row for row in table("restitution.csv") if row["poisson"] == 0.33}
+    sphere = ROWS[0.3][0]
+    text = " ".join(PAGE.split())
+    for row in (disk[1e-6], sphere):
+        assert f"{row['contact_time[R/c]']:.1f} R/c" in text
+    assert f"still loses {100 * disk[1e-6]['lost_fraction']:.2f} %" in text
+    factor = round(disk[1e-6]["lost_fraction"] / sphere["lost_fraction"], -3)
+    assert f"a factor of {factor:,.0f}".replace(",", " ") in text
+
+
+def test_values_are_those_of_the_command():
+    speeds = ("1e-6", "1e-5", "1e-4", "0.001", "0.003", "0.01", "0.03", "0.1", "0.2", "0.3", "0.5")
+    command = [os.environ["STOSS"], "restitution", "--body", "sphere", "--absolute", "0", "--format", "csv", "--quiet"]
+    command += ["--poisson", ",".join(f"{nu:g}" for nu in POISSON), "--speed", ",".join(speeds)]
+    output = subprocess.run(command, check=True, capture_output=True, text=True).stdout.splitlines()
+    found = list(csv.DictReader(text for text in output if not text.startswith("#")))
+    for name in ("restitution", "lost_fraction"):
+        for k, speed in enumerate(speeds):
+            row = found[k :: len(speeds)]
+            cells = [digits(float(each[name]), float(each[f"{name}_error"])) for each in row]
+            label = decade(float(speed)) if speed.startswith("1e") else speed
+            assert line(label, *cells) in PAGE.splitlines()
+    for each in found:
+        same = [row for row in ROWS[float(each["poisson"])] if row["speed[c]"] == float(each["speed[c]"])]
+        assert all(row["lost_fraction"] == pytest.approx(float(each["lost_fraction"]), rel=1e-5) for row in same)
