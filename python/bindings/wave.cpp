@@ -26,7 +26,8 @@ struct Waves {
 Contact lasting(const BodyMaker& first, const BodyMaker& second, double cutoff, double latest, const PlaneGrid& points,
                 double poisson, const Poll& poll) {
   Body one = first(cutoff, poll);
-  const Body probe = second(cutoff, poll);
+  constexpr double any = 1.0;
+  const Body probe = second(any, poll);  // for its units
   const double length = probe.scale.length / one.scale.length;
   const double time = length / (probe.scale.speed / one.scale.speed);
   const double reach = std::hypot(*std::max_element(points.depth.begin(), points.depth.end()),

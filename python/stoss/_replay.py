@@ -68,6 +68,8 @@ def wave(impact: Impact, time: Any, distance: Any, depth: Any) -> Wave:
         raise InvalidInput(f"against: got {impact.against!r}, allowed a stoss.HalfSpace or a stoss.HalfPlane")
     chosen = impact.contact_time * np.array([0.4, 0.8, 1.2, 1.6]) if time is None else time
     times = numbers("time", chosen)
+    if not np.all(np.abs(times) <= 1e4):
+        raise refusal("time", time, "-1e4 to 1e4 (R/c, from the start of the impact)")
     speeds = wave_speeds(impact)
     reach = np.linspace(0.0, speeds[0] * max(times.max(initial=0.0), impact.contact_time), 121)
     across = reach if distance is None else numbers("distance", distance).ravel()

@@ -57,6 +57,14 @@ def test_times_in_any_order_and_defaults(hit):
     assert usual.distance[-1] == pytest.approx(1.6 * hit.contact_time * usual.pressure_speed)
 
 
+def test_file(hit, tmp_path):
+    wave = hit.wave(time=[2.0, 4.0], distance=[0.0, 1.0], depth=[0.0, 1.0, 2.0])
+    wave.to_csv(tmp_path / "wave.csv")
+    lines = [line for line in (tmp_path / "wave.csv").read_text().splitlines() if not line.startswith("#")]
+    assert lines[0].split(",")[-1] == "normal_velocity[c]" and len(lines) == 1 + 12
+    assert wave.to_dict()["depth"] == [0.0, 1.0, 2.0]
+
+
 def test_only_half_spaces_have_waves():
     with pytest.raises(stoss.InvalidInput, match="against: got .*HalfSpace or a stoss.HalfPlane"):
         stoss.impact(stoss.Sphere(poisson=0.3), speed=0.1, cutoff=10).wave()
@@ -69,6 +77,8 @@ def test_points_outside_are_refused(hit):
         hit.wave(distance=[np.nan])
     with pytest.raises(stoss.InvalidInput, match="distance"):
         hit.wave(distance=[])
+    with pytest.raises(stoss.InvalidInput, match="time: got .*-1e4 to 1e4"):
+        hit.wave(time=np.inf)
 
 
 def test_picture(hit):
