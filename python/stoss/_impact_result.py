@@ -226,7 +226,8 @@ class Impact(InSiOfAnImpact):
         """How the half-space that is met moves below its surface at some times.
 
         The impact is repeated with a half-space that is good for as long as the waves need to reach
-        the farthest point, which has many more of them: a cutoff of 6 to 12 c/R is enough.
+        the farthest point, which has many more of them. A cutoff of 80 over the contact time in R/c
+        is enough. It takes some seconds at 0.1 c, and 40 s at 2e-4 c.
 
         Parameters
         ----------

@@ -37,6 +37,9 @@ void require_points(const PlaneGrid& points, const ContactPoints& contact) {
   require("contact spacing", contact.spacing, circle, "of the points on their circle, radians");
 }
 
+/// kz at which e^{−kz} is below 1e-17.
+constexpr double deepest = 40.0;
+
 /// The medium of a half-space of which these are the waves.
 Medium medium_of(double poisson, const Body& body) {
   validate(body);
@@ -84,6 +87,8 @@ class ProfileSum {
   void add(double amplitude, Profile profile) {
     for (Index i = 0; i < depths(); ++i) {
       const DepthProfile at = profile(wave_number_ * points_.depth[static_cast<std::size_t>(i)]);
+      if (at.normal == 0.0 && at.lateral == 0.0) continue;
+      reached_ = std::max(reached_, i + 1);
       lateral_profile_(i, row_) += amplitude * at.lateral;
       normal_profile_(i, row_) += amplitude * at.normal;
     }
@@ -102,10 +107,12 @@ class ProfileSum {
   void flush() {
     if (poll_) poll_();
     const Index rows = row_ + 1;
-    lateral_.noalias() += lateral_profile_.leftCols(rows) * lateral_shape_.topRows(rows);
-    normal_.noalias() += normal_profile_.leftCols(rows) * normal_shape_.topRows(rows);
-    lateral_profile_.setZero();
-    normal_profile_.setZero();
+    lateral_.topRows(reached_).noalias() +=
+        lateral_profile_.topLeftCorner(reached_, rows) * lateral_shape_.topRows(rows);
+    normal_.topRows(reached_).noalias() += normal_profile_.topLeftCorner(reached_, rows) * normal_shape_.topRows(rows);
+    lateral_profile_.topRows(reached_).setZero();
+    normal_profile_.topRows(reached_).setZero();
+    reached_ = 0;
     row_ = -1;
   }
 
@@ -114,6 +121,7 @@ class ProfileSum {
   const Poll& poll_;
   Matrix lateral_, normal_, lateral_profile_, normal_profile_, lateral_shape_, normal_shape_;
   Index row_ = -1;
+  Index reached_ = 0;  // depths with a profile
   double wave_number_ = 0.0;
 };
 
@@ -147,8 +155,6 @@ HalfSpaceField::HalfSpaceField(double poisson, const Body& body, const ContactPo
   std::vector<double> ring(contact.count);
   for (std::size_t i = 0; i < ring.size(); ++i) ring[i] = lateral_distance(contact, i);
   const double lowest_unkept = body.cutoff / (its.kernel.rayleigh_root * its.shear_speed);
-  // Deeper, e^{−kz} of higher ones is below 1e-17.
-  constexpr double deepest = 40.0;
   const double top = *std::min_element(points.depth.begin(), points.depth.end());
   const double highest = std::min(std::numbers::pi / (contact.spacing * contact.radius), deepest / top);
   parts_ = std::make_shared<const Parts>(
@@ -163,7 +169,9 @@ Field HalfSpaceField::at(std::span<const double> coordinate, std::span<const dou
   require_finite("coordinate", coordinate, "Q of the kept modes");
   require_finite("node_force", node_force, "share of each ring in the force");
   const LambKernel& kernel = its.medium.kernel;
-  const auto at_rest = [&](double phase) { return static_profile(kernel.poisson, phase); };
+  const auto at_rest = [&](double phase) {
+    return phase < deepest ? static_profile(kernel.poisson, phase) : DepthProfile{0.0, 0.0};
+  };
   ProfileSum sum(its.medium, its.points, poll);
 
   std::size_t k = 0;
@@ -182,6 +190,8 @@ Field HalfSpaceField::at(std::span<const double> coordinate, std::span<const dou
     }
   }
 
+  const auto loaded = [](double force) { return force != 0.0; };
+  if (std::none_of(node_force.begin(), node_force.end(), loaded)) return sum.field();
   constexpr double phase = 16.0;  // by which a shape times the load turns in a panel
   const double reach = its.ring.back() + *std::max_element(its.points.distance.begin(), its.points.distance.end());
   const auto& rule = numeric::gauss_legendre(16);
