@@ -75,7 +75,7 @@ def cool(restitution, collisions, speed, count=20, length=2.0):
 
 def main(folder: Path) -> None:
     folder.mkdir(parents=True, exist_ok=True)
-    rubber = stoss.Disk(radius=0.01, material=stoss.materials["rubber"])
+    rubber = stoss.Disk(radius=0.01, material=stoss.materials["rubber"], loss_time=0)
     restitution, error = make_restitution(rubber, slowest=0.002, fastest=30.0)
     for v in (0.005, 0.1, 2.0, 25.0):
         print(f"speed of approach {v:6.3f} m/s: eps = {restitution(None, v):.6f} ± {error(v):.6f}")

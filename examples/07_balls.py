@@ -37,7 +37,7 @@ def main(folder: Path) -> None:
     lines = [COLUMNS]
     print("material   m/s       v/c      1 - eps^2                   time/us      force/N     pressure/MPa")
     for name in MATERIALS:
-        ball = stoss.Sphere(radius=RADIUS, material=stoss.materials[name])
+        ball = stoss.Sphere(radius=RADIUS, material=stoss.materials[name], loss_time=0)
         curve = stoss.restitution(ball, speed=SPEEDS)
         pressure = greatest_pressure(ball, curve.max_force_si)
         for k, speed in enumerate(SPEEDS):
@@ -52,7 +52,7 @@ def main(folder: Path) -> None:
     (folder / "balls.csv").write_text("\n".join(lines) + "\n", encoding="utf-8")
     left.set_title(f"radius {RADIUS * 1000:g} mm, rigid wall")
 
-    hit = stoss.impact(stoss.Sphere(radius=RADIUS, material=stoss.materials["rubber"]), speed=5.0)
+    hit = stoss.impact(stoss.Sphere(radius=RADIUS, material=stoss.materials["rubber"], loss_time=0), speed=5.0)
     stoss.plot.stress(hit.field(time=hit.contact_time / 2), right)
     figure.savefig(folder / "balls.png", dpi=150)
     print(f"written: {folder / 'balls.csv'}, {folder / 'balls.png'}")

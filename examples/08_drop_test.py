@@ -4,13 +4,15 @@ Run:     python examples/08_drop_test.py [FOLDER]        (default: out/)
 Expect:  a table for five pairs of materials at three speeds each, drop_test.csv and drop_test.png.
          Ten seconds.
 
-    ringing    what the ball keeps as vibration               lost_to_first
-    radiation  what waves carry away through the block        lost_to_second
+    ringing    what an elastic ball keeps as vibration        lost_to_first
+    radiation  what waves carry away through an elastic block lost_to_second
+    material   what both lose as heat inside, where they have the typical qualities of
+               stoss.materials; this takes some of the other two           dissipated
     adhesion   (v_s/v)², with the sticking speed of smooth surfaces,
                v_s² = 14.18 (Γ⁵R⁴/E*²)^(1/3)/m               (Johnson, Kendall, Roberts; Thornton and Ning)
     air        drag of the fall from v²/2g and the rise, ¾ C_D (ρ_air/ρ) v²/(2gR)
 
-The first two are computed, the others estimated: shares of ½mv². The block is thick enough where the
+The first three are computed, the others estimated: shares of ½mv². The block is thick enough where the
 first wave needs longer than the contact to its other side and back.
 """
 
@@ -35,7 +37,7 @@ PAIRS = [
 ]
 COLUMNS = (
     "ball,block,speed_m_s,speed_c,restitution,lost_fraction,lost_fraction_error,ringing,radiation,contact_time_s,"
-    "block_m,adhesion,air,sticking_m_s,yield_m_s"
+    "block_m,adhesion,air,lossy_restitution,lossy_lost_fraction,material,sticking_m_s,yield_m_s"
 )
 
 
@@ -56,11 +58,14 @@ def main(folder: Path) -> None:
     warnings.simplefilter("ignore", stoss.StossWarning)  # the table says where a ball or a block begins to yield
     figure, axes = plt.subplots(figsize=(6, 4.2), layout="constrained")
     lines = [COLUMNS]
-    print("ball           block             m/s      eps     1 - eps^2  radiation    ringing   adhesion        air")
+    print("ball           block             m/s      eps     1 - eps^2  radiation    ringing   material   adhesion        air")
     for one, other, speeds in PAIRS:
         ball = stoss.Sphere(radius=RADIUS, material=stoss.materials[one])
         block = stoss.HalfSpace(material=stoss.materials[other])
-        drop = stoss.restitution(ball, against=block, speed=speeds)
+        elastic = stoss.Sphere(radius=RADIUS, material=ball.material, loss_time=0)
+        bed = stoss.HalfSpace(material=block.material, loss_time=0)
+        drop = stoss.restitution(elastic, against=bed, speed=speeds)
+        lossy = stoss.restitution(ball, against=block, speed=speeds)
         sticking = sticking_speed(ball, block)
         begins = stoss.quasistatic.yield_speed(ball, against=block)
         for k, speed in enumerate(speeds):
@@ -68,9 +73,10 @@ def main(folder: Path) -> None:
             adhesion = (sticking / speed) ** 2
             air = 0.75 * DRAG * AIR / ball.density * speed**2 / (2 * GRAVITY * RADIUS)
             print(f"{one:14} {other:14} {speed:6g}  {drop.restitution[k]:.5f}  {drop.lost_fraction[k]:.3e}", end="  ")
-            print(f"{drop.lost_to_second[k]:.3e}  {drop.lost_to_first[k]:.2e}  {adhesion:.2e}  {air:.2e}")
+            print(f"{drop.lost_to_second[k]:.3e}  {drop.lost_to_first[k]:.2e}  {lossy.dissipated[k]:.2e}  {adhesion:.2e}  {air:.2e}")
             numbers = (speed, drop.speed[k], drop.restitution[k], drop.lost_fraction[k], drop.lost_fraction_error[k])
             numbers += (drop.lost_to_first[k], drop.lost_to_second[k], drop.contact_time_si[k], thick, adhesion, air)
+            numbers += (lossy.restitution[k], lossy.lost_fraction[k], lossy.dissipated[k])
             said = [f"{value:.9g}" for value in (*numbers, sticking)] + [f"{begins:.4g}" if begins else "unknown"]
             lines.append(",".join([one, other, *said]))
         fine = stoss.restitution(ball, against=block, speed=np.geomspace(0.01, 5.0, 15))

@@ -174,16 +174,15 @@ def test_resume_keeps_to_the_half_space(stoss, tmp_path):
     assert rows(path.read_text()) == rows(whole)
 
 
-# Both bodies of one material take equal shares of heat, as each yields as much as the other.
+# To first order of the loss times heat adds up, the less well the more high frequencies take part.
 @pytest.mark.parametrize("body, against", BODIES.values(), ids=BODIES)
 def test_lossy_half_space(stoss, body, against):
     job = f"restitution {body} --speed 1e-3 --against {against}"
-    (none,), (lossy,), (both,) = (
-        stoss.data(job + more) for more in (",loss_time=0", ",loss_time=0.1", ",loss_time=0.1 --loss-time 0.1")
-    )
+    given = (",loss_time=0", ",loss_time=1e-3", " --loss-time 1e-3", ",loss_time=1e-3 --loss-time 1e-3")
+    (none,), (lossy,), (ball,), (both,) = (stoss.data(job + each) for each in given)
     assert none == stoss.data(job)[0]
-    heat = [number(row, "dissipated") for row in (none, lossy, both)]
-    assert heat[0] == 0 and heat[2] == pytest.approx(2 * heat[1], rel=0.05)
+    heat = [number(row, "dissipated") for row in (none, lossy, ball, both)]
+    assert heat[0] == 0 and heat[3] == pytest.approx(heat[1] + heat[2], rel=0.01 if against == "half-space" else 0.1)
     shares = number(lossy, "lost_to_first") + number(lossy, "lost_to_second")
     assert shares == pytest.approx(number(lossy, "lost_fraction"), abs=2e-3 * shares)
     assert number(lossy, "lost_to_second") > heat[1] > 0

@@ -1,5 +1,7 @@
 """Lossy bodies: loss_time of disks, spheres and rods."""
 
+import dataclasses
+
 import numpy as np
 import pytest
 import stoss
@@ -54,3 +56,76 @@ def test_the_call_that_makes_it_is_shown():
 def test_impossible_loss_times_are_refused(make, bad):
     with pytest.raises(stoss.InvalidInput, match="loss_time: got"):
         make(loss_time=bad)
+
+
+RUBBER = stoss.Material(young=2e6, poisson=0.49, density=1100, quality=(10, 2 * np.pi * 500))
+
+
+def test_a_quality_is_that_of_one_frequency():
+    assert RUBBER.loss_time == pytest.approx(1 / (10 * 2 * np.pi * 500), rel=1e-15)
+    same = stoss.Material(young=2e6, poisson=0.49, density=1100, loss_time=RUBBER.loss_time)
+    assert same == RUBBER and hash(same) == hash(RUBBER) and eval(repr(RUBBER), vars(stoss)) == RUBBER
+    assert dataclasses.replace(RUBBER, young=1e6).loss_time == RUBBER.loss_time
+
+
+@pytest.mark.parametrize(
+    "make",
+    [
+        lambda **its: stoss.Sphere(radius=5e-3, **its),
+        lambda **its: stoss.Disk(radius=5e-3, **its),
+        lambda **its: stoss.Rod(length=5e-3, area=1e-4, **its),
+        stoss.HalfSpace,
+        stoss.HalfPlane,
+    ],
+)
+def test_bodies_have_the_loss_time_of_their_material(make):
+    lossy, elastic = make(material=RUBBER), make(material=RUBBER, loss_time=0)
+    assert lossy.loss_time == RUBBER.loss_time and elastic.loss_time == 0
+    assert lossy == make(material=RUBBER, loss_time=RUBBER.loss_time) != elastic
+    assert "loss_time" not in repr(lossy).partition("material=")[0] and "loss_time=0" in repr(elastic)
+
+
+# Ting's law to second order; a finite ball is a little softer than Hertz' contact.
+def test_a_rubber_ball_loses_what_its_material_takes():
+    ball = stoss.Sphere(radius=5e-3, material=RUBBER)
+    slow = stoss.restitution(ball, speed=0.001)
+    stiffness = 4 / 3 * ball.young / (1 - ball.poisson**2) * ball.radius**0.5
+    mass = 4 / 3 * np.pi * ball.radius**3 * ball.density
+    x = 1.5 * ball.loss_time * (stiffness / mass) ** 0.4 * 0.001**0.2
+    assert 1 - slow.restitution == pytest.approx(1.153449 * x - 1.083 * x**2, rel=0.02)
+    assert slow.dissipated == pytest.approx(slow.lost_fraction, rel=2e-3)
+
+
+def test_a_lossy_half_space_in_si():
+    ball = stoss.Sphere(radius=5e-3, material=RUBBER, loss_time=0)
+    scale = ball.scales
+    found = stoss.impact(ball, against=stoss.HalfSpace(material=RUBBER), speed=0.05 * scale.speed, cutoff=6)
+    like = stoss.HalfSpace(loss_time=RUBBER.loss_time / scale.time)
+    other = stoss.impact(stoss.Sphere(poisson=0.49), against=like, speed=0.05, cutoff=6)
+    for name in ("restitution", "dissipated", "lost_to_second"):
+        assert getattr(found, name) == pytest.approx(getattr(other, name), rel=1e-9), name
+    assert found.dissipated > 0.05 and repr(like).startswith("HalfSpace(loss_time=")
+
+
+@pytest.mark.parametrize(
+    "call, said",
+    [
+        (lambda: stoss.Material(young=1, poisson=0, density=1, quality=(10, 1), loss_time=1), "none beside loss_time"),
+        (lambda: stoss.Material(young=1, poisson=0, density=1, quality=10), r"\(Q, ω\)"),
+        (lambda: stoss.Material(young=1, poisson=0, density=1, quality=(0, 1)), "quality: got 0"),
+        (lambda: stoss.Material(young=1, poisson=0, density=1, quality=(1, float("nan"))), "frequency: got nan"),
+        (lambda: stoss.Material(young=1, poisson=0, density=1, loss_time=-1), "loss_time: got -1"),
+        (lambda: stoss.Material(young=1, poisson=0, density=1, loss_time=float("inf")), "loss_time: got inf"),
+        (lambda: stoss.HalfSpace(loss_time=-1), "loss_time: got -1"),
+        (lambda: stoss.Sphere(poisson=0.3, loss_time=0.1, rigid=True), "0 of a rigid body"),
+        (lambda: stoss.Disk(poisson=0.3, loss_time=0.1, rigid=True), "0 of a rigid body"),
+    ],
+)
+def test_refusals_of_materials_and_rigid_bodies(call, said):
+    with pytest.raises(stoss.InvalidInput, match=said):
+        call()
+
+
+def test_a_rigid_body_loses_nothing():
+    rigid = stoss.Sphere(radius=5e-3, material=RUBBER, rigid=True)
+    assert rigid.loss_time == 0 and eval(repr(rigid), vars(stoss)) == rigid
