@@ -12,6 +12,7 @@ using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::Ro
 
 void add_kick_compliance(const Contact& contact, const ContactGrid& grid, double step, const Poll& poll,
                          Eigen::MatrixXd& compliance) {
+  if (contact.groups.empty()) return;
   const auto n = compliance.rows();
   const Eigen::Map<const RowMajor> shape(grid.shape.data(), static_cast<Index>(grid.shape.size()) / n, n);
   RowMajor response = RowMajor::Zero(shape.rows(), n);  // of each shape to forces on the nodes

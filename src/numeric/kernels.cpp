@@ -1,5 +1,6 @@
 #include "numeric/kernels.hpp"
 
+#include <algorithm>
 #include <array>
 
 // Function multiversioning: one portable binary that uses AVX2 where the processor has it (AVX-512 was no faster).
@@ -129,6 +130,10 @@ void accumulate_energy(const Oscillators& modes, const std::size_t* begin, std::
 STOSS_MULTIVERSION
 void multiply_transposed(const double* matrix, std::size_t stride, std::size_t rows, std::size_t begin, std::size_t end,
                          const double* x, double* result) {
+  if (rows == 0) {
+    std::fill(result + begin, result + end, 0.0);
+    return;
+  }
   std::size_t i = begin;
   for (; i + 64 <= end; i += 32) multiply_block<32>(matrix + i, stride, rows, x, result + i);
   // The rest in one block if it consists of whole vectors: narrow blocks wait for their sums.
