@@ -38,9 +38,9 @@ validate: setup ## are the errors of restitution honest? writes docs/validation.
 	@cmake --build --preset release -j $(JOBS) --target stoss_validate
 	@build/release/validate/stoss_validate --markdown=docs/validation.md
 
-results: setup ## the tables and the figures of docs/results/
+results: setup python ## the tables and the figures of docs/results/
 	@cmake --preset release -DSTOSS_BUILD_STUDIES=ON
-	@cmake --build --preset release -j $(JOBS) --target stoss_curves stoss_loss stoss_pairs stoss_spheres
+	@cmake --build --preset release -j $(JOBS) --target stoss_curves stoss_half_space stoss_loss stoss_pairs stoss_spheres
 	@build/release/studies/stoss_curves docs/results/restitution.csv
 	@build/release/studies/stoss_pairs docs/results/pairs.csv
 	@$(PYTHON) studies/pairs/figure.py docs/results/pairs.csv docs/images/pairs.png
@@ -48,6 +48,9 @@ results: setup ## the tables and the figures of docs/results/
 	@$(PYTHON) studies/loss/figure.py docs/results/loss.csv docs/images/loss.png
 	@build/release/studies/stoss_spheres docs/results/spheres.csv
 	@$(PYTHON) studies/spheres/figure.py docs/results/spheres.csv docs/results/restitution.csv docs/images/spheres.png
+	@build/release/studies/stoss_half_space docs/results/half_space.csv
+	@$(PYTHON) studies/half_space/figure.py docs/results/half_space.csv docs/images/half_space.png
+	@build/venv/bin/python studies/half_space/wave.py docs/images/half_space_wave.png
 
 paper: setup python ## reproduce the whole paper: out/paper/report.html, in some minutes
 	@PYTHONPATH=studies build/venv/bin/python -m gerl_zippelius_1999 --output out/paper

@@ -6,6 +6,7 @@
 #include <map>
 
 #include "stoss/bodies/disk.hpp"
+#include "stoss/bodies/half_space.hpp"
 #include "stoss/bodies/sphere.hpp"
 
 namespace validate {
@@ -31,11 +32,22 @@ stoss::RefinableContact lossy(const Point& point) {
 
 }  // namespace
 
+Makers makers_of(const Point& point) {
+  const stoss::Disk& solid = *point.against;
+  const stoss::BodyMaker body = point.sphere ? stoss::sphere(point.poisson) : stoss::disk(point.poisson);
+  return {point.rigid ? stoss::rigid(body) : body,
+          point.sphere ? stoss::half_space(stoss::HalfSpace{solid.poisson, solid.young, solid.density})
+                       : stoss::half_plane(stoss::HalfPlane{solid.poisson, solid.young, solid.density})};
+}
+
 Contacts make_contacts(const std::vector<Point>& points) {
   std::map<double, stoss::RefinableContact> at_wall, spheres_at_wall;
   Contacts contacts;
   for (const Point& point : points) {
-    if (point.loss_time > 0.0) {
+    if (point.half_space) {
+      const Makers makers = makers_of(point);
+      contacts.emplace_back(makers.first, makers.second);
+    } else if (point.loss_time > 0.0) {
       contacts.push_back(lossy(point));
     } else if (point.against) {
       contacts.emplace_back(stoss::disk(point.poisson), stoss::disk(*point.against));

@@ -15,6 +15,12 @@ struct Answer {
   double cutoff = 0.0;  ///< of the finest impact, c/R
 };
 
+/// The body of a point that meets a half-space, and the half-space.
+struct Makers {
+  stoss::BodyMaker first, second;
+};
+Makers makers_of(const Point& point);
+
 /// What meets at each of the points; disks of one Poisson number at the wall share their modes.
 using Contacts = std::vector<stoss::RefinableContact>;
 Contacts make_contacts(const std::vector<Point>& points);

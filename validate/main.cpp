@@ -46,6 +46,10 @@ int run(int argc, char** argv) {
     validate::make_sphere_reference(argv[2]);
     return 0;
   }
+  if (first == "--make-half-space-reference" && argc == 3) {
+    validate::make_half_space_reference(argv[2]);
+    return 0;
+  }
   if (first == "--make-lossy-reference" && argc == 3) {
     validate::make_lossy_reference(argv[2]);
     return 0;
@@ -56,6 +60,7 @@ int run(int argc, char** argv) {
                "       stoss_validate --make-unseen-reference FILE\n"
                "       stoss_validate --make-pair-reference FILE\n"
                "       stoss_validate --make-sphere-reference FILE\n"
+               "       stoss_validate --make-half-space-reference FILE\n"
                "       stoss_validate --make-lossy-reference FILE\n";
   return 2;
 }

@@ -53,6 +53,21 @@ std::vector<Point> read_spheres() {
   return points;
 }
 
+std::vector<Point> read_half_spaces() {
+  std::vector<Point> points;
+  for (const CsvRow& row : stoss::test::read_csv("../../validate/reference_half_spaces.csv")) {
+    Point point = read_full_point(row);
+    point.sphere = row.text("body") == "sphere";
+    point.half_space = true;
+    point.rigid = row.number("rigid_body") == 1.0;
+    point.against = stoss::Disk{.poisson = row.number("against_poisson"),
+                                .young = row.number("against_young"),
+                                .density = row.number("against_density")};
+    points.push_back(point);
+  }
+  return points;
+}
+
 std::vector<Point> read_lossy() {
   std::vector<Point> points;
   for (const CsvRow& row : stoss::test::read_csv("../../validate/reference_lossy.csv")) {

@@ -35,6 +35,8 @@ struct Point {
   std::optional<stoss::Estimate> finite_elements;  ///< of ε
   bool sphere = false;                             ///< instead of a disk
   double loss_time = 0.0;                          ///< of the first body
+  bool half_space = false;                         ///< is what it meets, of the material of `against`
+  bool rigid = false;                              ///< is the first body
 };
 
 /// Those at the wall: of validate/reference.csv, then of tests/data/restitution_hard_wall.csv.
@@ -47,6 +49,10 @@ std::vector<Point> read_unseen_points();
 
 /// Spheres at the wall: those of validate/reference_spheres.csv. @throws std::runtime_error as read_points
 std::vector<Point> read_spheres();
+
+/// Spheres on half-spaces and disks on half-planes: those of validate/reference_half_spaces.csv.
+/// @throws std::runtime_error as read_points
+std::vector<Point> read_half_spaces();
 
 /// Lossy spheres and disks: those of validate/reference_lossy.csv. @throws std::runtime_error as read_points
 std::vector<Point> read_lossy();

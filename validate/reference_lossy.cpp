@@ -1,31 +1,18 @@
 // Reference values for lossy disks and spheres at a hard wall, and for pairs of them.
-#include <array>
-#include <atomic>
 #include <cmath>
-#include <cstdio>
-#include <fstream>
-#include <iostream>
-#include <stdexcept>
+#include <sstream>
 #include <string>
 #include <vector>
 
 #include "judgement.hpp"
 #include "reference.hpp"
-#include "restitution/ordered_jobs.hpp"
 #include "runs.hpp"
 
 namespace validate {
 namespace {
 
-constexpr int threads = 2;
 constexpr int impacts = 48;
 constexpr Finenesses finenesses{Fineness{80.0, 0.2, 2.4}, Fineness{113.0, 0.35, 1.3}, Fineness{160.0, 0.3, 1.8}};
-
-double rounded(const char* format, double value) {
-  std::array<char, 32> text{};
-  std::snprintf(text.data(), text.size(), format, value);
-  return std::stod(text.data());
-}
 
 /// Point i of an additive sequence in five dimensions, with the generalised golden ratio.
 double spread(int i, int dimension) {
@@ -56,46 +43,34 @@ std::vector<Point> design() {
   return all;
 }
 
-Runs compute(const Point& point) {
+ReferencePoint computed(const Point& point) {
+  std::ostringstream place;
+  place << (point.sphere ? "sphere" : "disk") << ',' << point.poisson << ',' << point.loss_time << ',';
+  if (point.against) place << point.against->poisson << ',' << point.against->radius << ',' << point.against->loss_time;
+  place << (point.against ? "," : ",,,") << point.speed;
   const stoss::RefinableContact contact = make_contacts({point}).front();
   const double unit = 1.0 / stoss::time_scale(contact.at(0));
-  return resolved_runs([&](double cutoff) { return contact.at(unit * cutoff, 1.0, {}); }, point.speed, finenesses);
+  return {place.str(), point.speed, [contact, unit](double cutoff) { return contact.at(unit * cutoff, 1.0, {}); }};
 }
 
-void write_header(std::ostream& out) {
-  out << "# Impacts of lossy spheres and disks at a hard wall, and of pairs of them in units of the first\n"
+std::string header() {
+  return "# Impacts of lossy spheres and disks at a hard wall, and of pairs of them in units of the first\n"
          "# (docs/theory/loss.md), more finely resolved than those of restitution(). Made by:\n"
          "# stoss_validate --make-lossy-reference FILE\n"
          "# Three runs at each point, with cutoffs 80, 113, 160 over the time scale of the contact, at least 128 "
          "nodes\n"
          "# and up to 2.4 times those of restitution(). Value: that of the last run; uncertainty: spread of the "
          "three.\n"
-         "body,poisson,loss_time,against_poisson,against_radius,against_loss_time,speed,"
-      << quantity_columns << '\n';
-}
-
-void write_place(std::ostream& out, const Point& point) {
-  out << (point.sphere ? "sphere" : "disk") << ',' << point.poisson << ',' << point.loss_time << ',';
-  if (point.against) out << point.against->poisson << ',' << point.against->radius << ',' << point.against->loss_time;
-  out << (point.against ? "," : ",,,") << point.speed;
+         "body,poisson,loss_time,against_poisson,against_radius,against_loss_time,speed," +
+         quantity_columns + '\n';
 }
 
 }  // namespace
 
 void make_lossy_reference(const std::string& path) {
-  std::ofstream file(path);
-  write_header(file);
-  const std::vector<Point> all = design();
-  stoss::run_in_order<Runs>(
-      all.size(), threads, [&](std::size_t i, const std::atomic<bool>&) { return compute(all[i]); },
-      [&](std::size_t i, Runs&& runs) {
-        write_place(file, all[i]);
-        write_quantities(file, runs);
-        std::cerr << "\rreference " << i + 1 << " of " << all.size() << std::flush;
-      },
-      {});
-  std::cerr << '\n';
-  if (!file.flush()) throw std::runtime_error("cannot write " + path);
+  std::vector<ReferencePoint> points;
+  for (const Point& point : design()) points.push_back(computed(point));
+  write_reference(path, header(), points, finenesses);
 }
 
 }  // namespace validate

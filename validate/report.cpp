@@ -94,6 +94,7 @@ void write_point(std::ostream& out, const Point& point, const Answer& answer) {
   const stoss::Estimate& value = answer.value[lost_fraction];
   const Deviation off = deviation(value, reference);
   out << "|";
+  if (point.half_space) out << (point.rigid ? " rigid" : "") << (point.sphere ? " sphere |" : " disk |");
   if (point.loss_time > 0.0) out << (point.sphere ? " sphere |" : " disk |") << cell("%g", point.loss_time);
   out << cell("%g", point.poisson);
   if (point.loss_time > 0.0) {
@@ -103,6 +104,8 @@ void write_point(std::ostream& out, const Point& point, const Answer& answer) {
     } else {
       out << " | | |";
     }
+  } else if (point.half_space) {
+    out << cell("%g", point.against->poisson) << cell("%g", point.against->young) << cell("%g", point.against->density);
   } else if (point.against) {
     out << cell("%g", point.against->poisson) << cell("%g", point.against->radius) << cell("%g", point.against->young)
         << cell("%g", point.against->density);
@@ -157,11 +160,11 @@ Judged judge(const char* what, const std::vector<Point>& points) {
 bool write_report(std::ostream& out) {
   const Judged wall = judge("wall", read_points()), unseen = judge("wall, unseen", read_unseen_points()),
                pairs = judge("pairs", read_pairs()), spheres = judge("spheres", read_spheres()),
-               lossy = judge("lossy", read_lossy());
+               half_spaces = judge("half-spaces", read_half_spaces()), lossy = judge("lossy", read_lossy());
   out << text::introduction << text::verdict;
   bool all_honest = true;
   for (std::size_t i = 0; i < tolerances.size(); ++i) {
-    for (const Judged* judged : {&wall, &unseen, &pairs, &spheres, &lossy}) {
+    for (const Judged* judged : {&wall, &unseen, &pairs, &spheres, &half_spaces, &lossy}) {
       write_verdict(out, *judged, i);
       all_honest = all_honest && honest(tally(judged->points, judged->answers[i], lost_fraction));
     }
@@ -176,6 +179,8 @@ bool write_report(std::ostream& out) {
   write_tallies(out, pairs.points, pairs.answers);
   out << text::sphere_tally;
   write_tallies(out, spheres.points, spheres.answers);
+  out << text::half_space_tally;
+  write_tallies(out, half_spaces.points, half_spaces.answers);
   out << text::lossy_tally;
   write_tallies(out, lossy.points, lossy.answers);
   write_finite_elements(out, wall.points, wall.answers[by_default]);
@@ -188,6 +193,8 @@ bool write_report(std::ostream& out) {
   write_points(out, pairs.points, pairs.answers[by_default]);
   out << text::sphere_points;
   write_points(out, spheres.points, spheres.answers[by_default]);
+  out << text::half_space_points;
+  write_points(out, half_spaces.points, half_spaces.answers[by_default]);
   out << text::lossy_points;
   write_points(out, lossy.points, lossy.answers[by_default]);
   return all_honest && rod;

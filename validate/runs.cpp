@@ -18,6 +18,7 @@ namespace {
 using Runs = std::array<stoss::Impact, 3>;
 
 constexpr int threads = 2;
+constexpr double first_share = 0.3125;  // of the lowest cutoff: a run that says how wide the contact gets
 
 stoss::Impact resolved(const stoss::Contact& contact, double speed, const Fineness& fineness, double half_width) {
   constexpr double fewest_nodes = 128.0;
@@ -39,7 +40,8 @@ void write_quantity(std::ostream& out, const Runs& runs, double stoss::Impact::*
 }
 
 Runs resolved_runs(const ReferencePoint& point, const Finenesses& finenesses) {
-  const stoss::Impact coarse = stoss::impact(point.contact(25.0), point.speed);
+  const stoss::Impact coarse =
+      stoss::impact(point.contact(std::min(25.0, first_share * finenesses.front().cutoff)), point.speed);
   Runs runs;
   for (std::size_t i = 0; i < runs.size(); ++i) {
     runs[i] = resolved(point.contact(finenesses[i].cutoff), point.speed, finenesses[i], coarse.max_half_width);

@@ -47,6 +47,14 @@ and 10⁻⁶ < v < 0.5. Three impacts as above, with cutoffs 80, 113 and 160. Th
 `absolute` = 0: by default a sphere's 1 − ε² is content with an error of 10⁻⁶.
 `stoss_validate --make-sphere-reference FILE` makes the file anew.
 
+`validate/reference_half_spaces.csv`: 48 impacts of spheres on half-spaces and, every fourth, of
+disks on half-planes, every fifth with a rigid body, spread by a quasi-random sequence: Poisson
+numbers from −0.4 to 0.48, modulus and density of the half-space from 0.01 to 100 and from 0.1 to
+10, speeds from 10⁻⁶ to 0.5 in c of the body or of the half-space, whichever is less. Three impacts
+as above, with cutoffs 12, 17 and 24 over the time scale of the contact, and half-spaces for contacts
+a fifth longer than those of `restitution`. `stoss_validate --make-half-space-reference FILE` makes
+the file anew.
+
 `validate/reference_lossy.csv`: 48 impacts of lossy spheres and disks, every third one at another
 lossy body with a loss time of its own, spread by a quasi-random sequence: loss times from 10⁻⁴ to
 100 R/c, speeds from 10⁻⁸ c to 0.3 c, Poisson numbers from −0.4 to 0.48, radii within a factor of 3.
@@ -136,6 +144,13 @@ The same for spheres:
 |---:|---|---:|---:|---:|---:|---:|---:|
 )";
 
+inline constexpr const char* half_space_tally = R"(
+The same for spheres on half-spaces and disks on half-planes:
+
+| tolerance | quantity | points | within | strictly | greatest | error / true error | blurred |
+|---:|---|---:|---:|---:|---:|---:|---:|
+)";
+
 inline constexpr const char* lossy_tally = R"(
 The same for lossy spheres and disks, at the wall and in pairs:
 
@@ -187,6 +202,15 @@ inline constexpr const char* sphere_points = R"(
 
 | ν | v | 1−ε², reference | uncertainty | 1−ε² | error | ratio | cutoff |
 |---:|---:|---:|---:|---:|---:|---:|---:|
+)";
+
+inline constexpr const char* half_space_points = R"(
+## All impacts on half-spaces at the default tolerance
+
+ν of the body; ν, E and ρ of the half-space, in units of the body.
+
+| body | ν | ν₂ | E₂ | ρ₂ | v | 1−ε², reference | uncertainty | 1−ε² | error | ratio | cutoff |
+|---|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|
 )";
 
 inline constexpr const char* lossy_points = R"(

@@ -14,6 +14,7 @@ PYBIND11_MODULE(_core, module) {
   stoss::python::bind_impact(module);
   stoss::python::bind_motion(module);
   stoss::python::bind_field(module);
+  stoss::python::bind_wave(module);
   stoss::python::bind_restitution(module);
   stoss::python::bind_extrapolation(module);
   stoss::python::bind_quasistatic(module);

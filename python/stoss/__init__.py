@@ -41,6 +41,7 @@ from stoss._restitution_result import Restitution
 from stoss._result import with_error
 from stoss._trajectory import Trajectory
 from stoss._walls import ExponentialWall, HardWall, Wall
+from stoss._wave import Wave
 
 __all__ = [
     "Body",
@@ -66,6 +67,7 @@ __all__ = [
     "StossWarning",
     "Trajectory",
     "Wall",
+    "Wave",
     "__version__",
     "animate",
     "extrapolated_restitution",

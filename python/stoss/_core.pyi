@@ -96,6 +96,16 @@ def sphere_fields(
     radius: NDArray[np.float64],
     angle: NDArray[np.float64],
 ) -> dict[str, Any]: ...
+def waves(
+    poisson: float,
+    first: BodyMaker,
+    second: BodyMaker,
+    impact: Impact,
+    times: NDArray[np.float64],
+    distance: NDArray[np.float64],
+    depth: NDArray[np.float64],
+) -> dict[str, Any]: ...
+def wave_speeds(poisson: float, plane: bool) -> tuple[float, float, float]: ...
 def check_curve(speeds: NDArray[np.float64], tolerance: float, absolute: float, threads: int) -> None: ...
 def restitution_curve(
     contact: RefinableContact,

@@ -8,13 +8,14 @@ import numpy as np
 from numpy.typing import NDArray
 
 from stoss import _core
-from stoss._arguments import integer, numbers, require_memory
+from stoss._arguments import arranged, integer, numbers, refusal, require_memory
 from stoss._bodies import BODIES, Disk, Sphere, is_rigid
 from stoss._errors import InvalidInput
 from stoss._field import DiskField, Field, SphereField
-from stoss._half_space import UNBOUNDED
+from stoss._half_space import UNBOUNDED, HalfPlane
 from stoss._result import columns
 from stoss._trajectory import Trajectory
+from stoss._wave import Wave
 
 if TYPE_CHECKING:
     from stoss._impact_result import Impact
@@ -59,6 +60,54 @@ def field(impact: Impact, time: Any, radius: Any, angle: Any, of: Any) -> Field:
         kind, evaluate = DiskField, _core.disk_fields
     fields = evaluate(inside.poisson, number, made, impact._handle, frames, radii, angles)
     return kind._from_core(impact, number, times.shape, order, frames.summaries(), fields, radii, angles)
+
+
+def wave(impact: Impact, time: Any, distance: Any, depth: Any) -> Wave:
+    """See `Impact.wave`."""
+    if not isinstance(impact.against, UNBOUNDED):
+        raise InvalidInput(f"against: got {impact.against!r}, allowed a stoss.HalfSpace or a stoss.HalfPlane")
+    chosen = impact.contact_time * np.array([0.4, 0.8, 1.2, 1.6]) if time is None else time
+    times = numbers("time", chosen)
+    if not np.all(np.abs(times) <= 1e4):
+        raise refusal("time", time, "-1e4 to 1e4 (R/c, from the start of the impact)")
+    speeds = wave_speeds(impact)
+    reach = np.linspace(0.0, speeds[0] * max(times.max(initial=0.0), impact.contact_time), 121)
+    across = reach if distance is None else numbers("distance", distance).ravel()
+    below = reach.copy() if depth is None else numbers("depth", depth).ravel()
+    for name, places in (("distance", across), ("depth", below)):
+        if not (places.size and np.all((places >= 0.0) & (places <= 1e6))):
+            raise refusal(name, places, "one or more, each 0 to 1e6 (R)")
+    points = across.size * below.size
+    size = 8.0 * times.size * (8.0 * points + 6.0 * impact.modes)
+    require_memory("wave", f"{times.size} times x {points} points", size, "give fewer times or points")
+    order = np.argsort(times.ravel(), kind="stable")
+    assert impact.against.poisson is not None
+    made = _core.waves(
+        impact.against.poisson, impact.body._maker(), impact.against._maker(), impact._handle,
+        times.ravel()[order], across, below,
+    )  # fmt: skip
+    back = np.argsort(order, kind="stable")
+
+    def placed(value: NDArray[np.float64]) -> Any:
+        return arranged(value[back], times.shape + value.shape[1:])
+
+    for array in (across, below):
+        array.flags.writeable = False
+    pressure, shear, rayleigh = speeds
+    fields = {name: placed(value) for name, value in made.items()}
+    return Wave(
+        impact=impact, distance=across, depth=below, **fields,
+        pressure_speed=pressure, shear_speed=shear, rayleigh_speed=rayleigh,
+    )  # fmt: skip
+
+
+def wave_speeds(impact: Impact) -> tuple[float, float, float]:
+    """Of pressure, shear and Rayleigh waves of the half-space that is met, in c of the first body."""
+    body, half_space = impact.body, impact.against
+    assert isinstance(half_space, UNBOUNDED) and half_space.poisson is not None
+    speed = np.sqrt(half_space.young / half_space.density / (body.young / body.density))
+    pressure, shear, rayleigh = _core.wave_speeds(half_space.poisson, isinstance(half_space, HalfPlane))
+    return speed * pressure, speed * shear, speed * rayleigh
 
 
 def surface(impact: Impact, time: Any, reach: float) -> tuple[NDArray[np.float64], NDArray[np.float64]]:

@@ -11,7 +11,9 @@ namespace stoss {
 namespace kernels = numeric::kernels;
 
 KeptModes::KeptModes(const Contact& contact, const ContactGrid& grid, double step)
-    : mass_(contact.mass), step_(step), count_(mode_count(contact)),
+    : mass_(contact.mass),
+      step_(step),
+      count_(mode_count(contact)),
       nodes_(grid.recess.size()),
       lasting_groups_(contact.radiating ? contact.first_groups : contact.groups.size()) {
   constexpr std::size_t lanes = kernels::lanes;

@@ -82,7 +82,11 @@ Estimate lost_on_a_growing_contact(const Contact& contact, double speed, const s
   };
   const Run& last = runs.back();
   const Missing lacks = missing(last.cutoff * scale, own);
-  return {corrected(last), std::max({lacks.doubt * last.unresolved, node_error(contact, last),
+  // Of the doubt, as the body alone gives back; and what the quadrature of the waves leaves out.
+  constexpr double less = 0.5, quadrature = 3e-5;
+  const double doubt = contact.radiating ? less * lacks.doubt : lacks.doubt;
+  const double missed = contact.radiating ? quadrature * std::abs(last.lost_fraction) : 0.0;
+  return {corrected(last), std::max({missed, doubt * last.unresolved, node_error(contact, last),
                                      safety * spread(runs, order, corrected)})};
 }
 

@@ -87,8 +87,9 @@ Contact contact_of(const Pair& pair, double cutoff, double stretch, const Poll& 
     return usual < 1.0 ? std::min(usual * stretch, 1.0) : 1.0;
   };
   const double time = Units(*pair.probe.second, *pair.probe.first).time;
-  return contact(made(pair.first, *pair.probe.first, size(*pair.probe.first, pair.first_size), cutoff, poll),
-                 made(pair.second, *pair.probe.second, size(*pair.probe.second, pair.second_size), cutoff * time, poll));
+  return contact(
+      made(pair.first, *pair.probe.first, size(*pair.probe.first, pair.first_size), cutoff, poll),
+      made(pair.second, *pair.probe.second, size(*pair.probe.second, pair.second_size), cutoff * time, poll));
 }
 
 /// Highest cutoff of both bodies, c/R of the first.
@@ -128,6 +129,15 @@ RefinableContact::RefinableContact(BodyMaker first, BodyMaker second) : Refinabl
 }
 
 int RefinableContact::highest_level() const { return levels_->highest; }
+
+int RefinableContact::highest_level(double stretch) const {
+  int level = levels_->highest;
+  if (!levels_->pair || !is_unbounded(*levels_->pair->probe.second)) return level;
+  const Body &first = *levels_->pair->probe.first, &second = *levels_->pair->probe.second;
+  const double most = second.near_side(levels_->pair->second_size * stretch, least_cutoff, {}).highest_cutoff;
+  while (level > 0 && cutoff(level) * Units(second, first).time > most) --level;
+  return level;
+}
 
 double RefinableContact::cutoff(int level) const { return cutoff_at(level) * levels_->unit; }
 

@@ -23,8 +23,9 @@ constexpr std::array first_rungs{4, 2};
 constexpr std::array first_rungs_with_half_space{2, 2};  // of which few waves are enough
 constexpr int most_rungs = 4;  // a run far above all others would find the differences from them without weight
 constexpr double unknown = std::numeric_limits<double>::infinity();
-constexpr double aim = 0.9;         // of the tolerance: one run too fine costs less than another run
-constexpr double affordable = 2e8;  // of `work`, less than a second: what a run without hope may cost
+constexpr double aim = 0.9;           // of the tolerance: one run too fine costs less than another run
+constexpr double room_to_last = 2.0;  // of a half-space, over what is expected of the contact
+constexpr double affordable = 2e8;    // of `work`, less than a second: what a run without hope may cost
 
 Run summary(const Impact& impact) {
   return {.cutoff = impact.cutoff,
@@ -47,7 +48,7 @@ Run summary(const Impact& impact) {
 /// @param stretch    of the half-space (RefinableContact::stretch); becomes greater
 Impact impact_to_its_end(const RefinableContact& contact, double cutoff, double speed, double half_width,
                          double& stretch, const Poll& poll) {
-  const double longest = 8.0 * stretch;
+  const double longest = room_to_last * stretch / std::numbers::sqrt2;
   for (;; stretch *= std::numbers::sqrt2) {
     const Contact& resolved = contact.at(cutoff, stretch, poll);
     try {
@@ -130,7 +131,8 @@ RestitutionNotConverged::RestitutionNotConverged(Restitution result)
 Restitution restitution(const RefinableContact& contact, double speed, const RestitutionOptions& options) {
   require_tolerance(options.tolerance, options.absolute);
   require_speed(speed);
-  const int highest = contact.highest_level();
+  double stretch = contact.stretch(speed);
+  const int highest = contact.highest_level(room_to_last * stretch);
   const double order = convergence_order(contact.at(0, options.poll));
   Restitution result;
   result.tolerance = options.tolerance;
@@ -138,7 +140,6 @@ Restitution restitution(const RefinableContact& contact, double speed, const Res
   std::optional<Bar> first;
   const auto& rungs = contact.at(0, options.poll).radiating ? first_rungs_with_half_space : first_rungs;
   Outlook next{rungs.front(), 0.0, 0.0, true};
-  double stretch = contact.stretch(speed);
   const CurvatureCorrection correction = curvature_correction(contact, speed, options.poll);
   std::string trouble;
   for (int level = 0; level <= highest && next.worthwhile; level += next.rungs) {

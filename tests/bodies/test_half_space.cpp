@@ -106,8 +106,8 @@ TEST(HalfSpace, ResponseBetweenRingsIsThatOfStaticLoads) {
   };
   const auto distance = [&](std::size_t i) { return std::sin(points.angle(i)); };
   // Further out the points lie closer, and resolve more waves.
-  for (const std::size_t i : {0, 2, 10}) {
-    for (const std::size_t j : {0, 3, 30, 39}) {
+  for (const std::size_t i : {0U, 2U, 10U}) {
+    for (const std::size_t j : {0U, 3U, 30U, 39U}) {
       EXPECT_NEAR(all(i, j) / rings(poisson, 5000.0, distance(i), distance(j)), 1.0, 4e-4) << i << ", " << j;
     }
   }

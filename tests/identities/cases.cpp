@@ -6,6 +6,7 @@
 #include <iterator>
 #include <numbers>
 
+#include "stoss/bodies/half_space.hpp"
 #include "stoss/restitution/ladder.hpp"
 
 namespace stoss::test {
@@ -57,6 +58,11 @@ const std::vector<Named> beside_lossy_spheres{{"small", Sphere{0.2, 0.5, 2.0, 3.
                                               {"large", Sphere{-0.3, 3.0, 0.5, 0.2, 0.7}}};
 const std::vector<Named> beside_lossy_rods{{"long", Rod{2.5, 1.0, 1.0, 1.0}}, {"thin", Rod{0.4, 2.0, 3.0, 0.2, 0.3}}};
 
+const Named half_plane_beside{"half_plane", Disk{0.2, 1.0, 2.0, 3.0}};
+const Named half_space_beside{"half_space", Sphere{0.2, 1.0, 2.0, 3.0}};
+const Named lossy_half_plane{"half_plane", Disk{0.2, 1.0, 2.0, 3.0, 0.03}};
+const Named lossy_half_space{"half_space", Sphere{0.2, 1.0, 2.0, 3.0, 0.03}};
+
 double loss_time_of(const Solid& solid) {
   return std::visit([](const auto& body) { return body.loss_time; }, solid);
 }
@@ -64,16 +70,19 @@ double loss_time_of(const Solid& solid) {
 double cutoff_of(const Case& its) {
   if (is_rod(its)) return 50.0;
   if (its.soft) return 12.5;
+  if (its.half_space) return 16.0;
   return its.second ? 18.0 : 25.0;
 }
 
-void add(const Named& first, const Named* second, const Meeting& meeting, std::vector<Case>& cases) {
+void add(const Named& first, const Named* second, const Meeting& meeting, std::vector<Case>& cases,
+         bool half_space = false) {
   for (const double speed : meeting.speeds) {
     Case its;
     its.name = first.name + (second == nullptr ? "" : "_" + second->name) + "_" + meeting.name + "_" +
                std::to_string(std::lround(1000.0 * speed));
     its.first = first.solid;
     if (second != nullptr) its.second = second->solid;
+    its.half_space = half_space;
     its.soft = meeting.soft;
     its.tail = meeting.tail;
     its.speed = speed;
@@ -89,6 +98,14 @@ const std::vector<Named>& others(const Solid& solid) {
   return lossy ? beside_lossy_disks : other_disks;
 }
 
+/// The half-space that a body meets; a rod meets none.
+const Named* half_space_for(const Solid& solid) {
+  const bool lossy = loss_time_of(solid) > 0.0;
+  if (std::holds_alternative<Sphere>(solid)) return lossy ? &lossy_half_space : &half_space_beside;
+  if (std::holds_alternative<Disk>(solid)) return lossy ? &lossy_half_plane : &half_plane_beside;
+  return nullptr;
+}
+
 std::vector<Case> make_cases() {
   std::vector<Case> cases;
   for (const Named& body : bodies) {
@@ -98,6 +115,9 @@ std::vector<Case> make_cases() {
     partners.push_back({"same", body.solid});
     for (const Named& partner : partners) {
       for (const Meeting& meeting : between_bodies) add(body, &partner, meeting, cases);
+    }
+    if (const Named* solid = half_space_for(body.solid)) {
+      for (const Meeting& meeting : between_bodies) add(body, solid, meeting, cases, true);
     }
   }
   return cases;
@@ -120,6 +140,14 @@ void resize_round(Solid& solid, double length, double modulus, double density) {
   resize(std::get<Disk>(solid));
 }
 
+BodyMaker half_space_of(const Solid& solid) {
+  if (const auto* ball = std::get_if<Sphere>(&solid)) {
+    return half_space(HalfSpace{ball->poisson, ball->young, ball->density, ball->loss_time});
+  }
+  const Disk& round = std::get<Disk>(solid);
+  return half_plane(HalfPlane{round.poisson, round.young, round.density, round.loss_time});
+}
+
 double inverse_time(const Solid& solid) { return wave_speed(solid) / size(solid); }
 
 }  // namespace
@@ -130,7 +158,7 @@ const std::vector<Case>& all_cases() {
 }
 
 std::vector<Case> pairs() {
-  return those([](const Case& its) { return its.second.has_value(); });
+  return those([](const Case& its) { return its.second.has_value() && !its.half_space; });
 }
 
 std::vector<Case> equal_pairs() {
@@ -155,6 +183,7 @@ BodyMaker maker(const Solid& solid) {
 
 Contact contact_of(const Case& its) {
   if (its.soft) return contact(maker(its.first)(its.cutoff, {}), ExponentialWall{500.0, 1.0});
+  if (its.half_space) return contact(maker(its.first), half_space_of(*its.second), its.cutoff, its.speed);
   if (its.second) return contact(maker(its.first), maker(*its.second), its.cutoff);
   return contact(maker(its.first)(its.cutoff, {}));
 }

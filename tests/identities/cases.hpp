@@ -23,6 +23,7 @@ struct Case {
   std::string name;
   Solid first;
   std::optional<Solid> second;  ///< none: a wall
+  bool half_space = false;      ///< of the material of `second`, whose size means nothing
   bool soft = false;            ///< an exponential wall
   Tail tail = Tail::radiating;  ///< at a hard wall and between two bodies
   double speed = 0.0;
@@ -35,7 +36,7 @@ inline void PrintTo(const Case& its, std::ostream* out) { *out << its.name; }
 /// All cases: bodies × what they can meet × speeds.
 [[nodiscard]] const std::vector<Case>& all_cases();
 
-/// Those of two bodies, of two equal ones, and of exponential walls.
+/// Those of two bodies that move, of two equal ones, and of exponential walls.
 [[nodiscard]] std::vector<Case> pairs();
 [[nodiscard]] std::vector<Case> equal_pairs();
 [[nodiscard]] std::vector<Case> soft_walls();

@@ -116,8 +116,8 @@ struct Body {
   /// 1/ω⁴ for 1/ω². These modes answer forces that vary slowly with W f − V f̈.
   std::function<std::vector<double>(const ContactPoints&, const Poll&)> residual_second_moment;
 
-  /// Makes the near side of the body, a part of size 0 < `size` ≤ 1, in the units of the whole; of a half-space, one for
-  /// contacts of duration `size`. Empty for bodies that have none, or are one.
+  /// Makes the near side of the body, a part of size 0 < `size` ≤ 1, in the units of the whole; of a half-space, one
+  /// for contacts of duration `size`. Empty for bodies that have none, or are one.
   std::function<Body(double size, double cutoff, const Poll& poll)> near_side{};
 };
 

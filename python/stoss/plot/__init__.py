@@ -13,6 +13,7 @@ pressure
 `force`, `velocity`, `energies`, `half_width`     one impact in time
 `ledger`                                          which mode holds how much energy
 `disk`, `sphere`, `sequence`, `stress`            the deformed disk or sphere at the wall, or two
+`wave`                                            what runs away below the surface of a half-space
 `animate`                                         the same as GIF or MP4
 ================================================  ==================================================
 
@@ -40,6 +41,7 @@ from stoss._result import pictures
 from stoss._slow_impact_result import PointSlowImpact, SlowImpact
 from stoss._static_contact import StaticContact
 from stoss._trajectory import Trajectory
+from stoss._wave import Wave
 from stoss.plot._animation import animate
 from stoss.plot._disk import disk, sphere
 from stoss.plot._extrapolation import extrapolation
@@ -50,6 +52,7 @@ from stoss.plot._restitution import restitution
 from stoss.plot._sequence import sequence
 from stoss.plot._stress import stress
 from stoss.plot._trajectory import energies, force, half_width, velocity
+from stoss.plot._wave import wave
 
 pictures.update(
     {
@@ -64,6 +67,7 @@ pictures.update(
         SlowImpact: slow_impact,
         StaticContact: static_contact,
         Trajectory: force,
+        Wave: wave,
     }
 )
 
@@ -85,4 +89,5 @@ __all__ = [
     "static_contact",
     "stress",
     "velocity",
+    "wave",
 ]

@@ -15,6 +15,7 @@
 #include "bodies/disk/harmonics.hpp"
 #include "bodies/disk/mode_field.hpp"
 #include "bodies/disk/order_profiles.hpp"
+#include "bodies/field_arguments.hpp"
 #include "check.hpp"
 #include "numeric/dense.hpp"
 #include "stoss/errors.hpp"
@@ -25,17 +26,6 @@ namespace {
 namespace dense = numeric::dense;
 
 constexpr std::array<bool, OrderProfiles::components> with_cosine{true, false, true, true, false};
-
-void require_finite(std::string_view name, std::span<const double> numbers, std::string_view hint) {
-  constexpr double largest = std::numeric_limits<double>::max();
-  for (const double number : numbers) require(name, number, {-largest, largest, true, true, "finite numbers"}, hint);
-}
-
-void require_length(const std::string& name, std::size_t length, std::size_t wanted, const std::string& hint) {
-  if (length == wanted) return;
-  throw InvalidInput(name + ": got " + std::to_string(length) + " values, allowed " + std::to_string(wanted) + " (" +
-                     hint + ")");
-}
 
 void require_points(const PolarGrid& points) {
   const auto radii = static_cast<long>(points.radius.size()), angles = static_cast<long>(points.angle.size());

@@ -91,7 +91,8 @@ Body made(const Solid& given, double cutoff, double duration, const Poll& poll) 
   require("duration", duration, positive, "longest contact with the half-space");
   const Medium medium = bodies::half_space::medium(given.contour, given.poisson);
   const double loss_time = given.own_loss_time(), highest = kept_cutoff(cutoff, loss_time);
-  if (expected_count(medium, highest, duration) > most_waves) {
+  const double most = cutoff_of_count(medium, most_waves, duration);
+  if (highest > most) {
     throw InvalidInput("cutoff: got " + shown(cutoff) + " of a half-space for contacts of " + shown(duration) +
                        " in its own time, allowed a smaller product (more waves than are computed)");
   }
@@ -106,6 +107,7 @@ Body made(const Solid& given, double cutoff, double duration, const Poll& poll) 
   body.softness = medium.softness;
   body.loss_time = loss_time;
   body.cutoff = cutoff;
+  body.highest_cutoff = loss_time * most > 1.0 ? infinity : most;
   body.sampling = given.contour == Contour::ball ? sampling_of_balls : sampling_of_disks;
   for (const SurfaceWaves& each : *waves) {
     const std::size_t row = body.groups.size();

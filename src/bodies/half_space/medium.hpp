@@ -10,17 +10,20 @@ namespace stoss::bodies::half_space {
 /// A load of wave number k that varies slowly displaces the surface by compliance(k) per load, one that varies like
 /// e^{st} by Γ(s/(c_s k)) times as much; the load of a contact point, and its displacement, have the share shape(kr).
 struct Medium {
-  LambKernel kernel;     ///< of the 3-D Poisson number
-  Contour contour;       ///< ball: rings on a half-space; cylinder: pairs of lines on a half-plane
-  double pressure_speed; /// c_p
-  double shear_speed;    ///< c_s
-  double softness;       ///< (1 − ν)/(2μ): 1 − ν² of a half-space, 1 of a half-plane
+  LambKernel kernel;      ///< of the 3-D Poisson number
+  Contour contour;        ///< ball: rings on a half-space; cylinder: pairs of lines on a half-plane
+  double pressure_speed;  /// c_p
+  double shear_speed;     ///< c_s
+  double softness;        ///< (1 − ν)/(2μ): 1 − ν² of a half-space, 1 of a half-plane
 
   /// Compliance of the waves between k and k + dk, per dk: softness/π of a half-space, 2/(πk) of a half-plane.
   [[nodiscard]] double compliance(double wave_number) const;
 
   /// J₀(kr) or cos kr
   [[nodiscard]] double shape(double phase) const;
+
+  /// J₁(kr) or sin kr: how a wave moves points away from the axis
+  [[nodiscard]] double slope(double phase) const;
 };
 
 /// @param poisson 2-D for a cylinder

@@ -22,8 +22,8 @@ class Residual {
 
  private:
   Medium medium_;
-  double highest_kept_;   // wave number
-  double highest_moment_; // wave number up to which V is summed
+  double highest_kept_;    // wave number
+  double highest_moment_;  // wave number up to which V is summed
   std::shared_ptr<const std::vector<SurfaceWaves>> waves_;
 };
 

@@ -160,10 +160,13 @@ std::vector<SurfaceWaves> surface_waves(const Medium& medium, double cutoff, dou
   return all;
 }
 
-double expected_count(const Medium& medium, double cutoff, double duration) {
-  const double turns = 0.25 * share_of_duration * duration * cutoff;
-  const double roots = 5.0 / std::sqrt(medium.kernel.squared_ratio) + 16.0;
-  return (2.3 * turns + 24.0) * (turns + roots);
+double cutoff_of_count(const Medium& medium, double count, double duration) {
+  // count = (2.3 turns + wave_numbers)(turns + nodes), turns = ¼ H ω
+  const double nodes = 5.0 / std::sqrt(medium.kernel.squared_ratio) + 16.0;
+  constexpr double surplus = 2.3, wave_numbers = 24.0;
+  const double half = 0.5 * (nodes + wave_numbers / surplus);
+  const double turns = std::sqrt(half * half + (count - wave_numbers * nodes) / surplus) - half;
+  return 4.0 * turns / (share_of_duration * duration);
 }
 
 }  // namespace stoss::bodies::half_space

@@ -11,6 +11,7 @@
 #include <string_view>
 #include <utility>
 
+#include "bodies/field_arguments.hpp"
 #include "bodies/sphere/degree_profiles.hpp"
 #include "bodies/sphere/legendre.hpp"
 #include "bodies/sphere/mode_search.hpp"
@@ -21,17 +22,6 @@ namespace stoss::bodies::sphere {
 namespace {
 
 using Table = DegreeProfiles::Table;
-
-void require_finite(std::string_view name, std::span<const double> numbers, std::string_view hint) {
-  constexpr double largest = std::numeric_limits<double>::max();
-  for (const double number : numbers) require(name, number, {-largest, largest, true, true, "finite numbers"}, hint);
-}
-
-void require_length(const std::string& name, std::size_t length, std::size_t wanted, const std::string& hint) {
-  if (length == wanted) return;
-  throw InvalidInput(name + ": got " + std::to_string(length) + " values, allowed " + std::to_string(wanted) + " (" +
-                     hint + ")");
-}
 
 void require_points(const PolarGrid& points, const ContactPoints& contact) {
   const auto radii = static_cast<long>(points.radius.size()), angles = static_cast<long>(points.angle.size());

@@ -1,0 +1,204 @@
+// The field below the surface of a half-space: each wave obeys Newton and leaves the surface free, and
+// nothing runs ahead of the pressure wave.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "bodies/half_space/medium.hpp"
+#include "stoss/bodies/half_space.hpp"
+#include "stoss/bodies/half_space/field.hpp"
+#include "stoss/bodies/sphere.hpp"
+#include "stoss/contact/contact.hpp"
+#include "stoss/errors.hpp"
+#include "stoss/impact/replay.hpp"
+#include "support/field_tools.hpp"
+
+namespace stoss::bodies::half_space {
+namespace {
+
+ContactPoints rings(std::size_t count, double half_width) {
+  return {1.0, std::asin(half_width) / static_cast<double>(count), count};
+}
+
+struct Solid {
+  Contour contour;
+  double poisson;
+};
+
+Body body_of(const Solid& solid, double cutoff, double duration) {
+  return solid.contour == Contour::ball ? stoss::half_space(HalfSpace{.poisson = solid.poisson}, cutoff, duration)
+                                        : stoss::half_plane(HalfPlane{.poisson = solid.poisson}, cutoff, duration);
+}
+
+class FieldBelow : public testing::TestWithParam<Solid> {
+ protected:
+  const Solid solid = GetParam();
+  const Medium its = medium(solid.contour, solid.poisson);
+  const Body body = body_of(solid, 5.0, 4.0);
+  const ContactPoints contact = rings(24, 0.3);
+  const std::vector<double> no_force = std::vector<double>(contact.count, 0.0);
+
+  /// Of one wave by itself.
+  [[nodiscard]] std::vector<double> only(std::size_t k) const {
+    std::vector<double> coordinate(mode_count(body), 0.0);
+    coordinate[k] = 1.0;
+    return coordinate;
+  }
+};
+
+/// Derivatives of a component at the middle of a 9 × 9 stencil.
+struct Derivatives {
+  double value, r, z, rr, rz, zz;
+
+  Derivatives(const std::vector<double>& u, double h) : value(u[40]) {
+    std::vector<double> along(9), down(9);
+    for (std::size_t i = 0; i < 9; ++i) {
+      along[i] = test::derivative(u, 9 * i, 1, h);
+      down[i] = test::derivative(u, i, 9, h);
+    }
+    r = along[4];
+    z = down[4];
+    rz = test::derivative(along, 0, 1, h);
+    rr = second(u, 36, 1, h);
+    zz = second(u, 4, 9, h);
+  }
+
+  static double second(const std::vector<double>& u, std::size_t first, std::size_t stride, double h) {
+    constexpr std::array<double, 9> weights{-1.0 / 560.0, 8.0 / 315.0, -0.2,        1.6,         -205.0 / 72.0,
+                                            1.6,          -0.2,        8.0 / 315.0, -1.0 / 560.0};
+    double sum = 0.0;
+    for (std::size_t i = 0; i < 9; ++i) sum += weights[i] * u[first + i * stride];
+    return sum / (h * h);
+  }
+};
+
+TEST_P(FieldBelow, EachWaveObeysNewton) {
+  // c_p² grad div u − c_s² rot rot u = −ω² u
+  constexpr double h = 0.01, r = 0.7, z = 0.4;
+  const double round = solid.contour == Contour::ball ? 1.0 / r : 0.0;
+  const HalfSpaceField field(solid.poisson, body, contact, {test::stencil(r, h), test::stencil(z, h)});
+  const double fast = its.pressure_speed * its.pressure_speed, slow = its.shear_speed * its.shear_speed;
+  std::size_t k = 0;
+  for (const ModeGroup& group : body.groups) {
+    for (const double omega : group.omega) {
+      if (k++ % 7 != 0) continue;
+      const Field at = field.at(only(k - 1), no_force);
+      const Derivatives u(at.lateral, h), w(at.normal, h);
+      const double gradient_r = u.rr + (u.r - u.value * round) * round + w.rz;
+      const double gradient_z = u.rz + u.z * round + w.zz;
+      const double rotation_r = w.rz - u.zz, rotation_z = u.rz - w.rr + (u.z - w.r) * round;
+      double size = 0.0;
+      for (std::size_t i = 0; i < 81; ++i) size = std::max({size, std::abs(at.lateral[i]), std::abs(at.normal[i])});
+      size *= omega * omega + fast * group.wave_number * group.wave_number;
+      EXPECT_NEAR(fast * gradient_r - slow * rotation_r + omega * omega * u.value, 0.0, 1e-7 * size) << omega;
+      EXPECT_NEAR(fast * gradient_z - slow * rotation_z + omega * omega * w.value, 0.0, 1e-7 * size) << omega;
+    }
+  }
+}
+
+TEST_P(FieldBelow, EachWaveLeavesTheSurfaceFreeOfShearAndMovesItAsTheModes) {
+  constexpr double h = 0.002;
+  std::vector<double> below;  // Taylor's series from one side
+  for (int i = 0; i < 7; ++i) below.push_back(i * h);
+  constexpr std::array<double, 7> weights{-49.0 / 20.0, 6.0, -7.5, 20.0 / 3.0, -3.75, 1.2, -1.0 / 6.0};
+  const std::vector<double> across = test::stencil(0.6, h);
+  const HalfSpaceField field(solid.poisson, body, contact, {across, below});
+  std::size_t k = 0;
+  for (const ModeGroup& group : body.groups) {
+    for (std::size_t l = 0; l < group.omega.size(); ++l) {
+      if (k++ % 5 != 0) continue;
+      const Field at = field.at(only(k - 1), no_force);
+      double slope = 0.0;
+      for (std::size_t i = 0; i < weights.size(); ++i) slope += weights[i] * at.lateral[9 * i + 4] / h;
+      const double turn = test::derivative(at.normal, 0, 1, h);
+      EXPECT_NEAR(slope + turn, 0.0, 1e-7 * group.upper[l] * (1.0 + group.wave_number)) << group.omega[l];
+      const double surface = -group.upper[l] * its.shape(group.wave_number * 0.6);
+      EXPECT_NEAR(at.normal[4], surface, 1e-12 * group.upper[l]);
+    }
+  }
+}
+
+TEST_P(FieldBelow, SurfaceGivesWayAsTheBodySays) {
+  // Wherever the modes are: their own displacement of the contact points, and the residual compliance.
+  std::vector<double> distance, coordinate, force;
+  for (std::size_t i = 0; i < contact.count; ++i) {
+    distance.push_back(std::sin(contact.angle(i)));
+    force.push_back(1e-3 * std::sin(0.1 * static_cast<double>(i) + 0.2));
+  }
+  for (std::size_t k = 0; k < mode_count(body); ++k) coordinate.push_back(1e-3 * std::sin(static_cast<double>(k)));
+  const Field at = HalfSpaceField(solid.poisson, body, contact, {distance, {0.0}}).at(coordinate, force);
+  const Surface surface = body.surface(contact);
+  const std::vector<double> compliance = body.residual_compliance(contact, {});
+  std::vector<double> expected(contact.count, 0.0);
+  double greatest = 0.0;
+  for (std::size_t i = 0; i < contact.count; ++i) {
+    std::size_t k = 0;
+    for (const ModeGroup& group : body.groups) {
+      const double shape = surface.shape[group.upper_row * contact.count + i];
+      for (const double amplitude : group.upper) expected[i] -= amplitude * shape * coordinate[k++];
+    }
+    for (std::size_t j = 0; j < contact.count; ++j) expected[i] += compliance[i * contact.count + j] * force[j];
+    greatest = std::max(greatest, std::abs(expected[i]));
+  }
+  // Each pair of contact points has its own highest wave number, the field only one.
+  for (std::size_t i = 0; i < contact.count; ++i) EXPECT_NEAR(at.normal[i], expected[i], 2e-3 * greatest) << i;
+}
+
+INSTANTIATE_TEST_SUITE_P(HalfSpace, FieldBelow,
+                         testing::Values(Solid{Contour::ball, -0.5}, Solid{Contour::ball, 0.3},
+                                         Solid{Contour::ball, 0.49}, Solid{Contour::cylinder, 0.33}),
+                         [](const auto& its) {
+                           const long hundredths = std::lround(100.0 * its.param.poisson);
+                           return std::string(its.param.contour == Contour::ball ? "space" : "plane") +
+                                  (hundredths < 0 ? "m" : "") + std::to_string(std::abs(hundredths));
+                         });
+
+TEST(HalfSpaceField, NothingRunsAheadOfThePressureWave) {
+  constexpr double poisson = 0.3, cutoff = 8.0, duration = 100.0;
+  const Contact meeting = stoss::contact(sphere(Sphere{.poisson = poisson}, cutoff),
+                                         stoss::half_space(HalfSpace{.poisson = poisson}, cutoff, duration));
+  const Impact impact = stoss::impact(meeting, 0.1, {}, {.modes = true});
+  const ContactGrid grid = contact_grid(meeting, impact.half_width, impact.nodes);
+  const Medium its = medium(Contour::ball, poisson);
+  for (const double time : {5.0, 12.0}) {
+    const Frame frame = motion(meeting, impact, {time}).front();
+    const BodyFrame seen = seen_by(meeting, grid, frame, 1);
+    const double front = its.pressure_speed * time;
+    const std::vector<double> distance{0.0, 0.5 * front, front, 1.5 * front};
+    const std::vector<double> depth{0.0, 0.3 * front, 0.5 * front, 1.1 * front, 1.3 * front};
+    const Field at =
+        HalfSpaceField(poisson, *seen.body, seen.points, {distance, depth}).at(seen.coordinate, seen.node_force);
+    double greatest = 0.0;
+    for (const double u : at.normal) greatest = std::max(greatest, std::abs(u));
+    for (std::size_t i = 0; i < depth.size(); ++i) {
+      for (std::size_t j = 0; j < distance.size(); ++j) {
+        if (std::hypot(depth[i], distance[j]) < 1.05 * front) continue;
+        EXPECT_NEAR(at.normal[i * distance.size() + j] / greatest, 0.0, 1e-3)
+            << time << ' ' << depth[i] << ' ' << distance[j];
+        EXPECT_NEAR(at.lateral[i * distance.size() + j] / greatest, 0.0, 1e-3)
+            << time << ' ' << depth[i] << ' ' << distance[j];
+      }
+    }
+  }
+}
+
+TEST(HalfSpaceField, RefusesWhatItCannotBe) {
+  const Body body = stoss::half_space(HalfSpace{.poisson = 0.3}, 4.0, 2.0);
+  const ContactPoints contact = rings(4, 0.1);
+  EXPECT_THROW(HalfSpaceField(0.31, body, contact, {{0.0}, {0.0}}), InvalidInput);
+  EXPECT_THROW(HalfSpaceField(0.3, sphere(Sphere{.poisson = 0.3}, 8.0), contact, {{0.0}, {0.0}}), InvalidInput);
+  EXPECT_THROW(HalfSpaceField(0.3, body, contact, {{}, {0.0}}), InvalidInput);
+  EXPECT_THROW(HalfSpaceField(0.3, body, contact, {{-1.0}, {0.0}}), InvalidInput);
+  EXPECT_THROW(HalfSpaceField(0.3, body, contact, {{0.0}, {std::nan("")}}), InvalidInput);
+  const HalfSpaceField field(0.3, body, contact, {{0.0}, {0.0}});
+  EXPECT_THROW((void)field.at(std::vector<double>(mode_count(body) - 1), std::vector<double>(4)), InvalidInput);
+  EXPECT_THROW((void)field.at(std::vector<double>(mode_count(body)), std::vector<double>(3)), InvalidInput);
+}
+
+}  // namespace
+}  // namespace stoss::bodies::half_space

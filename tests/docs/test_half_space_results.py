@@ -1,0 +1,76 @@
+"""The numbers of docs/results/half_space.md are those of its table of all speeds."""
+
+import csv
+import re
+from pathlib import Path
+
+import pytest
+
+RESULTS = Path(__file__).resolve().parents[2] / "docs/results"
+PAGE = (RESULTS / "half_space.md").read_text(encoding="utf-8")
+POWERS = str.maketrans("⁻⁰¹²³⁴⁵⁶⁷⁸⁹", "-0123456789")
+
+
+def rows(ball):
+    """The rows of one kind of ball, as numbers, by speed."""
+    lines = (RESULTS / "half_space.csv").read_text(encoding="utf-8").splitlines()
+    table = [row for row in csv.DictReader(line for line in lines if not line.startswith("#")) if row["ball"] == ball]
+    assert all(row["converged"] == "true" for row in table)
+    words = ("ball", "converged")
+    numbers = [{key: float(value) for key, value in row.items() if value and key not in words} for row in table]
+    return {row["speed[c]"]: row for row in numbers}
+
+
+ELASTIC, RIGID, WALL = rows("elastic"), rows("rigid"), rows("at_wall")
+
+
+def number(cell):
+    """A number as the page writes it, and one unit of its last digit."""
+    mantissa, error, power = re.fullmatch(r"(?:([\d.]+?)(\(\d+\))?)??·?(?:10([⁻⁰¹²³⁴-⁹]+))?", cell).groups()
+    scale = 10.0 ** int(power.translate(POWERS)) if power else 1.0
+    digits = len(mantissa.partition(".")[2]) if mantissa else 0
+    return float(mantissa or 1.0) * scale, scale * 10.0**-digits, int(error[1:-1]) if error else None
+
+
+LINES = re.findall(r"^\| [\d.⁻⁰¹²³⁴-⁹]+ \|.*$", PAGE, re.MULTILINE)
+TABLE = [[cell.strip() for cell in line.split("|")[1:-1]] for line in LINES]
+
+
+@pytest.mark.parametrize("cells", TABLE, ids=lambda cells: cells[0])
+def test_table_of_the_half_space(cells):
+    assert len(TABLE) == 7
+    speed = min(ELASTIC, key=lambda each: abs(each - number(cells[0])[0]))
+    elastic, rigid, wall = ELASTIC[speed], RIGID[speed], WALL[speed]
+    expected = [
+        (elastic, "lost_fraction"), (elastic, "slow_theory"), (elastic, "power_law"), (elastic, "lost_to_ball"),
+        (rigid, "lost_fraction"), (rigid, "slow_theory"), (rigid, "power_law"), (wall, "lost_fraction"),
+    ]  # fmt: skip
+    for cell, (row, name) in zip(cells[1:], expected):
+        value, unit, error = number(cell)
+        assert abs(value - row[name]) <= 0.6 * unit, cell
+        assert error is None or abs(error * unit - row[f"{name}_error"]) <= unit, cell
+
+
+def test_claims_about_the_loss():
+    ratio = {speed: row["lost_fraction"] / WALL[speed]["lost_fraction"] for speed, row in ELASTIC.items()}
+    up_to_tenth = [each for speed, each in ratio.items() if speed <= 0.1]
+    assert 11 < min(up_to_tenth) < 12 and 2700 < max(up_to_tenth) < 2800
+    assert max(row["lost_to_ball"] / row["lost_fraction"] for row in ELASTIC.values()) < 0.04
+    for table in (ELASTIC, RIGID):
+        lost = [row["lost_fraction"] for row in table.values()]
+        assert lost == sorted(lost)
+    above = {speed: row["lost_fraction"] / row["power_law"] - 1 for speed, row in ELASTIC.items()}
+    assert all(each < 0.01 for speed, each in above.items() if speed < 1.9e-5)
+    assert max(above.values()) == pytest.approx(0.117, abs=5e-4) == above[0.0316228]
+    below = {speed: 1 - row["lost_fraction"] / row["power_law"] for speed, row in RIGID.items()}
+    assert all(0 < each < (0.01 if speed < 1.9e-4 else 1.0) for speed, each in below.items())
+    for table, highest, within in ((ELASTIC, 1e-3, 0.005), (RIGID, 0.01, 0.01)):
+        assert all(
+            abs(row["slow_theory"] / row["lost_fraction"] - 1) < within for speed, row in table.items() if speed <= highest
+        )
+    assert RIGID[1e-6]["lost_fraction"] / ELASTIC[1e-6]["lost_fraction"] == pytest.approx(2.3, abs=0.05)
+
+
+def test_numbers_of_speeds():
+    assert f"{len(ELASTIC)} speeds on the half-space and {len(WALL)} at a rigid wall" in PAGE
+    assert len(RIGID) == len(ELASTIC)
