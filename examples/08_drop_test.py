@@ -2,7 +2,7 @@
 
 Run:     python examples/08_drop_test.py [FOLDER]        (default: out/)
 Expect:  a table for five pairs of materials at three speeds each, drop_test.csv and drop_test.png.
-         Ten seconds.
+         Twenty seconds.
 
     ringing    what an elastic ball keeps as vibration        lost_to_first
     radiation  what waves carry away through an elastic block lost_to_second
@@ -58,7 +58,8 @@ def main(folder: Path) -> None:
     warnings.simplefilter("ignore", stoss.StossWarning)  # the table says where a ball or a block begins to yield
     figure, axes = plt.subplots(figsize=(6, 4.2), layout="constrained")
     lines = [COLUMNS]
-    print("ball           block             m/s      eps     1 - eps^2  radiation    ringing   material   adhesion        air")
+    names = "ball           block             m/s      eps     1 - eps^2  radiation    ringing   material"
+    print(f"{names}   adhesion        air")
     for one, other, speeds in PAIRS:
         ball = stoss.Sphere(radius=RADIUS, material=stoss.materials[one])
         block = stoss.HalfSpace(material=stoss.materials[other])
@@ -73,7 +74,8 @@ def main(folder: Path) -> None:
             adhesion = (sticking / speed) ** 2
             air = 0.75 * DRAG * AIR / ball.density * speed**2 / (2 * GRAVITY * RADIUS)
             print(f"{one:14} {other:14} {speed:6g}  {drop.restitution[k]:.5f}  {drop.lost_fraction[k]:.3e}", end="  ")
-            print(f"{drop.lost_to_second[k]:.3e}  {drop.lost_to_first[k]:.2e}  {lossy.dissipated[k]:.2e}  {adhesion:.2e}  {air:.2e}")
+            shares = (drop.lost_to_first[k], lossy.dissipated[k], adhesion, air)
+            print(f"{drop.lost_to_second[k]:.3e}", *(f"{share:.2e}" for share in shares), sep="  ")
             numbers = (speed, drop.speed[k], drop.restitution[k], drop.lost_fraction[k], drop.lost_fraction_error[k])
             numbers += (drop.lost_to_first[k], drop.lost_to_second[k], drop.contact_time_si[k], thick, adhesion, air)
             numbers += (lossy.restitution[k], lossy.lost_fraction[k], lossy.dissipated[k])

@@ -51,9 +51,9 @@ and 10⁻⁶ < v < 0.5. Three impacts as above, with cutoffs 80, 113 and 160. Th
 disks on half-planes, every fifth with a rigid body, spread by a quasi-random sequence: Poisson
 numbers from −0.4 to 0.48, modulus and density of the half-space from 0.01 to 100 and from 0.1 to
 10, speeds from 10⁻⁶ to 0.5 in c of the body or of the half-space, whichever is less. Three impacts
-as above, with cutoffs 12, 17 and 24 over the time scale of the contact, and half-spaces for contacts
-a fifth longer than those of `restitution`. `stoss_validate --make-half-space-reference FILE` makes
-the file anew.
+as above, with cutoffs 12, 17 and 24 over the time scale of the contact, and half-spaces for
+contacts a fifth longer than those of `restitution`.
+`stoss_validate --make-half-space-reference FILE` makes the file anew.
 
 `validate/reference_lossy.csv`: 48 impacts of lossy spheres and disks, every third one at another
 lossy body with a loss time of its own, spread by a quasi-random sequence: loss times from 10⁻⁴ to

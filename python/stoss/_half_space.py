@@ -61,7 +61,7 @@ class HalfSpace(_Unbounded):
     Examples
     --------
     >>> stoss.restitution(stoss.Sphere(poisson=0.3), against=stoss.HalfSpace(), speed=0.01)
-    Restitution(Sphere(poisson=0.3) against HalfSpace(poisson=0.3), speed=0.01 c: restitution 0.9598516 ± 0.0000088)
+    Restitution(Sphere(poisson=0.3) against HalfSpace(poisson=0.3), speed=0.01 c: restitution 0.9598516 ± 0.0000044)
     >>> steel, glass = stoss.materials["steel"], stoss.materials["glass"]
     >>> ball = stoss.Sphere(radius=5e-3, material=steel)
     >>> drop = stoss.restitution(ball, against=stoss.HalfSpace(material=glass), speed=1)
@@ -123,7 +123,7 @@ class HalfPlane(_Unbounded):
     Examples
     --------
     >>> stoss.restitution(poisson=0.33, against=stoss.HalfPlane(), speed=0.1)
-    Restitution(Disk(poisson=0.33) against HalfPlane(poisson=0.33), speed=0.1 c: restitution 0.56990 ± 0.00045)
+    Restitution(Disk(poisson=0.33) against HalfPlane(poisson=0.33), speed=0.1 c: restitution 0.56990 ± 0.00032)
     """
 
     poisson: float | None

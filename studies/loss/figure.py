@@ -20,7 +20,8 @@ def curves(name):
         rows = list(csv.DictReader(line for line in file if not line.startswith("#")))
     result = {}
     for row in rows[: len(LOSS_TIMES) * SPEEDS]:
-        result.setdefault(float(row["loss_time[R/c]"]), []).append([float(row["speed[c]"]), float(row["lost_fraction"])])
+        pair = [float(row["speed[c]"]), float(row["lost_fraction"])]
+        result.setdefault(float(row["loss_time[R/c]"]), []).append(pair)
     return {loss_time: np.array(pairs).T for loss_time, pairs in result.items()}
 
 

@@ -72,8 +72,9 @@ def test_example_agrees_with_direct_calls_and_closed_forms(rows):
         speed = float(row["speed_m_s"])
         direct = stoss.restitution(ball, against=block, speed=speed)
         assert direct.lost_fraction == pytest.approx(float(row["lost_fraction"]), rel=1e-6)
+        # The shares are those of the finest run, which the value corrects: both are within an error bar of the truth.
         shares = float(row["ringing"]) + float(row["radiation"])
-        assert abs(shares - direct.lost_fraction) <= direct.lost_fraction_error + abs(direct.energy_error)
+        assert abs(shares - direct.lost_fraction) <= 2 * direct.lost_fraction_error + abs(direct.energy_error)
         # Heat is what a lossy impact loses besides: waves are no more than without.
         waves = float(row["lossy_lost_fraction"]) - float(row["material"])
         assert waves <= direct.lost_fraction + 1e-3 * float(row["lossy_lost_fraction"])
@@ -123,3 +124,14 @@ def test_table_of_materials_is_that_of_the_package():
         known = None if material.loss_time is None else 1 / (frequency * material.loss_time)
         assert (float(quality) if quality else None) == pytest.approx(known)
         assert (written(strength)[0] if strength else None) == pytest.approx(material.yield_strength)
+
+
+# To first order 1 − ε² = 2c₁x, x = (3/2)η(k/m)^(2/5)v^(1/5), and Hertz' contact time is 2.9432 δ/v.
+def test_loss_of_a_slow_ball_to_its_material():
+    in_units_of_time = 2.9432 * 1.25**0.4  # τ (k/m)^(2/5) v^(1/5)
+    assert 2 * 1.153449 * 1.5 * in_units_of_time / np.pi == pytest.approx(3.54, abs=0.005)
+    assert "1 − ε² = 3.54/Q" in PAGE
+    ice = stoss.Sphere(radius=5e-3, material=stoss.materials["ice"])
+    slow = stoss.restitution(ice, speed=0.01)
+    expected = 3.54 / 200 * 50e-6 / slow.contact_time_si
+    assert slow.dissipated == pytest.approx(expected, rel=0.02)

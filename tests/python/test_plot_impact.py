@@ -178,3 +178,16 @@ def test_all_is_there():
     for name in stoss.plot.__all__:
         assert callable(getattr(stoss.plot, name))
     assert stoss.animate is stoss.plot.animate
+
+
+def test_pictures_of_a_lossy_impact_have_its_heat(closed):
+    lossy = stoss.impact(stoss.Sphere(poisson=0.3, loss_time=0.03), speed=0.1, cutoff=12.5)
+    path = lossy.trajectory()
+    lines = {line.get_label(): line for line in stoss.plot.energies(path).lines}
+    assert list(lines) == ["translation", "vibration", "stored", "dissipated", "unresolved", "sum"]
+    assert np.array_equal(lines["dissipated"].get_ydata(), path.dissipated)
+    np.testing.assert_allclose(lines["sum"].get_ydata(), 1.0, atol=2e-3)
+    ax = stoss.plot.ledger(lossy)
+    assert ax.get_legend().get_texts()[-1].get_text() == "heat"
+    assert ax.containers[-1][0].get_height() == lossy.dissipated < ax.get_ylim()[1]
+    assert "heat" not in [text.get_text() for text in stoss.plot.ledger(lossy, when="average").get_legend().get_texts()]

@@ -22,7 +22,8 @@ def ledger(
 ) -> Axes:
     """Energy of the modes (n, l), as bars in a group for each n on a logarithmic axis.
 
-    The waves of a half-space are a continuum: one bar is what they hold together.
+    The waves of a half-space are a continuum: one bar is what they hold together. Another, after the
+    impact, is what lossy materials have taken.
 
     Parameters
     ----------
@@ -56,6 +57,7 @@ def ledger(
     unbounded = isinstance(impact.against, UNBOUNDED)
     if of == 1 and unbounded:
         raise refusal("of", of, "0 (a half-space has no modes (n, l); its energy is beside those of the body)")
+    heat = impact.dissipated if when == "after" else 0.0
     waves = float(impact.mode_energies[when][impact.mode_energies["body"] == 1].sum()) if unbounded else 0.0
     modes = impact.mode_energies[impact.mode_energies["body"] == of]
     modes = modes[(modes["order"] < orders) & (modes["index"] < indices) & (modes[when] > 0.0)]
@@ -74,15 +76,16 @@ def ledger(
             )  # fmt: skip
         axes.set_yscale("log")
         places, bars = np.unique(modes["order"]), modes[when]
-        if waves > 0.0:
+        name = "half-plane" if isinstance(impact.body, Disk) else "half-space"
+        whole = [each for each in ((name, waves, _style.GREY), ("heat", heat, _style.BLACK)) if each[1] > 0.0]
+        for k, (label, energy, color) in enumerate(whole):
             last = places[-1] + 1.5 if places.size else 0
-            name = "half-plane" if isinstance(impact.body, Disk) else "half-space"
-            axes.bar(last, waves, 0.84, color=_style.GREY, edgecolor="white", linewidth=0.0, label=name)
-            bars = np.append(bars, waves)
+            axes.bar(last + k, energy, 0.84, color=color, edgecolor="white", linewidth=0.0, label=label)
+            bars = np.append(bars, energy)
         if bars.size:
             top = np.log10(bars.max())
             low = np.floor(max(np.log10(0.7 * bars.min()), top - DECADES))
-            rows = -(-(np.unique(modes["index"]).size + (waves > 0.0)) // COLUMNS)
+            rows = -(-(np.unique(modes["index"]).size + len(whole)) // COLUMNS)
             head = 0.03 + 0.09 * rows  # of the picture's height, for the legend
             axes.set_ylim(10.0**low, 10.0 ** ((top - head * low) / (1.0 - head)))
             axes.set_xticks(places[:: -(-places.size // 12)] if places.size else [])

@@ -108,8 +108,8 @@ def energies(trajectory: Trajectory, ax: Axes | None = None) -> Axes:
     """Where the energy is against time, as shares of the initial energy, and their sum.
 
     *Translation* is that of the centre of mass, *vibration* that of the kept modes, *stored* what
-    the wall's potential or the static modes above the cutoff hold, *unresolved* what the modes
-    above the cutoff have taken. The sum differs from 1 by the numerical error.
+    the wall's potential or the static modes above the cutoff hold, *dissipated* what a lossy material
+    and *unresolved* what the modes above the cutoff have taken. The sum differs from 1 by the numerical error.
 
     Parameters
     ----------
@@ -129,7 +129,9 @@ def energies(trajectory: Trajectory, ax: Axes | None = None) -> Axes:
     ['translation', 'vibration', 'stored', 'unresolved', 'sum']
     """
     instance("trajectory", trajectory, (Trajectory,))
-    shares = {name: getattr(trajectory, name) for name in ("translation", "vibration", "stored", "unresolved")}
+    lossy = ("dissipated",) if trajectory.dissipated.any() else ()
+    names = ("translation", "vibration", "stored", *lossy, "unresolved")
+    shares = {name: getattr(trajectory, name) for name in names}
     with _style.canvas(ax, size=(_style.COLUMN, 2.7)) as axes:
         for k, (name, values) in enumerate(shares.items()):
             axes.plot(trajectory.time, values, color=_style.COLORS[k], linestyle=_style.LINES[k], label=name)
@@ -138,7 +140,7 @@ def energies(trajectory: Trajectory, ax: Axes | None = None) -> Axes:
         axes.set_ylim(-0.04, max(1.25, 1.05 * float(total.max())))
         _label_time(axes)
         axes.set_ylabel("energy / initial energy")
-        _style.legend(axes, loc="upper center", ncol=3)
+        _style.legend(axes, loc="upper center", ncol=3, columnspacing=1.0, handlelength=1.8)
     return axes
 
 
