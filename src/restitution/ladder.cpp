@@ -95,6 +95,7 @@ Contact contact_of(const Pair& pair, double cutoff, double stretch, const Poll& 
 /// Highest cutoff of both bodies, c/R of the first.
 double highest_cutoff(const Pair& pair) {
   const Body &one = *pair.probe.first, &other = *pair.probe.second;
+  if (is_unbounded(other)) return one.highest_cutoff / pair.first_size;  // depends on the duration: highest_level
   return std::min(one.highest_cutoff / pair.first_size,
                   other.highest_cutoff / pair.second_size / Units(other, one).time);
 }
