@@ -24,7 +24,7 @@ constexpr std::array first_rungs_with_half_space{2, 2};  // of which few waves a
 constexpr int most_rungs = 4;  // a run far above all others would find the differences from them without weight
 constexpr double unknown = std::numeric_limits<double>::infinity();
 constexpr double aim = 0.9;           // of the tolerance: one run too fine costs less than another run
-constexpr double room_to_last = 2.0;  // of a half-space, over what is expected of the contact
+constexpr double room_to_last = 1.5;  // of a half-space, over what is expected of the contact
 constexpr double affordable = 2e8;    // of `work`, less than a second: what a run without hope may cost
 
 Run summary(const Impact& impact) {
@@ -167,7 +167,9 @@ Restitution restitution(const RefinableContact& contact, double speed, const Res
     next = outlook(result, *first, order, contact.cutoff(highest));
     if (level < highest) next.rungs = std::min(next.rungs, highest - level);
   }
-  if (result.runs.size() < 2) throw NotConverged(trouble);
+  if (result.runs.size() < 2) {
+    throw NotConverged(trouble.empty() ? "restitution: the half-space has more waves than are computed" : trouble);
+  }
   conclude(contact.at(0), speed, correction, result);
   if (result.lost_fraction.error > 1.0) result.lost_fraction.error = result.restitution.error = unknown;
   result.converged = false;  // two or three runs that agree are not enough

@@ -1,6 +1,7 @@
 // Bodies that meet a half-space: values computed independently, limits, and what does not depend on units.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 #include <vector>
@@ -10,6 +11,7 @@
 #include "stoss/bodies/rod.hpp"
 #include "stoss/bodies/sphere.hpp"
 #include "stoss/errors.hpp"
+#include "stoss/quasistatic/half_space_radiation.hpp"
 #include "stoss/restitution/restitution.hpp"
 #include "support/csv.hpp"
 
@@ -42,6 +44,43 @@ TEST(RestitutionOnAHalfSpace, OfADiskIsTheLimitOfLargeDisks) {
   const RefinableContact large(disk(0.33), disk(Disk{0.33, 1000.0})), plane(disk(0.33), half_plane(HalfPlane{0.33}));
   const Restitution one = restitution(large, 0.1), limit = restitution(plane, 0.1);
   EXPECT_NEAR(one.lost_fraction.value, limit.lost_fraction.value, one.lost_fraction.error + limit.lost_fraction.error);
+}
+
+/// A sphere that is flat where it is touched.
+Body with_facet(Body body) {
+  body.curvature = 0.0;
+  body.surface = [surface = body.surface](const ContactPoints& points) {
+    Surface flat = surface(points);
+    std::fill(flat.recess.begin(), flat.recess.end(), 0.0);
+    return flat;
+  };
+  return body;
+}
+
+TEST(RestitutionOnAHalfSpace, IsTheLimitOfLargeSpheresWithAFacet) {
+  // Other modes and another code. Rayleigh waves on a sphere are slower by a series in 1/R, of which three radii give
+  // the limit: 3 f(60) − 8 f(80) + 6 f(120).
+  constexpr double cutoff = 8.0, speed = 0.01;
+  const ImpactOptions options{.resolution = {.step = 0.25 / cutoff, .nodes = 64}};
+  const auto lost_to_sphere = [&](double radius) {
+    const Body large = with_facet(sphere(Sphere{0.3, radius}, cutoff * radius));
+    return impact(contact(rigid(sphere(0.3))(cutoff, {}), large), speed, options).lost_fraction;
+  };
+  const double limit = 3.0 * lost_to_sphere(60.0) - 8.0 * lost_to_sphere(80.0) + 6.0 * lost_to_sphere(120.0);
+  const Contact plane = contact(rigid(sphere(0.3)), half_space(HalfSpace{0.3}), cutoff, speed);
+  EXPECT_NEAR(impact(plane, speed, options).lost_fraction / limit, 1.0, 1e-4);
+}
+
+TEST(RestitutionOnAHalfSpace, OfASlowBallIsThatOfTheTheoryOfSlowImpacts) {
+  for (const double speed : {1e-7, 1e-6, 1e-5}) {
+    const Restitution found = restitution(ball_on({0.3}), speed, {.absolute = 0.0});
+    const quasistatic::HalfSpaceRadiation theory = quasistatic::half_space_radiation(
+        quasistatic::PointLaw::center, {.poisson = 0.3, .half_space_poisson = 0.3}, speed);
+    EXPECT_TRUE(found.converged);
+    // The ball keeps some v/c as vibration besides.
+    EXPECT_NEAR(found.lost_fraction.value, theory.lost_fraction,
+                found.lost_fraction.error + theory.lost_fraction_error + 0.4 * speed);
+  }
 }
 
 TEST(RestitutionOnAHalfSpace, OfAStiffAndHeavySolidIsThatAtAWall) {

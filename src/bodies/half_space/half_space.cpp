@@ -21,7 +21,7 @@ namespace {
 using namespace bodies::half_space;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr double most_waves = 1e6;
+constexpr double most_waves = 2e6;
 
 /// A half-space or a half-plane.
 struct Solid {
