@@ -67,7 +67,7 @@ Missing missing_of_balls(double cutoff, double speed) {
 /// resolved the fewer there are and the less each of them relaxes meanwhile, 2 η n/t nodes in the time η.
 double node_error(const Contact& contact, const Run& run) {
   const bool ball = contact.first->contour == Contour::ball;
-  const double constant = ball ? 9.0 : 1.6, nodes = run.nodes;
+  const double constant = ball ? 12.0 : 2.1, nodes = run.nodes;
   const double relaxing = 1.0 + 2.0 * touch(contact).loss_time * nodes / run.contact_time;
   return constant * run.dissipated / (nodes * nodes * relaxing * relaxing);
 }

@@ -22,8 +22,8 @@ namespace stoss {
 /// e = 0.6;
 ///   at one point of contact max(U/2, 6 max_j |q_j − q_k| ω_j/ω_k).
 ///
-/// Of lossy bodies, which dissipate D, it is at least C D/(n (1 + 2ηn/t))² with n nodes and the contact time t, C = 9
-/// of balls and 1.6 of disks (docs/theory/loss.md), and the power of the differences is 1.75.
+/// Of lossy bodies, which dissipate D, it is at least C D/(n (1 + 2ηn/t))² with n nodes and the contact time t, C = 12
+/// of balls and 2.1 of disks (docs/theory/loss.md), and the power of the differences is 1.75.
 ///
 /// What the near side of a much larger body leaves out adds to the error.
 void conclude(const Contact& contact, double speed, const CurvatureCorrection& correction, Restitution& result);
