@@ -1,13 +1,14 @@
 """Balls of steel, glass, ice and rubber on a rigid wall: what vibrations alone take, and one bounce.
 
 Run:     python examples/07_balls.py [FOLDER]        (default: out/)
-Expect:  a table of restitution, contact time, greatest force and pressure at 0.01 to 10 m/s; balls.csv
-         and balls.png with 1 − ε² against speed, and the stress inside a rubber ball. Eight seconds.
+Expect:  a table of restitution, contact time, greatest force and pressure at 0.01 to 10 m/s;
+         balls.csv and balls.png with 1 − ε² against speed, and the stress inside a rubber ball.
+         Eight seconds.
 
     p₀ = 3F/(2πa²),    a³ = 3FR/(4E*),    E* = E/(1 − ν²)        (Hertz)
 
-A ball loses far less than a disk: 1 − ε² is of the order of v/c times a wave that never settles. The
-pressure says how far the elastic value can be believed.
+A ball loses far less than a disk: 1 − ε² is of the order of v/c times a wave that never settles.
+The pressure says how far the elastic value can be believed.
 """
 
 import sys

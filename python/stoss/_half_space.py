@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 import dataclasses
-from typing import Any, Union
+from typing import Any, TypeVar, Union
 
 from stoss import _core
 from stoss._arguments import number, refusal
 from stoss._body_values import call, fill, fill_loss_time
 from stoss._material import Material
+
+Kind = TypeVar("Kind", bound="_Unbounded")
 
 
 class _Unbounded:
@@ -30,11 +32,16 @@ class _Unbounded:
         else:
             fill(self, usual, material, poisson=poisson)
         object.__setattr__(self, "material", material)
-        self._beside(0.0)._maker()  # refuses what is out of range
+        made_one: Any = self._beside(0.0)
+        made_one._maker()  # refuses what is out of range
 
-    def _beside(self, poisson: float) -> Any:
+    def _beside(self: Kind, poisson: float) -> Kind:
         """The same, with the Poisson number of the first body where it has none."""
-        raise NotImplementedError
+        if self.poisson is not None:
+            return self
+        of_its_kind: Any = type(self)
+        made: Kind = of_its_kind(poisson=poisson, young=self.young, density=self.density, loss_time=self.loss_time)
+        return made
 
 
 @dataclasses.dataclass(frozen=True, init=False, repr=False)
@@ -93,11 +100,6 @@ class HalfSpace(_Unbounded):
     def __repr__(self) -> str:
         return call(self, ("poisson", "young", "density", "loss_time"), ("loss_time", "material"))
 
-    def _beside(self, poisson: float) -> HalfSpace:
-        if self.poisson is not None:
-            return self
-        return HalfSpace(poisson=poisson, young=self.young, density=self.density, loss_time=self.loss_time)
-
     def _maker(self) -> _core.BodyMaker:
         assert self.poisson is not None
         return _core.half_space(self.poisson, self.young, self.density, self.loss_time)
@@ -155,11 +157,6 @@ class HalfPlane(_Unbounded):
 
     def __repr__(self) -> str:
         return call(self, ("poisson", "young", "density", "loss_time"), ("loss_time", "material", "plane"))
-
-    def _beside(self, poisson: float) -> HalfPlane:
-        if self.poisson is not None:
-            return self
-        return HalfPlane(poisson=poisson, young=self.young, density=self.density, loss_time=self.loss_time)
 
     def _maker(self) -> _core.BodyMaker:
         assert self.poisson is not None

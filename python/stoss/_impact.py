@@ -51,8 +51,8 @@ def impact(
         Of the contact grid, R.
     keep : array_like of bool, optional
         Which of the modes with ω ≤ `cutoff` are kept, in the order of `Impact.mode_energies`; only
-        with an `ExponentialWall`, because a hard contact would need what the others give way. Default:
-        all.
+        with an `ExponentialWall`, because a hard contact would need what the others give way.
+        Default: all.
 
     Returns
     -------

@@ -39,8 +39,8 @@ class Impact(InSiOfAnImpact):
         Energy after the impact: of the (relative) translation; of the kept modes; lost to the material;
         of the modes above the cutoff. The sum is 1 but for `energy_error`.
     lost_to_first, lost_to_second : float
-        Vibration and dissipation of each body, `unresolved` included; what the waves of a half-space
-        carry away.
+        Vibration and dissipation of each body, `unresolved` included; what the waves of a
+        half-space carry away.
     contact_time : float
         From first to last contact, R/c.
     impulse_time : float
@@ -246,8 +246,8 @@ class Impact(InSiOfAnImpact):
         Raises
         ------
         InvalidInput
-            If what is met is no half-space, for points outside it, for more than 2 GB of values, and
-            where the half-space would have more than 10⁶ waves.
+            If what is met is no half-space, for points outside it, for more than 2 GB of values,
+            and where the half-space would have more than 2·10⁶ waves.
 
         Examples
         --------
@@ -271,8 +271,8 @@ class Impact(InSiOfAnImpact):
         -------
         ndarray
             Times × modes, without the first axis if `time` is one number: a structured array with
-            the fields body, order, index, omega and energy, as a share of the initial one, in the order
-            of `mode_energies`.
+            the fields body, order, index, omega and energy, as a share of the initial one, in the
+            order of `mode_energies`.
 
         Examples
         --------

@@ -151,10 +151,11 @@ Structural steel (Eurocode 3); soda-lime glass (EN 572-1, but ν between the 0.2
 polycrystalline ice at −16 °C (Gammon et al., J. Glaciology 29, 433 (1983)); soft rubber (orders of magnitude);
 hard-drawn brass CuZn30 and aluminium 6061-T6 (as engineering tables have them). Typical without a single source:
 hardened ball-bearing steel, tungsten carbide with 6 % of cobalt, granite (E from 20 to 70 GPa), and PMMA, whose modulus
-grows with the rate of loading. What has no `yield_strength` here is brittle, or not known well enough; structural steel
-has 0.235 GPa and more.
+grows with the rate of loading. What has no `yield_strength` here is brittle, or not known well
+enough; structural steel has 0.235 GPa and more.
 
-The qualities Q are at 10 kHz, that of rubber at 500 Hz: contacts of 50 µs and 1 ms. They are orders of magnitude. The
-metals lie in the range of L. Cremer and M. Heckl, Structure-Borne Sound (1988); the others are typical without a single
-source. That of tungsten carbide is not known well enough. What ε means for each of them: docs/materials.md.
+The qualities Q are at 10 kHz, that of rubber at 500 Hz: contacts of 50 µs and 1 ms. They are orders
+of magnitude. The metals lie in the range of L. Cremer and M. Heckl, Structure-Borne Sound (1988);
+the others are typical without a single source. That of tungsten carbide is not known well enough.
+What ε means for each of them: docs/materials.md.
 """

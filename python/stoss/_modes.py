@@ -98,8 +98,8 @@ class Modes(Result):
         Returns
         -------
         u_r, u_phi : ndarray
-            Of the shape of `radius`, to be multiplied by cos nφ and sin nφ; of a sphere u_r and u_θ, by
-            P_n(cos θ) and dP_n(cos θ)/dθ.
+            Of the shape of `radius`, to be multiplied by cos nφ and sin nφ; of a sphere u_r and
+            u_θ, by P_n(cos θ) and dP_n(cos θ)/dθ.
 
         Examples
         --------

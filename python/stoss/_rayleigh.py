@@ -76,8 +76,9 @@ def rayleigh(
     Warns
     -----
     StossWarning
-        If there are values beyond perturbation theory, of a disk at ν = 0.33 from v = 0.024 c on, of a
-        sphere at ν = 0.3 from 0.039 c on; or beyond the speed at which a sphere begins to yield.
+        If there are values beyond perturbation theory, of a disk at ν = 0.33 from v = 0.024 c on,
+        of a sphere at ν = 0.3 from 0.039 c on; or beyond the speed at which a sphere begins to
+        yield.
 
     Examples
     --------

@@ -161,7 +161,8 @@ def with_error(value: float, error: float | None = None) -> str:
     ----------
     value : float
     error : float, optional
-        Two digits of it are written; infinite if it is unknown. Without one the number has six digits.
+        Two digits of it are written; infinite if it is unknown. Without one the number has six
+        digits.
 
     Returns
     -------

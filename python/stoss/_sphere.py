@@ -29,8 +29,8 @@ class Sphere:
         Young's modulus E and density ρ.
     loss_time : float, optional
         Loss time η of a Kelvin–Voigt material, stress = (1 + η ∂/∂t) elastic stress; 0, or
-        that of the material. In the unit of time that the others imply, R/c of the first body; with a
-        material in s.
+        that of the material. In the unit of time that the others imply, R/c of the first body; with
+        a material in s.
     material : Material
         In place of `poisson`, `young` and `density`.
     rigid : bool, optional

@@ -31,7 +31,8 @@ class Trajectory(Result):
         Force F of the contact, mc²/R (of a disk πRE).
     translation, vibration, stored, dissipated, unresolved : ndarray
         Shares of the initial energy: in the motion of the centre of mass; in the kept modes; in the
-        wall's potential or the static tail; lost to the material; taken by the modes above the cutoff.
+        wall's potential or the static tail; lost to the material; taken by the modes above the
+        cutoff.
     contact_half_width : ndarray
         R, in steps of the nodes' spacing; of spheres the radius of the contact.
     """

@@ -40,8 +40,8 @@ def animate(
 ) -> str | os.PathLike[str]:
     """Write the impact as a GIF or MP4.
 
-    It goes from just before contact until the body, or two, have flown for some time, vibrating. The
-    file appears whole or not at all.
+    It goes from just before contact until the body, or two, have flown for some time, vibrating.
+    The file appears whole or not at all.
 
     Parameters
     ----------

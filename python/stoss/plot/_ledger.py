@@ -22,8 +22,8 @@ def ledger(
 ) -> Axes:
     """Energy of the modes (n, l), as bars in a group for each n on a logarithmic axis.
 
-    The waves of a half-space are a continuum: one bar is what they hold together. Another, after the
-    impact, is what lossy materials have taken.
+    The waves of a half-space are a continuum: one bar is what they hold together. Another, after
+    the impact, is what lossy materials have taken.
 
     Parameters
     ----------

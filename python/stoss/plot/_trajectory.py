@@ -108,8 +108,9 @@ def energies(trajectory: Trajectory, ax: Axes | None = None) -> Axes:
     """Where the energy is against time, as shares of the initial energy, and their sum.
 
     *Translation* is that of the centre of mass, *vibration* that of the kept modes, *stored* what
-    the wall's potential or the static modes above the cutoff hold, *dissipated* what a lossy material
-    and *unresolved* what the modes above the cutoff have taken. The sum differs from 1 by the numerical error.
+    the wall's potential or the static modes above the cutoff hold, *dissipated* what a lossy
+    material and *unresolved* what the modes above the cutoff have taken. The sum differs from 1 by
+    the numerical error.
 
     Parameters
     ----------
