@@ -34,7 +34,7 @@ struct RestitutionArguments {
 
   [[nodiscard]] bool given(const std::string& option) const { return command->get_option(option)->count() > 0; }
   [[nodiscard]] bool converges() const { return method == "converge"; }
-  [[nodiscard]] CurveOptions accuracy() const { return {tolerance, absolute, threads, {}, {}}; }
+  [[nodiscard]] CurveOptions accuracy() const { return {.tolerance = tolerance, .absolute = absolute, .threads = threads}; }
 };
 
 void check_method(const RestitutionArguments& arguments) {

@@ -5,3 +5,5 @@
 #include "stoss/impact/impact.hpp"
 #include "stoss/impact/replay.hpp"
 #include "stoss/impact/resolution.hpp"
+#include "stoss/impact/state.hpp"
+#include "stoss/impact/vibration.hpp"

@@ -22,7 +22,7 @@ py::dict numbers(const Impact& impact) {
 Rows<Snapshot> trajectory(const Contact& contact, const Impact& impact, int every, const Poll& poll) {
   Rows<Snapshot> instants(snapshot_quantities());
   const ImpactObserver observer = [&](const Snapshot& now) { instants.add(now); };
-  const ImpactOptions options{.resolution = repetition(contact, impact), .poll = poll};
+  const ImpactOptions options{.resolution = repetition(contact, impact), .start = impact.start, .poll = poll};
   (void)stoss::impact(contact, impact.speed, options, {.observer = observer, .every = every});
   return instants;
 }
@@ -30,7 +30,7 @@ Rows<Snapshot> trajectory(const Contact& contact, const Impact& impact, int ever
 }  // namespace
 
 void bind_impact(py::module_& module) {
-  PYBIND11_NUMPY_DTYPE(ModeEnergy, body, order, index, omega, after, average);
+  PYBIND11_NUMPY_DTYPE(ModeEnergy, body, order, index, omega, before, after, average);
   py::class_<Impact> handle(module, "Impact", "One impact, from which its trajectory can be repeated.");
   seal(handle);
   handle.def("numbers", &numbers)

@@ -32,7 +32,10 @@ struct EnergyAt {
 /// Times × modes.
 std::vector<EnergyAt> energies_at(const Contact& contact, const Impact& impact, const std::vector<double>& times,
                                   const Poll& poll) {
-  const double initial = 0.5 * contact.mass * impact.speed * impact.speed;
+  double initial = 0.5 * contact.mass * impact.speed * impact.speed;
+  if (impact.start) {
+    for (const double energy : mode_energies(contact, *impact.start)) initial += energy;
+  }
   std::vector<EnergyAt> list;
   list.reserve(times.size() * impact.energy.modes.size());
   for (const Frame& frame : motion(contact, impact, times, poll)) {

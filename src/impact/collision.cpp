@@ -53,6 +53,7 @@ Collision::Collision(const Contact& contact, Tail tail, const ContactGrid& grid,
   modes_.begin();
   initial_velocity_ = velocity();
   initial_energy_ = translation() + modes_.energy() + response_->stored_energy();
+  if (start) energy_before_ = modes_.energies();
 }
 
 void Collision::place(const std::optional<State>& start) {
@@ -209,9 +210,10 @@ Impact Collision::result() const {
     const bool of_first = g < contact_.first_groups;
     for (std::size_t l = 0; l < group.omega.size(); ++l, ++k) {
       const int index = group.index.empty() ? static_cast<int>(l) : group.index[l];
+      const double before = energy_before_.empty() ? 0.0 : energy_before_[k] / initial_energy_;
       const double share = after[k] / initial_energy_;
-      ledger.modes.push_back(
-          {of_first ? 0 : 1, group.order, index, group.omega[l], share, during[k] / (samples * initial_energy_)});
+      ledger.modes.push_back({of_first ? 0 : 1, group.order, index, group.omega[l], before, share,
+                              during[k] / (samples * initial_energy_)});
       (of_first ? ledger.lost_to_first : ledger.lost_to_second) += share;
     }
   }

@@ -79,6 +79,7 @@ class Collision {
   const std::vector<double>* node_force_ = nullptr;  // of response_
   double force_ = 0.0;                               // total
   double initial_energy_;
+  std::vector<double> energy_before_;  // of each mode, if any moves
   double initial_velocity_;
   long steps_ = 0;
 

@@ -93,6 +93,7 @@ Impact impact(const Contact& contact, double speed, const ImpactOptions& options
   if (observation.observer) result = run(contact, speed, resolution, options, observation);
 
   result->contact = name(contact);
+  result->start = options.start;
   result->wall = contact.wall;
   result->tail = options.resolution.tail;
   result->cutoff = contact.cutoff;

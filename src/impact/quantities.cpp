@@ -50,6 +50,7 @@ const Quantities<ModeEnergy>& mode_energy_quantities() {
       {"order", none, &M::order},
       {"index", none, &M::index},
       {"omega", frequency, &M::omega},
+      {"before", none, &M::before},
       {"average", none, &M::average},
       {"after", none, &M::after},
   };

@@ -1,12 +1,10 @@
 #include "stoss/impact/replay.hpp"
 
-#include <cmath>
 #include <cstddef>
 #include <string>
 
 #include "check.hpp"
 #include "contact/units.hpp"
-#include "numeric/damped_oscillator.hpp"
 #include "stoss/errors.hpp"
 
 namespace stoss {
@@ -42,26 +40,6 @@ Resolution repetition(const Contact& contact, const Impact& impact) {
   if (!has_single_point(contact)) resolution.half_width = impact.half_width;
   resolution.tail = impact.tail;
   return resolution;
-}
-
-std::vector<double> mode_energies(const Contact& contact, const State& state) {
-  const std::size_t count = mode_count(contact);
-  if (state.coordinate.size() != count || state.momentum.size() != count) {
-    throw InvalidInput("state: got " + std::to_string(state.coordinate.size()) + " coordinates and " +
-                       std::to_string(state.momentum.size()) + " momenta, allowed " + std::to_string(count) +
-                       " of each (one for every kept mode)");
-  }
-  std::vector<double> energies;
-  energies.reserve(count);
-  for (std::size_t g = 0; g < contact.groups.size(); ++g) {
-    const double mass = modal_mass(contact, g);
-    for (const double omega : contact.groups[g].omega) {
-      const std::size_t k = energies.size();
-      const double momentum = state.momentum[k], restoring = mass * omega * state.coordinate[k];
-      energies.push_back(0.5 * (momentum * momentum + restoring * restoring) / mass);
-    }
-  }
-  return energies;
 }
 
 BodyFrame seen_by(const Contact& contact, const ContactGrid& grid, const Frame& frame, int number) {
@@ -118,28 +96,6 @@ std::vector<double> surface_displacement(const BodyFrame& seen, const ContactPoi
   return displacement;
 }
 
-State free_motion(const Contact& contact, const State& state, double time) {
-  State moved = state;
-  moved.center += state.velocity * time;
-  std::size_t k = 0;
-  for (std::size_t g = 0; g < contact.groups.size(); ++g) {
-    const double mass = modal_mass(contact, g), half_loss = 0.5 * loss_time(contact, g);
-    for (std::size_t l = 0; l < contact.groups[g].omega.size(); ++l, ++k) {
-      if (half_loss > 0.0 && state.coordinate[k] == 0.0 && state.momentum[k] == 0.0) continue;  // however far back
-      const double omega = contact.groups[g].omega[l];
-      const auto [kept, coupling, slowed] = numeric::damped_motion(omega, half_loss * omega * omega, time);
-      const double inertia = mass * omega;
-      moved.coordinate[k] = state.coordinate[k] * kept + state.momentum[k] * coupling / inertia;
-      moved.momentum[k] = state.momentum[k] * slowed - state.coordinate[k] * coupling * inertia;
-      if (!std::isfinite(moved.coordinate[k]) || !std::isfinite(moved.momentum[k])) {
-        throw InvalidInput("time: got " + std::to_string(time) +
-                           ", allowed times at which the modes are finite (a lossy body cannot be followed far back)");
-      }
-    }
-  }
-  return moved;
-}
-
 std::vector<Frame> motion(const Contact& contact, const Impact& impact, const std::vector<double>& times,
                           const Poll& poll) {
   require_times(times);
@@ -171,7 +127,7 @@ std::vector<Frame> motion(const Contact& contact, const Impact& impact, const st
           {now.time, now.force, now.contact_half_width, state(), {now.node_force.begin(), now.node_force.end()}});
     }
   };
-  const ImpactOptions options{.resolution = repetition(contact, impact), .poll = poll};
+  const ImpactOptions options{.resolution = repetition(contact, impact), .start = impact.start, .poll = poll};
   const Impact again = stoss::impact(contact, impact.speed, options, {.observer = observer, .modes = true});
   const double end = static_cast<double>(again.steps) * again.step;
   while (wanted()) {

@@ -51,6 +51,7 @@ void WholeBodies::show(Impact& impact) const {
     *each /= energy_;
   }
   for (ModeEnergy& mode : ledger.modes) {
+    mode.before /= energy_;
     mode.after /= energy_;
     mode.average /= energy_;
   }

@@ -85,7 +85,12 @@ void restitution_curve(const RefinableContact& contact, const std::vector<double
       if (stop) throw Stopped{};
     };
     const auto note = [&attempts, i](const Attempt& attempt) { attempts.put(i, attempt); };
-    return point(contact, speeds[i], {options.tolerance, options.absolute, heed, note});
+    return point(contact, speeds[i],
+                 {.tolerance = options.tolerance,
+                  .absolute = options.absolute,
+                  .poll = heed,
+                  .attempt_observer = note,
+                  .vibration = options.vibration});
   };
   const auto deliver = [&](std::size_t i, Restitution&& result) {
     awaited = i + 1;

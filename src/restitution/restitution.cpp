@@ -27,14 +27,15 @@ constexpr double aim = 0.9;           // of the tolerance: one run too fine cost
 constexpr double room_to_last = 1.5;  // of a half-space, over what is expected of the contact
 constexpr double affordable = 2e8;    // of `work`, less than a second: what a run without hope may cost
 
-Run summary(const Impact& impact) {
+/// @param energy initial energy of an impact, over that of the translation
+Run summary(const Impact& impact, double energy) {
   return {.cutoff = impact.cutoff,
           .step = impact.step,
           .nodes = impact.nodes,
           .half_width = impact.half_width,
           .lost_fraction = impact.lost_fraction,
-          .dissipated = impact.energy.dissipated,
-          .unresolved = impact.energy.unresolved,
+          .dissipated = energy * impact.energy.dissipated,
+          .unresolved = energy * impact.energy.unresolved,
           .contact_time = impact.contact_time,
           .impulse_time = impact.impulse_time,
           .max_force = impact.max_force,
@@ -46,17 +47,35 @@ Run summary(const Impact& impact) {
 /// An impact, with a half-space made anew for a longer time where the contact outlasts it.
 /// @param half_width of the contact in a coarser run, or 0
 /// @param stretch    of the half-space (RefinableContact::stretch); becomes greater
-Impact impact_to_its_end(const RefinableContact& contact, double cutoff, double speed, double half_width,
-                         double& stretch, const Poll& poll) {
+Impact impact_to_its_end(const RefinableContact& contact, double cutoff, double speed, const Vibration& vibration,
+                         double half_width, double& stretch, const Poll& poll) {
   const double longest = room_to_last * stretch / std::numbers::sqrt2;
   for (;; stretch *= std::numbers::sqrt2) {
     const Contact& resolved = contact.at(cutoff, stretch, poll);
+    ImpactOptions options{.resolution = refined_resolution(resolved, speed, half_width), .poll = poll};
+    if (!vibration.empty()) options.start = approach(resolved, speed, vibration);
     try {
-      return impact(resolved, speed, {.resolution = refined_resolution(resolved, speed, half_width), .poll = poll});
+      return impact(resolved, speed, options);
     } catch (const Outlasted&) {
       if (!resolved.radiating || stretch > longest) throw;
     }
   }
+}
+
+/// The first level at which all modes of a vibration are kept.
+int lowest_level(const RefinableContact& contact, const Vibration& vibration, int highest, const Poll& poll) {
+  for (int level = 0; level <= highest; ++level) {
+    if (keeps(contact.at(level, poll), vibration)) return level;
+  }
+  throw InvalidInput("vibration: got a mode above " + std::to_string(std::lround(contact.cutoff(highest))) +
+                     ", allowed modes that are kept (or there is no such mode)");
+}
+
+/// Initial energy over that of the translation.
+double whole_energy(const Vibration& vibration) {
+  double sum = 1.0;
+  for (const Oscillation& mode : vibration) sum += mode.energy;
+  return sum;
 }
 
 /// Error of 1 − ε² with which a result counts as converged.
@@ -142,18 +161,21 @@ Restitution restitution(const RefinableContact& contact, double speed, const Res
   Outlook next{rungs.front(), 0.0, 0.0, true};
   const CurvatureCorrection correction = curvature_correction(contact, speed, options.poll);
   std::string trouble;
-  for (int level = 0; level <= highest && next.worthwhile; level += next.rungs) {
+  const double energy = whole_energy(options.vibration);
+  const int lowest = lowest_level(contact, options.vibration, highest, options.poll);
+  for (int level = lowest; level <= highest && next.worthwhile; level += next.rungs) {
     if (options.attempt_observer) options.attempt_observer({contact.cutoff(level), result.lost_fraction});
     try {
       const double width = result.finest.max_half_width;
-      result.finest = impact_to_its_end(contact, contact.cutoff(level), speed, width, stretch, options.poll);
+      result.finest =
+          impact_to_its_end(contact, contact.cutoff(level), speed, options.vibration, width, stretch, options.poll);
       correct(correction, contact.at(level, options.poll), result.finest);
     } catch (const NotConverged& error) {  // too coarse, perhaps
       trouble = error.what();
       continue;
     }
     trouble.clear();
-    result.runs.push_back(summary(result.finest));
+    result.runs.push_back(summary(result.finest, energy));
     result.steps += result.finest.steps;
     if (result.runs.size() < first_runs) {
       next.rungs = rungs[result.runs.size() - 1];

@@ -9,6 +9,7 @@
 #include "stoss/contact/contact.hpp"
 #include "stoss/contact/tail.hpp"
 #include "stoss/impact/resolution.hpp"
+#include "stoss/impact/state.hpp"
 #include "stoss/poll.hpp"
 
 namespace stoss {
@@ -16,20 +17,11 @@ namespace stoss {
 /// Speed, in c, above which results are flagged: small-strain elasticity has lost its meaning.
 inline constexpr double small_strain_speed = 0.5;
 
-/// Motion of what meets: the centre relative to the wall or to the centre of the second body, and the modes, in the
-/// order of Contact::groups. A mode of mass m_k, that of its body, has the energy (P² + m_k²ω²Q²)/(2m_k).
-struct State {
-  double center = 0.0;             ///< x₀, R; the wall is at x = 0, the body at x < 0
-  double velocity = 0.0;           ///< of the centre, towards the wall, c
-  std::vector<double> coordinate;  ///< Q, R
-  std::vector<double> momentum;    ///< P, mc
-};
-
 /// How an impact is computed, and from where.
 struct ImpactOptions {
   Resolution resolution{};
   std::optional<State>
-      start{};  ///< a vibrating body, of velocity `speed`; otherwise at rest inside, just out of contact
+      start{};  ///< of velocity `speed`, as `approach` makes it; otherwise at rest inside, just out of contact
   Poll poll{};
 };
 
@@ -67,6 +59,7 @@ struct ModeEnergy {
   int order = 0;         ///< n
   int index = 0;         ///< l
   double omega = 0.0;    ///< c/R
+  double before = 0.0;   ///< before the impact
   double after = 0.0;    ///< after the impact
   double average = 0.0;  ///< mean over the steps in contact, of which every fourth is taken
 };
@@ -106,6 +99,7 @@ struct Impact {
   double energy_error = 0.0;     ///< 1 − sum of the ledger
   long steps = 0;
   bool beyond_small_strain = false;  ///< speed > 0.5 c or compression > 0.5 R: linear elasticity has lost its meaning
+  std::optional<State> start;        ///< where it was given
   State final_state;                 ///< where a part of a body is there (BodyPart), that of the part
 };
 

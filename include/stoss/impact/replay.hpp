@@ -18,7 +18,7 @@ struct Frame {
   std::vector<double> node_force;  ///< share of each contact node in F
 };
 
-/// Resolution at which `impact` repeats an impact from a body at rest inside, bit by bit.
+/// Resolution at which `impact` repeats an impact, from the same start, bit by bit.
 [[nodiscard]] Resolution repetition(const Contact& contact, const Impact& impact);
 
 /// One of two bodies at one instant. Lengths and the place are in units of the first, what is inside the body in its
@@ -44,19 +44,10 @@ struct BodyFrame {
 /// on the surface as contact points do.
 [[nodiscard]] std::vector<double> surface_displacement(const BodyFrame& seen, const ContactPoints& points);
 
-/// State after the bodies have touched nothing for a time, forward or back: x₀ drifts and every mode rotates, and
-/// decays in a lossy body; back in time it grows.
-/// @throws InvalidInput for a time so far back that a vibration of a lossy body exceeds all numbers
-[[nodiscard]] State free_motion(const Contact& contact, const State& state, double time);
-
-/// Energy of each mode, mc², in the order of Contact::groups.
-/// @throws InvalidInput for a state of another number of modes
-[[nodiscard]] std::vector<double> mode_energies(const Contact& contact, const State& state);
-
 /// What meets at given times of its impact, which is repeated bit by bit: during the impact at the
 /// nearest step (Frame::time says which), before and after it in free flight.
 /// @param contact the one of the impact, with all its modes
-/// @param impact a result of `impact` from a body at rest inside
+/// @param impact a result of `impact`
 /// @param times  R/c, ascending, −1e4 … 1e4
 /// @throws InvalidInput for another body, or times that do not ascend
 [[nodiscard]] std::vector<Frame> motion(const Contact& contact, const Impact& impact, const std::vector<double>& times,

@@ -24,6 +24,7 @@ struct CurveOptions {
   int threads = 0;                     ///< 0: as many as the machine has; results do not depend on it
   Poll poll{};                         ///< on the calling thread, at least every 50 ms
   AttemptObserver attempt_observer{};  ///< what it throws ends the curve
+  Vibration vibration{};               ///< as in RestitutionOptions, at each speed
 };
 
 /// Checks the speeds and the options of a curve.

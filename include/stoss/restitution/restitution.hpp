@@ -6,6 +6,7 @@
 
 #include "stoss/errors.hpp"
 #include "stoss/impact/impact.hpp"
+#include "stoss/impact/vibration.hpp"
 #include "stoss/poll.hpp"
 #include "stoss/restitution/ladder.hpp"
 
@@ -26,8 +27,8 @@ struct Run {
   int nodes = 0;
   double half_width = 0.0;  ///< of the contact grid
   double lost_fraction = 0.0;
-  double dissipated = 0.0;  ///< energy that the material took, share of the initial energy
-  double unresolved = 0.0;  ///< energy that the modes above the cutoff took, share of the initial energy
+  double dissipated = 0.0;  ///< energy that the material took, share of the initial energy of translation
+  double unresolved = 0.0;  ///< energy that the modes above the cutoff took, share of the initial energy of translation
   double contact_time = 0.0;
   double impulse_time = 0.0;
   double max_force = 0.0;
@@ -67,6 +68,7 @@ struct RestitutionOptions {
   double absolute = 1e-6;   ///< or error of 1 − ε² that is small enough in any case, 0 … 0.5
   Poll poll{};
   std::function<void(const Attempt&)> attempt_observer{};  ///< called before each impact; what it throws ends them
+  Vibration vibration{};  ///< of the bodies before the impact; 1 − ε² may then be negative
 };
 
 /// A coefficient of restitution that misses its tolerance. `best` is the best value that was
@@ -84,8 +86,8 @@ class RestitutionNotConverged : public NotConverged {
 /// observed order of convergence. Where the errors fall too slowly for any cutoff, it gives up before impacts that take
 /// more than a second.
 /// @param speed of approach, 1e-8 … 1, in c
-/// @throws InvalidInput for arguments out of range; RestitutionNotConverged if no cutoff of the ladder is enough;
-///         NotConverged if no two impacts end
+/// @throws InvalidInput for arguments out of range, and a vibration of modes above all cutoffs;
+///         RestitutionNotConverged if no cutoff of the ladder is enough; NotConverged if no two impacts end
 [[nodiscard]] Restitution restitution(const RefinableContact& contact, double speed,
                                       const RestitutionOptions& options = {});
 

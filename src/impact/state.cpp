@@ -1,0 +1,102 @@
+#include "stoss/impact/state.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <numbers>
+#include <string>
+
+#include "impact/grid_size.hpp"
+#include "numeric/damped_oscillator.hpp"
+#include "stoss/errors.hpp"
+
+namespace stoss {
+namespace {
+
+void require_modes(const Contact& contact, const State& state) {
+  const std::size_t count = mode_count(contact);
+  if (state.coordinate.size() != count || state.momentum.size() != count) {
+    throw InvalidInput("state: got " + std::to_string(state.coordinate.size()) + " coordinates and " +
+                       std::to_string(state.momentum.size()) + " momenta, allowed " + std::to_string(count) +
+                       " of each (one for every kept mode)");
+  }
+}
+
+/// Greatest displacement of any contact point by the modes, each at its best phase.
+double reach(const Contact& contact, const State& state) {
+  constexpr int points = 32;
+  const double half_width = has_single_point(contact) ? 0.0 : initial_half_width(contact, std::abs(state.velocity));
+  const ContactGrid grid = contact_grid(contact, half_width, has_single_point(contact) ? 1 : points);
+  const std::size_t nodes = grid.recess.size();
+  const auto greatest = [&](std::size_t row) {
+    double result = 0.0;
+    for (std::size_t i = 0; i < nodes; ++i) result = std::max(result, std::abs(grid.shape[row * nodes + i]));
+    return result;
+  };
+  double sum = 0.0;
+  for (std::size_t g = 0, k = 0; g < contact.groups.size(); ++g) {
+    const ModeGroup& group = contact.groups[g];
+    const double mass = modal_mass(contact, g), scale = std::sqrt(mass / contact.mass);
+    const double upper = greatest(group.upper_row), lower = greatest(group.lower_row);
+    for (std::size_t l = 0; l < group.omega.size(); ++l, ++k) {
+      const double amplitude = std::hypot(state.coordinate[k], state.momentum[k] / (mass * group.omega[l]));
+      sum += scale * amplitude * (std::abs(group.upper[l]) * upper + std::abs(group.lower[l]) * lower);
+    }
+  }
+  return sum;
+}
+
+}  // namespace
+
+State free_motion(const Contact& contact, const State& state, double time) {
+  State moved = state;
+  moved.center += state.velocity * time;
+  std::size_t k = 0;
+  for (std::size_t g = 0; g < contact.groups.size(); ++g) {
+    const double mass = modal_mass(contact, g), half_loss = 0.5 * loss_time(contact, g);
+    for (std::size_t l = 0; l < contact.groups[g].omega.size(); ++l, ++k) {
+      if (half_loss > 0.0 && state.coordinate[k] == 0.0 && state.momentum[k] == 0.0) continue;  // however far back
+      const double omega = contact.groups[g].omega[l];
+      const auto [kept, coupling, slowed] = numeric::damped_motion(omega, half_loss * omega * omega, time);
+      const double inertia = mass * omega;
+      moved.coordinate[k] = state.coordinate[k] * kept + state.momentum[k] * coupling / inertia;
+      moved.momentum[k] = state.momentum[k] * slowed - state.coordinate[k] * coupling * inertia;
+      if (!std::isfinite(moved.coordinate[k]) || !std::isfinite(moved.momentum[k])) {
+        throw InvalidInput("time: got " + std::to_string(time) +
+                           ", allowed times at which the modes are finite (a lossy body cannot be followed far back)");
+      }
+    }
+  }
+  return moved;
+}
+
+std::vector<double> mode_energies(const Contact& contact, const State& state) {
+  require_modes(contact, state);
+  std::vector<double> energies;
+  energies.reserve(state.momentum.size());
+  for (std::size_t g = 0; g < contact.groups.size(); ++g) {
+    const double mass = modal_mass(contact, g);
+    for (const double omega : contact.groups[g].omega) {
+      const std::size_t k = energies.size();
+      const double momentum = state.momentum[k], restoring = mass * omega * state.coordinate[k];
+      energies.push_back(0.5 * (momentum * momentum + restoring * restoring) / mass);
+    }
+  }
+  return energies;
+}
+
+double clearance(const Contact& contact, const State& state) {
+  require_modes(contact, state);
+  constexpr double margin = 1.05;
+  const double free = margin * reach(contact, state), speed = std::abs(state.velocity);
+  if (const auto* soft = std::get_if<ExponentialWall>(&contact.wall)) {
+    constexpr double negligible = 1e-12, edge = 2.0 * std::numbers::pi;  // at least that of any body
+    const double energy = 0.5 * contact.mass * speed * speed;
+    return free + std::max(0.0, std::log(soft->strength * edge / (negligible * energy))) / soft->hardness;
+  }
+  // Beyond the first spacing of nodes, where a hard contact begins to push, and some steps.
+  const double half_width = has_single_point(contact) ? 0.0 : initial_half_width(contact, speed);
+  return free + 0.02 * half_width * half_width + speed / contact.cutoff;
+}
+
+}  // namespace stoss

@@ -1,0 +1,135 @@
+#include "stoss/impact/vibration.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <map>
+#include <numbers>
+#include <string>
+#include <tuple>
+
+#include "check.hpp"
+#include "digits.hpp"
+#include "stoss/errors.hpp"
+
+namespace stoss {
+namespace {
+
+/// A mode of a contact.
+struct Place {
+  std::size_t group, index;
+  int body, order, number;
+};
+
+/// All modes, in their order.
+std::vector<Place> places(const Contact& contact) {
+  std::vector<Place> all;
+  for (std::size_t g = 0; g < contact.groups.size(); ++g) {
+    const ModeGroup& group = contact.groups[g];
+    for (std::size_t l = 0; l < group.omega.size(); ++l) {
+      const int number = group.index.empty() ? static_cast<int>(l) : group.index[l];
+      all.push_back({g, l, g < contact.first_groups ? 0 : 1, group.order, number});
+    }
+  }
+  return all;
+}
+
+/// Their numbers in that order, by body, order and index.
+using Numbers = std::map<std::tuple<int, int, int>, std::size_t>;
+
+Numbers numbered(const std::vector<Place>& all) {
+  Numbers numbers;
+  for (std::size_t k = 0; k < all.size(); ++k) {
+    numbers.emplace(std::tuple(all[k].body, all[k].order, all[k].number), k);
+  }
+  return numbers;
+}
+
+std::string named(const Oscillation& mode) {
+  return "mode (" + std::to_string(mode.order) + ", " + std::to_string(mode.index) + ") of the " +
+         (mode.body == 0 ? "first" : "second") + " body";
+}
+
+void require_whole(const Contact& contact, const Oscillation& mode) {
+  const bool second = mode.body == 1;
+  if ((mode.body != 0 && !second) || (second && contact.second == nullptr)) {
+    throw InvalidInput("vibration: got a mode of body " + std::to_string(mode.body) + ", allowed 0" +
+                       (contact.second == nullptr ? " (a wall has no modes)" : " or 1"));
+  }
+  const Body& body = second ? *contact.second : *contact.first;
+  if (body.part.size < 1.0 || is_unbounded(body)) {
+    throw InvalidInput("vibration: got a mode of '" + body.name + "', allowed modes of bodies that are there as a " +
+                       "whole (the waves of this one run away)");
+  }
+}
+
+}  // namespace
+
+State approach(const Contact& contact, double speed, const Vibration& vibration) {
+  require_speed(speed);
+  const std::size_t count = mode_count(contact);
+  State state{-contact.extent, speed, std::vector<double>(count), std::vector<double>(count)};
+  const std::vector<Place> all = places(contact);
+  const Numbers numbers = numbered(all);
+  std::vector<bool> given(count);
+  const double translation = 0.5 * contact.mass * speed * speed;
+  const auto set = [&](std::size_t k, double energy, double phase) {
+    const double omega = contact.groups[all[k].group].omega[all[k].index];
+    const double mass = modal_mass(contact, all[k].group), momentum = std::sqrt(2.0 * mass * energy * translation);
+    state.coordinate[k] = momentum / (mass * omega) * std::cos(phase);
+    state.momentum[k] = -momentum * std::sin(phase);
+  };
+  std::vector<std::size_t> found;
+  for (const Oscillation& mode : vibration) {
+    require_whole(contact, mode);
+    const auto at = numbers.find({mode.body, mode.order, mode.index});
+    if (at == numbers.end()) {
+      throw InvalidInput("vibration: got " + named(mode) + ", allowed modes up to the cutoff, " +
+                         shown(contact.cutoff) + " (raise it)");
+    }
+    if (given[at->second]) throw InvalidInput("vibration: got " + named(mode) + " twice, allowed once");
+    constexpr Range not_negative{0.0, 1e12, true, true, "0 to 1e12"};
+    require("energy", mode.energy, not_negative, "of a mode, as a share of the translational energy");
+    require("phase", mode.phase, {-1e12, 1e12, true, true, "-1e12 to 1e12"}, "of a mode, radians");
+    given[at->second] = true;
+    found.push_back(at->second);
+    set(at->second, mode.energy, mode.phase);
+  }
+  const double distance = clearance(contact, state), time = distance / speed;
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    const Place& place = all[found[i]];
+    set(found[i], vibration[i].energy, vibration[i].phase - contact.groups[place.group].omega[place.index] * time);
+  }
+  state.center -= distance;
+  return state;
+}
+
+Vibration vibration(const Contact& contact, const State& state) {
+  const std::vector<double> energies = mode_energies(contact, state);
+  if (!(state.velocity != 0.0) || !std::isfinite(state.velocity)) {
+    throw InvalidInput("state: got velocity " + shown(state.velocity) + ", allowed bodies that move");
+  }
+  const double translation = 0.5 * contact.mass * state.velocity * state.velocity;
+  const double time = -(state.center + contact.extent) / state.velocity;  // until they would touch
+  const std::vector<Place> all = places(contact);
+  Vibration result;
+  for (std::size_t k = 0; k < all.size(); ++k) {
+    if (energies[k] == 0.0) continue;
+    const double omega = contact.groups[all[k].group].omega[all[k].index];
+    const double restoring = modal_mass(contact, all[k].group) * omega * state.coordinate[k];
+    const double phase = std::atan2(-state.momentum[k], restoring) + omega * time;
+    result.push_back({all[k].body, all[k].order, all[k].number, energies[k] / translation,
+                      std::remainder(phase, 2.0 * std::numbers::pi)});
+  }
+  return result;
+}
+
+bool keeps(const Contact& contact, const Vibration& vibration) {
+  const Numbers numbers = numbered(places(contact));
+  return std::all_of(vibration.begin(), vibration.end(), [&](const Oscillation& mode) {
+    require_whole(contact, mode);
+    return numbers.contains({mode.body, mode.order, mode.index});
+  });
+}
+
+}  // namespace stoss
