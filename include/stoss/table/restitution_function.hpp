@@ -1,0 +1,69 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <vector>
+
+#include "stoss/restitution/restitution.hpp"
+
+namespace stoss {
+
+/// A computed value of a RestitutionFunction.
+struct Knot {
+  double speed = 0.0;    ///< of approach, in any unit, the same for all knots
+  Estimate restitution;  ///< ε
+};
+
+/// What a RestitutionFunction gives beyond its range.
+enum class Beyond {
+  error,  ///< nothing: InvalidInput
+  clamp,  ///< the value at the nearer end, with an unknown (infinite) error
+  law     ///< below, what the law of slow impacts says; above, InvalidInput
+};
+
+/// ε of a slow impact with its error, as a law has it.
+using SlowLaw = std::function<Estimate(double speed)>;
+
+/// The coefficient of restitution as a function of the speed: a cubic in ln v between computed values that rises and
+/// falls only as they do (Fritsch and Carlson 1980), so ε never leaves the range of its neighbours.
+///
+/// Its error is the sum of the greater error of the two neighbours and of what the interpolation may be off by. A speed
+/// counts without its sign. A value takes some 15 ns.
+class RestitutionFunction {
+ public:
+  /// @param knots               of rising speed, five or more, with finite values and errors
+  /// @param law                 for Beyond::law
+  /// @param interpolation_error of each interval between knots; empty: estimated from how well knots are met by the
+  ///                            others
+  /// @throws InvalidInput for knots that do not rise or are not finite, errors that are negative or of another number,
+  ///         and Beyond::law without a law
+  explicit RestitutionFunction(std::vector<Knot> knots, Beyond beyond = Beyond::error, SlowLaw law = {},
+                               std::vector<double> interpolation_error = {});
+
+  /// ε with its whole error. @throws InvalidInput for 0, a speed that is not finite, and beyond the range as it says
+  [[nodiscard]] Estimate operator()(double speed) const;
+
+  /// ε alone, which is faster. @throws InvalidInput as above
+  [[nodiscard]] double value(double speed) const;
+
+  [[nodiscard]] double slowest() const;
+  [[nodiscard]] double fastest() const;
+  [[nodiscard]] Beyond beyond() const;
+
+  /// Greatest error within the range.
+  [[nodiscard]] double greatest_error() const;
+
+  [[nodiscard]] const std::vector<Knot>& knots() const;
+
+  /// dε/d ln v at each knot.
+  [[nodiscard]] const std::vector<double>& slopes() const;
+
+  /// Error of each interval between knots, of their values and of the interpolation together.
+  [[nodiscard]] const std::vector<double>& errors() const;
+
+ private:
+  struct Table;
+  std::shared_ptr<const Table> table_;
+};
+
+}  // namespace stoss

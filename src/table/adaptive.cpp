@@ -1,0 +1,164 @@
+#include "stoss/table/adaptive.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "check.hpp"
+#include "digits.hpp"
+#include "stoss/errors.hpp"
+#include "stoss/restitution/curve.hpp"
+
+namespace stoss {
+namespace {
+
+constexpr double per_decade = 6.0;
+constexpr std::size_t fewest_speeds = 7;
+constexpr double share_of_values = 1.0 / 3.0, share_of_interpolation = 0.5;
+
+void require_options(double slowest, double fastest, const FunctionOptions& options) {
+  require_speed(slowest);
+  require_speed(fastest);
+  if (!(slowest < fastest)) {
+    throw InvalidInput("range: got " + shown(slowest) + " to " + shown(fastest) +
+                       ", allowed a slowest speed below the fastest");
+  }
+  require("error", options.error, {1e-7, 0.1, true, true, "1e-7 to 0.1"}, "greatest error of the restitution");
+  require("most_speeds", static_cast<long>(options.most_speeds), 16, 100'000, "at which it is computed");
+  require("threads", static_cast<long>(options.threads), 0, 1024, "0 for as many as the machine has");
+}
+
+/// An interval between knots that is to be halved.
+struct Gap {
+  double left, right;  ///< ln v of its ends
+};
+
+/// Computes ε at speeds and adds it to the knots, by ln v.
+class Computation {
+ public:
+  Computation(const RefinableContact& contact, double slowest, double fastest, const FunctionOptions& options)
+      : contact_(contact), slowest_(slowest), fastest_(fastest), options_(options) {}
+
+  void add(const std::vector<double>& logarithms) {
+    std::vector<double> speeds;
+    for (const double each : logarithms) speeds.push_back(speed_at(each));
+    if (knots.size() + speeds.size() > static_cast<std::size_t>(options_.most_speeds)) {
+      throw NotConverged("restitution_function: more than " + std::to_string(options_.most_speeds) +
+                         " speeds are needed (allow a greater error, a smaller range, or more speeds)");
+    }
+    const double wanted = share_of_values * options_.error;
+    std::vector<double> again;
+    compute(speeds, wanted, [&](std::size_t i, const Restitution& result) {
+      // What is left of ε where it is small: δε = δ(1 − ε²)/2ε.
+      if (result.restitution.error <= wanted) {
+        knots[logarithms[i]] = {speeds[i], result.restitution};
+      } else {
+        again.push_back(logarithms[i]);
+      }
+    });
+    for (const double each : again) refine(each, wanted);
+  }
+
+  std::map<double, Knot> knots;
+
+ private:
+  /// The ends of the range are exact.
+  [[nodiscard]] double speed_at(double logarithm) const {
+    if (logarithm <= std::log(slowest_)) return slowest_;
+    return logarithm >= std::log(fastest_) ? fastest_ : std::exp(logarithm);
+  }
+
+  using Receiver = std::function<void(std::size_t, const Restitution&)>;
+
+  void compute(const std::vector<double>& speeds, double absolute, const Receiver& receive) const {
+    constexpr double no_tolerance = 1e-15;
+    const CurveOptions curve{.tolerance = no_tolerance,
+                             .absolute = std::min(absolute, 0.5),
+                             .threads = options_.threads,
+                             .poll = options_.poll};
+    restitution_curve(contact_, speeds, curve, receive);
+  }
+
+  /// One speed at which ε is so small that an error of 1 − ε² is a large one of ε.
+  void refine(double logarithm, double wanted) {
+    constexpr double least = 1e-9;
+    const double speed = speed_at(logarithm);
+    for (double absolute = 0.25 * wanted; absolute > least; absolute *= 0.25) {
+      Estimate found;
+      std::string reason;
+      compute({speed}, absolute, [&](std::size_t, const Restitution& result) {
+        found = result.restitution;
+        reason = result.reason;
+      });
+      if (found.error <= wanted) {
+        knots[logarithm] = {speed, found};
+        return;
+      }
+      if (!reason.empty()) {
+        throw NotConverged("restitution_function: at speed " + shown(speed) + " c " + reason);
+      }
+    }
+    throw NotConverged("restitution_function: the restitution at speed " + shown(speed) +
+                       " c is so small that its error is not to be had");
+  }
+
+  const RefinableContact& contact_;
+  double slowest_, fastest_;
+  const FunctionOptions& options_;
+};
+
+std::vector<Knot> values(const std::map<double, Knot>& knots) {
+  std::vector<Knot> list;
+  for (const auto& each : knots) list.push_back(each.second);
+  return list;
+}
+
+}  // namespace
+
+RestitutionFunction restitution_function(const RefinableContact& contact, double slowest, double fastest,
+                                         const FunctionOptions& options) {
+  require_options(slowest, fastest, options);
+  const double begin = std::log(slowest), end = std::log(fastest);
+  const auto steps =
+      std::max(fewest_speeds, static_cast<std::size_t>(std::ceil(per_decade * (end - begin) / std::log(10.0))) + 1) - 1;
+  std::vector<double> next;
+  std::vector<Gap> open;
+  for (std::size_t i = 0; i <= steps; ++i) {
+    const double share = static_cast<double>(i) / static_cast<double>(steps);
+    next.push_back(i == steps ? end : begin + share * (end - begin));
+    if (i > 0) open.push_back({next[i - 1], next[i]});
+  }
+  Computation computation(contact, slowest, fastest, options);
+  computation.add(next);
+  std::map<double, double> missed;  // by the left end of each interval that is done
+  while (!open.empty()) {
+    const RestitutionFunction before(values(computation.knots));
+    next.clear();
+    for (const Gap& gap : open) next.push_back(0.5 * (gap.left + gap.right));
+    computation.add(next);
+    std::vector<Gap> still;
+    for (std::size_t i = 0; i < open.size(); ++i) {
+      const Knot& middle = computation.knots.at(next[i]);
+      const double distance = std::abs(before.value(middle.speed) - middle.restitution.value);
+      for (const Gap& half : {Gap{open[i].left, next[i]}, Gap{next[i], open[i].right}}) {
+        if (distance > share_of_interpolation * options.error) still.push_back(half);
+        missed[half.left] = distance;
+      }
+    }
+    open = std::move(still);
+  }
+  // A middle may be met by chance: the worst of three neighbours counts.
+  std::vector<double> own, interpolation;
+  for (const auto& each : missed) own.push_back(each.second);
+  for (std::size_t k = 0; k < own.size(); ++k) {
+    const std::size_t left = k > 0 ? k - 1 : k, right = std::min(k + 1, own.size() - 1);
+    interpolation.push_back(std::max({own[left], own[k], own[right]}));
+  }
+  return RestitutionFunction(values(computation.knots), options.beyond, options.law, std::move(interpolation));
+}
+
+}  // namespace stoss

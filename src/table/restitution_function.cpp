@@ -1,0 +1,172 @@
+// ε between computed values is a MonotoneCubic in ln v. Its interval is found in bins of equal ln v.
+#include "stoss/table/restitution_function.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+#include <utility>
+
+#include "digits.hpp"
+#include "numeric/monotone_cubic.hpp"
+#include "stoss/errors.hpp"
+
+namespace stoss {
+namespace {
+
+constexpr std::size_t fewest = 5;  // so that one can be left out, with two on either side
+
+void require_knots(const std::vector<Knot>& knots) {
+  if (knots.size() < fewest) {
+    throw InvalidInput("knots: got " + std::to_string(knots.size()) + ", allowed " + std::to_string(fewest) +
+                       " computed values or more");
+  }
+  double before = 0.0;
+  for (const Knot& knot : knots) {
+    const auto& [value, error] = knot.restitution;
+    if (!(knot.speed > before) || !std::isfinite(knot.speed)) {
+      throw InvalidInput("speed: got " + shown(knot.speed) + " after " + shown(before) +
+                         ", allowed positive finite speeds that rise (sort them)");
+    }
+    if (!std::isfinite(value) || !std::isfinite(error) || error < 0.0) {
+      throw InvalidInput("restitution: got " + shown(value) + " with the error " + shown(error) + " at speed " +
+                         shown(knot.speed) + ", allowed values with known errors (leave out what has not converged)");
+    }
+    before = knot.speed;
+  }
+}
+
+std::vector<double> logarithms(const std::vector<Knot>& knots) {
+  std::vector<double> all;
+  for (const Knot& knot : knots) all.push_back(std::log(knot.speed));
+  return all;
+}
+
+std::vector<double> values(const std::vector<Knot>& knots) {
+  std::vector<double> all;
+  for (const Knot& knot : knots) all.push_back(knot.restitution.value);
+  return all;
+}
+
+/// How far each knot is from the cubic through its two neighbours on either side; of knots too near the ends 0.
+std::vector<double> missed(const std::vector<double>& x, const std::vector<double>& y) {
+  std::vector<double> distance(x.size());
+  for (std::size_t k = 2; k + 2 < x.size(); ++k) {
+    const numeric::MonotoneCubic without({x[k - 2], x[k - 1], x[k + 1], x[k + 2]},
+                                         {y[k - 2], y[k - 1], y[k + 1], y[k + 2]});
+    distance[k] = std::abs(without(1, x[k]) - y[k]);
+  }
+  return distance;
+}
+
+/// What the interpolation may be off by in each interval: half of how far the cubic misses the knots around it when
+/// they are left out, which doubles the spacing. A single knot may be met by chance: the worst of four counts.
+std::vector<double> estimated(const std::vector<double>& x, const std::vector<double>& y) {
+  constexpr double of_half_the_spacing = 0.5;
+  const std::vector<double> distance = missed(x, y);
+  std::vector<double> error(x.size() - 1);
+  for (std::size_t k = 0; k < error.size(); ++k) {
+    // The nearest four knots that can be left out.
+    const std::size_t first = std::clamp<std::size_t>(k, 3, std::max<std::size_t>(x.size() - 3, 3)) - 1;
+    for (std::size_t i = first; i < std::min(first + 4, x.size()); ++i) error[k] = std::max(error[k], distance[i]);
+    error[k] *= of_half_the_spacing;
+  }
+  return error;
+}
+
+}  // namespace
+
+struct RestitutionFunction::Table {
+  std::vector<Knot> knots;
+  numeric::MonotoneCubic cubic;
+  double slowest, fastest;
+  Beyond beyond;
+  SlowLaw law;
+  std::vector<double> error{};              // of each interval
+  double bins_per_unit = 0.0;               // of ln v
+  std::vector<std::size_t> first_in_bin{};  // interval in which each bin of equal ln v begins
+
+  /// As many bins as there are intervals: the interval of a speed is that of its bin or one of the next.
+  void sort() {
+    const std::size_t intervals = error.size();
+    bins_per_unit = static_cast<double>(intervals) / (cubic.x.back() - cubic.x.front());
+    std::size_t k = 0;
+    for (std::size_t bin = 0; bin <= intervals; ++bin) {
+      const double begin = cubic.x.front() + static_cast<double>(bin) / bins_per_unit;
+      while (k + 1 < intervals && cubic.x[k + 1] <= begin) ++k;
+      first_in_bin.push_back(k);
+    }
+  }
+
+  [[nodiscard]] std::size_t interval(double logarithm) const {
+    const double bin = (logarithm - cubic.x.front()) * bins_per_unit, last = static_cast<double>(error.size());
+    std::size_t k = first_in_bin[static_cast<std::size_t>(std::clamp(bin, 0.0, last))];
+    while (k > 0 && logarithm < cubic.x[k]) --k;  // rounding at the edge of a bin
+    while (k + 1 < error.size() && logarithm >= cubic.x[k + 1]) ++k;
+    return k;
+  }
+
+  [[nodiscard]] Estimate outside(double speed) const {
+    if (!(speed > 0.0) || !std::isfinite(speed)) {
+      throw InvalidInput("speed: got " + shown(speed) + ", allowed a finite speed of approach that is not 0");
+    }
+    const bool below = speed < slowest;
+    if (beyond == Beyond::law && below) return law(speed);
+    if (beyond == Beyond::clamp) {
+      return {below ? cubic.y.front() : cubic.y.back(), std::numeric_limits<double>::infinity()};
+    }
+    throw InvalidInput("speed: got " + shown(speed) + ", allowed " + shown(slowest) + " to " + shown(fastest) +
+                       " (the range for which the function was made)");
+  }
+};
+
+RestitutionFunction::RestitutionFunction(std::vector<Knot> knots, Beyond beyond, SlowLaw law,
+                                         std::vector<double> interpolation_error) {
+  require_knots(knots);
+  if (beyond == Beyond::law && !law) {
+    throw InvalidInput("beyond: got law, allowed error or clamp (there is no law of slow impacts of these bodies)");
+  }
+  numeric::MonotoneCubic cubic(logarithms(knots), values(knots));
+  const std::size_t intervals = knots.size() - 1;
+  std::vector<double> error =
+      interpolation_error.empty() ? estimated(cubic.x, cubic.y) : std::move(interpolation_error);
+  const auto bad = [](double each) { return !(each >= 0.0) || !std::isfinite(each); };
+  if (error.size() != intervals || std::any_of(error.begin(), error.end(), bad)) {
+    throw InvalidInput("interpolation_error: got " + std::to_string(error.size()) + ", allowed " +
+                       std::to_string(intervals) + " finite ones, 0 or more (one for each interval)");
+  }
+  for (std::size_t k = 0; k < intervals; ++k) {
+    error[k] += std::max(knots[k].restitution.error, knots[k + 1].restitution.error);
+  }
+  const double slowest = knots.front().speed, fastest = knots.back().speed;
+  Table table{std::move(knots), std::move(cubic), slowest, fastest, beyond, std::move(law), std::move(error)};
+  table.sort();
+  table_ = std::make_shared<const Table>(std::move(table));
+}
+
+Estimate RestitutionFunction::operator()(double speed) const {
+  const double size = std::abs(speed);
+  if (!(size >= slowest() && size <= fastest())) return table_->outside(size);
+  const double logarithm = std::log(size);
+  const std::size_t k = table_->interval(logarithm);
+  return {table_->cubic(k, logarithm), table_->error[k]};
+}
+
+double RestitutionFunction::value(double speed) const {
+  const double size = std::abs(speed);
+  if (!(size >= table_->slowest && size <= table_->fastest)) return table_->outside(size).value;
+  const double logarithm = std::log(size);
+  return table_->cubic(table_->interval(logarithm), logarithm);
+}
+
+double RestitutionFunction::slowest() const { return table_->slowest; }
+double RestitutionFunction::fastest() const { return table_->fastest; }
+Beyond RestitutionFunction::beyond() const { return table_->beyond; }
+double RestitutionFunction::greatest_error() const {
+  return *std::max_element(table_->error.begin(), table_->error.end());
+}
+const std::vector<Knot>& RestitutionFunction::knots() const { return table_->knots; }
+const std::vector<double>& RestitutionFunction::slopes() const { return table_->cubic.slope; }
+const std::vector<double>& RestitutionFunction::errors() const { return table_->error; }
+
+}  // namespace stoss
