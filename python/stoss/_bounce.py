@@ -81,7 +81,7 @@ def bounce(
     --------
     >>> ball = stoss.Sphere(poisson=0.3)
     >>> stoss.bounce(ball, speed=0.05, count=50, flight_time=30)
-    Bounces(50 impacts, Sphere(poisson=0.3), speed=0.05 c: restitution 0.942245 to 1.00264, translation 0.5)
+    Bounces(50 impacts, Sphere(poisson=0.3), speed=0.05 c: restitution 0.942245 to 1.0263, translation 0.4069 in the end)
     >>> forgetful = stoss.bounce(ball, speed=0.05, count=3, flight_time=30, decay_time=0)
     >>> float(forgetful.restitution[1]) == stoss.impact(ball, speed=forgetful.speed[1], cutoff=20).restitution
     True
