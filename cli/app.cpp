@@ -22,6 +22,7 @@ void declare(CLI::App& app, int& exit_code) {
   add_modes(app);
   add_impact(app);
   add_restitution(app, exit_code);
+  add_distribution(app, exit_code);
   add_quasistatic(app);
   refuse_empty_values(app);
 }
