@@ -1,6 +1,8 @@
 #pragma once
 
-// Ensembles of vibrating bodies: everything in include/stoss/vibration/.
+// Bodies that vibrate: everything in include/stoss/vibration/.
 
+#include "stoss/vibration/bounce.hpp"
 #include "stoss/vibration/distribution.hpp"
 #include "stoss/vibration/ensemble.hpp"
+#include "stoss/vibration/quantities.hpp"

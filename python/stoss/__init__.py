@@ -13,6 +13,7 @@ speed c = √(E/ρ), mass m; of bodies with a `Material`, speeds are in m/s.
 bodies
 `impact`                          one impact: energy ledger, trajectory, deformation and stress in
 time
+`bounce`                          a body that comes back to a wall with the vibration it has kept
 `modes`                           the eigenmodes of a disk or a sphere
 `extrapolated_restitution`        ε as Gerl and Zippelius compute it
 `quasistatic`                     slow impacts, Rayleigh's estimate of the loss, static contacts
@@ -28,6 +29,8 @@ time
 
 from stoss import quasistatic
 from stoss._bodies import Body, Disk, Rod, Sphere
+from stoss._bounce import bounce
+from stoss._bounce_result import Bounces
 from stoss._core import version as __version__
 from stoss._errors import Interrupted, InvalidInput, NotConverged, StossWarning
 from stoss._extrapolation import Extrapolation, extrapolated_restitution
@@ -47,6 +50,7 @@ from stoss._wave import Wave
 
 __all__ = [
     "Body",
+    "Bounces",
     "Disk",
     "DiskField",
     "ExponentialWall",
@@ -73,6 +77,7 @@ __all__ = [
     "Wave",
     "__version__",
     "animate",
+    "bounce",
     "extrapolated_restitution",
     "impact",
     "materials",

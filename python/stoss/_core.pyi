@@ -127,6 +127,17 @@ def restitution_curve(
     reasons: list[str],
     tick: Callable[[], None] | None,
 ) -> None: ...
+def slowest_bounce(speed: float) -> float: ...
+def bounce(
+    contact: Contact,
+    radiating: bool,
+    speed: float,
+    count: int,
+    flight_time: float | None,
+    gravity: float | None,
+    decay_time: float | None,
+    done: list[NDArray[Any]],
+) -> str: ...
 def extrapolated_restitution(
     poisson: float, speed: float, cutoffs: NDArray[np.float64], hardnesses: NDArray[np.float64]
 ) -> dict[str, Any]: ...

@@ -11,6 +11,7 @@ limits
 pressure
 `spectrum`, `mode_shape`                          eigenmodes
 `force`, `velocity`, `energies`, `half_width`     one impact in time
+`bounces`                                         a sequence: ε, and where the energy is
 `ledger`                                          which mode holds how much energy
 `disk`, `sphere`, `sequence`, `stress`            the deformed disk or sphere at the wall, or two
 `wave`                                            what runs away below the surface of a half-space
@@ -32,6 +33,7 @@ except ModuleNotFoundError as _missing:
     _hint = "pip install matplotlib, or apt install python3-matplotlib"
     raise ImportError(f"stoss.plot needs matplotlib: {_hint}") from None
 
+from stoss._bounce_result import Bounces
 from stoss._extrapolation import Extrapolation
 from stoss._field import DiskField, SphereField
 from stoss._modes import Modes
@@ -43,6 +45,7 @@ from stoss._static_contact import StaticContact
 from stoss._trajectory import Trajectory
 from stoss._wave import Wave
 from stoss.plot._animation import animate
+from stoss.plot._bounces import bounces
 from stoss.plot._disk import disk, sphere
 from stoss.plot._extrapolation import extrapolation
 from stoss.plot._ledger import ledger
@@ -56,6 +59,7 @@ from stoss.plot._wave import wave
 
 pictures.update(
     {
+        Bounces: bounces,
         Extrapolation: extrapolation,
         DiskField: stress,
         Modes: spectrum,
@@ -73,6 +77,7 @@ pictures.update(
 
 __all__ = [
     "animate",
+    "bounces",
     "disk",
     "energies",
     "extrapolation",
