@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <limits>
 #include <memory>
 #include <optional>
@@ -24,7 +25,9 @@ struct RodChainOptions {
   RodMethod method = RodMethod::modes;
   int modes = 50;    ///< of the rod of the shortest transit time, 1 … 10 000; the others keep all up to its frequency
   int pieces = 400;  ///< most of the wave in each rod (characteristics), 2 … 1 000 000
-  Tail tail = Tail::radiating;         ///< of the modes above the cutoff; static: the chain loses no energy to them
+  /// Of the modes above the cutoff, and of what the merging of pieces loses: radiating, they take energy for good;
+  /// static, they take none, and a wave whose pieces are merged is given back its energy.
+  Tail tail = Tail::radiating;
   std::optional<double> decay_time{};  ///< in which the energy of a vibration falls to 1/e; absent: none, 0: complete
   Poll poll{};
 };
@@ -94,6 +97,12 @@ class RodChain {
   struct State;
   std::unique_ptr<State> state_;
 };
+
+/// Velocities drawn from Maxwell's distribution, each normal with the mean square temperature/mass, of which the
+/// velocity of the centre of mass is then taken away. The same for the same seed.
+/// @param temperature twice the mean kinetic energy of a rod, 0 to 1e100
+/// @throws InvalidInput for arguments out of range
+[[nodiscard]] std::vector<double> thermal_velocities(std::span<const Rod> rods, double temperature, std::uint64_t seed);
 
 /// What was seen of a chain: all collisions, and samples at the start, after each of the first fifty, then 2 % apart in
 /// the number of collisions, and at the end.
