@@ -9,14 +9,15 @@ from stoss._arguments import instance
 from stoss._rod_chain_result import RodChain
 from stoss.plot import _style
 
-LATE = 0.1  # share of the collisions after which t⁻² is drawn
+COOLED = 1e-2  # share of the energy below which t⁻² is drawn
 
 
 def cooling(chain: RodChain, ax: Axes | None = None) -> Axes:
     """Energies of a chain of rods against time, as shares of the initial one, with a line ∝ t⁻².
 
-    Translation is a solid line, vibration a dashed one; where vibrations are gone at the next
-    collision there is none. The grey line goes through the last translational energy.
+    Translation is a solid line, vibration a dashed one, which is left out where vibrations are gone
+    at the next collision. The dotted line is the law of late times; there is none while translation
+    has more than a hundredth of its energy.
 
     Parameters
     ----------
@@ -50,20 +51,19 @@ def cooling(chain: RodChain, ax: Axes | None = None) -> Axes:
             if chain.decay_time != 0.0 and np.any(vibration > 0.0):
                 shown = vibration > 1e-6 * translation  # a chain without damping may start with none
                 axes.plot(time[shown], vibration[shown], color=_style.VERMILION, linestyle="--", label="vibration")
-            late = time[time >= time[int((1.0 - LATE) * 0.5 * time.size)]]
-            axes.plot(
-                late, translation[-1] * (late / time[-1]) ** -2.0, color=_style.GREY, linewidth=0.8, linestyle=":",
-                label="∝ t⁻²", zorder=1.0,
-            )  # fmt: skip
-            _style.legend(axes, loc="lower left")
+            late = translation < COOLED
+            if late[-1]:
+                level = np.exp(np.median(np.log(translation[late] * time[late] ** 2)))
+                axes.plot(time[late], level / time[late] ** 2, color=_style.BLACK, linestyle=":", label="∝ t⁻²")
+            _style.legend(axes)
     return axes
 
 
 def restitution_histogram(chain: RodChain, ax: Axes | None = None) -> Axes:
     """How often each coefficient of restitution occurs in a chain of rods.
 
-    The rare values above the 99.8th percentile are left out; a vertical line marks ε = 1, and the
-    dotted one the mean of all.
+    The rare values above the 99.8th percentile are left out. A line marks ε = 1, and the dotted
+    one the mean of all.
 
     Parameters
     ----------
@@ -92,6 +92,7 @@ def restitution_histogram(chain: RodChain, ax: Axes | None = None) -> Axes:
             bins = int(np.clip(np.sqrt(values.size), 10, 60))
             counts, edges = np.histogram(values, bins=bins, range=(float(values.min()), top))
             axes.stairs(counts / (values.size * np.diff(edges)), edges, fill=True, color=_style.SKY)
+            axes.set_ylim(0.0, 1.2 * axes.get_ylim()[1])
             axes.axvline(1.0, color=_style.BLACK, linewidth=0.6)
             axes.axvline(float(values.mean()), color=_style.VERMILION, linestyle=":", label="mean")
             _style.legend(axes)
