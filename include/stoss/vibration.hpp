@@ -6,3 +6,4 @@
 #include "stoss/vibration/distribution.hpp"
 #include "stoss/vibration/ensemble.hpp"
 #include "stoss/vibration/quantities.hpp"
+#include "stoss/vibration/rod_chain.hpp"

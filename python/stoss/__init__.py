@@ -16,6 +16,7 @@ time
 `bounce`                          a body that comes back to a wall with the vibration it has kept
 `modes`                           the eigenmodes of a disk or a sphere
 `extrapolated_restitution`        ε as Gerl and Zippelius compute it
+`rod_chain`                       rods on a ring that remember their collisions
 `quasistatic`                     slow impacts, Rayleigh's estimate of the loss, static contacts
 `Disk`, `Sphere`, `Rod`           bodies
 `HalfSpace`, `HalfPlane`          what gives way, and carries waves away
@@ -43,6 +44,8 @@ from stoss._modes import Modes, modes
 from stoss._restitution import restitution
 from stoss._restitution_result import Restitution
 from stoss._result import with_error
+from stoss._rod_chain import rod_chain
+from stoss._rod_chain_result import RodChain
 from stoss._state import Oscillation
 from stoss._trajectory import Trajectory
 from stoss._walls import ExponentialWall, HardWall, Wall
@@ -68,6 +71,7 @@ __all__ = [
     "Oscillation",
     "Restitution",
     "Rod",
+    "RodChain",
     "Scales",
     "Sphere",
     "SphereField",
@@ -85,6 +89,7 @@ __all__ = [
     "plot",
     "quasistatic",
     "restitution",
+    "rod_chain",
     "with_error",
 ]
 
