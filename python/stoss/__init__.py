@@ -16,10 +16,12 @@ time
 `bounce`                          a body that comes back to a wall with the vibration it has kept
 `modes`                           the eigenmodes of a disk or a sphere
 `extrapolated_restitution`        ε as Gerl and Zippelius compute it
+`rod_chain`                       rods on a ring that remember their collisions
 `quasistatic`                     slow impacts, Rayleigh's estimate of the loss, static contacts
 `Disk`, `Sphere`, `Rod`           bodies
 `HalfSpace`, `HalfPlane`          what gives way, and carries waves away
 `HardWall`, `ExponentialWall`     walls
+`Oscillation`                     a mode that vibrates before an impact
 `Material`, `materials`           SI; typical materials
 `plot`                            pictures (needs matplotlib)
 `with_error`                      a number with the digits that its error leaves it, for reading
@@ -42,6 +44,9 @@ from stoss._modes import Modes, modes
 from stoss._restitution import restitution
 from stoss._restitution_result import Restitution
 from stoss._result import with_error
+from stoss._rod_chain import rod_chain
+from stoss._rod_chain_result import RodChain
+from stoss._state import Oscillation
 from stoss._trajectory import Trajectory
 from stoss._walls import ExponentialWall, HardWall, Wall
 from stoss._wave import Wave
@@ -63,8 +68,10 @@ __all__ = [
     "Material",
     "Modes",
     "NotConverged",
+    "Oscillation",
     "Restitution",
     "Rod",
+    "RodChain",
     "Scales",
     "Sphere",
     "SphereField",
@@ -82,6 +89,7 @@ __all__ = [
     "plot",
     "quasistatic",
     "restitution",
+    "rod_chain",
     "with_error",
 ]
 
