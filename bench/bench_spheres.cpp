@@ -85,8 +85,7 @@ void add_distribution(double at) {
     stoss::DistributionSummary all = stoss::summary(stoss::restitution_distribution(ball, at, warm, options));
     for (auto _ : state) all = stoss::summary(stoss::restitution_distribution(ball, at, warm, options));
     state.counters[lost_fraction_counter] = all.lost_fraction.value;
-    state.counters["samples per s"] =
-        benchmark::Counter(100.0, benchmark::Counter::kIsIterationInvariantRate);
+    state.counters["samples per s"] = benchmark::Counter(100.0, benchmark::Counter::kIsIterationInvariantRate);
     state.counters[sphere_counter] = 1.0;
   });
 }
