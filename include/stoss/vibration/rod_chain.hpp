@@ -48,6 +48,7 @@ struct RodChainSample {
   long collisions = 0;       ///< so far
   double translation = 0.0;  ///< kinetic energy of the rods' centres in the frame of their centre of mass
   double vibration = 0.0;    ///< energy of all vibrations
+  double dissipated = 0.0;   ///< energy of vibrations that has decayed so far
   double unresolved = 0.0;   ///< energy lost so far to modes above the cutoff, or to pieces that were merged
   double momentum = 0.0;
 };
@@ -115,6 +116,6 @@ struct RodChainRecord {
 /// @param time       not before the chain's own, may be infinite
 /// @throws InvalidInput for arguments out of range; NotConverged as RodChain::collide. What is done is in the record.
 void run(RodChain& chain, RodChainRecord& record, long collisions,
-         double time = std::numeric_limits<double>::infinity(), const Poll& poll = {});
+         double time = std::numeric_limits<double>::infinity());
 
 }  // namespace stoss
