@@ -13,6 +13,7 @@ speed c = √(E/ρ), mass m; of bodies with a `Material`, speeds are in m/s.
 bodies
 `impact`                          one impact: energy ledger, trajectory, deformation and stress in
 time
+`restitution_distribution`        ε of many bodies that vibrate at random before
 `modes`                           the eigenmodes of a disk or a sphere
 `extrapolated_restitution`        ε as Gerl and Zippelius compute it
 `quasistatic`                     slow impacts, Rayleigh's estimate of the loss, static contacts
@@ -29,6 +30,8 @@ time
 from stoss import quasistatic
 from stoss._bodies import Body, Disk, Rod, Sphere
 from stoss._core import version as __version__
+from stoss._distribution import restitution_distribution
+from stoss._distribution_result import RestitutionDistribution
 from stoss._errors import Interrupted, InvalidInput, NotConverged, StossWarning
 from stoss._extrapolation import Extrapolation, extrapolated_restitution
 from stoss._field import DiskField, Field, SphereField
@@ -63,6 +66,7 @@ __all__ = [
     "NotConverged",
     "Oscillation",
     "Restitution",
+    "RestitutionDistribution",
     "Rod",
     "Scales",
     "Sphere",
@@ -80,6 +84,7 @@ __all__ = [
     "plot",
     "quasistatic",
     "restitution",
+    "restitution_distribution",
     "with_error",
 ]
 

@@ -27,12 +27,12 @@ class NotConverged(RuntimeError):
 
 
 class Interrupted(KeyboardInterrupt):
-    """Ctrl-C during a curve.
+    """Ctrl-C during a curve or a distribution.
 
     Attributes
     ----------
-    best : Restitution
-        The curve so far; what is missing is NaN and not converged.
+    best : Restitution or RestitutionDistribution
+        The curve so far; what is missing is NaN and not converged. The samples so far.
     """
 
     def __init__(self, message: str, best: Any = None) -> None:

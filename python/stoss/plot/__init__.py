@@ -7,6 +7,7 @@ settings. Nothing global is changed.
 ================================================  ==================================================
 `restitution`, `extrapolation`                    ε or 1 − ε² against speed; Gerl and Zippelius' two
 limits
+`distribution`                                    ε of many bodies that vibrate
 `slow_impact`, `rayleigh`, `static_contact`       quasi-static: contact time, lost fraction,
 pressure
 `spectrum`, `mode_shape`                          eigenmodes
@@ -32,6 +33,7 @@ except ModuleNotFoundError as _missing:
     _hint = "pip install matplotlib, or apt install python3-matplotlib"
     raise ImportError(f"stoss.plot needs matplotlib: {_hint}") from None
 
+from stoss._distribution_result import RestitutionDistribution
 from stoss._extrapolation import Extrapolation
 from stoss._field import DiskField, SphereField
 from stoss._modes import Modes
@@ -44,6 +46,7 @@ from stoss._trajectory import Trajectory
 from stoss._wave import Wave
 from stoss.plot._animation import animate
 from stoss.plot._disk import disk, sphere
+from stoss.plot._distribution import distribution
 from stoss.plot._extrapolation import extrapolation
 from stoss.plot._ledger import ledger
 from stoss.plot._modes import mode_shape, spectrum
@@ -63,6 +66,7 @@ pictures.update(
         PointSlowImpact: slow_impact,
         RayleighEstimate: rayleigh,
         Restitution: restitution,
+        RestitutionDistribution: distribution,
         SphereField: stress,
         SlowImpact: slow_impact,
         StaticContact: static_contact,
@@ -74,6 +78,7 @@ pictures.update(
 __all__ = [
     "animate",
     "disk",
+    "distribution",
     "energies",
     "extrapolation",
     "force",
