@@ -13,12 +13,16 @@ speed c = √(E/ρ), mass m; of bodies with a `Material`, speeds are in m/s.
 bodies
 `impact`                          one impact: energy ledger, trajectory, deformation and stress in
 time
+`restitution_distribution`        ε of many bodies that vibrate at random before
+`bounce`                          a body that comes back to a wall with the vibration it has kept
 `modes`                           the eigenmodes of a disk or a sphere
 `extrapolated_restitution`        ε as Gerl and Zippelius compute it
+`rod_chain`                       rods on a ring that remember their collisions
 `quasistatic`                     slow impacts, Rayleigh's estimate of the loss, static contacts
 `Disk`, `Sphere`, `Rod`           bodies
 `HalfSpace`, `HalfPlane`          what gives way, and carries waves away
 `HardWall`, `ExponentialWall`     walls
+`Oscillation`                     a mode that vibrates before an impact
 `Material`, `materials`           SI; typical materials
 `plot`                            pictures (needs matplotlib)
 `with_error`                      a number with the digits that its error leaves it, for reading
@@ -27,7 +31,11 @@ time
 
 from stoss import quasistatic
 from stoss._bodies import Body, Disk, Rod, Sphere
+from stoss._bounce import bounce
+from stoss._bounce_result import Bounces
 from stoss._core import version as __version__
+from stoss._distribution import restitution_distribution
+from stoss._distribution_result import RestitutionDistribution
 from stoss._errors import Interrupted, InvalidInput, NotConverged, StossWarning
 from stoss._extrapolation import Extrapolation, extrapolated_restitution
 from stoss._field import DiskField, Field, SphereField
@@ -39,12 +47,16 @@ from stoss._modes import Modes, modes
 from stoss._restitution import restitution
 from stoss._restitution_result import Restitution
 from stoss._result import with_error
+from stoss._rod_chain import rod_chain
+from stoss._rod_chain_result import RodChain
+from stoss._state import Oscillation
 from stoss._trajectory import Trajectory
 from stoss._walls import ExponentialWall, HardWall, Wall
 from stoss._wave import Wave
 
 __all__ = [
     "Body",
+    "Bounces",
     "Disk",
     "DiskField",
     "ExponentialWall",
@@ -59,8 +71,11 @@ __all__ = [
     "Material",
     "Modes",
     "NotConverged",
+    "Oscillation",
     "Restitution",
+    "RestitutionDistribution",
     "Rod",
+    "RodChain",
     "Scales",
     "Sphere",
     "SphereField",
@@ -70,6 +85,7 @@ __all__ = [
     "Wave",
     "__version__",
     "animate",
+    "bounce",
     "extrapolated_restitution",
     "impact",
     "materials",
@@ -77,6 +93,8 @@ __all__ = [
     "plot",
     "quasistatic",
     "restitution",
+    "restitution_distribution",
+    "rod_chain",
     "with_error",
 ]
 

@@ -7,8 +7,11 @@ version: str
 min_poisson: float
 max_poisson: float
 quantities: dict[str, tuple[tuple[str, str, bool], ...]]
+oscillation: np.dtype[Any]
+mean_energy: np.dtype[Any]
 rayleigh_row: np.dtype[Any]
 restitution_row: np.dtype[Any]
+sample_row: np.dtype[Any]
 
 class Body:
     @property
@@ -36,7 +39,27 @@ class Impact:
     def numbers(self) -> dict[str, Any]: ...
     def modes(self) -> NDArray[Any]: ...
     def trajectory(self, contact: Contact, every: int) -> NDArray[Any]: ...
+    def vibration_after(self, contact: Contact, flight: float) -> NDArray[Any]: ...
 
+class RodChain:
+    def run(self, collisions: int, time: float) -> None: ...
+    def collisions(self) -> NDArray[Any]: ...
+    def samples(self) -> NDArray[Any]: ...
+    def velocities(self) -> NDArray[np.float64]: ...
+
+def rod_chain(
+    rods: list[tuple[float, float, float, float, float]],
+    circumference: float,
+    velocities: NDArray[np.float64],
+    modes: bool,
+    count: int,
+    pieces: int,
+    radiating: bool,
+    decay_time: float | None,
+) -> RodChain: ...
+def thermal_velocities(
+    rods: list[tuple[float, float, float, float, float]], temperature: float, seed: int
+) -> NDArray[np.float64]: ...
 def units(body: str, si: bool) -> dict[str, str]: ...
 def plane_poisson(young: float, poisson: float, density: float, strain: bool) -> float: ...
 def loss_time_of_quality(quality: float, frequency: float) -> float: ...
@@ -71,7 +94,13 @@ def refinable_pair(first: BodyMaker, second: BodyMaker) -> RefinableContact: ...
 def hard_wall() -> AnyWall: ...
 def exponential_wall(hardness: float, strength: float) -> AnyWall: ...
 def impact(
-    contact: Contact, radiating: bool, speed: float, step: float | None, nodes: int | None, half_width: float | None
+    contact: Contact,
+    radiating: bool,
+    speed: float,
+    step: float | None,
+    nodes: int | None,
+    half_width: float | None,
+    state: NDArray[Any],
 ) -> Impact: ...
 def motion(contact: Contact, impact: Impact, times: NDArray[np.float64]) -> Frames: ...
 def surfaces(
@@ -101,6 +130,7 @@ def waves(
     first: BodyMaker,
     second: BodyMaker,
     impact: Impact,
+    state: NDArray[Any],
     times: NDArray[np.float64],
     distance: NDArray[np.float64],
     depth: NDArray[np.float64],
@@ -113,10 +143,45 @@ def restitution_curve(
     tolerance: float,
     absolute: float,
     threads: int,
+    state: NDArray[Any],
     rows: NDArray[Any],
     reasons: list[str],
     tick: Callable[[], None] | None,
 ) -> None: ...
+def slowest_bounce(speed: float) -> float: ...
+def bounce(
+    contact: Contact,
+    radiating: bool,
+    speed: float,
+    count: int,
+    flight_time: float | None,
+    gravity: float | None,
+    decay_time: float | None,
+    state: NDArray[Any],
+    done: list[NDArray[Any]],
+) -> str: ...
+def warm_modes(contact: RefinableContact, temperature: float, highest: float) -> NDArray[Any]: ...
+def check_distribution(
+    contact: RefinableContact,
+    speed: float,
+    spectrum: NDArray[Any],
+    samples: int,
+    seed: int,
+    error: float,
+    threads: int,
+) -> None: ...
+def restitution_distribution(
+    contact: RefinableContact,
+    speed: float,
+    spectrum: NDArray[Any],
+    seed: int,
+    error: float,
+    threads: int,
+    rows: NDArray[Any],
+    reasons: list[str],
+    tick: Callable[[], None] | None,
+) -> None: ...
+def summary(restitution: NDArray[np.float64], error: NDArray[np.float64]) -> dict[str, Any]: ...
 def extrapolated_restitution(
     poisson: float, speed: float, cutoffs: NDArray[np.float64], hardnesses: NDArray[np.float64]
 ) -> dict[str, Any]: ...
