@@ -6,7 +6,7 @@ set -euo pipefail
 
 # Build and core; the command.
 packages=(
-  g++ cmake ninja-build make git libeigen3-dev libboost-dev
+  g++ cmake ninja-build make git libeigen3-dev libboost-dev librandom123-dev
   libcli11-dev libfmt-dev nlohmann-json3-dev
 )
 # The Python package.

@@ -2,13 +2,13 @@
 
 #include <algorithm>
 #include <atomic>
-#include <limits>
 #include <mutex>
 #include <optional>
 #include <thread>
 #include <utility>
 
 #include "check.hpp"
+#include "restitution/best_restitution.hpp"
 #include "restitution/ordered_jobs.hpp"
 #include "stoss/bodies/disk.hpp"
 
@@ -38,27 +38,6 @@ class Attempts {
   std::vector<std::optional<Attempt>> attempts_;
 };
 
-/// A point at which no two impacts ended.
-Restitution failed(double speed, const RestitutionOptions& options, const std::string& reason) {
-  constexpr double none = std::numeric_limits<double>::quiet_NaN();
-  constexpr Estimate nothing{none, none};
-  Restitution result{nothing,          nothing, nothing, nothing, nothing, nothing, options.tolerance,
-                     options.absolute, false,   reason,  {},      {},      0};
-  result.finest.speed = speed;
-  result.finest.restitution = result.finest.lost_fraction = none;
-  return result;
-}
-
-Restitution point(const RefinableContact& contact, double speed, const RestitutionOptions& options) {
-  try {
-    return restitution(contact, speed, options);
-  } catch (const RestitutionNotConverged& error) {
-    return error.best;
-  } catch (const NotConverged& error) {
-    return failed(speed, options, error.what());
-  }
-}
-
 }  // namespace
 
 void validate(const std::vector<double>& speeds, const CurveOptions& options) {
@@ -85,12 +64,12 @@ void restitution_curve(const RefinableContact& contact, const std::vector<double
       if (stop) throw Stopped{};
     };
     const auto note = [&attempts, i](const Attempt& attempt) { attempts.put(i, attempt); };
-    return point(contact, speeds[i],
-                 {.tolerance = options.tolerance,
-                  .absolute = options.absolute,
-                  .poll = heed,
-                  .attempt_observer = note,
-                  .vibration = options.vibration});
+    return best_restitution(contact, speeds[i],
+                            {.tolerance = options.tolerance,
+                             .absolute = options.absolute,
+                             .poll = heed,
+                             .attempt_observer = note,
+                             .vibration = options.vibration});
   };
   const auto deliver = [&](std::size_t i, Restitution&& result) {
     awaited = i + 1;

@@ -1,0 +1,6 @@
+#pragma once
+
+// Ensembles of vibrating bodies: everything in include/stoss/vibration/.
+
+#include "stoss/vibration/distribution.hpp"
+#include "stoss/vibration/ensemble.hpp"
