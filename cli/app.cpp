@@ -21,6 +21,7 @@ void declare(CLI::App& app, int& exit_code) {
       "Exit codes: 0 ok, 1 not converged, 2 usage, 3 bad input, 4 input/output, 130 interrupted.");
   add_modes(app);
   add_impact(app);
+  add_bounce(app);
   add_restitution(app, exit_code);
   add_quasistatic(app);
   refuse_empty_values(app);

@@ -111,6 +111,20 @@ const Table<Snapshot>& snapshot_table() {
   return table;
 }
 
+const Table<Bounce>& bounce_table() {
+  static const Table<Bounce> table(bounce_quantities(), {
+                                                            {"number", {.width = 8, .si_width = 8}},
+                                                            {"speed", {.width = 13, .si_width = 13}},
+                                                            {"restitution", {.width = 13, .si_width = 13}},
+                                                            {"translation", {.width = 13, .si_width = 13}},
+                                                            {"vibration", {.width = 13, .si_width = 13}},
+                                                            {"dissipated", {.width = 13, .si_width = 13}},
+                                                            {"unresolved", {.width = 13, .si_width = 13}},
+                                                            {"flight_time", {.width = 13, .si_width = 16}},
+                                                        });
+  return table;
+}
+
 const Table<Mode>& mode_table() {
   static const Table<Mode> table(bodies::disk::mode_quantities(), {
                                                                       {"order", {.width = 7, .si_width = 7}},

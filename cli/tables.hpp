@@ -8,6 +8,7 @@
 #include "stoss/quasistatic/static_contact.hpp"
 #include "stoss/restitution/extrapolation.hpp"
 #include "stoss/restitution/restitution.hpp"
+#include "stoss/vibration/bounce.hpp"
 #include "table.hpp"
 
 namespace stoss::cli {
@@ -30,6 +31,7 @@ struct Compressed {
 [[nodiscard]] const Table<EnergyLedger>& ledger_table();
 [[nodiscard]] const Table<ModeEnergy>& mode_energy_table();
 [[nodiscard]] const Table<Snapshot>& snapshot_table();
+[[nodiscard]] const Table<Bounce>& bounce_table();
 
 [[nodiscard]] const Table<bodies::disk::Mode>& mode_table();
 [[nodiscard]] const Table<bodies::sphere::Mode>& sphere_mode_table();

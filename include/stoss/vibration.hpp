@@ -4,3 +4,4 @@
 
 #include "stoss/vibration/distribution.hpp"
 #include "stoss/vibration/ensemble.hpp"
+#include "stoss/vibration/bounce.hpp"

@@ -26,6 +26,13 @@ double longest_contact(const Contact& contact) {
   return longest * longest_time(contact);
 }
 
+/// Steps in which bodies that vibrate, and part so slowly that they have not yet cleared each other, will have done so.
+double steps_to_leave(const Contact& contact, const Collision& collision, double step) {
+  const Snapshot now = collision.snapshot();
+  if (now.velocity >= 0.0 || now.vibration < now.translation) return 0.0;
+  return std::max(0.0, (now.center + contact.extent + collision.clearance()) / (-now.velocity * step));
+}
+
 /// One run; empty if the contact outgrew the grid.
 std::optional<Impact> run(const Contact& contact, double speed, const FixedResolution& resolution,
                           const ImpactOptions& options, const Observation& observation) {
@@ -34,7 +41,7 @@ std::optional<Impact> run(const Contact& contact, double speed, const FixedResol
   Collision collision(contact, options.resolution.tail, grid, speed, resolution.step, options.start, options.poll);
   const WholeBodies whole(contact, collision.snapshot());
   const double flight = std::max(0.0, -(collision.snapshot().center + contact.extent)) + 4.0 * collision.clearance();
-  const double steps = (longest_contact(contact) + flight / speed) / resolution.step;
+  double steps = (longest_contact(contact) + flight / speed) / resolution.step;
   if (steps > most_steps) {
     throw NotConverged("impact: would take more than " + std::to_string(static_cast<long>(most_steps)) +
                        " steps (use a larger step, or a hard wall instead of an exponential one)");
@@ -57,6 +64,9 @@ std::optional<Impact> run(const Contact& contact, double speed, const FixedResol
   for (long step = 1; !collision.over(); ++step) {
     if (static_cast<double>(step) > steps) {
       if (contact.radiating) throw Outlasted(static_cast<double>(step) * resolution.step, echo_time(contact));
+      steps += steps_to_leave(contact, collision, resolution.step);
+    }
+    if (static_cast<double>(step) > std::min(steps, most_steps)) {
       throw NotConverged("impact: the contact has not ended after " + std::to_string(step) + " steps");
     }
     if (options.poll) options.poll();

@@ -32,6 +32,8 @@ int main(int argc, char** argv) {
     const std::string folder = std::string(argv[1]) + "/";
     study::write_phases(folder + "phases.csv");
     study::write_modes(folder + "modes.csv");
+    study::write_temperatures(folder + "temperatures.csv", folder + "samples.csv");
+    study::write_heat(folder + "heat.csv");
   } catch (const std::exception& error) {
     fmt::print(stderr, "stoss_vibration: {}\n", error.what());
     return 1;

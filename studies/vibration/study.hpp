@@ -58,5 +58,7 @@ struct Sinusoid {
 
 void write_phases(const std::string& name);
 void write_modes(const std::string& name);
+void write_temperatures(const std::string& name, const std::string& name_of_samples);
+void write_heat(const std::string& name);
 
 }  // namespace study
