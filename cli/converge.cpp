@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "csv.hpp"
 #include "interrupt.hpp"
 #include "stoss/restitution/curve.hpp"
@@ -29,12 +31,16 @@ std::string describe(const Attempt& attempt) {
 
 std::string converge_columns(const Job& job) { return csv_columns(job.record(0, restitution_table(), {})); }
 
-void check_converge(const Job& job, const CurveOptions& accuracy) {
-  validate(job.speeds, accuracy);
-  for (const double poisson : job.poissons) (void)job.encounter.refinable(poisson);
+void check_converge(const Job& job, const CurveOptions& asked) {
+  validate(job.speeds, asked);
+  const double slowest = *std::min_element(job.speeds.begin(), job.speeds.end());
+  for (const double poisson : job.poissons) {
+    const RefinableContact contact = job.encounter.refinable(poisson);
+    if (!asked.vibration.empty()) validate(contact, slowest, asked.vibration, heed_interrupts);
+  }
 }
 
-void converge(Sweep& sweep, Report& report, const CurveOptions& accuracy) {
+void converge(Sweep& sweep, Report& report, const CurveOptions& asked) {
   const Job& job = sweep.job();
   while (sweep.done() < job.size()) {
     const double poisson = job.poisson(sweep.done());
@@ -46,7 +52,7 @@ void converge(Sweep& sweep, Report& report, const CurveOptions& accuracy) {
       sweep.wait(state);
     };
     const auto note = [&state](std::size_t, const Attempt& attempt) { state = describe(attempt); };
-    CurveOptions options = accuracy;
+    CurveOptions options = asked;
     options.poll = poll;
     options.attempt_observer = note;
     restitution_curve(job.encounter.refinable(poisson), speeds, options, [&](std::size_t, const Restitution& result) {

@@ -11,10 +11,10 @@ namespace stoss::cli {
 [[nodiscard]] std::string converge_columns(const Job& job);
 
 /// @throws InvalidInput for what the core does not accept, before anything is computed
-void check_converge(const Job& job, const CurveOptions& accuracy);
+void check_converge(const Job& job, const CurveOptions& asked);
 
 /// Computes the rows that the sweep does not have yet. @throws Interrupted, OutputError
-/// @param accuracy tolerances and threads
-void converge(Sweep& sweep, Report& report, const CurveOptions& accuracy);
+/// @param asked tolerances, threads and vibration
+void converge(Sweep& sweep, Report& report, const CurveOptions& asked);
 
 }  // namespace stoss::cli

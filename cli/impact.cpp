@@ -11,6 +11,7 @@
 #include "stoss/errors.hpp"
 #include "tables.hpp"
 #include "trajectory.hpp"
+#include "vibration_arguments.hpp"
 #include "yield.hpp"
 
 namespace stoss::cli {
@@ -18,6 +19,7 @@ namespace {
 
 struct ImpactArguments {
   EncounterArguments who;
+  VibrationArguments vibration;
   std::string speed;
   std::string tail = "radiating";
   double cutoff = 50.0;
@@ -31,6 +33,7 @@ struct ImpactArguments {
 Provenance describe(const ImpactArguments& arguments, const Encounter& encounter) {
   Provenance provenance{"impact", command_line(), {}};
   encounter.describe(provenance.inputs);
+  arguments.vibration.describe(provenance.inputs);
   if (encounter.against().kind != "exponential") provenance.inputs["tail"] = arguments.tail;
   return provenance;
 }
@@ -46,7 +49,10 @@ Record make_record(const Impact& impact, const Encounter& encounter, double pois
   return record;
 }
 
-void write_table(const std::string& path, const Record& record, std::vector<ModeEnergy> modes, bool pair) {
+/// @param pair     whether modes of two bodies are told apart
+/// @param vibrates whether modes have energy before the impact
+void write_table(const std::string& path, const Record& record, std::vector<ModeEnergy> modes, bool pair,
+                 bool vibrates) {
   Output output(path);
   output.keep(0);
   for (const Entry& entry : record) {
@@ -64,11 +70,14 @@ void write_table(const std::string& path, const Record& record, std::vector<Mode
   if (count == 0) return output.close();
   output.write("\nmost energetic modes (shares of the initial energy)\n");
   const auto body = [&](const std::string& text) { return pair ? fmt::format("{:>8}", text) : ""; };
-  output.write(fmt::format("{}{:>5}{:>5}{:>12}{:>14}{:>14}\n", body("body"), "n", "l", "omega", "average", "after"));
+  const auto before = [&](const std::string& text) { return vibrates ? fmt::format("{:>14}", text) : ""; };
+  output.write(fmt::format("{}{:>5}{:>5}{:>12}{}{:>14}{:>14}\n", body("body"), "n", "l", "omega", before("before"),
+                           "average", "after"));
   for (std::size_t i = 0; i < count; ++i) {
     const ModeEnergy& mode = modes[i];
-    output.write(fmt::format("{}{:>5}{:>5}{:>12.6f}{:>14.7f}{:>14.7f}\n", body(mode.body == 0 ? "first" : "second"),
-                             mode.order, mode.index, mode.omega, mode.average, mode.after));
+    output.write(fmt::format("{}{:>5}{:>5}{:>12.6f}{}{:>14.7f}{:>14.7f}\n", body(mode.body == 0 ? "first" : "second"),
+                             mode.order, mode.index, mode.omega, before(fmt::format("{:.7f}", mode.before)),
+                             mode.average, mode.after));
   }
   output.close();
 }
@@ -95,6 +104,8 @@ void run(const ImpactArguments& arguments) {
   ImpactOptions options{.resolution = arguments.resolution};
   options.resolution.tail = arguments.tail == "static" ? Tail::quasistatic : Tail::radiating;
   const Contact contact = encounter.contact(poisson, arguments.cutoff, speeds[0]);
+  const Vibration vibration = arguments.vibration.vibration();
+  if (!vibration.empty()) options.start = approach(contact, speeds[0], vibration);
   const Provenance provenance = describe(arguments, encounter);
 
   Impact result;
@@ -122,7 +133,8 @@ void run(const ImpactArguments& arguments) {
     std::vector<ModeEnergy> modes = result.energy.modes;
     // The waves of a half-space are a continuum: single ones say little.
     if (unbounded) std::erase_if(modes, [](const ModeEnergy& mode) { return mode.body == 1; });
-    write_table(arguments.output.path, record, std::move(modes), encounter.against().is_body() && !unbounded);
+    write_table(arguments.output.path, record, std::move(modes), encounter.against().is_body() && !unbounded,
+                !vibration.empty());
     return;
   }
   Report report(Output(arguments.output.path), arguments.output.chosen_format(), provenance);
@@ -150,6 +162,7 @@ void add_impact(CLI::App& app) {
                         "\n  exponential[,hardness=A,strength=V0]: the soft wall V0 exp(A x), A\n"
                         "               in 1/R, 1 to 1e6 (default: 500), V0 in rho c^2 R^2,\n"
                         "               of a sphere rho c^2 R (default: 1; only shifts it)");
+  arguments->vibration.add_to(*command);
   arguments->tail_option =
       command->add_option("--tail", arguments->tail, "How modes above the cutoff answer (default: radiating)")
           ->check(CLI::IsMember({"radiating", "static"}))
@@ -177,7 +190,8 @@ void add_impact(CLI::App& app) {
       "  stoss impact --poisson 0.33 --speed 0.2 --against disk,radius=2\n"
       "  stoss impact --poisson 0.33 --speed 0.1 --against exponential,hardness=300\n"
       "  stoss impact --body sphere --poisson 0.3 --speed 0.1 --against sphere,radius=2,young=4\n"
-      "  stoss impact --body sphere --poisson 0.3 --speed 0.1 --against half-space --cutoff 12");
+      "  stoss impact --body sphere --poisson 0.3 --speed 0.1 --against half-space --cutoff 12\n"
+      "  stoss impact --body sphere --poisson 0.3 --speed 0.01 --mode 2,0,energy=0.1,phase=2");
   command->callback([arguments] { run(*arguments); });
 }
 

@@ -16,12 +16,14 @@
 #include "stoss/restitution/curve.hpp"
 #include "sweep.hpp"
 #include "text.hpp"
+#include "vibration_arguments.hpp"
 
 namespace stoss::cli {
 namespace {
 
 struct RestitutionArguments {
   EncounterArguments who;
+  VibrationArguments vibration;
   std::string poissons;
   std::string speeds;
   std::string method = "converge";
@@ -34,11 +36,13 @@ struct RestitutionArguments {
 
   [[nodiscard]] bool given(const std::string& option) const { return command->get_option(option)->count() > 0; }
   [[nodiscard]] bool converges() const { return method == "converge"; }
-  [[nodiscard]] CurveOptions accuracy() const { return {.tolerance = tolerance, .absolute = absolute, .threads = threads}; }
+  [[nodiscard]] CurveOptions options() const {
+    return {.tolerance = tolerance, .absolute = absolute, .threads = threads, .vibration = vibration.vibration()};
+  }
 };
 
 void check_method(const RestitutionArguments& arguments) {
-  for (const std::string name : {"tolerance", "absolute", "threads", "loss-time"}) {
+  for (const std::string name : {"tolerance", "absolute", "threads", "loss-time", "mode"}) {
     if (!arguments.converges() && arguments.given("--" + name)) {
       throw InvalidInput(
           fmt::format("{0}: got --{0} with --method extrapolate, allowed only with --method converge", name));
@@ -107,6 +111,7 @@ Provenance describe(const RestitutionArguments& arguments, const Job& job) {
   Provenance provenance{arguments.converges() ? "restitution" : "extrapolation", command_line(), {}};
   auto& inputs = provenance.inputs;
   job.encounter.describe(inputs);
+  arguments.vibration.describe(inputs);
   if (!job.units.si && !job.encounter.rods()) inputs["poisson"] = as_typed(arguments.poissons);
   inputs[job.units.si ? "speed[m/s]" : "speed"] = as_typed(arguments.speeds);
   inputs["method"] = arguments.method;
@@ -135,7 +140,7 @@ int run(RestitutionArguments arguments) {
   redirect(arguments);
   const Job job = make_job(arguments);
   if (arguments.converges()) {
-    check_converge(job, arguments.accuracy());
+    check_converge(job, arguments.options());
   } else {
     check_extrapolate(job);
   }
@@ -145,7 +150,7 @@ int run(RestitutionArguments arguments) {
   Report report = open(arguments, describe(arguments, job), columns, sweep);
   try {
     if (arguments.converges()) {
-      converge(sweep, report, arguments.accuracy());
+      converge(sweep, report, arguments.options());
     } else {
       extrapolate(sweep, report);
     }
@@ -206,6 +211,7 @@ void add_restitution(CLI::App& app, int& exit_code) {
       ->type_name("SPEEDS")
       ->group("Body");
   arguments->who.add_to(*command);
+  arguments->vibration.add_to(*command);
   add_resolution(*command, *arguments);
   arguments->output.add_to(*command);
   command
@@ -227,6 +233,7 @@ void add_restitution(CLI::App& app, int& exit_code) {
       "      --yield 1e9 --speed 0.1,1 --against sphere,young=7e10,density=2500,radius=0.02\n"
       "  stoss restitution --body sphere --poisson 0.3 --loss-time 0.1 --speed log:1e-4:0.1:7\n"
       "  stoss restitution --body sphere --poisson 0.3 --speed log:1e-5:0.1:20 --against half-space\n"
+      "  stoss restitution --body sphere --poisson 0.3 --speed 0.01,0.1 --mode 2,0,energy=0.1,phase=2\n"
       "  stoss restitution --body sphere --poisson 0.3 --young 2.1e11 --density 7850 --radius 0.005\n"
       "      --speed 0.1,1 --against half-space,poisson=0.23,young=7e10,density=2500\n"
       "  stoss restitution --body rod --speed 0.1 --against rod,length=2.5,density=3\n"

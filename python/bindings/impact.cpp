@@ -7,6 +7,7 @@
 #include "interpreter.hpp"
 #include "quantities.hpp"
 #include "stoss/impact/quantities.hpp"
+#include "vibration.hpp"
 
 namespace stoss::python {
 namespace {
@@ -30,6 +31,8 @@ Rows<Snapshot> trajectory(const Contact& contact, const Impact& impact, int ever
 }  // namespace
 
 void bind_impact(py::module_& module) {
+  PYBIND11_NUMPY_DTYPE(Oscillation, body, order, index, energy, phase);
+  module.attr("oscillation") = py::dtype::of<Oscillation>();
   PYBIND11_NUMPY_DTYPE(ModeEnergy, body, order, index, omega, before, after, average);
   py::class_<Impact> handle(module, "Impact", "One impact, from which its trajectory can be repeated.");
   seal(handle);
@@ -46,18 +49,25 @@ void bind_impact(py::module_& module) {
             }
             return instants.take();
           },
-          py::arg("contact"), py::arg("every"));
+          py::arg("contact"), py::arg("every"))
+      .def(
+          "vibration_after",
+          [](const Impact& impact, const Contact& contact, double flight) {
+            return take(vibration_after(contact, impact.final_state, flight));
+          },
+          py::arg("contact"), py::arg("flight"));
   module.def(
       "impact",
       [](const Contact& contact, bool radiating, double speed, std::optional<double> step, std::optional<int> nodes,
-         std::optional<double> half_width) {
+         std::optional<double> half_width, const Oscillations& state) {
         const Tail tail = radiating ? Tail::radiating : Tail::quasistatic;
-        const ImpactOptions options{.resolution = {step, nodes, half_width, tail}, .poll = signal_poll()};
+        ImpactOptions options{.resolution = {step, nodes, half_width, tail}, .poll = signal_poll()};
+        if (state.size() > 0) options.start = approach(contact, speed, to_vibration(state));
         const Released released;
         return impact(contact, speed, options);
       },
       py::arg("contact"), py::arg("radiating"), py::arg("speed"), py::arg("step"), py::arg("nodes"),
-      py::arg("half_width"));
+      py::arg("half_width"), py::arg("state"));
 }
 
 }  // namespace stoss::python

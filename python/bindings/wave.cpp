@@ -7,6 +7,7 @@
 #include "interpreter.hpp"
 #include "stoss/bodies/half_space/field.hpp"
 #include "stoss/impact/replay.hpp"
+#include "vibration.hpp"
 
 namespace stoss::python {
 namespace {
@@ -56,12 +57,14 @@ Frame rate(const Contact& contact, const Frame& before, const Frame& now, const 
 }
 
 Waves waves(double poisson, const BodyMaker& first, const BodyMaker& second, const Impact& original,
-            const Values& times, PlaneGrid points, const Poll& poll) {
+            const Vibration& vibration, const Values& times, PlaneGrid points, const Poll& poll) {
   const double latest = times.empty() ? 0.0 : times.back();
   const Contact meeting = lasting(first, second, original.cutoff, latest, points, poisson, poll);
   Resolution resolution = repetition(meeting, original);
   resolution.step.reset();
-  const Impact impact = stoss::impact(meeting, original.speed, {.resolution = resolution, .poll = poll});
+  ImpactOptions options{.resolution = resolution, .poll = poll};
+  if (!vibration.empty()) options.start = approach(meeting, original.speed, vibration);
+  const Impact impact = stoss::impact(meeting, original.speed, options);
   const ContactGrid grid = contact_grid(meeting, impact.half_width, impact.nodes);
 
   Waves all;
@@ -114,20 +117,21 @@ py::dict to_dict(Waves&& all, py::ssize_t depths, py::ssize_t distances) {
 void bind_wave(py::module_& module) {
   module.def(
       "waves",
-      [](double poisson, const BodyMaker& first, const BodyMaker& second, const Impact& impact, const Doubles& times,
-         const Doubles& distance, const Doubles& depth) {
+      [](double poisson, const BodyMaker& first, const BodyMaker& second, const Impact& impact,
+         const Oscillations& state, const Doubles& times, const Doubles& distance, const Doubles& depth) {
         const Values at = to_vector(times);
+        const Vibration vibration = to_vibration(state);
         PlaneGrid points{to_vector(distance), to_vector(depth)};
         const Poll poll = signal_poll();
         Waves all;
         {
           const Released released;
-          all = waves(poisson, first, second, impact, at, std::move(points), poll);
+          all = waves(poisson, first, second, impact, vibration, at, std::move(points), poll);
         }
         return to_dict(std::move(all), depth.size(), distance.size());
       },
-      py::arg("poisson"), py::arg("first"), py::arg("second"), py::arg("impact"), py::arg("times"), py::arg("distance"),
-      py::arg("depth"), "arrays of times x depths x distances");
+      py::arg("poisson"), py::arg("first"), py::arg("second"), py::arg("impact"), py::arg("state"), py::arg("times"),
+      py::arg("distance"), py::arg("depth"), "arrays of times x depths x distances");
   module.def(
       "wave_speeds",
       [](double poisson, bool plane) {

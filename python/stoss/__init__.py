@@ -19,6 +19,7 @@ time
 `Disk`, `Sphere`, `Rod`           bodies
 `HalfSpace`, `HalfPlane`          what gives way, and carries waves away
 `HardWall`, `ExponentialWall`     walls
+`Oscillation`                     a mode that vibrates before an impact
 `Material`, `materials`           SI; typical materials
 `plot`                            pictures (needs matplotlib)
 `with_error`                      a number with the digits that its error leaves it, for reading
@@ -39,6 +40,7 @@ from stoss._modes import Modes, modes
 from stoss._restitution import restitution
 from stoss._restitution_result import Restitution
 from stoss._result import with_error
+from stoss._state import Oscillation
 from stoss._trajectory import Trajectory
 from stoss._walls import ExponentialWall, HardWall, Wall
 from stoss._wave import Wave
@@ -59,6 +61,7 @@ __all__ = [
     "Material",
     "Modes",
     "NotConverged",
+    "Oscillation",
     "Restitution",
     "Rod",
     "Scales",

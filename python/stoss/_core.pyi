@@ -7,6 +7,7 @@ version: str
 min_poisson: float
 max_poisson: float
 quantities: dict[str, tuple[tuple[str, str, bool], ...]]
+oscillation: np.dtype[Any]
 rayleigh_row: np.dtype[Any]
 restitution_row: np.dtype[Any]
 
@@ -36,6 +37,7 @@ class Impact:
     def numbers(self) -> dict[str, Any]: ...
     def modes(self) -> NDArray[Any]: ...
     def trajectory(self, contact: Contact, every: int) -> NDArray[Any]: ...
+    def vibration_after(self, contact: Contact, flight: float) -> NDArray[Any]: ...
 
 def units(body: str, si: bool) -> dict[str, str]: ...
 def plane_poisson(young: float, poisson: float, density: float, strain: bool) -> float: ...
@@ -71,7 +73,13 @@ def refinable_pair(first: BodyMaker, second: BodyMaker) -> RefinableContact: ...
 def hard_wall() -> AnyWall: ...
 def exponential_wall(hardness: float, strength: float) -> AnyWall: ...
 def impact(
-    contact: Contact, radiating: bool, speed: float, step: float | None, nodes: int | None, half_width: float | None
+    contact: Contact,
+    radiating: bool,
+    speed: float,
+    step: float | None,
+    nodes: int | None,
+    half_width: float | None,
+    state: NDArray[Any],
 ) -> Impact: ...
 def motion(contact: Contact, impact: Impact, times: NDArray[np.float64]) -> Frames: ...
 def surfaces(
@@ -101,6 +109,7 @@ def waves(
     first: BodyMaker,
     second: BodyMaker,
     impact: Impact,
+    state: NDArray[Any],
     times: NDArray[np.float64],
     distance: NDArray[np.float64],
     depth: NDArray[np.float64],
@@ -113,6 +122,7 @@ def restitution_curve(
     tolerance: float,
     absolute: float,
     threads: int,
+    state: NDArray[Any],
     rows: NDArray[Any],
     reasons: list[str],
     tick: Callable[[], None] | None,

@@ -28,9 +28,18 @@ class Curve:
                 self.rows[name] = np.nan
         self.reasons: list[str] = []
 
-    def compute(self, tolerance: float, absolute: float, threads: int, tick: Callable[[], None] | None) -> None:
+    def compute(
+        self,
+        tolerance: float,
+        absolute: float,
+        threads: int,
+        state: NDArray[Any],
+        tick: Callable[[], None] | None,
+    ) -> None:
         contact = refinable(self.body, self.against)
-        _core.restitution_curve(contact, self.speeds, tolerance, absolute, threads, self.rows, self.reasons, tick)
+        _core.restitution_curve(
+            contact, self.speeds, tolerance, absolute, threads, state, self.rows, self.reasons, tick
+        )
 
 
 def gather(curves: list[Curve], size: int) -> tuple[NDArray[Any], NDArray[np.object_]]:

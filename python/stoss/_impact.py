@@ -9,6 +9,7 @@ from stoss._bodies import Body, speed_unit, speeds_in_si
 from stoss._contact import Against, choose_against, choose_body
 from stoss._errors import InvalidInput
 from stoss._impact_result import Impact
+from stoss._state import State
 from stoss._walls import ExponentialWall, HardWall
 
 
@@ -23,6 +24,7 @@ def impact(
     nodes: int | None = None,
     half_width: float | None = None,
     keep: ArrayLike | None = None,
+    state: State = None,
 ) -> Impact:
     """One impact of an elastic body at a fixed resolution, with its energy ledger.
 
@@ -53,6 +55,10 @@ def impact(
         Which of the modes with ω ≤ `cutoff` are kept, in the order of `Impact.mode_energies`; only
         with an `ExponentialWall`, because a hard contact would need what the others give way.
         Default: all.
+    state : Oscillation, sequence of them or ndarray, optional
+        How the bodies vibrate before the impact: modes up to `cutoff`, or an array as
+        `Impact.state_after` gives it. Default: they are at rest inside. Then ε cannot exceed 1;
+        with a state it may.
 
     Returns
     -------
@@ -86,6 +92,17 @@ def impact(
     >>> pair = stoss.impact(stoss.Disk(poisson=0.33), against=stoss.Disk(poisson=0.33, radius=2), speed=0.2)
     >>> round(pair.lost_to_first, 2), round(pair.lost_to_second, 2)
     (0.03, 0.33)
+
+    What an impact leaves in the modes makes the next one faster or slower, as the phases have it.
+
+    >>> ball = stoss.Sphere(poisson=0.3)
+    >>> first = stoss.impact(ball, speed=0.1, cutoff=25)
+    >>> for flight in (21.0, 22.0):
+    ...     state = first.state_after(flight=flight)
+    ...     again = stoss.impact(ball, speed=0.1 * first.restitution, cutoff=25, state=state)
+    ...     print(round(again.restitution, 4))
+    0.9917
+    0.989
     """
     chosen = choose_body(body, poisson, rigid=True)
     initial = number("speed", speed) / speed_unit(chosen)
@@ -100,4 +117,4 @@ def impact(
             f"keep: got a selection of modes and {met!r}, allowed only with a stoss.ExponentialWall ({hint})"
         )
     with speeds_in_si(chosen):
-        return Impact._made(chosen, met, initial, at, duration, count, width, kept)
+        return Impact._made(chosen, met, initial, at, duration, count, width, kept, state)

@@ -14,6 +14,7 @@ from stoss._errors import InvalidInput
 from stoss._field import DiskField, Field, SphereField
 from stoss._half_space import UNBOUNDED, HalfPlane
 from stoss._result import columns
+from stoss._state import choose_state
 from stoss._trajectory import Trajectory
 from stoss._wave import Wave
 
@@ -84,6 +85,7 @@ def wave(impact: Impact, time: Any, distance: Any, depth: Any) -> Wave:
     assert impact.against.poisson is not None
     made = _core.waves(
         impact.against.poisson, impact.body._maker(), impact.against._maker(), impact._handle,
+        choose_state(impact.state),
         times.ravel()[order], across, below,
     )  # fmt: skip
     back = np.argsort(order, kind="stable")
@@ -132,6 +134,11 @@ def energies_at(impact: Impact, time: Any) -> NDArray[Any]:
     energies = table[np.argsort(order, kind="stable")].reshape(times.shape + (impact.modes,))
     energies.flags.writeable = False
     return energies
+
+
+def state_after(impact: Impact, flight: float) -> NDArray[Any]:
+    """See `Impact.state_after`."""
+    return impact._handle.vibration_after(impact._contact(), flight)
 
 
 def _require_memory(impact: Impact, name: str, times: int, each: float, once: float, got: str) -> None:

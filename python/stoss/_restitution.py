@@ -19,6 +19,7 @@ from stoss._progress import bar
 from stoss._restitution_result import Restitution
 from stoss._result import columns
 from stoss._si import warn_of_yielding
+from stoss._state import State, choose_state
 from stoss._walls import HardWall
 
 
@@ -30,6 +31,7 @@ def restitution(
     poisson: ArrayLike | None = None,
     tolerance: float = 1e-3,
     absolute: float = 1e-6,
+    state: State = None,
     threads: int = 0,
     progress: bool = False,
 ) -> Restitution:
@@ -57,6 +59,9 @@ def restitution(
     absolute : float, optional
         Error of 1 − ε² that is small enough in any case, 0 to 0.5: what a slow sphere loses is
         small.
+    state : Oscillation, sequence of them or ndarray, optional
+        How the bodies vibrate before the impact, with the same shares of energy and phases at every
+        speed; ε may then exceed 1. Default: they are at rest inside.
     threads : int, optional
         0: as many as the machine has. Results do not depend on it.
     progress : bool, optional
@@ -93,6 +98,9 @@ def restitution(
     >>> disk = stoss.Disk(poisson=0.33)
     >>> stoss.restitution(disk, against=stoss.Disk(poisson=0.33, radius=2), speed=0.2)
     Restitution(Disk(poisson=0.33) against Disk(poisson=0.33, radius=2), speed=0.2 c: restitution 0.79480 ± 0.00016)
+    >>> ringing = stoss.Oscillation(order=2, index=0, energy=0.1, phase=2.0)
+    >>> bool(stoss.restitution(stoss.Sphere(poisson=0.3), speed=0.01, state=ringing).restitution > 1)
+    True
     """
     speeds = numbers("speed", speed)
     if body is None and poisson is not None:
@@ -113,6 +121,7 @@ def restitution(
         raise refusal("against", against, "HardWall() (what the modes above the cutoff do is part of the refinement)")
     met = [choose_against(each, against, (HardWall,)) for each in bodies or [Disk(poisson=0.0)]]
     limit, enough, count = number("tolerance", tolerance), number("absolute", absolute), integer("threads", threads)
+    modes = choose_state(state)
     with speeds_in_si(bodies[0] if bodies else None):
         _core.check_curve(speeds.ravel(), limit, enough, count)
 
@@ -121,14 +130,14 @@ def restitution(
     with bar(speeds.size, boolean("progress", progress)) as seen:
         try:
             for curve in curves:
-                curve.compute(limit, enough, count, None if seen is None else seen.update)
+                curve.compute(limit, enough, count, modes, None if seen is None else seen.update)
         except KeyboardInterrupt:
             stopped = True
     table, reasons = gather(curves, speeds.size)
     one = bodies[0] if len(bodies) == 1 else None
     # Each of several bodies meets these in its own form.
     shared = against if one is None and isinstance(against, (str, *UNBOUNDED)) else met[0]
-    result = _make(one, tuple(bodies), shared, poissons, speeds, table, reasons, limit, enough)
+    result = _make(one, tuple(bodies), shared, poissons, speeds, table, reasons, limit, enough, modes)
     if stopped:
         done = sum(len(curve.reasons) for curve in curves)
         raise Interrupted(f"restitution: interrupted after {done} of {speeds.size} values (they are in .best)", result)
@@ -146,12 +155,14 @@ def _make(
     reasons: NDArray[np.object_],
     tolerance: float,
     absolute: float,
+    state: NDArray[Any],
 ) -> Restitution:
     values = {name: arranged(column, speeds.shape) for name, column in columns(table).items()}
     given = {"poisson": poissons, "speed": speeds, "reason": reasons}
     inputs = {name: arranged(column, speeds.shape) for name, column in given.items()}
     who: dict[str, Any] = {"body": body, "bodies": bodies, "against": against}
-    return Restitution(**who, tolerance=tolerance, absolute=absolute, **inputs, **values)
+    asked: dict[str, Any] = {"tolerance": tolerance, "absolute": absolute, "state": state if state.size else None}
+    return Restitution(**who, **asked, **inputs, **values)
 
 
 def _judge(result: Restitution) -> None:

@@ -12,6 +12,7 @@ from stoss._bodies import PARTNERS, Body, Disk, Rod, Sphere, kind, shown
 from stoss._contact import Against
 from stoss._result import Number, span, with_error
 from stoss._si import InSiWithErrors
+from stoss._state import shown_state
 
 Integer = Union[int, NDArray[np.int64]]
 Flag = Union[bool, NDArray[np.bool_]]
@@ -37,9 +38,10 @@ class Restitution(InSiWithErrors):
     speed : float or ndarray
         Of approach of the centres of mass, or towards the wall, c.
     restitution, restitution_error : float or ndarray
-        ε = −v_f/v_i of the relative motion, and its estimated error.
+        ε = −v_f/v_i of the relative motion, and its estimated error; above 1 where vibration is
+        given back.
     lost_fraction, lost_fraction_error : float or ndarray
-        1 − ε².
+        1 − ε², negative where ε > 1.
     contact_time, contact_time_error : float or ndarray
         From first to last contact, R/c.
     impulse_time, impulse_time_error : float or ndarray
@@ -50,8 +52,8 @@ class Restitution(InSiWithErrors):
         mc²/R: πRE of a disk, (4π/3)R²E of a sphere.
     lost_to_first, lost_to_second : float or ndarray
         Vibration of each body after the finest impact and what its material took, as shares of the
-        initial energy; of a half-space what its waves carry away; 0 of a wall. Their sum is
-        `lost_fraction` but for its error.
+        initial energy; of a half-space what its waves carry away; 0 of a wall. Of bodies at rest
+        inside before, their sum is `lost_fraction` but for its error.
     dissipated : float or ndarray
         What the material of both took.
     cutoff, energy_error, modes : float, int or ndarray
@@ -69,6 +71,9 @@ class Restitution(InSiWithErrors):
         Asked for: error of 1 − ε² over 1 − ε².
     absolute : float
         Or error of 1 − ε².
+    state : ndarray or None
+        How the bodies vibrated before, if they did: a structured array with the fields body, order,
+        index, energy (as a share of the translational one) and phase.
     material : Material or None
         Of the body. If there is one, `speed_si`, `contact_time_si`, `max_force_si`,
         `max_compression_si` and their errors, `contact_time_si_error` and so on, are the SI values.
@@ -110,6 +115,7 @@ class Restitution(InSiWithErrors):
     reason: str | NDArray[np.object_]
     tolerance: float
     absolute: float
+    state: NDArray[Any] | None
 
     def __repr__(self) -> str:
         against = self.against if isinstance(self.against, (*PARTNERS, str)) else None  # else at a wall
@@ -140,4 +146,5 @@ class Restitution(InSiWithErrors):
         told = self.body is not None or all(plain)
         named: dict[str, Any] = {"body": self.body, "bodies": None if told else self.bodies, "against": self.against}
         named |= {"tolerance": self.tolerance, "absolute": self.absolute}
+        named["state"] = None if self.state is None else shown_state(self.state)
         return {key: value for key, value in named.items() if value is not None}

@@ -50,6 +50,8 @@ std::string named(const Oscillation& mode) {
          (mode.body == 0 ? "first" : "second") + " body";
 }
 
+bool is_whole(const Body& body) { return body.part.size >= 1.0 && !is_unbounded(body); }
+
 void require_whole(const Contact& contact, const Oscillation& mode) {
   const bool second = mode.body == 1;
   if ((mode.body != 0 && !second) || (second && contact.second == nullptr)) {
@@ -57,9 +59,15 @@ void require_whole(const Contact& contact, const Oscillation& mode) {
                        (contact.second == nullptr ? " (a wall has no modes)" : " or 1"));
   }
   const Body& body = second ? *contact.second : *contact.first;
-  if (body.part.size < 1.0 || is_unbounded(body)) {
+  if (!is_whole(body)) {
     throw InvalidInput("vibration: got a mode of '" + body.name + "', allowed modes of bodies that are there as a " +
                        "whole (the waves of this one run away)");
+  }
+}
+
+void require_motion(const State& state) {
+  if (!(state.velocity != 0.0) || !std::isfinite(state.velocity)) {
+    throw InvalidInput("state: got velocity " + shown(state.velocity) + ", allowed bodies that move");
   }
 }
 
@@ -106,9 +114,7 @@ State approach(const Contact& contact, double speed, const Vibration& vibration)
 
 Vibration vibration(const Contact& contact, const State& state) {
   const std::vector<double> energies = mode_energies(contact, state);
-  if (!(state.velocity != 0.0) || !std::isfinite(state.velocity)) {
-    throw InvalidInput("state: got velocity " + shown(state.velocity) + ", allowed bodies that move");
-  }
+  require_motion(state);
   const double translation = 0.5 * contact.mass * state.velocity * state.velocity;
   const double time = -(state.center + contact.extent) / state.velocity;  // until they would touch
   const std::vector<Place> all = places(contact);
@@ -122,6 +128,19 @@ Vibration vibration(const Contact& contact, const State& state) {
                       std::remainder(phase, 2.0 * std::numbers::pi)});
   }
   return result;
+}
+
+Vibration vibration_after(const Contact& contact, const State& state, double flight) {
+  require("flight", flight, {0.0, 1e12, true, true, "0 to 1e12"}, "R/c, from one impact to the next");
+  (void)mode_energies(contact, state);  // refuses a state of another number of modes
+  require_motion(state);
+  // Back to the nominal touch is no further than a lossy body has flown.
+  State next = free_motion(contact, state, flight - (state.center + contact.extent) / state.velocity);
+  next.center = -contact.extent;
+  Vibration all = vibration(contact, next);
+  std::erase_if(all,
+                [&](const Oscillation& mode) { return !is_whole(mode.body == 0 ? *contact.first : *contact.second); });
+  return all;
 }
 
 bool keeps(const Contact& contact, const Vibration& vibration) {

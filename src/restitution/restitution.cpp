@@ -147,6 +147,12 @@ std::string beyond_reach(const Outlook& next, double highest) {
 RestitutionNotConverged::RestitutionNotConverged(Restitution result)
     : NotConverged("restitution: " + result.reason), best(std::move(result)) {}
 
+void validate(const RefinableContact& contact, double speed, const Vibration& vibration, const Poll& poll) {
+  require_speed(speed);
+  const int highest = contact.highest_level(room_to_last * contact.stretch(speed));
+  (void)approach(contact.at(lowest_level(contact, vibration, highest, poll), poll), speed, vibration);
+}
+
 Restitution restitution(const RefinableContact& contact, double speed, const RestitutionOptions& options) {
   require_tolerance(options.tolerance, options.absolute);
   require_speed(speed);

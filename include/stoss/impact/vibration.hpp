@@ -32,6 +32,13 @@ using Vibration = std::vector<Oscillation>;
 /// @throws InvalidInput for a state of another number of modes or of bodies that do not move
 [[nodiscard]] Vibration vibration(const Contact& contact, const State& state);
 
+/// How bodies that part vibrate when they meet again at the speed of their parting, after a flight from where they
+/// would have parted at rest inside to where they would touch. In a lossy material they vibrate less by then. What is
+/// left in a body of which only a part is there has run away.
+/// @param flight its time, R/c, 0 or more
+/// @throws InvalidInput as `vibration`, and for a flight that is negative or not finite
+[[nodiscard]] Vibration vibration_after(const Contact& contact, const State& state, double flight);
+
 /// Whether a contact keeps all modes of a vibration.
 /// @throws InvalidInput for a mode of a body that is not there, or of which only a part is
 [[nodiscard]] bool keeps(const Contact& contact, const Vibration& vibration);

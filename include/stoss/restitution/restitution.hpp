@@ -71,6 +71,10 @@ struct RestitutionOptions {
   Vibration vibration{};  ///< of the bodies before the impact; 1 − ε² may then be negative
 };
 
+/// Checks that bodies can vibrate so before an impact at this speed.
+/// @throws InvalidInput as `approach`, and for modes above all cutoffs
+void validate(const RefinableContact& contact, double speed, const Vibration& vibration, const Poll& poll = {});
+
 /// A coefficient of restitution that misses its tolerance. `best` is the best value that was
 /// reached; best.reason, also in what(), says what stood in the way.
 class RestitutionNotConverged : public NotConverged {

@@ -22,7 +22,8 @@ def ledger(
 ) -> Axes:
     """Energy of the modes (n, l), as bars in a group for each n on a logarithmic axis.
 
-    The waves of a half-space are a continuum: one bar is what they hold together. Another, after
+    Where the bodies vibrated before the impact, a line over a bar says with how much energy: the
+    mode has given what the bar lacks, and taken what is beyond. The waves of a half-space are a continuum: one bar is what they hold together. Another, after
     the impact, is what lossy materials have taken.
 
     Parameters
@@ -61,6 +62,7 @@ def ledger(
     waves = float(impact.mode_energies[when][impact.mode_energies["body"] == 1].sum()) if unbounded else 0.0
     modes = impact.mode_energies[impact.mode_energies["body"] == of]
     modes = modes[(modes["order"] < orders) & (modes["index"] < indices) & (modes[when] > 0.0)]
+    before = modes[(modes["before"] > 0.0) & (when == "after")]
 
     with _style.canvas(ax, size=(_style.COLUMN, 2.7)) as axes:
         width = 0.84 / indices
@@ -74,8 +76,14 @@ def ledger(
                 place, chosen[when], width, color=_style.COLORS[n], edgecolor="white", linewidth=0.0,
                 hatch=HATCHES[n], label=f"l = {index}",
             )  # fmt: skip
+        if before.size:
+            place = before["order"] + (before["index"] - 0.5 * (indices - 1)) * width
+            half = 0.6 * width
+            axes.hlines(
+                before["before"], place - half, place + half, color=_style.BLACK, linewidth=1.5, label="before"
+            )
         axes.set_yscale("log")
-        places, bars = np.unique(modes["order"]), modes[when]
+        places, bars = np.unique(modes["order"]), np.append(modes[when], before["before"])
         name = "half-plane" if isinstance(impact.body, Disk) else "half-space"
         whole = [each for each in ((name, waves, _style.GREY), ("heat", heat, _style.BLACK)) if each[1] > 0.0]
         for k, (label, energy, color) in enumerate(whole):
@@ -85,7 +93,7 @@ def ledger(
         if bars.size:
             top = np.log10(bars.max())
             low = np.floor(max(np.log10(0.7 * bars.min()), top - DECADES))
-            rows = -(-(np.unique(modes["index"]).size + len(whole)) // COLUMNS)
+            rows = -(-(np.unique(modes["index"]).size + bool(before.size) + len(whole)) // COLUMNS)
             head = 0.03 + 0.09 * rows  # of the picture's height, for the legend
             axes.set_ylim(10.0**low, 10.0 ** ((top - head * low) / (1.0 - head)))
             axes.set_xticks(places[:: -(-places.size // 12)] if places.size else [])
