@@ -34,6 +34,8 @@ int main(int argc, char** argv) {
     study::write_modes(folder + "modes.csv");
     study::write_temperatures(folder + "temperatures.csv", folder + "samples.csv");
     study::write_heat(folder + "heat.csv");
+    study::write_bounces(folder + "bounces.csv", folder + "shares.csv", folder + "equipartition.csv");
+    study::write_chain(folder + "chain.csv", folder + "chain_restitution.csv");
   } catch (const std::exception& error) {
     fmt::print(stderr, "stoss_vibration: {}\n", error.what());
     return 1;

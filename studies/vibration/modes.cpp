@@ -19,7 +19,7 @@ namespace study {
 namespace {
 
 constexpr double pi = std::numbers::pi;
-constexpr std::size_t strongest = 12;
+constexpr std::size_t strongest = 10;
 
 struct Row {
   const Case& it;

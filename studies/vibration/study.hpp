@@ -60,5 +60,7 @@ void write_phases(const std::string& name);
 void write_modes(const std::string& name);
 void write_temperatures(const std::string& name, const std::string& name_of_samples);
 void write_heat(const std::string& name);
+void write_bounces(const std::string& name, const std::string& name_of_shares, const std::string& name_of_modes);
+void write_chain(const std::string& name, const std::string& name_of_distribution);
 
 }  // namespace study

@@ -41,7 +41,7 @@ void write_temperatures(const std::string& name, const std::string& name_of_samp
       const double law = std::sqrt(0.5 * temperature * share(rest)) / rest.restitution.value;
       const stoss::Spectrum spectrum = stoss::thermal(it.contact, temperature, highest);
       const std::vector<stoss::Sample> found = stoss::restitution_distribution(
-          it.contact, speed, spectrum, {.samples = samples, .seed = 16, .error = 0.1 * law});
+          it.contact, speed, spectrum, {.samples = samples, .seed = 16, .error = 0.2 * law});
       const stoss::DistributionSummary all = stoss::summary(found);
       out.print("{},{},{},{:.7f},{:.7f},{:.1e},{:.1e},{:.4e},{:.4e},{:.6f},{:.6f},{:.4f},{}\n", it.body, speed,
                 temperature, rest.restitution.value, all.restitution.value, all.restitution.statistical_error,
