@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <numeric>
 #include <optional>
 #include <string>
 #include <vector>
@@ -15,7 +17,8 @@ namespace study {
 namespace {
 
 constexpr double speed = 0.1, flight_time = 30.0, partial = 30.0;
-constexpr long few = 200, many = 20000, before_equilibrium = 4000;
+constexpr long few = 200, many = 6000, before_equilibrium = 2000;
+constexpr int sequences = 8;  // without damping, of flight times 30, 31, …
 constexpr int bins = 30;
 
 /// What a sequence has been seen to do.
@@ -25,9 +28,9 @@ struct Sequence {
   std::vector<stoss::ModeEnergy> modes;
 };
 
-Sequence sequence(long count, std::optional<double> decay_time) {
+Sequence sequence(long count, std::optional<double> decay_time, double flight) {
   Sequence result;
-  stoss::BounceOptions options{.count = count, .flight_time = flight_time, .decay_time = decay_time};
+  stoss::BounceOptions options{.count = count, .flight_time = flight, .decay_time = decay_time};
   options.resolution.tail = stoss::Tail::quasistatic;  // keeps all energy
   stoss::bounce(disk().contact.at(0), speed, options, [&](const stoss::Bounce& bounce, const stoss::Impact& hit) {
     result.share.push_back(bounce.before.translation);
@@ -43,46 +46,57 @@ Sequence sequence(long count, std::optional<double> decay_time) {
 }  // namespace
 
 void write_bounces(const std::string& name, const std::string& name_of_shares, const std::string& name_of_modes) {
-  const std::vector<std::pair<long, std::optional<double>>> kinds{{many, std::nullopt}, {few, partial}, {few, 0.0}};
-  std::vector<Sequence> found(kinds.size());
-  on_all_threads(kinds.size(), [&](std::size_t k) { found[k] = sequence(kinds[k].first, kinds[k].second); });
+  std::vector<Sequence> found(sequences);
+  on_all_threads(found.size(),
+                 [&](std::size_t k) { found[k] = sequence(many, std::nullopt, flight_time + static_cast<double>(k)); });
+  const std::vector<double> part = sequence(few, partial, flight_time).share;
+  const std::vector<double> complete = sequence(few, 0.0, flight_time).share;
   const std::vector<double>& none = found[0].share;
 
   auto out = fmt::output_file(name);
   out.print("# Share of translation in the first energy; disk, nu = 0.33, from {} c, flights of {} R/c.\n", speed,
             flight_time);
-  out.print("number,no_damping,partial_damping,complete_damping,mean_in_equilibrium\n");
-  double sum = 0.0;
+  out.print("number,no_damping,partial_damping,complete_damping\n");
   for (long n = 1; n <= many; ++n) {
     const auto i = static_cast<std::size_t>(n - 1);
-    if (n > before_equilibrium) sum += none[i];
-    if (n <= few) {
-      out.print("{},{:.6f},{:.6f},{:.6f},\n", n, none[i], found[1].share[i], found[2].share[i]);
-    } else if (n % 100 == 0) {
-      out.print("{},{:.6f},,,", n, none[i]);
-      if (n > before_equilibrium) out.print("{:.6f}", sum / static_cast<double>(n - before_equilibrium));
-      out.print("\n");
-    }
+    if (n <= few) out.print("{},{:.6f},{:.6f},{:.6f}\n", n, none[i], part[i], complete[i]);
+    if (n > few && n % 20 == 0) out.print("{},{:.6f},,\n", n, none[i]);
   }
 
   auto shares = fmt::output_file(name_of_shares);
-  shares.print("# Without damping, impacts {} to {}: how many have a share of translation within each bin.\n",
-               before_equilibrium + 1, many);
+  shares.print(
+      "# Without damping, impacts {} to {} of {} sequences: how many have a share of translation within each bin.\n",
+      before_equilibrium + 1, many, sequences);
   shares.print("from,to,impacts\n");
   const double width = 0.3 / bins;
   for (int k = 0; k < bins; ++k) {
     const double from = width * k, to = k + 1 < bins ? from + width : 1.0;
-    const auto within = std::count_if(none.begin() + before_equilibrium, none.end(),
-                                      [&](double share) { return share >= from && share < to; });
+    long within = 0;
+    for (const Sequence& each : found) {
+      within += std::count_if(each.share.begin() + before_equilibrium, each.share.end(),
+                              [&](double share) { return share >= from && share < to; });
+    }
     shares.print("{:.3f},{:.3f},{}\n", from, to, within);
   }
 
   auto modes = fmt::output_file(name_of_modes);
-  modes.print("order,index,omega[c/R],mean_share\n");
+  modes.print("order,index,omega[c/R],mean_share,error\n");
+  // The error is that of the mean of the sequences.
+  const auto write = [&](const std::string& which, const auto& of) {
+    double sum = 0.0, squares = 0.0;
+    for (const Sequence& each : found) sum += of(each), squares += of(each) * of(each);
+    const double mean = sum / sequences, variance = std::max(0.0, squares / sequences - mean * mean);
+    modes.print("{},{:.6f},{:.6f}\n", which, mean, std::sqrt(variance / (sequences - 1)));
+  };
   for (std::size_t k = 0; k < found[0].modes.size(); ++k) {
     const stoss::ModeEnergy& mode = found[0].modes[k];
-    modes.print("{},{},{:.6f},{:.6f}\n", mode.order, mode.index, mode.omega, found[0].energy[k]);
+    write(fmt::format("{},{},{:.6f}", mode.order, mode.index, mode.omega),
+          [k](const Sequence& each) { return each.energy[k]; });
   }
+  write("translation,,", [](const Sequence& each) {
+    return std::accumulate(each.share.begin() + before_equilibrium, each.share.end(), 0.0) /
+           (many - before_equilibrium);
+  });
 }
 
 }  // namespace study
