@@ -49,6 +49,7 @@ void add_paper();
 void add_modes();
 void add_impacts();
 void add_restitutions();
+void add_rods();
 void add_spheres();
 void add_quasistatic();
 void add_python();

@@ -23,6 +23,7 @@ void declare(CLI::App& app, int& exit_code) {
   add_impact(app);
   add_bounce(app);
   add_restitution(app, exit_code);
+  add_distribution(app, exit_code);
   add_quasistatic(app);
   refuse_empty_values(app);
 }

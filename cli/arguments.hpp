@@ -78,11 +78,12 @@ struct SpeedRange {
 [[nodiscard]] std::string command_line();
 void set_command_line(int argc, char** argv);
 
-/// The subcommands register themselves. They succeed or throw; only a curve may end with exit code 1.
+/// The subcommands register themselves. They succeed or throw; only a curve or a distribution may end with exit code 1.
 void add_modes(CLI::App& app);
 void add_impact(CLI::App& app);
 void add_bounce(CLI::App& app);
 void add_restitution(CLI::App& app, int& exit_code);
+void add_distribution(CLI::App& app, int& exit_code);
 void add_quasistatic(CLI::App& app);
 
 }  // namespace stoss::cli

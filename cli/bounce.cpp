@@ -3,7 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <memory>
 
 #include "encounter.hpp"
@@ -15,9 +14,6 @@
 
 namespace stoss::cli {
 namespace {
-
-/// A half-space is made good for speeds down to this share of the first.
-constexpr double falls_to = 0.1, slowest = 1e-8;
 
 struct BounceArguments {
   EncounterArguments who;
@@ -82,7 +78,7 @@ void run(const BounceArguments& arguments) {
     throw InvalidInput(fmt::format("speed: got {} speeds, allowed one (that of the first impact)", speeds.size()));
   }
   const double first = speeds.front();
-  const Contact contact = encounter.contact(encounter.poisson(), arguments.cutoff, std::max(slowest, first * falls_to));
+  const Contact contact = encounter.contact(encounter.poisson(), arguments.cutoff, slowest_bounce(first));
   const BounceOptions options = make_options(arguments, units);
   validate(contact, first, options);
 

@@ -40,8 +40,7 @@ void check_converge(const Job& job, const CurveOptions& asked) {
   }
 }
 
-void converge(Sweep& sweep, Report& report, const CurveOptions& asked) {
-  const Job& job = sweep.job();
+void converge(const Job& job, Sweep& sweep, Report& report, const CurveOptions& asked) {
   while (sweep.done() < job.size()) {
     const double poisson = job.poisson(sweep.done());
     const auto first = static_cast<std::ptrdiff_t>(sweep.done() % job.speeds.size());

@@ -2,8 +2,8 @@
 
 #include <string>
 
+#include "job.hpp"
 #include "stoss/restitution/curve.hpp"
-#include "sweep.hpp"
 
 namespace stoss::cli {
 
@@ -15,6 +15,6 @@ void check_converge(const Job& job, const CurveOptions& asked);
 
 /// Computes the rows that the sweep does not have yet. @throws Interrupted, OutputError
 /// @param asked tolerances, threads and vibration
-void converge(Sweep& sweep, Report& report, const CurveOptions& asked);
+void converge(const Job& job, Sweep& sweep, Report& report, const CurveOptions& asked);
 
 }  // namespace stoss::cli

@@ -59,8 +59,7 @@ void check_extrapolate(const Job& job) {
   for (const double poisson : job.poissons) (void)job.encounter.refinable(poisson).at(0);
 }
 
-void extrapolate(Sweep& sweep, Report& report) {
-  const Job& job = sweep.job();
+void extrapolate(const Job& job, Sweep& sweep, Report& report) {
   while (sweep.done() < job.size()) {
     const double poisson = job.poisson(sweep.done());
     const double speed = job.speed(sweep.done());

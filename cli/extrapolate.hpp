@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "sweep.hpp"
+#include "job.hpp"
 
 namespace stoss::cli {
 
@@ -13,6 +13,6 @@ namespace stoss::cli {
 void check_extrapolate(const Job& job);
 
 /// Computes the rows that the sweep does not have yet. @throws Interrupted, OutputError
-void extrapolate(Sweep& sweep, Report& report);
+void extrapolate(const Job& job, Sweep& sweep, Report& report);
 
 }  // namespace stoss::cli

@@ -96,6 +96,8 @@ void Report::add(const Record& record, const nlohmann::ordered_json& details) {
   output_.flush();
 }
 
+void Report::close_table(const std::string& lines) { output_.write(lines); }
+
 void Report::attach(const std::string& key, nlohmann::ordered_json value) { document_[key] = std::move(value); }
 
 void Report::finish(bool complete) {

@@ -24,6 +24,9 @@ class Report {
   /// @param details members of the JSON record, in place of entries of the same key or after them
   void add(const Record& record, const nlohmann::ordered_json& details = nlohmann::ordered_json::object());
 
+  /// Lines below the rows of a table.
+  void close_table(const std::string& lines);
+
   /// A member of the JSON document beside its records.
   void attach(const std::string& key, nlohmann::ordered_json value);
 

@@ -5,17 +5,14 @@
 
 #include "arguments.hpp"
 #include "converge.hpp"
-#include "csv.hpp"
 #include "encounter.hpp"
 #include "extrapolate.hpp"
-#include "interrupt.hpp"
+#include "job.hpp"
 #include "numbers.hpp"
 #include "options.hpp"
-#include "resume.hpp"
+#include "row_output.hpp"
 #include "stoss/errors.hpp"
 #include "stoss/restitution/curve.hpp"
-#include "sweep.hpp"
-#include "text.hpp"
 #include "vibration_arguments.hpp"
 
 namespace stoss::cli {
@@ -30,8 +27,7 @@ struct RestitutionArguments {
   double tolerance = 1e-3;
   double absolute = 1e-6;
   int threads = 0;
-  OutputArguments output;
-  std::string resume;
+  RowOutput output;
   CLI::App* command = nullptr;
 
   [[nodiscard]] bool given(const std::string& option) const { return command->get_option(option)->count() > 0; }
@@ -61,22 +57,6 @@ void check_against(const RestitutionArguments& arguments, const Encounter& encou
         fmt::format("against: got --body {} --against {} with --method extrapolate, allowed a disk at a wall",
                     arguments.who.body, kind));
   }
-}
-
-/// Lets the rows go to the file of --resume, as CSV.
-void redirect(RestitutionArguments& arguments) {
-  if (!arguments.given("--resume")) return;
-  if (arguments.resume == "-") throw InvalidInput("resume: got '-', allowed the name of a file");
-  if (arguments.given("--format") && arguments.output.format != "csv") {
-    throw InvalidInput(
-        fmt::format("resume: got --format {}, allowed csv (which --resume implies)", arguments.output.format));
-  }
-  if (arguments.given("--output") && !same_output(arguments.output.path, arguments.resume)) {
-    throw InvalidInput(fmt::format("resume: got another file as --output, allowed '{}' (all rows go there)",
-                                   shortened(arguments.resume)));
-  }
-  arguments.output.format = "csv";
-  arguments.output.path = arguments.resume;
 }
 
 Job make_job(RestitutionArguments& arguments) {
@@ -122,45 +102,24 @@ Provenance describe(const RestitutionArguments& arguments, const Job& job) {
   return provenance;
 }
 
-/// The report of the rows to come, after those that an earlier run has left.
-Report open(const RestitutionArguments& arguments, const Provenance& provenance, const std::string& columns,
-            Sweep& sweep) {
-  if (!arguments.given("--resume")) {
-    return {Output(arguments.output.path), arguments.output.chosen_format(), provenance};
-  }
-  Output output(arguments.resume, Output::Use::resume);  // locked from before the first row is read
-  const Earlier earlier = read_earlier(
-      output, provenance, columns, [&sweep](std::size_t, const std::vector<std::string>& cells) { sweep.take(cells); });
-  if (earlier.size > 0) return {std::move(output), earlier.size};
-  return {std::move(output), Format::csv, provenance};
-}
-
 int run(RestitutionArguments arguments) {
   check_method(arguments);
-  redirect(arguments);
+  arguments.output.redirect();
   const Job job = make_job(arguments);
   if (arguments.converges()) {
     check_converge(job, arguments.options());
   } else {
     check_extrapolate(job);
   }
-  const std::string columns = arguments.converges() ? converge_columns(job) : extrapolate_columns(job);
-  Sweep sweep(job, arguments.output, columns);
-  catch_interrupts();
-  Report report = open(arguments, describe(arguments, job), columns, sweep);
-  try {
+  Sweep sweep(job.rows(arguments.converges() ? converge_columns(job) : extrapolate_columns(job)),
+              arguments.output.output);
+  arguments.output.write(describe(arguments, job), sweep, [&](Report& report) {
     if (arguments.converges()) {
-      converge(sweep, report, arguments.options());
+      converge(job, sweep, report, arguments.options());
     } else {
-      extrapolate(sweep, report);
+      extrapolate(job, sweep, report);
     }
-  } catch (const OutputError&) {
-    throw;
-  } catch (...) {
-    report.finish(false);
-    throw;
-  }
-  report.finish();
+  });
   return sweep.conclude();
 }
 
@@ -214,12 +173,6 @@ void add_restitution(CLI::App& app, int& exit_code) {
   arguments->vibration.add_to(*command);
   add_resolution(*command, *arguments);
   arguments->output.add_to(*command);
-  command
-      ->add_option("--resume", arguments->resume,
-                   "Continue an interrupted run: keep the rows of the CSV file FILE,\n"
-                   "add the missing ones; without FILE begin it")
-      ->type_name("FILE")
-      ->group("Output");
   command->footer(
       "Examples:\n"
       "  stoss restitution --poisson 0.33 --speed log:1e-4:0.3:40 --format csv -o curve.csv\n"

@@ -21,7 +21,7 @@ constexpr std::size_t longest_excerpt = 40;
 std::string excerpt(const std::string& line) { return visible(shortened(line, longest_excerpt)); }
 
 [[noreturn]] void refuse_file(const Lines& lines, const std::string& got) {
-  throw InvalidInput(fmt::format("resume: got '{}' in '{}', allowed a CSV file of stoss restitution (it is left alone)",
+  throw InvalidInput(fmt::format("resume: got '{}' in '{}', allowed a CSV file of this job (it is left alone)",
                                  excerpt(got), lines.path()));
 }
 

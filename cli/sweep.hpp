@@ -1,56 +1,44 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
+#include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "arguments.hpp"
-#include "encounter.hpp"
 #include "progress.hpp"
 #include "report.hpp"
-#include "table.hpp"
-#include "units.hpp"
 
 namespace stoss::cli {
 
-/// The impacts of `stoss restitution`: for each Poisson number all speeds.
-struct Job {
-  Encounter encounter;
-  std::vector<double> poissons;
-  std::vector<double> speeds;  ///< c
-  Units units;
+/// The cells of a row as CSV has them, by the names of their columns without units.
+using Cells = std::map<std::string, std::string>;
 
-  [[nodiscard]] std::size_t size() const { return poissons.size() * speeds.size(); }
-  [[nodiscard]] double poisson(std::size_t row) const { return poissons[row / speeds.size()]; }
-  [[nodiscard]] double speed(std::size_t row) const { return speeds[row % speeds.size()]; }
-
-  /// What tells a row from the others, with which its record begins; with a material the speed in SI besides.
-  [[nodiscard]] Record key(std::size_t row) const;
-
-  /// The whole record of a row.
-  template <typename Result>
-  [[nodiscard]] Record record(std::size_t row, const Table<Result>& table, const Result& result) const {
-    Record record = key(row);
-    add_quantities(record, table, result, units);
-    encounter.add_yield(record, speed(row));
-    return record;
-  }
+/// What rows there will be.
+struct Rows {
+  std::size_t size = 0;
+  std::string columns;                                 ///< as csv_columns writes them
+  std::function<Record(std::size_t row)> key;          ///< with which the record of this row begins, and of no other
+  std::function<std::string(std::size_t row)> name;    ///< of a row, in warnings
+  std::optional<double> yield_speed{};                 ///< m/s, where a yield strength was given
+  std::function<void(const Cells& cells)> observer{};  ///< called with each row, also those of an earlier run
 };
 
-/// What is said of one impact of the job.
+/// What is said of one row.
 struct Row {
   Record record;
   nlohmann::ordered_json details = nlohmann::ordered_json::object();  ///< for JSON only
   std::string trouble;                                                ///< why the value is not what was asked for
 };
 
-/// The rows of a job that are there, and what has to be said about them at the end.
+/// The rows that are there, and what has to be said about them at the end.
 class Sweep {
  public:
-  /// @param columns as csv_columns writes them
-  Sweep(Job job, const OutputArguments& output, const std::string& columns);
+  Sweep(Rows rows, const OutputArguments& output);
 
-  /// Takes note of a row of an earlier run. @throws InvalidInput unless it is the next one of this job
+  /// Takes note of a row of an earlier run. @throws InvalidInput unless it is the next one
   void take(const std::vector<std::string>& cells);
 
   /// Writes the next row. @throws OutputError
@@ -59,20 +47,19 @@ class Sweep {
   /// Says on a terminal what the next row has come to, if it takes long.
   void wait(const std::string& state) { progress_.wait(state); }
 
-  [[nodiscard]] const Job& job() const { return job_; }
+  [[nodiscard]] const std::string& columns() const { return rows_.columns; }
+  [[nodiscard]] std::size_t size() const { return rows_.size; }
   [[nodiscard]] std::size_t done() const { return done_; }
 
   /// Warns of rows without the value that was asked for. Returns the exit code.
   [[nodiscard]] int conclude() const;
 
  private:
-  [[nodiscard]] bool has(const std::vector<std::string>& cells, const std::string& column,
-                         const std::string& value) const;
-  void count(const std::vector<std::string>& cells);
+  void count(const std::vector<std::string>& row);
 
-  Job job_;
+  Rows rows_;
   const OutputArguments& output_;
-  std::vector<std::string> columns_;
+  std::vector<std::string> names_;  // of the columns, without units
   Progress progress_;
   std::size_t done_ = 0;
   std::size_t marked_ = 0;

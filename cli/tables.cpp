@@ -6,6 +6,7 @@
 #include "stoss/quasistatic/point_quantities.hpp"
 #include "stoss/quasistatic/quantities.hpp"
 #include "stoss/restitution/quantities.hpp"
+#include "stoss/vibration/quantities.hpp"
 
 namespace stoss::cli {
 
@@ -108,6 +109,25 @@ const Table<ModeEnergy>& mode_energy_table() {
 
 const Table<Snapshot>& snapshot_table() {
   static const Table<Snapshot> table(snapshot_quantities());
+  return table;
+}
+
+const Table<Sample>& sample_table() {
+  const auto unconverged = [](const Sample& sample) { return !sample.converged; };
+  static const Table<Sample> table(
+      sample_quantities(),
+      {
+          {"sample", {.width = 8, .si_width = 8}},
+          {"vibration", {.width = 13, .si_width = 13}},
+          {"restitution", {.width = 22, .si_width = 22, .with_error = true}},
+          {"lost_fraction", {.width = 25, .si_width = 25, .with_error = true, .marked = unconverged}},
+          {"contact_time", {.width = 13, .si_width = 17}},
+      });
+  return table;
+}
+
+const Table<DistributionSummary>& distribution_table() {
+  static const Table<DistributionSummary> table(distribution_quantities());
   return table;
 }
 

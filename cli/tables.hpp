@@ -9,6 +9,7 @@
 #include "stoss/restitution/extrapolation.hpp"
 #include "stoss/restitution/restitution.hpp"
 #include "stoss/vibration/bounce.hpp"
+#include "stoss/vibration/distribution.hpp"
 #include "table.hpp"
 
 namespace stoss::cli {
@@ -31,6 +32,8 @@ struct Compressed {
 [[nodiscard]] const Table<EnergyLedger>& ledger_table();
 [[nodiscard]] const Table<ModeEnergy>& mode_energy_table();
 [[nodiscard]] const Table<Snapshot>& snapshot_table();
+[[nodiscard]] const Table<Sample>& sample_table();
+[[nodiscard]] const Table<DistributionSummary>& distribution_table();
 [[nodiscard]] const Table<Bounce>& bounce_table();
 
 [[nodiscard]] const Table<bodies::disk::Mode>& mode_table();

@@ -12,15 +12,20 @@
 namespace validate {
 namespace {
 
-Answer answer_at(const stoss::RefinableContact& body, double speed, double tolerance) {
-  const stoss::Restitution result = best(body, speed, tolerance);
+Answer answer_at(const stoss::RefinableContact& body, const Point& point, double tolerance) {
+  stoss::RestitutionOptions options{.tolerance = tolerance, .absolute = 0.0};
+  if (point.temperature > 0.0) {
+    constexpr double none = 1e-15;
+    options = {.tolerance = none, .absolute = tolerance, .vibration = vibration_of(point, body)};
+  }
+  const stoss::Restitution result = best(body, point.speed, options);
   return {{result.lost_fraction, result.restitution, result.contact_time, result.impulse_time, result.max_force,
            result.max_compression},
           result.converged,
           result.finest.cutoff};
 }
 
-stoss::RefinableContact lossy(const Point& point) {
+stoss::RefinableContact alone_or_paired(const Point& point) {
   const stoss::Disk disk{.poisson = point.poisson, .loss_time = point.loss_time};
   const auto maker = [&point](const stoss::Disk& its) {
     if (!point.sphere) return stoss::disk(its);
@@ -47,8 +52,8 @@ Contacts make_contacts(const std::vector<Point>& points) {
     if (point.half_space) {
       const Makers makers = makers_of(point);
       contacts.emplace_back(makers.first, makers.second);
-    } else if (point.loss_time > 0.0) {
-      contacts.push_back(lossy(point));
+    } else if (point.loss_time > 0.0 || point.temperature > 0.0) {
+      contacts.push_back(alone_or_paired(point));
     } else if (point.against) {
       contacts.emplace_back(stoss::disk(point.poisson), stoss::disk(*point.against));
     } else if (point.sphere) {
@@ -64,14 +69,14 @@ std::vector<Answer> answer(const Contacts& contacts, const std::vector<Point>& p
   std::vector<Answer> answers;
   answers.reserve(points.size());
   for (std::size_t i = 0; i < points.size(); ++i) {
-    answers.push_back(answer_at(contacts[i], points[i].speed, tolerance));
+    answers.push_back(answer_at(contacts[i], points[i], tolerance));
   }
   return answers;
 }
 
-stoss::Restitution best(const stoss::RefinableContact& body, double speed, double tolerance) {
+stoss::Restitution best(const stoss::RefinableContact& body, double speed, const stoss::RestitutionOptions& options) {
   try {
-    return stoss::restitution(body, speed, {.tolerance = tolerance, .absolute = 0.0});
+    return stoss::restitution(body, speed, options);
   } catch (const stoss::RestitutionNotConverged& failure) {
     return failure.best;
   }

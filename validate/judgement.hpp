@@ -25,10 +25,11 @@ Makers makers_of(const Point& point);
 using Contacts = std::vector<stoss::RefinableContact>;
 Contacts make_contacts(const std::vector<Point>& points);
 
+/// @param tolerance relative to 1 − ε²; of vibrating bodies the error of 1 − ε² itself
 std::vector<Answer> answer(const Contacts& contacts, const std::vector<Point>& points, double tolerance);
 
 /// The best that restitution() gives, whether or not it converges.
-stoss::Restitution best(const stoss::RefinableContact& body, double speed, double tolerance);
+stoss::Restitution best(const stoss::RefinableContact& body, double speed, const stoss::RestitutionOptions& options);
 
 /// How far an answer is off a reference value.
 struct Deviation {

@@ -1,8 +1,10 @@
 #include "points.hpp"
 
 #include <cmath>
+#include <cstdint>
 #include <string>
 
+#include "stoss/vibration/ensemble.hpp"
 #include "support/csv.hpp"
 
 namespace validate {
@@ -42,6 +44,13 @@ std::vector<Point> read_full_points(const std::string& path) {
 
 }  // namespace
 
+stoss::Vibration vibration_of(const Point& point, const stoss::RefinableContact& contact) {
+  if (point.temperature == 0.0) return {};
+  constexpr std::uint64_t seed = 0;
+  return stoss::draw(stoss::thermal(contact, point.temperature, point.highest), seed,
+                     static_cast<std::uint64_t>(point.sample));
+}
+
 std::vector<Point> read_unseen_points() { return read_full_points("../../validate/reference_unseen.csv"); }
 
 std::vector<Point> read_spheres() {
@@ -78,6 +87,24 @@ std::vector<Point> read_lossy() {
       point.against = stoss::Disk{.poisson = row.number("against_poisson"),
                                   .radius = row.number("against_radius"),
                                   .loss_time = row.number("against_loss_time")};
+    }
+    points.push_back(point);
+  }
+  return points;
+}
+
+std::vector<Point> read_vibrating() {
+  std::vector<Point> points;
+  for (const CsvRow& row : stoss::test::read_csv("../../validate/reference_vibrating.csv")) {
+    Point point = read_full_point(row);
+    point.sphere = row.text("body") == "sphere";
+    point.temperature = row.number("temperature");
+    point.highest = row.number("highest");
+    point.sample = static_cast<long>(points.size());
+    if (row.has("against_radius")) {
+      point.against = stoss::Disk{.poisson = row.number("against_poisson"),
+                                  .radius = row.number("against_radius"),
+                                  .young = row.number("against_young")};
     }
     points.push_back(point);
   }

@@ -37,7 +37,13 @@ struct Point {
   double loss_time = 0.0;                          ///< of the first body
   bool half_space = false;                         ///< is what it meets, of the material of `against`
   bool rigid = false;                              ///< is the first body
+  double temperature = 0.0;                        ///< of the bodies before the impact (stoss::thermal)
+  double highest = 0.0;                            ///< frequency of their vibration
+  long sample = 0;                                 ///< of that ensemble, seed 0
 };
+
+/// How the bodies of a point vibrate before the impact.
+stoss::Vibration vibration_of(const Point& point, const stoss::RefinableContact& contact);
 
 /// Those at the wall: of validate/reference.csv, then of tests/data/restitution_hard_wall.csv.
 /// @throws std::runtime_error if a file cannot be read
@@ -56,6 +62,10 @@ std::vector<Point> read_half_spaces();
 
 /// Lossy spheres and disks: those of validate/reference_lossy.csv. @throws std::runtime_error as read_points
 std::vector<Point> read_lossy();
+
+/// Disks, spheres and pairs that vibrate: those of validate/reference_vibrating.csv.
+/// @throws std::runtime_error as read_points
+std::vector<Point> read_vibrating();
 
 /// Pairs of disks: those of validate/reference_pairs.csv. @throws std::runtime_error as read_points
 std::vector<Point> read_pairs();

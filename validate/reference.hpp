@@ -23,4 +23,7 @@ void make_half_space_reference(const std::string& path);
 /// Computes those of lossy spheres and disks: validate/reference_lossy.csv. @throws std::runtime_error as above
 void make_lossy_reference(const std::string& path);
 
+/// Computes those of vibrating bodies: validate/reference_vibrating.csv. @throws std::runtime_error as above
+void make_vibrating_reference(const std::string& path);
+
 }  // namespace validate

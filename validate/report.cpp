@@ -96,6 +96,7 @@ void write_point(std::ostream& out, const Point& point, const Answer& answer) {
   out << "|";
   if (point.half_space) out << (point.rigid ? " rigid" : "") << (point.sphere ? " sphere |" : " disk |");
   if (point.loss_time > 0.0) out << (point.sphere ? " sphere |" : " disk |") << cell("%g", point.loss_time);
+  if (point.temperature > 0.0) out << (point.sphere ? " sphere |" : " disk |");
   out << cell("%g", point.poisson);
   if (point.loss_time > 0.0) {
     if (point.against) {
@@ -106,13 +107,22 @@ void write_point(std::ostream& out, const Point& point, const Answer& answer) {
     }
   } else if (point.half_space) {
     out << cell("%g", point.against->poisson) << cell("%g", point.against->young) << cell("%g", point.against->density);
+  } else if (point.temperature > 0.0) {
+    if (point.against) {
+      out << cell("%g", point.against->poisson) << cell("%g", point.against->radius)
+          << cell("%g", point.against->young);
+    } else {
+      out << " | | |";
+    }
   } else if (point.against) {
     out << cell("%g", point.against->poisson) << cell("%g", point.against->radius) << cell("%g", point.against->young)
         << cell("%g", point.against->density);
   }
-  out << cell("%.4g", point.speed) << cell("%.8f", reference.value) << cell("%.1e", reference.error)
-      << cell("%.8f", value.value) << cell("%.1e", value.error) << cell(off.padding ? "%.2f" : "%.2f u", off.ratio)
-      << cell("%.0f", answer.cutoff) << "\n";
+  out << cell("%.4g", point.speed);
+  if (point.temperature > 0.0) out << cell("%g", point.temperature) << cell("%g", point.highest);
+  out << cell("%.8f", reference.value) << cell("%.1e", reference.error) << cell("%.8f", value.value)
+      << cell("%.1e", value.error) << cell(off.padding ? "%.2f" : "%.2f u", off.ratio) << cell("%.0f", answer.cutoff)
+      << "\n";
 }
 
 void write_finite_element_point(std::ostream& out, const Point& point, const Answer& answer) {
@@ -132,7 +142,8 @@ void write_finite_elements(std::ostream& out, const std::vector<Point>& points, 
 
 /// Whether the exact value 1 is within the error.
 bool write_rod(std::ostream& out) {
-  const stoss::Restitution rod = best(stoss::RefinableContact(stoss::rod()), 0.1, tolerances[by_default]);
+  const stoss::Restitution rod =
+      best(stoss::RefinableContact(stoss::rod()), 0.1, {.tolerance = tolerances[by_default], .absolute = 0.0});
   const stoss::Estimate& value = rod.restitution;
   const stoss::Estimate& time = rod.contact_time;
   const bool contained = std::abs(value.value - 1.0) <= value.error;
@@ -160,11 +171,12 @@ Judged judge(const char* what, const std::vector<Point>& points) {
 bool write_report(std::ostream& out) {
   const Judged wall = judge("wall", read_points()), unseen = judge("wall, unseen", read_unseen_points()),
                pairs = judge("pairs", read_pairs()), spheres = judge("spheres", read_spheres()),
-               half_spaces = judge("half-spaces", read_half_spaces()), lossy = judge("lossy", read_lossy());
+               half_spaces = judge("half-spaces", read_half_spaces()), lossy = judge("lossy", read_lossy()),
+               vibrating = judge("vibrating", read_vibrating());
   out << text::introduction << text::verdict;
   bool all_honest = true;
   for (std::size_t i = 0; i < tolerances.size(); ++i) {
-    for (const Judged* judged : {&wall, &unseen, &pairs, &spheres, &half_spaces, &lossy}) {
+    for (const Judged* judged : {&wall, &unseen, &pairs, &spheres, &half_spaces, &lossy, &vibrating}) {
       write_verdict(out, *judged, i);
       all_honest = all_honest && honest(tally(judged->points, judged->answers[i], lost_fraction));
     }
@@ -183,6 +195,8 @@ bool write_report(std::ostream& out) {
   write_tallies(out, half_spaces.points, half_spaces.answers);
   out << text::lossy_tally;
   write_tallies(out, lossy.points, lossy.answers);
+  out << text::vibrating_tally;
+  write_tallies(out, vibrating.points, vibrating.answers);
   write_finite_elements(out, wall.points, wall.answers[by_default]);
   const bool rod = write_rod(out);
   out << text::points;
@@ -197,6 +211,8 @@ bool write_report(std::ostream& out) {
   write_points(out, half_spaces.points, half_spaces.answers[by_default]);
   out << text::lossy_points;
   write_points(out, lossy.points, lossy.answers[by_default]);
+  out << text::vibrating_points;
+  write_points(out, vibrating.points, vibrating.answers[by_default]);
   return all_honest && rod;
 }
 

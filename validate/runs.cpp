@@ -20,12 +20,18 @@ using Runs = std::array<stoss::Impact, 3>;
 constexpr int threads = 2;
 constexpr double first_share = 0.3125;  // of the lowest cutoff: a run that says how wide the contact gets
 
-stoss::Impact resolved(const stoss::Contact& contact, double speed, const Fineness& fineness, double half_width) {
+stoss::Impact started(const stoss::Contact& contact, const ReferencePoint& point, stoss::ImpactOptions options) {
+  if (!point.vibration.empty()) options.start = stoss::approach(contact, point.speed, point.vibration);
+  return stoss::impact(contact, point.speed, options);
+}
+
+stoss::Impact resolved(const stoss::Contact& contact, const ReferencePoint& point, const Fineness& fineness,
+                       double half_width) {
   constexpr double fewest_nodes = 128.0;
-  stoss::Resolution resolution = stoss::refined_resolution(contact, speed, half_width);
+  stoss::Resolution resolution = stoss::refined_resolution(contact, point.speed, half_width);
   resolution.nodes = static_cast<int>(std::max(fewest_nodes, std::ceil(fineness.nodes * resolution.nodes.value())));
   resolution.step = std::min(fineness.step / contact.cutoff, contact.stable_step);
-  return stoss::impact(contact, speed, {.resolution = resolution});
+  return started(contact, point, {.resolution = resolution});
 }
 
 void write_quantity(std::ostream& out, const Runs& runs, double stoss::Impact::*quantity, double least = 0.0) {
@@ -40,11 +46,12 @@ void write_quantity(std::ostream& out, const Runs& runs, double stoss::Impact::*
 }
 
 Runs resolved_runs(const ReferencePoint& point, const Finenesses& finenesses) {
-  const stoss::Impact coarse =
-      stoss::impact(point.contact(std::min(25.0, first_share * finenesses.front().cutoff)), point.speed);
+  const double lowest = finenesses.front().cutoff;
+  const double first = point.vibration.empty() ? std::min(25.0, first_share * lowest) : lowest;
+  const stoss::Impact coarse = started(point.contact(first), point, {});
   Runs runs;
   for (std::size_t i = 0; i < runs.size(); ++i) {
-    runs[i] = resolved(point.contact(finenesses[i].cutoff), point.speed, finenesses[i], coarse.max_half_width);
+    runs[i] = resolved(point.contact(finenesses[i].cutoff), point, finenesses[i], coarse.max_half_width);
   }
   return runs;
 }

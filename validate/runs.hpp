@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "stoss/contact/contact.hpp"
+#include "stoss/impact/vibration.hpp"
 
 namespace validate {
 
@@ -23,6 +24,7 @@ struct ReferencePoint {
   std::string place;  ///< its first columns in the file
   double speed;
   std::function<stoss::Contact(double cutoff)> contact;
+  stoss::Vibration vibration{};  ///< of modes that the lowest cutoff keeps
 };
 
 /// Computes each point at each fineness and writes a CSV file of the header and a row for each: its place, then

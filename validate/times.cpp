@@ -53,7 +53,7 @@ std::vector<Times> measure_times(const std::vector<double>& tolerances) {
       for (std::size_t k = 0; k < tolerances.size(); ++k) {
         modes = 0.0;
         const double begin = processor_time();
-        const stoss::Restitution result = best(body, speed(j), tolerances[k]);
+        const stoss::Restitution result = best(body, speed(j), {.tolerance = tolerances[k], .absolute = 0.0});
         const double seconds = processor_time() - begin - modes;
         all[k].push_back({poisson, speed(j), seconds, result.converged, result.finest.cutoff});
       }

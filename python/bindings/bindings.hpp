@@ -20,6 +20,8 @@ void bind_motion(py::module_& module);
 void bind_field(py::module_& module);
 void bind_wave(py::module_& module);
 void bind_restitution(py::module_& module);
+void bind_bounce(py::module_& module);
+void bind_rod_chain(py::module_& module);
 void bind_extrapolation(py::module_& module);
 void bind_quasistatic(py::module_& module);
 void bind_point_quasistatic(py::module_& module);

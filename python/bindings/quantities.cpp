@@ -10,6 +10,7 @@
 #include "stoss/quasistatic/point_quantities.hpp"
 #include "stoss/quasistatic/quantities.hpp"
 #include "stoss/restitution/quantities.hpp"
+#include "stoss/vibration/bounce.hpp"
 
 namespace stoss::python {
 namespace {
@@ -49,6 +50,7 @@ void bind_quantities(py::module_& module) {
   all["mode energy"] = listed(mode_energy_quantities());
   all["snapshot"] = listed(snapshot_quantities());
   all["restitution"] = listed(restitution_quantities());
+  all["bounce"] = listed(bounce_quantities());
   all["extrapolation"] = listed(extrapolation_quantities());
   all["soft impact"] = listed(soft_impact_quantities());
   all["mode"] = listed(bodies::disk::mode_quantities());

@@ -13,8 +13,10 @@ speed c = √(E/ρ), mass m; of bodies with a `Material`, speeds are in m/s.
 bodies
 `impact`                          one impact: energy ledger, trajectory, deformation and stress in
 time
+`bounce`                          a body that comes back to a wall with the vibration it has kept
 `modes`                           the eigenmodes of a disk or a sphere
 `extrapolated_restitution`        ε as Gerl and Zippelius compute it
+`rod_chain`                       rods on a ring that remember their collisions
 `quasistatic`                     slow impacts, Rayleigh's estimate of the loss, static contacts
 `Disk`, `Sphere`, `Rod`           bodies
 `HalfSpace`, `HalfPlane`          what gives way, and carries waves away
@@ -28,6 +30,8 @@ time
 
 from stoss import quasistatic
 from stoss._bodies import Body, Disk, Rod, Sphere
+from stoss._bounce import bounce
+from stoss._bounce_result import Bounces
 from stoss._core import version as __version__
 from stoss._errors import Interrupted, InvalidInput, NotConverged, StossWarning
 from stoss._extrapolation import Extrapolation, extrapolated_restitution
@@ -40,6 +44,8 @@ from stoss._modes import Modes, modes
 from stoss._restitution import restitution
 from stoss._restitution_result import Restitution
 from stoss._result import with_error
+from stoss._rod_chain import rod_chain
+from stoss._rod_chain_result import RodChain
 from stoss._state import Oscillation
 from stoss._trajectory import Trajectory
 from stoss._walls import ExponentialWall, HardWall, Wall
@@ -47,6 +53,7 @@ from stoss._wave import Wave
 
 __all__ = [
     "Body",
+    "Bounces",
     "Disk",
     "DiskField",
     "ExponentialWall",
@@ -64,6 +71,7 @@ __all__ = [
     "Oscillation",
     "Restitution",
     "Rod",
+    "RodChain",
     "Scales",
     "Sphere",
     "SphereField",
@@ -73,6 +81,7 @@ __all__ = [
     "Wave",
     "__version__",
     "animate",
+    "bounce",
     "extrapolated_restitution",
     "impact",
     "materials",
@@ -80,6 +89,7 @@ __all__ = [
     "plot",
     "quasistatic",
     "restitution",
+    "rod_chain",
     "with_error",
 ]
 

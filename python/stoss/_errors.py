@@ -17,8 +17,8 @@ class NotConverged(RuntimeError):
 
     Attributes
     ----------
-    best : Restitution or None
-        The best value that was reached, if there is one.
+    best : Restitution, Bounces or None
+        The best value that was reached, or the impacts so far, if there are any.
     """
 
     def __init__(self, message: str, best: Any = None) -> None:
@@ -27,12 +27,12 @@ class NotConverged(RuntimeError):
 
 
 class Interrupted(KeyboardInterrupt):
-    """Ctrl-C during a curve.
+    """Ctrl-C during a curve or a sequence.
 
     Attributes
     ----------
-    best : Restitution
-        The curve so far; what is missing is NaN and not converged.
+    best : Restitution or Bounces
+        The curve so far, where what is missing is NaN and not converged; the impacts so far.
     """
 
     def __init__(self, message: str, best: Any = None) -> None:

@@ -38,6 +38,8 @@ def plain(value: Any) -> Any:
         return [dict(zip(value.dtype.names, row)) for row in value.tolist()] if value.dtype.names else value.tolist()
     if isinstance(value, np.generic):
         return value.item()
+    if isinstance(value, (list, tuple)):
+        return [plain(each) for each in value]
     if isinstance(value, dict):
         return {key: known(key, plain(each)) for key, each in value.items()}
     if dataclasses.is_dataclass(value) and not isinstance(value, type):

@@ -153,8 +153,9 @@ BounceNotConverged::BounceNotConverged(const std::string& reason, std::vector<Bo
 
 void validate(const Contact& contact, double speed, const BounceOptions& options) {
   if (contact.second != nullptr && !contact.radiating) {
-    throw InvalidInput("contact: got two free bodies, allowed a body at a wall or on a half-space (two that have met " +
-                       std::string("part for good)"));
+    throw InvalidInput(
+        "against: got a free body, allowed a wall or a half-space (two free bodies that have met do not "
+        "come back to each other)");
   }
   require_speed(speed);
   require("count", options.count, 1, 1'000'000'000, "impacts");
@@ -171,6 +172,8 @@ void validate(const Contact& contact, double speed, const BounceOptions& options
     require("decay_time", *options.decay_time, {0.0, 1e15, true, true, "0 to 1e15"}, "R/c, of the vibration in flight");
   }
 }
+
+double slowest_bounce(double speed) { return std::max(slowest, 0.1 * speed); }
 
 void bounce(const Contact& contact, double speed, const BounceOptions& options, const BounceObserver& observer) {
   validate(contact, speed, options);

@@ -130,6 +130,13 @@ struct RodChain::State {
     }
   }
 
+  /// Moves to the frame of the centre of mass: of slow rods, a velocity that rounding has left to all hides the digits.
+  void settle() {
+    const double mean = mean_velocity();
+    for (Member& rod : rods) rod.velocity -= mean;
+    drift += mean;
+  }
+
   RodCollision collide();
 };
 
@@ -162,7 +169,8 @@ RodCollision RodChain::State::collide() {
   rods[right].velocity += to_right;
   for (const std::size_t pair : {before, left, right}) foresee(pair);
   unresolved += met.unresolved;
-  ++collisions;
+  constexpr long often = 10;  // collisions of each rod
+  if (++collisions % (often * static_cast<long>(rods.size())) == 0) settle();
   return result;
 }
 
@@ -178,8 +186,7 @@ RodChain::RodChain(std::vector<Rod> rods, double circumference, const std::vecto
   state_->pairs.resize(rods.size(), {(circumference - length) / static_cast<double>(rods.size())});
   state_->decay_time = options.decay_time;
   state_->vibrations = options.method == RodMethod::modes ? modes_of_rods(rods, options) : waves_of_rods(rods, options);
-  state_->drift = state_->mean_velocity();
-  for (State::Member& rod : state_->rods) rod.velocity -= state_->drift;
+  state_->settle();
   for (std::size_t pair = 0; pair < rods.size(); ++pair) state_->foresee(pair);
 }
 

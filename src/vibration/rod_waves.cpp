@@ -86,7 +86,7 @@ class Encounter {
 }  // namespace
 
 RodWaves::RodWaves(const std::vector<Rod>& rods, const RodChainOptions& options)
-    : most_(static_cast<std::size_t>(options.pieces)), tail_(options.tail), poll_(options.poll) {
+    : most_(static_cast<std::size_t>(options.pieces)), poll_(options.poll) {
   for (const Rod& rod : rods) {
     const RodMeasures measures(rod);
     waves_.emplace_back(measures.transit, measures.impedance);
@@ -114,14 +114,7 @@ RodMeeting RodWaves::meet(std::size_t left, std::size_t right, double speed) {
   RodMeeting result;
   result.restitution = encounter.finish(speed);
   encounter.right().rotate(other.transit());
-  for (RodWave* wave : {&encounter.left(), &encounter.right()}) {
-    const double lost = wave->merge(most_);
-    if (lost > 0.0 && tail_ == Tail::quasistatic) {
-      wave->scale(std::sqrt(1.0 + lost / wave->energy()));
-    } else {
-      result.unresolved += lost;
-    }
-  }
+  for (RodWave* wave : {&encounter.left(), &encounter.right()}) result.unresolved += wave->merge(most_);
   waves_[left] = encounter.left();
   waves_[right] = encounter.right();
   return result;

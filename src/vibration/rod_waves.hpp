@@ -14,8 +14,7 @@ namespace stoss {
 ///   F = 2 (w₁ − w₂) Z₁Z₂/(Z₁ + Z₂),   and the waves w₁ − F/Z₁ and w₂ + F/Z₂ are sent back;
 ///
 /// where it would pull, the ends part at the rate 2(w₂ − w₁), and touch again when their gap has closed. All of this is
-/// exact for waves in pieces. Afterwards pieces are merged, which keeps momentum and loses the energy that is reported;
-/// with the static tail the whole wave is given it back.
+/// exact for waves in pieces. Afterwards pieces are merged, which keeps momentum and loses the energy that is reported.
 class RodWaves : public RodVibrations {
  public:
   RodWaves(const std::vector<Rod>& rods, const RodChainOptions& options);
@@ -31,7 +30,6 @@ class RodWaves : public RodVibrations {
  private:
   std::vector<RodWave> waves_;
   std::size_t most_;  // pieces of a wave
-  Tail tail_;
   Poll poll_;
 };
 

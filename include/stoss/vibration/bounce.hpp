@@ -80,6 +80,9 @@ void bounce(const Contact& contact, double speed, const BounceOptions& options, 
 /// Computes a sequence and returns it as a whole. @throws InvalidInput as above; BounceNotConverged
 [[nodiscard]] std::vector<Bounce> bounce(const Contact& contact, double speed, const BounceOptions& options);
 
+/// Speed, c, for which a half-space is made that a sequence of this first speed is to end on: a tenth of it.
+[[nodiscard]] double slowest_bounce(double speed);
+
 /// Checks a sequence before it is computed. @throws InvalidInput as `bounce`
 void validate(const Contact& contact, double speed, const BounceOptions& options);
 

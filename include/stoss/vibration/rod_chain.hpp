@@ -25,8 +25,7 @@ struct RodChainOptions {
   RodMethod method = RodMethod::modes;
   int modes = 50;    ///< of the rod of the shortest transit time, 1 … 10 000; the others keep all up to its frequency
   int pieces = 400;  ///< most of the wave in each rod (characteristics), 2 … 1 000 000
-  /// Of the modes above the cutoff, and of what the merging of pieces loses: radiating, they take energy for good;
-  /// static, they take none, and a wave whose pieces are merged is given back its energy.
+  /// Of the modes above the cutoff (modes): radiating, they take energy for good; static, they take none.
   Tail tail = Tail::radiating;
   std::optional<double> decay_time{};  ///< in which the energy of a vibration falls to 1/e; absent: none, 0: complete
   Poll poll{};

@@ -11,9 +11,11 @@ limits
 pressure
 `spectrum`, `mode_shape`                          eigenmodes
 `force`, `velocity`, `energies`, `half_width`     one impact in time
+`bounces`                                         a sequence: ε, and where the energy is
 `ledger`                                          which mode holds how much energy
 `disk`, `sphere`, `sequence`, `stress`            the deformed disk or sphere at the wall, or two
 `wave`                                            what runs away below the surface of a half-space
+`cooling`, `restitution_histogram`                a chain of rods: energies in time, and its ε
 `animate`                                         the same as GIF or MP4
 ================================================  ==================================================
 
@@ -32,23 +34,27 @@ except ModuleNotFoundError as _missing:
     _hint = "pip install matplotlib, or apt install python3-matplotlib"
     raise ImportError(f"stoss.plot needs matplotlib: {_hint}") from None
 
+from stoss._bounce_result import Bounces
 from stoss._extrapolation import Extrapolation
 from stoss._field import DiskField, SphereField
 from stoss._modes import Modes
 from stoss._rayleigh_result import PointRayleighEstimate, RayleighEstimate
 from stoss._restitution_result import Restitution
 from stoss._result import pictures
+from stoss._rod_chain_result import RodChain
 from stoss._slow_impact_result import PointSlowImpact, SlowImpact
 from stoss._static_contact import StaticContact
 from stoss._trajectory import Trajectory
 from stoss._wave import Wave
 from stoss.plot._animation import animate
+from stoss.plot._bounces import bounces
 from stoss.plot._disk import disk, sphere
 from stoss.plot._extrapolation import extrapolation
 from stoss.plot._ledger import ledger
 from stoss.plot._modes import mode_shape, spectrum
 from stoss.plot._quasistatic import rayleigh, slow_impact, static_contact
 from stoss.plot._restitution import restitution
+from stoss.plot._rod_chain import cooling, restitution_histogram
 from stoss.plot._sequence import sequence
 from stoss.plot._stress import stress
 from stoss.plot._trajectory import energies, force, half_width, velocity
@@ -56,6 +62,7 @@ from stoss.plot._wave import wave
 
 pictures.update(
     {
+        Bounces: bounces,
         Extrapolation: extrapolation,
         DiskField: stress,
         Modes: spectrum,
@@ -63,6 +70,7 @@ pictures.update(
         PointSlowImpact: slow_impact,
         RayleighEstimate: rayleigh,
         Restitution: restitution,
+        RodChain: cooling,
         SphereField: stress,
         SlowImpact: slow_impact,
         StaticContact: static_contact,
@@ -73,6 +81,8 @@ pictures.update(
 
 __all__ = [
     "animate",
+    "bounces",
+    "cooling",
     "disk",
     "energies",
     "extrapolation",
@@ -82,6 +92,7 @@ __all__ = [
     "mode_shape",
     "rayleigh",
     "restitution",
+    "restitution_histogram",
     "sequence",
     "slow_impact",
     "spectrum",

@@ -6,7 +6,6 @@
 
 #include <cmath>
 #include <cstddef>
-#include <limits>
 #include <memory>
 #include <numbers>
 #include <string>
@@ -15,8 +14,8 @@
 #include "bodies/disk/mode_search.hpp"
 #include "bodies/disk/near_side.hpp"
 #include "bodies/disk/residual.hpp"
+#include "bodies/round_body.hpp"
 #include "check.hpp"
-#include "digits.hpp"
 #include "stoss/bodies/disk/modes.hpp"
 
 namespace stoss {
@@ -70,25 +69,9 @@ std::vector<ModeGroup> group_by_order(const std::vector<Mode>& modes) {
   return groups;
 }
 
-std::string name_of(const Disk& disk) {
-  std::string name = "disk poisson=" + shown(disk.poisson);
-  if (disk.radius != 1.0) name += " radius=" + shown(disk.radius);
-  if (disk.young != 1.0) name += " young=" + shown(disk.young);
-  if (disk.density != 1.0) name += " density=" + shown(disk.density);
-  if (disk.loss_time != 0.0) name += " loss_time=" + shown(disk.loss_time);
-  return name;
-}
-
-/// η in R/c
-double own_loss_time(const Disk& disk) { return disk.loss_time * (std::sqrt(disk.young / disk.density) / disk.radius); }
-
 void require_disk(const Disk& disk) {
   require_poisson(disk.poisson);
-  constexpr Range positive{0.0, std::numeric_limits<double>::max(), false, true, "a positive finite number"};
-  require("radius", disk.radius, positive, "of the disk");
-  require("young", disk.young, positive, "Young's modulus of the disk");
-  require("density", disk.density, positive, "of the disk");
-  require_loss_time(own_loss_time(disk));
+  bodies::require_size_and_material("disk", disk);
 }
 
 /// Chosen so that steps, contact points and modes are refined together (docs/numerics.md, section 5).
@@ -101,13 +84,12 @@ Body disk(const Disk& disk, double cutoff, const Poll& poll) {
   const double poisson = disk.poisson;
   constexpr Range allowed{0.0, max_cutoff, false, true, "above 0 to 1000"};
   require("cutoff", cutoff, allowed, "highest frequency in c/R of this disk; 25 to 100 is usual");
-  const double loss_time = own_loss_time(disk), highest = kept_cutoff(cutoff, loss_time);
+  const double loss_time = bodies::own_loss_time(disk), highest = kept_cutoff(cutoff, loss_time);
   const std::vector<Mode> modes =
       highest <= no_mode_below ? std::vector<Mode>{} : checked_modes(poisson, highest, poll);
   Body body;
-  body.name = name_of(disk);
-  body.scale = {disk.radius, std::sqrt(disk.young / disk.density),
-                std::numbers::pi * disk.density * disk.radius * disk.radius};
+  body.name = bodies::name_of("disk", disk);
+  body.scale = {disk.radius, bodies::wave_speed(disk), std::numbers::pi * disk.density * disk.radius * disk.radius};
   body.contour = Contour::cylinder;
   body.mass = std::numbers::pi;
   body.extent = 1.0;
@@ -118,14 +100,7 @@ Body disk(const Disk& disk, double cutoff, const Poll& poll) {
   body.groups = group_by_order(modes);
   const std::size_t rows = modes.empty() ? 0 : static_cast<std::size_t>(modes.back().order) + 2;
   body.surface = [poisson, rows](const ContactPoints& points) { return make_surface(poisson, rows, points); };
-  const auto residual = std::make_shared<const Residual>(poisson, cutoff, modes);
-  body.stable_step = residual->stable_step();
-  body.residual_compliance = [residual](const ContactPoints& points, const Poll& heed) {
-    return residual->compliance(points, heed);
-  };
-  body.residual_second_moment = [residual](const ContactPoints& points, const Poll& heed) {
-    return residual->second_moment(points, heed);
-  };
+  bodies::set_residual(body, std::make_shared<const Residual>(poisson, cutoff, modes));
   body.near_side = [disk, name = body.name](double size, double up_to, const Poll& heed) {
     Body part = near_side(disk, size, up_to, heed);
     part.name = name + " (near side)";

@@ -1,20 +1,9 @@
 #include "bodies/disk/residual.hpp"
 
-#include <algorithm>
 #include <cmath>
-#include <cstddef>
-#include <limits>
-
-#include "numeric/dense.hpp"
 
 namespace stoss::bodies::disk {
 namespace {
-
-void add(Flexibility& sum, const Mode& mode, double weight) {
-  sum.radial += weight * mode.radial * mode.radial;
-  sum.mixed += weight * mode.radial * mode.tangential;
-  sum.tangential += weight * mode.tangential * mode.tangential;
-}
 
 std::vector<double> sum_over_orders(const OrderSum& sum, const ContactPoints& points, const Poll& poll) {
   if (points.count == 0) return {};
@@ -24,47 +13,20 @@ std::vector<double> sum_over_orders(const OrderSum& sum, const ContactPoints& po
 }  // namespace
 
 Residual::Residual(double poisson, double cutoff, const std::vector<Mode>& kept)
-    : poisson_(poisson), highest_order_(static_cast<int>(std::lround(8.0 * cutoff))) {
-  const auto orders = kept.empty() ? 0 : static_cast<std::size_t>(kept.back().order) + 1;
-  kept_radial_.resize(orders);
-  kept_.resize(orders);
-  kept_squared_.resize(orders);
-  for (const Mode& mode : kept) {
-    const auto n = static_cast<std::size_t>(mode.order);
-    const double compliance = 1.0 / (mode.omega * mode.omega);
-    kept_radial_[n] += mode.radial * mode.radial;
-    add(kept_[n], mode, compliance);
-    add(kept_squared_[n], mode, compliance * compliance);
-  }
-}
+    : poisson_(poisson), highest_order_(static_cast<int>(std::lround(8.0 * cutoff))), kept_(kept) {}
 
 std::vector<double> Residual::compliance(const ContactPoints& points, const Poll& poll) const {
-  OrderSum sum{poisson_, true, {}};
-  for (const Flexibility& kept : kept_) sum.coefficients.push_back({-kept.radial, -kept.mixed, -kept.tangential});
-  return sum_over_orders(sum, points, poll);
+  return sum_over_orders({poisson_, true, kept_.missing_compliance()}, points, poll);
 }
 
 std::vector<double> Residual::second_moment(const ContactPoints& points, const Poll& poll) const {
-  OrderSum sum{poisson_, false, {}};
-  for (int n = 0; n <= highest_order_; ++n) {
-    sum.coefficients.push_back(static_second_moment(poisson_, n));
-    if (static_cast<std::size_t>(n) < kept_squared_.size()) {
-      const Flexibility& kept = kept_squared_[static_cast<std::size_t>(n)];
-      sum.coefficients.back().radial -= kept.radial;
-      sum.coefficients.back().mixed -= kept.mixed;
-      sum.coefficients.back().tangential -= kept.tangential;
-    }
-  }
-  return sum_over_orders(sum, points, poll);
+  const auto whole = [this](int n) { return static_second_moment(poisson_, n); };
+  return sum_over_orders({poisson_, false, kept_.remaining_second_moment(highest_order_, whole)}, points, poll);
 }
 
 double Residual::stable_step() const {
-  double smallest = std::numeric_limits<double>::infinity();
-  for (std::size_t n = 0; n < kept_.size(); ++n) {
-    const double residual = static_flexibility(poisson_, static_cast<int>(n)).radial - kept_[n].radial;
-    if (kept_radial_[n] > 0.0) smallest = std::min(smallest, 1.8 * residual / kept_radial_[n]);
-  }
-  return std::sqrt(smallest);
+  constexpr double share = 1.8;
+  return kept_.stable_step(share, [this](int n) { return static_flexibility(poisson_, n); });
 }
 
 }  // namespace stoss::bodies::disk

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "bodies/disk/order_sums.hpp"
+#include "bodies/kept_sums.hpp"
 #include "stoss/bodies/disk/modes.hpp"
 #include "stoss/body/body.hpp"
 
@@ -26,10 +27,8 @@ class Residual {
 
  private:
   double poisson_;
-  int highest_order_;                      // in the second moment
-  std::vector<double> kept_radial_;        // Σ_kept C², by order
-  std::vector<Flexibility> kept_;          // Σ_kept (C,S)(C,S)ᵀ/ω²
-  std::vector<Flexibility> kept_squared_;  // Σ_kept (C,S)(C,S)ᵀ/ω⁴
+  int highest_order_;  // in the second moment
+  KeptSums<Mode, Flexibility> kept_;
 };
 
 }  // namespace stoss::bodies::disk

@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "bodies/kept_sums.hpp"
 #include "bodies/sphere/degree_sums.hpp"
 #include "stoss/bodies/sphere/modes.hpp"
 #include "stoss/body/body.hpp"
@@ -26,10 +27,8 @@ class Residual {
 
  private:
   double poisson_;
-  int highest_degree_;                     // in the second moment
-  std::vector<double> kept_radial_;        // Σ_kept U², by degree
-  std::vector<Flexibility> kept_;          // Σ_kept (U,V)(U,V)ᵀ/ω²
-  std::vector<Flexibility> kept_squared_;  // Σ_kept (U,V)(U,V)ᵀ/ω⁴
+  int highest_degree_;  // in the second moment
+  KeptSums<Mode, Flexibility> kept_;
 };
 
 }  // namespace stoss::bodies::sphere

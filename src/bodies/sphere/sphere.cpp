@@ -6,17 +6,16 @@
 
 #include <cmath>
 #include <cstddef>
-#include <limits>
 #include <memory>
 #include <numbers>
 #include <string>
 
+#include "bodies/round_body.hpp"
 #include "bodies/sphere/legendre.hpp"
 #include "bodies/sphere/mode_search.hpp"
 #include "bodies/sphere/residual.hpp"
 #include "bodies/sphere/surface_points.hpp"
 #include "check.hpp"
-#include "digits.hpp"
 #include "stoss/bodies/sphere/modes.hpp"
 
 namespace stoss {
@@ -63,27 +62,9 @@ std::vector<ModeGroup> group_by_degree(const std::vector<Mode>& modes) {
   return groups;
 }
 
-std::string name_of(const Sphere& sphere) {
-  std::string name = "sphere poisson=" + shown(sphere.poisson);
-  if (sphere.radius != 1.0) name += " radius=" + shown(sphere.radius);
-  if (sphere.young != 1.0) name += " young=" + shown(sphere.young);
-  if (sphere.density != 1.0) name += " density=" + shown(sphere.density);
-  if (sphere.loss_time != 0.0) name += " loss_time=" + shown(sphere.loss_time);
-  return name;
-}
-
-/// η in R/c
-double own_loss_time(const Sphere& sphere) {
-  return sphere.loss_time * (std::sqrt(sphere.young / sphere.density) / sphere.radius);
-}
-
 void require_sphere(const Sphere& sphere) {
   bodies::sphere::require_poisson(sphere.poisson);
-  constexpr Range positive{0.0, std::numeric_limits<double>::max(), false, true, "a positive finite number"};
-  require("radius", sphere.radius, positive, "of the sphere");
-  require("young", sphere.young, positive, "Young's modulus of the sphere");
-  require("density", sphere.density, positive, "of the sphere");
-  require_loss_time(own_loss_time(sphere));
+  bodies::require_size_and_material("sphere", sphere);
 }
 
 /// Chosen so that steps, rings and modes are refined together (docs/numerics.md, section 5).
@@ -96,7 +77,7 @@ constexpr Sampling sampling_of_losses{.points = 80.0, .cutoff = 32.0, .power = 0
 
 Scales scales(const Sphere& sphere) {
   require_sphere(sphere);
-  const double speed = std::sqrt(sphere.young / sphere.density);
+  const double speed = bodies::wave_speed(sphere);
   return {sphere.radius, speed, sphere.radius / speed, speed / sphere.radius,
           mass * sphere.radius * sphere.radius * sphere.young};
 }
@@ -106,12 +87,12 @@ Body sphere(const Sphere& sphere, double cutoff, const Poll& poll) {
   const double poisson = sphere.poisson;
   constexpr Range allowed{0.0, max_cutoff, false, true, "above 0 to 1000"};
   require("cutoff", cutoff, allowed, "highest frequency in c/R of this sphere; 25 to 100 is usual");
-  const double loss_time = own_loss_time(sphere), highest = kept_cutoff(cutoff, loss_time);
+  const double loss_time = bodies::own_loss_time(sphere), highest = kept_cutoff(cutoff, loss_time);
   const std::vector<Mode> modes =
       highest <= no_mode_below ? std::vector<Mode>{} : checked_modes(poisson, highest, poll);
   Body body;
-  body.name = name_of(sphere);
-  body.scale = {sphere.radius, std::sqrt(sphere.young / sphere.density),
+  body.name = bodies::name_of("sphere", sphere);
+  body.scale = {sphere.radius, bodies::wave_speed(sphere),
                 mass * sphere.density * sphere.radius * sphere.radius * sphere.radius};
   body.contour = Contour::ball;
   body.mass = mass;
@@ -124,14 +105,7 @@ Body sphere(const Sphere& sphere, double cutoff, const Poll& poll) {
   body.groups = group_by_degree(modes);
   const std::size_t rows = modes.empty() ? 0 : static_cast<std::size_t>(modes.back().order) + 2;
   body.surface = [poisson, rows](const ContactPoints& points) { return make_surface(poisson, rows, points); };
-  const auto residual = std::make_shared<const Residual>(poisson, cutoff, modes);
-  body.stable_step = residual->stable_step();
-  body.residual_compliance = [residual](const ContactPoints& points, const Poll& heed) {
-    return residual->compliance(points, heed);
-  };
-  body.residual_second_moment = [residual](const ContactPoints& points, const Poll& heed) {
-    return residual->second_moment(points, heed);
-  };
+  bodies::set_residual(body, std::make_shared<const Residual>(poisson, cutoff, modes));
   return body;
 }
 
