@@ -35,8 +35,8 @@ def bounce(
     """Impacts of a body that comes back to a wall or a half-space with the vibration it has kept.
 
     In flight the phase of a mode of frequency ω advances by ω T and its energy falls by
-    exp(−T/`decay_time`). All impacts have the same cutoff and no error bar: the sequence of a
-    vibrating body is chaotic, and only its means converge. With ``against=stoss.HardWall(tail="static")``
+    exp(−T/`decay_time`). All impacts have the same cutoff and no error bar: without damping
+    small differences grow, and of a long sequence only means converge. With ``against=stoss.HardWall(tail="static")``
     all energy is kept, and translation has in the mean as much before an impact as each of the modes;
     otherwise the modes above the cutoff take energy for good.
 
@@ -81,7 +81,7 @@ def bounce(
     --------
     >>> ball = stoss.Sphere(poisson=0.3)
     >>> stoss.bounce(ball, speed=0.05, count=50, flight_time=30)
-    Bounces(50 impacts, Sphere(poisson=0.3), speed=0.05 c: restitution 0.942245 to 1.00264, translation 0.5)
+    Bounces(50 impacts, Sphere(poisson=0.3), speed=0.05 c: restitution 0.942245 to 1.0263, translation 0.4069 in the end)
     >>> forgetful = stoss.bounce(ball, speed=0.05, count=3, flight_time=30, decay_time=0)
     >>> float(forgetful.restitution[1]) == stoss.impact(ball, speed=forgetful.speed[1], cutoff=20).restitution
     True

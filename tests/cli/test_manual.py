@@ -27,6 +27,7 @@ def keys(value):
         "restitution --poisson 0.33 --speed 0.1",
         "restitution --poisson 0.33 --speed 0.1 --method extrapolate",
         "impact --poisson 0.33 --speed 0.1 --cutoff 12",
+        "bounce --poisson 0.33 --speed 0.1 --count 2 --flight-time 9 --cutoff 12",
         "quasistatic --poisson 0.33 --speed 1e-3",
         "quasistatic --poisson 0.33 --compression 0.01",
         "quasistatic --body sphere --poisson 0.3 --young 1e9 --density 1e3 --radius 1 --yield 1e6 --speed 0.1",

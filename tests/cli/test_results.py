@@ -13,7 +13,7 @@ def test_version(stoss):
     assert result.stdout.startswith("stoss 0.")
 
 
-@pytest.mark.parametrize("subcommand", ["", "modes", "impact", "restitution", "quasistatic"])
+@pytest.mark.parametrize("subcommand", ["", "modes", "impact", "restitution", "bounce", "quasistatic"])
 def test_help_has_units_and_an_example(stoss, subcommand):
     result = stoss.run(subcommand, "--help")
     assert result.returncode == 0

@@ -25,6 +25,7 @@ LONG = {
     " speed=np.geomspace(1e-3, 0.3, 300), tolerance=1e-4)",
     "impact of two bodies": "stoss.impact(stoss.Disk(poisson=0.33), against='same', speed=0.1, cutoff=300)",
     "impact on a soft wall": "stoss.impact(poisson=0.33, speed=0.1, step=5e-6, against=stoss.ExponentialWall())",
+    "sequence": "stoss.bounce(poisson=0.33, speed=0.1, count=10**8, flight_time=30)",
     "trajectory": "hit.trajectory()",
     "field": "hit.field(time=np.linspace(0, 6, 3000))",
     "extrapolation": "stoss.extrapolated_restitution(poisson=0.33, speed=0.1, cutoffs=np.geomspace(20, 80, 30))",
@@ -84,7 +85,8 @@ def test_ctrl_c_stops_within_the_promised_time(interpreter, what, record_propert
     record_property("seconds", took)
     print(f"{what}: {', '.join(f'{each * 1000:.1f}' for each in took)} ms")
     assert statistics.median(took) < PROMISED and max(took) < CEILING
-    assert set(names) == {"Interrupted" if "stoss.restitution(" in LONG[what] else "KeyboardInterrupt"}
+    keeps = "stoss.restitution(" in LONG[what] or "stoss.bounce(" in LONG[what]
+    assert set(names) == {"Interrupted" if keeps else "KeyboardInterrupt"}
 
 
 @pytest.mark.parametrize("poisson", [0.33, [[0.33], [0.6]]])

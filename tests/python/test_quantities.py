@@ -19,6 +19,7 @@ RESULTS = [
     ("impact", stoss.Impact, set(), {"body", "against", "speed", "mode_energies", "keep", "_handle"}),
     ("restitution", stoss.Restitution, set(),
      {"body", "bodies", "against", "poisson", "speed", "reason", "tolerance", "absolute"}),
+    ("bounce", stoss.Bounces, set(), {"body", "against", "cutoff", "gravity", "decay_time"}),
     ("snapshot", stoss.Trajectory, set(), {"impact"}),
     ("mode", stoss.Modes, {"family"}, {"body", "poisson", "cutoff"}),  # radial_family
     ("sphere mode", stoss.Modes, set(), {"body", "poisson", "cutoff"}),
@@ -90,10 +91,12 @@ def test_rods_have_their_own_units_at_every_instant(tmp_path):
         ("quasistatic --poisson 0.33 --speed 1e-3", lambda: Q.rayleigh(poisson=0.33, speed=1e-3)),
         ("quasistatic --body sphere --poisson 0.3 --speed 1e-3",
          lambda: Q.rayleigh(stoss.Sphere(poisson=0.3), speed=1e-3)),
+        ("bounce --poisson 0.33 --speed 0.1 --count 2 --flight-time 9",
+         lambda: stoss.bounce(poisson=0.33, speed=0.1, count=2, flight_time=9)),
         (f"quasistatic --body sphere --poisson 0.3 --radius 0.01 --yield 1e9 --speed 0.01 {STEEL}",
          lambda: Q.rayleigh(stoss.Sphere(radius=0.01, material=HARD), speed=0.01)),
     ],
-    ids=["disk", "rod", "sphere", "rayleigh", "rayleigh-sphere", "rayleigh-sphere-si"],
+    ids=["disk", "rod", "sphere", "rayleigh", "rayleigh-sphere", "bounce", "rayleigh-sphere-si"],
 )  # fmt: skip
 def test_order_and_units_are_those_of_the_command(command, tmp_path, arguments, result):
     document = command(arguments)

@@ -68,8 +68,8 @@ class BounceNotConverged : public NotConverged {
 /// for the vibration to keep clear of the wall is not followed on its way: the body comes as from afar, with the phases
 /// of the nominal time, and short_flight is set. In a lossy material it damps by itself.
 ///
-/// All impacts have the same cutoff and no error bar. Which ε follows which is chaotic, so a longer sequence of a
-/// vibrating body does not converge with the resolution; its means do. With Tail::quasistatic all energy is kept, and
+/// All impacts have the same cutoff and no error bar: without damping small differences grow, and a long sequence
+/// does not converge with the resolution. Its means do. With Tail::quasistatic all energy is kept, and
 /// if the motion is ergodic the mean share of translation before impacts tends to 1/(N + 1) for N kept modes
 /// (docs/theory/bounce.md); with Tail::radiating the modes above the cutoff take energy for good.
 /// @param speed of the first impact, 1e-8 … 1 c

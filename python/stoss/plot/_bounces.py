@@ -49,7 +49,7 @@ def bounces(result: Bounces, ax: Axes | None = None) -> Axes:
     if len(result) == 0:
         raise refusal("result", result, "a sequence of at least one impact")
     with _style.canvas(ax, size=(_style.COLUMN, 4.0)) as axes:
-        place = axes.get_subplotspec()
+        place = getattr(axes, "get_subplotspec", lambda: None)()  # before matplotlib 3.7 only subplots have it
         if place is None:
             raise refusal("ax", ax, "an Axes of pyplot.subplots, of which the lower half can be taken")
         upper_place, lower_place = place.subgridspec(2, 1, hspace=0.06)
