@@ -30,7 +30,7 @@ std::vector<Rod> rods_of(const std::vector<std::array<double, 5>>& values) {
 
 void bind_rod_chain(py::module_& module) {
   PYBIND11_NUMPY_DTYPE(RodCollision, time, pair, speed, restitution, vibration_before, vibration_after, unresolved);
-  PYBIND11_NUMPY_DTYPE(RodChainSample, time, collisions, translation, vibration, unresolved, momentum);
+  PYBIND11_NUMPY_DTYPE(RodChainSample, time, collisions, translation, vibration, dissipated, unresolved, momentum);
   module.def(
       "thermal_velocities",
       [](const std::vector<std::array<double, 5>>& rods, double temperature, std::uint64_t seed) {

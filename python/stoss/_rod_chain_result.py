@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from stoss._bodies import Rod
 from stoss._result import Column, Result, span
 
-SI = {"time": "s", "translation": "J", "vibration": "J", "unresolved": "J", "momentum": "kg m/s"}
+SI = {"time": "s", "translation": "J", "vibration": "J", "dissipated": "J", "unresolved": "J", "momentum": "kg m/s"}
 
 
 @dataclasses.dataclass(frozen=True, eq=False, repr=False)
@@ -41,6 +41,8 @@ class RodChain(Result):
         Kinetic energy of the rods' centres in the frame of their centre of mass, at these times.
     vibration : ndarray
         Energy of all vibrations.
+    dissipated : ndarray
+        Energy of vibrations that has decayed so far.
     unresolved : ndarray
         Energy taken so far by modes above the cutoff, or lost to merged pieces.
     momentum : ndarray
@@ -64,6 +66,7 @@ class RodChain(Result):
     collisions: NDArray[np.int64]
     translation: NDArray[np.float64]
     vibration: NDArray[np.float64]
+    dissipated: NDArray[np.float64]
     unresolved: NDArray[np.float64]
     momentum: NDArray[np.float64]
 
@@ -110,5 +113,5 @@ class RodChain(Result):
         return {"rods": len(self.rods)} | {name: getattr(self, name) for name in names}
 
     def _table(self) -> dict[str, Column]:
-        names = ("time", "collisions", "translation", "vibration", "unresolved", "momentum")
+        names = ("time", "collisions", "translation", "vibration", "dissipated", "unresolved", "momentum")
         return {name: getattr(self, name) for name in names}

@@ -69,7 +69,7 @@ struct RodChain::State {
   std::unique_ptr<RodVibrations> vibrations{};
   std::optional<double> decay_time{};
   double drift = 0.0;  // of the centre of mass
-  double time = 0.0, unresolved = 0.0;
+  double time = 0.0, dissipated = 0.0, unresolved = 0.0;
   long collisions = 0;
   double crowded_since = 0.0;  // collapse: the collisions since a time that has hardly changed
   long crowded = 0;
@@ -95,8 +95,14 @@ struct RodChain::State {
     return *decay_time > 0.0 ? std::exp(-elapsed / *decay_time) : 0.0;
   }
 
+  /// Energy that the vibration of a rod has lost since it was seen last.
+  [[nodiscard]] double decayed(std::size_t rod) const {
+    return decay_time ? vibrations->energy(rod) * (1.0 - kept(time - rods[rod].seen)) : 0.0;
+  }
+
   void age(std::size_t rod) {
     const double elapsed = time - rods[rod].seen;
+    dissipated += decayed(rod);
     vibrations->age(rod, elapsed, kept(elapsed));
     rods[rod].seen = time;
   }
@@ -212,12 +218,14 @@ RodChainSample RodChain::sample() const {
   RodChainSample sample;
   sample.time = now.time;
   sample.collisions = now.collisions;
+  sample.dissipated = now.dissipated;
   sample.unresolved = now.unresolved;
   sample.momentum = now.total_mass() * (now.drift + mean);
   for (std::size_t k = 0; k < now.rods.size(); ++k) {
     const double velocity = now.rods[k].velocity - mean;
     sample.translation += 0.5 * now.rods[k].mass * velocity * velocity;
-    sample.vibration += now.vibrations->energy(k) * now.kept(now.time - now.rods[k].seen);
+    sample.vibration += now.vibrations->energy(k) - now.decayed(k);
+    sample.dissipated += now.decayed(k);
   }
   return sample;
 }

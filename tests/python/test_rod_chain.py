@@ -18,8 +18,8 @@ def chain(**changed):
 
 def test_ledger_closes():
     for method in ("modes", "characteristics"):
-        gas = chain(method=method, modes=10)
-        total = gas.translation + gas.vibration + gas.unresolved
+        gas = chain(method=method, modes=10, decay_time=30)
+        total = gas.translation + gas.vibration + gas.dissipated + gas.unresolved
         assert total == pytest.approx(np.full(total.size, total[0]), rel=1e-12)
         assert gas.collisions[-1] == len(gas) == 100
         assert gas.time[-1] == gas.impacts["time"][-1]

@@ -34,7 +34,9 @@ RodChain chain_of(const std::vector<Rod>& rods, const RodChainOptions& options, 
   return {rods, 11.0 * length, thermal_velocities(rods, 1.0, seed), options};
 }
 
-double energy(const RodChainSample& sample) { return sample.translation + sample.vibration + sample.unresolved; }
+double energy(const RodChainSample& sample) {
+  return sample.translation + sample.vibration + sample.dissipated + sample.unresolved;
+}
 
 TEST(RodChain, KeepsEnergyAndMomentum) {
   const std::vector<Rod> rods = random_rods(12, 0.2);
@@ -56,6 +58,20 @@ TEST(RodChain, KeepsEnergyAndMomentum) {
       if (method == RodMethod::modes && tail == Tail::quasistatic) {
         EXPECT_EQ(chain.sample().unresolved, 0.0);
       }
+    }
+  }
+}
+
+TEST(RodChain, KeepsAccountOfWhatDecays) {
+  for (const RodMethod method : methods) {
+    for (const double decay_time : {0.0, 3.0}) {
+      RodChain chain =
+          chain_of(random_rods(8, 0.2), {.method = method, .modes = 10, .pieces = 60, .decay_time = decay_time});
+      const double start = chain.sample().translation;
+      RodChainRecord record;
+      run(chain, record, 300);
+      for (const RodChainSample& now : record.samples) EXPECT_NEAR(energy(now), start, 1e-10 * start);
+      EXPECT_GT(record.samples.back().dissipated, 0.3 * start);
     }
   }
 }

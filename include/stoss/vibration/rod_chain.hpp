@@ -48,6 +48,7 @@ struct RodChainSample {
   long collisions = 0;       ///< so far
   double translation = 0.0;  ///< kinetic energy of the rods' centres in the frame of their centre of mass
   double vibration = 0.0;    ///< energy of all vibrations
+  double dissipated = 0.0;   ///< energy of vibrations that has decayed so far
   double unresolved = 0.0;   ///< energy lost so far to modes above the cutoff, or to pieces that were merged
   double momentum = 0.0;
 };

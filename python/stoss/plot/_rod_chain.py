@@ -51,10 +51,11 @@ def cooling(chain: RodChain, ax: Axes | None = None) -> Axes:
             if chain.decay_time != 0.0 and np.any(vibration > 0.0):
                 shown = vibration > 1e-6 * translation  # a chain without damping may start with none
                 axes.plot(time[shown], vibration[shown], color=_style.VERMILION, linestyle="--", label="vibration")
-            late = translation < COOLED
-            if late[-1]:
-                level = np.exp(np.median(np.log(translation[late] * time[late] ** 2)))
-                axes.plot(time[late], level / time[late] ** 2, color=_style.BLACK, linestyle=":", label="∝ t⁻²")
+            late = (translation < COOLED) & (translation > 0.0)
+            if translation[-1] < COOLED and np.any(late):
+                moment = np.log(time[late])
+                law = np.median(np.log(translation[late]) + 2.0 * moment) - 2.0 * moment
+                axes.plot(time[late], np.exp(law), color=_style.BLACK, linestyle=":", label="∝ t⁻²")
             _style.legend(axes)
     return axes
 
