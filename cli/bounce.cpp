@@ -10,6 +10,7 @@
 #include "options.hpp"
 #include "stoss/errors.hpp"
 #include "tables.hpp"
+#include "vibration_arguments.hpp"
 #include "yield.hpp"
 
 namespace stoss::cli {
@@ -17,6 +18,7 @@ namespace {
 
 struct BounceArguments {
   EncounterArguments who;
+  VibrationArguments vibration;
   std::string speed;
   int count = 100;
   std::optional<double> flight_time, gravity, decay_time;
@@ -37,6 +39,7 @@ BounceOptions make_options(const BounceArguments& arguments, const Units& units)
           .gravity = in(arguments.gravity, acceleration),
           .decay_time = in(arguments.decay_time, time),
           .resolution = {.tail = arguments.tail == "static" ? Tail::quasistatic : Tail::radiating},
+          .vibration = arguments.vibration.vibration(),
           .poll = heed_interrupts};
 }
 
@@ -47,6 +50,7 @@ Provenance describe(const BounceArguments& arguments, const Encounter& encounter
   encounter.describe(inputs);
   if (!si && !encounter.rods()) inputs["poisson"] = encounter.poisson();
   inputs["speed"] = speed;
+  arguments.vibration.describe(inputs);
   if (arguments.flight_time) inputs[si ? "flight_time[s]" : "flight_time"] = *arguments.flight_time;
   if (arguments.gravity) inputs[si ? "gravity[m/s^2]" : "gravity"] = *arguments.gravity;
   if (arguments.decay_time) inputs[si ? "decay_time[s]" : "decay_time"] = *arguments.decay_time;
@@ -146,6 +150,7 @@ void add_bounce(CLI::App& app) {
                         "               in 1/R, 1 to 1e6 (default: 500), V0 in rho c^2 R^2,\n"
                         "               of a sphere rho c^2 R (default: 1; only shifts it).\n"
                         "  A second body that is free does not come back: it is refused");
+  arguments->vibration.add_to(*command);
   add_flight(*command, *arguments);
   arguments->tail_option =
       command

@@ -8,6 +8,7 @@
 #include "bindings.hpp"
 #include "interpreter.hpp"
 #include "quantities.hpp"
+#include "vibration.hpp"
 
 namespace stoss::python {
 namespace {
@@ -15,13 +16,14 @@ namespace {
 /// Adds the rows of a sequence to `done` at its end, also if Ctrl-C ends it. Returns why it ended too early.
 std::string sequence(const Contact& contact, bool radiating, double speed, long count,
                      std::optional<double> flight_time, std::optional<double> gravity, std::optional<double> decay_time,
-                     py::list done) {
+                     const Oscillations& state, py::list done) {
   const Tail tail = radiating ? Tail::radiating : Tail::quasistatic;
   const BounceOptions options{.count = count,
                               .flight_time = flight_time,
                               .gravity = gravity,
                               .decay_time = decay_time,
                               .resolution = {.tail = tail},
+                              .vibration = to_vibration(state),
                               .poll = signal_poll()};
   Rows<Bounce> rows(bounce_quantities());
   try {
@@ -43,7 +45,7 @@ std::string sequence(const Contact& contact, bool radiating, double speed, long 
 void bind_bounce(py::module_& module) {
   module.def("slowest_bounce", &slowest_bounce, py::arg("speed"));
   module.def("bounce", &sequence, py::arg("contact"), py::arg("radiating"), py::arg("speed"), py::arg("count"),
-             py::arg("flight_time"), py::arg("gravity"), py::arg("decay_time"), py::arg("done"),
+             py::arg("flight_time"), py::arg("gravity"), py::arg("decay_time"), py::arg("state"), py::arg("done"),
              "appends the rows to done; returns why the sequence ended too early");
 }
 

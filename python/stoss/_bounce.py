@@ -17,6 +17,7 @@ from stoss._errors import Interrupted, NotConverged, StossWarning
 from stoss._half_space import UNBOUNDED
 from stoss._result import columns
 from stoss._si import warn_of_yielding
+from stoss._state import State, choose_state
 from stoss._walls import ExponentialWall, HardWall
 
 
@@ -31,6 +32,7 @@ def bounce(
     gravity: float | None = None,
     decay_time: float | None = None,
     cutoff: float = 20.0,
+    state: State = None,
 ) -> Bounces:
     """Impacts of a body that comes back to a wall or a half-space with the vibration it has kept.
 
@@ -62,6 +64,8 @@ def bounce(
         every impact is that of `impact`. Default: no decay but that of a lossy material.
     cutoff : float, optional
         Highest frequency of the modes that are kept, c/R.
+    state : Oscillation, sequence of them or ndarray, optional
+        How the body vibrates before the first impact, as for `impact`. Default: it is at rest inside.
 
     Returns
     -------
@@ -95,17 +99,18 @@ def bounce(
     weight = optional_number("gravity", gravity)
     flight, decay = (None if value is None else value / unit for value in (flight, decay))
     weight = None if weight is None else weight * unit / speed_unit(chosen)
+    modes = choose_state(state)
     done: list[NDArray[Any]] = []
     stopped, reason = False, ""
     with speeds_in_si(chosen):
         slowest = _core.slowest_bounce(first) if isinstance(met, UNBOUNDED) else first
         resolved = contact(chosen, met, at, slowest, None)
         try:
-            reason = _core.bounce(resolved, radiates(met), first, times, flight, weight, decay, done)
+            reason = _core.bounce(resolved, radiates(met), first, times, flight, weight, decay, modes, done)
         except KeyboardInterrupt:
             stopped = True
     table = columns(done[0])
-    result = Bounces(body=chosen, against=met, cutoff=at, gravity=weight, decay_time=decay, **table)
+    result = Bounces(body=chosen, against=met, cutoff=at, gravity=weight, decay_time=decay, state=modes if modes.size else None, **table)
     if stopped:
         raise Interrupted(f"bounce: interrupted after {len(result)} of {times} impacts (they are in .best)", result)
     if reason:

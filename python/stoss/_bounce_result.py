@@ -12,6 +12,7 @@ from stoss._bodies import PARTNERS, Body, shown
 from stoss._contact import Against
 from stoss._result import Number, span
 from stoss._si import InSi
+from stoss._state import shown_state
 
 
 @dataclasses.dataclass(frozen=True, eq=False, repr=False)
@@ -29,6 +30,8 @@ class Bounces(InSi):
         Modes up to this frequency are kept, c/R.
     gravity, decay_time : float or None
         As they were given, c²/R and R/c.
+    state : ndarray or None
+        How the body vibrated before the first impact, as `impact` has it.
     number : ndarray
         1, 2, …
     speed : ndarray
@@ -66,6 +69,7 @@ class Bounces(InSi):
     cutoff: float
     gravity: float | None
     decay_time: float | None
+    state: NDArray[Any] | None
     number: NDArray[np.int64]
     speed: NDArray[np.float64]
     restitution: NDArray[np.float64]
@@ -105,6 +109,8 @@ class Bounces(InSi):
         return self._picture(ax)
 
     def _inputs(self) -> dict[str, Any]:
-        named = {"body": self.body, "against": self.against, "cutoff": self.cutoff}
+        named: dict[str, Any] = {"body": self.body, "against": self.against, "cutoff": self.cutoff}
         named |= {"gravity": self.gravity, "decay_time": self.decay_time}
+        if self.state is not None:
+            named["state"] = shown_state(self.state)
         return {key: value for key, value in named.items() if value is not None}

@@ -155,6 +155,7 @@ def bounce(
     flight_time: float | None,
     gravity: float | None,
     decay_time: float | None,
+    state: NDArray[Any],
     done: list[NDArray[Any]],
 ) -> str: ...
 def extrapolated_restitution(

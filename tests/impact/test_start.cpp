@@ -12,6 +12,7 @@
 #include "stoss/bodies/rod.hpp"
 #include "stoss/errors.hpp"
 #include "stoss/impact/impact.hpp"
+#include "stoss/impact/vibration.hpp"
 #include "support/body_tools.hpp"
 #include "support/refusal.hpp"
 
@@ -105,6 +106,30 @@ TEST(StartState, OfAVibratingBodyCanGiveEnergyToTheFlight) {
   EXPECT_GT(back.restitution, 1.1);
   EXPECT_NEAR(back.restitution * forth.restitution, 1.0, 1e-3);
   EXPECT_LT(back.lost_fraction, 0.0);
+}
+
+TEST(StartState, MayPartSoSlowlyThatClearingTheWallTakesLongerThanAnyContact) {
+  // A slow body that vibrates with all its modes is thrown back 22 times as fast. Run backwards, it parts as slowly.
+  const Contact at_wall = contact(disk(0.33, 4.5));
+  Vibration vibrating;
+  for (const ModeGroup& group : at_wall.groups) {
+    for (std::size_t l = 0; l < group.omega.size(); ++l) {
+      const int index = group.index.empty() ? static_cast<int>(l) : group.index[l];
+      const double phase = 1.7 * static_cast<double>(vibrating.size());
+      vibrating.push_back({.order = group.order, .index = index, .energy = 1e5, .phase = phase});
+    }
+  }
+  const Resolution all_energy_kept{.tail = Tail::quasistatic};
+  const Impact forth =
+      impact(at_wall, 2e-4, {.resolution = all_energy_kept, .start = approach(at_wall, 2e-4, vibrating)});
+  EXPECT_GT(forth.restitution, 20.0);
+  State start = forth.final_state;
+  start.velocity = -start.velocity;
+  for (double& momentum : start.momentum) momentum = -momentum;
+  const Resolution same{forth.step, forth.nodes, forth.half_width, Tail::quasistatic};
+  const Impact back = impact(at_wall, start.velocity, {.resolution = same, .start = start});
+  EXPECT_NEAR(back.restitution * forth.restitution, 1.0, 1e-4);
+  EXPECT_GT(static_cast<double>(back.steps) * back.step, 1000.0);  // R/c
 }
 
 TEST(StartState, OfADiskDecidesByThePhaseOfItsVibration) {

@@ -19,7 +19,7 @@ RESULTS = [
     ("impact", stoss.Impact, set(), {"body", "against", "speed", "mode_energies", "keep", "_handle"}),
     ("restitution", stoss.Restitution, set(),
      {"body", "bodies", "against", "poisson", "speed", "reason", "tolerance", "absolute"}),
-    ("bounce", stoss.Bounces, set(), {"body", "against", "cutoff", "gravity", "decay_time"}),
+    ("bounce", stoss.Bounces, set(), {"body", "against", "cutoff", "gravity", "decay_time", "state"}),
     ("snapshot", stoss.Trajectory, set(), {"impact"}),
     ("mode", stoss.Modes, {"family"}, {"body", "poisson", "cutoff"}),  # radial_family
     ("sphere mode", stoss.Modes, set(), {"body", "poisson", "cutoff"}),

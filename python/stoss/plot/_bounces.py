@@ -86,5 +86,5 @@ def _at_rest(result: Bounces) -> NDArray[np.float64]:
     who, speeds = (result.body, result.against), np.unique(result.speed)
     if speeds.size > SPEEDS:
         speeds = np.geomspace(speeds[0], speeds[-1], SPEEDS)
-    single = [Impact._made(*who, float(v), result.cutoff, None, None, None, None).restitution for v in speeds]
+    single = [Impact._made(*who, float(v), result.cutoff, None, None, None, None, None).restitution for v in speeds]
     return np.interp(np.log(result.speed), np.log(speeds), single)
