@@ -6,6 +6,7 @@
 #include "stoss/bodies/sphere.hpp"
 #include "stoss/bodies/sphere/modes.hpp"
 #include "stoss/restitution/restitution.hpp"
+#include "stoss/vibration/distribution.hpp"
 
 namespace bench {
 namespace {
@@ -75,6 +76,20 @@ void add_half_space(const Case& at) {
   });
 }
 
+/// Samples of a sphere that vibrates, one after the other, each to 1e-3 (absolute); modes made before.
+void add_distribution(double at) {
+  add(label("100 samples at temperature 0.01 up to 10 c/R, to 0.001, v = ", at), [at](benchmark::State& state) {
+    const stoss::RefinableContact ball{stoss::sphere(poisson_of_sphere)};
+    const stoss::Spectrum warm = stoss::thermal(ball, 0.01, 10.0);
+    const stoss::DistributionOptions options{.samples = 100, .threads = 1};
+    stoss::DistributionSummary all = stoss::summary(stoss::restitution_distribution(ball, at, warm, options));
+    for (auto _ : state) all = stoss::summary(stoss::restitution_distribution(ball, at, warm, options));
+    state.counters[lost_fraction_counter] = all.lost_fraction.value;
+    state.counters["samples per s"] = benchmark::Counter(100.0, benchmark::Counter::kIsIterationInvariantRate);
+    state.counters[sphere_counter] = 1.0;
+  });
+}
+
 }  // namespace
 
 void add_spheres() {
@@ -84,6 +99,7 @@ void add_spheres() {
     if (at.lost_fraction < 1e-3) add_restitution(at, 0.0);  // there the tolerance asks for more than the default
   }
   for (const Case& at : half_space_cases) add_half_space(at);
+  for (const double at : {0.1, 0.01}) add_distribution(at);
 }
 
 }  // namespace bench

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <utility>
 
 #include "arguments.hpp"
 #include "encounter.hpp"
@@ -78,7 +79,13 @@ void summarize(const std::vector<Sample>& samples, const OutputArguments& output
   if (std::none_of(samples.begin(), samples.end(), has_value)) return;
   const DistributionSummary all = summary(samples);
   const std::string lines = summary_lines(all);
-  if (output.chosen_format() == Format::json) report.attach("summary", to_json(distribution_table(), all));
+  if (output.chosen_format() == Format::json) {
+    auto object = to_json(distribution_table(), all);
+    for (auto& value : object) {
+      if (value.is_number_float() && !std::isfinite(value.get<double>())) value = unknown;
+    }
+    report.attach("summary", std::move(object));
+  }
   if (output.chosen_format() == Format::table) report.close_table("\n" + lines);
   if (output.chosen_format() == Format::csv && !output.quiet) show(lines);
 }
@@ -139,7 +146,7 @@ void add_distribution(CLI::App& app, int& exit_code) {
       "  stoss distribution --body sphere --poisson 0.3 --speed 0.01 --temperature 0.01 --seed 7\n"
       "  stoss distribution --body sphere --poisson 0.3 --speed 0.01 --temperature 0.01 --highest 20\n"
       "      --samples 1e4 --resume samples.csv\n"
-      "  stoss distribution --body rod --speed 0.1 --against rod,length=2.5 --temperature 0.02\n"
+      "  stoss distribution --body rod --speed 0.1 --against rod,length=2.5 --temperature 0.02 --error 0.02\n"
       "  stoss distribution --poisson 0.33 --speed 0.1 --spectrum 2,0,energy=0.1 --format json");
   command->callback([arguments, &exit_code] { exit_code = run(*arguments); });
 }

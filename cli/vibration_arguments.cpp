@@ -19,8 +19,8 @@ const std::vector<std::string> bodies{"first", "second"};
 /// Of --mode or --spectrum. @param keys that may stand behind order and index
 Oscillation parse_mode(const std::string& option, const std::vector<std::string>& keys, const std::string& text) {
   const std::vector<std::string> parts = split(text, ',');
-  const std::string allowed = fmt::format("allowed ORDER,INDEX,energy=SHARE and, after these, {}",
-                                          fmt::join(keys.begin() + 1, keys.end(), ", "));
+  const std::string allowed =
+      fmt::format("allowed ORDER,INDEX,energy=SHARE, also with {}", fmt::join(keys.begin() + 1, keys.end(), ", "));
   if (parts.size() < 3) throw InvalidInput(fmt::format("{}: got '{}', {}", option, shortened(text), allowed));
   Oscillation mode{.order = parse_integer(option, parts[0]), .index = parse_integer(option, parts[1])};
   std::optional<double> energy;

@@ -1,10 +1,12 @@
 #include "judgement.hpp"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <limits>
 #include <map>
 
+#include "restitution/ordered_jobs.hpp"
 #include "stoss/bodies/disk.hpp"
 #include "stoss/bodies/half_space.hpp"
 #include "stoss/bodies/sphere.hpp"
@@ -66,11 +68,13 @@ Contacts make_contacts(const std::vector<Point>& points) {
 }
 
 std::vector<Answer> answer(const Contacts& contacts, const std::vector<Point>& points, double tolerance) {
+  constexpr int threads = 2;
   std::vector<Answer> answers;
   answers.reserve(points.size());
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    answers.push_back(answer_at(contacts[i], points[i], tolerance));
-  }
+  stoss::run_in_order<Answer>(
+      points.size(), threads,
+      [&](std::size_t i, const std::atomic<bool>&) { return answer_at(contacts[i], points[i], tolerance); },
+      [&](std::size_t, Answer&& answer) { answers.push_back(answer); }, {});
   return answers;
 }
 

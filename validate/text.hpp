@@ -62,13 +62,14 @@ Three impacts as above, with cutoffs 80, 113 and 160, from 128 nodes to 2.4 time
 `restitution`. Judged with `absolute` = 0. `stoss_validate --make-lossy-reference FILE` makes the
 file anew.
 
-`validate/reference_vibrating.csv`: 112 impacts of disks and spheres that vibrate, in turn at the wall
-and in pairs, spread by a quasi-random sequence: Poisson numbers from −0.5 to 0.9 and from 0 to 0.45,
-speeds from 10⁻³ c to 0.3 c, radii and moduli within a factor of 2; temperatures from 10⁻³ to 1, up to
-frequencies from 4 to 20 c/R. Each is one sample of its ensemble ([theory](theory/impact.md)). Three
-impacts as above, with cutoffs 80, 113 and 160. Here the tolerance is the error of 1 − ε² itself,
-which may be 0 when bodies vibrate. `stoss_validate --make-vibrating-reference FILE` makes the file
-anew.
+`validate/reference_vibrating.csv`: 112 impacts of disks and spheres that vibrate, in turn at the
+wall and in pairs, spread by a quasi-random sequence: Poisson numbers from −0.5 to 0.9 and from 0 to
+0.45, speeds from 10⁻³ c to 0.3 c, radii and moduli within a factor of 2; temperatures from 10⁻³ to
+1, up to frequencies from 4 to 20 c/R: together the modes have 0.01 to 400 times the energy of the
+translation. Each is one sample of its ensemble. Three impacts as above, with cutoffs 80, 113 and
+160 over the time scale of the contact. Here the tolerance is the error of 1 − ε² itself, which may
+be 0 when bodies vibrate. No constant was fitted to them.
+`stoss_validate --make-vibrating-reference FILE` makes the file anew.
 
 The references of disks were computed twice, before and after the contact law of
 [numerics.md](numerics.md) §3 took the place of plain complementarity, with other numbers of nodes,
@@ -167,7 +168,8 @@ The same for lossy spheres and disks, at the wall and in pairs:
 )";
 
 inline constexpr const char* vibrating_tally = R"(
-The same for vibrating disks and spheres, at the wall and in pairs:
+The same for vibrating disks and spheres, at the wall and in pairs. Their contact time jumps where a
+first or a last grazing contact is made or not:
 
 | tolerance | quantity | points | within | strictly | greatest | error / true error | blurred |
 |---:|---|---:|---:|---:|---:|---:|---:|

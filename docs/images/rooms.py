@@ -2,7 +2,7 @@
 
 from pathlib import Path
 
-WIDTH, HEIGHT = 800, 340
+WIDTH, HEIGHT = 1000, 340
 BOX_WIDTH, BOX_HEIGHT = 150, 84
 
 # Name: left, top, what it holds.
@@ -11,6 +11,7 @@ ROOMS = {
     "contact": (215, 20, ("who meets whom, as", "one system; the walls")),
     "impact": (422, 20, ("one collision, step by", "step; its resolution")),
     "restitution": (630, 20, ("ε with its error;", "curves")),
+    "vibration": (830, 20, ("ensembles of bodies", "that vibrate")),
     "bodies": (215, 175, ("disk, rod: modes and", "response of the rest")),
     "quasistatic": (630, 175, ("slow contacts:", "Hertz, Rayleigh")),
 }
@@ -19,6 +20,7 @@ ARROWS = {
     "body": ("contact", "bodies"),
     "contact": ("impact", "quasistatic"),
     "impact": ("restitution",),
+    "restitution": ("vibration",),
     "bodies": ("restitution", "quasistatic"),
 }
 FOUNDATION = "numeric, errors, poll, material: all rooms stand on them"

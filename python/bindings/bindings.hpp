@@ -22,6 +22,7 @@ void bind_wave(py::module_& module);
 void bind_restitution(py::module_& module);
 void bind_bounce(py::module_& module);
 void bind_rod_chain(py::module_& module);
+void bind_distribution(py::module_& module);
 void bind_extrapolation(py::module_& module);
 void bind_quasistatic(py::module_& module);
 void bind_point_quasistatic(py::module_& module);

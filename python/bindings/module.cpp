@@ -18,6 +18,7 @@ PYBIND11_MODULE(_core, module) {
   stoss::python::bind_restitution(module);
   stoss::python::bind_bounce(module);
   stoss::python::bind_rod_chain(module);
+  stoss::python::bind_distribution(module);
   stoss::python::bind_extrapolation(module);
   stoss::python::bind_quasistatic(module);
   stoss::python::bind_point_quasistatic(module);

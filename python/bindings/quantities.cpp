@@ -11,6 +11,7 @@
 #include "stoss/quasistatic/quantities.hpp"
 #include "stoss/restitution/quantities.hpp"
 #include "stoss/vibration/bounce.hpp"
+#include "stoss/vibration/quantities.hpp"
 
 namespace stoss::python {
 namespace {
@@ -51,6 +52,7 @@ void bind_quantities(py::module_& module) {
   all["snapshot"] = listed(snapshot_quantities());
   all["restitution"] = listed(restitution_quantities());
   all["bounce"] = listed(bounce_quantities());
+  all["sample"] = listed(sample_quantities());
   all["extrapolation"] = listed(extrapolation_quantities());
   all["soft impact"] = listed(soft_impact_quantities());
   all["mode"] = listed(bodies::disk::mode_quantities());

@@ -58,9 +58,8 @@ void bind_rod_chain(py::module_& module) {
   chain.def(
       "run",
       [](WatchedChain& self, long collisions, double time) {
-        const Poll poll = signal_poll();
         const Released released;
-        run(self.chain, self.record, collisions, time, poll);
+        run(self.chain, self.record, collisions, time);
       },
       py::arg("collisions"), py::arg("time"));
   chain.def("collisions", [](const WatchedChain& self) { return take(std::vector(self.record.collisions)); });

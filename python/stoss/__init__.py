@@ -13,6 +13,7 @@ speed c = √(E/ρ), mass m; of bodies with a `Material`, speeds are in m/s.
 bodies
 `impact`                          one impact: energy ledger, trajectory, deformation and stress in
 time
+`restitution_distribution`        ε of many bodies that vibrate at random before
 `bounce`                          a body that comes back to a wall with the vibration it has kept
 `modes`                           the eigenmodes of a disk or a sphere
 `extrapolated_restitution`        ε as Gerl and Zippelius compute it
@@ -33,6 +34,8 @@ from stoss._bodies import Body, Disk, Rod, Sphere
 from stoss._bounce import bounce
 from stoss._bounce_result import Bounces
 from stoss._core import version as __version__
+from stoss._distribution import restitution_distribution
+from stoss._distribution_result import RestitutionDistribution
 from stoss._errors import Interrupted, InvalidInput, NotConverged, StossWarning
 from stoss._extrapolation import Extrapolation, extrapolated_restitution
 from stoss._field import DiskField, Field, SphereField
@@ -70,6 +73,7 @@ __all__ = [
     "NotConverged",
     "Oscillation",
     "Restitution",
+    "RestitutionDistribution",
     "Rod",
     "RodChain",
     "Scales",
@@ -89,6 +93,7 @@ __all__ = [
     "plot",
     "quasistatic",
     "restitution",
+    "restitution_distribution",
     "rod_chain",
     "with_error",
 ]

@@ -8,8 +8,10 @@ min_poisson: float
 max_poisson: float
 quantities: dict[str, tuple[tuple[str, str, bool], ...]]
 oscillation: np.dtype[Any]
+mean_energy: np.dtype[Any]
 rayleigh_row: np.dtype[Any]
 restitution_row: np.dtype[Any]
+sample_row: np.dtype[Any]
 
 class Body:
     @property
@@ -158,6 +160,28 @@ def bounce(
     state: NDArray[Any],
     done: list[NDArray[Any]],
 ) -> str: ...
+def warm_modes(contact: RefinableContact, temperature: float, highest: float) -> NDArray[Any]: ...
+def check_distribution(
+    contact: RefinableContact,
+    speed: float,
+    spectrum: NDArray[Any],
+    samples: int,
+    seed: int,
+    error: float,
+    threads: int,
+) -> None: ...
+def restitution_distribution(
+    contact: RefinableContact,
+    speed: float,
+    spectrum: NDArray[Any],
+    seed: int,
+    error: float,
+    threads: int,
+    rows: NDArray[Any],
+    reasons: list[str],
+    tick: Callable[[], None] | None,
+) -> None: ...
+def summary(restitution: NDArray[np.float64], error: NDArray[np.float64]) -> dict[str, Any]: ...
 def extrapolated_restitution(
     poisson: float, speed: float, cutoffs: NDArray[np.float64], hardnesses: NDArray[np.float64]
 ) -> dict[str, Any]: ...

@@ -17,8 +17,8 @@ class NotConverged(RuntimeError):
 
     Attributes
     ----------
-    best : Restitution, Bounces or None
-        The best value that was reached, or the impacts so far, if there are any.
+    best : Restitution, Bounces, RodChain or None
+        The best value that was reached, or the impacts or collisions so far, if there are any.
     """
 
     def __init__(self, message: str, best: Any = None) -> None:
@@ -27,12 +27,13 @@ class NotConverged(RuntimeError):
 
 
 class Interrupted(KeyboardInterrupt):
-    """Ctrl-C during a curve or a sequence.
+    """Ctrl-C during a curve, a distribution, a sequence or a chain.
 
     Attributes
     ----------
-    best : Restitution or Bounces
-        The curve so far, where what is missing is NaN and not converged; the impacts so far.
+    best : Restitution, RestitutionDistribution, Bounces or RodChain
+        The curve so far, where what is missing is NaN and not converged; the samples, the impacts
+        or the collisions so far.
     """
 
     def __init__(self, message: str, best: Any = None) -> None:

@@ -35,7 +35,7 @@ def rod_chain(
     Rods fly freely between collisions, and each keeps its vibration: the one-dimensional granular
     gas of Giese and Zippelius, PRE 54, 4828 (1996). All numbers are in the units in which the rods
     are given, with materials in SI. A collision of 50 modes each takes 0.5 ms, one of
-    characteristics 0.1 ms or less.
+    characteristics 0.2 ms or less.
 
     Parameters
     ----------

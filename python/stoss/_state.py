@@ -56,7 +56,7 @@ class Oscillation:
 State = Union[Oscillation, Sequence[Oscillation], NDArray[Any], None]
 
 
-def choose_state(given: Any) -> NDArray[Any]:
+def choose_state(given: Any, name: str = "state") -> NDArray[Any]:
     """The modes that vibrate, as the core takes them, read-only; without any where the bodies are at rest inside."""
     if given is None:
         modes: Any = []
@@ -72,7 +72,7 @@ def choose_state(given: Any) -> NDArray[Any]:
     for k, each in enumerate(modes):
         if not isinstance(each, Oscillation):
             hint = f"a stoss.Oscillation, a sequence of them, or an array with the fields {', '.join(FIELDS)}"
-            raise refusal("state", each, hint)
+            raise refusal(name, each, hint)
         state[k] = (each.of, each.order, each.index, each.energy, each.phase)
     state.flags.writeable = False
     return state

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "check.hpp"
+#include "contact/units.hpp"
 #include "impact/collision.hpp"
 #include "impact/fixed_resolution.hpp"
 #include "impact/whole_bodies.hpp"
@@ -31,6 +32,27 @@ double steps_to_leave(const Contact& contact, const Collision& collision, double
   const Snapshot now = collision.snapshot();
   if (now.velocity >= 0.0 || now.vibration < now.translation) return 0.0;
   return std::max(0.0, (now.center + contact.extent + collision.clearance()) / (-now.velocity * step));
+}
+
+/// Greatest of the root mean square velocities with which the bodies vibrate, each in its own wave speed: with all
+/// energy of its modes kinetic, √(2E/m).
+double own_vibration_speed(const Contact& contact, const State& state) {
+  const std::vector<double> energies = mode_energies(contact, state);
+  const auto speed = [&](std::size_t begin, std::size_t end, std::size_t first_mode) {
+    double twice = 0.0;
+    for (std::size_t g = begin, k = first_mode; g < end; ++g) {
+      for (std::size_t l = 0; l < contact.groups[g].omega.size(); ++l, ++k) {
+        twice += 2.0 * energies[k] / modal_mass(contact, g);
+      }
+    }
+    return std::sqrt(twice);
+  };
+  std::size_t of_first = 0;
+  for (std::size_t g = 0; g < contact.first_groups; ++g) of_first += contact.groups[g].omega.size();
+  const double first = speed(0, contact.first_groups, 0);
+  if (contact.second == nullptr || is_unbounded(*contact.second)) return first;
+  const Units units(*contact.second, *contact.first);
+  return std::max(first, speed(contact.first_groups, contact.groups.size(), of_first) * units.time / units.length);
 }
 
 /// One run; empty if the contact outgrew the grid.
@@ -111,7 +133,8 @@ Impact impact(const Contact& contact, double speed, const ImpactOptions& options
   result->nodes = resolution.nodes;
   result->half_width = resolution.half_width;
   result->beyond_small_strain = own_speed(contact, speed) > small_strain_speed ||
-                                own_compression(contact, result->max_compression) > small_strain_limit;
+                                own_compression(contact, result->max_compression) > small_strain_limit ||
+                                (options.start && own_vibration_speed(contact, *options.start) > small_strain_speed);
   return std::move(*result);
 }
 

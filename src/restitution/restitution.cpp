@@ -83,11 +83,13 @@ double wanted_error(const Restitution& result) {
   return std::max(result.tolerance * std::abs(result.lost_fraction.value), result.absolute);
 }
 
-double relative_error(const Restitution& result) {
-  return result.lost_fraction.error / std::abs(result.lost_fraction.value);
+/// Error of 1 − ε² in what it is asked for: that value itself, or, of vibrating bodies, 1, as it may be 0.
+double scaled_error(const Restitution& result) {
+  const bool vibrating = result.finest.start.has_value();
+  return result.lost_fraction.error / (vibrating ? 1.0 : std::abs(result.lost_fraction.value));
 }
 
-/// Relative error of 1 − ε² with the runs up to a cutoff.
+/// That error with the runs up to a cutoff.
 struct Bar {
   double cutoff;
   double error;
@@ -111,12 +113,12 @@ double work(const Impact& run) {
 struct Outlook {
   int rungs;         ///< to the next run
   double cutoff;     ///< at which the tolerance would be met, if the errors go on falling as they did
-  double reachable;  ///< tolerance that the highest cutoff would meet
+  double reachable;  ///< scaled error that the highest cutoff would meet
   bool worthwhile;   ///< the next run has a chance, or costs little
 };
 
 Outlook outlook(const Restitution& result, const Bar& first, double expected, double highest) {
-  const Bar last{result.runs.back().cutoff, relative_error(result)};
+  const Bar last{result.runs.back().cutoff, scaled_error(result)};
   const double order = falling_order(first, last, expected);
   const double missing = result.lost_fraction.error / (aim * wanted_error(result));
   Outlook next{};
@@ -131,7 +133,7 @@ Outlook outlook(const Restitution& result, const Bar& first, double expected, do
   return next;
 }
 
-std::string beyond_reach(const Outlook& next, double highest) {
+std::string beyond_reach(const Outlook& next, double highest, bool vibrating) {
   const auto rounded = [](double x) {
     std::array<char, 32> text{};
     std::snprintf(text.data(), text.size(), "%.2g", x);
@@ -139,7 +141,8 @@ std::string beyond_reach(const Outlook& next, double highest) {
   };
   std::string reason = "the tolerance asks for a higher cutoff than " + std::to_string(std::lround(highest));
   if (next.cutoff < 1e5) reason += ", about " + std::to_string(std::lround(std::max(next.cutoff, highest)));
-  return reason + " (use a larger tolerance" + (next.reachable < 0.5 ? ", from " + rounded(next.reachable) : "") + ")";
+  return reason + (vibrating ? " (use a larger absolute error" : " (use a larger tolerance") +
+         (next.reachable < 0.5 ? ", from " + rounded(next.reachable) : "") + ")";
 }
 
 }  // namespace
@@ -191,7 +194,7 @@ Restitution restitution(const RefinableContact& contact, double speed, const Res
     if (result.converged) return result;
     trouble = out_of_reach(correction, result);
     if (!trouble.empty()) break;
-    if (!first) first = Bar{result.runs.back().cutoff, relative_error(result)};
+    if (!first) first = Bar{result.runs.back().cutoff, scaled_error(result)};
     next = outlook(result, *first, order, contact.cutoff(highest));
     if (level < highest) next.rungs = std::min(next.rungs, highest - level);
   }
@@ -201,7 +204,7 @@ Restitution restitution(const RefinableContact& contact, double speed, const Res
   conclude(contact.at(0), speed, correction, result);
   if (result.lost_fraction.error > 1.0) result.lost_fraction.error = result.restitution.error = unknown;
   result.converged = false;  // two or three runs that agree are not enough
-  result.reason = trouble.empty() ? beyond_reach(next, contact.cutoff(highest)) : trouble;
+  result.reason = trouble.empty() ? beyond_reach(next, contact.cutoff(highest), !options.vibration.empty()) : trouble;
   throw RestitutionNotConverged(std::move(result));
 }
 

@@ -17,7 +17,7 @@ long sampled_after(long collisions) {
 
 }  // namespace
 
-void run(RodChain& chain, RodChainRecord& record, long collisions, double time, const Poll& poll) {
+void run(RodChain& chain, RodChainRecord& record, long collisions, double time) {
   require("collisions", collisions, 0, 1'000'000'000, "of the chain");
   const RodChainSample start = chain.sample();
   if (!(time >= start.time)) {
@@ -28,7 +28,6 @@ void run(RodChain& chain, RodChainRecord& record, long collisions, double time, 
   long next = sampled_after(start.collisions);
   for (long done = start.collisions;
        done < start.collisions + collisions && chain.next() <= time && std::isfinite(chain.next());) {
-    if (poll) poll();
     record.collisions.push_back(chain.collide());
     if (++done == next) {
       record.samples.push_back(chain.sample());

@@ -8,6 +8,14 @@
 #include "stoss/errors.hpp"
 
 namespace stoss {
+namespace {
+
+/// How far the displacement φ is off at most when two pieces become one of their mean.
+double shift_by_merging(const RodWave::Piece& a, const RodWave::Piece& b) {
+  return a.duration * b.duration / (a.duration + b.duration) * std::abs(a.velocity - b.velocity);
+}
+
+}  // namespace
 
 RodWave::RodWave(double transit, double impedance)
     : transit_(transit), impedance_(impedance), pieces_{{2.0 * transit, 0.0}} {}
@@ -113,11 +121,7 @@ double RodWave::merge(std::size_t most) {
   std::vector<double> cost, sorted;
   while (pieces_.size() > most) {
     cost.clear();
-    for (std::size_t i = 0; i + 1 < pieces_.size(); ++i) {
-      const Piece &a = pieces_[i], &b = pieces_[i + 1];
-      const double step = a.velocity - b.velocity;
-      cost.push_back(impedance_ * a.duration * b.duration / (a.duration + b.duration) * step * step);
-    }
+    for (std::size_t i = 0; i + 1 < pieces_.size(); ++i) cost.push_back(shift_by_merging(pieces_[i], pieces_[i + 1]));
     sorted = cost;
     const std::size_t surplus = pieces_.size() - most;
     const auto at = sorted.begin() + static_cast<std::ptrdiff_t>(surplus - 1);
@@ -130,9 +134,8 @@ double RodWave::merge(std::size_t most) {
       if (i < cost.size() && cost[i] <= limit && done < surplus) {
         const Piece& next = pieces_[i + 1];
         const double duration = piece.duration + next.duration;
-        piece.velocity = (piece.duration * piece.velocity + next.duration * next.velocity) / duration;
-        piece.duration = duration;
-        lost += cost[i];
+        lost += impedance_ * cost[i] * std::abs(piece.velocity - next.velocity);
+        piece = {duration, (piece.duration * piece.velocity + next.duration * next.velocity) / duration};
         ++done;
         ++i;
       }

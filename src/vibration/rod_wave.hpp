@@ -45,7 +45,7 @@ class RodWave {
   };
   [[nodiscard]] Swing swing() const;
 
-  /// Merges pieces, those first whose merging loses the least energy, until there are `most`. Keeps the mean.
+  /// Merges pieces, those first whose merging moves the ends least, until there are `most`. Keeps the mean.
   /// @return the energy lost
   double merge(std::size_t most);
 

@@ -51,7 +51,7 @@ def test_another_vibration_is_another_job(stoss, tmp_path):
     "mode, message",
     [
         ("2,0", "mode: got '2,0', allowed ORDER,INDEX,energy=SHARE"),
-        ("2,0,phase=1", "allowed a mode with its energy=SHARE"),
+        ("2,0,phase=1", "without energy, allowed ORDER,INDEX,energy=SHARE, also with phase, of"),
         ("2,0,energ=1", "did you mean energy?"),
         ("2,0,energy=1,energy=2", "mode: got energy twice"),
         ("2,0,energy", "mode: got 'energy' without a value"),

@@ -120,6 +120,45 @@ TEST(Distribution, RefusesWhatItCannotMean) {
   test::expect_refusal(run(0.1, {{0, 2, 0, 2e6}}, {}), {"energy", "0 to 1e6"});
 }
 
+TEST(Distribution, HasTheStatisticalErrorOfItsScatter) {
+  // The means of 20 batches of 30 scatter by the error that each of them states, whatever the seed.
+  constexpr int batches = 20, each = 30;
+  double squares = 0.0, stated = 0.0;
+  std::vector<double> means;
+  for (int k = 0; k < batches; ++k) {
+    const DistributionOptions options{.first = 1000L * k, .samples = each, .seed = k % 2 == 0 ? 3U : 4U, .error = 1e-2};
+    const DistributionSummary batch = summary(restitution_distribution(ball(), 0.05, warm(), options));
+    means.push_back(batch.restitution.value);
+    stated += std::pow(batch.restitution.statistical_error, 2) / batches;
+  }
+  double mean = 0.0;
+  for (const double value : means) mean += value / batches;
+  for (const double value : means) squares += std::pow(value - mean, 2);
+  // χ² of 19 degrees of freedom is within 5.4 … 43.8 in 99.8 %; the stated errors themselves scatter far less.
+  EXPECT_GT(squares / stated, 5.4);
+  EXPECT_LT(squares / stated, 43.8);
+}
+
+TEST(Distribution, HasTheNumericalErrorOfItsSamples) {
+  DistributionOptions options{.samples = 40, .seed = 21, .error = 1e-2};
+  const auto coarse = restitution_distribution(ball(), 0.05, warm(), options);
+  options.error = 1e-5;
+  const auto fine = restitution_distribution(ball(), 0.05, warm(), options);
+  int within = 0;
+  for (std::size_t k = 0; k < coarse.size(); ++k) {
+    ASSERT_EQ(coarse[k].vibration, fine[k].vibration);
+    ASSERT_TRUE(fine[k].converged);
+    const double off = std::abs(coarse[k].lost_fraction.value - fine[k].lost_fraction.value);
+    within += off <= coarse[k].lost_fraction.error + fine[k].lost_fraction.error ? 1 : 0;
+    EXPECT_LE(off, 3.0 * coarse[k].lost_fraction.error);
+  }
+  EXPECT_GE(within, 38);  // 95 %
+  const Mean rough = summary(coarse).lost_fraction, exact = summary(fine).lost_fraction;
+  EXPECT_LE(std::abs(rough.value - exact.value), rough.numerical_error);
+  EXPECT_GT(rough.numerical_error, 10.0 * exact.numerical_error);
+  EXPECT_NEAR(rough.statistical_error, exact.statistical_error, 0.05 * exact.statistical_error);
+}
+
 TEST(DistributionSummary, CountsAndAveragesWhatHasAValue) {
   constexpr double none = std::numeric_limits<double>::quiet_NaN();
   std::vector<Sample> samples(4);

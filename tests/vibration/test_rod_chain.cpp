@@ -150,6 +150,23 @@ TEST(RodChain, IsTheSameEachTime) {
   }
 }
 
+TEST(RodChain, DrawsMaxwellsVelocities) {
+  const std::vector<Rod> rods = random_rods(20'000, 0.5);
+  const std::vector<double> velocities = thermal_velocities(rods, 3.0, 7);
+  double momentum = 0.0, squares = 0.0, fourth = 0.0;
+  for (std::size_t k = 0; k < rods.size(); ++k) {
+    const double square = rods[k].length * velocities[k] * velocities[k] / 3.0;
+    momentum += rods[k].length * velocities[k];
+    squares += square / 20'000.0;
+    fourth += square * square / 20'000.0;
+  }
+  EXPECT_NEAR(momentum, 0.0, 1e-9);
+  EXPECT_NEAR(squares, 1.0, 3.0 * std::sqrt(2.0 / 20'000.0));
+  EXPECT_NEAR(fourth, 3.0, 3.0 * std::sqrt(96.0 / 20'000.0));
+  EXPECT_EQ(velocities, thermal_velocities(rods, 3.0, 7));
+  EXPECT_NE(velocities, thermal_velocities(rods, 3.0, 8));
+}
+
 TEST(RodChain, StopsAtATimeOrWhenNothingMeets) {
   const std::vector<Rod> rods = random_rods(4, 0.2);
   RodChain chain = chain_of(rods, {.method = RodMethod::characteristics});

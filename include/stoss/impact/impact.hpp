@@ -14,7 +14,8 @@
 
 namespace stoss {
 
-/// Speed, in c, above which results are flagged: small-strain elasticity has lost its meaning.
+/// Speed, in c, above which results are flagged: small-strain elasticity has lost its meaning. It is also that of the
+/// root mean square velocity in a body that vibrates before the impact.
 inline constexpr double small_strain_speed = 0.5;
 
 /// How an impact is computed, and from where.
@@ -98,7 +99,8 @@ struct Impact {
   double momentum_error = 0.0;   ///< |impulse − change of momentum| / (m v)
   double energy_error = 0.0;     ///< 1 − sum of the ledger
   long steps = 0;
-  bool beyond_small_strain = false;  ///< speed > 0.5 c or compression > 0.5 R: linear elasticity has lost its meaning
+  bool beyond_small_strain = false;  ///< speed, or that of the vibration before, > 0.5 c or compression > 0.5 R: linear
+                                     ///< elasticity has lost its meaning
   std::optional<State> start;        ///< where it was given
   State final_state;                 ///< where a part of a body is there (BodyPart), that of the part
 };

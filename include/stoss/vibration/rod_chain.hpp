@@ -116,6 +116,6 @@ struct RodChainRecord {
 /// @param time       not before the chain's own, may be infinite
 /// @throws InvalidInput for arguments out of range; NotConverged as RodChain::collide. What is done is in the record.
 void run(RodChain& chain, RodChainRecord& record, long collisions,
-         double time = std::numeric_limits<double>::infinity(), const Poll& poll = {});
+         double time = std::numeric_limits<double>::infinity());
 
 }  // namespace stoss

@@ -7,6 +7,7 @@ settings. Nothing global is changed.
 ================================================  ==================================================
 `restitution`, `extrapolation`                    ε or 1 − ε² against speed; Gerl and Zippelius' two
 limits
+`distribution`                                    ε of many bodies that vibrate
 `slow_impact`, `rayleigh`, `static_contact`       quasi-static: contact time, lost fraction,
 pressure
 `spectrum`, `mode_shape`                          eigenmodes
@@ -35,6 +36,7 @@ except ModuleNotFoundError as _missing:
     raise ImportError(f"stoss.plot needs matplotlib: {_hint}") from None
 
 from stoss._bounce_result import Bounces
+from stoss._distribution_result import RestitutionDistribution
 from stoss._extrapolation import Extrapolation
 from stoss._field import DiskField, SphereField
 from stoss._modes import Modes
@@ -49,6 +51,7 @@ from stoss._wave import Wave
 from stoss.plot._animation import animate
 from stoss.plot._bounces import bounces
 from stoss.plot._disk import disk, sphere
+from stoss.plot._distribution import distribution
 from stoss.plot._extrapolation import extrapolation
 from stoss.plot._ledger import ledger
 from stoss.plot._modes import mode_shape, spectrum
@@ -70,6 +73,7 @@ pictures.update(
         PointSlowImpact: slow_impact,
         RayleighEstimate: rayleigh,
         Restitution: restitution,
+        RestitutionDistribution: distribution,
         RodChain: cooling,
         SphereField: stress,
         SlowImpact: slow_impact,
@@ -84,6 +88,7 @@ __all__ = [
     "bounces",
     "cooling",
     "disk",
+    "distribution",
     "energies",
     "extrapolation",
     "force",
