@@ -37,6 +37,10 @@ def having(rows, **values):
     return [row for row in rows if all(row[name] == value for name, value in values.items())]
 
 
+def named(damping):
+    return "no damping" if damping == "none" else f"{damping} damping"
+
+
 def draw_phases(axes, rows, body):
     its = having(rows, body=body)
     for energy, (color, marker) in ENERGIES.items():
@@ -62,7 +66,8 @@ def draw_amplitudes(axes, rows):
         its = having(rows, body=body, speed=speed)
         axes.plot(column(its, "amplitude_from_share"), column(its, "amplitude"), color=color, marker=marker,
                   linestyle="none", markersize=3.5, markerfacecolor="none", label=f"{body}, {speed:g} c")  # fmt: skip
-    axes.set(xscale="log", yscale="log", xlim=ends, ylim=ends, xlabel="$\\sqrt{e_k}\\;/\\;ε_0$", ylabel="amplitude $a_k$")
+    axes.set(xscale="log", yscale="log", xlim=ends, ylim=ends)
+    axes.set(xlabel="$\\sqrt{e_k}\\;/\\;ε_0$", ylabel="amplitude $a_k$")
     axes.legend(frameon=False, fontsize=7, loc="upper left", handletextpad=0.1)
 
 
@@ -115,9 +120,10 @@ def draw_bounces(axes, rows):
         color, line = DAMPING[damping]
         its = [row for row in rows if row[names[damping]] != ""]
         axes.plot(column(its, "number"), column(its, names[damping]), color=color, linestyle=line, linewidth=0.7,
-                  label=f"{damping} damping" if damping != "none" else "no damping")  # fmt: skip
+                  label=named(damping))  # fmt: skip
     axes.axhline(1 / 19, color="0.5", linestyle=":", label="1/(N + 1)")
-    axes.set(xscale="log", yscale="log", ylim=(1e-5, 1.5), xlim=(1, 6000), xlabel="impact", ylabel="share of translation")
+    axes.set(xscale="log", yscale="log", ylim=(1e-5, 1.5), xlim=(1, 6000))
+    axes.set(xlabel="impact", ylabel="share of translation")
     axes.set_title("a disk that bounces", fontsize=8)
     axes.legend(frameon=False, fontsize=7, loc="lower left")
 
@@ -138,11 +144,13 @@ def draw_chain(axes, rows):
     for damping, (color, line) in DAMPING.items():
         its = having(rows, damping=damping)
         axes.plot(column(its, "time"), column(its, "translation"), color=color, linestyle=line,
-                  label=f"{damping} damping" if damping != "none" else "no damping")  # fmt: skip
+                  label=named(damping))  # fmt: skip
     begin = next(row for row in its if row["time"] > 1e6)
     times = (1e5, 3e8)
-    axes.plot(times, [0.1 * begin["translation"] * (begin["time"] / time) ** 2 for time in times], color="0.4", linewidth=0.8, label="∝ t⁻²")
-    axes.set(xscale="log", yscale="log", xlim=(100, 1e9), ylim=(1e-13, 2), xlabel="time / (L/c)", ylabel="kinetic energy")
+    law = [0.1 * begin["translation"] * (begin["time"] / time) ** 2 for time in times]
+    axes.plot(times, law, color="0.4", linewidth=0.8, label="∝ t⁻²")
+    axes.set(xscale="log", yscale="log", xlim=(100, 1e9), ylim=(1e-13, 2))
+    axes.set(xlabel="time / (L/c)", ylabel="kinetic energy")
     axes.set_title("a ring of 40 rods", fontsize=8)
     axes.legend(frameon=False, fontsize=7, loc="lower left")
 
@@ -152,8 +160,8 @@ def draw_chain_restitution(axes, rows):
         its = having(rows, damping=damping)[:-1]
         whole = sum(row["collisions"] for row in having(rows, damping=damping))
         width = its[0]["to"]
-        axes.stairs([max(row["collisions"], 0.1) / whole / width for row in its], [0.0, *column(its, "to")], color=color,
-                    linestyle=line, baseline=None, label=f"{damping} damping" if damping != "none" else "no damping")  # fmt: skip
+        density = [max(row["collisions"], 0.1) / whole / width for row in its]
+        axes.stairs(density, [0.0, *column(its, "to")], color=color, linestyle=line, baseline=None, label=named(damping))
     axes.set(yscale="log", xlim=(0, 3), ylim=(5e-3, 200), xlabel="ε", ylabel="density")
     axes.set_title("its collisions 501 to 2500", fontsize=8)
     axes.legend(frameon=False, fontsize=7)

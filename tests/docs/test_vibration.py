@@ -90,7 +90,6 @@ def test_all_is_converged():
     text = (TABLES / "phases.csv").read_text(encoding="utf-8")
     assert "false" not in text and text.count("true\n") == len(table("phases"))
     assert all(row["not_converged"] == 0 for row in table("temperatures"))
-    assert all(row["never_gone"] == 0 for row in table("heat"))
 
 
 def test_a_small_energy_gives_the_sinusoid_and_a_large_one_less():
