@@ -149,8 +149,8 @@ class Impact(ImpactViews):
         modes = choose_state(state)
         handle = _core.impact(met, radiates(against), speed, step, nodes, half_width, modes)
         return cls(
-            body=body, against=against, keep=keep, state=modes if modes.size else None, mode_energies=handle.modes(), _handle=handle,
-            **handle.numbers(),
+            body=body, against=against, keep=keep, state=modes if modes.size else None,
+            mode_energies=handle.modes(), _handle=handle, **handle.numbers(),
         )  # fmt: skip
 
     def __reduce__(self) -> tuple[Any, ...]:

@@ -10,7 +10,7 @@ import stoss
 
 def test_shapes_broadcast():
     one = stoss.restitution(poisson=0.3, speed=0.1, tolerance=1e-2)
-    inputs = ("body", "bodies", "against", "tolerance", "absolute")
+    inputs = ("body", "bodies", "against", "tolerance", "absolute", "state")
     fields = [field.name for field in dataclasses.fields(one) if field.name not in inputs]
     assert all(type(getattr(one, name)) in (float, int, bool, str) for name in fields)
     for speed in (np.array(0.1), np.float32(0.125), 1, np.int8(1)):
