@@ -3,7 +3,7 @@
 Run:     python examples/10_rod_chain.py [FOLDER]        (default: out/)
 Expect:  for three dampings of the vibration between collisions the kinetic energy that is left, mean
          and spread of ε of the collisions; rod_chain.png with the energy against time and how ε is
-         distributed. Some ten seconds.
+         distributed. Some seconds.
 
 Rods of two lengths, L and 0.9 L, are at rest inside at first. With complete damping every collision
 of two unequal rods has ε = 0.9, so that the energy falls as
