@@ -1,7 +1,6 @@
 // Impacts of bodies that vibrate: what `approach` makes of energies and phases, and symmetries.
 #include <gtest/gtest.h>
 
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <limits>
