@@ -40,7 +40,8 @@ validate: setup ## are the errors of restitution honest? writes docs/validation.
 
 results: setup python ## the tables and the figures of docs/results/
 	@cmake --preset release -DSTOSS_BUILD_STUDIES=ON
-	@cmake --build --preset release -j $(JOBS) --target stoss_curves stoss_half_space stoss_loss stoss_pairs stoss_spheres
+	@cmake --build --preset release -j $(JOBS) --target stoss_curves stoss_half_space stoss_loss stoss_pairs stoss_spheres \
+		stoss_vibration
 	@build/release/studies/stoss_curves docs/results/restitution.csv
 	@build/release/studies/stoss_pairs docs/results/pairs.csv
 	@$(PYTHON) studies/pairs/figure.py docs/results/pairs.csv docs/images/pairs.png
@@ -51,6 +52,8 @@ results: setup python ## the tables and the figures of docs/results/
 	@build/release/studies/stoss_half_space docs/results/half_space.csv
 	@$(PYTHON) studies/half_space/figure.py docs/results/half_space.csv docs/images/half_space.png
 	@build/venv/bin/python studies/half_space/wave.py docs/images/half_space_wave.png
+	@build/release/studies/stoss_vibration docs/results/vibration
+	@$(PYTHON) studies/vibration/figure.py docs/results/vibration docs/images
 
 paper: setup python ## reproduce the whole paper: out/paper/report.html, in some minutes
 	@PYTHONPATH=studies build/venv/bin/python -m gerl_zippelius_1999 --output out/paper

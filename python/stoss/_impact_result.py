@@ -62,7 +62,8 @@ class Impact(ImpactViews):
     energy_error, momentum_error : float
         What is missing, as shares of the initial energy and momentum.
     beyond_small_strain : bool
-        Speed above 0.5 c or compression above 0.5 R, where linear elasticity has lost its meaning.
+        Speed, also of the vibration before, above 0.5 c or compression above 0.5 R, where linear
+        elasticity has lost its meaning.
     mode_energies : ndarray
         Energy of each kept mode, a structured array with the fields body (0 of the first, 1 of
         the second), order, index, omega, before and after (the impact) and average (during

@@ -64,7 +64,8 @@ class Restitution(InSiWithErrors):
     converged : bool or ndarray
         Whether the tolerance is met.
     beyond_small_strain : bool or ndarray
-        Speed above 0.5 c or compression above 0.5 R, where linear elasticity has lost its meaning.
+        Speed, also of the vibration before, above 0.5 c or compression above 0.5 R, where linear
+        elasticity has lost its meaning.
     reason : str or ndarray of str
         Why it is not converged; empty where it is.
     tolerance : float

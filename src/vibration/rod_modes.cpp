@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "impact/kept_modes.hpp"
-#include "stoss/impact/impact.hpp"
+#include "stoss/errors.hpp"
 
 namespace stoss {
 namespace {
@@ -124,6 +124,25 @@ double RodModes::energy(std::size_t rod) const {
   return sum;
 }
 
+Impact RodModes::collision(const Contact& pair, const State* touching) const {
+  // Where strong vibrations let slow rods touch many times, the usual steps may lose too much energy.
+  constexpr int attempts = 4;
+  constexpr double finer = 0.25;
+  ImpactOptions options;
+  options.resolution.tail = tail_;
+  options.poll = poll_;
+  double step = recommended_step(pair, scaled_speed, tail_);
+  for (int attempt = 1;; ++attempt, step *= finer) {
+    options.resolution.step = step;
+    if (touching != nullptr) options.start = before_touch(pair, *touching, step);
+    try {
+      return stoss::impact(pair, scaled_speed, options);
+    } catch (const NotConverged&) {
+      if (attempt == attempts) throw;
+    }
+  }
+}
+
 RodMeeting RodModes::meet(std::size_t left, std::size_t right, double speed) {
   const Contact& pair = contacts_[left];
   const RodMeasures& unit = rods_[left].measures;
@@ -142,11 +161,7 @@ RodMeeting RodModes::meet(std::size_t left, std::size_t right, double speed) {
       vibrate = vibrate || state.coordinate.back() != 0.0 || state.momentum.back() != 0.0;
     }
   }
-  ImpactOptions options;
-  options.resolution.tail = tail_;
-  options.poll = poll_;
-  if (vibrate) options.start = before_touch(pair, state, recommended_step(pair, scaled_speed, tail_));
-  const Impact impact = stoss::impact(pair, scaled_speed, options);
+  const Impact impact = collision(pair, vibrate ? &state : nullptr);
   const State& after = impact.final_state;
   state = free_motion(pair, after, -(after.center + pair.extent) / after.velocity);
 

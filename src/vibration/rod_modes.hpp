@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "stoss/contact/contact.hpp"
+#include "stoss/impact/impact.hpp"
 #include "vibration/rod_vibrations.hpp"
 
 namespace stoss {
@@ -34,6 +35,9 @@ class RodModes : public RodVibrations {
     std::vector<int> number{};  // l
     std::vector<double> omega{}, coordinate{}, momentum{};
   };
+
+  /// The impact of a pair that touches in a state, or at rest inside.
+  [[nodiscard]] Impact collision(const Contact& pair, const State* touching) const;
 
   std::vector<Vibration> rods_;
   std::vector<Contact> contacts_;  // of each rod and its right neighbour

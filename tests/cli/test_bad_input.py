@@ -104,7 +104,7 @@ def test_motion_that_the_step_does_not_resolve(stoss):
     assert "energy" in result.stderr and "smaller step" in result.stderr
 
 
-@pytest.mark.parametrize("word", ["bounce", "--colour", "-V"])
+@pytest.mark.parametrize("word", ["rebound", "--colour", "-V"])
 def test_unknown_word_is_named(stoss, word):
     assert f"unknown argument: {word}" in stoss.run(word).stderr
     assert f"unknown argument: {word}" in stoss.run("restitution --poisson 0.33", word).stderr
@@ -112,7 +112,7 @@ def test_unknown_word_is_named(stoss, word):
 
 BAD_USAGE = [
     "",
-    "bounce",
+    "rebound",
     "modes",
     "modes --poisson",
     "modes --poisson 0.33 --colour red",

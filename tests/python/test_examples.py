@@ -25,6 +25,8 @@ FILES = {
     "06_two_disks": ["two_disks.png"],
     "07_balls": ["balls.csv", "balls.png"],
     "08_drop_test": ["drop_test.csv", "drop_test.png"],
+    "09_vibrating_ball": ["vibrating_ball.csv", "vibrating_ball.png"],
+    "10_rod_chain": ["rod_chain.png"],
 }
 NUMBER = re.compile(r"(?<![\w.])[-+]?\d+(?:\.\d+)?(?:e[-+]?\d+)?(?![\w.])")
 
@@ -245,3 +247,32 @@ def test_two_disks(example):
         assert abs(value - direct.restitution) < 1e-6 and abs(error - direct.restitution_error) < 1e-6
         assert lost == pytest.approx([direct.lost_to_first, direct.lost_to_second], abs=1e-6)
     assert rows[0][4] == rows[0][5] and rows[-1][4] < 0.01 * rows[-1][5]
+
+
+def test_vibrating_ball(example):
+    run = example("09_vibrating_ball")
+    ball = stoss.Sphere(poisson=0.3)
+    rows = run.table(4)
+    assert len(rows) == 9
+    for phase, value, error, law in rows[:-1]:
+        state = stoss.Oscillation(order=2, index=0, energy=0.05, phase=phase)
+        direct = stoss.restitution(ball, speed=0.01, absolute=1e-5, state=state)
+        assert abs(value - direct.restitution) < 1e-6 and abs(error - direct.restitution_error) < 1e-6
+        assert abs(value - law) < 0.06 * 0.0105  # of the amplitude: what is of higher order
+    values = [float(row["restitution"]) for row in run.csv("vibrating_ball.csv")]
+    assert len(values) == 33 and 0.4 < np.mean(np.array(values) > 1) < 0.5
+    warm = run.table(6)
+    assert list(warm[:, 0]) == [1e-4, 1e-3, 1e-2]
+    for _, mean, error, spread, law, _ in warm:
+        assert spread == pytest.approx(law, rel=0.1)  # 300 samples: 4 %
+        assert abs(mean - 0.99861) < 3 * error + 1e-5
+
+
+def test_rod_chain(example):
+    run = example("10_rod_chain")
+    ((*_, left_none, mean_none, spread, above),) = run.numbers("no ")
+    ((*_, left_complete, mean_complete, spread_complete, above_complete),) = run.numbers("complete")
+    # 40 rods with 50 and 55 modes each, and what 40 velocities hold of it.
+    assert left_none == pytest.approx(19.5 / (19.5 + 2100), rel=0.5) and left_complete < 1e-9
+    assert spread > 0.2 and 0.3 < above < 0.6 and mean_none == pytest.approx(1, abs=0.1)
+    assert mean_complete == pytest.approx(0.9, abs=0.005) and spread_complete < 1e-3 and above_complete == 0

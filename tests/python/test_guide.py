@@ -1,4 +1,4 @@
-"""The Python in docs/python.md and README.md runs as it stands, and prints what the pages say.
+"""The Python in docs/python.md, docs/vibrating_bodies.md and README.md runs as it stands, and prints what they say.
 
 All ```python blocks of a page run in order in one namespace. What they print is compared with a ```text block that
 follows at once, or with a comment `# → …` at the end of a statement. Words must agree, and numbers to what is shown of
@@ -17,7 +17,9 @@ import numpy as np
 import pytest
 
 ROOT = Path(__file__).parents[2]
-PAGES = ("docs/python.md", "README.md")
+PAGES = ("docs/python.md", "docs/vibrating_bodies.md", "README.md")
+# Pictures that a page draws and shows.
+PICTURES = {"docs/vibrating_bodies.md": [f"vibrating_{name}.png" for name in ("phase", "warm", "bounces", "rods")]}
 FENCED = re.compile(r"^```(\w*)\n(.*?)^```$\n?", re.MULTILINE | re.DOTALL)
 NUMBER = re.compile(r"(?<![\w.])[-+]?\d+(?:\.\d*)?(?:[eE][-+]?\d+)?(?![\w.]*\d)")
 
@@ -118,6 +120,14 @@ def test_page(page, tmp_path, monkeypatch):
     plt.close("all")
     assert not wrong, "\n" + "\n".join(wrong)
     assert compared > (20 if page == PAGES[0] else 0)
+    for name in PICTURES.get(page, ()):
+        assert_same_picture(tmp_path / name, ROOT / "docs/images" / name)
+
+
+def assert_same_picture(*places):
+    drawn, shown = map(plt.imread, places)
+    assert drawn.shape == shown.shape
+    assert np.mean(np.abs(drawn - shown).max(axis=-1) > 0.1) < 0.005  # rounding at the edges of lines
 
 
 def test_the_first_lines_of_the_readme_draw_its_picture(tmp_path, monkeypatch):
@@ -126,9 +136,7 @@ def test_the_first_lines_of_the_readme_draw_its_picture(tmp_path, monkeypatch):
     _, code, _ = next(blocks("README.md"))
     exec(code, {"__name__": "__page__"})
     plt.close("all")
-    drawn, shown = (plt.imread(folder / "restitution.png") for folder in (tmp_path, ROOT / "docs/images"))
-    assert drawn.shape == shown.shape
-    assert np.mean(np.abs(drawn - shown).max(axis=-1) > 0.1) < 0.005  # rounding at the edges of lines
+    assert_same_picture(tmp_path / "restitution.png", ROOT / "docs/images/restitution.png")
 
 
 @pytest.mark.parametrize(

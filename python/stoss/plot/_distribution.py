@@ -50,6 +50,7 @@ def distribution(result: RestitutionDistribution, ax: Axes | None = None, *, bin
             axes.axvline(value, ymax=0.86, label=f"{name} {_style.written(value)}", **look)  # below the legend
         axes.set_ylim(0.0, 1.25 * max(1, count.max(initial=1)))
         axes.ticklabel_format(axis="x", useOffset=False)
+        axes.locator_params(axis="x", nbins=5)  # numbers near 1 are long
         axes.set_xlabel("restitution ε")
         axes.set_ylabel("samples")
         _style.legend(axes, loc="upper left", ncol=2)
