@@ -15,14 +15,14 @@
 
 #include "restitution.h"
 
-static double coefficient_of_restitution(const struct reb_simulation *const r, double v) {
+static double coefficient_of_restitution(const struct reb_simulation* const r, double v) {
   (void)r;
   return stoss_restitution(v);
 }
 
 /* How fast two equal spheres separate that meet head-on. */
 static double speed_after(double speed) {
-  struct reb_simulation *r = reb_simulation_create();
+  struct reb_simulation* r = reb_simulation_create();
   struct reb_particle first = {0}, second = {0};
   double after;
   r->integrator = REB_INTEGRATOR_LEAPFROG;

@@ -1,27 +1,27 @@
 /* A user's program in C89: a glass ball on steel, against the installed library. */
 #include <math.h>
 #include <stdio.h>
-#include <string.h>
 #include <stoss/stoss.h>
+#include <string.h>
 
-#define REQUIRE(condition)                                              \
-  do {                                                                  \
-    if (!(condition)) {                                                 \
+#define REQUIRE(condition)                                                 \
+  do {                                                                     \
+    if (!(condition)) {                                                    \
       printf("line %d: %s (%s)\n", __LINE__, #condition, stoss_message()); \
-      return 1;                                                         \
-    }                                                                   \
+      return 1;                                                            \
+    }                                                                      \
   } while (0)
 
-static int count_to_two(void *context) {
-  int *calls = (int *)context;
+static int count_to_two(void* context) {
+  int* calls = (int*)context;
   *calls += 1;
   return *calls >= 2;
 }
 
 /* The number of the README: nu = 0.33 at 0.1 c. */
 static int one_speed(void) {
-  stoss_body *disk = NULL;
-  stoss_contact *contact = NULL;
+  stoss_body* disk = NULL;
+  stoss_contact* contact = NULL;
   stoss_result result;
   double speed = 0.1;
   REQUIRE(stoss_disk_make(0.33, 1.0, 1.0, 1.0, 0.0, &disk) == STOSS_OK);
@@ -38,8 +38,8 @@ static int one_speed(void) {
 static int in_si(void) {
   const double wave_speed = sqrt(2.1e11 / 7810.0);
   stoss_body *ball = NULL, *block = NULL;
-  stoss_contact *contact = NULL;
-  stoss_function *function = NULL;
+  stoss_contact* contact = NULL;
+  stoss_function* function = NULL;
   stoss_result result;
   double speed = 1.0 / wave_speed, value, error, slowest, fastest, greatest;
   REQUIRE(stoss_sphere_make(0.3, 0.005, 2.1e11, 7810.0, 0.0, &ball) == STOSS_OK);
@@ -65,9 +65,9 @@ static int in_si(void) {
 
 static int interrupted(void) {
   int calls = 0;
-  stoss_body *sphere = NULL;
-  stoss_contact *contact = NULL;
-  stoss_function *function = NULL;
+  stoss_body* sphere = NULL;
+  stoss_contact* contact = NULL;
+  stoss_function* function = NULL;
   stoss_control control;
   control.threads = 2;
   control.poll = count_to_two;
@@ -82,7 +82,7 @@ static int interrupted(void) {
 }
 
 int main(void) {
-  stoss_body *body = NULL;
+  stoss_body* body = NULL;
   REQUIRE(stoss_version()[0] != '\0' && stoss_message()[0] == '\0');
   REQUIRE(stoss_sphere_make(0.5, 1.0, 1.0, 1.0, 0.0, &body) == STOSS_INVALID_INPUT);
   REQUIRE(body == NULL && strncmp(stoss_message(), "poisson: got 0.5, allowed ", 26) == 0);

@@ -49,6 +49,24 @@ header)  # the header alone, in C++ of any age and in C after C89
   "$CXX" -std=c++20 "${sanitizers[@]}" "$out/main.cpp" "${flags[@]}" $(pkg-config --libs stoss) -o "$out/main"
   "$out/main"
   ;;
+page)  # the program of docs/programs.md says what it says that it says
+  needed cc
+  sanitized && skip "the same as without sanitizers"
+  sed -n '/^```c$/,/^```$/p' "$here/../../docs/programs.md" | sed '/^```/d' >"$out/main.c"
+  cc "${strict[@]}" "$out/main.c" $(pkg-config --cflags --libs stoss) -o "$out/main"
+  got=$("$out/main")
+  said=$(sed -n 's|.*/\* \(0\.[0-9]* +- [0-9.]*\) \*/$|\1|p' "$out/main.c")
+  [ -n "$said" ] && awk -v got="$got" -v said="$said" 'BEGIN { split(got, g, " "); split(said, s, " ");
+    d = g[1] - s[1]; exit !(g[2] == "+-" && d * d <= g[3] * g[3]) }' || fail "got '$got', the page says '$said'"
+  ;;
+table)  # the header of a table and the library, in one program
+  needed gcc
+  sanitized && skip "the same as without sanitizers"
+  [ -x "$prefix/bin/stoss" ] || skip "no command"
+  "$prefix/bin/stoss" table --poisson 0.33 --speed 0.01:0.2 --format c -o "$out/restitution.h"
+  gcc "${strict[@]}" -I "$out" "$here/table.c" $(pkg-config --cflags --libs stoss) -lm -o "$out/main"
+  "$out/main"
+  ;;
 fortran)
   needed gfortran
   sanitized && skip "gfortran links no sanitizers of $CXX"

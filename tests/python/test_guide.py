@@ -1,4 +1,4 @@
-"""The Python in docs/python.md and README.md runs as it stands, and prints what the pages say.
+"""The Python in docs/python.md, README.md and docs/programs.md runs as it stands, and prints what the pages say.
 
 All ```python blocks of a page run in order in one namespace. What they print is compared with a ```text block that
 follows at once, or with a comment `# → …` at the end of a statement. Words must agree, and numbers to what is shown of
@@ -17,7 +17,7 @@ import numpy as np
 import pytest
 
 ROOT = Path(__file__).parents[2]
-PAGES = ("docs/python.md", "README.md")
+PAGES = ("docs/python.md", "README.md", "docs/programs.md")
 FENCED = re.compile(r"^```(\w*)\n(.*?)^```$\n?", re.MULTILINE | re.DOTALL)
 NUMBER = re.compile(r"(?<![\w.])[-+]?\d+(?:\.\d*)?(?:[eE][-+]?\d+)?(?![\w.]*\d)")
 
