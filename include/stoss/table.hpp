@@ -1,0 +1,7 @@
+#pragma once
+
+// ε(v) as a function: everything in include/stoss/table/.
+
+#include "stoss/table/adaptive.hpp"
+#include "stoss/table/restitution_function.hpp"
+#include "stoss/table/slow_law.hpp"
