@@ -10,7 +10,9 @@
 #include "interpreter.hpp"
 #include "stoss/errors.hpp"
 #include "stoss/table/adaptive.hpp"
+#include "stoss/table/c_source.hpp"
 #include "stoss/table/slow_law.hpp"
+#include "stoss/table/two_column.hpp"
 
 namespace stoss::python {
 namespace {
@@ -84,10 +86,19 @@ void bind_restitution_function(py::module_& module) {
              }
              return std::tuple(take(std::move(speed)), take(std::move(value)), take(std::move(error)));
            })
-      .def("interpolation_errors", [](const RestitutionFunction& self) {
-        std::vector<double> copy = self.interpolation_errors();
-        return take(std::move(copy));
-      });
+      .def("interpolation_errors",
+           [](const RestitutionFunction& self) {
+             std::vector<double> copy = self.interpolation_errors();
+             return take(std::move(copy));
+           })
+      .def(
+          "c_header",
+          [](const RestitutionFunction& self, const std::string& name, const std::string& unit, double scale,
+             const std::vector<std::string>& provenance) {
+            return c_header(self, {.name = name, .unit = unit, .scale = scale, .provenance = provenance});
+          },
+          py::arg("name"), py::arg("unit"), py::arg("scale"), py::arg("provenance"))
+      .def("two_column", &two_column, py::arg("error"), py::arg("scale"));
   module.def(
       "slow_law", [](const Words& first, const Words& second) { return law_of(to_who(first), to_who(second)); },
       py::arg("first"), py::arg("second"));

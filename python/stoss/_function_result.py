@@ -4,15 +4,17 @@ from __future__ import annotations
 
 import dataclasses
 import functools
+import os
 from typing import Any, ClassVar
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from stoss import _core
-from stoss._arguments import choice, numbers
+from stoss._arguments import choice, number, numbers, refusal
 from stoss._bodies import PARTNERS, Body, is_rigid, kind, shown, speed_unit, speeds_in_si
 from stoss._contact import Against
+from stoss._files import write_lines
 from stoss._result import Column, Number, Result, brief_range
 from stoss._state import shown_state
 
@@ -115,6 +117,67 @@ class RestitutionFunction(Result):
     def plot(self, ax: Any = None) -> Any:
         """The curve with its error, and the computed values. See `stoss.plot.function`."""
         return self._picture(ax)
+
+    def to_c(self, path: str | os.PathLike[str], *, name: str = "stoss") -> None:
+        """Write the function as a header in C, which C++ takes too.
+
+        It defines ``static double stoss_restitution(double speed)`` and ``stoss_restitution_error``,
+        in C89 and with <math.h> only, and the ends of the range, STOSS_SLOWEST and STOSS_FASTEST.
+        Speeds are in the unit in which the function is called. Beyond the range the error is
+        HUGE_VAL, and ε that at the nearer end (``beyond="clamp"``) or not a number (``"error"``).
+        The file appears whole or not at all.
+
+        Parameters
+        ----------
+        path : str or path
+            Where to; an existing file is replaced.
+        name : str, optional
+            With which the names in C begin.
+
+        Raises
+        ------
+        InvalidInput
+            For a name that C cannot have, and a function that follows a law beyond its range.
+        OSError
+            If the file cannot be written.
+
+        Examples
+        --------
+        >>> stoss.restitution_function(poisson=0.33, speed=(1e-3, 0.3), beyond="clamp").to_c("restitution.h")
+        """
+        provenance = [line[2:].rstrip("\n") for line in self._lines() if line.startswith("# ")]
+        unit = "c" if self.body.material is None else "m/s"
+        if not isinstance(name, str):
+            raise refusal("name", name, "a str")
+        write_lines(path, [self._core.c_header(name, unit, speed_unit(self.body), provenance)])
+
+    def to_two_column(self, path: str | os.PathLike[str], *, error: float | None = None) -> None:
+        """Write the function as lines of two numbers, speed and ε, for linear interpolation in the speed.
+
+        There are as many lines as this takes for `error`, and there is no head. Speeds are in the
+        unit in which the function is called. The file appears whole or not at all.
+
+        Parameters
+        ----------
+        path : str or path
+            Where to; an existing file is replaced.
+        error : float, optional
+            Greatest error of ε, linear interpolation included, 1.01 of `greatest_error` or more; by
+            default twice that.
+
+        Raises
+        ------
+        InvalidInput
+            For a smaller error.
+        OSError
+            If the file cannot be written.
+
+        Examples
+        --------
+        >>> stoss.restitution_function(poisson=0.33, speed=(1e-3, 0.3)).to_two_column("disk.txt", error=2e-3)
+        """
+        limit = 2.0 * self.greatest_error if error is None else number("error", error)
+        write_lines(path, [self._core.two_column(limit, speed_unit(self.body))])
 
     @functools.cached_property
     def _core(self) -> _core.RestitutionFunction:

@@ -14,7 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from stoss import _core, _export
-from stoss._files import whole_file
+from stoss._files import write_lines
 from stoss._quantities import QUANTITIES, unit
 
 Number = Union[float, NDArray[np.float64]]
@@ -89,7 +89,7 @@ class Result(abc.ABC):
         OSError
             If the file cannot be written.
         """
-        _write(os.fspath(path), self._lines())
+        write_lines(path, self._lines())
 
     def to_dataframe(self) -> Any:
         """Return the columns of `to_csv` as a table of pandas, with units and inputs in its attrs.
@@ -194,15 +194,6 @@ def _cell(value: Any) -> str:
     if isinstance(value, bool):
         return "true" if value else "false"
     return repr(value) if isinstance(value, float) else str(value)
-
-
-def _write(path: str, lines: Iterator[str]) -> None:
-    if os.path.exists(path) and not os.path.isfile(path):  # a pipe or a device
-        with open(path, "w", encoding="utf-8") as stream:
-            stream.writelines(lines)
-        return
-    with whole_file(path) as temporary, open(temporary, "w", encoding="utf-8") as stream:
-        stream.writelines(lines)
 
 
 def with_error(value: float, error: float | None = None) -> str:
