@@ -10,6 +10,7 @@
 #include "csv.hpp"
 #include "encounter.hpp"
 #include "interrupt.hpp"
+#include "numbers.hpp"
 #include "options.hpp"
 #include "report.hpp"
 #include "stoss/errors.hpp"
@@ -37,11 +38,10 @@ struct TableArguments {
   [[nodiscard]] bool given(const std::string& option) const { return command->get_option(option)->count() > 0; }
 };
 
-/// What is computed: the speeds are those of the first body, in c.
 struct TableJob {
   Encounter encounter;
-  double slowest;
-  double fastest;
+  std::vector<double> typed;   ///< ends of the range, m/s with a material
+  std::vector<double> speeds;  ///< the same in c
 
   /// m/s, or 1
   [[nodiscard]] double unit() const { return encounter.units().si ? encounter.units().si->speed : 1.0; }
@@ -68,17 +68,18 @@ TableJob make_job(const TableArguments& arguments) {
   if (ends.size() != 2) {
     throw InvalidInput(fmt::format("speed: got '{}', allowed SLOWEST:FASTEST, as in 1e-4:0.3", arguments.speed));
   }
-  const auto speeds = parse_speeds(ends[0] + "," + ends[1], encounter.units().si);
+  const std::string both = ends[0] + "," + ends[1];
+  const std::vector<double> typed = parse_series("speed", both), speeds = parse_speeds(both, encounter.units().si);
   if (speeds.size() != 2 || speeds[0] >= speeds[1]) {
     throw InvalidInput(fmt::format("speed: got '{}', allowed a slowest speed below the fastest", arguments.speed));
   }
-  return {std::move(encounter), speeds[0], speeds[1]};
+  return {std::move(encounter), typed, speeds};
 }
 
 RestitutionFunction compute(const TableArguments& arguments, const TableJob& job) {
   // Half of the error is for the straight lines between the rows.
   const double share = arguments.format == "two-column" ? 0.5 : 1.0;
-  return restitution_function(job.encounter.refinable(job.encounter.poisson()), job.slowest, job.fastest,
+  return restitution_function(job.encounter.refinable(job.encounter.poisson()), job.speeds[0], job.speeds[1],
                               {.error = share * arguments.error,
                                .beyond = arguments.beyond == "clamp" ? Beyond::clamp : Beyond::error,
                                .threads = arguments.threads,
@@ -108,15 +109,19 @@ std::string as_c(const TableArguments& arguments, const TableJob& job, const Res
 std::string as_json(const TableArguments& arguments, const TableJob& job, const RestitutionFunction& function) {
   auto document = json_document(describe(arguments, job));
   document["units"]["speed"] = job.unit_name();
-  document["interpolation"] = "cubic in ln(speed)";
+  document["interpolation"] = "cubic Hermite in ln(speed)";
   document["greatest_error"] = function.greatest_error();
   const auto& knots = function.knots();
-  for (std::size_t k = 0; k < knots.size(); ++k) {
-    nlohmann::ordered_json record{{"speed", knots[k].speed * job.unit()},
+  const std::size_t last = knots.size() - 1;
+  for (std::size_t k = 0; k <= last; ++k) {
+    const double inner = knots[k].speed * job.unit();
+    nlohmann::ordered_json record{{"speed", k == 0      ? job.typed[0]
+                                            : k == last ? job.typed[1]
+                                                        : inner},
                                   {"restitution", knots[k].restitution.value},
                                   {"restitution_error", knots[k].restitution.error},
                                   {"slope", function.slopes()[k]}};
-    if (k + 1 < knots.size()) record["error_to_next"] = function.errors()[k];
+    if (k < last) record["error_to_next"] = function.errors()[k];
     document["records"].push_back(std::move(record));
   }
   document["complete"] = true;
@@ -130,11 +135,11 @@ std::string as_text(const TableArguments& arguments, const TableJob& job, const 
 }
 
 void warn(const TableArguments& arguments, const TableJob& job) {
-  if (job.fastest > 0.5) {
+  if (job.speeds[1] > 0.5) {
     arguments.output.warn("speed above 0.5 c: linear elasticity has lost its meaning there");
   }
   const auto yield = job.encounter.yield_speed();
-  if (yield && job.fastest * job.unit() > *yield) arguments.output.warn(yield_warning(*yield));
+  if (yield && job.speeds[1] * job.unit() > *yield) arguments.output.warn(yield_warning(*yield));
 }
 
 void run(const TableArguments& arguments) {
@@ -206,7 +211,7 @@ void add_table(CLI::App& app) {
       "  stoss table --body sphere --poisson 0.3 --speed 1e-5:0.1 --against same --error 1e-4 --format json\n"
       "  stoss table --body sphere --poisson 0.3 --young 2.1e11 --density 7850 --radius 0.005 --speed 0.01:10\n"
       "      --against half-space,poisson=0.23,young=7e10,density=2500 --format two-column -o steel_on_glass.txt\n"
-      "  stoss table --body rod --speed 0.001:0.1 --against rod,length=2.5 --name rods -o rods.h");
+      "  stoss table --body rod --speed 0.001:0.1 --against rod,length=2.5 --error 0.01 --name rods -o rods.h");
   command->callback([arguments] { run(*arguments); });
 }
 
