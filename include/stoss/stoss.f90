@@ -6,7 +6,7 @@ module stoss
 
   integer(c_int), parameter :: stoss_ok = 0, stoss_invalid_input = 1, stoss_not_converged = 2, &
     stoss_out_of_memory = 3, stoss_interrupted = 4, stoss_failed = 5
-  integer(c_int), parameter :: stoss_beyond_error = 0, stoss_beyond_clamp = 1
+  integer(c_int), parameter :: stoss_beyond_error = 0, stoss_beyond_clamp = 1, stoss_beyond_law = 2
   real(c_double), parameter :: stoss_tolerance = 1e-3_c_double, stoss_absolute = 1e-6_c_double
 
   ! Handles are of type(c_ptr).

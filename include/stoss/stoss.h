@@ -127,12 +127,14 @@ typedef struct stoss_function stoss_function;
 /** What a function gives beyond its range. */
 #define STOSS_BEYOND_ERROR 0 /**< STOSS_INVALID_INPUT */
 #define STOSS_BEYOND_CLAMP 1 /**< the value at the nearer end, with an infinite error */
+#define STOSS_BEYOND_LAW 2   /**< below, the law of slow impacts; above, STOSS_INVALID_INPUT */
 
 /**
  * Makes eps(v) with an error of at most `error`, interpolation included.
  * @param slowest,fastest 1e-8 to 1 c
  * @param error           greatest error of eps at any speed, 1e-7 to 0.1
- * @param beyond          STOSS_BEYOND_ERROR or STOSS_BEYOND_CLAMP
+ * @param beyond          STOSS_BEYOND_ERROR, STOSS_BEYOND_CLAMP or, of a disk or sphere at a wall, two equal ones, and
+ * a sphere on a half-space, STOSS_BEYOND_LAW
  * @param control         or NULL
  */
 int stoss_function_make(const stoss_contact* contact, double slowest, double fastest, double error, int beyond,

@@ -1,9 +1,5 @@
 #include "c/handles.hpp"
 #include "c/status.hpp"
-#include "stoss/bodies/disk.hpp"
-#include "stoss/bodies/half_space.hpp"
-#include "stoss/bodies/rod.hpp"
-#include "stoss/bodies/sphere.hpp"
 #include "stoss/version.hpp"
 
 namespace {
@@ -11,12 +7,12 @@ namespace {
 using stoss::c::guarded;
 using stoss::c::require_given;
 
-/// Hands over the body of the maker that `make` returns.
+/// Hands over what `make` makes.
 template <typename Make>
 int handed_over(stoss_body** body, const Make& make) noexcept {
   return guarded([&] {
     require_given(body, "body");
-    *body = new stoss_body{make()};
+    *body = new stoss_body(make());
   });
 }
 
@@ -27,30 +23,45 @@ extern "C" {
 const char* stoss_version(void) { return stoss::version().data(); }
 
 int stoss_disk_make(double poisson, double radius, double young, double density, double loss_time, stoss_body** body) {
-  return handed_over(body, [&] { return stoss::disk({poisson, radius, young, density, loss_time}); });
+  return handed_over(body, [&] {
+    const stoss::Disk value{poisson, radius, young, density, loss_time};
+    return stoss_body{value, false, stoss::disk(value)};
+  });
 }
 
 int stoss_sphere_make(double poisson, double radius, double young, double density, double loss_time,
                       stoss_body** body) {
-  return handed_over(body, [&] { return stoss::sphere({poisson, radius, young, density, loss_time}); });
+  return handed_over(body, [&] {
+    const stoss::Sphere value{poisson, radius, young, density, loss_time};
+    return stoss_body{value, false, stoss::sphere(value)};
+  });
 }
 
 int stoss_rod_make(double length, double young, double density, double area, double loss_time, stoss_body** body) {
-  return handed_over(body, [&] { return stoss::rod({length, young, density, area, loss_time}); });
+  return handed_over(body, [&] {
+    const stoss::Rod value{length, young, density, area, loss_time};
+    return stoss_body{value, false, stoss::rod(value)};
+  });
 }
 
 int stoss_half_space_make(double poisson, double young, double density, double loss_time, stoss_body** body) {
-  return handed_over(body, [&] { return stoss::half_space({poisson, young, density, loss_time}); });
+  return handed_over(body, [&] {
+    const stoss::HalfSpace value{poisson, young, density, loss_time};
+    return stoss_body{value, false, stoss::half_space(value)};
+  });
 }
 
 int stoss_half_plane_make(double poisson, double young, double density, double loss_time, stoss_body** body) {
-  return handed_over(body, [&] { return stoss::half_plane({poisson, young, density, loss_time}); });
+  return handed_over(body, [&] {
+    const stoss::HalfPlane value{poisson, young, density, loss_time};
+    return stoss_body{value, false, stoss::half_plane(value)};
+  });
 }
 
 int stoss_rigid_make(const stoss_body* elastic, stoss_body** body) {
   return handed_over(body, [&] {
     require_given(elastic, "elastic");
-    return stoss::rigid(elastic->maker);
+    return stoss_body{elastic->value, true, stoss::rigid(elastic->maker)};
   });
 }
 

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -33,7 +34,7 @@ int stoss_wall_contact_make(const stoss_body* body, stoss_contact** contact) {
   return guarded([&] {
     require_given(body, "body");
     require_given(contact, "contact");
-    *contact = new stoss_contact{stoss::RefinableContact(body->maker)};
+    *contact = new stoss_contact{*body, std::nullopt, stoss::RefinableContact(body->maker)};
   });
 }
 
@@ -42,7 +43,7 @@ int stoss_pair_contact_make(const stoss_body* first, const stoss_body* second, s
     require_given(first, "first");
     require_given(second, "second");
     require_given(contact, "contact");
-    *contact = new stoss_contact{stoss::RefinableContact(first->maker, second->maker)};
+    *contact = new stoss_contact{*first, *second, stoss::RefinableContact(first->maker, second->maker)};
   });
 }
 

@@ -3,6 +3,7 @@
 #include <string>
 
 #include "c/handles.hpp"
+#include "c/law.hpp"
 #include "c/status.hpp"
 #include "stoss/errors.hpp"
 #include "stoss/table/adaptive.hpp"
@@ -15,8 +16,9 @@ using stoss::c::require_given;
 stoss::Beyond beyond_of(int number) {
   if (number == STOSS_BEYOND_ERROR) return stoss::Beyond::error;
   if (number == STOSS_BEYOND_CLAMP) return stoss::Beyond::clamp;
+  if (number == STOSS_BEYOND_LAW) return stoss::Beyond::law;
   throw stoss::InvalidInput("beyond: got " + std::to_string(number) +
-                            ", allowed STOSS_BEYOND_ERROR or STOSS_BEYOND_CLAMP");
+                            ", allowed STOSS_BEYOND_ERROR, STOSS_BEYOND_CLAMP or STOSS_BEYOND_LAW");
 }
 
 }  // namespace
@@ -30,6 +32,7 @@ int stoss_function_make(const stoss_contact* contact, double slowest, double fas
     require_given(function, "function");
     const stoss::FunctionOptions options{.error = error,
                                          .beyond = beyond_of(beyond),
+                                         .law = beyond == STOSS_BEYOND_LAW ? stoss::c::law_of(*contact) : nullptr,
                                          .threads = stoss::c::threads_of(control),
                                          .poll = stoss::c::poll_of(control)};
     *function = new stoss_function{stoss::restitution_function(contact->contact, slowest, fastest, options)};

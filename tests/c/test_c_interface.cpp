@@ -6,6 +6,7 @@
 #include <limits>
 #include <string>
 #include <thread>
+#include <utility>
 #include <vector>
 
 #include "stoss/bodies/disk.hpp"
@@ -15,6 +16,7 @@
 #include "stoss/restitution/curve.hpp"
 #include "stoss/stoss.h"
 #include "stoss/table/adaptive.hpp"
+#include "stoss/table/slow_law.hpp"
 #include "stoss/version.hpp"
 #include "support/c_handles.hpp"
 
@@ -95,6 +97,39 @@ TEST(CInterface, TheFunctionIsThatOfCpp) {
   EXPECT_EQ(fastest, 0.2);
   EXPECT_EQ(error, expected.greatest_error());
   EXPECT_EQ(stoss_function_range(function, nullptr, nullptr, nullptr), STOSS_OK);
+}
+
+TEST(CInterface, BelowItsRangeAFunctionHasTheLawOfItsBodies) {
+  CBody disk, sphere, space, rigid;
+  ASSERT_EQ(stoss_disk_make(0.33, 2.0, 3.0, 4.0, 0.0, &disk), STOSS_OK);
+  ASSERT_EQ(stoss_sphere_make(0.3, 2.0, 3.0, 4.0, 0.0, &sphere), STOSS_OK);
+  ASSERT_EQ(stoss_half_space_make(0.2, 3.0, 4.0, 0.0, &space), STOSS_OK);
+  ASSERT_EQ(stoss_rigid_make(sphere, &rigid), STOSS_OK);
+  CContact disk_at_wall, sphere_at_wall, disks, spheres, on_space, of_rigid;
+  ASSERT_EQ(stoss_wall_contact_make(disk, &disk_at_wall), STOSS_OK);
+  ASSERT_EQ(stoss_wall_contact_make(sphere, &sphere_at_wall), STOSS_OK);
+  ASSERT_EQ(stoss_pair_contact_make(disk, disk, &disks), STOSS_OK);
+  ASSERT_EQ(stoss_pair_contact_make(sphere, sphere, &spheres), STOSS_OK);
+  ASSERT_EQ(stoss_pair_contact_make(sphere, space, &on_space), STOSS_OK);
+  ASSERT_EQ(stoss_pair_contact_make(rigid, space, &of_rigid), STOSS_OK);
+  const Disk a_disk{0.33, 2.0, 3.0, 4.0};
+  const Sphere a_sphere{0.3, 2.0, 3.0, 4.0};
+  const HalfSpace a_space{0.2, 3.0, 4.0};
+  const std::vector<std::pair<const stoss_contact*, SlowLaw>> cases{
+      {disk_at_wall, slow_law(a_disk)},        {sphere_at_wall, slow_law(a_sphere)},
+      {disks, slow_law(a_disk, a_disk)},       {spheres, slow_law(a_sphere, a_sphere)},
+      {on_space, slow_law(a_sphere, a_space)}, {of_rigid, slow_law(a_sphere, a_space, true)}};
+  for (const auto& [contact, law] : cases) {
+    CFunction function;
+    ASSERT_EQ(stoss_function_make(contact, 0.01, 0.05, 2e-2, STOSS_BEYOND_LAW, nullptr, &function), STOSS_OK)
+        << stoss_message();
+    const double slow = 1e-4, fast = 0.06;
+    double value = 0.0, error = 0.0;
+    ASSERT_EQ(stoss_function_evaluate(function, &slow, 1, &value, &error), STOSS_OK);
+    EXPECT_EQ(value, law(slow).value);
+    EXPECT_EQ(error, law(slow).error);
+    EXPECT_EQ(stoss_function_evaluate(function, &fast, 1, &value, &error), STOSS_INVALID_INPUT);
+  }
 }
 
 TEST(CInterface, ASpeedBeyondTheRangeSpoilsNoOther) {

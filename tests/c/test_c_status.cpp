@@ -67,6 +67,14 @@ TEST(CStatus, RefusesWhatCppRefuses) {
   ASSERT_EQ(stoss_disk_make(0.3, 1.0, 1.0, 1.0, 0.0, &disk), STOSS_OK);
   CContact unlike;
   EXPECT_EQ(stoss_pair_contact_make(sphere, disk, &unlike), STOSS_INVALID_INPUT);
+
+  CBody rod;
+  CContact without_law;
+  ASSERT_EQ(stoss_rod_make(1.0, 1.0, 1.0, 1.0, 0.0, &rod), STOSS_OK);
+  ASSERT_EQ(stoss_wall_contact_make(rod, &without_law), STOSS_OK);
+  EXPECT_EQ(stoss_function_make(without_law, 0.01, 0.1, 1e-2, STOSS_BEYOND_LAW, nullptr, &function),
+            STOSS_INVALID_INPUT);
+  EXPECT_EQ(std::string(stoss_message()).rfind("beyond: ", 0), 0U);
 }
 
 TEST(CStatus, RefusesNull) {
