@@ -5,7 +5,7 @@
 JOBS ?= $(shell nproc)
 PREFIX ?= /usr/local
 PYTHON ?= /usr/bin/python3
-SOURCES = $(shell git ls-files '*.cpp' '*.hpp')
+SOURCES = $(shell git ls-files '*.cpp' '*.hpp' '*.c' '*.h')
 
 help: ## show this list
 	@grep -hE '^[a-z-]+:.*##' $(MAKEFILE_LIST) | sed -E 's/^([a-z-]+):.*## (.*)/  make \1\t\2/' | expand -t 20

@@ -50,6 +50,7 @@ void add_modes();
 void add_impacts();
 void add_restitutions();
 void add_rods();
+void add_tables();
 void add_spheres();
 void add_quasistatic();
 void add_python();

@@ -33,6 +33,7 @@ int run(std::vector<std::string> arguments) {
   bench::add_restitutions();
   bench::add_spheres();
   bench::add_rods();
+  bench::add_tables();
   bench::add_quasistatic();
   bench::add_python();
   bench::Summary summary;

@@ -20,6 +20,7 @@ fi
 if [ "${1:-all}" = all ]; then
   packages+=(
     libgtest-dev libgmock-dev pkgconf python3-pytest python3-hypothesis python3-tqdm mypy
+    gfortran chipmunk-dev libbox2d-dev libbullet-dev
     libbenchmark-dev
     clang libclang-rt-dev clang-format clang-tidy
   )

@@ -12,7 +12,7 @@ build() {
 }
 
 step "format"
-git ls-files '*.cpp' '*.hpp' | xargs clang-format --dry-run --Werror
+git ls-files '*.cpp' '*.hpp' '*.c' '*.h' | xargs clang-format --dry-run --Werror
 
 step "build: g++, warnings are errors"
 build release -DSTOSS_BUILD_TESTS=ON -DSTOSS_BUILD_PYTHON=ON

@@ -5,7 +5,7 @@ from __future__ import annotations
 import contextlib
 import os
 import tempfile
-from typing import Iterator
+from typing import Iterable, Iterator
 
 
 @contextlib.contextmanager
@@ -31,3 +31,14 @@ def whole_file(path: str, suffix: str = "") -> Iterator[str]:
         with contextlib.suppress(OSError):
             os.unlink(temporary)
         raise
+
+
+def write_lines(path: str | os.PathLike[str], lines: Iterable[str]) -> None:
+    """A text file that appears whole or not at all; what is a pipe or a device is written directly."""
+    path = os.fspath(path)
+    if os.path.exists(path) and not os.path.isfile(path):
+        with open(path, "w", encoding="utf-8") as stream:
+            stream.writelines(lines)
+        return
+    with whole_file(path) as temporary, open(temporary, "w", encoding="utf-8") as stream:
+        stream.writelines(lines)

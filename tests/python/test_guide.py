@@ -1,4 +1,4 @@
-"""The Python in docs/python.md, docs/vibrating_bodies.md and README.md runs as it stands, and prints what they say.
+"""The Python in the pages of docs/ and README.md that have some runs as it stands, and prints what they say.
 
 All ```python blocks of a page run in order in one namespace. What they print is compared with a ```text block that
 follows at once, or with a comment `# → …` at the end of a statement. Words must agree, and numbers to what is shown of
@@ -17,7 +17,7 @@ import numpy as np
 import pytest
 
 ROOT = Path(__file__).parents[2]
-PAGES = ("docs/python.md", "docs/vibrating_bodies.md", "README.md")
+PAGES = ("docs/python.md", "docs/vibrating_bodies.md", "README.md", "docs/programs.md")
 # Pictures that a page draws and shows.
 PICTURES = {"docs/vibrating_bodies.md": [f"vibrating_{name}.png" for name in ("phase", "warm", "bounces", "rods")]}
 FENCED = re.compile(r"^```(\w*)\n(.*?)^```$\n?", re.MULTILINE | re.DOTALL)

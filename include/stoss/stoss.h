@@ -1,0 +1,162 @@
+#ifndef STOSS_STOSS_H
+#define STOSS_STOSS_H
+
+/**
+ * @file
+ * The C interface of the library: bodies, contacts, the coefficient of restitution and the function of the speed.
+ *
+ * It is C89, and C++ and bind(C) of Fortran (stoss.f90) can use it. Link it with what `pkg-config --libs stoss` says.
+ *
+ * Functions that can fail return a status, STOSS_OK or another, and write to their outputs only where they say so.
+ * What a function makes belongs to the caller, who frees it once; freeing it twice is an error that is not noticed.
+ * Handles do not change: any number of threads may use one. Nothing is printed, and no C++ exception leaves.
+ *
+ * Sizes and materials are in any consistent units, those of all bodies the same. Speeds are speeds of approach in
+ * c = sqrt(young/density) of the first body; results are in its units of length R (radius, length of a rod), time R/c
+ * and force m c^2/R.
+ */
+
+#include <stddef.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/** What a function returns. */
+#define STOSS_OK 0
+#define STOSS_INVALID_INPUT 1 /**< an argument out of its range, or NULL */
+#define STOSS_NOT_CONVERGED 2 /**< the accuracy is not to be had */
+#define STOSS_OUT_OF_MEMORY 3
+#define STOSS_INTERRUPTED 4 /**< by the caller's own poll */
+#define STOSS_FAILED 5      /**< anything else: of the system, as no thread to be had */
+
+/** Why the last function that failed in this thread did: one line, valid until the next one fails; "" before. */
+const char* stoss_message(void);
+
+/** Version of the library, as in "0.1.0". */
+const char* stoss_version(void);
+
+/** An elastic or rigid body. */
+typedef struct stoss_body stoss_body;
+
+/**
+ * Makes a disk. Its constants are those of two dimensions: in plane stress those of the solid.
+ * @param poisson   2-D Poisson number, -0.95 to 0.995
+ * @param loss_time eta of stress = (1 + eta d/dt) elastic stress, in the unit of time of the others; 0: lossless
+ */
+int stoss_disk_make(double poisson, double radius, double young, double density, double loss_time, stoss_body** body);
+
+/** Makes a sphere. @param poisson -0.95 to 0.4999 */
+int stoss_sphere_make(double poisson, double radius, double young, double density, double loss_time, stoss_body** body);
+
+/** Makes a thin rod, which meets with one end. */
+int stoss_rod_make(double length, double young, double density, double area, double loss_time, stoss_body** body);
+
+/** Makes a half-space, the second body of a contact with a sphere. @param poisson -0.95 to 0.4999 */
+int stoss_half_space_make(double poisson, double young, double density, double loss_time, stoss_body** body);
+
+/** Makes a half-plane, the second body of a contact with a disk. @param poisson 2-D, -0.95 to 0.995 */
+int stoss_half_plane_make(double poisson, double young, double density, double loss_time, stoss_body** body);
+
+/** Makes the rigid body of the size and mass of another, which meets an elastic one. */
+int stoss_rigid_make(const stoss_body* elastic, stoss_body** body);
+
+/** Frees a body; NULL is none. Contacts that were made of it remain. */
+void stoss_body_free(stoss_body* body);
+
+/** Who meets whom. It keeps the modes that it has computed. */
+typedef struct stoss_contact stoss_contact;
+
+/** Makes the contact of a body with a hard wall. */
+int stoss_wall_contact_make(const stoss_body* body, stoss_contact** contact);
+
+/** Makes the contact of two bodies; they may be the same. */
+int stoss_pair_contact_make(const stoss_body* first, const stoss_body* second, stoss_contact** contact);
+
+/** Frees a contact; NULL is none. */
+void stoss_contact_free(stoss_contact* contact);
+
+/** What a long computation calls on the caller's thread every 50 ms or sooner; not 0 ends it: STOSS_INTERRUPTED. */
+typedef int (*stoss_poll)(void* context);
+
+/** How a long computation runs. Where it is NULL: on all processors, without a poll. */
+typedef struct stoss_control {
+  int threads;     /**< 0: as many as the machine has; results do not depend on it */
+  stoss_poll poll; /**< NULL: none */
+  void* context;   /**< for the poll */
+} stoss_control;
+
+/** A number with its estimated error; an infinite error is unknown. */
+typedef struct stoss_estimate {
+  double value;
+  double error;
+} stoss_estimate;
+
+/** The coefficient of restitution at one speed, eps, and what else is known of that impact. */
+typedef struct stoss_result {
+  double speed;
+  stoss_estimate restitution;     /**< eps */
+  stoss_estimate lost_fraction;   /**< 1 - eps^2 */
+  stoss_estimate contact_time;    /**< R/c */
+  stoss_estimate max_force;       /**< m c^2/R */
+  stoss_estimate max_compression; /**< R */
+  int converged;                  /**< 1, or 0 where the tolerance is not met */
+} stoss_result;
+
+/** Tolerances that are good for most purposes. */
+#define STOSS_TOLERANCE 1e-3
+#define STOSS_ABSOLUTE 1e-6
+
+/**
+ * Computes the coefficient of restitution at each of `count` speeds.
+ *
+ * A speed whose tolerance is not met does not end the others. The status is then STOSS_NOT_CONVERGED, its `converged`
+ * is 0, and it has the best values, or NaN where there are none. All other failures leave `results` as it was.
+ * @param speeds    1e-8 to 1 c
+ * @param tolerance error of 1 - eps^2 over 1 - eps^2, 1e-15 to 0.5
+ * @param absolute  or error of 1 - eps^2 that is small enough in any case, 0 to 0.5
+ * @param control   or NULL
+ * @param results   `count` of them
+ */
+int stoss_curve(const stoss_contact* contact, const double* speeds, size_t count, double tolerance, double absolute,
+                const stoss_control* control, stoss_result* results);
+
+/** The coefficient of restitution as a function of the speed. */
+typedef struct stoss_function stoss_function;
+
+/** What a function gives beyond its range. */
+#define STOSS_BEYOND_ERROR 0 /**< STOSS_INVALID_INPUT */
+#define STOSS_BEYOND_CLAMP 1 /**< the value at the nearer end, with an infinite error */
+#define STOSS_BEYOND_LAW 2   /**< below, the law of slow impacts; above, STOSS_INVALID_INPUT */
+
+/**
+ * Makes eps(v) with an error of at most `error`, interpolation included.
+ * @param slowest,fastest 1e-8 to 1 c
+ * @param error           greatest error of eps at any speed, 1e-7 to 0.1
+ * @param beyond          STOSS_BEYOND_ERROR, STOSS_BEYOND_CLAMP or, of a disk or sphere at a wall, two equal ones, and
+ * a sphere on a half-space, STOSS_BEYOND_LAW
+ * @param control         or NULL
+ */
+int stoss_function_make(const stoss_contact* contact, double slowest, double fastest, double error, int beyond,
+                        const stoss_control* control, stoss_function** function);
+
+/**
+ * Evaluates eps at each of `count` speeds, whose signs do not count.
+ * @param values `count` of them; NaN, with an infinite error, at speeds beyond the range and where a speed is 0 or not
+ *               finite, which the status tells
+ * @param errors `count` of them, or NULL, which is faster
+ */
+int stoss_function_evaluate(const stoss_function* function, const double* speeds, size_t count, double* values,
+                            double* errors);
+
+/** Range of the function, and its greatest error within. Each output may be NULL. */
+int stoss_function_range(const stoss_function* function, double* slowest, double* fastest, double* greatest_error);
+
+/** Frees a function; NULL is none. */
+void stoss_function_free(stoss_function* function);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

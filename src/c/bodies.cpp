@@ -1,0 +1,70 @@
+#include "c/handles.hpp"
+#include "c/status.hpp"
+#include "stoss/version.hpp"
+
+namespace {
+
+using stoss::c::guarded;
+using stoss::c::require_given;
+
+/// Hands over what `make` makes.
+template <typename Make>
+int handed_over(stoss_body** body, const Make& make) noexcept {
+  return guarded([&] {
+    require_given(body, "body");
+    *body = new stoss_body(make());
+  });
+}
+
+}  // namespace
+
+extern "C" {
+
+const char* stoss_version(void) { return stoss::version().data(); }
+
+int stoss_disk_make(double poisson, double radius, double young, double density, double loss_time, stoss_body** body) {
+  return handed_over(body, [&] {
+    const stoss::Disk value{poisson, radius, young, density, loss_time};
+    return stoss_body{value, false, stoss::disk(value)};
+  });
+}
+
+int stoss_sphere_make(double poisson, double radius, double young, double density, double loss_time,
+                      stoss_body** body) {
+  return handed_over(body, [&] {
+    const stoss::Sphere value{poisson, radius, young, density, loss_time};
+    return stoss_body{value, false, stoss::sphere(value)};
+  });
+}
+
+int stoss_rod_make(double length, double young, double density, double area, double loss_time, stoss_body** body) {
+  return handed_over(body, [&] {
+    const stoss::Rod value{length, young, density, area, loss_time};
+    return stoss_body{value, false, stoss::rod(value)};
+  });
+}
+
+int stoss_half_space_make(double poisson, double young, double density, double loss_time, stoss_body** body) {
+  return handed_over(body, [&] {
+    const stoss::HalfSpace value{poisson, young, density, loss_time};
+    return stoss_body{value, false, stoss::half_space(value)};
+  });
+}
+
+int stoss_half_plane_make(double poisson, double young, double density, double loss_time, stoss_body** body) {
+  return handed_over(body, [&] {
+    const stoss::HalfPlane value{poisson, young, density, loss_time};
+    return stoss_body{value, false, stoss::half_plane(value)};
+  });
+}
+
+int stoss_rigid_make(const stoss_body* elastic, stoss_body** body) {
+  return handed_over(body, [&] {
+    require_given(elastic, "elastic");
+    return stoss_body{elastic->value, true, stoss::rigid(elastic->maker)};
+  });
+}
+
+void stoss_body_free(stoss_body* body) { delete body; }
+
+}  // extern "C"

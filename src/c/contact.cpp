@@ -1,0 +1,74 @@
+#include <algorithm>
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "c/handles.hpp"
+#include "c/status.hpp"
+#include "stoss/errors.hpp"
+#include "stoss/restitution/curve.hpp"
+
+namespace {
+
+using stoss::c::guarded;
+using stoss::c::require_given;
+
+stoss_estimate in_c(const stoss::Estimate& estimate) { return {estimate.value, estimate.error}; }
+
+stoss_result in_c(double speed, const stoss::Restitution& result) {
+  return {speed,
+          in_c(result.restitution),
+          in_c(result.lost_fraction),
+          in_c(result.contact_time),
+          in_c(result.max_force),
+          in_c(result.max_compression),
+          result.converged ? 1 : 0};
+}
+
+}  // namespace
+
+extern "C" {
+
+int stoss_wall_contact_make(const stoss_body* body, stoss_contact** contact) {
+  return guarded([&] {
+    require_given(body, "body");
+    require_given(contact, "contact");
+    *contact = new stoss_contact{*body, std::nullopt, stoss::RefinableContact(body->maker)};
+  });
+}
+
+int stoss_pair_contact_make(const stoss_body* first, const stoss_body* second, stoss_contact** contact) {
+  return guarded([&] {
+    require_given(first, "first");
+    require_given(second, "second");
+    require_given(contact, "contact");
+    *contact = new stoss_contact{*first, *second, stoss::RefinableContact(first->maker, second->maker)};
+  });
+}
+
+void stoss_contact_free(stoss_contact* contact) { delete contact; }
+
+int stoss_curve(const stoss_contact* contact, const double* speeds, size_t count, double tolerance, double absolute,
+                const stoss_control* control, stoss_result* results) {
+  return guarded([&] {
+    require_given(contact, "contact");
+    require_given(speeds, "speeds");
+    require_given(results, "results");
+    const std::vector<double> at(speeds, speeds + count);
+    std::vector<stoss_result> found;
+    std::string reason;
+    const stoss::CurveOptions options{.tolerance = tolerance,
+                                      .absolute = absolute,
+                                      .threads = stoss::c::threads_of(control),
+                                      .poll = stoss::c::poll_of(control)};
+    stoss::restitution_curve(contact->contact, at, options, [&](std::size_t i, const stoss::Restitution& result) {
+      found.push_back(in_c(at[i], result));
+      if (!result.converged && reason.empty()) reason = "speed " + std::to_string(i) + ": " + result.reason;
+    });
+    std::copy(found.begin(), found.end(), results);
+    if (!reason.empty()) throw stoss::NotConverged(reason);
+  });
+}
+
+}  // extern "C"

@@ -1,0 +1,79 @@
+#include <cstddef>
+#include <limits>
+#include <string>
+
+#include "c/handles.hpp"
+#include "c/law.hpp"
+#include "c/status.hpp"
+#include "stoss/errors.hpp"
+#include "stoss/table/adaptive.hpp"
+
+namespace {
+
+using stoss::c::guarded;
+using stoss::c::require_given;
+
+stoss::Beyond beyond_of(int number) {
+  if (number == STOSS_BEYOND_ERROR) return stoss::Beyond::error;
+  if (number == STOSS_BEYOND_CLAMP) return stoss::Beyond::clamp;
+  if (number == STOSS_BEYOND_LAW) return stoss::Beyond::law;
+  throw stoss::InvalidInput("beyond: got " + std::to_string(number) +
+                            ", allowed STOSS_BEYOND_ERROR, STOSS_BEYOND_CLAMP or STOSS_BEYOND_LAW");
+}
+
+}  // namespace
+
+extern "C" {
+
+int stoss_function_make(const stoss_contact* contact, double slowest, double fastest, double error, int beyond,
+                        const stoss_control* control, stoss_function** function) {
+  return guarded([&] {
+    require_given(contact, "contact");
+    require_given(function, "function");
+    const stoss::FunctionOptions options{.error = error,
+                                         .beyond = beyond_of(beyond),
+                                         .law = beyond == STOSS_BEYOND_LAW ? stoss::c::law_of(*contact) : nullptr,
+                                         .threads = stoss::c::threads_of(control),
+                                         .poll = stoss::c::poll_of(control)};
+    *function = new stoss_function{stoss::restitution_function(contact->contact, slowest, fastest, options)};
+  });
+}
+
+int stoss_function_evaluate(const stoss_function* function, const double* speeds, size_t count, double* values,
+                            double* errors) {
+  int status = guarded([&] {
+    require_given(function, "function");
+    require_given(speeds, "speeds");
+    require_given(values, "values");
+  });
+  if (status != STOSS_OK) return status;
+  for (std::size_t i = 0; i < count; ++i) {
+    const int own = guarded([&] {
+      if (errors == nullptr) {
+        values[i] = function->function.value(speeds[i]);
+      } else {
+        const stoss::Estimate estimate = function->function(speeds[i]);
+        values[i] = estimate.value;
+        errors[i] = estimate.error;
+      }
+    });
+    if (own == STOSS_OK) continue;
+    status = own;
+    values[i] = std::numeric_limits<double>::quiet_NaN();
+    if (errors != nullptr) errors[i] = std::numeric_limits<double>::infinity();
+  }
+  return status;
+}
+
+int stoss_function_range(const stoss_function* function, double* slowest, double* fastest, double* greatest_error) {
+  return guarded([&] {
+    require_given(function, "function");
+    if (slowest != nullptr) *slowest = function->function.slowest();
+    if (fastest != nullptr) *fastest = function->function.fastest();
+    if (greatest_error != nullptr) *greatest_error = function->function.greatest_error();
+  });
+}
+
+void stoss_function_free(stoss_function* function) { delete function; }
+
+}  // extern "C"
