@@ -26,6 +26,10 @@ void OutputArguments::add_to(CLI::App& command) {
       ->check(CLI::IsMember({"table", "csv", "json"}))
       ->type_name("FORMAT")
       ->group("Output");
+  add_place_to(command);
+}
+
+void OutputArguments::add_place_to(CLI::App& command) {
   command.add_option("-o,--output", path, "Write to FILE instead of stdout")->type_name("FILE")->group("Output");
   command.add_flag("--quiet", quiet, "No warnings and no progress on stderr")->group("Output");
 }

@@ -18,6 +18,9 @@ struct OutputArguments {
 
   void add_to(CLI::App& command);
 
+  /// All but --format.
+  void add_place_to(CLI::App& command);
+
   [[nodiscard]] Format chosen_format() const;
 
   /// A line on stderr, unless --quiet.
@@ -85,5 +88,6 @@ void add_bounce(CLI::App& app);
 void add_restitution(CLI::App& app, int& exit_code);
 void add_distribution(CLI::App& app, int& exit_code);
 void add_quasistatic(CLI::App& app);
+void add_table(CLI::App& app);
 
 }  // namespace stoss::cli

@@ -51,17 +51,27 @@ std::string table_row(const Record& record) {
 
 }  // namespace
 
+nlohmann::ordered_json json_document(Provenance provenance) {
+  nlohmann::ordered_json document;
+  document["schema"] = fmt::format("stoss/{}/2", provenance.schema);
+  document["version"] = version();
+  document["command"] = std::move(provenance.command);
+  document["inputs"] = std::move(provenance.inputs);
+  document["units"] = nlohmann::ordered_json::object();
+  document["records"] = nlohmann::ordered_json::array();
+  return document;
+}
+
+std::string json_text(const nlohmann::ordered_json& document) {
+  return document.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
+}
+
 Report::Report(Output output, Format format, Provenance provenance) : format_(format), output_(std::move(output)) {
   output_.keep(0);
   if (format_ == Format::csv) {
     output_.write(csv_header(provenance));
   } else if (format_ == Format::json) {
-    document_["schema"] = fmt::format("stoss/{}/2", provenance.schema);
-    document_["version"] = version();
-    document_["command"] = std::move(provenance.command);
-    document_["inputs"] = std::move(provenance.inputs);
-    document_["units"] = nlohmann::ordered_json::object();
-    document_["records"] = nlohmann::ordered_json::array();
+    document_ = json_document(std::move(provenance));
   }
   output_.flush();
 }
@@ -103,7 +113,7 @@ void Report::attach(const std::string& key, nlohmann::ordered_json value) { docu
 void Report::finish(bool complete) {
   if (format_ == Format::json) {
     document_["complete"] = complete;
-    output_.write(document_.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n");
+    output_.write(json_text(document_));
   } else if (!complete) {
     output_.write(fmt::format("{}\n", csv_interrupted));
   }

@@ -11,6 +11,12 @@ namespace stoss::cli {
 
 enum class Format { table, csv, json };
 
+/// The JSON document of an output without records: schema, version, command, inputs, units, records.
+[[nodiscard]] nlohmann::ordered_json json_document(Provenance provenance);
+
+/// As it is written.
+[[nodiscard]] std::string json_text(const nlohmann::ordered_json& document);
+
 /// Records as a table, as CSV or as JSON. Tables and CSV are written record by record, JSON at the end.
 class Report {
  public:

@@ -35,11 +35,16 @@ class Bins {
 
   [[nodiscard]] const std::vector<double>& x() const { return x_; }
 
+  [[nodiscard]] double per_unit() const { return per_unit_; }
+
+  /// Interval in which each bin begins.
+  [[nodiscard]] const std::vector<std::size_t>& first() const { return first_; }
+
  private:
   std::vector<double> x_;
   double begin_, per_unit_ = 0.0;
-  std::vector<double> ends_{};        ///< of the intervals; the last is infinite
-  std::vector<std::size_t> first_{};  ///< interval in which each bin begins
+  std::vector<double> ends_{};  ///< of the intervals; the last is infinite
+  std::vector<std::size_t> first_{};
 };
 
 }  // namespace stoss::numeric

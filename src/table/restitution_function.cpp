@@ -107,9 +107,8 @@ struct RestitutionFunction::Table {
   }
 
   [[nodiscard]] Estimate outside(double speed) const {
-    if (!(speed > 0.0) || !std::isfinite(speed)) {
-      throw InvalidInput("speed: got " + shown(speed) + ", allowed a finite speed of approach that is not 0");
-    }
+    if (!std::isfinite(speed))
+      throw InvalidInput("speed: got " + shown(speed) + ", allowed a finite speed of approach");
     const bool below = speed < slowest;
     if (beyond == Beyond::law && below) return law(speed);
     if (beyond == Beyond::clamp) {
@@ -125,6 +124,10 @@ RestitutionFunction::RestitutionFunction(std::vector<Knot> knots, Beyond beyond,
   require_knots(knots);
   if (beyond == Beyond::law && !law) {
     throw InvalidInput("beyond: got law, allowed error or clamp (there is no law of slow impacts of these bodies)");
+  }
+  if (beyond == Beyond::law && !std::isfinite(law(knots.front().speed).error)) {
+    throw InvalidInput("beyond: got law, allowed error or clamp from speed " + shown(knots.front().speed) +
+                       " on (the law of slow impacts says nothing there: begin at a lower speed)");
   }
   numeric::MonotoneCubic cubic(logarithms(knots), values(knots));
   const std::size_t intervals = knots.size() - 1;

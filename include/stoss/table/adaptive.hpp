@@ -20,8 +20,9 @@ struct FunctionOptions {
 /// so far do not predict those between them.
 ///
 /// It begins with six speeds per decade, evenly in ln v, and halves every interval until ε computed in its middle
-/// differs from the interpolation by no more than half the error. That value becomes a knot, and what it differed by, or
-/// either neighbour did, is the error of the interpolation in both halves. Values are computed to a third of the error.
+/// differs from the interpolation by no more than half the error. That value becomes a knot, and what it differed by,
+/// or either neighbour did, is the error of the interpolation in both halves. Values are computed to a third of the
+/// error.
 /// @param slowest,fastest 1e-8 … 1, in c, slowest < fastest
 /// @throws InvalidInput for arguments out of range; NotConverged if some value does not reach its share of the error,
 ///         or more speeds are needed

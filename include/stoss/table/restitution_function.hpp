@@ -18,17 +18,18 @@ struct Knot {
 enum class Beyond {
   error,  ///< nothing: InvalidInput
   clamp,  ///< the value at the nearer end, with an unknown (infinite) error
-  law     ///< below, what the law of slow impacts says; above, InvalidInput
+  law     ///< below, what the law of slow impacts says (slow_law); above, InvalidInput
 };
 
-/// ε of a slow impact with its error, as a law has it.
+/// ε of a slow impact with its error, as a law has it, at any speed from 0; an infinite error where it says nothing.
 using SlowLaw = std::function<Estimate(double speed)>;
 
 /// The coefficient of restitution as a function of the speed: a cubic in ln v between computed values that rises and
-/// falls only as they do (Fritsch and Carlson 1980), so ε never leaves the range of its neighbours.
+/// falls only as they do (F. N. Fritsch and J. Butland, SIAM J. Sci. Stat. Comput. 5, 300, 1984), so ε never leaves the
+/// range of its neighbours.
 ///
 /// Its error is the sum of the greater error of the two neighbours and of what the interpolation may be off by. A speed
-/// counts without its sign. A value takes some 15 ns.
+/// counts without its sign; 0 lies below every range.
 class RestitutionFunction {
  public:
   /// @param knots               of rising speed, five or more, with finite values and errors
@@ -36,11 +37,11 @@ class RestitutionFunction {
   /// @param interpolation_error of each interval between knots; empty: estimated from how well knots are met by the
   ///                            others
   /// @throws InvalidInput for knots that do not rise or are not finite, errors that are negative or of another number,
-  ///         and Beyond::law without a law
+  ///         and Beyond::law without a law, or with one that says nothing at the slowest knot
   explicit RestitutionFunction(std::vector<Knot> knots, Beyond beyond = Beyond::error, SlowLaw law = {},
                                std::vector<double> interpolation_error = {});
 
-  /// ε with its whole error. @throws InvalidInput for 0, a speed that is not finite, and beyond the range as it says
+  /// ε with its whole error. @throws InvalidInput for a speed that is not finite, and beyond the range as it says
   [[nodiscard]] Estimate operator()(double speed) const;
 
   /// ε alone, which is faster. @throws InvalidInput as above

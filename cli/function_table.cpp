@@ -1,0 +1,218 @@
+// stoss table: the coefficient of restitution as a function of the speed, for other programs.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "arguments.hpp"
+#include "csv.hpp"
+#include "encounter.hpp"
+#include "interrupt.hpp"
+#include "numbers.hpp"
+#include "options.hpp"
+#include "report.hpp"
+#include "stoss/errors.hpp"
+#include "stoss/table/adaptive.hpp"
+#include "stoss/table/c_source.hpp"
+#include "stoss/table/two_column.hpp"
+#include "text.hpp"
+#include "whole_file.hpp"
+#include "yield.hpp"
+
+namespace stoss::cli {
+namespace {
+
+struct TableArguments {
+  EncounterArguments who;
+  std::string speed;
+  double error = 1e-3;
+  int threads = 0;
+  std::string format = "c";
+  std::string name = "stoss";
+  std::string beyond = "clamp";
+  OutputArguments output;  // but for its format
+  CLI::App* command = nullptr;
+
+  [[nodiscard]] bool given(const std::string& option) const { return command->get_option(option)->count() > 0; }
+};
+
+struct TableJob {
+  Encounter encounter;
+  std::vector<double> typed;   ///< ends of the range, m/s with a material
+  std::vector<double> speeds;  ///< the same in c
+
+  /// m/s, or 1
+  [[nodiscard]] double unit() const { return encounter.units().si ? encounter.units().si->speed : 1.0; }
+  [[nodiscard]] std::string unit_name() const { return encounter.units().si ? "m/s" : "c"; }
+};
+
+void check_format(const TableArguments& arguments) {
+  const std::string& format = arguments.format;
+  if (arguments.given("--name") && format != "c") {
+    throw InvalidInput(fmt::format("name: got --name with --format {}, allowed only with --format c", format));
+  }
+  if (arguments.given("--beyond") && format == "two-column") {
+    throw InvalidInput(
+        "beyond: got --beyond with --format two-column, allowed only with c and json (who reads the columns decides)");
+  }
+}
+
+TableJob make_job(const TableArguments& arguments) {
+  Encounter encounter = arguments.who.encounter();
+  if (encounter.against().kind == "exponential") {
+    throw InvalidInput("against: got exponential, allowed wall, same or a body");
+  }
+  const std::vector<std::string> ends = split(arguments.speed, ':');
+  if (ends.size() != 2) {
+    throw InvalidInput(fmt::format("speed: got '{}', allowed SLOWEST:FASTEST, as in 1e-4:0.3", arguments.speed));
+  }
+  const std::string both = ends[0] + "," + ends[1];
+  const std::vector<double> typed = parse_series("speed", both), speeds = parse_speeds(both, encounter.units().si);
+  if (speeds.size() != 2 || speeds[0] >= speeds[1]) {
+    throw InvalidInput(fmt::format("speed: got '{}', allowed a slowest speed below the fastest", arguments.speed));
+  }
+  return {std::move(encounter), typed, speeds};
+}
+
+RestitutionFunction compute(const TableArguments& arguments, const TableJob& job) {
+  // Half of the error is for the straight lines between the rows.
+  const double share = arguments.format == "two-column" ? 0.5 : 1.0;
+  return restitution_function(job.encounter.refinable(job.encounter.poisson()), job.speeds[0], job.speeds[1],
+                              {.error = share * arguments.error,
+                               .beyond = arguments.beyond == "clamp" ? Beyond::clamp : Beyond::error,
+                               .threads = arguments.threads,
+                               .poll = heed_interrupts});
+}
+
+Provenance describe(const TableArguments& arguments, const TableJob& job) {
+  Provenance provenance{"table", command_line(), {}};
+  auto& inputs = provenance.inputs;
+  job.encounter.describe(inputs);
+  inputs[job.encounter.units().si ? "speed[m/s]" : "speed"] = arguments.speed;
+  inputs["error"] = arguments.error;
+  inputs["beyond"] = arguments.beyond;
+  return provenance;
+}
+
+std::string as_c(const TableArguments& arguments, const TableJob& job, const RestitutionFunction& function) {
+  std::vector<std::string> lines;
+  // The lines of CSV without the mark of a comment.
+  for (const std::string& line : split(csv_header(describe(arguments, job)), '\n')) {
+    lines.push_back(line.substr(std::min<std::size_t>(2, line.size())));
+  }
+  return c_header(
+      function, {.name = arguments.name, .unit = job.unit_name(), .scale = job.unit(), .provenance = std::move(lines)});
+}
+
+std::string as_json(const TableArguments& arguments, const TableJob& job, const RestitutionFunction& function) {
+  auto document = json_document(describe(arguments, job));
+  document["units"]["speed"] = job.unit_name();
+  document["interpolation"] = "cubic Hermite in ln(speed)";
+  document["greatest_error"] = function.greatest_error();
+  const auto& knots = function.knots();
+  const std::size_t last = knots.size() - 1;
+  for (std::size_t k = 0; k <= last; ++k) {
+    const double inner = knots[k].speed * job.unit();
+    nlohmann::ordered_json record{{"speed", k == 0      ? job.typed[0]
+                                            : k == last ? job.typed[1]
+                                                        : inner},
+                                  {"restitution", knots[k].restitution.value},
+                                  {"restitution_error", knots[k].restitution.error},
+                                  {"slope", function.slopes()[k]}};
+    if (k < last) record["error_to_next"] = function.errors()[k];
+    document["records"].push_back(std::move(record));
+  }
+  document["complete"] = true;
+  return json_text(document);
+}
+
+std::string as_text(const TableArguments& arguments, const TableJob& job, const RestitutionFunction& function) {
+  if (arguments.format == "json") return as_json(arguments, job, function);
+  if (arguments.format == "c") return as_c(arguments, job, function);
+  return two_column(function, arguments.error, job.unit());
+}
+
+void warn(const TableArguments& arguments, const TableJob& job) {
+  if (job.speeds[1] > 0.5) {
+    arguments.output.warn("speed above 0.5 c: linear elasticity has lost its meaning there");
+  }
+  const auto yield = job.encounter.yield_speed();
+  if (yield && job.speeds[1] * job.unit() > *yield) arguments.output.warn(yield_warning(*yield));
+}
+
+void run(const TableArguments& arguments) {
+  check_format(arguments);
+  const TableJob job = make_job(arguments);
+  require_writable(arguments.output.path);
+  catch_interrupts();
+  const RestitutionFunction function = compute(arguments, job);
+  const std::string text = as_text(arguments, job, function);
+  heed_interrupts();
+  write_whole(arguments.output.path, text);
+  warn(arguments, job);
+}
+
+void add_form(CLI::App& command, TableArguments& arguments) {
+  add_number(command, "--error", arguments.error,
+             "Greatest error of eps at any speed, interpolation included, 1e-7 to\n0.1 (default: 0.001)")
+      ->type_name("ERROR")
+      ->group("Resolution");
+  add_integer(command, "--threads", arguments.threads,
+              "Threads, 0 for all cores; results do not depend on it\n(default: 0)")
+      ->type_name("N")
+      ->group("Resolution");
+  command
+      .add_option("--format", arguments.format,
+                  "Form of the table (default: c)\n"
+                  "  c:          a header in C89 and C++, of plain functions\n"
+                  "  two-column: speed and eps, to be interpolated linearly in the speed\n"
+                  "  json:       computed values, slopes and errors")
+      ->check(CLI::IsMember({"c", "two-column", "json"}))
+      ->type_name("FORM")
+      ->group("Output");
+  command.add_option("--name", arguments.name, "With which names in C begin (default: stoss)")
+      ->type_name("NAME")
+      ->group("Output");
+  command
+      .add_option("--beyond", arguments.beyond,
+                  "What the table gives beyond its range (default: clamp)\n"
+                  "  clamp: the value at the nearer end, with an infinite error\n"
+                  "  error: not a number, with an infinite error")
+      ->check(CLI::IsMember({"clamp", "error"}))
+      ->type_name("BEYOND")
+      ->group("Output");
+  arguments.output.add_place_to(command);
+}
+
+}  // namespace
+
+void add_table(CLI::App& app) {
+  auto* command = app.add_subcommand("table", "Coefficient of restitution as a function, for other programs");
+  auto arguments = std::make_shared<TableArguments>();
+  arguments->command = command;
+  add_number(*command, "--poisson", arguments->who.disk.poisson,
+             "Poisson number, -0.95 to 0.995 of a disk, to 0.4999 of a sphere; with\na material: of the solid")
+      ->type_name("NU")
+      ->group("Body");
+  command
+      ->add_option("--speed", arguments->speed,
+                   "Range of the speed of approach, SLOWEST:FASTEST, within 1e-8 to 1 in c\n"
+                   "of the body (with a material: m/s)")
+      ->required()
+      ->type_name("RANGE")
+      ->group("Body");
+  arguments->who.add_to(*command);
+  add_form(*command, *arguments);
+  command->footer(
+      "Examples:\n"
+      "  stoss table --poisson 0.33 --speed 1e-4:0.3 -o restitution.h\n"
+      "  stoss table --body sphere --poisson 0.3 --speed 1e-5:0.1 --against same --error 1e-4 --format json\n"
+      "  stoss table --body sphere --poisson 0.3 --young 2.1e11 --density 7850 --radius 0.005 --speed 0.01:10\n"
+      "      --against half-space,poisson=0.23,young=7e10,density=2500 --format two-column -o steel_on_glass.txt\n"
+      "  stoss table --body rod --speed 0.001:0.1 --against rod,length=2.5 --name rods -o rods.h");
+  command->callback([arguments] { run(*arguments); });
+}
+
+}  // namespace stoss::cli

@@ -1,0 +1,31 @@
+#include "table/speed_range.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <locale>
+#include <sstream>
+
+#include "check.hpp"
+
+namespace stoss::table {
+namespace {
+
+double to_fifteen_digits(double value) {
+  std::stringstream text;
+  text.imbue(std::locale::classic());
+  text.precision(std::numeric_limits<double>::digits10);
+  text << value;
+  text >> value;
+  return value;
+}
+
+}  // namespace
+
+std::pair<double, double> speed_range(double slowest, double fastest, double scale) {
+  require("scale", scale, {0.0, 1e100, false, true, "above 0 to 1e100"},
+          "speed of the table over that of the function");
+  const double low = slowest * scale, high = fastest * scale;
+  return {std::min(low, to_fifteen_digits(low)), std::max(high, to_fifteen_digits(high))};
+}
+
+}  // namespace stoss::table

@@ -1,0 +1,163 @@
+// A function between computed values: the cubic of Boost, knots, monotony, what lies beyond its range.
+#include "stoss/table/restitution_function.hpp"
+
+#include <gtest/gtest.h>
+#include <math.h>  // Boost 1.74's pchip needs it
+
+#include <boost/math/interpolators/pchip.hpp>
+#include <cmath>
+#include <limits>
+#include <random>
+#include <vector>
+
+#include "support/refusal.hpp"
+
+namespace stoss {
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+
+/// Knots at uneven distances whose values go up and down, with steps of equal values.
+std::vector<Knot> uneven(std::size_t count = 40) {
+  std::mt19937_64 random(7);
+  std::vector<Knot> knots;
+  double logarithm = std::log(1e-4);
+  for (std::size_t k = 0; k < count; ++k) {
+    logarithm += 0.02 + 1e-20 * static_cast<double>(random());
+    const double value = k % 7 == 3 ? knots.back().restitution.value : 0.5 + 2e-20 * static_cast<double>(random());
+    knots.push_back({std::exp(logarithm), {value, 1e-6 * static_cast<double>(k % 5)}});
+  }
+  return knots;
+}
+
+RestitutionFunction with(Beyond beyond, const SlowLaw& law = {}) { return RestitutionFunction(uneven(), beyond, law); }
+
+SlowLaw halves() {
+  return [](double speed) { return Estimate{1.0 - speed, 0.5 * speed}; };
+}
+
+TEST(RestitutionFunction, IsTheMonotoneCubicOfBoost) {
+  const std::vector<Knot> knots = uneven();
+  std::vector<double> x, y;
+  for (const Knot& knot : knots) {
+    x.push_back(std::log(knot.speed));
+    y.push_back(knot.restitution.value);
+  }
+  const auto begin = x.front(), end = x.back();
+  const boost::math::interpolators::pchip boost(std::move(x), std::move(y));
+  const RestitutionFunction function(knots);
+  for (int i = 1; i < 1000; ++i) {
+    const double at = begin + (end - begin) * i / 1000.0;
+    EXPECT_NEAR(function.value(std::exp(at)), boost(at), 1e-14) << at;
+  }
+}
+
+TEST(RestitutionFunction, HasItsKnotsAndNeverLeavesTheirRange) {
+  const RestitutionFunction function = with(Beyond::error);
+  const std::vector<Knot>& knots = function.knots();
+  ASSERT_EQ(knots.size(), 40U);
+  for (std::size_t k = 0; k < knots.size(); ++k) {
+    EXPECT_NEAR(function.value(knots[k].speed), knots[k].restitution.value, 1e-15) << k;
+    EXPECT_GE(function(knots[k].speed).error, knots[k].restitution.error) << k;
+    if (k == 0) continue;
+    const auto [low, high] = std::minmax(knots[k - 1].restitution.value, knots[k].restitution.value);
+    double before = knots[k - 1].restitution.value;
+    const double direction = knots[k].restitution.value - before;
+    for (int i = 1; i < 50; ++i) {
+      const double value = function.value(knots[k - 1].speed * std::pow(knots[k].speed / knots[k - 1].speed, i / 50.0));
+      EXPECT_GE(value, low - 1e-15);
+      EXPECT_LE(value, high + 1e-15);
+      EXPECT_GE((value - before) * direction, -1e-15) << "in interval " << k;  // rises or falls as the knots do
+      before = value;
+    }
+  }
+}
+
+TEST(RestitutionFunction, CountsASpeedWithoutItsSignAndBothWaysToAValueAgree) {
+  const RestitutionFunction function = with(Beyond::error);
+  for (double speed = function.slowest(); speed < function.fastest(); speed *= 1.01) {
+    EXPECT_EQ(function.value(-speed), function.value(speed));
+    EXPECT_EQ(function(speed).value, function.value(speed));
+    EXPECT_LE(function(speed).error, function.greatest_error());
+  }
+  EXPECT_EQ(function.value(function.fastest()), function.knots().back().restitution.value);
+}
+
+TEST(RestitutionFunction, KnowsTheErrorOfACubicThroughASmoothCurve) {
+  std::vector<Knot> knots;
+  const auto curve = [](double speed) { return 0.9 + 0.05 * std::sin(2.0 * std::log(speed)); };
+  for (double x = -6.0; x < 0.0; x += 0.1) knots.push_back({std::exp(x), {curve(std::exp(x)), 0.0}});
+  const RestitutionFunction function(knots);
+  double worst = 0.0;
+  for (double speed = function.slowest(); speed < function.fastest(); speed *= 1.003) {
+    const Estimate found = function(speed);
+    const double missed = std::abs(found.value - curve(speed));
+    EXPECT_LE(missed, found.error) << speed;
+    worst = std::max(worst, missed);
+  }
+  EXPECT_LT(function.greatest_error(), 20.0 * worst);  // and does not overstate it without measure
+}
+
+TEST(RestitutionFunction, DoesBeyondItsRangeWhatItsMakerChose) {
+  const std::vector<Knot> knots = uneven();
+  const double slow = 0.9 * knots.front().speed, fast = 1.1 * knots.back().speed;
+  const RestitutionFunction refusing = with(Beyond::error);
+  for (const double speed : {slow, fast, 0.0, 1e300, 1e-300}) {
+    test::expect_refusal([&] { (void)refusing(speed); }, {"speed", "range"});
+    test::expect_refusal([&] { (void)refusing.value(-speed); }, {"speed", "range"});
+  }
+  const RestitutionFunction clamped = with(Beyond::clamp);
+  for (const double speed : {slow, 0.0, 1e-300, -slow}) {
+    EXPECT_EQ(clamped(speed).value, knots.front().restitution.value);
+    EXPECT_EQ(clamped(speed).error, infinity);
+    EXPECT_EQ(clamped.value(speed), knots.front().restitution.value);
+  }
+  EXPECT_EQ(clamped(fast).value, knots.back().restitution.value);
+  EXPECT_EQ(clamped(1e300).error, infinity);
+  const RestitutionFunction lawful = with(Beyond::law, halves());
+  EXPECT_EQ(lawful(-slow).value, 1.0 - slow);
+  EXPECT_EQ(lawful(slow).error, 0.5 * slow);
+  EXPECT_EQ(lawful.value(0.0), 1.0);
+  test::expect_refusal([&] { (void)lawful(fast); }, {"speed", "range"});
+  for (const RestitutionFunction& function : {refusing, clamped, lawful}) {
+    for (const double speed : {nan, infinity, -infinity}) {
+      test::expect_refusal([&] { (void)function(speed); }, {"speed", "finite"});
+      test::expect_refusal([&] { (void)function.value(speed); }, {"speed", "finite"});
+    }
+  }
+}
+
+TEST(RestitutionFunction, RefusesWhatIsNoFunction) {
+  const auto refuses = [](std::vector<Knot> knots, const char* what) {
+    test::expect_refusal([&] { (void)RestitutionFunction(knots); }, {what});
+  };
+  refuses({}, "knots");
+  refuses(uneven(4), "5");
+  for (const double bad : {0.0, -1.0, nan, infinity, 1e-4}) {
+    std::vector<Knot> knots = uneven();
+    knots[7].speed = bad;
+    refuses(knots, "speed");
+  }
+  for (const double bad : {nan, infinity}) {
+    std::vector<Knot> knots = uneven();
+    knots[7].restitution.value = bad;
+    refuses(knots, "converged");
+    knots = uneven();
+    knots[7].restitution.error = bad;
+    refuses(knots, "converged");
+  }
+  const auto make = [](Beyond beyond, const SlowLaw& law, const std::vector<double>& error) {
+    return [=] { (void)RestitutionFunction(uneven(), beyond, law, error); };
+  };
+  test::expect_refusal(make(Beyond::law, {}, {}), {"beyond", "law"});
+  const SlowLaw silent = [](double) { return Estimate{0.5, infinity}; };
+  test::expect_refusal(make(Beyond::law, silent, {}), {"beyond", "says nothing"});
+  test::expect_refusal(make(Beyond::error, {}, {0.0}), {"interpolation_error", "39"});
+  for (const double bad : {-1.0, nan, infinity}) {
+    test::expect_refusal(make(Beyond::error, {}, std::vector<double>(39, bad)), {"interpolation_error"});
+  }
+}
+
+}  // namespace
+}  // namespace stoss
