@@ -211,7 +211,7 @@ void add_table(CLI::App& app) {
       "  stoss table --body sphere --poisson 0.3 --speed 1e-5:0.1 --against same --error 1e-4 --format json\n"
       "  stoss table --body sphere --poisson 0.3 --young 2.1e11 --density 7850 --radius 0.005 --speed 0.01:10\n"
       "      --against half-space,poisson=0.23,young=7e10,density=2500 --format two-column -o steel_on_glass.txt\n"
-      "  stoss table --body rod --speed 0.001:0.1 --against rod,length=2.5 --name rods -o rods.h");
+      "  stoss table --body rod --speed 0.001:0.1 --against rod,length=2.5 --error 0.01 --name rods -o rods.h");
   command->callback([arguments] { run(*arguments); });
 }
 

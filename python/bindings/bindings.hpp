@@ -20,6 +20,7 @@ void bind_motion(py::module_& module);
 void bind_field(py::module_& module);
 void bind_wave(py::module_& module);
 void bind_restitution(py::module_& module);
+void bind_restitution_function(py::module_& module);
 void bind_bounce(py::module_& module);
 void bind_rod_chain(py::module_& module);
 void bind_distribution(py::module_& module);

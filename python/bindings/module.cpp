@@ -16,6 +16,7 @@ PYBIND11_MODULE(_core, module) {
   stoss::python::bind_field(module);
   stoss::python::bind_wave(module);
   stoss::python::bind_restitution(module);
+  stoss::python::bind_restitution_function(module);
   stoss::python::bind_bounce(module);
   stoss::python::bind_rod_chain(module);
   stoss::python::bind_distribution(module);

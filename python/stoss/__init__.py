@@ -11,6 +11,8 @@ speed c = √(E/ρ), mass m; of bodies with a `Material`, speeds are in m/s.
 ================================  ==================================================================
 `restitution`                     ε(v) with errors, for numbers and arrays, at a wall or of two
 bodies
+`restitution_function`            ε(v) as a function, to an error at every speed
+`restitution_function`            ε(v) as a function, to an error at every speed
 `impact`                          one impact: energy ledger, trajectory, deformation and stress in
 time
 `restitution_distribution`        ε of many bodies that vibrate at random before
@@ -25,6 +27,8 @@ time
 `Oscillation`                     a mode that vibrates before an impact
 `Material`, `materials`           SI; typical materials
 `plot`                            pictures (needs matplotlib)
+`read_csv`                        reads what `to_csv` or the command has written
+`read_csv`                        reads what `to_csv` or the command has written
 `with_error`                      a number with the digits that its error leaves it, for reading
 ================================  ==================================================================
 """
@@ -39,6 +43,10 @@ from stoss._distribution_result import RestitutionDistribution
 from stoss._errors import Interrupted, InvalidInput, NotConverged, StossWarning
 from stoss._extrapolation import Extrapolation, extrapolated_restitution
 from stoss._field import DiskField, Field, SphereField
+from stoss._function import restitution_function
+from stoss._function_result import RestitutionFunction
+from stoss._function import restitution_function
+from stoss._function_result import RestitutionFunction
 from stoss._half_space import HalfPlane, HalfSpace
 from stoss._impact import impact
 from stoss._impact_result import Impact
@@ -50,6 +58,8 @@ from stoss._result import with_error
 from stoss._rod_chain import rod_chain
 from stoss._rod_chain_result import RodChain
 from stoss._state import Oscillation
+from stoss._table import Table, read_csv
+from stoss._table import Table, read_csv
 from stoss._trajectory import Trajectory
 from stoss._walls import ExponentialWall, HardWall, Wall
 from stoss._wave import Wave
@@ -74,12 +84,16 @@ __all__ = [
     "Oscillation",
     "Restitution",
     "RestitutionDistribution",
+    "RestitutionFunction",
+    "RestitutionFunction",
     "Rod",
     "RodChain",
     "Scales",
     "Sphere",
     "SphereField",
     "StossWarning",
+    "Table",
+    "Table",
     "Trajectory",
     "Wall",
     "Wave",
@@ -92,8 +106,12 @@ __all__ = [
     "modes",
     "plot",
     "quasistatic",
+    "read_csv",
+    "read_csv",
     "restitution",
     "restitution_distribution",
+    "restitution_function",
+    "restitution_function",
     "rod_chain",
     "with_error",
 ]

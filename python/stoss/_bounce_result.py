@@ -11,13 +11,15 @@ from numpy.typing import NDArray
 from stoss._bodies import PARTNERS, Body, shown
 from stoss._contact import Against
 from stoss._result import Number, span
+from stoss._rows import RowResult
 from stoss._si import InSi
 from stoss._state import shown_state
 
 
 @dataclasses.dataclass(frozen=True, eq=False, repr=False)
-class Bounces(InSi):
-    """A sequence of impacts of a body that comes back. All arrays have one element for each impact.
+class Bounces(InSi, RowResult):
+    """A sequence of impacts of a body that comes back. All arrays have one element for each impact; an index gives
+    one of them, a slice the impacts among them.
 
     Energies are shares of the initial energy of the first impact.
 
@@ -63,6 +65,7 @@ class Bounces(InSi):
 
     _name: ClassVar[str] = "bounce"
     _kind = "bounce"
+    _axis: ClassVar[str] = "number"
 
     body: Body
     against: Against
@@ -91,9 +94,6 @@ class Bounces(InSi):
     def flight_time_si(self) -> Number:
         """Time of the flight after each impact, s."""
         return self._in_si("flight_time")
-
-    def __len__(self) -> int:
-        return len(self.number)
 
     def __repr__(self) -> str:
         who = shown(self.body) + (f" against {shown(self.against)}" if isinstance(self.against, PARTNERS) else "")

@@ -12,7 +12,7 @@ from stoss import _core
 from stoss._arguments import boolean, integer, number, refusal
 from stoss._bodies import Body, speed_unit, speeds_in_si
 from stoss._contact import Against, choose_against, choose_body, refinable
-from stoss._distribution_result import RestitutionDistribution
+from stoss._distribution_result import RestitutionDistribution, summary_of
 from stoss._errors import Interrupted, InvalidInput, StossWarning
 from stoss._half_space import Unbounded
 from stoss._progress import bar
@@ -159,17 +159,9 @@ def _make(
     values: dict[str, Any] = columns(rows)
     why = np.array(reasons, dtype=object)
     why.flags.writeable = False
-    summary = dict.fromkeys(("restitution", "standard_deviation", "share_above_one"), np.nan)
-    summary |= dict.fromkeys(("restitution_statistical_error", "restitution_numerical_error"), np.nan)
-    if np.isfinite(rows["restitution"]).any():
-        summary = _core.summary(
-            np.ascontiguousarray(values["restitution"]), np.ascontiguousarray(values["restitution_error"])
-        )
     return RestitutionDistribution(
         body=body, against=against, speed=speed, spectrum=spectrum, reason=why, **asked, **values,
-        mean=summary["restitution"], mean_error=summary["restitution_statistical_error"],
-        numerical_error=summary["restitution_numerical_error"], spread=summary["standard_deviation"],
-        above_one=summary["share_above_one"],
+        **summary_of(values["restitution"], values["restitution_error"]),
     )  # fmt: skip
 
 

@@ -8,16 +8,19 @@ from typing import Any, ClassVar
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from stoss import _core
 from stoss._bodies import PARTNERS, Body, kind, shown
 from stoss._contact import Against
-from stoss._result import Result, span, with_error
+from stoss._result import span, with_error
+from stoss._rows import RowResult
 
 
 @dataclasses.dataclass(frozen=True, eq=False, repr=False)
-class RestitutionDistribution(Result):
+class RestitutionDistribution(RowResult):
     """Coefficients of restitution of bodies that vibrate at random before the impact.
 
-    Arrays have one element for each sample; ``len()`` is their number. In the mean, samples without
+    Arrays have one element for each sample; ``len()`` is their number, an index gives one of them, a
+    slice the samples among them. In the mean, samples without
     a value (NaN) do not count.
 
     Attributes
@@ -69,6 +72,7 @@ class RestitutionDistribution(Result):
 
     _name: ClassVar[str] = "distribution"
     _kind = "sample"
+    _axis: ClassVar[str] = "sample"
 
     body: Body
     against: Against
@@ -97,8 +101,12 @@ class RestitutionDistribution(Result):
     beyond_small_strain: NDArray[np.bool_]
     reason: NDArray[np.object_]
 
-    def __len__(self) -> int:
-        return len(self.sample)
+    def __getitem__(self, key: Any) -> Any:
+        """A sample as a dict, or for a slice, an array of indices or of flags, these samples, summed up anew."""
+        part = super().__getitem__(key)
+        if isinstance(part, dict):
+            return part
+        return dataclasses.replace(part, **summary_of(part.restitution, part.restitution_error))
 
     def __repr__(self) -> str:
         of = shown(self.body) + (f" against {shown(self.against)}" if isinstance(self.against, PARTNERS) else "")
@@ -160,3 +168,18 @@ class RestitutionDistribution(Result):
         named = {name: getattr(self, name) for name in ("body", "against", "speed", "temperature", "highest")}
         named |= {"modes": len(self.spectrum), "samples": len(self), "seed": self.seed, "error": self.error}
         return {name: value for name, value in named.items() if value is not None}
+
+
+def summary_of(restitution: NDArray[np.float64], error: NDArray[np.float64]) -> dict[str, float]:
+    """What sums up samples; NaN where none has a value."""
+    names = {
+        "mean": "restitution",
+        "mean_error": "restitution_statistical_error",
+        "numerical_error": "restitution_numerical_error",
+        "spread": "standard_deviation",
+        "above_one": "share_above_one",
+    }
+    if not np.isfinite(restitution).any():
+        return dict.fromkeys(names, np.nan)
+    summary = _core.summary(np.ascontiguousarray(restitution), np.ascontiguousarray(error))
+    return {name: summary[own] for name, own in names.items()}

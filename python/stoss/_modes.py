@@ -13,17 +13,19 @@ from stoss._arguments import instance, integer, number, numbers
 from stoss._bodies import Disk, Sphere, kind
 from stoss._contact import choose_body
 from stoss._errors import InvalidInput
-from stoss._result import Result, columns, span
+from stoss._result import columns, span
+from stoss._rows import RowResult
 
 
 @dataclasses.dataclass(frozen=True, eq=False, repr=False)
-class Modes(Result):
+class Modes(RowResult):
     """The modes of a free disk or sphere up to a cutoff, by order, then by frequency.
 
     Of a disk they are the symmetric ones in its plane, u = (u_r(r) cos nφ, u_φ(r) sin nφ) inside;
     of a sphere the axisymmetric spheroidal ones, u = (u_r(r) P_n(cos θ), u_θ(r) dP_n(cos θ)/dθ).
     Every mode is normalised to the mass of the body. All arrays have one element for each mode;
-    ``len()`` is their number.
+    ``len()`` is their number,
+    an index gives one mode, a slice or flags the modes among them.
 
     Attributes
     ----------
@@ -44,6 +46,7 @@ class Modes(Result):
 
     _name: ClassVar[str] = "modes"
     _kind = "mode"
+    _axis: ClassVar[str] = "mode"
 
     body: Disk | Sphere
     poisson: float
@@ -53,9 +56,6 @@ class Modes(Result):
     omega: NDArray[np.float64]
     radial: NDArray[np.float64]
     tangential: NDArray[np.float64]
-
-    def __len__(self) -> int:
-        return len(self.omega)
 
     def __repr__(self) -> str:
         of = f"poisson={self.poisson:g}" if isinstance(self.body, Disk) else repr(self.body._shape())

@@ -8,9 +8,14 @@ from typing import Any, ClassVar, Union
 import numpy as np
 from numpy.typing import NDArray
 
+from stoss import _export
+from stoss._arguments import arranged
 from stoss._bodies import PARTNERS, Body, Disk, Rod, Sphere, kind, shown
-from stoss._contact import Against
-from stoss._result import Number, span, with_error
+from stoss._contact import Against, choose_against
+from stoss._function import of_curve
+from stoss._function_result import RestitutionFunction
+from stoss._half_space import UNBOUNDED
+from stoss._result import Column, Number, span, with_error
 from stoss._si import InSiWithErrors
 from stoss._state import shown_state
 
@@ -23,7 +28,8 @@ class Restitution(InSiWithErrors):
     """The coefficient of restitution of a body at a wall or a half-space, or of two bodies.
 
     Numbers if all inputs were numbers, otherwise arrays of the shape to which `poisson` and `speed`
-    broadcast. The true error is within the estimated one in 95 % of all cases.
+    broadcast: then ``len()`` is the length of the first axis, and indices select as in numpy. The
+    true error is within the estimated one in 95 % of all cases.
 
     Attributes
     ----------
@@ -83,6 +89,7 @@ class Restitution(InSiWithErrors):
 
     _name: ClassVar[str] = "restitution"
     _kind = "restitution"
+    _axis: ClassVar[str] = "speed"
     _given = {"poisson": "", "speed": "speed"}
 
     body: Body | None
@@ -136,9 +143,70 @@ class Restitution(InSiWithErrors):
     def _kind_of_body(self) -> str:
         return kind(self.bodies[0]) if self.bodies else "disk"
 
+    def __len__(self) -> int:
+        return _export.sized(self.restitution)
+
+    def __bool__(self) -> bool:
+        return True
+
+    def __getitem__(self, key: Any) -> Restitution:
+        """The values at an index, a slice or flags, as numpy has them; bodies that are none of these leave."""
+        len(self)  # refuses a single value
+        shape = np.shape(self.restitution)
+        fields = {field.name: getattr(self, field.name) for field in dataclasses.fields(self)}
+        arrays = {name: each for name, each in fields.items() if isinstance(each, np.ndarray) and name != "state"}
+        parts = {name: np.array(np.broadcast_to(each, shape)[key]) for name, each in arrays.items()}
+        values: dict[str, Any] = {name: arranged(part, part.shape) for name, part in parts.items()}
+        if self.body is None:
+            left = tuple(each for each in self.bodies if np.any(values["poisson"] == getattr(each, "poisson")))
+            values |= {"bodies": left, "body": left[0] if len(left) == 1 else None}
+            if len(left) == 1 and isinstance(self.against, (str, *UNBOUNDED)):
+                values["against"] = choose_against(left[0], self.against, ())
+        return dataclasses.replace(self, **values)
+
+    def function(self, beyond: str = "error") -> RestitutionFunction:
+        """ε(v) as a function, from the values of one body at five speeds or more.
+
+        The error of the interpolation is estimated from how well values are met by their
+        neighbours; `stoss.restitution_function` keeps to an error that is asked for.
+
+        Parameters
+        ----------
+        beyond : {'error', 'clamp', 'law'}, optional
+            What the function does beyond these speeds, as of `stoss.restitution_function`.
+
+        Returns
+        -------
+        RestitutionFunction
+
+        Raises
+        ------
+        InvalidInput
+            For several bodies, too few speeds or one twice, and values that have not converged.
+
+        Examples
+        --------
+        >>> curve = stoss.restitution(poisson=0.33, speed=np.geomspace(1e-3, 0.3, 50))
+        >>> epsilon = curve.function(beyond="clamp")
+        >>> round(epsilon(0.1), 3), epsilon.error(0.1) < 1e-3
+        (0.947, True)
+        """
+        return of_curve(self, beyond)
+
     def plot(self, ax: Any = None) -> Any:
         """ε against v with error bars. See `stoss.plot.restitution`."""
         return self._picture(ax)
+
+    def _arranged_columns(self) -> tuple[dict[str, Column], tuple[str, ...]]:
+        table, shape = self._columns(), np.shape(self.restitution)
+        speed, poisson = table["speed"], table["poisson"]
+        if len(shape) == 2 and np.all(speed == speed[:1]) and np.array_equal(poisson, poisson[:, :1] + 0 * poisson):
+            return table, ("poisson", "speed")
+        if len(shape) == 1 and np.unique(poisson).size <= 1:
+            return table, ("speed",)
+        if len(shape) == 1 and np.unique(speed).size == 1:
+            return table, ("poisson",)
+        return table, tuple(f"axis_{k}" for k in range(len(shape)))
 
     def _inputs(self) -> dict[str, Any]:
         # Several disks without sizes are told by their Poisson numbers.

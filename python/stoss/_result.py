@@ -1,4 +1,4 @@
-"""What all results have in common: to_dict, to_csv and a line that says the essential."""
+"""What all results have in common: to_dict, to_csv and its like, and a line that says the essential."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from typing import Any, Callable, ClassVar, Iterator, Mapping, Union
 import numpy as np
 from numpy.typing import NDArray
 
-from stoss import _core
+from stoss import _core, _export
 from stoss._files import whole_file
 from stoss._quantities import QUANTITIES, unit
 
@@ -59,6 +59,7 @@ class Result(abc.ABC):
     _kind: ClassVar[str] = ""  # of the core's quantities, from which columns have their order and units
     _given: ClassVar[Mapping[str, str]] = {}  # dimensions of inputs that are columns too, before all others
     _units: ClassVar[Mapping[str, str]] = {}  # of columns of which the core knows nothing
+    _axis: ClassVar[str] = "row"  # along which its columns run
 
     def to_dict(self) -> dict[str, Any]:
         """Return all that the result holds in plain Python types, ready for json.
@@ -90,11 +91,59 @@ class Result(abc.ABC):
         """
         _write(os.fspath(path), self._lines())
 
+    def to_dataframe(self) -> Any:
+        """Return the columns of `to_csv` as a table of pandas, with units and inputs in its attrs.
+
+        Returns
+        -------
+        pandas.DataFrame
+
+        Raises
+        ------
+        ImportError
+            Without pandas.
+        """
+        columns = self._columns()
+        return _export.dataframe(columns, self._units_of(columns), self._inputs())
+
+    def to_xarray(self) -> Any:
+        """Return the columns of `to_csv` as a data set of xarray, with units as attributes.
+
+        Its dimension is what the result runs along: speed, mode, time, …; of `restitution` with
+        Poisson numbers down and speeds across there are two.
+
+        Returns
+        -------
+        xarray.Dataset
+
+        Raises
+        ------
+        ImportError
+            Without xarray.
+        """
+        columns, dimensions = self._arranged_columns()
+        return _export.dataset(columns, dimensions, self._units_of(columns), self._inputs())
+
+    def _repr_html_(self) -> str:
+        columns = self._columns()
+        return _export.table(repr(self), columns, self._units_of(columns))
+
+    def _columns(self) -> dict[str, Column]:
+        """All columns, of one length."""
+        return {key: np.asarray(column) for key, column in (self._table() | self._derived()).items()}
+
+    def _arranged_columns(self) -> tuple[dict[str, Column], tuple[str, ...]]:
+        """The columns, and the names of their dimensions."""
+        return {key: column.ravel() for key, column in self._columns().items()}, (self._axis,)
+
+    def _units_of(self, columns: Mapping[str, Any]) -> dict[str, str]:
+        return {key: self._unit(key) for key in columns if self._unit(key)}
+
     def _lines(self) -> Iterator[str]:
         """The lines of the CSV, some thousand rows at a time."""
         yield f"# stoss {_core.version}: {self._name}\n"
         yield from (f"# {key}: {value}\n" for key, value in self._inputs().items())
-        table = {key: np.asarray(column) for key, column in (self._table() | self._derived()).items()}
+        table = self._columns()
         yield ",".join(f"{key}[{self._unit(key)}]" if self._unit(key) else key for key in table) + "\n"
         many = 4096
         for first in range(0, min(column.size for column in table.values()), many):
@@ -192,4 +241,9 @@ def span(values: Any) -> str:
     if finite.size == 0:
         return "nan" if array.size else "none"
     low, high = float(finite.min()), float(finite.max())
+    return brief_range(low, high)
+
+
+def brief_range(low: float, high: float) -> str:
+    """Two numbers, or one if they are equal."""
     return f"{low:.6g}" if low == high else f"{low:.6g} to {high:.6g}"

@@ -8,15 +8,15 @@ from typing import TYPE_CHECKING, Any, ClassVar
 import numpy as np
 from numpy.typing import NDArray
 
-from stoss._result import Result
+from stoss._rows import RowResult
 
 if TYPE_CHECKING:
     from stoss._impact_result import Impact
 
 
 @dataclasses.dataclass(frozen=True, eq=False, repr=False)
-class Trajectory(Result):
-    """An impact in time. All arrays have one element for each row.
+class Trajectory(RowResult):
+    """An impact in time. All arrays have one element for each row; an index gives one row, a slice the rows.
 
     Attributes
     ----------
@@ -39,6 +39,7 @@ class Trajectory(Result):
 
     _name: ClassVar[str] = "trajectory"
     _kind = "snapshot"
+    _axis: ClassVar[str] = "time"
 
     impact: Impact = dataclasses.field(repr=False)
     time: NDArray[np.float64]
@@ -51,9 +52,6 @@ class Trajectory(Result):
     dissipated: NDArray[np.float64]
     unresolved: NDArray[np.float64]
     contact_half_width: NDArray[np.float64]
-
-    def __len__(self) -> int:
-        return len(self.time)
 
     def __repr__(self) -> str:
         return f"Trajectory({len(self)} rows, time 0 to {self.time[-1]:.6g} {self._unit('time')}, of {self.impact!r})"

@@ -50,14 +50,16 @@ class Computation {
       throw NotConverged("restitution_function: more than " + std::to_string(options_.most_speeds) +
                          " speeds are needed (allow a greater error, a smaller range, or more speeds)");
     }
-    const double wanted = share_of_values * options_.error;
+    // δε = δ(1 − ε²)/2ε: enough for most, and less than that for a small ε.
+    const double wanted = share_of_values * options_.error, of_lost_fraction = 1.6 * wanted;
     std::vector<double> again;
-    compute(speeds, wanted, [&](std::size_t i, const Restitution& result) {
-      // What is left of ε where it is small: δε = δ(1 − ε²)/2ε.
+    compute(speeds, of_lost_fraction, [&](std::size_t i, const Restitution& result) {
       if (result.restitution.error <= wanted) {
         knots[logarithms[i]] = {speeds[i], result.restitution};
-      } else {
+      } else if (result.converged) {
         again.push_back(logarithms[i]);
+      } else {
+        throw not_converged(speeds[i], result.reason);
       }
     });
     for (const double each : again) refine(each, wanted);
@@ -70,6 +72,10 @@ class Computation {
   [[nodiscard]] double speed_at(double logarithm) const {
     if (logarithm <= std::log(slowest_)) return slowest_;
     return logarithm >= std::log(fastest_) ? fastest_ : std::exp(logarithm);
+  }
+
+  static NotConverged not_converged(double speed, const std::string& reason) {
+    return NotConverged("restitution_function: at speed " + shown(speed) + " c " + reason);
   }
 
   using Receiver = std::function<void(std::size_t, const Restitution&)>;
@@ -87,7 +93,7 @@ class Computation {
   void refine(double logarithm, double wanted) {
     constexpr double least = 1e-9;
     const double speed = speed_at(logarithm);
-    for (double absolute = 0.25 * wanted; absolute > least; absolute *= 0.25) {
+    for (double absolute = wanted; absolute > least; absolute *= 0.25) {
       Estimate found;
       std::string reason;
       compute({speed}, absolute, [&](std::size_t, const Restitution& result) {
@@ -98,12 +104,9 @@ class Computation {
         knots[logarithm] = {speed, found};
         return;
       }
-      if (!reason.empty()) {
-        throw NotConverged("restitution_function: at speed " + shown(speed) + " c " + reason);
-      }
+      if (!reason.empty()) throw not_converged(speed, reason);
     }
-    throw NotConverged("restitution_function: the restitution at speed " + shown(speed) +
-                       " c is so small that its error is not to be had");
+    throw not_converged(speed, "the restitution is so small that its error is not to be had");
   }
 
   const RefinableContact& contact_;

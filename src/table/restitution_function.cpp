@@ -82,7 +82,8 @@ struct RestitutionFunction::Table {
   double slowest, fastest;
   Beyond beyond;
   SlowLaw law;
-  std::vector<double> error{};              // of each interval
+  std::vector<double> interpolation{};      // error of each interval
+  std::vector<double> error{};              // with that of the knots
   double bins_per_unit = 0.0;               // of ln v
   std::vector<std::size_t> first_in_bin{};  // interval in which each bin of equal ln v begins
 
@@ -131,18 +132,20 @@ RestitutionFunction::RestitutionFunction(std::vector<Knot> knots, Beyond beyond,
   }
   numeric::MonotoneCubic cubic(logarithms(knots), values(knots));
   const std::size_t intervals = knots.size() - 1;
-  std::vector<double> error =
+  std::vector<double> interpolation =
       interpolation_error.empty() ? estimated(cubic.x, cubic.y) : std::move(interpolation_error);
   const auto bad = [](double each) { return !(each >= 0.0) || !std::isfinite(each); };
-  if (error.size() != intervals || std::any_of(error.begin(), error.end(), bad)) {
-    throw InvalidInput("interpolation_error: got " + std::to_string(error.size()) + ", allowed " +
+  if (interpolation.size() != intervals || std::any_of(interpolation.begin(), interpolation.end(), bad)) {
+    throw InvalidInput("interpolation_error: got " + std::to_string(interpolation.size()) + ", allowed " +
                        std::to_string(intervals) + " finite ones, 0 or more (one for each interval)");
   }
+  std::vector<double> error = interpolation;
   for (std::size_t k = 0; k < intervals; ++k) {
     error[k] += std::max(knots[k].restitution.error, knots[k + 1].restitution.error);
   }
   const double slowest = knots.front().speed, fastest = knots.back().speed;
-  Table table{std::move(knots), std::move(cubic), slowest, fastest, beyond, std::move(law), std::move(error)};
+  Table table{std::move(knots), std::move(cubic),         slowest,         fastest, beyond,
+              std::move(law),   std::move(interpolation), std::move(error)};
   table.sort();
   table_ = std::make_shared<const Table>(std::move(table));
 }
@@ -171,5 +174,6 @@ double RestitutionFunction::greatest_error() const {
 const std::vector<Knot>& RestitutionFunction::knots() const { return table_->knots; }
 const std::vector<double>& RestitutionFunction::slopes() const { return table_->cubic.slope; }
 const std::vector<double>& RestitutionFunction::errors() const { return table_->error; }
+const std::vector<double>& RestitutionFunction::interpolation_errors() const { return table_->interpolation; }
 
 }  // namespace stoss

@@ -35,6 +35,7 @@ def keys(value):
         "quasistatic --body sphere --poisson 0.3 --young 1e9 --density 1e3 --radius 1 --yield 1e6 --speed 0.1",
         "quasistatic --body sphere --poisson 0.3 --compression 0.01",
         "modes --poisson 0.33 --cutoff 3",
+        "table --poisson 0.33 --speed 0.1:0.2",
         "modes --body sphere --poisson 0.3 --cutoff 3",
         "impact --body sphere --poisson 0.3 --young 1e9 --density 1e3 --radius 1 --yield 1e6 --speed 1 --cutoff 12",
     ],

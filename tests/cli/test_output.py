@@ -205,7 +205,7 @@ def test_manual_and_completion_have_the_options_of_the_help(stoss):
     manual, completion = documents(stoss)
     sections = {part.split("\n")[0]: part for part in re.split(r"\n\.S[SH] ", manual.replace("\\-", "-"))}
     assert "@" not in manual and "@" not in completion
-    for subcommand in ("modes", "impact", "restitution", "quasistatic"):
+    for subcommand in ("modes", "impact", "restitution", "quasistatic", "table"):
         text = stoss.run(subcommand, "--help").stdout
         options = set(re.findall(r"^  (?:-\w,)?(--[a-z-]+)", text, re.MULTILINE))
         assert len(options) > 8
@@ -234,6 +234,7 @@ printf '%s\\n' "${{COMPREPLY[@]}}\""""
     assert complete("stoss restitution --against ") == bodies
     assert complete("stoss impact --against e") == ["exponential"]
     assert complete("stoss restitution --against e") == []
+    assert complete("stoss table --format ") == ["c", "two-column", "json"]
     assert complete("stoss impact --speed ") == []
 
 

@@ -6,7 +6,8 @@ from pathlib import Path
 
 import stoss
 
-OPAQUE = ("AnyWall", "Body", "BodyMaker", "Contact", "Frames", "Impact", "RefinableContact", "RodChain")
+OPAQUE = ("AnyWall", "Body", "BodyMaker", "Contact", "Frames", "Impact", "RefinableContact",
+          "RestitutionFunction", "RodChain", "SlowLaw")  # fmt: skip
 PYPROJECT = Path(__file__).parents[2] / "pyproject.toml"
 
 

@@ -70,7 +70,8 @@ TEST_P(Laws, HoldWithinTheirErrors) {
   EXPECT_LT(law(1e-8).error, law(1e-2).error);
 }
 
-INSTANTIATE_TEST_SUITE_P(SlowLaw, Laws, testing::ValuesIn(cases()), [](const auto& info) { return info.param.name; });
+INSTANTIATE_TEST_SUITE_P(SlowLaw, Laws, testing::ValuesIn(cases()),
+                         [](const auto& parameter) { return parameter.param.name; });
 
 TEST(SlowLaw, TakesOverBelowTheRange) {
   const Sphere ball{.poisson = 0.3};

@@ -62,6 +62,9 @@ class RestitutionFunction {
   /// Error of each interval between knots, of their values and of the interpolation together.
   [[nodiscard]] const std::vector<double>& errors() const;
 
+  /// Error of the interpolation alone in each interval: with the knots they make the same function again.
+  [[nodiscard]] const std::vector<double>& interpolation_errors() const;
+
  private:
   struct Table;
   std::shared_ptr<const Table> table_;

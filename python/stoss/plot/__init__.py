@@ -7,6 +7,8 @@ settings. Nothing global is changed.
 ================================================  ==================================================
 `restitution`, `extrapolation`                    ε or 1 − ε² against speed; Gerl and Zippelius' two
 limits
+`function`                                        ε(v) as a function, with its error
+`function`                                        ε(v) as a function, with its error
 `distribution`                                    ε of many bodies that vibrate
 `slow_impact`, `rayleigh`, `static_contact`       quasi-static: contact time, lost fraction,
 pressure
@@ -39,6 +41,8 @@ from stoss._bounce_result import Bounces
 from stoss._distribution_result import RestitutionDistribution
 from stoss._extrapolation import Extrapolation
 from stoss._field import DiskField, SphereField
+from stoss._function_result import RestitutionFunction
+from stoss._function_result import RestitutionFunction
 from stoss._modes import Modes
 from stoss._rayleigh_result import PointRayleighEstimate, RayleighEstimate
 from stoss._restitution_result import Restitution
@@ -53,6 +57,8 @@ from stoss.plot._bounces import bounces
 from stoss.plot._disk import disk, sphere
 from stoss.plot._distribution import distribution
 from stoss.plot._extrapolation import extrapolation
+from stoss.plot._function import function
+from stoss.plot._function import function
 from stoss.plot._ledger import ledger
 from stoss.plot._modes import mode_shape, spectrum
 from stoss.plot._quasistatic import rayleigh, slow_impact, static_contact
@@ -74,6 +80,8 @@ pictures.update(
         RayleighEstimate: rayleigh,
         Restitution: restitution,
         RestitutionDistribution: distribution,
+        RestitutionFunction: function,
+        RestitutionFunction: function,
         RodChain: cooling,
         SphereField: stress,
         SlowImpact: slow_impact,
@@ -92,6 +100,8 @@ __all__ = [
     "energies",
     "extrapolation",
     "force",
+    "function",
+    "function",
     "half_width",
     "ledger",
     "mode_shape",

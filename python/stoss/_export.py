@@ -1,0 +1,104 @@
+"""Results for pandas, xarray and notebooks."""
+
+from __future__ import annotations
+
+import html
+import math
+from typing import Any, Mapping
+
+import numpy as np
+
+from stoss._errors import InvalidInput
+
+SHOWN = 10  # rows of a table in a notebook
+
+
+def dataframe(columns: Mapping[str, Any], units: Mapping[str, str], inputs: Mapping[str, Any]) -> Any:
+    """A pandas.DataFrame with units and inputs in its attrs."""
+    try:
+        import pandas
+    except ImportError:
+        raise ImportError("to_dataframe needs pandas: pip install pandas, or apt install python3-pandas") from None
+    frame = pandas.DataFrame({name: np.asarray(column).ravel() for name, column in columns.items()})
+    frame.attrs.update(units=dict(units), inputs={key: str(value) for key, value in inputs.items()})
+    return frame
+
+
+def dataset(
+    columns: Mapping[str, Any], dimensions: tuple[str, ...], units: Mapping[str, str], inputs: Mapping[str, Any]
+) -> Any:
+    """An xarray.Dataset with units as attributes of its variables and inputs as its own.
+
+    A column along which a dimension of its name runs is the coordinate of that dimension.
+    """
+    try:
+        import xarray
+    except ImportError:
+        raise ImportError("to_xarray needs xarray: pip install xarray, or apt install python3-xarray") from None
+    variables, coordinates = {}, {}
+    for name, column in columns.items():
+        array = np.asarray(column)
+        attributes = {"units": units[name]} if units.get(name) else {}
+        if name in dimensions:
+            axis = dimensions.index(name)
+            others = tuple(k for k in range(array.ndim) if k != axis)
+            along = np.moveaxis(array, axis, 0).reshape(array.shape[axis], -1)[:, :1].ravel() if others else array
+            coordinates[name] = ((name,), along, attributes)
+        else:
+            variables[name] = (dimensions[: array.ndim], array, attributes)
+    own = {key: str(value) for key, value in inputs.items()}
+    return xarray.Dataset(variables, coordinates, own)
+
+
+def table(title: str, columns: Mapping[str, Any], units: Mapping[str, str]) -> str:
+    """A compact table in HTML: a title, columns with units, errors beside their values, at most some rows."""
+    arrays = {name: np.asarray(column).ravel() for name, column in columns.items()}
+    names = [name for name in arrays if name.removesuffix("_error") not in set(arrays) - {name}]
+    size = min((array.size for array in arrays.values()), default=0)
+    rows = list(range(size)) if size <= SHOWN else [*range(SHOWN // 2), None, *range(size - SHOWN // 2, size)]
+    head = "".join(f"<th>{_escaped(f'{name} [{units[name]}]' if units.get(name) else name)}</th>" for name in names)
+    lines = []
+    for row in rows:
+        cells = ["…" if row is None else _cell(arrays, name, row) for name in names]
+        lines.append("<tr>" + "".join(f"<td>{_escaped(cell)}</td>" for cell in cells) + "</tr>")
+    return (
+        f'<div><p>{_escaped(title)}</p><table style="font-size: 85%"><thead><tr>{head}</tr></thead>'
+        f"<tbody>{''.join(lines)}</tbody></table></div>"
+    )
+
+
+def sized(result: Any) -> int:
+    """Number of elements along the axis of a result. TypeError of a single value."""
+    shape = np.shape(result)
+    if not shape:
+        raise TypeError("a result of a single value has no len()")
+    return int(shape[0])
+
+
+def rows(columns: Mapping[str, Any], key: Any, count: int) -> dict[str, Any]:
+    """The parts of columns of one length that an index, a slice, an array of indices or flags selects."""
+    try:
+        parts = {name: np.asarray(column)[key] for name, column in columns.items()}
+    except IndexError:
+        if isinstance(key, (int, np.integer)):
+            raise IndexError(f"index {key} of a result with {count} elements") from None
+        raise
+    for part in parts.values():
+        if isinstance(part, np.ndarray):
+            if part.ndim != 1:
+                raise InvalidInput(f"index: got {key!r}, allowed an integer, a slice, or an array of integers or flags")
+            part.flags.writeable = False
+    return parts
+
+
+def _cell(arrays: Mapping[str, Any], name: str, row: int) -> str:
+    from stoss._result import with_error  # which imports this module
+
+    value, error = arrays[name][row], arrays.get(f"{name}_error")
+    if isinstance(value, (float, np.floating)):
+        return with_error(float(value), None if error is None or math.isnan(error[row]) else float(error[row]))
+    return str(value)
+
+
+def _escaped(text: str) -> str:
+    return html.escape(" ".join(text.split()))

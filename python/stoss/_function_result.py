@@ -1,0 +1,175 @@
+"""ε(v) as a function."""
+
+from __future__ import annotations
+
+import dataclasses
+import functools
+from typing import Any, ClassVar
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from stoss import _core
+from stoss._arguments import choice, numbers
+from stoss._bodies import PARTNERS, Body, is_rigid, kind, shown, speed_unit, speeds_in_si
+from stoss._contact import Against
+from stoss._result import Column, Number, Result, brief_range
+from stoss._state import shown_state
+
+BEYOND = ("error", "clamp", "law")
+
+
+@dataclasses.dataclass(frozen=True, eq=False, repr=False)
+class RestitutionFunction(Result):
+    """ε as a function of the speed: call it with speeds, get values.
+
+    Between computed values it is a cubic in ln v that rises and falls only as they do. Speeds are
+    those of approach, in c or, of a body with a material, in m/s; their sign does not count. Made by
+    `restitution_function`, or by `Restitution.function`; ``len()`` is the number of computed values.
+
+    Attributes
+    ----------
+    body : Disk, Sphere or Rod
+        The first.
+    against : HardWall, Disk, Sphere, Rod, HalfSpace or HalfPlane
+    beyond : {'error', 'clamp', 'law'}
+        What it does beyond its range.
+    state : ndarray or None
+        How the bodies vibrated before, if they did.
+    speed : ndarray
+        Of the computed values, rising, c.
+    restitution, restitution_error : ndarray
+        ε and its error there.
+    interpolation_error : ndarray
+        What the interpolation may be off by from each computed value to the next; one element less.
+
+    Examples
+    --------
+    >>> epsilon = stoss.restitution_function(stoss.Sphere(poisson=0.3), speed=(0.001, 0.3))
+    >>> round(epsilon(0.1), 3), epsilon.error(0.1) < 1e-3
+    (0.991, True)
+    >>> epsilon([0.01, -0.2]).round(2)
+    array([1.  , 0.96])
+    """
+
+    _name: ClassVar[str] = "function"
+    _given = {"speed": "speed"}
+    _axis: ClassVar[str] = "speed"
+
+    body: Body
+    against: Against
+    beyond: str
+    state: NDArray[Any] | None
+    speed: NDArray[np.float64]
+    restitution: NDArray[np.float64]
+    restitution_error: NDArray[np.float64]
+    interpolation_error: NDArray[np.float64]
+
+    def __call__(self, speed: ArrayLike) -> Any:
+        """ε: a float for a number, otherwise an array of the shape of `speed`.
+
+        Raises
+        ------
+        InvalidInput
+            For speeds that are not finite, and beyond the range unless that was to be answered.
+        """
+        return self._of(speed, self._core.values)
+
+    def error(self, speed: ArrayLike) -> Any:
+        """Error of ε, interpolation included; infinite where it is unknown."""
+        return self._of(speed, self._core.errors)
+
+    def __len__(self) -> int:
+        return len(self.speed)
+
+    def __repr__(self) -> str:
+        who = shown(self.body) + (f" against {shown(self.against)}" if isinstance(self.against, PARTNERS) else "")
+        unit = "c" if self.body.material is None else "m/s"
+        beyond = "" if self.beyond == "error" else f", beyond={self.beyond!r}"
+        return (
+            f"RestitutionFunction({who}, speed={brief_range(*self.range)} {unit}{beyond}: "
+            f"{len(self)} speeds computed, error below {self.greatest_error:.2g})"
+        )
+
+    @property
+    def range(self) -> tuple[float, float]:
+        """Slowest and fastest speed, in the unit in which it is called."""
+        unit = speed_unit(self.body)
+        return float(self.speed[0] * unit), float(self.speed[-1] * unit)
+
+    @property
+    def knots(self) -> NDArray[Any]:
+        """The computed values: a structured array with the fields speed (in the unit of the call), restitution, error."""
+        names = ["speed", "restitution", "error"]
+        table = np.zeros(len(self), dtype=[(name, np.float64) for name in names])
+        table["speed"] = self.speed * speed_unit(self.body)
+        table["restitution"], table["error"] = self.restitution, self.restitution_error
+        table.flags.writeable = False
+        return table
+
+    @property
+    def greatest_error(self) -> float:
+        """Of ε at any speed of the range."""
+        return self._core.greatest_error()
+
+    def plot(self, ax: Any = None) -> Any:
+        """The curve with its error, and the computed values. See `stoss.plot.function`."""
+        return self._picture(ax)
+
+    @functools.cached_property
+    def _core(self) -> _core.RestitutionFunction:
+        law = slow_law(self.body, self.against) if self.beyond == "law" else _core.no_law()
+        given = (self.speed, self.restitution, self.restitution_error, self.interpolation_error)
+        return _core.make_function(*(np.ascontiguousarray(each) for each in given), self.beyond, law)
+
+    def __getstate__(self) -> dict[str, Any]:
+        return {field.name: getattr(self, field.name) for field in dataclasses.fields(self)}
+
+    def _of(self, speed: ArrayLike, function: Any) -> Any:
+        given = numbers("speed", speed)
+        with speeds_in_si(self.body):
+            values = function(given.ravel() / speed_unit(self.body)).reshape(given.shape)
+        return values if given.ndim else float(values)
+
+    def _kind_of_body(self) -> str:
+        return kind(self.body)
+
+    def _inputs(self) -> dict[str, Any]:
+        named = {"body": self.body, "against": self.against, "beyond": self.beyond}
+        return named if self.state is None else named | {"state": shown_state(self.state)}
+
+    def _table(self) -> dict[str, Column]:
+        names = ("speed", "restitution", "restitution_error")
+        padded = np.append(self.interpolation_error, 0.0)  # of the interval that begins there
+        return {name: getattr(self, name) for name in names} | {"interpolation_error": padded}
+
+    @property
+    def speed_si(self) -> Number:
+        """Of the computed values, m/s."""
+        if self.body.material is None:
+            raise AttributeError("speed_si: this result has no material (make its body with one)")
+        return self.speed * self.body.scales.speed
+
+    def _derived(self) -> dict[str, Any]:
+        return {} if self.body.material is None else {"speed_si": self.speed_si}
+
+
+def slow_law(body: Body, against: Against) -> _core.SlowLaw:
+    """The law of slow impacts of these bodies."""
+    return _core.slow_law(_told(body), _told(against) if isinstance(against, PARTNERS) else _told(None))
+
+
+def _told(body: Any) -> tuple[str, list[float], bool]:
+    names = ("poisson", "radius", "young", "density", "loss_time")
+    told = [float(getattr(body, name, 0.0)) for name in names]
+    return "wall" if body is None else kind(body), told, is_rigid(body)
+
+
+def choose_beyond(beyond: Any, body: Body, against: Against, state: NDArray[Any] | None) -> str:
+    """What a function is to do beyond its range; a law is refused before anything is computed."""
+    chosen = choice("beyond", beyond, BEYOND)
+    if chosen == "law":
+        slow_law(body, against)
+        if state is not None and state.size:
+            choice("beyond", beyond, BEYOND[:2])  # the laws are those of bodies at rest inside
+    return chosen

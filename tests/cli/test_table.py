@@ -1,0 +1,342 @@
+"""stoss table: the function in C, as columns and as JSON is the one that direct values have, and appears whole."""
+
+import ctypes
+import json
+import math
+import os
+import random
+import resource
+import shutil
+import signal
+import stat
+import subprocess
+import time
+
+import pytest
+
+from conftest import number
+
+DISK = "table --poisson 0.33 --speed 1e-4:0.3"
+BALL = (
+    "table --body sphere --poisson 0.3 --young 2.1e11 --density 7850 --radius 0.005 --speed 0.01:10"
+    " --against half-space,poisson=0.23,young=7e10,density=2500"
+)
+# Minutes of work.
+LONG = "table --body sphere --poisson 0.3 --loss-time 0.01 --against sphere,radius=30 --speed 1e-8:1 --error 1e-7"
+
+WARNINGS = "-pedantic -Wall -Wextra -Wconversion -Wsign-conversion -Wshadow -Wfloat-equal -Wundef -Werror".split()
+DIALECTS = [("gcc", standard) for standard in ("c89", "c99", "c11")]
+DIALECTS += [("g++", standard) for standard in ("c++98", "c++17", "c++20")]
+DIALECTS += [(compiler.replace("gcc", "clang").replace("g++", "clang++"), standard) for compiler, standard in DIALECTS]
+
+PROGRAM = """#include "stoss.h"
+#include "other.h"
+#include "stoss.h"
+#include <stdio.h>
+int main(void)
+{
+  double v;
+  while (scanf("%lf", &v) == 1) printf("%.17g %.17g\\n", stoss_restitution(v), stoss_restitution_error(v));
+  return other_restitution(0.1) > 0.0 ? 0 : 1;
+}
+"""
+
+
+def compiled(compiler, standard, folder, source="main.c", target="main", more=()):
+    """Compiles without a word; returns the program."""
+    if shutil.which(compiler) is None:
+        pytest.skip(f"needs {compiler}")
+    language = "c++" if "++" in compiler else "c"
+    words = [compiler, f"-std={standard}", *WARNINGS, *more, "-O2", "-x", language, source, "-o", target, "-lm"]
+    result = subprocess.run(words, cwd=folder, capture_output=True, text=True, timeout=120)
+    assert (result.returncode, result.stdout, result.stderr) == (0, "", "")
+    return folder / target
+
+
+def values(program, speeds):
+    """ε and its error at each of the speeds, as the compiled header has them."""
+    text = "".join(f"{speed!r}\n" for speed in speeds)
+    result = subprocess.run([program], input=text, capture_output=True, text=True, timeout=60, check=True)
+    return [tuple(map(float, line.split())) for line in result.stdout.splitlines()]
+
+
+def evaluated(document, speed):
+    """What the JSON document says of a speed."""
+    knots = document["records"]
+    k = max(i for i in range(len(knots) - 1) if i == 0 or knots[i]["speed"] <= speed)
+    a, b = knots[k], knots[k + 1]
+    h = math.log(b["speed"] / a["speed"])
+    t = math.log(speed / a["speed"]) / h
+    u = 1 - t
+    value = a["restitution"] * (1 + 2 * t) * u * u + b["restitution"] * t * t * (1 + 2 * u)
+    return value + h * t * u * (a["slope"] * u - b["slope"] * t), a["error_to_next"]
+
+
+def interpolated(text, speed):
+    """What a reader of two columns makes of a speed."""
+    rows = [tuple(map(float, line.split())) for line in text.splitlines()]
+    k = max(i for i in range(len(rows) - 1) if i == 0 or rows[i][0] <= speed)
+    (low, left), (high, right) = rows[k], rows[k + 1]
+    return left + (right - left) * (speed - low) / (high - low)
+
+
+def within(speeds):
+    slowest, fastest = map(float, speeds.split(":"))
+    chance = random.Random(17)
+    inner = [slowest * (fastest / slowest) ** chance.random() for _ in range(24)]
+    return [slowest, *inner, fastest]
+
+
+def direct(stoss, job, speeds):
+    """ε as stoss restitution has it, with its error."""
+    words = job.replace("table", "restitution").split()
+    words[words.index("--speed") + 1] = ",".join(map(repr, speeds))
+    rows = stoss.data(*words, "--tolerance 1e-15 --absolute 1e-5")
+    return [(number(row, "restitution"), number(row, "restitution_error")) for row in rows]
+
+
+def written(stoss, folder, job, name="stoss.h"):
+    result = stoss.run(job, f"-o {folder / name}")
+    assert (result.returncode, result.stdout, result.stderr) == (0, "", "")
+    return (folder / name).read_text()
+
+
+@pytest.fixture(scope="module")
+def headers(stoss, tmp_path_factory):
+    folder = tmp_path_factory.mktemp("headers")
+    written(stoss, folder, DISK)
+    written(stoss, folder, f"{DISK} --name other --beyond error", "other.h")
+    (folder / "main.c").write_text(PROGRAM)
+    (folder / "unused.c").write_text('#include "stoss.h"\nint main(void) { return 0; }\n')
+    return folder
+
+
+@pytest.fixture(scope="module")
+def document(stoss):
+    return json.loads(stoss.run(DISK, "--format json").stdout)
+
+
+@pytest.mark.parametrize("compiler, standard", DIALECTS)
+def test_header_is_of_every_dialect(headers, document, compiler, standard):
+    casts = ["-Wold-style-cast"] if "++" in compiler else ["-Wmissing-prototypes"]
+    compiled(compiler, standard, headers, "unused.c", "unused", casts)
+    program = compiled(compiler, standard, headers, more=casts)
+    speeds = within("1e-4:0.3")
+    for speed, got in zip(speeds, values(program, speeds)):
+        expected = evaluated(document, speed)
+        assert got[0] == pytest.approx(expected[0], rel=1e-14) and got[1] == expected[1]
+
+
+@pytest.fixture(scope="module")
+def disk(headers):
+    return compiled("cc", "c99", headers, target="disk")
+
+
+def test_sign_does_not_count(disk):
+    speeds = within("1e-4:0.3")
+    assert values(disk, speeds) == values(disk, [-speed for speed in speeds])
+
+
+def test_beyond_the_range_is_the_nearer_end(disk):
+    (low, _), (high, _) = values(disk, [1e-4, 0.3])
+    beyond = [(0.0, low), (1e-310, low), (9.99e-5, low), (0.3000001, high), (1e300, high), (math.inf, high)]
+    for speed, end in beyond:
+        assert values(disk, [speed, -speed]) == [(end, math.inf)] * 2
+    assert all(math.isnan(each) for each in values(disk, [math.nan])[0])
+
+
+def test_beyond_can_be_not_a_number(stoss, tmp_path):
+    written(stoss, tmp_path, f"{DISK} --beyond error")
+    (tmp_path / "main.c").write_text(PROGRAM.replace('#include "other.h"\n', "").replace("other_", "stoss_"))
+    program = compiled("cc", "c89", tmp_path)
+    for value, error in values(program, [0.0, 9.99e-5, 0.31, -1, math.inf]):
+        assert math.isnan(value) and error == math.inf
+    assert all(math.isnan(each) for each in values(program, [math.nan])[0])
+    assert all(error < 1e-3 for _, error in values(program, [1e-4, 0.3]))
+
+
+def test_reckless_compilers_stay_within_the_arrays(headers):
+    """With -ffast-math a comparison with what is not a number may say anything: nothing else is read."""
+    sanitize = ["-ffast-math", "-Wno-float-equal", "-fsanitize=address,undefined", "-fno-sanitize=float-cast-overflow"]
+    program = compiled("gcc", "c99", headers, target="fast", more=sanitize)
+    speeds = [math.nan, math.inf, 0.0, 1e-4, 0.3, 1e300]
+    assert len(values(program, speeds)) == len(speeds)
+
+
+@pytest.mark.parametrize("job, speeds", [(DISK, "1e-4:0.3"), (BALL, "0.01:10")])
+@pytest.mark.parametrize("error", [1e-3, 1e-4])
+def test_every_form_has_the_error_that_was_asked_for(stoss, tmp_path, job, speeds, error):
+    asked = within(speeds)
+    expected = direct(stoss, job, asked)
+    written(stoss, tmp_path, f"{job} --error {error}")
+    (tmp_path / "main.c").write_text(PROGRAM.replace('#include "other.h"\n', "").replace("other_", "stoss_"))
+    document = json.loads(stoss.run(job, f"--error {error} --format json").stdout)
+    columns = stoss.run(job, f"--error {error} --format two-column").stdout
+    assert document["greatest_error"] <= error
+    in_c = values(compiled("cc", "c99", tmp_path), asked)
+    for speed, (value, its_error), (compiled_value, compiled_error) in zip(asked, expected, in_c):
+        assert abs(compiled_value - value) <= compiled_error + its_error <= error + its_error
+        assert (compiled_value, compiled_error) == pytest.approx(evaluated(document, speed), rel=1e-13)
+        assert abs(interpolated(columns, speed) - value) <= error + its_error
+    # The ends are those that were typed.
+    slowest, fastest = speeds.split(":")
+    rows = columns.splitlines()
+    assert (float(rows[0].split()[0]), float(rows[-1].split()[0])) == (float(slowest), float(fastest))
+    records = document["records"]
+    assert (records[0]["speed"], records[-1]["speed"]) == (float(slowest), float(fastest))
+
+
+def test_two_columns_are_plain_numbers(stoss):
+    lines = stoss.run(DISK, "--format two-column").stdout.splitlines()
+    pairs = [tuple(map(float, line.split(" "))) for line in lines]
+    assert all(a[0] < b[0] for a, b in zip(pairs, pairs[1:])) and all(0 < value < 1 for _, value in pairs)
+
+
+def test_document(document):
+    assert document["schema"] == "stoss/table/2" and document["complete"] and document["units"] == {"speed": "c"}
+    assert document["inputs"]["beyond"] == "clamp" and document["inputs"]["speed"] == "1e-4:0.3"
+    errors = [record["error_to_next"] for record in document["records"][:-1]]
+    assert max(errors) == document["greatest_error"] and "error_to_next" not in document["records"][-1]
+    assert all(record["restitution_error"] <= 1e-3 / 3 for record in document["records"])
+
+
+def test_header_says_where_it_comes_from(stoss, headers):
+    text = (headers / "stoss.h").read_text()
+    version = stoss.run("--version").stdout.split()[1]
+    for line in [f"stoss {version}: table", f"command: stoss {DISK} -o ", "body: disk", "poisson: 0.33", "error: 0.001"]:
+        assert f"\n * {line}" in text
+    assert "in c; its sign" in text and "in m/s; its sign" in stoss.run(BALL).stdout
+
+
+def test_threads_change_nothing(stoss, document):
+    for threads in (1, 3):
+        again = json.loads(stoss.run(DISK, f"--format json --threads {threads}").stdout)
+        assert again["records"] == document["records"]
+
+
+@pytest.mark.parametrize("job", [
+    "table --body rod --speed 0.001:0.1 --against rod,length=2.5 --error 0.01",
+    "table --body sphere --poisson 0.3 --loss-time 0.1 --speed 0.001:0.1 --error 0.01",
+    "table --poisson 0.33 --rigid-body --against half-plane --speed 0.001:0.1 --error 0.01",
+])  # fmt: skip
+def test_bodies_are_those_of_restitution(stoss, job):
+    document = json.loads(stoss.run(job, "--format json").stdout)
+    for speed, (value, error) in zip((0.004, 0.03), direct(stoss, job, [0.004, 0.03])):
+        mine, its_error = evaluated(document, speed)
+        assert abs(mine - value) <= its_error + error
+
+
+@pytest.mark.parametrize("more, words", [
+    ("--speed 0.1", ["speed", "'0.1'", "SLOWEST:FASTEST"]),
+    ("--speed 0.1:0.2:0.3", ["speed", "'0.1:0.2:0.3'"]),
+    ("--speed 0.1:", ["speed", "''"]),
+    ("--speed 0.2:0.1", ["speed", "'0.2:0.1'", "below the fastest"]),
+    ("--speed 0.1:0.1", ["speed", "below the fastest"]),
+    ("--speed 0:0.1", ["speed", "got 0,"]),
+    ("--speed -0.1:0.1", ["speed", "-0.1"]),
+    ("--speed nan:0.1", ["speed", "nan"]),
+    ("--speed 0.1:2", ["speed", "got 2,"]),
+    ("--speed 0.01:0.1 --error 0", ["error", "got 0,"]),
+    ("--speed 0.01:0.1 --error 0.2", ["error", "0.2"]),
+    ("--speed 0.01:0.1 --error nan", ["error", "nan"]),
+    ("--speed 0.01:0.1 --name 2x", ["name", "'2x'"]),
+    ("--speed 0.01:0.1 --name", ["name"]),
+    ("--speed 0.01:0.1 --name x --format json", ["name", "json"]),
+    ("--speed 0.01:0.1 --beyond error --format two-column", ["beyond", "two-column"]),
+    ("--speed 0.01:0.1 --against exponential", ["against", "exponential"]),
+    ("--speed 0.01:0.1 --against sphere", ["against", "sphere"]),
+    ("--speed 0.01:0.1 --threads -1", ["threads", "-1"]),
+    ("--speed 0.01:0.1 --format csv", ["--format", "csv"]),
+    ("--speed 0.01:0.1 --beyond law", ["--beyond", "law"]),
+    ("", ["--speed"]),
+])  # fmt: skip
+def test_bad_input(stoss, tmp_path, more, words):
+    path = tmp_path / "table.h"
+    result = stoss.run("table --poisson 0.33", more, f"-o {path}")
+    assert result.returncode in (2, 3) and result.stdout == "" and not path.exists()
+    (line,) = result.stderr.splitlines()
+    assert all(word in line for word in words), line
+
+
+def test_words_of_a_command_stay_in_the_comment(stoss, tmp_path):
+    name = "a*/ int b; /*c.h"
+    (tmp_path / "a*").mkdir()
+    (tmp_path / "a*" / " int b; ").mkdir()
+    words = [stoss.path, *DISK.split(), "--error", "0.05", "-o", name]
+    assert subprocess.run(words, cwd=tmp_path, timeout=60).returncode == 0
+    shutil.move(tmp_path / name, tmp_path / "stoss.h")
+    (tmp_path / "unused.c").write_text('#include "stoss.h"\nint main(void) { return 0; }\n')
+    compiled("cc", "c89", tmp_path, "unused.c")
+
+
+def test_unwritable_places(stoss, tmp_path):
+    for place in (tmp_path / "no" / "table.h", tmp_path):
+        result = stoss.run(DISK, f"-o {place}")
+        assert result.returncode == 4 and "cannot write" in result.stderr and str(place) in result.stderr
+
+
+@pytest.mark.parametrize("form", ["c", "two-column", "json"])
+def test_full_disk(stoss, form):
+    result = stoss.run(DISK, f"--format {form} -o /dev/full")
+    assert result.returncode == 4 and "No space left" in result.stderr
+
+
+def test_a_file_that_cannot_grow_stays_as_it_was(stoss, tmp_path):
+    path = tmp_path / "table.h"
+    path.write_text("old\n")
+
+    def small_files():
+        signal.signal(signal.SIGXFSZ, signal.SIG_IGN)
+        resource.setrlimit(resource.RLIMIT_FSIZE, (1000, 1000))
+
+    result = stoss.run(DISK, f"-o {path}", preexec_fn=small_files)
+    assert result.returncode == 4 and "File too large" in result.stderr
+    assert path.read_text() == "old\n" and os.listdir(tmp_path) == ["table.h"]
+
+
+@pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM])
+def test_interrupted_tables_leave_nothing(stoss, tmp_path, number):
+    path = tmp_path / "table.h"
+    path.write_text("old\n")
+    process = stoss.start(f"{LONG} -o {path}", stderr=subprocess.PIPE)
+    time.sleep(0.7)
+    assert process.poll() is None
+    process.send_signal(number)
+    _, error = process.communicate(timeout=60)
+    assert process.returncode == 128 + number and "interrupted" in error
+    assert path.read_text() == "old\n" and os.listdir(tmp_path) == ["table.h"]
+
+
+def test_a_file_keeps_its_place_and_its_rights(stoss, tmp_path):
+    path = tmp_path / "table.h"
+    path.write_text("old\n")
+    path.chmod(0o640)
+    link = tmp_path / "link.h"
+    link.symlink_to(path)
+    assert stoss.run(DISK, f"-o {link}").returncode == 0
+    assert link.is_symlink() and path.read_text().startswith("/* Coefficient")
+    assert stat.S_IMODE(path.stat().st_mode) == 0o640
+    assert sorted(os.listdir(tmp_path)) == ["link.h", "table.h"]
+
+
+def test_long_names(stoss, tmp_path):
+    path = tmp_path / ("n" * 253 + ".h")
+    assert stoss.run(DISK, f"-o {path}").returncode == 0 and path.exists()
+
+
+def test_warnings(stoss):
+    fast = stoss.run("table --poisson 0.33 --speed 0.1:0.7")
+    assert fast.returncode == 0 and "0.5 c" in fast.stderr and fast.stdout.startswith("/*")
+    assert not stoss.run("table --poisson 0.33 --speed 0.1:0.7 --quiet").stderr
+    yields = stoss.run(BALL, "--yield 1e9")
+    assert yields.returncode == 0 and "yield" in yields.stderr
+
+
+@pytest.mark.skipif(shutil.which("cc") is None, reason="needs cc")
+def test_other_languages_take_it_from_a_shared_library(headers):
+    """As Julia's ccall and Python's ctypes do."""
+    (headers / "shared.c").write_text('#include "stoss.h"\ndouble restitution(double v) { return stoss_restitution(v); }\n')
+    subprocess.run(["cc", "-shared", "-fPIC", "shared.c", "-o", "shared.so", "-lm"], cwd=headers, check=True, timeout=60)
+    restitution = ctypes.CDLL(str(headers / "shared.so")).restitution
+    restitution.restype, restitution.argtypes = ctypes.c_double, [ctypes.c_double]
+    assert restitution(-0.1) == values(compiled("cc", "c99", headers, target="again"), [0.1])[0][0]
