@@ -21,11 +21,11 @@ double to_fifteen_digits(double value) {
 
 }  // namespace
 
-std::pair<double, double> speed_range(const RestitutionFunction& function, double scale) {
+std::pair<double, double> speed_range(double slowest, double fastest, double scale) {
   require("scale", scale, {0.0, 1e100, false, true, "above 0 to 1e100"},
           "speed of the table over that of the function");
-  const double slowest = function.slowest() * scale, fastest = function.fastest() * scale;
-  return {std::min(slowest, to_fifteen_digits(slowest)), std::max(fastest, to_fifteen_digits(fastest))};
+  const double low = slowest * scale, high = fastest * scale;
+  return {std::min(low, to_fifteen_digits(low)), std::max(high, to_fifteen_digits(high))};
 }
 
 }  // namespace stoss::table

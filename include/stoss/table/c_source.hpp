@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "stoss/table/pair_table.hpp"
 #include "stoss/table/restitution_function.hpp"
 
 namespace stoss {
@@ -30,5 +31,16 @@ struct TableLabel {
 /// @throws InvalidInput for a name that C cannot have, a scale that is not positive and finite, and Beyond::law, which
 ///         no table has
 [[nodiscard]] std::string c_header(const RestitutionFunction& function, const TableLabel& label = {});
+
+/// The same of a table of pairs. With the name stoss it defines
+///
+///   static double stoss_pair_restitution(double speed, double ratio)        ε, as PairTable has it
+///   static double stoss_pair_restitution_error(double speed, double ratio)  its error, interpolation included
+///   STOSS_PAIR_SLOWEST, STOSS_PAIR_FASTEST, STOSS_PAIR_SMALLEST, STOSS_PAIR_GREATEST
+///
+/// The ratio is the radius of the second body over that of the first; of one material its inverse counts as well. One
+/// that is not positive is beyond the range. A call takes some 20 ns.
+/// @throws InvalidInput as above
+[[nodiscard]] std::string c_header(const PairTable& table, const TableLabel& label = {});
 
 }  // namespace stoss

@@ -1,0 +1,46 @@
+// 1 − ε² is computed to an absolute error, and more accurately where ε is so small that this is a large one of it:
+// δε = δ(1 − ε²)/2ε.
+#include "table/computed_values.hpp"
+
+#include <algorithm>
+#include <atomic>
+#include <thread>
+
+#include "restitution/best_restitution.hpp"
+#include "restitution/ordered_jobs.hpp"
+#include "stoss/errors.hpp"
+
+namespace stoss {
+namespace {
+
+struct Stopped {};
+
+Estimate computed(const Request& request, double error, const std::string& place, const Poll& poll) {
+  constexpr double least = 1e-9, no_tolerance = 1e-15;
+  for (double absolute = std::min(error, 0.5); absolute > least; absolute *= 0.25) {
+    const Restitution found = best_restitution(*request.contact, request.speed,
+                                               {.tolerance = no_tolerance, .absolute = absolute, .poll = poll});
+    if (found.restitution.error <= error) return found.restitution;
+    if (!found.reason.empty()) throw NotConverged("restitution: at " + place + " " + found.reason);
+  }
+  throw NotConverged("restitution: at " + place + " it is so small that its error is not to be had");
+}
+
+}  // namespace
+
+std::vector<Estimate> computed_values(const std::vector<Request>& requests, double error, int threads, const Poll& poll,
+                                      const std::function<std::string(std::size_t)>& place) {
+  const auto available = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+  const auto wanted = static_cast<std::size_t>(threads == 0 ? available : threads);
+  const auto job = [&](std::size_t i, const std::atomic<bool>& stop) {
+    return computed(requests[i], error, place(i), [&stop] {
+      if (stop) throw Stopped{};
+    });
+  };
+  std::vector<Estimate> results;
+  const auto deliver = [&results](std::size_t, Estimate&& result) { results.push_back(result); };
+  run_in_order<Estimate>(requests.size(), static_cast<int>(std::min(wanted, requests.size())), job, deliver, poll);
+  return results;
+}
+
+}  // namespace stoss

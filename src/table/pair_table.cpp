@@ -1,0 +1,218 @@
+// In each cell ε = Σ c_mn u^m t^n, a cubic in the share t of its interval of x = ln v and one in the share u of that of
+// s = (r − 1)/(r + 1). s is tanh(½ ln r): it changes its sign with the inverse of r and needs no logarithm.
+#include "stoss/table/pair_table.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <string>
+#include <utility>
+
+#include "digits.hpp"
+#include "numeric/bins.hpp"
+#include "numeric/monotone_cubic.hpp"
+#include "numeric/parabolic_cubic.hpp"
+#include "stoss/errors.hpp"
+#include "table/pair_values.hpp"
+
+namespace stoss {
+namespace {
+
+constexpr double weight_of_values = 1.25;  // Σ |weight| of four neighbours in the middle of equal intervals of ratios
+
+constexpr double rounding = 1e-15;  // of s, so that 1/r is in the range where r is
+
+double relative(double ratio) { return (ratio - 1.0) / (ratio + 1.0); }
+
+numeric::Bins logarithms(const std::vector<double>& speeds) {
+  std::vector<double> all;
+  for (const double each : speeds) all.push_back(std::log(each));
+  return numeric::Bins(std::move(all));
+}
+
+numeric::Bins differences(const std::vector<double>& ratios) {
+  std::vector<double> all;
+  for (const double each : ratios) all.push_back(relative(each));
+  return numeric::Bins(std::move(all));
+}
+
+using Cubic = std::array<double, 4>;
+
+/// Coefficients of the powers of t = (x − x₀)/width of the cubic with these values and slopes at the ends.
+Cubic cubic(double width, double begin, double end, double slope, double slope_at_end) {
+  const double first = width * slope, last = width * slope_at_end;
+  return {begin, first, 3.0 * (end - begin) - 2.0 * first - last, 2.0 * (begin - end) + first + last};
+}
+
+struct Cell {
+  double x, per_x, s, per_s;                           // where it begins, and 1 over its widths
+  std::array<std::array<double, 4>, 4> coefficient{};  // of u^m t^n
+};
+
+}  // namespace
+
+struct PairTable::Table {
+  std::vector<double> speeds, ratios;
+  numeric::Bins x, s;
+  bool alike;
+  Beyond beyond;
+  double first, last;  // of s
+  std::vector<Node> nodes{};
+  std::vector<double> errors{};
+  std::vector<Cell> cells{};
+
+  Table(const PairValues& values, Beyond outside)
+      : speeds(values.speeds),
+        ratios(values.ratios),
+        x(logarithms(values.speeds)),
+        s(differences(values.ratios)),
+        alike(values.alike),
+        beyond(outside),
+        first(s.x().front() - rounding),
+        last(s.x().back() + rounding),
+        nodes(values.restitution.size()) {
+    set_nodes(values);
+    set_errors(values);
+    set_cells();
+  }
+
+  void set_nodes(const PairValues& values) {
+    const std::size_t columns = ratios.size();
+    for (std::size_t j = 0; j < columns; ++j) {
+      std::vector<double> y;
+      for (std::size_t k = 0; k < speeds.size(); ++k) y.push_back(values.restitution[k * columns + j].value);
+      const numeric::MonotoneCubic cubic(x.x(), y);
+      for (std::size_t k = 0; k < speeds.size(); ++k) {
+        nodes[k * columns + j].value = y[k];
+        nodes[k * columns + j].by_speed = cubic.slope[k];
+      }
+    }
+    for (std::size_t k = 0; k < speeds.size(); ++k) {
+      Node* row = &nodes[k * columns];
+      std::vector<double> y, slope;
+      for (std::size_t j = 0; j < columns; ++j) {
+        y.push_back(row[j].value);
+        slope.push_back(row[j].by_speed);
+      }
+      const std::vector<double> by_ratio = numeric::parabolic_slopes(s.x(), y, alike);
+      const std::vector<double> by_both = numeric::parabolic_slopes(s.x(), slope, alike);
+      for (std::size_t j = 0; j < columns; ++j) {
+        row[j].by_ratio = by_ratio[j];
+        row[j].by_both = by_both[j];
+      }
+    }
+  }
+
+  void set_errors(const PairValues& values) {
+    const std::size_t columns = ratios.size();
+    for (std::size_t k = 0; k + 1 < speeds.size(); ++k) {
+      for (std::size_t j = 0; j + 1 < columns; ++j) {
+        const Estimate *here = &values.restitution[k * columns + j], *next = here + columns;
+        const double greatest = std::max({here[0].error, here[1].error, next[0].error, next[1].error});
+        errors.push_back(weight_of_values * greatest + values.interpolation_error[k * (columns - 1) + j]);
+      }
+    }
+  }
+
+  void set_cells() {
+    const std::size_t columns = ratios.size();
+    for (std::size_t k = 0; k + 1 < speeds.size(); ++k) {
+      for (std::size_t j = 0; j + 1 < columns; ++j) {
+        const double width = x.x()[k + 1] - x.x()[k], length = s.x()[j + 1] - s.x()[j];
+        const Node *here = &nodes[k * columns + j], *next = here + columns;
+        std::array<Cubic, 2> value{}, slope{};  // in x, at either ratio: ε and its derivative by s
+        for (std::size_t c = 0; c < 2; ++c) {
+          value[c] = cubic(width, here[c].value, next[c].value, here[c].by_speed, next[c].by_speed);
+          slope[c] = cubic(width, here[c].by_ratio, next[c].by_ratio, here[c].by_both, next[c].by_both);
+        }
+        Cell cell{x.x()[k], 1.0 / width, s.x()[j], 1.0 / length};
+        for (std::size_t n = 0; n < 4; ++n) {
+          const Cubic row = cubic(length, value[0][n], value[1][n], slope[0][n], slope[1][n]);
+          for (std::size_t m = 0; m < 4; ++m) cell.coefficient[m][n] = row[m];
+        }
+        cells.push_back(cell);
+      }
+    }
+  }
+
+  [[nodiscard]] std::size_t cell_of(double logarithm, double difference) const {
+    return x.interval(logarithm) * (ratios.size() - 1) + s.interval(difference);
+  }
+
+  [[nodiscard]] double at(std::size_t index, double logarithm, double difference) const {
+    const Cell& cell = cells[index];
+    const double t = (logarithm - cell.x) * cell.per_x, u = (difference - cell.s) * cell.per_s;
+    Cubic row;  // in t
+    for (std::size_t n = 0; n < 4; ++n) {
+      const auto& c = cell.coefficient;
+      row[n] = ((c[3][n] * u + c[2][n]) * u + c[1][n]) * u + c[0][n];
+    }
+    return ((row[3] * t + row[2]) * t + row[1]) * t + row[0];
+  }
+
+  /// s of a ratio, of its inverse where that is the same pair.
+  [[nodiscard]] double place(double ratio) const {
+    const double difference = relative(ratio);
+    return alike ? std::abs(difference) : difference;
+  }
+
+  /// Whether both are in the range. A NaN is not.
+  [[nodiscard]] bool holds(double speed, double difference) const {
+    return speed >= speeds.front() && speed <= speeds.back() && difference >= first && difference <= last;
+  }
+
+  [[nodiscard]] double outside(double speed, double ratio) const {
+    if (!(speed > 0.0) || !std::isfinite(speed)) {
+      throw InvalidInput("speed: got " + shown(speed) + ", allowed a finite speed of approach that is not 0");
+    }
+    if (!(ratio > 0.0) || !std::isfinite(ratio)) {
+      throw InvalidInput("ratio: got " + shown(ratio) + ", allowed a positive finite ratio of radii");
+    }
+    const double difference = place(ratio);
+    if (beyond == Beyond::error) {
+      const bool of_speed = !(speed >= speeds.front() && speed <= speeds.back());
+      const std::vector<double>& range = of_speed ? speeds : ratios;
+      throw InvalidInput((of_speed ? "speed: got " + shown(speed) : "ratio: got " + shown(ratio)) + ", allowed " +
+                         shown(range.front()) + " to " + shown(range.back()) +
+                         (alike && !of_speed ? " or inverse" : "") + " (the range for which the table was made)");
+    }
+    const double logarithm = std::clamp(std::log(speed), x.x().front(), x.x().back());
+    const double nearest = std::clamp(difference, first, last);
+    return at(cell_of(logarithm, nearest), logarithm, nearest);
+  }
+};
+
+PairTable::PairTable(PairValues values, Beyond beyond) {
+  require_values(values);
+  require_beyond(beyond);
+  table_ = std::make_shared<const Table>(values, beyond);
+}
+
+Estimate PairTable::operator()(double speed, double ratio) const {
+  const double size = std::abs(speed), difference = table_->place(ratio);
+  if (!(ratio > 0.0) || !table_->holds(size, difference)) {
+    return {table_->outside(size, ratio), std::numeric_limits<double>::infinity()};
+  }
+  const double logarithm = std::log(size);
+  const std::size_t cell = table_->cell_of(logarithm, difference);
+  return {table_->at(cell, logarithm, difference), table_->errors[cell]};
+}
+
+double PairTable::value(double speed, double ratio) const {
+  const double size = std::abs(speed), difference = table_->place(ratio);
+  if (!(ratio > 0.0) || !table_->holds(size, difference)) return table_->outside(size, ratio);
+  const double logarithm = std::log(size);
+  return table_->at(table_->cell_of(logarithm, difference), logarithm, difference);
+}
+
+const std::vector<double>& PairTable::speeds() const { return table_->speeds; }
+const std::vector<double>& PairTable::ratios() const { return table_->ratios; }
+bool PairTable::alike() const { return table_->alike; }
+Beyond PairTable::beyond() const { return table_->beyond; }
+const std::vector<PairTable::Node>& PairTable::nodes() const { return table_->nodes; }
+const std::vector<double>& PairTable::errors() const { return table_->errors; }
+double PairTable::greatest_error() const { return *std::max_element(table_->errors.begin(), table_->errors.end()); }
+
+}  // namespace stoss
