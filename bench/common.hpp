@@ -53,6 +53,7 @@ void add_rods();
 void add_tables();
 void add_spheres();
 void add_quasistatic();
+void add_function();
 void add_python();
 
 }  // namespace bench

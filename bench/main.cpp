@@ -35,6 +35,7 @@ int run(std::vector<std::string> arguments) {
   bench::add_rods();
   bench::add_tables();
   bench::add_quasistatic();
+  bench::add_function();
   bench::add_python();
   bench::Summary summary;
   benchmark::RunSpecifiedBenchmarks(&summary);
