@@ -25,6 +25,7 @@ void declare(CLI::App& app, int& exit_code) {
   add_restitution(app, exit_code);
   add_distribution(app, exit_code);
   add_quasistatic(app);
+  add_sweeps(app);
   refuse_empty_values(app);
 }
 

@@ -86,4 +86,7 @@ void add_restitution(CLI::App& app, int& exit_code);
 void add_distribution(CLI::App& app, int& exit_code);
 void add_quasistatic(CLI::App& app);
 
+/// stoss sweep and stoss merge, which become Python with the same words.
+void add_sweeps(CLI::App& app);
+
 }  // namespace stoss::cli

@@ -51,11 +51,13 @@ bool among(const CLI::Option* option, const Options& options) {
   return std::any_of(options.begin(), options.end(), [&](const CLI::Option* other) { return same(option, other); });
 }
 
-/// The options that every subcommand has.
+/// The options that every subcommand has that prints results: not those that are handed over to Python.
 Options common(const CLI::App& app) {
   Options shared;
   for (const CLI::Option* option : subcommands(app).front()->get_options()) {
-    const auto has = [&](const CLI::App* command) { return among(option, command->get_options()); };
+    const auto has = [&](const CLI::App* command) {
+      return command->get_option_no_throw("--format") == nullptr || among(option, command->get_options());
+    };
     const auto all = subcommands(app);
     if (std::all_of(all.begin(), all.end(), has)) shared.push_back(option);
   }
@@ -79,7 +81,7 @@ std::string roff(const std::string& text) {
 std::string roff(const CLI::Option& option) {
   std::string head;
   for (const std::string& name : names(option)) head += (head.empty() ? "\\fB" : ", \\fB") + roff(name) + "\\fR";
-  if (!is_flag(option)) head += " \\fI" + roff(option.get_type_name()) + "\\fR";
+  if (!is_flag(option)) head += (head.empty() ? "\\fI" : " \\fI") + roff(option.get_type_name()) + "\\fR";
   return ".TP\n" + head + "\n" + roff(option.get_description()) + ".\n";
 }
 
@@ -92,7 +94,7 @@ std::string roff_options(const CLI::App& app) {
       if (!among(option, shared)) text += roff(*option);
     }
   }
-  text += ".SS All subcommands\n";
+  text += ".SS All subcommands but sweep and merge\n";
   for (const CLI::Option* option : shared) text += roff(*option);
   return text;
 }

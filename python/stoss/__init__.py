@@ -14,6 +14,8 @@ bodies
 `impact`                          one impact: energy ledger, trajectory, deformation and stress in
 time
 `restitution_distribution`        ε of many bodies that vibrate at random before
+`sweep`, `Grid`                   ε of many bodies, partners and speeds, on any executor, with a store
+`merge`, `open_sweep`             what such a store has
 `bounce`                          a body that comes back to a wall with the vibration it has kept
 `modes`                           the eigenmodes of a disk or a sphere
 `extrapolated_restitution`        ε as Gerl and Zippelius compute it
@@ -39,6 +41,7 @@ from stoss._distribution_result import RestitutionDistribution
 from stoss._errors import Interrupted, InvalidInput, NotConverged, StossWarning
 from stoss._extrapolation import Extrapolation, extrapolated_restitution
 from stoss._field import DiskField, Field, SphereField
+from stoss._grid import Grid
 from stoss._half_space import HalfPlane, HalfSpace
 from stoss._impact import impact
 from stoss._impact_result import Impact
@@ -50,6 +53,8 @@ from stoss._result import with_error
 from stoss._rod_chain import rod_chain
 from stoss._rod_chain_result import RodChain
 from stoss._state import Oscillation
+from stoss._sweep import sweep
+from stoss._sweep_result import Sweep, merge, open_sweep
 from stoss._trajectory import Trajectory
 from stoss._walls import ExponentialWall, HardWall, Wall
 from stoss._wave import Wave
@@ -62,6 +67,7 @@ __all__ = [
     "ExponentialWall",
     "Extrapolation",
     "Field",
+    "Grid",
     "HalfPlane",
     "HalfSpace",
     "HardWall",
@@ -80,6 +86,7 @@ __all__ = [
     "Sphere",
     "SphereField",
     "StossWarning",
+    "Sweep",
     "Trajectory",
     "Wall",
     "Wave",
@@ -89,12 +96,15 @@ __all__ = [
     "extrapolated_restitution",
     "impact",
     "materials",
+    "merge",
     "modes",
+    "open_sweep",
     "plot",
     "quasistatic",
     "restitution",
     "restitution_distribution",
     "rod_chain",
+    "sweep",
     "with_error",
 ]
 
