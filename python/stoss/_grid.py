@@ -17,7 +17,7 @@ from stoss._bodies import Body, speed_unit, speeds_in_si
 from stoss._contact import Against, choose_against, choose_body, refinable
 from stoss._errors import InvalidInput
 from stoss._half_space import Unbounded
-from stoss._specification import Specification, beside, describe, expanded, make
+from stoss._specification import Specification, beside, describe, expanded, make, series
 from stoss._walls import HardWall
 
 Given = Union[Body, Unbounded, HardWall, str, Mapping[str, Any]]
@@ -184,8 +184,6 @@ def _specifications(name: str, given: Any) -> Iterator[Specification]:
 
 
 def _speeds(given: Any) -> NDArray[np.float64]:
-    from stoss._specification import series
-
     values = numbers("speed", series("speed", given) if isinstance(given, str) else given).ravel()
     if values.size == 0:
         raise InvalidInput("speed: got none, allowed at least one (the grid is empty)")

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from stoss import _core
+from stoss._arguments import brief
 from stoss._bodies import kind
 from stoss._files import whole_file
 from stoss._quantities import QUANTITIES, unit
@@ -27,7 +28,7 @@ def write(sweep: Sweep, path: str) -> None:
     try:
         import netCDF4
     except ImportError:
-        raise ImportError("netcdf: a sweep is written with the package netCDF4 (python3-netcdf4), which is missing")
+        raise ImportError("netcdf: a sweep is written with the package netCDF4 (python3-netcdf4), which is missing") from None
 
     with whole_file(path, ".nc") as temporary:
         with netCDF4.Dataset(temporary, "w", format="NETCDF4") as file:
@@ -85,7 +86,7 @@ def _label(words: Specification) -> str:
     usual = {"loss_time": 0.0, **({} if "material" in words else dict.fromkeys(_SI, 1.0) | {"loss_time": 0.0})}
     numbers = {name: value for name, value in words.items() if name != "kind" and usual.get(name) != value}
     numbers |= {f"material_{name}": value for name, value in numbers.pop("material", {}).items()}
-    return ",".join((words["kind"], *(f"{name}={value}" for name, value in numbers.items())))
+    return ",".join((words["kind"], *(f"{name}={brief(value)}" for name, value in numbers.items())))
 
 
 def _results(file: Any, sweep: Sweep) -> None:

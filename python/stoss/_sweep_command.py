@@ -20,7 +20,7 @@ from stoss._arguments import refusal
 from stoss._errors import InvalidInput
 from stoss._grid import Grid
 from stoss._sweep import compute, missing
-from stoss._sweep_result import merge, open_sweep
+from stoss._sweep_result import Sweep, merge, open_sweep
 
 
 class Usage(Exception):
@@ -110,10 +110,8 @@ def _merge(words: Sequence[str]) -> int:
     return 1
 
 
-def _tell_missing(result: object) -> None:
-    from stoss._sweep_result import Sweep
-
-    assert isinstance(result, Sweep)
+def _tell_missing(result: Sweep) -> None:
+    """The first missing values, and how many there are."""
     absent = np.argwhere(~result.computed)
     for i, j, k in absent[:5].tolist():
         partner = result.grid.against[j]["kind"]
