@@ -152,7 +152,7 @@ class Grid:
             against = choose_against(body, beside(partner, body), (HardWall,))
             met = {"kind": "wall"} if isinstance(against, HardWall) else describe(against)
             accuracy = {"tolerance": self.tolerance, "absolute": self.absolute}
-            inputs = {"body": describe(body), "against": met, **accuracy}
+            inputs: Specification = {"body": describe(body), "against": met, **accuracy}
             text = json.dumps(inputs, sort_keys=True, allow_nan=False)
             yield Case((i, j), body, against, inputs, hashlib.sha256(text.encode()).hexdigest()[:16])
 

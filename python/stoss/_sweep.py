@@ -116,8 +116,11 @@ def compute(
     store: str, inputs: dict[str, Any], key: str, speeds: list[float], threads: int = 1, name: str | None = None
 ) -> int:
     """Compute one body with what it meets at some speeds and append the values to the file of this worker."""
-    accuracy = {each: inputs[each] for each in ("tolerance", "absolute")}
-    (case,) = Grid(bodies=inputs["body"], against=inputs["against"], speed=speeds, **accuracy).cases()
+    tolerance, absolute = inputs["tolerance"], inputs["absolute"]
+    alone = Grid(
+        bodies=inputs["body"], against=inputs["against"], speed=speeds, tolerance=tolerance, absolute=absolute
+    )  # fmt: skip
+    (case,) = alone.cases()
     if case.key != key:
         raise InvalidInput(f"grid: got case {case.key} of a worker, allowed {key} (all must have the same stoss)")
     rows = np.zeros(len(speeds), dtype=_core.restitution_row)
@@ -133,7 +136,7 @@ def compute(
         contact = refinable(case.body, case.against)
         try:
             _core.restitution_curve(
-                contact, own, *accuracy.values(), threads, choose_state(None), rows, [], keep
+                contact, own, tolerance, absolute, threads, choose_state(None), rows, [], keep
             )  # fmt: skip
         finally:
             worker.flush()
