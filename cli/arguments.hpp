@@ -90,4 +90,7 @@ void add_distribution(CLI::App& app, int& exit_code);
 void add_quasistatic(CLI::App& app);
 void add_table(CLI::App& app);
 
+/// stoss sweep and stoss merge, which become Python with the same words.
+void add_sweeps(CLI::App& app);
+
 }  // namespace stoss::cli

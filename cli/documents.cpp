@@ -51,11 +51,13 @@ bool among(const CLI::Option* option, const Options& options) {
   return std::any_of(options.begin(), options.end(), [&](const CLI::Option* other) { return same(option, other); });
 }
 
-/// The options that every subcommand has.
+/// The options that every subcommand has that prints results: not those that are handed over to Python.
 Options common(const CLI::App& app) {
   Options shared;
   for (const CLI::Option* option : subcommands(app).front()->get_options()) {
-    const auto has = [&](const CLI::App* command) { return among(option, command->get_options()); };
+    const auto has = [&](const CLI::App* command) {
+      return command->get_option_no_throw("--format") == nullptr || among(option, command->get_options());
+    };
     const auto all = subcommands(app);
     if (std::all_of(all.begin(), all.end(), has)) shared.push_back(option);
   }
@@ -79,7 +81,7 @@ std::string roff(const std::string& text) {
 std::string roff(const CLI::Option& option) {
   std::string head;
   for (const std::string& name : names(option)) head += (head.empty() ? "\\fB" : ", \\fB") + roff(name) + "\\fR";
-  if (!is_flag(option)) head += " \\fI" + roff(option.get_type_name()) + "\\fR";
+  if (!is_flag(option)) head += (head.empty() ? "\\fI" : " \\fI") + roff(option.get_type_name()) + "\\fR";
   return ".TP\n" + head + "\n" + roff(option.get_description()) + ".\n";
 }
 
@@ -92,9 +94,14 @@ std::string roff_options(const CLI::App& app) {
       if (!among(option, shared)) text += roff(*option);
     }
   }
-  text += ".SS All subcommands\n";
+  text += ".SS All subcommands\nThose of sweep and merge, which print no results, are above.\n";
   for (const CLI::Option* option : shared) text += roff(*option);
   return text;
+}
+
+bool names_a_file(const CLI::Option& option) {
+  const std::string type = option.get_type_name();
+  return type == "FILE" || type == "DIR" || type == "GRID";
 }
 
 /// The cases of subcommand and word before: what may follow an option.
@@ -104,9 +111,9 @@ std::string bash_values(const CLI::App& app) {
     for (const CLI::Option* option : command->get_options()) {
       if (is_flag(*option)) continue;
       const auto allowed = choices(*option);
-      const std::string action = !allowed.empty() ? fmt::format("words=\"{}\"", fmt::join(allowed, " "))
-                                 : option->get_type_name() == "FILE" ? "files=yes"
-                                                                     : "return";
+      const std::string action = !allowed.empty()        ? fmt::format("words=\"{}\"", fmt::join(allowed, " "))
+                                 : names_a_file(*option) ? "files=yes"
+                                                         : "return";
       for (const std::string& name : names(*option)) {
         patterns[action].insert(fmt::format("\"{} {}\"", command->get_name(), name));
       }
@@ -115,6 +122,12 @@ std::string bash_values(const CLI::App& app) {
   std::string text;
   for (const auto& [action, words] : patterns) {
     text += fmt::format("    {}) {} ;;\n", fmt::join(words, " | \\\n      "), action);
+  }
+  for (const CLI::App* command : subcommands(app)) {
+    const auto all = command->get_options(&CLI::Option::get_positional);
+    if (all.empty()) continue;
+    text += fmt::format("    \"{} \"*) [ \"$COMP_CWORD\" -lt 2 ] || [[ \"$current\" == -* ]] || files=yes ;;\n",
+                        command->get_name());
   }
   return text;
 }

@@ -55,7 +55,7 @@ CLI::Option* add_integer(CLI::App& command, const std::string& name, std::option
 void refuse_empty_values(CLI::App& app) {
   for (CLI::Option* option : app.get_options()) {
     if (option->get_expected_min() == 0) continue;  // a flag
-    const std::string name = option->get_lnames().front();
+    const std::string name = option->get_single_name();
     option->transform([name](std::string text) {
       if (text.empty()) throw InvalidInput(fmt::format("{}: got '', allowed a value (is a variable not set?)", name));
       return text;

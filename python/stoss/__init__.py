@@ -12,10 +12,11 @@ speed c = √(E/ρ), mass m; of bodies with a `Material`, speeds are in m/s.
 `restitution`                     ε(v) with errors, for numbers and arrays, at a wall or of two
 bodies
 `restitution_function`            ε(v) as a function, to an error at every speed
-`restitution_function`            ε(v) as a function, to an error at every speed
 `impact`                          one impact: energy ledger, trajectory, deformation and stress in
 time
 `restitution_distribution`        ε of many bodies that vibrate at random before
+`sweep`, `Grid`                   ε of many bodies, partners and speeds, on any executor, with a store
+`merge`, `open_sweep`             what such a store has
 `bounce`                          a body that comes back to a wall with the vibration it has kept
 `modes`                           the eigenmodes of a disk or a sphere
 `extrapolated_restitution`        ε as Gerl and Zippelius compute it
@@ -27,7 +28,6 @@ time
 `Oscillation`                     a mode that vibrates before an impact
 `Material`, `materials`           SI; typical materials
 `plot`                            pictures (needs matplotlib)
-`read_csv`                        reads what `to_csv` or the command has written
 `read_csv`                        reads what `to_csv` or the command has written
 `with_error`                      a number with the digits that its error leaves it, for reading
 ================================  ==================================================================
@@ -45,8 +45,7 @@ from stoss._extrapolation import Extrapolation, extrapolated_restitution
 from stoss._field import DiskField, Field, SphereField
 from stoss._function import restitution_function
 from stoss._function_result import RestitutionFunction
-from stoss._function import restitution_function
-from stoss._function_result import RestitutionFunction
+from stoss._grid import Grid
 from stoss._half_space import HalfPlane, HalfSpace
 from stoss._impact import impact
 from stoss._impact_result import Impact
@@ -58,7 +57,8 @@ from stoss._result import with_error
 from stoss._rod_chain import rod_chain
 from stoss._rod_chain_result import RodChain
 from stoss._state import Oscillation
-from stoss._table import Table, read_csv
+from stoss._sweep import sweep
+from stoss._sweep_result import Sweep, merge, open_sweep
 from stoss._table import Table, read_csv
 from stoss._trajectory import Trajectory
 from stoss._walls import ExponentialWall, HardWall, Wall
@@ -72,6 +72,7 @@ __all__ = [
     "ExponentialWall",
     "Extrapolation",
     "Field",
+    "Grid",
     "HalfPlane",
     "HalfSpace",
     "HardWall",
@@ -85,14 +86,13 @@ __all__ = [
     "Restitution",
     "RestitutionDistribution",
     "RestitutionFunction",
-    "RestitutionFunction",
     "Rod",
     "RodChain",
     "Scales",
     "Sphere",
     "SphereField",
     "StossWarning",
-    "Table",
+    "Sweep",
     "Table",
     "Trajectory",
     "Wall",
@@ -103,16 +103,17 @@ __all__ = [
     "extrapolated_restitution",
     "impact",
     "materials",
+    "merge",
     "modes",
+    "open_sweep",
     "plot",
     "quasistatic",
-    "read_csv",
     "read_csv",
     "restitution",
     "restitution_distribution",
     "restitution_function",
-    "restitution_function",
     "rod_chain",
+    "sweep",
     "with_error",
 ]
 

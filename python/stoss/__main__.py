@@ -1,4 +1,7 @@
-"""`python -m stoss SUBCOMMAND …`: the command stoss, which is installed apart from this package."""
+"""`python -m stoss SUBCOMMAND …`: the command stoss, which is installed apart from this package.
+
+Its subcommands sweep and merge are in this package: the command hands them over to it.
+"""
 
 from __future__ import annotations
 
@@ -11,7 +14,11 @@ MISSING = "stoss: the command is not part of the Python package (build it with '
 
 
 def main() -> int:
-    """Become the command, with the same arguments; without it, say how to get it."""
+    """Run sweep or merge, or become the command with the same arguments; without it, say how to get it."""
+    if sys.argv[1:2] in (["sweep"], ["merge"]):
+        from stoss import _sweep_command
+
+        return _sweep_command.main(sys.argv[1:])
     places = os.pathsep.join([sysconfig.get_path("scripts"), os.environ.get("PATH", os.defpath)])
     command = shutil.which("stoss", path=places)
     if command is None:

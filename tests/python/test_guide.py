@@ -17,7 +17,7 @@ import numpy as np
 import pytest
 
 ROOT = Path(__file__).parents[2]
-PAGES = ("docs/python.md", "docs/vibrating_bodies.md", "README.md", "docs/programs.md")
+PAGES = ("docs/python.md", "docs/vibrating_bodies.md", "README.md", "docs/programs.md", "docs/sweeps.md")
 # Pictures that a page draws and shows.
 PICTURES = {"docs/vibrating_bodies.md": [f"vibrating_{name}.png" for name in ("phase", "warm", "bounces", "rods")]}
 FENCED = re.compile(r"^```(\w*)\n(.*?)^```$\n?", re.MULTILINE | re.DOTALL)

@@ -1,0 +1,195 @@
+"""The cases of a sweep: which bodies meet what, and how fast."""
+
+from __future__ import annotations
+
+import hashlib
+import itertools
+import json
+import os
+from typing import Any, Iterator, Mapping, NamedTuple, Union
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from stoss import _core
+from stoss._arguments import number, numbers, refusal
+from stoss._bodies import Body, speed_unit, speeds_in_si
+from stoss._contact import Against, choose_against, choose_body, refinable
+from stoss._errors import InvalidInput
+from stoss._half_space import Unbounded
+from stoss._specification import Specification, beside, describe, expanded, make, series
+from stoss._walls import HardWall
+
+Given = Union[Body, Unbounded, HardWall, str, Mapping[str, Any]]
+
+
+class Case(NamedTuple):
+    """One body and what it meets: the speeds have its modes in common."""
+
+    place: tuple[int, int]
+    body: Body
+    against: Against
+    inputs: Specification
+    key: str
+
+
+class Grid:
+    """The cases of a sweep: each of the bodies meets each of the partners at each of the speeds.
+
+    Parameters
+    ----------
+    bodies : Disk, Sphere or Rod, mapping, or a sequence of them
+        The first bodies, all with a material or all without. A mapping has the `kind` ``'disk'``,
+        ``'sphere'`` or ``'rod'`` and the arguments of that class; where an argument is a list or a
+        series as ``'lin:0:0.4:5'``, it stands for a body of each number.
+    against : 'wall', 'same', HardWall, a body, HalfSpace or HalfPlane, mapping, or a sequence, optional
+        What they meet. A mapping that names no Poisson number takes that of the first body.
+    speed : array_like
+        Of approach, c of the first body (with materials: m/s); or a series as ``'log:1e-4:0.1:30'``.
+    tolerance, absolute : float, optional
+        As of `stoss.restitution`.
+
+    Raises
+    ------
+    InvalidInput
+        For an empty grid, for bodies that cannot meet, for a case or a speed that comes twice, and
+        for numbers out of range.
+
+    Examples
+    --------
+    >>> grid = stoss.Grid(
+    ...     bodies={"kind": "sphere", "poisson": [0.2, 0.3]},
+    ...     against=["wall", {"kind": "sphere", "radius": [1, 2]}],
+    ...     speed="log:1e-3:1e-1:5",
+    ... )
+    >>> grid.shape
+    (2, 3, 5)
+    """
+
+    def __init__(
+        self,
+        *,
+        bodies: Given | Any,
+        against: Given | Any = "wall",
+        speed: ArrayLike | str,
+        tolerance: float = 1e-3,
+        absolute: float = 1e-6,
+    ) -> None:
+        self.bodies: tuple[Body, ...] = tuple(_first(each) for each in _specifications("bodies", bodies))
+        self.against: tuple[Specification, ...] = tuple(_specifications("against", against))
+        self.speed = _speeds(speed)
+        self.tolerance = number("tolerance", tolerance)
+        self.absolute = number("absolute", absolute)
+        if len({body.material is None for body in self.bodies}) > 1:
+            raise InvalidInput("bodies: got some with a material, allowed all or none (speeds are in m/s or in c)")
+        self._cases = tuple(self._found())
+        self._check()
+
+    def __repr__(self) -> str:
+        bodies, partners, speeds = self.shape
+        return f"Grid({bodies} bodies, {partners} partners, {speeds} speeds)"
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, Grid) and self.to_dict() == other.to_dict()
+
+    __hash__ = None  # type: ignore[assignment]
+
+    @property
+    def shape(self) -> tuple[int, int, int]:
+        """Numbers of bodies, partners and speeds."""
+        return len(self.bodies), len(self.against), self.speed.size
+
+    @property
+    def in_si(self) -> bool:
+        """Whether the bodies have materials, so that speeds are in m/s."""
+        return self.bodies[0].material is not None
+
+    def cases(self) -> tuple[Case, ...]:
+        """Each body with each partner, bodies first."""
+        return self._cases
+
+    def to_dict(self) -> dict[str, Any]:
+        """Return all inputs in plain Python types, from which `from_dict` makes an equal grid."""
+        return {
+            "bodies": [describe(body) for body in self.bodies],
+            "against": list(self.against),
+            "speed": self.speed.tolist(),
+            "tolerance": self.tolerance,
+            "absolute": self.absolute,
+        }
+
+    @classmethod
+    def from_dict(cls, given: Mapping[str, Any]) -> Grid:
+        """Make a grid of the inputs as `to_dict` returns them, or as a TOML file has them."""
+        known = {"bodies", "against", "speed", "tolerance", "absolute"}
+        if not isinstance(given, Mapping) or not {"bodies", "speed"} <= set(given) <= known:
+            got = sorted(given) if isinstance(given, Mapping) else given
+            raise refusal("grid", got, "bodies and speed, and besides against, tolerance, absolute")
+        return cls(**given)
+
+    @classmethod
+    def from_toml(cls, path: str | os.PathLike[str]) -> Grid:
+        """Read a grid from a TOML file, whose keys are the arguments of this class (docs/sweeps.md).
+
+        Raises
+        ------
+        InvalidInput
+            If the file is no grid.
+        OSError
+            If it cannot be read.
+        """
+        import tomllib  # Python 3.11
+
+        with open(path, "rb") as stream:
+            try:
+                given = tomllib.load(stream)
+            except (tomllib.TOMLDecodeError, UnicodeDecodeError) as error:
+                raise InvalidInput(f"grid: got '{os.fspath(path)}', allowed TOML ({error})") from None
+        return cls.from_dict(given)
+
+    def _found(self) -> Iterator[Case]:
+        for (i, body), (j, partner) in itertools.product(enumerate(self.bodies), enumerate(self.against)):
+            against = choose_against(body, beside(partner, body), (HardWall,))
+            met = {"kind": "wall"} if isinstance(against, HardWall) else describe(against)
+            accuracy = {"tolerance": self.tolerance, "absolute": self.absolute}
+            inputs: Specification = {"body": describe(body), "against": met, **accuracy}
+            text = json.dumps(inputs, sort_keys=True, allow_nan=False)
+            yield Case((i, j), body, against, inputs, hashlib.sha256(text.encode()).hexdigest()[:16])
+
+    def _check(self) -> None:
+        seen: dict[str, Case] = {}
+        for case in self._cases:
+            if case.key in seen:
+                raise InvalidInput(f"grid: got {case.body!r} against {case.against!r} twice, allowed once")
+            seen[case.key] = case
+            with speeds_in_si(case.body):
+                _core.check_curve(self.speed / speed_unit(case.body), self.tolerance, self.absolute, 1)
+            refinable(case.body, case.against)  # refuses ratios out of range
+
+
+def _first(given: Specification) -> Body:
+    return choose_body(make("bodies", given), None, rigid=True)
+
+
+def _specifications(name: str, given: Any) -> Iterator[Specification]:
+    """Of one body or partner or several, given as objects, words or mappings with series."""
+    several = given if isinstance(given, (list, tuple, np.ndarray)) else [given]
+    count = 0
+    for each in several:
+        for one in expanded(name, each):
+            count += 1
+            yield one
+    if count == 0:
+        raise InvalidInput(f"{name}: got none, allowed at least one (the grid is empty)")
+
+
+def _speeds(given: Any) -> NDArray[np.float64]:
+    values = numbers("speed", series("speed", given) if isinstance(given, str) else given).ravel()
+    if values.size == 0:
+        raise InvalidInput("speed: got none, allowed at least one (the grid is empty)")
+    least = np.unique(values[~np.isnan(values)])
+    if least.size < np.count_nonzero(~np.isnan(values)):
+        twice = next(value for value in values.tolist() if np.count_nonzero(values == value) > 1)
+        raise InvalidInput(f"speed: got {twice!r} twice, allowed once")
+    values.flags.writeable = False
+    return values

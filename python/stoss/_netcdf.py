@@ -1,0 +1,120 @@
+"""A sweep as a NetCDF-4 file."""
+
+from __future__ import annotations
+
+import dataclasses
+import json
+import os
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from stoss import _core
+from stoss._arguments import brief
+from stoss._bodies import kind
+from stoss._files import whole_file
+from stoss._quantities import QUANTITIES, unit
+from stoss._si import si_name
+from stoss._specification import Specification, describe
+
+if TYPE_CHECKING:
+    from stoss._sweep_result import Sweep
+
+DIMENSIONS = ("body", "against", "speed")
+
+
+def write(sweep: Sweep, path: str) -> None:
+    """Write the file beside its place, let the disk have it, and move it there."""
+    try:
+        import netCDF4
+    except ImportError:
+        raise ImportError("netcdf: a sweep is written with the package netCDF4 (python3-netcdf4), which is missing") from None
+
+    with whole_file(path, ".nc") as temporary:
+        with netCDF4.Dataset(temporary, "w", format="NETCDF4") as file:
+            _describe(file, sweep)
+            _coordinates(file, sweep)
+            _results(file, sweep)
+        descriptor = os.open(temporary, os.O_RDONLY)
+        try:
+            os.fsync(descriptor)
+        finally:
+            os.close(descriptor)
+
+
+def _describe(file: Any, sweep: Sweep) -> None:
+    missing = sweep.computed.size - int(np.count_nonzero(sweep.computed))
+    file.setncatts(
+        {
+            "Conventions": "CF-1.8",
+            "title": "Coefficient of restitution of elastic bodies",
+            "source": f"stoss {', '.join(sweep.versions) or _core.version}",
+            "tolerance": sweep.grid.tolerance,
+            "absolute": sweep.grid.absolute,
+            "missing_values": missing,
+            "complete": "false" if missing else "true",
+            "grid": json.dumps(sweep.grid.to_dict()),
+            "units_of_results": "of the first body: its radius R or length L, c = sqrt(E/rho), its mass; "
+            "with materials SI values have names that end in _si",
+        }
+    )
+
+
+def _coordinates(file: Any, sweep: Sweep) -> None:
+    for name, size in zip(DIMENSIONS, sweep.grid.shape):
+        file.createDimension(name, size)
+    speed = file.createVariable("speed", "f8", ("speed",))
+    speed.setncatts({"long_name": "speed of approach", "units": "m/s" if sweep.grid.in_si else "c"})
+    speed[:] = sweep.grid.speed
+    bodies = [describe(body) for body in sweep.grid.bodies]
+    for name, given in (("body", bodies), ("against", sweep.grid.against)):
+        label = file.createVariable(name, str, (name,))
+        label.long_name = "what meets" if name == "body" else "what it meets"
+        label[:] = np.array([_label(each) for each in given], dtype=object)
+    names = {field.name for each in sweep.grid.bodies for field in dataclasses.fields(each)}
+    for name in sorted(names - {"material", "plane", "rigid"}):
+        variable = file.createVariable(f"body_{name}", "f8", ("body",), fill_value=np.nan)
+        variable.units = _SI.get(name, "1") if sweep.grid.in_si else "1"
+        variable[:] = [getattr(each, name, np.nan) for each in sweep.grid.bodies]
+
+
+_SI = {"radius": "m", "length": "m", "area": "m2", "young": "Pa", "density": "kg/m3", "loss_time": "s"}
+
+
+def _label(words: Specification) -> str:
+    """What a body or a partner is, in the manner of --against."""
+    usual = {"loss_time": 0.0, **({} if "material" in words else dict.fromkeys(_SI, 1.0) | {"loss_time": 0.0})}
+    numbers = {name: value for name, value in words.items() if name != "kind" and usual.get(name) != value}
+    numbers |= {f"material_{name}": value for name, value in numbers.pop("material", {}).items()}
+    return ",".join((words["kind"], *(f"{name}={brief(value)}" for name, value in numbers.items())))
+
+
+def _results(file: Any, sweep: Sweep) -> None:
+    import netCDF4
+
+    kinds = sorted({kind(body) for body in sweep.grid.bodies})
+
+    def create(name: str, code: str, values: Any, attributes: dict[str, Any]) -> None:
+        fill = None if code == "i1" else netCDF4.default_fillvals[code]
+        variable = file.createVariable(name, code, DIMENSIONS, fill_value=fill, zlib=True, shuffle=True)
+        variable.setncatts(attributes)
+        variable[:] = np.where(sweep.computed, values, 0 if fill is None else fill)
+
+    for name, dimension in QUANTITIES["restitution"].items():
+        values = sweep.rows[name]
+        code = {"f": "f8", "i": "i8", "b": "i1"}[values.dtype.kind]
+        units = sorted({unit(dimension, body=each, si=False) for each in kinds})
+        attributes: dict[str, Any] = {"long_name": name.replace("_", " "), "units": " or ".join(units) or "1"}
+        if code == "i1":
+            attributes = {"long_name": name.replace("_", " "), "flag_values": np.array([0, 1], "i1")}
+            attributes["flag_meanings"] = "false true"
+        create(name, code, values, attributes)
+        if dimension and sweep.grid.in_si:
+            scales = np.array([getattr(body.scales, dimension) for body in sweep.grid.bodies])
+            units = sorted({unit(dimension, body=each, si=True) for each in kinds})
+            attributes = {"long_name": f"{name.replace('_', ' ')} in SI", "units": " or ".join(units)}
+            create(si_name(name), "f8", values * scales[:, None, None], attributes)
+    state = file.createVariable("computed", "i1", DIMENSIONS, zlib=True)
+    state.setncatts({"long_name": "whether the value is there", "flag_values": np.array([0, 1], "i1")})
+    state.flag_meanings = "missing computed"
+    state[:] = sweep.computed

@@ -1,0 +1,149 @@
+"""Bodies and walls as plain mappings, which files hold and other processes take."""
+
+from __future__ import annotations
+
+import dataclasses
+import decimal
+import itertools
+from typing import Any, Dict, Iterator, Mapping
+
+from stoss._arguments import refusal
+from stoss._bodies import PARTNERS, Body, Disk, Rod, Sphere
+from stoss._errors import InvalidInput
+from stoss._half_space import HalfPlane, HalfSpace
+from stoss._material import Material, materials
+from stoss._walls import HardWall
+
+Specification = Dict[str, Any]
+
+CLASSES: Mapping[str, Any] = {
+    "disk": Disk,
+    "sphere": Sphere,
+    "rod": Rod,
+    "half-space": HalfSpace,
+    "half-plane": HalfPlane,
+}
+WORDS = {made: word for word, made in CLASSES.items()}
+WALLS = ("wall", "same")
+
+
+def describe(body: Any) -> Specification:
+    """All that makes the body, in plain types."""
+    given = {field.name: getattr(body, field.name) for field in dataclasses.fields(body)}
+    if body.material is not None:
+        made = ("poisson", "young", "density", "material")
+        given = {name: value for name, value in given.items() if name not in made}
+        given["material"] = {name: value for name, value in vars(body.material).items() if value is not None}
+    usual = {name: value for name, value in given.items() if value is not None and value is not False}
+    return {"kind": WORDS[type(body)], **usual}
+
+
+def make(name: str, given: Specification) -> Any:
+    """The body that a mapping describes."""
+    words = dict(given)
+    kind = words.pop("kind", None)
+    if kind not in CLASSES:
+        raise refusal(f"{name}: kind", kind, ", ".join(CLASSES))
+    known = {field.name for field in dataclasses.fields(CLASSES[kind])}
+    for each in words:
+        if each not in known:
+            raise refusal(name, each, f"{', '.join(sorted(known))} of a {kind}")
+    if "material" in words:
+        words["material"] = _material(name, words["material"])
+    return CLASSES[kind](**words)
+
+
+def _material(name: str, given: Any) -> Material:
+    """By its name in stoss.materials, or of its constants."""
+    if isinstance(given, Material):
+        return given
+    if isinstance(given, str) and given in materials:
+        return materials[given]
+    known = {"young", "poisson", "density", "yield_strength", "loss_time", "quality"}
+    if not isinstance(given, Mapping) or not {"young", "poisson", "density"} <= set(given) <= known:
+        raise refusal(f"{name}: material", given, f"one of {', '.join(materials)}, or young, poisson and density")
+    return Material(**given)
+
+
+def beside(given: Specification, body: Body) -> Any:
+    """What a mapping describes where it meets this body: what it leaves out is the body's."""
+    kind = given["kind"]
+    if kind == "wall":
+        return HardWall()
+    if kind == "same":
+        return body
+    words = dict(given)
+    if kind in ("disk", "sphere") and "material" not in words and "poisson" in vars(body):
+        words.setdefault("poisson", body.poisson)  # type: ignore[union-attr]
+    if kind in ("disk", "half-plane") and "material" in words and getattr(body, "plane", None):
+        words.setdefault("plane", body.plane)  # type: ignore[union-attr]
+    return make("against", words)
+
+
+def expanded(name: str, given: Any) -> Iterator[Specification]:
+    """The mappings of an object, a word, or a mapping in which each list stands for a mapping of each number."""
+    if isinstance(given, HardWall) and given.tail == "radiating":
+        given = "wall"
+    if name == "against" and isinstance(given, str) and given in WALLS:
+        yield {"kind": given}
+    elif isinstance(given, PARTNERS):
+        yield describe(given)
+    elif isinstance(given, Mapping):
+        words = dict(given)
+        if words.get("kind") in WALLS and name == "against":
+            if len(words) > 1:
+                raise refusal(name, next(each for each in words if each != "kind"), f"nothing besides {words['kind']}")
+            yield words
+            return
+        columns = [[(key, each) for each in _choices(f"{name}: {key}", key, value)] for key, value in words.items()]
+        for chosen in itertools.product(*columns):
+            one = dict(chosen)
+            made = make(name, {"poisson": 0.0, **one} if name == "against" and _borrows(one) else one)
+            # What a partner leaves out stays open until it is known whom it meets.
+            yield {**one, **_plain_material(made, one)} if name == "against" else describe(made)
+    else:
+        walls = "'wall', 'same', " if name == "against" else ""
+        raise refusal(name, given, f"{walls}a body, or a mapping with its kind")
+
+
+def _borrows(words: Specification) -> bool:
+    return words.get("kind") in ("disk", "sphere") and "material" not in words
+
+
+def _plain_material(made: Any, words: Specification) -> Specification:
+    return {"material": describe(made)["material"]} if "material" in words else {}
+
+
+def _choices(name: str, key: str, value: Any) -> list[Any]:
+    if key in ("kind", "plane", "rigid", "material"):
+        return list(value) if isinstance(value, (list, tuple)) else [value]
+    if isinstance(value, str):
+        return list(series(name, value))
+    if hasattr(value, "tolist"):  # of NumPy
+        value = value.tolist()
+    return [_number(name, each) for each in value] if isinstance(value, (list, tuple)) else [_number(name, value)]
+
+
+def _number(name: str, value: Any) -> float:
+    if isinstance(value, bool) or not isinstance(value, (int, float)):
+        raise refusal(name, value, "a number, a list of numbers, or a series")
+    return float(value)
+
+
+def series(name: str, text: str) -> list[float]:
+    """The numbers of log:a:b:n or lin:a:b:n, the same bits on any machine."""
+    kind, *parts = text.split(":")
+    try:
+        first, last = (decimal.Decimal(part) for part in parts[:2])
+        count = int(parts[2])
+        if kind not in ("log", "lin") or len(parts) != 3 or count < 1 or not (first.is_finite() and last.is_finite()):
+            raise ValueError
+        if kind == "log" and min(first, last) <= 0:
+            raise ValueError
+    except (ValueError, IndexError, decimal.InvalidOperation):
+        hint = "log:a:b:n or lin:a:b:n with n of 1 or more, positive ends of log"
+        raise InvalidInput(f"{name}: got {text!r}, allowed {hint}") from None
+    steps = [decimal.Decimal(i) / max(count - 1, 1) for i in range(count)]
+    if kind == "lin":
+        return [float(first + step * (last - first)) for step in steps]
+    return [float(first * (last / first) ** step) for step in steps]
