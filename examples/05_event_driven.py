@@ -57,8 +57,9 @@ def main(folder: Path) -> None:
     figure.get_layout_engine().set(w_pad=0.1, h_pad=0.1)  # inches around the axes
     restitution.plot(left)
     v = np.geomspace(*restitution.range, 1000)[1:-1]
-    inset = left.inset_axes([0.12, 0.16, 0.5, 0.38], xscale="log", yscale="log", title="error")
-    inset.plot(v, restitution.error(v), color="C3")
+    inset = left.inset_axes([0.12, 0.16, 0.5, 0.38], xscale="log", title="error of ε / 10⁻⁵")
+    inset.plot(v, restitution.error(v) / 1e-5, color="C3")
+    inset.set_ylim(0)
 
     start = 5.0  # m/s, root mean square
     first = restitution(np.sqrt(2) * start)
