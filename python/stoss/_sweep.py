@@ -19,6 +19,7 @@ from stoss._errors import Interrupted, InvalidInput, StossWarning
 from stoss._grid import Case, Grid
 from stoss._state import choose_state
 from stoss._sweep_result import Sweep, open_sweep
+from stoss._worker import Worker
 
 
 def sweep(
@@ -126,7 +127,7 @@ def compute(
     rows = np.zeros(len(speeds), dtype=_core.restitution_row)
     own = np.array(speeds) / speed_unit(case.body)
     done = 0
-    with _store.Worker(Path(store), name) as worker:
+    with Worker(Path(store), name) as worker:
 
         def keep() -> None:
             nonlocal done

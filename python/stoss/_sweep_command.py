@@ -21,6 +21,7 @@ from stoss._errors import InvalidInput
 from stoss._grid import Grid
 from stoss._sweep import compute, missing
 from stoss._sweep_result import Sweep, merge, open_sweep
+from stoss._worker import Worker
 
 
 class Usage(Exception):
@@ -68,7 +69,7 @@ def _sweep(words: Sequence[str]) -> int:
     path = _store.create(given.store, grid)
     name = f"shard-{shard}-of-{shards}"
     cases = grid.cases()[shard - 1 :: shards]
-    with _store.Worker(path, name):  # before anything is computed: a second one of this shard ends here
+    with Worker(path, name):  # before anything is computed: a second one of this shard ends here
         jobs = list(missing(grid, path, cases, given.threads or len(os.sched_getaffinity(0))))
     done = sum(compute(*job, name) for job in jobs)
     return _report(path, grid, shard, shards, done)

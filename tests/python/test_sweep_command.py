@@ -109,7 +109,7 @@ def test_merge_where_nothing_can_be_written(command):
 
 def test_a_second_one_of_the_same_shard_is_refused(command):
     path = stoss._store.create(command.folder / "store", stoss.Grid.from_toml(command.folder / "grid.toml"))
-    with stoss._store.Worker(path, "shard-1-of-2"):
+    with stoss._worker.Worker(path, "shard-1-of-2"):
         code, error = command.run("sweep", "grid.toml", "--store", "store", "--shard", "1/2")
         assert code == 4 and "another process is writing it" in error
         assert command.run("sweep", "grid.toml", "--store", "store", "--shard", "2/2")[0] == 0
