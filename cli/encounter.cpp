@@ -172,6 +172,22 @@ RefinableContact Encounter::refinable(double poisson) const {
   return {make_first(poisson), make_second(poisson)};
 }
 
+Mixture Encounter::mixture(double poisson) const {
+  if (rods() || first_.rigid || !against_.is_body() || against_.is_unbounded()) {
+    throw InvalidInput("ratio: got --ratio with " + std::string(rods() ? "rods" : "--against " + against_.kind) +
+                       (first_.rigid ? " and --rigid-body" : "") +
+                       ", allowed with elastic disks or spheres that meet " +
+                       "their like (--against same, disk,… or sphere,…)");
+  }
+  const bool same = against_.kind == "same";
+  if (first_.kind == BodyKind::disk) {
+    const Disk one = first_disk(poisson);
+    return same ? stoss::mixture(one) : stoss::mixture(one, second_disk(poisson));
+  }
+  const Sphere one = first_sphere(poisson);
+  return same ? stoss::mixture(one) : stoss::mixture(one, second_sphere(poisson));
+}
+
 Contact Encounter::contact(double poisson, double cutoff, double speed) const {
   if (against_.is_body()) return stoss::contact(make_first(poisson), make_second(poisson), cutoff, speed);
   const ExponentialWall soft{against_.value("hardness", default_hardness), against_.value("strength", 1.0)};

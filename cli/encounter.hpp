@@ -11,6 +11,7 @@
 #include "sphere_arguments.hpp"
 #include "stoss/bodies/disk.hpp"
 #include "stoss/restitution/ladder.hpp"
+#include "stoss/table/adaptive_pairs.hpp"
 #include "units.hpp"
 
 namespace stoss::cli {
@@ -41,6 +42,10 @@ class Encounter {
   /// At any cutoff, for `restitution`. @param poisson of the first body; rods have none
   /// @throws InvalidInput as the core
   [[nodiscard]] RefinableContact refinable(double poisson) const;
+
+  /// Of any ratio of radii, for a table of pairs. The radius of the second does not count.
+  /// @throws InvalidInput unless these are elastic disks or spheres
+  [[nodiscard]] Mixture mixture(double poisson) const;
 
   /// At one cutoff and speed, for `impact`.
   [[nodiscard]] Contact contact(double poisson, double cutoff, double speed) const;

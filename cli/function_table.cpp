@@ -12,6 +12,7 @@
 #include "interrupt.hpp"
 #include "numbers.hpp"
 #include "options.hpp"
+#include "pair_table.hpp"
 #include "report.hpp"
 #include "stoss/errors.hpp"
 #include "stoss/table/adaptive.hpp"
@@ -27,6 +28,7 @@ namespace {
 struct TableArguments {
   EncounterArguments who;
   std::string speed;
+  std::string ratio;  // of a table of pairs
   double error = 1e-3;
   int threads = 0;
   std::string format = "c";
@@ -53,6 +55,9 @@ void check_format(const TableArguments& arguments) {
   if (arguments.given("--name") && format != "c") {
     throw InvalidInput(fmt::format("name: got --name with --format {}, allowed only with --format c", format));
   }
+  if (!arguments.ratio.empty() && format == "two-column") {
+    throw InvalidInput("ratio: got --ratio with --format two-column, allowed only with c and json");
+  }
   if (arguments.given("--beyond") && format == "two-column") {
     throw InvalidInput(
         "beyond: got --beyond with --format two-column, allowed only with c and json (who reads the columns decides)");
@@ -76,12 +81,14 @@ TableJob make_job(const TableArguments& arguments) {
   return {std::move(encounter), typed, speeds};
 }
 
+Beyond beyond(const TableArguments& arguments) { return arguments.beyond == "clamp" ? Beyond::clamp : Beyond::error; }
+
 RestitutionFunction compute(const TableArguments& arguments, const TableJob& job) {
   // Half of the error is for the straight lines between the rows.
   const double share = arguments.format == "two-column" ? 0.5 : 1.0;
   return restitution_function(job.encounter.refinable(job.encounter.poisson()), job.speeds[0], job.speeds[1],
                               {.error = share * arguments.error,
-                               .beyond = arguments.beyond == "clamp" ? Beyond::clamp : Beyond::error,
+                               .beyond = beyond(arguments),
                                .threads = arguments.threads,
                                .poll = heed_interrupts});
 }
@@ -91,19 +98,19 @@ Provenance describe(const TableArguments& arguments, const TableJob& job) {
   auto& inputs = provenance.inputs;
   job.encounter.describe(inputs);
   inputs[job.encounter.units().si ? "speed[m/s]" : "speed"] = arguments.speed;
+  if (!arguments.ratio.empty()) inputs["ratio"] = arguments.ratio;
   inputs["error"] = arguments.error;
   inputs["beyond"] = arguments.beyond;
   return provenance;
 }
 
-std::string as_c(const TableArguments& arguments, const TableJob& job, const RestitutionFunction& function) {
+TableLabel label(const TableArguments& arguments, const TableJob& job) {
   std::vector<std::string> lines;
   // The lines of CSV without the mark of a comment.
   for (const std::string& line : split(csv_header(describe(arguments, job)), '\n')) {
     lines.push_back(line.substr(std::min<std::size_t>(2, line.size())));
   }
-  return c_header(
-      function, {.name = arguments.name, .unit = job.unit_name(), .scale = job.unit(), .provenance = std::move(lines)});
+  return {.name = arguments.name, .unit = job.unit_name(), .scale = job.unit(), .provenance = std::move(lines)};
 }
 
 std::string as_json(const TableArguments& arguments, const TableJob& job, const RestitutionFunction& function) {
@@ -130,8 +137,24 @@ std::string as_json(const TableArguments& arguments, const TableJob& job, const 
 
 std::string as_text(const TableArguments& arguments, const TableJob& job, const RestitutionFunction& function) {
   if (arguments.format == "json") return as_json(arguments, job, function);
-  if (arguments.format == "c") return as_c(arguments, job, function);
+  if (arguments.format == "c") return c_header(function, label(arguments, job));
   return two_column(function, arguments.error, job.unit());
+}
+
+std::string text_of_pairs(const TableArguments& arguments, const TableJob& job) {
+  const PairTable table = compute_pairs(job.encounter, {.slowest = job.speeds[0],
+                                                        .fastest = job.speeds[1],
+                                                        .ratio = arguments.ratio,
+                                                        .options = {.error = arguments.error,
+                                                                    .beyond = beyond(arguments),
+                                                                    .threads = arguments.threads,
+                                                                    .poll = heed_interrupts}});
+  if (arguments.format == "c") return c_header(table, label(arguments, job));
+  return pairs_as_json(table, label(arguments, job), describe(arguments, job));
+}
+
+std::string text_of_function(const TableArguments& arguments, const TableJob& job) {
+  return as_text(arguments, job, compute(arguments, job));
 }
 
 void warn(const TableArguments& arguments, const TableJob& job) {
@@ -147,8 +170,7 @@ void run(const TableArguments& arguments) {
   const TableJob job = make_job(arguments);
   require_writable(arguments.output.path);
   catch_interrupts();
-  const RestitutionFunction function = compute(arguments, job);
-  const std::string text = as_text(arguments, job, function);
+  const std::string text = arguments.ratio.empty() ? text_of_function(arguments, job) : text_of_pairs(arguments, job);
   heed_interrupts();
   write_whole(arguments.output.path, text);
   warn(arguments, job);
@@ -203,6 +225,12 @@ void add_table(CLI::App& app) {
       ->required()
       ->type_name("RANGE")
       ->group("Body");
+  command
+      ->add_option("--ratio", arguments->ratio,
+                   "Range of the ratio of radii, SMALLEST:GREATEST, second body over first,\nwithin 1e-3 to 1e3: a "
+                   "table of pairs of disks or of spheres, --against\nsame or a body, whose radius does not count")
+      ->type_name("RANGE")
+      ->group("Body");
   arguments->who.add_to(*command);
   add_form(*command, *arguments);
   command->footer(
@@ -211,6 +239,7 @@ void add_table(CLI::App& app) {
       "  stoss table --body sphere --poisson 0.3 --speed 1e-5:0.1 --against same --error 1e-4 --format json\n"
       "  stoss table --body sphere --poisson 0.3 --young 2.1e11 --density 7850 --radius 0.005 --speed 0.01:10\n"
       "      --against half-space,poisson=0.23,young=7e10,density=2500 --format two-column -o steel_on_glass.txt\n"
+      "  stoss table --poisson 0.33 --speed 1e-4:0.3 --against same --ratio 1:3 -o pairs.h\n"
       "  stoss table --body rod --speed 0.001:0.1 --against rod,length=2.5 --error 0.01 --name rods -o rods.h");
   command->callback([arguments] { run(*arguments); });
 }

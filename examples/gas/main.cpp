@@ -26,7 +26,7 @@ namespace {
 constexpr double poisson = 0.33, packing = 0.3;
 constexpr double largest = 2.0;                       // radius of the largest disk over that of the smallest
 constexpr double temperature = 0.016;                 // collisions at some 0.1 c
-constexpr double least_energy = 1e-4, growth = 1.08;  // of the initial energy; of the time between two rows
+constexpr double least_energy = 3e-4, growth = 1.08;  // of the initial energy; of the time between two rows
 constexpr long most_collisions = 2000;                // of a disk
 constexpr double slowest = 1e-6, fastest = 0.5, error = 1e-3;
 
@@ -142,8 +142,8 @@ void run(const std::string& file, const std::string& places, std::size_t count) 
   const double begin = seconds();
   const PairTable table = stoss::pair_table(stoss::mixture(stoss::Disk{.poisson = poisson}), slowest, fastest, 1.0,
                                             largest, {.error = error, .beyond = stoss::Beyond::clamp});
-  std::printf("table      %zu speeds, %zu ratios, error %.1e, %.2f s\n", table.speeds().size(), table.ratios().size(),
-              table.greatest_error(), seconds() - begin);
+  std::printf("table      %zu speeds, %zu ratios, error %.1e, %.2f s\n", table.values().speeds.size(),
+              table.values().ratios.size(), table.greatest_error(), seconds() - begin);
   Collisions seen;
   const gas::Gas start = prepared(count, seen);
   const gas::Law computed = [&table](double speed, double ratio) { return table.value(speed, ratio); };

@@ -25,6 +25,7 @@ void bind_bounce(py::module_& module);
 void bind_rod_chain(py::module_& module);
 void bind_distribution(py::module_& module);
 void bind_extrapolation(py::module_& module);
+void bind_pair_table(py::module_& module);
 void bind_quasistatic(py::module_& module);
 void bind_point_quasistatic(py::module_& module);
 

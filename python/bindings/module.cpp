@@ -21,6 +21,7 @@ PYBIND11_MODULE(_core, module) {
   stoss::python::bind_rod_chain(module);
   stoss::python::bind_distribution(module);
   stoss::python::bind_extrapolation(module);
+  stoss::python::bind_pair_table(module);
   stoss::python::bind_quasistatic(module);
   stoss::python::bind_point_quasistatic(module);
 }

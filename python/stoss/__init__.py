@@ -51,6 +51,7 @@ from stoss._impact import impact
 from stoss._impact_result import Impact
 from stoss._material import Material, Scales, materials
 from stoss._modes import Modes, modes
+from stoss._pair_table import PairTable, pair_table
 from stoss._restitution import restitution
 from stoss._restitution_result import Restitution
 from stoss._result import with_error
@@ -83,6 +84,7 @@ __all__ = [
     "Modes",
     "NotConverged",
     "Oscillation",
+    "PairTable",
     "Restitution",
     "RestitutionDistribution",
     "RestitutionFunction",
@@ -106,6 +108,7 @@ __all__ = [
     "merge",
     "modes",
     "open_sweep",
+    "pair_table",
     "plot",
     "quasistatic",
     "read_csv",

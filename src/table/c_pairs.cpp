@@ -102,7 +102,7 @@ std::vector<std::string> written(const std::vector<std::size_t>& numbers) {
 
 std::vector<std::string> comment(const PairTable& pairs, const TableLabel& label, const std::string& name) {
   const bool clamps = pairs.beyond() == Beyond::clamp;
-  const std::string inverse = pairs.alike() ? "; its inverse is the same pair" : "";
+  const std::string inverse = pairs.values().alike ? "; its inverse is the same pair" : "";
   std::vector<std::string> lines{
       "Coefficient of restitution of two elastic bodies against their speed of approach and the ratio of their radii.",
       "",
@@ -110,12 +110,12 @@ std::vector<std::string> comment(const PairTable& pairs, const TableLabel& label
       "  @name@_restitution_error(v, r)  its error, interpolation included: at most " + shown(pairs.greatest_error()),
       "",
       "r is the radius of the second body over that of the first" + inverse + ".",
-      "Speeds go from @NAME@_SLOWEST to @NAME@_FASTEST, ratios from @NAME@_SMALLEST to @NAME@_GREATEST. Beyond, the",
-      "coefficient is " + std::string(clamps ? "that at the nearer end," : "not a number,") +
+      "Speeds go from @NAME@_SLOWEST to @NAME@_FASTEST, ratios from @NAME@_SMALLEST to @NAME@_GREATEST.",
+      "Beyond, the coefficient is " + std::string(clamps ? "that at the nearer end," : "not a number,") +
           " and its error HUGE_VAL. What is not a number gives itself.",
       "",
-      "Values were computed at " + std::to_string(pairs.speeds().size()) + " speeds and " +
-          std::to_string(pairs.ratios().size()) + " ratios.",
+      "Values were computed at " + std::to_string(pairs.values().speeds.size()) + " speeds and " +
+          std::to_string(pairs.values().ratios.size()) + " ratios.",
       ""};
   for (std::string& line : lines) line = table::filled(line, name);
   lines.insert(lines.end(), label.provenance.begin(), label.provenance.end());
@@ -149,16 +149,17 @@ std::string arrays(const PairTable& pairs, const std::string& name, const numeri
 std::string c_header(const PairTable& pairs, const TableLabel& label) {
   table::require_c_name(label.name);
   const std::string name = label.name + "_pair";
-  const auto [slowest, fastest] = table::speed_range(pairs.speeds().front(), pairs.speeds().back(), label.scale);
+  const auto [slowest, fastest] =
+      table::speed_range(pairs.values().speeds.front(), pairs.values().speeds.back(), label.scale);
   std::vector<double> logarithms, differences;
-  for (const double each : pairs.speeds()) logarithms.push_back(std::log(each * label.scale));
-  for (const double each : pairs.ratios()) differences.push_back((each - 1.0) / (each + 1.0));
+  for (const double each : pairs.values().speeds) logarithms.push_back(std::log(each * label.scale));
+  for (const double each : pairs.values().ratios) differences.push_back((each - 1.0) / (each + 1.0));
   const numeric::Bins x(logarithms), s(differences);
   constexpr double rounding = 1e-15;  // as in PairTable
   const std::string outside(pairs.beyond() == Beyond::clamp ? clamped : refused);
   const std::vector<std::pair<std::string, std::string>> fillings{
       {"outside", outside},
-      {"place", pairs.alike() ? "fabs(s)" : "s"},
+      {"place", pairs.values().alike ? "fabs(s)" : "s"},
       {"first_s", table::c_number(differences.front() - rounding)},
       {"last_s", table::c_number(differences.back() + rounding)},
       {"begin_s", table::c_number(differences.front())},
@@ -169,8 +170,8 @@ std::string c_header(const PairTable& pairs, const TableLabel& label) {
       {"bins_s", table::c_number(s.per_unit())},
       {"slowest", table::c_number(slowest)},
       {"fastest", table::c_number(fastest)},
-      {"smallest", table::c_number(pairs.ratios().front())},
-      {"greatest", table::c_number(pairs.ratios().back())}};
+      {"smallest", table::c_number(pairs.values().ratios.front())},
+      {"greatest", table::c_number(pairs.values().ratios.back())}};
   const std::string limits =
       "#define @NAME@_SLOWEST @slowest@\n#define @NAME@_FASTEST @fastest@\n#define @NAME@_SMALLEST @smallest@\n"
       "#define @NAME@_GREATEST @greatest@\n\n";

@@ -105,7 +105,7 @@ std::string c_header(const RestitutionFunction& function, const TableLabel& labe
   if (function.beyond() == Beyond::law) {
     throw InvalidInput("beyond: got law, allowed error or clamp (a table in C has no law of slow impacts)");
   }
-  const auto [slowest, fastest] = table::speed_range(function.slowest(), function.fastest(), label.scale);
+  const auto [slowest, fastest] = table::speed_range(function, label.scale);
   const std::vector<Knot>& knots = function.knots();
   std::vector<double> x;
   std::vector<std::vector<std::string>> rows;

@@ -54,50 +54,47 @@ struct Cell {
 }  // namespace
 
 struct PairTable::Table {
-  std::vector<double> speeds, ratios;
+  PairValues values;
   numeric::Bins x, s;
-  bool alike;
   Beyond beyond;
   double first, last;  // of s
   std::vector<Node> nodes{};
   std::vector<double> errors{};
   std::vector<Cell> cells{};
 
-  Table(const PairValues& values, Beyond outside)
-      : speeds(values.speeds),
-        ratios(values.ratios),
+  Table(PairValues given, Beyond outside)
+      : values(std::move(given)),
         x(logarithms(values.speeds)),
         s(differences(values.ratios)),
-        alike(values.alike),
         beyond(outside),
         first(s.x().front() - rounding),
         last(s.x().back() + rounding),
         nodes(values.restitution.size()) {
-    set_nodes(values);
-    set_errors(values);
+    set_nodes();
+    set_errors();
     set_cells();
   }
 
-  void set_nodes(const PairValues& values) {
-    const std::size_t columns = ratios.size();
+  void set_nodes() {
+    const std::size_t columns = values.ratios.size();
     for (std::size_t j = 0; j < columns; ++j) {
       std::vector<double> y;
-      for (std::size_t k = 0; k < speeds.size(); ++k) y.push_back(values.restitution[k * columns + j].value);
+      for (std::size_t k = 0; k < values.speeds.size(); ++k) y.push_back(values.restitution[k * columns + j].value);
       const numeric::MonotoneCubic cubic(x.x(), y);
-      for (std::size_t k = 0; k < speeds.size(); ++k) {
+      for (std::size_t k = 0; k < values.speeds.size(); ++k) {
         nodes[k * columns + j].value = y[k];
         nodes[k * columns + j].by_speed = cubic.slope[k];
       }
     }
-    for (std::size_t k = 0; k < speeds.size(); ++k) {
+    for (std::size_t k = 0; k < values.speeds.size(); ++k) {
       Node* row = &nodes[k * columns];
       std::vector<double> y, slope;
       for (std::size_t j = 0; j < columns; ++j) {
         y.push_back(row[j].value);
         slope.push_back(row[j].by_speed);
       }
-      const std::vector<double> by_ratio = numeric::parabolic_slopes(s.x(), y, alike);
-      const std::vector<double> by_both = numeric::parabolic_slopes(s.x(), slope, alike);
+      const std::vector<double> by_ratio = numeric::parabolic_slopes(s.x(), y, values.alike);
+      const std::vector<double> by_both = numeric::parabolic_slopes(s.x(), slope, values.alike);
       for (std::size_t j = 0; j < columns; ++j) {
         row[j].by_ratio = by_ratio[j];
         row[j].by_both = by_both[j];
@@ -105,9 +102,9 @@ struct PairTable::Table {
     }
   }
 
-  void set_errors(const PairValues& values) {
-    const std::size_t columns = ratios.size();
-    for (std::size_t k = 0; k + 1 < speeds.size(); ++k) {
+  void set_errors() {
+    const std::size_t columns = values.ratios.size();
+    for (std::size_t k = 0; k + 1 < values.speeds.size(); ++k) {
       for (std::size_t j = 0; j + 1 < columns; ++j) {
         const Estimate *here = &values.restitution[k * columns + j], *next = here + columns;
         const double greatest = std::max({here[0].error, here[1].error, next[0].error, next[1].error});
@@ -117,8 +114,8 @@ struct PairTable::Table {
   }
 
   void set_cells() {
-    const std::size_t columns = ratios.size();
-    for (std::size_t k = 0; k + 1 < speeds.size(); ++k) {
+    const std::size_t columns = values.ratios.size();
+    for (std::size_t k = 0; k + 1 < values.speeds.size(); ++k) {
       for (std::size_t j = 0; j + 1 < columns; ++j) {
         const double width = x.x()[k + 1] - x.x()[k], length = s.x()[j + 1] - s.x()[j];
         const Node *here = &nodes[k * columns + j], *next = here + columns;
@@ -138,7 +135,7 @@ struct PairTable::Table {
   }
 
   [[nodiscard]] std::size_t cell_of(double logarithm, double difference) const {
-    return x.interval(logarithm) * (ratios.size() - 1) + s.interval(difference);
+    return x.interval(logarithm) * (values.ratios.size() - 1) + s.interval(difference);
   }
 
   [[nodiscard]] double at(std::size_t index, double logarithm, double difference) const {
@@ -155,12 +152,12 @@ struct PairTable::Table {
   /// s of a ratio, of its inverse where that is the same pair.
   [[nodiscard]] double place(double ratio) const {
     const double difference = relative(ratio);
-    return alike ? std::abs(difference) : difference;
+    return values.alike ? std::abs(difference) : difference;
   }
 
   /// Whether both are in the range. A NaN is not.
   [[nodiscard]] bool holds(double speed, double difference) const {
-    return speed >= speeds.front() && speed <= speeds.back() && difference >= first && difference <= last;
+    return speed >= values.speeds.front() && speed <= values.speeds.back() && difference >= first && difference <= last;
   }
 
   [[nodiscard]] double outside(double speed, double ratio) const {
@@ -172,11 +169,12 @@ struct PairTable::Table {
     }
     const double difference = place(ratio);
     if (beyond == Beyond::error) {
-      const bool of_speed = !(speed >= speeds.front() && speed <= speeds.back());
-      const std::vector<double>& range = of_speed ? speeds : ratios;
+      const bool of_speed = !(speed >= values.speeds.front() && speed <= values.speeds.back());
+      const std::vector<double>& range = of_speed ? values.speeds : values.ratios;
       throw InvalidInput((of_speed ? "speed: got " + shown(speed) : "ratio: got " + shown(ratio)) + ", allowed " +
                          shown(range.front()) + " to " + shown(range.back()) +
-                         (alike && !of_speed ? " or inverse" : "") + " (the range for which the table was made)");
+                         (values.alike && !of_speed ? " or inverse" : "") +
+                         " (the range for which the table was made)");
     }
     const double logarithm = std::clamp(std::log(speed), x.x().front(), x.x().back());
     const double nearest = std::clamp(difference, first, last);
@@ -187,7 +185,7 @@ struct PairTable::Table {
 PairTable::PairTable(PairValues values, Beyond beyond) {
   require_values(values);
   require_beyond(beyond);
-  table_ = std::make_shared<const Table>(values, beyond);
+  table_ = std::make_shared<const Table>(std::move(values), beyond);
 }
 
 Estimate PairTable::operator()(double speed, double ratio) const {
@@ -207,9 +205,7 @@ double PairTable::value(double speed, double ratio) const {
   return table_->at(table_->cell_of(logarithm, difference), logarithm, difference);
 }
 
-const std::vector<double>& PairTable::speeds() const { return table_->speeds; }
-const std::vector<double>& PairTable::ratios() const { return table_->ratios; }
-bool PairTable::alike() const { return table_->alike; }
+const PairValues& PairTable::values() const { return table_->values; }
 Beyond PairTable::beyond() const { return table_->beyond; }
 const std::vector<PairTable::Node>& PairTable::nodes() const { return table_->nodes; }
 const std::vector<double>& PairTable::errors() const { return table_->errors; }

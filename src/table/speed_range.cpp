@@ -21,6 +21,10 @@ double to_fifteen_digits(double value) {
 
 }  // namespace
 
+std::pair<double, double> speed_range(const RestitutionFunction& function, double scale) {
+  return speed_range(function.slowest(), function.fastest(), scale);
+}
+
 std::pair<double, double> speed_range(double slowest, double fastest, double scale) {
   require("scale", scale, {0.0, 1e100, false, true, "above 0 to 1e100"},
           "speed of the table over that of the function");

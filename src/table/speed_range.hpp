@@ -2,11 +2,14 @@
 
 #include <utility>
 
+#include "stoss/table/restitution_function.hpp"
+
 namespace stoss::table {
 
-/// Slowest and fastest speed of a table in another unit. They are rounded outwards to 15 digits where that is the
+/// Slowest and fastest speed of a function in another unit. They are rounded outwards to 15 digits where that is the
 /// same number but for rounding: what was typed in that unit is then what is written.
 /// @throws InvalidInput for a scale that is not positive and finite
+[[nodiscard]] std::pair<double, double> speed_range(const RestitutionFunction& function, double scale);
 [[nodiscard]] std::pair<double, double> speed_range(double slowest, double fastest, double scale);
 
 }  // namespace stoss::table

@@ -85,7 +85,7 @@ class Chords {
 }  // namespace
 
 std::string two_column(const RestitutionFunction& function, double error, double scale) {
-  const auto [slowest, fastest] = table::speed_range(function.slowest(), function.fastest(), scale);
+  const auto [slowest, fastest] = table::speed_range(function, scale);
   const double allowed = least * function.greatest_error();
   if (!(error >= allowed) || !std::isfinite(error)) {
     throw InvalidInput("error: got " + shown(error) + ", allowed " + shown(allowed) +

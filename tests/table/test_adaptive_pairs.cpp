@@ -71,7 +71,7 @@ TEST(AdaptivePair, OfTwoMaterialsMayBeExchanged) {
   const Disk first{.poisson = 0.33}, second{.poisson = 0.1, .young = 4.0};  // c of the second is 2
   const PairTable there = pair_table(mixture(first, second), 0.05, 0.2, 0.8, 1.25, {.error = 2e-3});
   const PairTable back = pair_table(mixture(second, first), 0.025, 0.1, 0.8, 1.25, {.error = 2e-3});
-  EXPECT_FALSE(there.alike());
+  EXPECT_FALSE(there.values().alike);
   for (const double v : {0.06, 0.1, 0.19}) {
     for (const double r : {0.81, 1.0, 1.2}) {
       const Estimate a = there(v, r), b = back(0.5 * v, 1.0 / r);
@@ -85,12 +85,12 @@ TEST(AdaptivePair, OfOneMaterialHoldsRatiosFromOneOn) {
   EXPECT_TRUE(disks.alike);
   const PairTableOptions options{.error = 0.05};
   const PairTable inverse = pair_table(disks, 0.05, 0.2, 1.0 / 3.0, 0.5, options);
-  EXPECT_DOUBLE_EQ(inverse.ratios().front(), 2.0);
-  EXPECT_DOUBLE_EQ(inverse.ratios().back(), 3.0);
+  EXPECT_DOUBLE_EQ(inverse.values().ratios.front(), 2.0);
+  EXPECT_DOUBLE_EQ(inverse.values().ratios.back(), 3.0);
   EXPECT_EQ(pair_table(disks, 0.05, 0.2, 2.0, 3.0, options).value(0.1, 2.5), inverse.value(0.1, 2.5));
   const PairTable both = pair_table(disks, 0.05, 0.2, 0.5, 1.5, options);
-  EXPECT_EQ(both.ratios().front(), 1.0);
-  EXPECT_EQ(both.ratios().back(), 2.0);
+  EXPECT_EQ(both.values().ratios.front(), 1.0);
+  EXPECT_EQ(both.values().ratios.back(), 2.0);
   for (const double r : {1.1, 1.9, 2.0}) EXPECT_NEAR(both.value(0.1, r), both.value(0.1, 1.0 / r), 1e-14);
 }
 
@@ -99,8 +99,8 @@ TEST(AdaptivePair, HasTheSameBitsForAnyThreads) {
   const PairTable one = pair_table(mixture(Disk{.poisson = 0.33}), 0.05, 0.3, 1.0, 1.5, options);
   options.threads = 3;
   const PairTable three = pair_table(mixture(Disk{.poisson = 0.33}), 0.05, 0.3, 1.0, 1.5, options);
-  ASSERT_EQ(one.speeds(), three.speeds());
-  ASSERT_EQ(one.ratios(), three.ratios());
+  ASSERT_EQ(one.values().speeds, three.values().speeds);
+  ASSERT_EQ(one.values().ratios, three.values().ratios);
   EXPECT_EQ(one.errors(), three.errors());
   for (std::size_t i = 0; i < one.nodes().size(); ++i) EXPECT_EQ(one.nodes()[i].value, three.nodes()[i].value);
 }

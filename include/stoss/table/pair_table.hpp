@@ -45,12 +45,9 @@ class PairTable {
   /// ε alone, which is faster. @throws InvalidInput as above
   [[nodiscard]] double value(double speed, double ratio) const;
 
-  /// Speeds and ratios of the nodes. Of bodies that are alike the inverse ratios count as well.
-  [[nodiscard]] const std::vector<double>& speeds() const;
-  [[nodiscard]] const std::vector<double>& ratios() const;
+  /// What it was made of.
+  [[nodiscard]] const PairValues& values() const;
 
-  /// Whether a ratio and its inverse are the same pair.
-  [[nodiscard]] bool alike() const;
   [[nodiscard]] Beyond beyond() const;
 
   /// At each speed in turn, for all ratios.
