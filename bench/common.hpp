@@ -50,10 +50,9 @@ void add_modes();
 void add_impacts();
 void add_restitutions();
 void add_rods();
-void add_tables();
 void add_spheres();
 void add_quasistatic();
-void add_function();
+void add_table();
 void add_python();
 
 }  // namespace bench

@@ -33,9 +33,8 @@ int run(std::vector<std::string> arguments) {
   bench::add_restitutions();
   bench::add_spheres();
   bench::add_rods();
-  bench::add_tables();
   bench::add_quasistatic();
-  bench::add_function();
+  bench::add_table();
   bench::add_python();
   bench::Summary summary;
   benchmark::RunSpecifiedBenchmarks(&summary);
