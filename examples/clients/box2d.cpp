@@ -37,7 +37,7 @@ class Restitution : public b2ContactListener {
   float before = 0.0F;  // of the first impact, for this example
 
  private:
-  [[nodiscard]] float speed_of_approach(const b2Contact& contact) const {
+  float speed_of_approach(const b2Contact& contact) const {
     const b2Body *a = contact.GetFixtureA()->GetBody(), *b = contact.GetFixtureB()->GetBody();
     b2WorldManifold manifold;
     contact.GetWorldManifold(&manifold);  // its normal points from a to b
@@ -50,7 +50,7 @@ class Restitution : public b2ContactListener {
     return greatest;
   }
 
-  [[nodiscard]] b2Vec2 velocity(const b2Body& body, const b2Vec2& point) const {
+  b2Vec2 velocity(const b2Body& body, const b2Vec2& point) const {
     const b2Vec2 now = body.GetLinearVelocityFromWorldPoint(point);
     return body.GetType() == b2_dynamicBody ? now + body.GetGravityScale() * fall_ : now;
   }

@@ -20,7 +20,7 @@ int handed_over(stoss_body** body, const Make& make) noexcept {
 
 extern "C" {
 
-const char* stoss_version(void) { return stoss::version().data(); }
+const char* stoss_version() { return stoss::version().data(); }
 
 int stoss_disk_make(double poisson, double radius, double young, double density, double loss_time, stoss_body** body) {
   return handed_over(body, [&] {

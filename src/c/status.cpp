@@ -61,4 +61,4 @@ int threads_of(const stoss_control* control) { return control == nullptr ? 0 : c
 
 }  // namespace stoss::c
 
-extern "C" const char* stoss_message(void) { return stoss::c::message.data(); }
+extern "C" const char* stoss_message() { return stoss::c::message.data(); }
