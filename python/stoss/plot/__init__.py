@@ -9,6 +9,7 @@ settings. Nothing global is changed.
 limits
 `function`                                        ε(v) as a function, with its error
 `function`                                        ε(v) as a function, with its error
+`pair_table`                                      ε(v) of pairs of several ratios of radii
 `distribution`                                    ε of many bodies that vibrate
 `slow_impact`, `rayleigh`, `static_contact`       quasi-static: contact time, lost fraction,
 pressure
@@ -61,6 +62,7 @@ from stoss.plot._function import function
 from stoss.plot._function import function
 from stoss.plot._ledger import ledger
 from stoss.plot._modes import mode_shape, spectrum
+from stoss.plot._pair_table import pair_table
 from stoss.plot._quasistatic import rayleigh, slow_impact, static_contact
 from stoss.plot._restitution import restitution
 from stoss.plot._rod_chain import cooling, restitution_histogram
@@ -105,6 +107,7 @@ __all__ = [
     "half_width",
     "ledger",
     "mode_shape",
+    "pair_table",
     "rayleigh",
     "restitution",
     "restitution_histogram",
