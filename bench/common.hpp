@@ -52,6 +52,8 @@ void add_restitutions();
 void add_rods();
 void add_spheres();
 void add_quasistatic();
+void add_table();
+void add_pairs();
 void add_python();
 
 }  // namespace bench

@@ -34,6 +34,8 @@ int run(std::vector<std::string> arguments) {
   bench::add_spheres();
   bench::add_rods();
   bench::add_quasistatic();
+  bench::add_table();
+  bench::add_pairs();
   bench::add_python();
   bench::Summary summary;
   benchmark::RunSpecifiedBenchmarks(&summary);

@@ -7,50 +7,20 @@ Expect:  ε of a few speeds of approach, with errors that include the interpolat
 
     u₁′ = u₁ − ½ (1 + ε(v)) v,    u₂′ = u₂ + ½ (1 + ε(v)) v,    v = u₁ − u₂
 
-Here v is the speed at which two equal disks approach each other. The function takes (simulation,
-v), as REBOUND's sim.coefficient_of_restitution does, and uses |v|, since REBOUND's v has a sign.
-Disks are taken to have stopped ringing before they meet again, and material damping is left out
-(docs/materials.md).
+Here v is the speed at which two equal disks approach each other. `restitution_function` computes ε
+where the wave needs it, and its error includes the interpolation; slower than its range it follows
+the law of slow impacts. In a callback such as REBOUND's sim.coefficient_of_restitution it is
+`lambda simulation, v: restitution(v)`: the sign of v does not count. Disks are taken to have
+stopped ringing before they meet again, and material damping is left out (docs/materials.md).
 """
 
 import sys
-import warnings
 from pathlib import Path
 
 import matplotlib.pyplot as plt
 import numpy as np
 
 import stoss
-
-
-def make_restitution(disk, slowest, fastest, points=60, clamp=False):
-    """Returns restitution(simulation, v), linear in ln v between computed values, and its error(v).
-
-    A v outside the table is refused. With clamp it gets the value of the nearest end, with a
-    warning; its error is NaN. Clamp in callbacks from C, such as REBOUND's: they lose exceptions
-    and continue with ε = 0.
-    """
-    fine = np.geomspace(slowest, fastest, 2 * points - 1)  # every other one: a midpoint, as a check
-    direct = stoss.restitution(disk, against="same", speed=fine)
-    log_v, table, bars = np.log(fine[::2]), direct.restitution[::2], direct.restitution_error
-    missed = np.abs(np.interp(np.log(fine[1::2]), log_v, table) - direct.restitution[1::2])
-    # A single midpoint can fit by chance: the worst of three neighbours counts.
-    missed = np.max([missed, np.append(missed[1:], 0), np.append(0, missed[:-1])], axis=0)
-    errors = missed + np.max([bars[:-2:2], bars[1::2], bars[2::2]], axis=0)  # of each interval
-
-    def restitution(simulation, v):
-        if not slowest <= abs(v) <= fastest:
-            message = f"speed of approach: got {abs(v):g}, the table has {slowest:g} to {fastest:g}"
-            if not clamp:
-                raise ValueError(message)
-            warnings.warn(f"{message}; its nearest end is used", stacklevel=2)
-        return float(np.interp(np.log(max(abs(v), slowest)), log_v, table))
-
-    def error(v):
-        interval = np.searchsorted(log_v[1:-1], np.log(np.maximum(np.abs(v), slowest)))
-        return np.where((np.abs(v) >= slowest) & (np.abs(v) <= fastest), errors[interval], np.nan)
-
-    return restitution, error
 
 
 def cool(restitution, collisions, speed, count=20, length=2.0):
@@ -66,7 +36,7 @@ def cool(restitution, collisions, speed, count=20, length=2.0):
         gap, approach = np.append(x[1:], x[0] + length) - x, u - np.append(u[1:], u[0])
         wait = np.divide(np.maximum(gap, 0.0), approach, out=np.full(count, np.inf), where=approach > 0)
         i = int(wait.argmin())
-        kick = 0.5 * (1 + restitution(None, approach[i])) * approach[i]
+        kick = 0.5 * (1 + restitution(approach[i])) * approach[i]
         x += u * wait[i]
         u[[i, (i + 1) % count]] += -kick, kick
         time[k + 1], energy[k + 1] = time[k] + wait[i], np.mean(u**2) / speed**2
@@ -76,24 +46,27 @@ def cool(restitution, collisions, speed, count=20, length=2.0):
 def main(folder: Path) -> None:
     folder.mkdir(parents=True, exist_ok=True)
     rubber = stoss.Disk(radius=0.01, material=stoss.materials["rubber"], loss_time=0)
-    restitution, error = make_restitution(rubber, slowest=0.002, fastest=30.0)
+    restitution = stoss.restitution_function(
+        rubber, against="same", speed=(0.002, 30.0), error=1e-4, beyond="law"
+    )
+    print(restitution)
     for v in (0.005, 0.1, 2.0, 25.0):
-        print(f"speed of approach {v:6.3f} m/s: eps = {restitution(None, v):.6f} ± {error(v):.6f}")
+        print(f"speed of approach {v:6.3f} m/s: eps = {restitution(v):.6f} ± {restitution.error(v):.6f}")
 
     figure, (left, right) = plt.subplots(1, 2, figsize=(10, 4), layout="constrained")
     figure.get_layout_engine().set(w_pad=0.1, h_pad=0.1)  # inches around the axes
-    v = np.geomspace(0.002, 30.0, 1000)
-    left.semilogx(v, [restitution(None, each) for each in v])
-    inset = left.inset_axes([0.12, 0.16, 0.5, 0.38], xscale="log", yscale="log", title="error")
-    inset.plot(v, error(v), color="C3")
+    restitution.plot(left)
+    v = np.geomspace(*restitution.range, 1000)[1:-1]
+    inset = left.inset_axes([0.12, 0.16, 0.5, 0.38], xscale="log", title="error of ε / 10⁻⁵")
+    inset.plot(v, restitution.error(v) / 1e-5, color="C3")
+    inset.set_ylim(0)
 
     start = 5.0  # m/s, root mean square
-    first = restitution(None, np.sqrt(2) * start)
-    for law, name in ((restitution, "ε(v)"), (lambda simulation, v: first, f"ε = {first:.4f}")):
+    first = restitution(np.sqrt(2) * start)
+    for law, name in ((restitution, "ε(v)"), (lambda v: first, f"ε = {first:.4f}")):
         time, energy = cool(law, 1000, start)
         print(f"gas with {name}: {energy[-1]:.3e} of the energy left after 1000 collisions, {time[-1]:.2f} s")
         right.loglog(time[1:], energy[1:], label=name)
-    left.set(xlabel="speed of approach / (m/s)", ylabel="restitution ε")
     right.set(xlabel="time / s", ylabel="energy / initial energy")
     right.legend()
     figure.savefig(folder / "event_driven.png", dpi=150)

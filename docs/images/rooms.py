@@ -12,6 +12,7 @@ ROOMS = {
     "impact": (422, 20, ("one collision, step by", "step; its resolution")),
     "restitution": (630, 20, ("ε with its error;", "curves")),
     "vibration": (830, 20, ("ensembles of bodies", "that vibrate")),
+    "table": (830, 175, ("ε(v) as a function,", "with its error")),
     "bodies": (215, 175, ("disk, rod: modes and", "response of the rest")),
     "quasistatic": (630, 175, ("slow contacts:", "Hertz, Rayleigh")),
 }
@@ -20,7 +21,8 @@ ARROWS = {
     "body": ("contact", "bodies"),
     "contact": ("impact", "quasistatic"),
     "impact": ("restitution",),
-    "restitution": ("vibration",),
+    "restitution": ("vibration", "table"),
+    "quasistatic": ("table",),
     "bodies": ("restitution", "quasistatic"),
 }
 FOUNDATION = "numeric, errors, poll, material: all rooms stand on them"

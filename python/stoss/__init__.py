@@ -12,7 +12,6 @@ speed c = √(E/ρ), mass m; of bodies with a `Material`, speeds are in m/s.
 `restitution`                     ε(v) with errors, for numbers and arrays, at a wall or of two
 bodies
 `restitution_function`            ε(v) as a function, to an error at every speed
-`restitution_function`            ε(v) as a function, to an error at every speed
 `pair_table`                      ε of two bodies against the speed and the ratio of their radii
 `impact`                          one impact: energy ledger, trajectory, deformation and stress in
 time
@@ -28,7 +27,6 @@ time
 `Oscillation`                     a mode that vibrates before an impact
 `Material`, `materials`           SI; typical materials
 `plot`                            pictures (needs matplotlib)
-`read_csv`                        reads what `to_csv` or the command has written
 `read_csv`                        reads what `to_csv` or the command has written
 `with_error`                      a number with the digits that its error leaves it, for reading
 ================================  ==================================================================
@@ -61,7 +59,6 @@ from stoss._rod_chain import rod_chain
 from stoss._rod_chain_result import RodChain
 from stoss._state import Oscillation
 from stoss._table import Table, read_csv
-from stoss._table import Table, read_csv
 from stoss._trajectory import Trajectory
 from stoss._walls import ExponentialWall, HardWall, Wall
 from stoss._wave import Wave
@@ -88,14 +85,12 @@ __all__ = [
     "Restitution",
     "RestitutionDistribution",
     "RestitutionFunction",
-    "RestitutionFunction",
     "Rod",
     "RodChain",
     "Scales",
     "Sphere",
     "SphereField",
     "StossWarning",
-    "Table",
     "Table",
     "Trajectory",
     "Wall",
@@ -111,10 +106,8 @@ __all__ = [
     "plot",
     "quasistatic",
     "read_csv",
-    "read_csv",
     "restitution",
     "restitution_distribution",
-    "restitution_function",
     "restitution_function",
     "rod_chain",
     "with_error",

@@ -170,7 +170,7 @@ class RestitutionDistribution(RowResult):
         return {name: value for name, value in named.items() if value is not None}
 
 
-def summary_of(restitution: NDArray[np.float64], error: NDArray[np.float64]) -> dict[str, float]:
+def summary_of(restitution: NDArray[np.float64], error: NDArray[np.float64]) -> dict[str, Any]:
     """What sums up samples; NaN where none has a value."""
     names = {
         "mean": "restitution",

@@ -111,10 +111,9 @@ def of_curve(curve: Restitution, beyond: str) -> RestitutionFunction:
         hint = "allowed those that have (see .converged, .reason; or take a part, curve[curve.converged])"
         raise InvalidInput(f"function: got {doubtful} of {speed.size} values that have not converged, {hint}")
     order = np.argsort(speed, kind="stable")
-    columns = (np.ascontiguousarray(np.ravel(each)[order]) for each in
-               (curve.speed, curve.restitution, curve.restitution_error))  # fmt: skip
+    value, error = np.ravel(curve.restitution)[order], np.ravel(curve.restitution_error)[order]
     outside = choose_beyond(beyond, body, against, curve.state)
-    return _made(body, against, outside, curve.state, *columns, np.empty(0))
+    return _made(body, against, outside, curve.state, speed[order], value, error, np.empty(0))
 
 
 def _made(

@@ -119,8 +119,9 @@ class RestitutionFunction(Result):
     @functools.cached_property
     def _core(self) -> _core.RestitutionFunction:
         law = slow_law(self.body, self.against) if self.beyond == "law" else _core.no_law()
-        given = (self.speed, self.restitution, self.restitution_error, self.interpolation_error)
-        return _core.make_function(*(np.ascontiguousarray(each) for each in given), self.beyond, law)
+        return _core.make_function(
+            self.speed, self.restitution, self.restitution_error, self.interpolation_error, self.beyond, law
+        )
 
     def __getstate__(self) -> dict[str, Any]:
         return {field.name: getattr(self, field.name) for field in dataclasses.fields(self)}

@@ -132,7 +132,8 @@ def read_csv(path: str | os.PathLike[str]) -> Table:
         raise _damaged(name, "its last line is not whole")
     lines = text.splitlines()[1:]
     head = [line for line in lines if line.startswith("#")]
-    inputs = dict(line[2:].split(": ", 1) if ": " in line else (line[2:].rstrip(":"), "") for line in head)
+    parts = (line[2:].partition(":") for line in head)
+    inputs = {key: value.removeprefix(" ") for key, _, value in parts}
     body = [line for line in lines if not line.startswith("#")]
     rows = list(csv.reader(body))
     if not rows:

@@ -174,11 +174,6 @@ def test_material(example):
 RUBBER = stoss.Disk(radius=0.01, material=stoss.materials["rubber"], loss_time=0)
 
 
-@pytest.fixture(scope="module")
-def law():
-    return load("05_event_driven").make_restitution(RUBBER, slowest=0.002, fastest=30.0)
-
-
 def test_event_driven_prints_what_the_wall_gives_at_half_the_speed(example):
     rows = example("05_event_driven").numbers("speed of approach")
     assert len(rows) == 4
@@ -189,50 +184,20 @@ def test_event_driven_prints_what_the_wall_gives_at_half_the_speed(example):
         assert 1e-6 < error < 1e-3
 
 
-def test_interpolated_restitution_is_within_its_error(law):
-    restitution, error = law
-    speed = np.exp(np.random.default_rng(20).uniform(np.log(0.002), np.log(30.0), 200))
-    direct = stoss.restitution(RUBBER, speed=speed / 2, tolerance=2e-4)
-    missed = np.abs([restitution(None, v) for v in speed] - direct.restitution)
-    assert np.all(missed <= error(speed) + direct.restitution_error)
-    # Nor is the error padded: large against what is missed, but not out of all proportion.
-    assert np.median(error(speed) / missed) < 20 and np.max(error(speed)) < 5e-4
-
-
-def test_interpolated_restitution_takes_what_simulations_give(law):
-    restitution, error = law
-    assert restitution(object(), -2.0) == restitution(None, 2.0) and type(restitution(None, 2.0)) is float
-    assert restitution(None, 0.002) == stoss.restitution(RUBBER, against="same", speed=0.002).restitution
-    assert restitution(None, 30.0) == stoss.restitution(RUBBER, against="same", speed=30.0).restitution
-    assert error(2.0) == error(-2.0) > 0
-    for outside in (0.0, 0.0019, 30.1, np.inf, np.nan):
-        with pytest.raises(ValueError, match="speed of approach: got .* the table has 0.002 to 30"):
-            restitution(None, outside)
-        assert np.isnan(error(outside))
-
-
-def test_clamping_is_open():
-    make = load("05_event_driven").make_restitution
-    restitution, error = make(RUBBER, slowest=0.1, fastest=1.0, points=5, clamp=True)
-    for outside, end in ((0.0, 0.1), (0.01, 0.1), (2.0, 1.0)):
-        with pytest.warns(UserWarning, match="nearest end"):
-            assert restitution(None, outside) == restitution(None, end)
-        assert np.isnan(error(outside))
-
-
-def test_gas(example, law):
+def test_gas(example):
     run = example("05_event_driven")
     (left, *_), (*_, left_constant, _, _) = run.numbers("gas with ε(v)")[0], run.numbers("gas with ε =")[0]
     assert 1e-3 < left < 1e-1 and 200 < left / left_constant < 1000
 
     cool = load("05_event_driven").cool
-    time, energy = cool(law[0], 200, 5.0)
+    law = stoss.restitution_function(RUBBER, against="same", speed=(0.002, 30.0), error=1e-2, beyond="law")
+    time, energy = cool(law, 200, 5.0)
     assert np.all(np.diff(time) >= 0) and np.all(np.diff(energy) < 0)
-    again = cool(law[0], 200, 5.0)
+    again = cool(law, 200, 5.0)
     assert np.array_equal(time, again[0]) and np.array_equal(energy, again[1])
     # Elastic disks keep their energy; sticking ones lose what is relative.
-    assert cool(lambda simulation, v: 1.0, 200, 5.0)[1] == pytest.approx(1.0, abs=1e-12)
-    assert cool(lambda simulation, v: 0.0, 1, 5.0, count=2)[1][-1] == pytest.approx(0.0, abs=1e-12)
+    assert cool(lambda v: 1.0, 200, 5.0)[1] == pytest.approx(1.0, abs=1e-12)
+    assert cool(lambda v: 0.0, 1, 5.0, count=2)[1][-1] == pytest.approx(0.0, abs=1e-12)
 
 
 def test_two_disks(example):

