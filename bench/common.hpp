@@ -53,6 +53,7 @@ void add_rods();
 void add_spheres();
 void add_quasistatic();
 void add_table();
+void add_pairs();
 void add_python();
 
 }  // namespace bench

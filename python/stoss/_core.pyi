@@ -44,6 +44,16 @@ class RestitutionFunction:
     def c_header(self, name: str, unit: str, scale: float, provenance: list[str]) -> str: ...
     def two_column(self, error: float, scale: float) -> str: ...
 
+class PairTable:
+    def values(self, speeds: NDArray[np.float64], ratios: NDArray[np.float64]) -> NDArray[np.float64]: ...
+    def errors(self, speeds: NDArray[np.float64], ratios: NDArray[np.float64]) -> NDArray[np.float64]: ...
+    def greatest_error(self) -> float: ...
+    def given(
+        self,
+    ) -> tuple[
+        NDArray[np.float64], NDArray[np.float64], NDArray[np.float64], NDArray[np.float64], NDArray[np.float64], bool
+    ]: ...
+
 class AnyWall: ...
 class Frames:
     def summaries(self) -> NDArray[Any]: ...
@@ -174,6 +184,24 @@ def make_function(
 def adaptive_function(
     contact: RefinableContact, slowest: float, fastest: float, error: float, threads: int
 ) -> RestitutionFunction: ...
+def make_pair_table(
+    speed: NDArray[np.float64],
+    ratio: NDArray[np.float64],
+    restitution: NDArray[np.float64],
+    restitution_error: NDArray[np.float64],
+    interpolation_error: NDArray[np.float64],
+    alike: bool,
+    beyond: str,
+) -> PairTable: ...
+def adaptive_pair_table(
+    kind: str,
+    first: list[float],
+    second: list[float],
+    speed: list[float],
+    ratio: list[float],
+    error: float,
+    threads: int,
+) -> PairTable: ...
 def slowest_bounce(speed: float) -> float: ...
 def bounce(
     contact: Contact,

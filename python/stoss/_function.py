@@ -79,7 +79,7 @@ def restitution_function(
     >>> steel = stoss.Sphere(radius=5e-3, material=stoss.materials["steel"])
     >>> drop = stoss.restitution_function(steel, against=stoss.HalfSpace(material=steel.material), speed=(0.01, 0.5))
     >>> drop([0.05, -0.5]).round(3)
-    array([0.998, 0.993])
+    array([0.999, 0.997])
     """
     chosen = choose_body(body, poisson, rigid=True)
     met = choose_against(chosen, against, (HardWall,))

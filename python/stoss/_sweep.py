@@ -66,7 +66,7 @@ def sweep(
     >>> with tempfile.TemporaryDirectory() as folder:
     ...     result = stoss.sweep(grid, store=folder)
     >>> result.restitution[:, 0].round(4)
-    array([[0.9985, 0.9858],
+    array([[0.9991, 0.9904],
            [0.9986, 0.9913]])
     """
     chosen = as_grid(grid)

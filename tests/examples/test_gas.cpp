@@ -1,5 +1,5 @@
 // The event-driven gas of examples/gas: an ideal one in equilibrium, and Haff's law.
-#include "gas/gas.hpp"
+#include "../../examples/gas/gas.hpp"
 
 #include <gtest/gtest.h>
 

@@ -8,7 +8,7 @@ settings. Nothing global is changed.
 `restitution`, `extrapolation`                    ε or 1 − ε² against speed; Gerl and Zippelius' two
 limits
 `function`                                        ε(v) as a function, with its error
-`function`                                        ε(v) as a function, with its error
+`pair_table`                                      ε(v) of pairs of several ratios of radii
 `distribution`                                    ε of many bodies that vibrate
 `slow_impact`, `rayleigh`, `static_contact`       quasi-static: contact time, lost fraction,
 pressure
@@ -42,7 +42,6 @@ from stoss._distribution_result import RestitutionDistribution
 from stoss._extrapolation import Extrapolation
 from stoss._field import DiskField, SphereField
 from stoss._function_result import RestitutionFunction
-from stoss._function_result import RestitutionFunction
 from stoss._modes import Modes
 from stoss._rayleigh_result import PointRayleighEstimate, RayleighEstimate
 from stoss._restitution_result import Restitution
@@ -58,9 +57,9 @@ from stoss.plot._disk import disk, sphere
 from stoss.plot._distribution import distribution
 from stoss.plot._extrapolation import extrapolation
 from stoss.plot._function import function
-from stoss.plot._function import function
 from stoss.plot._ledger import ledger
 from stoss.plot._modes import mode_shape, spectrum
+from stoss.plot._pair_table import pair_table
 from stoss.plot._quasistatic import rayleigh, slow_impact, static_contact
 from stoss.plot._restitution import restitution
 from stoss.plot._rod_chain import cooling, restitution_histogram
@@ -81,7 +80,6 @@ pictures.update(
         Restitution: restitution,
         RestitutionDistribution: distribution,
         RestitutionFunction: function,
-        RestitutionFunction: function,
         RodChain: cooling,
         SphereField: stress,
         SlowImpact: slow_impact,
@@ -101,10 +99,10 @@ __all__ = [
     "extrapolation",
     "force",
     "function",
-    "function",
     "half_width",
     "ledger",
     "mode_shape",
+    "pair_table",
     "rayleigh",
     "restitution",
     "restitution_histogram",

@@ -1,0 +1,106 @@
+"""stoss table --ratio: the functions of speed and ratio of radii in C are those of JSON and of direct values."""
+
+import json
+import math
+import random
+import shutil
+import subprocess
+
+import pytest
+
+DISKS = "table --poisson 0.33 --speed 0.01:0.2 --against same --ratio 1:2 --error 5e-3"
+WARNINGS = "-pedantic -Wall -Wextra -Wconversion -Wshadow -Wfloat-equal -Werror".split()
+PROGRAM = """#include "pairs.h"
+#include "other.h"
+#include "pairs.h"
+#include <stdio.h>
+int main(void)
+{
+  double v, r;
+  while (scanf("%lf %lf", &v, &r) == 2)
+    printf("%.17g %.17g\\n", stoss_pair_restitution(v, r), stoss_pair_restitution_error(v, r));
+  return other_pair_restitution(0.1, 1.5) > 0.0 ? 0 : 1;
+}
+"""
+
+
+def evaluated(document, speed, ratio):
+    """What the JSON document says of a speed and a ratio."""
+    rows = document["records"]
+    places = [(each - 1) / (each + 1) for each in document["ratio"]]
+    s = abs((ratio - 1) / (ratio + 1)) if document["inverse_is_same"] else (ratio - 1) / (ratio + 1)
+    k = max(i for i in range(len(rows) - 1) if i == 0 or rows[i]["speed"] <= speed)
+    j = max(i for i in range(len(places) - 1) if i == 0 or places[i] <= s)
+    h = math.log(rows[k + 1]["speed"] / rows[k]["speed"])
+
+    def cubic(width, t, left, right, slope, slope_at_end):
+        u = 1 - t
+        return left * (1 + 2 * t) * u * u + right * t * t * (1 + 2 * u) + width * t * u * (slope * u - slope_at_end * t)
+
+    def across(value, slope, column):
+        t = math.log(speed / rows[k]["speed"]) / h
+        return cubic(h, t, *(rows[i][value][column] for i in (k, k + 1)), *(rows[i][slope][column] for i in (k, k + 1)))
+
+    g = places[j + 1] - places[j]
+    values = [across("restitution", "slope_of_speed", i) for i in (j, j + 1)]
+    slopes = [across("slope_of_ratio", "slope_of_both", i) for i in (j, j + 1)]
+    return cubic(g, (s - places[j]) / g, *values, *slopes), rows[k]["error_to_next"][j]
+
+
+@pytest.mark.parametrize(("compiler", "standard"), [("gcc", "c89"), ("g++", "c++98"), ("g++", "c++20"), ("clang", "c99")])
+def test_header_is_the_table(stoss, tmp_path, compiler, standard):
+    if shutil.which(compiler) is None:
+        pytest.skip(f"needs {compiler}")
+    for name, file in (("stoss", "pairs.h"), ("other", "other.h")):
+        assert stoss.run(DISKS, f"--name {name} -o", str(tmp_path / file)).returncode == 0
+    document = json.loads(stoss.run(DISKS, "--format json").stdout)
+    (tmp_path / "main.c").write_text(PROGRAM)
+    language = "c++" if "++" in compiler else "c"
+    words = [compiler, f"-std={standard}", *WARNINGS, "-O2", "-x", language, "main.c", "-o", "main", "-lm"]
+    result = subprocess.run(words, cwd=tmp_path, capture_output=True, text=True, timeout=120)
+    assert (result.returncode, result.stderr) == (0, "")
+    chance = random.Random(1)
+    points = [(0.01 * 20 ** chance.random(), 0.5 * 4 ** chance.random()) for _ in range(200)]
+    points += [(0.01, 1.0), (0.2, 2.0), (-0.2, 0.5), (0.05, 1.0)]
+    beyond = [(0.3, 1.0), (0.1, 2.1), (0.1, 0.4), (1e-3, 1.0)]
+    text = "".join(f"{v!r} {r!r}\n" for v, r in points + beyond)
+    run = subprocess.run([tmp_path / "main"], input=text, capture_output=True, text=True, timeout=60, check=True)
+    found = [tuple(map(float, line.split())) for line in run.stdout.splitlines()]
+    for (v, r), (value, error) in zip(points, found):
+        expected, bar = evaluated(document, abs(v), r)
+        assert value == pytest.approx(expected, abs=1e-13) and error == bar <= 5e-3
+    clamped = [evaluated(document, 0.2, 1.0), evaluated(document, 0.1, 2.0), evaluated(document, 0.1, 2.0)]
+    for (value, error), (expected, _) in zip(found[len(points) :], [*clamped, evaluated(document, 0.01, 1.0)]):
+        assert value == pytest.approx(expected, abs=1e-13) and error == math.inf
+
+
+def test_table_is_what_restitution_says(stoss):
+    words = "--body sphere --poisson 0.3 --young 2.1e11 --density 7850 --radius 0.005"
+    other = "--against sphere,poisson=0.22,young=7e10,density=2500,radius="
+    table = f"table {words} --speed 10:100 --ratio 0.8:1.2 --error 5e-3 --format json {other}0.005"
+    document = json.loads(stoss.run(table).stdout)
+    assert document["units"]["speed"] == "m/s" and not document["inverse_is_same"]
+    for v, r in ((15.0, 0.85), (60.0, 1.15)):
+        direct = f"restitution {words} --speed {v} {other}{0.005 * r} --format json"
+        record = json.loads(stoss.run(direct).stdout)["records"][0]
+        value, error = evaluated(document, v, r)
+        assert abs(value - record["restitution"]) < error + record["restitution_error"]
+
+
+@pytest.mark.parametrize(
+    ("more", "said"),
+    [
+        ("--ratio 1:2", "ratio"),
+        ("--ratio 2 --against same", "ratio: got '2'"),
+        ("--ratio 2:1 --against same", "ratio"),
+        ("--ratio 1:x --against same", "ratio"),
+        ("--ratio 0:1 --against same", "ratio"),
+        ("--ratio 1:2 --against half-plane", "ratio"),
+        ("--ratio 1:2 --against same --loss-time 0.1", "loss_time"),
+        ("--ratio 1:2 --against same --format two-column", "two-column"),
+    ],
+)
+def test_what_makes_no_table_is_refused(stoss, more, said):
+    result = stoss.run("table --poisson 0.33 --speed 0.1:0.2", more)
+    assert result.returncode in (2, 3) and result.stdout == ""
+    assert said in result.stderr and "allowed" in result.stderr
