@@ -55,7 +55,8 @@ def table(title: str, columns: Mapping[str, Any], units: Mapping[str, str]) -> s
     arrays = {name: np.asarray(column).ravel() for name, column in columns.items()}
     names = [name for name in arrays if name.removesuffix("_error") not in set(arrays) - {name}]
     size = min((array.size for array in arrays.values()), default=0)
-    rows: list[int | None] = list(range(size)) if size <= SHOWN else [*range(SHOWN // 2), None, *range(size - SHOWN // 2, size)]
+    half = SHOWN // 2
+    rows: list[int | None] = [*range(size)] if size <= SHOWN else [*range(half), None, *range(size - half, size)]
     head = "".join(f"<th>{_escaped(f'{name} [{units[name]}]' if units.get(name) else name)}</th>" for name in names)
     lines = []
     for row in rows:
