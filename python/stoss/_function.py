@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import dataclasses
 import warnings
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -18,9 +18,6 @@ from stoss._function_result import RestitutionFunction, choose_beyond
 from stoss._half_space import Unbounded
 from stoss._walls import HardWall
 from stoss._yielding import yield_speed_of
-
-if TYPE_CHECKING:
-    from stoss._restitution_result import Restitution
 
 
 def restitution_function(
@@ -100,7 +97,7 @@ def restitution_function(
     return function
 
 
-def of_curve(curve: Restitution, beyond: str) -> RestitutionFunction:
+def of_curve(curve: Any, beyond: str) -> RestitutionFunction:
     """Restitution.function."""
     body, against = curve.body, curve.against
     if body is None and np.unique(curve.poisson).size == 1 and len(curve.bodies) == 1:
