@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import html
 import math
-from typing import Any, Mapping
+from typing import Any, Callable, Mapping
 
 import numpy as np
 
@@ -50,16 +50,19 @@ def dataset(
     return xarray.Dataset(variables, coordinates, own)
 
 
-def table(title: str, columns: Mapping[str, Any], units: Mapping[str, str]) -> str:
+def table(
+    title: str, columns: Mapping[str, Any], units: Mapping[str, str], written: Callable[[float, float | None], str]
+) -> str:
     """A compact table in HTML: a title, columns with units, errors beside their values, at most some rows."""
     arrays = {name: np.asarray(column).ravel() for name, column in columns.items()}
     names = [name for name in arrays if name.removesuffix("_error") not in set(arrays) - {name}]
     size = min((array.size for array in arrays.values()), default=0)
-    rows: list[int | None] = list(range(size)) if size <= SHOWN else [*range(SHOWN // 2), None, *range(size - SHOWN // 2, size)]
+    half = SHOWN // 2
+    rows: list[int | None] = [*range(size)] if size <= SHOWN else [*range(half), None, *range(size - half, size)]
     head = "".join(f"<th>{_escaped(f'{name} [{units[name]}]' if units.get(name) else name)}</th>" for name in names)
     lines = []
     for row in rows:
-        cells = ["…" if row is None else _cell(arrays, name, row) for name in names]
+        cells = ["…" if row is None else _cell(arrays, name, row, written) for name in names]
         lines.append("<tr>" + "".join(f"<td>{_escaped(cell)}</td>" for cell in cells) + "</tr>")
     return (
         f'<div><p>{_escaped(title)}</p><table style="font-size: 85%"><thead><tr>{head}</tr></thead>'
@@ -91,12 +94,10 @@ def rows(columns: Mapping[str, Any], key: Any, count: int) -> dict[str, Any]:
     return parts
 
 
-def _cell(arrays: Mapping[str, Any], name: str, row: int) -> str:
-    from stoss._result import with_error  # which imports this module
-
+def _cell(arrays: Mapping[str, Any], name: str, row: int, written: Callable[[float, float | None], str]) -> str:
     value, error = arrays[name][row], arrays.get(f"{name}_error")
     if isinstance(value, (float, np.floating)):
-        return with_error(float(value), None if error is None or math.isnan(error[row]) else float(error[row]))
+        return written(float(value), None if error is None or math.isnan(error[row]) else float(error[row]))
     return str(value)
 
 

@@ -101,7 +101,7 @@ class RestitutionFunction(Result):
 
     @property
     def knots(self) -> NDArray[Any]:
-        """The computed values: a structured array with the fields speed (in the unit of the call), restitution, error."""
+        """The computed values: a structured array of speed (in the unit of the call), restitution and error."""
         names = ["speed", "restitution", "error"]
         table = np.zeros(len(self), dtype=[(name, np.float64) for name in names])
         table["speed"] = self.speed * speed_unit(self.body)

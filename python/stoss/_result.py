@@ -126,7 +126,7 @@ class Result(abc.ABC):
 
     def _repr_html_(self) -> str:
         columns = self._columns()
-        return _export.table(repr(self), columns, self._units_of(columns))
+        return _export.table(repr(self), columns, self._units_of(columns), with_error)
 
     def _columns(self) -> dict[str, Column]:
         """All columns, of one length."""

@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 
 from stoss import _export
 from stoss._errors import InvalidInput
-from stoss._result import UNKNOWN
+from stoss._result import UNKNOWN, with_error
 
 AXES = {"restitution": "speed", "function": "speed", "quasistatic": "speed", "slow impact": "speed",
         "rayleigh": "speed", "modes": "mode", "trajectory": "time", "bounce": "number", "rod_chain": "time",
@@ -83,7 +83,7 @@ class Table(Mapping[str, NDArray[Any]]):
         return _table, (self.kind, self.version, dict(self.inputs), dict(self.units), dict(self.columns))
 
     def _repr_html_(self) -> str:
-        return _export.table(f"{self.kind}, {self.size} rows", self.columns, self.units)
+        return _export.table(f"{self.kind}, {self.size} rows", self.columns, self.units, with_error)
 
     def to_dataframe(self) -> Any:
         """As `Result.to_dataframe`, with the inputs of the file in its attrs."""

@@ -56,15 +56,14 @@ class Laws : public testing::TestWithParam<Case> {};
 
 TEST_P(Laws, HoldWithinTheirErrors) {
   const auto& [name, contact, law] = GetParam();
-  const std::vector<double> speeds{1e-7, 1e-6, 1e-5, 1e-4, 1e-3, 0.005, 0.02};
-  const auto direct = restitution_curve(contact, speeds, {.tolerance = 1e-3, .absolute = 1e-7});
-  for (std::size_t i = 0; i < speeds.size(); ++i) {
-    const auto& [value, error] = law(speeds[i]);
-    const Estimate& found = direct[i].restitution;
-    EXPECT_LE(std::abs(value - found.value), error + found.error) << name << ", v = " << speeds[i];
+  for (const double speed : {1e-6, 1e-5, 1e-4, 1e-3, 0.005, 0.02}) {
+    const auto& [value, error] = law(speed);
+    const CurveOptions options{.tolerance = 1e-3, .absolute = 0.1 * error};  // as accurate as can be told apart
+    const Estimate found = restitution_curve(contact, {speed}, options).front().restitution;
+    EXPECT_LE(std::abs(value - found.value), error + found.error) << name << ", v = " << speed;
     EXPECT_GE(error, 0.0);
-    if (speeds[i] <= 1e-3) {
-      EXPECT_LT(error, 0.2) << name << ", v = " << speeds[i];
+    if (speed <= 1e-3) {
+      EXPECT_LT(error, 0.2) << name << ", v = " << speed;
     }
   }
   EXPECT_EQ(law(0.0).value, 1.0);
