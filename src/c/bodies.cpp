@@ -9,7 +9,7 @@ using stoss::c::require_given;
 
 /// Hands over what `make` makes.
 template <typename Make>
-int handed_over(stoss_body** body, const Make& make) noexcept {
+int handed_over(stoss_body** body, const Make& make) {
   return guarded([&] {
     require_given(body, "body");
     *body = new stoss_body(make());

@@ -28,6 +28,7 @@ for flag in ${CXXFLAGS:-}; do
   case $flag in -fsanitize=* | -fno-sanitize*) sanitizers+=("$flag") ;; esac
 done
 sanitized() { [ ${#sanitizers[@]} -gt 0 ]; }
+if sanitized && [[ $CXX == *clang* ]]; then sanitizers+=(-fsanitize-link-c++-runtime); fi  # for programs in C too
 
 case $topic in
 gcc | clang)
