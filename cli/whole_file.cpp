@@ -50,7 +50,12 @@ class Beside {
     const int descriptor = open(temporary_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
     if (descriptor < 0) fail(path_);
     file_ = fdopen(descriptor, "w");
-    if (file_ == nullptr || (exists && fchmod(descriptor, status.st_mode & 07777) != 0)) fail(path_);
+    if (file_ == nullptr || (exists && fchmod(descriptor, status.st_mode & 07777) != 0)) {
+      const int reason = errno;
+      unlink(temporary_.c_str());
+      errno = reason;
+      fail(path_);
+    }
   }
   Beside(const Beside&) = delete;
   Beside& operator=(const Beside&) = delete;
