@@ -117,7 +117,7 @@ def test_a_second_one_of_the_same_shard_is_refused(command):
 
 def wait_for_rows(store):
     """Until a worker has written a value."""
-    for _ in range(600):
+    for _ in range(3000):
         if any(line[:1] not in b"#c" for path in store.glob("*.csv") for line in path.read_bytes().splitlines()):
             return
         time.sleep(0.1)
