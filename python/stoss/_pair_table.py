@@ -44,7 +44,7 @@ class PairTable:
     --------
     >>> epsilon = stoss.pair_table(poisson=0.33, ratio=(1, 1.5), speed=(0.01, 0.2), error=1e-2)
     >>> round(epsilon(0.1, 1.2), 2), epsilon.error(0.1, 1.2) < 1e-2
-    (0.93, True)
+    (0.96, True)
     >>> epsilon([[0.02], [0.1]], [1.1, 1 / 1.1]).round(3).shape
     (2, 2)
     """
