@@ -171,7 +171,7 @@ def pair_table(
     ranges = {"speed": numbers("speed", speed) / speed_unit(chosen), "ratio": numbers("ratio", ratio)}
     for name, ends in ranges.items():
         if ends.shape != (2,):
-            raise InvalidInput(f"{name}: got an array of shape {ends.shape}, allowed two numbers, the least and the greatest")
+            raise InvalidInput(f"{name}: got an array of shape {ends.shape}, allowed two numbers, least and greatest")
     outside = choice("beyond", beyond, ("error", "clamp"))
     limit, count = number("error", error), integer("threads", threads)
     with speeds_in_si(chosen):

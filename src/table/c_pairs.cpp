@@ -64,14 +64,14 @@ constexpr std::string_view functions = R"(
   double v = fabs(speed), s = @name@_place(ratio);
   if (@name@_holds(v, ratio)) return @name@_within(v, s);
   if (!(v >= 0.0)) return v;
-  if (!(ratio == ratio)) return ratio;
+  if (!(ratio >= 0.0 || ratio < 0.0)) return ratio;
 @outside@}
 
 @NAME@_FUNCTION double @name@_restitution_error(double speed, double ratio)
 {
   const double v = fabs(speed), s = @name@_place(ratio);
   if (!(v >= 0.0)) return v;
-  if (!(ratio == ratio)) return ratio;
+  if (!(ratio >= 0.0 || ratio < 0.0)) return ratio;
   if (!@name@_holds(v, ratio)) return HUGE_VAL;
   return @name@_errors[@name@_interval(@name@_speeds, @name@_first_speeds, @intervals_x@, @bins_x@, log(v))]
                       [@name@_interval(@name@_ratios, @name@_first_ratios, @intervals_s@, @bins_s@, s)];
