@@ -87,6 +87,15 @@ def open_sweep(store: str | os.PathLike[str], *, mix: bool = False) -> Sweep:
     ------
     InvalidInput
         If it is no store, is damaged, or has rows of another version or grid.
+
+    Examples
+    --------
+    >>> import tempfile
+    >>> grid = stoss.Grid(bodies={"kind": "disk", "poisson": 0.33}, speed=[0.1, 0.2])
+    >>> with tempfile.TemporaryDirectory() as folder:
+    ...     _ = stoss.sweep(grid, store=folder)
+    ...     stoss.open_sweep(folder).complete
+    True
     """
     path = Path(store)
     grid = _store.read_grid(path)
@@ -126,6 +135,16 @@ def merge(store: str | os.PathLike[str], path: str | os.PathLike[str], *, mix: b
     -------
     Sweep
         What was written; its `complete` says whether anything is missing.
+
+    Examples
+    --------
+    >>> import os, tempfile
+    >>> grid = stoss.Grid(bodies={"kind": "disk", "poisson": 0.33}, speed=[0.1, 0.2])
+    >>> with tempfile.TemporaryDirectory() as folder:
+    ...     _ = stoss.sweep(grid, store=folder)
+    ...     _ = stoss.merge(folder, os.path.join(folder, "values.nc"))
+    ...     os.path.exists(os.path.join(folder, "values.nc"))
+    True
     """
     result = open_sweep(store, mix=mix)
     result.to_netcdf(path)
