@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import dataclasses
 import functools
+import importlib
 from typing import Any
 
 import numpy as np
@@ -90,9 +91,7 @@ class PairTable:
 
     def plot(self, ax: Any = None) -> Any:
         """ε against speed for some ratios. See `stoss.plot.pair_table`."""
-        from stoss import plot
-
-        return plot.pair_table(self, ax)
+        return importlib.import_module("stoss.plot").pair_table(self, ax)
 
     @functools.cached_property
     def _core(self) -> _core.PairTable:
