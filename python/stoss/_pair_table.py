@@ -96,7 +96,8 @@ class PairTable:
     @functools.cached_property
     def _core(self) -> _core.PairTable:
         grids = (self.speed, self.ratio, self.restitution, self.restitution_error, self.interpolation_error)
-        return _core.make_pair_table(*(np.ascontiguousarray(each).ravel() for each in grids), self.alike, self.beyond)
+        speed, ratio, value, bars, interpolation = (np.ascontiguousarray(each).ravel() for each in grids)
+        return _core.make_pair_table(speed, ratio, value, bars, interpolation, self.alike, self.beyond)
 
     def __getstate__(self) -> dict[str, Any]:
         return {field.name: getattr(self, field.name) for field in dataclasses.fields(self)}
@@ -174,9 +175,11 @@ def pair_table(
     outside = choice("beyond", beyond, ("error", "clamp"))
     limit, count = number("error", error), integer("threads", threads)
     with speeds_in_si(chosen):
-        pair = [[each.poisson, each.radius, each.young, each.density, each.loss_time] for each in (chosen, met)]
-        ends_of = [[float(end) for end in each] for each in ranges.values()]
-        made = _core.adaptive_pair_table(kind(chosen), *pair, *ends_of, limit, count)
+        first, second = (
+            [each.poisson, each.radius, each.young, each.density, each.loss_time] for each in (chosen, met)
+        )
+        speeds, ratios = ([float(end) for end in each] for each in ranges.values())
+        made = _core.adaptive_pair_table(kind(chosen), first, second, speeds, ratios, limit, count)
     v, r, value, bars, interpolation, alike = made.given()
     shape = (v.size, r.size)
     grids = [v, r, value.reshape(shape), bars.reshape(shape), interpolation.reshape(v.size - 1, r.size - 1)]

@@ -43,7 +43,7 @@ def pair_table(table: PairTable, ax: Axes | None = None, *, ratio: ArrayLike | N
     """
     instance("table", table, (PairTable,))
     ends = (table.ratio[[0, -1]] - 1) / (table.ratio[[0, -1]] + 1)
-    places = np.linspace(*ends, USUAL)
+    places = np.linspace(float(ends[0]), float(ends[1]), USUAL)
     usual = np.clip((1 + places) / (1 - places), table.ratio[0], table.ratio[-1])
     chosen = usual if ratio is None else numbers("ratio", ratio).ravel()
     unit = speed_unit(table.body)
