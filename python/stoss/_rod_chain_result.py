@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import dataclasses
+import importlib
 from typing import Any, ClassVar
 
 import numpy as np
@@ -101,9 +102,7 @@ class RodChain(Result):
 
     def histogram(self, ax: Any = None) -> Any:
         """How often each ε occurs. See `stoss.plot.restitution_histogram`."""
-        from stoss.plot import restitution_histogram
-
-        return restitution_histogram(self, ax)
+        return importlib.import_module("stoss.plot").restitution_histogram(self, ax)
 
     def _unit(self, name: str) -> str:
         return SI.get(name, "") if self.rods[0].material is not None else ""
