@@ -18,6 +18,7 @@ time
 `restitution_distribution`        ε of many bodies that vibrate at random before
 `sweep`, `Grid`                   ε of many bodies, partners and speeds, on any executor, with a store
 `merge`, `open_sweep`             what such a store has
+`atlas`                           ε of spheres and disks without computing: values of a sweep, with errors
 `bounce`                          a body that comes back to a wall with the vibration it has kept
 `modes`                           the eigenmodes of a disk or a sphere
 `extrapolated_restitution`        ε as Gerl and Zippelius compute it
@@ -35,6 +36,7 @@ time
 """
 
 from stoss import quasistatic
+from stoss._atlas import AtlasValue, atlas
 from stoss._bodies import Body, Disk, Rod, Sphere
 from stoss._bounce import bounce
 from stoss._bounce_result import Bounces
@@ -67,6 +69,7 @@ from stoss._walls import ExponentialWall, HardWall, Wall
 from stoss._wave import Wave
 
 __all__ = [
+    "AtlasValue",
     "Body",
     "Bounces",
     "Disk",
@@ -102,6 +105,7 @@ __all__ = [
     "Wave",
     "__version__",
     "animate",
+    "atlas",
     "bounce",
     "extrapolated_restitution",
     "impact",
