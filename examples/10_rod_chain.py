@@ -1,7 +1,8 @@
 """A ring of elastic rods that cool as they collide: how much they remember decides how fast.
 
 Run:     python examples/10_rod_chain.py [FOLDER]        (default: out/)
-Expect:  for three dampings of the vibration between collisions the kinetic energy that is left, mean
+Expect:  for three dampings of the vibration between collisions the kinetic energy that is left,
+mean
          and spread of ε of the collisions; rod_chain.png with the energy against time and how ε is
          distributed. Some seconds.
 

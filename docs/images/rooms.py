@@ -47,7 +47,8 @@ def room(name):
 
 
 def arrow(start, end):
-    """From the right edge of a room to the left edge of another, at heights that keep arrows apart."""
+    """From the right edge of a room to the left edge of another, at heights that keep arrows
+    apart."""
     (left, top, _), (to_left, to_top, _) = ROOMS[start], ROOMS[end]
     middle = BOX_HEIGHT // 2
     lean = (to_top > top) - (to_top < top)

@@ -16,9 +16,9 @@ bodies
 `impact`                          one impact: energy ledger, trajectory, deformation and stress in
 time
 `restitution_distribution`        ε of many bodies that vibrate at random before
-`sweep`, `Grid`                   ε of many bodies, partners and speeds, on any executor, with a store
+`sweep`, `Grid`                   ε of many bodies, partners and speeds, with a store
 `merge`, `open_sweep`             what such a store has
-`atlas`                           ε of spheres and disks without computing: values of a sweep, with errors
+`atlas`                           ε of spheres and disks at once, from a sweep; with errors
 `bounce`                          a body that comes back to a wall with the vibration it has kept
 `modes`                           the eigenmodes of a disk or a sphere
 `extrapolated_restitution`        ε as Gerl and Zippelius compute it

@@ -38,9 +38,10 @@ def bounce(
 
     In flight the phase of a mode of frequency ω advances by ω T and its energy falls by
     exp(−T/`decay_time`). All impacts have the same cutoff and no error bar: without damping
-    small differences grow, and of a long sequence only means converge. With ``against=stoss.HardWall(tail="static")``
-    all energy is kept, and translation has in the mean as much before an impact as each of the modes;
-    otherwise the modes above the cutoff take energy for good.
+    small differences grow, and of a long sequence only means converge. With
+    ``against=stoss.HardWall(tail="static")`` all energy is kept, and translation has in the mean as
+    much before an impact as each of the modes; otherwise the modes above the cutoff take energy for
+    good.
 
     Parameters
     ----------
@@ -49,14 +50,15 @@ def bounce(
     speed : float
         Of the first impact, 1e-8 to 1, c (with a material: m/s).
     against : HardWall, ExponentialWall, HalfSpace or HalfPlane, optional
-        What the body meets. Default: a rigid wall. The waves of a half-space have run away before the
-        next impact. Another body, which does not come back, is refused.
+        What the body meets. Default: a rigid wall. The waves of a half-space have run away before
+        the next impact. Another body, which does not come back, is refused.
     poisson : float
         In place of `body`: ``Disk(poisson=poisson)``.
     count : int, optional
         Impacts.
     flight_time : float
-        From leaving the wall to touching it again, of a body at rest inside, R/c (with a material: s).
+        From leaving the wall to touching it again, of a body at rest inside, R/c (with a material:
+        s).
     gravity : float
         In place of `flight_time`: g, c²/R (with a material: m/s²); a flight lasts 2v/g.
     decay_time : float, optional
@@ -65,7 +67,8 @@ def bounce(
     cutoff : float, optional
         Highest frequency of the modes that are kept, c/R.
     state : Oscillation, sequence of them or ndarray, optional
-        How the body vibrates before the first impact, as for `impact`. Default: it is at rest inside.
+        How the body vibrates before the first impact, as for `impact`. Default: it is at rest
+        inside.
 
     Returns
     -------

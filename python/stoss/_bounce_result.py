@@ -18,8 +18,8 @@ from stoss._state import shown_state
 
 @dataclasses.dataclass(frozen=True, eq=False, repr=False)
 class Bounces(InSi, RowResult):
-    """A sequence of impacts of a body that comes back. All arrays have one element for each impact; an index gives
-    one of them, a slice the impacts among them.
+    """A sequence of impacts of a body that comes back. All arrays have one element for each impact;
+    an index gives one of them, a slice the impacts among them.
 
     Energies are shares of the initial energy of the first impact.
 
@@ -41,8 +41,8 @@ class Bounces(InSi, RowResult):
     restitution : ndarray
         ε = −v_f/v_i.
     translation_before, vibration_before, dissipated_before, unresolved_before : ndarray
-        Energy when the impact begins: of the translation; of the kept modes; lost to the material and
-        in flight so far; taken so far by the modes above the cutoff, and by the waves of a
+        Energy when the impact begins: of the translation; of the kept modes; lost to the material
+        and in flight so far; taken so far by the modes above the cutoff, and by the waves of a
         half-space.
     translation, vibration, dissipated, unresolved : ndarray
         The same when it is over. The sum is 1 but for `energy_error`.

@@ -1,4 +1,5 @@
-"""The distribution of the coefficient of restitution of bodies that vibrate: what it is computed from."""
+"""The distribution of the coefficient of restitution of bodies that vibrate: what it is computed
+from."""
 
 from __future__ import annotations
 

@@ -19,8 +19,8 @@ from stoss._rows import RowResult
 class RestitutionDistribution(RowResult):
     """Coefficients of restitution of bodies that vibrate at random before the impact.
 
-    Arrays have one element for each sample; ``len()`` is their number, an index gives one of them, a
-    slice the samples among them. In the mean, samples without
+    Arrays have one element for each sample; ``len()`` is their number, an index gives one of them,
+    a slice the samples among them. In the mean, samples without
     a value (NaN) do not count.
 
     Attributes
@@ -102,7 +102,8 @@ class RestitutionDistribution(RowResult):
     reason: NDArray[np.object_]
 
     def __getitem__(self, key: Any) -> Any:
-        """A sample as a dict, or for a slice, an array of indices or of flags, these samples, summed up anew."""
+        """A sample as a dict, or for a slice, an array of indices or of flags, these samples,
+        summed up anew."""
         part = super().__getitem__(key)
         if isinstance(part, dict):
             return part

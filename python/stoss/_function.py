@@ -125,7 +125,8 @@ def _made(
     error: NDArray[np.float64],
     interpolation: NDArray[np.float64],
 ) -> RestitutionFunction:
-    """A function whose knots the core has checked, with the error of the interpolation that it finds."""
+    """A function whose knots the core has checked, with the error of the interpolation that it
+    finds."""
     for each in (speed, restitution, error):
         each.flags.writeable = False
     given = RestitutionFunction(body, against, beyond, state, speed, restitution, error, interpolation)

@@ -26,8 +26,9 @@ class RestitutionFunction(Result):
     """ε as a function of the speed: call it with speeds, get values.
 
     Between computed values it is a cubic in ln v that rises and falls only as they do. Speeds are
-    those of approach, in c or, of a body with a material, in m/s; their sign does not count. Made by
-    `restitution_function`, or by `Restitution.function`; ``len()`` is the number of computed values.
+    those of approach, in c or, of a body with a material, in m/s; their sign does not count. Made
+    by `restitution_function`, or by `Restitution.function`; ``len()`` is the number of computed
+    values.
 
     Attributes
     ----------
@@ -101,7 +102,8 @@ class RestitutionFunction(Result):
 
     @property
     def knots(self) -> NDArray[Any]:
-        """The computed values: a structured array of speed (in the unit of the call), restitution and error."""
+        """The computed values: a structured array of speed (in the unit of the call), restitution
+        and error."""
         names = ["speed", "restitution", "error"]
         table = np.zeros(len(self), dtype=[(name, np.float64) for name in names])
         table["speed"] = self.speed * speed_unit(self.body)
@@ -121,11 +123,11 @@ class RestitutionFunction(Result):
     def to_c(self, path: str | os.PathLike[str], *, name: str = "stoss") -> None:
         """Write the function as a header in C, which C++ takes too.
 
-        It defines ``static double stoss_restitution(double speed)`` and ``stoss_restitution_error``,
-        in C89 and with <math.h> only, and the ends of the range, STOSS_SLOWEST and STOSS_FASTEST.
-        Speeds are in the unit in which the function is called. Beyond the range the error is
-        HUGE_VAL, and ε that at the nearer end (``beyond="clamp"``) or not a number (``"error"``).
-        The file appears whole or not at all.
+        It defines ``static double stoss_restitution(double speed)`` and
+        ``stoss_restitution_error``, in C89 and with <math.h> only, and the ends of the range,
+        STOSS_SLOWEST and STOSS_FASTEST. Speeds are in the unit in which the function is called.
+        Beyond the range the error is HUGE_VAL, and ε that at the nearer end (``beyond="clamp"``) or
+        not a number (``"error"``). The file appears whole or not at all.
 
         Parameters
         ----------
@@ -152,7 +154,8 @@ class RestitutionFunction(Result):
         write_lines(path, [self._core.c_header(name, unit, speed_unit(self.body), provenance)])
 
     def to_two_column(self, path: str | os.PathLike[str], *, error: float | None = None) -> None:
-        """Write the function as lines of two numbers, speed and ε, for linear interpolation in the speed.
+        """Write the function as lines of two numbers, speed and ε, for linear interpolation in the
+        speed.
 
         There are as many lines as this takes for `error`, and there is no head. Speeds are in the
         unit in which the function is called. The file appears whole or not at all.

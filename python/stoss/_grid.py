@@ -45,7 +45,8 @@ class Grid:
     against : 'wall', 'same', HardWall, a body, HalfSpace or HalfPlane, mapping, or a sequence, optional
         What they meet. A mapping that names no Poisson number takes that of the first body.
     speed : array_like
-        Of approach, c of the first body (with materials: m/s); or a series as ``'log:1e-4:0.1:30'``.
+        Of approach, c of the first body (with materials: m/s); or a series as
+        ``'log:1e-4:0.1:30'``.
     tolerance, absolute : float, optional
         As of `stoss.restitution`.
 
@@ -129,7 +130,8 @@ class Grid:
 
     @classmethod
     def from_toml(cls, path: str | os.PathLike[str]) -> Grid:
-        """Read a grid from a TOML file, whose keys are the arguments of this class (docs/sweeps.md).
+        """Read a grid from a TOML file, whose keys are the arguments of this class
+        (docs/sweeps.md).
 
         Raises
         ------

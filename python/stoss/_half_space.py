@@ -14,7 +14,8 @@ Kind = TypeVar("Kind", bound="_Unbounded")
 
 
 class _Unbounded:
-    """What a half-space and a half-plane have in common: no size, and a Poisson number that may be the first's."""
+    """What a half-space and a half-plane have in common: no size, and a Poisson number that may be
+    the first's."""
 
     poisson: float | None
     young: float

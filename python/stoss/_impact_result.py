@@ -34,8 +34,8 @@ class Impact(ImpactViews):
     lost_fraction : float
         1 − ε², negative where ε > 1.
     translation, vibration, dissipated, unresolved : float
-        Energy after the impact: of the (relative) translation; of the kept modes; lost to the material;
-        of the modes above the cutoff. The sum is 1 but for `energy_error`.
+        Energy after the impact: of the (relative) translation; of the kept modes; lost to the
+        material; of the modes above the cutoff. The sum is 1 but for `energy_error`.
     lost_to_first, lost_to_second : float
         Vibration and dissipation of each body after the impact, `unresolved` included; what the
         waves of a half-space carry away.
@@ -67,7 +67,8 @@ class Impact(ImpactViews):
     mode_energies : ndarray
         Energy of each kept mode, a structured array with the fields body (0 of the first, 1 of
         the second), order, index, omega, before and after (the impact) and average (during
-        contact). Those of a half-space are samples of a continuum, and their order counts wave numbers.
+        contact). Those of a half-space are samples of a continuum, and their order counts wave
+        numbers.
     keep : ndarray or None
         Which modes up to the cutoff were kept, if not all: those of `mode_energies`.
     state : ndarray or None

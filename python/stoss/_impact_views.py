@@ -152,7 +152,8 @@ class ImpactViews(InSiOfAnImpact):
         return _replay.energies_at(self._whole(), time)
 
     def state_after(self, *, flight: float) -> NDArray[Any]:
-        """How the bodies vibrate when they meet again at the speed of their parting, `restitution` × `speed`.
+        """How the bodies vibrate when they meet again at the speed of their parting, `restitution`
+        × `speed`.
 
         Parameters
         ----------

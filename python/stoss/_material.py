@@ -58,8 +58,8 @@ class Material:
         Loss time η, s: stress = (1 + η ∂/∂t) elastic stress. Bodies have it unless told otherwise;
         ``loss_time=0`` makes one that loses nothing. A rigid one loses nothing anyway.
     quality : tuple of float, optional
-        In place of `loss_time`, (Q, ω) with the quality Q at the angular frequency ω in rad/s, π over
-        the contact time for an impact: η = 1/(Qω). Of the same η a slower impact, of lower
+        In place of `loss_time`, (Q, ω) with the quality Q at the angular frequency ω in rad/s, π
+        over the contact time for an impact: η = 1/(Qω). Of the same η a slower impact, of lower
         frequency, has a higher quality; a material whose Q is constant is met at ω only.
 
     Raises
@@ -115,7 +115,8 @@ class Material:
         return _core.plane_poisson(self.young, self.poisson, self.density, plane == "strain")
 
     def _in_plane(self, plane: Any) -> dict[str, float]:
-        """The constants of a disk: ν, E, ρ of a thin plate; ν/(1−ν), E/(1−ν²), ρ in plane strain."""
+        """The constants of a disk: ν, E, ρ of a thin plate; ν/(1−ν), E/(1−ν²), ρ in plane
+        strain."""
         if not isinstance(plane, str) or plane not in ("stress", "strain"):
             raise refusal("plane", plane, "'stress' or 'strain'")
         modulus = self.young if plane == "stress" else self.young / (1.0 - self.poisson**2)

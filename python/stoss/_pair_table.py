@@ -133,8 +133,8 @@ def pair_table(
     speed : tuple of two float
         Slowest and fastest speed of approach, 1e-8 to 1, c (with a material: m/s).
     ratio : tuple of two float
-        Smallest and greatest radius of the second over that of the first, 1e-3 to 1e3; of spheres to
-        some 50.
+        Smallest and greatest radius of the second over that of the first, 1e-3 to 1e3; of spheres
+        to some 50.
     against : 'same', Disk or Sphere, optional
         The second. Default: of the same material; a ratio and its inverse are then the same.
     poisson : float, optional

@@ -104,7 +104,8 @@ def wave(impact: Impact, time: Any, distance: Any, depth: Any) -> Wave:
 
 
 def wave_speeds(impact: Impact) -> tuple[float, float, float]:
-    """Of pressure, shear and Rayleigh waves of the half-space that is met, in c of the first body."""
+    """Of pressure, shear and Rayleigh waves of the half-space that is met, in c of the first
+    body."""
     body, half_space = impact.body, impact.against
     assert isinstance(half_space, UNBOUNDED) and half_space.poisson is not None
     speed = np.sqrt(half_space.young / half_space.density / (body.young / body.density))
@@ -113,7 +114,8 @@ def wave_speeds(impact: Impact) -> tuple[float, float, float]:
 
 
 def surface(impact: Impact, time: Any, reach: float) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-    """Where the surface of a half-space is at some times: places y, −reach to reach, and times × places x, in R.
+    """Where the surface of a half-space is at some times: places y, −reach to reach, and times ×
+    places x, in R.
 
     It is moved by the kept modes alone.
     """

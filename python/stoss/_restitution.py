@@ -50,8 +50,8 @@ def restitution(
         Of approach of the centres of mass, or towards the wall, 1e-8 to 1, c (with a material:
         m/s). Two equal bodies at twice the speed are one of them at a rigid wall.
     against : HardWall, 'same', Disk, Sphere, Rod, HalfSpace or HalfPlane, optional
-        What the body meets: a rigid wall (default), its like, another of its kind, or, for a sphere,
-        a half-space, for a disk a half-plane.
+        What the body meets: a rigid wall (default), its like, another of its kind, or, for a
+        sphere, a half-space, for a disk a half-plane.
     poisson : array_like
         In place of `body`: 2-D Poisson number of disks, −0.95 to 0.995; broadcasts with `speed`.
     tolerance : float, optional

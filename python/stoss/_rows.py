@@ -12,13 +12,15 @@ from stoss._result import Result, plain
 
 
 class RowResult(Result):
-    """A result whose fields are columns of one length: `len()` is their number, an index one row."""
+    """A result whose fields are columns of one length: `len()` is their number, an index one
+    row."""
 
     def __len__(self) -> int:
         return len(getattr(self, self._axis_column()))
 
     def __getitem__(self, key: Any) -> Any:
-        """A row as a dict, or for a slice, an array of indices or of flags, the result with these rows alone."""
+        """A row as a dict, or for a slice, an array of indices or of flags, the result with these
+        rows alone."""
         names = [field.name for field in dataclasses.fields(self) if self._is_column(getattr(self, field.name))]
         parts = _export.rows({name: getattr(self, name) for name in names}, key, len(self))
         if any(np.ndim(part) == 0 for part in parts.values()):

@@ -81,7 +81,8 @@ def beside(given: Specification, body: Body) -> Any:
 
 
 def expanded(name: str, given: Any) -> Iterator[Specification]:
-    """The mappings of an object, a word, or a mapping in which each list stands for a mapping of each number."""
+    """The mappings of an object, a word, or a mapping in which each list stands for a mapping of
+    each number."""
     if isinstance(given, HardWall) and given.tail == "radiating":
         given = "wall"
     if name == "against" and isinstance(given, str) and given in WALLS:

@@ -34,8 +34,9 @@ COLUMN = re.compile(r"([^\[\],\"]+)(?:\[([^\]]*)\])?")
 class Table(Mapping[str, NDArray[Any]]):
     """A file that stoss has written: columns with units, and what made them.
 
-    ``table["restitution"]`` is a column, ``table[3]`` a row as a dict, and a slice or flags give the
-    table of these rows. As of a dict, ``list(table)`` and ``len(table)`` are those of the columns.
+    ``table["restitution"]`` is a column, ``table[3]`` a row as a dict, and a slice or flags give
+    the table of these rows. As of a dict, ``list(table)`` and ``len(table)`` are those of the
+    columns.
 
     Attributes
     ----------

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "digits.hpp"
+#include "numeric/bins.hpp"
 #include "numeric/monotone_cubic.hpp"
 #include "stoss/errors.hpp"
 
@@ -82,30 +83,9 @@ struct RestitutionFunction::Table {
   double slowest, fastest;
   Beyond beyond;
   SlowLaw law;
-  std::vector<double> interpolation{};      // error of each interval
-  std::vector<double> error{};              // with that of the knots
-  double bins_per_unit = 0.0;               // of ln v
-  std::vector<std::size_t> first_in_bin{};  // interval in which each bin of equal ln v begins
-
-  /// As many bins as there are intervals: the interval of a speed is that of its bin or one of the next.
-  void sort() {
-    const std::size_t intervals = error.size();
-    bins_per_unit = static_cast<double>(intervals) / (cubic.x.back() - cubic.x.front());
-    std::size_t k = 0;
-    for (std::size_t bin = 0; bin <= intervals; ++bin) {
-      const double begin = cubic.x.front() + static_cast<double>(bin) / bins_per_unit;
-      while (k + 1 < intervals && cubic.x[k + 1] <= begin) ++k;
-      first_in_bin.push_back(k);
-    }
-  }
-
-  [[nodiscard]] std::size_t interval(double logarithm) const {
-    const double bin = (logarithm - cubic.x.front()) * bins_per_unit, last = static_cast<double>(error.size());
-    std::size_t k = first_in_bin[static_cast<std::size_t>(std::clamp(bin, 0.0, last))];
-    while (k > 0 && logarithm < cubic.x[k]) --k;  // rounding at the edge of a bin
-    while (k + 1 < error.size() && logarithm >= cubic.x[k + 1]) ++k;
-    return k;
-  }
+  std::vector<double> interpolation;  // error of each interval
+  std::vector<double> error;          // with that of the knots
+  numeric::Bins bins;                 // of ln v
 
   [[nodiscard]] Estimate outside(double speed) const {
     if (!std::isfinite(speed))
@@ -144,9 +124,9 @@ RestitutionFunction::RestitutionFunction(std::vector<Knot> knots, Beyond beyond,
     error[k] += std::max(knots[k].restitution.error, knots[k + 1].restitution.error);
   }
   const double slowest = knots.front().speed, fastest = knots.back().speed;
-  Table table{std::move(knots), std::move(cubic),         slowest,         fastest, beyond,
-              std::move(law),   std::move(interpolation), std::move(error)};
-  table.sort();
+  numeric::Bins bins(cubic.x);
+  Table table{std::move(knots), std::move(cubic),         slowest,          fastest,        beyond,
+              std::move(law),   std::move(interpolation), std::move(error), std::move(bins)};
   table_ = std::make_shared<const Table>(std::move(table));
 }
 
@@ -154,7 +134,7 @@ Estimate RestitutionFunction::operator()(double speed) const {
   const double size = std::abs(speed);
   if (!(size >= slowest() && size <= fastest())) return table_->outside(size);
   const double logarithm = std::log(size);
-  const std::size_t k = table_->interval(logarithm);
+  const std::size_t k = table_->bins.interval(logarithm);
   return {table_->cubic(k, logarithm), table_->error[k]};
 }
 
@@ -162,7 +142,7 @@ double RestitutionFunction::value(double speed) const {
   const double size = std::abs(speed);
   if (!(size >= table_->slowest && size <= table_->fastest)) return table_->outside(size).value;
   const double logarithm = std::log(size);
-  return table_->cubic(table_->interval(logarithm), logarithm);
+  return table_->cubic(table_->bins.interval(logarithm), logarithm);
 }
 
 double RestitutionFunction::slowest() const { return table_->slowest; }

@@ -18,7 +18,8 @@ import stoss
 from stoss._atlas import stencil
 
 def held_out_error(values, axis):
-    """How far each second node is from the cubic through the others; at these the larger one of its neighbours."""
+    """How far each second node is from the cubic through the others; at these the larger one of its
+    neighbours."""
     lines = np.moveaxis(values, axis, 0)
     kept = lines[::2]
     first, weights = stencil(np.arange(len(kept) - 1) + 0.5, len(kept))

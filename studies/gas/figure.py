@@ -1,4 +1,5 @@
-"""Draws how a gas cools by three laws of ε, and where its disks are then: figure.py ENERGIES DISKS PICTURE."""
+"""Draws how a gas cools by three laws of ε, and where its disks are then: figure.py ENERGIES DISKS
+PICTURE."""
 
 import csv
 import sys

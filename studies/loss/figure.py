@@ -1,4 +1,5 @@
-"""Draws the loss of lossy spheres against their speed, and the wave on it: figure.py LOSS PICTURE."""
+"""Draws the loss of lossy spheres against their speed, and the wave on it: figure.py LOSS
+PICTURE."""
 
 import csv
 import sys
@@ -26,7 +27,8 @@ def curves(name):
 
 
 def wave(speed, loss):
-    """(1 − ε²)/v without the mean law, the polynomial in v^(1/5) without constant that fits it best."""
+    """(1 − ε²)/v without the mean law, the polynomial in v^(1/5) without constant that fits it
+    best."""
     powers = np.array([speed ** (0.2 * k - 1.0) for k in range(1, TERMS + 1)]).T
     return loss / speed - powers @ np.linalg.lstsq(powers, loss / speed, rcond=None)[0]
 

@@ -1,4 +1,5 @@
-"""stoss distribution: one row a sample, the same however it is computed, and what they have in common."""
+"""stoss distribution: one row a sample, the same however it is computed, and what they have in
+common."""
 
 import json
 import math

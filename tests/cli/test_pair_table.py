@@ -1,4 +1,5 @@
-"""stoss table --ratio: the functions of speed and ratio of radii in C are those of JSON and of direct values."""
+"""stoss table --ratio: the functions of speed and ratio of radii in C are those of JSON and of
+direct values."""
 
 import json
 import math

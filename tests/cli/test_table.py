@@ -1,4 +1,5 @@
-"""stoss table: the function in C, as columns and as JSON is the one that direct values have, and appears whole."""
+"""stoss table: the function in C, as columns and as JSON is the one that direct values have, and
+appears whole."""
 
 import ctypes
 import json
@@ -157,7 +158,8 @@ def test_beyond_can_be_not_a_number(stoss, tmp_path):
 
 
 def test_reckless_compilers_stay_within_the_arrays(headers):
-    """With -ffast-math a comparison with what is not a number may say anything: nothing else is read."""
+    """With -ffast-math a comparison with what is not a number may say anything: nothing else is
+    read."""
     sanitize = ["-ffast-math", "-Wno-float-equal", "-fsanitize=address,undefined", "-fno-sanitize=float-cast-overflow"]
     program = compiled("gcc", "c99", headers, target="fast", more=sanitize)
     speeds = [math.nan, math.inf, 0.0, 1e-4, 0.3, 1e300]

@@ -19,7 +19,8 @@ PLACES = {
 
 @pytest.fixture(scope="module")
 def deviations():
-    """|atlas − direct| over the stated error at 50 random places of each kind; the direct error is far smaller."""
+    """|atlas − direct| over the stated error at 50 random places of each kind; the direct error is
+    far smaller."""
     dice, found = np.random.default_rng(4), {}
     for name, (kind, against, poissons) in PLACES.items():
         found[name] = []
@@ -45,7 +46,8 @@ def test_errors_hold_in_95_of_100_places(deviations):
 
 
 def test_errors_are_of_use():
-    """Known to a percent of a percent at a wall where spheres are slow, and to a few percent anywhere."""
+    """Known to a percent of a percent at a wall where spheres are slow, and to a few percent
+    anywhere."""
     speeds = np.geomspace(1e-4, 0.3, 200)
     for kind, against, poissons in PLACES.values():
         for poisson in np.linspace(*poissons, 7):

@@ -1,4 +1,5 @@
-"""The tables of drop tests and of materials in docs/materials.md are what the example and the package have."""
+"""The tables of drop tests and of materials in docs/materials.md are what the example and the
+package have."""
 
 import csv
 import re
@@ -72,7 +73,8 @@ def test_example_agrees_with_direct_calls_and_closed_forms(rows):
         speed = float(row["speed_m_s"])
         direct = stoss.restitution(ball, against=block, speed=speed)
         assert direct.lost_fraction == pytest.approx(float(row["lost_fraction"]), rel=1e-6)
-        # The shares are those of the finest run, which the value corrects: both are within an error bar of the truth.
+        # The shares are those of the finest run, which the value corrects: both are within an error
+        # bar of the truth.
         shares = float(row["ringing"]) + float(row["radiation"])
         assert abs(shares - direct.lost_fraction) <= direct.lost_fraction_error + abs(direct.energy_error)
         # Heat is what a lossy impact loses besides: waves are no more than without.
@@ -90,8 +92,9 @@ def test_example_agrees_with_direct_calls_and_closed_forms(rows):
             assert float(row["contact_time_s"]) == pytest.approx(2.9432 * delta / speed, rel=0.02)
 
 
-# In JKR theory (K. L. Johnson, K. Kendall, A. D. Roberts 1971) the work between the approach 0, at which the surfaces
-# snap together, and pull-off is what the contact takes. R = E* = Γ = 1, contact radius a.
+# In JKR theory (K. L. Johnson, K. Kendall, A. D. Roberts 1971) the work between the approach 0, at
+# which the surfaces snap together, and pull-off is what the contact takes. R = E* = Γ = 1, contact
+# radius a.
 def test_sticking_speed_is_that_of_jkr():
     a = np.linspace((np.pi / 8) ** (1 / 3), (2 * np.pi) ** (1 / 3), 100001)
     approach = a**2 - np.sqrt(2 * np.pi * a)

@@ -1,4 +1,5 @@
-"""The programs in examples/ run as a user runs them; what they print and write agrees with direct calls of stoss."""
+"""The programs in examples/ run as a user runs them; what they print and write agrees with direct
+calls of stoss."""
 
 import csv
 import importlib.util

@@ -1,8 +1,10 @@
-"""The Python in the pages of docs/ and README.md that have some runs as it stands, and prints what they say.
+"""The Python in the pages of docs/ and README.md that have some runs as it stands, and prints what
+they say.
 
-All ```python blocks of a page run in order in one namespace. What they print is compared with a ```text block that
-follows at once, or with a comment `# → …` at the end of a statement. Words must agree, and numbers to what is shown of
-them: x ± e within e, others to two units of their last digit. An … stands for anything.
+All ```python blocks of a page run in order in one namespace. What they print is compared with a
+```text block that follows at once, or with a comment `# → …` at the end of a statement. Words must
+agree, and numbers to what is shown of them: x ± e within e, others to two units of their last
+digit. An … stands for anything.
 """
 
 import ast
@@ -83,7 +85,8 @@ def blocks(page):
 
 
 def run(code, first_line, names):
-    """Runs the statements one by one; yields (line, what the statement printed or is, its comment or None)."""
+    """Runs the statements one by one; yields (line, what the statement printed or is, its comment
+    or None)."""
     lines = code.splitlines()
     for statement in ast.parse(code).body:
         printed = io.StringIO()

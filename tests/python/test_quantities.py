@@ -14,7 +14,8 @@ Q = stoss.quasistatic
 STEEL = "--young 2.1e11 --density 7850"
 HARD = stoss.Material(young=2.1e11, poisson=0.3, density=7850, yield_strength=1e9)
 
-# Kind of result, its class, quantities that the class has in another form, fields that are no quantities.
+# Kind of result, its class, quantities that the class has in another form, fields that are no
+# quantities.
 RESULTS = [
     ("impact", stoss.Impact, set(), {"body", "against", "speed", "mode_energies", "keep", "state", "_handle"}),
     ("restitution", stoss.Restitution, set(),

@@ -1,4 +1,5 @@
-"""Chains of rods: the numbers are those of the core, pictures are drawn, and what cannot be is refused."""
+"""Chains of rods: the numbers are those of the core, pictures are drawn, and what cannot be is
+refused."""
 
 import csv
 import json

@@ -63,7 +63,8 @@ def test_same_call_again_computes_nothing(whole, monkeypatch):
 
 
 def test_only_what_is_missing_is_computed_and_no_bit_differs(whole, tmp_path):
-    """Rows are taken away; speeds that are computed alone have the bits of those computed together."""
+    """Rows are taken away; speeds that are computed alone have the bits of those computed
+    together."""
     result, store = whole
     (file,) = store.glob("*.csv")
     lines = file.read_text().splitlines(keepends=True)

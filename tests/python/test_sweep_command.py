@@ -137,7 +137,8 @@ def test_ctrl_c(command):
 
 
 def test_thirty_kills(command):
-    """Four workers, killed 30 times at random instants, then two shards and one: as if nothing had happened."""
+    """Four workers, killed 30 times at random instants, then two shards and one: as if nothing had
+    happened."""
     (command.folder / "grid.toml").write_text(TOML)
     store, dice = command.folder / "store", random.Random(17)
     words = ("sweep", "grid.toml", "--store", "store", "--threads", "1")

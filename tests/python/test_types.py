@@ -1,4 +1,5 @@
-"""The package's types hold: its own sources, and the stubs of the compiled module against what it really has."""
+"""The package's types hold: its own sources, and the stubs of the compiled module against what it
+really has."""
 
 import subprocess
 import sys
@@ -22,7 +23,8 @@ def test_sources_are_typed(tmp_path):
 
 
 def test_stubs_are_those_of_the_compiled_module(tmp_path):
-    # pybind11's classes have a metaclass and an __init__ of their own, which nobody is meant to see.
+    # pybind11's classes have a metaclass and an __init__ of their own, which nobody is meant to
+    # see.
     allowed = tmp_path / "allowed"
     allowed.write_text("".join(f"stoss._core.{name}(.__init__)?\n" for name in OPAQUE))
     settings = ("--mypy-config-file", str(PYPROJECT), "--allowlist", str(allowed))

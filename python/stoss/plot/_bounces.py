@@ -24,9 +24,10 @@ MARKED = 60  # impacts whose markers do not run together in one column
 def bounces(result: Bounces, ax: Axes | None = None) -> Axes:
     """ε of each impact beside that of the body at rest inside, and below it where the energy is.
 
-    The line is ε(v) of single impacts of the same cutoff at the speeds of the sequence. Energies are
-    those after each impact, as shares of the initial energy of the first, from below: translation,
-    vibration, dissipated, and what the modes above the cutoff or a half-space have taken.
+    The line is ε(v) of single impacts of the same cutoff at the speeds of the sequence. Energies
+    are those after each impact, as shares of the initial energy of the first, from below:
+    translation, vibration, dissipated, and what the modes above the cutoff or a half-space have
+    taken.
 
     Parameters
     ----------

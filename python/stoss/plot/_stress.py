@@ -133,7 +133,8 @@ def draw_stress(
     """The coloured disk and its edge; if not `smooth`, in pieces of one colour, twice as fast."""
     x, y, values = now.x, now.y, _stress_of(now.field, scale.quantity)[now.where]
     if scale.quantity == "fringes" or not smooth:
-        # Colours between points are interpolated; so the stress has to be before it becomes fringes.
+        # Colours between points are interpolated; so the stress has to be before it becomes
+        # fringes.
         x, y, values = (_finer(each, FINER[scale.quantity]) for each in (x, y, values))
     mesh = axes.pcolormesh(
         x, y, scale.shown(values if smooth else values[:-1, :-1]), cmap=scale.colors, vmin=0.0, vmax=scale.top,
