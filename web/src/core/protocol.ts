@@ -1,0 +1,158 @@
+// What the page asks of the core, which runs in a worker, and what it gets back.
+// Words are those of the command: docs/architecture.md, stoss --help.
+
+export type BodyKind = 'disk' | 'sphere' | 'rod';
+
+/** A body as a user gives it: in SI (m, Pa, kg/m³, s), or in units of the first body, which are all 1. */
+export interface Body {
+  /** of the material; of a disk without a material the 2-D Poisson number */
+  poisson: number;
+  /** of a rod its length */
+  radius: number;
+  young: number;
+  density: number;
+  /** of the cross-section of a rod */
+  area: number;
+  /** Kelvin–Voigt loss time η; 0: elastic */
+  lossTime: number;
+}
+
+export type Against =
+  | { kind: 'wall' }
+  | { kind: 'same' }
+  /** of the same kind as the first */
+  | { kind: 'body'; body: Body }
+  /** a half-space for a sphere, a half-plane for a disk; radius and area are not used */
+  | { kind: 'half-space'; body: Body };
+
+/** Who meets whom. */
+export interface Encounter {
+  kind: BodyKind;
+  first: Body;
+  against: Against;
+  /** Whether bodies and speeds are in SI. */
+  si: boolean;
+  /** of a disk in SI */
+  plane: 'stress' | 'strain';
+}
+
+/** A number as the core gives it, in `unit` ('' for a pure number); without `error` where there is none. An infinite
+ *  error is unknown. */
+export interface Quantity {
+  value: number;
+  unit: string;
+  error?: number;
+}
+
+/** ε of one speed: what `stoss restitution --format json` prints, by the same names. */
+export interface Restitution {
+  speed: number;
+  /** restitution, lost_fraction, contact_time, max_force, max_compression, … */
+  quantities: Record<string, Quantity>;
+  converged: boolean;
+  /** why not converged; '' */
+  reason: string;
+  /** of the finest impact, c/R: `stoss impact --cutoff` repeats it */
+  cutoff: number;
+  /** Speed at which the bodies begin to yield (SI, known strength); not used yet by the page without it. */
+  beyondSmallStrain: boolean;
+}
+
+/** One impact in time, at the resolution of a converged ε. Times are in `units.time`, from first contact. */
+export interface Collision {
+  units: { time: string; length: string; speed: string; force: string };
+  time: Float64Array;
+  velocity: Float64Array;
+  force: Float64Array;
+  halfWidth: Float64Array;
+  /** shares of the initial energy */
+  translation: Float64Array;
+  vibration: Float64Array;
+  stored: Float64Array;
+  dissipated: Float64Array;
+  unresolved: Float64Array;
+  modes: ModeEnergy[];
+  /** first and last contact, in units.time */
+  begin: number;
+  end: number;
+  /** bodies that frames show: 1 at a wall, 2 for a pair; a half-space is a body without a grid */
+  bodies: { kind: BodyKind | 'half-space'; radius: number }[];
+}
+
+export interface ModeEnergy {
+  /** 0: of the first body, 1: of the second */
+  body: 0 | 1;
+  order: number;
+  index: number;
+  /** in units of frequency of the first */
+  omega: number;
+  /** shares of the initial energy */
+  after: number;
+  average: number;
+}
+
+/** Points of a body at rest: every radius (0 … 1 of its own) with every angle; angle 0 points to what it meets. Of a
+ *  rod `radius` is the place along it (0: the struck end) and `angle` is [0]. */
+export interface Grid {
+  radius: Float32Array;
+  angle: Float32Array;
+}
+
+/** One body at one instant, at the points of a grid: radii × angles, row-major. */
+export interface BodyFrame {
+  /** place of its centre; at rest, bodies would first touch at 0, and the first comes from x > 0 … (see Frame) */
+  center: number;
+  /** displacement in units of its own radius: along the radius, and along the angle; of a rod towards what it meets */
+  radial: Float32Array;
+  tangential: Float32Array;
+  /** von Mises stress and difference of the principal stresses in the plane, in units of the first body's modulus */
+  vonMises: Float32Array;
+  fringes: Float32Array;
+}
+
+/** What meets at one instant. x points from the first body to what it meets; the first body's centre is at x < 0. */
+export interface Frame {
+  /** in units.time of the collision, from first contact */
+  time: number;
+  bodies: BodyFrame[];
+  /** displaced surface of a half-space: lateral distance y and displacement into it, in radii of the first */
+  surface?: { y: Float32Array; depth: Float32Array };
+}
+
+/** Shape of one mode of a body at the points of a grid, greatest displacement 1. */
+export interface Shape {
+  radial: Float32Array;
+  tangential: Float32Array;
+}
+
+export interface CurvePoint {
+  speed: number;
+  restitution: number;
+  error: number;
+  converged: boolean;
+}
+
+/** What the core cannot do: one line for the user, with the name of the argument first where there is one. */
+export class CoreError extends Error {}
+
+/** The core, seen from the page. Each call answers from a worker. A call whose signal is aborted rejects with the
+ *  signal's reason, and its work ends soon. */
+export interface Core {
+  /** ε at one speed (c, or m/s with si), relative to 1 − ε² to `tolerance` where that can be reached. */
+  restitution(encounter: Encounter, speed: number, tolerance: number, signal?: AbortSignal): Promise<Restitution>;
+  /** One impact in time. */
+  collision(encounter: Encounter, speed: number, tolerance: number, signal?: AbortSignal): Promise<Collision>;
+  /** Frames of that collision at given times, each delivered when it is there. */
+  frames(
+    encounter: Encounter, speed: number, tolerance: number, times: number[], grid: Grid,
+    deliver: (frame: Frame, index: number) => void, signal?: AbortSignal,
+  ): Promise<void>;
+  shape(encounter: Encounter, body: 0 | 1, order: number, index: number, grid: Grid): Promise<Shape>;
+  /** ε at many speeds, each delivered when it is there, from a worker of its own. */
+  curve(
+    encounter: Encounter, speeds: number[], tolerance: number,
+    deliver: (point: CurvePoint, index: number) => void, signal?: AbortSignal,
+  ): Promise<void>;
+  /** The C header that `stoss table --format c` writes. */
+  header(encounter: Encounter, slowest: number, fastest: number, error: number, signal?: AbortSignal): Promise<string>;
+}
