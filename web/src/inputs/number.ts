@@ -23,9 +23,11 @@ export function parseNumber(name: string, text: string): Parsed {
   return { value: value === 0 ? 0 : value };
 }
 
-/** The shortest decimal text that gives the same number back, without needless digits: 0.0001, 1e-7, 2.1e11. */
+/** The shortest decimal text that gives the same number back; far from 1 with a power of ten: 0.005, 1e-7, 2.1e11. */
 export function shortest(value: number): string {
   const plain = String(value);
+  const size = Math.abs(value);
+  if (size === 0 || (size >= 1e-4 && size < 1e6)) return plain;
   const scientific = value.toExponential().replace('e+', 'e');
   return scientific.length < plain.length ? scientific : plain.replace('e+', 'e');
 }
