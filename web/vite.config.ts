@@ -1,9 +1,12 @@
 import { defineConfig } from 'vitest/config';
+import { equations } from './plugins/equations';
 
-// The page is served from any folder: all addresses are relative.
+// The page is served from any folder: all addresses are relative. STOSS_DOCUMENTATION is the address of the manual,
+// which may be relative too; without it the page has no link to one.
 export default defineConfig({
   base: './',
-  build: { outDir: '../build/web', emptyOutDir: true, target: 'es2022' },
+  plugins: [equations(process.env.STOSS_DOCUMENTATION ?? '')],
+  build: { outDir: '../build/web', emptyOutDir: true, target: 'es2022', assetsInlineLimit: 0 },
   worker: { format: 'es' },
-  test: { include: ['tests/unit/**/*.test.ts'] },
+  test: { include: ['tests/unit/**/*.test.ts', 'tests/native/**/*.test.ts'] },
 });

@@ -1,0 +1,50 @@
+// The points of a body at which frames are asked for: dense where it is struck.
+
+import type { BodyKind, Grid } from '../core/protocol';
+
+const RADII = 44;
+const ANGLES = 112;
+const ALONG = 120; // of a rod
+const STEEPEST = 5.5;
+const PER_HALF_WIDTH = 5; // points in the half width of the contact
+
+/** Places from 0 to 1 that are about `first` apart at 0 and grow apart evenly, `count` + 1 of them. */
+export function gradedPlaces(count: number, first: number): number[] {
+  let steep = 0;
+  if (first < 1 / count) {
+    let low = 1e-3;
+    let high = STEEPEST;
+    for (let k = 0; k < 40; ++k) {
+      steep = 0.5 * (low + high);
+      if (Math.sinh(steep / count) / Math.sinh(steep) > first) low = steep;
+      else high = steep;
+    }
+  }
+  const places: number[] = [];
+  for (let k = 0; k <= count; ++k) {
+    places.push(steep > 0 ? Math.sinh((steep * k) / count) / Math.sinh(steep) : k / count);
+  }
+  return places;
+}
+
+/** The grid of a body whose contact has some greatest half width, in its own radius: one half, the other mirrors it. */
+export function gridFor(kind: BodyKind, halfWidth: number): Grid {
+  if (kind === 'rod') {
+    return { radius: Float32Array.from({ length: ALONG + 1 }, (_, k) => k / ALONG), angle: new Float32Array(1) };
+  }
+  const first = Math.max(1e-4, halfWidth / PER_HALF_WIDTH);
+  const depths = gradedPlaces(RADII, first);
+  return {
+    radius: Float32Array.from(depths, (_, k) => 1 - depths[depths.length - 1 - k]!),
+    angle: Float32Array.from(gradedPlaces(ANGLES, first / Math.PI), (each) => Math.PI * each),
+  };
+}
+
+/** An even grid for mode shapes, which have no contact. */
+export function evenGrid(kind: BodyKind, radii = 12, angles = 96): Grid {
+  if (kind === 'rod') return gridFor(kind, 1);
+  return {
+    radius: Float32Array.from({ length: radii + 1 }, (_, k) => k / radii),
+    angle: Float32Array.from({ length: angles + 1 }, (_, k) => (Math.PI * k) / angles),
+  };
+}

@@ -1,0 +1,32 @@
+// What a collision does at one time, in words.
+
+import type { Collision } from '../core/protocol';
+import { interpolate } from '../drawing/scale';
+import { written } from '../drawing/ticks';
+
+export type Phase = 'approach' | 'compression' | 'restitution' | 'apart';
+
+/** Before contact; while the bodies still approach each other; while they part; after contact. */
+export function phaseAt(collision: Collision, time: number): Phase {
+  if (time < collision.begin) return 'approach';
+  if (time > collision.end) return 'apart';
+  const first = collision.velocity[0] ?? 0;
+  return interpolate(collision.time, collision.velocity, time) * first > 0 ? 'compression' : 'restitution';
+}
+
+/** A value with its unit. */
+export function withUnit(value: number, unit: string, digits = 3): string {
+  return unit ? `${written(value, digits)} ${unit}` : written(value, digits);
+}
+
+/** One sentence for those who do not see the picture. */
+export function describe(collision: Collision, time: number): string {
+  const phase = phaseAt(collision, time);
+  const touching = time >= collision.begin && time <= collision.end;
+  const force = touching ? Math.max(0, interpolate(collision.time, collision.force, time)) : 0;
+  const greatest = collision.force.reduce((most, each) => Math.max(most, each), 0);
+  const share = greatest > 0 ? Math.round((100 * force) / greatest) : 0;
+  const { units } = collision;
+  return `${phase}, time ${withUnit(time, units.time)}, force ${withUnit(force, units.force)}, ` +
+    `${share} % of the greatest`;
+}

@@ -1,0 +1,55 @@
+// One picture of a film: bodies, what it says about itself, and its legend.
+
+import type { Frame } from '../core/protocol';
+import type { Theme } from '../drawing/theme';
+import { drawBodies, type Scratch } from './bodies';
+import { shadeOf, type Quantity, type Shade } from './colors';
+import { drawLegend, LEGEND } from './legend';
+import { phaseAt, withUnit } from './phases';
+import type { Show } from './show';
+import { layoutOf } from './view';
+
+const shades = new Map<string, Shade>();
+
+function sharedShade(quantity: Quantity, unit: number, dark: boolean): Shade {
+  const name = `${quantity} ${unit} ${dark}`;
+  const known = shades.get(name) ?? shadeOf(quantity, unit, dark);
+  if (shades.size > 16) shades.clear();
+  shades.set(name, known);
+  return known;
+}
+
+/** Height of a picture of some width, in CSS pixels. */
+export function pictureHeight(show: Show, width: number): number {
+  return Math.round(layoutOf(show.view, width, 1).height + LEGEND);
+}
+
+/** Draws a picture. */
+export function drawPicture(
+  canvas: HTMLCanvasElement, width: number, density: number, show: Show, frame: Frame, time: number,
+  quantity: Quantity, theme: Theme, scratch: Scratch,
+): void {
+  const context = canvas.getContext('2d')!;
+  const layout = layoutOf(show.view, width, density);
+  const shade = sharedShade(quantity, show.units[quantity], theme.dark);
+  context.setTransform(density, 0, 0, density, 0, 0);
+  context.fillStyle = theme.background;
+  context.fillRect(0, 0, width, layout.height + LEGEND);
+  context.save();
+  context.beginPath();
+  context.rect(0, 0, width, layout.height);
+  context.clip();
+  const to = { context, layout, density, width, theme, shade };
+  drawBodies(to, frame, show.placed, show.grid, show.magnification, show.encounter.against.kind, scratch);
+  context.restore();
+  context.fillStyle = theme.text;
+  context.font = '13px system-ui, sans-serif';
+  context.textAlign = 'left';
+  context.fillText(`t = ${withUnit(time, show.collision.units.time)}, ${phaseAt(show.collision, time)}`, 4, 16);
+  context.textAlign = 'right';
+  context.fillStyle = theme.muted;
+  const { magnification } = show;
+  context.fillText(magnification === 1 ? 'true displacements' : `displacements × ${magnification}`, width - 4, 16);
+  const young = show.encounter.si ? show.encounter.first.young : undefined;
+  drawLegend(context, 8, layout.height + 2, width - 16, theme, shade, young);
+}

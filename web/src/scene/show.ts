@@ -1,0 +1,62 @@
+// What a film of one collision needs: its frames, and the scales that all of them share.
+
+import type { Collision, Core, Encounter, Frame, Grid } from '../core/protocol';
+import type { Quantity } from './colors';
+import { insertFrame, type Film } from './frames';
+import { gridFor } from './grid';
+import { magnificationOf } from './magnify';
+import type { Placed } from './mesh';
+import { stressUnit } from './scales';
+import { coarseToFine, filmSpan } from './schedule';
+import { placedBodies, viewOf, type View } from './view';
+
+export interface Show {
+  encounter: Encounter;
+  collision: Collision;
+  grid: Grid;
+  film: Film;
+  from: number;
+  to: number;
+  placed: Placed[];
+  magnification: number;
+  view: View;
+  units: Record<Quantity, number>;
+}
+
+const FIRST = 17; // frames before a film can play
+const LEVELS = 4; // 129 frames in the end
+
+/** Asks for the frames of a collision. `ready` gets the film when it can play; it becomes finer from then on, and
+ *  `finer` says so. */
+export async function produce(
+  core: Core, encounter: Encounter, speed: number, tolerance: number, collision: Collision, signal: AbortSignal,
+  ready: (show: Show) => void, finer: () => void,
+): Promise<void> {
+  const grid = gridFor(encounter.kind, halfWidthOf(collision));
+  const { from, to } = filmSpan(collision.begin, collision.end);
+  const [first, ...rest] = coarseToFine(from, to, FIRST, LEVELS);
+  const film: Film = { times: [], frames: [] };
+  const add = (frame: Frame): void => insertFrame(film, frame);
+  await core.frames(encounter, speed, tolerance, first!, grid, add, signal);
+  signal.throwIfAborted();
+  if (!film.frames.length) return;
+  const bodies = collision.bodies.filter((each) => each.kind !== 'half-space');
+  const placed = placedBodies(encounter, bodies.map((each) => each.radius));
+  const magnification = magnificationOf(film.frames, grid);
+  ready({
+    encounter, collision, grid, film, from, to, placed, magnification,
+    view: viewOf(film.frames, placed, grid, magnification, encounter.against.kind),
+    units: { fringes: stressUnit('fringes', film.frames, grid), vonMises: stressUnit('vonMises', film.frames, grid) },
+  });
+  for (const times of rest) {
+    await core.frames(encounter, speed, tolerance, times, grid, add, signal);
+    signal.throwIfAborted();
+    finer();
+  }
+}
+
+/** Greatest half width of the contact in radii of the body for which it is the smallest part. */
+function halfWidthOf(collision: Collision): number {
+  const greatest = collision.halfWidth.reduce((most, each) => Math.max(most, each), 0);
+  return greatest / Math.max(...collision.bodies.filter((each) => each.kind !== 'half-space').map((b) => b.radius));
+}

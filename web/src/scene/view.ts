@@ -1,0 +1,75 @@
+// What part of the plane a film shows, and how large.
+
+import type { Encounter, Frame, Grid } from '../core/protocol';
+import { edgeOf, meshOf, type Placed } from './mesh';
+
+/** In radii of the first body; the line of impact is y = 0. */
+export interface View {
+  left: number;
+  right: number;
+  half: number;
+}
+
+const ROD = 0.1; // half the thickness of the first rod, in its lengths
+const ZOOM = 3.2; // a body is shown as far as this many radii of the smaller one
+const GROUND = 0.3; // a wall's thickness
+const DEEP = 0.9; // what is shown of a half-space
+const MARGIN = 0.08;
+
+/** The bodies of a collision in the picture; a half-space is none of them. */
+export function placedBodies(encounter: Encounter, radii: number[]): Placed[] {
+  const second = encounter.against.kind === 'body' ? encounter.against.body : encounter.first;
+  return radii.map((radius, n) => ({
+    kind: encounter.kind,
+    radius: radius / radii[0]!,
+    facing: n === 0 ? 1 : -1,
+    halfHeight: n === 0 ? ROD : Math.min(0.4, Math.max(0.03, ROD * Math.sqrt(second.area / encounter.first.area))),
+  }));
+}
+
+/** The view in which all frames fit, as far as the smaller body lets the larger one be seen. */
+export function viewOf(
+  frames: Frame[], placed: Placed[], grid: Grid, magnification: number, against: Encounter['against']['kind'],
+): View {
+  const view: View = { left: 0, right: 0, half: 0 };
+  for (const frame of frames) {
+    placed.forEach((body, n) => {
+      const edge = edgeOf(body, meshOf(body, frame.bodies[n]!, grid, magnification));
+      for (const x of edge.x) {
+        view.left = Math.min(view.left, x);
+        view.right = Math.max(view.right, x);
+      }
+      for (const y of edge.y) view.half = Math.max(view.half, y);
+    });
+  }
+  const small = Math.min(...placed.map((each) => each.radius));
+  const reach = ZOOM * small;
+  view.left = Math.max(view.left - MARGIN * small, -reach);
+  view.right = Math.min(view.right + MARGIN * small, reach);
+  view.half = Math.min(view.half + MARGIN * small, 0.6 * reach);
+  if (against === 'wall') view.right = GROUND * (placed[0]!.kind === 'rod' ? 0.3 : 1);
+  if (against === 'half-space') view.right = DEEP;
+  return view;
+}
+
+export interface Layout {
+  /** CSS pixels of a radius, and where x = y = 0 is */
+  scale: number;
+  x: number;
+  y: number;
+  /** height of the picture without its legend */
+  height: number;
+}
+
+const HEAD = 26;
+const TALLEST = 400;
+const LOWEST = 110;
+
+/** Where a view is in a picture of some width; whole pixels of the device on the line of impact. */
+export function layoutOf(view: View, width: number, density: number): Layout {
+  const span = view.right - view.left;
+  const scale = Math.min((width - 8) / span, TALLEST / (2 * view.half));
+  const inner = Math.max(LOWEST, 2 * view.half * scale);
+  const y = Math.round((HEAD + inner / 2) * density) / density;
+  return { scale, x: (width - span * scale) / 2 - view.left * scale, y, height: HEAD + inner + 6 };
+}
