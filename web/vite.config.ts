@@ -1,3 +1,4 @@
+import { fileURLToPath } from 'node:url';
 import { defineConfig } from 'vitest/config';
 import { equations } from './plugins/equations';
 
@@ -5,6 +6,8 @@ import { equations } from './plugins/equations';
 // which may be relative too; without it the page has no link to one.
 export default defineConfig({
   base: './',
+  // What scripts/web.sh has built of web/core.
+  resolve: { alias: { '@wasm': fileURLToPath(new URL('../build/wasm', import.meta.url)) } },
   plugins: [equations(process.env.STOSS_DOCUMENTATION ?? '')],
   build: { outDir: '../build/web', emptyOutDir: true, target: 'es2022', assetsInlineLimit: 0 },
   worker: { format: 'es' },

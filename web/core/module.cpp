@@ -4,8 +4,10 @@
 #include <memory>
 #include <string>
 
+#include "collision.hpp"
 #include "encounter.hpp"
 #include "restitution.hpp"
+#include "shape.hpp"
 #include "stoss/version.hpp"
 #include "values.hpp"
 
@@ -42,6 +44,30 @@ val get_header(const Encounter& encounter, double slowest, double fastest, doubl
   });
 }
 
+/// { collision, series }, the first to be deleted after use.
+val get_collision(const Encounter& encounter, double speed, double tolerance) {
+  return answered([&] {
+    auto collision = std::make_shared<Collision>(encounter, speed, tolerance);
+    val made = val::object();
+    made.set("series", collision->series());
+    made.set("collision", std::move(collision));
+    return made;
+  });
+}
+
+Points points(const val& grid) { return {numbers(grid["radius"]), numbers(grid["angle"])}; }
+
+val get_frames(Collision& collision, const val& times, const val& grid, const val& deliver) {
+  return answered([&] {
+    collision.frames(numbers(times), points(grid), deliver);
+    return val::object();
+  });
+}
+
+val get_shape(const Encounter& encounter, int body, int order, int index, const val& grid) {
+  return answered([&] { return shape(encounter, body, order, index, points(grid)); });
+}
+
 }  // namespace
 
 EMSCRIPTEN_BINDINGS(stoss) {
@@ -49,7 +75,12 @@ EMSCRIPTEN_BINDINGS(stoss) {
       .smart_ptr<std::shared_ptr<Encounter>>("EncounterPointer")
       .function("restitution", &get_restitution)
       .function("curve", &get_curve)
-      .function("header", &get_header);
+      .function("header", &get_header)
+      .function("collision", &get_collision)
+      .function("shape", &get_shape);
+  emscripten::class_<Collision>("Collision")
+      .smart_ptr<std::shared_ptr<Collision>>("CollisionPointer")
+      .function("frames", &get_frames);
   emscripten::function("makeEncounter", &make_encounter);
 }
 

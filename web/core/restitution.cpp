@@ -1,5 +1,6 @@
 #include "restitution.hpp"
 
+#include "alive.hpp"
 #include "stoss/errors.hpp"
 #include "stoss/restitution/curve.hpp"
 #include "stoss/restitution/quantities.hpp"
@@ -40,7 +41,7 @@ val quantities(const Encounter& encounter, const Restitution& result) {
   return all;
 }
 
-CurveOptions options(double tolerance) { return {.tolerance = tolerance, .threads = 1}; }
+CurveOptions options(double tolerance) { return {.tolerance = tolerance, .threads = 1, .poll = say_alive}; }
 
 }  // namespace
 
@@ -76,8 +77,8 @@ std::string header(const Encounter& encounter, double slowest, double fastest, d
     throw InvalidInput("speed: got " + text(slowest) + " to " + text(fastest) +
                        ", allowed a slowest speed below the fastest");
   }
-  const RestitutionFunction function =
-      restitution_function(encounter.refinable(), from, to, {.error = error, .beyond = Beyond::clamp, .threads = 1});
+  const RestitutionFunction function = restitution_function(
+      encounter.refinable(), from, to, {.error = error, .beyond = Beyond::clamp, .threads = 1, .poll = say_alive});
   TableLabel label{.unit = encounter.unit_name(Dimension::speed), .scale = encounter.unit(Dimension::speed)};
   label.provenance = {"stoss " + std::string(version()) + ": table", name(encounter.refinable().at(0)),
                       "speed[" + label.unit + "]: " + text(slowest) + ":" + text(fastest), "error: " + text(error)};
