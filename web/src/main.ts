@@ -21,6 +21,8 @@ import { createScene } from './scene/scene';
 const core = createCore();
 const start = fromAddress(location.search);
 let inputs = start.inputs;
+/** What is computed, or under way; undefined after a failure. */
+let computed: Inputs | undefined;
 
 const results = createResults();
 const scene = createScene(find('scene', HTMLElement), core);
@@ -28,8 +30,9 @@ const timeCharts = createTimeCharts(find('time-charts', HTMLElement));
 const curveChart = createCurveChart(find('curve-chart', HTMLElement));
 const modeBars = createModeBars(find('mode-bars', HTMLElement), core);
 
+const pictures = { curve: curveChart, time: timeCharts, modes: modeBars, collision: scene };
 const curves = createCurves(core, showCurves, (line) => results.say(line));
-const share = createShare(core, curves.of, { curve: curveChart, time: timeCharts, modes: modeBars }, inputs);
+const share = createShare(core, curves.of, pictures, inputs);
 const showKept = createKeptView((kept) => take({ ...inputs, kept }, true));
 const address = createAddressBar((next, problem) => {
   controls.show(next);
@@ -60,6 +63,7 @@ const run = createSession(core, {
   failed(line, refused) {
     results.say(line);
     if (refused) results.stale('wrong');
+    computed = undefined;
     const field = line.split(':')[0];
     if (refused && field === 'speed') controls.refuse(field as Field, line);
   },
@@ -71,8 +75,6 @@ function take(next: Inputs, settled: boolean): void {
   results.say('');
   compute(next);
 }
-
-let computed: Inputs | undefined;
 
 /** Compute what inputs ask for, unless it is there. */
 function compute(next: Inputs): void {
@@ -92,7 +94,7 @@ function compute(next: Inputs): void {
 
 function showPoint(result: { quantities: Record<string, { value: number; error?: number }>; speed: number }): void {
   const epsilon = result.quantities.restitution;
-  if (epsilon !== undefined) curveChart.setCurrent(inputs.speed, epsilon.value, epsilon.error ?? 0);
+  if (epsilon !== undefined) curveChart.setCurrent(result.speed, epsilon.value, epsilon.error ?? 0);
 }
 
 function showCurves(): void {

@@ -13,7 +13,7 @@ import { download, find } from './dom';
 /** A chart that can leave the page. */
 export interface Picture {
   toPng(): Promise<Blob>;
-  toSvg(): string;
+  toSvg?(): string;
 }
 
 export interface Share {
@@ -90,8 +90,12 @@ export function createShare(
   });
   on('download-svg', () => {
     const [name, picture] = chosen();
+    if (picture.toSvg === undefined) throw new Error('This picture is there as PNG only.');
     download(`stoss-${name}.svg`, picture.toSvg(), 'image/svg+xml');
     return 'SVG downloaded.';
+  });
+  find('picture', HTMLSelectElement).addEventListener('change', () => {
+    find('download-svg', HTMLButtonElement).disabled = chosen()[1].toSvg === undefined;
   });
 
   const show = (next: Inputs): void => {
