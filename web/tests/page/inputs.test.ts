@@ -133,7 +133,7 @@ describe.skipIf(missing !== '')(`the inputs of the page${missing && ` (${missing
   it('have labels, and headings in order', async () => {
     const page = await site.open();
     const unnamed = await page.$$eval('input, select, button, canvas, [role=img]', (elements) => elements
-      .filter((element) => element.closest('[hidden]') === null)
+      .filter((element) => element.closest('[hidden], [aria-hidden=true]') === null)
       .filter((element) => !((element as HTMLInputElement).labels?.length || element.getAttribute('aria-label') || element.textContent?.trim() || element.getAttribute('aria-labelledby')))
       .map((element) => element.outerHTML.slice(0, 120)));
     expect(unnamed).toEqual([]);

@@ -100,7 +100,7 @@ describe.skipIf(missing !== '')(`the results of the page${missing && ` (${missin
     const page = await site.open('', { viewport: { width: 1400, height: 800 } });
     let bytes = 0;
     const bodies: Promise<void>[] = [];
-    page.on('response', (response) => bodies.push(response.body().then((body) => void (bytes += gzipSync(body).length), () => undefined)));
+    page.on('response', (response) => bodies.push(response.body().then((body) => void (bytes += gzipSync(new Uint8Array(body)).length), () => undefined)));
     await page.reload();
     await settled(page);
     await page.waitForTimeout(500);
