@@ -8,6 +8,7 @@ import { fromAddress } from './inputs/address';
 import { description } from './inputs/description';
 import type { Field } from './inputs/fields';
 import { type Inputs, equal } from './inputs/inputs';
+import { onAxisOf } from './inputs/speeds';
 import { createAddressBar } from './page/address_bar';
 import { createControls } from './page/controls';
 import { createCurves } from './page/curves';
@@ -101,7 +102,13 @@ function showCurves(): void {
   const all = [inputs.encounter, ...inputs.kept.filter((other) => !equal(other, inputs.encounter))];
   curveChart.setCurves(all.map((encounter) => {
     const { points, planned } = curves.of(encounter);
-    return { label: description(encounter), encounter, points: [...points], planned: [...planned] };
+    const place = (speed: number): number => onAxisOf(inputs.encounter, encounter, speed);
+    return {
+      label: description(encounter),
+      encounter,
+      points: points.map((point) => ({ ...point, speed: place(point.speed) })),
+      planned: planned.map(place),
+    };
   }));
 }
 
