@@ -10,7 +10,7 @@ export interface Audience {
   first(encounter: Encounter, result: Restitution): void;
   final(encounter: Encounter, result: Restitution): void;
   collision(encounter: Encounter, speed: number, collision: Collision): void;
-  /** One line: what the core refuses, or that a worker had to be replaced. */
+  /** One line: what the core refuses, or that the computation broke down. */
   failed(line: string, refused: boolean): void;
 }
 
@@ -47,28 +47,23 @@ export function createSession(core: Core, audience: Audience): (encounter: Encou
     audience.collision(encounter, speed, collision);
   }
 
-  /** Whether it is worth to try again: the worker ended without a reason. */
-  async function attempt(job: Job, again: boolean): Promise<boolean> {
+  async function attempt(job: Job): Promise<void> {
     control = new AbortController();
     refining = false;
     const { signal } = control;
     try {
       await compute(job, signal);
     } catch (error) {
-      if (signal.aborted) return false;
-      const line = error instanceof Error ? error.message : String(error);
-      const refused = error instanceof CoreError;
-      audience.failed(refused || again ? line : 'The computation stopped without a reason and begins anew.', refused);
-      return !refused && !again;
+      if (signal.aborted) return;
+      audience.failed(error instanceof Error ? error.message : String(error), error instanceof CoreError);
     }
-    return false;
   }
 
   async function work(): Promise<void> {
     running = true;
     for (let job = waiting; job !== undefined; job = waiting) {
       waiting = undefined;
-      if ((await attempt(job, false)) && waiting === undefined) await attempt(job, true);
+      await attempt(job);
     }
     running = false;
   }
