@@ -9,12 +9,16 @@ const { encounter } = defaults;
 /** A core whose answers come after a time, and which notes what it was asked. */
 function core(time: number, log: string[], refuse = NaN): Core {
   const later = <Value>(value: Value, signal?: AbortSignal): Promise<Value> => new Promise((resolve, reject) => {
-    const timer = setTimeout(() => resolve(value), time);
-    signal?.addEventListener('abort', () => {
+    const abort = (): void => {
       clearTimeout(timer);
       log.push('aborted');
-      reject(signal.reason as Error);
-    });
+      reject(signal?.reason as Error);
+    };
+    const timer = setTimeout(() => {
+      signal?.removeEventListener('abort', abort);
+      resolve(value);
+    }, time);
+    signal?.addEventListener('abort', abort);
   });
   return {
     async restitution(_encounter: Encounter, speed: number, tolerance: number, signal?: AbortSignal) {
@@ -30,7 +34,7 @@ function core(time: number, log: string[], refuse = NaN): Core {
       signal?: AbortSignal) {
       log.push(`curve of ${speeds.length}`);
       for (const [index, speed] of speeds.entries()) {
-        await later(0, signal);
+        await later(null, signal);
         deliver({ speed, restitution: 1, error: 0, converged: true } as never, index);
       }
     },
