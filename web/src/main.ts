@@ -8,6 +8,7 @@ import { fromAddress } from './inputs/address';
 import { description } from './inputs/description';
 import type { Field } from './inputs/fields';
 import { type Inputs, equal } from './inputs/inputs';
+import { onAxisOf } from './inputs/speeds';
 import { createAddressBar } from './page/address_bar';
 import { createControls } from './page/controls';
 import { createCurves } from './page/curves';
@@ -21,6 +22,8 @@ import { createScene } from './scene/scene';
 const core = createCore();
 const start = fromAddress(location.search);
 let inputs = start.inputs;
+/** What is computed, or under way; undefined after a failure. */
+let computed: Inputs | undefined;
 
 const results = createResults();
 const scene = createScene(find('scene', HTMLElement), core);
@@ -28,8 +31,9 @@ const timeCharts = createTimeCharts(find('time-charts', HTMLElement));
 const curveChart = createCurveChart(find('curve-chart', HTMLElement));
 const modeBars = createModeBars(find('mode-bars', HTMLElement), core);
 
+const pictures = { curve: curveChart, time: timeCharts, modes: modeBars, collision: scene };
 const curves = createCurves(core, showCurves, (line) => results.say(line));
-const share = createShare(core, curves.of, { curve: curveChart, time: timeCharts, modes: modeBars }, inputs);
+const share = createShare(core, curves.of, pictures, inputs);
 const showKept = createKeptView((kept) => take({ ...inputs, kept }, true));
 const address = createAddressBar((next, problem) => {
   controls.show(next);
@@ -60,6 +64,7 @@ const run = createSession(core, {
   failed(line, refused) {
     results.say(line);
     if (refused) results.stale('wrong');
+    computed = undefined;
     const field = line.split(':')[0];
     if (refused && field === 'speed') controls.refuse(field as Field, line);
   },
@@ -71,8 +76,6 @@ function take(next: Inputs, settled: boolean): void {
   results.say('');
   compute(next);
 }
-
-let computed: Inputs | undefined;
 
 /** Compute what inputs ask for, unless it is there. */
 function compute(next: Inputs): void {
@@ -92,14 +95,20 @@ function compute(next: Inputs): void {
 
 function showPoint(result: { quantities: Record<string, { value: number; error?: number }>; speed: number }): void {
   const epsilon = result.quantities.restitution;
-  if (epsilon !== undefined) curveChart.setCurrent(inputs.speed, epsilon.value, epsilon.error ?? 0);
+  if (epsilon !== undefined) curveChart.setCurrent(result.speed, epsilon.value, epsilon.error ?? 0);
 }
 
 function showCurves(): void {
   const all = [inputs.encounter, ...inputs.kept.filter((other) => !equal(other, inputs.encounter))];
   curveChart.setCurves(all.map((encounter) => {
     const { points, planned } = curves.of(encounter);
-    return { label: description(encounter), encounter, points: [...points], planned: [...planned] };
+    const place = (speed: number): number => onAxisOf(inputs.encounter, encounter, speed);
+    return {
+      label: description(encounter),
+      encounter,
+      points: points.map((point) => ({ ...point, speed: place(point.speed) })),
+      planned: planned.map(place),
+    };
   }));
 }
 

@@ -55,7 +55,7 @@ type Require = (field: Field, value: number, low: number, high: number, hint: st
 function requireBody(encounter: Encounter, body: Body, named: (name: BodyField) => Field, require: Require): void {
   const { kind, si, plane } = encounter;
   if (kind === 'sphere') require(named('poisson'), body.poisson, -0.95, 0.4999, 'at 0.5 it would be incompressible');
-  else if (!si) require(named('poisson'), body.poisson, -0.95, 0.995, '2-D number; in plane strain ν/(1−ν) of the solid');
+  else if (!si) require(named('poisson'), body.poisson, -0.95, 0.995, 'in plane strain ν/(1−ν) of the solid');
   else if (plane === 'stress') require(named('poisson'), body.poisson, -0.95, 0.4999, 'of the solid; steel has 0.3');
   else require(named('poisson'), body.poisson, -0.9999, 0.4987, 'of the solid; steel has 0.3');
   const hints = { young: 'steel has 2.1e11', density: 'steel has 7850', radius: 'a marble has 0.008', area: '1 cm² is 1e-4' };
@@ -99,7 +99,7 @@ function ownTime(encounter: Encounter, body: Body): number {
 
 /** A field's name in a message: without symbol and unit. */
 function nameOf(encounter: Encounter, field: Field): string {
-  const name = labelOf(encounter, field).replace(/,? (ratio|ν|E|ρ|R|L|A|η|v)?( \(2-D\))?$/, '');
+  const name = labelOf(encounter, field).replace(/,? (ratio|ν|E|ρ|R|L|A|η|v)?$/, '');
   return owner(field)?.second === true ? `${name} of what it meets` : name;
 }
 

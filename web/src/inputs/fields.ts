@@ -56,7 +56,7 @@ export function labelOf(encounter: Encounter, field: Field): string {
   const ratio = second && !encounter.si;
   const plane = encounter.kind === 'disk' && !encounter.si;
   const labels: Record<BodyField, string> = {
-    poisson: plane ? 'Poisson number ν (2-D)' : 'Poisson number ν',
+    poisson: plane ? '2‑D Poisson number ν' : 'Poisson number ν',
     young: ratio ? 'Young’s modulus, ratio' : 'Young’s modulus E',
     density: ratio ? 'Density, ratio' : 'Density ρ',
     radius: `${encounter.kind === 'rod' ? 'Length' : 'Radius'}${ratio ? ', ratio' : encounter.kind === 'rod' ? ' L' : ' R'}`,

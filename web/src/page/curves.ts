@@ -1,5 +1,6 @@
 // ε(v) of the current encounter and of those kept for comparison: computed one after the other, and remembered.
-import { type Core, CoreError, type CurvePoint, type Encounter } from '../core/protocol';
+import type { Core, CurvePoint, Encounter } from '../core/protocol';
+import { description } from '../inputs/description';
 import { used } from '../inputs/inputs';
 import { curveSpeeds } from '../inputs/speeds';
 import { fine } from './session';
@@ -53,17 +54,12 @@ export function createCurves(core: Core, changed: () => void, failed: (line: str
 
   async function computeAll(signal: AbortSignal): Promise<void> {
     for (const encounter of wanted) {
-      for (let attempt = 0; attempt < 2; ++attempt) {
-        try {
-          await compute(encounter, signal);
-          break;
-        } catch (error) {
-          if (signal.aborted) return;
-          if (error instanceof CoreError) break;
-          failed('The computation of a curve stopped without a reason and begins anew.');
-        }
+      try {
+        await compute(encounter, signal);
+      } catch (error) {
+        if (signal.aborted) return;
+        failed(`Curve of ${description(encounter)}: ${error instanceof Error ? error.message : String(error)}`);
       }
-      if (signal.aborted) return;
     }
   }
 

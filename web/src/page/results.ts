@@ -38,13 +38,19 @@ export function flags(result: Restitution): string[] {
   return lines;
 }
 
+/** A computation shorter than this, in ms, is not announced. */
+const noticeable = 200;
+
 /** Wire the results of index.html. */
 export function createResults(): Results {
   const section = find('result', HTMLElement);
   const value = find('epsilon', HTMLElement);
   const bar = find('error-bar', HTMLElement);
   const spoken = find('spoken', HTMLOutputElement);
+  const state = find('result-state', HTMLElement);
+  let reached = '';
   let timer: number | undefined;
+  let soon: number | undefined;
 
   /** Logarithmic: an error of 10⁻² of ε fills the bar, one of 10⁻⁸ empties it. */
   const share = (error: number): number => Math.min(Math.max((Math.log10(error || 1e-12) + 8) / 6, 0.02), 1);
@@ -55,9 +61,11 @@ export function createResults(): Results {
       value.textContent = withError(epsilon.value, epsilon.error ?? 0);
       bar.style.transform = `scaleX(${share(epsilon.error ?? 0)})`;
       section.dataset.stage = stage;
-      delete section.dataset.stale;
+      if (section.dataset.stale !== 'wrong') delete section.dataset.stale;
       for (const [id, name] of quantities) find(id, HTMLElement).textContent = shownQuantity(result, name);
-      find('result-state', HTMLElement).textContent = stage === 'first' ? 'tolerance 10⁻², refining' : 'tolerance 10⁻³';
+      clearTimeout(soon);
+      reached = stage === 'first' ? 'tolerance 10⁻², refining' : 'tolerance 10⁻³';
+      if (section.dataset.stale !== 'wrong') state.textContent = reached;
       const lines = flags(result);
       find('flags', HTMLElement).replaceChildren(...lines.flatMap((line) => [line, document.createElement('br')]));
       clearTimeout(timer);
@@ -73,8 +81,10 @@ export function createResults(): Results {
     stale(why) {
       if (why === '') delete section.dataset.stale;
       else section.dataset.stale = why;
-      if (why === 'wrong') find('result-state', HTMLElement).textContent = 'of the last inputs in range';
-      if (why === 'computing') find('result-state', HTMLElement).textContent = 'computing';
+      clearTimeout(soon);
+      if (why === '') state.textContent = reached;
+      if (why === 'wrong') state.textContent = 'of the last inputs in range';
+      if (why === 'computing') soon = window.setTimeout(() => (state.textContent = 'computing'), noticeable);
       clearTimeout(timer);
     },
     say(line) {

@@ -10,21 +10,34 @@ export interface Audience {
   first(encounter: Encounter, result: Restitution): void;
   final(encounter: Encounter, result: Restitution): void;
   collision(encounter: Encounter, speed: number, collision: Collision): void;
-  /** One line: what the core refuses, or that a worker had to be replaced. */
+  /** One line: what the core refuses, or that the computation broke down. */
   failed(line: string, refused: boolean): void;
 }
 
 /** While inputs change faster than this, in ms, only the first value is computed. */
 const settle = 150;
 
-/** Compute for the newest inputs only; `run` drops what is under way. */
-export function createSession(core: Core, audience: Audience): (encounter: Encounter, speed: number) => void {
-  let current = new AbortController();
+/** A first value that takes longer than this, in ms, gives way to newer inputs; a faster one is worth waiting for. */
+const patience = 250;
 
-  async function compute(encounter: Encounter, speed: number, signal: AbortSignal): Promise<void> {
+interface Job {
+  readonly encounter: Encounter;
+  readonly speed: number;
+}
+
+/** Compute for the newest inputs only. The result takes new inputs, and drops what is under way for older ones. */
+export function createSession(core: Core, audience: Audience): (encounter: Encounter, speed: number) => void {
+  let waiting: Job | undefined;
+  let running = false;
+  let control = new AbortController();
+  let refining = false;
+
+  async function compute(job: Job, signal: AbortSignal): Promise<void> {
+    const { encounter, speed } = job;
     const first = await core.restitution(encounter, speed, coarse, signal);
-    signal.throwIfAborted();
     audience.first(encounter, first);
+    if (waiting !== undefined) return;
+    refining = true;
     await pause(settle, signal);
     const final = await core.restitution(encounter, speed, fine, signal);
     signal.throwIfAborted();
@@ -34,27 +47,38 @@ export function createSession(core: Core, audience: Audience): (encounter: Encou
     audience.collision(encounter, speed, collision);
   }
 
-  async function run(encounter: Encounter, speed: number, again: boolean): Promise<void> {
-    const { signal } = current;
+  async function attempt(job: Job): Promise<void> {
+    control = new AbortController();
+    refining = false;
+    const { signal } = control;
     try {
-      await compute(encounter, speed, signal);
+      await compute(job, signal);
     } catch (error) {
       if (signal.aborted) return;
-      if (error instanceof CoreError) {
-        audience.failed(error.message, true);
-        return;
-      }
-      const line = error instanceof Error ? error.message : String(error);
-      audience.failed(again ? line : 'The computation stopped without a reason and begins anew.', false);
-      if (!again) await run(encounter, speed, true);
+      audience.failed(error instanceof Error ? error.message : String(error), error instanceof CoreError);
     }
   }
 
+  async function work(): Promise<void> {
+    running = true;
+    for (let job = waiting; job !== undefined; job = waiting) {
+      waiting = undefined;
+      await attempt(job);
+    }
+    running = false;
+  }
+
   return (encounter, speed) => {
-    current.abort();
-    current = new AbortController();
+    waiting = { encounter, speed };
     audience.began();
-    void run(encounter, speed, false);
+    if (!running) void work();
+    else if (refining) control.abort();
+    else {
+      const under = control;
+      setTimeout(() => {
+        if (control === under && waiting !== undefined) under.abort();
+      }, patience);
+    }
   };
 }
 

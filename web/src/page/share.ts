@@ -1,6 +1,5 @@
 // Lines to copy and files to download.
 import type { Core, Encounter } from '../core/protocol';
-import { CoreError } from '../core/protocol';
 import { commandLine } from '../inputs/command_line';
 import { curveCsv } from '../inputs/csv';
 import type { Inputs } from '../inputs/inputs';
@@ -13,7 +12,7 @@ import { download, find } from './dom';
 /** A chart that can leave the page. */
 export interface Picture {
   toPng(): Promise<Blob>;
-  toSvg(): string;
+  toSvg?(): string;
 }
 
 export interface Share {
@@ -70,9 +69,6 @@ export function createShare(
       const text = await core.header(encounter, low ?? 0, high ?? 0, headerError);
       download('restitution.h', text, 'text/x-c');
       return `C header downloaded: ε(v) to an error of ${headerError}.`;
-    } catch (error) {
-      if (error instanceof CoreError) throw error;
-      throw new Error('The computation of the C header stopped without a reason; try again.');
     } finally {
       button.disabled = false;
     }
@@ -90,8 +86,12 @@ export function createShare(
   });
   on('download-svg', () => {
     const [name, picture] = chosen();
+    if (picture.toSvg === undefined) throw new Error('This picture is there as PNG only.');
     download(`stoss-${name}.svg`, picture.toSvg(), 'image/svg+xml');
     return 'SVG downloaded.';
+  });
+  find('picture', HTMLSelectElement).addEventListener('change', () => {
+    find('download-svg', HTMLButtonElement).disabled = chosen()[1].toSvg === undefined;
   });
 
   const show = (next: Inputs): void => {

@@ -78,17 +78,12 @@ function bodyFrame(time: number, radius: Float32Array, angle: Float32Array): Bod
   };
 }
 
-/** The core of the tests; it refuses the speed 0.777 and dies once at 0.666. */
+/** The core of the tests; it refuses the speed 0.777. */
 export function createCore(): Core {
-  let dead = false;
   return {
     async restitution(encounter, speed, tolerance, signal) {
       await wait(tolerance > 5e-3 ? 15 : 200, signal);
       if (speed === 0.777) throw new CoreError('speed: got 0.777, allowed up to 0.5 (the wave speed of the softer body)');
-      if (speed === 0.666 && !dead) {
-        dead = true;
-        throw new Error('the worker ended');
-      }
       return restitution(encounter, speed, tolerance);
     },
     async collision(encounter, speed, _tolerance, signal) {

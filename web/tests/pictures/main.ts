@@ -1,6 +1,9 @@
 // Every picture of the page by itself: ?body=disk&against=wall&speed=0.1, with a core without physics unless ?real.
 
 import type { Against, Body, BodyKind, Encounter } from '../../src/core/protocol';
+import { createCurveChart, type Curve } from '../../src/charts/curve_chart';
+import { createModeBars } from '../../src/charts/mode_bars';
+import { createTimeCharts } from '../../src/charts/time_charts';
 import { createScene } from '../../src/scene/scene';
 import { fakeCore } from './fake_core';
 
@@ -20,6 +23,24 @@ const core = fakeCore();
 const at = (id: string): HTMLElement => document.getElementById(id)!;
 
 const scene = createScene(at('scene'), core);
+const time = createTimeCharts(at('time'));
+const curve = createCurveChart(at('curve'));
+const modes = createModeBars(at('modes'), core);
+scene.onCursor(time.setCursor);
+time.onCursor(scene.seek);
+curve.onPick((picked) => curve.setCurrent(picked, 0.9, 0.001));
+
 const collision = await core.collision(encounter, speed, 1e-3);
 scene.show(encounter, speed, 1e-3, collision);
-Object.assign(window, { pictures: { scene, collision, ready: true } });
+time.show(collision);
+modes.show(encounter, collision);
+const planned = Array.from({ length: 25 }, (_, k) => 1e-3 * 300 ** (k / 24));
+const curves: Curve[] = [0, 1].map((n) => ({ label: `${encounter.kind}, ν = ${0.3 + 0.1 * n}`, encounter, points: [], planned }));
+curve.setCurrent(speed, 1 - 0.9 * speed ** 0.6, 0.005);
+for (const [n, each] of curves.entries()) {
+  await core.curve(encounter, planned.filter((_, k) => n === 0 || k % 3 !== 1), 1e-3, (point) => {
+    each.points.push({ ...point, restitution: point.restitution - 0.05 * n, converged: point.speed < 0.2 });
+    curve.setCurves(curves);
+  });
+}
+Object.assign(window, { pictures: { scene, time, curve, modes, collision, ready: true } });

@@ -4,7 +4,7 @@ import { type Field, fieldsOf, valueOf } from '../../src/inputs/fields';
 import { type Inputs, defaults, equal, unitBody, withAgainst, withKind } from '../../src/inputs/inputs';
 import { parseNumber, shortest } from '../../src/inputs/number';
 import { barSpeed, withSi, withoutSi } from '../../src/inputs/scales';
-import { curveSpeeds, fastest, placeOf, slowest, speedAt, steps } from '../../src/inputs/speeds';
+import { curveSpeeds, fastest, onAxisOf, placeOf, slowest, speedAt, steps } from '../../src/inputs/speeds';
 import { description } from '../../src/inputs/description';
 import { cases } from './cases';
 
@@ -133,6 +133,12 @@ describe('speeds', () => {
     for (const place of [0, 1, 500, 999, steps]) expect(placeOf(defaults.encounter, speedAt(defaults.encounter, place))).toBe(place);
     expect(placeOf(defaults.encounter, 1e-8)).toBe(0);
     expect(placeOf(defaults.encounter, 1)).toBe(steps);
+  });
+  it('of curves in other units stand at the same share of the bar speed', () => {
+    const si = withSi(defaults).encounter;
+    expect(onAxisOf(defaults.encounter, si, 0.1 * barSpeed(si))).toBeCloseTo(0.1, 12);
+    expect(onAxisOf(si, defaults.encounter, 0.1)).toBeCloseTo(0.1 * barSpeed(si), 9);
+    expect(onAxisOf(si, si, 3)).toBe(3);
   });
   it('of the curve are all different, and begin with the ends of the range', () => {
     const speeds = curveSpeeds(defaults.encounter);

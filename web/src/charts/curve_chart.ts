@@ -1,0 +1,143 @@
+// The chart of ε against the speed on the page: points fill in, the current one moves, a reader picks a speed.
+
+import { valueAt } from '../drawing/scale';
+import { onResize } from '../drawing/sized';
+import { pngOf } from '../drawing/svg';
+import { readTheme } from '../drawing/theme';
+import { written } from '../drawing/ticks';
+import { nearestPoint, type Current, type Ordinate } from './curve_scales';
+import { curveBox, curveSpeeds, curveSvg, type Curve } from './curve_svg';
+import './charts.css';
+
+export type { Curve } from './curve_svg';
+
+export interface CurveChart {
+  setCurves(curves: Curve[]): void;
+  /** Shows the point that the inputs stand for. */
+  setCurrent(speed: number, restitution: number, error: number): void;
+  /** Calls back with a speed that a reader has picked. */
+  onPick(callback: (speed: number) => void): void;
+  toPng(): Promise<Blob>;
+  toSvg(): string;
+  destroy(): void;
+}
+
+const STEPS = 100; // of the keyboard along the axis
+
+/** Makes an empty chart in an element. */
+export function createCurveChart(host: HTMLElement): CurveChart {
+  const place = document.createElement('div');
+  place.className = 'chart curve-chart';
+  const options = document.createElement('div');
+  options.className = 'chart-options';
+  const label = document.createElement('label');
+  const loss = Object.assign(document.createElement('input'), { type: 'checkbox' });
+  label.append(loss, 'Show the loss 1 − ε², logarithmic');
+  options.append(label);
+  const area = document.createElement('div');
+  area.className = 'chart-area';
+  area.tabIndex = 0;
+  area.setAttribute('role', 'slider');
+  area.setAttribute('aria-label', 'Speed, picked on the chart of ε');
+  const note = Object.assign(document.createElement('p'), { className: 'chart-note' });
+  place.append(options, area, note);
+  host.append(place);
+  let curves: Curve[] = [];
+  let current: Current | undefined;
+  let callback: (speed: number) => void = () => undefined;
+  let asked = 0;
+  const stopWatching = onResize(area, draw);
+  loss.addEventListener('change', draw);
+  area.addEventListener('click', (event) => callback(rounded(speedAt(event.clientX))));
+  area.addEventListener('pointermove', (event) => tell(speedAt(event.clientX)));
+  area.addEventListener('pointerleave', () => tell());
+  area.addEventListener('keydown', onKey);
+
+  function content(): { curves: Curve[]; current: Current | undefined; ordinate: Ordinate } {
+    return { curves, current, ordinate: loss.checked ? 'loss' : 'restitution' };
+  }
+
+  function draw(): void {
+    cancelAnimationFrame(asked);
+    const width = area.clientWidth;
+    if (!width) return;
+    area.innerHTML = curveSvg(content(), width, { ...readTheme(area), background: 'none' });
+    tell();
+  }
+
+  function drawSoon(): void {
+    cancelAnimationFrame(asked);
+    asked = requestAnimationFrame(draw);
+  }
+
+  function speedAt(clientX: number): number {
+    const box = curveBox(area.clientWidth);
+    const share = (clientX - area.getBoundingClientRect().left - box.left) / box.width;
+    return valueAt(curveSpeeds(content()), Math.min(1, Math.max(0, share)));
+  }
+
+  /** Says the points nearest to a speed, or the current one. */
+  function tell(speed?: number): void {
+    const unit = curves[0]?.encounter.si ? 'm/s' : 'c';
+    const at = (each: Current): string =>
+      `v = ${written(each.speed, 3)} ${unit}: ε = ${written(each.restitution, 5)} ± ${written(each.error, 2)}`;
+    const now = current ? at(current) : '';
+    area.setAttribute('aria-valuetext', now || 'none');
+    if (speed === undefined) {
+      const left = curves.reduce((sum, each) => sum + each.planned.length - each.points.length, 0);
+      note.textContent = now + (left > 0 ? `${now ? '; ' : ''}${left} speeds are still to come` : '');
+      return;
+    }
+    const near = curves.flatMap((each) => {
+      const point = nearestPoint(each.points, speed);
+      return point ? [`${curves.length > 1 ? `${each.label}, ` : ''}${at(point)}`] : [];
+    });
+    note.textContent = near.join('; ');
+  }
+
+  function onKey(event: KeyboardEvent): void {
+    const scale = curveSpeeds(content());
+    const step = (scale.high / scale.low) ** (1 / STEPS);
+    const from = current?.speed ?? Math.sqrt(scale.low * scale.high);
+    const places: Record<string, number> = {
+      ArrowRight: from * step, ArrowUp: from * step, ArrowLeft: from / step, ArrowDown: from / step,
+      PageUp: from * step ** 10, PageDown: from / step ** 10, Home: scale.low, End: scale.high,
+    };
+    const to = places[event.key];
+    if (to === undefined) return;
+    event.preventDefault();
+    callback(rounded(Math.min(scale.high, Math.max(scale.low, to))));
+  }
+
+  return {
+    setCurves(next) {
+      curves = next;
+      const scale = curveSpeeds(content());
+      area.setAttribute('aria-valuemin', String(scale.low));
+      area.setAttribute('aria-valuemax', String(scale.high));
+      drawSoon();
+    },
+    setCurrent(speed, restitution, error) {
+      current = { speed, restitution, error };
+      area.setAttribute('aria-valuenow', String(speed));
+      drawSoon();
+    },
+    onPick(next) {
+      callback = next;
+    },
+    toPng() {
+      return pngOf(this.toSvg());
+    },
+    toSvg: () => curveSvg(content(), Math.max(480, area.clientWidth), readTheme(area)),
+    destroy() {
+      cancelAnimationFrame(asked);
+      stopWatching();
+      place.remove();
+    },
+  };
+}
+
+/** A speed with three digits, which is what a place on a chart is good for. */
+function rounded(speed: number): number {
+  return Number(speed.toPrecision(3));
+}

@@ -1,0 +1,85 @@
+// One chart in time, drawn by uPlot, with a cursor line of its own.
+
+import uPlot from 'uplot';
+import { linearTicks } from '../drawing/ticks';
+import { look, type Theme } from '../drawing/theme';
+import { panelLabel, type Panel } from './series';
+
+export interface TimePlot {
+  setWidth(width: number): void;
+  setCursor(time: number): void;
+  /** The time at a place of the window, within those shown. */
+  timeAt(clientX: number): number;
+  over: HTMLElement;
+  destroy(): void;
+}
+
+const AXIS = 62; // width of the vertical axis: the same in all, so that times stand above each other
+
+/** Makes a chart. `last`: it has the axis of time. */
+export function createTimePlot(
+  host: HTMLElement, time: Float64Array, timeLabel: string, panel: Panel, height: number, width: number, last: boolean,
+  theme: Theme,
+): TimePlot {
+  const font = '12px system-ui, sans-serif';
+  const common = { stroke: theme.muted, font, grid: { stroke: theme.line, width: 0.7 } };
+  const ticks = { stroke: theme.muted, width: 0.8, size: 5 };
+  const plot = new uPlot({
+    width, height,
+    padding: [8, 14, last ? 0 : 6, 0],
+    cursor: { show: false },
+    legend: { show: false },
+    scales: { x: { time: false, range: [time[0] ?? 0, time[time.length - 1] ?? 1] }, y: { range: [panel.low, panel.high] } },
+    axes: [
+      {
+        ...common, ticks, size: last ? 24 : 8, gap: 3, labelFont: font, labelSize: 20, labelGap: 0,
+        ...(last ? { label: timeLabel } : {}),
+        splits: (self) => linearTicks(self.scales['x']!.min!, self.scales['x']!.max!, self.bbox.width / devicePixelRatio / 55)
+          .map((each) => each.value),
+        values: (_self, splits) => splits.map((each, _k) => (last ? labelOf(splits, each) : '')),
+      },
+      {
+        ...common, ticks, size: AXIS, gap: 3,
+        splits: () => linearTicks(panel.low, panel.high, height / 34).map((each) => each.value),
+        values: (_self, splits) => splits.map((each) => labelOf(splits, each)),
+      },
+    ],
+    series: [
+      {},
+      ...panel.series.map(({ label }, k) => {
+        const { color, dash } = look(k, theme);
+        return { label, stroke: color, width: 1.8, dash, points: { show: false }, pxAlign: 0 };
+      }),
+    ],
+  }, [time, ...panel.series.map((each) => each.values)] as unknown as uPlot.AlignedData, host);
+  plot.root.setAttribute('aria-hidden', 'true');
+  plot.root.title = panelLabel(panel);
+  const line = document.createElement('div');
+  line.className = 'chart-cursor';
+  line.hidden = true;
+  plot.over.append(line);
+  return {
+    over: plot.over,
+    setWidth: (wide) => plot.setSize({ width: wide, height }),
+    setCursor(at) {
+      const x = plot.valToPos(at, 'x');
+      line.hidden = !(x >= 0 && x <= plot.over.clientWidth);
+      line.style.transform = `translateX(${x}px)`;
+    },
+    timeAt(clientX) {
+      const bounds = plot.over.getBoundingClientRect();
+      const share = Math.min(1, Math.max(0, (clientX - bounds.left) / bounds.width));
+      const { min, max } = plot.scales['x']!;
+      return min! + share * (max! - min!);
+    },
+    destroy: () => plot.destroy(),
+  };
+}
+
+function labelOf(splits: number[], value: number): string {
+  if (splits.length < 2) return String(value);
+  const ticks = linearTicks(splits[0]!, splits[splits.length - 1]!, splits.length);
+  const nearest = ticks.reduce((best, each) => (Math.abs(each.value - value) < Math.abs(best.value - value) ? each : best),
+    ticks[0] ?? { value, label: String(value) });
+  return nearest.label;
+}

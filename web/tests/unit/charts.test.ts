@@ -1,0 +1,144 @@
+import { describe, expect, it } from 'vitest';
+import { barOf, nearestPoint, ordinateScale, speedScale } from '../../src/charts/curve_scales';
+import { curveSvg } from '../../src/charts/curve_svg';
+import { frequencyInWords, layoutModes } from '../../src/charts/mode_layout';
+import { energyScale, modeSvg } from '../../src/charts/mode_svg';
+import { panelsOf, thinned } from '../../src/charts/series';
+import { timeSvg } from '../../src/charts/time_svg';
+import { cursorWords, summaryOf } from '../../src/charts/words';
+import type { Collision, CurvePoint, Encounter, ModeEnergy } from '../../src/core/protocol';
+import { written } from '../../src/drawing/ticks';
+import { describe as describeTime, phaseAt } from '../../src/scene/phases';
+import { stressInWords } from '../../src/scene/legend';
+import type { Theme } from '../../src/drawing/theme';
+import { swing } from '../../src/charts/mode_shape';
+
+const THEME: Theme = {
+  text: '#111111', muted: '#666666', line: '#dddddd', background: '#ffffff', panel: '#eeeeee', accent: '#0072b2', dark: false,
+};
+const time = Float64Array.from({ length: 1001 }, (_, k) => k / 125);
+const zero = new Float64Array(1001);
+const COLLISION: Collision = {
+  units: { time: 'R/c', length: 'R', speed: 'c', force: 'mc²/R' }, time,
+  velocity: time.map((t) => 0.1 * Math.cos((Math.PI * t) / 8)), force: time.map((t) => 0.05 * Math.sin((Math.PI * t) / 8)),
+  halfWidth: zero, translation: time.map((t) => Math.cos((Math.PI * t) / 8) ** 2), vibration: zero,
+  stored: time.map((t) => Math.sin((Math.PI * t) / 8) ** 2), dissipated: zero, unresolved: zero, modes: [], begin: 0, end: 8,
+  bodies: [{ kind: 'disk', radius: 1 }],
+};
+const BODY = { poisson: 0.3, radius: 1, young: 1, density: 1, area: 1, lossTime: 0 };
+const ENCOUNTER: Encounter = { kind: 'disk', first: BODY, against: { kind: 'wall' }, si: false, plane: 'stress' };
+
+describe('a collision in words', () => {
+  it('has four phases', () => {
+    expect([-0.1, 1, 7, 8.1].map((each) => phaseAt(COLLISION, each))).toEqual(['approach', 'compression', 'restitution', 'apart']);
+  });
+  it('says time and force', () => {
+    expect(describeTime(COLLISION, 4.004)).toBe('restitution, time 4 R/c, force 0.05 mc²/R, 100 % of the greatest');
+    expect(describeTime(COLLISION, 9)).toContain('force 0 mc²/R');
+    expect(summaryOf(COLLISION)).toContain('The force is greatest, 0.05 mc²/R, 4 R/c after first contact');
+    expect(cursorWords(COLLISION, panelsOf(COLLISION), 8)).toContain('velocity −0.1 c, translation 1');
+  });
+});
+
+describe('charts in time', () => {
+  it('leave out energies that are never there', () => {
+    expect(panelsOf(COLLISION)[2]!.series.map((each) => each.label)).toEqual(['translation', 'stored at the contact']);
+  });
+  it('thin long curves and keep their peaks', () => {
+    const y = time.map((_, k) => (k === 777 ? 5 : 0));
+    const thin = thinned(time, y, 100);
+    expect(thin.x.length).toBeLessThan(250);
+    expect(thin.y).toContain(5);
+    expect([thin.x[0], thin.x[thin.x.length - 1]]).toEqual([0, 8]);
+    for (let k = 1; k < thin.x.length; ++k) expect(thin.x[k]!).toBeGreaterThanOrEqual(thin.x[k - 1]!);
+  });
+  it('are an SVG with axes and a legend', () => {
+    const svg = timeSvg(COLLISION, 600, THEME);
+    for (const words of ['Force (mc²/R)', 'Velocity (c)', 'Share of the energy', 'time since first contact (R/c)', 'translation']) {
+      expect(svg).toContain(words);
+    }
+    expect(svg).not.toContain('NaN');
+  });
+});
+
+describe('ε against the speed', () => {
+  const point = (speed: number, restitution: number, error = 1e-3): CurvePoint => ({ speed, restitution, error, converged: true });
+  it('gives 1 − ε² the error 2 ε Δε', () => {
+    const bar = barOf('loss', 0.9, 0.001);
+    expect(bar.value).toBeCloseTo(0.19);
+    expect(bar.high! - bar.value).toBeCloseTo(0.0018);
+    expect(barOf('restitution', 0.9, Infinity)).toEqual({ value: 0.9 });
+  });
+  it('has axes that hold all points', () => {
+    const points = [point(1e-3, 0.99), point(0.3, 0.7, 0.02)];
+    const speeds = speedScale(points.map((each) => each.speed));
+    expect(speeds.low).toBeLessThan(1e-3);
+    expect(speeds.high).toBeGreaterThan(0.3);
+    const linear = ordinateScale('restitution', points);
+    expect(linear.low).toBeLessThan(0.68);
+    expect(linear.high).toBeLessThanOrEqual(1.002);
+    const loss = ordinateScale('loss', points);
+    expect(loss.log).toBe(true);
+    expect(loss.low).toBeLessThan(1 - 0.99 ** 2);
+    expect(loss.low).toBeGreaterThan(0);
+    expect(ordinateScale('loss', []).low).toBeGreaterThan(0);
+    expect(speedScale([]).low).toBeGreaterThan(0);
+    expect(speedScale([0.1]).high).toBeGreaterThan(0.1);
+  });
+  it('finds the nearest point by the logarithm', () => {
+    expect(nearestPoint([point(0.01, 1), point(0.1, 1)], 0.03)!.speed).toBe(0.01);
+    expect(nearestPoint([], 0.03)).toBeUndefined();
+  });
+  it.each(['restitution', 'loss'] as const)('is an SVG: %s', (ordinate) => {
+    const svg = curveSvg({
+      curves: [{ label: 'ν < 0.3', encounter: ENCOUNTER, points: [point(1e-3, 1.0001), point(0.1, 0.9), point(0.3, 0.7, Infinity)],
+        planned: [1e-3, 0.01, 0.1] }],
+      current: { speed: 0.1, restitution: 0.9, error: 1e-3 }, ordinate,
+    }, 600, THEME);
+    expect(svg).toContain('ν &lt; 0.3');
+    expect(svg).toContain('speed of the impact v (c)');
+    expect(svg).not.toMatch(/NaN|Infinity|undefined/);
+  });
+});
+
+describe('bars of modes', () => {
+  const modes: ModeEnergy[] = [];
+  for (let n = 0; n < 60; ++n) {
+    for (let l = 0; l < 30; ++l) modes.push({ body: 0, order: n, index: l, omega: n + l, after: 1 / (1 + n + l) ** 3, average: 0 });
+  }
+  it('are the greatest, in groups, and say what is left out', () => {
+    const layout = layoutModes(modes, 0, 'after', 20);
+    expect(layout.bars).toHaveLength(20);
+    expect(layout.omitted).toBe(1780);
+    const whole = modes.reduce((sum, each) => sum + each.after, 0);
+    expect(layout.rest + layout.bars.reduce((sum, each) => sum + each.energy, 0)).toBeCloseTo(whole);
+    expect(Math.min(...layout.bars.map((each) => each.energy))).toBeGreaterThanOrEqual(1 / 7 ** 3);
+    for (let k = 1; k < 20; ++k) {
+      expect(layout.bars[k]!.left).toBeGreaterThanOrEqual(layout.bars[k - 1]!.left + layout.bars[k - 1]!.width - 1e-12);
+    }
+    expect(layout.bars[19]!.left + layout.bars[19]!.width).toBeLessThanOrEqual(1);
+    expect(layoutModes(modes, 0, 'average', 20).bars).toHaveLength(0);
+    expect(layoutModes(modes, 1, 'after', 20).bars).toHaveLength(0);
+  });
+  it('are an SVG, with energies or without', () => {
+    for (const when of ['after', 'average'] as const) {
+      for (const log of [true, false]) expect(modeSvg(layoutModes(modes, 0, when, 20), log, when, 500, THEME)).not.toContain('NaN');
+    }
+    expect(energyScale(layoutModes(modes, 0, 'after', 20), false).low).toBe(0);
+  });
+  it('say frequencies in c/R or Hz', () => {
+    expect(frequencyInWords(2, 1, 1, 1, false, written)).toBe('ω = 2 c/R');
+    expect(frequencyInWords(2 * Math.PI, 0.01, 2.1e11, 7850, true, written)).toBe('517.2 kHz');
+  });
+  it('have shapes that come to rest where they are farthest', () => {
+    expect([swing(0), swing(0.6), swing(99)].map((each) => Math.round(each * 1e6) / 1e6)).toEqual([1, -1, 1]);
+  });
+});
+
+describe('stress in words', () => {
+  it('is in the modulus, or in SI with a prefix', () => {
+    expect(stressInWords(0.02, undefined)).toBe('0.02 E');
+    expect(stressInWords(0.02, 2.1e11)).toBe('4.2 GPa');
+    expect(stressInWords(1e-5, 2e9)).toBe('20 kPa');
+  });
+});

@@ -1,0 +1,233 @@
+import { describe, expect, it } from 'vitest';
+import type { BodyFrame, Frame, Grid } from '../../src/core/protocol';
+import { advance, LENGTH, REST } from '../../src/scene/clock';
+import { colorTable, components, contrast, pixelOf, shadeOf } from '../../src/scene/colors';
+import { frameAt, insertFrame, type Film } from '../../src/scene/frames';
+import { evenGrid, gradedPlaces, gridFor } from '../../src/scene/grid';
+import { between, faceOf } from '../../src/scene/interface';
+import { magnificationOf, rodUnfoldedUpTo, unfoldedUpTo } from '../../src/scene/magnify';
+import { edgeOf, magnifiedCenter, meshOf, type Placed } from '../../src/scene/mesh';
+import { paintMesh, paintTriangle, type Pixels } from '../../src/scene/raster';
+import { coveringStress, stressUnit } from '../../src/scene/scales';
+import { coarseToFine, filmSpan } from '../../src/scene/schedule';
+import { layoutOf } from '../../src/scene/view';
+
+const DISK: Placed = { kind: 'disk', radius: 1, facing: 1, halfHeight: 0.1 };
+
+function field(grid: Grid, radial: (r: number, a: number) => number, tangential: (r: number, a: number) => number):
+    BodyFrame {
+  const all = (value: (r: number, a: number) => number): Float32Array =>
+    Float32Array.from([...grid.radius].flatMap((r) => [...grid.angle].map((a) => value(r, a))));
+  return { center: -1, radial: all(radial), tangential: all(tangential), vonMises: all(() => 0), fringes: all((r) => r) };
+}
+
+describe('grid', () => {
+  it('grows from the contact and ends where it must', () => {
+    const places = gradedPlaces(50, 1e-3);
+    expect([places[0], places[50]]).toEqual([0, 1]);
+    expect(places[1]).toBeCloseTo(1e-3, 6);
+    for (let k = 2; k <= 50; ++k) expect(places[k]! - places[k - 1]!).toBeGreaterThan(places[k - 1]! - places[k - 2]!);
+    expect(gradedPlaces(4, 1)).toEqual([0, 0.25, 0.5, 0.75, 1]);
+  });
+  it('is the upper half of a round body, and a line along a rod', () => {
+    const grid = gridFor('disk', 0.05);
+    expect([grid.radius[0], grid.radius[grid.radius.length - 1]]).toEqual([0, 1]);
+    expect([grid.angle[0], grid.angle[grid.angle.length - 1]]).toEqual([0, Math.fround(Math.PI)]);
+    expect(1 - grid.radius[grid.radius.length - 2]!).toBeLessThan(0.02);
+    expect([...gridFor('rod', 1).angle]).toEqual([0]);
+  });
+});
+
+describe('schedule', () => {
+  it('has every time once, the coarse ones first', () => {
+    const levels = coarseToFine(-1, 3, 5, 3);
+    expect(levels[0]).toEqual([-1, 0, 1, 2, 3]);
+    const all = levels.flat().sort((a, b) => a - b);
+    expect(all).toEqual(Array.from({ length: 17 }, (_, k) => -1 + k / 4));
+  });
+  it('begins before the contact and ends after it', () => {
+    const { from, to } = filmSpan(0, 8);
+    expect(from).toBeLessThan(0);
+    expect(to).toBeGreaterThan(8);
+  });
+});
+
+describe('film', () => {
+  const frame = (time: number, value: number): Frame => ({
+    time,
+    bodies: [{ center: value, radial: Float32Array.of(value), tangential: Float32Array.of(0),
+      vonMises: Float32Array.of(2 * value), fringes: Float32Array.of(0) }],
+  });
+  it('is in order whatever the order of its frames, and mixes neighbours', () => {
+    const film: Film = { times: [], frames: [] };
+    for (const time of [4, 0, 2]) insertFrame(film, frame(time, time));
+    expect(film.times).toEqual([0, 2, 4]);
+    const middle = frameAt(film, 2.5)!;
+    expect([middle.bodies[0]!.center, middle.bodies[0]!.radial[0], middle.bodies[0]!.vonMises[0]]).toEqual([2.5, 2.5, 5]);
+    expect(frameAt(film, -3)!.time).toBe(0);
+    expect(frameAt(film, 9)!.time).toBe(4);
+    const again = frameAt(film, 1, middle)!;
+    expect(again.bodies[0]!.radial).toBe(middle.bodies[0]!.radial);
+    frameAt(film, 1, film.frames[0]);
+    expect(film.frames[0]!.bodies[0]!.radial[0]).toBe(0);
+  });
+  it('takes the place of a frame of the same time', () => {
+    const film: Film = { times: [], frames: [] };
+    insertFrame(film, frame(1, 1));
+    insertFrame(film, frame(1, 5));
+    expect(film.times).toEqual([1]);
+    expect(frameAt(film, 1)!.bodies[0]!.center).toBe(5);
+  });
+});
+
+describe('mesh', () => {
+  const grid = evenGrid('disk', 4, 32);
+  it('is round at rest, and touches x = 0', () => {
+    const mesh = meshOf(DISK, field(grid, () => 0, () => 0), grid, 20);
+    const edge = edgeOf(DISK, mesh);
+    for (let k = 0; k < edge.x.length; ++k) expect(Math.hypot(edge.x[k]! + 1, edge.y[k]!)).toBeCloseTo(1, 6);
+    expect(edge.x[0]).toBeCloseTo(0, 6);
+  });
+  it('magnifies movement and displacement alike: a face at the wall stays there', () => {
+    const frame = { ...field(grid, () => -0.01, () => 0), center: -0.99 };
+    for (const magnification of [1, 7]) expect(meshOf(DISK, frame, grid, magnification).x[4 * 33]).toBeCloseTo(0, 6);
+    expect(magnifiedCenter({ ...DISK, facing: -1 }, 1.02, 10)).toBeCloseTo(1.2);
+  });
+  it('moves every point sideways by a rigid displacement', () => {
+    const frame = field(grid, (_, a) => 0.1 * Math.cos(a), (_, a) => -0.1 * Math.sin(a));
+    const [moved, still] = [meshOf(DISK, frame, grid, 1), meshOf(DISK, field(grid, () => 0, () => 0), grid, 1)];
+    moved.x.forEach((each, k) => expect(each - still.x[k]!).toBeCloseTo(0.1, 6));
+    moved.y.forEach((each, k) => expect(each - still.y[k]!).toBeCloseTo(0, 6));
+  });
+});
+
+describe('magnification', () => {
+  const grid = evenGrid('disk', 8, 64);
+  it('stops where an even compression leaves too little area', () => {
+    const limit = unfoldedUpTo(field(grid, (r) => -0.1 * r, () => 0), grid);
+    expect((1 - 0.1 * limit) ** 2).toBeCloseTo(0.12, 3);
+  });
+  it('has no limit for a rigid displacement, nor an even expansion', () => {
+    expect(unfoldedUpTo(field(grid, (_, a) => 0.1 * Math.cos(a), (_, a) => -0.1 * Math.sin(a)), grid)).toBeGreaterThan(200);
+    expect(unfoldedUpTo(field(grid, (r) => 0.1 * r, () => 0), grid)).toBe(Infinity);
+  });
+  it('of a rod ends where points would change places', () => {
+    const rod = gridFor('rod', 1);
+    expect(rodUnfoldedUpTo(field(rod, (r) => -0.02 * (1 - r), () => 0), rod)).toBeCloseTo(0.88 / 0.02, 2);
+  });
+  it('is a round number, and 1 for large deformations and bodies at rest', () => {
+    const of = (size: number): number =>
+      magnificationOf([{ time: 0, bodies: [field(grid, (r, a) => size * r * Math.cos(2 * a), () => 0)] }], grid);
+    expect([of(0.001), of(0.2), of(0)]).toEqual([100, 1, 1]);
+  });
+});
+
+describe('colours', () => {
+  it('go through their stops', () => {
+    const table = colorTable(['#000000', '#ff8000']);
+    expect(table[0]).toBe(0xff000000);
+    expect(table[255]).toBe(0xff0080ff);
+    expect(components('#0a10ff')).toEqual([10, 16, 255]);
+  });
+  it('of fringes repeat with every order and fade when they are too fine', () => {
+    const shade = shadeOf('fringes', 0.1, true);
+    expect(pixelOf(shade, 0.33)).toBe(pixelOf(shade, 0.13));
+    expect(pixelOf(shade, 0.05)).not.toBe(pixelOf(shade, 0));
+    expect(pixelOf(shade, 0.05, 0)).toBe(pixelOf(shade, 0, 0));
+    expect([contrast(0), contrast(1), contrast(5)]).toEqual([1, 0, 0]);
+    expect(contrast(0.5)).toBeCloseTo(2 / Math.PI);
+  });
+  it('of the stress end at the ends', () => {
+    const shade = shadeOf('vonMises', 2, false);
+    expect([pixelOf(shade, -1), pixelOf(shade, 9)]).toEqual([shade.table[0], shade.table[255]]);
+  });
+  it('have a scale that covers most of the area', () => {
+    const grid = evenGrid('disk', 40, 40);
+    const frame = field(grid, () => 0, () => 0); // its fringes are r: the area below r is r²
+    expect(coveringStress(frame.fringes, grid, 0.25)).toBeCloseTo(0.5, 1);
+    expect(stressUnit('fringes', [{ time: 0, bodies: [frame] }], grid)).toBeCloseTo(0.2);
+    expect(stressUnit('vonMises', [{ time: 0, bodies: [frame] }], grid)).toBe(1);
+  });
+});
+
+describe('raster', () => {
+  const blank = (): Pixels => ({ width: 40, height: 30, data: new Uint32Array(1200) });
+  const shade = { ...shadeOf('vonMises', 1, false), table: Uint32Array.from({ length: 256 }, (_, k) => k + 1) };
+  it('paints each pixel of two triangles with a common side once, and none outside', () => {
+    const [one, two, both] = [blank(), blank(), blank()];
+    const corners = [[3.2, 2.1], [33.7, 4.9], [29.3, 26.4], [5.5, 21.7]] as const;
+    const paint = (to: Pixels, ...k: [number, number, number]): void => {
+      const [a, b, c] = k.map((n) => corners[n]!) as [readonly [number, number], readonly [number, number], readonly [number, number]];
+      paintTriangle(to, a[0], a[1], 0.5, b[0], b[1], 0.5, c[0], c[1], 0.5, shade);
+    };
+    paint(one, 0, 1, 2);
+    paint(two, 0, 2, 3);
+    paint(both, 2, 0, 1);
+    const painted = (each: Pixels): number => each.data.filter((pixel) => pixel > 0).length;
+    expect(painted(both)).toBe(painted(one));
+    one.data.forEach((pixel, k) => expect(pixel > 0 && two.data[k]! > 0).toBe(false));
+    const area = 0.5 * Math.abs((33.7 - 3.2) * (26.4 - 2.1) - (29.3 - 3.2) * (4.9 - 2.1));
+    expect(Math.abs(painted(one) - area)).toBeLessThan(12);
+  });
+  it('interpolates stress linearly', () => {
+    const pixels = blank();
+    paintTriangle(pixels, 0, 0, 0, 40, 0, 1, 0, 30, 0, shade);
+    expect(pixels.data[20]).toBe(Math.floor((20.5 / 40) * 256) + 1);
+    expect(pixels.data[5 * 40 + 8]).toBe(Math.floor((8.5 / 40) * 256) + 1);
+  });
+  it('stays inside the picture', () => {
+    const pixels = blank();
+    paintTriangle(pixels, -50, -50, 0, 90, -50, 1, 20, 90, 0, shade);
+    expect(pixels.data.every((each) => each > 0)).toBe(true);
+  });
+  it('covers half a disk without holes', () => {
+    const grid = evenGrid('disk', 10, 60);
+    const pixels = blank();
+    paintMesh(pixels, meshOf(DISK, field(grid, () => 0, () => 0), grid, 1), field(grid, () => 0, () => 0).fringes,
+      { origin: 35, scale: 15 }, shade);
+    for (let row = 0; row < 30; ++row) {
+      for (let k = 0; k < 40; ++k) {
+        const distance = Math.hypot(k + 0.5 - 20, row + 0.5) / 15;
+        if (distance < 0.98) expect(pixels.data[row * 40 + k]).toBeGreaterThan(0);
+        if (distance > 1.001) expect(pixels.data[row * 40 + k]).toBe(0);
+      }
+    }
+  });
+});
+
+describe('interface of two bodies', () => {
+  const y = [0, 0.1, 0.2, 0.3];
+  it('is in the middle of equal ones, and where a plane is', () => {
+    const [left, right] = [{ x: [0.02, 0.02, 0.01, -0.1], y }, { x: [-0.02, -0.02, -0.01, 0.1], y }];
+    expect(Array.from(between(left, right, [1, 1], y).x, (each) => Math.abs(each))).toEqual([0, 0, 0, 0]);
+    expect(between(left, right, [1, 0], y).x[0]).toBeCloseTo(-0.02);
+    expect(between(left, right, [0, 1], y).x[0]).toBeCloseTo(0.02);
+  });
+  it('goes as far up as both faces', () => {
+    expect(between({ x: [0, 0], y: [0, 0.15] }, { x: [0, 0, 0, 0], y }, [1, 1], y).y).toEqual([0, 0.1]);
+    expect(faceOf({ x: [0, 1, 2, 1], y: [0, 1, 2, 1.5] }).y).toEqual([0, 1, 2]);
+  });
+});
+
+describe('clock', () => {
+  it('lasts its length, rests at the end, and begins again', () => {
+    let clock = { time: -1, rested: 0 };
+    for (let k = 0; k < 10; ++k) clock = advance(clock, LENGTH / 10, 1, -1, 3);
+    expect(clock.time).toBeCloseTo(3);
+    clock = advance({ time: 3, rested: 0 }, 0.5 * REST, 1, -1, 3);
+    expect(clock).toEqual({ time: 3, rested: 0.5 * REST });
+    expect(advance(clock, REST, 1, -1, 3)).toEqual({ time: -1, rested: 0 });
+  });
+});
+
+describe('layout', () => {
+  it('fits wide and narrow, with the line of impact on whole pixels', () => {
+    const view = { left: -2.4, right: 0.3, half: 1.1 };
+    for (const width of [300, 900]) {
+      const layout = layoutOf(view, width, 2);
+      expect(layout.x + layout.scale * view.left).toBeGreaterThanOrEqual(0);
+      expect(layout.x + layout.scale * view.right).toBeLessThanOrEqual(width);
+      expect((layout.y * 2) % 1).toBe(0);
+    }
+  });
+});
