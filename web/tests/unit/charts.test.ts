@@ -9,7 +9,7 @@ import { cursorWords, summaryOf } from '../../src/charts/words';
 import type { Collision, CurvePoint, Encounter, ModeEnergy } from '../../src/core/protocol';
 import { frequencyInWords, modulus } from '../../src/drawing/si';
 import { written } from '../../src/drawing/ticks';
-import { describe as describeTime, phaseAt } from '../../src/scene/phases';
+import { describe as describeTime, phaseAt, slowness } from '../../src/scene/phases';
 import { stressInWords } from '../../src/scene/legend';
 import type { Theme } from '../../src/drawing/theme';
 import { swing } from '../../src/charts/mode_shape';
@@ -32,6 +32,10 @@ const ENCOUNTER: Encounter = { kind: 'disk', first: BODY, against: { kind: 'wall
 describe('a collision in words', () => {
   it('has four phases', () => {
     expect([-0.1, 1, 7, 8.1].map((each) => phaseAt(COLLISION, each))).toEqual(['approach', 'compression', 'restitution', 'apart']);
+  });
+  it('says how slow the film is', () => {
+    expect(slowness(4e-4, 's', 8)).toBe('Slowed 20000 times.');
+    expect(slowness(16, 'R/c', 8)).toBe('1 s of the film is 2 R/c.');
   });
   it('says time and force', () => {
     expect(describeTime(COLLISION, 4.004)).toBe('restitution, time 4 R/c, force 0.05 mc²/R, 100 % of the greatest');
