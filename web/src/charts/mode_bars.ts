@@ -2,13 +2,14 @@
 
 import type { Collision, Core, Encounter, Shape } from '../core/protocol';
 import { up } from '../drawing/axes';
+import { frequencyInWords } from '../drawing/si';
 import { onResize } from '../drawing/sized';
 import { pngOf } from '../drawing/svg';
 import { readTheme } from '../drawing/theme';
 import { written } from '../drawing/ticks';
 import { evenGrid } from '../scene/grid';
 import { placedBodies } from '../scene/view';
-import { frequencyInWords, layoutModes, type ModeBar, type ModeLayout, type When } from './mode_layout';
+import { layoutModes, type ModeBar, type ModeLayout, type When } from './mode_layout';
 import { createShapeView } from './mode_shape';
 import { energyScale, modeBox, modeSvg, MODE_LABELS } from './mode_svg';
 import './charts.css';
@@ -144,8 +145,7 @@ export function createModeBars(host: HTMLElement, core: Core): ModeBars {
 
   function wordsOf({ mode, energy }: ModeBar): string {
     const { encounter } = now!;
-    const { radius, young, density } = encounter.first;
-    const frequency = frequencyInWords(mode.omega, radius, young, density, encounter.si, (each) => written(each, 4));
+    const frequency = frequencyInWords(mode.omega, encounter, written);
     return `Mode (n, l) = (${mode.order}, ${mode.index}), ${frequency}: ${percent(energy)} of the energy, ` +
       `${MODE_LABELS[when.chosen()]}`;
   }

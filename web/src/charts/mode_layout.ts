@@ -50,12 +50,3 @@ export function layoutModes(modes: ModeEnergy[], body: 0 | 1, when: When, count:
   }
   return { bars, groups, omitted: all.length - shown.length, rest: Math.max(0, rest) };
 }
-
-/** A frequency in words: in c/R, or in Hz where the first body's size and material are in SI. */
-export function frequencyInWords(omega: number, radius: number, young: number, density: number, si: boolean,
-  written: (value: number) => string): string {
-  if (!si) return `ω = ${written(omega)} c/R`;
-  const hertz = (omega * Math.sqrt(young / density)) / radius / (2 * Math.PI);
-  const [size, unit] = hertz >= 1e6 ? [1e6, 'MHz'] : hertz >= 1e3 ? [1e3, 'kHz'] : [1, 'Hz'];
-  return `${written(hertz / size)} ${unit}`;
-}

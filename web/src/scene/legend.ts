@@ -11,20 +11,20 @@ const ORDERS = 5;
 const PREFIXES: [number, string][] = [[1e9, 'GPa'], [1e6, 'MPa'], [1e3, 'kPa'], [1, 'Pa']];
 
 /** A stress in words: in SI with a prefix, else in the modulus of the first body. */
-export function stressInWords(stress: number, young: number | undefined): string {
-  if (young === undefined) return `${written(stress, 3)} E`;
-  const [size, name] = stressPrefix(stress * young);
-  return `${written((stress * young) / size, 3)} ${name}`;
+export function stressInWords(stress: number, modulus: number | undefined): string {
+  if (modulus === undefined) return `${written(stress, 3)} E`;
+  const [size, name] = stressPrefix(stress * modulus);
+  return `${written((stress * modulus) / size, 3)} ${name}`;
 }
 
 function stressPrefix(pascals: number): [number, string] {
   return PREFIXES.find(([size]) => pascals >= size) ?? [1, 'Pa'];
 }
 
-/** Draws a legend at the foot of a picture. `young`: modulus of the first body in Pa, where units are SI. */
+/** Draws a legend at the foot of a picture. `modulus`: that of the first body in Pa, where units are SI. */
 export function drawLegend(
   context: CanvasRenderingContext2D, left: number, top: number, width: number, theme: Theme, shade: Shade,
-  young: number | undefined,
+  modulus: number | undefined,
 ): void {
   const wide = Math.min(280, width);
   const start = left + (width - wide) / 2;
@@ -40,14 +40,14 @@ export function drawLegend(
   context.fillStyle = theme.muted;
   context.font = '11px system-ui, sans-serif';
   context.textAlign = 'center';
-  const [size, name] = young === undefined ? [1, 'E'] : stressPrefix(end * young);
-  const last = fringes ? ORDERS : (end * (young ?? 1)) / size;
+  const [size, name] = modulus === undefined ? [1, 'E'] : stressPrefix(end * modulus);
+  const last = fringes ? ORDERS : (end * (modulus ?? 1)) / size;
   for (const tick of linearTicks(0, last, 5)) {
     context.fillText(tick.label, start + (wide * tick.value) / last, top + 23);
   }
   context.fillStyle = theme.text;
   const words = fringes
-    ? `fringe order, one every σ₁ − σ₂ = ${stressInWords(shade.unit, young)}`
+    ? `fringe order, one every σ₁ − σ₂ = ${stressInWords(shade.unit, modulus)}`
     : `von Mises stress / ${name}`;
   context.fillText(words, start + wide / 2, top + 39);
 }

@@ -19,6 +19,12 @@ export function withUnit(value: number, unit: string, digits = 3): string {
   return unit ? `${written(value, digits)} ${unit}` : written(value, digits);
 }
 
+/** How much slower a film is that shows `span`, in units of time, within `seconds`. */
+export function slowness(span: number, unit: string, seconds: number): string {
+  const each = span / seconds;
+  return unit === 's' ? `Slowed ${written(1 / each, 2)} times.` : `1 s of the film is ${written(each, 2)} ${unit}.`;
+}
+
 /** One sentence for those who do not see the picture. */
 export function describe(collision: Collision, time: number): string {
   const phase = phaseAt(collision, time);

@@ -5,11 +5,11 @@ import { fitCanvas, onResize } from '../drawing/sized';
 import { pngOfCanvas } from '../drawing/svg';
 import { motionIsReduced, readTheme } from '../drawing/theme';
 import { newScratch } from './bodies';
-import { advance, type Clock } from './clock';
+import { advance, LENGTH, type Clock } from './clock';
 import type { Quantity } from './colors';
 import { createControls } from './controls';
 import { frameAt } from './frames';
-import { describe, phaseAt, withUnit } from './phases';
+import { describe, phaseAt, slowness, withUnit } from './phases';
 import { drawPicture, pictureHeight } from './picture';
 import { produce, type Show } from './show';
 import './scene.css';
@@ -49,7 +49,10 @@ export function createScene(host: HTMLElement, core: Core): Scene {
     toggle: () => (playing ? pause() : play()),
     step: (direction) => show && go(clock.time + (direction * (show.to - show.from)) / STEPS, true),
     scrub: (share) => show && go(show.from + share * (show.to - show.from), true),
-    speed: (factor) => (speed = factor),
+    speed: (factor) => {
+      speed = factor;
+      tellSpeed();
+    },
     color: (chosen) => {
       quantity = chosen;
       draw();
@@ -57,7 +60,8 @@ export function createScene(host: HTMLElement, core: Core): Scene {
   });
   const place = document.createElement('div');
   place.className = 'scene';
-  place.append(canvas, controls.element, words);
+  const note = Object.assign(document.createElement('p'), { className: 'scene-note' });
+  place.append(canvas, controls.element, note, words);
   host.append(place);
   place.addEventListener('keydown', onKey);
   const stopWatching = onResize(place, draw);
@@ -86,6 +90,7 @@ export function createScene(host: HTMLElement, core: Core): Scene {
   function empty(): void {
     canvas.setAttribute('aria-label', 'Film of the collision: not there yet');
     controls.setEnabled(false);
+    note.textContent = '';
   }
 
   function go(time: number, own: boolean): void {
@@ -99,6 +104,10 @@ export function createScene(host: HTMLElement, core: Core): Scene {
     }
   }
 
+  function tellSpeed(): void {
+    note.textContent = show ? slowness(show.to - show.from, show.collision.units.time, LENGTH / speed) : '';
+  }
+
   function play(): void {
     if (!show || playing) return;
     playing = true;
@@ -108,9 +117,11 @@ export function createScene(host: HTMLElement, core: Core): Scene {
   }
 
   function pause(): void {
+    if (!playing) return;
     playing = false;
     cancelAnimationFrame(turn);
     controls.setPlaying(false);
+    draw();
   }
 
   function tick(now: number): void {
@@ -133,7 +144,7 @@ export function createScene(host: HTMLElement, core: Core): Scene {
     drawPicture(canvas, width, density, show, frame, clock.time, quantity, theme, scratch);
     const shown = withUnit(clock.time, show.collision.units.time);
     controls.setTime((clock.time - show.from) / (show.to - show.from), `${shown}, ${phaseAt(show.collision, clock.time)}`);
-    canvas.setAttribute('aria-label', `Film of the collision: ${describe(show.collision, clock.time)}`);
+    if (!playing) canvas.setAttribute('aria-label', `Film of the collision: ${describe(show.collision, clock.time)}`);
   }
 
   function start(next: Show): void {
@@ -142,6 +153,7 @@ export function createScene(host: HTMLElement, core: Core): Scene {
     spare = undefined;
     clock = { time: next.from + share * (next.to - next.from), rested: 0 };
     controls.setEnabled(true);
+    tellSpeed();
     draw();
     cursor(clock.time);
     if (!begun && !motionIsReduced()) play();

@@ -32,7 +32,7 @@ export async function produce(
   core: Core, encounter: Encounter, speed: number, tolerance: number, collision: Collision, signal: AbortSignal,
   ready: (show: Show) => void, finer: () => void,
 ): Promise<void> {
-  const grid = gridFor(encounter.kind, halfWidthOf(collision));
+  const grid = gridFor(encounter.kind, relativeHalfWidth(encounter, collision));
   const { from, to } = filmSpan(collision.begin, collision.end);
   const [first, ...rest] = coarseToFine(from, to, FIRST, LEVELS);
   const film: Film = { times: [], frames: [] };
@@ -55,8 +55,8 @@ export async function produce(
   }
 }
 
-/** Greatest half width of the contact in radii of the body for which it is the smallest part. */
-function halfWidthOf(collision: Collision): number {
-  const greatest = collision.halfWidth.reduce((most, each) => Math.max(most, each), 0);
-  return greatest / Math.max(...collision.bodies.filter((each) => each.kind !== 'half-space').map((b) => b.radius));
+/** Greatest half width of the contact in radii of the larger body, whose smallest part it is. */
+function relativeHalfWidth({ si, first }: Encounter, { bodies, halfWidth }: Collision): number {
+  const greatest = halfWidth.reduce((most, each) => Math.max(most, each), 0) / (si ? first.radius : 1);
+  return greatest / Math.max(...bodies.filter((each) => each.kind !== 'half-space').map((each) => each.radius));
 }

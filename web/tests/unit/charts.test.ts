@@ -1,14 +1,15 @@
 import { describe, expect, it } from 'vitest';
 import { barOf, nearestPoint, ordinateScale, speedScale } from '../../src/charts/curve_scales';
 import { curveSvg } from '../../src/charts/curve_svg';
-import { frequencyInWords, layoutModes } from '../../src/charts/mode_layout';
+import { layoutModes } from '../../src/charts/mode_layout';
 import { energyScale, modeSvg } from '../../src/charts/mode_svg';
 import { panelsOf, thinned } from '../../src/charts/series';
 import { timeSvg } from '../../src/charts/time_svg';
 import { cursorWords, summaryOf } from '../../src/charts/words';
 import type { Collision, CurvePoint, Encounter, ModeEnergy } from '../../src/core/protocol';
+import { frequencyInWords, modulus } from '../../src/drawing/si';
 import { written } from '../../src/drawing/ticks';
-import { describe as describeTime, phaseAt } from '../../src/scene/phases';
+import { describe as describeTime, phaseAt, slowness } from '../../src/scene/phases';
 import { stressInWords } from '../../src/scene/legend';
 import type { Theme } from '../../src/drawing/theme';
 import { swing } from '../../src/charts/mode_shape';
@@ -31,6 +32,10 @@ const ENCOUNTER: Encounter = { kind: 'disk', first: BODY, against: { kind: 'wall
 describe('a collision in words', () => {
   it('has four phases', () => {
     expect([-0.1, 1, 7, 8.1].map((each) => phaseAt(COLLISION, each))).toEqual(['approach', 'compression', 'restitution', 'apart']);
+  });
+  it('says how slow the film is', () => {
+    expect(slowness(4e-4, 's', 8)).toBe('Slowed 20000 times.');
+    expect(slowness(16, 'R/c', 8)).toBe('1 s of the film is 2 R/c.');
   });
   it('says time and force', () => {
     expect(describeTime(COLLISION, 4.004)).toBe('restitution, time 4 R/c, force 0.05 mc²/R, 100 % of the greatest');
@@ -127,8 +132,12 @@ describe('bars of modes', () => {
     expect(energyScale(layoutModes(modes, 0, 'after', 20), false).low).toBe(0);
   });
   it('say frequencies in c/R or Hz', () => {
-    expect(frequencyInWords(2, 1, 1, 1, false, written)).toBe('ω = 2 c/R');
-    expect(frequencyInWords(2 * Math.PI, 0.01, 2.1e11, 7850, true, written)).toBe('517.2 kHz');
+    const steel: Encounter = { ...ENCOUNTER, si: true, first: { ...BODY, radius: 0.01, young: 2.1e11, density: 7850 } };
+    expect(frequencyInWords(2, ENCOUNTER, written)).toBe('ω = 2 c/R');
+    expect(frequencyInWords(2 * Math.PI, steel, written)).toBe('517.2 kHz');
+    expect(modulus({ ...steel, plane: 'strain' })).toBeCloseTo(2.1e11 / 0.91);
+    expect(modulus({ ...steel, plane: 'strain', kind: 'sphere' })).toBe(2.1e11);
+    expect(modulus(ENCOUNTER)).toBeUndefined();
   });
   it('have shapes that come to rest where they are farthest', () => {
     expect([swing(0), swing(0.6), swing(99)].map((each) => Math.round(each * 1e6) / 1e6)).toEqual([1, -1, 1]);
