@@ -5,6 +5,9 @@
 
 namespace stoss::cli {
 
+/// Hardness of an exponential wall without one.
+inline constexpr double default_hardness = 500.0;
+
 /// What --against says: KIND[,key=value…].
 struct Against {
   std::string kind = "wall";             ///< wall, same, disk, sphere, rod, half-space, half-plane or exponential

@@ -8,6 +8,7 @@
 #include <ostream>
 #include <string>
 
+#include "introduction.hpp"
 #include "judgement.hpp"
 #include "stoss/bodies/rod.hpp"
 #include "text.hpp"
