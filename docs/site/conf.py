@@ -23,6 +23,7 @@ extensions = [
     "sphinx_copybutton",
     "katex",
     "repository",
+    "theme",
 ]
 exclude_patterns = ["extra"]
 root_doc = "index"

@@ -11,6 +11,7 @@ import re
 import shutil
 import subprocess
 import sys
+import textwrap
 from pathlib import Path
 
 import stoss
@@ -44,17 +45,20 @@ def run(program: Path, state: bytes) -> Path:
 
 def described(text: str) -> tuple[str, list[str]]:
     """Title of a program and the rest of its docstring as Markdown: indented paragraphs are equations."""
-    title, *paragraphs = re.split(r"\n\s*\n", text.strip())
-    lines = []
+    first, *paragraphs = re.split(r"\n\s*\n", text.strip())
+    title, _, more = " ".join(first.split()).rstrip(".").partition(": ")
+    lines = [f"{more[0].upper()}{more[1:]}.", ""] if more else []
     for paragraph in paragraphs:
         if paragraph.startswith("    "):
-            lines += ["```text", paragraph, "```", ""]
+            lines += ["```text", textwrap.dedent(paragraph), "```", ""]
             continue
         for line in re.split(r"\n(?=\w+:)", paragraph):
             said, _, what = line.partition(":") if re.match(r"(Run|Expect):", line) else ("", "", line)
             what = " ".join(what.split())
-            lines += [f"**{said}:** `{what}`" if said == "Run" else f"**{said}:** {what}" if said else what, ""]
-    return title.rstrip("."), lines
+            if said == "Run":
+                what = re.sub(r"^.*?\]", r"`\g<0>`", what)
+            lines += [f"**{said}:** {what}" if said else what, ""]
+    return title, lines
 
 
 def page(tree: Tree, program: Path, folder: Path) -> tuple[str, str]:
@@ -77,7 +81,7 @@ def write(tree: Tree) -> None:
         folders = list(pool.map(lambda program: run(program, state), programs))
     for stale in set(KEPT.iterdir()) - set(folders):
         shutil.rmtree(stale)
-    lines = ["# Examples", "", "Each of these programs was run when this page was made.", ""]
+    lines = ["# Examples", "", "Programs of `examples/`, which were run when this page was made.", ""]
     for program, folder in zip(programs, folders):
         title, picture = page(tree, program, folder)
         lines += [f"## [{title}]({program.stem}.md)", "", f"[![{title}](pictures/{picture})]({program.stem}.md)", ""]
