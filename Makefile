@@ -1,6 +1,6 @@
 # The short way in. Everything here can also be done with the CMake presets (cmake --list-presets).
 .DEFAULT_GOAL := help
-.PHONY: help setup build python demo test bench validate results paper paper-quick format lint install uninstall clean
+.PHONY: help setup build python demo test bench validate results docs paper paper-quick format lint install uninstall clean
 
 JOBS ?= $(shell nproc)
 PREFIX ?= /usr/local
@@ -56,6 +56,9 @@ results: setup python ## the tables and the figures of docs/results/
 	@build/venv/bin/python studies/half_space/wave.py docs/images/half_space_wave.png
 	@build/release/studies/stoss_vibration docs/results/vibration
 	@$(PYTHON) studies/vibration/figure.py docs/results/vibration docs/images
+
+docs: setup python ## the documentation site: build/docs/index.html
+	@scripts/docs.sh $(JOBS)
 
 paper: setup python ## reproduce the whole paper: out/paper/report.html, in some minutes
 	@PYTHONPATH=studies build/venv/bin/python -m gerl_zippelius_1999 --output out/paper

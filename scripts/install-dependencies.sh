@@ -16,7 +16,7 @@ if [ "${1:-all}" != build ]; then
     python3-venv python3-pip python3-setuptools python3-wheel
   )
 fi
-# Tests; benchmarks; checks.
+# Tests; benchmarks; checks; the documentation site.
 if [ "${1:-all}" = all ]; then
   packages+=(
     libgtest-dev libgmock-dev pkgconf python3-pytest python3-hypothesis python3-tqdm mypy
@@ -24,6 +24,7 @@ if [ "${1:-all}" = all ]; then
     python3-netcdf4 python3-xarray python3-mpi4py openmpi-bin python3-distributed
     libbenchmark-dev
     clang libclang-rt-dev clang-format clang-tidy
+    doxygen python3-sphinx furo python3-myst-parser python3-breathe python3-sphinx-copybutton libjs-katex
   )
 fi
 

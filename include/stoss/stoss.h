@@ -131,11 +131,12 @@ typedef struct stoss_function stoss_function;
 
 /**
  * Makes eps(v) with an error of at most `error`, interpolation included.
- * @param slowest,fastest 1e-8 to 1 c
- * @param error           greatest error of eps at any speed, 1e-7 to 0.1
- * @param beyond          STOSS_BEYOND_ERROR, STOSS_BEYOND_CLAMP or, of a disk or sphere at a wall, two equal ones, and
- * a sphere on a half-space, STOSS_BEYOND_LAW
- * @param control         or NULL
+ * @param slowest 1e-8 to 1 c
+ * @param fastest above it, to 1 c
+ * @param error   greatest error of eps at any speed, 1e-7 to 0.1
+ * @param beyond  STOSS_BEYOND_ERROR, STOSS_BEYOND_CLAMP or, of a disk or sphere at a wall, two equal ones, and
+ *                a sphere on a half-space, STOSS_BEYOND_LAW
+ * @param control or NULL
  */
 int stoss_function_make(const stoss_contact* contact, double slowest, double fastest, double error, int beyond,
                         const stoss_control* control, stoss_function** function);

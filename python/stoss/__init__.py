@@ -10,11 +10,11 @@ speed c = √(E/ρ), mass m; of bodies with a `Material`, speeds are in m/s.
 
 ================================  ==================================================================
 `restitution`                     ε(v) with errors, for numbers and arrays, at a wall or of two
-bodies
+                                  bodies
 `restitution_function`            ε(v) as a function, to an error at every speed
 `pair_table`                      ε of two bodies against the speed and the ratio of their radii
 `impact`                          one impact: energy ledger, trajectory, deformation and stress in
-time
+                                  time
 `restitution_distribution`        ε of many bodies that vibrate at random before
 `sweep`, `Grid`                   ε of many bodies, partners and speeds, with a store
 `merge`, `open_sweep`             what such a store has

@@ -143,7 +143,7 @@ class DiskField(Field):
     von_mises : ndarray
         √(σ₁² − σ₁σ₂ + σ₂²) of plane stress, E.
     principal_difference : ndarray
-        |σ₁ − σ₂|, E: what photoelastic fringes count.
+        ``|σ₁ − σ₂|``, E: what photoelastic fringes count.
 
     See Also
     --------
@@ -170,7 +170,7 @@ class SphereField(Field):
     von_mises : ndarray
         √(½[(σ₁−σ₂)² + (σ₂−σ₃)² + (σ₃−σ₁)²]), E.
     principal_difference : ndarray
-        |σ₁ − σ₂| of the principal stresses in the plane, E: what a thin slice would show as
+        ``|σ₁ − σ₂|`` of the principal stresses in the plane, E: what a thin slice would show as
         photoelastic fringes.
 
     See Also

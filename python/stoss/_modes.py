@@ -63,8 +63,8 @@ class Modes(RowResult):
 
     @property
     def radial_family(self) -> NDArray[np.bool_]:
-        """Whether the surface moves mostly along the radius, C > |S|; of a sphere U > √(n(n+1))
-        |V|."""
+        """Whether the surface moves mostly along the radius, ``C > |S|``; of a sphere
+        ``U > √(n(n+1)) |V|``."""
         along = np.abs(self.tangential)
         if isinstance(self.body, Sphere):
             along = along * np.sqrt(self.order * (self.order + 1.0))

@@ -157,3 +157,21 @@ def test_arrows_between_the_rooms_are_the_includes():
     straight = {room: set(ends) for room, ends in picture.ARROWS.items()}
     assert all(ends <= followed(straight, room) for room, ends in included.items()), included
     assert all(ends <= included[room] for room, ends in straight.items())
+
+
+def test_every_figure_has_the_code_that_draws_it():
+    images = ROOT / "docs/images"
+    page = (images / "README.md").read_text(encoding="utf-8")
+    rows = [row.split("|")[1:3] for row in re.findall(r"^\| `.*$", page, re.MULTILINE)]
+    drawn = {name: source for figures, source in rows for name in re.findall(r"`([\w.]+)`", figures)}
+    assert set(drawn) == {file.name for file in images.iterdir() if file.suffix in (".png", ".svg")}
+    for name, source in drawn.items():
+        files = [ROOT / file for file in re.findall(r"`([\w/.]+)`", source)]
+        text = "\n".join(file.read_text(encoding="utf-8") for file in [*files, ROOT / "Makefile"])
+        assert files and name in text, name
+
+
+def test_every_figure_is_shown():
+    text = "\n".join(page.read_text(encoding="utf-8") for page in PAGES)
+    for file in (ROOT / "docs/images").iterdir():
+        assert file.suffix in (".py", ".md") or re.search(rf"!\[[^\]]*\]\([\w/.]*images/{file.name}\)", text), file.name

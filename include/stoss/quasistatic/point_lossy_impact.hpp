@@ -32,7 +32,7 @@ struct LossyContact {
 ///
 /// Exact to first order of η, and for any η where both are equal or one body is rigid. Two Kelvin-Voigt bodies in
 /// series are otherwise none: at high frequencies the stiffer one yields.
-/// @param softness (1 − ν²)/E of each body, 0 for a rigid one; not both 0
+/// @param first_softness,second_softness (1 − ν²)/E, 0 for a rigid one; not both 0
 /// @throws InvalidInput for a negative argument or one that is not finite
 [[nodiscard]] double series_loss_time(double first_softness, double first_loss_time, double second_softness,
                                       double second_loss_time);

@@ -6,12 +6,12 @@ settings. Nothing global is changed.
 
 ================================================  ==================================================
 `restitution`, `extrapolation`                    ε or 1 − ε² against speed; Gerl and Zippelius' two
-limits
+                                                  limits
 `function`                                        ε(v) as a function, with its error
 `pair_table`                                      ε(v) of pairs of several ratios of radii
 `distribution`                                    ε of many bodies that vibrate
 `slow_impact`, `rayleigh`, `static_contact`       quasi-static: contact time, lost fraction,
-pressure
+                                                  pressure
 `spectrum`, `mode_shape`                          eigenmodes
 `force`, `velocity`, `energies`, `half_width`     one impact in time
 `bounces`                                         a sequence: ε, and where the energy is

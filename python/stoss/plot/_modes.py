@@ -15,7 +15,8 @@ from stoss.plot import _disk, _style
 def spectrum(modes: Modes, ax: Axes | None = None) -> Axes:
     """Eigenfrequencies ω against the order or degree n, radial and tangential modes told apart.
 
-    Radial are those whose surface moves mostly along the radius, C > |S|, of a sphere U > √(n(n+1)) |V|.
+    Radial are those whose surface moves mostly along the radius, ``C > |S|``, of a sphere
+    ``U > √(n(n+1)) |V|``.
 
     Parameters
     ----------

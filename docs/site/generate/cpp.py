@@ -1,0 +1,89 @@
+"""The pages of the C++ interface, one for each room, and of the C interface."""
+
+import re
+import xml.etree.ElementTree as xml
+from collections import defaultdict
+from pathlib import Path
+
+from tree import ROOT, Tree
+
+FACE = ROOT / "include/stoss"
+XML = ROOT / "build/docs-doxygen/xml"
+
+
+def offers() -> dict[str, str]:
+    """What docs/architecture.md says of each header."""
+    text = (ROOT / "docs/architecture.md").read_text(encoding="utf-8")
+    table = text.partition("### Public face")[2].partition("\n### ")[0]
+    return dict(re.findall(r"^\| `([\w/.]+)` \| (.*) \|$", table, re.MULTILINE))
+
+
+def heading(text: str, line: str) -> list[str]:
+    return [text, line * len(text), ""]
+
+
+def text_of(element: xml.Element | None) -> str:
+    return "".join(element.itertext()) if element is not None else ""
+
+
+def directive(member: xml.Element) -> str:
+    """What shows a member of a namespace. A function is told from its like by the types that it takes."""
+    kind, name = member.get("kind"), member.findtext("qualifiedname") or member.findtext("name")
+    if kind == "function":
+        types = ", ".join(text_of(parameter.find("type")) for parameter in member.iterfind("param"))
+        return f".. doxygenfunction:: {name}({types})"
+    return f".. doxygen{kind}:: {name}"
+
+
+def shown_class(compound: xml.Element) -> str:
+    return f".. doxygen{compound.get('kind')}:: {compound.findtext('compoundname')}\n   :members:\n   :undoc-members:"
+
+
+def declared() -> dict[str, list[str]]:
+    """For each header the directives that show what it declares, in its order."""
+    found: dict[str, list[tuple[int, str]]] = defaultdict(list)
+
+    def add(element: xml.Element, shown: str) -> None:
+        place = element.find("location")
+        found[place.get("declfile", place.get("file"))].append((int(place.get("declline", place.get("line"))), shown))
+
+    for file in sorted(XML.glob("*.xml")):
+        compound = xml.parse(file).getroot().find("compounddef")
+        kind = compound.get("kind") if compound is not None else None
+        name = compound.findtext("compoundname") if kind else ""
+        if kind == "namespace" and name.startswith("stoss") or kind == "file":
+            for member in compound.iter("memberdef"):
+                if not (XML / f"struct{member.findtext('name').replace('_', '__')}.xml").exists():  # of a typedef struct
+                    add(member, directive(member))
+        elif kind in ("class", "struct") and name.startswith("stoss"):
+            outer = name.rpartition("::")[0]
+            if outer.rpartition("::")[2].islower() or not outer:  # a namespace, and no class that shows it
+                add(compound, shown_class(compound))
+    return {header: [shown for _, shown in sorted(entries)] for header, entries in found.items()}
+
+
+def page(title: str, introduction: str, headers: list[str], shown: dict[str, list[str]]) -> str:
+    lines = [*heading(title, "="), introduction, ""]
+    for header in headers:
+        lines += [*heading(f"stoss/{header}", "-"), "\n\n".join(shown[f"stoss/{header}"]), ""]
+    return "\n".join(lines)
+
+
+def headers_in(folder: Path) -> list[str]:
+    return sorted(str(file.relative_to(FACE)) for file in folder.rglob("*.hpp"))
+
+
+def write(tree: Tree) -> None:
+    rooms = {room.name: room for room in sorted(FACE.iterdir()) if room.is_dir()}
+    common = [file.name for file in sorted(FACE.glob("*.hpp")) if file.stem not in rooms]
+    said = "``#include <stoss/{0}.hpp>`` has the whole room."
+    shown = declared()
+    pages = {name: page(name, said.format(name), headers_in(room), shown) for name, room in rooms.items()}
+    pages["common"] = page("common", "What all rooms stand on.", common, shown)
+    pages["c"] = page("C", "The library in C; `stoss.f90` has the same for Fortran.", ["stoss.h"], shown)
+    for name, text in pages.items():
+        tree.write(f"reference/cpp/{name}.rst", text)
+    table = [f"| `stoss/{name}` | {text} |" for name, text in offers().items()]
+    index = ["# C++ and C", "", "A page for each room of the library ([architecture](../../architecture.md)).", ""]
+    index += ["```{toctree}", ":maxdepth: 1", "", *pages, "```", "", "| header | what it offers |", "|---|---|", *table]
+    tree.write("reference/cpp/index.md", "\n".join(index) + "\n")

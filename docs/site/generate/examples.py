@@ -1,0 +1,89 @@
+"""The gallery: every program of examples/ is run, and shown with what it prints and draws.
+
+A program runs again only if it or the package has changed.
+"""
+
+import ast
+import concurrent.futures
+import hashlib
+import os
+import re
+import shutil
+import subprocess
+import sys
+import textwrap
+from pathlib import Path
+
+import stoss
+from tree import ROOT, Tree
+
+KEPT = ROOT / "build/docs-examples"
+
+
+def package_state() -> bytes:
+    state = hashlib.sha256()
+    for file in sorted(Path(stoss.__path__[0]).rglob("*")):
+        if file.suffix in (".py", ".so", ".npz"):
+            state.update(file.read_bytes())
+    return state.digest()
+
+
+def run(program: Path, state: bytes) -> Path:
+    """The folder that a program has filled, its output in output.txt beside what it wrote."""
+    folder = KEPT / hashlib.sha256(state + program.read_bytes()).hexdigest()[:16]
+    if not (folder / "output.txt").exists():
+        shutil.rmtree(folder, ignore_errors=True)
+        folder.mkdir(parents=True)
+        command = [sys.executable, program, "out"]
+        environment = {**os.environ, "MPLBACKEND": "Agg"}
+        done = subprocess.run(command, cwd=folder, env=environment, capture_output=True, encoding="utf-8")
+        if done.returncode:
+            raise SystemExit(f"{program.name}: {done.stderr}")
+        (folder / "output.txt").write_text(done.stdout, encoding="utf-8")
+    return folder
+
+
+def described(text: str) -> tuple[str, list[str]]:
+    """Title of a program and the rest of its docstring as Markdown: indented paragraphs are equations."""
+    first, *paragraphs = re.split(r"\n\s*\n", text.strip())
+    title, _, more = " ".join(first.split()).rstrip(".").partition(": ")
+    lines = [f"{more[0].upper()}{more[1:]}.", ""] if more else []
+    for paragraph in paragraphs:
+        if paragraph.startswith("    "):
+            lines += ["```text", textwrap.dedent(paragraph), "```", ""]
+            continue
+        for line in re.split(r"\n(?=\w+:)", paragraph):
+            said, _, what = line.partition(":") if re.match(r"(Run|Expect):", line) else ("", "", line)
+            what = " ".join(what.split())
+            if said == "Run":
+                what = re.sub(r"^.*?\]", r"`\g<0>`", what)
+            lines += [f"**{said}:** {what}" if said else what, ""]
+    return title, lines
+
+
+def page(tree: Tree, program: Path, folder: Path) -> tuple[str, str]:
+    source = program.read_text(encoding="utf-8")
+    title, lines = described(ast.get_docstring(ast.parse(source)))
+    pictures = sorted((folder / "out").glob("*.png"))
+    for picture in pictures:
+        tree.copy(f"examples/pictures/{picture.name}", picture)
+        lines += [f"![{title}](pictures/{picture.name})", ""]
+    lines += ["## What it prints", "", "```text", (folder / "output.txt").read_text(encoding="utf-8").rstrip(), "```"]
+    lines += ["", "## Program", "", "```python", source.rstrip(), "```"]
+    tree.write(f"examples/{program.stem}.md", "\n".join([f"# {title}", "", *lines]) + "\n")
+    return title, pictures[0].name
+
+
+def write(tree: Tree) -> None:
+    state = package_state()
+    programs = sorted((ROOT / "examples").glob("*.py"))
+    with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
+        folders = list(pool.map(lambda program: run(program, state), programs))
+    for stale in set(KEPT.iterdir()) - set(folders):
+        shutil.rmtree(stale)
+    lines = ["# Examples", "", "Programs of `examples/`, which were run when this page was made.", ""]
+    for program, folder in zip(programs, folders):
+        title, picture = page(tree, program, folder)
+        lines += [f"## [{title}]({program.stem}.md)", "", f"[![{title}](pictures/{picture})]({program.stem}.md)", ""]
+    lines += ["```{toctree}", ":hidden:", "", *(program.stem for program in programs), "```"]
+    tree.write("examples/index.md", "\n".join(lines) + "\n")

@@ -1,0 +1,55 @@
+"""The pages of the Python package: every public name, from its docstring."""
+
+import inspect
+
+import stoss
+import stoss.plot
+from tree import Tree
+
+# Title of a page: the names on it.
+PAGES = {
+    "Restitution": "restitution Restitution extrapolated_restitution Extrapolation with_error",
+    "Bodies and walls": "Disk Sphere Rod HalfSpace HalfPlane HardWall ExponentialWall Body Wall",
+    "Materials": "Material Scales materials",
+    "One impact": "impact Impact Trajectory DiskField SphereField Field Wave",
+    "Modes": "modes Modes",
+    "Bodies that vibrate": "Oscillation restitution_distribution RestitutionDistribution bounce Bounces rod_chain RodChain",
+    "Functions and tables": "restitution_function RestitutionFunction pair_table PairTable read_csv Table",
+    "Sweeps": "Grid sweep Sweep merge open_sweep atlas AtlasValue",
+    "Errors and warnings": "InvalidInput NotConverged Interrupted StossWarning",
+}
+ELSEWHERE = {"__version__", "plot", "animate", "quasistatic"}  # the modules have pages of their own
+
+
+def directive(module: str, name: str) -> list[str]:
+    value = getattr(inspect.importlib.import_module(module), name)
+    if inspect.isclass(value):
+        errors = [":no-inherited-members:"] if issubclass(value, BaseException) else [":inherited-members:"]
+        return [f".. autoclass:: {module}.{name}", "   :members:", *(f"   {option}" for option in errors), ""]
+    if callable(value) and not hasattr(value, "__args__"):
+        return [f".. autofunction:: {module}.{name}", ""]
+    return [f".. autodata:: {module}.{name}", "   :no-value:", ""]
+
+
+def page(title: str, module: str, names: list[str], introduction: list[str]) -> str:
+    lines = [title, "=" * len(title), "", *introduction, "", f".. currentmodule:: {module}", ""]
+    for name in names:
+        lines += directive(module, name)
+    return "\n".join(lines)
+
+
+def write(tree: Tree) -> None:
+    names = [name for page_names in PAGES.values() for name in page_names.split()]
+    missing = set(stoss.__all__) ^ ELSEWHERE ^ set(names)
+    if missing or len(set(names)) != len(names):
+        raise SystemExit(f"docs/site/generate/package.py: not on one page each: {sorted(missing)}")
+    files = []
+    for title, page_names in PAGES.items():
+        files.append(title.lower().replace(" ", "_"))
+        tree.write(f"reference/python/{files[-1]}.rst", page(title, "stoss", page_names.split(), []))
+    for module in ("quasistatic", "plot"):
+        text = page(f"stoss.{module}", f"stoss.{module}", getattr(stoss, module).__all__, [f".. automodule:: stoss.{module}"])
+        tree.write(f"reference/python/{module}.rst", text)
+        files.append(module)
+    index = ["Python", "======", "", ".. automodule:: stoss", "", ".. toctree::", "   :maxdepth: 1", ""]
+    tree.write("reference/python/index.rst", "\n".join([*index, *(f"   {name}" for name in files)]) + "\n")

@@ -1,0 +1,133 @@
+"""The documentation site: it builds without a warning, its links lead somewhere, its formulas can be set, it asks no
+other host for anything, and its reference is complete."""
+
+import html.parser
+import importlib.util
+import json
+import re
+import shutil
+import subprocess
+from pathlib import Path
+from urllib.parse import unquote, urlsplit
+
+import pytest
+
+ROOT = Path(__file__).resolve().parents[2]
+SITE = ROOT / "build/docs"
+NEEDED = ("sphinx", "furo", "myst_parser", "breathe", "sphinx_copybutton")
+if missing := [name for name in NEEDED if importlib.util.find_spec(name) is None]:
+    pytest.skip(f"not installed: {', '.join(missing)}", allow_module_level=True)
+if shutil.which("doxygen") is None:
+    pytest.skip("not installed: doxygen", allow_module_level=True)
+
+
+class Page(html.parser.HTMLParser):
+    """What a page links to, loads, can be linked to by, and its formulas."""
+
+    def __init__(self, file):
+        super().__init__()
+        self.links, self.loaded, self.anchors, self.formulas, self.text = [], [], set(), [], []
+        self.inside = None
+        self.feed(file.read_text(encoding="utf-8"))
+
+    def handle_starttag(self, tag, attributes):
+        values = dict(attributes)
+        self.anchors.update(values[name] for name in ("id", "name") if values.get(name))
+        if tag == "a" and "href" in values:
+            self.links.append(values["href"])
+        elif tag == "link" and values.get("rel") in ("stylesheet", "icon", "shortcut icon", "preload"):
+            self.loaded.append(values["href"])
+        elif "src" in values:
+            self.loaded.append(values["src"])
+        if "math" in values.get("class", "").split():
+            self.formulas.append({"text": "", "display": tag == "div"})
+            self.inside = tag
+
+    def handle_endtag(self, tag):
+        if tag == self.inside:
+            self.inside = None
+
+    def handle_data(self, data):
+        self.text.append(data)
+        if self.inside:
+            self.formulas[-1]["text"] += data
+
+
+@pytest.fixture(scope="module")
+def pages():
+    done = subprocess.run([ROOT / "scripts/docs.sh"], cwd=ROOT, capture_output=True, encoding="utf-8")
+    assert done.returncode == 0, done.stdout + done.stderr
+    files = [file for file in SITE.rglob("*.html") if "page" not in file.relative_to(SITE).parts]
+    return {file: Page(file) for file in files}
+
+
+def test_links_lead_somewhere(pages):
+    dead = []
+    for file, page in pages.items():
+        for target in page.links + page.loaded:
+            parts = urlsplit(target)
+            if parts.scheme:
+                continue
+            there = (file.parent / unquote(parts.path)).resolve() if parts.path else file
+            anchor = unquote(parts.fragment)
+            if not there.is_file() or anchor and there in pages and anchor not in pages[there].anchors:
+                dead.append((str(file.relative_to(SITE)), target))
+    assert not dead
+
+
+def test_nothing_is_loaded_from_another_host(pages):
+    loaded = {target for page in pages.values() for target in page.loaded}
+    assert loaded and not [target for target in loaded if re.match(r"(\w+:)?//", target)]
+    for style in SITE.rglob("*.css"):
+        assert not re.search(r"(@import|url\()\s*['\"]?(https?:)?//", style.read_text(encoding="utf-8")), style
+
+
+def test_formulas_can_be_set(pages):
+    node = shutil.which("node")
+    if node is None:
+        pytest.skip("not installed: node")
+    formulas = [formula for page in pages.values() for formula in page.formulas]
+    assert len(formulas) > 1000
+    program = """
+      const katex = require(process.argv[1]);
+      for (const {text, display} of JSON.parse(require('fs').readFileSync(0))) {
+        try { katex.renderToString(text, {displayMode: display, strict: 'error'}); }
+        catch (error) { console.log(error.message); }
+      }"""
+    command = [node, "-e", program, SITE / "_static/katex/katex.min.js"]
+    done = subprocess.run(command, input=json.dumps(formulas), capture_output=True, encoding="utf-8", check=True)
+    assert not done.stdout
+
+
+def test_no_formula_is_left_as_it_was_typed(pages):
+    typed = re.compile(r"\$[^$\n]*\\[a-z]+[^$\n]*\$|\\(?:frac|sqrt|omega|begin)\b")
+    for file, page in pages.items():
+        text = "".join(page.text)
+        for formula in page.formulas:
+            text = text.replace(formula["text"], "")
+        assert not typed.search(text), (file, typed.search(text))
+
+
+def test_reference_has_every_public_name(pages):
+    for file in ("restitution", "quasistatic", "plot"):
+        assert (SITE / f"reference/python/{file}.html").exists()
+    anchors = set().union(*(page.anchors for file, page in pages.items() if "python" in file.parts))
+    package = (ROOT / "python/stoss/__init__.py").read_text(encoding="utf-8")
+    names = re.findall(r'^    "(\w+)",$', package, re.MULTILINE)
+    without_entry = {"__version__", "plot", "quasistatic", "animate"}
+    assert len(names) > 50 and not [name for name in names if f"stoss.{name}" not in {*anchors, *(f"stoss.{n}" for n in without_entry)}]
+
+
+def test_reference_has_every_header(pages):
+    text = "".join("".join(page.text) for file, page in pages.items() if "cpp" in file.parts)
+    rooms = {folder.name for folder in (ROOT / "include/stoss").iterdir() if folder.is_dir()}
+    for header in (ROOT / "include").rglob("*.hpp"):
+        if header.parent.name != "stoss" or header.stem not in rooms:
+            assert str(header.relative_to(ROOT / "include")) in text
+
+
+def test_every_program_is_in_the_gallery(pages):
+    for program in (ROOT / "examples").glob("*.py"):
+        page = pages[SITE / f"examples/{program.stem}.html"]
+        assert any(source.endswith(".png") for source in page.loaded)
+        assert "What it prints" in "".join(page.text)
