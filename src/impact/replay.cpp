@@ -31,6 +31,13 @@ bool same_modes(const Contact& contact, const std::vector<ModeEnergy>& modes) {
   return true;
 }
 
+void require_body(const Contact& contact, int number) {
+  if (number != 0 && (number != 1 || contact.second == nullptr)) {
+    throw InvalidInput("body: got number " + std::to_string(number) + " of '" + name(contact) + "', allowed " +
+                       (contact.second == nullptr ? "0 (a wall has no inside)" : "0 or 1"));
+  }
+}
+
 }  // namespace
 
 Resolution repetition(const Contact& contact, const Impact& impact) {
@@ -42,12 +49,20 @@ Resolution repetition(const Contact& contact, const Impact& impact) {
   return resolution;
 }
 
+double center(const Contact& contact, const State& state, int number) {
+  const bool of_second = number == 1;
+  require_body(contact, number);
+  const Body& body = of_second ? *contact.second : *contact.first;
+  const Units units = of_second ? Units(*contact.second, *contact.first) : Units{};
+  const double overlap = state.center + contact.extent;
+  // The centre of mass of both rests, and the share of a body in their relative motion is that of the other's mass.
+  const double share = contact.mass / (whole_mass(body) * units.mass);
+  return (of_second ? 1.0 : -1.0) * (body.extent * units.length - share * overlap);
+}
+
 BodyFrame seen_by(const Contact& contact, const ContactGrid& grid, const Frame& frame, int number) {
   const bool of_second = number == 1;
-  if ((number != 0 && !of_second) || (of_second && contact.second == nullptr)) {
-    throw InvalidInput("body: got number " + std::to_string(number) + " of '" + name(contact) + "', allowed " +
-                       (contact.second == nullptr ? "0 (a wall has no inside)" : "0 or 1"));
-  }
+  require_body(contact, number);
   const std::size_t modes = mode_count(contact), of_first = mode_count(*contact.first);
   if (frame.state.coordinate.size() != modes) {
     throw InvalidInput("state: got " + std::to_string(frame.state.coordinate.size()) + " coordinates, allowed " +
@@ -64,11 +79,7 @@ BodyFrame seen_by(const Contact& contact, const ContactGrid& grid, const Frame& 
   const double force = units.mass * units.length / (units.time * units.time);
   const bool solid = seen.body->contour == Contour::ball;  // forces of a disk are per thickness
   seen.stress = force / (solid ? units.length * units.length : units.length);
-  const double overlap = frame.state.center + contact.extent;
-  // The centre of mass of both rests, and the share of a body in their relative motion is that of the other's mass.
-  const double share = contact.mass / (whole_mass(*seen.body) * units.mass);
-  const double inward = of_second ? 1.0 : -1.0;
-  seen.center = inward * (seen.body->extent * units.length - share * overlap);
+  seen.center = center(contact, frame.state, number);
   seen.points = {grid.points.radius / units.length, grid.points.spacing, grid.points.count};
   const auto begin = frame.state.coordinate.begin();
   const auto middle = begin + static_cast<std::ptrdiff_t>(of_first);

@@ -1,10 +1,7 @@
 #include "stoss/restitution/curve.hpp"
 
-#include <algorithm>
-#include <atomic>
 #include <mutex>
 #include <optional>
-#include <thread>
 #include <utility>
 
 #include "check.hpp"
@@ -14,8 +11,6 @@
 
 namespace stoss {
 namespace {
-
-struct Stopped {};
 
 /// The last attempt at each point, from the threads that make them to the one that waits.
 class Attempts {
@@ -49,8 +44,6 @@ void validate(const std::vector<double>& speeds, const CurveOptions& options) {
 void restitution_curve(const RefinableContact& contact, const std::vector<double>& speeds, const CurveOptions& options,
                        const CurveObserver& observer) {
   validate(speeds, options);
-  const auto available = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
-  const auto wanted = static_cast<std::size_t>(options.threads == 0 ? available : options.threads);
   Attempts attempts(speeds.size());
   std::size_t awaited = 0;
   const auto poll = [&] {
@@ -59,10 +52,7 @@ void restitution_curve(const RefinableContact& contact, const std::vector<double
     }
     if (options.poll) options.poll();
   };
-  const auto job = [&](std::size_t i, const std::atomic<bool>& stop) {
-    const auto heed = [&stop] {
-      if (stop) throw Stopped{};
-    };
+  const auto job = [&](std::size_t i, const Poll& heed) {
     const auto note = [&attempts, i](const Attempt& attempt) { attempts.put(i, attempt); };
     return best_restitution(contact, speeds[i],
                             {.tolerance = options.tolerance,
@@ -75,7 +65,7 @@ void restitution_curve(const RefinableContact& contact, const std::vector<double
     awaited = i + 1;
     observer(i, result);
   };
-  run_in_order<Restitution>(speeds.size(), static_cast<int>(std::min(wanted, speeds.size())), job, deliver, poll);
+  run_in_order<Restitution>(speeds.size(), options.threads, job, deliver, poll);
 }
 
 std::vector<Restitution> restitution_curve(const RefinableContact& contact, const std::vector<double>& speeds,

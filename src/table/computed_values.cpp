@@ -3,8 +3,6 @@
 #include "table/computed_values.hpp"
 
 #include <algorithm>
-#include <atomic>
-#include <thread>
 
 #include "restitution/best_restitution.hpp"
 #include "restitution/ordered_jobs.hpp"
@@ -12,8 +10,6 @@
 
 namespace stoss {
 namespace {
-
-struct Stopped {};
 
 Estimate computed(const Request& request, double error, const std::string& place, const Poll& poll) {
   constexpr double least = 1e-9, no_tolerance = 1e-15;
@@ -30,16 +26,10 @@ Estimate computed(const Request& request, double error, const std::string& place
 
 std::vector<Estimate> computed_values(const std::vector<Request>& requests, double error, int threads, const Poll& poll,
                                       const std::function<std::string(std::size_t)>& place) {
-  const auto available = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
-  const auto wanted = static_cast<std::size_t>(threads == 0 ? available : threads);
-  const auto job = [&](std::size_t i, const std::atomic<bool>& stop) {
-    return computed(requests[i], error, place(i), [&stop] {
-      if (stop) throw Stopped{};
-    });
-  };
+  const auto job = [&](std::size_t i, const Poll& heed) { return computed(requests[i], error, place(i), heed); };
   std::vector<Estimate> results;
   const auto deliver = [&results](std::size_t, Estimate&& result) { results.push_back(result); };
-  run_in_order<Estimate>(requests.size(), static_cast<int>(std::min(wanted, requests.size())), job, deliver, poll);
+  run_in_order<Estimate>(requests.size(), threads, job, deliver, poll);
   return results;
 }
 

@@ -1,10 +1,8 @@
 #include "stoss/vibration/distribution.hpp"
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
 #include <limits>
-#include <thread>
 #include <utility>
 
 #include "check.hpp"
@@ -14,8 +12,6 @@
 
 namespace stoss {
 namespace {
-
-struct Stopped {};
 
 /// The least relative tolerance there is: the error of 1 − ε², which may be 0, is asked for as such.
 constexpr double no_tolerance = 1e-15;
@@ -68,12 +64,7 @@ void restitution_distribution(const RefinableContact& contact, double speed, con
                               const DistributionOptions& options, const SampleObserver& observer) {
   validate(contact, speed, spectrum, options);
   const auto count = static_cast<std::size_t>(options.samples);
-  const auto available = static_cast<std::size_t>(std::max(1U, std::thread::hardware_concurrency()));
-  const auto wanted = options.threads == 0 ? available : static_cast<std::size_t>(options.threads);
-  const auto job = [&](std::size_t i, const std::atomic<bool>& stop) {
-    const auto heed = [&stop] {
-      if (stop) throw Stopped{};
-    };
+  const auto job = [&](std::size_t i, const Poll& heed) {
     const long number = options.first + static_cast<long>(i);
     const Vibration vibration = draw(spectrum, options.seed, static_cast<std::uint64_t>(number));
     const Restitution result = best_restitution(contact, speed,
@@ -85,7 +76,7 @@ void restitution_distribution(const RefinableContact& contact, double speed, con
     return sample_of(number, vibration, result);
   };
   const auto deliver = [&](std::size_t, Sample&& sample) { observer(sample); };
-  run_in_order<Sample>(count, static_cast<int>(std::min(wanted, count)), job, deliver, options.poll);
+  run_in_order<Sample>(count, options.threads, job, deliver, options.poll);
 }
 
 std::vector<Sample> restitution_distribution(const RefinableContact& contact, double speed, const Spectrum& spectrum,

@@ -1,1 +1,124 @@
-// The page.
+// The page: inputs on one side, what is computed from them on the other.
+import 'katex/dist/katex.min.css';
+import { createCurveChart } from './charts/curve_chart';
+import { createModeBars } from './charts/mode_bars';
+import { createTimeCharts } from './charts/time_charts';
+import { createCore } from './core/client';
+import { fromAddress } from './inputs/address';
+import { description } from './inputs/description';
+import type { Field } from './inputs/fields';
+import { type Inputs, equal } from './inputs/inputs';
+import { onAxisOf } from './inputs/speeds';
+import { createAddressBar } from './page/address_bar';
+import { createControls } from './page/controls';
+import { createCurves } from './page/curves';
+import { find } from './page/dom';
+import { createKeptView } from './page/kept_view';
+import { createResults } from './page/results';
+import { createSession, fine } from './page/session';
+import { createShare } from './page/share';
+import { createScene } from './scene/scene';
+
+const core = createCore();
+const start = fromAddress(location.search);
+let inputs = start.inputs;
+/** What is computed, or under way; undefined after a failure. */
+let computed: Inputs | undefined;
+
+const results = createResults();
+const scene = createScene(find('scene', HTMLElement), core);
+const timeCharts = createTimeCharts(find('time-charts', HTMLElement));
+const curveChart = createCurveChart(find('curve-chart', HTMLElement));
+const modeBars = createModeBars(find('mode-bars', HTMLElement), core);
+
+const pictures = { curve: curveChart, time: timeCharts, modes: modeBars, collision: scene };
+const curves = createCurves(core, showCurves, (line) => results.say(line));
+const share = createShare(core, curves.of, pictures, inputs);
+const showKept = createKeptView((kept) => take({ ...inputs, kept }, true));
+const address = createAddressBar((next, problem) => {
+  controls.show(next);
+  results.say(problem);
+  compute(next);
+});
+const controls = createControls(inputs, {
+  changed: (next, settled) => take({ ...next, kept: inputs.kept }, settled),
+  wrong: () => results.stale('wrong'),
+});
+
+const run = createSession(core, {
+  began: () => results.stale('computing'),
+  first(encounter, result) {
+    results.show(encounter, result, 'first');
+    showPoint(result);
+  },
+  final(encounter, result) {
+    results.show(encounter, result, 'final');
+    showPoint(result);
+    curves.want([encounter, ...inputs.kept]);
+  },
+  collision(encounter, speed, collision) {
+    scene.show(encounter, speed, fine, collision);
+    timeCharts.show(collision);
+    modeBars.show(encounter, collision);
+  },
+  failed(line, refused) {
+    results.say(line);
+    if (refused) results.stale('wrong');
+    computed = undefined;
+    const field = line.split(':')[0];
+    if (refused && field === 'speed') controls.refuse(field as Field, line);
+  },
+});
+
+/** New inputs from the form, the curve or the list of kept curves. */
+function take(next: Inputs, settled: boolean): void {
+  address.write(next, settled);
+  results.say('');
+  compute(next);
+}
+
+/** Compute what inputs ask for, unless it is there. */
+function compute(next: Inputs): void {
+  const before = computed;
+  inputs = next;
+  computed = next;
+  share.show(inputs);
+  showKept(inputs);
+  if (before !== undefined && before.speed === next.speed && equal(before.encounter, next.encounter)) {
+    results.stale('');
+    if (before.kept !== next.kept) curves.want([next.encounter, ...next.kept]);
+    return;
+  }
+  if (before === undefined || !equal(before.encounter, next.encounter)) showCurves();
+  run(next.encounter, next.speed);
+}
+
+function showPoint(result: { quantities: Record<string, { value: number; error?: number }>; speed: number }): void {
+  const epsilon = result.quantities.restitution;
+  if (epsilon !== undefined) curveChart.setCurrent(result.speed, epsilon.value, epsilon.error ?? 0);
+}
+
+function showCurves(): void {
+  const all = [inputs.encounter, ...inputs.kept.filter((other) => !equal(other, inputs.encounter))];
+  curveChart.setCurves(all.map((encounter) => {
+    const { points, planned } = curves.of(encounter);
+    const place = (speed: number): number => onAxisOf(inputs.encounter, encounter, speed);
+    return {
+      label: description(encounter),
+      encounter,
+      points: points.map((point) => ({ ...point, speed: place(point.speed) })),
+      planned: planned.map(place),
+    };
+  }));
+}
+
+curveChart.onPick((speed) => {
+  const next = { ...inputs, speed: Number(speed.toPrecision(4)) };
+  controls.show(next);
+  take(next, true);
+});
+scene.onCursor((time) => timeCharts.setCursor(time));
+timeCharts.onCursor((time) => scene.seek(time));
+
+results.say(start.problem);
+compute(inputs);

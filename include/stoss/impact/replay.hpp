@@ -33,6 +33,13 @@ struct BodyFrame {
   std::vector<double> node_force;  ///< share of each contact node in F, towards the inside of the body
 };
 
+/// Place of the centre of one of the bodies, R of the first: the bodies at rest would first touch at x = 0, and the
+/// first is at x < 0. Places are those of an observer who moves with the centre of mass of both; at a wall, with the
+/// wall.
+/// @param number 0: of the first, 1: of the second body
+/// @throws InvalidInput for a body that is not there
+[[nodiscard]] double center(const Contact& contact, const State& state, int number);
+
 /// What meets, seen by one of the bodies. Places are those of an observer who moves with the centre of mass of both; at
 /// a wall, with the wall.
 /// @param grid   the contact points of the impact

@@ -47,18 +47,20 @@ export interface Quantity {
 /** ε of one speed: what `stoss restitution --format json` prints, by the same names. */
 export interface Restitution {
   speed: number;
-  /** restitution, lost_fraction, contact_time, max_force, max_compression, … */
+  /** restitution, lost_fraction, contact_time, max_force, max_compression, … in units of the first body; with `si`
+   *  besides contact_time_si, … */
   quantities: Record<string, Quantity>;
   converged: boolean;
   /** why not converged; '' */
   reason: string;
   /** of the finest impact, c/R: `stoss impact --cutoff` repeats it */
   cutoff: number;
-  /** Speed at which the bodies begin to yield (SI, known strength); not used yet by the page without it. */
+  /** Whether linear elasticity has lost its meaning. */
   beyondSmallStrain: boolean;
 }
 
-/** One impact in time, at the resolution of a converged ε. Times are in `units.time`, from first contact. */
+/** One impact in time, at Restitution.cutoff: `stoss impact --cutoff` computes the same. Times are in
+ *  `units.time`, from the start of the impact, just out of contact. */
 export interface Collision {
   units: { time: string; length: string; speed: string; force: string };
   time: Float64Array;
@@ -72,7 +74,7 @@ export interface Collision {
   dissipated: Float64Array;
   unresolved: Float64Array;
   modes: ModeEnergy[];
-  /** first and last contact, in units.time */
+  /** first and last instant in contact, in units.time */
   begin: number;
   end: number;
   /** bodies that frames show: 1 at a wall, 2 for a pair; a half-space is a body without a grid */
@@ -100,7 +102,7 @@ export interface Grid {
 
 /** One body at one instant, at the points of a grid: radii × angles, row-major. */
 export interface BodyFrame {
-  /** place of its centre; at rest, bodies would first touch at 0, and the first comes from x > 0 … (see Frame) */
+  /** place of its centre, in radii of the first; at rest, bodies would first touch at 0 */
   center: number;
   /** displacement in units of its own radius: along the radius, and along the angle; of a rod towards what it meets */
   radial: Float32Array;
@@ -112,8 +114,9 @@ export interface BodyFrame {
 
 /** What meets at one instant. x points from the first body to what it meets; the first body's centre is at x < 0. */
 export interface Frame {
-  /** in units.time of the collision, from first contact */
+  /** in units.time of the collision, from its start: that of the step nearest to what was asked for */
   time: number;
+  /** of the bodies that have a grid. Of one so large that only its near side is computed, as it is at rest */
   bodies: BodyFrame[];
   /** displaced surface of a half-space: lateral distance y and displacement into it, in radii of the first */
   surface?: { y: Float32Array; depth: Float32Array };
@@ -135,14 +138,15 @@ export interface CurvePoint {
 /** What the core cannot do: one line for the user, with the name of the argument first where there is one. */
 export class CoreError extends Error {}
 
-/** The core, seen from the page. Each call answers from a worker. A call whose signal is aborted rejects with the
+/** The core, seen from the page. Each call answers from a worker; it rejects with CoreError for what the core cannot
+ *  do, with another Error if its worker died twice. A call whose signal is aborted rejects with the
  *  signal's reason, and its work ends soon. */
 export interface Core {
   /** ε at one speed (c, or m/s with si), relative to 1 − ε² to `tolerance` where that can be reached. */
   restitution(encounter: Encounter, speed: number, tolerance: number, signal?: AbortSignal): Promise<Restitution>;
   /** One impact in time. */
   collision(encounter: Encounter, speed: number, tolerance: number, signal?: AbortSignal): Promise<Collision>;
-  /** Frames of that collision at given times, each delivered when it is there. */
+  /** Frames of that collision at given times, which ascend, each delivered when it is there. */
   frames(
     encounter: Encounter, speed: number, tolerance: number, times: number[], grid: Grid,
     deliver: (frame: Frame, index: number) => void, signal?: AbortSignal,

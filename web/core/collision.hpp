@@ -1,0 +1,41 @@
+#pragma once
+
+#include <emscripten/val.h>
+
+#include <map>
+#include <memory>
+#include <vector>
+
+#include "encounter.hpp"
+#include "inside.hpp"
+#include "stoss/impact/replay.hpp"
+
+namespace stoss::web {
+
+/// One impact in time, at the cutoff of a converged ε, as `stoss impact --cutoff` computes it.
+class Collision {
+ public:
+  /// @throws InvalidInput as restitution; NotConverged where no impact ends
+  Collision(const Encounter& encounter, double speed, double tolerance);
+
+  /// Collision of the protocol.
+  [[nodiscard]] emscripten::val series() const;
+
+  /// Calls deliver(Frame, index) for each of the times, which ascend.
+  void frames(const std::vector<double>& times, const Points& points, const emscripten::val& deliver);
+
+ private:
+  [[nodiscard]] emscripten::val body_frame(const Frame& frame, int number);
+  [[nodiscard]] emscripten::val surface(const Frame& frame) const;
+  [[nodiscard]] emscripten::val bodies() const;
+
+  Encounter encounter_;
+  Contact contact_;
+  Impact impact_;
+  std::vector<Snapshot> snapshots_;
+  ContactGrid grid_;
+  Points points_;                  ///< of the last frames
+  std::map<int, Inside> insides_;  ///< of the bodies, at these points
+};
+
+}  // namespace stoss::web

@@ -1,0 +1,46 @@
+// Parts of the page that are made when it is built: included text, equations in KaTeX's HTML, and KaTeX's fonts in use.
+import { readFileSync } from 'node:fs';
+import { resolve } from 'node:path';
+import katex from 'katex';
+import type { Plugin } from 'vite';
+
+/** Fonts of the glyphs in our equations; the page asks for no others. */
+const fonts = ['KaTeX_Main-Regular', 'KaTeX_Math-Italic', 'KaTeX_Size1-Regular', 'KaTeX_Size2-Regular'];
+
+/** Replace <tex>…</tex>, and <tex display>…</tex>, by HTML for the eye and MathML for screen readers. */
+export function renderEquations(html: string): string {
+  return html.replace(/<tex( display)?>([\s\S]*?)<\/tex>/g, (_, display: string | undefined, source: string) =>
+    katex.renderToString(source.trim().replaceAll('&amp;', '&').replaceAll('&lt;', '<'), {
+      displayMode: display !== undefined, throwOnError: true, strict: true, output: 'htmlAndMathml',
+    }),
+  );
+}
+
+/** KaTeX's style sheet with the woff2 files of the fonts in use, and without all others. */
+export function withoutUnusedFonts(css: string): string {
+  return css
+    .replace(/@font-face\{[^}]*\}/g, (face) => (fonts.some((font) => face.includes(`/${font}.woff2`)) ? face : ''))
+    .replace(/,url\([^)]*\.(woff|ttf)\) format\("[a-z]*"\)/g, '');
+}
+
+/** The plugin: `<!-- include FILE -->` and `%DOCUMENTATION%` in index.html, equations, fonts. `documentation` is the
+ *  address of the manual, '' for none: then what stands between <!-- documentation --> and its end is left out. */
+export function equations(documentation: string): Plugin {
+  return {
+    name: 'stoss-equations',
+    enforce: 'pre',
+    transformIndexHtml: {
+      order: 'pre',
+      handler(html, { filename }) {
+        const folder = resolve(filename, '..');
+        const whole = html.replace(/<!-- include (\S+) -->/g, (_, file: string) => readFileSync(resolve(folder, file), 'utf8'));
+        const linked = whole.replace(/<!-- documentation -->([\s\S]*?)<!-- end -->/g, (_, text: string) =>
+          documentation === '' ? '' : text.replaceAll('%DOCUMENTATION%', documentation));
+        return renderEquations(linked);
+      },
+    },
+    transform(code, id) {
+      return id.includes('katex.min.css') ? { code: withoutUnusedFonts(code), map: null } : null;
+    },
+  };
+}

@@ -1,0 +1,46 @@
+// The core in workers: what is asked often does not wait for what takes long.
+import address from '@wasm/stoss.wasm?url';
+import { createLane, type Deliver, type Fellow, type Lane } from './lane';
+import type { Collision, Core, Restitution, Shape } from './protocol';
+import CoreWorker from './worker?worker&inline';
+
+/** The core of this page. Its workers need no network once this module and the core are loaded. */
+export function createCore(): Core {
+  const module = compile(address);
+  const spawn = (): Fellow => new CoreWorker();
+  // A value must be there at once, while films, curves and tables take their time.
+  return coreOf(() => createLane(spawn, module));
+}
+
+/** A core whose calls go along lanes of their own. */
+export function coreOf(lane: () => Lane): Core {
+  const value = lane();
+  const film = lane();
+  const curve = lane();
+  const table = lane();
+  return {
+    restitution: (encounter, speed, tolerance, signal) =>
+      value({ name: 'restitution', arguments: [encounter, speed, tolerance] }, undefined, signal) as
+        Promise<Restitution>,
+    collision: (encounter, speed, tolerance, signal) =>
+      film({ name: 'collision', arguments: [encounter, speed, tolerance] }, undefined, signal) as Promise<Collision>,
+    frames: (encounter, speed, tolerance, times, grid, deliver, signal) =>
+      film({ name: 'frames', arguments: [encounter, speed, tolerance, times, grid] }, deliver as Deliver, signal) as
+        Promise<void>,
+    shape: (encounter, body, order, index, grid) =>
+      film({ name: 'shape', arguments: [encounter, body, order, index, grid] }) as Promise<Shape>,
+    curve: (encounter, speeds, tolerance, deliver, signal) =>
+      curve({ name: 'curve', arguments: [encounter, speeds, tolerance] }, deliver as Deliver, signal) as Promise<void>,
+    header: (encounter, slowest, fastest, error, signal) =>
+      table({ name: 'header', arguments: [encounter, slowest, fastest, error] }, undefined, signal) as Promise<string>,
+  };
+}
+
+async function compile(from: string): Promise<WebAssembly.Module> {
+  const answer = await fetch(from);
+  if (!answer.ok) throw new Error(`${from}: ${answer.status}`);
+  // Not every static server knows the type that streaming asks for.
+  return answer.headers.get('Content-Type') === 'application/wasm'
+    ? WebAssembly.compileStreaming(answer)
+    : WebAssembly.compile(await answer.arrayBuffer());
+}

@@ -1,0 +1,40 @@
+// The core as Emscripten makes it (web/core/module.cpp).
+import create from '@wasm/stoss.mjs';
+import type { Collision, CurvePoint, Encounter, Frame, Grid, Restitution, Shape } from './protocol';
+
+/** An answer, or one line that says why there is none. */
+export type Answered<T> = (T & { error?: undefined }) | { error: string };
+
+interface Deletable {
+  delete(): void;
+}
+
+export interface WasmCollision extends Deletable {
+  frames(times: number[], grid: Grid, deliver: (frame: Frame, index: number) => void): Answered<object>;
+}
+
+export interface WasmEncounter extends Deletable {
+  restitution(speed: number, tolerance: number): Answered<Restitution>;
+  collision(speed: number, tolerance: number): Answered<{ collision: WasmCollision; series: Collision }>;
+  shape(body: number, order: number, index: number, grid: Grid): Answered<Shape>;
+  curve(
+    speeds: number[], tolerance: number, deliver: (point: CurvePoint, index: number) => void,
+  ): Answered<object>;
+  header(slowest: number, fastest: number, error: number): Answered<{ text: string }>;
+}
+
+export interface WasmCore {
+  makeEncounter(encounter: Encounter): Answered<{ encounter: WasmEncounter }>;
+}
+
+/** Make the core from its compiled module. @param alive is called during long computations */
+export function instantiate(module: WebAssembly.Module, alive: () => void): Promise<WasmCore> {
+  return create({
+    alive,
+    locateFile: (name: string) => name,
+    instantiateWasm(imports: WebAssembly.Imports, receive: (instance: WebAssembly.Instance) => void) {
+      void WebAssembly.instantiate(module, imports).then(receive);
+      return {};
+    },
+  });
+}

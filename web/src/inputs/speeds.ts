@@ -1,0 +1,41 @@
+// The speeds of the slider and of the curve: logarithmic, up to where linear elasticity loses its meaning.
+import type { Encounter } from '../core/protocol';
+import { barSpeed } from './scales';
+
+/** In c of the first body. */
+export const slowest = 1e-6;
+export const fastest = 0.5;
+
+/** Steps of the slider. */
+export const steps = 1000;
+
+/** The speed at a place 0 … steps of the slider, to three digits. */
+export function speedAt(encounter: Encounter, place: number): number {
+  const speed = barSpeed(encounter) * slowest * (fastest / slowest) ** (place / steps);
+  return Number(speed.toPrecision(3));
+}
+
+/** The nearest place of the slider to a speed; its end for one beyond. */
+export function placeOf(encounter: Encounter, speed: number): number {
+  const share = Math.log(speed / barSpeed(encounter) / slowest) / Math.log(fastest / slowest);
+  return Math.round(Math.min(Math.max(share, 0), 1) * steps);
+}
+
+/** Speeds of the curve, in an order that fills the range ever more densely. */
+export function curveSpeeds(encounter: Encounter, count = 49): number[] {
+  const speeds = Array.from({ length: count }, (_, index) => {
+    const speed = barSpeed(encounter) * slowest * (fastest / slowest) ** (index / (count - 1));
+    return Number(speed.toPrecision(4));
+  });
+  const order: number[] = [];
+  for (let stride = 2 ** Math.ceil(Math.log2(count)); stride >= 1; stride /= 2) {
+    for (let index = 0; index < count; index += stride) if (!order.includes(index)) order.push(index);
+  }
+  return order.map((index) => speeds[index] ?? 0);
+}
+
+/** A speed of one encounter on the axis of another: as it is if both are in SI or neither; else of the same share of the
+ *  bar speed. */
+export function onAxisOf(axis: Encounter, encounter: Encounter, speed: number): number {
+  return axis.si === encounter.si ? speed : (speed / barSpeed(encounter)) * barSpeed(axis);
+}

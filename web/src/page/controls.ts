@@ -1,0 +1,166 @@
+// The form: it shows the inputs, and tells what the user makes of them.
+import type { Against, Body, BodyKind } from '../core/protocol';
+import { check } from '../inputs/check';
+import { type Field, fieldsOf, owner } from '../inputs/fields';
+import { type Inputs, secondBody, withAgainst, withKind, withSecond } from '../inputs/inputs';
+import { madeOf, materialOf, materials } from '../inputs/materials';
+import { barSpeed, withSi, withoutSi } from '../inputs/scales';
+import { significant } from '../inputs/digits';
+import { placeOf, speedAt, steps } from '../inputs/speeds';
+import { find, make } from './dom';
+import { type FieldView, makeField, showField, showProblem } from './fields_view';
+
+export interface Controls {
+  /** Show inputs that come from elsewhere: the address, the curve. */
+  show(inputs: Inputs): void;
+  /** What the core says is wrong with a field. */
+  refuse(field: Field, problem: string): void;
+}
+
+/** What the form reports: inputs that hold, while a drag or typing goes on or at its end; or that some are wrong. */
+export interface Listener {
+  changed(inputs: Inputs, settled: boolean): void;
+  wrong(): void;
+}
+
+const own = 'own numbers';
+
+/** Wire the form of index.html. */
+export function createControls(initial: Inputs, listener: Listener): Controls {
+  let inputs = initial;
+  const form = find('inputs', HTMLFormElement);
+  const slider = find('speed-slider', HTMLInputElement);
+  const partner = find('against', HTMLSelectElement);
+  const selects = { first: find('material', HTMLSelectElement), second: find('material2', HTMLSelectElement) };
+  const views = new Map<Field, FieldView>();
+  slider.max = String(steps);
+  for (const select of [selects.first, selects.second]) {
+    select.append(...[own, ...materials.map(({ name }) => name)].map((name) => make('option', { value: name }, name)));
+  }
+
+  function show(next: Inputs): void {
+    inputs = next;
+    const { encounter } = inputs;
+    const { kind, si, against } = encounter;
+    choose('body', kind);
+    choose('units', si ? 'SI' : 'c');
+    choose('plane', encounter.plane);
+    find('plane-row', HTMLElement).hidden = !(si && kind === 'disk');
+    find('material-row', HTMLElement).hidden = !si;
+    const second = secondBody(against);
+    find('material2-row', HTMLElement).hidden = !si || second === undefined;
+    showPartners(kind, against.kind);
+    selects.first.value = materialOf(encounter.first, kind)?.name ?? own;
+    selects.second.value = (second && materialOf(second, kind)?.name) ?? own;
+    find('units-note', HTMLElement).textContent = note();
+    const fields = fieldsOf(encounter);
+    for (const field of fields) showField(viewOf(field), field, inputs);
+    for (const [field, view] of views) {
+      view.row.hidden = !fields.includes(field);
+      showProblem(view, '');
+    }
+    slider.value = String(placeOf(encounter, inputs.speed));
+    const unit = si ? 'm/s' : 'c';
+    slider.setAttribute('aria-valuetext', `${significant(inputs.speed, 3)} ${unit}`);
+  }
+
+  function note(): string {
+    const { si, kind } = inputs.encounter;
+    const size = kind === 'rod' ? 'length' : 'radius';
+    return si
+      ? `c = √(E/ρ) = ${significant(barSpeed(inputs.encounter), 4)} m/s`
+      : `Units: ${size}, bar speed c = √(E/ρ) and mass of the first body`;
+  }
+
+  function viewOf(field: Field): FieldView {
+    const known = views.get(field);
+    if (known !== undefined) return known;
+    const view = makeField(field);
+    const place = owner(field);
+    const home = place === undefined ? 'speed-field' : place.second ? 'second-fields' : 'first-fields';
+    const home_ = find(home, HTMLElement);
+    const order = ['poisson', 'young', 'density', 'radius', 'area', 'lossTime'];
+    view.row.style.order = place === undefined ? '0' : String(order.indexOf(place.name));
+    home_.append(view.row);
+    views.set(field, view);
+    return view;
+  }
+
+  /** Take over inputs that a choice or a slider made; they are in range unless a field already was not. */
+  function take(next: Inputs, settled: boolean): void {
+    show(next);
+    read(settled);
+  }
+
+  /** Check all fields, and report. */
+  function read(settled: boolean): void {
+    const texts = new Map(fieldsOf(inputs.encounter).map((field) => [field, viewOf(field).input.value]));
+    const result = check(inputs, texts);
+    const problems = 'problems' in result ? result.problems : new Map<Field, string>();
+    for (const [field, view] of views) showProblem(view, problems.get(field) ?? '');
+    if ('problems' in result) {
+      listener.wrong();
+      return;
+    }
+    inputs = result.inputs;
+    find('units-note', HTMLElement).textContent = note();
+    slider.value = String(placeOf(inputs.encounter, inputs.speed));
+    const { first, kind, against } = inputs.encounter;
+    selects.first.value = materialOf(first, kind)?.name ?? own;
+    const second = secondBody(against);
+    selects.second.value = (second && materialOf(second, kind)?.name) ?? own;
+    listener.changed(inputs, settled);
+  }
+
+  form.addEventListener('submit', (event) => event.preventDefault());
+  form.addEventListener('input', (event) => {
+    const target = event.target;
+    if (target === slider) {
+      const speed = speedAt(inputs.encounter, Number(slider.value));
+      take({ ...inputs, speed }, false);
+    } else if (target instanceof HTMLInputElement && target.dataset.field !== undefined) {
+      read(false);
+    }
+  });
+  form.addEventListener('change', (event) => {
+    const target = event.target;
+    const { encounter } = inputs;
+    if (target === slider || (target instanceof HTMLInputElement && target.dataset.field !== undefined)) {
+      read(true);
+    } else if (target === partner) {
+      take({ ...inputs, encounter: withAgainst(encounter, partner.value as Against['kind']) }, true);
+    } else if (target === selects.first || target === selects.second) {
+      const material = materials.find(({ name }) => name === (target as HTMLSelectElement).value);
+      const made = (body: Body): Body => (material === undefined ? body : madeOf(material, body));
+      const next = target === selects.first ? { ...encounter, first: made(encounter.first) } : withSecond(encounter, made);
+      take({ ...inputs, encounter: next }, true);
+    } else if (target instanceof HTMLInputElement && target.name === 'body') {
+      take({ ...inputs, encounter: withKind(encounter, target.value as BodyKind) }, true);
+    } else if (target instanceof HTMLInputElement && target.name === 'units') {
+      take(target.value === 'SI' ? withSi(inputs) : withoutSi(inputs), true);
+    } else if (target instanceof HTMLInputElement && target.name === 'plane') {
+      take({ ...inputs, encounter: { ...encounter, plane: target.value as 'stress' | 'strain' } }, true);
+    }
+  });
+
+  function choose(name: string, value: string): void {
+    for (const radio of form.querySelectorAll<HTMLInputElement>(`input[name="${name}"]`)) {
+      radio.checked = radio.value === value;
+    }
+  }
+
+  function showPartners(kind: BodyKind, chosen: Against['kind']): void {
+    const names: [Against['kind'], string][] = [
+      ['wall', 'a rigid wall'], ['same', 'its like'], ['body', `another ${kind}`],
+    ];
+    if (kind !== 'rod') names.push(['half-space', kind === 'disk' ? 'an elastic half-plane' : 'an elastic half-space']);
+    partner.replaceChildren(...names.map(([value, text]) => make('option', { value }, text)));
+    partner.value = chosen;
+  }
+
+  show(inputs);
+  return {
+    show,
+    refuse: (field, problem) => showProblem(viewOf(field), problem),
+  };
+}

@@ -1,0 +1,77 @@
+// ε(v) of the current encounter and of those kept for comparison: computed one after the other, and remembered.
+import type { Core, CurvePoint, Encounter } from '../core/protocol';
+import { description } from '../inputs/description';
+import { used } from '../inputs/inputs';
+import { curveSpeeds } from '../inputs/speeds';
+import { fine } from './session';
+
+export interface Curve {
+  readonly encounter: Encounter;
+  /** in the order in which they are computed */
+  readonly points: readonly CurvePoint[];
+  readonly planned: readonly number[];
+}
+
+export interface Curves {
+  /** Compute these curves, the first of which is the current one; what is not among them is no longer computed. */
+  want(encounters: readonly Encounter[]): void;
+  /** The curve of an encounter as far as it is known. */
+  of(encounter: Encounter): Curve;
+}
+
+/** Remembered curves beyond this number are forgotten, oldest first. */
+const most = 40;
+
+/** Compute curves in the background; `changed` is called when there is a new point, `failed` with one line. */
+export function createCurves(core: Core, changed: () => void, failed: (line: string) => void): Curves {
+  const known = new Map<string, Curve>();
+  let current = new AbortController();
+  let wanted: readonly Encounter[] = [];
+
+  const keyOf = (encounter: Encounter): string => JSON.stringify(used(encounter));
+
+  function of(encounter: Encounter): Curve {
+    const key = keyOf(encounter);
+    const found = known.get(key);
+    if (found !== undefined) return { ...found, encounter };
+    return { encounter, points: [], planned: curveSpeeds(encounter) };
+  }
+
+  async function compute(encounter: Encounter, signal: AbortSignal): Promise<void> {
+    const begun = of(encounter);
+    const missing = begun.planned.filter((speed) => !begun.points.some((point) => point.speed === speed));
+    if (missing.length === 0) return;
+    await core.curve(encounter, missing, fine, (point) => {
+      if (signal.aborted) return;
+      const before = of(encounter);
+      const key = keyOf(encounter);
+      known.delete(key);
+      known.set(key, { ...before, points: [...before.points, point] });
+      for (const oldest of known.keys()) if (known.size > most) known.delete(oldest);
+      changed();
+    }, signal);
+  }
+
+  async function computeAll(signal: AbortSignal): Promise<void> {
+    for (const encounter of wanted) {
+      try {
+        await compute(encounter, signal);
+      } catch (error) {
+        if (signal.aborted) return;
+        failed(`Curve of ${description(encounter)}: ${error instanceof Error ? error.message : String(error)}`);
+      }
+    }
+  }
+
+  return {
+    of,
+    want(encounters) {
+      if (JSON.stringify(encounters.map(used)) === JSON.stringify(wanted.map(used))) return;
+      wanted = encounters;
+      current.abort();
+      current = new AbortController();
+      changed();
+      void computeAll(current.signal);
+    },
+  };
+}

@@ -1,0 +1,94 @@
+// What is computed when the inputs change: a first value at once, then the accurate one, then the impact in time.
+import { type Collision, type Core, CoreError, type Encounter, type Restitution } from '../core/protocol';
+
+export const coarse = 1e-2;
+export const fine = 1e-3;
+
+/** Who gets to see what comes. */
+export interface Audience {
+  began(): void;
+  first(encounter: Encounter, result: Restitution): void;
+  final(encounter: Encounter, result: Restitution): void;
+  collision(encounter: Encounter, speed: number, collision: Collision): void;
+  /** One line: what the core refuses, or that the computation broke down. */
+  failed(line: string, refused: boolean): void;
+}
+
+/** While inputs change faster than this, in ms, only the first value is computed. */
+const settle = 150;
+
+/** A first value that takes longer than this, in ms, gives way to newer inputs; a faster one is worth waiting for. */
+const patience = 250;
+
+interface Job {
+  readonly encounter: Encounter;
+  readonly speed: number;
+}
+
+/** Compute for the newest inputs only. The result takes new inputs, and drops what is under way for older ones. */
+export function createSession(core: Core, audience: Audience): (encounter: Encounter, speed: number) => void {
+  let waiting: Job | undefined;
+  let running = false;
+  let control = new AbortController();
+  let refining = false;
+
+  async function compute(job: Job, signal: AbortSignal): Promise<void> {
+    const { encounter, speed } = job;
+    const first = await core.restitution(encounter, speed, coarse, signal);
+    audience.first(encounter, first);
+    if (waiting !== undefined) return;
+    refining = true;
+    await pause(settle, signal);
+    const final = await core.restitution(encounter, speed, fine, signal);
+    signal.throwIfAborted();
+    audience.final(encounter, final);
+    const collision = await core.collision(encounter, speed, fine, signal);
+    signal.throwIfAborted();
+    audience.collision(encounter, speed, collision);
+  }
+
+  async function attempt(job: Job): Promise<void> {
+    control = new AbortController();
+    refining = false;
+    const { signal } = control;
+    try {
+      await compute(job, signal);
+    } catch (error) {
+      if (signal.aborted) return;
+      audience.failed(error instanceof Error ? error.message : String(error), error instanceof CoreError);
+    }
+  }
+
+  async function work(): Promise<void> {
+    running = true;
+    for (let job = waiting; job !== undefined; job = waiting) {
+      waiting = undefined;
+      await attempt(job);
+    }
+    running = false;
+  }
+
+  return (encounter, speed) => {
+    waiting = { encounter, speed };
+    audience.began();
+    if (!running) void work();
+    else if (refining) control.abort();
+    else {
+      const under = control;
+      setTimeout(() => {
+        if (control === under && waiting !== undefined) under.abort();
+      }, patience);
+    }
+  };
+}
+
+/** Wait, unless the signal is aborted. */
+function pause(time: number, signal: AbortSignal): Promise<void> {
+  return new Promise((resolve, reject) => {
+    const timer = setTimeout(resolve, time);
+    signal.addEventListener('abort', () => {
+      clearTimeout(timer);
+      reject(signal.reason as Error);
+    }, { once: true });
+  });
+}

@@ -1,0 +1,115 @@
+// Lines to copy and files to download.
+import type { Core, Encounter } from '../core/protocol';
+import { commandLine } from '../inputs/command_line';
+import { curveCsv } from '../inputs/csv';
+import type { Inputs } from '../inputs/inputs';
+import { pythonLines } from '../inputs/python_lines';
+import { barSpeed } from '../inputs/scales';
+import { fastest, slowest } from '../inputs/speeds';
+import type { Curve } from './curves';
+import { download, find } from './dom';
+
+/** A chart that can leave the page. */
+export interface Picture {
+  toPng(): Promise<Blob>;
+  toSvg?(): string;
+}
+
+export interface Share {
+  /** Show the lines for new inputs. */
+  show(inputs: Inputs): void;
+}
+
+/** Greatest error of ε that the C header may have. */
+const headerError = 1e-3;
+
+/** Wire the buttons of index.html; `pictures` by the values of the select. */
+export function createShare(
+  core: Core, curveOf: (encounter: Encounter) => Curve, pictures: Readonly<Record<string, Picture>>, initial: Inputs,
+): Share {
+  let inputs = initial;
+  const line = find('command-line', HTMLElement);
+  const python = find('python-lines', HTMLElement);
+  const done = find('done', HTMLElement);
+  const say = (text: string): void => void (done.textContent = text);
+
+  const on = (id: string, act: () => Promise<string> | string): void => {
+    const button = find(id, HTMLButtonElement);
+    button.addEventListener('click', () => {
+      void (async () => {
+        try {
+          say(await act());
+        } catch (error) {
+          say(error instanceof Error ? error.message : String(error));
+        }
+      })();
+    });
+  };
+
+  on('copy-command', () => copy(line, 'Command line copied.'));
+  on('copy-python', () => copy(python, 'Python lines copied.'));
+  on('copy-link', async () => {
+    await navigator.clipboard.writeText(location.href);
+    return 'Link copied.';
+  });
+  on('download-csv', () => {
+    const { encounter, points, planned } = curveOf(inputs.encounter);
+    if (points.length === 0) return 'The curve has no point yet.';
+    download('stoss-restitution.csv', curveCsv(encounter, points), 'text/csv');
+    return points.length < planned.length ? `CSV with the ${points.length} points computed so far.` : 'CSV downloaded.';
+  });
+  on('download-header', async () => {
+    const button = find('download-header', HTMLButtonElement);
+    const { encounter } = inputs;
+    const c = barSpeed(encounter);
+    button.disabled = true;
+    say('Computing the table of the C header.');
+    try {
+      const [low, high] = [slowest, fastest].map((speed) => Number((speed * c).toPrecision(4)));
+      const text = await core.header(encounter, low ?? 0, high ?? 0, headerError);
+      download('restitution.h', text, 'text/x-c');
+      return `C header downloaded: ε(v) to an error of ${headerError}.`;
+    } finally {
+      button.disabled = false;
+    }
+  });
+  const chosen = (): [string, Picture] => {
+    const name = find('picture', HTMLSelectElement).value;
+    const picture = pictures[name];
+    if (picture === undefined) throw new Error(`There is no picture “${name}”.`);
+    return [name, picture];
+  };
+  on('download-png', async () => {
+    const [name, picture] = chosen();
+    download(`stoss-${name}.png`, await picture.toPng());
+    return 'PNG downloaded.';
+  });
+  on('download-svg', () => {
+    const [name, picture] = chosen();
+    if (picture.toSvg === undefined) throw new Error('This picture is there as PNG only.');
+    download(`stoss-${name}.svg`, picture.toSvg(), 'image/svg+xml');
+    return 'SVG downloaded.';
+  });
+  find('picture', HTMLSelectElement).addEventListener('change', () => {
+    find('download-svg', HTMLButtonElement).disabled = chosen()[1].toSvg === undefined;
+  });
+
+  const show = (next: Inputs): void => {
+    inputs = next;
+    line.textContent = commandLine(inputs.encounter, inputs.speed);
+    python.textContent = pythonLines(inputs.encounter, inputs.speed).trimEnd();
+  };
+  show(inputs);
+  return { show };
+}
+
+/** Copy the text of an element; where the page may not, select it, so that the user can. */
+async function copy(element: HTMLElement, success: string): Promise<string> {
+  try {
+    await navigator.clipboard.writeText(element.textContent ?? '');
+    return success;
+  } catch {
+    getSelection()?.selectAllChildren(element);
+    return 'The browser does not let pages copy here: the text is selected, copy it with Ctrl+C.';
+  }
+}

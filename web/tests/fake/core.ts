@@ -1,0 +1,124 @@
+// A core that invents numbers at once: to develop the page without WebAssembly. It is never shipped.
+import type { BodyFrame, Collision, Core, CurvePoint, Encounter, Frame, Restitution } from '../../src/core/protocol';
+import { CoreError } from '../../src/core/protocol';
+import { barSpeed } from '../../src/inputs/scales';
+
+const wait = (time: number, signal?: AbortSignal): Promise<void> =>
+  new Promise((resolve, reject) => {
+    const timer = setTimeout(resolve, time);
+    signal?.addEventListener('abort', () => {
+      clearTimeout(timer);
+      reject(signal.reason as Error);
+    });
+  });
+
+function epsilon(encounter: Encounter, speed: number): number {
+  const x = Math.log10(speed / barSpeed(encounter));
+  return 1 / (1 + Math.exp(1.2 * x + 0.4 + encounter.first.poisson)) ** 0.3;
+}
+
+function restitution(encounter: Encounter, speed: number, tolerance: number): Restitution {
+  const value = epsilon(encounter, speed) * (1 + tolerance / 40);
+  const error = (1 - value * value) * tolerance * 0.4;
+  const time = encounter.si ? 's' : 'R/c';
+  const factor = encounter.si ? 2e-6 : 1;
+  return {
+    speed,
+    quantities: {
+      restitution: { value, unit: '', error },
+      lost_fraction: { value: 1 - value * value, unit: '', error: 2 * error },
+      contact_time: { value: 5.89 * factor, unit: time, error: 0.02 * factor },
+      max_force: encounter.si ? { value: 2352, unit: 'N', error: 0.9 } : { value: 0.0547, unit: 'piRE', error: 0.0014 },
+      max_compression: encounter.si
+        ? { value: 1.76e-5, unit: 'm', error: 3e-9 } : { value: 0.168405, unit: 'R', error: 5e-6 },
+    },
+    converged: encounter.kind !== 'rod',
+    reason: encounter.kind === 'rod' ? 'the tolerance asks for a higher cutoff than 362 (use a larger tolerance)' : '',
+    cutoff: 45,
+    beyondSmallStrain: speed / barSpeed(encounter) > 0.5,
+  };
+}
+
+function collision(encounter: Encounter, speed: number): Collision {
+  const count = 400;
+  const x = Float64Array.from({ length: count }, (_, i) => (i / (count - 1)) * 8 - 1);
+  const at = (f: (s: number) => number): Float64Array => x.map((t) => f(Math.min(Math.max(t / 5.9, 0), 1)));
+  const value = epsilon(encounter, speed);
+  return {
+    units: { time: 'R/c', length: 'R', speed: 'c', force: 'piRE' },
+    time: x,
+    velocity: at((s) => speed * Math.cos(Math.PI * s) * (s > 0.5 ? value : 1)),
+    force: at((s) => 0.05 * Math.sin(Math.PI * s) * (1 + 0.2 * Math.sin(20 * s))),
+    halfWidth: at((s) => 0.3 * Math.sqrt(Math.sin(Math.PI * s))),
+    translation: at((s) => Math.cos(Math.PI * s) ** 2 * (s > 0.5 ? value ** 2 : 1)),
+    vibration: at((s) => (1 - value ** 2) * s),
+    stored: at((s) => 0.8 * Math.sin(Math.PI * s)),
+    dissipated: at(() => 0),
+    unresolved: at((s) => 0.001 * s),
+    modes: [0, 2, 2, 3, 3, 4].map((order, i) => ({
+      body: 0, order, index: i % 2, omega: 1 + i, after: 0.04 / (i + 1), average: 0.03 / (i + 1),
+    })),
+    begin: 0,
+    end: 5.9,
+    bodies: [{ kind: encounter.kind, radius: 1 }],
+  };
+}
+
+function bodyFrame(time: number, radius: Float32Array, angle: Float32Array): BodyFrame {
+  const size = radius.length * angle.length;
+  const push = Math.sin(Math.PI * Math.min(Math.max(time / 5.9, 0), 1));
+  const field = (f: (r: number, a: number) => number): Float32Array =>
+    Float32Array.from({ length: size }, (_, i) => f(radius[Math.floor(i / angle.length)]!, angle[i % angle.length]!));
+  return {
+    center: -1 + 0.168 * push - (time < 0 ? -time * 0.1 : time > 5.9 ? (time - 5.9) * 0.09 : 0),
+    radial: field((r, a) => -0.1 * push * r * Math.cos(2 * a)),
+    tangential: field((r, a) => 0.1 * push * r * Math.sin(2 * a)),
+    vonMises: field((r, a) => push * (0.02 + 0.1 * Math.exp(-4 * (1 + r * r - 2 * r * Math.cos(a))))),
+    fringes: field((r, a) => push * (0.02 + 0.1 * Math.exp(-4 * (1 + r * r - 2 * r * Math.cos(a))))),
+  };
+}
+
+/** The core of the tests; it refuses the speed 0.777. */
+export function createCore(): Core {
+  return {
+    async restitution(encounter, speed, tolerance, signal) {
+      await wait(tolerance > 5e-3 ? 15 : 200, signal);
+      if (speed === 0.777) throw new CoreError('speed: got 0.777, allowed up to 0.5 (the wave speed of the softer body)');
+      return restitution(encounter, speed, tolerance);
+    },
+    async collision(encounter, speed, _tolerance, signal) {
+      await wait(50, signal);
+      return collision(encounter, speed);
+    },
+    async frames(_encounter, _speed, _tolerance, times, grid, deliver, signal) {
+      for (const [index, time] of times.entries()) {
+        await wait(4, signal);
+        const frame: Frame = { time, bodies: [bodyFrame(time, grid.radius, grid.angle)] };
+        deliver(frame, index);
+      }
+    },
+    async shape(_encounter, _body, order, _index, grid) {
+      await wait(5);
+      const size = grid.radius.length * grid.angle.length;
+      const angle = (i: number): number => grid.angle[i % grid.angle.length]!;
+      const radius = (i: number): number => grid.radius[Math.floor(i / grid.angle.length)]!;
+      return {
+        radial: Float32Array.from({ length: size }, (_, i) => radius(i) * Math.cos(order * angle(i))),
+        tangential: Float32Array.from({ length: size }, (_, i) => -0.5 * radius(i) * Math.sin(order * angle(i))),
+      };
+    },
+    async curve(encounter, speeds, tolerance, deliver, signal) {
+      for (const [index, speed] of speeds.entries()) {
+        await wait(30, signal);
+        const value = restitution(encounter, speed, tolerance);
+        const { value: e, error = 0 } = value.quantities.restitution!;
+        const point: CurvePoint = { speed, restitution: e, error, converged: true };
+        deliver(point, index);
+      }
+    },
+    async header(_encounter, slowest, fastest, error, signal) {
+      await wait(100, signal);
+      return `/* ${slowest} ${fastest} ${error} */\n`;
+    },
+  };
+}

@@ -1,0 +1,87 @@
+// The lines that the page offers, run for real: command and Python take them, and say the same.
+import { execFileSync } from 'node:child_process';
+import { describe, expect, it } from 'vitest';
+import { commandArguments, commandLine } from '../../src/inputs/command_line';
+import { lossTimeOf, materials } from '../../src/inputs/materials';
+import { shortest } from '../../src/inputs/number';
+import { pythonLines } from '../../src/inputs/python_lines';
+import { barSpeed } from '../../src/inputs/scales';
+import { withError } from '../../src/inputs/digits';
+import { cases } from '../unit/cases';
+import { command, python } from './build';
+
+interface Row {
+  restitution: number;
+  restitution_error: number;
+  speed: number;
+}
+
+/** Status 1 is a value that is not as accurate as asked for: a result all the same. */
+function run(program: string, args: string[], input = ''): string {
+  try {
+    return execFileSync(program, args, { encoding: 'utf8', input, stdio: 'pipe' });
+  } catch (error) {
+    const { status, stdout } = error as { status: number; stdout: string };
+    if (status === 1 && stdout !== '') return stdout;
+    throw error;
+  }
+}
+
+function native(index: number, format: string): string {
+  const { encounter, speed } = cases[index]!;
+  return run(command!, [...commandArguments(encounter, shortest(speed), 1e-2), '--format', format]);
+}
+
+const indices = cases.map((_, index) => index);
+
+describe.skipIf(command === undefined)('the command', () => {
+  it.each(indices)('takes the line of case %i, at the speed that was meant', (index) => {
+    const { encounter, speed } = cases[index]!;
+    const [row] = (JSON.parse(native(index, 'json')) as { records: Row[] }).records;
+    expect(row!.restitution).toBeGreaterThan(0);
+    expect(row!.restitution).toBeLessThan(1.001);
+    expect(Math.abs(row!.speed - speed / barSpeed(encounter))).toBeLessThan(1e-12 * row!.speed);
+  });
+  it.each(indices)('writes the digits of case %i as the page does', (index) => {
+    const [row] = (JSON.parse(native(index, 'json')) as { records: Row[] }).records;
+    expect(native(index, 'table').replace(/ +/g, ' ')).toContain(withError(row!.restitution, row!.restitution_error));
+  });
+  it('has the columns of our CSV in that order', () => {
+    for (const index of [0, 4, 7, 12]) {
+      const columns = native(index, 'csv').split('\n').find((line) => !line.startsWith('#'))!.split(',');
+      const rod = cases[index]!.encounter.kind === 'rod';
+      const si = cases[index]!.encounter.si;
+      const ours = [...(rod ? [] : ['poisson']), 'speed[c]', ...(si ? ['speed_si[m/s]'] : []), 'restitution',
+        'restitution_error', 'converged'];
+      expect(columns.filter((column) => ours.includes(column))).toEqual(ours);
+    }
+  });
+  it('would take what stands in the box', () => {
+    expect(commandLine(cases[0]!.encounter, 0.1).split(' ').slice(1)).toEqual(commandArguments(cases[0]!.encounter, '0.1', 1e-3));
+  });
+});
+
+describe.skipIf(command === undefined || python === undefined)('Python', () => {
+  it('gives the numbers of the command', () => {
+    const blocks = indices.map((index) => {
+      const { encounter, speed } = cases[index]!;
+      const lines = pythonLines(encounter, speed, 1e-2).trimEnd().split('\n');
+      const last = lines.pop()!;
+      const call = last.slice('print('.length, -1);
+      return `${lines.join('\n')}\ntry:\n    r = ${call}\nexcept stoss.NotConverged as e:\n    r = e.best\nprint(repr(float(r.restitution)))`;
+    });
+    const values = run(python!, ['-'], blocks.join('\n')).trim().split('\n').map(Number);
+    indices.forEach((index) => {
+      const [row] = (JSON.parse(native(index, 'json')) as { records: Row[] }).records;
+      expect(Math.abs(values[index]! - row!.restitution), pythonLines(cases[index]!.encounter, 1)).toBeLessThan(1e-12);
+    });
+  }, 60_000);
+});
+
+describe.skipIf(python === undefined)('the materials', () => {
+  it('are those of Python', () => {
+    const program = 'import json, stoss\nprint(json.dumps([[k, m.young, m.poisson, m.density, m.loss_time or 0.0] for k, m in stoss.materials.items()]))';
+    const theirs = JSON.parse(run(python!, ['-'], program)) as unknown;
+    expect(materials.map((m) => [m.name, m.young, m.poisson, m.density, lossTimeOf(m)])).toEqual(theirs);
+  });
+});

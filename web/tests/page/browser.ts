@@ -1,0 +1,79 @@
+// The built page, served from a folder and opened in Debian's Chromium.
+import { existsSync } from 'node:fs';
+import { readFile } from 'node:fs/promises';
+import { type Server, createServer } from 'node:http';
+import type { AddressInfo } from 'node:net';
+import { extname, join, normalize } from 'node:path';
+import { fileURLToPath } from 'node:url';
+import { type Browser, type BrowserContextOptions, type Page, chromium } from 'playwright-core';
+
+const folder = process.env.STOSS_PAGE ?? fileURLToPath(new URL('../../../build/web', import.meta.url));
+const executablePath = process.env.STOSS_CHROMIUM ?? '/usr/bin/chromium';
+
+/** Why the page cannot be tested here; '' if it can. */
+export const missing = !existsSync(join(folder, 'index.html')) ? 'the page is not built' :
+  !existsSync(executablePath) ? 'there is no Chromium' : '';
+
+const types: Record<string, string> = {
+  '.html': 'text/html', '.js': 'text/javascript', '.css': 'text/css', '.woff2': 'font/woff2', '.wasm': 'application/wasm',
+};
+
+export interface Site {
+  /** A new page; what it logs as an error, or asks of the network beyond this site, is in `troubles`. */
+  open(query?: string, options?: BrowserContextOptions): Promise<Page>;
+  readonly troubles: string[];
+  readonly address: string;
+  close(): Promise<void>;
+}
+
+/** Serve the page as any static server would, from a folder inside the site. */
+export async function startSite(): Promise<Site> {
+  const server: Server = createServer((request, response) => {
+    const path = new URL(request.url ?? '/', 'http://x').pathname.replace(/^\/some\/folder/, '').replace(/\/$/, '/index.html');
+    readFile(join(folder, normalize(path))).then(
+      (body) => response.writeHead(200, { 'content-type': types[extname(path)] ?? 'text/plain' }).end(body),
+      () => response.writeHead(404).end());
+  }).listen(0, '127.0.0.1');
+  await new Promise((resolve) => server.once('listening', resolve));
+  const address = `http://127.0.0.1:${(server.address() as AddressInfo).port}/some/folder/`;
+  const browser: Browser = await chromium.launch({
+    executablePath,
+    args: ['--headless', '--no-sandbox', '--disable-gpu', '--disable-quic', '--no-first-run',
+      '--disable-background-networking', '--disable-component-update', '--disable-sync'],
+  });
+  const troubles: string[] = [];
+  return {
+    troubles,
+    address,
+    async open(query = '', options = {}) {
+      const context = await browser.newContext({ acceptDownloads: true, ...options });
+      await context.grantPermissions(['clipboard-read', 'clipboard-write']);
+      const page = await context.newPage();
+      page.on('pageerror', (error) => troubles.push(error.message));
+      page.on('console', (message) => {
+        if (message.type() === 'error') troubles.push(message.text());
+      });
+      page.on('request', (request) => {
+        if (!/^(data|blob):/.test(request.url()) && !request.url().startsWith(address)) troubles.push(request.url());
+      });
+      page.on('response', (response) => {
+        if (response.status() >= 400) troubles.push(`${response.status()} ${response.url()}`);
+      });
+      await page.goto(address + query);
+      return page;
+    },
+    async close() {
+      await browser.close();
+      server.close();
+    },
+  };
+}
+
+/** Wait until ε is there at the final tolerance. */
+export async function settled(page: Page): Promise<string> {
+  await page.waitForFunction(() => {
+    const result = document.getElementById('result')!;
+    return result.dataset.stage === 'final' && result.dataset.stale === undefined;
+  }, undefined, { timeout: 30_000 });
+  return (await page.textContent('#epsilon')) ?? '';
+}

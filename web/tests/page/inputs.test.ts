@@ -1,0 +1,144 @@
+// The form, the address and the results of the page as it is shipped.
+import { afterAll, afterEach, beforeAll, describe, expect, it } from 'vitest';
+import { type Site, missing, settled, startSite } from './browser';
+
+describe.skipIf(missing !== '')(`the inputs of the page${missing && ` (${missing})`}`, () => {
+  let site: Site;
+  beforeAll(async () => void (site = await startSite()), 60_000);
+  afterAll(() => site.close());
+  afterEach(() => expect(site.troubles.splice(0)).toEqual([]));
+
+  it('begin with a disk at a wall, and a value with its error', async () => {
+    const page = await site.open();
+    expect(await settled(page)).toMatch(/^0\.\d+ ± 0\.0+\d\d$/);
+    expect(await page.textContent('#command-line')).toBe('stoss restitution --poisson 0.33 --speed 0.1');
+    expect(await page.textContent('#result-state')).toBe('tolerance 10⁻³');
+    await page.context().close();
+  });
+
+  it('are restored from a link, all of them', async () => {
+    const query = '?body=sphere&units=SI&nu=0.3&E=2.1e11&rho=7850&R=0.005&against=half-space&nu2=0.22&E2=7e10&rho2=2500' +
+      '&eta2=1e-8&v=1&keep=body:disk,nu:0.33';
+    const page = await site.open(query);
+    expect(await page.isChecked('input[name=body][value=sphere]')).toBe(true);
+    expect(await page.isChecked('input[name=units][value=SI]')).toBe(true);
+    expect(await page.inputValue('#field-young')).toBe('2.1e11');
+    expect(await page.inputValue('#field-lossTime2')).toBe('1e-8');
+    expect(await page.inputValue('#against')).toBe('half-space');
+    expect(await page.inputValue('#field-speed')).toBe('1');
+    expect(await page.locator('#kept li').count()).toBe(1);
+    await page.context().close();
+  });
+
+  it('that are bad in a link give the default and one line', async () => {
+    const page = await site.open('?body=cube&v=0.1');
+    expect(await page.textContent('#notice')).toContain('body: got “cube”, allowed disk, sphere, rod');
+    expect(await settled(page)).toMatch(/±/);
+    await page.context().close();
+  });
+
+  it.each([['', 'a number is missing'], ['nan', 'not a decimal number'], ['-1', 'allowed 1e-8 to 1'], ['1e99', 'allowed 1e-8 to 1'],
+    ['abc', 'not a decimal number'], ['0,3', 'write it with a point: 0.3']])(
+    'that are wrong (“%s”) give one line at the field, and the last result stays', async (text, line) => {
+      const page = await site.open();
+      const before = await settled(page);
+      await page.fill('#field-speed', text);
+      expect(await page.textContent('#field-speed-problem')).toContain(line);
+      expect(await page.getAttribute('#field-speed', 'aria-invalid')).toBe('true');
+      expect(await page.getAttribute('#field-speed', 'aria-describedby')).toContain('field-speed-problem');
+      expect(await page.textContent('#epsilon')).toBe(before);
+      expect(await page.getAttribute('#result', 'data-stale')).toBe('wrong');
+      await page.fill('#field-speed', '0.2');
+      expect(await page.getAttribute('#field-speed', 'aria-invalid')).toBe(null);
+      expect(await settled(page)).not.toBe(before);
+      await page.context().close();
+    });
+
+  it('follow every control', async () => {
+    const page = await site.open();
+    await page.check('input[name=body][value=sphere]', { force: true });
+    await page.selectOption('#against', 'half-space');
+    await page.check('input[name=units][value=SI]', { force: true });
+    await page.selectOption('#material', 'brass');
+    await page.selectOption('#material2', 'granite');
+    await page.fill('#field-radius', '0.02');
+    await page.fill('#field-speed', '3');
+    expect(await page.textContent('#command-line')).toMatch(
+      /^stoss restitution --body sphere --poisson 0.33 --young 1.1e11 --density 8530 --radius 0.02 --loss-time \S+ --against half-space,poisson=0.25,young=5e10,density=2650,loss_time=\S+ --speed 3$/);
+    await page.selectOption('#against', 'same');
+    await page.check('input[name=body][value=disk]', { force: true });
+    await page.check('input[name=plane][value=strain]', { force: true });
+    expect(await page.textContent('#command-line')).toMatch(/--plane strain .*--against same --speed 3$/);
+    await page.check('input[name=body][value=rod]', { force: true });
+    await page.selectOption('#against', 'wall');
+    await page.selectOption('#material', 'steel');
+    expect(await page.textContent('#command-line')).toMatch(
+      /^stoss restitution --body rod --young 2.1e11 --density 7850 --length 0.02 --area \S+ --loss-time \S+ --speed 3$/);
+    await page.context().close();
+  });
+
+  it('convert the speed with the units, and ε stays', async () => {
+    const page = await site.open();
+    const before = await settled(page);
+    await page.check('input[name=units][value=SI]', { force: true });
+    expect(Number(await page.inputValue('#field-speed'))).toBeCloseTo(517.219, 2);
+    expect((await settled(page)).slice(0, 6)).toBe(before.slice(0, 6));
+    await page.check('input[name=units][value=c]', { force: true });
+    expect(Number(await page.inputValue('#field-speed'))).toBeCloseTo(0.1, 5);
+    await page.context().close();
+  });
+
+  it('go back and forward, one step for each change', async () => {
+    const page = await site.open();
+    await settled(page);
+    await page.selectOption('#against', 'same');
+    await page.fill('#field-speed', '0.2');
+    await page.press('#field-speed', 'Tab');
+    await page.waitForURL(/against=same&v=0\.2$/);
+    await page.goBack();
+    await page.waitForURL(/against=same&v=0\.1$/);
+    expect(await page.inputValue('#field-speed')).toBe('0.1');
+    await page.goBack();
+    expect(await page.inputValue('#against')).toBe('wall');
+    await page.goForward();
+    await page.goForward();
+    expect(await page.inputValue('#field-speed')).toBe('0.2');
+    await page.context().close();
+  });
+
+  it('can be reached and changed by keyboard alone', async () => {
+    const page = await site.open();
+    await settled(page);
+    await page.keyboard.press('Tab');
+    expect(await page.evaluate(() => document.activeElement?.className)).toBe('skip');
+    await page.focus('#speed-slider');
+    const before = await page.inputValue('#field-speed');
+    await page.keyboard.press('ArrowRight');
+    await page.keyboard.press('ArrowRight');
+    expect(Number(await page.inputValue('#field-speed'))).toBeGreaterThan(Number(before));
+    await page.focus('input[name=body][value=disk]');
+    await page.keyboard.press('ArrowRight');
+    expect(await page.isChecked('input[name=body][value=sphere]')).toBe(true);
+    await page.context().close();
+  });
+
+  it.each([[360, 'light'], [360, 'dark'], [1400, 'light']] as const)('need no scrolling sideways at %i px, %s', async (width, colorScheme) => {
+    const query = '?body=sphere&units=SI&nu=0.3&E=2.1e11&rho=7850&R=0.005&against=half-space&nu2=0.22&E2=7e10&rho2=2500&v=1';
+    const page = await site.open(query, { viewport: { width, height: 740 }, colorScheme });
+    await settled(page);
+    expect(await page.evaluate(() => document.documentElement.scrollWidth)).toBe(width);
+    await page.context().close();
+  });
+
+  it('have labels, and headings in order', async () => {
+    const page = await site.open();
+    const unnamed = await page.$$eval('input, select, button, canvas, [role=img]', (elements) => elements
+      .filter((element) => element.closest('[hidden], [aria-hidden=true]') === null)
+      .filter((element) => !((element as HTMLInputElement).labels?.length || element.getAttribute('aria-label') || element.textContent?.trim() || element.getAttribute('aria-labelledby')))
+      .map((element) => element.outerHTML.slice(0, 120)));
+    expect(unnamed).toEqual([]);
+    const levels = await page.$$eval('h1, h2, h3', (headings) => headings.map((heading) => Number(heading.tagName[1])));
+    levels.forEach((level, index) => expect(level - (levels[index - 1] ?? 0)).toBeLessThanOrEqual(1));
+    await page.context().close();
+  });
+}, 60_000);

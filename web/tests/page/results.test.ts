@@ -1,0 +1,112 @@
+// What the page computes, and what can be taken from it.
+import { readFile } from 'node:fs/promises';
+import { gzipSync } from 'node:zlib';
+import type { Page } from 'playwright-core';
+import { afterAll, afterEach, beforeAll, describe, expect, it } from 'vitest';
+import { type Site, missing, settled, startSite } from './browser';
+
+async function downloaded(page: Page, button: string): Promise<{ name: string; content: Buffer }> {
+  const [file] = await Promise.all([page.waitForEvent('download', { timeout: 50_000 }), page.click(button)]);
+  return { name: file.suggestedFilename(), content: await readFile((await file.path())!) };
+}
+
+describe.skipIf(missing !== '')(`the results of the page${missing && ` (${missing})`}`, () => {
+  let site: Site;
+  beforeAll(async () => void (site = await startSite()), 60_000);
+  afterAll(() => site.close());
+  afterEach(() => expect(site.troubles.splice(0)).toEqual([]));
+
+  it('are told to screen readers once they stay', async () => {
+    const page = await site.open();
+    await settled(page);
+    await page.waitForFunction(() => document.getElementById('spoken')!.textContent !== '');
+    expect(await page.textContent('#spoken')).toMatch(/^Restitution 0\.\d+ plus or minus 0\.\d+ at 0\.1 c\. Lost share/);
+    await page.context().close();
+  });
+
+  it('say what is beyond small strain, and what is not as accurate as asked for', async () => {
+    const page = await site.open('?body=disk&nu=0.33&v=0.8');
+    await settled(page);
+    expect(await page.textContent('#flags')).toContain('Beyond small strain');
+    await page.context().close();
+    const rod = await site.open('?body=rod&v=0.1&against=body&E2=1&rho2=1&R2=2.5&A2=1');
+    await settled(rod);
+    expect(await rod.textContent('#flags')).toContain('Not as accurate as asked for');
+    await rod.context().close();
+  });
+
+  it('can be copied as lines and as a link', async () => {
+    const page = await site.open('?body=disk&nu=0.4&v=0.2');
+    for (const [button, text] of [['#copy-command', 'stoss restitution --poisson 0.4 --speed 0.2'],
+      ['#copy-python', 'import stoss\n\ndisk = stoss.Disk(poisson=0.4)\nprint(stoss.restitution(disk, speed=0.2))'],
+      ['#copy-link', `${site.address}?body=disk&nu=0.4&v=0.2`]] as const) {
+      await page.click(button);
+      await page.waitForFunction(() => document.getElementById('done')!.textContent!.endsWith('copied.'));
+      expect(await page.evaluate(() => navigator.clipboard.readText())).toBe(text);
+    }
+    await page.context().close();
+  });
+
+  it('can be downloaded: CSV, C header, PNG, SVG', async () => {
+    const page = await site.open();
+    await settled(page);
+    await page.waitForTimeout(1000);
+    const csv = await downloaded(page, '#download-csv');
+    expect(csv.name).toBe('stoss-restitution.csv');
+    expect(csv.content.toString()).toMatch(/^# stoss: restitution\n[\s\S]*\npoisson,speed\[c\],restitution,restitution_error,converged\n0\.33,/);
+    const header = await downloaded(page, '#download-header');
+    expect(header.name).toBe('restitution.h');
+    for (const picture of ['curve', 'time', 'modes', 'collision']) {
+      await page.selectOption('#picture', picture);
+      const png = await downloaded(page, '#download-png');
+      expect(png.content.subarray(1, 4).toString(), picture).toBe('PNG');
+      if (picture === 'collision') continue;
+      const svg = await downloaded(page, '#download-svg');
+      expect(svg.content.toString(), picture).toMatch(/^<svg[\s\S]*<\/svg>\s*$/);
+    }
+    expect(await page.isDisabled('#download-svg')).toBe(true);
+    await page.context().close();
+  });
+
+  it('can be kept for comparison, up to five', async () => {
+    const page = await site.open();
+    for (const poisson of ['0.1', '0.2', '0.3', '0.4', '0.5']) {
+      await page.fill('#field-poisson', poisson);
+      await page.click('#keep');
+    }
+    expect(await page.locator('#kept li').count()).toBe(5);
+    expect(await page.isDisabled('#keep')).toBe(true);
+    await page.locator('#kept button').first().click();
+    expect(await page.locator('#kept li').count()).toBe(4);
+    await page.waitForURL(/keep=body:disk,nu:0\.5$/);
+    await page.context().close();
+  });
+
+  it('of the latest input win, however fast the inputs change', async () => {
+    const page = await site.open();
+    await settled(page);
+    const slider = page.locator('#speed-slider');
+    for (const place of [100, 900, 200, 800, 300, 700, 878]) await slider.fill(String(place));
+    await settled(page);
+    const dragged = await page.textContent('#epsilon');
+    const speed = await page.inputValue('#field-speed');
+    const alone = await site.open(`?body=disk&nu=0.33&v=${speed}`);
+    expect(await settled(alone)).toBe(dragged);
+    await page.context().close();
+    await alone.context().close();
+  });
+
+  it('take less than 1.5 MB to transfer', async () => {
+    const page = await site.open('', { viewport: { width: 1400, height: 800 } });
+    let bytes = 0;
+    const bodies: Promise<void>[] = [];
+    page.on('response', (response) => bodies.push(response.body().then((body) => void (bytes += gzipSync(new Uint8Array(body)).length), () => undefined)));
+    await page.reload();
+    await settled(page);
+    await page.waitForTimeout(500);
+    await Promise.all(bodies);
+    expect(bytes).toBeGreaterThan(10_000);
+    expect(bytes).toBeLessThan(1.5e6);
+    await page.context().close();
+  });
+}, 60_000);

@@ -1,0 +1,149 @@
+import { describe, expect, it } from 'vitest';
+import { problemsOf, check } from '../../src/inputs/check';
+import { type Field, fieldsOf, valueOf } from '../../src/inputs/fields';
+import { type Inputs, defaults, equal, unitBody, withAgainst, withKind } from '../../src/inputs/inputs';
+import { parseNumber, shortest } from '../../src/inputs/number';
+import { barSpeed, withSi, withoutSi } from '../../src/inputs/scales';
+import { curveSpeeds, fastest, onAxisOf, placeOf, slowest, speedAt, steps } from '../../src/inputs/speeds';
+import { description } from '../../src/inputs/description';
+import { cases } from './cases';
+
+const typed = (inputs: Inputs, field: Field, text: string) => check(inputs, new Map([[field, text]]));
+const problem = (inputs: Inputs, field: Field, text: string): string => {
+  const result = typed(inputs, field, text);
+  return 'problems' in result ? (result.problems.get(field) ?? `other field: ${[...result.problems.values()][0]}`) : '';
+};
+
+describe('numbers', () => {
+  it.each([['0.33', 0.33], [' 1e-4 ', 1e-4], ['+2', 2], ['.5', 0.5], ['5.', 5], ['1E3', 1000], ['−0.2', -0.2], ['-0', 0]])(
+    'reads %s', (text, value) => expect(parseNumber('x', text)).toEqual({ value }));
+  it.each(['', ' ', 'nan', 'inf', 'Infinity', 'abc', '1e', '1e999', '1e-999', '0x10', '1 2', '--1', '0,3', '1.2.3', '1_0'])(
+    'refuses “%s” with one line', (text) => {
+      const result = parseNumber('Speed', text);
+      expect(result).toHaveProperty('problem');
+      expect((result as { problem: string }).problem).toMatch(/^Speed: [^\n]+$/);
+    });
+  it('says how to write a comma decimal', () => {
+    expect(parseNumber('Speed', '0,3')).toEqual({ problem: 'Speed: got “0,3”, write it with a point: 0.3' });
+  });
+  it('writes the shortest text that gives the number back', () => {
+    for (const value of [0.33, 1e-7, 2.1e11, 7850, 0.0001, 1e21, 5e-324, 123456.789]) {
+      expect(Number(shortest(value))).toBe(value);
+    }
+    expect(shortest(2.1e11)).toBe('2.1e11');
+  });
+});
+
+describe('limits', () => {
+  it.each([['poisson', '-0.95'], ['poisson', '0.995'], ['lossTime', '0'], ['lossTime', '1e5'], ['speed', '1e-8'], ['speed', '1']] as
+    [Field, string][])('of a disk include %s %s', (field, text) => expect(problem(defaults, field, text)).toBe(''));
+  it.each([['poisson', '-0.96'], ['poisson', '1'], ['lossTime', '-1'], ['lossTime', '1e99'], ['speed', '0'], ['speed', '-1'],
+    ['speed', '1.01'], ['speed', '1e99'], ['speed', '']] as [Field, string][])(
+    'of a disk exclude %s %s', (field, text) => expect(problem(defaults, field, text)).toMatch(/: (got|a number is missing)/));
+  it('name, got, allowed and a hint are in the line', () => {
+    expect(problem(defaults, 'speed', '2')).toBe(
+      'Speed of approach: got 2, allowed 1e-8 to 1 c (in units of c = √(E/ρ))');
+  });
+  it('of a sphere end below one half', () => {
+    const sphere = { ...defaults, encounter: withKind(defaults.encounter, 'sphere') };
+    expect(problem(sphere, 'poisson', '0.5')).toContain('allowed -0.95 to 0.4999');
+    expect(problem(sphere, 'poisson', '0.4999')).toBe('');
+  });
+  it('of ratios are those of the command', () => {
+    const pair = { ...defaults, encounter: withAgainst(defaults.encounter, 'body') };
+    expect(problem(pair, 'radius2', '1000')).toBe('');
+    expect(problem(pair, 'radius2', '1001')).toContain('allowed 0.001 to 1000');
+    const block = { ...defaults, encounter: withAgainst(defaults.encounter, 'half-space') };
+    expect(problem(block, 'young2', '1e6')).toBe('');
+    expect(problem(block, 'young2', '1e7')).toContain('allowed 0.001 to 1e6');
+  });
+  it('of the speed in SI follow the bar speed', () => {
+    const si = withSi(defaults);
+    expect(problem(si, 'speed', '6000')).toMatch(/allowed 5\.\d+e-5 to 5172\.\d+ m\/s/);
+  });
+  it('a wrong field does not hide a second one', () => {
+    const result = check(defaults, new Map<Field, string>([['poisson', 'x'], ['speed', '7']]));
+    expect('problems' in result && [...result.problems.keys()]).toEqual(['poisson', 'speed']);
+  });
+  it('allow all cases of the tests', () => {
+    for (const inputs of cases) expect([...problemsOf(inputs).values()]).toEqual([]);
+  });
+});
+
+describe('a change of units', () => {
+  it('converts the speed and keeps the impact', () => {
+    const si = withSi({ ...defaults, speed: 0.1 });
+    expect(si.speed / barSpeed(si.encounter)).toBeCloseTo(0.1, 6);
+    const back = withoutSi(si);
+    expect(back.speed).toBeCloseTo(0.1, 6);
+    expect(equal(back.encounter, defaults.encounter)).toBe(true);
+  });
+  it('makes a disk of large 2-D Poisson number a long cylinder', () => {
+    const si = withSi({ ...defaults, encounter: { ...defaults.encounter, first: { ...unitBody, poisson: 0.9 } } });
+    expect(si.encounter.plane).toBe('strain');
+    expect(problemsOf(si).size).toBe(0);
+    expect(withoutSi(si).encounter.first.poisson).toBeCloseTo(0.9, 5);
+  });
+  it('of every case leaves it in range, and comes back to the same ratios', () => {
+    for (const inputs of cases) {
+      const other = inputs.encounter.si ? withoutSi(inputs) : withSi(inputs);
+      expect([...problemsOf(other).values()]).toEqual([]);
+      const plain = withoutSi(inputs);
+      const round = withoutSi(withSi(plain));
+      for (const field of fieldsOf(plain.encounter)) {
+        const before = valueOf(plain.encounter, plain.speed, field);
+        const after = valueOf(round.encounter, round.speed, field);
+        expect(Math.abs(after - before), field).toBeLessThanOrEqual(1e-4 * Math.abs(before));
+      }
+    }
+  });
+  it('nothing is changed in place', () => {
+    const frozen = JSON.stringify(defaults);
+    withSi(defaults);
+    withKind(defaults.encounter, 'rod');
+    withAgainst(defaults.encounter, 'body');
+    expect(JSON.stringify(defaults)).toBe(frozen);
+  });
+});
+
+describe('kinds', () => {
+  it('a rod meets no half-space, and a sphere has no plane', () => {
+    const block = withAgainst(defaults.encounter, 'half-space');
+    expect(withKind(block, 'rod').against.kind).toBe('wall');
+    expect(withKind({ ...defaults.encounter, si: true, plane: 'strain' }, 'sphere').plane).toBe('stress');
+  });
+  it('a sphere gets a Poisson number that it may have', () => {
+    const wide = { ...defaults, encounter: { ...defaults.encounter, first: { ...unitBody, poisson: 0.9 } } };
+    expect(problemsOf({ ...wide, encounter: withKind(wide.encounter, 'sphere') }).size).toBe(0);
+  });
+  it('what is not used does not make two encounters differ', () => {
+    const other = { ...defaults.encounter, first: { ...unitBody, area: 3 } };
+    expect(equal(other, defaults.encounter)).toBe(true);
+    expect(equal({ ...other, first: { ...unitBody, poisson: 0.3 } }, defaults.encounter)).toBe(false);
+  });
+  it('have short descriptions of their own', () => {
+    const texts = cases.map(({ encounter }) => description(encounter));
+    expect(new Set(texts).size).toBe(new Set(cases.map(({ encounter }) => JSON.stringify(encounter))).size);
+    for (const text of texts) expect(text.length).toBeLessThan(90);
+  });
+});
+
+describe('speeds', () => {
+  it('the slider goes there and back', () => {
+    for (const place of [0, 1, 500, 999, steps]) expect(placeOf(defaults.encounter, speedAt(defaults.encounter, place))).toBe(place);
+    expect(placeOf(defaults.encounter, 1e-8)).toBe(0);
+    expect(placeOf(defaults.encounter, 1)).toBe(steps);
+  });
+  it('of curves in other units stand at the same share of the bar speed', () => {
+    const si = withSi(defaults).encounter;
+    expect(onAxisOf(defaults.encounter, si, 0.1 * barSpeed(si))).toBeCloseTo(0.1, 12);
+    expect(onAxisOf(si, defaults.encounter, 0.1)).toBeCloseTo(0.1 * barSpeed(si), 9);
+    expect(onAxisOf(si, si, 3)).toBe(3);
+  });
+  it('of the curve are all different, and begin with the ends of the range', () => {
+    const speeds = curveSpeeds(defaults.encounter);
+    expect(new Set(speeds).size).toBe(49);
+    expect(Math.min(...speeds)).toBe(slowest);
+    expect(Math.max(...speeds)).toBe(fastest);
+  });
+});

@@ -1,0 +1,52 @@
+import { describe, expect, it } from 'vitest';
+import { commandLine } from '../../src/inputs/command_line';
+import { curveCsv } from '../../src/inputs/csv';
+import { pythonLines } from '../../src/inputs/python_lines';
+import { cases } from './cases';
+
+const lines = cases.map(({ encounter, speed }) => commandLine(encounter, speed));
+
+describe('the command line', () => {
+  it('has what is not usual only', () => {
+    expect(lines[0]).toBe('stoss restitution --poisson 0.33 --speed 0.1');
+    expect(lines[3]).toBe(
+      'stoss restitution --poisson 0.33 --against half-plane,poisson=0.2,young=0.5,density=1,loss_time=0.02 --speed 0.05');
+    expect(lines[6]).toBe('stoss restitution --body rod --against rod,young=1,density=3,length=2.5,area=0.5 --speed 0.1');
+    expect(commandLine(cases[0]!.encounter, 0.1, 1e-5)).toMatch(/--tolerance 1e-5$/);
+  });
+  it('needs no quoting in a shell', () => {
+    for (const line of lines) expect(line).toMatch(/^[a-zA-Z0-9 .,=_-]+$/);
+  });
+});
+
+describe('the Python lines', () => {
+  it('name a known material', () => {
+    const { encounter, speed } = cases[10]!;
+    expect(pythonLines(encounter, speed)).toBe(
+      [
+        'import stoss', '', 'sphere = stoss.Sphere(radius=0.005, material=stoss.materials["bearing steel"])',
+        'block = stoss.HalfSpace(material=stoss.materials["glass"])',
+        'print(stoss.restitution(sphere, against=block, speed=1))', '',
+      ].join('\n'));
+  });
+});
+
+describe('the CSV of a curve', () => {
+  const points = [
+    { speed: 0.1, restitution: 0.94706, error: 3.1e-5, converged: true },
+    { speed: 0.01, restitution: 0.98, error: Infinity, converged: false },
+  ];
+  it('has the command’s names, slowest first', () => {
+    expect(curveCsv(cases[0]!.encounter, points)).toBe([
+      '# stoss: restitution', '# command: stoss restitution --poisson 0.33 --speed 0.01,0.1', '# body: disk', '# poisson: 0.33',
+      '# against: wall', '# tolerance: 0.001', 'poisson,speed[c],restitution,restitution_error,converged',
+      '0.33,0.01,0.98,unknown,false', '0.33,0.1,0.94706,3.1e-5,true', '',
+    ].join('\n'));
+  });
+  it('has both speeds in SI, and no Poisson number for a rod', () => {
+    const { encounter } = cases[12]!;
+    const text = curveCsv(encounter, points);
+    expect(text).toContain('\nspeed[c],speed_si[m/s],restitution,');
+    expect(text).toContain('# material_young[Pa]: 6.9e10\n');
+  });
+});

@@ -1,0 +1,114 @@
+import { describe, expect, it, vi } from 'vitest';
+import { type Collision, type Core, CoreError, type Encounter, type Restitution } from '../../src/core/protocol';
+import { createCurves } from '../../src/page/curves';
+import { createSession } from '../../src/page/session';
+import { defaults } from '../../src/inputs/inputs';
+
+const { encounter } = defaults;
+
+/** A core whose answers come after a time, and which notes what it was asked. */
+function core(time: number, log: string[], refuse = NaN): Core {
+  const later = <Value>(value: Value, signal?: AbortSignal): Promise<Value> => new Promise((resolve, reject) => {
+    const abort = (): void => {
+      clearTimeout(timer);
+      log.push('aborted');
+      reject(signal?.reason as Error);
+    };
+    const timer = setTimeout(() => {
+      signal?.removeEventListener('abort', abort);
+      resolve(value);
+    }, time);
+    signal?.addEventListener('abort', abort);
+  });
+  return {
+    async restitution(_encounter: Encounter, speed: number, tolerance: number, signal?: AbortSignal) {
+      log.push(`${speed} ${tolerance}`);
+      if (speed === refuse) throw new CoreError('speed: got 7');
+      return later({ speed } as Restitution, signal);
+    },
+    async collision(_encounter: Encounter, speed: number, _tolerance: number, signal?: AbortSignal) {
+      log.push(`collision ${speed}`);
+      return later({} as Collision, signal);
+    },
+    async curve(_encounter: Encounter, speeds: number[], _tolerance: number, deliver: (point: never, index: number) => void,
+      signal?: AbortSignal) {
+      log.push(`curve of ${speeds.length}`);
+      for (const [index, speed] of speeds.entries()) {
+        await later(null, signal);
+        deliver({ speed, restitution: 1, error: 0, converged: true } as never, index);
+      }
+    },
+  } as unknown as Core;
+}
+
+function audience(log: string[]) {
+  return {
+    began: () => undefined,
+    first: (_: Encounter, result: Restitution) => void log.push(`first ${result.speed}`),
+    final: (_: Encounter, result: Restitution) => void log.push(`final ${result.speed}`),
+    collision: () => void log.push('shown'),
+    failed: (line: string, refused: boolean) => void log.push(`failed ${line} ${refused}`),
+  };
+}
+
+describe('a session', () => {
+  it('computes the first value, the accurate one, then the collision', async () => {
+    vi.useFakeTimers();
+    const log: string[] = [];
+    createSession(core(10, log), audience(log))(encounter, 0.1);
+    await vi.runAllTimersAsync();
+    expect(log).toEqual(['0.1 0.01', 'first 0.1', '0.1 0.001', 'final 0.1', 'collision 0.1', 'shown']);
+  });
+  it('shows first values while a drag goes on, and refines the last only', async () => {
+    vi.useFakeTimers();
+    const log: string[] = [];
+    const run = createSession(core(30, log), audience(log));
+    for (const speed of [1, 2, 3, 4, 5]) {
+      run(encounter, speed);
+      await vi.advanceTimersByTimeAsync(16);
+    }
+    await vi.runAllTimersAsync();
+    expect(log.filter((line) => line.startsWith('final'))).toEqual(['final 5']);
+    expect(log.filter((line) => line.startsWith('first')).length).toBeGreaterThan(2);
+    expect(log.filter((line) => line === 'shown').length).toBe(1);
+  });
+  it('drops a slow first value for newer inputs', async () => {
+    vi.useFakeTimers();
+    const log: string[] = [];
+    const run = createSession(core(5000, log), audience(log));
+    run(encounter, 1);
+    await vi.advanceTimersByTimeAsync(10);
+    run(encounter, 2);
+    await vi.runAllTimersAsync();
+    expect(log.slice(0, 4)).toEqual(['1 0.01', 'aborted', '2 0.01', 'first 2']);
+  });
+  it('goes on after what the core refuses', async () => {
+    vi.useFakeTimers();
+    const log: string[] = [];
+    const run = createSession(core(10, log, 7), audience(log));
+    run(encounter, 7);
+    await vi.runAllTimersAsync();
+    run(encounter, 1);
+    await vi.runAllTimersAsync();
+    expect(log.slice(0, 2)).toEqual(['7 0.01', 'failed speed: got 7 true']);
+    expect(log.at(-1)).toBe('shown');
+  });
+});
+
+describe('curves', () => {
+  it('are computed once, and continued where they were left', async () => {
+    vi.useFakeTimers();
+    const log: string[] = [];
+    const curves = createCurves(core(10, log), () => undefined, (line) => void log.push(line));
+    const other = { ...encounter, first: { ...encounter.first, poisson: 0.5 } };
+    curves.want([encounter]);
+    await vi.advanceTimersByTimeAsync(105);
+    curves.want([other]);
+    await vi.runAllTimersAsync();
+    curves.want([encounter, other]);
+    await vi.runAllTimersAsync();
+    expect(log).toEqual(['curve of 49', 'aborted', 'curve of 49', 'curve of 39']);
+    expect(curves.of(encounter).points.length).toBe(49);
+    expect(new Set(curves.of(encounter).points.map(({ speed }) => speed)).size).toBe(49);
+  });
+});
