@@ -1,13 +1,30 @@
 // What the page computes, and what can be taken from it.
 import { readFile } from 'node:fs/promises';
+import { execFileSync } from 'node:child_process';
 import { gzipSync } from 'node:zlib';
 import type { Page } from 'playwright-core';
 import { afterAll, afterEach, beforeAll, describe, expect, it } from 'vitest';
+import { command } from '../native/build';
 import { type Site, missing, settled, startSite } from './browser';
 
 async function downloaded(page: Page, button: string): Promise<{ name: string; content: Buffer }> {
   const [file] = await Promise.all([page.waitForEvent('download', { timeout: 50_000 }), page.click(button)]);
   return { name: file.suggestedFilename(), content: await readFile((await file.path())!) };
+}
+
+/** The CSV of the curve once it is complete. */
+async function wholeCurve(page: Page): Promise<string> {
+  for (;;) {
+    const { content } = await downloaded(page, '#download-csv');
+    if ((await page.textContent('#done')) === 'CSV downloaded.') return content.toString();
+    await page.waitForTimeout(500);
+  }
+}
+
+/** The rows of a CSV file by the names of its columns. */
+function rowsOf(csv: string): Record<string, string>[] {
+  const [names, ...rows] = csv.trim().split('\n').filter((line) => !line.startsWith('#')).map((line) => line.split(','));
+  return rows.map((row) => Object.fromEntries(names!.map((name, index) => [name, row[index] ?? ''])));
 }
 
 describe.skipIf(missing !== '')(`the results of the page${missing && ` (${missing})`}`, () => {
@@ -65,6 +82,42 @@ describe.skipIf(missing !== '')(`the results of the page${missing && ` (${missin
       expect(svg.content.toString(), picture).toMatch(/^<svg[\s\S]*<\/svg>\s*$/);
     }
     expect(await page.isDisabled('#download-svg')).toBe(true);
+    await page.context().close();
+  });
+
+  it.skipIf(command === undefined)('are those of the native command to 1e-12, for a whole curve', async () => {
+    const page = await site.open();
+    await settled(page);
+    const csv = await wholeCurve(page);
+    const line = /^# command: stoss (.*)$/m.exec(csv)![1]!.split(' ');
+    const native = execFileSync(command!, [...line, '--format', 'csv'], { encoding: 'utf8', stdio: 'pipe' });
+    const [ours, theirs] = [rowsOf(csv), rowsOf(native)];
+    expect(ours.length).toBe(49);
+    expect(theirs.length).toBe(49);
+    ours.forEach((row, index) => {
+      for (const column of ['speed[c]', 'restitution', 'restitution_error']) {
+        const value = Number(theirs[index]![column]);
+        expect(Math.abs(Number(row[column]) - value), `${column} ${row['speed[c]']}`).toBeLessThanOrEqual(1e-12);
+      }
+    });
+    await page.context().close();
+  });
+
+  it('go on when workers are killed in the middle', async () => {
+    const page = await site.open();
+    await settled(page);
+    const header = downloaded(page, '#download-header');
+    await page.waitForTimeout(50);
+    for (const worker of page.workers()) {
+      await worker.evaluate(() => void setTimeout(() => {
+        throw new Error('killed by the test');
+      }));
+    }
+    expect((await header).content.toString()).toContain('restitution');
+    await page.fill('#field-speed', '0.3');
+    expect(await settled(page)).toMatch(/±/);
+    const killed = site.troubles.splice(0).filter((line) => !line.includes('killed by the test'));
+    expect(killed).toEqual([]);
     await page.context().close();
   });
 
