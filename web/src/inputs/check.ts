@@ -97,9 +97,9 @@ function ownTime(encounter: Encounter, body: Body): number {
   return alone * Math.sqrt(density);
 }
 
-/** A field's name in a message: without symbol and unit. */
+/** A field's name in a message: without its symbol. */
 function nameOf(encounter: Encounter, field: Field): string {
-  const name = labelOf(encounter, field).replace(/,? (ratio|ν|E|ρ|R|L|A|η|v)?$/, '');
+  const name = labelOf(encounter, field).replace(/ (ν|[EρRLAηv]|\S₂\S*)$/, '');
   return owner(field)?.second === true ? `${name} of what it meets` : name;
 }
 

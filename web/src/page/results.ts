@@ -64,7 +64,7 @@ export function createResults(): Results {
       if (section.dataset.stale !== 'wrong') delete section.dataset.stale;
       for (const [id, name] of quantities) find(id, HTMLElement).textContent = shownQuantity(result, name);
       clearTimeout(soon);
-      reached = stage === 'first' ? 'tolerance 10⁻², refining' : 'tolerance 10⁻³';
+      reached = stage === 'first' ? 'tolerance 10⁻², refining' : `tolerance 10⁻³${result.converged ? '' : ' not reached'}`;
       if (section.dataset.stale !== 'wrong') state.textContent = reached;
       const lines = flags(result);
       find('flags', HTMLElement).replaceChildren(...lines.flatMap((line) => [line, document.createElement('br')]));
