@@ -136,10 +136,13 @@ export function createModeBars(host: HTMLElement, core: Core): ModeBars {
       shapes.set(name, shape);
       const placed = placedBodies(encounter, collision.bodies.filter((b) => b.kind !== 'half-space').map((b) => b.radius));
       const shown = await shape;
+      view.canvas.hidden = false;
       if (mine === asked && placed[mode.body]) view.show({ ...placed[mode.body]!, radius: 1 }, shown, grid);
     } catch {
       shapes.delete(name);
-      if (mine === asked) view.stop();
+      if (mine !== asked) return;
+      view.stop();
+      view.canvas.hidden = true;
     }
   }
 

@@ -4,7 +4,7 @@ import { axes, legend, up, type Box } from '../drawing/axes';
 import type { Scale } from '../drawing/scale';
 import { element, svgDocument, text } from '../drawing/svg';
 import { look, type Theme } from '../drawing/theme';
-import type { ModeLayout, When } from './mode_layout';
+import type { ModeGroup, ModeLayout, When } from './mode_layout';
 
 export const MODE_LABELS: Record<When, string> = {
   after: 'after the impact', average: 'mean during contact',
@@ -37,27 +37,28 @@ export function energyScale(layout: ModeLayout, log: boolean): Scale {
 export function modeSvg(layout: ModeLayout, log: boolean, when: When, width: number, theme: Theme): string {
   const box = modeBox(width);
   const y = energyScale(layout, log);
-  const groups = spaced(layout, box.width);
-  const x = {
-    scale: { low: 0, high: 1, log: false }, label: 'order n',
-    ticks: groups.map(({ center, order }) => ({ value: center, label: String(order) })),
-  };
+  const alone = layout.groups.length === 1;
+  const names = spaced(alone
+    ? layout.bars.map(({ mode, left, width: wide }) => ({ order: mode.index, center: left + 0.5 * wide }))
+    : layout.groups, box.width);
+  const label = alone ? `overtone l of the order n = ${layout.groups[0]!.order}` : 'order n';
   const parts = [axes(
-    box, { ...x, ticks: [] }, { scale: y, label: `share of the energy, ${MODE_LABELS[when]}` }, theme,
+    box, { scale: { low: 0, high: 1, log: false }, label, ticks: [] }, { scale: y, label: `share of the energy, ${MODE_LABELS[when]}` }, theme,
   )];
   const ground = box.top + box.height;
-  for (const { value, label } of x.ticks) {
-    parts.push(text(box.left + value * box.width, ground + 17, label, { 'text-anchor': 'middle', fill: theme.muted }));
+  for (const { center, order } of names) {
+    const at = box.left + center * box.width;
+    parts.push(text(at, ground + 17, String(order), { 'text-anchor': 'middle', fill: theme.muted }));
   }
   for (const { mode, energy, left, width: wide } of layout.bars) {
     const top = Math.min(ground, Math.max(box.top, up(box, y, energy)));
     parts.push(element('rect', {
       x: box.left + (left + 0.08 * wide) * box.width, y: top, width: 0.84 * wide * box.width, height: ground - top,
-      fill: colorOf(mode.index, theme),
+      fill: alone ? look(0, theme).color : colorOf(mode.index, theme),
     }));
   }
   const overtones = [...new Set(layout.bars.map((each) => Math.min(each.mode.index, COLORED)))].sort((a, b) => a - b);
-  const entries = overtones.map((l) => ({
+  const entries = alone ? [] : overtones.map((l) => ({
     label: l < COLORED ? `l = ${l}` : `l ≥ ${COLORED}`,
     look: { color: colorOf(l, theme), dash: [], marker: 'square' as const }, line: false, marker: true,
   }));
@@ -71,9 +72,9 @@ function colorOf(index: number, theme: Theme): string {
 }
 
 /** The groups whose orders can be written without touching each other. */
-function spaced(layout: ModeLayout, width: number): ModeLayout['groups'] {
+function spaced(groups: ModeGroup[], width: number): ModeGroup[] {
   let last = -Infinity;
-  return layout.groups.filter(({ center, order }) => {
+  return groups.filter(({ center, order }) => {
     if ((center - last) * width < 6 + 7 * String(order).length) return false;
     last = center;
     return true;

@@ -1,6 +1,7 @@
 // What the charts of one collision in time show.
 
 import type { Collision } from '../core/protocol';
+import { unitInWords } from '../drawing/ticks';
 
 export interface Series {
   label: string;
@@ -52,7 +53,7 @@ export function panelsOf(collision: Collision): Panel[] {
 
 /** The name of a panel with its unit, for its axis. */
 export function panelLabel({ name, unit }: Panel): string {
-  return unit ? `${name} (${unit})` : name;
+  return unit ? `${name} (${unitInWords(unit)})` : name;
 }
 
 /** A curve with at most two points for each of `columns` pieces of it, its least and its greatest. */

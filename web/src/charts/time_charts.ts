@@ -5,6 +5,7 @@ import type { Collision } from '../core/protocol';
 import { onResize } from '../drawing/sized';
 import { pngOf } from '../drawing/svg';
 import { look, readTheme } from '../drawing/theme';
+import { unitInWords } from '../drawing/ticks';
 import { panelLabel, panelsOf, type Panel } from './series';
 import { createTimePlot, type TimePlot } from './time_plot';
 import { timeSvg } from './time_svg';
@@ -56,7 +57,7 @@ export function createTimeCharts(host: HTMLElement): TimeCharts {
     panels.forEach((panel, n) => {
       place.append(heading(panel));
       const last = n === panels.length - 1;
-      const label = `time since first contact (${units.time})`;
+      const label = `time since first contact (${unitInWords(units.time)})`;
       const plot = createTimePlot(place, time, label, panel, HEIGHTS[n]!, drawnWidth, last, theme);
       listen(plot);
       plots.push(plot);

@@ -40,7 +40,7 @@ export function createTimePlot(
       },
       {
         ...common, ticks, size: AXIS, gap: 3,
-        splits: () => linearTicks(panel.low, panel.high, height / 34).map((each) => each.value),
+        splits: () => linearTicks(panel.low, panel.high, height / 28).map((each) => each.value),
         values: (_self, splits) => splits.map((each) => labelOf(splits, each)),
       },
     ],

@@ -4,6 +4,7 @@ import type { Collision } from '../core/protocol';
 import { across, axes, legend, up, type Box } from '../drawing/axes';
 import { element, pathThrough, svgDocument } from '../drawing/svg';
 import { look, type Theme } from '../drawing/theme';
+import { unitInWords } from '../drawing/ticks';
 import { panelLabel, panelsOf, thinned } from './series';
 
 const HEIGHTS = [130, 130, 190];
@@ -15,7 +16,7 @@ const GAP = 34;
 export function timeSvg(collision: Collision, width: number, theme: Theme): string {
   const x = {
     scale: { low: collision.time[0] ?? 0, high: collision.time[collision.time.length - 1] ?? 1, log: false },
-    label: `time since first contact (${collision.units.time})`,
+    label: `time since first contact (${unitInWords(collision.units.time)})`,
   };
   const panels = panelsOf(collision);
   const parts: string[] = [];

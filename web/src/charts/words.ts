@@ -2,12 +2,8 @@
 
 import type { Collision } from '../core/protocol';
 import { interpolate } from '../drawing/scale';
-import { written } from '../drawing/ticks';
+import { unitInWords, withUnit, written } from '../drawing/ticks';
 import type { Panel, Series } from './series';
-
-function withUnit(value: number, unit: string): string {
-  return unit ? `${written(value, 3)} ${unit}` : written(value, 3);
-}
 
 const NOTHING = 1e-9; // of what a panel spans
 
@@ -20,7 +16,7 @@ export function valueWords(collision: Collision, panel: Panel, series: Series, t
 /** What the charts show at one time. */
 export function cursorWords(collision: Collision, panels: Panel[], time: number): string {
   const values = panels.flatMap((panel) => panel.series.map((each) =>
-    `${each.label} ${valueWords(collision, panel, each, time)}${panel.unit ? ` ${panel.unit}` : ''}`));
+    `${each.label} ${valueWords(collision, panel, each, time)}${panel.unit ? ` ${unitInWords(panel.unit)}` : ''}`));
   return `time ${withUnit(time, collision.units.time)}: ${values.join(', ')}`;
 }
 

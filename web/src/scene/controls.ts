@@ -9,6 +9,8 @@ export interface Controls {
   /** shows a time: its share of the film and what it is in words */
   setTime(share: number, words: string): void;
   setEnabled(enabled: boolean): void;
+  /** whether there is a choice of colours */
+  setColored(colored: boolean): void;
 }
 
 export interface Actions {
@@ -66,13 +68,14 @@ export function createControls(actions: Actions): Controls {
   });
   scrub.setAttribute('aria-label', 'Time in the film');
   scrub.addEventListener('input', () => actions.scrub(Number(scrub.value) / PIECES));
+  const colors = choice('Colours', COLORS, 'fringes', actions.color);
   element.append(
     play,
     button('Step back', BACK, () => actions.step(-1)),
     button('Step forward', NEXT, () => actions.step(1)),
     scrub,
     choice('Playback', SPEEDS, 1, actions.speed),
-    choice('Colours', COLORS, 'fringes', actions.color),
+    colors,
   );
   const all = Array.from(element.querySelectorAll<HTMLButtonElement | HTMLInputElement>('button, input'));
   return {
@@ -87,6 +90,9 @@ export function createControls(actions: Actions): Controls {
     setTime(share, words) {
       scrub.value = String(Math.round(share * PIECES));
       scrub.setAttribute('aria-valuetext', words);
+    },
+    setColored(colored) {
+      colors.hidden = !colored;
     },
     setEnabled(enabled) {
       for (const each of all) each.disabled = !enabled;

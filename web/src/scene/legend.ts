@@ -21,10 +21,10 @@ function stressPrefix(pascals: number): [number, string] {
   return PREFIXES.find(([size]) => pascals >= size) ?? [1, 'Pa'];
 }
 
-/** Draws a legend at the foot of a picture. `modulus`: that of the first body in Pa, where units are SI. */
+/** Draws a legend at the foot of a picture. `modulus`: that of the first body in Pa, where units are SI. `name`: of a stress that is no fringes. */
 export function drawLegend(
   context: CanvasRenderingContext2D, left: number, top: number, width: number, theme: Theme, shade: Shade,
-  modulus: number | undefined,
+  modulus: number | undefined, name: string,
 ): void {
   const wide = Math.min(280, width);
   const start = left + (width - wide) / 2;
@@ -40,7 +40,7 @@ export function drawLegend(
   context.fillStyle = theme.muted;
   context.font = '11px system-ui, sans-serif';
   context.textAlign = 'center';
-  const [size, name] = modulus === undefined ? [1, 'E'] : stressPrefix(end * modulus);
+  const [size, unit] = modulus === undefined ? [1, 'E'] : stressPrefix(end * modulus);
   const last = fringes ? ORDERS : (end * (modulus ?? 1)) / size;
   for (const tick of linearTicks(0, last, 5)) {
     context.fillText(tick.label, start + (wide * tick.value) / last, top + 23);
@@ -48,6 +48,6 @@ export function drawLegend(
   context.fillStyle = theme.text;
   const words = fringes
     ? `fringe order, one every σ₁ − σ₂ = ${stressInWords(shade.unit, modulus)}`
-    : `von Mises stress / ${name}`;
+    : `${name} / ${unit}`;
   context.fillText(words, start + wide / 2, top + 39);
 }

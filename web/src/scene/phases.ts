@@ -2,7 +2,7 @@
 
 import type { Collision } from '../core/protocol';
 import { interpolate } from '../drawing/scale';
-import { written } from '../drawing/ticks';
+import { unitInWords, withUnit, written } from '../drawing/ticks';
 
 export type Phase = 'approach' | 'compression' | 'restitution' | 'apart';
 
@@ -14,15 +14,10 @@ export function phaseAt(collision: Collision, time: number): Phase {
   return interpolate(collision.time, collision.velocity, time) * first > 0 ? 'compression' : 'restitution';
 }
 
-/** A value with its unit. */
-export function withUnit(value: number, unit: string, digits = 3): string {
-  return unit ? `${written(value, digits)} ${unit}` : written(value, digits);
-}
-
 /** How much slower a film is that shows `span`, in units of time, within `seconds`. */
 export function slowness(span: number, unit: string, seconds: number): string {
   const each = span / seconds;
-  return unit === 's' ? `Slowed ${written(1 / each, 2)} times.` : `1 s of the film is ${written(each, 2)} ${unit}.`;
+  return unit === 's' ? `Slowed ${written(1 / each, 2)} times.` : `1 s of the film is ${written(each, 2)} ${unitInWords(unit)}.`;
 }
 
 /** One sentence for those who do not see the picture. */

@@ -3,10 +3,11 @@
 import type { Frame } from '../core/protocol';
 import { modulus } from '../drawing/si';
 import type { Theme } from '../drawing/theme';
+import { withUnit } from '../drawing/ticks';
 import { drawBodies, type Scratch } from './bodies';
 import { shadeOf, type Quantity, type Shade } from './colors';
 import { drawLegend, LEGEND } from './legend';
-import { phaseAt, withUnit } from './phases';
+import { phaseAt } from './phases';
 import type { Show } from './show';
 import { layoutOf } from './view';
 
@@ -32,7 +33,9 @@ export function drawPicture(
 ): void {
   const context = canvas.getContext('2d')!;
   const layout = layoutOf(show.view, width, density);
-  const shade = sharedShade(quantity, show.units[quantity], theme.dark);
+  const rods = show.encounter.kind === 'rod';
+  const shown = rods ? 'vonMises' : quantity; // bands tell little of a stress that is the same across a rod
+  const shade = sharedShade(shown, show.units[shown], theme.dark);
   context.setTransform(density, 0, 0, density, 0, 0);
   context.fillStyle = theme.background;
   context.fillRect(0, 0, width, layout.height + LEGEND);
@@ -51,5 +54,6 @@ export function drawPicture(
   context.fillStyle = theme.muted;
   const { magnification } = show;
   context.fillText(magnification === 1 ? 'true displacements' : `displacements × ${magnification}`, width - 4, 16);
-  drawLegend(context, 8, layout.height + 2, width - 16, theme, shade, modulus(show.encounter));
+  drawLegend(context, 8, layout.height + 2, width - 16, theme, shade, modulus(show.encounter),
+    rods ? 'stress |σ|' : 'von Mises stress');
 }

@@ -1,11 +1,11 @@
 // The scale of colours of a film, from the stress in some of its frames.
 
 import type { Frame, Grid } from '../core/protocol';
-import { roundDown, roundUp } from '../drawing/ticks';
+import { roundUp } from '../drawing/ticks';
 import type { Quantity } from './colors';
 
 const COVERED = 0.99; // of a body's area is within the scale, in every frame
-const ORDERS = 5; // fringes on the scale
+const ORDERS = 6; // fringes, at most, in that share
 
 /** The stress that is not exceeded in a share of the area of a body. */
 export function coveringStress(values: Float32Array, grid: Grid, covered = COVERED): number {
@@ -34,5 +34,5 @@ export function stressUnit(quantity: Quantity, frames: Frame[], grid: Grid): num
     for (const body of frame.bodies) greatest = Math.max(greatest, coveringStress(body[quantity], grid));
   }
   if (!(greatest > 0)) return 1;
-  return quantity === 'fringes' ? roundDown(greatest / ORDERS) : roundUp(greatest);
+  return roundUp(quantity === 'fringes' ? greatest / ORDERS : greatest);
 }

@@ -4,12 +4,13 @@ import type { Collision, Core, Encounter, Frame } from '../core/protocol';
 import { fitCanvas, onResize } from '../drawing/sized';
 import { pngOfCanvas } from '../drawing/svg';
 import { motionIsReduced, readTheme } from '../drawing/theme';
+import { withUnit } from '../drawing/ticks';
 import { newScratch } from './bodies';
 import { advance, LENGTH, type Clock } from './clock';
 import type { Quantity } from './colors';
 import { createControls } from './controls';
 import { frameAt } from './frames';
-import { describe, phaseAt, slowness, withUnit } from './phases';
+import { describe, phaseAt, slowness } from './phases';
 import { drawPicture, pictureHeight } from './picture';
 import { produce, type Show } from './show';
 import './scene.css';
@@ -153,6 +154,7 @@ export function createScene(host: HTMLElement, core: Core): Scene {
     spare = undefined;
     clock = { time: next.from + share * (next.to - next.from), rested: 0 };
     controls.setEnabled(true);
+    controls.setColored(next.encounter.kind !== 'rod');
     tellSpeed();
     draw();
     cursor(clock.time);
@@ -165,9 +167,11 @@ export function createScene(host: HTMLElement, core: Core): Scene {
     show(encounter, at, tolerance, collision) {
       asked?.abort();
       const mine = (asked = new AbortController());
+      note.textContent = 'Computing the film …';
       produce(core, encounter, at, tolerance, collision, mine.signal, start, () => !playing && draw()).catch((error) => {
         if (mine.signal.aborted) return;
-        words.textContent = `The film could not be computed: ${error instanceof Error ? error.message : error}`;
+        const line = `The film could not be computed: ${error instanceof Error ? error.message : error}`;
+        note.textContent = words.textContent = line;
       });
     },
     seek: (time) => go(time, false),

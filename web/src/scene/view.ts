@@ -11,7 +11,7 @@ export interface View {
 }
 
 const ROD = 0.1; // half the thickness of the first rod, in its lengths
-const ZOOM = 3.2; // a body is shown as far as this many radii of the smaller one
+const ZOOM = 4.6; // a body is shown as far as this many radii of the smaller one
 const GROUND = 0.3; // a wall's thickness
 const DEEP = 0.9; // what is shown of a half-space
 const MARGIN = 0.08;
@@ -46,7 +46,7 @@ export function viewOf(
   const reach = ZOOM * small;
   view.left = Math.max(view.left - MARGIN * small, -reach);
   view.right = Math.min(view.right + MARGIN * small, reach);
-  view.half = Math.min(view.half + MARGIN * small, 0.6 * reach);
+  view.half = Math.min(view.half + MARGIN * small, 0.5 * reach);
   if (against === 'wall') view.right = GROUND * (placed[0]!.kind === 'rod' ? 0.3 : 1);
   if (against === 'half-space') view.right = DEEP;
   return view;

@@ -20,7 +20,7 @@ const THEME: Theme = {
 const time = Float64Array.from({ length: 1001 }, (_, k) => k / 125);
 const zero = new Float64Array(1001);
 const COLLISION: Collision = {
-  units: { time: 'R/c', length: 'R', speed: 'c', force: 'mc²/R' }, time,
+  units: { time: 'R/c', length: 'R', speed: 'c', force: 'mc^2/R' }, time,
   velocity: time.map((t) => 0.1 * Math.cos((Math.PI * t) / 8)), force: time.map((t) => 0.05 * Math.sin((Math.PI * t) / 8)),
   halfWidth: zero, translation: time.map((t) => Math.cos((Math.PI * t) / 8) ** 2), vibration: zero,
   stored: time.map((t) => Math.sin((Math.PI * t) / 8) ** 2), dissipated: zero, unresolved: zero, modes: [], begin: 0, end: 8,

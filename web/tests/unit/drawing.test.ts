@@ -1,7 +1,7 @@
 import { describe, expect, it } from 'vitest';
 import { interpolate, lastNotAbove, placeOf, valueAt } from '../../src/drawing/scale';
 import { element, escaped, pathThrough, svgDocument } from '../../src/drawing/svg';
-import { linearTicks, logTicks, roundDown, roundUp, written } from '../../src/drawing/ticks';
+import { linearTicks, logTicks, roundDown, roundUp, unitInWords, written } from '../../src/drawing/ticks';
 
 describe('written', () => {
   it.each([
@@ -9,6 +9,11 @@ describe('written', () => {
     [123456, '123500'], [1.25e7, '1.25×10⁷'], [1e7, '10⁷'], [-3e-7, '−3×10⁻⁷'], [Infinity, '∞'], [-Infinity, '−∞'],
     [NaN, '–'], [1.1e-4, '1.1×10⁻⁴'], [0.99996, '1'], [9.99999e-4, '0.001'], [9.9e-4, '9.9×10⁻⁴'],
   ])('%d is %s', (value, words) => expect(written(value)).toBe(words));
+});
+
+describe('units', () => {
+  it.each([['piRE', 'πRE'], ['mc^2/R', 'mc²/R'], ['N/m', 'N/m'], ['m^-1', 'm⁻¹'], ['', '']])('%s is %s', (unit, words) =>
+    expect(unitInWords(unit)).toBe(words));
 });
 
 describe('round numbers', () => {
@@ -29,7 +34,7 @@ describe('ticks', () => {
       logTicks(low, high, count).map((each) => each.label).filter(Boolean);
     expect(labels(0.01, 0.3, 9)).toEqual(['0.01', '0.02', '0.05', '0.1', '0.2']);
     expect(labels(1e-3, 1, 5)).toEqual(['0.001', '0.01', '0.1', '1']);
-    expect(labels(1e-8, 1, 4)).toEqual(['10⁻⁸', '10⁻⁶', '10⁻⁴', '0.01', '1']);
+    expect(labels(1e-8, 1, 4)).toEqual(['10⁻⁸', '10⁻⁶', '10⁻⁴', '10⁻²', '1']);
     expect(logTicks(0, 1, 4)).toEqual([]);
   });
 });
