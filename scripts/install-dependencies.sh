@@ -16,7 +16,7 @@ if [ "${1:-all}" != build ]; then
     python3-venv python3-pip python3-setuptools python3-wheel
   )
 fi
-# Tests; benchmarks; checks; the documentation site.
+# Tests; benchmarks; checks; the documentation site; the page.
 if [ "${1:-all}" = all ]; then
   packages+=(
     libgtest-dev libgmock-dev pkgconf python3-pytest python3-hypothesis python3-tqdm mypy
@@ -25,7 +25,12 @@ if [ "${1:-all}" = all ]; then
     libbenchmark-dev
     clang libclang-rt-dev clang-format clang-tidy
     doxygen python3-sphinx furo python3-myst-parser python3-breathe python3-sphinx-copybutton libjs-katex
+    emscripten chromium
   )
+  # Debian's packages of Node.js and npm do not go together with those of others, which may be there already.
+  if ! command -v npm >/dev/null || [ "$(node -p 'parseInt(process.versions.node) >= 18' 2>/dev/null)" != true ]; then
+    packages+=(nodejs npm)
+  fi
 fi
 
 if ! command -v dpkg-query >/dev/null; then

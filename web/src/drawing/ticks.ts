@@ -74,6 +74,8 @@ export function logTicks(low: number, high: number, count: number): Tick[] {
   const decades = Math.log10(high / low);
   const leads = decades * 3 <= count ? [1, 2, 5] : [1];
   const every = Math.max(1, Math.ceil(decades / Math.max(1, count)));
+  const name = (value: number, power: number): string => // a row of powers looks best with all written alike
+    decades > 4 && power !== 0 && power !== -1 ? powerOfTen(power) : written(value);
   const ticks: Tick[] = [];
   for (let power = Math.floor(Math.log10(low)); power <= Math.ceil(Math.log10(high)); ++power) {
     for (let lead = 1; lead <= 9; ++lead) {
@@ -81,7 +83,7 @@ export function logTicks(low: number, high: number, count: number): Tick[] {
       if (value < low * (1 - 1e-9) || value > high * (1 + 1e-9)) continue;
       if (lead > 1 && every > 1) continue;
       const named = leads.includes(lead) && (lead > 1 || power % every === 0);
-      ticks.push({ value, label: named ? written(value) : '' });
+      ticks.push({ value, label: named ? (lead === 1 ? name(value, power) : written(value)) : '' });
     }
   }
   return ticks;

@@ -1,6 +1,7 @@
 // Draws the bodies of one frame: their stress, their edges, and what a single one meets.
 
 import type { Encounter, Frame, Grid } from '../core/protocol';
+import { interpolate } from '../drawing/scale';
 import type { Theme } from '../drawing/theme';
 import type { Shade } from './colors';
 import { between, faceOf, type Edge } from './interface';
@@ -41,9 +42,9 @@ export function drawBodies(
     const { context } = to;
     context.save();
     if (seam) clipBeside(to, seam, n === 0);
+    strokeRest(to, body, magnifiedCenter(body, frame.bodies[n]!.center, magnification));
     paint(to, meshes[n]!, frame.bodies[n]![to.shade.quantity], scratch);
     strokeEdge(to, edges[n]!);
-    strokeRest(to, body, magnifiedCenter(body, frame.bodies[n]!.center, magnification));
     context.restore();
   });
   if (against === 'wall') drawWall(to);
@@ -126,9 +127,9 @@ function strokeRest({ context, layout, theme }: Drawing, body: Placed, center: n
   }
   context.setLineDash([4, 4]);
   context.lineWidth = 1;
-  context.globalAlpha = 0.7;
   context.strokeStyle = theme.muted;
   context.stroke();
+  context.setLineDash([]);
 }
 
 function hatched({ context, layout, theme }: Drawing, face: Path2D, shape: Path2D, right: number): void {
@@ -152,7 +153,8 @@ function hatched({ context, layout, theme }: Drawing, face: Path2D, shape: Path2
   context.stroke(face);
 }
 
-const WALL = 0.26;
+const WALL = 0.26; // thickness, in radii
+const STEP = 2; // pixels between two points of a surface
 
 function drawWall(to: Drawing): void {
   const { x, scale, height, y } = to.layout;
@@ -169,16 +171,11 @@ function drawWall(to: Drawing): void {
 function drawSurface(to: Drawing, surface: { y: Float32Array; depth: Float32Array }, magnification: number): void {
   const { x, y, scale, height } = to.layout;
   const top = 2 * y - height + 4;
-  const points: [number, number][] = [];
-  for (let k = 0; k < surface.y.length; ++k) {
-    if (surface.y[k]! >= 0) points.push([x + scale * magnification * surface.depth[k]!, scale * surface.y[k]!]);
-  }
+  const at = (reach: number): number => x + scale * magnification * interpolate(surface.y, surface.depth, reach / scale);
   const face = new Path2D();
-  const end = points[points.length - 1] ?? [x, 0];
-  face.lineTo(end[0], top);
-  for (const [at, reach] of [...points].reverse()) if (y - reach > top) face.lineTo(at, y - reach);
-  for (const [at, reach] of points) if (y + reach < height) face.lineTo(at, y + reach);
-  face.lineTo(end[0], height);
+  for (let reach = y - top; reach > 0; reach -= STEP) face.lineTo(at(reach), y - reach);
+  for (let reach = 0; reach < height - y; reach += STEP) face.lineTo(at(reach), y + reach);
+  face.lineTo(at(height - y), height);
   const shape = new Path2D(face);
   shape.lineTo(to.width, height);
   shape.lineTo(to.width, top);

@@ -167,9 +167,11 @@ export function createScene(host: HTMLElement, core: Core): Scene {
     show(encounter, at, tolerance, collision) {
       asked?.abort();
       const mine = (asked = new AbortController());
+      note.textContent = 'Computing the film …';
       produce(core, encounter, at, tolerance, collision, mine.signal, start, () => !playing && draw()).catch((error) => {
         if (mine.signal.aborted) return;
-        words.textContent = `The film could not be computed: ${error instanceof Error ? error.message : error}`;
+        const line = `The film could not be computed: ${error instanceof Error ? error.message : error}`;
+        note.textContent = words.textContent = line;
       });
     },
     seek: (time) => go(time, false),

@@ -5,6 +5,7 @@ import { createCurveChart, type Curve } from '../../src/charts/curve_chart';
 import { createModeBars } from '../../src/charts/mode_bars';
 import { createTimeCharts } from '../../src/charts/time_charts';
 import { createScene } from '../../src/scene/scene';
+import { createCore } from '../../src/core/client';
 import { fakeCore } from './fake_core';
 
 const query = new URLSearchParams(location.search);
@@ -19,7 +20,7 @@ const encounter: Encounter = {
   kind: (query.get('body') ?? 'disk') as BodyKind, first, against, si: false, plane: 'stress',
 };
 const speed = Number(query.get('speed') ?? 0.1);
-const core = fakeCore();
+const core = query.has('real') ? createCore() : fakeCore();
 const at = (id: string): HTMLElement => document.getElementById(id)!;
 
 const scene = createScene(at('scene'), core);
@@ -31,7 +32,8 @@ time.onCursor(scene.seek);
 curve.onPick((picked) => curve.setCurrent(picked, 0.9, 0.001));
 
 const collision = await core.collision(encounter, speed, 1e-3);
-scene.show(encounter, speed, 1e-3, collision);
+Object.assign(window, { pictures: { scene, collision, core, encounter, speed } });
+if (!query.has('noshow')) scene.show(encounter, speed, 1e-3, collision);
 time.show(collision);
 modes.show(encounter, collision);
 const planned = Array.from({ length: 25 }, (_, k) => 1e-3 * 300 ** (k / 24));
@@ -43,4 +45,4 @@ for (const [n, each] of curves.entries()) {
     curve.setCurves(curves);
   });
 }
-Object.assign(window, { pictures: { scene, time, curve, modes, collision, ready: true } });
+Object.assign(window, { pictures: { scene, core, encounter, speed, time, curve, modes, collision, ready: true } });

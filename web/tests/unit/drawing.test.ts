@@ -34,7 +34,7 @@ describe('ticks', () => {
       logTicks(low, high, count).map((each) => each.label).filter(Boolean);
     expect(labels(0.01, 0.3, 9)).toEqual(['0.01', '0.02', '0.05', '0.1', '0.2']);
     expect(labels(1e-3, 1, 5)).toEqual(['0.001', '0.01', '0.1', '1']);
-    expect(labels(1e-8, 1, 4)).toEqual(['10⁻⁸', '10⁻⁶', '10⁻⁴', '0.01', '1']);
+    expect(labels(1e-8, 1, 4)).toEqual(['10⁻⁸', '10⁻⁶', '10⁻⁴', '10⁻²', '1']);
     expect(logTicks(0, 1, 4)).toEqual([]);
   });
 });
