@@ -9,7 +9,7 @@ import { shadeOf, type Quantity, type Shade } from './colors';
 import { drawLegend, LEGEND } from './legend';
 import { phaseAt } from './phases';
 import type { Show } from './show';
-import { layoutOf } from './view';
+import { HEAD, layoutOf } from './view';
 
 const shades = new Map<string, Shade>();
 
@@ -41,7 +41,7 @@ export function drawPicture(
   context.fillRect(0, 0, width, layout.height + LEGEND);
   context.save();
   context.beginPath();
-  context.rect(0, 0, width, layout.height);
+  context.rect(0, HEAD - 4, width, layout.height - HEAD + 4);
   context.clip();
   const to = { context, layout, density, width, theme, shade };
   drawBodies(to, frame, show.placed, show.grid, show.magnification, show.encounter.against.kind, scratch);

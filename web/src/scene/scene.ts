@@ -28,6 +28,7 @@ export interface Scene {
 }
 
 const STEPS = 64; // of the film
+const PRINT = 800; // width of a picture of a scene that is not on the page
 
 /** Makes an empty scene in an element. */
 export function createScene(host: HTMLElement, core: Core): Scene {
@@ -185,7 +186,16 @@ export function createScene(host: HTMLElement, core: Core): Scene {
       canvas.getContext('2d')!.clearRect(0, 0, canvas.width, canvas.height);
       empty();
     },
-    toPng: () => pngOfCanvas(canvas),
+    async toPng() {
+      const frame = show && frameAt(show.film, clock.time);
+      if (!show || !frame) throw new Error('there is no film to draw yet');
+      const width = place.clientWidth || PRINT;
+      const copy = document.createElement('canvas');
+      const density = Math.max(2, devicePixelRatio);
+      [copy.width, copy.height] = [density * width, density * pictureHeight(show, width)];
+      drawPicture(copy, width, density, show, frame, clock.time, quantity, readTheme(place), newScratch());
+      return pngOfCanvas(copy);
+    },
     destroy() {
       asked?.abort();
       pause();
