@@ -148,7 +148,7 @@ export function createModeBars(host: HTMLElement, core: Core): ModeBars {
 
   function wordsOf({ mode, energy }: ModeBar): string {
     const { encounter } = now!;
-    const frequency = frequencyInWords(mode.omega, encounter, written);
+    const frequency = frequencyInWords(mode.omega, encounter);
     return `Mode (n, l) = (${mode.order}, ${mode.index}), ${frequency}: ${percent(energy)} of the energy, ` +
       `${MODE_LABELS[when.chosen()]}`;
   }

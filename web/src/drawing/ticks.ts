@@ -32,11 +32,6 @@ export function unitInWords(unit: string): string {
   return unit.replace(/^pi/, 'π').replace(/\^(-?\d)/g, (_, power: string) => [...power].map((each) => RAISED[each]).join(''));
 }
 
-/** A value with its unit. */
-export function withUnit(value: number, unit: string, digits = 3): string {
-  return unit ? `${written(value, digits)} ${unitInWords(unit)}` : written(value, digits);
-}
-
 /** The least of 1, 2 and 5 times a power of ten that is not below `value`. */
 export function roundUp(value: number): number {
   const power = 10 ** Math.floor(Math.log10(value) + 1e-12);

@@ -3,11 +3,10 @@
 import type { Frame } from '../core/protocol';
 import { modulus } from '../drawing/si';
 import type { Theme } from '../drawing/theme';
-import { withUnit } from '../drawing/ticks';
 import { drawBodies, type Scratch } from './bodies';
 import { shadeOf, type Quantity, type Shade } from './colors';
 import { drawLegend, LEGEND } from './legend';
-import { phaseAt } from './phases';
+import { phaseAt, timeInWords } from './phases';
 import type { Show } from './show';
 import { HEAD, layoutOf } from './view';
 
@@ -49,7 +48,7 @@ export function drawPicture(
   context.fillStyle = theme.text;
   context.font = '13px system-ui, sans-serif';
   context.textAlign = 'left';
-  context.fillText(`t = ${withUnit(time, show.collision.units.time)}, ${phaseAt(show.collision, time)}`, 4, 16);
+  context.fillText(`t = ${timeInWords(show.collision, time)}, ${phaseAt(show.collision, time)}`, 4, 16);
   context.textAlign = 'right';
   context.fillStyle = theme.muted;
   const { magnification } = show;

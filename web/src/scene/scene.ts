@@ -4,13 +4,12 @@ import type { Collision, Core, Encounter, Frame } from '../core/protocol';
 import { fitCanvas, onResize } from '../drawing/sized';
 import { pngOfCanvas } from '../drawing/svg';
 import { motionIsReduced, readTheme } from '../drawing/theme';
-import { withUnit } from '../drawing/ticks';
 import { newScratch } from './bodies';
 import { advance, LENGTH, type Clock } from './clock';
 import type { Quantity } from './colors';
 import { createControls } from './controls';
 import { frameAt } from './frames';
-import { describe, phaseAt, slowness } from './phases';
+import { describe, phaseAt, slowness, timeInWords } from './phases';
 import { drawPicture, pictureHeight } from './picture';
 import { produce, type Show } from './show';
 import './scene.css';
@@ -144,7 +143,7 @@ export function createScene(host: HTMLElement, core: Core): Scene {
     if (!frame) return;
     spare = frame;
     drawPicture(canvas, width, density, show, frame, clock.time, quantity, theme, scratch);
-    const shown = withUnit(clock.time, show.collision.units.time);
+    const shown = timeInWords(show.collision, clock.time);
     controls.setTime((clock.time - show.from) / (show.to - show.from), `${shown}, ${phaseAt(show.collision, clock.time)}`);
     if (!playing) canvas.setAttribute('aria-label', `Film of the collision: ${describe(show.collision, clock.time)}`);
   }
