@@ -70,7 +70,7 @@ export function logTicks(low: number, high: number, count: number): Tick[] {
   const leads = decades * 3 <= count ? [1, 2, 5] : [1];
   const every = Math.max(1, Math.ceil(decades / Math.max(1, count)));
   const name = (value: number, power: number): string => // a row of powers looks best with all written alike
-    decades > 4 && power !== 0 && power !== -1 ? powerOfTen(power) : written(value);
+    decades > 4 && (power < -1 || power > 2) ? powerOfTen(power) : written(value);
   const ticks: Tick[] = [];
   for (let power = Math.floor(Math.log10(low)); power <= Math.ceil(Math.log10(high)); ++power) {
     for (let lead = 1; lead <= 9; ++lead) {
