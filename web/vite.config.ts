@@ -11,5 +11,5 @@ export default defineConfig({
   plugins: [equations(process.env.STOSS_DOCUMENTATION ?? '')],
   build: { outDir: '../build/web', emptyOutDir: true, target: 'es2022', assetsInlineLimit: 0 },
   worker: { format: 'es' },
-  test: { include: ['tests/{unit,native,page}/**/*.test.ts'] },
+  test: { include: ['tests/{core,unit,native,page}/**/*.test.ts'] },
 });

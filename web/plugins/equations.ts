@@ -33,7 +33,8 @@ export function equations(documentation: string): Plugin {
       order: 'pre',
       handler(html, { filename }) {
         const folder = resolve(filename, '..');
-        const whole = html.replace(/<!-- include (\S+) -->/g, (_, file: string) => readFileSync(resolve(folder, file), 'utf8'));
+        const whole = html.replace(/<!-- include (\S+) -->/g, (_, file: string) =>
+          readFileSync(resolve(folder, file), 'utf8'));
         const linked = whole.replace(/<!-- documentation -->([\s\S]*?)<!-- end -->/g, (_, text: string) =>
           documentation === '' ? '' : text.replaceAll('%DOCUMENTATION%', documentation));
         return renderEquations(linked);

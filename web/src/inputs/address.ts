@@ -1,4 +1,4 @@
-// All inputs in the address of the page, in short readable keys: #body=sphere&nu=0.3&v=0.01&against=half-space&nu2=0.2
+// All inputs in the address of the page, in short readable keys: ?body=sphere&nu=0.3&v=0.01&against=half-space&nu2=0.2
 import type { Against, Body, BodyKind, Encounter } from '../core/protocol';
 import { problemsOf } from './check';
 import { type BodyField, bodyFields, fieldsOf, ofSecond, valueOf } from './fields';
@@ -11,10 +11,11 @@ const keys: Record<BodyField, string> = {
 const kinds: readonly BodyKind[] = ['disk', 'sphere', 'rod'];
 const partners: readonly Against['kind'][] = ['wall', 'same', 'body', 'half-space'];
 
-/** The inputs as text after # in the address. */
+/** The inputs as text after ? in the address. */
 export function toAddress(inputs: Inputs): string {
   const kept = inputs.kept.map((encounter) => `keep=${pairsOf(encounter).map((pair) => pair.join(':')).join(',')}`);
-  return [...pairsOf(inputs.encounter), ['v', shortest(inputs.speed)]].map((pair) => pair.join('=')).concat(kept).join('&');
+  const own = [...pairsOf(inputs.encounter), ['v', shortest(inputs.speed)]].map((pair) => pair.join('='));
+  return [...own, ...kept].join('&');
 }
 
 /** The inputs that an address holds, and in one line what was wrong with it ('' if nothing). */
@@ -86,7 +87,8 @@ function encounterFrom(pairs: Map<string, string>): Encounter {
   const plane = word('plane', take('plane') ?? 'stress', ['stress', 'strain'] as const);
   const partner = word('against', take('against') ?? 'wall', partners);
   if (kind === 'rod' && partner === 'half-space') throw new Error('against: got half-space, allowed wall, same, body');
-  const against: Against = partner === 'wall' || partner === 'same' ? { kind: partner } : { kind: partner, body: unitBody };
+  const against: Against =
+    partner === 'wall' || partner === 'same' ? { kind: partner } : { kind: partner, body: unitBody };
   const encounter: Encounter = { kind, si, plane, first: unitBody, against };
   const fields = fieldsOf(encounter);
   const fill = (second: boolean): Body => {

@@ -58,7 +58,9 @@ function requireBody(encounter: Encounter, body: Body, named: (name: BodyField) 
   else if (!si) require(named('poisson'), body.poisson, -0.95, 0.995, 'in plane strain ν/(1−ν) of the solid');
   else if (plane === 'stress') require(named('poisson'), body.poisson, -0.95, 0.4999, 'of the solid; steel has 0.3');
   else require(named('poisson'), body.poisson, -0.9999, 0.4987, 'of the solid; steel has 0.3');
-  const hints = { young: 'steel has 2.1e11', density: 'steel has 7850', radius: 'a marble has 0.008', area: '1 cm² is 1e-4' };
+  const hints = {
+    young: 'steel has 2.1e11', density: 'steel has 7850', radius: 'a marble has 0.008', area: '1 cm² is 1e-4',
+  };
   for (const name of ['young', 'density', 'radius', 'area'] as const) {
     const hint = si ? hints[name] : 'in units of the first body';
     require(named(name), body[name], 1e-30, 1e30, hint, unitOf(encounter, named(name)));
@@ -97,9 +99,9 @@ function ownTime(encounter: Encounter, body: Body): number {
   return alone * Math.sqrt(density);
 }
 
-/** A field's name in a message: without symbol and unit. */
+/** A field's name in a message: without its symbol. */
 function nameOf(encounter: Encounter, field: Field): string {
-  const name = labelOf(encounter, field).replace(/,? (ratio|ν|E|ρ|R|L|A|η|v)?$/, '');
+  const name = labelOf(encounter, field).replace(/ (ν|[EρRLAηv]|\S₂\S*)$/, '');
   return owner(field)?.second === true ? `${name} of what it meets` : name;
 }
 

@@ -1,4 +1,4 @@
-// A curve as CSV, as `stoss restitution --format csv` writes it: the columns the page knows, in its order and by its names.
+// A curve as CSV, as `stoss restitution --format csv` writes it: the columns the page knows, in its order.
 import type { CurvePoint, Encounter } from '../core/protocol';
 import { commandArguments, encounterArguments } from './command_line';
 import { shortest } from './number';

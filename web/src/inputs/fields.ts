@@ -55,12 +55,14 @@ export function labelOf(encounter: Encounter, field: Field): string {
   const { name, second } = place;
   const ratio = second && !encounter.si;
   const plane = encounter.kind === 'disk' && !encounter.si;
+  const symbol = (letter: string): string => (ratio ? `${letter}₂/${letter}₁` : letter);
+  const rod = encounter.kind === 'rod';
   const labels: Record<BodyField, string> = {
     poisson: plane ? '2‑D Poisson number ν' : 'Poisson number ν',
-    young: ratio ? 'Young’s modulus, ratio' : 'Young’s modulus E',
-    density: ratio ? 'Density, ratio' : 'Density ρ',
-    radius: `${encounter.kind === 'rod' ? 'Length' : 'Radius'}${ratio ? ', ratio' : encounter.kind === 'rod' ? ' L' : ' R'}`,
-    area: ratio ? 'Cross-section, ratio' : 'Cross-section A',
+    young: `Young’s modulus ${symbol('E')}`,
+    density: `Density ${symbol('ρ')}`,
+    radius: rod ? `Length ${symbol('L')}` : `Radius ${symbol('R')}`,
+    area: `Cross-section ${symbol('A')}`,
     lossTime: 'Loss time η',
   };
   return labels[name];

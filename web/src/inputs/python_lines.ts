@@ -36,7 +36,8 @@ function bodyCall(encounter: Encounter, body: Body, second = false): string {
   } else {
     if (kind !== 'rod') args.push(`poisson=${shortest(body.poisson)}`);
     if (second) {
-      args.push(`${size}=${shortest(body.radius)}`, `young=${shortest(body.young)}`, `density=${shortest(body.density)}`);
+      args.push(`${size}=${shortest(body.radius)}`);
+      args.push(`young=${shortest(body.young)}`, `density=${shortest(body.density)}`);
       if (kind === 'rod') args.push(`area=${shortest(body.area)}`);
     }
     if (body.lossTime !== 0) args.push(`loss_time=${shortest(body.lossTime)}`);

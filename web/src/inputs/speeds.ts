@@ -34,8 +34,7 @@ export function curveSpeeds(encounter: Encounter, count = 49): number[] {
   return order.map((index) => speeds[index] ?? 0);
 }
 
-/** A speed of one encounter on the axis of another: as it is if both are in SI or neither; else of the same share of the
- *  bar speed. */
+/** A speed of one encounter on the axis of another: as it is if both are in SI or neither, else the same share of c. */
 export function onAxisOf(axis: Encounter, encounter: Encounter, speed: number): number {
   return axis.si === encounter.si ? speed : (speed / barSpeed(encounter)) * barSpeed(axis);
 }

@@ -78,10 +78,9 @@ export function createControls(initial: Inputs, listener: Listener): Controls {
     const view = makeField(field);
     const place = owner(field);
     const home = place === undefined ? 'speed-field' : place.second ? 'second-fields' : 'first-fields';
-    const home_ = find(home, HTMLElement);
     const order = ['poisson', 'young', 'density', 'radius', 'area', 'lossTime'];
     view.row.style.order = place === undefined ? '0' : String(order.indexOf(place.name));
-    home_.append(view.row);
+    find(home, HTMLElement).append(view.row);
     views.set(field, view);
     return view;
   }
@@ -132,7 +131,8 @@ export function createControls(initial: Inputs, listener: Listener): Controls {
     } else if (target === selects.first || target === selects.second) {
       const material = materials.find(({ name }) => name === (target as HTMLSelectElement).value);
       const made = (body: Body): Body => (material === undefined ? body : madeOf(material, body));
-      const next = target === selects.first ? { ...encounter, first: made(encounter.first) } : withSecond(encounter, made);
+      const next =
+        target === selects.first ? { ...encounter, first: made(encounter.first) } : withSecond(encounter, made);
       take({ ...inputs, encounter: next }, true);
     } else if (target instanceof HTMLInputElement && target.name === 'body') {
       take({ ...inputs, encounter: withKind(encounter, target.value as BodyKind) }, true);

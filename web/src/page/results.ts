@@ -31,7 +31,7 @@ function shownNumber({ value, error }: Quantity, factor: number): string {
 /** What a reader should know about a result, one line each. */
 export function flags(result: Restitution): string[] {
   const lines: string[] = [];
-  if (!result.converged) lines.push(`Not as accurate as asked for: ${result.reason || 'the tolerance is not reached'}.`);
+  if (!result.converged) lines.push(`Not as accurate as asked for: ${result.reason || 'tolerance not reached'}.`);
   if (result.beyondSmallStrain) {
     lines.push('Beyond small strain: above 0.5 c or a compression of 0.5 R linear elasticity has lost its meaning.');
   }
@@ -64,7 +64,8 @@ export function createResults(): Results {
       if (section.dataset.stale !== 'wrong') delete section.dataset.stale;
       for (const [id, name] of quantities) find(id, HTMLElement).textContent = shownQuantity(result, name);
       clearTimeout(soon);
-      reached = stage === 'first' ? 'tolerance 10⁻², refining' : 'tolerance 10⁻³';
+      const missed = result.converged ? '' : ' not reached';
+      reached = stage === 'first' ? 'tolerance 10⁻², refining' : `tolerance 10⁻³${missed}`;
       if (section.dataset.stale !== 'wrong') state.textContent = reached;
       const lines = flags(result);
       find('flags', HTMLElement).replaceChildren(...lines.flatMap((line) => [line, document.createElement('br')]));

@@ -1,5 +1,6 @@
 // Lines to copy and files to download.
 import type { Core, Encounter } from '../core/protocol';
+import { toAddress } from '../inputs/address';
 import { commandLine } from '../inputs/command_line';
 import { curveCsv } from '../inputs/csv';
 import type { Inputs } from '../inputs/inputs';
@@ -49,7 +50,7 @@ export function createShare(
   on('copy-command', () => copy(line, 'Command line copied.'));
   on('copy-python', () => copy(python, 'Python lines copied.'));
   on('copy-link', async () => {
-    await navigator.clipboard.writeText(location.href);
+    await navigator.clipboard.writeText(new URL(`?${toAddress(inputs)}`, location.href).href);
     return 'Link copied.';
   });
   on('download-csv', () => {

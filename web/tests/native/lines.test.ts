@@ -57,7 +57,8 @@ describe.skipIf(command === undefined)('the command', () => {
     }
   });
   it('would take what stands in the box', () => {
-    expect(commandLine(cases[0]!.encounter, 0.1).split(' ').slice(1)).toEqual(commandArguments(cases[0]!.encounter, '0.1', 1e-3));
+    const { encounter } = cases[0]!;
+    expect(commandLine(encounter, 0.1).split(' ').slice(1)).toEqual(commandArguments(encounter, '0.1', 1e-3));
   });
 });
 
@@ -68,7 +69,8 @@ describe.skipIf(command === undefined || python === undefined)('Python', () => {
       const lines = pythonLines(encounter, speed, 1e-2).trimEnd().split('\n');
       const last = lines.pop()!;
       const call = last.slice('print('.length, -1);
-      return `${lines.join('\n')}\ntry:\n    r = ${call}\nexcept stoss.NotConverged as e:\n    r = e.best\nprint(repr(float(r.restitution)))`;
+      const attempt = `try:\n    r = ${call}\nexcept stoss.NotConverged as e:\n    r = e.best`;
+      return `${lines.join('\n')}\n${attempt}\nprint(repr(float(r.restitution)))`;
     });
     const values = run(python!, ['-'], blocks.join('\n')).trim().split('\n').map(Number);
     indices.forEach((index) => {
@@ -80,7 +82,8 @@ describe.skipIf(command === undefined || python === undefined)('Python', () => {
 
 describe.skipIf(python === undefined)('the materials', () => {
   it('are those of Python', () => {
-    const program = 'import json, stoss\nprint(json.dumps([[k, m.young, m.poisson, m.density, m.loss_time or 0.0] for k, m in stoss.materials.items()]))';
+    const values = '[k, m.young, m.poisson, m.density, m.loss_time or 0.0]';
+    const program = `import json, stoss\nprint(json.dumps([${values} for k, m in stoss.materials.items()]))`;
     const theirs = JSON.parse(run(python!, ['-'], program)) as unknown;
     expect(materials.map((m) => [m.name, m.young, m.poisson, m.density, lossTimeOf(m)])).toEqual(theirs);
   });

@@ -15,7 +15,8 @@ export const missing = !existsSync(join(folder, 'index.html')) ? 'the page is no
   !existsSync(executablePath) ? 'there is no Chromium' : '';
 
 const types: Record<string, string> = {
-  '.html': 'text/html', '.js': 'text/javascript', '.css': 'text/css', '.woff2': 'font/woff2', '.wasm': 'application/wasm',
+  '.html': 'text/html', '.js': 'text/javascript', '.css': 'text/css', '.woff2': 'font/woff2',
+  '.wasm': 'application/wasm',
 };
 
 export interface Site {
@@ -29,7 +30,8 @@ export interface Site {
 /** Serve the page as any static server would, from a folder inside the site. */
 export async function startSite(): Promise<Site> {
   const server: Server = createServer((request, response) => {
-    const path = new URL(request.url ?? '/', 'http://x').pathname.replace(/^\/some\/folder/, '').replace(/\/$/, '/index.html');
+    const { pathname } = new URL(request.url ?? '/', 'http://x');
+    const path = pathname.replace(/^\/some\/folder/, '').replace(/\/$/, '/index.html');
     readFile(join(folder, normalize(path))).then(
       (body) => response.writeHead(200, { 'content-type': types[extname(path)] ?? 'text/plain' }).end(body),
       () => response.writeHead(404).end());

@@ -23,7 +23,8 @@ async function wholeCurve(page: Page): Promise<string> {
 
 /** The rows of a CSV file by the names of its columns. */
 function rowsOf(csv: string): Record<string, string>[] {
-  const [names, ...rows] = csv.trim().split('\n').filter((line) => !line.startsWith('#')).map((line) => line.split(','));
+  const lines = csv.trim().split('\n').filter((line) => !line.startsWith('#'));
+  const [names, ...rows] = lines.map((line) => line.split(','));
   return rows.map((row) => Object.fromEntries(names!.map((name, index) => [name, row[index] ?? ''])));
 }
 
@@ -54,9 +55,12 @@ describe.skipIf(missing !== '')(`the results of the page${missing && ` (${missin
 
   it('can be copied as lines and as a link', async () => {
     const page = await site.open('?body=disk&nu=0.4&v=0.2');
-    for (const [button, text] of [['#copy-command', 'stoss restitution --poisson 0.4 --speed 0.2'],
-      ['#copy-python', 'import stoss\n\ndisk = stoss.Disk(poisson=0.4)\nprint(stoss.restitution(disk, speed=0.2))'],
-      ['#copy-link', `${site.address}?body=disk&nu=0.4&v=0.2`]] as const) {
+    const python = 'import stoss\n\ndisk = stoss.Disk(poisson=0.4)\nprint(stoss.restitution(disk, speed=0.2))';
+    for (const [button, text] of [
+      ['#copy-command', 'stoss restitution --poisson 0.4 --speed 0.2'],
+      ['#copy-python', python],
+      ['#copy-link', `${site.address}?body=disk&nu=0.4&v=0.2`],
+    ] as const) {
       await page.click(button);
       await page.waitForFunction(() => document.getElementById('done')!.textContent!.endsWith('copied.'));
       expect(await page.evaluate(() => navigator.clipboard.readText())).toBe(text);
@@ -70,7 +74,8 @@ describe.skipIf(missing !== '')(`the results of the page${missing && ` (${missin
     await page.waitForTimeout(1000);
     const csv = await downloaded(page, '#download-csv');
     expect(csv.name).toBe('stoss-restitution.csv');
-    expect(csv.content.toString()).toMatch(/^# stoss: restitution\n[\s\S]*\npoisson,speed\[c\],restitution,restitution_error,converged\n0\.33,/);
+    expect(csv.content.toString()).toMatch(/^# stoss: restitution\n/);
+    expect(csv.content.toString()).toContain('\npoisson,speed[c],restitution,restitution_error,converged\n0.33,');
     const header = await downloaded(page, '#download-header');
     expect(header.name).toBe('restitution.h');
     for (const picture of ['curve', 'time', 'modes', 'collision']) {
@@ -100,6 +105,17 @@ describe.skipIf(missing !== '')(`the results of the page${missing && ` (${missin
         expect(Math.abs(Number(row[column]) - value), `${column} ${row['speed[c]']}`).toBeLessThanOrEqual(1e-12);
       }
     });
+    await page.context().close();
+  });
+
+  it('need no network once the page is there', async () => {
+    const page = await site.open();
+    await settled(page);
+    await page.context().setOffline(true);
+    await page.check('input[name=body][value=sphere]', { force: true });
+    await page.selectOption('#against', 'same');
+    expect(await settled(page)).toMatch(/±/);
+    expect((await downloaded(page, '#download-header')).content.toString()).toContain('restitution');
     await page.context().close();
   });
 
@@ -153,7 +169,9 @@ describe.skipIf(missing !== '')(`the results of the page${missing && ` (${missin
     const page = await site.open('', { viewport: { width: 1400, height: 800 } });
     let bytes = 0;
     const bodies: Promise<void>[] = [];
-    page.on('response', (response) => bodies.push(response.body().then((body) => void (bytes += gzipSync(new Uint8Array(body)).length), () => undefined)));
+    page.on('response', (response) => bodies.push(response.body().then(
+      (body) => void (bytes += gzipSync(new Uint8Array(body)).length),
+      () => undefined)));
     await page.reload();
     await settled(page);
     await page.waitForTimeout(500);

@@ -9,9 +9,10 @@ const lines = cases.map(({ encounter, speed }) => commandLine(encounter, speed))
 describe('the command line', () => {
   it('has what is not usual only', () => {
     expect(lines[0]).toBe('stoss restitution --poisson 0.33 --speed 0.1');
-    expect(lines[3]).toBe(
-      'stoss restitution --poisson 0.33 --against half-plane,poisson=0.2,young=0.5,density=1,loss_time=0.02 --speed 0.05');
-    expect(lines[6]).toBe('stoss restitution --body rod --against rod,young=1,density=3,length=2.5,area=0.5 --speed 0.1');
+    expect(lines[3]).toBe('stoss restitution --poisson 0.33 ' +
+      '--against half-plane,poisson=0.2,young=0.5,density=1,loss_time=0.02 --speed 0.05');
+    expect(lines[6]).toBe(
+      'stoss restitution --body rod --against rod,young=1,density=3,length=2.5,area=0.5 --speed 0.1');
     expect(commandLine(cases[0]!.encounter, 0.1, 1e-5)).toMatch(/--tolerance 1e-5$/);
   });
   it('needs no quoting in a shell', () => {
@@ -38,8 +39,8 @@ describe('the CSV of a curve', () => {
   ];
   it('has the command’s names, slowest first', () => {
     expect(curveCsv(cases[0]!.encounter, points)).toBe([
-      '# stoss: restitution', '# command: stoss restitution --poisson 0.33 --speed 0.01,0.1', '# body: disk', '# poisson: 0.33',
-      '# against: wall', '# tolerance: 0.001', 'poisson,speed[c],restitution,restitution_error,converged',
+      '# stoss: restitution', '# command: stoss restitution --poisson 0.33 --speed 0.01,0.1', '# body: disk',
+      '# poisson: 0.33', '# against: wall', '# tolerance: 0.001', 'poisson,speed[c],restitution,restitution_error,converged',
       '0.33,0.01,0.98,unknown,false', '0.33,0.1,0.94706,3.1e-5,true', '',
     ].join('\n'));
   });

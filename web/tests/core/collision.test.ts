@@ -1,0 +1,117 @@
+// One impact in time is that of `stoss impact`, and its frames show bodies that touch and do not enter each other.
+import { mkdtempSync, readFileSync, rmSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import { describe, expect, it } from 'vitest';
+import type { Collision, Encounter, Frame, Grid, Restitution, Shape } from '../../src/core/protocol';
+import { encounterArguments } from '../../src/inputs/command_line';
+import { shortest } from '../../src/inputs/number';
+import { barSpeed } from '../../src/inputs/scales';
+import { cases } from '../unit/cases';
+import { hasCommand, run } from './native';
+import { ask } from './wasm';
+
+const tolerance = 1e-2;
+const chosen = [0, 2, 4, 5, 6, 9, 10, 12];
+
+function trajectory(encounter: Encounter, speed: number): Record<string, number[]> {
+  const { cutoff } = ask('restitution', encounter, speed, tolerance).value as Restitution;
+  const folder = mkdtempSync(join(tmpdir(), 'stoss-'));
+  const file = join(folder, 'trajectory.csv');
+  run(['impact', ...encounterArguments(encounter), '--speed', shortest(speed), '--cutoff', shortest(cutoff),
+    '--trajectory', file]);
+  const [head, ...rows] = readFileSync(file, 'utf8').trim().split('\n').filter((line) => !line.startsWith('#'));
+  rmSync(folder, { recursive: true });
+  const names = head!.split(',').map((name) => name.replace(/\[.*/, ''));
+  return Object.fromEntries(names.map((name, k) => [name, rows.map((row) => Number(row.split(',')[k]))]));
+}
+
+describe.skipIf(!hasCommand)('a collision', () => {
+  it.each(chosen)('is the impact of the command: case %i', (index) => {
+    const { encounter, speed } = cases[index]!;
+    const native = trajectory(encounter, speed);
+    const ours = ask('collision', encounter, speed, tolerance).value as Collision;
+    expect(ours.time.length).toBe(native.time!.length);
+    const pairs: [string, Float64Array][] = [
+      ['time', ours.time], ['velocity', ours.velocity], ['force', ours.force], ['contact_half_width', ours.halfWidth],
+      ['translation', ours.translation], ['vibration', ours.vibration], ['stored', ours.stored],
+      ['dissipated', ours.dissipated], ['unresolved', ours.unresolved],
+    ];
+    for (const [name, values] of pairs) {
+      const theirs = native[name]!;
+      // In the unit of the greatest, which the two have in their own.
+      const greatest = Math.max(...values.map(Math.abs));
+      const unit = greatest / (Math.max(...theirs.map(Math.abs)) || 1);
+      const energy = ['translation', 'vibration', 'stored', 'dissipated', 'unresolved'].includes(name);
+      if (!encounter.si || energy) expect(unit === 0 ? 1 : unit, name).toBeCloseTo(1, 10);
+      if (encounter.si && name === 'velocity') expect(unit / barSpeed(encounter)).toBeCloseTo(1, 10);
+      theirs.forEach((value, k) => {
+        expect(Math.abs(values[k]! - unit * value), `${name} ${k}`).toBeLessThanOrEqual(1e-10 * (energy ? 1 : greatest));
+      });
+    }
+  });
+});
+
+/** A grid that has the foremost point. */
+function gridOf(encounter: Encounter): Grid {
+  return encounter.kind === 'rod'
+    ? { radius: Float32Array.from([0, 0.5, 1]), angle: Float32Array.from([0]) }
+    : { radius: Float32Array.from([0, 0.5, 1]), angle: Float32Array.from([0, 1, 2, Math.PI]) };
+}
+
+/** Place of the point of a body that touches first. */
+function front(encounter: Encounter, frame: Frame, body: 0 | 1, radius: number): number {
+  const seen = frame.bodies[body]!;
+  const rod = encounter.kind === 'rod';
+  const u = seen.radial[rod ? 0 : 2 * 4]!;
+  return seen.center + (body === 0 ? 1 : -1) * radius * ((rod ? 0.5 : 1) + u);
+}
+
+describe('frames', () => {
+  it.each(chosen)('show bodies that touch: case %i', (index) => {
+    const { encounter, speed } = cases[index]!;
+    const collision = ask('collision', encounter, speed, tolerance).value as Collision;
+    const strongest = collision.force.reduce((best, force, k) => (force > collision.force[best]! ? k : best), 0);
+    const times = [-collision.end, collision.time[strongest]!, 2 * collision.end];
+    const { all } = ask('frames', encounter, speed, tolerance, times, gridOf(encounter));
+    const [before, touching, after] = all as [Frame, Frame, Frame];
+    const compression = Math.abs(before.bodies[0]!.center - touching.bodies[0]!.center);
+    const gap = (frame: Frame): number => {
+      const first = front(encounter, frame, 0, 1);
+      if (frame.surface) return frame.surface.depth[0]! - first;
+      return frame.bodies.length === 1 ? -first : front(encounter, frame, 1, collision.bodies[1]!.radius) - first;
+    };
+    expect(gap(before)).toBeGreaterThan(0);
+    expect(Math.abs(gap(touching))).toBeLessThan(0.05 * compression);
+    expect(gap(after)).toBeGreaterThan(0);
+    expect(touching.time).toBeCloseTo(times[1]!, 12);
+    for (const body of touching.bodies) {
+      expect(body.vonMises.every((stress) => Number.isFinite(stress) && stress >= 0)).toBe(true);
+      expect(body.fringes.length).toBe(body.radial.length);
+    }
+    expect(Math.max(...before.bodies[0]!.vonMises)).toBe(0);
+    // A rod is struck with ρcv: half of it by an equal one.
+    if (encounter.kind === 'rod') expect(touching.bodies[0]!.vonMises[0]).toBeGreaterThan(0);
+  });
+});
+
+describe('shape', () => {
+  const grid = { radius: Float32Array.from([0, 1]), angle: Float32Array.from([0, Math.PI / 2, Math.PI]) };
+  it('of the breathing mode of a disk is the same all around', () => {
+    const { radial, tangential } = ask('shape', cases[0]!.encounter, 0, 0, 0, grid).value as Shape;
+    for (const k of [3, 4, 5]) expect(Math.abs(radial[k]!)).toBeCloseTo(1, 6);
+    for (const each of tangential) expect(each).toBeCloseTo(0, 6);
+  });
+  it('of the mode (2, 0) stretches one axis and shortens the other', () => {
+    for (const encounter of [cases[0]!.encounter, cases[4]!.encounter]) {
+      const { radial } = ask('shape', encounter, 0, 2, 0, grid).value as Shape;
+      expect(radial[3]! * radial[4]!).toBeLessThan(0);
+      expect(radial[5]).toBeCloseTo(radial[3]!, 6);
+    }
+  });
+  it('of a rod is a cosine', () => {
+    const along = { radius: Float32Array.from([0, 0.25, 0.5, 1]), angle: Float32Array.from([0]) };
+    const { radial } = ask('shape', cases[6]!.encounter, 1, 0, 1, along).value as Shape;
+    [1, 0, -1, 1].forEach((value, k) => expect(radial[k]).toBeCloseTo(value, 6));
+  });
+});

@@ -1,0 +1,31 @@
+// The native command, which must say the same as the core of the page.
+import { execFileSync } from 'node:child_process';
+import { existsSync } from 'node:fs';
+import { fileURLToPath } from 'node:url';
+import { commandArguments } from '../../src/inputs/command_line';
+import { shortest } from '../../src/inputs/number';
+import type { Encounter } from '../../src/core/protocol';
+
+const path = process.env.STOSS_COMMAND ?? fileURLToPath(new URL('../../../build/release/cli/stoss', import.meta.url));
+
+/** Whether the command is built. */
+export const hasCommand = existsSync(path);
+
+/** What the command writes; with status 1 a value is not as accurate as asked for. */
+export function run(args: string[]): string {
+  try {
+    return execFileSync(path, args, { encoding: 'utf8', stdio: 'pipe', maxBuffer: 1 << 28 });
+  } catch (error) {
+    const { status, stdout } = error as { status: number; stdout: string };
+    if (status === 1 && stdout !== '') return stdout;
+    throw error;
+  }
+}
+
+export type Row = Record<string, number | string | boolean>;
+
+/** The record of `stoss restitution` for one speed. */
+export function restitution(encounter: Encounter, speed: number, tolerance: number): Row {
+  const text = run([...commandArguments(encounter, shortest(speed), tolerance), '--format', 'json']);
+  return (JSON.parse(text) as { records: Row[] }).records[0]!;
+}

@@ -1,0 +1,75 @@
+// ε of the page's core, and all that comes with it, are those of the native command.
+import { describe, expect, it } from 'vitest';
+import type { CurvePoint, Encounter, Restitution } from '../../src/core/protocol';
+import { cases } from '../unit/cases';
+import { hasCommand, restitution } from './native';
+import { ask } from './wasm';
+
+const one = cases[0]!.encounter;
+const ball = cases[4]!.encounter;
+const more: [Encounter, number, number][] = [
+  [one, 0.01, 1e-3], [one, 0.3, 1e-3], [one, 1e-5, 1e-2], [{ ...one, first: { ...one.first, poisson: 0.9 } }, 0.3, 1e-3],
+  [ball, 0.1, 1e-3], [ball, 1e-6, 1e-2], [{ ...ball, against: { kind: 'same' } }, 0.05, 1e-3],
+  [{ ...ball, against: { kind: 'half-space', body: ball.first } }, 0.1, 1e-2],
+];
+const all = [...cases.map(({ encounter, speed }) => [encounter, speed, 1e-2] as const), ...more];
+
+/** How far numbers may be apart: sums of vectors of another length round differently. */
+const same = 1e-12;
+
+/** The same of an error, which is a multiple of a difference of such numbers. */
+const sameError = 1e-11;
+
+/** The same of shares of energy, which are differences from 1. */
+const rounding = 1e-14;
+const shares = ['lost_fraction', 'lost_to_first', 'lost_to_second', 'dissipated'];
+
+describe.skipIf(!hasCommand)('restitution', () => {
+  it.each(all.map((each, index) => [index, ...each] as const))('of case %i is that of the command',
+    (_, encounter, speed, tolerance) => {
+      const row = restitution(encounter, speed, tolerance);
+      const ours = ask('restitution', encounter, speed, tolerance).value as Restitution;
+      expect(ours.converged).toBe(row.converged);
+      let compared = 0;
+      for (const [name, { value, error }] of Object.entries(ours.quantities)) {
+        if (name === 'energy_error' || name === 'runs') continue; // all of the one is rounding; the other is a list
+        const theirs = row[name] as number;
+        expect(typeof theirs, name).toBe('number');
+        const least = shares.includes(name) ? rounding : 0;
+        expect(Math.abs(value - theirs), name).toBeLessThanOrEqual(same * Math.abs(theirs) + least);
+        if (typeof row[`${name}_error`] === 'number') {
+          expect(Math.abs(error! - (row[`${name}_error`] as number)), `${name}_error`)
+            .toBeLessThanOrEqual(sameError * Math.abs(theirs) + 10 * least);
+        }
+        ++compared;
+      }
+      expect(compared).toBeGreaterThan(10);
+    });
+
+  it('at many speeds is that at each', () => {
+    const speeds = [0.2, 0.01, 0.05];
+    const points = ask('curve', one, speeds, 1e-3).all as CurvePoint[];
+    expect(points.map((point) => point.speed)).toEqual(speeds);
+    for (const point of points) {
+      const alone = ask('restitution', one, point.speed, 1e-3).value as Restitution;
+      expect(point.restitution).toBe(alone.quantities.restitution!.value);
+      expect(point.error).toBe(alone.quantities.restitution!.error);
+      expect(point.converged).toBe(true);
+    }
+  });
+});
+
+describe('what is wrong', () => {
+  it.each([
+    [{ ...one, first: { ...one.first, poisson: 7 } }, 0.1, 'poisson: got 7'],
+    [one, 2, 'speed: got 2, allowed 1e-08 to 1 c'],
+    [one, Number.NaN, 'speed: got nan'],
+    [{ ...one, against: { kind: 'body', body: { ...one.first, radius: -1 } } }, 0.1, 'against radius: got -1'],
+    [{ ...one, kind: 'rod', against: { kind: 'half-space', body: one.first } }, 0.1, 'against: got half-space'],
+  ] as [Encounter, number, string][])('is refused with one line: case %#', (encounter, speed, line) => {
+    expect(() => ask('restitution', encounter, speed, 1e-2)).toThrow(line);
+  });
+  it('leaves the core as it was', () => {
+    expect((ask('restitution', one, 0.1, 1e-2).value as Restitution).converged).toBe(true);
+  });
+});
