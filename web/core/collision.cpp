@@ -24,9 +24,11 @@ val of_all(const std::vector<Snapshot>& snapshots, double Snapshot::*quantity, d
   return float64_array(values);
 }
 
-val of_modes(const std::vector<ModeEnergy>& modes) {
+/// Of the bodies, without the waves of a half-space.
+val of_modes(const std::vector<ModeEnergy>& modes, bool against_half_space) {
   val list = val::array();
   for (const ModeEnergy& mode : modes) {
+    if (against_half_space && mode.body == 1) continue;
     val made = val::object();
     made.set("body", mode.body);
     made.set("order", mode.order);
@@ -97,7 +99,7 @@ val Collision::series() const {
   made.set("stored", of_all(snapshots_, &Snapshot::stored));
   made.set("dissipated", of_all(snapshots_, &Snapshot::dissipated));
   made.set("unresolved", of_all(snapshots_, &Snapshot::unresolved));
-  made.set("modes", of_modes(impact_.energy.modes));
+  made.set("modes", of_modes(impact_.energy.modes, encounter_.against_half_space()));
   made.set("begin", begin == snapshots_.end() ? 0.0 : begin->time * second);
   made.set("end", end == snapshots_.rend() ? 0.0 : end->time * second);
   made.set("bodies", bodies());
@@ -128,19 +130,28 @@ val Collision::body_frame(const Frame& frame, int number) {
   return made;
 }
 
-val Collision::surface(const Frame& frame) const {
-  constexpr std::size_t count = 64;
-  constexpr double reach = 2.5;
-  // On a circle so large that they are evenly spaced.
-  constexpr double flat = 1e4;
-  ContactPoints even{flat * reach, 1.0 / (flat * static_cast<double>(count)), count};
-  std::vector<double> lateral;
-  for (std::size_t i = 0; i < count; ++i) lateral.push_back(even.radius * std::sin(even.angle(i)));
+val Collision::surface(const Frame& frame) {
   const BodyFrame seen = seen_by(contact_, grid_, frame, 1);
-  even.radius /= seen.length;
+  if (compliance_.empty()) compliance_ = seen.body->residual_compliance(seen.points, say_alive);
+  std::vector<double> lateral, displaced = contact_displacement(seen, compliance_);
+  for (std::size_t i = 0; i < grid_.points.count; ++i) {
+    lateral.push_back(grid_.points.radius * std::sin(grid_.points.angle(i)));
+  }
+  // Beyond the contact points, on a circle so large that they are evenly spaced.
+  constexpr std::size_t count = 64;
+  constexpr double reach = 2.5, flat = 1e4;
+  const ContactPoints even{flat * reach / seen.length, 1.0 / (flat * static_cast<double>(count)), count};
+  const std::vector<double> around = surface_displacement(seen, even);
+  const double edge = lateral.back();
+  for (std::size_t i = 0; i < count; ++i) {
+    const double at = even.radius * seen.length * std::sin(even.angle(i));
+    if (at <= edge) continue;
+    lateral.push_back(at);
+    displaced.push_back(around[i]);
+  }
   val made = val::object();
   made.set("y", float32_array(lateral));
-  made.set("depth", float32_array(surface_displacement(seen, even), -seen.length));
+  made.set("depth", float32_array(displaced, -seen.length));
   return made;
 }
 

@@ -26,7 +26,7 @@ class Collision {
 
  private:
   [[nodiscard]] emscripten::val body_frame(const Frame& frame, int number);
-  [[nodiscard]] emscripten::val surface(const Frame& frame) const;
+  [[nodiscard]] emscripten::val surface(const Frame& frame);
   [[nodiscard]] emscripten::val bodies() const;
 
   Encounter encounter_;
@@ -34,8 +34,9 @@ class Collision {
   Impact impact_;
   std::vector<Snapshot> snapshots_;
   ContactGrid grid_;
-  Points points_;                  ///< of the last frames
-  std::map<int, Inside> insides_;  ///< of the bodies, at these points
+  std::vector<double> compliance_;  ///< of a half-space, of its modes that are not kept
+  Points points_;                   ///< of the last frames
+  std::map<int, Inside> insides_;   ///< of the bodies, at these points
 };
 
 }  // namespace stoss::web

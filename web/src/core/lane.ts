@@ -31,6 +31,9 @@ export const patience = 100;
 /** A worker that computes says so four times a second: it is taken for dead after so many seconds of silence. */
 export const silence = 5;
 
+/** The same of a worker that starts. */
+const startup = 30;
+
 export function createLane(spawn: () => Fellow, module: Promise<WebAssembly.Module>): Lane {
   const waiting: Task[] = [];
   let current: Task | undefined;
@@ -56,8 +59,8 @@ export function createLane(spawn: () => Fellow, module: Promise<WebAssembly.Modu
     });
     clearInterval(clock);
     clock = setInterval(() => {
-      if (!current || !heard) silent = 0;
-      else if (++silent > silence) lose('it is silent');
+      if (!current) silent = 0;
+      else if (++silent > (heard ? silence : startup)) lose('it is silent');
     }, 1000);
     return fresh;
   }

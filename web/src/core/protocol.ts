@@ -73,6 +73,7 @@ export interface Collision {
   stored: Float64Array;
   dissipated: Float64Array;
   unresolved: Float64Array;
+  /** of the bodies; the waves of a half-space are none of them */
   modes: ModeEnergy[];
   /** first and last instant in contact, in units.time */
   begin: number;
