@@ -46,7 +46,10 @@ const controls = createControls(inputs, {
 });
 
 const run = createSession(core, {
-  began: () => results.stale('computing'),
+  began() {
+    results.stale('computing');
+    document.body.dataset.impact = 'old';
+  },
   first(encounter, result) {
     results.show(encounter, result, 'first');
     showPoint(result);
@@ -60,6 +63,7 @@ const run = createSession(core, {
     scene.show(encounter, speed, fine, collision);
     timeCharts.show(collision);
     modeBars.show(encounter, collision);
+    document.body.dataset.impact = 'current';
   },
   failed(line, refused) {
     results.say(line);

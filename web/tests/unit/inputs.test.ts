@@ -1,8 +1,8 @@
 import { describe, expect, it } from 'vitest';
 import { problemsOf, check } from '../../src/inputs/check';
-import { type Field, fieldsOf, valueOf } from '../../src/inputs/fields';
+import { type Field, fieldsOf, valueOf, withValue } from '../../src/inputs/fields';
 import { type Inputs, defaults, equal, unitBody, withAgainst, withKind } from '../../src/inputs/inputs';
-import { parseNumber, shortest } from '../../src/inputs/number';
+import { displayed, parseNumber, shortest } from '../../src/inputs/number';
 import { barSpeed, withSi, withoutSi } from '../../src/inputs/scales';
 import { curveSpeeds, fastest, onAxisOf, placeOf, slowest, speedAt, steps } from '../../src/inputs/speeds';
 import { description } from '../../src/inputs/description';
@@ -67,6 +67,18 @@ describe('limits', () => {
   });
   it('allow all cases of the tests', () => {
     for (const inputs of cases) expect([...problemsOf(inputs).values()]).toEqual([]);
+  });
+});
+
+describe('a number that is too long for its field', () => {
+  it('is shown short, and stays what it is', () => {
+    const eta = 1 / (3000 * 2 * Math.PI * 1e4);
+    expect(displayed(eta)).toBe('5.30516e-9');
+    const inputs = { ...defaults, encounter: withValue(defaults.encounter, 'lossTime', eta) };
+    const result = typed(inputs, 'lossTime', displayed(eta));
+    expect('inputs' in result && result.inputs.encounter.first.lossTime).toBe(eta);
+    const other = typed(inputs, 'lossTime', '5.305e-9');
+    expect('inputs' in other && other.inputs.encounter.first.lossTime).toBe(5.305e-9);
   });
 });
 
