@@ -3,12 +3,16 @@
 # has not changed is not made again: the programs of the gallery run only if they or the package have changed.
 set -euo pipefail
 jobs=${1:-2}
+sources=build/docs-source
+pages=build/docs-doctrees
 mkdir -p build/docs-doxygen
-state=$(cat docs/site/Doxyfile $(git ls-files include) | sha256sum)
+# Sphinx begins anew if the headers or its settings have changed: in what it knows of C++ old names would slow it down.
+state=$(cat docs/site/Doxyfile docs/site/conf.py docs/site/extensions/*.py $(git ls-files include) | sha256sum)
 if [ "$state" != "$(cat build/docs-doxygen/state 2>/dev/null)" ]; then
+  rm -rf build/docs "$pages" build/docs-doxygen/xml
   doxygen docs/site/Doxyfile
   echo "$state" >build/docs-doxygen/state
 fi
-build/venv/bin/python docs/site/generate build/docs-source build/release/cli/stoss
-build/venv/bin/python -m sphinx -W --keep-going -q -j "$jobs" -c docs/site -d build/docs-doctrees build/docs-source build/docs
+build/venv/bin/python docs/site/generate "$sources" build/release/cli/stoss
+build/venv/bin/python -m sphinx -W --keep-going -q -j "$jobs" -c docs/site -d "$pages" "$sources" build/docs
 echo "built: build/docs/index.html"

@@ -13,7 +13,7 @@ ROOMS = {
     "restitution": (630, 20, ("ε with its error;", "curves")),
     "vibration": (830, 20, ("ensembles of bodies", "that vibrate")),
     "table": (830, 175, ("ε(v) as a function,", "with its error")),
-    "bodies": (215, 175, ("disk, sphere, rod: modes", "and response of the rest")),
+    "bodies": (215, 175, ("disk, sphere, rod:", "modes and the rest")),
     "quasistatic": (630, 175, ("slow contacts:", "Hertz, Rayleigh")),
 }
 # A room and those that include its headers (apart from what follows through a third one).

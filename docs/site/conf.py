@@ -8,7 +8,7 @@ SITE = Path(__file__).parent
 ROOT = SITE.parents[1]
 sys.path.insert(0, str(SITE / "extensions"))
 
-from repository import slug  # noqa: E402
+from repository import Slug  # noqa: E402
 
 project = "stoss"
 author = "the authors of stoss"
@@ -33,14 +33,14 @@ nitpicky = False
 myst_enable_extensions = ["dollarmath"]
 myst_dmath_double_inline = True
 myst_heading_anchors = 4
-myst_heading_slug_func = slug
+myst_heading_slug_func = Slug()
 
 default_role = "py:obj"
 autodoc_member_order = "bysource"
 autodoc_typehints = "none"
 autosummary_generate = False
 napoleon_google_docstring = False
-napoleon_use_ivar = True
+napoleon_custom_sections = [("Attributes", "params_style")]  # which may name several at once
 napoleon_use_rtype = False
 add_module_names = False
 

@@ -1,5 +1,6 @@
 """Reads the Markdown of the repository as forges do: formulas in ```math, links to files and folders beside docs/."""
 
+import dataclasses
 import os
 import re
 from pathlib import Path
@@ -12,9 +13,12 @@ from sphinx.transforms import SphinxTransform
 ROOT = Path(__file__).parents[3]
 
 
-def slug(title: str) -> str:
-    """The anchor that a forge gives to a heading."""
-    return re.sub(r"[^\w\- ]", "", title.lower()).replace(" ", "-")
+@dataclasses.dataclass(frozen=True)
+class Slug:
+    """The anchor that a forge gives to a heading; no function, which Sphinx would take for a changed setting."""
+
+    def __call__(self, title: str) -> str:
+        return re.sub(r"[^\w\- ]", "", title.lower()).replace(" ", "-")
 
 
 def page_of(path: Path) -> str | None:

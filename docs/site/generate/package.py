@@ -20,12 +20,20 @@ PAGES = {
 }
 ELSEWHERE = {"__version__", "plot", "animate", "quasistatic"}  # the modules have pages of their own
 
+# All other classes are what functions return: their constructors are of no use.
+MADE_BY_USERS = "Disk Sphere Rod HalfSpace HalfPlane HardWall ExponentialWall Material Oscillation Grid".split()
+
 
 def directive(module: str, name: str) -> list[str]:
     value = getattr(inspect.importlib.import_module(module), name)
     if inspect.isclass(value):
-        errors = [":no-inherited-members:"] if issubclass(value, BaseException) else [":inherited-members:"]
-        return [f".. autoclass:: {module}.{name}", "   :members:", *(f"   {option}" for option in errors), ""]
+        options = [":members:"]
+        if not issubclass(value, BaseException):
+            options += [":inherited-members: tuple"]
+        if issubclass(value, tuple):  # the docstring of the class says what they are
+            options += [f":exclude-members: {', '.join(value._fields)}"]
+        signature = "" if name in MADE_BY_USERS else "()"
+        return [f".. autoclass:: {module}.{name}{signature}", *(f"   {option}" for option in options), ""]
     if callable(value) and not hasattr(value, "__args__"):
         return [f".. autofunction:: {module}.{name}", ""]
     return [f".. autodata:: {module}.{name}", "   :no-value:", ""]
@@ -51,5 +59,5 @@ def write(tree: Tree) -> None:
         text = page(f"stoss.{module}", f"stoss.{module}", getattr(stoss, module).__all__, [f".. automodule:: stoss.{module}"])
         tree.write(f"reference/python/{module}.rst", text)
         files.append(module)
-    index = ["Python", "======", "", ".. automodule:: stoss", "", ".. toctree::", "   :maxdepth: 1", ""]
+    index = ["Python package", "==============", "", ".. automodule:: stoss", "", ".. toctree::", "   :maxdepth: 1", ""]
     tree.write("reference/python/index.rst", "\n".join([*index, *(f"   {name}" for name in files)]) + "\n")
