@@ -1,10 +1,12 @@
 # The short way in. Everything here can also be done with the CMake presets (cmake --list-presets).
 .DEFAULT_GOAL := help
-.PHONY: help setup build python demo test bench validate results paper paper-quick format lint install uninstall clean
+.PHONY: help setup build python demo web web-serve test bench validate results paper paper-quick format lint install \
+	uninstall clean
 
 JOBS ?= $(shell nproc)
 PREFIX ?= /usr/local
 PYTHON ?= /usr/bin/python3
+PORT ?= 8000
 SOURCES = $(shell git ls-files '*.cpp' '*.hpp' '*.c' '*.h')
 
 help: ## show this list
@@ -24,6 +26,12 @@ python: build ## build the Python package and install it into build/venv (PYTHON
 
 demo: build python ## restitution against speed for two Poisson numbers, and a collision: here and in out/
 	@scripts/demo.sh build/release/cli/stoss build/venv/bin/python
+
+web: setup ## build the page, with the core in WebAssembly, into build/web
+	@scripts/web.sh $(JOBS) && echo "built: build/web; any static server can serve it (make web-serve)"
+
+web-serve: web ## serve it on this machine: http://127.0.0.1:8000 (PORT=... for another port)
+	@$(PYTHON) -m http.server $(PORT) --bind 127.0.0.1 --directory build/web
 
 test: setup ## all tests, once more with clang++ under sanitizers, downstream project, format
 	@scripts/test.sh $(JOBS)

@@ -16,7 +16,7 @@ if [ "${1:-all}" != build ]; then
     python3-venv python3-pip python3-setuptools python3-wheel
   )
 fi
-# Tests; benchmarks; checks.
+# Tests; benchmarks; checks; the page.
 if [ "${1:-all}" = all ]; then
   packages+=(
     libgtest-dev libgmock-dev pkgconf python3-pytest python3-hypothesis python3-tqdm mypy
@@ -24,7 +24,12 @@ if [ "${1:-all}" = all ]; then
     python3-netcdf4 python3-xarray python3-mpi4py openmpi-bin python3-distributed
     libbenchmark-dev
     clang libclang-rt-dev clang-format clang-tidy
+    emscripten chromium
   )
+  # Debian's packages of Node.js and npm do not go together with those of others, which may be there already.
+  if ! command -v npm >/dev/null || [ "$(node -p 'parseInt(process.versions.node) >= 18' 2>/dev/null)" != true ]; then
+    packages+=(nodejs npm)
+  fi
 fi
 
 if ! command -v dpkg-query >/dev/null; then

@@ -6,7 +6,7 @@ jobs=${1:-2}
 lack() { echo "web: $1 is missing (make setup installs what it takes)" >&2; exit 77; }
 command -v emcmake >/dev/null || lack "Emscripten (emcmake)"
 command -v npm >/dev/null || lack "npm"
-[ "$(node -p 'process.versions.node.split(".")[0] >= 18' 2>/dev/null)" = true ] || lack "Node.js 18 or newer"
+[ "$(node -p 'parseInt(process.versions.node) >= 18' 2>/dev/null)" = true ] || lack "Node.js 18 or newer"
 
 # Debian's Emscripten looks for its modules of Node.js there, and for the Python that it was made for.
 export NODE_PATH=${NODE_PATH:-/usr/share/nodejs} EMSDK_PYTHON=${EMSDK_PYTHON:-/usr/bin/python3}

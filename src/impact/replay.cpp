@@ -107,6 +107,12 @@ std::vector<double> surface_displacement(const BodyFrame& seen, const ContactPoi
   return displacement;
 }
 
+std::vector<double> residual_compliance(const Contact& contact, const BodyFrame& seen, const Poll& poll) {
+  std::vector<double> compliance = seen.body->residual_compliance(seen.points, poll);
+  for (double& each : compliance) each *= contact.first->mass;  // shares of force are in mc²/R of the first
+  return compliance;
+}
+
 std::vector<double> contact_displacement(const BodyFrame& seen, const std::vector<double>& compliance) {
   std::vector<double> displacement = surface_displacement(seen, seen.points);
   const std::size_t count = seen.points.count;

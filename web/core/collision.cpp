@@ -132,13 +132,13 @@ val Collision::body_frame(const Frame& frame, int number) {
 
 val Collision::surface(const Frame& frame) {
   const BodyFrame seen = seen_by(contact_, grid_, frame, 1);
-  if (compliance_.empty()) compliance_ = seen.body->residual_compliance(seen.points, say_alive);
+  if (compliance_.empty()) compliance_ = residual_compliance(contact_, seen, say_alive);
   std::vector<double> lateral, displaced = contact_displacement(seen, compliance_);
   for (std::size_t i = 0; i < grid_.points.count; ++i) {
     lateral.push_back(grid_.points.radius * std::sin(grid_.points.angle(i)));
   }
   // Beyond the contact points, on a circle so large that they are evenly spaced.
-  constexpr std::size_t count = 64;
+  constexpr std::size_t count = 40;
   constexpr double reach = 2.5, flat = 1e4;
   const ContactPoints even{flat * reach / seen.length, 1.0 / (flat * static_cast<double>(count)), count};
   const std::vector<double> around = surface_displacement(seen, even);

@@ -51,9 +51,13 @@ struct BodyFrame {
 /// on the surface as contact points do.
 [[nodiscard]] std::vector<double> surface_displacement(const BodyFrame& seen, const ContactPoints& points);
 
+/// Compliance of the modes of a body that are not kept: displacement into the body at a contact point, in its own
+/// units, per share of force BodyFrame::node_force at another.
+[[nodiscard]] std::vector<double> residual_compliance(const Contact& contact, const BodyFrame& seen,
+                                                      const Poll& poll = {});
+
 /// Displacement of the surface of a body at the contact points, towards what it meets, in its own units: by its kept
-/// modes and, in their static answer to the forces, by all others.
-/// @param compliance of those others at these points (Body::residual_compliance)
+/// modes and, in their static answer to the forces, by all others. @param compliance of these others, as above
 [[nodiscard]] std::vector<double> contact_displacement(const BodyFrame& seen, const std::vector<double>& compliance);
 
 /// What meets at given times of its impact, which is repeated bit by bit: during the impact at the

@@ -12,7 +12,7 @@ function parts(header: string): { text: string; numbers: number[] } {
   return { text: code.replace(number, '#'), numbers: (code.match(number) ?? []).map(Number) };
 }
 
-describe.skipIf(!hasCommand)('header', () => {
+describe.skipIf(!hasCommand)('header', { timeout: 60_000 }, () => {
   it.each([[0, 0.01, 0.2], [4, 1e-3, 0.1], [7, 50, 500]])('of case %i is that of the command', (index, from, to) => {
     const { encounter } = cases[index]!;
     const native = parts(run(['table', ...encounterArguments(encounter), '--speed', `${from}:${to}`, '--error', '0.01']));
