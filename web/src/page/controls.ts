@@ -4,7 +4,7 @@ import { check } from '../inputs/check';
 import { type Field, fieldsOf, owner } from '../inputs/fields';
 import { type Inputs, secondBody, withAgainst, withKind, withSecond } from '../inputs/inputs';
 import { madeOf, materialOf, materials } from '../inputs/materials';
-import { barSpeed, withSi, withoutSi } from '../inputs/scales';
+import { barSpeed, withEncounter, withSi, withoutSi } from '../inputs/scales';
 import { significant } from '../inputs/digits';
 import { placeOf, speedAt, steps } from '../inputs/speeds';
 import { find, make } from './dom';
@@ -133,13 +133,13 @@ export function createControls(initial: Inputs, listener: Listener): Controls {
       const made = (body: Body): Body => (material === undefined ? body : madeOf(material, body));
       const next =
         target === selects.first ? { ...encounter, first: made(encounter.first) } : withSecond(encounter, made);
-      take({ ...inputs, encounter: next }, true);
+      take(withEncounter(inputs, next), true);
     } else if (target instanceof HTMLInputElement && target.name === 'body') {
-      take({ ...inputs, encounter: withKind(encounter, target.value as BodyKind) }, true);
+      take(withEncounter(inputs, withKind(encounter, target.value as BodyKind)), true);
     } else if (target instanceof HTMLInputElement && target.name === 'units') {
       take(target.value === 'SI' ? withSi(inputs) : withoutSi(inputs), true);
     } else if (target instanceof HTMLInputElement && target.name === 'plane') {
-      take({ ...inputs, encounter: { ...encounter, plane: target.value as 'stress' | 'strain' } }, true);
+      take(withEncounter(inputs, { ...encounter, plane: target.value as 'stress' | 'strain' }), true);
     }
   });
 

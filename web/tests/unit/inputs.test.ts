@@ -3,7 +3,7 @@ import { problemsOf, check } from '../../src/inputs/check';
 import { type Field, fieldsOf, valueOf, withValue } from '../../src/inputs/fields';
 import { type Inputs, defaults, equal, unitBody, withAgainst, withKind } from '../../src/inputs/inputs';
 import { displayed, parseNumber, shortest } from '../../src/inputs/number';
-import { barSpeed, withSi, withoutSi } from '../../src/inputs/scales';
+import { barSpeed, withEncounter, withSi, withoutSi } from '../../src/inputs/scales';
 import { curveSpeeds, fastest, onAxisOf, placeOf, slowest, speedAt, steps } from '../../src/inputs/speeds';
 import { description } from '../../src/inputs/description';
 import { cases } from './cases';
@@ -108,6 +108,14 @@ describe('a change of units', () => {
         expect(Math.abs(after - before), field).toBeLessThanOrEqual(1e-4 * Math.abs(before));
       }
     }
+  });
+  it('and another material keep the speed where it is allowed, else its share of c', () => {
+    const steel = withSi(defaults);
+    const soft = { ...steel.encounter, first: { ...steel.encounter.first, young: 2e6, density: 1100 } };
+    expect(withEncounter({ ...steel, speed: 2 }, soft).speed).toBe(2);
+    const fast = withEncounter(steel, soft);
+    expect(fast.speed / barSpeed(soft)).toBeCloseTo(0.1, 3);
+    expect(problemsOf(fast).size).toBe(0);
   });
   it('nothing is changed in place', () => {
     const frozen = JSON.stringify(defaults);
