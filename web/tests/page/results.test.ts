@@ -38,7 +38,8 @@ describe.skipIf(missing !== '')(`the results of the page${missing && ` (${missin
     const page = await site.open();
     await settled(page);
     await page.waitForFunction(() => document.getElementById('spoken')!.textContent !== '');
-    expect(await page.textContent('#spoken')).toMatch(/^Restitution 0\.\d+ plus or minus 0\.\d+ at 0\.1 c\. Lost share/);
+    const line = /^Restitution 0\.\d+ plus or minus 0\.\d+ at 0\.1 c\. Lost share/;
+    expect(await page.textContent('#spoken')).toMatch(line);
     await page.context().close();
   });
 
