@@ -50,8 +50,7 @@ export function createControls(initial: Inputs, listener: Listener): Controls {
     const second = secondBody(against);
     find('material2-row', HTMLElement).hidden = !si || second === undefined;
     showPartners(kind, against.kind);
-    selects.first.value = materialOf(encounter.first, kind)?.name ?? own;
-    selects.second.value = (second && materialOf(second, kind)?.name) ?? own;
+    showMaterials();
     find('units-note', HTMLElement).textContent = note();
     const fields = fieldsOf(encounter);
     for (const field of fields) showField(viewOf(field), field, inputs);
@@ -59,9 +58,19 @@ export function createControls(initial: Inputs, listener: Listener): Controls {
       view.row.hidden = !fields.includes(field);
       showProblem(view, '');
     }
-    slider.value = String(placeOf(encounter, inputs.speed));
-    const unit = si ? 'm/s' : 'c';
-    slider.setAttribute('aria-valuetext', `${significant(inputs.speed, 3)} ${unit}`);
+    showSlider();
+  }
+
+  function showSlider(): void {
+    slider.value = String(placeOf(inputs.encounter, inputs.speed));
+    slider.setAttribute('aria-valuetext', `${significant(inputs.speed, 3)} ${inputs.encounter.si ? 'm/s' : 'c'}`);
+  }
+
+  function showMaterials(): void {
+    const { first, kind, against } = inputs.encounter;
+    const second = secondBody(against);
+    selects.first.value = materialOf(first, kind)?.name ?? own;
+    selects.second.value = (second && materialOf(second, kind)?.name) ?? own;
   }
 
   function note(): string {
@@ -103,11 +112,8 @@ export function createControls(initial: Inputs, listener: Listener): Controls {
     }
     inputs = result.inputs;
     find('units-note', HTMLElement).textContent = note();
-    slider.value = String(placeOf(inputs.encounter, inputs.speed));
-    const { first, kind, against } = inputs.encounter;
-    selects.first.value = materialOf(first, kind)?.name ?? own;
-    const second = secondBody(against);
-    selects.second.value = (second && materialOf(second, kind)?.name) ?? own;
+    showSlider();
+    showMaterials();
     listener.changed(inputs, settled);
   }
 
