@@ -6,7 +6,6 @@ import { createTimeCharts } from './charts/time_charts';
 import { createCore } from './core/client';
 import { fromAddress } from './inputs/address';
 import { description } from './inputs/description';
-import type { Field } from './inputs/fields';
 import { type Inputs, equal } from './inputs/inputs';
 import { onAxisOf } from './inputs/speeds';
 import { createAddressBar } from './page/address_bar';
@@ -46,7 +45,10 @@ const controls = createControls(inputs, {
 });
 
 const run = createSession(core, {
-  began: () => results.stale('computing'),
+  began() {
+    results.stale('computing');
+    document.body.dataset.impact = 'old';
+  },
   first(encounter, result) {
     results.show(encounter, result, 'first');
     showPoint(result);
@@ -60,13 +62,13 @@ const run = createSession(core, {
     scene.show(encounter, speed, fine, collision);
     timeCharts.show(collision);
     modeBars.show(encounter, collision);
+    document.body.dataset.impact = 'current';
   },
   failed(line, refused) {
-    results.say(line);
-    if (refused) results.stale('wrong');
     computed = undefined;
-    const field = line.split(':')[0];
-    if (refused && field === 'speed') controls.refuse(field as Field, line);
+    if (refused) results.stale('wrong');
+    if (refused && line.startsWith('speed:')) controls.refuse('speed', line);
+    else results.say(line);
   },
 });
 

@@ -9,7 +9,7 @@ import { readTheme } from '../drawing/theme';
 import { written } from '../drawing/ticks';
 import { evenGrid } from '../scene/grid';
 import { placedBodies } from '../scene/view';
-import { layoutModes, type ModeBar, type ModeLayout, type When } from './mode_layout';
+import { energyOf, layoutModes, type ModeBar, type ModeLayout, type When } from './mode_layout';
 import { createShapeView } from './mode_shape';
 import { energyScale, modeBox, modeSvg, MODE_LABELS } from './mode_svg';
 import './charts.css';
@@ -102,9 +102,12 @@ export function createModeBars(host: HTMLElement, core: Core): ModeBars {
       button.addEventListener('focus', () => choose(bar));
       return button;
     }));
-    note.textContent = layout.omitted
-      ? `${layout.omitted} more modes hold ${percent(layout.rest)} together.`
-      : layout.bars.length ? '' : 'No mode of this body has energy.';
+    note.textContent = [
+      layout.bars.length ? '' : 'No mode of this body has energy.',
+      layout.omitted ? `${layout.omitted} more modes hold ${percent(layout.rest)} together.` : '',
+      now.collision.bodies[1]?.kind === 'half-space'
+        ? `The waves in what it meets hold ${percent(energyOf(now.collision.modes, 1, when.chosen()))}.` : '',
+    ].filter(Boolean).join(' ');
     const bar = layout.bars.find((each) => nameOf(each) === chosen)
       ?? layout.bars.reduce<ModeBar | undefined>((most, each) => (most && most.energy >= each.energy ? most : each), undefined);
     figure.hidden = !bar;
@@ -148,7 +151,7 @@ export function createModeBars(host: HTMLElement, core: Core): ModeBars {
 
   function wordsOf({ mode, energy }: ModeBar): string {
     const { encounter } = now!;
-    const frequency = frequencyInWords(mode.omega, encounter, written);
+    const frequency = frequencyInWords(mode.omega, encounter);
     return `Mode (n, l) = (${mode.order}, ${mode.index}), ${frequency}: ${percent(energy)} of the energy, ` +
       `${MODE_LABELS[when.chosen()]}`;
   }

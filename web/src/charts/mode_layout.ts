@@ -50,3 +50,8 @@ export function layoutModes(modes: ModeEnergy[], body: 0 | 1, when: When, count:
   }
   return { bars, groups, omitted: all.length - shown.length, rest: Math.max(0, rest) };
 }
+
+/** What all modes of a body hold together. */
+export function energyOf(modes: ModeEnergy[], body: 0 | 1, when: When): number {
+  return modes.reduce((sum, each) => sum + (each.body === body ? each[when] : 0), 0);
+}

@@ -53,7 +53,7 @@ function drawShape(
   const mesh = meshOf(body, { center: 0, ...shape, vonMises: none, fringes: none }, grid, AMPLITUDE * out);
   const offset = body.kind === 'rod' ? -0.5 * body.radius : -body.radius; // meshOf puts the struck end at x = 0
   const [middleX, middleY] = [size / 2, canvas.height / density / 2];
-  const scale = body.kind === 'rod' ? (0.78 * size) / body.radius : (0.41 * size) / body.radius;
+  const scale = body.kind === 'rod' ? (0.7 * size) / body.radius : (0.41 * size) / body.radius;
   context.setTransform(density, 0, 0, density, 0, 0);
   context.clearRect(0, 0, size, size);
   context.lineJoin = 'round';

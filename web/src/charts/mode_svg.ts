@@ -71,12 +71,14 @@ function colorOf(index: number, theme: Theme): string {
   return index < COLORED ? look(index, theme).color : theme.muted;
 }
 
-/** The groups whose orders can be written without touching each other. */
+/** Of the groups every one, every second, fifth, …: as many as can be written without touching each other. */
 function spaced(groups: ModeGroup[], width: number): ModeGroup[] {
-  let last = -Infinity;
-  return groups.filter(({ center, order }) => {
-    if ((center - last) * width < 6 + 7 * String(order).length) return false;
-    last = center;
-    return true;
-  });
+  const half = ({ order }: ModeGroup): number => 3.5 * String(order).length + 3;
+  for (const every of [1, 2, 5, 10, 20, 50, 100]) {
+    const some = groups.filter(({ order }) => order % every === 0);
+    const apart = some.every((each, k) => k === 0 ||
+      (each.center - some[k - 1]!.center) * width >= half(each) + half(some[k - 1]!));
+    if (apart) return some;
+  }
+  return groups.slice(0, 1);
 }

@@ -6,6 +6,7 @@ import { onResize } from '../drawing/sized';
 import { pngOf } from '../drawing/svg';
 import { look, readTheme } from '../drawing/theme';
 import { unitInWords } from '../drawing/ticks';
+import { readable } from './readable';
 import { panelLabel, panelsOf, type Panel } from './series';
 import { createTimePlot, type TimePlot } from './time_plot';
 import { timeSvg } from './time_svg';
@@ -39,7 +40,8 @@ export function createTimeCharts(host: HTMLElement): TimeCharts {
   let plots: TimePlot[] = [];
   let panels: Panel[] = [];
   let values: HTMLElement[] = [];
-  let [cursor, drawnWidth] = [0, 0];
+  let cursor = 0; // in the readable unit, as all times inside
+  let second = 1;
   let callback: (time: number) => void = () => undefined;
   const stopWatching = onResize(place, draw);
   place.addEventListener('keydown', onKey);
@@ -51,14 +53,13 @@ export function createTimeCharts(host: HTMLElement): TimeCharts {
     plots = [];
     values = [];
     place.replaceChildren();
-    drawnWidth = width;
     const theme = readTheme(place);
     const { time, units } = collision;
     panels.forEach((panel, n) => {
       place.append(heading(panel));
       const last = n === panels.length - 1;
       const label = `time since first contact (${unitInWords(units.time)})`;
-      const plot = createTimePlot(place, time, label, panel, HEIGHTS[n]!, drawnWidth, last, theme);
+      const plot = createTimePlot(place, time, label, panel, HEIGHTS[n]!, width, last, theme);
       listen(plot);
       plots.push(plot);
     });
@@ -100,7 +101,7 @@ export function createTimeCharts(host: HTMLElement): TimeCharts {
 
   function choose(time: number): void {
     put(time);
-    callback(time);
+    callback(time * second);
   }
 
   function onKey(event: KeyboardEvent): void {
@@ -131,14 +132,18 @@ export function createTimeCharts(host: HTMLElement): TimeCharts {
 
   return {
     show(next) {
-      collision = next;
-      panels = panelsOf(next);
-      words.textContent = summaryOf(next);
-      place.setAttribute('aria-valuemin', String(next.time[0]));
-      place.setAttribute('aria-valuemax', String(next.time[next.time.length - 1]));
+      const shown = readable(next);
+      cursor *= second / shown.second;
+      second = shown.second;
+      collision = shown.collision;
+      const { time } = collision;
+      panels = panelsOf(collision);
+      words.textContent = summaryOf(collision);
+      place.setAttribute('aria-valuemin', String(time[0]));
+      place.setAttribute('aria-valuemax', String(time[time.length - 1]));
       draw();
     },
-    setCursor: put,
+    setCursor: (time) => put(time / second),
     onCursor(next) {
       callback = next;
     },

@@ -6,7 +6,6 @@ import { look, type Theme } from '../drawing/theme';
 import { panelLabel, type Panel } from './series';
 
 export interface TimePlot {
-  setWidth(width: number): void;
   setCursor(time: number): void;
   /** The time at a place of the window, within those shown. */
   timeAt(clientX: number): number;
@@ -24,11 +23,20 @@ export function createTimePlot(
   const font = '12px system-ui, sans-serif';
   const common = { stroke: theme.muted, font, grid: { stroke: theme.line, width: 0.7 } };
   const ticks = { stroke: theme.muted, width: 0.8, size: 5 };
-  const plot = new uPlot({
+  let cursor = NaN;
+  const line = document.createElement('div');
+  line.className = 'chart-cursor';
+  const place = (): void => {
+    const x = plot.valToPos(cursor, 'x');
+    line.hidden = !(x >= 0 && x <= plot.over.clientWidth);
+    line.style.transform = `translateX(${x}px)`;
+  };
+  const plot: uPlot = new uPlot({
     width, height,
     padding: [8, 14, last ? 0 : 6, 0],
     cursor: { show: false },
     legend: { show: false },
+    hooks: { draw: [() => place()] }, // only then has the chart its size
     scales: { x: { time: false, range: [time[0] ?? 0, time[time.length - 1] ?? 1] }, y: { range: [panel.low, panel.high] } },
     axes: [
       {
@@ -48,23 +56,18 @@ export function createTimePlot(
       {},
       ...panel.series.map(({ label }, k) => {
         const { color, dash } = look(k, theme);
-        return { label, stroke: color, width: 1.8, dash, points: { show: false }, pxAlign: 0 };
+        return { label, stroke: color, width: 1.8, dash: dash.map((each) => each * devicePixelRatio), points: { show: false }, pxAlign: 0 };
       }),
     ],
   }, [time, ...panel.series.map((each) => each.values)] as unknown as uPlot.AlignedData, host);
   plot.root.setAttribute('aria-hidden', 'true');
   plot.root.title = panelLabel(panel);
-  const line = document.createElement('div');
-  line.className = 'chart-cursor';
-  line.hidden = true;
   plot.over.append(line);
   return {
     over: plot.over,
-    setWidth: (wide) => plot.setSize({ width: wide, height }),
     setCursor(at) {
-      const x = plot.valToPos(at, 'x');
-      line.hidden = !(x >= 0 && x <= plot.over.clientWidth);
-      line.style.transform = `translateX(${x}px)`;
+      cursor = at;
+      place();
     },
     timeAt(clientX) {
       const bounds = plot.over.getBoundingClientRect();

@@ -2,7 +2,8 @@
 
 import type { Collision } from '../core/protocol';
 import { interpolate } from '../drawing/scale';
-import { unitInWords, withUnit, written } from '../drawing/ticks';
+import { withUnit } from '../drawing/prefix';
+import { unitInWords, written } from '../drawing/ticks';
 import type { Panel, Series } from './series';
 
 const NOTHING = 1e-9; // of what a panel spans

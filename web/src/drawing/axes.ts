@@ -112,5 +112,5 @@ export function legend(entries: LegendEntry[], left: number, top: number, width:
     parts.push(text(x + 32, y + 4, label, { fill: theme.text }));
     x += wide;
   }
-  return [parts.join(''), entries.length ? y - top + 18 : 0];
+  return [parts.join(''), entries.length ? y - top + 24 : 0];
 }

@@ -1,6 +1,8 @@
 // The units of the core's own numbers where bodies are in SI.
 
 import type { Encounter } from '../core/protocol';
+import { withUnit } from './prefix';
+import { written } from './ticks';
 
 /** Modulus of the first body in Pa: E, or of a disk in plane strain E/(1 − ν²); undefined where units are its own. */
 export function modulus({ kind, first, plane, si }: Encounter): number | undefined {
@@ -9,10 +11,9 @@ export function modulus({ kind, first, plane, si }: Encounter): number | undefin
 }
 
 /** A frequency in words: ω in c/R, or in SI ω/2π in Hz. */
-export function frequencyInWords(omega: number, encounter: Encounter, written: (value: number) => string): string {
+export function frequencyInWords(omega: number, encounter: Encounter): string {
   const own = modulus(encounter);
   if (own === undefined) return `ω = ${written(omega)} c/${encounter.kind === 'rod' ? 'L' : 'R'}`;
   const hertz = (omega * Math.sqrt(own / encounter.first.density)) / encounter.first.radius / (2 * Math.PI);
-  const [size, unit] = hertz >= 1e6 ? [1e6, 'MHz'] : hertz >= 1e3 ? [1e3, 'kHz'] : [1, 'Hz'];
-  return `${written(hertz / size)} ${unit}`;
+  return withUnit(hertz, 'Hz', 4);
 }

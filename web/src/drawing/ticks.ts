@@ -32,11 +32,6 @@ export function unitInWords(unit: string): string {
   return unit.replace(/^pi/, 'π').replace(/\^(-?\d)/g, (_, power: string) => [...power].map((each) => RAISED[each]).join(''));
 }
 
-/** A value with its unit. */
-export function withUnit(value: number, unit: string, digits = 3): string {
-  return unit ? `${written(value, digits)} ${unitInWords(unit)}` : written(value, digits);
-}
-
 /** The least of 1, 2 and 5 times a power of ten that is not below `value`. */
 export function roundUp(value: number): number {
   const power = 10 ** Math.floor(Math.log10(value) + 1e-12);
@@ -75,7 +70,7 @@ export function logTicks(low: number, high: number, count: number): Tick[] {
   const leads = decades * 3 <= count ? [1, 2, 5] : [1];
   const every = Math.max(1, Math.ceil(decades / Math.max(1, count)));
   const name = (value: number, power: number): string => // a row of powers looks best with all written alike
-    decades > 4 && power !== 0 && power !== -1 ? powerOfTen(power) : written(value);
+    decades > 4 && (power < -1 || power > 2) ? powerOfTen(power) : written(value);
   const ticks: Tick[] = [];
   for (let power = Math.floor(Math.log10(low)); power <= Math.ceil(Math.log10(high)); ++power) {
     for (let lead = 1; lead <= 9; ++lead) {

@@ -1,8 +1,8 @@
 // Limits of the inputs: those of the command, said in its manner.
 import type { Body, Encounter } from '../core/protocol';
-import { type BodyField, type Field, fieldsOf, labelOf, ofSecond, owner, unitOf, withValue } from './fields';
+import { type BodyField, type Field, fieldsOf, labelOf, ofSecond, owner, unitOf, valueOf, withValue } from './fields';
 import { type Inputs, secondBody } from './inputs';
-import { parseNumber } from './number';
+import { displayed, parseNumber } from './number';
 import { barSpeed, barTime, modulus } from './scales';
 import { significant } from './digits';
 
@@ -15,7 +15,7 @@ export function check(inputs: Inputs, texts: ReadonlyMap<Field, string>): Checke
   let { encounter, speed } = inputs;
   for (const field of fieldsOf(encounter)) {
     const text = texts.get(field);
-    if (text === undefined) continue;
+    if (text === undefined || text === displayed(valueOf(encounter, speed, field))) continue;
     const parsed = parseNumber(nameOf(encounter, field), text);
     if ('problem' in parsed) problems.set(field, parsed.problem);
     else if (field === 'speed') speed = parsed.value;

@@ -23,6 +23,12 @@ export function parseNumber(name: string, text: string): Parsed {
   return { value: value === 0 ? 0 : value };
 }
 
+/** The text of a number in a field: short enough to be read there. Typed again unchanged, it is that very number. */
+export function displayed(value: number): string {
+  const whole = shortest(value);
+  return whole.length <= 9 ? whole : shortest(Number(value.toPrecision(6)));
+}
+
 /** The shortest decimal text that gives the same number back; far from 1 with a power of ten: 0.005, 1e-7, 2.1e11. */
 export function shortest(value: number): string {
   const plain = String(value);

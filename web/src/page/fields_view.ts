@@ -1,7 +1,7 @@
 // The number fields of the form: label, text field, unit, and the line that says what is wrong.
 import { type Field, labelOf, owner, unitOf, valueOf } from '../inputs/fields';
 import type { Inputs } from '../inputs/inputs';
-import { shortest } from '../inputs/number';
+import { displayed } from '../inputs/number';
 import { make } from './dom';
 
 export interface FieldView {
@@ -32,7 +32,8 @@ export function showField(view: FieldView, field: Field, inputs: Inputs): void {
   if (view.label.textContent !== label) view.label.textContent = label;
   view.unit.textContent = unitOf(inputs.encounter, field);
   const value = valueOf(inputs.encounter, inputs.speed, field);
-  if (Number(view.input.value) !== value || view.input.value.trim() === '') view.input.value = shortest(value);
+  const { value: text } = view.input;
+  if (text.trim() === '' || (Number(text) !== value && text !== displayed(value))) view.input.value = displayed(value);
   const place = owner(field);
   if (place?.second === true) view.input.setAttribute('aria-label', `${label}, of what it meets`);
 }

@@ -1,6 +1,7 @@
 // What the colours of a film mean.
 
-import { linearTicks, written } from '../drawing/ticks';
+import { prefixFor, withUnit } from '../drawing/prefix';
+import { linearTicks } from '../drawing/ticks';
 import type { Theme } from '../drawing/theme';
 import { cssOf, pixelOf, type Shade } from './colors';
 
@@ -8,17 +9,10 @@ import { cssOf, pixelOf, type Shade } from './colors';
 export const LEGEND = 46;
 
 const ORDERS = 5;
-const PREFIXES: [number, string][] = [[1e9, 'GPa'], [1e6, 'MPa'], [1e3, 'kPa'], [1, 'Pa']];
 
 /** A stress in words: in SI with a prefix, else in the modulus of the first body. */
 export function stressInWords(stress: number, modulus: number | undefined): string {
-  if (modulus === undefined) return `${written(stress, 3)} E`;
-  const [size, name] = stressPrefix(stress * modulus);
-  return `${written((stress * modulus) / size, 3)} ${name}`;
-}
-
-function stressPrefix(pascals: number): [number, string] {
-  return PREFIXES.find(([size]) => pascals >= size) ?? [1, 'Pa'];
+  return modulus === undefined ? withUnit(stress, 'E') : withUnit(stress * modulus, 'Pa');
 }
 
 /** Draws a legend at the foot of a picture. `modulus`: that of the first body in Pa, where units are SI. `name`: of a stress that is no fringes. */
@@ -40,7 +34,7 @@ export function drawLegend(
   context.fillStyle = theme.muted;
   context.font = '11px system-ui, sans-serif';
   context.textAlign = 'center';
-  const [size, unit] = modulus === undefined ? [1, 'E'] : stressPrefix(end * modulus);
+  const { size, unit } = prefixFor(end * (modulus ?? 1), modulus === undefined ? 'E' : 'Pa');
   const last = fringes ? ORDERS : (end * (modulus ?? 1)) / size;
   for (const tick of linearTicks(0, last, 5)) {
     context.fillText(tick.label, start + (wide * tick.value) / last, top + 23);

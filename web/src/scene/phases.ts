@@ -2,7 +2,8 @@
 
 import type { Collision } from '../core/protocol';
 import { interpolate } from '../drawing/scale';
-import { unitInWords, withUnit, written } from '../drawing/ticks';
+import { withUnit } from '../drawing/prefix';
+import { unitInWords, written } from '../drawing/ticks';
 
 export type Phase = 'approach' | 'compression' | 'restitution' | 'apart';
 
@@ -12,6 +13,11 @@ export function phaseAt(collision: Collision, time: number): Phase {
   if (time > collision.end) return 'apart';
   const first = collision.velocity[0] ?? 0;
   return interpolate(collision.time, collision.velocity, time) * first > 0 ? 'compression' : 'restitution';
+}
+
+/** A time with its unit, the same for all times of a collision. */
+export function timeInWords(collision: Collision, time: number): string {
+  return withUnit(time, collision.units.time, 3, collision.end);
 }
 
 /** How much slower a film is that shows `span`, in units of time, within `seconds`. */
@@ -28,6 +34,7 @@ export function describe(collision: Collision, time: number): string {
   const greatest = collision.force.reduce((most, each) => Math.max(most, each), 0);
   const share = greatest > 0 ? Math.round((100 * force) / greatest) : 0;
   const { units } = collision;
-  return `${phase}, time ${withUnit(time, units.time)}, force ${withUnit(force, units.force)}, ` +
+  const forceInWords = withUnit(force, units.force, 3, greatest);
+  return `${phase}, time ${timeInWords(collision, time)}, force ${forceInWords}, ` +
     `${share} % of the greatest`;
 }

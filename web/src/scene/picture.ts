@@ -3,13 +3,12 @@
 import type { Frame } from '../core/protocol';
 import { modulus } from '../drawing/si';
 import type { Theme } from '../drawing/theme';
-import { withUnit } from '../drawing/ticks';
 import { drawBodies, type Scratch } from './bodies';
 import { shadeOf, type Quantity, type Shade } from './colors';
 import { drawLegend, LEGEND } from './legend';
-import { phaseAt } from './phases';
+import { phaseAt, timeInWords } from './phases';
 import type { Show } from './show';
-import { layoutOf } from './view';
+import { HEAD, layoutOf } from './view';
 
 const shades = new Map<string, Shade>();
 
@@ -41,7 +40,7 @@ export function drawPicture(
   context.fillRect(0, 0, width, layout.height + LEGEND);
   context.save();
   context.beginPath();
-  context.rect(0, 0, width, layout.height);
+  context.rect(0, HEAD - 4, width, layout.height - HEAD + 4);
   context.clip();
   const to = { context, layout, density, width, theme, shade };
   drawBodies(to, frame, show.placed, show.grid, show.magnification, show.encounter.against.kind, scratch);
@@ -49,7 +48,7 @@ export function drawPicture(
   context.fillStyle = theme.text;
   context.font = '13px system-ui, sans-serif';
   context.textAlign = 'left';
-  context.fillText(`t = ${withUnit(time, show.collision.units.time)}, ${phaseAt(show.collision, time)}`, 4, 16);
+  context.fillText(`t = ${timeInWords(show.collision, time)}, ${phaseAt(show.collision, time)}`, 4, 16);
   context.textAlign = 'right';
   context.fillStyle = theme.muted;
   const { magnification } = show;

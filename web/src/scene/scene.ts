@@ -4,13 +4,12 @@ import type { Collision, Core, Encounter, Frame } from '../core/protocol';
 import { fitCanvas, onResize } from '../drawing/sized';
 import { pngOfCanvas } from '../drawing/svg';
 import { motionIsReduced, readTheme } from '../drawing/theme';
-import { withUnit } from '../drawing/ticks';
 import { newScratch } from './bodies';
 import { advance, LENGTH, type Clock } from './clock';
 import type { Quantity } from './colors';
 import { createControls } from './controls';
 import { frameAt } from './frames';
-import { describe, phaseAt, slowness } from './phases';
+import { describe, phaseAt, slowness, timeInWords } from './phases';
 import { drawPicture, pictureHeight } from './picture';
 import { produce, type Show } from './show';
 import './scene.css';
@@ -28,6 +27,7 @@ export interface Scene {
 }
 
 const STEPS = 64; // of the film
+const PRINT = 800; // width of a picture of a scene that is not on the page
 
 /** Makes an empty scene in an element. */
 export function createScene(host: HTMLElement, core: Core): Scene {
@@ -143,7 +143,7 @@ export function createScene(host: HTMLElement, core: Core): Scene {
     if (!frame) return;
     spare = frame;
     drawPicture(canvas, width, density, show, frame, clock.time, quantity, theme, scratch);
-    const shown = withUnit(clock.time, show.collision.units.time);
+    const shown = timeInWords(show.collision, clock.time);
     controls.setTime((clock.time - show.from) / (show.to - show.from), `${shown}, ${phaseAt(show.collision, clock.time)}`);
     if (!playing) canvas.setAttribute('aria-label', `Film of the collision: ${describe(show.collision, clock.time)}`);
   }
@@ -185,7 +185,16 @@ export function createScene(host: HTMLElement, core: Core): Scene {
       canvas.getContext('2d')!.clearRect(0, 0, canvas.width, canvas.height);
       empty();
     },
-    toPng: () => pngOfCanvas(canvas),
+    async toPng() {
+      const frame = show && frameAt(show.film, clock.time);
+      if (!show || !frame) throw new Error('there is no film to draw yet');
+      const width = place.clientWidth || PRINT;
+      const copy = document.createElement('canvas');
+      const density = Math.max(2, devicePixelRatio);
+      [copy.width, copy.height] = [density * width, density * pictureHeight(show, width)];
+      drawPicture(copy, width, density, show, frame, clock.time, quantity, readTheme(place), newScratch());
+      return pngOfCanvas(copy);
+    },
     destroy() {
       asked?.abort();
       pause();

@@ -61,7 +61,8 @@ export interface Layout {
   height: number;
 }
 
-const HEAD = 26;
+/** Height of the line of words above a picture, CSS pixels. */
+export const HEAD = 26;
 const TALLEST = 400;
 const LOWEST = 110;
 

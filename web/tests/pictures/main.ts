@@ -9,15 +9,18 @@ import { createCore } from '../../src/core/client';
 import { fakeCore } from './fake_core';
 
 const query = new URLSearchParams(location.search);
-const first: Body = { poisson: 0.3, radius: 1, young: 1, density: 1, area: 1, lossTime: 0 };
+const si = query.has('si'); // steel, 1 cm
+const first: Body = {
+  poisson: 0.3, radius: si ? 0.01 : 1, young: si ? 2.1e11 : 1, density: si ? 7850 : 1, area: si ? 1e-4 : 1, lossTime: 0,
+};
 const name = query.get('against') ?? 'wall';
 const ratio = Number(query.get('ratio') ?? 2);
 const against: Against =
   name === 'wall' || name === 'same' ? { kind: name }
-    : name === 'body' ? { kind: 'body', body: { ...first, radius: ratio, area: ratio } }
+    : name === 'body' ? { kind: 'body', body: { ...first, radius: ratio * first.radius, area: ratio * first.area } }
       : { kind: 'half-space', body: first };
 const encounter: Encounter = {
-  kind: (query.get('body') ?? 'disk') as BodyKind, first, against, si: false, plane: 'stress',
+  kind: (query.get('body') ?? 'disk') as BodyKind, first, against, si, plane: 'stress',
 };
 const speed = Number(query.get('speed') ?? 0.1);
 const core = query.has('real') ? createCore() : fakeCore();

@@ -1,16 +1,17 @@
 import { describe, expect, it } from 'vitest';
 import { barOf, nearestPoint, ordinateScale, speedScale } from '../../src/charts/curve_scales';
 import { curveSvg } from '../../src/charts/curve_svg';
-import { layoutModes } from '../../src/charts/mode_layout';
+import { energyOf, layoutModes } from '../../src/charts/mode_layout';
 import { energyScale, modeSvg } from '../../src/charts/mode_svg';
+import { readable } from '../../src/charts/readable';
 import { panelsOf, thinned } from '../../src/charts/series';
 import { timeSvg } from '../../src/charts/time_svg';
 import { cursorWords, summaryOf } from '../../src/charts/words';
 import type { Collision, CurvePoint, Encounter, ModeEnergy } from '../../src/core/protocol';
 import { frequencyInWords, modulus } from '../../src/drawing/si';
-import { written } from '../../src/drawing/ticks';
 import { describe as describeTime, phaseAt, slowness } from '../../src/scene/phases';
 import { stressInWords } from '../../src/scene/legend';
+import { withUnit } from '../../src/drawing/prefix';
 import type { Theme } from '../../src/drawing/theme';
 import { swing } from '../../src/charts/mode_shape';
 
@@ -42,6 +43,28 @@ describe('a collision in words', () => {
     expect(describeTime(COLLISION, 9)).toContain('force 0 mc²/R');
     expect(summaryOf(COLLISION)).toContain('The force is greatest, 0.05 mc²/R, 4 R/c after first contact');
     expect(cursorWords(COLLISION, panelsOf(COLLISION), 8)).toContain('velocity −0.1 c, translation 1');
+  });
+});
+
+describe('a collision in SI', () => {
+  const si: Collision = {
+    ...COLLISION, units: { time: 's', length: 'm', speed: 'm/s', force: 'N' }, time: time.map((t) => 1e-5 * t), end: 8e-5,
+    force: COLLISION.force.map((f) => 1e6 * f),
+  };
+  it('has prefixes that suit its numbers', () => {
+    const { collision, second } = readable(si);
+    expect([second, collision.units.time, collision.units.force]).toEqual([1e-6, 'µs', 'kN']);
+    expect(collision.time[1000]).toBeCloseTo(80, 9);
+    expect(collision.force[500]).toBeCloseTo(50, 9);
+    expect(collision.end).toBeCloseTo(80, 9);
+    expect(describeTime(si, 4.004e-5)).toBe('restitution, time 40 µs, force 50 kN, 100 % of the greatest');
+    expect(describeTime(si, 1e-9)).toContain('time 0.001 µs');
+  });
+  it('stays as it is in units of the body', () => {
+    expect(readable(COLLISION).second).toBe(1);
+    expect(readable(COLLISION).collision.units.force).toBe('mc²/R');
+    expect([withUnit(0, 's'), withUnit(2e-4, 'R/c'), withUnit(0.25, 'm/s'), withUnit(2e-12, 's')]).toEqual(
+      ['0 s', '2×10⁻⁴ R/c', '0.25 m/s', '0.002 ns']);
   });
 });
 
@@ -124,6 +147,8 @@ describe('bars of modes', () => {
     expect(layout.bars[19]!.left + layout.bars[19]!.width).toBeLessThanOrEqual(1);
     expect(layoutModes(modes, 0, 'average', 20).bars).toHaveLength(0);
     expect(layoutModes(modes, 1, 'after', 20).bars).toHaveLength(0);
+    expect(energyOf(modes, 0, 'after')).toBeCloseTo(whole);
+    expect(energyOf(modes, 1, 'after')).toBe(0);
   });
   it('are an SVG, with energies or without', () => {
     for (const when of ['after', 'average'] as const) {
@@ -133,8 +158,8 @@ describe('bars of modes', () => {
   });
   it('say frequencies in c/R or Hz', () => {
     const steel: Encounter = { ...ENCOUNTER, si: true, first: { ...BODY, radius: 0.01, young: 2.1e11, density: 7850 } };
-    expect(frequencyInWords(2, ENCOUNTER, written)).toBe('ω = 2 c/R');
-    expect(frequencyInWords(2 * Math.PI, steel, written)).toBe('517.2 kHz');
+    expect(frequencyInWords(2, ENCOUNTER)).toBe('ω = 2 c/R');
+    expect(frequencyInWords(2 * Math.PI, steel)).toBe('517.2 kHz');
     expect(modulus({ ...steel, plane: 'strain' })).toBeCloseTo(2.1e11 / 0.91);
     expect(modulus({ ...steel, plane: 'strain', kind: 'sphere' })).toBe(2.1e11);
     expect(modulus(ENCOUNTER)).toBeUndefined();
