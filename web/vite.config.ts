@@ -1,10 +1,16 @@
+import { readFileSync } from 'node:fs';
 import { fileURLToPath } from 'node:url';
 import { defineConfig } from 'vitest/config';
 import { equations } from './plugins/equations';
 
+const project = readFileSync(new URL('../CMakeLists.txt', import.meta.url), 'utf8');
+const version = /project\(stoss VERSION ([0-9.]+)/.exec(project)?.[1];
+if (version === undefined) throw new Error('CMakeLists.txt: the version of the project is not where it was');
+
 // The page is served from any folder: all addresses are relative. STOSS_DOCUMENTATION is the address of the manual,
 // which may be relative too; without it the page has no link to one.
 export default defineConfig({
+  define: { STOSS_VERSION: JSON.stringify(version) },
   base: './',
   // What scripts/web.sh has built of web/core.
   resolve: { alias: { '@wasm': fileURLToPath(new URL('../build/wasm', import.meta.url)) } },

@@ -86,7 +86,7 @@ BodyFrame seen_by(const Contact& contact, const ContactGrid& grid, const Frame& 
   seen.coordinate.assign(of_second ? middle : begin, of_second ? frame.state.coordinate.end() : middle);
   for (double& each : seen.coordinate) each /= units.length;
   seen.node_force = frame.node_force;
-  for (double& each : seen.node_force) each /= force;
+  for (double& each : seen.node_force) each *= contact.first->mass / (seen.body->mass * force);
   return seen;
 }
 
@@ -107,9 +107,9 @@ std::vector<double> surface_displacement(const BodyFrame& seen, const ContactPoi
   return displacement;
 }
 
-std::vector<double> residual_compliance(const Contact& contact, const BodyFrame& seen, const Poll& poll) {
+std::vector<double> residual_compliance(const BodyFrame& seen, const Poll& poll) {
   std::vector<double> compliance = seen.body->residual_compliance(seen.points, poll);
-  for (double& each : compliance) each *= contact.first->mass;  // shares of force are in mc²/R of the first
+  for (double& each : compliance) each *= seen.body->mass;  // forces are in its mc²/R
   return compliance;
 }
 

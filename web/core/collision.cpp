@@ -132,7 +132,7 @@ val Collision::body_frame(const Frame& frame, int number) {
 
 val Collision::surface(const Frame& frame) {
   const BodyFrame seen = seen_by(contact_, grid_, frame, 1);
-  if (compliance_.empty()) compliance_ = residual_compliance(contact_, seen, say_alive);
+  if (compliance_.empty()) compliance_ = residual_compliance(seen, say_alive);
   std::vector<double> lateral, displaced = contact_displacement(seen, compliance_);
   for (std::size_t i = 0; i < grid_.points.count; ++i) {
     lateral.push_back(grid_.points.radius * std::sin(grid_.points.angle(i)));

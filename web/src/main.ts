@@ -6,7 +6,6 @@ import { createTimeCharts } from './charts/time_charts';
 import { createCore } from './core/client';
 import { fromAddress } from './inputs/address';
 import { description } from './inputs/description';
-import type { Field } from './inputs/fields';
 import { type Inputs, equal } from './inputs/inputs';
 import { onAxisOf } from './inputs/speeds';
 import { createAddressBar } from './page/address_bar';
@@ -66,11 +65,10 @@ const run = createSession(core, {
     document.body.dataset.impact = 'current';
   },
   failed(line, refused) {
-    results.say(line);
-    if (refused) results.stale('wrong');
     computed = undefined;
-    const field = line.split(':')[0];
-    if (refused && field === 'speed') controls.refuse(field as Field, line);
+    if (refused) results.stale('wrong');
+    if (refused && line.startsWith('speed:')) controls.refuse('speed', line);
+    else results.say(line);
   },
 });
 

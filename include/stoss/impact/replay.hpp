@@ -30,7 +30,7 @@ struct BodyFrame {
   double center = 0.0;             ///< place of its centre: the bodies at rest would first touch at x = 0
   ContactPoints points;            ///< on the body
   std::vector<double> coordinate;  ///< Q of its modes
-  std::vector<double> node_force;  ///< share of each contact node in F, towards the inside of the body
+  std::vector<double> node_force;  ///< share of each contact node in F, towards the inside of the body, its mc²/R
 };
 
 /// Place of the centre of one of the bodies, R of the first: the bodies at rest would first touch at x = 0, and the
@@ -53,8 +53,7 @@ struct BodyFrame {
 
 /// Compliance of the modes of a body that are not kept: displacement into the body at a contact point, in its own
 /// units, per share of force BodyFrame::node_force at another.
-[[nodiscard]] std::vector<double> residual_compliance(const Contact& contact, const BodyFrame& seen,
-                                                      const Poll& poll = {});
+[[nodiscard]] std::vector<double> residual_compliance(const BodyFrame& seen, const Poll& poll = {});
 
 /// Displacement of the surface of a body at the contact points, towards what it meets, in its own units: by its kept
 /// modes and, in their static answer to the forces, by all others. @param compliance of these others, as above

@@ -1,23 +1,21 @@
 // A curve as CSV, as `stoss restitution --format csv` writes it: the columns the page knows, in its order.
 import type { CurvePoint, Encounter } from '../core/protocol';
-import { commandArguments, encounterArguments } from './command_line';
+import { commandArguments } from './command_line';
 import { shortest } from './number';
 import { barSpeed, planePoisson } from './scales';
+import { version } from './version';
 
 /** The text of the file: comments that say what it is, one line of columns, one row for each speed, slowest first. */
 export function curveCsv(encounter: Encounter, points: readonly CurvePoint[], tolerance = 1e-3): string {
   const sorted = [...points].sort((a, b) => a.speed - b.speed);
   const speeds = sorted.map((point) => shortest(point.speed)).join(',');
   const { kind, si } = encounter;
-  const options = pairsOf(encounterArguments(encounter));
   const poisson = shortest(planePoisson(encounter, encounter.first));
   const c = barSpeed(encounter);
   const head = [
-    '# stoss: restitution',
-    `# command: stoss ${commandArguments(encounter, speeds, tolerance).join(' ')}`,
+    `# stoss ${version}: restitution`,
+    `# command: stoss ${commandArguments(encounter, speeds, tolerance).join(' ')} --format csv`,
     `# body: ${kind}`,
-    ...options.map(([key, value]) => `# ${key}: ${value}`),
-    ...(encounter.against.kind === 'wall' ? ['# against: wall'] : []),
     `# tolerance: ${shortest(tolerance)}`,
   ];
   const columns = [
@@ -33,19 +31,4 @@ export function curveCsv(encounter: Encounter, points: readonly CurvePoint[], to
     String(point.converged),
   ]);
   return [...head, columns.join(','), ...rows.map((row) => row.join(','))].join('\n') + '\n';
-}
-
-const units: Record<string, string> = {
-  young: 'material_young[Pa]', density: 'material_density[kg/m^3]', radius: 'radius[m]', length: 'length[m]',
-  area: 'area[m^2]', 'loss-time': 'loss_time',
-};
-
-/** Options with their values, by the names that comments have. */
-function pairsOf(line: readonly string[]): [string, string][] {
-  const pairs: [string, string][] = [];
-  for (let at = 0; at < line.length; at += 2) {
-    const option = (line[at] ?? '').replace(/^--/, '');
-    if (option !== 'body') pairs.push([units[option] ?? option, line[at + 1] ?? '']);
-  }
-  return pairs;
 }

@@ -59,7 +59,7 @@ export function labelOf(encounter: Encounter, field: Field): string {
   const rod = encounter.kind === 'rod';
   const labels: Record<BodyField, string> = {
     poisson: plane ? '2‑D Poisson number ν' : 'Poisson number ν',
-    young: `Young’s modulus ${symbol('E')}`,
+    young: `${ratio ? 'Modulus' : 'Young’s modulus'} ${symbol('E')}`,
     density: `Density ${symbol('ρ')}`,
     radius: rod ? `Length ${symbol('L')}` : `Radius ${symbol('R')}`,
     area: `Cross-section ${symbol('A')}`,

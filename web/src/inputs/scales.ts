@@ -48,6 +48,14 @@ export function withoutSi(inputs: Inputs): Inputs {
   };
 }
 
+/** Another encounter at the same speed; where that is out of its range, at the same share of its bar speed. */
+export function withEncounter(inputs: Inputs, encounter: Encounter): Inputs {
+  const c = barSpeed(encounter);
+  const allowed = inputs.speed >= 1e-8 * c && inputs.speed <= c;
+  if (allowed || !(c > 0)) return { ...inputs, encounter };
+  return { ...inputs, encounter, speed: Number(((inputs.speed / barSpeed(inputs.encounter)) * c).toPrecision(3)) };
+}
+
 const [steel] = materials;
 
 /** The same impact in SI: the first body becomes steel of 1 cm with its own Poisson number, and ε stays what it is. */

@@ -4,7 +4,7 @@ import { check } from '../inputs/check';
 import { type Field, fieldsOf, owner } from '../inputs/fields';
 import { type Inputs, secondBody, withAgainst, withKind, withSecond } from '../inputs/inputs';
 import { madeOf, materialOf, materials } from '../inputs/materials';
-import { barSpeed, withSi, withoutSi } from '../inputs/scales';
+import { barSpeed, withEncounter, withSi, withoutSi } from '../inputs/scales';
 import { significant } from '../inputs/digits';
 import { placeOf, speedAt, steps } from '../inputs/speeds';
 import { find, make } from './dom';
@@ -50,8 +50,7 @@ export function createControls(initial: Inputs, listener: Listener): Controls {
     const second = secondBody(against);
     find('material2-row', HTMLElement).hidden = !si || second === undefined;
     showPartners(kind, against.kind);
-    selects.first.value = materialOf(encounter.first, kind)?.name ?? own;
-    selects.second.value = (second && materialOf(second, kind)?.name) ?? own;
+    showMaterials();
     find('units-note', HTMLElement).textContent = note();
     const fields = fieldsOf(encounter);
     for (const field of fields) showField(viewOf(field), field, inputs);
@@ -59,9 +58,19 @@ export function createControls(initial: Inputs, listener: Listener): Controls {
       view.row.hidden = !fields.includes(field);
       showProblem(view, '');
     }
-    slider.value = String(placeOf(encounter, inputs.speed));
-    const unit = si ? 'm/s' : 'c';
-    slider.setAttribute('aria-valuetext', `${significant(inputs.speed, 3)} ${unit}`);
+    showSlider();
+  }
+
+  function showSlider(): void {
+    slider.value = String(placeOf(inputs.encounter, inputs.speed));
+    slider.setAttribute('aria-valuetext', `${significant(inputs.speed, 3)} ${inputs.encounter.si ? 'm/s' : 'c'}`);
+  }
+
+  function showMaterials(): void {
+    const { first, kind, against } = inputs.encounter;
+    const second = secondBody(against);
+    selects.first.value = materialOf(first, kind)?.name ?? own;
+    selects.second.value = (second && materialOf(second, kind)?.name) ?? own;
   }
 
   function note(): string {
@@ -103,11 +112,8 @@ export function createControls(initial: Inputs, listener: Listener): Controls {
     }
     inputs = result.inputs;
     find('units-note', HTMLElement).textContent = note();
-    slider.value = String(placeOf(inputs.encounter, inputs.speed));
-    const { first, kind, against } = inputs.encounter;
-    selects.first.value = materialOf(first, kind)?.name ?? own;
-    const second = secondBody(against);
-    selects.second.value = (second && materialOf(second, kind)?.name) ?? own;
+    showSlider();
+    showMaterials();
     listener.changed(inputs, settled);
   }
 
@@ -133,13 +139,13 @@ export function createControls(initial: Inputs, listener: Listener): Controls {
       const made = (body: Body): Body => (material === undefined ? body : madeOf(material, body));
       const next =
         target === selects.first ? { ...encounter, first: made(encounter.first) } : withSecond(encounter, made);
-      take({ ...inputs, encounter: next }, true);
+      take(withEncounter(inputs, next), true);
     } else if (target instanceof HTMLInputElement && target.name === 'body') {
-      take({ ...inputs, encounter: withKind(encounter, target.value as BodyKind) }, true);
+      take(withEncounter(inputs, withKind(encounter, target.value as BodyKind)), true);
     } else if (target instanceof HTMLInputElement && target.name === 'units') {
       take(target.value === 'SI' ? withSi(inputs) : withoutSi(inputs), true);
     } else if (target instanceof HTMLInputElement && target.name === 'plane') {
-      take({ ...inputs, encounter: { ...encounter, plane: target.value as 'stress' | 'strain' } }, true);
+      take(withEncounter(inputs, { ...encounter, plane: target.value as 'stress' | 'strain' }), true);
     }
   });
 

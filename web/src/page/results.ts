@@ -84,7 +84,7 @@ export function createResults(): Results {
       else section.dataset.stale = why;
       clearTimeout(soon);
       if (why === '') state.textContent = reached;
-      if (why === 'wrong') state.textContent = 'of the last inputs in range';
+      if (why === 'wrong') state.textContent = reached === '' ? 'no result yet' : 'of the last inputs in range';
       if (why === 'computing') soon = window.setTimeout(() => (state.textContent = 'computing'), noticeable);
       clearTimeout(timer);
     },

@@ -21,10 +21,10 @@ export function gradedPlaces(count: number, first: number): number[] {
     }
   }
   const places: number[] = [];
-  for (let k = 0; k <= count; ++k) {
+  for (let k = 0; k < count; ++k) {
     places.push(steep > 0 ? Math.sinh((steep * k) / count) / Math.sinh(steep) : k / count);
   }
-  return places;
+  return [...places, 1]; // rounding must not carry the last beyond its end
 }
 
 /** The grid of a body whose contact has some greatest half width, in its own radius: one half, the other mirrors it. */

@@ -83,7 +83,7 @@ export function createCore(): Core {
   return {
     async restitution(encounter, speed, tolerance, signal) {
       await wait(tolerance > 5e-3 ? 15 : 200, signal);
-      if (speed === 0.777) throw new CoreError('speed: got 0.777, allowed up to 0.5 (the wave speed of the softer body)');
+      if (speed === 0.777) throw new CoreError('speed: got 0.777, allowed up to 0.5 (the wave speed there)');
       return restitution(encounter, speed, tolerance);
     },
     async collision(encounter, speed, _tolerance, signal) {

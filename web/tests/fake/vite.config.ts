@@ -13,6 +13,7 @@ const fake: Plugin = {
 export default defineConfig({
   root: here('../..'),
   base: './',
+  define: { STOSS_VERSION: '"0"' },
   plugins: [fake, equations('')],
   build: { outDir: here('../../../build/web-fake'), emptyOutDir: true, target: 'es2022', assetsInlineLimit: 0 },
 });

@@ -2,6 +2,7 @@
 import { execFileSync } from 'node:child_process';
 import { describe, expect, it } from 'vitest';
 import { commandArguments, commandLine } from '../../src/inputs/command_line';
+import { curveCsv } from '../../src/inputs/csv';
 import { lossTimeOf, materials } from '../../src/inputs/materials';
 import { shortest } from '../../src/inputs/number';
 import { pythonLines } from '../../src/inputs/python_lines';
@@ -55,6 +56,14 @@ describe.skipIf(command === undefined)('the command', () => {
         'restitution_error', 'converged'];
       expect(columns.filter((column) => ours.includes(column))).toEqual(ours);
     }
+  });
+  it('takes the line of our CSV, and begins its own in the same way', () => {
+    const { encounter, speed } = cases[10]!;
+    const ours = curveCsv(encounter, [{ speed, restitution: 1, error: 0, converged: true }], 1e-2).split('\n');
+    const line = ours[1]!.replace('# command: stoss ', '').split(' ');
+    const theirs = run(command!, line).split('\n');
+    expect(theirs.slice(0, 3)).toEqual(ours.slice(0, 3));
+    expect(theirs).toContain(ours[3]);
   });
   it('would take what stands in the box', () => {
     const { encounter } = cases[0]!;

@@ -43,7 +43,8 @@ describe.skipIf(missing !== '')(`the inputs of the page${missing && ` (${missing
   it('that are wrong give one line at the field, and the last result stays, marked', async () => {
     const page = await site.open();
     const before = await settled(page);
-    for (const [text, line] of [['', 'a number is missing'], ['nan', 'not a decimal number'], ['-1', 'allowed 1e-8 to 1'],
+    for (const [text, line] of [['', 'a number is missing'], ['nan', 'not a decimal number'],
+      ['-1', 'allowed 1e-8 to 1'],
       ['1e99', 'allowed 1e-8 to 1'], ['abc', 'not a decimal number'], ['0,3', 'write it with a point: 0.3']] as const) {
       await page.fill('#field-speed', text);
       expect(await page.textContent('#field-speed-problem')).toContain(line);
@@ -80,7 +81,8 @@ describe.skipIf(missing !== '')(`the inputs of the page${missing && ` (${missing
     await page.selectOption('#against', 'wall');
     await page.selectOption('#material', 'steel');
     expect(await page.textContent('#command-line')).toMatch(
-      /^stoss restitution --body rod --young 2.1e11 --density 7850 --length 0.02 --area \S+ --loss-time \S+ --speed 3$/);
+      /^stoss restitution --body rod --young 2.1e11 --density 7850 --length 0.02 --area \S+ --loss-time \S+ --speed 3$/,
+    );
     await page.context().close();
   });
 
@@ -138,7 +140,8 @@ describe.skipIf(missing !== '')(`the inputs of the page${missing && ` (${missing
       expect(await page.evaluate(() => document.documentElement.scrollWidth)).toBe(width);
     }
     for (const id of ['inputs', 'result', 'collision']) {
-      expect(await page.$eval(`#${id}`, (element) => element.getBoundingClientRect().bottom), id).toBeLessThanOrEqual(800);
+      const bottom = await page.$eval(`#${id}`, (element) => element.getBoundingClientRect().bottom);
+      expect(bottom, id).toBeLessThanOrEqual(800);
     }
     await page.context().close();
   });

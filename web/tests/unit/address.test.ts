@@ -27,7 +27,8 @@ describe('the address', () => {
   });
   it.each([
     'body=cube&nu=0.3&v=0.1', 'body=disk&nu=0.33', 'body=disk&v=0.1', 'body=disk&nu=0.33&v=0,1', 'body=disk&nu=2&v=0.1',
-    'body=disk&nu=0.33&v=0.1&colour=red', 'body=disk&nu=0.33&nu=0.4&v=0.1', 'body=disk&nu=0.33&v=nan', 'v', '%E0%A4%A&v=1',
+    'body=disk&nu=0.33&v=0.1&colour=red', 'body=disk&nu=0.33&nu=0.4&v=0.1', 'body=disk&nu=0.33&v=nan', 'v',
+    '%E0%A4%A&v=1',
     'body=rod&v=0.1&against=half-space&E2=1&rho2=1', 'body=disk&nu=0.33&v=0.1&keep=body:cube',
     'body=disk&nu=0.33&v=0.1&keep=body:disk,nu:7', `body=disk&nu=0.33&v=0.1${'&keep=body:disk,nu:0.3'.repeat(9)}`,
     'body=sphere&units=SI&nu=0.3&E=2e11&rho=7850&v=1', '<script>', 'body=disk&nu=0.33&v=__proto__',

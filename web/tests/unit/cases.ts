@@ -12,22 +12,24 @@ function made(name: string, radius: number): Body {
   if (material === undefined) throw new Error(name);
   return madeOf(material, { ...unitBody, radius, area: 1e-4 });
 }
+const ratios = (numbers: Partial<Body>): Body => ({ ...unitBody, ...numbers });
+const ball = made('bearing steel', 0.005);
 const own: Body = { poisson: 0.25, young: 1.5e11, density: 5000, radius: 0.004, area: 2e-4, lossTime: 1e-9 };
 
 const of = (encounter: Encounter, speed: number, kept: Encounter[] = []): Inputs => ({ encounter, speed, kept });
 
 export const cases: readonly Inputs[] = [
   of(disk, 0.1),
-  of({ ...disk, first: { ...unitBody, poisson: -0.5, lossTime: 0.01 }, against: { kind: 'same' } }, 0.02, [disk, sphere]),
-  of({ ...disk, against: { kind: 'body', body: { ...unitBody, poisson: 0.2, radius: 0.5, young: 2, density: 3 } } }, 0.1),
-  of({ ...disk, against: { kind: 'half-space', body: { ...unitBody, poisson: 0.2, young: 0.5, lossTime: 0.02 } } }, 0.05),
+  of({ ...disk, first: ratios({ poisson: -0.5, lossTime: 0.01 }), against: { kind: 'same' } }, 0.02, [disk, sphere]),
+  of({ ...disk, against: { kind: 'body', body: ratios({ poisson: 0.2, radius: 0.5, young: 2, density: 3 }) } }, 0.1),
+  of({ ...disk, against: { kind: 'half-space', body: ratios({ poisson: 0.2, young: 0.5, lossTime: 0.02 }) } }, 0.05),
   of(sphere, 0.01),
   of({ ...sphere, against: { kind: 'body', body: { ...unitBody, poisson: 0.4, radius: 2, lossTime: 0.1 } } }, 0.01),
   of({ ...rod, against: { kind: 'body', body: { ...unitBody, radius: 2.5, density: 3, area: 0.5 } } }, 0.1),
   of({ ...disk, si: true, plane: 'strain', first: made('steel', 0.01) }, 5),
   of({ ...disk, si: true, first: own, against: { kind: 'body', body: made('brass', 0.02) } }, 3),
   of({ ...disk, si: true, first: made('PMMA', 0.03), plane: 'strain', against: { kind: 'half-space', body: own } }, 1),
-  of({ ...sphere, si: true, first: made('bearing steel', 0.005), against: { kind: 'half-space', body: made('glass', 1) } }, 1),
+  of({ ...sphere, si: true, first: ball, against: { kind: 'half-space', body: made('glass', 1) } }, 1),
   of({ ...sphere, si: true, first: own, against: { kind: 'same' } }, 0.2),
   of({ ...rod, si: true, first: made('aluminium', 0.5), against: { kind: 'body', body: made('steel', 0.3) } }, 1),
 ];

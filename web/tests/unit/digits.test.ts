@@ -22,7 +22,8 @@ describe('digits', () => {
     expect(withError(0.5, NaN)).toBe('0.5 ± unknown');
   });
   it('significant digits have no trailing zeros', () => {
-    expect([significant(0.1, 6), significant(5172.194, 4), significant(1e-8, 6), significant(2.1e11, 3), significant(0, 3),
+    expect([significant(0.1, 6), significant(5172.194, 4), significant(1e-8, 6), significant(2.1e11, 3),
+      significant(0, 3),
       significant(1.93341e-6, 4), significant(100, 3), significant(1e6, 6)])
       .toEqual(['0.1', '5172', '1e-8', '2.1e11', '0', '1.933e-6', '100', '1e6']);
   });

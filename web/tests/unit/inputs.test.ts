@@ -3,7 +3,7 @@ import { problemsOf, check } from '../../src/inputs/check';
 import { type Field, fieldsOf, valueOf, withValue } from '../../src/inputs/fields';
 import { type Inputs, defaults, equal, unitBody, withAgainst, withKind } from '../../src/inputs/inputs';
 import { displayed, parseNumber, shortest } from '../../src/inputs/number';
-import { barSpeed, withSi, withoutSi } from '../../src/inputs/scales';
+import { barSpeed, withEncounter, withSi, withoutSi } from '../../src/inputs/scales';
 import { curveSpeeds, fastest, onAxisOf, placeOf, slowest, speedAt, steps } from '../../src/inputs/speeds';
 import { description } from '../../src/inputs/description';
 import { cases } from './cases';
@@ -15,9 +15,11 @@ const problem = (inputs: Inputs, field: Field, text: string): string => {
 };
 
 describe('numbers', () => {
-  it.each([['0.33', 0.33], [' 1e-4 ', 1e-4], ['+2', 2], ['.5', 0.5], ['5.', 5], ['1E3', 1000], ['−0.2', -0.2], ['-0', 0]])(
+  it.each([['0.33', 0.33], [' 1e-4 ', 1e-4], ['+2', 2], ['.5', 0.5],
+    ['5.', 5], ['1E3', 1000], ['−0.2', -0.2], ['-0', 0]])(
     'reads %s', (text, value) => expect(parseNumber('x', text)).toEqual({ value }));
-  it.each(['', ' ', 'nan', 'inf', 'Infinity', 'abc', '1e', '1e999', '1e-999', '0x10', '1 2', '--1', '0,3', '1.2.3', '1_0'])(
+  it.each(['', ' ', 'nan', 'inf', 'Infinity', 'abc', '1e', '1e999', '1e-999', '0x10',
+    '1 2', '--1', '0,3', '1.2.3', '1_0'])(
     'refuses “%s” with one line', (text) => {
       const result = parseNumber('Speed', text);
       expect(result).toHaveProperty('problem');
@@ -35,11 +37,14 @@ describe('numbers', () => {
 });
 
 describe('limits', () => {
-  it.each([['poisson', '-0.95'], ['poisson', '0.995'], ['lossTime', '0'], ['lossTime', '1e5'], ['speed', '1e-8'], ['speed', '1']] as
+  it.each([['poisson', '-0.95'], ['poisson', '0.995'], ['lossTime', '0'], ['lossTime', '1e5'],
+    ['speed', '1e-8'], ['speed', '1']] as
     [Field, string][])('of a disk include %s %s', (field, text) => expect(problem(defaults, field, text)).toBe(''));
-  it.each([['poisson', '-0.96'], ['poisson', '1'], ['lossTime', '-1'], ['lossTime', '1e99'], ['speed', '0'], ['speed', '-1'],
+  it.each([['poisson', '-0.96'], ['poisson', '1'], ['lossTime', '-1'], ['lossTime', '1e99'],
+    ['speed', '0'], ['speed', '-1'],
     ['speed', '1.01'], ['speed', '1e99'], ['speed', '']] as [Field, string][])(
-    'of a disk exclude %s %s', (field, text) => expect(problem(defaults, field, text)).toMatch(/: (got|a number is missing)/));
+    'of a disk exclude %s %s', (field, text) =>
+      expect(problem(defaults, field, text)).toMatch(/: (got|a number is missing)/));
   it('name, got, allowed and a hint are in the line', () => {
     expect(problem(defaults, 'speed', '2')).toBe(
       'Speed of approach: got 2, allowed 1e-8 to 1 c (in units of c = √(E/ρ))');
@@ -109,6 +114,14 @@ describe('a change of units', () => {
       }
     }
   });
+  it('and another material keep the speed where it is allowed, else its share of c', () => {
+    const steel = withSi(defaults);
+    const soft = { ...steel.encounter, first: { ...steel.encounter.first, young: 2e6, density: 1100 } };
+    expect(withEncounter({ ...steel, speed: 2 }, soft).speed).toBe(2);
+    const fast = withEncounter(steel, soft);
+    expect(fast.speed / barSpeed(soft)).toBeCloseTo(0.1, 3);
+    expect(problemsOf(fast).size).toBe(0);
+  });
   it('nothing is changed in place', () => {
     const frozen = JSON.stringify(defaults);
     withSi(defaults);
@@ -142,7 +155,8 @@ describe('kinds', () => {
 
 describe('speeds', () => {
   it('the slider goes there and back', () => {
-    for (const place of [0, 1, 500, 999, steps]) expect(placeOf(defaults.encounter, speedAt(defaults.encounter, place))).toBe(place);
+    const { encounter } = defaults;
+    for (const place of [0, 1, 500, 999, steps]) expect(placeOf(encounter, speedAt(encounter, place))).toBe(place);
     expect(placeOf(defaults.encounter, 1e-8)).toBe(0);
     expect(placeOf(defaults.encounter, 1)).toBe(steps);
   });

@@ -2,6 +2,7 @@ import { describe, expect, it } from 'vitest';
 import { commandLine } from '../../src/inputs/command_line';
 import { curveCsv } from '../../src/inputs/csv';
 import { pythonLines } from '../../src/inputs/python_lines';
+import { version } from '../../src/inputs/version';
 import { cases } from './cases';
 
 const lines = cases.map(({ encounter, speed }) => commandLine(encounter, speed));
@@ -39,8 +40,9 @@ describe('the CSV of a curve', () => {
   ];
   it('has the command’s names, slowest first', () => {
     expect(curveCsv(cases[0]!.encounter, points)).toBe([
-      '# stoss: restitution', '# command: stoss restitution --poisson 0.33 --speed 0.01,0.1', '# body: disk',
-      '# poisson: 0.33', '# against: wall', '# tolerance: 0.001', 'poisson,speed[c],restitution,restitution_error,converged',
+      `# stoss ${version}: restitution`,
+      '# command: stoss restitution --poisson 0.33 --speed 0.01,0.1 --format csv',
+      '# body: disk', '# tolerance: 0.001', 'poisson,speed[c],restitution,restitution_error,converged',
       '0.33,0.01,0.98,unknown,false', '0.33,0.1,0.94706,3.1e-5,true', '',
     ].join('\n'));
   });
@@ -48,6 +50,6 @@ describe('the CSV of a curve', () => {
     const { encounter } = cases[12]!;
     const text = curveCsv(encounter, points);
     expect(text).toContain('\nspeed[c],speed_si[m/s],restitution,');
-    expect(text).toContain('# material_young[Pa]: 6.9e10\n');
+    expect(text).toContain(' --young 6.9e10 ');
   });
 });

@@ -30,8 +30,10 @@ function core(time: number, log: string[], refuse = NaN): Core {
       log.push(`collision ${speed}`);
       return later({} as Collision, signal);
     },
-    async curve(_encounter: Encounter, speeds: number[], _tolerance: number, deliver: (point: never, index: number) => void,
-      signal?: AbortSignal) {
+    async curve(
+      _encounter: Encounter, speeds: number[], _tolerance: number, deliver: (point: never, index: number) => void,
+      signal?: AbortSignal,
+    ) {
       log.push(`curve of ${speeds.length}`);
       for (const [index, speed] of speeds.entries()) {
         await later(null, signal);

@@ -1,0 +1,83 @@
+// Where bodies touch, their displaced surfaces are in one place.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "stoss/bodies/disk.hpp"
+#include "stoss/bodies/half_space.hpp"
+#include "stoss/bodies/half_space/field.hpp"
+#include "stoss/bodies/sphere.hpp"
+#include "stoss/impact/replay.hpp"
+#include "stoss/restitution/ladder.hpp"
+
+namespace stoss {
+namespace {
+
+struct Meeting {
+  std::string name;
+  BodyMaker first, second;
+  double cutoff;
+};
+
+class TouchingSurfaces : public testing::TestWithParam<Meeting> {};
+
+/// Places of the surface of a body at the contact points, R of the first.
+std::vector<double> places(const Contact& contact, const ContactGrid& grid, const Frame& frame, int number) {
+  const BodyFrame seen = seen_by(contact, grid, frame, number);
+  const std::vector<double> recess = seen.body->surface(seen.points).recess;
+  const std::vector<double> displaced = contact_displacement(seen, residual_compliance(seen));
+  std::vector<double> result(recess.size());
+  for (std::size_t i = 0; i < result.size(); ++i) {
+    const double out = seen.length * (seen.body->extent - recess[i] + displaced[i]);
+    result[i] = center(contact, frame.state, number) + (number == 0 ? out : -out);
+  }
+  return result;
+}
+
+TEST_P(TouchingSurfaces, AreInOnePlace) {
+  const Meeting& who = GetParam();
+  constexpr double speed = 0.05;
+  const Contact meeting = contact(who.first, who.second, who.cutoff, speed);
+  // Of the quasistatic tail the surfaces are known to rounding.
+  const Impact hit = impact(meeting, speed, {.resolution = {.tail = Tail::quasistatic}});
+  const ContactGrid grid = contact_grid(meeting, hit.half_width, hit.nodes);
+  const std::vector<Frame> frames = motion(meeting, hit, {0.25 * hit.contact_time, 0.5 * hit.contact_time});
+  for (const Frame& frame : frames) {
+    const std::vector<double> one = places(meeting, grid, frame, 0), other = places(meeting, grid, frame, 1);
+    const auto touches = [](double force) { return force > 0.0; };
+    const auto touching = std::count_if(frame.node_force.begin(), frame.node_force.end(), touches);
+    ASSERT_GT(touching, 5);
+    // The edge of the contact passes a node gradually.
+    for (std::size_t i = 0; i + 2 < static_cast<std::size_t>(touching); ++i) {
+      EXPECT_NEAR(one[i], other[i], 1e-9 * hit.max_compression) << who.name << ", node " << i;
+    }
+    for (std::size_t i = 0; i < one.size(); ++i) EXPECT_LT(one[i], other[i] + 1e-9 * hit.max_compression);
+  }
+}
+
+TEST(TouchingSurface, OfAHalfSpaceIsThatOfItsField) {
+  constexpr double poisson = 0.2;
+  const Contact meeting = contact(sphere(0.3), half_space({.poisson = poisson}), 8.0, 0.05);
+  const Impact hit = impact(meeting, 0.05);
+  const ContactGrid grid = contact_grid(meeting, hit.half_width, hit.nodes);
+  const BodyFrame seen = seen_by(meeting, grid, motion(meeting, hit, {0.5 * hit.contact_time}).front(), 1);
+  const std::vector<double> displaced = contact_displacement(seen, residual_compliance(seen));
+  const double place = seen.points.radius * std::sin(seen.points.angle(3));
+  const bodies::half_space::HalfSpaceField field(poisson, *seen.body, seen.points, {{place}, {0.0}});
+  EXPECT_NEAR(field.at(seen.coordinate, seen.node_force).normal[0], -displaced[3], 1e-3 * hit.max_compression);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Of, TouchingSurfaces,
+    testing::Values(
+        Meeting{"disks", disk(0.33), disk(Disk{.poisson = 0.2, .radius = 2.0, .young = 3.0}), 20.0},
+        Meeting{"disk_half_plane", disk(0.33), half_plane({.poisson = 0.2, .young = 0.5, .density = 2.0}), 8.0},
+        Meeting{"spheres", sphere(0.3), sphere(Sphere{.poisson = 0.2, .radius = 0.5, .density = 3.0}), 20.0},
+        Meeting{"sphere_half_space", sphere(0.3), half_space({.poisson = 0.2, .young = 0.5, .density = 2.0}), 8.0}),
+    [](const auto& each) { return each.param.name; });
+
+}  // namespace
+}  // namespace stoss

@@ -1,0 +1,4 @@
+// The version of stoss, which the build takes from CMakeLists.txt.
+declare const STOSS_VERSION: string;
+
+export const version = STOSS_VERSION;
