@@ -160,7 +160,10 @@ export function createControls(initial: Inputs, listener: Listener): Controls {
       ['wall', 'a rigid wall'], ['same', 'its like'], ['body', `another ${kind}`],
     ];
     if (kind !== 'rod') names.push(['half-space', kind === 'disk' ? 'an elastic half-plane' : 'an elastic half-space']);
-    partner.replaceChildren(...names.map(([value, text]) => make('option', { value }, text)));
+    if (partner.dataset.kind !== kind) {
+      partner.replaceChildren(...names.map(([value, text]) => make('option', { value }, text)));
+      partner.dataset.kind = kind;
+    }
     partner.value = chosen;
   }
 

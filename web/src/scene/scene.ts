@@ -106,7 +106,9 @@ export function createScene(host: HTMLElement, core: Core): Scene {
   }
 
   function tellSpeed(): void {
-    note.textContent = show ? slowness(show.to - show.from, show.collision.units.time, LENGTH / speed) : '';
+    if (!show) return;
+    const slow = slowness(show.to - show.from, show.collision.units.time, LENGTH / speed);
+    note.textContent = slow + (show.secondAtRest ? ' The second body is drawn at rest: its inside is not computed.' : '');
   }
 
   function play(): void {

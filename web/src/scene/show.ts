@@ -21,6 +21,14 @@ export interface Show {
   magnification: number;
   view: View;
   units: Record<Quantity, number>;
+  /** whether the second body is shown at rest: of a large one only the near side is computed */
+  secondAtRest: boolean;
+}
+
+/** Whether the second body of all frames has neither stress nor displacement. */
+export function secondIsAtRest(frames: Frame[]): boolean {
+  const all = frames.flatMap(({ bodies }) => (bodies[1] ? [bodies[1].vonMises, bodies[1].radial] : []));
+  return all.length > 0 && all.every((values) => values.every((each) => each === 0));
 }
 
 const FIRST = 17; // frames before a film can play
@@ -47,6 +55,7 @@ export async function produce(
     encounter, collision, grid, film, from, to, placed, magnification,
     view: viewOf(film.frames, placed, grid, magnification, encounter.against.kind),
     units: { fringes: stressUnit('fringes', film.frames, grid), vonMises: stressUnit('vonMises', film.frames, grid) },
+    secondAtRest: secondIsAtRest(film.frames),
   });
   for (const times of rest) {
     await core.frames(encounter, speed, tolerance, times, grid, add, signal);

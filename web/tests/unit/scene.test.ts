@@ -10,6 +10,7 @@ import { edgeOf, magnifiedCenter, meshOf, type Placed } from '../../src/scene/me
 import { paintMesh, paintTriangle, type Pixels } from '../../src/scene/raster';
 import { coveringStress, stressUnit } from '../../src/scene/scales';
 import { coarseToFine, filmSpan } from '../../src/scene/schedule';
+import { secondIsAtRest } from '../../src/scene/show';
 import { layoutOf } from '../../src/scene/view';
 
 const DISK: Placed = { kind: 'disk', radius: 1, facing: 1, halfHeight: 0.1 };
@@ -77,6 +78,16 @@ describe('film', () => {
     insertFrame(film, frame(1, 5));
     expect(film.times).toEqual([1]);
     expect(frameAt(film, 1)!.bodies[0]!.center).toBe(5);
+  });
+});
+
+describe('a second body', () => {
+  it('is at rest where nothing of it is computed', () => {
+    const still = field(evenGrid('disk', 2, 2), () => 0, () => 0);
+    const moved = field(evenGrid('disk', 2, 2), () => 1e-9, () => 0);
+    expect(secondIsAtRest([{ time: 0, bodies: [moved, still] }])).toBe(true);
+    expect(secondIsAtRest([{ time: 0, bodies: [still, still] }, { time: 1, bodies: [still, moved] }])).toBe(false);
+    expect(secondIsAtRest([{ time: 0, bodies: [still] }])).toBe(false);
   });
 });
 
