@@ -73,7 +73,7 @@ function colorOf(index: number, theme: Theme): string {
 
 /** Of the groups every one, every second, fifth, …: as many as can be written without touching each other. */
 function spaced(groups: ModeGroup[], width: number): ModeGroup[] {
-  const half = ({ order }: ModeGroup): number => 3.5 * String(order).length + 3;
+  const half = ({ order }: ModeGroup): number => 3.4 * String(order).length + 1.5;
   for (const every of [1, 2, 5, 10, 20, 50, 100]) {
     const some = groups.filter(({ order }) => order % every === 0);
     const apart = some.every((each, k) => k === 0 ||
