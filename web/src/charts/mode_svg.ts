@@ -43,7 +43,8 @@ export function modeSvg(layout: ModeLayout, log: boolean, when: When, width: num
     : layout.groups, box.width);
   const label = alone ? `overtone l of the order n = ${layout.groups[0]!.order}` : 'order n';
   const parts = [axes(
-    box, { scale: { low: 0, high: 1, log: false }, label, ticks: [] }, { scale: y, label: `share of the energy, ${MODE_LABELS[when]}` }, theme,
+    box, { scale: { low: 0, high: 1, log: false }, label, ticks: [] },
+    { scale: y, label: `share of the energy, ${MODE_LABELS[when]}` }, theme,
   )];
   const ground = box.top + box.height;
   for (const { center, order } of names) {
