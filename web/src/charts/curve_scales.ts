@@ -59,7 +59,8 @@ export function ordinateScale(ordinate: Ordinate, all: { restitution: number; er
     return { low: low / margin, high: high * margin, log };
   }
   const pad = Math.max(0.06 * (high - low), 0.005);
-  return { low: Math.max(Math.min(low, 0), low - pad), high: high <= 1 ? Math.min(1.002, high + pad) : high + pad, log };
+  const top = high <= 1 ? Math.min(1.002, high + pad) : high + pad;
+  return { low: Math.max(Math.min(low, 0), low - pad), high: top, log };
 }
 
 /** The point of a curve nearest to a speed, by the logarithm. */

@@ -48,7 +48,7 @@ export function curveSvg(content: CurveChartContent, width: number, theme: Theme
   const unit = curves[0]?.encounter.si ? 'm/s' : 'c';
   const parts = [axes(
     box, { scale: x, label: `speed of the impact v (${unit})` },
-    { scale: y, label: ordinate === 'restitution' ? 'coefficient of restitution ε' : 'lost share of the energy 1 − ε²' },
+    { scale: y, label: ordinate === 'restitution' ? 'coefficient of restitution ε' : 'lost share of energy 1 − ε²' },
     theme,
   )];
   const inside: string[] = [];
@@ -61,7 +61,8 @@ export function curveSvg(content: CurveChartContent, width: number, theme: Theme
   const entries = curves.map(({ label }, n) => ({ label, look: look(n, theme), line: true, marker: true }));
   const [key, height] = legend(entries, LEFT, box.top + box.height + FOOT + 12, box.width, theme);
   parts.push(key);
-  return svgDocument(width, box.top + box.height + FOOT + height, 'ε against the speed', theme.background, parts.join(''));
+  const high = box.top + box.height + FOOT + height;
+  return svgDocument(width, high, 'ε against the speed', theme.background, parts.join(''));
 }
 
 function curveParts(

@@ -109,7 +109,7 @@ export function createModeBars(host: HTMLElement, core: Core): ModeBars {
         ? `The waves in what it meets hold ${percent(energyOf(now.collision.modes, 1, when.chosen()))}.` : '',
     ].filter(Boolean).join(' ');
     const bar = layout.bars.find((each) => nameOf(each) === chosen)
-      ?? layout.bars.reduce<ModeBar | undefined>((most, each) => (most && most.energy >= each.energy ? most : each), undefined);
+      ?? [...layout.bars].sort((a, b) => b.energy - a.energy)[0];
     figure.hidden = !bar;
     if (bar) choose(bar, true);
     if (focused) buttons.querySelector<HTMLElement>('[tabindex="0"]')?.focus();
@@ -137,7 +137,8 @@ export function createModeBars(host: HTMLElement, core: Core): ModeBars {
     try {
       const shape = shapes.get(name) ?? core.shape(encounter, mode.body, mode.order, mode.index, grid);
       shapes.set(name, shape);
-      const placed = placedBodies(encounter, collision.bodies.filter((b) => b.kind !== 'half-space').map((b) => b.radius));
+      const bodies = collision.bodies.filter((each) => each.kind !== 'half-space');
+      const placed = placedBodies(encounter, bodies.map((each) => each.radius));
       const shown = await shape;
       view.canvas.hidden = false;
       if (mine === asked && placed[mode.body]) view.show({ ...placed[mode.body]!, radius: 1 }, shown, grid);

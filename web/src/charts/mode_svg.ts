@@ -43,7 +43,8 @@ export function modeSvg(layout: ModeLayout, log: boolean, when: When, width: num
     : layout.groups, box.width);
   const label = alone ? `overtone l of the order n = ${layout.groups[0]!.order}` : 'order n';
   const parts = [axes(
-    box, { scale: { low: 0, high: 1, log: false }, label, ticks: [] }, { scale: y, label: `share of the energy, ${MODE_LABELS[when]}` }, theme,
+    box, { scale: { low: 0, high: 1, log: false }, label, ticks: [] },
+    { scale: y, label: `share of the energy, ${MODE_LABELS[when]}` }, theme,
   )];
   const ground = box.top + box.height;
   for (const { center, order } of names) {
@@ -73,7 +74,7 @@ function colorOf(index: number, theme: Theme): string {
 
 /** Of the groups every one, every second, fifth, …: as many as can be written without touching each other. */
 function spaced(groups: ModeGroup[], width: number): ModeGroup[] {
-  const half = ({ order }: ModeGroup): number => 3.5 * String(order).length + 3;
+  const half = ({ order }: ModeGroup): number => 3.4 * String(order).length + 1.5;
   for (const every of [1, 2, 5, 10, 20, 50, 100]) {
     const some = groups.filter(({ order }) => order % every === 0);
     const apart = some.every((each, k) => k === 0 ||

@@ -124,7 +124,8 @@ export function createTimeCharts(host: HTMLElement): TimeCharts {
     if (!collision) return;
     for (const plot of plots) plot.setCursor(time);
     const inside = time >= collision.time[0]! && time <= collision.time[collision.time.length - 1]!;
-    const shown = panels.flatMap((panel) => panel.series.map((each) => inside ? valueWords(collision!, panel, each, time) : ''));
+    const shown = panels.flatMap((panel) =>
+      panel.series.map((each) => (inside ? valueWords(collision!, panel, each, time) : '')));
     shown.forEach((each, k) => values[k] && (values[k].textContent = each));
     place.setAttribute('aria-valuenow', String(time));
     place.setAttribute('aria-valuetext', cursorWords(collision, panels, time));

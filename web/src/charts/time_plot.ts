@@ -15,14 +15,15 @@ export interface TimePlot {
 
 const AXIS = 62; // width of the vertical axis: the same in all, so that times stand above each other
 
-/** Makes a chart. `last`: it has the axis of time. */
+/** Makes a chart. `lowest`: it has the axis of time. */
 export function createTimePlot(
-  host: HTMLElement, time: Float64Array, timeLabel: string, panel: Panel, height: number, width: number, last: boolean,
-  theme: Theme,
+  host: HTMLElement, time: Float64Array, timeLabel: string, panel: Panel, height: number, width: number,
+  lowest: boolean, theme: Theme,
 ): TimePlot {
   const font = '12px system-ui, sans-serif';
   const common = { stroke: theme.muted, font, grid: { stroke: theme.line, width: 0.7 } };
   const ticks = { stroke: theme.muted, width: 0.8, size: 5 };
+  const [first, last] = [time[0] ?? 0, time[time.length - 1] ?? 1];
   let cursor = NaN;
   const line = document.createElement('div');
   line.className = 'chart-cursor';
@@ -33,18 +34,17 @@ export function createTimePlot(
   };
   const plot: uPlot = new uPlot({
     width, height,
-    padding: [8, 14, last ? 0 : 6, 0],
+    padding: [8, 14, lowest ? 0 : 6, 0],
     cursor: { show: false },
     legend: { show: false },
     hooks: { draw: [() => place()] }, // only then has the chart its size
-    scales: { x: { time: false, range: [time[0] ?? 0, time[time.length - 1] ?? 1] }, y: { range: [panel.low, panel.high] } },
+    scales: { x: { time: false, range: [first, last] }, y: { range: [panel.low, panel.high] } },
     axes: [
       {
-        ...common, ticks, size: last ? 24 : 8, gap: 3, labelFont: font, labelSize: 20, labelGap: 0,
-        ...(last ? { label: timeLabel } : {}),
-        splits: (self) => linearTicks(self.scales['x']!.min!, self.scales['x']!.max!, self.bbox.width / devicePixelRatio / 55)
-          .map((each) => each.value),
-        values: (_self, splits) => splits.map((each, _k) => (last ? labelOf(splits, each) : '')),
+        ...common, ticks, size: lowest ? 24 : 8, gap: 3, labelFont: font, labelSize: 20, labelGap: 0,
+        ...(lowest ? { label: timeLabel } : {}),
+        splits: (self) => linearTicks(first, last, self.bbox.width / devicePixelRatio / 55).map((each) => each.value),
+        values: (_self, splits) => splits.map((each) => (lowest ? labelOf(splits, each) : '')),
       },
       {
         ...common, ticks, size: AXIS, gap: 3,
@@ -56,7 +56,8 @@ export function createTimePlot(
       {},
       ...panel.series.map(({ label }, k) => {
         const { color, dash } = look(k, theme);
-        return { label, stroke: color, width: 1.8, dash: dash.map((each) => each * devicePixelRatio), points: { show: false }, pxAlign: 0 };
+        const dense = dash.map((each) => each * devicePixelRatio);
+        return { label, stroke: color, width: 1.8, dash: dense, points: { show: false }, pxAlign: 0 };
       }),
     ],
   }, [time, ...panel.series.map((each) => each.values)] as unknown as uPlot.AlignedData, host);
@@ -82,7 +83,6 @@ export function createTimePlot(
 function labelOf(splits: number[], value: number): string {
   if (splits.length < 2) return String(value);
   const ticks = linearTicks(splits[0]!, splits[splits.length - 1]!, splits.length);
-  const nearest = ticks.reduce((best, each) => (Math.abs(each.value - value) < Math.abs(best.value - value) ? each : best),
-    ticks[0] ?? { value, label: String(value) });
-  return nearest.label;
+  const near = 1e-6 * (splits[1]! - splits[0]!);
+  return ticks.find((each) => Math.abs(each.value - value) < near)?.label ?? '';
 }

@@ -78,7 +78,10 @@ export function markerPath(marker: Marker, x: number, y: number, s: number): str
     case 'square': return `M${x - s} ${y - s}h${2 * s}v${2 * s}h${-2 * s}Z`;
     case 'triangle': return `M${x} ${y - 1.2 * s}l${1.15 * s} ${2 * s}h${-2.3 * s}Z`;
     case 'down': return `M${x} ${y + 1.2 * s}l${1.15 * s} ${-2 * s}h${-2.3 * s}Z`;
-    case 'diamond': return `M${x} ${y - 1.35 * s}l${1.35 * s} ${1.35 * s}l${-1.35 * s} ${1.35 * s}l${-1.35 * s} ${-1.35 * s}Z`;
+    case 'diamond': {
+      const d = 1.35 * s;
+      return `M${x} ${y - d}l${d} ${d}l${-d} ${d}l${-d} ${-d}Z`;
+    }
     case 'cross': return `M${x - s} ${y - s}l${2 * s} ${2 * s}M${x - s} ${y + s}l${2 * s} ${-2 * s}`;
   }
 }

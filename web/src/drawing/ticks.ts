@@ -29,7 +29,8 @@ export function written(value: number, digits = 4): string {
 
 /** A unit as readers know it: πRE for the core's piRE, mc²/R for mc^2/R. */
 export function unitInWords(unit: string): string {
-  return unit.replace(/^pi/, 'π').replace(/\^(-?\d)/g, (_, power: string) => [...power].map((each) => RAISED[each]).join(''));
+  const raised = (_: string, power: string): string => [...power].map((each) => RAISED[each]).join('');
+  return unit.replace(/^pi/, 'π').replace(/\^(-?\d)/g, raised);
 }
 
 /** The least of 1, 2 and 5 times a power of ten that is not below `value`. */

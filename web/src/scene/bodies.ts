@@ -120,8 +120,8 @@ function strokeRest({ context, layout, theme }: Drawing, body: Placed, center: n
   const { x, y, scale } = layout;
   context.beginPath();
   if (body.kind === 'rod') {
-    const half = 0.5 * body.radius;
-    context.rect(x + scale * (center - half), y - scale * body.halfHeight, 2 * scale * half, 2 * scale * body.halfHeight);
+    const [long, high] = [scale * body.radius, scale * body.halfHeight];
+    context.rect(x + scale * center - 0.5 * long, y - high, long, 2 * high);
   } else {
     context.arc(x + scale * center, y, scale * body.radius, 0, 2 * Math.PI);
   }
@@ -171,7 +171,8 @@ function drawWall(to: Drawing): void {
 function drawSurface(to: Drawing, surface: { y: Float32Array; depth: Float32Array }, magnification: number): void {
   const { x, y, scale, height } = to.layout;
   const top = 2 * y - height + 4;
-  const at = (reach: number): number => x + scale * magnification * interpolate(surface.y, surface.depth, reach / scale);
+  const at = (reach: number): number =>
+    x + scale * magnification * interpolate(surface.y, surface.depth, reach / scale);
   const face = new Path2D();
   for (let reach = y - top; reach > 0; reach -= STEP) face.lineTo(at(reach), y - reach);
   for (let reach = 0; reach < height - y; reach += STEP) face.lineTo(at(reach), y + reach);

@@ -33,7 +33,8 @@ const BACK = 'M12 2.5v11L5 8zM3 2.5h1.8v11H3z';
 const NEXT = 'M4 2.5v11L11 8zM11.2 2.5H13v11h-1.8z';
 
 function icon(path: string): string {
-  return `<svg viewBox="0 0 16 16" width="16" height="16" aria-hidden="true"><path fill="currentColor" d="${path}"/></svg>`;
+  return '<svg viewBox="0 0 16 16" width="16" height="16" aria-hidden="true">' +
+    `<path fill="currentColor" d="${path}"/></svg>`;
 }
 
 function button(name: string, path: string, action: () => void): HTMLButtonElement {

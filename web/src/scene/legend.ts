@@ -15,7 +15,8 @@ export function stressInWords(stress: number, modulus: number | undefined): stri
   return modulus === undefined ? withUnit(stress, 'E') : withUnit(stress * modulus, 'Pa');
 }
 
-/** Draws a legend at the foot of a picture. `modulus`: that of the first body in Pa, where units are SI. `name`: of a stress that is no fringes. */
+/** Draws a legend at the foot of a picture. `modulus`: that of the first body in Pa, where units are SI. `name`: of a
+ *  stress that is not shown as fringes. */
 export function drawLegend(
   context: CanvasRenderingContext2D, left: number, top: number, width: number, theme: Theme, shade: Shade,
   modulus: number | undefined, name: string,

@@ -23,7 +23,8 @@ export function timeInWords(collision: Collision, time: number): string {
 /** How much slower a film is that shows `span`, in units of time, within `seconds`. */
 export function slowness(span: number, unit: string, seconds: number): string {
   const each = span / seconds;
-  return unit === 's' ? `Slowed ${written(1 / each, 2)} times.` : `1 s of the film is ${written(each, 2)} ${unitInWords(unit)}.`;
+  if (unit === 's') return `Slowed ${written(1 / each, 2)} times.`;
+  return `1 s of the film is ${written(each, 2)} ${unitInWords(unit)}.`;
 }
 
 /** One sentence for those who do not see the picture. */

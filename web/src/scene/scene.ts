@@ -108,7 +108,8 @@ export function createScene(host: HTMLElement, core: Core): Scene {
   function tellSpeed(): void {
     if (!show) return;
     const slow = slowness(show.to - show.from, show.collision.units.time, LENGTH / speed);
-    note.textContent = slow + (show.secondAtRest ? ' The second body is drawn at rest: its inside is not computed.' : '');
+    const still = ' The second body is drawn at rest: its inside is not computed.';
+    note.textContent = slow + (show.secondAtRest ? still : '');
   }
 
   function play(): void {
@@ -145,8 +146,9 @@ export function createScene(host: HTMLElement, core: Core): Scene {
     if (!frame) return;
     spare = frame;
     drawPicture(canvas, width, density, show, frame, clock.time, quantity, theme, scratch);
-    const shown = timeInWords(show.collision, clock.time);
-    controls.setTime((clock.time - show.from) / (show.to - show.from), `${shown}, ${phaseAt(show.collision, clock.time)}`);
+    const { collision, from, to } = show;
+    const phase = phaseAt(collision, clock.time);
+    controls.setTime((clock.time - from) / (to - from), `${timeInWords(collision, clock.time)}, ${phase}`);
     if (!playing) canvas.setAttribute('aria-label', `Film of the collision: ${describe(show.collision, clock.time)}`);
   }
 
@@ -170,7 +172,8 @@ export function createScene(host: HTMLElement, core: Core): Scene {
       asked?.abort();
       const mine = (asked = new AbortController());
       note.textContent = 'Computing the film …';
-      produce(core, encounter, at, tolerance, collision, mine.signal, start, () => !playing && draw()).catch((error) => {
+      const finer = (): void => void (!playing && draw());
+      produce(core, encounter, at, tolerance, collision, mine.signal, start, finer).catch((error) => {
         if (mine.signal.aborted) return;
         const line = `The film could not be computed: ${error instanceof Error ? error.message : error}`;
         note.textContent = words.textContent = line;

@@ -40,7 +40,8 @@ if (!query.has('noshow')) scene.show(encounter, speed, 1e-3, collision);
 time.show(collision);
 modes.show(encounter, collision);
 const planned = Array.from({ length: 25 }, (_, k) => 1e-3 * 300 ** (k / 24));
-const curves: Curve[] = [0, 1].map((n) => ({ label: `${encounter.kind}, ν = ${0.3 + 0.1 * n}`, encounter, points: [], planned }));
+const curves: Curve[] = [0.3, 0.4].map((poisson) =>
+  ({ label: `${encounter.kind}, ν = ${poisson}`, encounter, points: [], planned }));
 curve.setCurrent(speed, 1 - 0.9 * speed ** 0.6, 0.005);
 for (const [n, each] of curves.entries()) {
   await core.curve(encounter, planned.filter((_, k) => n === 0 || k % 3 !== 1), 1e-3, (point) => {

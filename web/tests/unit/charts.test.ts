@@ -16,15 +16,18 @@ import type { Theme } from '../../src/drawing/theme';
 import { swing } from '../../src/charts/mode_shape';
 
 const THEME: Theme = {
-  text: '#111111', muted: '#666666', line: '#dddddd', background: '#ffffff', panel: '#eeeeee', accent: '#0072b2', dark: false,
+  text: '#111111', muted: '#666666', line: '#dddddd', background: '#ffffff', panel: '#eeeeee', accent: '#0072b2',
+  dark: false,
 };
 const time = Float64Array.from({ length: 1001 }, (_, k) => k / 125);
 const zero = new Float64Array(1001);
 const COLLISION: Collision = {
   units: { time: 'R/c', length: 'R', speed: 'c', force: 'mc^2/R' }, time,
-  velocity: time.map((t) => 0.1 * Math.cos((Math.PI * t) / 8)), force: time.map((t) => 0.05 * Math.sin((Math.PI * t) / 8)),
+  velocity: time.map((t) => 0.1 * Math.cos((Math.PI * t) / 8)),
+  force: time.map((t) => 0.05 * Math.sin((Math.PI * t) / 8)),
   halfWidth: zero, translation: time.map((t) => Math.cos((Math.PI * t) / 8) ** 2), vibration: zero,
-  stored: time.map((t) => Math.sin((Math.PI * t) / 8) ** 2), dissipated: zero, unresolved: zero, modes: [], begin: 0, end: 8,
+  stored: time.map((t) => Math.sin((Math.PI * t) / 8) ** 2), dissipated: zero, unresolved: zero,
+  modes: [], begin: 0, end: 8,
   bodies: [{ kind: 'disk', radius: 1 }],
 };
 const BODY = { poisson: 0.3, radius: 1, young: 1, density: 1, area: 1, lossTime: 0 };
@@ -32,7 +35,8 @@ const ENCOUNTER: Encounter = { kind: 'disk', first: BODY, against: { kind: 'wall
 
 describe('a collision in words', () => {
   it('has four phases', () => {
-    expect([-0.1, 1, 7, 8.1].map((each) => phaseAt(COLLISION, each))).toEqual(['approach', 'compression', 'restitution', 'apart']);
+    const phases = [-0.1, 1, 7, 8.1].map((each) => phaseAt(COLLISION, each));
+    expect(phases).toEqual(['approach', 'compression', 'restitution', 'apart']);
   });
   it('says how slow the film is', () => {
     expect(slowness(4e-4, 's', 8)).toBe('Slowed 20000 times.');
@@ -48,7 +52,8 @@ describe('a collision in words', () => {
 
 describe('a collision in SI', () => {
   const si: Collision = {
-    ...COLLISION, units: { time: 's', length: 'm', speed: 'm/s', force: 'N' }, time: time.map((t) => 1e-5 * t), end: 8e-5,
+    ...COLLISION, units: { time: 's', length: 'm', speed: 'm/s', force: 'N' }, end: 8e-5,
+    time: time.map((t) => 1e-5 * t),
     force: COLLISION.force.map((f) => 1e6 * f),
   };
   it('has prefixes that suit its numbers', () => {
@@ -82,7 +87,7 @@ describe('charts in time', () => {
   });
   it('are an SVG with axes and a legend', () => {
     const svg = timeSvg(COLLISION, 600, THEME);
-    for (const words of ['Force (mc²/R)', 'Velocity (c)', 'Share of the energy', 'time since first contact (R/c)', 'translation']) {
+    for (const words of ['Force (mc²/R)', 'Velocity (c)', 'time since first contact (R/c)', 'translation']) {
       expect(svg).toContain(words);
     }
     expect(svg).not.toContain('NaN');
@@ -90,7 +95,8 @@ describe('charts in time', () => {
 });
 
 describe('ε against the speed', () => {
-  const point = (speed: number, restitution: number, error = 1e-3): CurvePoint => ({ speed, restitution, error, converged: true });
+  const point = (speed: number, restitution: number, error = 1e-3): CurvePoint =>
+    ({ speed, restitution, error, converged: true });
   it('gives 1 − ε² the error 2 ε Δε', () => {
     const bar = barOf('loss', 0.9, 0.001);
     expect(bar.value).toBeCloseTo(0.19);
@@ -119,7 +125,8 @@ describe('ε against the speed', () => {
   });
   it.each(['restitution', 'loss'] as const)('is an SVG: %s', (ordinate) => {
     const svg = curveSvg({
-      curves: [{ label: 'ν < 0.3', encounter: ENCOUNTER, points: [point(1e-3, 1.0001), point(0.1, 0.9), point(0.3, 0.7, Infinity)],
+      curves: [{ label: 'ν < 0.3', encounter: ENCOUNTER,
+        points: [point(1e-3, 1.0001), point(0.1, 0.9), point(0.3, 0.7, Infinity)],
         planned: [1e-3, 0.01, 0.1] }],
       current: { speed: 0.1, restitution: 0.9, error: 1e-3 }, ordinate,
     }, 600, THEME);
@@ -132,7 +139,9 @@ describe('ε against the speed', () => {
 describe('bars of modes', () => {
   const modes: ModeEnergy[] = [];
   for (let n = 0; n < 60; ++n) {
-    for (let l = 0; l < 30; ++l) modes.push({ body: 0, order: n, index: l, omega: n + l, after: 1 / (1 + n + l) ** 3, average: 0 });
+    for (let l = 0; l < 30; ++l) {
+      modes.push({ body: 0, order: n, index: l, omega: n + l, after: 1 / (1 + n + l) ** 3, average: 0 });
+    }
   }
   it('are the greatest, in groups, and say what is left out', () => {
     const layout = layoutModes(modes, 0, 'after', 20);
@@ -152,7 +161,8 @@ describe('bars of modes', () => {
   });
   it('are an SVG, with energies or without', () => {
     for (const when of ['after', 'average'] as const) {
-      for (const log of [true, false]) expect(modeSvg(layoutModes(modes, 0, when, 20), log, when, 500, THEME)).not.toContain('NaN');
+      const layout = layoutModes(modes, 0, when, 20);
+      for (const log of [true, false]) expect(modeSvg(layout, log, when, 500, THEME)).not.toContain('NaN');
     }
     expect(energyScale(layoutModes(modes, 0, 'after', 20), false).low).toBe(0);
   });

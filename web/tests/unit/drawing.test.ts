@@ -12,13 +12,16 @@ describe('written', () => {
 });
 
 describe('units', () => {
-  it.each([['piRE', 'πRE'], ['mc^2/R', 'mc²/R'], ['N/m', 'N/m'], ['m^-1', 'm⁻¹'], ['', '']])('%s is %s', (unit, words) =>
+  it.each([
+    ['piRE', 'πRE'], ['mc^2/R', 'mc²/R'], ['N/m', 'N/m'], ['m^-1', 'm⁻¹'], ['', ''],
+  ])('%s is %s', (unit, words) =>
     expect(unitInWords(unit)).toBe(words));
 });
 
 describe('round numbers', () => {
   it('go up and down by 1, 2, 5', () => {
-    expect([0.9, 1, 1.1, 3, 7, 0.03].map(roundUp).map((each) => written(each))).toEqual(['1', '1', '2', '5', '10', '0.05']);
+    const up = [0.9, 1, 1.1, 3, 7, 0.03].map(roundUp);
+    expect(up.map((each) => written(each))).toEqual(['1', '1', '2', '5', '10', '0.05']);
     expect([0.9, 1, 2.1, 7, 0.03].map(roundDown).map((each) => written(each))).toEqual(['0.5', '1', '2', '5', '0.02']);
   });
 });

@@ -19,7 +19,8 @@ function field(grid: Grid, radial: (r: number, a: number) => number, tangential:
     BodyFrame {
   const all = (value: (r: number, a: number) => number): Float32Array =>
     Float32Array.from([...grid.radius].flatMap((r) => [...grid.angle].map((a) => value(r, a))));
-  return { center: -1, radial: all(radial), tangential: all(tangential), vonMises: all(() => 0), fringes: all((r) => r) };
+  const [vonMises, fringes] = [all(() => 0), all((r) => r)];
+  return { center: -1, radial: all(radial), tangential: all(tangential), vonMises, fringes };
 }
 
 describe('grid', () => {
@@ -64,7 +65,8 @@ describe('film', () => {
     for (const time of [4, 0, 2]) insertFrame(film, frame(time, time));
     expect(film.times).toEqual([0, 2, 4]);
     const middle = frameAt(film, 2.5)!;
-    expect([middle.bodies[0]!.center, middle.bodies[0]!.radial[0], middle.bodies[0]!.vonMises[0]]).toEqual([2.5, 2.5, 5]);
+    const body = middle.bodies[0]!;
+    expect([body.center, body.radial[0], body.vonMises[0]]).toEqual([2.5, 2.5, 5]);
     expect(frameAt(film, -3)!.time).toBe(0);
     expect(frameAt(film, 9)!.time).toBe(4);
     const again = frameAt(film, 1, middle)!;
@@ -119,7 +121,8 @@ describe('magnification', () => {
     expect((1 - 0.1 * limit) ** 2).toBeCloseTo(0.12, 3);
   });
   it('has no limit for a rigid displacement, nor an even expansion', () => {
-    expect(unfoldedUpTo(field(grid, (_, a) => 0.1 * Math.cos(a), (_, a) => -0.1 * Math.sin(a)), grid)).toBeGreaterThan(200);
+    const rigid = field(grid, (_, a) => 0.1 * Math.cos(a), (_, a) => -0.1 * Math.sin(a));
+    expect(unfoldedUpTo(rigid, grid)).toBeGreaterThan(200);
     expect(unfoldedUpTo(field(grid, (r) => 0.1 * r, () => 0), grid)).toBe(Infinity);
   });
   it('of a rod ends where points would change places', () => {
@@ -166,9 +169,10 @@ describe('raster', () => {
   const shade = { ...shadeOf('vonMises', 1, false), table: Uint32Array.from({ length: 256 }, (_, k) => k + 1) };
   it('paints each pixel of two triangles with a common side once, and none outside', () => {
     const [one, two, both] = [blank(), blank(), blank()];
-    const corners = [[3.2, 2.1], [33.7, 4.9], [29.3, 26.4], [5.5, 21.7]] as const;
+    type Point = readonly [number, number];
+    const corners: Point[] = [[3.2, 2.1], [33.7, 4.9], [29.3, 26.4], [5.5, 21.7]];
     const paint = (to: Pixels, ...k: [number, number, number]): void => {
-      const [a, b, c] = k.map((n) => corners[n]!) as [readonly [number, number], readonly [number, number], readonly [number, number]];
+      const [a, b, c] = k.map((n) => corners[n]!) as [Point, Point, Point];
       paintTriangle(to, a[0], a[1], 0.5, b[0], b[1], 0.5, c[0], c[1], 0.5, shade);
     };
     paint(one, 0, 1, 2);
