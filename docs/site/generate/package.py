@@ -1,9 +1,11 @@
 """The pages of the Python package: every public name, from its docstring."""
 
 import inspect
+import sys
 
 import stoss
 import stoss.plot
+from sphinx.pycode import ModuleAnalyzer
 from tree import Tree
 
 # Title of a page: the names on it.
@@ -24,6 +26,14 @@ ELSEWHERE = {"__version__", "plot", "animate", "quasistatic"}  # the modules hav
 MADE_BY_USERS = "Disk Sphere Rod HalfSpace HalfPlane HardWall ExponentialWall Material Oscillation Grid".split()
 
 
+def said_of(name: str) -> list[str]:
+    """The docstring below a value in the module that defines it."""
+    for module in [module for module in sys.modules if module.startswith("stoss._")]:
+        if not module.endswith("_core") and (text := ModuleAnalyzer.for_module(module).find_attr_docs().get(("", name))):
+            return text
+    raise SystemExit(f"docs/site/generate/package.py: {name} has no docstring")
+
+
 def directive(module: str, name: str) -> list[str]:
     value = getattr(inspect.importlib.import_module(module), name)
     if inspect.isclass(value):
@@ -36,7 +46,7 @@ def directive(module: str, name: str) -> list[str]:
         return [f".. autoclass:: {module}.{name}{signature}", *(f"   {option}" for option in options), ""]
     if callable(value) and not hasattr(value, "__args__"):
         return [f".. autofunction:: {module}.{name}", ""]
-    return [f".. autodata:: {module}.{name}", "   :no-value:", ""]
+    return [f".. py:data:: {module}.{name}", "", *(f"   {line}" for line in said_of(name)), ""]
 
 
 def page(title: str, module: str, names: list[str], introduction: list[str]) -> str:
