@@ -46,7 +46,7 @@ def directive(module: str, name: str) -> list[str]:
         return [f".. autoclass:: {module}.{name}{signature}", *(f"   {option}" for option in options), ""]
     if callable(value) and not hasattr(value, "__args__"):
         return [f".. autofunction:: {module}.{name}", ""]
-    return [f".. py:data:: {module}.{name}", "", *(f"   {line}" for line in said_of(name)), ""]
+    return [f".. py:data:: {name}", "", *(f"   {line}" for line in said_of(name)), ""]
 
 
 def page(title: str, module: str, names: list[str], introduction: list[str]) -> str:
