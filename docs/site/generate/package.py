@@ -1,5 +1,6 @@
 """The pages of the Python package: every public name, from its docstring."""
 
+import importlib
 import inspect
 import sys
 
@@ -15,7 +16,9 @@ PAGES = {
     "Materials": "Material Scales materials",
     "One impact": "impact Impact Trajectory DiskField SphereField Field Wave",
     "Modes": "modes Modes",
-    "Bodies that vibrate": "Oscillation restitution_distribution RestitutionDistribution bounce Bounces rod_chain RodChain",
+    "Bodies that vibrate": (
+        "Oscillation restitution_distribution RestitutionDistribution bounce Bounces rod_chain RodChain"
+    ),
     "Functions and tables": "restitution_function RestitutionFunction pair_table PairTable read_csv Table",
     "Sweeps": "Grid sweep Sweep merge open_sweep atlas AtlasValue",
     "Errors and warnings": "InvalidInput NotConverged Interrupted StossWarning",
@@ -29,13 +32,15 @@ MADE_BY_USERS = "Disk Sphere Rod HalfSpace HalfPlane HardWall ExponentialWall Ma
 def said_of(name: str) -> list[str]:
     """The docstring below a value in the module that defines it."""
     for module in [module for module in sys.modules if module.startswith("stoss._")]:
-        if not module.endswith("_core") and (text := ModuleAnalyzer.for_module(module).find_attr_docs().get(("", name))):
-            return text
+        if module != "stoss._core":
+            said = ModuleAnalyzer.for_module(module).find_attr_docs()
+            if ("", name) in said:
+                return said["", name]
     raise SystemExit(f"docs/site/generate/package.py: {name} has no docstring")
 
 
 def directive(module: str, name: str) -> list[str]:
-    value = getattr(inspect.importlib.import_module(module), name)
+    value = getattr(importlib.import_module(module), name)
     if inspect.isclass(value):
         options = [":members:"]
         if not issubclass(value, BaseException):
@@ -66,7 +71,8 @@ def write(tree: Tree) -> None:
         files.append(title.lower().replace(" ", "_"))
         tree.write(f"reference/python/{files[-1]}.rst", page(title, "stoss", page_names.split(), []))
     for module in ("quasistatic", "plot"):
-        text = page(f"stoss.{module}", f"stoss.{module}", getattr(stoss, module).__all__, [f".. automodule:: stoss.{module}"])
+        whole = f"stoss.{module}"
+        text = page(whole, whole, getattr(stoss, module).__all__, [f".. automodule:: {whole}"])
         tree.write(f"reference/python/{module}.rst", text)
         files.append(module)
     index = ["Python package", "==============", "", ".. automodule:: stoss", "", ".. toctree::", "   :maxdepth: 1", ""]
