@@ -14,5 +14,7 @@ if [ "$state" != "$(cat build/docs-doxygen/state 2>/dev/null)" ]; then
   echo "$state" >build/docs-doxygen/state
 fi
 build/venv/bin/python docs/site/generate "$sources" build/release/cli/stoss
-build/venv/bin/python -m sphinx -W --keep-going -q -j "$jobs" -c docs/site -d "$pages" "$sources" build/docs
+# After a warning all pages are read again next time: only then it is said again.
+build/venv/bin/python -m sphinx -W --keep-going -q -j "$jobs" -c docs/site -d "$pages" "$sources" build/docs ||
+  { rm -rf "$pages"; exit 1; }
 echo "built: build/docs/index.html"

@@ -1,4 +1,4 @@
-"""Settings of the documentation site for Sphinx. `make docs` builds it from the tree that `generate` has put together."""
+"""Settings of the documentation site for Sphinx, which reads the tree that `generate` has put together."""
 
 import importlib.metadata
 import sys

@@ -184,6 +184,8 @@ class Rod:
 
 
 Body = Union[Disk, Rod, Sphere]
+"""Any body: a disk, a rod or a sphere."""
+
 BODIES = (Disk, Rod, Sphere)
 """The classes of bodies, for isinstance."""
 

@@ -38,7 +38,7 @@ class Field(Result):
     stress_rr : ndarray
         σ_rr, E; tension is positive.
     von_mises, principal_difference : ndarray
-        E.
+        In E.
     """
 
     _name: ClassVar[str] = "field"

@@ -48,9 +48,9 @@ class GreatestShear(NamedTuple):
     Attributes
     ----------
     depth : float or ndarray
-        R.
+        In R.
     shear : float or ndarray
-        E.
+        In E.
     """
 
     depth: Number

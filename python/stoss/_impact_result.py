@@ -48,7 +48,7 @@ class Impact(ImpactViews):
     max_force : float
         Greatest mean over one step of the force, mc²/R: πRE of a disk, (4π/3)R²E of a sphere.
     max_compression : float
-        R.
+        In R.
     max_half_width : float
         Greatest half-width of the contact, R; of spheres its radius.
     cutoff : float

@@ -53,7 +53,7 @@ class Restitution(InSiWithErrors):
     impulse_time, impulse_time_error : float or ndarray
         From 1 % to 99 % of the impulse, R/c: a last grazing contact hardly changes it.
     max_compression, max_compression_error : float or ndarray
-        R.
+        In R.
     max_force, max_force_error : float or ndarray
         mc²/R: πRE of a disk, (4π/3)R²E of a sphere.
     lost_to_first, lost_to_second : float or ndarray

@@ -54,7 +54,7 @@ class SlowImpact(SlowImpactOfABody):
     contact_time : float or ndarray
         From first to last contact, R/c.
     max_compression : float or ndarray
-        R.
+        In R.
     max_force : float or ndarray
         πRE = mc²/R.
     body : Disk or None
@@ -92,7 +92,7 @@ class PointSlowImpact(SlowImpactOfABody):
     contact_time : float or ndarray
         From first to last contact, R/c.
     max_compression : float or ndarray
-        R.
+        In R.
     max_force : float or ndarray
         mc²/R = (4π/3)R²E.
     max_radius : float or ndarray

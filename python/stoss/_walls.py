@@ -57,3 +57,4 @@ class ExponentialWall:
 
 
 Wall = Union[HardWall, ExponentialWall]
+"""Any wall: a hard or an exponential one."""

@@ -32,6 +32,8 @@ def copy(app: Sphinx, exception: Exception | None) -> None:
 
 def load(app: Sphinx, page: str, template: str, context: dict, doctree: nodes.document | None) -> None:
     """Only pages with formulas load KaTeX."""
+    if page == "search":
+        app.add_js_file("excerpts.js")
     if doctree is not None and any(doctree.findall(lambda node: isinstance(node, (nodes.math, nodes.math_block)))):
         app.add_css_file("katex/katex.min.css")
         app.add_js_file("katex/katex.min.js")

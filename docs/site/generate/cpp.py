@@ -27,7 +27,7 @@ def text_of(element: xml.Element | None) -> str:
 
 
 def directive(member: xml.Element) -> str:
-    """What shows a member of a namespace. A function is told from its like by the types that it takes."""
+    """What shows a member of a namespace; a function is told from its like by the types that it takes."""
     kind, name = member.get("kind"), member.findtext("qualifiedname") or member.findtext("name")
     if kind == "function":
         types = ", ".join(text_of(parameter.find("type")) for parameter in member.iterfind("param"))
@@ -36,29 +36,29 @@ def directive(member: xml.Element) -> str:
 
 
 def shown_class(compound: xml.Element) -> str:
-    return f".. doxygen{compound.get('kind')}:: {compound.findtext('compoundname')}\n   :members:\n   :undoc-members:"
+    lines = [f".. doxygen{compound.get('kind')}:: {compound.findtext('compoundname')}", ":members:", ":undoc-members:"]
+    return "\n   ".join(lines)
 
 
 def declared() -> dict[str, list[str]]:
     """For each header the directives that show what it declares, in its order."""
+    compounds = [compound for file in sorted(XML.glob("*.xml")) for compound in xml.parse(file).iter("compounddef")]
+    classes = {text_of(each.find("compoundname")) for each in compounds if each.get("kind") in ("class", "struct")}
     found: dict[str, list[tuple[int, str]]] = defaultdict(list)
 
     def add(element: xml.Element, shown: str) -> None:
-        place = element.find("location")
-        found[place.get("declfile", place.get("file"))].append((int(place.get("declline", place.get("line"))), shown))
+        for place in element.iterfind("location"):
+            header, line = place.get("declfile") or place.get("file"), place.get("declline") or place.get("line")
+            found[str(header)].append((int(line or 0), shown))
 
-    for file in sorted(XML.glob("*.xml")):
-        compound = xml.parse(file).getroot().find("compounddef")
-        kind = compound.get("kind") if compound is not None else None
-        name = compound.findtext("compoundname") if kind else ""
-        if kind == "namespace" and name.startswith("stoss") or kind == "file":
+    for compound in compounds:
+        name = text_of(compound.find("compoundname"))
+        if compound.get("kind") == "file" or compound.get("kind") == "namespace" and name.startswith("stoss"):
             for member in compound.iter("memberdef"):
-                if not (XML / f"struct{member.findtext('name').replace('_', '__')}.xml").exists():  # of a typedef struct
+                if member.findtext("name") not in classes:  # in C a struct and its typedef have one name
                     add(member, directive(member))
-        elif kind in ("class", "struct") and name.startswith("stoss"):
-            outer = name.rpartition("::")[0]
-            if outer.rpartition("::")[2].islower() or not outer:  # a namespace, and no class that shows it
-                add(compound, shown_class(compound))
+        elif name in classes and name.startswith("stoss") and name.rpartition("::")[0] not in classes:
+            add(compound, shown_class(compound))  # with the classes in it
     return {header: [shown for _, shown in sorted(entries)] for header, entries in found.items()}
 
 

@@ -34,7 +34,7 @@ def run(program: Path, state: bytes) -> Path:
     if not (folder / "output.txt").exists():
         shutil.rmtree(folder, ignore_errors=True)
         folder.mkdir(parents=True)
-        command = [sys.executable, program, "out"]
+        command = [sys.executable, str(program), "out"]
         environment = {**os.environ, "MPLBACKEND": "Agg"}
         done = subprocess.run(command, cwd=folder, env=environment, capture_output=True, encoding="utf-8")
         if done.returncode:
@@ -63,7 +63,7 @@ def described(text: str) -> tuple[str, list[str]]:
 
 def page(tree: Tree, program: Path, folder: Path) -> tuple[str, str]:
     source = program.read_text(encoding="utf-8")
-    title, lines = described(ast.get_docstring(ast.parse(source)))
+    title, lines = described(ast.get_docstring(ast.parse(source)) or program.stem)
     pictures = sorted((folder / "out").glob("*.png"))
     for picture in pictures:
         tree.copy(f"examples/pictures/{picture.name}", picture)

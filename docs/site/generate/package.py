@@ -1,9 +1,12 @@
 """The pages of the Python package: every public name, from its docstring."""
 
+import importlib
 import inspect
+import sys
 
 import stoss
 import stoss.plot
+from sphinx.pycode import ModuleAnalyzer
 from tree import Tree
 
 # Title of a page: the names on it.
@@ -13,7 +16,9 @@ PAGES = {
     "Materials": "Material Scales materials",
     "One impact": "impact Impact Trajectory DiskField SphereField Field Wave",
     "Modes": "modes Modes",
-    "Bodies that vibrate": "Oscillation restitution_distribution RestitutionDistribution bounce Bounces rod_chain RodChain",
+    "Bodies that vibrate": (
+        "Oscillation restitution_distribution RestitutionDistribution bounce Bounces rod_chain RodChain"
+    ),
     "Functions and tables": "restitution_function RestitutionFunction pair_table PairTable read_csv Table",
     "Sweeps": "Grid sweep Sweep merge open_sweep atlas AtlasValue",
     "Errors and warnings": "InvalidInput NotConverged Interrupted StossWarning",
@@ -24,8 +29,18 @@ ELSEWHERE = {"__version__", "plot", "animate", "quasistatic"}  # the modules hav
 MADE_BY_USERS = "Disk Sphere Rod HalfSpace HalfPlane HardWall ExponentialWall Material Oscillation Grid".split()
 
 
+def said_of(name: str) -> list[str]:
+    """The docstring below a value in the module that defines it."""
+    for module in [module for module in sys.modules if module.startswith("stoss._")]:
+        if module != "stoss._core":
+            said = ModuleAnalyzer.for_module(module).find_attr_docs()
+            if ("", name) in said:
+                return said["", name]
+    raise SystemExit(f"docs/site/generate/package.py: {name} has no docstring")
+
+
 def directive(module: str, name: str) -> list[str]:
-    value = getattr(inspect.importlib.import_module(module), name)
+    value = getattr(importlib.import_module(module), name)
     if inspect.isclass(value):
         options = [":members:"]
         if not issubclass(value, BaseException):
@@ -36,7 +51,7 @@ def directive(module: str, name: str) -> list[str]:
         return [f".. autoclass:: {module}.{name}{signature}", *(f"   {option}" for option in options), ""]
     if callable(value) and not hasattr(value, "__args__"):
         return [f".. autofunction:: {module}.{name}", ""]
-    return [f".. autodata:: {module}.{name}", "   :no-value:", ""]
+    return [f".. py:data:: {name}", "", *(f"   {line}" for line in said_of(name)), ""]
 
 
 def page(title: str, module: str, names: list[str], introduction: list[str]) -> str:
@@ -56,7 +71,8 @@ def write(tree: Tree) -> None:
         files.append(title.lower().replace(" ", "_"))
         tree.write(f"reference/python/{files[-1]}.rst", page(title, "stoss", page_names.split(), []))
     for module in ("quasistatic", "plot"):
-        text = page(f"stoss.{module}", f"stoss.{module}", getattr(stoss, module).__all__, [f".. automodule:: stoss.{module}"])
+        whole = f"stoss.{module}"
+        text = page(whole, whole, getattr(stoss, module).__all__, [f".. automodule:: {whole}"])
         tree.write(f"reference/python/{module}.rst", text)
         files.append(module)
     index = ["Python package", "==============", "", ".. automodule:: stoss", "", ".. toctree::", "   :maxdepth: 1", ""]
