@@ -44,12 +44,15 @@ void OutputArguments::warn(const std::string& text) const {
 }
 
 void DiskArguments::add_to(CLI::App& command) {
-  add_number(command, "--poisson", poisson,
-             "Poisson number, -0.95 to 0.995 of a disk, to 0.4999 of a sphere; with\na material: of the solid")
-      ->required()
+  add_poisson_to(command)->required();
+  add_material_to(command, round_material_group);
+}
+
+CLI::Option* DiskArguments::add_poisson_to(CLI::App& command) {
+  return add_number(command, "--poisson", poisson,
+                    "Poisson number, -0.95 to 0.995 of a disk, to 0.4999 of a sphere; with\na material: of the solid")
       ->type_name("NU")
       ->group("Body");
-  add_material_to(command, round_material_group);
 }
 
 void DiskArguments::add_material_to(CLI::App& command, const std::string& group) {

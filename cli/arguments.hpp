@@ -45,6 +45,10 @@ struct DiskArguments {
 
   void add_to(CLI::App& command);
 
+  /// Only the Poisson number.
+  /// @return the option, which may be left out
+  CLI::Option* add_poisson_to(CLI::App& command);
+
   /// All but the Poisson number.
   void add_material_to(CLI::App& command, const std::string& group);
 

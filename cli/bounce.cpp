@@ -91,7 +91,7 @@ void run(const BounceArguments& arguments) {
   long short_flights = 0;
   catch_interrupts();
   Report report(Output(arguments.output.path), arguments.output.chosen_format(), describe(arguments, encounter, first));
-  try {
+  report.finish_after([&] {
     bounce(contact, first, options, [&](const Bounce& bounce, const Impact&) {
       Record record;
       add_quantities(record, bounce_table(), bounce, units);
@@ -101,13 +101,7 @@ void run(const BounceArguments& arguments) {
       beyond_small_strain = beyond_small_strain || bounce.beyond_small_strain;
       short_flights += bounce.short_flight ? 1 : 0;
     });
-  } catch (const OutputError&) {
-    throw;
-  } catch (...) {
-    report.finish(false);
-    throw;
-  }
-  report.finish();
+  });
   warn(arguments.output, short_flights, beyond_small_strain);
   if (beyond_yield) arguments.output.warn(yield_warning(*yield));
 }
@@ -135,10 +129,7 @@ void add_flight(CLI::App& command, BounceArguments& arguments) {
 void add_bounce(CLI::App& app) {
   auto* command = app.add_subcommand("bounce", "Impacts of a body that comes back with the vibration it has kept");
   auto arguments = std::make_shared<BounceArguments>();
-  add_number(*command, "--poisson", arguments->who.disk.poisson,
-             "Poisson number, -0.95 to 0.995 of a disk, to 0.4999 of a sphere; with\na material: of the solid")
-      ->type_name("NU")
-      ->group("Body");
+  arguments->who.disk.add_poisson_to(*command);
   command
       ->add_option("--speed", arguments->speed,
                    "Speed of the first impact, 1e-8 to 1 in c of the body (with a\nmaterial: m/s)")

@@ -118,10 +118,7 @@ void add_ensemble(CLI::App& command, DistributionArguments& arguments) {
   add_number(command, "--error", arguments.error, "Error of 1-eps^2 of each to reach, 1e-9 to 0.5 (default: 0.001)")
       ->type_name("ERROR")
       ->group("Resolution");
-  add_integer(command, "--threads", arguments.threads,
-              "Threads, 0 for all cores; results do not depend on it\n(default: 0)")
-      ->type_name("N")
-      ->group("Resolution");
+  add_threads(command, arguments.threads);
 }
 
 }  // namespace
@@ -129,10 +126,7 @@ void add_ensemble(CLI::App& command, DistributionArguments& arguments) {
 void add_distribution(CLI::App& app, int& exit_code) {
   auto* command = app.add_subcommand("distribution", "Coefficients of restitution of bodies that vibrate at random");
   auto arguments = std::make_shared<DistributionArguments>();
-  add_number(*command, "--poisson", arguments->who.disk.poisson,
-             "Poisson number, -0.95 to 0.995 of a disk, to 0.4999 of a sphere; with\na material: of the solid")
-      ->type_name("NU")
-      ->group("Body");
+  arguments->who.disk.add_poisson_to(*command);
   command
       ->add_option("--speed", arguments->speed, "Speed of approach, 1e-8 to 1 in c of the body (with a material: m/s)")
       ->required()

@@ -181,10 +181,7 @@ void add_form(CLI::App& command, TableArguments& arguments) {
              "Greatest error of eps at any speed, interpolation included, 1e-7 to\n0.1 (default: 0.001)")
       ->type_name("ERROR")
       ->group("Resolution");
-  add_integer(command, "--threads", arguments.threads,
-              "Threads, 0 for all cores; results do not depend on it\n(default: 0)")
-      ->type_name("N")
-      ->group("Resolution");
+  add_threads(command, arguments.threads);
   command
       .add_option("--format", arguments.format,
                   "Form of the table (default: c)\n"
@@ -214,10 +211,7 @@ void add_table(CLI::App& app) {
   auto* command = app.add_subcommand("table", "Coefficient of restitution as a function, for other programs");
   auto arguments = std::make_shared<TableArguments>();
   arguments->command = command;
-  add_number(*command, "--poisson", arguments->who.disk.poisson,
-             "Poisson number, -0.95 to 0.995 of a disk, to 0.4999 of a sphere; with\na material: of the solid")
-      ->type_name("NU")
-      ->group("Body");
+  arguments->who.disk.add_poisson_to(*command);
   command
       ->add_option("--speed", arguments->speed,
                    "Range of the speed of approach, SLOWEST:FASTEST, within 1e-8 to 1 in c\n"

@@ -71,10 +71,7 @@ void add_sweep(CLI::App& app) {
   command->add_option("--shard", arguments->shard, "Only the I-th of N parts, from 1/N to N/N (default: 1/1)")
       ->type_name("I/N")
       ->group("Grid");
-  add_integer(*command, "--threads", arguments->threads,
-              "Threads, 0 for all cores; results do not depend on it\n(default: 0)")
-      ->type_name("N")
-      ->group("Resolution");
+  add_threads(*command, arguments->threads);
   command->footer(
       "Examples:\n"
       "  stoss sweep grid.toml --store values\n"

@@ -149,10 +149,7 @@ void run(const ImpactArguments& arguments) {
 void add_impact(CLI::App& app) {
   auto* command = app.add_subcommand("impact", "One impact at a fixed resolution, with its energy ledger");
   auto arguments = std::make_shared<ImpactArguments>();
-  add_number(*command, "--poisson", arguments->who.disk.poisson,
-             "Poisson number, -0.95 to 0.995 of a disk, to 0.4999 of a sphere; with\na material: of the solid")
-      ->type_name("NU")
-      ->group("Body");
+  arguments->who.disk.add_poisson_to(*command);
   command
       ->add_option("--speed", arguments->speed, "Speed of approach, 1e-8 to 1 in c of the body (with a material: m/s)")
       ->required()

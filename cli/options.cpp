@@ -52,6 +52,12 @@ CLI::Option* add_integer(CLI::App& command, const std::string& name, std::option
   return add_parsed(command, name, value, help, parse_integer);
 }
 
+void add_threads(CLI::App& command, int& threads) {
+  add_integer(command, "--threads", threads, "Threads, 0 for all cores; results do not depend on it\n(default: 0)")
+      ->type_name("N")
+      ->group("Resolution");
+}
+
 void refuse_empty_values(CLI::App& app) {
   for (CLI::Option* option : app.get_options()) {
     if (option->get_expected_min() == 0) continue;  // a flag

@@ -15,6 +15,9 @@ CLI::Option* add_integer(CLI::App& command, const std::string& name, int& value,
 CLI::Option* add_integer(CLI::App& command, const std::string& name, std::optional<int>& value,
                          const std::string& help);
 
+/// The option --threads, of work whose result does not depend on it.
+void add_threads(CLI::App& command, int& threads);
+
 /// Lets every option of the command and its subcommands refuse an empty value, as an unset shell variable leaves it.
 void refuse_empty_values(CLI::App& app);
 

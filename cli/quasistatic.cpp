@@ -38,19 +38,13 @@ void write_rows(const QuasistaticArguments& arguments, Report& report, std::size
                 const std::function<Record(std::size_t)>& make) {
   catch_interrupts();
   Progress progress(arguments.output, count);
-  try {
+  report.finish_after([&] {
     for (std::size_t i = 0; i < count; ++i) {
       heed_interrupts();
       report.add(make(i));
       progress.show(i + 1);
     }
-  } catch (const OutputError&) {
-    throw;
-  } catch (...) {
-    report.finish(false);
-    throw;
-  }
-  report.finish();
+  });
 }
 
 Record slow_impact_key(const QuasistaticBody& body, double speed) {

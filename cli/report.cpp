@@ -120,4 +120,16 @@ void Report::finish(bool complete) {
   output_.close();
 }
 
+void Report::finish_after(const std::function<void()>& add_all) {
+  try {
+    add_all();
+  } catch (const OutputError&) {
+    throw;
+  } catch (...) {
+    finish(false);
+    throw;
+  }
+  finish();
+}
+
 }  // namespace stoss::cli

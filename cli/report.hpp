@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <nlohmann/json.hpp>
 #include <string>
 
@@ -38,6 +39,9 @@ class Report {
 
   /// Writes what is still to be written. @throws OutputError
   void finish(bool complete = true);
+
+  /// Finishes after `add_all`, as incomplete if that throws.
+  void finish_after(const std::function<void()>& add_all);
 
  private:
   void begin(const Record& record);

@@ -142,10 +142,7 @@ void add_resolution(CLI::App& command, RestitutionArguments& arguments) {
       "Error of 1-eps^2 that is small enough in any case, 0 to 0.5\n(default: 1e-6; 0: only the tolerance counts)")
       ->type_name("ERROR")
       ->group("Resolution");
-  add_integer(command, "--threads", arguments.threads,
-              "Threads, 0 for all cores; results do not depend on it\n(default: 0)")
-      ->type_name("N")
-      ->group("Resolution");
+  add_threads(command, arguments.threads);
 }
 
 }  // namespace

@@ -49,15 +49,7 @@ Report RowOutput::open(const Provenance& provenance, Sweep& sweep) const {
 void RowOutput::write(const Provenance& provenance, Sweep& sweep, const std::function<void(Report&)>& compute) const {
   catch_interrupts();
   Report report = open(provenance, sweep);
-  try {
-    compute(report);
-  } catch (const OutputError&) {
-    throw;
-  } catch (...) {
-    report.finish(false);
-    throw;
-  }
-  report.finish();
+  report.finish_after([&] { compute(report); });
 }
 
 }  // namespace stoss::cli

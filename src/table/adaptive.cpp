@@ -11,7 +11,7 @@
 #include "check.hpp"
 #include "digits.hpp"
 #include "stoss/errors.hpp"
-#include "stoss/restitution/curve.hpp"
+#include "table/computed_values.hpp"
 
 namespace stoss {
 namespace {
@@ -50,19 +50,12 @@ class Computation {
       throw NotConverged("restitution_function: more than " + std::to_string(options_.most_speeds) +
                          " speeds are needed (allow a greater error, a smaller range, or more speeds)");
     }
-    // δε = δ(1 − ε²)/2ε: enough for most, and less than that for a small ε.
-    const double wanted = share_of_values * options_.error, of_lost_fraction = 1.6 * wanted;
-    std::vector<double> again;
-    compute(speeds, of_lost_fraction, [&](std::size_t i, const Restitution& result) {
-      if (result.restitution.error <= wanted) {
-        knots[logarithms[i]] = {speeds[i], result.restitution};
-      } else if (result.converged) {
-        again.push_back(logarithms[i]);
-      } else {
-        throw not_converged(speeds[i], result.reason);
-      }
-    });
-    for (const double each : again) refine(each, wanted);
+    std::vector<Request> requests;
+    for (const double speed : speeds) requests.push_back({&contact_, speed});
+    const auto place = [&speeds](std::size_t i) { return "speed " + shown(speeds[i]) + " c"; };
+    const std::vector<Estimate> values =
+        computed_values(requests, share_of_values * options_.error, options_.threads, options_.poll, place);
+    for (std::size_t i = 0; i < speeds.size(); ++i) knots[logarithms[i]] = {speeds[i], values[i]};
   }
 
   std::map<double, Knot> knots;
@@ -72,41 +65,6 @@ class Computation {
   [[nodiscard]] double speed_at(double logarithm) const {
     if (logarithm <= std::log(slowest_)) return slowest_;
     return logarithm >= std::log(fastest_) ? fastest_ : std::exp(logarithm);
-  }
-
-  static NotConverged not_converged(double speed, const std::string& reason) {
-    return NotConverged("restitution_function: at speed " + shown(speed) + " c " + reason);
-  }
-
-  using Receiver = std::function<void(std::size_t, const Restitution&)>;
-
-  void compute(const std::vector<double>& speeds, double absolute, const Receiver& receive) const {
-    constexpr double no_tolerance = 1e-15;
-    const CurveOptions curve{.tolerance = no_tolerance,
-                             .absolute = std::min(absolute, 0.5),
-                             .threads = options_.threads,
-                             .poll = options_.poll};
-    restitution_curve(contact_, speeds, curve, receive);
-  }
-
-  /// One speed at which ε is so small that an error of 1 − ε² is a large one of ε.
-  void refine(double logarithm, double wanted) {
-    constexpr double least = 1e-9;
-    const double speed = speed_at(logarithm);
-    for (double absolute = wanted; absolute > least; absolute *= 0.25) {
-      Estimate found;
-      std::string reason;
-      compute({speed}, absolute, [&](std::size_t, const Restitution& result) {
-        found = result.restitution;
-        reason = result.reason;
-      });
-      if (found.error <= wanted) {
-        knots[logarithm] = {speed, found};
-        return;
-      }
-      if (!reason.empty()) throw not_converged(speed, reason);
-    }
-    throw not_converged(speed, "the restitution is so small that its error is not to be had");
   }
 
   const RefinableContact& contact_;

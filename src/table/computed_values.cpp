@@ -1,5 +1,5 @@
-// 1 − ε² is computed to an absolute error, and more accurately where ε is so small that this is a large one of it:
-// δε = δ(1 − ε²)/2ε.
+// 1 − ε² is computed to an absolute error, from which that of ε follows: δε = δ(1 − ε²)/2ε. The first attempt is enough
+// for most, the next are for small ε.
 #include "table/computed_values.hpp"
 
 #include <algorithm>
@@ -13,7 +13,7 @@ namespace {
 
 Estimate computed(const Request& request, double error, const std::string& place, const Poll& poll) {
   constexpr double least = 1e-9, no_tolerance = 1e-15;
-  for (double absolute = std::min(error, 0.5); absolute > least; absolute *= 0.25) {
+  for (double absolute = 1.6 * error; absolute > least; absolute *= 0.25) {
     const Restitution found = best_restitution(*request.contact, request.speed,
                                                {.tolerance = no_tolerance, .absolute = absolute, .poll = poll});
     if (found.restitution.error <= error) return found.restitution;
