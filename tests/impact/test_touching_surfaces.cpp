@@ -22,6 +22,8 @@ struct Meeting {
   double cutoff;
 };
 
+void PrintTo(const Meeting& meeting, std::ostream* stream) { *stream << meeting.name; }
+
 class TouchingSurfaces : public testing::TestWithParam<Meeting> {};
 
 /// Places of the surface of a body at the contact points, R of the first.
