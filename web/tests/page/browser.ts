@@ -5,6 +5,7 @@ import { type Server, createServer } from 'node:http';
 import type { AddressInfo } from 'node:net';
 import { extname, join, normalize } from 'node:path';
 import { fileURLToPath } from 'node:url';
+import { gzipSync } from 'node:zlib';
 import { type Browser, type BrowserContextOptions, type Page, chromium } from 'playwright-core';
 
 const folder = process.env.STOSS_PAGE ?? fileURLToPath(new URL('../../../build/web', import.meta.url));
@@ -24,16 +25,22 @@ export interface Site {
   open(query?: string, options?: BrowserContextOptions): Promise<Page>;
   readonly troubles: string[];
   readonly address: string;
+  /** What was asked for so far, by its path: bytes after gzip. */
+  readonly transferred: Map<string, number>;
   close(): Promise<void>;
 }
 
 /** Serve the page as any static server would, from a folder inside the site. */
 export async function startSite(): Promise<Site> {
+  const transferred = new Map<string, number>();
   const server: Server = createServer((request, response) => {
     const { pathname } = new URL(request.url ?? '/', 'http://x');
     const path = pathname.replace(/^\/some\/folder/, '').replace(/\/$/, '/index.html');
     readFile(join(folder, normalize(path))).then(
-      (body) => response.writeHead(200, { 'content-type': types[extname(path)] ?? 'text/plain' }).end(body),
+      (body) => {
+        transferred.set(path, gzipSync(new Uint8Array(body)).length);
+        response.writeHead(200, { 'content-type': types[extname(path)] ?? 'text/plain' }).end(body);
+      },
       () => response.writeHead(404).end());
   }).listen(0, '127.0.0.1');
   await new Promise((resolve) => server.once('listening', resolve));
@@ -47,6 +54,7 @@ export async function startSite(): Promise<Site> {
   return {
     troubles,
     address,
+    transferred,
     async open(query = '', options = {}) {
       const context = await browser.newContext({ acceptDownloads: true, ...options });
       await context.grantPermissions(['clipboard-read', 'clipboard-write']);
