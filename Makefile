@@ -78,8 +78,8 @@ format: setup ## format all sources
 	@clang-format -i $(SOURCES)
 
 lint: setup ## clang-tidy over all sources
-	@cmake --preset asan
-	@git ls-files 'src/*.cpp' 'cli/*.cpp' | xargs -P $(JOBS) -n 4 clang-tidy --quiet --warnings-as-errors='*' -p build/asan
+	@cmake --preset asan -B build/lint -DCMAKE_UNITY_BUILD=OFF
+	@git ls-files 'src/*.cpp' 'cli/*.cpp' | xargs -P $(JOBS) -n 4 clang-tidy --quiet --warnings-as-errors='*' -p build/lint
 
 install: build ## install to PREFIX (default /usr/local)
 	@scripts/install.sh "$(PREFIX)"

@@ -40,8 +40,8 @@ TEST(RodField, CarriesAWaveOfConstantStressFromTheWall) {
   const ContactGrid grid = contact_grid(meeting, hit.half_width, hit.nodes);
   const BodyFrame seen = seen_by(meeting, grid, frames.front(), 0);
   const Field now = field(*seen.body, seen.coordinate, seen.node_force.front(), {0.0, 0.2, 0.4, 0.6, 0.8});
-  for (const std::size_t behind : {0, 1, 2}) EXPECT_NEAR(now.stress[behind], -speed, 0.02 * speed) << behind;
-  for (const std::size_t ahead : {3, 4}) EXPECT_NEAR(now.stress[ahead], 0.0, 0.02 * speed) << ahead;
+  for (const unsigned behind : {0U, 1U, 2U}) EXPECT_NEAR(now.stress[behind], -speed, 0.02 * speed) << behind;
+  for (const unsigned ahead : {3U, 4U}) EXPECT_NEAR(now.stress[ahead], 0.0, 0.02 * speed) << ahead;
   EXPECT_NEAR(seen.center + 0.5 + now.displacement[0], 0.0, 1e-3 * speed);
 }
 
