@@ -65,7 +65,7 @@ results: setup python ## the tables and the figures of docs/results/
 	@build/release/studies/stoss_vibration docs/results/vibration
 	@$(PYTHON) studies/vibration/figure.py docs/results/vibration docs/images
 
-docs: setup python ## the documentation site: build/docs/index.html
+docs: setup python web ## the documentation site: build/docs/index.html
 	@scripts/docs.sh $(JOBS)
 
 paper: setup python ## reproduce the whole paper: out/paper/report.html, in some minutes

@@ -14,6 +14,10 @@ if [ "$state" != "$(cat build/docs-doxygen/state 2>/dev/null)" ]; then
   doxygen docs/site/Doxyfile
   echo "$state" >build/docs-doxygen/state
 fi
+# The page, with links to this site, where `make web` has built its core.
+if [ -f build/wasm/stoss.mjs ] && [ -d web/node_modules ]; then
+  (cd web && STOSS_DOCUMENTATION=../ npx vite build --outDir ../build/docs-page --emptyOutDir --logLevel warn)
+fi
 build/venv/bin/python docs/site/generate "$sources" build/release/cli/stoss
 # After a warning all pages are read again next time: only then it is said again.
 build/venv/bin/python -m sphinx -W --keep-going -q -j "$jobs" -c docs/site -d "$pages" "$sources" build/docs ||

@@ -19,10 +19,10 @@ def main(folder: Path, stoss: Path) -> None:
     for page in [*(ROOT / "docs").iterdir(), ROOT / "CHANGELOG.md", ROOT / "CONTRIBUTING.md"]:
         if page.is_dir() != (page.suffix == ".md") and page.name != "site":
             tree.link(page.name, page)
-    page = ROOT / "build/web"
+    page = ROOT / "build/docs-page"
     if (page / "index.html").exists():
         tree.link("extra/page", page)
-        try_it = '<a href="page/index.html">Try it in the browser</a>: the same program, on a page without a server.'
+        try_it = '<a href="page/index.html">Try it in the browser</a>: the same program, on a page.'
     else:
         try_it = "`make web-serve` opens the same program as a page in the browser."
     tree.write("page.inc", try_it + "\n")
