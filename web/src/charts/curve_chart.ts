@@ -86,7 +86,7 @@ export function createCurveChart(host: HTMLElement): CurveChart {
     area.setAttribute('aria-valuetext', now || 'none');
     if (speed === undefined) {
       const left = curves.reduce((sum, each) => sum + each.planned.length - each.points.length, 0);
-      const toCome = left === 0 ? '' : `${left} ${left === 1 ? 'speed is' : 'speeds are'} still to come`;
+      const toCome = left > 0 ? `${left} ${left === 1 ? 'speed is' : 'speeds are'} still to come` : '';
       note.textContent = [now, toCome].filter(Boolean).join('; ');
       return;
     }
