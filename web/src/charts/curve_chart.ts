@@ -5,6 +5,7 @@ import { onResize } from '../drawing/sized';
 import { pngOf } from '../drawing/svg';
 import { readTheme } from '../drawing/theme';
 import { written } from '../drawing/ticks';
+import { withError } from '../inputs/digits';
 import { nearestPoint, type Current, type Ordinate } from './curve_scales';
 import { curveBox, curveSpeeds, curveSvg, type Curve } from './curve_svg';
 import './charts.css';
@@ -80,12 +81,13 @@ export function createCurveChart(host: HTMLElement): CurveChart {
   function tell(speed?: number): void {
     const unit = curves[0]?.encounter.si ? 'm/s' : 'c';
     const at = (each: Current): string =>
-      `v = ${written(each.speed, 3)} ${unit}: ε = ${written(each.restitution, 5)} ± ${written(each.error, 2)}`;
+      `v = ${written(each.speed, 3)} ${unit}: ε = ${withError(each.restitution, each.error)}`;
     const now = current ? at(current) : '';
     area.setAttribute('aria-valuetext', now || 'none');
     if (speed === undefined) {
       const left = curves.reduce((sum, each) => sum + each.planned.length - each.points.length, 0);
-      note.textContent = now + (left > 0 ? `${now ? '; ' : ''}${left} speeds are still to come` : '');
+      const toCome = left > 0 ? `${left} ${left === 1 ? 'speed is' : 'speeds are'} still to come` : '';
+      note.textContent = [now, toCome].filter(Boolean).join('; ');
       return;
     }
     const near = curves.flatMap((each) => {

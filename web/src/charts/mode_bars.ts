@@ -9,7 +9,7 @@ import { readTheme } from '../drawing/theme';
 import { written } from '../drawing/ticks';
 import { evenGrid } from '../scene/grid';
 import { placedBodies } from '../scene/view';
-import { energyOf, layoutModes, type ModeBar, type ModeLayout, type When } from './mode_layout';
+import { energyOfWaves, layoutModes, type ModeBar, type ModeLayout, type When } from './mode_layout';
 import { createShapeView } from './mode_shape';
 import { energyScale, modeBox, modeSvg, MODE_LABELS } from './mode_svg';
 import './charts.css';
@@ -105,8 +105,8 @@ export function createModeBars(host: HTMLElement, core: Core): ModeBars {
     note.textContent = [
       layout.bars.length ? '' : 'No mode of this body has energy.',
       layout.omitted ? `${layout.omitted} more modes hold ${percent(layout.rest)} together.` : '',
-      now.collision.bodies[1]?.kind === 'half-space'
-        ? `The waves in what it meets hold ${percent(energyOf(now.collision.modes, 1, when.chosen()))}.` : '',
+      now.collision.bodies[1]?.kind === 'half-space' && when.chosen() === 'after'
+        ? `The waves in what it meets hold ${percent(energyOfWaves(now.collision))}.` : '',
     ].filter(Boolean).join(' ');
     const bar = layout.bars.find((each) => nameOf(each) === chosen)
       ?? [...layout.bars].sort((a, b) => b.energy - a.energy)[0];

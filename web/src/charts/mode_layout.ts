@@ -1,6 +1,6 @@
 // Which modes have a bar, and where it stands.
 
-import type { ModeEnergy } from '../core/protocol';
+import type { Collision, ModeEnergy } from '../core/protocol';
 
 export type When = 'after' | 'average';
 
@@ -51,7 +51,8 @@ export function layoutModes(modes: ModeEnergy[], body: 0 | 1, when: When, count:
   return { bars, groups, omitted: all.length - shown.length, rest: Math.max(0, rest) };
 }
 
-/** What all modes of a body hold together. */
-export function energyOf(modes: ModeEnergy[], body: 0 | 1, when: When): number {
-  return modes.reduce((sum, each) => sum + (each.body === body ? each[when] : 0), 0);
+/** The vibration after the impact that is in no mode of a body: of a half-space its waves. */
+export function energyOfWaves({ vibration, modes }: Pick<Collision, 'vibration' | 'modes'>): number {
+  const inside = modes.reduce((sum, each) => sum + each.after, 0);
+  return Math.max(0, vibration[vibration.length - 1]! - inside);
 }

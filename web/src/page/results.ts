@@ -31,7 +31,9 @@ function shownNumber({ value, error }: Quantity, factor: number): string {
 /** What a reader should know about a result, one line each. */
 export function flags(result: Restitution): string[] {
   const lines: string[] = [];
-  if (!result.converged) lines.push(`Not as accurate as asked for: ${result.reason || 'tolerance not reached'}.`);
+  // The core's advice is about a tolerance, which is no input here.
+  const reason = result.reason.replace(/ \(use a larger tolerance[^()]*\)$/, '') || 'tolerance not reached';
+  if (!result.converged) lines.push(`Not as accurate as asked for: ${reason}.`);
   if (result.beyondSmallStrain) {
     lines.push('Beyond small strain: above 0.5 c or a compression of 0.5 R linear elasticity has lost its meaning.');
   }

@@ -13,7 +13,7 @@ export interface View {
 const ROD = 0.1; // half the thickness of the first rod, in its lengths
 const ZOOM = 4.6; // a body is shown as far as this many radii of the smaller one
 const GROUND = 0.3; // a wall's thickness
-const DEEP = 0.9; // what is shown of a half-space
+const DEEP = 0.9; // what is shown of a half-space, at least
 const MARGIN = 0.08;
 
 /** The bodies of a collision in the picture; a half-space is none of them. */
@@ -48,7 +48,7 @@ export function viewOf(
   view.right = Math.min(view.right + MARGIN * small, reach);
   view.half = Math.min(view.half + MARGIN * small, 0.5 * reach);
   if (against === 'wall') view.right = GROUND * (placed[0]!.kind === 'rod' ? 0.3 : 1);
-  if (against === 'half-space') view.right = DEEP;
+  if (against === 'half-space') view.right = Math.max(view.right, DEEP);
   return view;
 }
 

@@ -9,7 +9,7 @@ import { shortest } from '../../src/inputs/number';
 import { barSpeed } from '../../src/inputs/scales';
 import { cases } from '../unit/cases';
 import { hasCommand, run } from './native';
-import { ask } from './wasm';
+import { ask, hasCore } from './wasm';
 
 const tolerance = 1e-2;
 const chosen = [0, 2, 4, 5, 6, 9, 10, 12];
@@ -26,7 +26,7 @@ function trajectory(encounter: Encounter, speed: number): Record<string, number[
   return Object.fromEntries(names.map((name, k) => [name, rows.map((row) => Number(row.split(',')[k]))]));
 }
 
-describe.skipIf(!hasCommand)('a collision', { timeout: 60_000 }, () => {
+describe.skipIf(!hasCore || !hasCommand)('a collision', { timeout: 60_000 }, () => {
   it.each(chosen)('is the impact of the command: case %i', (index) => {
     const { encounter, speed } = cases[index]!;
     const native = trajectory(encounter, speed);
@@ -67,7 +67,7 @@ function front(encounter: Encounter, frame: Frame, body: 0 | 1, radius: number):
   return seen.center + (body === 0 ? 1 : -1) * radius * ((rod ? 0.5 : 1) + u);
 }
 
-describe('frames', { timeout: 60_000 }, () => {
+describe.skipIf(!hasCore)('frames', { timeout: 60_000 }, () => {
   it.each(chosen)('show bodies that touch: case %i', (index) => {
     const { encounter, speed } = cases[index]!;
     const collision = ask('collision', encounter, speed, tolerance).value as Collision;
@@ -94,7 +94,7 @@ describe('frames', { timeout: 60_000 }, () => {
   });
 });
 
-describe('shape', () => {
+describe.skipIf(!hasCore)('shape', () => {
   const grid = { radius: Float32Array.from([0, 1]), angle: Float32Array.from([0, Math.PI / 2, Math.PI]) };
   it('of the breathing mode of a disk is the same all around', () => {
     const { radial, tangential } = ask('shape', cases[0]!.encounter, 0, 0, 0, grid).value as Shape;

@@ -1,20 +1,17 @@
 // The native command, which must say the same as the core of the page.
 import { execFileSync } from 'node:child_process';
-import { existsSync } from 'node:fs';
-import { fileURLToPath } from 'node:url';
 import { commandArguments } from '../../src/inputs/command_line';
 import { shortest } from '../../src/inputs/number';
 import type { Encounter } from '../../src/core/protocol';
-
-const path = process.env.STOSS_COMMAND ?? fileURLToPath(new URL('../../../build/release/cli/stoss', import.meta.url));
+import { command } from '../native/build';
 
 /** Whether the command is built. */
-export const hasCommand = existsSync(path);
+export const hasCommand = command !== undefined;
 
 /** What the command writes; with status 1 a value is not as accurate as asked for. */
 export function run(args: string[]): string {
   try {
-    return execFileSync(path, args, { encoding: 'utf8', stdio: 'pipe', maxBuffer: 1 << 28 });
+    return execFileSync(command!, args, { encoding: 'utf8', stdio: 'pipe', maxBuffer: 1 << 28 });
   } catch (error) {
     const { status, stdout } = error as { status: number; stdout: string };
     if (status === 1 && stdout !== '') return stdout;

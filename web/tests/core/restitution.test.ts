@@ -3,7 +3,7 @@ import { describe, expect, it } from 'vitest';
 import type { CurvePoint, Encounter, Restitution } from '../../src/core/protocol';
 import { cases } from '../unit/cases';
 import { hasCommand, restitution } from './native';
-import { ask } from './wasm';
+import { ask, hasCore } from './wasm';
 
 const one = cases[0]!.encounter;
 const ball = cases[4]!.encounter;
@@ -24,7 +24,7 @@ const sameError = 1e-10;
 const rounding = 1e-14;
 const shares = ['lost_fraction', 'lost_to_first', 'lost_to_second', 'dissipated'];
 
-describe.skipIf(!hasCommand)('restitution', { timeout: 60_000 }, () => {
+describe.skipIf(!hasCore || !hasCommand)('restitution', { timeout: 60_000 }, () => {
   it.each(all.map((each, index) => [index, ...each] as const))('of case %i is that of the command',
     (_, encounter, speed, tolerance) => {
       const row = restitution(encounter, speed, tolerance);
@@ -59,7 +59,7 @@ describe.skipIf(!hasCommand)('restitution', { timeout: 60_000 }, () => {
   });
 });
 
-describe('what is wrong', () => {
+describe.skipIf(!hasCore)('what is wrong', () => {
   it.each([
     [{ ...one, first: { ...one.first, poisson: 7 } }, 0.1, 'poisson: got 7'],
     [one, 2, 'speed: got 2, allowed 1e-08 to 1 c'],

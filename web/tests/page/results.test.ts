@@ -49,7 +49,9 @@ describe.skipIf(missing !== '')(`the results of the page${missing && ` (${missin
     await page.context().close();
     const rod = await site.open('?body=rod&v=0.1&against=body&E2=1&rho2=1&R2=2.5&A2=1');
     await settled(rod);
-    expect(await rod.textContent('#flags')).toContain('Not as accurate as asked for');
+    const flag = await rod.textContent('#flags');
+    expect(flag).toContain('Not as accurate as asked for: the tolerance asks for a higher cutoff');
+    expect(flag).not.toContain('use a larger tolerance');
     await rod.context().close();
   });
 

@@ -11,7 +11,7 @@ import { paintMesh, paintTriangle, type Pixels } from '../../src/scene/raster';
 import { coveringStress, stressUnit } from '../../src/scene/scales';
 import { coarseToFine, filmSpan } from '../../src/scene/schedule';
 import { secondIsAtRest } from '../../src/scene/show';
-import { layoutOf } from '../../src/scene/view';
+import { layoutOf, viewOf } from '../../src/scene/view';
 
 const DISK: Placed = { kind: 'disk', radius: 1, facing: 1, halfHeight: 0.1 };
 
@@ -236,6 +236,17 @@ describe('clock', () => {
 });
 
 describe('layout', () => {
+  it('shows a half-space as deep as it is pressed in', () => {
+    const grid = evenGrid('disk');
+    const at = (center: number): Frame =>
+      ({ time: 0, bodies: [{ ...field(grid, () => 0, () => 0), center }] });
+    const deepest = (center: number): number =>
+      Math.max(...edgeOf(DISK, meshOf(DISK, at(center).bodies[0]!, grid, 2)).x);
+    const right = (center: number): number => viewOf([at(-1.5), at(center)], [DISK], grid, 2, 'half-space').right;
+    expect(right(-1)).toBe(0.9);
+    expect(deepest(-0.4)).toBeGreaterThan(0.9);
+    expect(right(-0.4)).toBeGreaterThan(deepest(-0.4));
+  });
   it('fits wide and narrow, with the line of impact on whole pixels', () => {
     const view = { left: -2.4, right: 0.3, half: 1.1 };
     for (const width of [300, 900]) {
