@@ -82,7 +82,7 @@ export function fakeCore(): Core {
         ],
       };
     },
-    async frames(encounter, speed, _tolerance, times, grid, deliver, signal) {
+    async frames(encounter, speed, _cutoff, times, grid, deliver, signal) {
       for (const [index, time] of times.entries()) {
         if (index % 4 === 0) await later();
         signal?.throwIfAborted();

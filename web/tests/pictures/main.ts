@@ -34,9 +34,10 @@ scene.onCursor(time.setCursor);
 time.onCursor(scene.seek);
 curve.onPick((picked) => curve.setCurrent(picked, 0.9, 0.001));
 
-const collision = await core.collision(encounter, speed, 1e-3);
+const { cutoff } = await core.restitution(encounter, speed, 1e-3);
+const collision = await core.collision(encounter, speed, cutoff);
 Object.assign(window, { pictures: { scene, collision, core, encounter, speed } });
-if (!query.has('noshow')) scene.show(encounter, speed, 1e-3, collision);
+if (!query.has('noshow')) scene.show(encounter, speed, cutoff, collision);
 time.show(collision);
 modes.show(encounter, collision);
 const planned = Array.from({ length: 25 }, (_, k) => 1e-3 * 300 ** (k / 24));
