@@ -55,7 +55,7 @@ BesselJ01 bessel_j01(double x) {
 double bessel_j0(double x) {
   if (x < far) return boost::math::cyl_bessel_j(0, x, in_double);
   const double sine = std::sin(x), cosine = std::cos(x);
-  return far_value(zeroth, x, cosine + sine, sine - cosine) / std::sqrt(std::numbers::pi * x);
+  return 1.0 / std::sqrt(std::numbers::pi * x) * far_value(zeroth, x, cosine + sine, sine - cosine);
 }
 
 }  // namespace stoss::numeric
