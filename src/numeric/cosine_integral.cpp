@@ -1,7 +1,6 @@
 #include "numeric/cosine_integral.hpp"
 
 #include <cmath>
-#include <complex>
 #include <numbers>
 
 namespace stoss::numeric {
@@ -18,20 +17,19 @@ double by_series(double x) {
   return sum;
 }
 
-/// −Re E₁(ix), by Lentz' continued fraction for e^z E₁(z) (Abramowitz and Stegun 5.1.22).
+/// −Re E₁(ix), by the continued fraction for e^z E₁(z) (Abramowitz and Stegun 5.1.22), from the term on that no longer
+/// matters where x ≥ 3.
 double by_fraction(double x) {
-  const std::complex<double> z(0.0, x);
-  std::complex<double> b = z + 1.0, c(1e300, 0.0), d = 1.0 / b, result = d;
-  for (int k = 1; k < 1000; ++k) {
-    const double a = -static_cast<double>(k) * k;
-    b += 2.0;
-    d = 1.0 / (a * d + b);
-    c = b + a / c;
-    const std::complex<double> factor = c * d;
-    result *= factor;
-    if (std::abs(factor - 1.0) < 1e-16) break;
+  const int terms = 5 + static_cast<int>(180.0 / x);
+  double rest_real = 0.0, rest_imaginary = 0.0;  // of 1²/(z + 3 − 2²/(z + 5 − …)), z = ix
+  for (int k = terms; k > 0; --k) {
+    const double real = 2.0 * k + 1.0 - rest_real, imaginary = x - rest_imaginary;
+    const double share = static_cast<double>(k) * k / (real * real + imaginary * imaginary);
+    rest_real = share * real;
+    rest_imaginary = -share * imaginary;
   }
-  return -(std::polar(1.0, -x) * result).real();
+  const double real = 1.0 - rest_real, imaginary = x - rest_imaginary;
+  return (std::sin(x) * imaginary - std::cos(x) * real) / (real * real + imaginary * imaginary);
 }
 
 }  // namespace

@@ -1,4 +1,5 @@
-// bessel_pairs and BesselTaylor against Boost.Math in long double, and against series where J_n itself underflows.
+// bessel_pairs, BesselTaylor and bessel_j01 against Boost.Math in long double, and against series where J_n itself
+// underflows.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -8,6 +9,7 @@
 #include <vector>
 
 #include "numeric/bessel.hpp"
+#include "numeric/bessel_j01.hpp"
 
 namespace stoss {
 using namespace numeric;
@@ -142,6 +144,17 @@ TEST_P(BesselTaylorAt, ContinuesThePairsOverItsReach) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Centers, BesselTaylorAt, ::testing::Values(1.0, 1.5, 5.0, 33.25, 150.0, 700.0, 1999.0));
+
+TEST(BesselJ01, IsGoodToRounding) {
+  for (const double x :
+       {0.0, 1e-9, 0.5, 2.404825557695773, 4.0, 7.9, 8.0, 12.5, 24.99, 25.0, 25.01, 40.0, 333.0, 1e5}) {
+    const auto [zeroth, first] = bessel_j01(x);
+    const auto exact = static_cast<long double>(x);
+    EXPECT_NEAR(zeroth, static_cast<double>(boost::math::cyl_bessel_j(0, exact)), 1e-15) << x;
+    EXPECT_NEAR(first, static_cast<double>(boost::math::cyl_bessel_j(1, exact)), 3e-15) << x;
+    EXPECT_EQ(bessel_j0(x), zeroth) << x;
+  }
+}
 
 }  // namespace
 }  // namespace stoss

@@ -5,8 +5,6 @@
 #include <cmath>
 
 #include "alive.hpp"
-#include "stoss/errors.hpp"
-#include "stoss/restitution/curve.hpp"
 #include "values.hpp"
 
 namespace stoss::web {
@@ -41,19 +39,11 @@ val of_modes(const std::vector<ModeEnergy>& modes, bool against_half_space) {
   return list;
 }
 
-double converged_cutoff(const Encounter& encounter, double speed, double tolerance) {
-  const Restitution result =
-      restitution_curve(encounter.refinable(), {speed}, {.tolerance = tolerance, .threads = 1, .poll = say_alive})
-          .front();
-  if (result.runs.empty()) throw NotConverged(result.reason);
-  return result.finest.cutoff;
-}
-
 }  // namespace
 
-Collision::Collision(const Encounter& encounter, double speed, double tolerance) : encounter_(encounter) {
+Collision::Collision(const Encounter& encounter, double speed, double cutoff) : encounter_(encounter) {
   const double own_speed = encounter.own_speed(speed);
-  contact_ = encounter.contact(converged_cutoff(encounter, own_speed, tolerance), own_speed);
+  contact_ = encounter.contact(cutoff, own_speed);
   const ImpactObserver observer = [this](const Snapshot& now) { snapshots_.push_back(now); };
   impact_ = impact(contact_, own_speed, {.poll = say_alive}, {.observer = observer});
   grid_ = contact_grid(contact_, impact_.half_width, impact_.nodes);

@@ -12,11 +12,12 @@
 
 namespace stoss::web {
 
-/// One impact in time, at the cutoff of a converged ε, as `stoss impact --cutoff` computes it.
+/// One impact in time, as `stoss impact --cutoff` computes it.
 class Collision {
  public:
-  /// @throws InvalidInput as restitution; NotConverged where no impact ends
-  Collision(const Encounter& encounter, double speed, double tolerance);
+  /// @param cutoff of a converged ε, c/R of the first body
+  /// @throws InvalidInput as impact; NotConverged where the impact does not end
+  Collision(const Encounter& encounter, double speed, double cutoff);
 
   /// Collision of the protocol.
   [[nodiscard]] emscripten::val series() const;

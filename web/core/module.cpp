@@ -45,9 +45,9 @@ val get_header(const Encounter& encounter, double slowest, double fastest, doubl
 }
 
 /// { collision, series }, the first to be deleted after use.
-val get_collision(const Encounter& encounter, double speed, double tolerance) {
+val get_collision(const Encounter& encounter, double speed, double cutoff) {
   return answered([&] {
-    auto collision = std::make_shared<Collision>(encounter, speed, tolerance);
+    auto collision = std::make_shared<Collision>(encounter, speed, cutoff);
     val made = val::object();
     made.set("series", collision->series());
     made.set("collision", std::move(collision));

@@ -14,7 +14,7 @@ import { createCurves } from './page/curves';
 import { find } from './page/dom';
 import { createKeptView } from './page/kept_view';
 import { createResults } from './page/results';
-import { createSession, fine } from './page/session';
+import { createSession } from './page/session';
 import { createShare } from './page/share';
 import { createScene } from './scene/scene';
 
@@ -58,8 +58,8 @@ const run = createSession(core, {
     showPoint(result);
     curves.want([encounter, ...inputs.kept]);
   },
-  collision(encounter, speed, collision) {
-    scene.show(encounter, speed, fine, collision);
+  collision(encounter, speed, cutoff, collision) {
+    scene.show(encounter, speed, cutoff, collision);
     timeCharts.show(collision);
     modeBars.show(encounter, collision);
     document.body.dataset.impact = 'current';

@@ -1,26 +1,22 @@
 #include "bodies/half_space/medium.hpp"
 
-#include <boost/math/special_functions/bessel.hpp>
 #include <cmath>
 #include <numbers>
 
+#include "numeric/bessel_j01.hpp"
+
 namespace stoss::bodies::half_space {
-namespace {
-
-constexpr boost::math::policies::policy<boost::math::policies::promote_double<false>> in_double{};
-
-}  // namespace
 
 double Medium::compliance(double wave_number) const {
   return contour == Contour::ball ? softness / std::numbers::pi : 2.0 * softness / (std::numbers::pi * wave_number);
 }
 
 double Medium::shape(double phase) const {
-  return contour == Contour::ball ? boost::math::cyl_bessel_j(0, phase, in_double) : std::cos(phase);
+  return contour == Contour::ball ? numeric::bessel_j0(phase) : std::cos(phase);
 }
 
 double Medium::slope(double phase) const {
-  return contour == Contour::ball ? boost::math::cyl_bessel_j(1, phase, in_double) : std::sin(phase);
+  return contour == Contour::ball ? numeric::bessel_j01(phase).first : std::sin(phase);
 }
 
 Medium medium(Contour contour, double poisson) {

@@ -1,7 +1,8 @@
 #include "bodies/sphere/legendre.hpp"
 
-#include <boost/math/special_functions/bessel.hpp>
 #include <cmath>
+
+#include "numeric/bessel_j01.hpp"
 
 namespace stoss::bodies::sphere {
 
@@ -33,7 +34,7 @@ Eigen::ArrayXd LegendreOfRealDegree::operator()(double degree) const {
   Eigen::ArrayXd result(angle_.size());
   for (Eigen::Index i = 0; i < angle_.size(); ++i) {
     const double x = middle * angle_(i);
-    const double j0 = boost::math::cyl_bessel_j(0, x), j1 = boost::math::cyl_bessel_j(1, x);
+    const auto [j0, j1] = numeric::bessel_j01(x);
     const double j2 = x > 1e-3 ? 2.0 * j1 / x - j0 : 0.125 * x * x;
     result(i) = zeroth_(i) * j0 + (first_(i) * j1 + second_(i) * j2 / middle) / middle;
   }

@@ -27,10 +27,10 @@ export function createAnswer(core: WasmCore): Answer {
     return found;
   }
 
-  function collisionOf(given: Encounter, speed: number, tolerance: number): NonNullable<typeof last> {
-    const key = JSON.stringify([given, speed, tolerance]);
+  function collisionOf(given: Encounter, speed: number, cutoff: number): NonNullable<typeof last> {
+    const key = JSON.stringify([given, speed, cutoff]);
     if (last?.key !== key) {
-      const made = value(encounterOf(given).collision(speed, tolerance));
+      const made = value(encounterOf(given).collision(speed, cutoff));
       last?.collision.delete();
       last = { key, collision: made.collision, series: made.series };
     }
@@ -46,8 +46,8 @@ export function createAnswer(core: WasmCore): Answer {
       case 'collision':
         return collisionOf(...call.arguments).series;
       case 'frames': {
-        const [encounter, speed, tolerance, times, grid] = call.arguments;
-        value(collisionOf(encounter, speed, tolerance).collision.frames(times, grid, deliver));
+        const [encounter, speed, cutoff, times, grid] = call.arguments;
+        value(collisionOf(encounter, speed, cutoff).collision.frames(times, grid, deliver));
         return undefined;
       }
       case 'shape': {

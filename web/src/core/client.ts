@@ -2,6 +2,7 @@
 import address from '@wasm/stoss.wasm?url';
 import { createLane, type Deliver, type Fellow, type Lane } from './lane';
 import type { Collision, Core, Restitution, Shape } from './protocol';
+import { withWarmUp } from './warm_up';
 import CoreWorker from './worker?worker&inline';
 
 /** The core of this page. Its workers need no network once this module and the core are loaded. */
@@ -9,7 +10,7 @@ export function createCore(): Core {
   const module = compile(address);
   const spawn = (): Fellow => new CoreWorker();
   // A value must be there at once, while films, curves and tables take their time.
-  return coreOf(() => createLane(spawn, module));
+  return withWarmUp(coreOf(() => createLane(spawn, module)));
 }
 
 /** A core whose calls go along lanes of their own. */
@@ -22,10 +23,10 @@ export function coreOf(lane: () => Lane): Core {
     restitution: (encounter, speed, tolerance, signal) =>
       value({ name: 'restitution', arguments: [encounter, speed, tolerance] }, undefined, signal) as
         Promise<Restitution>,
-    collision: (encounter, speed, tolerance, signal) =>
-      film({ name: 'collision', arguments: [encounter, speed, tolerance] }, undefined, signal) as Promise<Collision>,
-    frames: (encounter, speed, tolerance, times, grid, deliver, signal) =>
-      film({ name: 'frames', arguments: [encounter, speed, tolerance, times, grid] }, deliver as Deliver, signal) as
+    collision: (encounter, speed, cutoff, signal) =>
+      film({ name: 'collision', arguments: [encounter, speed, cutoff] }, undefined, signal) as Promise<Collision>,
+    frames: (encounter, speed, cutoff, times, grid, deliver, signal) =>
+      film({ name: 'frames', arguments: [encounter, speed, cutoff, times, grid] }, deliver as Deliver, signal) as
         Promise<void>,
     shape: (encounter, body, order, index, grid) =>
       film({ name: 'shape', arguments: [encounter, body, order, index, grid] }) as Promise<Shape>,

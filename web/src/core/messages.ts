@@ -4,8 +4,8 @@ import type { Encounter, Grid } from './protocol';
 /** The calls by their names, with their arguments. */
 export interface Calls {
   restitution: [encounter: Encounter, speed: number, tolerance: number];
-  collision: [encounter: Encounter, speed: number, tolerance: number];
-  frames: [encounter: Encounter, speed: number, tolerance: number, times: number[], grid: Grid];
+  collision: [encounter: Encounter, speed: number, cutoff: number];
+  frames: [encounter: Encounter, speed: number, cutoff: number, times: number[], grid: Grid];
   shape: [encounter: Encounter, body: 0 | 1, order: number, index: number, grid: Grid];
   curve: [encounter: Encounter, speeds: number[], tolerance: number];
   header: [encounter: Encounter, slowest: number, fastest: number, error: number];

@@ -59,7 +59,7 @@ export interface Restitution {
   beyondSmallStrain: boolean;
 }
 
-/** One impact in time, at Restitution.cutoff: `stoss impact --cutoff` computes the same. Times are in
+/** One impact in time, at a cutoff: `stoss impact --cutoff` computes the same. Times are in
  *  `units.time`, from the start of the impact, just out of contact. */
 export interface Collision {
   units: { time: string; length: string; speed: string; force: string };
@@ -145,11 +145,11 @@ export class CoreError extends Error {}
 export interface Core {
   /** ε at one speed (c, or m/s with si), relative to 1 − ε² to `tolerance` where that can be reached. */
   restitution(encounter: Encounter, speed: number, tolerance: number, signal?: AbortSignal): Promise<Restitution>;
-  /** One impact in time. */
-  collision(encounter: Encounter, speed: number, tolerance: number, signal?: AbortSignal): Promise<Collision>;
+  /** One impact in time, at a cutoff in c/R: that of a Restitution. */
+  collision(encounter: Encounter, speed: number, cutoff: number, signal?: AbortSignal): Promise<Collision>;
   /** Frames of that collision at given times, which ascend, each delivered when it is there. */
   frames(
-    encounter: Encounter, speed: number, tolerance: number, times: number[], grid: Grid,
+    encounter: Encounter, speed: number, cutoff: number, times: number[], grid: Grid,
     deliver: (frame: Frame, index: number) => void, signal?: AbortSignal,
   ): Promise<void>;
   shape(encounter: Encounter, body: 0 | 1, order: number, index: number, grid: Grid): Promise<Shape>;

@@ -15,7 +15,7 @@ export interface WasmCollision extends Deletable {
 
 export interface WasmEncounter extends Deletable {
   restitution(speed: number, tolerance: number): Answered<Restitution>;
-  collision(speed: number, tolerance: number): Answered<{ collision: WasmCollision; series: Collision }>;
+  collision(speed: number, cutoff: number): Answered<{ collision: WasmCollision; series: Collision }>;
   shape(body: number, order: number, index: number, grid: Grid): Answered<Shape>;
   curve(
     speeds: number[], tolerance: number, deliver: (point: CurvePoint, index: number) => void,

@@ -9,7 +9,7 @@ export interface Audience {
   began(): void;
   first(encounter: Encounter, result: Restitution): void;
   final(encounter: Encounter, result: Restitution): void;
-  collision(encounter: Encounter, speed: number, collision: Collision): void;
+  collision(encounter: Encounter, speed: number, cutoff: number, collision: Collision): void;
   /** One line: what the core refuses, or that the computation broke down. */
   failed(line: string, refused: boolean): void;
 }
@@ -42,9 +42,10 @@ export function createSession(core: Core, audience: Audience): (encounter: Encou
     const final = await core.restitution(encounter, speed, fine, signal);
     signal.throwIfAborted();
     audience.final(encounter, final);
-    const collision = await core.collision(encounter, speed, fine, signal);
+    if (final.cutoff === 0) throw new CoreError(final.reason);
+    const collision = await core.collision(encounter, speed, final.cutoff, signal);
     signal.throwIfAborted();
-    audience.collision(encounter, speed, collision);
+    audience.collision(encounter, speed, final.cutoff, collision);
   }
 
   async function attempt(job: Job): Promise<void> {

@@ -16,7 +16,7 @@ import './scene.css';
 
 export interface Scene {
   /** Shows a collision; what was shown before stays until the first frames of the new one are there. */
-  show(encounter: Encounter, speed: number, tolerance: number, collision: Collision): void;
+  show(encounter: Encounter, speed: number, cutoff: number, collision: Collision): void;
   /** Stops, and goes to a time, in the collision's units. */
   seek(time: number): void;
   /** Calls back whenever the film's time changes by itself or by its controls. */
@@ -168,12 +168,12 @@ export function createScene(host: HTMLElement, core: Core): Scene {
   }
 
   return {
-    show(encounter, at, tolerance, collision) {
+    show(encounter, at, cutoff, collision) {
       asked?.abort();
       const mine = (asked = new AbortController());
       note.textContent = 'Computing the film …';
       const finer = (): void => void (!playing && draw());
-      produce(core, encounter, at, tolerance, collision, mine.signal, start, finer).catch((error) => {
+      produce(core, encounter, at, cutoff, collision, mine.signal, start, finer).catch((error) => {
         if (mine.signal.aborted) return;
         const line = `The film could not be computed: ${error instanceof Error ? error.message : error}`;
         note.textContent = words.textContent = line;

@@ -37,7 +37,7 @@ const LEVELS = 4; // 129 frames in the end
 /** Asks for the frames of a collision. `ready` gets the film when it can play; it becomes finer from then on, and
  *  `finer` says so. */
 export async function produce(
-  core: Core, encounter: Encounter, speed: number, tolerance: number, collision: Collision, signal: AbortSignal,
+  core: Core, encounter: Encounter, speed: number, cutoff: number, collision: Collision, signal: AbortSignal,
   ready: (show: Show) => void, finer: () => void,
 ): Promise<void> {
   const grid = gridFor(encounter.kind, relativeHalfWidth(encounter, collision));
@@ -45,7 +45,7 @@ export async function produce(
   const [first, ...rest] = coarseToFine(from, to, FIRST, LEVELS);
   const film: Film = { times: [], frames: [] };
   const add = (frame: Frame): void => insertFrame(film, frame);
-  await core.frames(encounter, speed, tolerance, first!, grid, add, signal);
+  await core.frames(encounter, speed, cutoff, first!, grid, add, signal);
   signal.throwIfAborted();
   if (!film.frames.length) return;
   const bodies = collision.bodies.filter((each) => each.kind !== 'half-space');
@@ -58,7 +58,7 @@ export async function produce(
     secondAtRest: secondIsAtRest(film.frames),
   });
   for (const times of rest) {
-    await core.frames(encounter, speed, tolerance, times, grid, add, signal);
+    await core.frames(encounter, speed, cutoff, times, grid, add, signal);
     signal.throwIfAborted();
     finer();
   }

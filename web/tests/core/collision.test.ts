@@ -14,8 +14,10 @@ import { ask, hasCore } from './wasm';
 const tolerance = 1e-2;
 const chosen = [0, 2, 4, 5, 6, 9, 10, 12];
 
-function trajectory(encounter: Encounter, speed: number): Record<string, number[]> {
-  const { cutoff } = ask('restitution', encounter, speed, tolerance).value as Restitution;
+const cutoffOf = (encounter: Encounter, speed: number): number =>
+  (ask('restitution', encounter, speed, tolerance).value as Restitution).cutoff;
+
+function trajectory(encounter: Encounter, speed: number, cutoff: number): Record<string, number[]> {
   const folder = mkdtempSync(join(tmpdir(), 'stoss-'));
   const file = join(folder, 'trajectory.csv');
   run(['impact', ...encounterArguments(encounter), '--speed', shortest(speed), '--cutoff', shortest(cutoff),
@@ -29,8 +31,9 @@ function trajectory(encounter: Encounter, speed: number): Record<string, number[
 describe.skipIf(!hasCore || !hasCommand)('a collision', { timeout: 60_000 }, () => {
   it.each(chosen)('is the impact of the command: case %i', (index) => {
     const { encounter, speed } = cases[index]!;
-    const native = trajectory(encounter, speed);
-    const ours = ask('collision', encounter, speed, tolerance).value as Collision;
+    const cutoff = cutoffOf(encounter, speed);
+    const native = trajectory(encounter, speed, cutoff);
+    const ours = ask('collision', encounter, speed, cutoff).value as Collision;
     expect(ours.time.length).toBe(native.time!.length);
     const pairs: [string, Float64Array][] = [
       ['time', ours.time], ['velocity', ours.velocity], ['force', ours.force], ['contact_half_width', ours.halfWidth],
@@ -70,10 +73,11 @@ function front(encounter: Encounter, frame: Frame, body: 0 | 1, radius: number):
 describe.skipIf(!hasCore)('frames', { timeout: 60_000 }, () => {
   it.each(chosen)('show bodies that touch: case %i', (index) => {
     const { encounter, speed } = cases[index]!;
-    const collision = ask('collision', encounter, speed, tolerance).value as Collision;
+    const cutoff = cutoffOf(encounter, speed);
+    const collision = ask('collision', encounter, speed, cutoff).value as Collision;
     const strongest = collision.force.reduce((best, force, k) => (force > collision.force[best]! ? k : best), 0);
     const times = [-collision.end, collision.time[strongest]!, 2 * collision.end];
-    const { all } = ask('frames', encounter, speed, tolerance, times, gridOf(encounter));
+    const { all } = ask('frames', encounter, speed, cutoff, times, gridOf(encounter));
     const [before, touching, after] = all as [Frame, Frame, Frame];
     const compression = Math.abs(before.bodies[0]!.center - touching.bodies[0]!.center);
     const gap = (frame: Frame): number => {

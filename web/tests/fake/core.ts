@@ -86,11 +86,11 @@ export function createCore(): Core {
       if (speed === 0.777) throw new CoreError('speed: got 0.777, allowed up to 0.5 (the wave speed there)');
       return restitution(encounter, speed, tolerance);
     },
-    async collision(encounter, speed, _tolerance, signal) {
+    async collision(encounter, speed, _cutoff, signal) {
       await wait(50, signal);
       return collision(encounter, speed);
     },
-    async frames(_encounter, _speed, _tolerance, times, grid, deliver, signal) {
+    async frames(_encounter, _speed, _cutoff, times, grid, deliver, signal) {
       for (const [index, time] of times.entries()) {
         await wait(4, signal);
         const frame: Frame = { time, bodies: [bodyFrame(time, grid.radius, grid.angle)] };

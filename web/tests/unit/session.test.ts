@@ -5,6 +5,7 @@ import { createSession } from '../../src/page/session';
 import { defaults } from '../../src/inputs/inputs';
 
 const { encounter } = defaults;
+const hopeless = 0.9;
 
 /** A core whose answers come after a time, and which notes what it was asked. */
 function core(time: number, log: string[], refuse = NaN): Core {
@@ -24,10 +25,10 @@ function core(time: number, log: string[], refuse = NaN): Core {
     async restitution(_encounter: Encounter, speed: number, tolerance: number, signal?: AbortSignal) {
       log.push(`${speed} ${tolerance}`);
       if (speed === refuse) throw new CoreError('speed: got 7');
-      return later({ speed } as Restitution, signal);
+      return later({ speed, cutoff: speed === hopeless ? 0 : 45, reason: 'no impact ends' } as Restitution, signal);
     },
-    async collision(_encounter: Encounter, speed: number, _tolerance: number, signal?: AbortSignal) {
-      log.push(`collision ${speed}`);
+    async collision(_encounter: Encounter, speed: number, cutoff: number, signal?: AbortSignal) {
+      log.push(`collision ${speed} ${cutoff}`);
       return later({} as Collision, signal);
     },
     async curve(
@@ -59,7 +60,14 @@ describe('a session', () => {
     const log: string[] = [];
     createSession(core(10, log), audience(log))(encounter, 0.1);
     await vi.runAllTimersAsync();
-    expect(log).toEqual(['0.1 0.01', 'first 0.1', '0.1 0.001', 'final 0.1', 'collision 0.1', 'shown']);
+    expect(log).toEqual(['0.1 0.01', 'first 0.1', '0.1 0.001', 'final 0.1', 'collision 0.1 45', 'shown']);
+  });
+  it('says why there is no collision', async () => {
+    vi.useFakeTimers();
+    const log: string[] = [];
+    createSession(core(10, log), audience(log))(encounter, hopeless);
+    await vi.runAllTimersAsync();
+    expect(log.slice(-2)).toEqual([`final ${hopeless}`, 'failed no impact ends true']);
   });
   it('shows first values while a drag goes on, and refines the last only', async () => {
     vi.useFakeTimers();

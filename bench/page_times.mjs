@@ -1,0 +1,85 @@
+// Times of what the page asks of its core, in Node.js: node bench/page_times.mjs, after scripts/web.sh. Prints a table
+// in Markdown: milliseconds of processor time of the thread that answers, and in brackets of all threads (the others
+// compile), median of five processes each. "fresh": the first call of a process; "warm": after values of spheres and
+// disks on half-spaces, as the page computes them at its start; "again": the same call once more, with bodies made anew.
+import { spawnSync } from 'node:child_process';
+import { readFileSync } from 'node:fs';
+import { fileURLToPath } from 'node:url';
+
+const wasm = new URL('../build/wasm/', import.meta.url);
+const unit = { poisson: 0.3, radius: 1, young: 1, density: 1, area: 1, lossTime: 0 };
+const of = (kind, against) =>
+  ({ kind, first: unit, against: against === 'half-space' ? { kind: against, body: unit } : { kind: against },
+    si: false, plane: 'stress' });
+const steel = { ...unit, poisson: 0.29, radius: 0.01, young: 200e9, density: 7850 };
+const glass = { ...unit, poisson: 0.22, young: 70e9, density: 2500 };
+const onGlass = { ...of('sphere', 'wall'), si: true, first: steel, against: { kind: 'half-space', body: glass } };
+
+const cases = [];
+for (const speed of [0.1, 0.01]) {
+  for (const kind of ['disk', 'sphere']) {
+    for (const against of ['wall', 'same', 'half-space']) {
+      cases.push({ name: `${kind}, ${against}, v = ${speed}`, encounter: of(kind, against), speed });
+    }
+  }
+}
+cases.push({ name: 'steel ball on glass, 1 m/s', encounter: onGlass, speed: 1 });
+
+/** Processor time in ms of this thread, and of all. */
+function now() {
+  const own = Number(readFileSync('/proc/thread-self/schedstat', 'utf8').split(' ')[0]) / 1e6;
+  const { user, system } = process.cpuUsage();
+  return [own, (user + system) / 1e3];
+}
+
+function asked(core, { encounter, speed }, tolerance) {
+  const before = now();
+  const made = core.makeEncounter(encounter);
+  const answer = made.encounter.restitution(speed, tolerance);
+  const after = now();
+  if (answer.error !== undefined) throw new Error(answer.error);
+  made.encounter.delete();
+  return after.map((time, k) => time - before[k]);
+}
+
+/** In a process of its own. */
+async function measure(number) {
+  const { default: create } = await import(new URL('stoss.mjs', wasm));
+  const module = new WebAssembly.Module(readFileSync(new URL('stoss.wasm', wasm)));
+  const load = () => create({
+    locateFile: (name) => name,
+    instantiateWasm(imports, receive) { WebAssembly.instantiate(module, imports).then(receive); return {}; },
+  });
+  const core = await load();
+  const times = {};
+  if (process.argv[3] === 'warm') {
+    for (const kind of ['sphere', 'disk']) asked(core, { encounter: of(kind, 'half-space'), speed: 0.1 }, 1e-2);
+    await new Promise((resolve) => setTimeout(resolve, 500));
+    times.warm = asked(await load(), cases[number], 1e-2);
+  } else {
+    times.fresh = asked(core, cases[number], 1e-2);
+    times.again = asked(core, cases[number], 1e-2);
+  }
+  console.log(JSON.stringify(times));
+}
+
+function medians(number, runs = 5) {
+  const all = { fresh: [], warm: [], again: [] };
+  for (let run = 0; run < runs; ++run) {
+    for (const way of ['fresh', 'warm']) {
+      const { stdout } = spawnSync(process.execPath, [fileURLToPath(import.meta.url), String(number), way]);
+      for (const [name, times] of Object.entries(JSON.parse(String(stdout)))) all[name].push(times);
+    }
+  }
+  return Object.values(all).map((times) => {
+    const [own, every] = [0, 1].map((k) => times.map((each) => each[k]).sort((a, b) => a - b)[Math.floor(runs / 2)]);
+    return `${own.toFixed(0)} (${every.toFixed(0)})`;
+  });
+}
+
+if (process.argv[2] !== undefined) {
+  await measure(Number(process.argv[2]));
+} else {
+  console.log('| first value of the page, to 10⁻² | fresh, ms | warm, ms | again, ms |\n|---|---:|---:|---:|');
+  cases.forEach(({ name }, number) => console.log(`| ${name} | ${medians(number).join(' | ')} |`));
+}

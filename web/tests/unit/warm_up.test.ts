@@ -1,0 +1,19 @@
+// The core warms up once, after its first answer.
+import { expect, it } from 'vitest';
+import type { Core, Encounter } from '../../src/core/protocol';
+import { withWarmUp } from '../../src/core/warm_up';
+import { cases } from './cases';
+
+it('computes values of half-spaces after the first answer, once', async () => {
+  const log: string[] = [];
+  const core = withWarmUp({
+    restitution: async () => { log.push('value'); },
+    curve: async (encounter: Encounter) => {
+      log.push(`${encounter.kind} ${encounter.against.kind}`);
+      throw new Error('no worker');
+    },
+  } as unknown as Core);
+  expect(log).toEqual([]);
+  for (const { encounter, speed } of cases.slice(0, 2)) await core.restitution(encounter, speed, 1e-2);
+  expect(log).toEqual(['value', 'sphere half-space', 'disk half-space', 'value']);
+});
