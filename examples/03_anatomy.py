@@ -1,8 +1,8 @@
 """Anatomy of one collision: what the disk does, what the wall does, and where the energy goes.
 
 Run:     python examples/03_anatomy.py [FOLDER]        (default: out/)
-Expect:  the energy ledger of an impact at a tenth of the bar speed, the greatest part of the loss in the
-         mode (2,0); anatomy.png with the disk at six times, force, velocity, energies and contact
+Expect:  the energy ledger of an impact at a tenth of the bar speed, where the mode (2,0) takes the
+         greatest part of the loss; anatomy.png with the disk at six times, force, velocity, energies and contact
          width against time, the energies of the modes, and the stress half-way; anatomy.csv, the
          trajectory. Two or three seconds.
 

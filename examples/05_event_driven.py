@@ -1,4 +1,4 @@
-"""ε(v) with its error as a function for event-driven simulations, and a gas that cools by it.
+"""ε(v) as a function for event-driven simulations: with its error, and a gas that cools by it.
 
 Run:     python examples/05_event_driven.py [FOLDER]        (default: out/)
 Expect:  ε of a few speeds of approach, with errors that include the interpolation; the energy that
@@ -8,8 +8,8 @@ Expect:  ε of a few speeds of approach, with errors that include the interpolat
     u₁′ = u₁ − ½ (1 + ε(v)) v,    u₂′ = u₂ + ½ (1 + ε(v)) v,    v = u₁ − u₂
 
 Here v is the speed at which two equal disks approach each other. `restitution_function` computes ε
-where the wave needs it, and its error includes the interpolation; slower than its range it follows
-the law of slow impacts. In a callback such as REBOUND's sim.coefficient_of_restitution it is
+where the wave needs it, and its error includes the interpolation; below its range it follows the
+law of slow impacts. In a callback such as REBOUND's sim.coefficient_of_restitution it is
 `lambda simulation, v: restitution(v)`: the sign of v does not count. Disks are taken to have
 stopped ringing before they meet again, and material damping is left out (docs/materials.md).
 """

@@ -1,5 +1,5 @@
-"""Balls of steel, glass, ice and rubber on a rigid wall: what vibrations alone take, and one
-bounce.
+"""Balls of steel, glass, ice and rubber on a rigid wall: what vibrations alone take, and
+one bounce.
 
 Run:     python examples/07_balls.py [FOLDER]        (default: out/)
 Expect:  a table of restitution, contact time, greatest force and pressure at 0.01 to 10 m/s;

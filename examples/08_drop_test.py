@@ -12,8 +12,8 @@ Expect:  a table for five pairs of materials at three speeds each, drop_test.csv
                v_s² = 14.18 (Γ⁵R⁴/E*²)^(1/3)/m               (Johnson, Kendall, Roberts; Thornton and Ning)
     air        drag of the fall from v²/2g and the rise, ¾ C_D (ρ_air/ρ) v²/(2gR)
 
-The first three are computed, the others estimated: shares of ½mv². The block is thick enough where
-the first wave needs longer than the contact to its other side and back.
+All are shares of ½mv²: the first three are computed, the others estimated. A block is thick enough
+if the first wave needs longer than the contact to reach its other side and come back.
 """
 
 import sys

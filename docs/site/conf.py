@@ -50,6 +50,7 @@ breathe_domain_by_extension = {"hpp": "cpp", "h": "c"}
 
 html_theme = "furo"
 html_title = f"stoss {version}"
+html_favicon = str(ROOT / "web/src/icon.svg")
 html_static_path = [str(SITE / "static")]
 html_css_files = ["site.css"]
 html_extra_path = [str(ROOT / "build/docs-source/extra")]

@@ -45,12 +45,14 @@ class Computation {
 
   void add(const std::vector<double>& logarithms) {
     std::vector<double> speeds;
+    speeds.reserve(logarithms.size());
     for (const double each : logarithms) speeds.push_back(speed_at(each));
     if (knots.size() + speeds.size() > static_cast<std::size_t>(options_.most_speeds)) {
       throw NotConverged("restitution_function: more than " + std::to_string(options_.most_speeds) +
                          " speeds are needed (allow a greater error, a smaller range, or more speeds)");
     }
     std::vector<Request> requests;
+    requests.reserve(speeds.size());
     for (const double speed : speeds) requests.push_back({&contact_, speed});
     const auto place = [&speeds](std::size_t i) { return "speed " + shown(speeds[i]) + " c"; };
     const std::vector<Estimate> values =
@@ -74,6 +76,7 @@ class Computation {
 
 std::vector<Knot> values(const std::map<double, Knot>& knots) {
   std::vector<Knot> list;
+  list.reserve(knots.size());
   for (const auto& each : knots) list.push_back(each.second);
   return list;
 }

@@ -170,10 +170,10 @@ class Grid {
     std::vector<std::pair<std::size_t, std::size_t>> places;
     for (std::size_t j = 0; j < ratios_.size(); ++j) {
       const double s = ratios_.x()[j];
-      if (contacts_.count(s) == 0) contacts_.emplace(s, mixture_.contact(ratio(j)));
+      if (!contacts_.contains(s)) contacts_.emplace(s, mixture_.contact(ratio(j)));
       const RefinableContact& contact = contacts_.at(s);
       for (std::size_t k = 0; k < speeds_.size(); ++k) {
-        if (values_[speeds_.x()[k]].count(s) > 0) continue;
+        if (values_[speeds_.x()[k]].contains(s)) continue;
         requests.push_back({&contact, speed(k)});
         places.emplace_back(k, j);
       }

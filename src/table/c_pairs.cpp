@@ -90,12 +90,14 @@ constexpr std::string_view refused = "  return HUGE_VAL - HUGE_VAL;\n";
 
 std::vector<std::string> written(const std::vector<double>& numbers) {
   std::vector<std::string> texts;
+  texts.reserve(numbers.size());
   for (const double each : numbers) texts.push_back(table::c_number(each));
   return texts;
 }
 
 std::vector<std::string> written(const std::vector<std::size_t>& numbers) {
   std::vector<std::string> texts;
+  texts.reserve(numbers.size());
   for (const std::size_t each : numbers) texts.push_back(std::to_string(each));
   return texts;
 }

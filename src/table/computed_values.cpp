@@ -13,11 +13,13 @@ namespace {
 
 Estimate computed(const Request& request, double error, const std::string& place, const Poll& poll) {
   constexpr double least = 1e-9, no_tolerance = 1e-15;
-  for (double absolute = 1.6 * error; absolute > least; absolute *= 0.25) {
+  double absolute = 1.6 * error;
+  while (absolute > least) {
     const Restitution found = best_restitution(*request.contact, request.speed,
                                                {.tolerance = no_tolerance, .absolute = absolute, .poll = poll});
     if (found.restitution.error <= error) return found.restitution;
     if (!found.reason.empty()) throw NotConverged("restitution: at " + place + " " + found.reason);
+    absolute *= 0.25;
   }
   throw NotConverged("restitution: at " + place + " it is so small that its error is not to be had");
 }

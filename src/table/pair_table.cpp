@@ -28,12 +28,14 @@ double relative(double ratio) { return (ratio - 1.0) / (ratio + 1.0); }
 
 numeric::Bins logarithms(const std::vector<double>& speeds) {
   std::vector<double> all;
+  all.reserve(speeds.size());
   for (const double each : speeds) all.push_back(std::log(each));
   return numeric::Bins(std::move(all));
 }
 
 numeric::Bins differences(const std::vector<double>& ratios) {
   std::vector<double> all;
+  all.reserve(ratios.size());
   for (const double each : ratios) all.push_back(relative(each));
   return numeric::Bins(std::move(all));
 }

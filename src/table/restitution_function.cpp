@@ -39,12 +39,14 @@ void require_knots(const std::vector<Knot>& knots) {
 
 std::vector<double> logarithms(const std::vector<Knot>& knots) {
   std::vector<double> all;
+  all.reserve(knots.size());
   for (const Knot& knot : knots) all.push_back(std::log(knot.speed));
   return all;
 }
 
 std::vector<double> values(const std::vector<Knot>& knots) {
   std::vector<double> all;
+  all.reserve(knots.size());
   for (const Knot& knot : knots) all.push_back(knot.restitution.value);
   return all;
 }

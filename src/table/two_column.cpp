@@ -40,12 +40,12 @@ class Chords {
     double far = std::min(left + step, end());
     while (!near(left, far)) far = left + 0.5 * (far - left);
     // Doubled until it is not near enough, then halved between.
-    double beyond = end();
-    for (double width = far - left; far + width < end(); far += width, width *= 2.0) {
-      if (near(left, far + width)) continue;
-      beyond = far + width;
-      break;
+    double width = far - left;
+    while (far + width < end() && near(left, far + width)) {
+      far += width;
+      width *= 2.0;
     }
+    double beyond = std::min(far + width, end());
     for (int i = 0; i < 12; ++i) {
       const double middle = 0.5 * (far + beyond);
       (near(left, middle) ? far : beyond) = middle;

@@ -58,11 +58,12 @@ State before_touch(const Contact& pair, const State& touch, double step) {
   KeptModes modes(pair, contact_grid(pair, 0.0, 1), stride);
   modes.set(start.coordinate, start.momentum);
   std::vector<double> overlap(1);
-  for (;; time += stride) {
+  while (true) {
     modes.advance();
     overlap.front() = touch.velocity * (time + stride);
     modes.add_displacement(overlap);
     if (overlap.front() > -margin) return free_motion(pair, touch, time);
+    time += stride;
   }
 }
 
@@ -132,7 +133,7 @@ Impact RodModes::collision(const Contact& pair, const State* touching) const {
   options.resolution.tail = tail_;
   options.poll = poll_;
   double step = recommended_step(pair, scaled_speed, tail_);
-  for (int attempt = 1;; ++attempt, step *= finer) {
+  for (int attempt = 1;; ++attempt) {
     options.resolution.step = step;
     if (touching != nullptr) options.start = before_touch(pair, *touching, step);
     try {
@@ -140,6 +141,7 @@ Impact RodModes::collision(const Contact& pair, const State* touching) const {
     } catch (const NotConverged&) {
       if (attempt == attempts) throw;
     }
+    step *= finer;
   }
 }
 

@@ -22,9 +22,9 @@ def main(folder: Path, stoss: Path) -> None:
     page = ROOT / "build/docs-page"
     if (page / "index.html").exists():
         tree.link("extra/page", page)
-        try_it = '<a href="page/index.html">Try it in the browser</a>: the same program, on a page.'
+        try_it = '<a href="page/index.html">Try it in the browser</a>: the same core on a page, with nothing to install.'
     else:
-        try_it = "`make web-serve` opens the same program as a page in the browser."
+        try_it = "`make web-serve` serves the same core as a page for the browser."
     tree.write("page.inc", try_it + "\n")
     command.write(tree, stoss)
     cpp.write(tree)

@@ -81,7 +81,7 @@ def write(tree: Tree) -> None:
         folders = list(pool.map(lambda program: run(program, state), programs))
     for stale in set(KEPT.iterdir()) - set(folders):
         shutil.rmtree(stale)
-    lines = ["# Examples", "", "Programs of `examples/`, which were run when this page was made.", ""]
+    lines = ["# Examples", "", "Short programs, in `examples/`, with what they print and draw. Each runs as it stands.", ""]
     for program, folder in zip(programs, folders):
         title, picture = page(tree, program, folder)
         lines += [f"## [{title}]({program.stem}.md)", "", f"[![{title}](pictures/{picture})]({program.stem}.md)", ""]
