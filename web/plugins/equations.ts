@@ -23,8 +23,9 @@ export function withoutUnusedFonts(css: string): string {
     .replace(/,url\([^)]*\.(woff|ttf)\) format\("[a-z]*"\)/g, '');
 }
 
-/** The plugin: `<!-- include FILE -->` and `%DOCUMENTATION%` in index.html, equations, fonts. `documentation` is the
- *  address of the manual, '' for none: then what stands between <!-- documentation --> and its end is left out. */
+/** The plugin: `<!-- include FILE -->`, `%ICON%` and `%DOCUMENTATION%` in index.html, equations, fonts. The icon is in
+ *  the page, since browsers ask for it again whenever the address changes. `documentation` is the address of the
+ *  manual, '' for none: then what stands between <!-- documentation --> and its end is left out. */
 export function equations(documentation: string): Plugin {
   return {
     name: 'stoss-equations',
@@ -37,7 +38,8 @@ export function equations(documentation: string): Plugin {
           readFileSync(resolve(folder, file), 'utf8'));
         const linked = whole.replace(/<!-- documentation -->([\s\S]*?)<!-- end -->/g, (_, text: string) =>
           documentation === '' ? '' : text.replaceAll('%DOCUMENTATION%', documentation));
-        return renderEquations(linked);
+        const icon = encodeURIComponent(readFileSync(resolve(folder, 'src/icon.svg'), 'utf8'));
+        return renderEquations(linked.replace('%ICON%', `data:image/svg+xml,${icon}`));
       },
     },
     transform(code, id) {

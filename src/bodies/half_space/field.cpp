@@ -158,7 +158,7 @@ HalfSpaceField::HalfSpaceField(double poisson, const Body& body, const ContactPo
   const double top = *std::min_element(points.depth.begin(), points.depth.end());
   const double highest = std::min(std::numbers::pi / (contact.spacing * contact.radius), deepest / top);
   parts_ = std::make_shared<const Parts>(
-      Parts{std::move(its), body.groups, mode_count(body), std::move(ring), lowest_unkept, highest, std::move(points)});
+      Parts{its, body.groups, mode_count(body), std::move(ring), lowest_unkept, highest, std::move(points)});
 }
 
 Field HalfSpaceField::at(std::span<const double> coordinate, std::span<const double> node_force,

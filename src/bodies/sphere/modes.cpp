@@ -69,12 +69,12 @@ std::vector<Mode> modes(double poisson, double cutoff, const Poll& poll) {
 }
 
 std::vector<Mode> checked_modes(double poisson, double cutoff, const Poll& poll) {
-  const auto modes = find_modes(poisson, cutoff, poll);
+  auto modes = find_modes(poisson, cutoff, poll);
   if (modes.empty()) return modes;
-  auto mode = modes.begin();
+  auto mode = modes.cbegin();
   for (int order = 0; order <= modes.back().order; ++order) {
     Flexibility kept;
-    for (; mode != modes.end() && mode->order == order; ++mode) {
+    for (; mode != modes.cend() && mode->order == order; ++mode) {
       const double compliance = 1.0 / (mode->omega * mode->omega);
       kept.radial += mode->radial * mode->radial * compliance;
       kept.mixed += mode->radial * mode->tangential * compliance;

@@ -17,7 +17,7 @@ export const missing = !existsSync(join(folder, 'index.html')) ? 'the page is no
 
 const types: Record<string, string> = {
   '.html': 'text/html', '.js': 'text/javascript', '.css': 'text/css', '.woff2': 'font/woff2',
-  '.wasm': 'application/wasm', '.svg': 'image/svg+xml',
+  '.wasm': 'application/wasm',
 };
 
 export interface Site {
