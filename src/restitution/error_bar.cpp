@@ -115,8 +115,9 @@ double convergence_order(const Contact& contact) {
 }
 
 void conclude(const Contact& contact, double speed, const CurvatureCorrection& correction, Restitution& result) {
-  constexpr double focus = 0.6;   // peaks of the force that a wave brings back are short
-  constexpr double turn = 0.008;  // share of the unresolved energy that may be missing at closest approach
+  constexpr double focus = 0.6;      // peaks of the force that a wave brings back are short
+  constexpr double overshoot = 0.2;  // of a force that begins with a jump, at any cutoff
+  constexpr double turn = 0.008;     // share of the unresolved energy that may be missing at closest approach
   const std::vector<Run>& runs = result.runs;
   const Run& last = runs.back();
   const bool at_a_point = has_single_point(contact);
@@ -134,7 +135,8 @@ void conclude(const Contact& contact, double speed, const CurvatureCorrection& c
   // An instant is known to half a step at either end, and so are the parts of an impulse that begins with a jump.
   result.contact_time = estimate(rough, &Run::contact_time, last.step);
   result.impulse_time = estimate(smooth, &Run::impulse_time, at_a_point ? last.step : 0.0);
-  result.max_force = estimate(rough, &Run::max_force, focus * std::sqrt(last.unresolved) * last.max_force);
+  const double beyond = std::max(focus * std::sqrt(last.unresolved), at_a_point ? overshoot : 0.0);
+  result.max_force = estimate(rough, &Run::max_force, beyond * last.max_force);
   const double missing = turn * last.unresolved + (at_a_point ? 0.0 : node_error(contact, last));
   result.max_compression = estimate(smooth, &Run::max_compression, missing * std::abs(last.max_compression));
   result.converged = error <= std::max(result.tolerance * std::abs(lost), result.absolute);

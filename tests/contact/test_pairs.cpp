@@ -99,6 +99,8 @@ TEST_P(Rods, TendToTheExactAnswer) {
   if (known == 1.0) return;  // no loss, no relative error of it
   const Restitution found = restitution(RefinableContact(one, other), 0.1, {.tolerance = 0.03});
   EXPECT_NEAR(found.restitution.value, known, found.restitution.error);
+  EXPECT_NEAR(found.max_force.value, 0.1 * z2 / (z1 + z2), found.max_force.error);  // of the first contact, in EA
+  EXPECT_LT(found.max_force.error, 0.25 * found.max_force.value);
 }
 
 INSTANTIATE_TEST_SUITE_P(Exact, Rods,
