@@ -1,0 +1,14 @@
+import type { BodyFrame, Grid } from '../../src/core/protocol';
+import type { Placed } from '../../src/scene/mesh';
+
+/** A disk before a wall. */
+export const DISK: Placed = { kind: 'disk', radius: 1, facing: 1, halfHeight: 0.1 };
+
+/** A frame of a body by the displacement of its points; its fringes are their distance from the centre. */
+export function field(grid: Grid, radial: (r: number, a: number) => number, tangential: (r: number, a: number) => number):
+    BodyFrame {
+  const all = (value: (r: number, a: number) => number): Float32Array =>
+    Float32Array.from([...grid.radius].flatMap((r) => [...grid.angle].map((a) => value(r, a))));
+  const [vonMises, fringes] = [all(() => 0), all((r) => r)];
+  return { center: -1, radial: all(radial), tangential: all(tangential), vonMises, fringes };
+}
