@@ -78,7 +78,7 @@ format: setup ## format all sources
 	@clang-format -i $(SOURCES)
 
 lint: setup ## clang-tidy over all sources
-	@cmake --preset asan -B build/lint -DCMAKE_UNITY_BUILD=OFF
+	@cmake --preset asan -B build/lint -DCMAKE_UNITY_BUILD=OFF -DCMAKE_DISABLE_PRECOMPILE_HEADERS=ON
 	@git ls-files 'src/*.cpp' 'cli/*.cpp' | xargs -P $(JOBS) -n 4 clang-tidy --quiet --warnings-as-errors='*' -p build/lint
 
 install: build ## install to PREFIX (default /usr/local)
