@@ -72,7 +72,7 @@ std::vector<double> series(const Typed& typed, bool logarithmic) {
 
 /// To six digits, and by one in the last of them to the given side if they lie on the other.
 std::string rounded(double value, double side) {
-  const std::string text = fmt::format("{:.6g}", value);
+  std::string text = fmt::format("{:.6g}", value);
   if ((std::stod(text) - value) * side >= 0.0) return text;
   const double digit = std::pow(10.0, std::floor(std::log10(std::abs(value))) - 5.0);
   return fmt::format("{:.6g}", value + side * digit);

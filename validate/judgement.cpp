@@ -1,7 +1,6 @@
 #include "judgement.hpp"
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
 #include <limits>
 #include <map>
@@ -73,7 +72,7 @@ std::vector<Answer> answer(const Contacts& contacts, const std::vector<Point>& p
   answers.reserve(points.size());
   stoss::run_in_order<Answer>(
       points.size(), threads,
-      [&](std::size_t i, const std::atomic<bool>&) { return answer_at(contacts[i], points[i], tolerance); },
+      [&](std::size_t i, const stoss::Poll&) { return answer_at(contacts[i], points[i], tolerance); },
       [&](std::size_t, Answer&& answer) { answers.push_back(answer); }, {});
   return answers;
 }

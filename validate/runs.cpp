@@ -1,7 +1,6 @@
 #include "runs.hpp"
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
 #include <cstdio>
 #include <fstream>
@@ -72,8 +71,7 @@ void write_reference(const std::string& path, const std::string& header, const s
   std::ofstream file(path);
   file << header;
   stoss::run_in_order<Runs>(
-      points.size(), threads,
-      [&](std::size_t i, const std::atomic<bool>&) { return resolved_runs(points[i], finenesses); },
+      points.size(), threads, [&](std::size_t i, const stoss::Poll&) { return resolved_runs(points[i], finenesses); },
       [&](std::size_t i, Runs&& runs) {
         file << points[i].place;
         write_quantities(file, runs);

@@ -39,6 +39,7 @@ std::vector<double> restitutions(const RefinableContact& contact, double cutoff,
   for (const double stretch : stretches(contact)) contacts.push_back(&contact.at(cutoff, stretch, poll));
   const ImpactOptions options{.resolution = common_resolution(contacts, speed), .poll = poll};
   std::vector<double> values;
+  values.reserve(contacts.size());
   for (const Contact* each : contacts) values.push_back(impact(*each, speed, options).restitution);
   return values;
 }
@@ -80,7 +81,7 @@ std::string out_of_reach(const CurvatureCorrection& correction, const Restitutio
   const double reachable = neglected(correction, result.finest) / std::abs(result.lost_fraction.value);
   if (reachable < result.tolerance) return {};
   std::array<char, 32> text{};
-  std::snprintf(text.data(), text.size(), "%.2g", 1.1 * reachable);
+  (void)std::snprintf(text.data(), text.size(), "%.2g", 1.1 * reachable);
   return std::string(
              "the near side of the larger body stands for it less accurately than the tolerance asks (use a "
              "larger one, from ") +

@@ -136,7 +136,7 @@ Outlook outlook(const Restitution& result, const Bar& first, double expected, do
 std::string beyond_reach(const Outlook& next, double highest, bool vibrating) {
   const auto rounded = [](double x) {
     std::array<char, 32> text{};
-    std::snprintf(text.data(), text.size(), "%.2g", x);
+    (void)std::snprintf(text.data(), text.size(), "%.2g", x);
     return std::string(text.data());
   };
   std::string reason = "the tolerance asks for a higher cutoff than " + std::to_string(std::lround(highest));
