@@ -24,7 +24,7 @@ python: build ## build the Python package and install it into build/venv (PYTHON
 	@scripts/install-dependencies.sh python
 	@scripts/python.sh
 
-demo: build python ## restitution against speed for two Poisson numbers, and a collision: here and in out/
+demo: build python ## restitution against speed for two Poisson's ratios, and a collision: here and in out/
 	@scripts/demo.sh build/release/cli/stoss build/venv/bin/python
 
 web: setup ## build the page, with the core in WebAssembly, into build/web

@@ -10,7 +10,7 @@
 namespace bench {
 namespace {
 
-constexpr double half_width_of_contact = 0.464;  // greatest, R
+constexpr double half_width_of_contact = 0.464;  // maximum, R
 
 std::string with_cutoff(const std::string& name, double cutoff) {
   std::ostringstream text;

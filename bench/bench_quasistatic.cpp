@@ -11,7 +11,7 @@ namespace {
 constexpr auto law = stoss::quasistatic::CompressionLaw::center;
 constexpr double slow = 1e-8;
 
-/// Greatest compression by the classical method of Runge and Kutta for δ̈ = −F(δ): the rival of the quadrature.
+/// Maximum compression by the classical method of Runge and Kutta for δ̈ = −F(δ): the rival of the quadrature.
 double stepped_compression(double speed, double step) {
   const auto force = [](double compression) {
     return compression > 0.0 ? stoss::quasistatic::compression_force(law, poisson, compression) : 0.0;

@@ -15,7 +15,7 @@ inline constexpr double speed = 0.1;
 /// Its converged 1 − ε² at a hard wall (docs/numerics.md).
 inline constexpr double converged_lost_fraction = 0.103088;
 
-/// The Poisson number of spheres.
+/// The Poisson's ratio of spheres.
 inline constexpr double poisson_of_sphere = 0.3;
 
 /// The benchmark to whose time the others are compared.

@@ -50,7 +50,7 @@ void DiskArguments::add_to(CLI::App& command) {
 
 CLI::Option* DiskArguments::add_poisson_to(CLI::App& command) {
   return add_number(command, "--poisson", poisson,
-                    "Poisson number, -0.95 to 0.995 of a disk, to 0.4999 of a sphere; with\na material: of the solid")
+                    "Poisson's ratio, -0.95 to 0.995 of a disk, to 0.4999 of a sphere; with\na material: of the solid")
       ->type_name("NU")
       ->group("Body");
 }

@@ -34,7 +34,7 @@ inline const std::string round_material_group = "Material in SI (all of young, d
 inline const std::string material_group =
     "Material in SI (disk, sphere: all of young, density, radius; rod: young, density, length, area)";
 
-/// The disk: a 2-D Poisson number, or a material in SI with a radius. A sphere is given in the same way, but for a
+/// The disk: a 2-D Poisson's ratio, or a material in SI with a radius. A sphere is given in the same way, but for a
 /// plane (SphereArguments).
 struct DiskArguments {
   double poisson = 0.0;
@@ -45,17 +45,17 @@ struct DiskArguments {
 
   void add_to(CLI::App& command);
 
-  /// Only the Poisson number.
+  /// Only the Poisson's ratio.
   /// @return the option, which may be left out
   CLI::Option* add_poisson_to(CLI::App& command);
 
-  /// All but the Poisson number.
+  /// All but the Poisson's ratio.
   void add_material_to(CLI::App& command, const std::string& group);
 
   /// SI scales if a material was given. @throws InvalidInput if only part of one was
   [[nodiscard]] std::optional<Scales> si() const;
 
-  /// The Poisson number that the core computes with.
+  /// The Poisson's ratio that the core computes with.
   [[nodiscard]] double plane_poisson() const;
 
   [[nodiscard]] Plane chosen_plane() const;

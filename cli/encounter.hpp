@@ -19,7 +19,7 @@ namespace stoss::cli {
 /// The first body as it was given.
 struct FirstBody {
   BodyKind kind = BodyKind::disk;
-  DiskArguments disk;                 ///< the disk; of a sphere, the Poisson number
+  DiskArguments disk;                 ///< the disk; of a sphere, the Poisson's ratio
   std::optional<SolidSphere> sphere;  ///< with a material
   std::optional<Rod> rod;             ///< with a material
   bool rigid = false;                 ///< has the mass and the units of the elastic one
@@ -36,7 +36,7 @@ class Encounter {
   [[nodiscard]] Units units() const { return {si_, first_.kind}; }
   [[nodiscard]] const Against& against() const { return against_; }
 
-  /// The Poisson number of the first body that the core computes with; 0 of a rod.
+  /// The Poisson's ratio of the first body that the core computes with; 0 of a rod.
   [[nodiscard]] double poisson() const;
 
   /// At any cutoff, for `restitution`. @param poisson of the first body; rods have none
@@ -95,7 +95,8 @@ struct EncounterArguments {
   /// @param kind  that --against takes besides, with its help
   void add_to(CLI::App& to, const std::string& kind = {}, const std::string& help = {});
 
-  /// @throws CLI::RequiredError for a body without its Poisson number, InvalidInput for options that do not go together
+  /// @throws CLI::RequiredError for a body without its Poisson's ratio, InvalidInput for options that do not go
+  /// together
   [[nodiscard]] Encounter encounter() const;
 };
 

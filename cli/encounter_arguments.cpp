@@ -32,7 +32,7 @@ const std::vector<Owned> owned{
 
 void EncounterArguments::add_to(CLI::App& to, const std::string& kind, const std::string& help) {
   command = &to;
-  to.add_option("--body", body, "Kind of body (default: disk); a rod has no Poisson number")
+  to.add_option("--body", body, "Kind of body (default: disk); a rod has no Poisson's ratio")
       ->check(CLI::IsMember({"disk", "sphere", "rod"}))
       ->type_name("BODY")
       ->group("Body");

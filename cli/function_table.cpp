@@ -178,7 +178,7 @@ void run(const TableArguments& arguments) {
 
 void add_form(CLI::App& command, TableArguments& arguments) {
   add_number(command, "--error", arguments.error,
-             "Greatest error of eps at any speed, interpolation included, 1e-7 to\n0.1 (default: 0.001)")
+             "Maximum error of eps at any speed, interpolation included, 1e-7 to\n0.1 (default: 0.001)")
       ->type_name("ERROR")
       ->group("Resolution");
   add_threads(command, arguments.threads);

@@ -11,7 +11,7 @@
 
 namespace stoss::cli {
 
-/// The impacts of `stoss restitution`: for each Poisson number all speeds.
+/// The impacts of `stoss restitution`: for each Poisson's ratio all speeds.
 struct Job {
   Encounter encounter;
   std::vector<double> poissons;

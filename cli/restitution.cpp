@@ -1,4 +1,4 @@
-// stoss restitution: the coefficient of restitution against speed and Poisson number, with errors.
+// stoss restitution: the coefficient of restitution against speed and Poisson's ratio, with errors.
 #include <fmt/format.h>
 
 #include <memory>
@@ -154,7 +154,7 @@ void add_restitution(CLI::App& app, int& exit_code) {
   arguments->command = command;
   command
       ->add_option("--poisson", arguments->poissons,
-                   "Poisson numbers, -0.95 to 0.995 of a disk, to 0.4999 of a sphere: a\n"
+                   "Poisson's ratios, -0.95 to 0.995 of a disk, to 0.4999 of a sphere: a\n"
                    "number, a,b,c, log:a:b:n or lin:a:b:n. With a material: the one of\n"
                    "the solid")
       ->type_name("NUS")

@@ -29,7 +29,7 @@ struct SphereArguments {
   [[nodiscard]] std::optional<SolidSphere> si(const DiskArguments& given) const;
 };
 
-/// Adds the Poisson number and, in SI, the sphere and its scales to the inputs of a result.
+/// Adds the Poisson's ratio and, in SI, the sphere and its scales to the inputs of a result.
 void describe(double poisson, const std::optional<SolidSphere>& sphere, nlohmann::ordered_json& inputs);
 
 }  // namespace stoss::cli

@@ -1,4 +1,4 @@
-"""The first curve: ε(v) of an elastic disk for two Poisson numbers, with error bars.
+"""The first curve: ε(v) of an elastic disk for two Poisson's ratios, with error bars.
 
 Run:     python examples/01_first_curve.py [FOLDER]        (default: out/)
 Expect:  a table of ε ± error; first_curve.png, with 1 − ε² falling in waves towards small speeds
@@ -23,7 +23,7 @@ import stoss
 def main(folder: Path) -> None:
     folder.mkdir(parents=True, exist_ok=True)
 
-    # Two Poisson numbers and 43 speeds broadcast to a table of 2 × 43 values.
+    # Two Poisson's ratios and 43 speeds broadcast to a table of 2 × 43 values.
     curve = stoss.restitution(poisson=[[0.33], [0.9]], speed=np.geomspace(1e-4, 0.3, 43))
     print(curve)
 
@@ -35,7 +35,7 @@ def main(folder: Path) -> None:
             print(f"{curve.poisson[row, k]:7.2f}  {speed:9.3e}  {value:.6f} ± {error:.6f}  {time:8.3f}")
 
     greatest = (curve.lost_fraction_error / curve.lost_fraction).max()
-    print(f"greatest relative error of 1 - eps^2: {greatest:.1e} (asked for: {curve.tolerance:.0e})")
+    print(f"maximum relative error of 1 - eps^2: {greatest:.1e} (asked for: {curve.tolerance:.0e})")
 
     curve.to_csv(folder / "first_curve.csv")
     figure, (left, right) = plt.subplots(1, 2, figsize=(10, 4), layout="constrained")

@@ -2,7 +2,7 @@
 
 Run:     python examples/03_anatomy.py [FOLDER]        (default: out/)
 Expect:  the energy ledger of an impact at a tenth of the bar speed, where the mode (2,0) takes the
-         greatest part of the loss; anatomy.png with the disk at six times, force, velocity, energies and contact
+         maximum part of the loss; anatomy.png with the disk at six times, force, velocity, energies and contact
          width against time, the energies of the modes, and the stress half-way; anatomy.csv, the
          trajectory. Two or three seconds.
 
@@ -31,8 +31,8 @@ def main(folder: Path) -> None:
 
     impulse = np.sum(0.5 * (path.force[1:] + path.force[:-1]) * np.diff(path.time))
     print(hit)
-    print(f"greatest force        {hit.max_force:.5f} pi R E")
-    print(f"greatest compression  {hit.max_compression:.5f} R")
+    print(f"maximum force        {hit.max_force:.5f} pi R E")
+    print(f"maximum compression  {hit.max_compression:.5f} R")
     print(f"pressure wave back at {echo:.4f} R/c")
     print(f"impulse / (m v)       {impulse / hit.speed:.5f} = 1 + eps = {1 + hit.restitution:.5f}")
     print("energy after the impact, shares of the initial energy:")
@@ -41,7 +41,7 @@ def main(folder: Path) -> None:
     strongest = np.argsort(hit.mode_energies["after"])[::-1][:4]
     for n, l, omega, after in hit.mode_energies[strongest][["order", "index", "omega", "after"]]:
         print(f"  mode ({n},{l})   {after:9.6f}   omega = {omega:.4f} c/R")
-    print(f"greatest von Mises stress at half time {field.von_mises.max():.3f} E")
+    print(f"maximum von Mises stress at half time {field.von_mises.max():.3f} E")
 
     path.to_csv(folder / "anatomy.csv")
     plt.rcParams.update({"font.size": 8, "axes.titlesize": 8, "legend.fontsize": 6.5, "legend.columnspacing": 1.0})

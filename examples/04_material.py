@@ -30,8 +30,8 @@ def main(folder: Path) -> None:
         disk = stoss.Disk(radius=0.01, material=stoss.materials["steel"], loss_time=0, plane=plane)
         curve = stoss.restitution(disk, speed=SPEEDS)
 
-        print(f"plane {plane}: c = {disk.scales.speed:.0f} m/s, 2-D Poisson number {disk.poisson:.4f}")
-        print("  speed m/s    restitution          contact time us   greatest force N/mm")
+        print(f"plane {plane}: c = {disk.scales.speed:.0f} m/s, 2-D Poisson's ratio {disk.poisson:.4f}")
+        print("  speed m/s    restitution          contact time us   maximum force N/mm")
         for k in range(0, SPEEDS.size, 12):
             value = f"{curve.restitution[k]:.6f} ± {curve.restitution_error[k]:.6f}"
             time, force = curve.contact_time_si[k] * 1e6, curve.max_force_si[k] * 1e-3

@@ -2,7 +2,7 @@
 one bounce.
 
 Run:     python examples/07_balls.py [FOLDER]        (default: out/)
-Expect:  a table of restitution, contact time, greatest force and pressure at 0.01 to 10 m/s;
+Expect:  a table of restitution, contact time, maximum force and pressure at 0.01 to 10 m/s;
          balls.csv and balls.png with 1 − ε² against speed, and the stress inside a rubber ball.
          Eight seconds.
 

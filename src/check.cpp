@@ -34,7 +34,7 @@ void require(std::string_view name, long value, long low, long high, std::string
 void require_poisson(double poisson) {
   constexpr Range allowed{bodies::disk::min_poisson, bodies::disk::max_poisson, true, true, "-0.95 to 0.995"};
   require("poisson", poisson, allowed,
-          "2-D Poisson number, plane stress; for plane strain pass nu/(1-nu) of the material");
+          "2-D Poisson's ratio, plane stress; for plane strain pass nu/(1-nu) of the material");
 }
 
 void require_speed(double speed) {

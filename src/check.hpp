@@ -19,7 +19,7 @@ void require(std::string_view name, double value, const Range& range, std::strin
 /// Throws InvalidInput unless low <= value <= high.
 void require(std::string_view name, long value, long low, long high, std::string_view hint);
 
-/// Throws InvalidInput unless `poisson` is a 2-D Poisson number for which the modes are tested, −0.95 … 0.995.
+/// Throws InvalidInput unless `poisson` is a 2-D Poisson's ratio for which the modes are tested, −0.95 … 0.995.
 void require_poisson(double poisson);
 
 /// Throws InvalidInput unless `speed` is one that an impact can have, 1e-8 … 1 c.

@@ -16,7 +16,7 @@ void validate(const Material& material) {
   require("young", material.young, positive, "Young's modulus in Pa; steel has 2.1e11");
   require("density", material.density, positive, "in kg/m^3; steel has 7850");
   require("poisson", material.poisson, {-1.0, 0.5, false, false, "above -1 and below 0.5"},
-          "Poisson number of the material; steel has 0.3");
+          "Poisson's ratio of the material; steel has 0.3");
   constexpr double any = 1.0;
   require("yield_strength", material.yield_strength.value_or(any), positive, "in Pa; steel has 2e8 to 2e9");
 }

@@ -20,7 +20,7 @@ The program ends with exit code 1 if one of the three fails at a tolerance, on o
 
 ## The references
 
-`validate/reference.csv`: 90 points, ten Poisson numbers from −0.9 to 0.98, nine speeds each, all
+`validate/reference.csv`: 90 points, ten Poisson's ratios from −0.9 to 0.98, nine speeds each, all
 speeds different and evenly from 10⁻⁶ c to 0.5 c on the logarithmic scale. At each point three
 impacts with cutoffs 200, 283 and 400 (`restitution` typically ends at the cutoffs in the table of
 times), whose step and node spacing differ by other ratios than the cutoff. The reference is the
@@ -33,13 +33,13 @@ quasi-random sequence over −0.93 < ν < 0.99 and 10⁻⁶ < v < 0.5. No consta
 how they fared was seen while the constants of the other quantities and of fast impacts were chosen
 from other points. Once all constants stood, 64 others of the same range were drawn and judged once,
 by single impacts at the cutoff 320: 100, 100 and 98 % lay within the error at 10⁻², 10⁻³ and 10⁻⁴,
-the greatest at 1.7 times. `stoss_validate --make-unseen-reference FILE` makes the file anew.
+the maximum at 1.7 times. `stoss_validate --make-unseen-reference FILE` makes the file anew.
 
 `tests/data/restitution_hard_wall.csv`: 15 points from cutoffs up to 100 and a coarser scheme in
 time, with uncertainties of 2·10⁻⁵ and more.
 
 `validate/reference_pairs.csv`: 48 pairs of unequal disks, spread by a quasi-random sequence:
-Poisson numbers from −0.6 to 0.9, radii within a factor of 4, moduli and densities within 2,
+Poisson's ratios from −0.6 to 0.9, radii within a factor of 4, moduli and densities within 2,
 relative speeds from 10⁻⁵ c to 0.4 c. Three impacts as above, with cutoffs 100, 141 and 200 over the
 time scale of the pair. `stoss_validate --make-pair-reference FILE` makes the file anew.
 
@@ -49,8 +49,8 @@ and 10⁻⁶ < v < 0.5. Three impacts as above, with cutoffs 80, 113 and 160. Th
 `stoss_validate --make-sphere-reference FILE` makes the file anew.
 
 `validate/reference_half_spaces.csv`: 48 impacts of spheres on half-spaces and, every fourth, of
-disks on half-planes, every fifth with a rigid body, spread by a quasi-random sequence: Poisson
-numbers from −0.4 to 0.48, modulus and density of the half-space from 0.01 to 100 and from 0.1 to
+disks on half-planes, every fifth with a rigid body, spread by a quasi-random sequence: Poisson's
+ratios from −0.4 to 0.48, modulus and density of the half-space from 0.01 to 100 and from 0.1 to
 10, speeds from 10⁻⁶ to 0.5 in c of the body or of the half-space, whichever is less. Three impacts
 as above, with cutoffs 12, 17 and 24 over the time scale of the contact, and half-spaces for
 contacts a fifth longer than those of `restitution`.
@@ -58,13 +58,13 @@ contacts a fifth longer than those of `restitution`.
 
 `validate/reference_lossy.csv`: 48 impacts of lossy spheres and disks, every third one at another
 lossy body with a loss time of its own, spread by a quasi-random sequence: loss times from 10⁻⁴ to
-100 R/c, speeds from 10⁻⁸ c to 0.3 c, Poisson numbers from −0.4 to 0.48, radii within a factor of 3.
+100 R/c, speeds from 10⁻⁸ c to 0.3 c, Poisson's ratios from −0.4 to 0.48, radii within a factor of 3.
 Three impacts as above, with cutoffs 80, 113 and 160, from 128 nodes to 2.4 times those of
 `restitution`. Judged with `absolute` = 0. `stoss_validate --make-lossy-reference FILE` makes the
 file anew.
 
 `validate/reference_vibrating.csv`: 112 impacts of disks and spheres that vibrate, in turn at the
-wall and in pairs, spread by a quasi-random sequence: Poisson numbers from −0.5 to 0.9 and from 0 to
+wall and in pairs, spread by a quasi-random sequence: Poisson's ratios from −0.5 to 0.9 and from 0 to
 0.45, speeds from 10⁻³ c to 0.3 c, radii and moduli within a factor of 2; temperatures from 10⁻³ to
 1, up to frequencies from 4 to 20 c/R: together the modes have 0.01 to 400 times the energy of the
 translation. Each is one sample of its ensemble. Three impacts as above, with cutoffs 80, 113 and

@@ -21,7 +21,7 @@ struct Makers {
 };
 Makers makers_of(const Point& point);
 
-/// What meets at each of the points; disks of one Poisson number at the wall share their modes.
+/// What meets at each of the points; disks of one Poisson's ratio at the wall share their modes.
 using Contacts = std::vector<stoss::RefinableContact>;
 Contacts make_contacts(const std::vector<Point>& points);
 

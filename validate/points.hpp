@@ -21,7 +21,7 @@ enum Quantity : std::size_t {
   quantities
 };
 inline constexpr std::array<const char*, quantities> quantity_names{
-    "1−ε²", "ε", "contact time", "time of the impulse", "greatest force", "greatest compression"};
+    "1−ε²", "ε", "contact time", "time of the impulse", "maximum force", "maximum compression"};
 
 template <typename T>
 using PerQuantity = std::array<T, quantities>;

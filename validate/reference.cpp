@@ -24,7 +24,7 @@ ReferencePoint point(double poisson, double speed) {
   return {place.str(), speed, [poisson](double cutoff) { return stoss::contact(stoss::disk(poisson, cutoff)); }};
 }
 
-/// Every Poisson number has nine speeds, a factor of 4.4 apart and shifted against those of the others: ninety speeds,
+/// Every Poisson's ratio has nine speeds, a factor of 4.4 apart and shifted against those of the others: ninety speeds,
 /// no two alike, evenly from 1e-6 to 0.5 on the logarithmic scale.
 std::vector<ReferencePoint> design() {
   constexpr int columns = poisson_numbers.size();

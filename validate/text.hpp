@@ -9,7 +9,7 @@ inline constexpr const char* verdict = R"(
 1 − ε² at each tolerance. Columns as below; *wall, unseen* are the points to which no constant was
 fitted.
 
-| tolerance | points | converged | within | greatest | error / true error | conditions 1 to 3 |
+| tolerance | points | converged | within | maximum | error / true error | conditions 1 to 3 |
 |---:|---|---:|---:|---:|---:|---|
 )";
 
@@ -17,8 +17,8 @@ inline constexpr const char* speed = R"(
 ## Convergence and time
 
 Processor time of one call over the whole range, −0.95 ≤ ν ≤ 0.995 and 10⁻⁸ ≤ v ≤ 1: 240 points, 40
-Poisson numbers with six speeds each, spread by a quasi-random sequence, speeds evenly on the
-logarithmic scale. A Poisson number's modes are made by the first of its points that needs them, and
+Poisson's ratios with six speeds each, spread by a quasi-random sequence, speeds evenly on the
+logarithmic scale. A Poisson's ratio's modes are made by the first of its points that needs them, and
 that time is not counted. *99 %*: 99 of 100 calls take no longer.
 
 | tolerance | converged | cutoff, median | ms, median | ms, 99 % | ms, longest | at ν | v | its cutoff |
@@ -28,19 +28,19 @@ that time is not counted. *99 %*: 99 of 100 calls take no longer.
 inline constexpr const char* tally = R"(
 ## Errors against true errors
 
-*Within*: share of the points at which |value − reference| ≤ error. *Greatest*: of
+*Within*: share of the points at which |value − reference| ≤ error. *Maximum*: of
 (value − reference) / error in size. *Error / true error*: the median over the points. *Blurred*:
 points whose reference has an uncertainty above a tenth of the error. Those are judged by the
-condition |value − reference| ≤ error + uncertainty (in *greatest* the uncertainty is taken off the
+condition |value − reference| ≤ error + uncertainty (in *maximum* the uncertainty is taken off the
 difference), and they have no part in the median, to which the references' own errors would add.
 *Strictly*: *within* without that allowance.
 
 The promise is that of 1 − ε², and with it of ε. The other quantities come along, and are held to 95
 % and the factor 3 too. The contact time is counted in steps; the time of the impulse, between 1 %
-and 99 % of it, is not. The greatest force may be that of a short peak when a wave returns, which
+and 99 % of it, is not. The maximum force may be that of a short peak when a wave returns, which
 impacts at low cutoffs lack and whose absence no difference between them betrays (ν = 0.98, v =
 0.085: 0.038 up to the cutoff 32, 0.043 from 91). That such a peak may exist makes the error of the
-greatest force 17 to 95 times the true one where there is none.
+maximum force 17 to 95 times the true one where there is none.
 
 The range is even in log v, so that few points are fast. Of another 120 with 0.1 < v < 0.6, 98, 92,
 92 and 91 % lie within the error at 10⁻², 10⁻³, 3·10⁻⁴ and 10⁻⁴, and one is off by 3.2 times its
@@ -49,42 +49,42 @@ with 0.15 < v < 0.5, which had no part in that, 100, 95, 92 and 93 %, none beyon
 points can be worse: ν = 0, v = 0.39718 at 2·10⁻⁴ is off by four times its error
 ([numerics.md](numerics.md) §5).
 
-| tolerance | quantity | points | within | strictly | greatest | error / true error | blurred |
+| tolerance | quantity | points | within | strictly | maximum | error / true error | blurred |
 |---:|---|---:|---:|---:|---:|---:|---:|
 )";
 
 inline constexpr const char* unseen_tally = R"(
 The same for the points to which no constant was fitted:
 
-| tolerance | quantity | points | within | strictly | greatest | error / true error | blurred |
+| tolerance | quantity | points | within | strictly | maximum | error / true error | blurred |
 |---:|---|---:|---:|---:|---:|---:|---:|
 )";
 
 inline constexpr const char* pair_tally = R"(
 The same for pairs of unequal disks:
 
-| tolerance | quantity | points | within | strictly | greatest | error / true error | blurred |
+| tolerance | quantity | points | within | strictly | maximum | error / true error | blurred |
 |---:|---|---:|---:|---:|---:|---:|---:|
 )";
 
 inline constexpr const char* sphere_tally = R"(
 The same for spheres:
 
-| tolerance | quantity | points | within | strictly | greatest | error / true error | blurred |
+| tolerance | quantity | points | within | strictly | maximum | error / true error | blurred |
 |---:|---|---:|---:|---:|---:|---:|---:|
 )";
 
 inline constexpr const char* half_space_tally = R"(
 The same for spheres on half-spaces and disks on half-planes:
 
-| tolerance | quantity | points | within | strictly | greatest | error / true error | blurred |
+| tolerance | quantity | points | within | strictly | maximum | error / true error | blurred |
 |---:|---|---:|---:|---:|---:|---:|---:|
 )";
 
 inline constexpr const char* lossy_tally = R"(
 The same for lossy spheres and disks, at the wall and in pairs:
 
-| tolerance | quantity | points | within | strictly | greatest | error / true error | blurred |
+| tolerance | quantity | points | within | strictly | maximum | error / true error | blurred |
 |---:|---|---:|---:|---:|---:|---:|---:|
 )";
 
@@ -92,7 +92,7 @@ inline constexpr const char* vibrating_tally = R"(
 The same for vibrating disks and spheres, at the wall and in pairs. Their contact time jumps where a
 first or a last grazing contact is made or not:
 
-| tolerance | quantity | points | within | strictly | greatest | error / true error | blurred |
+| tolerance | quantity | points | within | strictly | maximum | error / true error | blurred |
 |---:|---|---:|---:|---:|---:|---:|---:|
 )";
 

@@ -15,7 +15,7 @@ struct Time {
 
 using Times = std::vector<Time>;
 
-/// Times at each of the tolerances over the whole range of Poisson numbers and speeds.
+/// Times at each of the tolerances over the whole range of Poisson's ratios and speeds.
 std::vector<Times> measure_times(const std::vector<double>& tolerances);
 
 }  // namespace validate

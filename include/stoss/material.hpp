@@ -15,7 +15,7 @@ struct Material {
 /// Kind of body behind a disk: a thin plate (plane stress) or a slice of a long cylinder (plane strain).
 enum class Plane { stress, strain };
 
-/// The 2-D Poisson number that the core computes with: ν for plane stress, ν/(1−ν) for plane strain (paper eq. (2)).
+/// The 2-D Poisson's ratio that the core computes with: ν for plane stress, ν/(1−ν) for plane strain (paper eq. (2)).
 /// @throws InvalidInput unless the material's constants are positive and ν in range
 [[nodiscard]] double plane_poisson(const Material& material, Plane plane);
 

@@ -41,7 +41,7 @@ typedef struct stoss_body stoss_body;
 
 /**
  * Makes a disk. Its constants are those of two dimensions: in plane stress those of the solid.
- * @param poisson   2-D Poisson number, -0.95 to 0.995
+ * @param poisson   2-D Poisson's ratio, -0.95 to 0.995
  * @param loss_time eta of stress = (1 + eta d/dt) elastic stress, in the unit of time of the others; 0: lossless
  */
 int stoss_disk_make(double poisson, double radius, double young, double density, double loss_time, stoss_body** body);
@@ -133,7 +133,7 @@ typedef struct stoss_function stoss_function;
  * Makes eps(v) with an error of at most `error`, interpolation included.
  * @param slowest 1e-8 to 1 c
  * @param fastest above it, to 1 c
- * @param error   greatest error of eps at any speed, 1e-7 to 0.1
+ * @param error   maximum error of eps at any speed, 1e-7 to 0.1
  * @param beyond  STOSS_BEYOND_ERROR, STOSS_BEYOND_CLAMP or, of a disk or sphere at a wall, two equal ones, and
  *                a sphere on a half-space, STOSS_BEYOND_LAW
  * @param control or NULL
@@ -150,7 +150,7 @@ int stoss_function_make(const stoss_contact* contact, double slowest, double fas
 int stoss_function_evaluate(const stoss_function* function, const double* speeds, size_t count, double* values,
                             double* errors);
 
-/** Range of the function, and its greatest error within. Each output may be NULL. */
+/** Range of the function, and its maximum error within. Each output may be NULL. */
 int stoss_function_range(const stoss_function* function, double* slowest, double* fastest, double* greatest_error);
 
 /** Frees a function; NULL is none. */

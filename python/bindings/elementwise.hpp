@@ -36,7 +36,7 @@ auto over(const Function& function, const Doubles& first, const Arrays&... other
 template <typename Law>
 Law to_law(const std::string& name);
 
-/// A function of law, Poisson number and another number, over arrays of both.
+/// A function of law, Poisson's ratio and another number, over arrays of both.
 template <typename Law>
 auto over_law(double (*function)(Law, double, double)) {
   return [function](const std::string& law, const Doubles& poisson, const Doubles& argument) {
@@ -46,7 +46,7 @@ auto over_law(double (*function)(Law, double, double)) {
   };
 }
 
-/// The same of law and Poisson number alone.
+/// The same of law and Poisson's ratio alone.
 template <typename Law>
 auto over_law(double (*function)(Law, double)) {
   return [function](const std::string& law, const Doubles& poisson) {

@@ -69,7 +69,7 @@ def atlas(
     against : optional
         As of `stoss.restitution`.
     poisson : float
-        In place of `body`: 2-D Poisson number of a disk.
+        In place of `body`: 2-D Poisson's ratio of a disk.
 
     Returns
     -------

@@ -17,7 +17,7 @@ from stoss._sphere import Sphere as Sphere
 
 @dataclasses.dataclass(frozen=True, init=False, repr=False)
 class Disk:
-    """An elastic disk: its 2-D Poisson number, and its size and material beside other bodies.
+    """An elastic disk: its 2-D Poisson's ratio, and its size and material beside other bodies.
 
     Without a material all sizes are ratios in any consistent units; at a rigid wall only `poisson`
     counts. With a material, the radius and all speeds are in SI. Modes are computed when they are
@@ -26,7 +26,7 @@ class Disk:
     Parameters
     ----------
     poisson : float
-        2-D Poisson number ν, −0.95 to 0.995.
+        2-D Poisson's ratio ν, −0.95 to 0.995.
     radius : float
         Radius R; 1, or with a material to be given in m.
     young, density : float, optional
@@ -76,7 +76,7 @@ class Disk:
         made: dict[str, float] = {"young": 1.0, "density": 1.0}
         if material is None:
             if plane is not None:
-                raise refusal("plane", plane, "none without a material (`poisson` is the 2-D Poisson number)")
+                raise refusal("plane", plane, "none without a material (`poisson` is the 2-D Poisson's ratio)")
         else:
             size_in_si = size("radius", radius, material)
             plane = "stress" if plane is None else plane

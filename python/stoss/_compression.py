@@ -24,7 +24,7 @@ def compression(
     force : array_like
         F, 0 to `limit_force`, mc²/R; broadcasts with `poisson`.
     poisson : array_like
-        In place of `body`: 2-D Poisson number of disks, −0.95 to 0.995.
+        In place of `body`: 2-D Poisson's ratio of disks, −0.95 to 0.995.
     law : {'center', 'diameter', 'printed', 'hertz'}, optional
         See `stoss.quasistatic`.
 

@@ -19,7 +19,7 @@ class Extrapolation(Result):
     Attributes
     ----------
     poisson, speed : float
-        2-D Poisson number; speed of the centre of mass, c.
+        2-D Poisson's ratio; speed of the centre of mass, c.
     restitution, restitution_error, lost_fraction, lost_fraction_error : float
         ε and 1 − ε² for α → ∞ and N → ∞.
     hard_wall : ndarray
@@ -71,7 +71,7 @@ def extrapolated_restitution(
     Parameters
     ----------
     poisson : float
-        2-D Poisson number, −0.95 to 0.995.
+        2-D Poisson's ratio, −0.95 to 0.995.
     speed : float
         Of the centre of mass, 1e-3 to 0.5, c.
     cutoffs : array_like, optional

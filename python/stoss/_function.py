@@ -44,9 +44,9 @@ def restitution_function(
     against : HardWall, 'same', Disk, Sphere, Rod, HalfSpace or HalfPlane, optional
         What the body meets, as of `restitution`.
     poisson : float, optional
-        In place of `body`: 2-D Poisson number of a disk.
+        In place of `body`: 2-D Poisson's ratio of a disk.
     error : float, optional
-        Greatest error of ε, interpolation included, 1e-7 to 0.1.
+        Maximum error of ε, interpolation included, 1e-7 to 0.1.
     beyond : {'error', 'clamp', 'law'}, optional
         What the function does beyond the range: refuse; give the value at the nearer end, with an
         infinite error; below it, follow the law of slow impacts with its error, and refuse above.

@@ -165,7 +165,7 @@ class RestitutionFunction(Result):
         path : str or path
             Where to; an existing file is replaced.
         error : float, optional
-            Greatest error of ε, linear interpolation included, 1.01 of `greatest_error` or more; by
+            Maximum error of ε, linear interpolation included, 1.01 of `greatest_error` or more; by
             default twice that.
 
         Raises

@@ -43,7 +43,7 @@ class Grid:
         ``'sphere'`` or ``'rod'`` and the arguments of that class; where an argument is a list or a
         series as ``'lin:0:0.4:5'``, it stands for a body of each number.
     against : 'wall', 'same', HardWall, a body, HalfSpace or HalfPlane, mapping, or a sequence, optional
-        What they meet. A mapping that names no Poisson number takes that of the first body.
+        What they meet. A mapping that names no Poisson's ratio takes that of the first body.
     speed : array_like
         Of approach, c of the first body (with materials: m/s); or a series as
         ``'log:1e-4:0.1:30'``.

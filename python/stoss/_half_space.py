@@ -14,7 +14,7 @@ Kind = TypeVar("Kind", bound="_Unbounded")
 
 
 class _Unbounded:
-    """What a half-space and a half-plane have in common: no size, and a Poisson number that may be
+    """What a half-space and a half-plane have in common: no size, and a Poisson's ratio that may be
     the first's."""
 
     poisson: float | None
@@ -37,7 +37,7 @@ class _Unbounded:
         made_one._maker()  # refuses what is out of range
 
     def _beside(self: Kind, poisson: float) -> Kind:
-        """The same, with the Poisson number of the first body where it has none."""
+        """The same, with the Poisson's ratio of the first body where it has none."""
         if self.poisson is not None:
             return self
         of_its_kind: Any = type(self)
@@ -56,7 +56,7 @@ class HalfSpace(_Unbounded):
     Parameters
     ----------
     poisson : float, optional
-        Poisson number ν, −0.95 to 0.4999; default: that of the sphere.
+        Poisson's ratio ν, −0.95 to 0.4999; default: that of the sphere.
     young, density : float, optional
         Young's modulus E and density ρ, 1e-3 to 1e6 of those of the sphere; default 1.
     loss_time : float, optional
@@ -113,7 +113,7 @@ class HalfPlane(_Unbounded):
     Parameters
     ----------
     poisson : float, optional
-        2-D Poisson number ν, −0.95 to 0.995; default: that of the disk.
+        2-D Poisson's ratio ν, −0.95 to 0.995; default: that of the disk.
     young, density : float, optional
         2-D Young's modulus E and density ρ, 1e-3 to 1e6 of those of the disk; default 1.
     loss_time : float, optional
@@ -149,7 +149,7 @@ class HalfPlane(_Unbounded):
         made: dict[str, float] = {}
         if material is None:
             if plane is not None:
-                raise refusal("plane", plane, "none without a material (`poisson` is the 2-D Poisson number)")
+                raise refusal("plane", plane, "none without a material (`poisson` is the 2-D Poisson's ratio)")
         else:
             made = _checked(material)._in_plane("stress" if plane is None else plane)
             plane = "stress" if plane is None else plane

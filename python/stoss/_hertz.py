@@ -43,7 +43,7 @@ class AxisymmetricStress(NamedTuple):
 
 
 class GreatestShear(NamedTuple):
-    """Where under the middle of a contact the shear stress is greatest, and how great.
+    """Where under the middle of a contact the shear stress is largest, and how large.
 
     Attributes
     ----------
@@ -168,7 +168,7 @@ def hertz_stress(
 
 
 def greatest_shear(body: Sphere, *, force: ArrayLike) -> GreatestShear:
-    """The greatest shear stress ½(σ_rr − σ_zz) on the axis below Hertz' contact of a sphere with a wall.
+    """The maximum shear stress ½(σ_rr − σ_zz) on the axis below Hertz' contact of a sphere with a wall.
 
     At ν = 0.3 it is 0.310 p₀ at the depth 0.481 a: where the sphere begins to yield.
 

@@ -46,11 +46,11 @@ class Impact(ImpactViews):
     contacts : int
         Separate periods of contact.
     max_force : float
-        Greatest mean over one step of the force, mc²/R: πRE of a disk, (4π/3)R²E of a sphere.
+        Maximum mean over one step of the force, mc²/R: πRE of a disk, (4π/3)R²E of a sphere.
     max_compression : float
         In R.
     max_half_width : float
-        Greatest half-width of the contact, R; of spheres its radius.
+        Maximum half-width of the contact, R; of spheres its radius.
     cutoff : float
         Modes up to this frequency are kept, c/R.
     modes, steps : int
@@ -118,7 +118,7 @@ class Impact(ImpactViews):
 
     @property
     def max_half_width_si(self) -> Number:
-        """Greatest half-width of the contact, m."""
+        """Maximum half-width of the contact, m."""
         return self._in_si("max_half_width")
 
     def __repr__(self) -> str:

@@ -22,7 +22,7 @@ def choose_law(body: Any, law: Any) -> str:
 
 
 def poissons_of(body: Any, poisson: Any) -> NDArray[np.float64]:
-    """The Poisson number of a disk or a sphere, or those that were given of disks."""
+    """The Poisson's ratio of a disk or a sphere, or those that were given of disks."""
     if body is None and poisson is not None:
         return numbers("poisson", poisson)
     found: Disk | Sphere = instance("body", choose_body(body, poisson), (Disk, Sphere))
@@ -37,7 +37,7 @@ def by_law(
     law: Any,
     **given: Any,
 ) -> Number:
-    """One of two functions of the core of a law, a Poisson number and what else is given, over arrays."""
+    """One of two functions of the core of a law, a Poisson's ratio and what else is given, over arrays."""
     nu = poissons_of(body, poisson)
     chosen = choose_law(body, law)
     arrays = broadcast(poisson=nu, **{name: numbers(name, value) for name, value in given.items()})

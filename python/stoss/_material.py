@@ -47,7 +47,7 @@ class Material:
     young : float
         Young's modulus E, Pa.
     poisson : float
-        Poisson number ν of the solid, −1 < ν < ½.
+        Poisson's ratio ν of the solid, −1 < ν < ½.
     density : float
         Density ρ, kg/m³.
     yield_strength : float, optional
@@ -111,7 +111,7 @@ class Material:
         return loss_time
 
     def _plane_poisson(self, plane: str) -> float:
-        """2-D Poisson number: ν, or ν/(1−ν) in plane strain."""
+        """2-D Poisson's ratio: ν, or ν/(1−ν) in plane strain."""
         return _core.plane_poisson(self.young, self.poisson, self.density, plane == "strain")
 
     def _in_plane(self, plane: Any) -> dict[str, float]:

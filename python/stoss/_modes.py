@@ -31,7 +31,7 @@ class Modes(RowResult):
     ----------
     body : Disk or Sphere
     poisson : float
-        Poisson number, of a disk the 2-D one.
+        Poisson's ratio, of a disk the 2-D one.
     cutoff : float
         Highest frequency, c/R.
     order : ndarray of int
@@ -141,7 +141,7 @@ def modes(body: Disk | Sphere | None = None, *, cutoff: float, poisson: float | 
     cutoff : float
         Highest frequency, c/R, up to 1000.
     poisson : float
-        In place of `body`: 2-D Poisson number ν, −0.95 to 0.995.
+        In place of `body`: 2-D Poisson's ratio ν, −0.95 to 0.995.
 
     Returns
     -------

@@ -133,14 +133,14 @@ def pair_table(
     speed : tuple of two float
         Slowest and fastest speed of approach, 1e-8 to 1, c (with a material: m/s).
     ratio : tuple of two float
-        Smallest and greatest radius of the second over that of the first, 1e-3 to 1e3; of spheres
+        Smallest and maximum radius of the second over that of the first, 1e-3 to 1e3; of spheres
         to some 50.
     against : 'same', Disk or Sphere, optional
         The second. Default: of the same material; a ratio and its inverse are then the same.
     poisson : float, optional
-        In place of `body`: 2-D Poisson number of disks.
+        In place of `body`: 2-D Poisson's ratio of disks.
     error : float, optional
-        Greatest error of ε, interpolation included, 1e-6 to 0.1.
+        Maximum error of ε, interpolation included, 1e-6 to 0.1.
     beyond : {'error', 'clamp'}, optional
         What the table does beyond the range: refuse, or give the value at the nearest edge, with an
         infinite error.
@@ -171,7 +171,7 @@ def pair_table(
     ranges = {"speed": numbers("speed", speed) / speed_unit(chosen), "ratio": numbers("ratio", ratio)}
     for name, ends in ranges.items():
         if ends.shape != (2,):
-            raise InvalidInput(f"{name}: got an array of shape {ends.shape}, allowed two numbers, least and greatest")
+            raise InvalidInput(f"{name}: got an array of shape {ends.shape}, allowed two numbers, least and maximum")
     outside = choice("beyond", beyond, ("error", "clamp"))
     limit, count = number("error", error), integer("threads", threads)
     with speeds_in_si(chosen):

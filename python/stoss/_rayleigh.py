@@ -58,7 +58,7 @@ def rayleigh(
         a material: m/s). Two equal bodies that each move at `speed` towards each other are the same
         problem.
     poisson : array_like
-        In place of `body`: 2-D Poisson number of disks, −0.95 to 0.995; broadcasts with `speed`.
+        In place of `body`: 2-D Poisson's ratio of disks, −0.95 to 0.995; broadcasts with `speed`.
     law : {'center', 'diameter', 'printed', 'hertz'}, optional
         Of compression, see `stoss.quasistatic`.
     cutoff : float, optional

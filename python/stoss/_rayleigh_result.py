@@ -67,7 +67,7 @@ class RayleighEstimate(EstimateOfABody):
     lost_fraction_error : float or ndarray
         By how much the full solution may differ from it, from `kinetic_share`.
     kinetic_share : float or ndarray
-        Greatest kinetic energy of the modes as they follow the force, as a share of ½mv²: the
+        Maximum kinetic energy of the modes as they follow the force, as a share of ½mv²: the
         theory's small number.
     beyond_perturbation : bool or ndarray
         Whether it is above 0.04: `lost_fraction` is then no estimate, but 1.8 to 19 times too
@@ -124,7 +124,7 @@ class PointRayleighEstimate(EstimateOfABody):
     mean_lost_fraction : float or ndarray
         The law of v → 0 averaged over the phases of the modes, c(ν) v.
     kinetic_share : float or ndarray
-        Greatest kinetic energy of the modes as they follow the force, as a share of ½mv²: the
+        Maximum kinetic energy of the modes as they follow the force, as a share of ½mv²: the
         theory's small number.
     beyond_perturbation : bool or ndarray
         Whether it is above 0.04: `lost_fraction` is then no estimate.
@@ -162,5 +162,5 @@ class PointRayleighEstimate(EstimateOfABody):
 
     @property
     def max_radius_si(self) -> Number:
-        """Greatest radius of the contact, m."""
+        """Maximum radius of the contact, m."""
         return self._in_si("max_radius")

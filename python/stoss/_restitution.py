@@ -53,7 +53,7 @@ def restitution(
         What the body meets: a rigid wall (default), its like, another of its kind, or, for a
         sphere, a half-space, for a disk a half-plane.
     poisson : array_like
-        In place of `body`: 2-D Poisson number of disks, −0.95 to 0.995; broadcasts with `speed`.
+        In place of `body`: 2-D Poisson's ratio of disks, −0.95 to 0.995; broadcasts with `speed`.
     tolerance : float, optional
         Relative error of 1 − ε², 1e-15 to 0.5.
     absolute : float, optional

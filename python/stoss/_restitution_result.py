@@ -38,9 +38,9 @@ class Restitution(InSiWithErrors):
     bodies : tuple
         All first bodies, each once.
     against : HardWall, Disk, Sphere, Rod, HalfSpace, HalfPlane or 'same'
-        What it meets; 'same' for several Poisson numbers, each meeting its like.
+        What it meets; 'same' for several Poisson's ratios, each meeting its like.
     poisson : float or ndarray
-        Poisson number, of a disk the 2-D one; NaN for a rod.
+        Poisson's ratio, of a disk the 2-D one; NaN for a rod.
     speed : float or ndarray
         Of approach of the centres of mass, or towards the wall, c.
     restitution, restitution_error : float or ndarray
@@ -211,7 +211,7 @@ class Restitution(InSiWithErrors):
         return table, tuple(f"axis_{k}" for k in range(len(shape)))
 
     def _inputs(self) -> dict[str, Any]:
-        # Several disks without sizes are told by their Poisson numbers.
+        # Several disks without sizes are told by their Poisson's ratios.
         plain = [isinstance(each, Disk) and each == Disk(poisson=each.poisson) for each in self.bodies]
         told = self.body is not None or all(plain)
         named: dict[str, Any] = {"body": self.body, "bodies": None if told else self.bodies, "against": self.against}

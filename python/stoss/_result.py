@@ -111,7 +111,7 @@ class Result(abc.ABC):
         """Return the columns of `to_csv` as a data set of xarray, with units as attributes.
 
         Its dimension is what the result runs along: speed, mode, time, …; of `restitution` with
-        Poisson numbers down and speeds across there are two.
+        Poisson's ratios down and speeds across there are two.
 
         Returns
         -------
@@ -227,7 +227,7 @@ def with_error(value: float, error: float | None = None) -> str:
 
 
 def span(values: Any) -> str:
-    """A number, or the least and the greatest of several."""
+    """A number, or the least and the maximum of several."""
     array = np.asarray(values)
     finite = array[np.isfinite(array)]
     if finite.size == 0:

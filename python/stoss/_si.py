@@ -58,12 +58,12 @@ class InSi(Result):
 
     @property
     def max_force_si(self) -> Number:
-        """Greatest force: of a disk per thickness, N/m; of a sphere or a rod, N."""
+        """Maximum force: of a disk per thickness, N/m; of a sphere or a rod, N."""
         return self._in_si("max_force")
 
     @property
     def max_compression_si(self) -> Number:
-        """Greatest compression, m."""
+        """Maximum compression, m."""
         return self._in_si("max_compression")
 
     @property
@@ -136,10 +136,10 @@ class InSiWithErrors(InSiOfAnImpact):
 
     @property
     def max_force_si_error(self) -> Number:
-        """Error of the greatest force, N/m or N."""
+        """Error of the maximum force, N/m or N."""
         return self._in_si("max_force_error")
 
     @property
     def max_compression_si_error(self) -> Number:
-        """Error of the greatest compression, m."""
+        """Error of the maximum compression, m."""
         return self._in_si("max_compression_error")

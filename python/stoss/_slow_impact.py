@@ -19,7 +19,7 @@ from stoss._slow_impact_result import PointSlowImpact, SlowImpact
 def slow_inputs(
     body: Any, speed: Any, poisson: Any, law: Any
 ) -> tuple[str, NDArray[np.float64], NDArray[np.float64]]:
-    """The law, and Poisson numbers and speeds in c of one shape."""
+    """The law, and Poisson's ratios and speeds in c of one shape."""
     poissons = poissons_of(body, poisson)
     chosen = choose_law(body, law)
     poissons, speeds = broadcast(3, poisson=poissons, speed=numbers("speed", speed) / speed_unit(body))
@@ -49,7 +49,7 @@ def slow_impact(
         a material: m/s). Two equal bodies that each move at `speed` towards each other are the same
         problem.
     poisson : array_like
-        In place of `body`: 2-D Poisson number of disks, −0.95 to 0.995; broadcasts with `speed`.
+        In place of `body`: 2-D Poisson's ratio of disks, −0.95 to 0.995; broadcasts with `speed`.
     law : {'center', 'diameter', 'printed', 'hertz'}, optional
         Of compression, see `stoss.quasistatic`.
 

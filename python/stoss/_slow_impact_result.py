@@ -48,7 +48,7 @@ class SlowImpact(SlowImpactOfABody):
     law : str
         Of compression.
     poisson : float or ndarray
-        2-D Poisson number.
+        2-D Poisson's ratio.
     speed : float or ndarray
         Of the centre of mass towards the wall, c.
     contact_time : float or ndarray
@@ -86,7 +86,7 @@ class PointSlowImpact(SlowImpactOfABody):
     law : str
         Of compression.
     poisson : float or ndarray
-        Poisson number.
+        Poisson's ratio.
     speed : float or ndarray
         Of the centre of mass towards the wall, c.
     contact_time : float or ndarray
@@ -96,7 +96,7 @@ class PointSlowImpact(SlowImpactOfABody):
     max_force : float or ndarray
         mc²/R = (4π/3)R²E.
     max_radius : float or ndarray
-        Greatest radius of the contact, R.
+        Maximum radius of the contact, R.
     body : Sphere
     material : Material or None
         Of the body. If there is one, `speed_si`, `contact_time_si`, `max_force_si`,
@@ -117,5 +117,5 @@ class PointSlowImpact(SlowImpactOfABody):
 
     @property
     def max_radius_si(self) -> Number:
-        """Greatest radius of the contact, m."""
+        """Maximum radius of the contact, m."""
         return self._in_si("max_radius")

@@ -20,7 +20,7 @@ class SoftStaticContact(Result):
     Attributes
     ----------
     poisson : float
-        2-D Poisson number.
+        2-D Poisson's ratio.
     compression : float
         δ beyond the plane where V₀e^{αx} = 1, R.
     cutoff : float
@@ -76,7 +76,7 @@ def soft_static_contact(
     Parameters
     ----------
     poisson : float
-        2-D Poisson number, −0.95 to 0.995.
+        2-D Poisson's ratio, −0.95 to 0.995.
     compression : float
         δ, −0.5 to 0.5, R.
     cutoff : float, optional

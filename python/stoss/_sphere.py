@@ -12,7 +12,7 @@ from stoss._material import Material, Scales
 
 @dataclasses.dataclass(frozen=True, init=False, repr=False)
 class Sphere:
-    """An elastic sphere: its Poisson number, and its size and material beside other bodies.
+    """An elastic sphere: its Poisson's ratio, and its size and material beside other bodies.
 
     Without a material all sizes are ratios in any consistent units; at a rigid wall only `poisson`
     counts. With a material, the radius and all speeds are in SI. Spheres meet walls and each other
@@ -22,7 +22,7 @@ class Sphere:
     Parameters
     ----------
     poisson : float
-        Poisson number ν, −0.95 to 0.4999.
+        Poisson's ratio ν, −0.95 to 0.4999.
     radius : float
         Radius R; 1, or with a material to be given in m.
     young, density : float, optional

@@ -24,7 +24,7 @@ class StaticContact(Result):
     ----------
     body : Disk or Sphere
     poisson : float
-        Poisson number, of a disk the 2-D one.
+        Poisson's ratio, of a disk the 2-D one.
     compression : float
         δ = R + x₀, R.
     force, force_error : float
@@ -97,7 +97,7 @@ def static_contact(
     compression : float
         δ, 1e-12 to 0.5, R (also with a material).
     poisson : float
-        In place of `body`: 2-D Poisson number of a disk, −0.95 to 0.995.
+        In place of `body`: 2-D Poisson's ratio of a disk, −0.95 to 0.995.
     nodes : int, optional
         On half of the contact, 16 to 1024; the force converges with their square. A sphere takes
         0.3 s with 160 for δ below 1e-3, 0.1 s with 80.

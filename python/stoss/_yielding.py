@@ -17,7 +17,7 @@ InSi = tuple[float, float, float, "float | None", float]
 def yield_speed(body: Sphere, *, against: Sphere | HalfSpace | None = None) -> float | None:
     """Speed of approach at which a sphere at a rigid wall, or the weaker of two bodies, begins to yield, m/s.
 
-    The greatest pressure p₀ of Hertz' contact is then 1.6 times the yield strength Y of the
+    The maximum pressure p₀ of Hertz' contact is then 1.6 times the yield strength Y of the
     material: v² = (16/15)(E*R³/m)(πp₀/2E*)⁵ (K. L. Johnson, Contact Mechanics, eqs. 11.31 to
     11.35). At a wall it does not depend on the radius.
 

@@ -5,7 +5,7 @@ Rayleigh's estimate gives the small loss to vibration. Forces are in mc²/R, whi
 and (4π/3)R²E of a sphere, lengths in R, stresses in E, speeds in c (with a material in m/s).
 
 ======================================================  ============================================
-`slow_impact`                                           contact time, greatest compression and force
+`slow_impact`                                           contact time, maximum compression and force
 `rayleigh`                                              lost fraction of a slow impact
 `compression`, `compression_force`,                     a law of compression, its inverse,
 `compression_energy`, `limit_force`, `limit_speed`      its energy, and where it ends

@@ -35,7 +35,7 @@ template <typename Round>
   return round.loss_time * (wave_speed(round) / round.radius);
 }
 
-/// Checks all but the Poisson number. @throws InvalidInput
+/// Checks all but the Poisson's ratio. @throws InvalidInput
 template <typename Round>
 void require_size_and_material(const std::string& kind, const Round& round) {
   constexpr Range positive{0.0, std::numeric_limits<double>::max(), false, true, "a positive finite number"};

@@ -79,7 +79,7 @@ double expected_half_width(const Contact& contact, double speed) {
     const double approach = std::pow(1.875 * energy * met.softness * std::sqrt(met.curvature), 0.4);
     return std::sqrt(approach / met.curvature);
   }
-  // Hertz in the plane, a² = 4F/π · (1/E₁ + 1/E₂)/(1/R₁ + 1/R₂), with a fit of the greatest force to the impacts of
+  // Hertz in the plane, a² = 4F/π · (1/E₁ + 1/E₂)/(1/R₁ + 1/R₂), with a fit of the maximum force to the impacts of
   // tests/data/contact_hard_wall.csv.
   const double logarithm = std::log1p(1.0 / own_speed(contact, speed));
   const double force =
@@ -91,7 +91,7 @@ double expected_duration(const Contact& contact, double speed) {
   const Touch met = touch(contact);
   const double width = expected_half_width(contact, speed);
   if (contact.first->contour == Contour::ball) return 2.943 * width * width * met.curvature / speed;
-  // The impulse 2μv over the greatest force, times the shape of the pulse.
+  // The impulse 2μv over the maximum force, times the shape of the pulse.
   const double force = 0.25 * width * width * met.curvature / met.softness;
   return 3.3 * speed * contact.whole_mass / whole_mass(*contact.first) / force;
 }

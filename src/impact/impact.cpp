@@ -34,7 +34,7 @@ double steps_to_leave(const Contact& contact, const Collision& collision, double
   return std::max(0.0, (now.center + contact.extent + collision.clearance()) / (-now.velocity * step));
 }
 
-/// Greatest of the root mean square velocities with which the bodies vibrate, each in its own wave speed: with all
+/// Maximum of the root mean square velocities with which the bodies vibrate, each in its own wave speed: with all
 /// energy of its modes kinetic, √(2E/m).
 double own_vibration_speed(const Contact& contact, const State& state) {
   const std::vector<double> energies = mode_energies(contact, state);

@@ -5,7 +5,7 @@
 
 namespace stoss {
 
-/// Greatest value of a smooth quantity that is sampled at equal times: the top of the parabola through the greatest
+/// Maximum value of a smooth quantity that is sampled at equal times: the top of the parabola through the maximum
 /// sample and its neighbours.
 class Peak {
  public:

@@ -22,7 +22,7 @@ void require_modes(const Contact& contact, const State& state) {
   }
 }
 
-/// Greatest displacement of any contact point by the modes, each at its best phase.
+/// Maximum displacement of any contact point by the modes, each at its best phase.
 double reach(const Contact& contact, const State& state) {
   constexpr int points = 32;
   const double half_width = has_single_point(contact) ? 0.0 : initial_half_width(contact, std::abs(state.velocity));

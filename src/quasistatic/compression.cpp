@@ -1,4 +1,4 @@
-// δ(F) is greatest at F* = s e^{−1−b}, where δ = F*. Written with F*, all three laws are one:
+// δ(F) has its maximum at F* = s e^{−1−b}, where δ = F*. Written with F*, all three laws are one:
 //
 //   δ = F u,   U = F² (½u − ¼),   u = 1 + ln(F*/F) ≥ 1.
 #include "stoss/quasistatic/compression.hpp"

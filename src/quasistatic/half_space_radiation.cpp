@@ -24,7 +24,7 @@ constexpr double max_share = 0.1;  // of the loss that its error may be
 void check(const BallOnHalfSpace& bodies) {
   if (!bodies.rigid) bodies::sphere::require_poisson(bodies.poisson);
   require("half_space_poisson", bodies.half_space_poisson, {-0.95, 0.4999, true, true, "-0.95 to 0.4999"},
-          "Poisson number of the half-space");
+          "Poisson's ratio of the half-space");
   require("young", bodies.young, {1e-3, 1e6, true, true, "0.001 to 1e6"}, "of the half-space over that of the ball");
   require("density", bodies.density, {1e-3, 1e3, true, true, "0.001 to 1000"},
           "of the half-space over that of the ball");

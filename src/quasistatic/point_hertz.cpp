@@ -104,7 +104,7 @@ GreatestShear greatest_shear(const PointHertz& contact, double poisson) {
     const AxisymmetricStress stress = point_hertz_stress(contact, poisson, z * contact.radius, 0.0);
     return 0.5 * (stress.axial - stress.radial);
   };
-  constexpr double deepest = 2.0;  // the shear falls beyond 0.7 a for every Poisson number
+  constexpr double deepest = 2.0;  // the shear falls beyond 0.7 a for every Poisson's ratio
   constexpr int bits = 26;         // of the depth, and twice as many of the stress
   const auto [depth, shear] = boost::math::tools::brent_find_minima(negative, 0.0, deepest, bits);
   return {.depth = depth * contact.radius, .shear = -shear};

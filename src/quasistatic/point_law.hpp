@@ -12,12 +12,12 @@ namespace stoss::quasistatic {
 /// to Hertz depends on the pressure on it, and so on F and a alone. Forces are in mc²/R, energies in mc².
 class RadiusLaw {
  public:
-  /// @throws InvalidInput for a Poisson number out of range
+  /// @throws InvalidInput for a Poisson's ratio out of range
   RadiusLaw(PointLaw law, double poisson);
   /// The same at a half-space. @param softness S = 1/E* of both
   RadiusLaw(PointLaw law, double poisson, double softness);
 
-  [[nodiscard]] double limit() const { return limit_; }  ///< greatest a for which the law has a meaning
+  [[nodiscard]] double limit() const { return limit_; }  ///< maximum a for which the law has a meaning
   [[nodiscard]] double force(double a) const { return scale_ * a * a * a; }
   [[nodiscard]] double radius(double force) const;
   [[nodiscard]] double compression(double a) const;

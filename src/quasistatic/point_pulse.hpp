@@ -30,7 +30,7 @@ class PointPulse {
   /// From first to last contact, R/c.
   [[nodiscard]] double contact_time() const;
 
-  /// Greatest |dF/dt| / v.
+  /// Maximum |dF/dt| / v.
   [[nodiscard]] double max_force_rate() const;
 
   /// ∫F² dt over the whole pulse, and ∫(dF/dt)² dt, both to 1e-13; F in mc²/R.

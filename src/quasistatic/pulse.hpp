@@ -28,7 +28,7 @@ class ForcePulse {
   /// From first to last contact, R/c.
   [[nodiscard]] double contact_time() const;
 
-  /// Greatest |dF/dt| / v.
+  /// Maximum |dF/dt| / v.
   [[nodiscard]] double max_force_rate() const;
 
   /// ∫F² dt / v² over the whole pulse, to 1e-13.

@@ -14,12 +14,12 @@ constexpr double unknown = std::numeric_limits<double>::infinity();
 /// How the error of a quantity other than 1 − ε² follows from the differences of runs.
 struct Bar {
   double order;   ///< at which it falls with the cutoff, at most
-  double safety;  ///< by which the greatest difference is multiplied
+  double safety;  ///< by which the maximum difference is multiplied
 };
 constexpr Bar rough{1.5, 4.0};   // an instant, and the peak of a force that jumps about
 constexpr Bar smooth{2.0, 6.0};  // what is integrated twice, or between two parts of the impulse
 
-/// Greatest difference of a quantity from the coarser runs, each scaled to what is left of it.
+/// Maximum difference of a quantity from the coarser runs, each scaled to what is left of it.
 template <typename Quantity>
 double spread(const std::vector<Run>& runs, double order, Quantity quantity) {
   const Run& last = runs.back();

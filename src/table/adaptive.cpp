@@ -27,7 +27,7 @@ void require_options(double slowest, double fastest, const FunctionOptions& opti
     throw InvalidInput("range: got " + shown(slowest) + " to " + shown(fastest) +
                        ", allowed a slowest speed below the fastest");
   }
-  require("error", options.error, {1e-7, 0.1, true, true, "1e-7 to 0.1"}, "greatest error of the restitution");
+  require("error", options.error, {1e-7, 0.1, true, true, "1e-7 to 0.1"}, "maximum error of the restitution");
   require("most_speeds", static_cast<long>(options.most_speeds), 16, 100'000, "at which it is computed");
   require("threads", static_cast<long>(options.threads), 0, 1024, "0 for as many as the machine has");
 }

@@ -45,7 +45,7 @@ void require_options(double slowest, double fastest, const PairTableOptions& opt
   require_speed(slowest);
   require_speed(fastest);
   require_rising("speed", slowest, fastest);
-  require("error", options.error, {1e-6, 0.1, true, true, "1e-6 to 0.1"}, "greatest error of the restitution");
+  require("error", options.error, {1e-6, 0.1, true, true, "1e-6 to 0.1"}, "maximum error of the restitution");
   require("most_values", static_cast<long>(options.most_values), 100, 10'000'000, "that are computed");
   require("threads", static_cast<long>(options.threads), 0, 1024, "0 for as many as the machine has");
   require_beyond(options.beyond);
@@ -121,7 +121,7 @@ class Grid {
  private:
   using Lists = std::vector<std::vector<double>>;
 
-  /// Greatest distance in each interval over all lines along an axis.
+  /// Maximum distance in each interval over all lines along an axis.
   [[nodiscard]] static std::vector<double> missed(const NestedAxis& axis, const Lists& lines) {
     std::vector<double> greatest(axis.size() - 1);
     for (const std::vector<double>& line : lines) {

@@ -89,7 +89,7 @@ std::string two_column(const RestitutionFunction& function, double error, double
   const double allowed = least * function.greatest_error();
   if (!(error >= allowed) || !std::isfinite(error)) {
     throw InvalidInput("error: got " + shown(error) + ", allowed " + shown(allowed) +
-                       " or more (1.01 of the greatest error of the function)");
+                       " or more (1.01 of the maximum error of the function)");
   }
   const Chords chords(function, error);
   const auto row = [](double speed, double value) { return shown(speed) + " " + shown(value) + "\n"; };

@@ -1,4 +1,4 @@
-// ε(v) for several Poisson numbers, with what explains it: the contact time against the period of the quadrupole mode
+// ε(v) for several Poisson's ratios, with what explains it: the contact time against the period of the quadrupole mode
 // (2,0), that mode's share of the loss, and the quasi-static estimate. Writes one CSV file.
 #include <fmt/format.h>
 #include <fmt/os.h>
@@ -80,7 +80,7 @@ int main(int argc, char** argv) {
         "contact_time_error,max_force[piRE],max_compression[R],contact_time_over_quadrupole_period,"
         "quadrupole_share_of_loss,quasistatic_contact_time[R/c],quasistatic_lost_fraction,converged\n");
     for (const double poisson : {0.0, 0.2, 0.33, 0.5, 0.9}) write_curve(out, poisson, series(1e-6, 0.5, 115));
-    // Further down, for one Poisson number.
+    // Further down, for one Poisson's ratio.
     std::vector<double> slower = series(1e-8, 1e-6, 41);
     slower.pop_back();
     write_curve(out, 0.33, slower);

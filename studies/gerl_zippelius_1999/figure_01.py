@@ -38,7 +38,7 @@ CAPTION = (
 )
 
 ALT = (
-    "Two falling curves of restitution against speed with points on them, from 0.98 to 0.84 for Poisson number 0.33 "
+    "Two falling curves of restitution against speed with points on them, from 0.98 to 0.84 for Poisson's ratio 0.33 "
     "and from 0.99 to 0.75 for 0.9. A star at 0.65 lies far below the second. The first rises at the slow end before "
     "it falls."
 )

@@ -9,7 +9,7 @@ The protocol of the paper is the exponential wall with αR = 500 and the 940 low
 the two extrapolations. Contact and compression at that wall are those of figures 10 and 11: contact
 while the force is above 1 % of its maximum (for comparison also at the hard wall), compression from
 the plane where the wall's pressure is 0.1 E. The force of so few modes swings with a period near
-0.1 R/c, and its maximum is a spike; so the greatest mean over 0.2 R/c is given beside it.
+0.1 R/c, and its maximum is a spike; so the maximum mean over 0.2 R/c is given beside it.
 """
 
 from __future__ import annotations
@@ -108,7 +108,7 @@ def compute(quick: bool) -> Tables:
 
 
 def _mean_force(path: stoss.Trajectory) -> float:
-    """The greatest mean of the force over a window of time."""
+    """The maximum mean of the force over a window of time."""
     time = np.linspace(path.time[0], path.time[-1], 20001)
     impulse = np.append(0.0, np.cumsum(np.interp(0.5 * (time[1:] + time[:-1]), path.time, path.force)))
     impulse *= time[1] - time[0]
@@ -191,9 +191,9 @@ def numbers(tables: Tables) -> list[Row]:
     wall = f"protocol: αR = {HARDNESS:g}, {MODES} modes"
     named = {
         "pressed_time": f"time in R/c while the force is above {100 * SHARE:g} % of its maximum; {wall}",
-        "max_compression": f"greatest compression in R; {wall}, from the plane where the pressure is {PRESSURE:g} E",
-        "max_force": f"greatest force in πRE; {wall} (a spike of the truncated modes)",
-        "mean_force": f"greatest mean force over {WINDOW:g} R/c, in πRE; {wall}",
+        "max_compression": f"maximum compression in R; {wall}, from the plane where the pressure is {PRESSURE:g} E",
+        "max_force": f"maximum force in πRE; {wall} (a spike of the truncated modes)",
+        "mean_force": f"maximum mean force over {WINDOW:g} R/c, in πRE; {wall}",
         "quadrupole": f"share of the energy left in (2, 0); {wall}",
     }
     rows.append(("contact time in R/c", NONE, NONE, measured(*value["contact_time"][:2])))
@@ -203,7 +203,7 @@ def numbers(tables: Tables) -> list[Row]:
             rows.append((what, NONE, written(at_wall, 3), written(found, 3)))
         else:
             rows.append((what, NONE, written(at_wall), measured(found, error)))
-    what = "greatest change of the diameter across the path after the impact, in R"
+    what = "maximum change of the diameter across the path after the impact, in R"
     rows.append((what, "“clearly identified”", NONE, written(_left(tables), 2)))
     return rows
 

@@ -4,7 +4,7 @@ The paper's caption: "Logarithm of energy (arbitrary units) in modes with low (n
 approach. The spectrum is dominated by the quadrupolar mode (n = 2, l = 0)." The text, with Table 1:
 αR = 500, v = 0.1 c, 1600 modes (eqs. 40 and 43), chosen by their mean energy in a preliminary run.
 Speed and number of modes of the figure itself are not given; those of the table are taken. Closest
-approach is where the centre of mass turns, x₀ greatest; the energy of a mode is P²/2m + ½mω²Q²
+approach is where the centre of mass turns, x₀ largest; the energy of a mode is P²/2m + ½mω²Q²
 (eq. 34; erratum E1), as a share of the initial energy. The converged values are those of all modes,
 extrapolated in 1/ω_c, at the same wall.
 """

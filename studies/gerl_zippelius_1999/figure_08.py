@@ -182,7 +182,7 @@ def numbers(tables: Tables) -> list[Row]:
 
 
 def _rising(tables: Tables) -> dict[float, float]:
-    """Speeds at which more modes lose more, with the greatest rise over its error."""
+    """Speeds at which more modes lose more, with the maximum rise over its error."""
     points = {float(v): _of(tables["hard_wall"], v, "lowest") for v in tables["converged"]["speed[c]"]}
     errors = {v: each["lost_fraction_error"] for v, each in points.items()}
     rises = {v: np.diff(points[v]["lost_fraction"]) / np.hypot(errors[v][1:], errors[v][:-1]) for v in points}

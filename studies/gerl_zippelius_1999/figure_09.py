@@ -25,7 +25,7 @@ CAPTION = (
     "A disk with ν = 0.33 whose centre of mass is held at the distance R − δ from a hard wall, δ = 0.1 R, balanced by "
     "a uniform body force as in a slow impact. Left: its deformation in true size, the radius R in grey, the contact "
     "from −a to a, and the pressure (arrows). Right: the pressure on the contact for three compressions, against "
-    "Hertz’ semi-ellipse (line), in units of the half-width and the greatest pressure that Hertz gives for the same "
+    "Hertz’ semi-ellipse (line), in units of the half-width and the maximum pressure that Hertz gives for the same "
     "force."
 )
 ALT = "Left: a disk pressed against a wall, with arrows for the pressure. Right: pressures that follow a semi-ellipse."
@@ -156,7 +156,7 @@ def draw(tables: Tables) -> Figure:
 
 
 def numbers(tables: Tables) -> list[Row]:
-    """Half-width and greatest pressure against Hertz, force against the laws."""
+    """Half-width and maximum pressure against Hertz, force against the laws."""
     rows = []
     for delta, force, error, half, p, center, printed in zip(*tables["contacts"].values()):
         hertz_half, hertz_p = _hertz(force)
@@ -165,7 +165,7 @@ def numbers(tables: Tables) -> list[Row]:
         rows.append((what, NONE, written(printed, 4), measured(force, error)))
         what = f"half-width a in R {at}; protocol: a² = 4PR/πE for the converged force"
         rows.append((what, NONE, written(hertz_half, 4), written(half, 4)))
-        what = f"greatest pressure in E {at}; protocol: 2P/πa for the converged force"
+        what = f"maximum pressure in E {at}; protocol: 2P/πa for the converged force"
         rows.append((what, NONE, written(hertz_p, 4), written(p, 4)))
     return rows
 
@@ -177,7 +177,7 @@ def meaning(tables: Tables) -> str:
     law = table["force_center_law[piRE]"] / table["force[piRE]"] - 1.0
     printed = table["force_printed_law[piRE]"] / table["force[piRE]"] - 1.0
     return (
-        f"Locally the contact is that of Hertz: his greatest pressure is off by {100 * off[0]:.1f} % at δ = 0.01 R "
+        f"Locally the contact is that of Hertz: his maximum pressure is off by {100 * off[0]:.1f} % at δ = 0.01 R "
         "and by "
         f"{100 * off[-1]:.0f} % at 0.1 R. What Hertz cannot give in the plane is the compression, which depends on "
         f"the whole disk: the law of the centre of mass gives the force to {100 * law[0]:.1f} %, {100 * law[1]:.1f} % "

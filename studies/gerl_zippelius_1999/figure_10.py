@@ -6,7 +6,7 @@ exact static contact, law of the centre of mass (docs/theory/errata.md, E8), and
 
 At an exponential wall, δ = R + x₀ counts from the plane V₀e^{αx} = 1. A contact of the pressure p
 stands ln(α/p)/α before it (0.017 R for αR = 500 and p = 0.1 E), where the equivalent hard wall
-stands. The greatest pressure of a contact is ½a = √F, 0.04 E at δ = 0.01 R and 0.18 E at 0.1 R, so
+stands. The maximum pressure of a contact is ½a = √F, 0.04 E at δ = 0.01 R and 0.18 E at 0.1 R, so
 the plane of 0.1 E serves for all of the figure to 0.002 R. Both counts are shown, without a fit.
 """
 
@@ -69,7 +69,7 @@ def limits(cutoffs: tuple[float, float]) -> Table:
 
 
 def in_motion(cutoff: float, quick: bool) -> tuple[Table, Table]:
-    """The impacts in time, and what is greatest in them, converged."""
+    """The impacts in time, and their maxima, converged."""
     parts: list[Table] = []
     for speed in SPEEDS:
         for name, wall in ((SOFT, stoss.ExponentialWall(hardness=HARDNESS)), (HARD, stoss.HardWall())):
@@ -111,7 +111,7 @@ def force_on_path(tables: Tables, speed: float, wall: str, compression: float) -
 
 
 def arrow(axes: Axes, x: NDArray, y: NDArray, share: float, color: str) -> None:
-    """An arrowhead on a curve at a share of the greatest compression, negative after the turn."""
+    """An arrowhead on a curve at a share of the maximum compression, negative after the turn."""
     turn = int(np.argmax(x))
     part = slice(0, turn) if share > 0 else slice(turn, len(x))
     i = part.start + int(np.argmin(np.abs(x[part] - abs(share) * x[turn])))
@@ -209,7 +209,7 @@ def numbers(tables: Tables) -> list[Row]:
     greatest, tops = tables["greatest"], [float(path_of(tables, speed, SOFT)[1].max()) for speed in SPEEDS]
     forces = map(measured, greatest["force[piRE]"], greatest["force_error[piRE]"])
     for speed, top, force in zip(SPEEDS, tops, forces):
-        rows.append((f"greatest F at v = {speed:g} c, πRE", NONE, written(top), force))
+        rows.append((f"maximum F at v = {speed:g} c, πRE", NONE, written(top), force))
     said, still = "“considerably higher”", at_mark(tables, "exact", 0.03)
     for speed in SPEEDS:
         soft, hard = (np.array(force_on_path(tables, speed, wall, 0.03)) / still for wall in (SOFT, HARD))
@@ -218,7 +218,7 @@ def numbers(tables: Tables) -> list[Row]:
             rows.append((name, said, *(written(each, 3) for each in shares)))
         said = "“approach towards the quasistatic case”"
     protocol, converged = (top / greatest["static_force[piRE]"][0] for top in (tops[0], greatest["force[piRE]"][0]))
-    rows.append(("greatest F / F at rest at δ_max, v = 0.1 c", NONE, written(protocol, 3), written(converged, 3)))
+    rows.append(("maximum F / F at rest at δ_max, v = 0.1 c", NONE, written(protocol, 3), written(converged, 3)))
     return rows
 
 
@@ -234,6 +234,6 @@ def meaning(tables: Tables) -> str:
         "not come out with either origin: relaxation and printed law differ most there, as ratios; only the forces are "
         f"small. In an impact at 0.1 c the force at δ = 0.03 R on the way in is {way_in / exact:.1f} times that at "
         f"rest, and {slow / exact:.1f} times at 0.04 c, as the paper says, because the compression is still local. But "
-        "at the greatest compression the rest of the disk has followed, and the greatest force is only "
+        "at the maximum compression the rest of the disk has followed, and the maximum force is only "
         f"{top / still:.2f} times that at rest."
     )

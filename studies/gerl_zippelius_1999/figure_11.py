@@ -1,4 +1,4 @@
-"""Figure 11: contact time and greatest compression against the speed.
+"""Figure 11: contact time and maximum compression against the speed.
 
 The paper integrates m δ̈ = −F(δ) with the force of eq. (56), shows τ c/R and (δ_max/R)(c/v), and
 for τ also points of the full calculation; in the text δ_max ≃ v (R/c) √ln(4c/v) and τ ∝ (R/c)
@@ -31,9 +31,9 @@ from .common import BLACK, BLUE, GREEN, GREY, NONE, ORANGE, PAGE, PURPLE
 from .common import Row, Table, Tables, axes_of, legend, measured, power, written
 from .soft_impacts import HARDNESS, MODES, POISSON, SCALED, soft
 
-TITLE = "Figure 11: contact time and greatest compression against the speed"
+TITLE = "Figure 11: contact time and maximum compression against the speed"
 CAPTION = (
-    "(a) Contact time τ and (b) greatest compression δ_max, divided by the speed v, for ν = 0.33: quasi-static with "
+    "(a) Contact time τ and (b) maximum compression δ_max, divided by the speed v, for ν = 0.33: quasi-static with "
     "eq. (56), the paper’s law of force against compression, and with the law of the centre of mass, and the full "
     "solution at the hard wall (points, larger than their errors). Diamonds: full solution in the paper’s way with 940 "
     "modes, at the wall αR = 500 and at walls αv = 50 c/R, which are choices made here; there, contact is counted "
@@ -42,7 +42,7 @@ CAPTION = (
     "(a) times π. The curves end where the laws end. (c), (d) The same as deviations from the full solution; the "
     "slowest at αR = 500 lie beyond the axes."
 )
-ALT = "Contact time and greatest compression over speed fall slowly with ln v; quasi-static curves follow the points."
+ALT = "Contact time and maximum compression over speed fall slowly with ln v; quasi-static curves follow the points."
 
 LAWS = ("printed", "center")
 MARKS = (1e-8, 1e-6, 1e-4, 0.01, 0.04, 0.1)  # of the table, c
@@ -162,7 +162,7 @@ def row_at(table: Table, speed: float) -> dict[str, float]:
 
 
 def deviation(tables: Tables, law: str, lowest: float, highest: float, full: str = "dynamic") -> tuple[float, float]:
-    """The greatest deviation of the contact time from a full solution, percent, and its speed."""
+    """The maximum deviation of the contact time from a full solution, percent, and its speed."""
     speeds, key = tables[full]["speed[c]"], "contact_time[R/c]"
     off = 100.0 * (quasi_at(tables, speeds)[f"{law}_{key}"] / tables[full][key] - 1.0)
     off[(speeds < 0.999 * lowest) | (speeds > 1.001 * highest)] = np.nan
@@ -194,7 +194,7 @@ def numbers(tables: Tables) -> list[Row]:
     for ends in ((0.005, 0.04), (0.005, 0.3)):
         worst = (deviation(tables, "printed", *ends, full) for full in ("soft", "soft_scaled", "dynamic"))
         soft, scaled, hard = (f"{off:+.1f} % (at {v:g} c)".replace("-", "−") for off, v in worst)
-        name = "greatest deviation of the quasi-static τ from the full one, v = {:g} to {:g} c".format(*ends)
+        name = "maximum deviation of the quasi-static τ from the full one, v = {:g} to {:g} c".format(*ends)
         rows.append((name, CLAIM, f"{soft} for αR = {HARDNESS:g}; {scaled} for αv = {SCALED:g} c/R", hard))
     slowest, full = row_at(tables["quasistatic"], MARKS[0]), row_at(tables["dynamic"], MARKS[0])
     root = float(printed_formula(np.array(MARKS[0])))

@@ -114,7 +114,7 @@ def compute(quick: bool) -> Tables:
 
 
 def extremum(table: Table, sign: int, lowest: float = 6e-4, highest: float = 0.05) -> tuple[float, float, float]:
-    """Speed, height and contact time of the greatest (sign 1) or least (−1) loss in a range."""
+    """Speed, height and contact time of the maximum (sign 1) or least (−1) loss in a range."""
     v, loss, tau = table["speed[c]"], table["lost_fraction"], table["contact_time[R/c]"]
     here = np.flatnonzero((v > lowest) & (v < highest))
     i = int(here[np.argmax(sign * loss[here])])

@@ -142,7 +142,7 @@ def meaning(tables: Tables) -> str:
     ten = [100.0 * _share(tables, "share_l0", speed, 10) for speed in SPEEDS]
     more = [100.0 * _share(tables, "share_l0", SPEED, count) for count in (100, 300, 940)]
     return (
-        f"No speed and no N from 10 on gives 75 % of modes with n = 0: the greatest share is {top:.0f} %, "
+        f"No speed and no N from 10 on gives 75 % of modes with n = 0: the maximum share is {top:.0f} %, "
         f"and among hundreds of modes it is about {plateau:.0f} %, one in {100 / plateau:.0f}. The contact is so "
         "narrow that the wall drives about ten orders almost equally, and each of them has as many radial modes as n = "
         "0. The paper’s own table has three of ten. For l = 0 the number would fit, but only among the first ten: "

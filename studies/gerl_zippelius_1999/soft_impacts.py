@@ -12,7 +12,7 @@ HARDNESS = 500.0  # 1/R
 SCALED = 50.0  # αv, c/R
 MODES = 940
 PRESSURE = 0.1  # E; of the plane from which compressions at the exponential wall are counted
-SHARE = 0.01  # of the greatest force: contact at the exponential wall
+SHARE = 0.01  # of the maximum force: contact at the exponential wall
 
 
 def plane(hardness: float) -> float:

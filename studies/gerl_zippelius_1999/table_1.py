@@ -2,7 +2,7 @@
 
 The paper lists, for αR = 500, v = 0.1 c and 1600 modes, the ten modes (n, l) of the highest
 "average fraction of the total energy during collision", with this average and the energy after the
-collision (eqs. 40 and 43; no Poisson number is given, the others are for ν = 0.33). The protocol
+collision (eqs. 40 and 43; no Poisson's ratio is given, the others are for ν = 0.33). The protocol
 here: a preliminary run with all 4510 modes up to ω = 100 c/R, then one with the 1600 of highest
 mean energy; means over the contact. The converged values, of all modes at the same wall, are
 parabolas in 1/ω_c at 0 through runs below five cutoffs. The table is not reproduced (erratum E13).

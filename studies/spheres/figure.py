@@ -7,13 +7,13 @@ from matplotlib import pyplot
 from matplotlib.ticker import NullLocator
 
 COLORS = {0.0: "#009E73", 0.2: "#56B4E9", 0.3: "#0072B2", 0.45: "#D55E00", 0.49: "#CC79A7"}
-DISK = 0.33  # Poisson number of the disk that is drawn beside the spheres
+DISK = 0.33  # Poisson's ratio of the disk that is drawn beside the spheres
 SLOWEST, FASTEST = 1e-6, 0.5
 ZOOM = (1e-6, 2.2e-6)
 
 
 def table(name):
-    """The rows of a CSV file by Poisson number; None where a number is missing."""
+    """The rows of a CSV file by Poisson's ratio; None where a number is missing."""
     with open(name, encoding="utf-8") as file:
         rows = list(csv.DictReader(line for line in file if not line.startswith("#")))
     groups = {}

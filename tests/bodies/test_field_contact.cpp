@@ -20,7 +20,7 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 
-/// An impact at the instant of its greatest force.
+/// An impact at the instant of its maximum force.
 class FieldInAnImpact : public ::testing::TestWithParam<Tail> {
  protected:
   const Body body = disk(0.33, 25.0);

@@ -53,7 +53,7 @@ std::vector<double> displaced(const ContactPoints& points, double width, int ord
   return moved;
 }
 
-/// Greatest difference over the greatest displacement, with the load on the points.
+/// Maximum difference over the maximum displacement, with the load on the points.
 double difference(const std::vector<double>& matrix, const ContactPoints& points, double width,
                   const std::vector<double>& expected) {
   double worst = 0.0, greatest = 0.0;

@@ -19,7 +19,7 @@ int main(void) {
     difference = fabs(value - stoss_restitution(-speed)) + fabs(error - stoss_restitution_error(speed));
     if (!(difference <= worst)) worst = difference;
   }
-  printf("greatest difference %g %s\n", worst, stoss_message());
+  printf("maximum difference %g %s\n", worst, stoss_message());
   stoss_function_free(function);
   stoss_contact_free(contact);
   stoss_body_free(disk);

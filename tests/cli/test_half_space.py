@@ -31,7 +31,7 @@ def test_values_agree_with_the_reference(stoss, known):
     # Finite elements see the last contact to some 1e-2 of their time.
     assert number(found, "contact_time") == pytest.approx(float(known["contact_time"]), rel=4e-3)
     assert number(found, "max_compression") == pytest.approx(float(known["max_compression"]), rel=2e-3)
-    # The greatest force of a fast impact is a peak of one step.
+    # The maximum force of a fast impact is a peak of one step.
     force, force_error = (number(found, name) * MASS[known["body"]] for name in ("max_force", "max_force_error"))
     assert force == pytest.approx(float(known["max_force"]), abs=force_error + 3e-3 * force)
     shares = number(found, "lost_to_first") + number(found, "lost_to_second")

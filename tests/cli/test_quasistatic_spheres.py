@@ -154,7 +154,7 @@ def test_si(stoss):
     assert {"force_si[N]", "energy_si[J]", "contact_radius_si[m]", "static_force_si_error[N]"} <= set(row)
 
 
-# At the speed at which yielding begins Hertz' greatest pressure is 1.6 Y.
+# At the speed at which yielding begins Hertz' maximum pressure is 1.6 Y.
 def test_yield_speed_is_that_of_the_greatest_pressure(stoss):
     strength = 1e9
     (row,) = stoss.data(f"{SPHERE} {STEEL} --yield {strength} --speed 1e-3")

@@ -14,7 +14,7 @@ FORCE = 4 * math.pi / 3 * RADIUS**2 * YOUNG  # m c^2/R
 
 
 def yield_speed(strength, spheres):
-    """In m/s, by Johnson's section 11.5(a): the energy at which Hertz' greatest pressure is 1.6 Y."""
+    """In m/s, by Johnson's section 11.5(a): the energy at which Hertz' maximum pressure is 1.6 Y."""
     compliance = sum((1 - nu**2) / young for young, nu, _, _ in spheres)
     curvature = sum(1 / radius for _, _, _, radius in spheres)
     inverse_mass = sum(1 / (4 / 3 * math.pi * density * radius**3) for _, _, density, radius in spheres)
@@ -35,7 +35,7 @@ def test_si_values_are_those_of_the_units(stoss):
     assert "beyond_yield" not in si
 
 
-# Hertz' impact (Johnson, eq. 11.24): the greatest force from the energy, the time 2.94 delta/v.
+# Hertz' impact (Johnson, eq. 11.24): the maximum force from the energy, the time 2.94 delta/v.
 def test_a_slow_ball_of_steel_is_hertzian(stoss):
     (row,) = stoss.data(f"impact {STEEL} --speed 0.01 --cutoff 25")
     modulus, mass = YOUNG / (1 - POISSON**2), 4 / 3 * math.pi * DENSITY * RADIUS**3

@@ -17,7 +17,7 @@ namespace {
 
 double wave_speed(const Disk& disk) { return std::sqrt(disk.young / disk.density); }
 
-// Sizes, moduli, densities and Poisson numbers all differ.
+// Sizes, moduli, densities and Poisson's ratios all differ.
 const std::vector<Disk> others{{0.33, 2.0, 1.0, 1.0}, {0.2, 0.5, 2.0, 3.0}, {0.0, 1.0, 4.0, 1.0},
                                {-0.5, 3.0, 0.2, 0.5}, {0.9, 0.3, 1.0, 7.0}, {0.33, 1.0, 1.0, 1.0}};
 

@@ -13,7 +13,7 @@ import sys
 
 from mpmath import besselj, findroot, mp, mpf, quad, sqrt
 
-# (Poisson number, order, low, high): windows from below the lowest mode upwards, windows at high frequency, and
+# (Poisson's ratio, order, low, high): windows from below the lowest mode upwards, windows at high frequency, and
 # windows that hold nearly degenerate pairs.
 WINDOWS = [
     ("-0.95", 0, "1", "9"), ("-0.95", 1, "1", "14"), ("-0.95", 2, "1", "14"), ("-0.95", 7, "3", "20"),

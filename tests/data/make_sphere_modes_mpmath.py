@@ -13,7 +13,7 @@ import sys
 from make_modes_mpmath import DIGITS, roots_in
 from mpmath import besselj, mp, mpf, pi, quad, sqrt
 
-# (Poisson number, degree, low, high)
+# (Poisson's ratio, degree, low, high)
 WINDOWS = [
     ("-0.95", 0, "1", "30"), ("-0.95", 1, "1", "25"), ("-0.95", 2, "1", "25"), ("-0.95", 9, "10", "40"),
     ("-0.95", 40, "85", "105"), ("-0.95", 150, "330", "345"),

@@ -55,7 +55,7 @@ def turning_points(rows):
 
 
 def deviations(nu, low, name="quasistatic_lost_fraction"):
-    """Root mean square and greatest of the relative deviation of an estimate in a decade, in per cent."""
+    """Root mean square and maximum of the relative deviation of an estimate in a decade, in per cent."""
     ratios = [row[name] / row["lost_fraction"] - 1 for row in within(nu, low, 10 * low) if row[name] == row[name]]
     return 100 * math.sqrt(sum(x * x for x in ratios) / len(ratios)), 100 * max(map(abs, ratios))
 
@@ -74,7 +74,7 @@ def line(*cells):
 
 
 def waves():
-    """A line for each Poisson number: the factor, the swing, who takes the loss, how often it turns."""
+    """A line for each Poisson's ratio: the factor, the swing, who takes the loss, how often it turns."""
     for nu, rows in ROWS.items():
         slow = within(nu, 0.0, SLOW)
         factor = rows[0]["mean_loss_factor"]
@@ -104,7 +104,7 @@ def turns():
 
 
 def phases():
-    """Least and greatest ratio of the formula of the ends without the phase of the contact to the loss."""
+    """Least and maximum ratio of the formula of the ends without the phase of the contact to the loss."""
     for low in DECADES[:-1]:
         cells = []
         for nu in POISSON:

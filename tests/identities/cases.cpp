@@ -46,7 +46,7 @@ const std::vector<Meeting> walls_of_spheres{walls[0], walls[1], {"exponential", 
 const std::vector<Meeting> between_bodies{{"static", false, Tail::quasistatic, {0.02}},
                                           {"radiating", false, Tail::radiating, {0.3}}};
 
-// In size, modulus, density and Poisson number they differ from all bodies.
+// In size, modulus, density and Poisson's ratio they differ from all bodies.
 const std::vector<Named> other_disks{{"small", Disk{0.2, 0.5, 2.0, 3.0}}, {"large", Disk{-0.3, 3.0, 0.5, 0.2}}};
 const std::vector<Named> other_spheres{{"small", Sphere{0.2, 0.5, 2.0, 3.0}}, {"large", Sphere{-0.3, 3.0, 0.5, 0.2}}};
 const std::vector<Named> other_rods{{"long", Rod{2.5, 1.0, 1.0, 1.0}}, {"thin", Rod{0.4, 2.0, 3.0, 0.2}}};

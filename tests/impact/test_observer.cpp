@@ -57,7 +57,7 @@ TEST_P(Observer, SeesAConsistentMotion) {
   EXPECT_EQ(seen.back().translation, result.energy.translation);
   EXPECT_EQ(seen.back().unresolved, result.energy.unresolved);
   EXPECT_NEAR(seen.back().vibration, result.energy.vibration, 1e-14);
-  // The greatest values are tops of parabolas through the samples; compression counts from the touch of the continuous
+  // The maximum values are tops of parabolas through the samples; compression counts from the touch of the continuous
   // surface, h²/24 before that of the centre's position.
   const double spacing = result.half_width / result.nodes;
   EXPECT_GE(result.max_force, largest_force);

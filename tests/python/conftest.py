@@ -79,7 +79,7 @@ def hit():
 
 @pytest.fixture(scope="session")
 def curve():
-    """Several Poisson numbers and speeds, at little cost."""
+    """Several Poisson's ratios and speeds, at little cost."""
     return stoss.restitution(poisson=[[0.2], [0.7]], speed=[0.05, 0.1, 0.3], tolerance=1e-2)
 
 

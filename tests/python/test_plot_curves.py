@@ -137,7 +137,7 @@ def test_rod():
 def test_against_poisson_if_there_is_one_speed():
     result = stoss.restitution(poisson=[0.4, 0.0, 0.2], speed=0.1)
     ax = result.plot()
-    assert ax.get_xlabel() == "2-D Poisson number ν" and ax.get_xscale() == "linear"
+    assert ax.get_xlabel() == "2-D Poisson's ratio ν" and ax.get_xscale() == "linear"
     assert np.array_equal(drawn(ax)[0].lines[0].get_xdata(), [0.0, 0.2, 0.4])
     assert np.array_equal(drawn(ax)[0].lines[0].get_ydata(), result.restitution[[1, 2, 0]])
     assert drawn(ax)[0].get_label() == "v = 0.1 c"

@@ -112,7 +112,7 @@ TEST(QuasistaticHeavyDisk, EdgeInAndNearAHertzContactHasThePressure) {
       const Traction traction = on_edge(HeavyDiskContact::hertz, force, t * a);
       greatest = std::max(greatest, std::hypot(traction.x - hertz_pressure(force, std::sin(t * a)), traction.y));
     }
-    EXPECT_LT(greatest, 0.7 * std::pow(force, 0.75)) << force;  // ½√a of the greatest pressure
+    EXPECT_LT(greatest, 0.7 * std::pow(force, 0.75)) << force;  // ½√a of the maximum pressure
     EXPECT_GT(greatest, 0.4 * std::pow(force, 0.75)) << force;
   }
 }

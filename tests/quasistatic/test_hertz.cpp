@@ -141,7 +141,7 @@ TEST(QuasistaticHertz, AxisIsThePapersFormula) {
       EXPECT_NEAR(stress.yy, -2.0 * load / (pi * a * a) * ((a * a + 2.0 * x * x) / root - 2.0 * x), 1e-14 * a);
       EXPECT_EQ(stress.xy, 0.0);
     }
-    // Greatest shear under the surface, Johnson section 4.2: 0.30 p₀ at 0.78 a.
+    // Maximum shear under the surface, Johnson section 4.2: 0.30 p₀ at 0.78 a.
     double greatest = 0.0, place = 0.0;
     for (double x = 0.0; x < 2.0; x += 1e-3) {
       const PlaneStress stress = hertz_stress(force, a * x, 0.0);

@@ -52,7 +52,7 @@ TEST(PointSlowImpact, ConservesEnergyAndMomentum) {
 }
 
 TEST(PointSlowImpact, IsTheMotionOfTheCentreOfMass) {
-  // δ̈ = −F(δ) by Runge and Kutta's method from the turning point to half of the greatest force, and the history.
+  // δ̈ = −F(δ) by Runge and Kutta's method from the turning point to half of the maximum force, and the history.
   const double nu = 0.3, speed = 0.02;
   const PointSlowImpact impact = slow_impact(PointLaw::center, nu, speed);
   constexpr int steps = 1000;

@@ -113,7 +113,7 @@ TEST(Rayleigh, SumsItsModesAndRepeatsItself) {
   EXPECT_EQ(estimate.impact.speed, 1e-4);
   EXPECT_LE(estimate.cutoff, 63.0);
   EXPECT_GT(estimate.cutoff, 62.0);
-  // Kinetic energy of the modes that follow: the greatest Ḟ from the history.
+  // Kinetic energy of the modes that follow: the maximum Ḟ from the history.
   const std::vector<ContactInstant> history = history_at(estimate.impact, 2000);
   double rate = 0.0;
   for (std::size_t i = 1; i < history.size(); ++i) {

@@ -77,7 +77,7 @@ TEST(YieldSpeed, IsNotKnownWithoutAStrength) {
   EXPECT_FALSE(yield_speed(steel({}), 0.01, steel({}), 0.02));
 }
 
-// In the computed impact at that speed the greatest force is that of Hertz' pressure 1.6 Y, F = π³R²p₀³/(6E*²), but for
+// In the computed impact at that speed the maximum force is that of Hertz' pressure 1.6 Y, F = π³R²p₀³/(6E*²), but for
 // what is beyond Hertz, of the order of a/R = 0.01.
 TEST(YieldSpeed, IsThatOfTheComputedImpact) {
   const Material material = steel(1e9);

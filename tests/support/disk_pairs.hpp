@@ -18,7 +18,7 @@ struct DiskUnits {
   double length, time, mass;
 };
 
-/// Second bodies for a disk with R = E = ρ = 1: sizes, moduli, densities and Poisson numbers all differ.
+/// Second bodies for a disk with R = E = ρ = 1: sizes, moduli, densities and Poisson's ratios all differ.
 inline const std::vector<Disk> other_disks{{0.2, 0.5, 2.0, 3.0}, {-0.5, 3.0, 0.5, 0.2}, {0.9, 0.3, 1.0, 2.0}};
 
 inline Contact pair_of(const Disk& first, const Disk& second, double cutoff) {

@@ -37,7 +37,7 @@ std::vector<std::pair<double, double>> read(const std::string& text) {
   return rows;
 }
 
-/// Greatest distance of chords between rows from a function, at many speeds of each.
+/// Maximum distance of chords between rows from a function, at many speeds of each.
 double furthest(const std::vector<std::pair<double, double>>& rows, const RestitutionFunction& function, double scale) {
   double worst = 0.0;
   for (std::size_t k = 0; k + 1 < rows.size(); ++k) {

@@ -102,7 +102,7 @@ double mean_gain(const std::vector<Exchange>& exchanges) {
   return mean / std::sqrt(squares / (count - 1.0) / count);
 }
 
-/// √n times the greatest distance of the empirical distribution from a cdf.
+/// √n times the maximum distance of the empirical distribution from a cdf.
 double distance(std::vector<double> values, const std::function<double(double)>& cdf) {
   std::sort(values.begin(), values.end());
   const auto count = static_cast<double>(values.size());

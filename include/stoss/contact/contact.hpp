@@ -74,7 +74,7 @@ struct Contact {
 /// Highest wave number of the kept modes along the contact, 1/R.
 [[nodiscard]] double highest_wave_number(const Contact& contact);
 
-/// Greatest of the two bodies' speeds towards their common plane of contact, each in its own wave speed: what says how
+/// Maximum of the two bodies' speeds towards their common plane of contact, each in its own wave speed: what says how
 /// fast an impact is. At a wall it is `speed`, for two equal bodies half of it.
 [[nodiscard]] double own_speed(const Contact& contact, double speed);
 

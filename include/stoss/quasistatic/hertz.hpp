@@ -2,7 +2,7 @@
 
 namespace stoss::quasistatic {
 
-/// Greatest force for which Hertz' contact is evaluated, πRE: its half-width is the radius. It is meant for much less.
+/// Maximum force for which Hertz' contact is evaluated, πRE: its half-width is the radius. It is meant for much less.
 inline constexpr double max_hertz_force = 0.25;
 
 /// Stress in the plane, E; tension is positive.

@@ -17,7 +17,7 @@ namespace stoss::quasistatic {
 /// modes that ring changes the sum: at ν = 0.33 by about 2 % of this at v = 1e-8, by up to 18 % at 1e-4 and 1e-3.
 /// @param loss_time η, 0 to 1000 R/c; the next order is about the square of the result
 /// @param speed     min_slow_speed … limit_speed(law, poisson), c
-/// @throws InvalidInput outside these ranges and for a Poisson number out of range
+/// @throws InvalidInput outside these ranges and for a Poisson's ratio out of range
 [[nodiscard]] double viscous_loss(CompressionLaw law, double poisson, double loss_time, double speed);
 
 }  // namespace stoss::quasistatic

@@ -30,7 +30,7 @@ enum class PointLaw {
 
 /// Compression δ(F) by one of the laws, R.
 /// @param force F, 0 … limit_force
-/// @throws InvalidInput outside that range, and for a Poisson number out of range (−0.95 … 0.4999)
+/// @throws InvalidInput outside that range, and for a Poisson's ratio out of range (−0.95 … 0.4999)
 [[nodiscard]] double compression(PointLaw law, double poisson, double force);
 
 /// Force F(δ) by one of the laws, mc²/R: the inverse of `compression`, to a relative error of 1e-14.

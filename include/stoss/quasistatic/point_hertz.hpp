@@ -61,14 +61,14 @@ struct AxisymmetricStress {
 [[nodiscard]] AxisymmetricStress point_hertz_stress(const PointHertz& contact, double poisson, double depth,
                                                     double distance);
 
-/// Where under the middle of a contact the shear stress is greatest, and how great: ½(σ_rr − σ_zz) on the axis.
+/// Where under the middle of a contact the shear stress is largest, and how large: ½(σ_rr − σ_zz) on the axis.
 struct GreatestShear {
   double depth = 0.0;  ///< R; 0.481 a at ν = 0.3
   double shear = 0.0;  ///< E; 0.310 p₀ at ν = 0.3
 };
 
-/// The greatest shear stress below a contact, on the axis, to 1e-14 of the stress and 1e-7 of the depth.
-/// @throws InvalidInput for a Poisson number outside −0.95 … 0.4999
+/// The maximum shear stress below a contact, on the axis, to 1e-14 of the stress and 1e-7 of the depth.
+/// @throws InvalidInput for a Poisson's ratio outside −0.95 … 0.4999
 [[nodiscard]] GreatestShear greatest_shear(const PointHertz& contact, double poisson);
 
 }  // namespace stoss::quasistatic

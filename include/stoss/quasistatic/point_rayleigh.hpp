@@ -28,7 +28,7 @@ struct PointRayleighEstimate {
   double lost_fraction = 0.0;        ///< 1 − ε², their sum
   double lost_fraction_error = 0.0;  ///< against the full solution, from kinetic_share and point_second_order_factor
   double mean_lost_fraction = 0.0;   ///< the law of v → 0 averaged over the phases of the modes, c(ν) v
-  double kinetic_share = 0.0;        ///< greatest kinetic energy of the modes as they follow the force, share of ½mv²
+  double kinetic_share = 0.0;        ///< maximum kinetic energy of the modes as they follow the force, share of ½mv²
   bool beyond_perturbation = false;  ///< kinetic_share > max_kinetic_share: the numbers mean little
 };
 

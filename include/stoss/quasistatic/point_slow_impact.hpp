@@ -27,7 +27,7 @@ struct PointSlowImpact {
   double contact_time = 0.0;     ///< τ, from first to last contact, R/c
   double max_compression = 0.0;  ///< δ_max, R
   double max_force = 0.0;        ///< F_max, mc²/R
-  double max_radius = 0.0;       ///< a_m, greatest radius of the contact, R
+  double max_radius = 0.0;       ///< a_m, maximum radius of the contact, R
 };
 
 /// Impact of a sphere at a rigid wall, by one of the laws of compression.

@@ -41,7 +41,7 @@ struct RayleighEstimate {
   std::vector<DrivenMode> modes;     ///< as given
   double lost_fraction = 0.0;        ///< 1 − ε², their sum. May exceed 1 where it means nothing
   double lost_fraction_error = 0.0;  ///< against the full solution, from kinetic_share and second_order_factor
-  double kinetic_share = 0.0;        ///< greatest kinetic energy of the modes as they follow the force, share of ½mv²
+  double kinetic_share = 0.0;        ///< maximum kinetic energy of the modes as they follow the force, share of ½mv²
   bool beyond_perturbation = false;  ///< kinetic_share > max_kinetic_share: the numbers mean nothing
 };
 

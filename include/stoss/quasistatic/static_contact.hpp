@@ -37,7 +37,7 @@ struct StaticContact {
 ///
 /// The force converges with the square of the nodes: to 1.5e-6 with 160 for δ up to 0.13, 6e-6 up to 0.5; the energy to
 /// 2e-8, the half-width to 1e-4 for δ up to 0.13 and always to one node (docs/theory/quasistatic.md).
-/// @param poisson     2-D Poisson number, −0.95 … 0.995
+/// @param poisson     2-D Poisson's ratio, −0.95 … 0.995
 /// @param compression δ, 1e-12 … 0.5 R. Small-strain elasticity means little from about 0.1 on.
 /// @throws InvalidInput outside these ranges; NotConverged if no set of touching nodes satisfies the conditions
 [[nodiscard]] StaticContact static_contact(double poisson, double compression,
@@ -47,7 +47,7 @@ struct StaticContact {
 /// `pressure` that of each ring, and Σ area · pressure = (4π/3)F: 13 % too little in the innermost ring and 2.4 % too
 /// much in the next, at any resolution, and within 1 % elsewhere. The force converges with the square of the nodes: to
 /// 3e-6 with 160 for δ up to 0.1. Takes 0.3 s with 160 nodes for δ below 1e-3, 0.1 s with 80.
-/// @throws InvalidInput as above, with a 3-D Poisson number of −0.95 … 0.4999
+/// @throws InvalidInput as above, with a 3-D Poisson's ratio of −0.95 … 0.4999
 [[nodiscard]] StaticContact static_contact(const Sphere& sphere, double compression,
                                            const StaticContactOptions& options = {});
 

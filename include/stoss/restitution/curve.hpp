@@ -45,7 +45,7 @@ void restitution_curve(const RefinableContact& contact, const std::vector<double
                                                          const std::vector<double>& speeds,
                                                          const CurveOptions& options = {});
 
-/// Computes ε of a disk at each of the speeds. @param poisson 2-D Poisson number, −0.95 … 0.995
+/// Computes ε of a disk at each of the speeds. @param poisson 2-D Poisson's ratio, −0.95 … 0.995
 [[nodiscard]] std::vector<Restitution> restitution_curve(double poisson, const std::vector<double>& speeds,
                                                          const CurveOptions& options = {});
 

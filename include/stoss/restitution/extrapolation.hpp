@@ -50,7 +50,7 @@ struct ExtrapolatedRestitution {
 ///   the value and more, below 0.002 (for most ν) even up to 2.5 times too small.
 /// * For ν below −0.7 at speeds above 0.2 the wall of `restitution`, which absorbs what the kept modes do not resolve,
 ///   takes less than this one, which absorbs nothing: 1 − ε² differs by 4 to 16 % at ν = −0.95, more than the error.
-/// @param poisson 2-D Poisson number, −0.95 … 0.995
+/// @param poisson 2-D Poisson's ratio, −0.95 … 0.995
 /// @param speed   of the centre of mass, 1e-3 … 0.5 c: slower, the walls would have to be too hard
 /// @throws InvalidInput for arguments out of range, fewer than three cutoffs or hardnesses, series that do not rise by
 ///         1 % each; NotConverged as impact

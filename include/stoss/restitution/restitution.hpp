@@ -86,7 +86,7 @@ class RestitutionNotConverged : public NotConverged {
 /// Coefficient of restitution of a body at a hard wall, or of two bodies, from impacts at rising cutoffs
 /// (docs/numerics.md, sections 5 and 7): cutoff, step and grid are refined together until the error of
 /// 1 − ε² is at most tolerance × (1 − ε²), or at most `absolute`. The error is the greater of a share of the energy
-/// that the modes above the cutoff took and a multiple of the greatest difference from a coarser run, scaled by the
+/// that the modes above the cutoff took and a multiple of the maximum difference from a coarser run, scaled by the
 /// observed order of convergence. Where the errors fall too slowly for any cutoff, it gives up before impacts that take
 /// more than a second.
 /// @param speed of approach, 1e-8 … 1, in c

@@ -8,7 +8,7 @@ namespace stoss {
 
 /// How a RestitutionFunction is made.
 struct FunctionOptions {
-  double error = 1e-3;  ///< greatest error of ε at any speed, 1e-7 … 0.1
+  double error = 1e-3;  ///< maximum error of ε at any speed, 1e-7 … 0.1
   Beyond beyond = Beyond::error;
   SlowLaw law{};           ///< for Beyond::law
   int most_speeds = 2000;  ///< at which ε is computed, 16 … 100 000

@@ -27,7 +27,7 @@ struct Mixture {
 
 /// How a PairTable is made.
 struct PairTableOptions {
-  double error = 1e-3;            ///< greatest error of ε at any speed and ratio, 1e-6 … 0.1
+  double error = 1e-3;            ///< maximum error of ε at any speed and ratio, 1e-6 … 0.1
   Beyond beyond = Beyond::error;  ///< or clamp
   int most_values = 100'000;      ///< that are computed, 100 … 10 000 000
   int threads = 0;                ///< 0: as many as the machine has; the result does not depend on it
@@ -43,7 +43,7 @@ struct PairTableOptions {
 /// speeds are checked again. What the middles differed by is the error of the interpolation, as in
 /// restitution_function. Values are computed to a fifth of the error.
 /// @param slowest,fastest   1e-8 … 1, in c of the first body, slowest < fastest
-/// @param smallest,greatest ratio of radii, 1e-3 … 1e3, smallest < greatest; of one material the range may lie on
+/// @param smallest,maximum ratio of radii, 1e-3 … 1e3, smallest < maximum; of one material the range may lie on
 ///                          either side of 1, or on both
 /// @throws InvalidInput for arguments out of range, and as RefinableContact; NotConverged if some value does not reach
 ///         its share of the error, or more values are needed

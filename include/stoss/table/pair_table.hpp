@@ -21,7 +21,7 @@ struct PairValues {
 /// a cubic in s = (r − 1)/(r + 1), half the difference of the radii over their mean, with the slopes of parabolas
 /// through three neighbours.
 ///
-/// Its error is the sum of 1.25 times the greatest error of the four values around, as those weigh most between
+/// Its error is the sum of 1.25 times the maximum error of the four values around, as those weigh most between
 /// ratios, and of what the interpolation may be off by. For bodies of one material it is symmetric: 1/r gives what r
 /// gives, at the same speed. A speed counts without its sign. An immutable value, for any number of threads; a call
 /// takes some 20 ns.
@@ -56,7 +56,7 @@ class PairTable {
   /// Whole error of each interval of speeds in turn, for all intervals of ratios.
   [[nodiscard]] const std::vector<double>& errors() const;
 
-  /// Greatest of these errors.
+  /// Maximum of these errors.
   [[nodiscard]] double greatest_error() const;
 
  private:

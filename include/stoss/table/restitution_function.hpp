@@ -51,7 +51,7 @@ class RestitutionFunction {
   [[nodiscard]] double fastest() const;
   [[nodiscard]] Beyond beyond() const;
 
-  /// Greatest error within the range.
+  /// Maximum error within the range.
   [[nodiscard]] double greatest_error() const;
 
   [[nodiscard]] const std::vector<Knot>& knots() const;

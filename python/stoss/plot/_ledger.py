@@ -14,7 +14,7 @@ from stoss.plot import _style
 LABELS = {"after": "energy after impact / initial", "average": "mean energy in contact / initial"}
 HATCHES = ("", "/////", "xxxxx", ".....", "\\\\\\\\\\", "-----", "+++++")
 COLUMNS = 4  # of the legend
-DECADES = 8.0  # below the greatest bar; what is less is left out
+DECADES = 8.0  # below the maximum bar; what is less is left out
 
 
 def ledger(

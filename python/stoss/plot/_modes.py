@@ -68,7 +68,7 @@ def mode_shape(modes: Modes, ax: Axes | None = None, *, order: int, index: int, 
     order, index : int
         n and l.
     amplitude : float, optional
-        Greatest displacement in the picture, R, −1 to 1.
+        Maximum displacement in the picture, R, −1 to 1.
 
     Returns
     -------

@@ -22,7 +22,7 @@ BEYOND = "beyond perturbation theory"
 
 
 def slow_impact(result: SlowImpact | PointSlowImpact, ax: Axes | None = None) -> Axes:
-    """Contact time against speed, a curve for each Poisson number.
+    """Contact time against speed, a curve for each Poisson's ratio.
 
     Speeds are in c, or in m/s if the result has a material.
 
@@ -138,7 +138,7 @@ def _speed_axis(axes: Axes, result: Slow) -> None:
 def _curves(
     result: Slow, axes: Axes
 ) -> Iterator[tuple[NDArray[np.float64], NDArray[np.intp], dict[str, Any]]]:
-    """For each Poisson number: sorted speeds, where they are in the flat result, and a look."""
+    """For each Poisson's ratio: sorted speeds, where they are in the flat result, and a look."""
     poisson = np.ravel(result.poisson)
     speed = np.ravel(result.speed if result.material is None else result.speed_si)
     before = sum(line.get_label() not in (BEYOND, "_hollow") for line in axes.lines)

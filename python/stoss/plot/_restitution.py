@@ -38,12 +38,12 @@ def restitution(
     label: str | None = None,
     **style: Any,
 ) -> Axes:
-    """ε or 1 − ε² against speed with error bars, a curve for each Poisson number.
+    """ε or 1 − ε² against speed with error bars, a curve for each Poisson's ratio.
 
     Speeds are in c, or in m/s if the result has a material. A curve of few points marks them, a
     dense one is a line. Values that did not converge are hollow, values whose error is unknown have
     no bar, missing ones (NaN) are left out.
-    If there is only one speed but several Poisson numbers, they are the horizontal axis.
+    If there is only one speed but several Poisson's ratios, they are the horizontal axis.
 
     Parameters
     ----------
@@ -54,7 +54,7 @@ def restitution(
     scale : {'log', 'linear'}
         Of the speed, and of the lost fraction with it; ε has a linear axis.
     label : str, optional
-        Name of the curve; default: its Poisson number.
+        Name of the curve; default: its Poisson's ratio.
     **style
         Handed on to `matplotlib.axes.Axes.errorbar`: color, marker, linestyle, …
 
@@ -77,7 +77,7 @@ def restitution(
 
     with _style.canvas(ax) as axes:
         if over_poisson:
-            axes.set_xlabel("2-D Poisson number ν")
+            axes.set_xlabel("2-D Poisson's ratio ν")
         else:
             axes.set_xscale(scale)
             axes.set_xlabel("speed v / c" if result.material is None else "speed v / (m/s)")

@@ -65,7 +65,7 @@ def stress(
 
     At small speeds stress peaks at the contact, where it is a hundred times that of the rest. So
     the colours end where 99 % of the picture's area is covered; what is above has the last colour,
-    and the colour bar a point. Give the greatest stress as `limit` to see the peak instead.
+    and the colour bar a point. Give the maximum stress as `limit` to see the peak instead.
 
     Parameters
     ----------

@@ -19,7 +19,7 @@ namespace stoss::bodies::disk {
 /// what is large for n ≫ κ′r occurs only in the one sum β + β′, and every term vanishes at the centre as the whole
 /// does.
 /// @param radii 0 … 1; the centre by its limit
-/// @throws InvalidInput for a Poisson number, a mode or a radius out of range
+/// @throws InvalidInput for a Poisson's ratio, a mode or a radius out of range
 [[nodiscard]] std::vector<RadialField> mode_field(double poisson, const Mode& mode, std::span<const double> radii,
                                                   const Poll& poll);
 

@@ -47,7 +47,7 @@ int static_orders(double radius, int nyquist) {
   return 1 + (last < nyquist ? static_cast<int>(last) : nyquist);
 }
 
-/// Checks the Poisson number: only with its own does a mode have these amplitudes at a free edge.
+/// Checks the Poisson's ratio: only with its own does a mode have these amplitudes at a free edge.
 void require_free_edge(double poisson, const Body& body, const Mode& mode, const RadialField& edge) {
   const double amplitude = std::hypot(mode.radial, mode.tangential);
   const double mismatch = std::hypot(edge.radial - mode.radial, edge.tangential - mode.tangential);

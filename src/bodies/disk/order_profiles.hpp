@@ -26,7 +26,7 @@ class OrderProfiles {
   static constexpr std::size_t components = 5;  // those of RadialField, in its order
   using Profile = std::array<Harmonics::Table, components>;
 
-  /// @throws InvalidInput if the modes of the body are not those of a disk of this Poisson number
+  /// @throws InvalidInput if the modes of the body are not those of a disk of this Poisson's ratio
   OrderProfiles(double poisson, const Body& body, const ContactPoints& contact, std::vector<double> radius,
                 const Poll& poll);
 

@@ -25,7 +25,7 @@ struct LambKernel {
   [[nodiscard]] double density(double x) const;
 };
 
-/// The kernel of a Poisson number.
+/// The kernel of a Poisson's ratio.
 /// @param poisson −0.95 … 0.4999. @throws InvalidInput outside
 [[nodiscard]] LambKernel lamb_kernel(double poisson);
 

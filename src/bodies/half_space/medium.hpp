@@ -10,7 +10,7 @@ namespace stoss::bodies::half_space {
 /// A load of wave number k that varies slowly displaces the surface by compliance(k) per load, one that varies like
 /// e^{st} by Γ(s/(c_s k)) times as much; the load of a contact point, and its displacement, have the share shape(kr).
 struct Medium {
-  LambKernel kernel;      ///< of the 3-D Poisson number
+  LambKernel kernel;      ///< of the 3-D Poisson's ratio
   Contour contour;        ///< ball: rings on a half-space; cylinder: pairs of lines on a half-plane
   double pressure_speed;  /// c_p
   double shear_speed;     ///< c_s

@@ -36,7 +36,7 @@ int static_degrees(double radius, int nyquist) {
   return 1 + (last < nyquist ? static_cast<int>(last) : nyquist);
 }
 
-/// Checks the Poisson number: only with its own does a mode have these amplitudes at a free surface.
+/// Checks the Poisson's ratio: only with its own does a mode have these amplitudes at a free surface.
 void require_free_surface(double poisson, const Body& body, const Mode& mode, const RadialField& edge) {
   const double root = std::sqrt(mode.order * (mode.order + 1.0));
   const double amplitude = std::hypot(mode.radial, root * mode.tangential);

@@ -31,7 +31,7 @@ class DegreeProfiles {
     std::vector<double> radial, tangential;
   };
 
-  /// @throws InvalidInput if the modes of the body are not those of a sphere of this Poisson number
+  /// @throws InvalidInput if the modes of the body are not those of a sphere of this Poisson's ratio
   DegreeProfiles(double poisson, const Body& body, const ContactPoints& contact, std::vector<double> radius,
                  const Poll& poll);
 

@@ -45,7 +45,7 @@ WaveSpeeds wave_speeds(double poisson) {
 
 void require_poisson(double poisson) {
   require("poisson", poisson, {min_poisson, max_poisson, true, true, "-0.95 to 0.4999"},
-          "Poisson number of the material; at 0.5 it would be incompressible");
+          "Poisson's ratio of the material; at 0.5 it would be incompressible");
 }
 
 std::vector<Mode> find_modes(double poisson, double cutoff, const Poll& poll) {

@@ -53,7 +53,7 @@ export function createModeBars(host: HTMLElement, core: Core): ModeBars {
   picture.setAttribute('aria-hidden', 'true');
   const buttons = document.createElement('div');
   buttons.setAttribute('role', 'group');
-  buttons.setAttribute('aria-label', 'Modes with the greatest energies: arrows move between them');
+  buttons.setAttribute('aria-label', 'Modes with the maximum energies: arrows move between them');
   const note = Object.assign(document.createElement('p'), { className: 'chart-note' });
   chart.append(picture, buttons, note);
   const figure = Object.assign(document.createElement('figure'), { className: 'mode-shape' });

@@ -5,7 +5,7 @@ import { fitCanvas } from '../drawing/sized';
 import { motionIsReduced, type Theme } from '../drawing/theme';
 import { meshOf, type Placed } from '../scene/mesh';
 
-const AMPLITUDE = 0.16; // greatest displacement, in radii
+const AMPLITUDE = 0.16; // maximum displacement, in radii
 const PERIOD = 1.2; // s
 const PERIODS = 4; // then it is still: what moves for long must be stoppable
 

@@ -16,7 +16,7 @@ const TOP = 30;
 const HEIGHT = 210;
 const FOOT = 46;
 const COLORED = 6; // overtones with a colour of their own
-const DECADES = 5; // below the greatest bar, at most
+const DECADES = 5; // below the maximum bar, at most
 
 /** The area of the axes in a chart of some width. */
 export function modeBox(width: number): Box {

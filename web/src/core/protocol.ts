@@ -5,7 +5,7 @@ export type BodyKind = 'disk' | 'sphere' | 'rod';
 
 /** A body as a user gives it: in SI (m, Pa, kg/m³, s), or in units of the first body, which are all 1. */
 export interface Body {
-  /** of the material; of a disk without a material the 2-D Poisson number */
+  /** of the material; of a disk without a material the 2-D Poisson's ratio */
   poisson: number;
   /** of a rod its length */
   radius: number;
@@ -123,7 +123,7 @@ export interface Frame {
   surface?: { y: Float32Array; depth: Float32Array };
 }
 
-/** Shape of one mode of a body at the points of a grid, greatest displacement 1. */
+/** Shape of one mode of a body at the points of a grid, maximum displacement 1. */
 export interface Shape {
   radial: Float32Array;
   tangential: Float32Array;

@@ -40,7 +40,7 @@ export function roundUp(value: number): number {
   return (lead <= 1 + 1e-9 ? 1 : lead <= 2 + 1e-9 ? 2 : lead <= 5 + 1e-9 ? 5 : 10) * power;
 }
 
-/** The greatest of 1, 2 and 5 times a power of ten that is not above `value`. */
+/** The maximum of 1, 2 and 5 times a power of ten that is not above `value`. */
 export function roundDown(value: number): number {
   const power = 10 ** Math.floor(Math.log10(value) + 1e-12);
   const lead = value / power;

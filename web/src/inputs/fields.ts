@@ -58,7 +58,7 @@ export function labelOf(encounter: Encounter, field: Field): string {
   const symbol = (letter: string): string => (ratio ? `${letter}₂/${letter}₁` : letter);
   const rod = encounter.kind === 'rod';
   const labels: Record<BodyField, string> = {
-    poisson: plane ? '2‑D Poisson number ν' : 'Poisson number ν',
+    poisson: plane ? '2‑D Poisson’s ratio ν' : 'Poisson’s ratio ν',
     young: `${ratio ? 'Modulus' : 'Young’s modulus'} ${symbol('E')}`,
     density: `Density ${symbol('ρ')}`,
     radius: rod ? `Length ${symbol('L')}` : `Radius ${symbol('R')}`,

@@ -9,7 +9,7 @@ export function modulus(encounter: Encounter, body: Body): number {
   return strain ? body.young / (1 - body.poisson ** 2) : body.young;
 }
 
-/** 2-D Poisson number of a disk in SI, ν or in plane strain ν/(1−ν); ν of other bodies. */
+/** 2-D Poisson's ratio of a disk in SI, ν or in plane strain ν/(1−ν); ν of other bodies. */
 export function planePoisson(encounter: Encounter, body: Body): number {
   const strain = encounter.kind === 'disk' && encounter.si && encounter.plane === 'strain';
   return strain ? body.poisson / (1 - body.poisson) : body.poisson;
@@ -58,7 +58,7 @@ export function withEncounter(inputs: Inputs, encounter: Encounter): Inputs {
 
 const [steel] = materials;
 
-/** The same impact in SI: the first body becomes steel of 1 cm with its own Poisson number, and ε stays what it is. */
+/** The same impact in SI: the first body becomes steel of 1 cm with its own Poisson's ratio, and ε stays what it is. */
 export function withSi(inputs: Inputs): Inputs {
   const { encounter } = inputs;
   if (encounter.si || steel === undefined) return inputs;

@@ -21,7 +21,7 @@ export interface Share {
   show(inputs: Inputs): void;
 }
 
-/** Greatest error of ε that the C header may have. */
+/** Maximum error of ε that the C header may have. */
 const headerError = 1e-3;
 
 /** Wire the buttons of index.html; `pictures` by the values of the select. */

@@ -3,10 +3,10 @@
 import type { BodyFrame, Frame, Grid } from '../core/protocol';
 import { roundDown } from '../drawing/ticks';
 
-const VISIBLE = 0.18; // greatest displacement in the picture, in radii of the body
+const VISIBLE = 0.18; // maximum displacement in the picture, in radii of the body
 const LEAST_AREA = 0.12; // of a magnified cell, of what it is at rest
 
-/** The greatest magnification at which every piece of a round body keeps its orientation and some of its area. */
+/** The maximum magnification at which every piece of a round body keeps its orientation and some of its area. */
 export function unfoldedUpTo(body: BodyFrame, grid: Grid): number {
   const columns = grid.angle.length;
   let greatest = Infinity;

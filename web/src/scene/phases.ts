@@ -37,5 +37,5 @@ export function describe(collision: Collision, time: number): string {
   const { units } = collision;
   const forceInWords = withUnit(force, units.force, 3, greatest);
   return `${phase}, time ${timeInWords(collision, time)}, force ${forceInWords}, ` +
-    `${share} % of the greatest`;
+    `${share} % of the maximum`;
 }

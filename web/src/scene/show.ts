@@ -64,7 +64,7 @@ export async function produce(
   }
 }
 
-/** Greatest half width of the contact in radii of the larger body, whose smallest part it is. */
+/** Maximum half width of the contact in radii of the larger body, whose smallest part it is. */
 function relativeHalfWidth({ si, first }: Encounter, { bodies, halfWidth }: Collision): number {
   const greatest = halfWidth.reduce((most, each) => Math.max(most, each), 0) / (si ? first.radius : 1);
   return greatest / Math.max(...bodies.filter((each) => each.kind !== 'half-space').map((each) => each.radius));

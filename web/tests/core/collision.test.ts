@@ -42,7 +42,7 @@ describe.skipIf(!hasCore || !hasCommand)('a collision', { timeout: 60_000 }, () 
     ];
     for (const [name, values] of pairs) {
       const theirs = native[name]!;
-      // In the unit of the greatest, which the two have in their own.
+      // In the unit of the maximum, which the two have in their own.
       const greatest = Math.max(...values.map(Math.abs));
       const unit = greatest / (Math.max(...theirs.map(Math.abs)) || 1);
       const energy = ['translation', 'vibration', 'stored', 'dissipated', 'unresolved'].includes(name);

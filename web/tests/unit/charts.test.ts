@@ -43,9 +43,9 @@ describe('a collision in words', () => {
     expect(slowness(16, 'R/c', 8)).toBe('1 s of the film is 2 R/c.');
   });
   it('says time and force', () => {
-    expect(describeTime(COLLISION, 4.004)).toBe('restitution, time 4 R/c, force 0.05 mc²/R, 100 % of the greatest');
+    expect(describeTime(COLLISION, 4.004)).toBe('restitution, time 4 R/c, force 0.05 mc²/R, 100 % of the maximum');
     expect(describeTime(COLLISION, 9)).toContain('force 0 mc²/R');
-    expect(summaryOf(COLLISION)).toContain('The force is greatest, 0.05 mc²/R, 4 R/c after first contact');
+    expect(summaryOf(COLLISION)).toContain('The force is at its maximum, 0.05 mc²/R, 4 R/c after first contact');
     expect(cursorWords(COLLISION, panelsOf(COLLISION), 8)).toContain('velocity −0.1 c, translation 1');
   });
 });
@@ -62,7 +62,7 @@ describe('a collision in SI', () => {
     expect(collision.time[1000]).toBeCloseTo(80, 9);
     expect(collision.force[500]).toBeCloseTo(50, 9);
     expect(collision.end).toBeCloseTo(80, 9);
-    expect(describeTime(si, 4.004e-5)).toBe('restitution, time 40 µs, force 50 kN, 100 % of the greatest');
+    expect(describeTime(si, 4.004e-5)).toBe('restitution, time 40 µs, force 50 kN, 100 % of the maximum');
     expect(describeTime(si, 1e-9)).toContain('time 0.001 µs');
   });
   it('stays as it is in units of the body', () => {
@@ -143,7 +143,7 @@ describe('bars of modes', () => {
       modes.push({ body: 0, order: n, index: l, omega: n + l, after: 1 / (1 + n + l) ** 3, average: 0 });
     }
   }
-  it('are the greatest, in groups, and say what is left out', () => {
+  it('are the maximum, in groups, and say what is left out', () => {
     const layout = layoutModes(modes, 0, 'after', 20);
     expect(layout.bars).toHaveLength(20);
     expect(layout.omitted).toBe(1780);

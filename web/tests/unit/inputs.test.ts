@@ -95,7 +95,7 @@ describe('a change of units', () => {
     expect(back.speed).toBeCloseTo(0.1, 6);
     expect(equal(back.encounter, defaults.encounter)).toBe(true);
   });
-  it('makes a disk of large 2-D Poisson number a long cylinder', () => {
+  it('makes a disk of large 2-D Poisson’s ratio a long cylinder', () => {
     const si = withSi({ ...defaults, encounter: { ...defaults.encounter, first: { ...unitBody, poisson: 0.9 } } });
     expect(si.encounter.plane).toBe('strain');
     expect(problemsOf(si).size).toBe(0);
@@ -137,7 +137,7 @@ describe('kinds', () => {
     expect(withKind(block, 'rod').against.kind).toBe('wall');
     expect(withKind({ ...defaults.encounter, si: true, plane: 'strain' }, 'sphere').plane).toBe('stress');
   });
-  it('a sphere gets a Poisson number that it may have', () => {
+  it('a sphere gets a Poisson’s ratio that it may have', () => {
     const wide = { ...defaults, encounter: { ...defaults.encounter, first: { ...unitBody, poisson: 0.9 } } };
     expect(problemsOf({ ...wide, encounter: withKind(wide.encounter, 'sphere') }).size).toBe(0);
   });

@@ -46,7 +46,7 @@ describe('the CSV of a curve', () => {
       '0.33,0.01,0.98,unknown,false', '0.33,0.1,0.94706,3.1e-5,true', '',
     ].join('\n'));
   });
-  it('has both speeds in SI, and no Poisson number for a rod', () => {
+  it('has both speeds in SI, and no Poisson’s ratio for a rod', () => {
     const { encounter } = cases[12]!;
     const text = curveCsv(encounter, points);
     expect(text).toContain('\nspeed[c],speed_si[m/s],restitution,');

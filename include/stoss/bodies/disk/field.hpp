@@ -38,10 +38,10 @@ struct Field {
 /// From the end of the contact it rings between the nodes, as any band-limited function does (2 % of the peak one node
 /// beyond, 0.05 % at twice the half-width). With Tail::quasistatic the nodes in contact are at the wall to rounding.
 /// The radiating tail also has inertia and damping, which are left out here: at v = 0.1 and cutoff 25 the nodes are at
-/// the wall to 6e-5 R at the greatest force, and to 2e-3 R in the first instants.
+/// the wall to 6e-5 R at the maximum force, and to 2e-3 R in the first instants.
 class DiskField {
  public:
-  /// @param poisson 2-D Poisson number, as in disk(poisson, cutoff)
+  /// @param poisson 2-D Poisson's ratio, as in disk(poisson, cutoff)
   /// @param body    that disk
   /// @param contact the contact points of the impact, in units of the disk
   /// @throws InvalidInput for points outside the disk, empty or not finite arrays, and a body that is not that disk

@@ -6,7 +6,7 @@
 
 namespace stoss::bodies::disk {
 
-/// Range of the 2-D Poisson number in which the modes are tested.
+/// Range of the 2-D Poisson's ratio in which the modes are tested.
 inline constexpr double min_poisson = -0.95;
 inline constexpr double max_poisson = 0.995;
 
@@ -36,7 +36,7 @@ enum class ModeFamily { radial, tangential };
 /// The eigenvalue equation is paper eq. (24) for n ≥ 1 and eq. (20) for n = 0. No root is missed: the roots below
 /// any frequency are counted exactly (Wittrick and Williams, docs/theory/modes.md), every bracket holds one root,
 /// and the list is checked against that count and against static_flexibility.
-/// @param poisson 2-D Poisson number, −0.95 … 0.995
+/// @param poisson 2-D Poisson's ratio, −0.95 … 0.995
 /// @param cutoff  highest frequency in c/R, from the lowest mode to 1000
 /// @throws InvalidInput outside these ranges; NotConverged if the list fails its own check
 [[nodiscard]] std::vector<Mode> modes(double poisson, double cutoff, const Poll& poll = {});
@@ -48,7 +48,7 @@ struct Displacement {
 };
 
 /// Displacement (u_r, u_φ) of a mode inside the disk at radii 0 ≤ r ≤ 1 (paper eq. (19)).
-/// @throws InvalidInput for a radius or a Poisson number out of range
+/// @throws InvalidInput for a radius or a Poisson's ratio out of range
 [[nodiscard]] std::vector<Displacement> displacement(double poisson, const Mode& mode, const std::vector<double>& radii,
                                                      const Poll& poll = {});
 

@@ -28,8 +28,8 @@ struct WaveSpeeds {
   double rayleigh = 0.0;  ///< c_R: along the surface
 };
 
-/// Those of a half-space (Contour::ball), or of a half-plane (Contour::cylinder) with its 2-D Poisson number.
-/// @throws InvalidInput for a Poisson number that they cannot have
+/// Those of a half-space (Contour::ball), or of a half-plane (Contour::cylinder) with its 2-D Poisson's ratio.
+/// @throws InvalidInput for a Poisson's ratio that they cannot have
 [[nodiscard]] WaveSpeeds wave_speeds(Contour contour, double poisson);
 
 /// Displacement inside a half-space or a half-plane during an impact: the kept waves as they move, and all others in
@@ -44,7 +44,7 @@ struct WaveSpeeds {
 /// made for.
 class HalfSpaceField {
  public:
-  /// @param poisson Poisson number, as in HalfSpace or HalfPlane
+  /// @param poisson Poisson's ratio, as in HalfSpace or HalfPlane
   /// @param body    that half-space or half-plane
   /// @param contact the contact points of the impact, in the unit of length of the half-space
   /// @throws InvalidInput for points outside it, empty or not finite arrays, and a body that is not that half-space

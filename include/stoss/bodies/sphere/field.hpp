@@ -37,7 +37,7 @@ struct Field {
 /// whole elastic body and not of a truncated series.
 class SphereField {
  public:
-  /// @param poisson Poisson number, as in sphere(poisson, cutoff)
+  /// @param poisson Poisson's ratio, as in sphere(poisson, cutoff)
   /// @param body    that sphere
   /// @param contact the contact points of the impact, in units of the sphere
   /// @throws InvalidInput for points outside the sphere, empty or not finite arrays, and a body that is not that sphere

@@ -6,7 +6,7 @@
 
 namespace stoss::bodies::sphere {
 
-/// Range of the Poisson number in which the modes are tested.
+/// Range of the Poisson's ratio in which the modes are tested.
 inline constexpr double min_poisson = -0.95;
 inline constexpr double max_poisson = 0.4999;
 
@@ -31,7 +31,7 @@ struct Mode {
 /// No root is missed: the roots below any frequency are counted exactly (Wittrick and Williams,
 /// docs/theory/spheres.md), every bracket holds one root, and the list is checked against that count and against
 /// static_flexibility.
-/// @param poisson Poisson number, −0.95 … 0.4999
+/// @param poisson Poisson's ratio, −0.95 … 0.4999
 /// @param cutoff  highest frequency in c/R, from the lowest mode to 1000
 /// @throws InvalidInput outside these ranges; NotConverged if the list fails its own check
 [[nodiscard]] std::vector<Mode> modes(double poisson, double cutoff, const Poll& poll = {});
@@ -43,7 +43,7 @@ struct Displacement {
 };
 
 /// Displacement (u_r, u_θ) of a mode inside the sphere at radii 0 ≤ r ≤ 1.
-/// @throws InvalidInput for a radius or a Poisson number out of range
+/// @throws InvalidInput for a radius or a Poisson's ratio out of range
 [[nodiscard]] std::vector<Displacement> displacement(double poisson, const Mode& mode, const std::vector<double>& radii,
                                                      const Poll& poll = {});
 
