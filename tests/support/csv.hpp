@@ -1,11 +1,9 @@
 #pragma once
 
 #include <cstddef>
-#include <fstream>
 #include <map>
-#include <sstream>
-#include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace stoss::test {
@@ -24,27 +22,6 @@ class CsvRow {
 };
 
 /// Reads tests/data/`name`: # comments, one header line, comma-separated values without quotes.
-inline std::vector<CsvRow> read_csv(const std::string& name) {
-  std::ifstream file(std::string(STOSS_TEST_DATA "/") + name);
-  if (!file) throw std::runtime_error("cannot read tests/data/" + name);
-  std::vector<CsvRow> rows;
-  std::vector<std::string> columns;
-  for (std::string line; std::getline(file, line);) {
-    if (line.empty() || line.front() == '#') continue;
-    std::vector<std::string> cells;
-    std::istringstream stream(line);
-    for (std::string cell; std::getline(stream, cell, ',');) cells.push_back(cell);
-    if (columns.empty()) {
-      columns = cells;
-      continue;
-    }
-    cells.resize(columns.size());
-    std::map<std::string, std::string> named;
-    for (std::size_t i = 0; i < columns.size(); ++i) named[columns[i]] = cells[i];
-    rows.emplace_back(std::move(named));
-  }
-  if (rows.empty()) throw std::runtime_error("no rows in tests/data/" + name);
-  return rows;
-}
+[[nodiscard]] std::vector<CsvRow> read_csv(const std::string& name);
 
 }  // namespace stoss::test
