@@ -31,14 +31,14 @@ void require_rising(const char* name, double low, double high) {
 }
 
 /// The range of ratios that the table holds: of bodies of one material those from 1 on.
-std::pair<double, double> held(const Mixture& mixture, double smallest, double greatest) {
+std::pair<double, double> held(const Mixture& mixture, double smallest, double largest) {
   const Range range{1e-3, 1e3, true, true, "0.001 to 1000"};
   require("ratio", smallest, range, "radius of the second over that of the first");
-  require("ratio", greatest, range, "radius of the second over that of the first");
-  require_rising("ratio", smallest, greatest);
-  if (!mixture.alike || smallest >= 1.0) return {smallest, greatest};
-  if (greatest <= 1.0) return {1.0 / greatest, 1.0 / smallest};
-  return {1.0, std::max(greatest, 1.0 / smallest)};
+  require("ratio", largest, range, "radius of the second over that of the first");
+  require_rising("ratio", smallest, largest);
+  if (!mixture.alike || smallest >= 1.0) return {smallest, largest};
+  if (largest <= 1.0) return {1.0 / largest, 1.0 / smallest};
+  return {1.0, std::max(largest, 1.0 / smallest)};
 }
 
 void require_options(double slowest, double fastest, const PairTableOptions& options) {
@@ -65,12 +65,12 @@ NestedAxis axis_of_speeds(double slowest, double fastest) {
   return axis;
 }
 
-NestedAxis axis_of_ratios(double smallest, double greatest, bool alike) {
+NestedAxis axis_of_ratios(double smallest, double largest, bool alike) {
   NestedAxis axis(alike ? Slopes::mirrored : Slopes::parabolic);
-  const std::size_t count = intervals(smallest, greatest, fewest_of_ratios);
+  const std::size_t count = intervals(smallest, largest, fewest_of_ratios);
   for (std::size_t i = 0; i <= count; ++i) {
     const double share = static_cast<double>(i) / static_cast<double>(count);
-    axis.add(std::tanh(0.5 * (std::log(smallest) + share * (std::log(greatest) - std::log(smallest)))), 0);
+    axis.add(std::tanh(0.5 * (std::log(smallest) + share * (std::log(largest) - std::log(smallest)))), 0);
   }
   return axis;
 }
@@ -78,14 +78,14 @@ NestedAxis axis_of_ratios(double smallest, double greatest, bool alike) {
 /// ε at all crossings of two axes, which grow.
 class Grid {
  public:
-  Grid(const Mixture& mixture, double slowest, double fastest, double smallest, double greatest,
+  Grid(const Mixture& mixture, double slowest, double fastest, double smallest, double largest,
        const PairTableOptions& options)
       : speeds_(axis_of_speeds(slowest, fastest)),
-        ratios_(axis_of_ratios(smallest, greatest, mixture.alike)),
+        ratios_(axis_of_ratios(smallest, largest, mixture.alike)),
         mixture_(mixture),
         options_(options),
         ends_of_speeds_{slowest, fastest},
-        ends_of_ratios_{smallest, greatest} {
+        ends_of_ratios_{smallest, largest} {
     compute();
   }
 
@@ -198,10 +198,10 @@ class Grid {
 
 }  // namespace
 
-PairTable pair_table(const Mixture& mixture, double slowest, double fastest, double smallest, double greatest,
+PairTable pair_table(const Mixture& mixture, double slowest, double fastest, double smallest, double largest,
                      const PairTableOptions& options) {
   require_options(slowest, fastest, options);
-  const std::pair<double, double> range = held(mixture, smallest, greatest);
+  const std::pair<double, double> range = held(mixture, smallest, largest);
   Grid grid(mixture, slowest, fastest, range.first, range.second, options);
   grid.refine();
   return PairTable(grid.values(), options.beyond);
