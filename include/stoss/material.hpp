@@ -10,6 +10,7 @@ struct Material {
   double poisson = 0.0;                    ///< ν of the solid, −1 < ν < ½
   double density = 0.0;                    ///< ρ, kg/m³
   std::optional<double> yield_strength{};  ///< Y in simple tension, Pa, if known
+  std::optional<double> loss_time{};       ///< η, s: stress = (1 + η ∂/∂t) elastic stress, if known
 };
 
 /// Kind of body behind a disk: a thin plate (plane stress) or a slice of a long cylinder (plane strain).

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "stoss/encounter/encounter.hpp"
+
+/// An encounter as a JSON document:
+///
+///   {"first": {"kind": "sphere", "radius": 0.005, "material": "steel"},
+///    "against": {"kind": "half-space", "material": {"young": 7e10, "poisson": 0.22, "density": 2500}},
+///    "vibration": [{"body": "first", "order": 2, "index": 0, "energy": 0.1, "phase": 0}]}
+///
+/// `against` may be the name of a kind without numbers, as "wall" or "same"; it and `vibration` may be left out.
+namespace stoss {
+
+/// Reads a document. @throws InvalidInput with one line: what is wrong where, and what is allowed
+[[nodiscard]] Encounter encounter_from_json(std::string_view text);
+
+/// Writes a document that reads back as the same encounter, on one line.
+[[nodiscard]] std::string to_json(const Encounter& encounter);
+
+/// The JSON Schema (draft 2020-12) of these documents.
+[[nodiscard]] std::string encounter_schema();
+
+}  // namespace stoss

@@ -1,0 +1,79 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "stoss/encounter/kinds.hpp"
+#include "stoss/impact/vibration.hpp"
+#include "stoss/material.hpp"
+#include "stoss/restitution/ladder.hpp"
+#include "stoss/table/adaptive_pairs.hpp"
+#include "stoss/table/slow_law.hpp"
+
+namespace stoss {
+
+/// A body or a wall as it is given: its kind with the numbers that make it.
+struct Participant {
+  std::string kind = "disk";           ///< of the table of kinds
+  Values values{};                     ///< those of its parameters that were given
+  std::optional<Material> material{};  ///< in place of those of the material; then all is in SI
+  std::string material_name{};         ///< where it is a named one
+  Plane plane = Plane::stress;         ///< of a disk or a half-plane with a material
+  bool rigid = false;                  ///< keeps its mass and the units of the elastic body
+};
+
+/// Who meets whom, and how both are given; not at which speed.
+///
+/// With a material of the first body, sizes, loss times and speeds are in SI. Without, they are in any consistent
+/// units, as ratios to the first, and speeds in its c. What the second leaves out is that of the first for Poisson's
+/// ratio, otherwise 1; its kind "same" means a body equal to the first.
+struct Encounter {
+  Participant first{};
+  Participant against{.kind = "wall"};
+  Vibration vibration{};  ///< of the bodies before they meet
+};
+
+/// Refuses what cannot meet, numbers out of range, and numbers that are missing or do not go together.
+/// @throws InvalidInput with the name of the number, after "against" where it is of the second
+void validate(const Encounter& encounter);
+
+/// The first body, and what it meets where that is a body or half-space, in units of the first: with a material
+/// R = E = ρ = 1, of a rod in SI. @throws InvalidInput as validate
+[[nodiscard]] Solid first_solid(const Encounter& encounter);
+[[nodiscard]] std::optional<Solid> second_solid(const Encounter& encounter);
+
+/// Makers of these, rigid where they are.
+[[nodiscard]] BodyMaker first_maker(const Encounter& encounter);
+[[nodiscard]] BodyMaker second_maker(const Encounter& encounter);
+
+/// At any cutoff, for `restitution`; of an exponential wall, at the hard one. @throws InvalidInput as validate
+[[nodiscard]] RefinableContact refinable(const Encounter& encounter);
+
+/// At one cutoff, and for contacts as long as at this speed, both in units of the first body.
+/// @throws InvalidInput as validate and contact
+[[nodiscard]] Contact contact_of(const Encounter& encounter, double cutoff, double speed);
+
+/// Of any ratio of radii, for a table of pairs; that of the two does not count.
+/// @throws InvalidInput unless these are elastic disks or spheres
+[[nodiscard]] Mixture mixture(const Encounter& encounter);
+
+/// The law of its slow impacts. @throws InvalidInput for bodies of which there is none
+[[nodiscard]] SlowLaw slow_law(const Encounter& encounter);
+
+/// SI values of the units of the first body, where it has a material.
+[[nodiscard]] std::optional<Scales> si_scales(const Encounter& encounter);
+
+/// Names of the units in which bodies and speeds are given: of SI, or of the first body.
+[[nodiscard]] UnitSystem unit_system(const Encounter& encounter);
+
+/// c of the first body in m/s, or 1: what a speed that is given is divided by.
+[[nodiscard]] double speed_unit(const Encounter& encounter);
+
+/// A speed that is given, in c of the first body. @throws InvalidInput unless it is 1e-8 … 1 c
+[[nodiscard]] double own_speed(const Encounter& encounter, double speed);
+
+/// Speed of approach at which a sphere, or what it meets, begins to yield, m/s; nothing without a yield strength.
+/// @throws InvalidInput as quasistatic::yield_speed
+[[nodiscard]] std::optional<double> yield_speed(const Encounter& encounter);
+
+}  // namespace stoss

@@ -1,0 +1,19 @@
+#pragma once
+
+#include <variant>
+
+#include "stoss/bodies/disk.hpp"
+#include "stoss/bodies/half_space.hpp"
+#include "stoss/bodies/rod.hpp"
+#include "stoss/bodies/sphere.hpp"
+#include "stoss/body/body.hpp"
+
+namespace stoss {
+
+/// What has a surface that deforms, as a value: its size and material, in any consistent units.
+using Solid = std::variant<Disk, Sphere, Rod, HalfSpace, HalfPlane>;
+
+/// Makes the body of a solid at any cutoff. @throws InvalidInput as the maker of its kind
+[[nodiscard]] BodyMaker maker(const Solid& solid);
+
+}  // namespace stoss

@@ -1,0 +1,202 @@
+#include "stoss/encounter/document.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "stoss/encounter/materials.hpp"
+#include "stoss/errors.hpp"
+
+namespace stoss {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+[[noreturn]] void refuse(const std::string& where, const Json& got, const std::string& allowed) {
+  constexpr std::size_t most = 60;
+  std::string text = got.dump();
+  if (text.size() > most) text = text.substr(0, most) + "...";
+  throw InvalidInput(where + ": got " + text + ", allowed " + allowed);
+}
+
+double number(const std::string& where, const Json& value) {
+  if (!value.is_number() || !std::isfinite(value.get<double>())) refuse(where, value, "a finite number");
+  return value.get<double>();
+}
+
+std::string word(const std::string& where, const Json& value, const std::string& allowed) {
+  if (!value.is_string()) refuse(where, value, allowed);
+  return value.get<std::string>();
+}
+
+const Json& object(const std::string& where, const Json& value) {
+  if (!value.is_object()) refuse(where, value, "an object");
+  return value;
+}
+
+Material material_of_numbers(const std::string& where, const Json& given) {
+  Material material;
+  const std::array<std::pair<const char*, double*>, 3> needed{
+      {{"young", &material.young}, {"poisson", &material.poisson}, {"density", &material.density}}};
+  for (const auto& [name, place] : needed) {
+    if (!given.contains(name)) refuse(where, given, "the numbers young, poisson and density, or a name");
+    *place = number(where + " " + name, given[name]);
+  }
+  for (const auto& [name, value] : given.items()) {
+    if (name == "yield_strength") {
+      material.yield_strength = number(where + " " + name, value);
+    } else if (name == "loss_time") {
+      material.loss_time = number(where + " " + name, value);
+    } else if (std::none_of(needed.begin(), needed.end(), [&n = name](const auto& each) { return n == each.first; })) {
+      refuse(where, name, "young, poisson, density, yield_strength, loss_time");
+    }
+  }
+  return material;
+}
+
+void read_material(const std::string& where, const Json& given, Participant& into) {
+  if (given.is_string()) {
+    into.material_name = given.get<std::string>();
+    into.material = named_material(into.material_name);
+  } else {
+    into.material = material_of_numbers(where, object(where, given));
+  }
+}
+
+std::string words_of(const Kind& kind) {
+  std::string text = "kind";
+  for (const Parameter& each : kind.parameters) text += ", " + std::string(each.name);
+  if (!kind.wall) text += ", material";
+  if (kind.has_plane) text += ", plane";
+  if (kind.can_be_rigid) text += ", rigid";
+  return text;
+}
+
+Plane plane_of(const std::string& where, const Json& value) {
+  const std::string name = word(where, value, "\"stress\" or \"strain\"");
+  if (name != "stress" && name != "strain") refuse(where, value, "\"stress\" or \"strain\"");
+  return name == "stress" ? Plane::stress : Plane::strain;
+}
+
+Participant participant(const std::string& where, const Json& given) {
+  Participant made;
+  if (given.is_string()) {
+    made.kind = kind(given.get<std::string>()).name;
+    return made;
+  }
+  if (!object(where, given).contains("kind")) refuse(where, given, "an object with a kind");
+  const Kind& its = kind(word(where + " kind", given["kind"], "the name of a kind"));
+  made.kind = its.name;
+  for (const auto& [name, value] : given.items()) {
+    const std::string place = where + " " + name;
+    if (name == "kind") continue;
+    if (parameter(its, name) != nullptr) {
+      made.values[name] = number(place, value);
+    } else if (name == "material" && !its.wall) {
+      read_material(place, value, made);
+    } else if (name == "plane" && its.has_plane) {
+      made.plane = plane_of(place, value);
+    } else if (name == "rigid" && its.can_be_rigid && value.is_boolean()) {
+      made.rigid = value.get<bool>();
+    } else if (name == "rigid" && its.can_be_rigid) {
+      refuse(place, value, "true or false");
+    } else {
+      refuse(where, name, words_of(its));
+    }
+  }
+  return made;
+}
+
+int whole(const std::string& where, const Json& value) {
+  if (!value.is_number_integer()) refuse(where, value, "a whole number");
+  return value.get<int>();
+}
+
+Oscillation oscillation(const std::string& where, const Json& given) {
+  Oscillation mode;
+  for (const char* needed : {"order", "index", "energy"}) {
+    if (!object(where, given).contains(needed)) refuse(where, given, "an object with order, index and energy");
+  }
+  for (const auto& [name, value] : given.items()) {
+    const std::string place = where + " " + name;
+    if (name == "order") {
+      mode.order = whole(place, value);
+    } else if (name == "index") {
+      mode.index = whole(place, value);
+    } else if (name == "energy") {
+      mode.energy = number(place, value);
+    } else if (name == "phase") {
+      mode.phase = number(place, value);
+    } else if (name == "body" && (value == "first" || value == "second")) {
+      mode.body = value == "first" ? 0 : 1;
+    } else if (name == "body") {
+      refuse(place, value, "\"first\" or \"second\"");
+    } else {
+      refuse(where, name, "body, order, index, energy, phase");
+    }
+  }
+  return mode;
+}
+
+Json described(const Material& material) {
+  Json json{{"young", material.young}, {"poisson", material.poisson}, {"density", material.density}};
+  if (material.yield_strength) json["yield_strength"] = *material.yield_strength;
+  if (material.loss_time) json["loss_time"] = *material.loss_time;
+  return json;
+}
+
+Json described(const Participant& of) {
+  const Kind& its = kind(of.kind);
+  Json json{{"kind", of.kind}};
+  for (const auto& [name, value] : of.values) json[name] = value;
+  if (of.material) json["material"] = of.material_name.empty() ? described(*of.material) : Json(of.material_name);
+  if (of.material && its.has_plane) json["plane"] = of.plane == Plane::stress ? "stress" : "strain";
+  if (of.rigid) json["rigid"] = true;
+  return json.size() == 1 && its.wall ? Json(of.kind) : json;
+}
+
+}  // namespace
+
+Encounter encounter_from_json(std::string_view text) {
+  Json document;
+  try {
+    document = Json::parse(text);
+  } catch (const Json::exception& error) {
+    throw InvalidInput("encounter: got no JSON document, allowed one (" + std::string(error.what()) + ")");
+  }
+  if (!object("encounter", document).contains("first")) refuse("encounter", document, "an object with a first body");
+  Encounter encounter;
+  for (const auto& [name, value] : document.items()) {
+    if (name == "first") {
+      encounter.first = participant("first", value);
+    } else if (name == "against") {
+      encounter.against = participant("against", value);
+    } else if (name == "vibration" && value.is_array()) {
+      for (const Json& each : value) encounter.vibration.push_back(oscillation("vibration", each));
+    } else if (name == "vibration") {
+      refuse(name, value, "a list of modes");
+    } else {
+      refuse("encounter", name, "first, against, vibration");
+    }
+  }
+  validate(encounter);
+  return encounter;
+}
+
+std::string to_json(const Encounter& encounter) {
+  Json document{{"first", described(encounter.first)}, {"against", described(encounter.against)}};
+  for (const Oscillation& mode : encounter.vibration) {
+    document["vibration"].push_back({{"body", mode.body == 0 ? "first" : "second"},
+                                     {"order", mode.order},
+                                     {"index", mode.index},
+                                     {"energy", mode.energy},
+                                     {"phase", mode.phase}});
+  }
+  return document.dump();
+}
+
+}  // namespace stoss

@@ -1,0 +1,186 @@
+#include "stoss/encounter/encounter.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+#include "digits.hpp"
+#include "encounter/participant.hpp"
+#include "stoss/quasistatic/yield.hpp"
+
+namespace stoss {
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+/// In units of the first body with a material, of which rods are the exception: they keep SI.
+Values in_units_of_first(Values all, const Values& first, double time) {
+  for (const char* name : {"radius", "young", "density"}) {
+    if (all.contains(name)) all[name] /= first.at(name);
+  }
+  all["loss_time"] /= time;
+  return all;
+}
+
+bool is_rod(const Encounter& encounter) { return encounter.first.kind == "rod"; }
+
+bool has_second_values(const Encounter& encounter) { return !kind(encounter.against.kind).wall; }
+
+Values first_values(const Encounter& encounter) { return all_values(encounter.first, {}, infinity); }
+
+Solid solid_of(const Encounter& encounter, const Kind& kind, Values all) {
+  if (encounter.first.material && !is_rod(encounter)) {
+    all = in_units_of_first(std::move(all), first_values(encounter), si_scales(encounter)->time);
+  }
+  return kind.solid(all);
+}
+
+Wall wall_of(const Encounter& encounter) {
+  if (encounter.against.kind != "exponential") return HardWall{};
+  const Values all = all_values(encounter.against, {}, infinity);
+  return ExponentialWall{all.at("hardness"), all.at("strength")};
+}
+
+BodyMaker made(const Participant& of, const Solid& solid) { return of.rigid ? rigid(maker(solid)) : maker(solid); }
+
+void require_partner(const Encounter& encounter) {
+  const Kind& first = kind(encounter.first.kind);
+  if (!first.bounded) {
+    throw InvalidInput("kind: got " + std::string(first.name) + " as the first body, allowed one that moves");
+  }
+  const Kind& against = kind(encounter.against.kind);
+  if (meets(first, against)) return;
+  std::string allowed;
+  for (const Kind& each : kinds()) {
+    if (meets(first, each)) allowed += (allowed.empty() ? "" : ", ") + std::string(each.name);
+  }
+  throw InvalidInput("against: got " + std::string(against.name) + " for a " + std::string(first.name) + ", allowed " +
+                     allowed + " (" + who_meets_whom() + ")");
+}
+
+void require_rigid(const Participant& of) {
+  if (!of.rigid) return;
+  if (!kind(of.kind).can_be_rigid) {
+    throw InvalidInput("rigid: got a rigid " + of.kind + ", allowed a disk or a sphere");
+  }
+  if (loss_time_of(of) != 0.0)
+    throw InvalidInput("loss_time: got " + shown(loss_time_of(of)) +
+                       ", allowed 0 of a rigid body, which loses nothing");
+}
+
+void require_one_that_deforms(const Encounter& encounter) {
+  require_rigid(encounter.first);
+  of_what_is_met([&] { require_rigid(encounter.against); });
+  const bool other = kind(encounter.against.kind).wall || encounter.against.rigid;
+  if (encounter.first.rigid && other) {
+    throw InvalidInput("rigid: got a rigid body against " + encounter.against.kind +
+                       ", allowed only with an elastic body or block, which deforms");
+  }
+}
+
+void require_units(const Encounter& encounter) {
+  if (!has_second_values(encounter) || encounter.first.material.has_value() == encounter.against.material.has_value()) {
+    return;
+  }
+  throw InvalidInput(encounter.first.material ? "against material: got none, allowed one, as the first body has one"
+                                              : "against material: got one, allowed none, as the first body has none");
+}
+
+}  // namespace
+
+bool is_at_wall(const Encounter& encounter) {
+  return kind(encounter.against.kind).wall && encounter.against.kind != "same";
+}
+
+void validate(const Encounter& encounter) {
+  require_partner(encounter);
+  require_one_that_deforms(encounter);
+  require_units(encounter);
+  (void)first_maker(encounter);
+  of_what_is_met([&] { validate(wall_of(encounter)); });
+  (void)second_maker(encounter);
+  (void)yield_speed(encounter);
+}
+
+std::optional<Scales> si_scales(const Encounter& encounter) {
+  const Participant& first = encounter.first;
+  if (!first.material) return std::nullopt;
+  const Values all = first_values(encounter);
+  if (first.kind == "disk") return scales(*first.material, first.plane, all.at("radius"));
+  if (is_rod(encounter)) return scales(std::get<Rod>(kind("rod").solid(all)));
+  return scales(std::get<Sphere>(kind("sphere").solid(all)));
+}
+
+UnitSystem unit_system(const Encounter& encounter) {
+  const Kind& first = kind(encounter.first.kind);
+  return encounter.first.material ? first.si : first.own;
+}
+
+double speed_unit(const Encounter& encounter) {
+  const auto si = si_scales(encounter);
+  return si ? si->speed : 1.0;
+}
+
+double own_speed(const Encounter& encounter, double speed) {
+  constexpr double slowest = 1e-8, fastest = 1.0;
+  const double unit = speed_unit(encounter);
+  if (!(speed >= slowest * unit && speed <= fastest * unit)) {
+    throw InvalidInput("speed: got " + shown(speed) + ", allowed " + shown(slowest * unit) + " to " +
+                       shown(fastest * unit) + " " + std::string(unit_name(Dimension::speed, unit_system(encounter))) +
+                       " (speed of approach, 1e-8 to 1 c)");
+  }
+  return std::clamp(speed / unit, slowest, fastest);  // the division may round beyond an end
+}
+
+Solid first_solid(const Encounter& encounter) {
+  return solid_of(encounter, kind(encounter.first.kind), first_values(encounter));
+}
+
+std::optional<Solid> second_solid(const Encounter& encounter) {
+  if (encounter.against.kind == "same") return first_solid(encounter);
+  if (!has_second_values(encounter)) return std::nullopt;
+  const Values first = first_values(encounter);
+  const auto poisson = first.find("poisson");
+  const auto its = poisson == first.end() ? std::nullopt : std::optional(poisson->second);
+  // A half-plane has no size: that of the first serves to express its modulus.
+  const double radius = given_or(encounter.first, "radius", 1.0);
+  const Kind& against = kind(encounter.against.kind);
+  return solid_of(encounter, against, of_what_is_met([&] { return all_values(encounter.against, its, radius); }));
+}
+
+BodyMaker first_maker(const Encounter& encounter) { return made(encounter.first, first_solid(encounter)); }
+
+BodyMaker second_maker(const Encounter& encounter) {
+  if (encounter.against.kind == "same") return first_maker(encounter);
+  const auto second = second_solid(encounter);
+  return second ? of_what_is_met([&] { return made(encounter.against, *second); }) : BodyMaker{};
+}
+
+RefinableContact refinable(const Encounter& encounter) {
+  validate(encounter);
+  if (is_at_wall(encounter)) return RefinableContact(first_maker(encounter));
+  return {first_maker(encounter), second_maker(encounter)};
+}
+
+Contact contact_of(const Encounter& encounter, double cutoff, double speed) {
+  validate(encounter);
+  if (!is_at_wall(encounter)) return contact(first_maker(encounter), second_maker(encounter), cutoff, speed);
+  return contact(first_maker(encounter)(cutoff, {}), wall_of(encounter));
+}
+
+std::optional<double> yield_speed(const Encounter& encounter) {
+  const Participant& first = encounter.first;
+  if (!first.material || !kind(first.kind).can_yield) return std::nullopt;
+  const double radius = given_or(first, "radius", infinity);
+  Material material = *first.material;
+  if (first.rigid) material.young = infinity;
+  if (is_at_wall(encounter)) return quasistatic::yield_speed(material, radius);
+  if (encounter.against.kind == "same") return quasistatic::yield_speed(material, radius, material, radius);
+  return of_what_is_met([&] {
+    Material other = *encounter.against.material;
+    if (encounter.against.rigid) other.young = infinity;
+    return quasistatic::yield_speed(material, radius, other, given_or(encounter.against, "radius", infinity));
+  });
+}
+
+}  // namespace stoss

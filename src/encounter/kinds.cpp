@@ -1,0 +1,145 @@
+#include "stoss/encounter/kinds.hpp"
+
+#include <algorithm>
+#include <limits>
+
+#include "stoss/bodies/disk/modes.hpp"
+#include "stoss/errors.hpp"
+
+namespace stoss {
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double lowest = -0.95, highest_of_solid = 0.4999;
+
+constexpr Parameter plane_poisson_number{
+    "poisson",
+    "",
+    {},
+    bodies::disk::min_poisson,
+    bodies::disk::max_poisson,
+    true,
+    true,
+    "Poisson's ratio: without a material the 2-D one, with a material that of the solid"};
+constexpr Parameter solid_poisson_number{"poisson", "", {}, lowest, highest_of_solid, true, true, "Poisson's ratio"};
+constexpr Parameter young{"young", "Pa", 1.0, 0.0, infinity, false, true, "Young's modulus"};
+constexpr Parameter density{"density", "kg/m^3", 1.0, 0.0, infinity, false, true, "density"};
+constexpr Parameter radius{"radius", "m", 1.0, 0.0, infinity, false, false, "radius"};
+constexpr Parameter length{"length", "m", 1.0, 0.0, infinity, false, false, "length"};
+constexpr Parameter area{"area", "m^2", 1.0, 0.0, infinity, false, false, "area of the cross-section"};
+constexpr Parameter loss_time{
+    "loss_time",
+    "s",
+    0.0,
+    0.0,
+    1e5,
+    true,
+    false,
+    "loss time eta of the material, stress = (1 + eta d/dt) elastic stress, in R/c of the first body or in s"};
+constexpr Parameter hardness{"hardness", "", 500.0, 1.0, 1e6, true, false, "alpha R of the wall"};
+constexpr Parameter strength{"strength", "", 1.0, 1e-100, 1e100, true, false, "V0; it only shifts the wall"};
+
+/// A disk or a sphere of its numbers.
+template <typename Round>
+Solid round(const Values& of) {
+  return Round{of.at("poisson"), of.at("radius"), of.at("young"), of.at("density"), of.at("loss_time")};
+}
+
+template <typename Unbounded>
+Solid unbounded(const Values& of) {
+  return Unbounded{of.at("poisson"), of.at("young"), of.at("density"), of.at("loss_time")};
+}
+
+Solid rod_of(const Values& of) {
+  return Rod{of.at("length"), of.at("young"), of.at("density"), of.at("area"), of.at("loss_time")};
+}
+
+std::vector<Kind> make_kinds() {
+  Kind disk{.name = "disk",
+            .plural = "disks",
+            .help = "an elastic disk, thin or a slice of a long cylinder",
+            .wall = false,
+            .bounded = true,
+            .can_be_rigid = true,
+            .can_yield = false,
+            .has_plane = true,
+            .contour = Contour::cylinder,
+            .own = UnitSystem::disk,
+            .si = UnitSystem::disk_si,
+            .parameters = {plane_poisson_number, radius, young, density, loss_time},
+            .solid = round<Disk>};
+  Kind sphere = disk;
+  sphere.name = "sphere", sphere.plural = "spheres", sphere.help = "an elastic sphere";
+  sphere.can_yield = true, sphere.has_plane = false, sphere.contour = Contour::ball;
+  sphere.own = UnitSystem::sphere, sphere.si = UnitSystem::sphere_si;
+  sphere.parameters.front() = solid_poisson_number, sphere.solid = round<Sphere>;
+  Kind rod = sphere;
+  rod.name = "rod", rod.plural = "rods", rod.help = "a thin elastic rod that meets with one end";
+  rod.can_be_rigid = rod.can_yield = false, rod.contour = Contour::flat;
+  rod.own = UnitSystem::rod, rod.si = UnitSystem::rod_si;
+  rod.parameters = {length, young, density, area, loss_time}, rod.solid = rod_of;
+  Kind half_space = sphere;
+  half_space.name = "half-space", half_space.plural = "half-spaces";
+  half_space.help = "an elastic block for spheres, so large that no wave comes back in time";
+  half_space.bounded = half_space.can_be_rigid = false;
+  half_space.parameters = {solid_poisson_number, young, density, loss_time};
+  half_space.solid = unbounded<HalfSpace>;
+  Kind half_plane = disk;
+  half_plane.name = "half-plane", half_plane.plural = "half-planes", half_plane.help = "such a block for disks";
+  half_plane.bounded = half_plane.can_be_rigid = false;
+  half_plane.parameters = {plane_poisson_number, young, density, loss_time};
+  half_plane.solid = unbounded<HalfPlane>;
+  Kind wall = half_space;
+  wall.name = "wall", wall.plural = "walls", wall.help = "a rigid wall";
+  wall.wall = true, wall.can_yield = false, wall.parameters = {}, wall.solid = {};
+  Kind same = wall;
+  same.name = "same", same.plural = "equal bodies", same.help = "a second body, equal to the first";
+  Kind exponential = wall;
+  exponential.name = "exponential", exponential.plural = "exponential walls";
+  exponential.help = "the soft wall of the paper, for one impact at a given cutoff";
+  exponential.parameters = {hardness, strength};
+  return {wall, same, disk, sphere, rod, half_space, half_plane, exponential};
+}
+
+}  // namespace
+
+const std::vector<Kind>& kinds() {
+  static const std::vector<Kind> all = make_kinds();
+  return all;
+}
+
+const Kind& kind(std::string_view name) {
+  std::string names;
+  for (const Kind& each : kinds()) {
+    if (each.name == name) return each;
+    names += (names.empty() ? "" : ", ") + std::string(each.name);
+  }
+  throw InvalidInput("kind: got '" + std::string(name) + "', allowed " + names);
+}
+
+const Parameter* parameter(const Kind& kind, std::string_view name) {
+  const auto found = std::find_if(kind.parameters.begin(), kind.parameters.end(),
+                                  [name](const Parameter& each) { return each.name == name; });
+  return found == kind.parameters.end() ? nullptr : &*found;
+}
+
+bool meets(const Kind& first, const Kind& against) {
+  return first.bounded && (against.wall || first.contour == against.contour);
+}
+
+std::string who_meets_whom() {
+  std::string text;
+  for (const Kind& first : kinds()) {
+    if (!first.bounded) continue;
+    text += (text.empty() ? "a " : ", a ") + std::string(first.name) + (text.empty() ? " meets " : " ");
+    bool begun = false;
+    for (const Kind& other : kinds()) {
+      if (other.wall || !meets(first, other)) continue;
+      text += (begun ? " and " : "") + std::string(other.plural);
+      begun = true;
+    }
+  }
+  return text;
+}
+
+}  // namespace stoss

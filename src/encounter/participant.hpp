@@ -1,0 +1,36 @@
+#pragma once
+
+#include <optional>
+#include <string_view>
+
+#include "stoss/encounter/encounter.hpp"
+#include "stoss/errors.hpp"
+
+namespace stoss {
+
+/// What `make` returns; its refusals say that they are of what is met.
+template <typename Make>
+auto of_what_is_met(Make make) {
+  try {
+    return make();
+  } catch (const InvalidInput& error) {
+    throw InvalidInput(std::string("against ") + error.what());
+  }
+}
+
+/// A number that was given, or what holds without it.
+[[nodiscard]] double given_or(const Participant& of, std::string_view name, double otherwise);
+
+/// η, that of the material where none is given; 0 of a rigid body.
+[[nodiscard]] double loss_time_of(const Participant& of);
+
+/// All numbers of the kind of a participant: as they were given, of its material in SI, or the default.
+/// @param poisson that it has where none is given
+/// @param radius  with which the modulus of what has none is expressed
+/// @throws InvalidInput for numbers that the kind does not have, that are missing, or that the material gives too
+[[nodiscard]] Values all_values(const Participant& of, std::optional<double> poisson, double radius);
+
+/// Whether it meets a wall, no body.
+[[nodiscard]] bool is_at_wall(const Encounter& encounter);
+
+}  // namespace stoss

@@ -1,0 +1,103 @@
+// The JSON Schema of encounters, from the table of kinds.
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "stoss/encounter/document.hpp"
+#include "stoss/encounter/materials.hpp"
+
+namespace stoss {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json number_of(const Parameter& its) {
+  Json schema{{"type", "number"}, {"description", its.help}};
+  if (!its.unit.empty()) schema["x-unit"] = its.unit;
+  schema[its.low_included ? "minimum" : "exclusiveMinimum"] = its.low;
+  if (std::isfinite(its.high)) schema["maximum"] = its.high;
+  if (its.otherwise) schema["default"] = *its.otherwise;
+  return schema;
+}
+
+Json without_a_range(Json schema) {
+  for (const char* key : {"minimum", "exclusiveMinimum", "maximum"}) schema.erase(key);
+  return schema;
+}
+
+Json materials() {
+  Json names = Json::array();
+  for (const NamedMaterial& each : named_materials()) names.push_back(each.name);
+  const Json positive{{"type", "number"}, {"exclusiveMinimum", 0}};
+  const Json poisson{{"type", "number"}, {"exclusiveMinimum", -1}, {"exclusiveMaximum", 0.5}};
+  const Json numbers{{"type", "object"},
+                     {"properties",
+                      {{"young", positive},
+                       {"poisson", poisson},
+                       {"density", positive},
+                       {"yield_strength", positive},
+                       {"loss_time", {{"type", "number"}, {"minimum", 0}}}}},
+                     {"required", {"young", "poisson", "density"}},
+                     {"additionalProperties", false}};
+  return {{"description", "a named material, or its numbers in SI"}, {"oneOf", {{{"enum", names}}, numbers}}};
+}
+
+/// @param first whether it is of the first body, whose numbers have no default but 1
+Json object_of(const Kind& kind, bool first) {
+  Json properties{{"kind", {{"const", kind.name}}}};
+  for (const Parameter& each : kind.parameters) {
+    // η is limited in units of the body, which are not those of the document.
+    properties[std::string(each.name)] = each.name == "loss_time" ? without_a_range(number_of(each)) : number_of(each);
+  }
+  if (!kind.wall) properties["material"] = {{"$ref", "#/$defs/material"}};
+  if (kind.has_plane) properties["plane"] = {{"enum", {"stress", "strain"}}, {"default", "stress"}};
+  if (kind.can_be_rigid) properties["rigid"] = {{"type", "boolean"}, {"default", false}};
+  Json schema{{"type", "object"},
+              {"description", kind.help},
+              {"properties", properties},
+              {"required", {"kind"}},
+              {"additionalProperties", false}};
+  if (first && parameter(kind, "poisson") != nullptr) {
+    schema["oneOf"] = {{{"required", {"poisson"}}}, {{"required", {"material"}}}};
+  }
+  return schema;
+}
+
+Json vibration() {
+  const Json number{{"type", "number"}}, whole{{"type", "integer"}, {"minimum", 0}};
+  const Json mode{{"type", "object"},
+                  {"properties",
+                   {{"body", {{"enum", {"first", "second"}}, {"default", "first"}}},
+                    {"order", whole},
+                    {"index", whole},
+                    {"energy", {{"type", "number"}, {"minimum", 0}}},
+                    {"phase", number}}},
+                  {"required", {"order", "index", "energy"}},
+                  {"additionalProperties", false}};
+  return {{"type", "array"}, {"items", mode}};
+}
+
+}  // namespace
+
+std::string encounter_schema() {
+  Json first = Json::array(), against = Json::array(), names = Json::array();
+  for (const Kind& each : kinds()) {
+    if (each.bounded && !each.wall) first.push_back(object_of(each, true));
+    against.push_back(object_of(each, false));
+    if (each.wall || !each.bounded) names.push_back(each.name);
+  }
+  against.push_back({{"enum", names}});
+  const Json schema{{"$schema", "https://json-schema.org/draft/2020-12/schema"},
+                    {"title", "stoss encounter"},
+                    {"description", "Who meets whom, and how both are given; " + who_meets_whom()},
+                    {"type", "object"},
+                    {"properties",
+                     {{"first", {{"oneOf", first}}},
+                      {"against", {{"oneOf", against}, {"default", "wall"}}},
+                      {"vibration", vibration()}}},
+                    {"required", {"first"}},
+                    {"additionalProperties", false},
+                    {"$defs", {{"material", materials()}}}};
+  return schema.dump(2);
+}
+
+}  // namespace stoss

@@ -1,0 +1,18 @@
+#include "stoss/encounter/solid.hpp"
+
+namespace stoss {
+namespace {
+
+struct Make {
+  BodyMaker operator()(const Disk& value) const { return disk(value); }
+  BodyMaker operator()(const Sphere& value) const { return sphere(value); }
+  BodyMaker operator()(const Rod& value) const { return rod(value); }
+  BodyMaker operator()(const HalfSpace& value) const { return half_space(value); }
+  BodyMaker operator()(const HalfPlane& value) const { return half_plane(value); }
+};
+
+}  // namespace
+
+BodyMaker maker(const Solid& solid) { return std::visit(Make{}, solid); }
+
+}  // namespace stoss

@@ -1,0 +1,132 @@
+// Who meets whom: the same contacts as made by hand, in SI and as ratios; refusals in one line.
+#include "stoss/encounter/encounter.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+
+#include "stoss/encounter/document.hpp"
+#include "stoss/quasistatic/yield.hpp"
+#include "stoss/restitution/restitution.hpp"
+#include "support/refusal.hpp"
+
+namespace stoss {
+namespace {
+
+const Material steel{2.1e11, 0.3, 7850.0}, glass{7e10, 0.22, 2500.0};
+
+double loss(const RefinableContact& contact, double speed) {
+  return restitution(contact, speed, {.tolerance = 1e-2}).lost_fraction.value;
+}
+
+TEST(Encounter, IsTheContactMadeByHand) {
+  const Encounter pair{.first = {.values = {{"poisson", 0.33}}},
+                       .against = {.kind = "disk", .values = {{"radius", 2.0}, {"young", 3.0}}}};
+  const Disk second{.poisson = 0.33, .radius = 2.0, .young = 3.0};
+  EXPECT_EQ(loss(refinable(pair), 0.1), loss(RefinableContact(disk(0.33), disk(second)), 0.1));
+
+  const Encounter wall{.first = {.kind = "sphere", .values = {{"poisson", 0.3}, {"loss_time", 0.1}}}};
+  EXPECT_EQ(loss(refinable(wall), 0.1), loss(RefinableContact(sphere(Sphere{.poisson = 0.3, .loss_time = 0.1})), 0.1));
+
+  const Encounter same{.first = {.kind = "rod"}, .against = {.kind = "same"}};
+  EXPECT_EQ(second_maker(same)(10.0, {}).name, rod()(10.0, {}).name);
+}
+
+TEST(Encounter, InSIHasTheUnitsOfTheFirst) {
+  const Encounter drop{.first = {.kind = "sphere", .values = {{"radius", 0.005}}, .material = steel},
+                       .against = {.kind = "half-space", .material = glass}};
+  const auto block = std::get<HalfSpace>(*second_solid(drop));
+  EXPECT_EQ(block.poisson, 0.22);
+  EXPECT_DOUBLE_EQ(block.young, 1.0 / 3.0);
+  EXPECT_DOUBLE_EQ(block.density, 2500.0 / 7850.0);
+  EXPECT_DOUBLE_EQ(speed_unit(drop), std::sqrt(2.1e11 / 7850.0));
+  EXPECT_DOUBLE_EQ(own_speed(drop, 1.0), 1.0 / std::sqrt(2.1e11 / 7850.0));
+  EXPECT_EQ(unit_system(drop), UnitSystem::sphere_si);
+}
+
+TEST(Encounter, OfLongCylindersIsInPlaneStrain) {
+  const Encounter pair{
+      .first = {.values = {{"radius", 0.01}, {"loss_time", 1e-6}}, .material = steel, .plane = Plane::strain},
+      .against = {.kind = "half-plane", .material = glass, .plane = Plane::strain}};
+  const auto one = std::get<Disk>(first_solid(pair));
+  EXPECT_DOUBLE_EQ(one.poisson, 0.3 / 0.7);
+  EXPECT_EQ(one.radius, 1.0);
+  EXPECT_DOUBLE_EQ(one.loss_time, 1e-6 / si_scales(pair)->time);
+  const auto other = std::get<HalfPlane>(*second_solid(pair));
+  EXPECT_NEAR(other.young, (7e10 / (1.0 - 0.22 * 0.22)) / (2.1e11 / (1.0 - 0.09)), 1e-15);
+}
+
+TEST(Encounter, BeginsToYield) {
+  Material hard = steel;
+  hard.yield_strength = 1.7e9;
+  Encounter drop{.first = {.kind = "sphere", .values = {{"radius", 0.005}}, .material = hard}};
+  EXPECT_EQ(yield_speed(drop), quasistatic::yield_speed(hard, 0.005));
+  drop.against = {.kind = "same"};
+  EXPECT_EQ(yield_speed(drop), quasistatic::yield_speed(hard, 0.005, hard, 0.005));
+  drop.first.material = steel;
+  EXPECT_FALSE(yield_speed(drop));
+}
+
+TEST(Encounter, RefusesInOneLine) {
+  const Participant ball{.kind = "sphere", .values = {{"poisson", 0.3}}};
+  EXPECT_EQ(
+      test::message_of<InvalidInput>([&] { validate(Encounter{.first = ball, .against = {.kind = "rod"}}); }),
+      "against: got rod for a sphere, allowed wall, same, sphere, half-space, exponential (a disk meets disks and "
+      "half-planes, a sphere spheres and half-spaces, a rod rods)");
+  EXPECT_EQ(test::message_of<InvalidInput>(
+                [&] { validate(Encounter{.first = ball, .against = {.kind = "half-space", .material = glass}}); }),
+            "against material: got one, allowed none, as the first body has none");
+  EXPECT_EQ(test::message_of<InvalidInput>([] { validate(Encounter{.first = {.kind = "sphere", .material = steel}}); }),
+            "radius: got none, allowed a number in m (with a material)");
+  EXPECT_EQ(test::message_of<InvalidInput>([] { validate(Encounter{}); }).substr(0, 31),
+            "poisson: got none, allowed a nu");
+  EXPECT_EQ(test::message_of<InvalidInput>([&] {
+              validate(Encounter{.first = ball, .against = {.kind = "sphere", .values = {{"young", -1.0}}}});
+            }).substr(0, 22),
+            "against young: got -1,");
+  EXPECT_EQ(test::message_of<InvalidInput>([&] {
+              validate(Encounter{.first = ball, .against = {.kind = "sphere", .values = {{"area", 1.0}}}});
+            }),
+            "against area: got a number, allowed none of a sphere");
+  Participant rigid_ball = ball;
+  rigid_ball.rigid = true;
+  EXPECT_EQ(test::message_of<InvalidInput>([&] { validate(Encounter{.first = rigid_ball}); }),
+            "rigid: got a rigid body against wall, allowed only with an elastic body or block, which deforms");
+}
+
+TEST(EncounterDocument, ReadsBackAsItWasWritten) {
+  const std::string text =
+      R"({"first":{"kind":"sphere","radius":0.005,"material":"bearing steel"},)"
+      R"("against":{"kind":"half-space","material":{"young":70000000000.0,"poisson":0.22,"density":2500.0}},)"
+      R"("vibration":[{"body":"first","order":2,"index":0,"energy":0.1,"phase":1.5}]})";
+  const Encounter read = encounter_from_json(text);
+  EXPECT_EQ(read.first.material_name, "bearing steel");
+  EXPECT_EQ(read.first.material->yield_strength, 1.7e9);
+  EXPECT_EQ(to_json(encounter_from_json(to_json(read))), to_json(read));
+  EXPECT_EQ(to_json(read), text);
+  const std::string bare = R"({"first":{"kind":"disk","poisson":0.33},"against":"wall"})";
+  EXPECT_EQ(to_json(encounter_from_json(bare)), bare);
+}
+
+TEST(EncounterDocument, IsRefusedInOneLine) {
+  const auto said = [](const std::string& text) {
+    return test::message_of<InvalidInput>([&] { (void)encounter_from_json(text); });
+  };
+  EXPECT_EQ(said("{}"), "encounter: got {}, allowed an object with a first body");
+  EXPECT_EQ(said(R"({"first":{"kind":"disk","poisson":"x"}})"), "first poisson: got \"x\", allowed a finite number");
+  EXPECT_EQ(said(R"({"first":{"kind":"disk","poison":0.3}})"),
+            "first: got \"poison\", allowed kind, poisson, radius, young, density, loss_time, material, plane, rigid");
+  EXPECT_EQ(said(R"({"first":{"kind":"disk","poisson":0.3},"speed":1})"),
+            "encounter: got \"speed\", allowed first, against, vibration");
+  EXPECT_EQ(said(R"({"first":{"kind":"sphere","radius":1,"material":"steal"}})").substr(0, 45),
+            "material: got 'steal', allowed steel, glass, ");
+  EXPECT_EQ(said("{").substr(0, 42), "encounter: got no JSON document, allowed o");
+  for (const char* text : {"", "[]", "1e999", "{\"first\":[]}", R"({"first":"wall"})", "\xff", R"({"first":{}})"}) {
+    EXPECT_NE(said(text), "") << text;
+    EXPECT_EQ(said(text).find('\n'), std::string::npos) << text;
+  }
+}
+
+}  // namespace
+}  // namespace stoss

@@ -1,0 +1,58 @@
+// The table of kinds: its ranges are those of the makers, and every kind is reached by its name.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+
+#include "stoss/encounter/encounter.hpp"
+#include "stoss/errors.hpp"
+#include "support/refusal.hpp"
+
+namespace stoss {
+namespace {
+
+/// An encounter whose first body, or what a fitting first meets, is of the kind with one number changed.
+Encounter with(const Kind& its, const std::string& name, double value) {
+  Participant changed{.kind = std::string(its.name)};
+  if (parameter(its, "poisson") != nullptr) changed.values["poisson"] = 0.25;
+  changed.values[name] = value;
+  if (its.bounded) return {.first = changed};
+  Participant first{.kind = its.contour == Contour::ball ? "sphere" : "disk", .values = {{"poisson", 0.25}}};
+  return {.first = first, .against = changed};
+}
+
+bool accepted(const Encounter& encounter) {
+  try {
+    validate(encounter);
+    return true;
+  } catch (const InvalidInput&) {
+    return false;
+  }
+}
+
+TEST(Kinds, HaveTheRangesOfTheirMakers) {
+  for (const Kind& its : kinds()) {
+    for (const Parameter& each : its.parameters) {
+      const std::string name(each.name);
+      const double beyond = each.low - (each.low == 0.0 ? 1e-9 : 1e-9 * std::abs(each.low));
+      EXPECT_FALSE(accepted(with(its, name, beyond))) << its.name << " " << name;
+      EXPECT_EQ(accepted(with(its, name, each.low)), each.low_included) << its.name << " " << name;
+      if (!std::isfinite(each.high)) continue;
+      EXPECT_TRUE(accepted(with(its, name, each.high))) << its.name << " " << name;
+      EXPECT_FALSE(accepted(with(its, name, each.high * (1.0 + 1e-9)))) << its.name << " " << name;
+    }
+  }
+}
+
+TEST(Kinds, AreFoundByTheirNames) {
+  for (const Kind& its : kinds()) EXPECT_EQ(&kind(its.name), &its);
+  EXPECT_EQ(test::message_of<InvalidInput>([] { (void)kind("cube"); }),
+            "kind: got 'cube', allowed wall, same, disk, sphere, rod, half-space, half-plane, exponential");
+}
+
+TEST(Kinds, SayWhoMeetsWhom) {
+  EXPECT_EQ(who_meets_whom(), "a disk meets disks and half-planes, a sphere spheres and half-spaces, a rod rods");
+}
+
+}  // namespace
+}  // namespace stoss
