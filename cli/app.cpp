@@ -26,6 +26,8 @@ void declare(CLI::App& app, int& exit_code) {
   add_distribution(app, exit_code);
   add_quasistatic(app);
   add_table(app);
+  add_materials(app);
+  add_schema(app);
   add_sweeps(app);
   refuse_empty_values(app);
 }

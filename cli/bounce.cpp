@@ -5,6 +5,7 @@
 
 #include <memory>
 
+#include "arguments.hpp"
 #include "encounter.hpp"
 #include "interrupt.hpp"
 #include "options.hpp"
@@ -17,7 +18,7 @@ namespace stoss::cli {
 namespace {
 
 struct BounceArguments {
-  EncounterArguments who;
+  EncounterOptions who;
   VibrationArguments vibration;
   std::string speed;
   int count = 100;
@@ -46,16 +47,16 @@ BounceOptions make_options(const BounceArguments& arguments, const Units& units)
 Provenance describe(const BounceArguments& arguments, const Encounter& encounter, double speed) {
   Provenance provenance{"bounce", command_line(), {}};
   auto& inputs = provenance.inputs;
-  const bool si = encounter.units().si.has_value();
-  encounter.describe(inputs);
-  if (!si && !encounter.rods()) inputs["poisson"] = encounter.poisson();
+  const bool si = units_of(encounter).si.has_value();
+  cli::describe(encounter, inputs);
+  if (!si && !is_rod(encounter)) inputs["poisson"] = poisson_of(first_solid(encounter));
   inputs["speed"] = speed;
   arguments.vibration.describe(inputs);
   if (arguments.flight_time) inputs[si ? "flight_time[s]" : "flight_time"] = *arguments.flight_time;
   if (arguments.gravity) inputs[si ? "gravity[m/s^2]" : "gravity"] = *arguments.gravity;
   if (arguments.decay_time) inputs[si ? "decay_time[s]" : "decay_time"] = *arguments.decay_time;
   inputs["cutoff"] = arguments.cutoff;
-  if (encounter.against().kind != "exponential") inputs["tail"] = arguments.tail;
+  if (!is_soft(encounter)) inputs["tail"] = arguments.tail;
   return provenance;
 }
 
@@ -72,21 +73,21 @@ void warn(const OutputArguments& output, long short_flights, bool beyond_small_s
 
 void run(const BounceArguments& arguments) {
   const Encounter encounter = arguments.who.encounter();
-  if (encounter.against().kind == "exponential" && arguments.tail_option->count() > 0) {
+  if (is_soft(encounter) && arguments.tail_option->count() > 0) {
     throw InvalidInput(
         "tail: got a tail with --against exponential, allowed only without (the soft wall leaves it out)");
   }
-  const Units units = encounter.units();
+  const Units units = units_of(encounter);
   const std::vector<double> speeds = parse_speeds(arguments.speed, units.si);
   if (speeds.size() != 1) {
     throw InvalidInput(fmt::format("speed: got {} speeds, allowed one (that of the first impact)", speeds.size()));
   }
   const double first = speeds.front();
-  const Contact contact = encounter.contact(encounter.poisson(), arguments.cutoff, slowest_bounce(first));
+  const Contact contact = contact_of(encounter, arguments.cutoff, slowest_bounce(first));
   const BounceOptions options = make_options(arguments, units);
   validate(contact, first, options);
 
-  const auto yield = encounter.yield_speed();
+  const auto yield = yield_speed(encounter);
   bool beyond_yield = false, beyond_small_strain = false;
   long short_flights = 0;
   catch_interrupts();
@@ -95,7 +96,7 @@ void run(const BounceArguments& arguments) {
     bounce(contact, first, options, [&](const Bounce& bounce, const Impact&) {
       Record record;
       add_quantities(record, bounce_table(), bounce, units);
-      encounter.add_yield(record, bounce.speed);
+      add_yield(record, units, yield, bounce.speed);
       report.add(record);
       beyond_yield = beyond_yield || (yield && bounce.speed * units.si->speed > *yield);
       beyond_small_strain = beyond_small_strain || bounce.beyond_small_strain;
@@ -129,18 +130,14 @@ void add_flight(CLI::App& command, BounceArguments& arguments) {
 void add_bounce(CLI::App& app) {
   auto* command = app.add_subcommand("bounce", "Impacts of a body that comes back with the vibration it has kept");
   auto arguments = std::make_shared<BounceArguments>();
-  arguments->who.disk.add_poisson_to(*command);
+  arguments->who.first.add_poisson_to(*command);
   command
       ->add_option("--speed", arguments->speed,
                    "Speed of the first impact, 1e-8 to 1 in c of the body (with a\nmaterial: m/s)")
       ->required()
       ->type_name("V")
       ->group("Body");
-  arguments->who.add_to(*command, "exponential",
-                        "\n  exponential[,hardness=A,strength=V0]: the soft wall V0 exp(A x), A\n"
-                        "               in 1/R, 1 to 1e6 (default: 500), V0 in rho c^2 R^2,\n"
-                        "               of a sphere rho c^2 R (default: 1; only shifts it).\n"
-                        "  A second body that is free does not come back: it is refused");
+  arguments->who.add_to(*command, true, "\nA second body that is free does not come back: it is refused");
   arguments->vibration.add_to(*command);
   add_flight(*command, *arguments);
   arguments->tail_option =

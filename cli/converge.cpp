@@ -35,7 +35,7 @@ void check_converge(const Job& job, const CurveOptions& asked) {
   validate(job.speeds, asked);
   const double slowest = *std::min_element(job.speeds.begin(), job.speeds.end());
   for (const double poisson : job.poissons) {
-    const RefinableContact contact = job.encounter.refinable(poisson);
+    const RefinableContact contact = job.contact(poisson);
     if (!asked.vibration.empty()) validate(contact, slowest, asked.vibration, heed_interrupts);
   }
 }
@@ -54,7 +54,7 @@ void converge(const Job& job, Sweep& sweep, Report& report, const CurveOptions& 
     CurveOptions options = asked;
     options.poll = poll;
     options.attempt_observer = note;
-    restitution_curve(job.encounter.refinable(poisson), speeds, options, [&](std::size_t, const Restitution& result) {
+    restitution_curve(job.contact(poisson), speeds, options, [&](std::size_t, const Restitution& result) {
       heed_interrupts();
       sweep.add(make_row(job, sweep.done(), result), report);
     });

@@ -23,7 +23,7 @@ namespace stoss::cli {
 namespace {
 
 struct DistributionArguments {
-  EncounterArguments who;
+  EncounterOptions who;
   SpectrumArguments spectrum;
   std::string speed;
   int samples = 1000;
@@ -46,13 +46,13 @@ DistributionOptions options(const DistributionArguments& arguments) {
 }
 
 Ensemble make_ensemble(const DistributionArguments& arguments, const Encounter& encounter) {
-  if (encounter.against().kind == "exponential") {
+  if (is_soft(encounter)) {
     throw InvalidInput("against: got exponential, allowed wall, same or a body");
   }
-  const Units units = encounter.units();
+  const Units units = units_of(encounter);
   const std::vector<double> speeds = parse_speeds(arguments.speed, units.si);
   if (speeds.size() != 1) throw InvalidInput(fmt::format("speed: got {} speeds, allowed one", speeds.size()));
-  RefinableContact contact = encounter.refinable(encounter.poisson());
+  RefinableContact contact = refinable(encounter);
   Spectrum spectrum = arguments.spectrum.spectrum(contact, heed_interrupts);
   Ensemble ensemble{std::move(contact), speeds.front(), std::move(spectrum), options(arguments), units};
   validate(ensemble.contact, ensemble.speed, ensemble.spectrum, ensemble.options);
@@ -62,7 +62,7 @@ Ensemble make_ensemble(const DistributionArguments& arguments, const Encounter& 
 Provenance describe(const DistributionArguments& arguments, const Encounter& encounter, const Ensemble& ensemble) {
   Provenance provenance{"distribution", command_line(), {}};
   auto& inputs = provenance.inputs;
-  encounter.describe(inputs);
+  cli::describe(encounter, inputs);
   const auto& si = ensemble.units.si;
   inputs[si ? "speed[m/s]" : "speed"] = parse_series("speed", arguments.speed).front();
   arguments.spectrum.describe(inputs);
@@ -102,7 +102,7 @@ int run(DistributionArguments arguments) {
     compute_samples(ensemble, sweep, report);
     summarize(samples, output, report);
   });
-  const auto yield = encounter.yield_speed();
+  const auto yield = yield_speed(encounter);
   if (yield && ensemble.speed * ensemble.units.si->speed > *yield) output.warn(yield_warning(*yield));
   return sweep.conclude();
 }
@@ -126,7 +126,7 @@ void add_ensemble(CLI::App& command, DistributionArguments& arguments) {
 void add_distribution(CLI::App& app, int& exit_code) {
   auto* command = app.add_subcommand("distribution", "Coefficients of restitution of bodies that vibrate at random");
   auto arguments = std::make_shared<DistributionArguments>();
-  arguments->who.disk.add_poisson_to(*command);
+  arguments->who.first.add_poisson_to(*command);
   command
       ->add_option("--speed", arguments->speed, "Speed of approach, 1e-8 to 1 in c of the body (with a material: m/s)")
       ->required()

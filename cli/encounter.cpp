@@ -1,218 +1,146 @@
+// The options that say who meets whom.
 #include "encounter.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <limits>
-#include <utility>
-#include <vector>
+#include <algorithm>
+#include <map>
 
-#include "stoss/bodies/half_space.hpp"
-#include "stoss/bodies/rod.hpp"
+#include "keys.hpp"
+#include "numbers.hpp"
+#include "stoss/encounter/materials.hpp"
 #include "stoss/errors.hpp"
-#include "stoss/quasistatic/yield.hpp"
-#include "yield.hpp"
+#include "text.hpp"
 
 namespace stoss::cli {
 namespace {
 
-/// What `make` returns; its refusals say that they are of what is met.
-template <typename Make>
-auto of_what_is_met(Make make) {
-  try {
-    return make();
-  } catch (const InvalidInput& error) {
-    throw InvalidInput(std::string("against ") + error.what());
-  }
+/// The keys of a kind as --against has them.
+std::vector<std::string> keys_of(const Kind& its) {
+  std::vector<std::string> keys;
+  for (const Parameter& each : its.parameters) keys.emplace_back(each.name);
+  if (its.can_yield) keys.emplace_back("yield");
+  if (!its.wall) keys.emplace_back("material");
+  return keys;
 }
 
-/// Where the half-space has its surface for such bodies; "" for rods.
-std::string unbounded_partner(BodyKind kind) {
-  if (kind == BodyKind::rod) return {};
-  return kind == BodyKind::sphere ? "half-space" : "half-plane";
+/// Its help: name, keys, and what it is.
+std::string lines_of(const Kind& its) {
+  const std::vector<std::string> keys = keys_of(its);
+  const std::string with = keys.empty() ? "" : fmt::format(";\n    keys {}", fmt::join(keys, ", "));
+  return fmt::format("\n  {}: {}{}", its.name, its.help, with);
 }
 
-void require_partner(BodyKind kind, const Against& against) {
-  const std::string unbounded = unbounded_partner(kind);
-  if (!against.is_body() || against.kind == "same" || against.kind == name(kind) || against.kind == unbounded) return;
-  const std::string own(name(kind));
-  throw InvalidInput(
-      fmt::format("against: got {} with --body {}, allowed wall, same{} (a disk meets disks and half-planes, a sphere "
-                  "spheres and half-spaces, a rod rods)",
-                  against.kind, own, unbounded.empty() ? " or " + own : ", " + own + " or " + unbounded));
+std::string shown_kinds(bool exponential) {
+  std::vector<std::string> names;
+  for (const Kind& its : kinds()) {
+    if (exponential || its.name != "exponential") names.emplace_back(its.name);
+  }
+  return fmt::format("{}", fmt::join(names, ","));
 }
 
-void require_elastic(const FirstBody& first, const Against& against) {
-  if (!first.rigid) return;
-  if (!against.is_body() || against.kind == "same") {
-    throw InvalidInput(
-        fmt::format("rigid-body: got --rigid-body with --against {}, allowed only with {} or {}, which "
-                    "give way",
-                    against.kind, name(first.kind), unbounded_partner(first.kind)));
+/// The material of a second body in SI, of what was given of it.
+/// @param solid Poisson's ratio that it has without its own
+Material second_material(const Kind& its, const Values& given, const std::string& name, double solid) {
+  const auto number = [&given](const char* key) {
+    const auto found = given.find(key);
+    return found == given.end() ? std::nullopt : std::optional(found->second);
+  };
+  Material made;
+  if (name.empty()) {
+    for (const Parameter& each : its.parameters) {
+      const bool needed = each.name != "poisson" && each.name != "loss_time";
+      if (needed && !given.contains(each.name)) {
+        std::vector<std::string> all;
+        for (const Parameter& every : its.parameters) {
+          if (every.name != "poisson" && every.name != "loss_time") all.emplace_back(every.name);
+        }
+        throw InvalidInput(fmt::format("against: got {} without {}, allowed all of {}, in SI as the first", its.name,
+                                       each.name, fmt::join(all, ", ")));
+      }
+    }
+    made = {*number("young"), number("poisson").value_or(solid), *number("density")};
+  } else {
+    for (const char* key : {"poisson", "young", "density"}) {
+      if (number(key)) {
+        throw InvalidInput(
+            fmt::format("against: got {} with material, allowed only without (the material has one)", key));
+      }
+    }
+    made = named_material(name);
   }
-  if (first.sphere && first.sphere->material.yield_strength) {
-    throw InvalidInput("yield: got --yield with --rigid-body, allowed only without (the second may have yield=)");
-  }
-  if (first.loss_time != 0.0) {
-    throw InvalidInput(
-        "loss-time: got --loss-time with --rigid-body, allowed only without (a rigid body loses nothing)");
-  }
-}
-
-void require_si_keys(const Against& against) {
-  const std::vector<std::string> round{"young", "density", "radius"}, rod{"young", "density", "length", "area"};
-  const std::vector<std::string> unbounded{"young", "density"};
-  const auto& keys = against.is_unbounded() ? unbounded : against.kind == "rod" ? rod : round;
-  for (const std::string& key : keys) {
-    if (against.values.contains(key)) continue;
-    throw InvalidInput(fmt::format("against: got {} without {}, allowed all of {}, in SI as the first", against.kind,
-                                   key, fmt::join(keys, ", ")));
-  }
-}
-
-std::optional<Scales> si_scales(const FirstBody& first) {
-  if (first.kind == BodyKind::disk) return first.disk.si();
-  if (first.sphere) return scales(first.sphere->sphere());
-  return first.rod ? std::optional(scales(*first.rod)) : std::nullopt;
+  if (number("yield")) made.yield_strength = number("yield");
+  return made;
 }
 
 }  // namespace
 
-Encounter::Encounter(FirstBody first, Against against)
-    : first_(std::move(first)), si_(si_scales(first_)), against_(std::move(against)) {
-  require_partner(first_.kind, against_);
-  require_elastic(first_, against_);
-  if (si_ && second_is_given()) require_si_keys(against_);
-  if (!si_ && against_.values.contains("yield")) {
-    throw InvalidInput("against: got yield without a material, allowed only with --young, --density, --radius");
+void EncounterOptions::add_to(CLI::App& to, bool exponential, const std::string& note) {
+  first.add_kind_to(to, {"disk", "sphere", "rod"});
+  first.add_dynamics_to(to);
+  first.add_material_to(to, true);
+  std::string help =
+      "What the body meets (default: wall); numbers in units of the first, or\nin SI if it has a material";
+  for (const Kind& its : kinds()) {
+    if (exponential || its.name != "exponential") help += lines_of(its);
   }
-  yield_speed_ = find_yield_speed();
+  to.add_option("--against", against, help + note)
+      ->type_name("{" + shown_kinds(exponential) + "}[,KEY=VALUE]...")
+      ->group("Against");
 }
 
-bool Encounter::second_is_given() const { return against_.is_body() && against_.kind != "same"; }
-
-double Encounter::poisson() const {
-  if (first_.kind == BodyKind::disk) return first_.disk.plane_poisson();
-  return rods() ? 0.0 : first_.disk.poisson;
-}
-
-double Encounter::own_loss_time(double loss_time) const { return si_ ? loss_time / si_->time : loss_time; }
-
-Disk Encounter::first_disk(double poisson) const {
-  return {.poisson = poisson, .loss_time = own_loss_time(first_.loss_time)};
-}
-
-Sphere Encounter::first_sphere(double poisson) const {
-  return {.poisson = poisson, .loss_time = own_loss_time(first_.loss_time)};
-}
-
-Rod Encounter::first_rod() const {
-  Rod its = first_.rod.value_or(Rod{});
-  its.loss_time = first_.loss_time;
-  return its;
-}
-
-BodyMaker Encounter::make_first(double poisson) const {
-  if (rods()) return rod(first_rod());
-  const BodyMaker elastic =
-      first_.kind == BodyKind::disk ? stoss::disk(first_disk(poisson)) : stoss::sphere(first_sphere(poisson));
-  return first_.rigid ? rigid(elastic) : elastic;
-}
-
-Rod Encounter::second_rod() const {
-  return {against_.value("length", 1.0), against_.value("young", 1.0), against_.value("density", 1.0),
-          against_.value("area", 1.0), against_.value("loss_time", 0.0)};
-}
-
-Material Encounter::second_material() const {
-  const auto& given = against_.values;
-  const auto yield = given.find("yield");
-  return {given.at("young"), against_.value("poisson", first_.disk.poisson), given.at("density"),
-          yield == given.end() ? std::nullopt : std::optional(yield->second)};
-}
-
-Disk Encounter::second_disk(double poisson) const {
-  if (!si_) {
-    return {against_.value("poisson", poisson), against_.value("radius", 1.0), against_.value("young", 1.0),
-            against_.value("density", 1.0), against_.value("loss_time", 0.0)};
-  }
-  const Plane plane = first_.disk.chosen_plane();
-  const Scales other = scales(second_material(), plane, against_.value("radius", si_->length));
-  const auto modulus = [](const Scales& of) { return of.force / of.length; };
-  return {stoss::plane_poisson(second_material(), plane), other.length / si_->length, modulus(other) / modulus(*si_),
-          against_.values.at("density") / *first_.disk.density, own_loss_time(against_.value("loss_time", 0.0))};
-}
-
-Sphere Encounter::second_sphere(double poisson) const {
-  const Sphere one = first_.sphere ? first_.sphere->sphere() : Sphere{};
-  return {against_.value("poisson", poisson), against_.value("radius", 1.0) / one.radius,
-          against_.value("young", 1.0) / one.young, against_.value("density", 1.0) / one.density,
-          own_loss_time(against_.value("loss_time", 0.0))};
-}
-
-BodyMaker Encounter::make_second(double poisson) const {
-  if (against_.kind == "same") return make_first(poisson);
-  return of_what_is_met([&]() -> BodyMaker {
-    if (rods()) return rod(second_rod());
-    if (first_.kind == BodyKind::disk) {
-      const Disk disk = second_disk(poisson);
-      return against_.is_unbounded() ? half_plane({disk.poisson, disk.young, disk.density, disk.loss_time})
-                                     : stoss::disk(disk);
+Participant parse_against(const std::string& text, const Participant& first) {
+  const std::vector<std::string> parts = split(text, ',');
+  std::vector<std::string> names;
+  for (const Kind& each : kinds()) names.emplace_back(each.name);
+  const std::string name = without_spaces(parts.front());
+  if (std::find(names.begin(), names.end(), name) == names.end()) refuse_word("against", name, names);
+  const Kind& its = kind(name);
+  Participant against{.kind = name};
+  for (const auto& [key, value] : parse_keys("against", parts, 1, keys_of(its), " with " + name)) {
+    if (key == "material") {
+      against.material_name = without_spaces(value);
+    } else {
+      against.values[key] = parse_number("against " + key, value);
     }
-    const Sphere sphere = second_sphere(poisson);
-    return against_.is_unbounded() ? half_space({sphere.poisson, sphere.young, sphere.density, sphere.loss_time})
-                                   : stoss::sphere(sphere);
-  });
-}
-
-RefinableContact Encounter::refinable(double poisson) const {
-  if (!against_.is_body()) return RefinableContact(make_first(poisson));
-  return {make_first(poisson), make_second(poisson)};
-}
-
-Mixture Encounter::mixture(double poisson) const {
-  if (rods() || first_.rigid || !against_.is_body() || against_.is_unbounded()) {
-    throw InvalidInput("ratio: got --ratio with " + std::string(rods() ? "rods" : "--against " + against_.kind) +
-                       (first_.rigid ? " and --rigid-body" : "") +
-                       ", allowed with elastic disks or spheres that meet " +
-                       "their like (--against same, disk,… or sphere,…)");
   }
-  const bool same = against_.kind == "same";
-  if (first_.kind == BodyKind::disk) {
-    const Disk one = first_disk(poisson);
-    return same ? stoss::mixture(one) : stoss::mixture(one, second_disk(poisson));
+  if (its.wall) return against;
+  if (!first.material) {
+    if (against.values.contains("yield")) {
+      throw InvalidInput("against: got yield without a material, allowed only with --young, --density, --radius");
+    }
+    if (!against.material_name.empty()) {
+      throw InvalidInput(
+          "against: got material without one of the first body, allowed only with --material, or --young, --density "
+          "and a size");
+    }
+    return against;
   }
-  const Sphere one = first_sphere(poisson);
-  return same ? stoss::mixture(one) : stoss::mixture(one, second_sphere(poisson));
+  against.plane = first.plane;
+  against.material = second_material(its, against.values, against.material_name, first.material->poisson);
+  if (against.values.contains("yield")) against.material_name.clear();
+  for (const char* key : {"poisson", "young", "density", "yield"}) against.values.erase(key);
+  return against;
 }
 
-Contact Encounter::contact(double poisson, double cutoff, double speed) const {
-  if (against_.is_body()) return stoss::contact(make_first(poisson), make_second(poisson), cutoff, speed);
-  const ExponentialWall soft{against_.value("hardness", default_hardness), against_.value("strength", 1.0)};
-  const Wall wall = against_.kind == "wall" ? Wall(HardWall{}) : Wall(soft);
-  of_what_is_met([&] { validate(wall); });
-  if (lossy()) return stoss::contact(make_first(poisson)(cutoff, {}), wall);
-  // By itself a body without modes is refused.
-  if (first_.kind == BodyKind::disk) return stoss::contact(stoss::disk(poisson, cutoff), wall);
-  return stoss::contact(rods() ? rod(first_rod(), cutoff) : stoss::sphere(poisson, cutoff), wall);
+Encounter EncounterOptions::encounter() const {
+  Encounter encounter{.first = first.body()};
+  encounter.against = parse_against(against, encounter.first);
+  validate(encounter);
+  return encounter;
 }
 
-std::optional<double> Encounter::find_yield_speed() const {
-  if (!first_.sphere) return std::nullopt;
-  const auto& [material, radius] = *first_.sphere;
-  if (!against_.is_body()) return quasistatic::yield_speed(material, radius);
-  if (against_.kind == "same") return quasistatic::yield_speed(material, radius, material, radius);
-  (void)quasistatic::yield_speed(material, radius);
-  constexpr double infinity = std::numeric_limits<double>::infinity();
-  Material met = material;
-  if (first_.rigid) met.young = infinity;
-  return of_what_is_met([&] {
-    return quasistatic::yield_speed(met, first_.sphere->radius, second_material(), against_.value("radius", infinity));
-  });
-}
-
-void Encounter::add_yield(Record& record, double speed) const {
-  if (yield_speed_) cli::add_yield(record, units(), *yield_speed_, speed);
+double poisson_of(const Solid& solid) {
+  return std::visit(
+      [](const auto& of) {
+        if constexpr (requires { of.poisson; }) {
+          return of.poisson;
+        } else {
+          return 0.0;
+        }
+      },
+      solid);
 }
 
 }  // namespace stoss::cli

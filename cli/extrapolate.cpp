@@ -56,7 +56,7 @@ void check_extrapolate(const Job& job) {
                     "all speeds)",
                     speed, slowest, fastest));
   }
-  for (const double poisson : job.poissons) (void)job.encounter.refinable(poisson).at(0);
+  for (const double poisson : job.poissons) (void)job.contact(poisson).at(0);
 }
 
 void extrapolate(const Job& job, Sweep& sweep, Report& report) {

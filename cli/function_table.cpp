@@ -26,7 +26,7 @@ namespace stoss::cli {
 namespace {
 
 struct TableArguments {
-  EncounterArguments who;
+  EncounterOptions who;
   std::string speed;
   std::string ratio;  // of a table of pairs
   double error = 1e-3;
@@ -46,8 +46,8 @@ struct TableJob {
   std::vector<double> speeds;  ///< the same in c
 
   /// m/s, or 1
-  [[nodiscard]] double unit() const { return encounter.units().si ? encounter.units().si->speed : 1.0; }
-  [[nodiscard]] std::string unit_name() const { return encounter.units().si ? "m/s" : "c"; }
+  [[nodiscard]] double unit() const { return units_of(encounter).si ? units_of(encounter).si->speed : 1.0; }
+  [[nodiscard]] std::string unit_name() const { return units_of(encounter).si ? "m/s" : "c"; }
 };
 
 void check_format(const TableArguments& arguments) {
@@ -66,7 +66,7 @@ void check_format(const TableArguments& arguments) {
 
 TableJob make_job(const TableArguments& arguments) {
   Encounter encounter = arguments.who.encounter();
-  if (encounter.against().kind == "exponential") {
+  if (is_soft(encounter)) {
     throw InvalidInput("against: got exponential, allowed wall, same or a body");
   }
   const std::vector<std::string> ends = split(arguments.speed, ':');
@@ -74,7 +74,7 @@ TableJob make_job(const TableArguments& arguments) {
     throw InvalidInput(fmt::format("speed: got '{}', allowed SLOWEST:FASTEST, as in 1e-4:0.3", arguments.speed));
   }
   const std::string both = ends[0] + "," + ends[1];
-  const std::vector<double> typed = parse_series("speed", both), speeds = parse_speeds(both, encounter.units().si);
+  const std::vector<double> typed = parse_series("speed", both), speeds = parse_speeds(both, units_of(encounter).si);
   if (speeds.size() != 2 || speeds[0] >= speeds[1]) {
     throw InvalidInput(fmt::format("speed: got '{}', allowed a slowest speed below the fastest", arguments.speed));
   }
@@ -86,7 +86,7 @@ Beyond beyond(const TableArguments& arguments) { return arguments.beyond == "cla
 RestitutionFunction compute(const TableArguments& arguments, const TableJob& job) {
   // Half of the error is for the straight lines between the rows.
   const double share = arguments.format == "two-column" ? 0.5 : 1.0;
-  return restitution_function(job.encounter.refinable(job.encounter.poisson()), job.speeds[0], job.speeds[1],
+  return restitution_function(refinable(job.encounter), job.speeds[0], job.speeds[1],
                               {.error = share * arguments.error,
                                .beyond = beyond(arguments),
                                .threads = arguments.threads,
@@ -96,8 +96,8 @@ RestitutionFunction compute(const TableArguments& arguments, const TableJob& job
 Provenance describe(const TableArguments& arguments, const TableJob& job) {
   Provenance provenance{"table", command_line(), {}};
   auto& inputs = provenance.inputs;
-  job.encounter.describe(inputs);
-  inputs[job.encounter.units().si ? "speed[m/s]" : "speed"] = arguments.speed;
+  cli::describe(job.encounter, inputs);
+  inputs[units_of(job.encounter).si ? "speed[m/s]" : "speed"] = arguments.speed;
   if (!arguments.ratio.empty()) inputs["ratio"] = arguments.ratio;
   inputs["error"] = arguments.error;
   inputs["beyond"] = arguments.beyond;
@@ -161,7 +161,7 @@ void warn(const TableArguments& arguments, const TableJob& job) {
   if (job.speeds[1] > 0.5) {
     arguments.output.warn("speed above 0.5 c: linear elasticity has lost its meaning there");
   }
-  const auto yield = job.encounter.yield_speed();
+  const auto yield = yield_speed(job.encounter);
   if (yield && job.speeds[1] * job.unit() > *yield) arguments.output.warn(yield_warning(*yield));
 }
 
@@ -211,7 +211,7 @@ void add_table(CLI::App& app) {
   auto* command = app.add_subcommand("table", "Coefficient of restitution as a function, for other programs");
   auto arguments = std::make_shared<TableArguments>();
   arguments->command = command;
-  arguments->who.disk.add_poisson_to(*command);
+  arguments->who.first.add_poisson_to(*command);
   command
       ->add_option("--speed", arguments->speed,
                    "Range of the speed of approach, SLOWEST:FASTEST, within 1e-8 to 1 in c\n"

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <memory>
 
+#include "arguments.hpp"
 #include "encounter.hpp"
 #include "options.hpp"
 #include "stoss/errors.hpp"
@@ -18,7 +19,7 @@ namespace stoss::cli {
 namespace {
 
 struct ImpactArguments {
-  EncounterArguments who;
+  EncounterOptions who;
   VibrationArguments vibration;
   std::string speed;
   std::string tail = "radiating";
@@ -32,20 +33,20 @@ struct ImpactArguments {
 
 Provenance describe(const ImpactArguments& arguments, const Encounter& encounter) {
   Provenance provenance{"impact", command_line(), {}};
-  encounter.describe(provenance.inputs);
+  cli::describe(encounter, provenance.inputs);
   arguments.vibration.describe(provenance.inputs);
-  if (encounter.against().kind != "exponential") provenance.inputs["tail"] = arguments.tail;
+  if (!is_soft(encounter)) provenance.inputs["tail"] = arguments.tail;
   return provenance;
 }
 
-Record make_record(const Impact& impact, const Encounter& encounter, double poisson) {
-  const Units units = encounter.units();
+Record make_record(const Impact& impact, const Encounter& encounter) {
+  const Units units = units_of(encounter);
   Record record;
-  if (!encounter.rods()) record.push_back({"poisson", "", poisson});
+  if (!is_rod(encounter)) record.push_back({"poisson", "", poisson_of(first_solid(encounter))});
   record.push_back({"speed", units.own_name(Dimension::speed), impact.speed});
   if (units.si) record.push_back({"speed_si", "m/s", impact.speed * units.si->speed});
   add_quantities(record, impact_table(), impact, units);
-  encounter.add_yield(record, impact.speed);
+  add_yield(record, units, yield_speed(encounter), impact.speed);
   return record;
 }
 
@@ -84,7 +85,7 @@ void write_table(const std::string& path, const Record& record, std::vector<Mode
 
 void run(const ImpactArguments& arguments) {
   const Encounter encounter = arguments.who.encounter();
-  if (encounter.against().kind == "exponential" && arguments.tail_option->count() > 0) {
+  if (is_soft(encounter) && arguments.tail_option->count() > 0) {
     throw InvalidInput(
         "tail: got a tail with --against exponential, allowed only without (the soft wall leaves it out)");
   }
@@ -96,14 +97,13 @@ void run(const ImpactArguments& arguments) {
     throw InvalidInput(
         fmt::format("every: got {}, allowed 1 or more (steps between two rows of the trajectory)", arguments.every));
   }
-  const std::vector<double> speeds = parse_speeds(arguments.speed, encounter.units().si);
+  const std::vector<double> speeds = parse_speeds(arguments.speed, units_of(encounter).si);
   if (speeds.size() != 1) {
     throw InvalidInput(fmt::format("speed: got {} speeds, allowed one (stoss restitution takes lists)", speeds.size()));
   }
-  const double poisson = encounter.poisson();
   ImpactOptions options{.resolution = arguments.resolution};
   options.resolution.tail = arguments.tail == "static" ? Tail::quasistatic : Tail::radiating;
-  const Contact contact = encounter.contact(poisson, arguments.cutoff, speeds[0]);
+  const Contact contact = contact_of(encounter, arguments.cutoff, speeds[0]);
   const Vibration vibration = arguments.vibration.vibration();
   if (!vibration.empty()) options.start = approach(contact, speeds[0], vibration);
   const Provenance provenance = describe(arguments, encounter);
@@ -116,7 +116,7 @@ void run(const ImpactArguments& arguments) {
     made.schema = "trajectory";
     made.inputs["speed"] = speeds[0];
     made.inputs["cutoff"] = arguments.cutoff;
-    Trajectory trajectory(arguments.trajectory, made, encounter.units());
+    Trajectory trajectory(arguments.trajectory, made, units_of(encounter));
     const ImpactObserver observer = [&](const Snapshot& now) { trajectory.write(now); };
     result = impact(contact, speeds[0], options, {.observer = observer, .every = arguments.every});
     trajectory.finish();
@@ -124,16 +124,16 @@ void run(const ImpactArguments& arguments) {
   if (result.beyond_small_strain) {
     arguments.output.warn("speed above 0.5 c or compression above 0.5 R: linear elasticity has lost its meaning here");
   }
-  const auto yield = encounter.yield_speed();
-  if (yield && result.speed * encounter.units().si->speed > *yield) arguments.output.warn(yield_warning(*yield));
+  const auto yield = yield_speed(encounter);
+  if (yield && result.speed * units_of(encounter).si->speed > *yield) arguments.output.warn(yield_warning(*yield));
 
-  const Record record = make_record(result, encounter, poisson);
+  const Record record = make_record(result, encounter);
   if (arguments.output.chosen_format() == Format::table) {
-    const bool unbounded = encounter.against().is_unbounded();
+    const bool unbounded = meets_unbounded(encounter);
     std::vector<ModeEnergy> modes = result.energy.modes;
     // The waves of a half-space are a continuum: single ones say little.
     if (unbounded) std::erase_if(modes, [](const ModeEnergy& mode) { return mode.body == 1; });
-    write_table(arguments.output.path, record, std::move(modes), encounter.against().is_body() && !unbounded,
+    write_table(arguments.output.path, record, std::move(modes), meets_body(encounter) && !unbounded,
                 !vibration.empty());
     return;
   }
@@ -149,16 +149,13 @@ void run(const ImpactArguments& arguments) {
 void add_impact(CLI::App& app) {
   auto* command = app.add_subcommand("impact", "One impact at a fixed resolution, with its energy ledger");
   auto arguments = std::make_shared<ImpactArguments>();
-  arguments->who.disk.add_poisson_to(*command);
+  arguments->who.first.add_poisson_to(*command);
   command
       ->add_option("--speed", arguments->speed, "Speed of approach, 1e-8 to 1 in c of the body (with a material: m/s)")
       ->required()
       ->type_name("V")
       ->group("Body");
-  arguments->who.add_to(*command, "exponential",
-                        "\n  exponential[,hardness=A,strength=V0]: the soft wall V0 exp(A x), A\n"
-                        "               in 1/R, 1 to 1e6 (default: 500), V0 in rho c^2 R^2,\n"
-                        "               of a sphere rho c^2 R (default: 1; only shifts it)");
+  arguments->who.add_to(*command, true);
   arguments->vibration.add_to(*command);
   arguments->tail_option =
       command->add_option("--tail", arguments->tail, "How modes above the cutoff answer (default: radiating)")

@@ -8,6 +8,7 @@
 #include "sweep.hpp"
 #include "table.hpp"
 #include "units.hpp"
+#include "yield.hpp"
 
 namespace stoss::cli {
 
@@ -20,6 +21,9 @@ struct Job {
 
   [[nodiscard]] std::size_t size() const { return poissons.size() * speeds.size(); }
   [[nodiscard]] double poisson(std::size_t row) const { return poissons[row / speeds.size()]; }
+  /// What meets at one of the Poisson's ratios, at any cutoff.
+  [[nodiscard]] RefinableContact contact(double poisson) const;
+
   [[nodiscard]] double speed(std::size_t row) const { return speeds[row % speeds.size()]; }
 
   /// What tells a row from the others, with which its record begins; with a material the speed in SI besides.
@@ -30,7 +34,7 @@ struct Job {
   [[nodiscard]] Record record(std::size_t row, const Table<Result>& table, const Result& result) const {
     Record record = key(row);
     add_quantities(record, table, result, units);
-    encounter.add_yield(record, speed(row));
+    add_yield(record, units, yield_speed(encounter), speed(row));
     return record;
   }
 

@@ -24,10 +24,10 @@ CompressionLaw to_law(const std::string& law) {
 
 }  // namespace
 
-QuasistaticBody line_quasistatic(const DiskArguments& disk, const std::string& chosen) {
+QuasistaticBody line_quasistatic(const Encounter& disk, const std::string& chosen) {
   const CompressionLaw law = to_law(chosen);
-  const Units units{disk.si()};
-  const double poisson = disk.plane_poisson();
+  const Units units = units_of(disk);
+  const double poisson = std::get<Disk>(first_solid(disk)).poisson;
   const double last_force = std::min(limit_force(law, poisson), max_hertz_force);
   QuasistaticBody body{units, poisson, {}, std::min(compression(law, poisson, last_force), greatest_compression),
                        {},    {}};

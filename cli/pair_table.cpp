@@ -16,8 +16,8 @@ PairTable compute_pairs(const Encounter& encounter, const PairOrder& order) {
   if (ends.size() != 2) {
     throw InvalidInput(fmt::format("ratio: got '{}', allowed SMALLEST:GREATEST, as in 1:3", order.ratio));
   }
-  return pair_table(encounter.mixture(encounter.poisson()), order.slowest, order.fastest,
-                    parse_number("ratio", ends[0]), parse_number("ratio", ends[1]), order.options);
+  return pair_table(mixture(encounter), order.slowest, order.fastest, parse_number("ratio", ends[0]),
+                    parse_number("ratio", ends[1]), order.options);
 }
 
 std::string pairs_as_json(const PairTable& table, const TableLabel& label, const Provenance& provenance) {

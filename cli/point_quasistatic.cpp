@@ -25,9 +25,10 @@ PointLaw to_law(const std::string& law) {
 
 }  // namespace
 
-QuasistaticBody point_quasistatic(double poisson, const std::optional<SolidSphere>& sphere, const std::string& chosen) {
+QuasistaticBody point_quasistatic(const Encounter& sphere, const std::string& chosen) {
   const PointLaw law = to_law(chosen);
-  const Units units{sphere ? std::optional(scales(sphere->sphere())) : std::nullopt, BodyKind::sphere};
+  const Units units = units_of(sphere);
+  const double poisson = std::get<Sphere>(first_solid(sphere)).poisson;
   const double last_force = limit_force(law, poisson);
   QuasistaticBody body{units, poisson, {}, std::min(compression(law, poisson, last_force), greatest_compression),
                        {},    {}};
@@ -49,7 +50,7 @@ QuasistaticBody point_quasistatic(double poisson, const std::optional<SolidSpher
                             static_contact(Sphere{.poisson = poisson}, compression, options)};
     add_quantities(record, point_compression_table(), result, units);
   };
-  if (sphere) body.yield_speed = yield_speed(sphere->material, sphere->radius);
+  body.yield_speed = stoss::yield_speed(sphere);
   return body;
 }
 

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <memory>
 
+#include "encounter.hpp"
 #include "interrupt.hpp"
 #include "numbers.hpp"
 #include "options.hpp"
@@ -20,9 +21,7 @@ namespace {
 constexpr double great_compression = 0.1;  // beyond it small strains mean little
 
 struct QuasistaticArguments {
-  DiskArguments disk;
-  SphereArguments sphere;
-  std::string body = "disk";
+  BodyOptions body;
   std::string speeds;
   std::string compressions;
   std::string law = "center";
@@ -67,7 +66,7 @@ void impacts(const QuasistaticArguments& arguments, const QuasistaticBody& body,
     if (speeds.size() == 1 && arguments.output.chosen_format() == Format::json) {
       report.attach("modes", to_json(driven_mode_table(), row.modes));
     }
-    if (body.yield_speed) add_yield(record, body.units, *body.yield_speed, speeds[i]);
+    add_yield(record, body.units, body.yield_speed, speeds[i]);
     return record;
   });
   if (beyond > 0) {
@@ -102,7 +101,7 @@ void compressions(const QuasistaticArguments& arguments, const QuasistaticBody& 
   if (arguments.cutoff_option->count() > 0) {
     throw InvalidInput("cutoff: got --cutoff with --compression, allowed only with --speed (here all modes count)");
   }
-  if (arguments.sphere.yield) {
+  if (body.yield_speed) {
     throw InvalidInput("yield: got --yield with --compression, allowed only with --speed (it is a speed that is said)");
   }
   const std::vector<double> values = parse_compressions(arguments.compressions, body);
@@ -119,26 +118,18 @@ void compressions(const QuasistaticArguments& arguments, const QuasistaticBody& 
   }
 }
 
-/// The body, and its part of the inputs of a result.
-QuasistaticBody chosen_body(const QuasistaticArguments& arguments, nlohmann::ordered_json& inputs) {
-  inputs["body"] = arguments.body;
-  if (body_kind(arguments.body) == BodyKind::sphere) {
-    const auto sphere = arguments.sphere.si(arguments.disk);
-    describe(arguments.disk.poisson, sphere, inputs);
-    return point_quasistatic(arguments.disk.poisson, sphere, arguments.law);
-  }
-  if (arguments.sphere.yield) {
-    throw InvalidInput("yield: got --yield with --body disk, allowed only with --body sphere");
-  }
-  arguments.disk.describe(inputs);
-  return line_quasistatic(arguments.disk, arguments.law);
+QuasistaticBody chosen_body(const Encounter& encounter, const std::string& law) {
+  return encounter.first.kind == "sphere" ? point_quasistatic(encounter, law) : line_quasistatic(encounter, law);
 }
 
 void run(const QuasistaticArguments& arguments) {
   const bool speeds = arguments.speed_option->count() > 0;
   if (!speeds && arguments.compression_option->count() == 0) throw CLI::RequiredError("--speed or --compression");
   Provenance provenance{"quasistatic", command_line(), {}};
-  const QuasistaticBody body = chosen_body(arguments, provenance.inputs);
+  const Encounter encounter{.first = arguments.body.body()};
+  validate(encounter);
+  describe_first(encounter, provenance.inputs);
+  const QuasistaticBody body = chosen_body(encounter, arguments.law);
   provenance.inputs["law"] = arguments.law;
   if (speeds) {
     impacts(arguments, body, provenance);
@@ -152,12 +143,9 @@ void run(const QuasistaticArguments& arguments) {
 void add_quasistatic(CLI::App& app) {
   auto* command = app.add_subcommand("quasistatic", "Slow impacts with an estimate of the loss, or static compression");
   auto arguments = std::make_shared<QuasistaticArguments>();
-  command->add_option("--body", arguments->body, "Kind of body (default: disk)")
-      ->check(CLI::IsMember({"disk", "sphere"}))
-      ->type_name("BODY")
-      ->group("Body");
-  arguments->disk.add_to(*command);
-  arguments->sphere.add_to(*command, round_material_group);
+  arguments->body.add_kind_to(*command, {"disk", "sphere"});
+  arguments->body.add_poisson_to(*command);
+  arguments->body.add_material_to(*command, true);
   arguments->speed_option = command
                                 ->add_option("--speed", arguments->speeds,
                                              "Slow impacts at these speeds, in c (m/s with a material): a number,\n"

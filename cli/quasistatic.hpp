@@ -7,7 +7,7 @@
 
 #include "arguments.hpp"
 #include "record.hpp"
-#include "sphere_arguments.hpp"
+#include "stoss/encounter/encounter.hpp"
 #include "stoss/quasistatic/rayleigh.hpp"
 #include "units.hpp"
 
@@ -38,11 +38,10 @@ struct QuasistaticBody {
   std::optional<double> yield_speed{};  ///< m/s, of a sphere with a yield strength
 };
 
-/// A disk, which touches the wall along a line. @throws InvalidInput for a law of other bodies, and as DiskArguments
-[[nodiscard]] QuasistaticBody line_quasistatic(const DiskArguments& disk, const std::string& law);
+/// A disk, which touches the wall along a line. @throws InvalidInput for a law of other bodies
+[[nodiscard]] QuasistaticBody line_quasistatic(const Encounter& disk, const std::string& law);
 
-/// A sphere, which touches it at a point. @throws InvalidInput for a law of other bodies, and as SphereArguments
-[[nodiscard]] QuasistaticBody point_quasistatic(double poisson, const std::optional<SolidSphere>& sphere,
-                                                const std::string& law);
+/// A sphere, which touches it at a point. @throws InvalidInput for a law of other bodies
+[[nodiscard]] QuasistaticBody point_quasistatic(const Encounter& sphere, const std::string& law);
 
 }  // namespace stoss::cli

@@ -19,7 +19,7 @@ namespace stoss::cli {
 namespace {
 
 struct RestitutionArguments {
-  EncounterArguments who;
+  EncounterOptions who;
   VibrationArguments vibration;
   std::string poissons;
   std::string speeds;
@@ -47,31 +47,32 @@ void check_method(const RestitutionArguments& arguments) {
 }
 
 void check_against(const RestitutionArguments& arguments, const Encounter& encounter) {
-  const std::string& kind = encounter.against().kind;
+  const std::string& kind = encounter.against.kind;
   if (kind == "exponential") {
     throw InvalidInput(
         "against: got exponential, allowed wall, same or a body (stoss impact meets an exponential wall)");
   }
-  if (!arguments.converges() && (kind != "wall" || encounter.units().body != BodyKind::disk)) {
+  if (!arguments.converges() && (kind != "wall" || encounter.first.kind != "disk")) {
     throw InvalidInput(
         fmt::format("against: got --body {} --against {} with --method extrapolate, allowed a disk at a wall",
-                    arguments.who.body, kind));
+                    encounter.first.kind, kind));
   }
 }
 
 Job make_job(RestitutionArguments& arguments) {
-  DiskArguments& disk = arguments.who.disk;
   std::vector<double> poissons{0.0};  // of rods, which have none
-  if (arguments.given("--poisson")) poissons = parse_series("poisson", arguments.poissons);
-  disk.poisson = poissons.front();
+  if (arguments.given("--poisson")) {
+    poissons = parse_series("poisson", arguments.poissons);
+    arguments.who.first.set_poisson(poissons.front());
+  }
   Job job{arguments.who.encounter(), std::move(poissons), {}, {}};
   check_against(arguments, job.encounter);
-  job.units = job.encounter.units();
+  job.units = units_of(job.encounter);
   if (job.units.si && job.poissons.size() > 1) {
     throw InvalidInput(fmt::format("poisson: got {} numbers with a material, allowed one (a material has only one)",
                                    job.poissons.size()));
   }
-  if (job.units.si) job.poissons = {job.encounter.poisson()};
+  if (job.units.si) job.poissons = {poisson_of(first_solid(job.encounter))};
   job.speeds = parse_speeds(arguments.speeds, job.units.si);
   return job;
 }
@@ -90,9 +91,9 @@ nlohmann::ordered_json as_typed(const std::string& text) {
 Provenance describe(const RestitutionArguments& arguments, const Job& job) {
   Provenance provenance{arguments.converges() ? "restitution" : "extrapolation", command_line(), {}};
   auto& inputs = provenance.inputs;
-  job.encounter.describe(inputs);
+  cli::describe(job.encounter, inputs);
   arguments.vibration.describe(inputs);
-  if (!job.units.si && !job.encounter.rods()) inputs["poisson"] = as_typed(arguments.poissons);
+  if (!job.units.si && !is_rod(job.encounter)) inputs["poisson"] = as_typed(arguments.poissons);
   inputs[job.units.si ? "speed[m/s]" : "speed"] = as_typed(arguments.speeds);
   inputs["method"] = arguments.method;
   if (arguments.converges()) {

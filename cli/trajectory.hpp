@@ -13,7 +13,7 @@ namespace stoss::cli {
 class Trajectory {
  public:
   Trajectory(std::string path, Provenance provenance, const Units& units)
-      : path_(std::move(path)), provenance_(std::move(provenance)), units_{.body = units.body} {}
+      : path_(std::move(path)), provenance_(std::move(provenance)), units_{.own = units.own} {}
 
   /// @throws Interrupted after Ctrl-C or SIGTERM, when the file is complete so far; OutputError
   void write(const Snapshot& now);

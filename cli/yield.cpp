@@ -4,10 +4,11 @@
 
 namespace stoss::cli {
 
-void add_yield(Record& record, const Units& units, double yield_speed, double speed) {
-  record.push_back({"yield_speed", units.own_name(Dimension::speed), yield_speed / units.si->speed});
-  record.push_back({"yield_speed_si", units.si_name(Dimension::speed), yield_speed});
-  record.push_back({"beyond_yield", "", speed * units.si->speed > yield_speed});
+void add_yield(Record& record, const Units& units, const std::optional<double>& yield_speed, double speed) {
+  if (!yield_speed) return;
+  record.push_back({"yield_speed", units.own_name(Dimension::speed), *yield_speed / units.si->speed});
+  record.push_back({"yield_speed_si", units.si_name(Dimension::speed), *yield_speed});
+  record.push_back({"beyond_yield", "", speed * units.si->speed > *yield_speed});
 }
 
 std::string yield_warning(double yield_speed) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "record.hpp"
@@ -7,10 +8,10 @@
 
 namespace stoss::cli {
 
-/// Adds the speed at which yielding begins to a record, and whether an impact is faster.
+/// Adds the speed at which yielding begins to a record, where there is one, and whether an impact is faster.
 /// @param yield_speed m/s
 /// @param speed       of the impact, c of the first body, which has a material
-void add_yield(Record& record, const Units& units, double yield_speed, double speed);
+void add_yield(Record& record, const Units& units, const std::optional<double>& yield_speed, double speed);
 
 /// What is said of impacts beyond the speed at which yielding begins, m/s.
 [[nodiscard]] std::string yield_warning(double yield_speed);

@@ -41,7 +41,26 @@ Wall wall_of(const Encounter& encounter) {
   return ExponentialWall{all.at("hardness"), all.at("strength")};
 }
 
+/// By itself, an elastic body without modes is a mistake: its maker then refuses the cutoff.
+void require_modes(const Solid& solid, double cutoff) {
+  if (const auto* its = std::get_if<Disk>(&solid)) (void)disk(its->poisson, cutoff);
+  if (const auto* its = std::get_if<Sphere>(&solid)) (void)sphere(its->poisson, cutoff);
+}
+
 BodyMaker made(const Participant& of, const Solid& solid) { return of.rigid ? rigid(maker(solid)) : maker(solid); }
+
+/// "sphere or half-space": what a body meets besides walls and its like.
+/// @param before what is said before these
+std::string partners_of(const Kind& first, std::string before = {}) {
+  std::vector<std::string> names;
+  for (const Kind& each : kinds()) {
+    if (!each.wall && meets(first, each)) names.emplace_back(each.name);
+  }
+  for (const std::string& name : names) {
+    before += (before.empty() ? "" : name == names.back() ? " or " : ", ") + name;
+  }
+  return before;
+}
 
 void require_partner(const Encounter& encounter) {
   const Kind& first = kind(encounter.first.kind);
@@ -50,12 +69,8 @@ void require_partner(const Encounter& encounter) {
   }
   const Kind& against = kind(encounter.against.kind);
   if (meets(first, against)) return;
-  std::string allowed;
-  for (const Kind& each : kinds()) {
-    if (meets(first, each)) allowed += (allowed.empty() ? "" : ", ") + std::string(each.name);
-  }
   throw InvalidInput("against: got " + std::string(against.name) + " for a " + std::string(first.name) + ", allowed " +
-                     allowed + " (" + who_meets_whom() + ")");
+                     partners_of(first, "wall, same") + " (" + who_meets_whom() + ")");
 }
 
 void require_rigid(const Participant& of) {
@@ -73,8 +88,9 @@ void require_one_that_deforms(const Encounter& encounter) {
   of_what_is_met([&] { require_rigid(encounter.against); });
   const bool other = kind(encounter.against.kind).wall || encounter.against.rigid;
   if (encounter.first.rigid && other) {
-    throw InvalidInput("rigid: got a rigid body against " + encounter.against.kind +
-                       ", allowed only with an elastic body or block, which deforms");
+    throw InvalidInput("rigid: got a rigid " + encounter.first.kind + " against " + encounter.against.kind +
+                       ", allowed only against an elastic " + partners_of(kind(encounter.first.kind)) +
+                       ", which deforms");
   }
 }
 
@@ -165,7 +181,9 @@ RefinableContact refinable(const Encounter& encounter) {
 Contact contact_of(const Encounter& encounter, double cutoff, double speed) {
   validate(encounter);
   if (!is_at_wall(encounter)) return contact(first_maker(encounter), second_maker(encounter), cutoff, speed);
-  return contact(first_maker(encounter)(cutoff, {}), wall_of(encounter));
+  Body body = first_maker(encounter)(cutoff, {});
+  if (mode_count(body) == 0 && body.loss_time == 0.0) require_modes(first_solid(encounter), cutoff);
+  return contact(std::move(body), wall_of(encounter));
 }
 
 std::optional<double> yield_speed(const Encounter& encounter) {

@@ -127,4 +127,4 @@ def test_refusals(stoss, arguments, name, said):
 @pytest.mark.parametrize("command", ["restitution", "impact"])
 def test_help_names_them(stoss, command):
     text = stoss.run(command, "--help").stdout
-    assert "--length M" in text and "--area M2" in text
+    assert "--length M " in text and "--area M^2" in text
