@@ -7,7 +7,6 @@
 #include <mutex>
 #include <numbers>
 #include <optional>
-#include <string>
 #include <utility>
 
 #include "check.hpp"
@@ -23,10 +22,6 @@ constexpr double least_cutoff = 1e-6;
 
 constexpr int levels = 25;
 constexpr int fewest_levels = 10;  // for an error
-
-void require_maker(const std::string& name, const BodyMaker& maker) {
-  if (!maker) throw InvalidInput(name + ": got no function that makes the body, allowed one, such as disk(poisson)");
-}
 
 double cutoff_at(int level) { return 4.0 * std::numbers::sqrt2 * std::exp2(0.25 * level); }
 
@@ -117,15 +112,12 @@ struct RefinableContact::Levels {
 };
 
 RefinableContact::RefinableContact(BodyMaker body) : levels_(std::make_shared<Levels>()) {
-  require_maker("body", body);
-  (void)stoss::contact(body(least_cutoff, {}));  // refuses what cannot meet a wall
+  if (!body) throw InvalidInput("body: got no function that makes it, allowed one, such as disk(poisson)");
   levels_->body = std::move(body);
 }
 
-RefinableContact::RefinableContact(BodyMaker first, BodyMaker second) : levels_(std::make_shared<Levels>()) {
-  require_maker("body", first);
-  require_maker("against", second);
-  levels_->body = std::move(first);
+RefinableContact::RefinableContact(BodyMaker first, BodyMaker second) : RefinableContact(std::move(first)) {
+  if (!second) throw InvalidInput("against: got no function that makes the body, allowed one, such as disk(poisson)");
   const Pair& pair = levels_->pair.emplace(pair_of(levels_->body, second));
   levels_->unit = 1.0 / time_scale(pair.probe);
   const double most = highest_cutoff(pair) / levels_->unit;

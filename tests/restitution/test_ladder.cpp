@@ -6,7 +6,6 @@
 #include <cmath>
 
 #include "stoss/bodies/disk.hpp"
-#include "stoss/bodies/half_space.hpp"
 #include "stoss/bodies/rod.hpp"
 #include "support/refusal.hpp"
 
@@ -30,12 +29,6 @@ TEST(Ladder, AtAWallRisesByFourthRootsOfTwo) {
   EXPECT_NEAR(wall.cutoff(0), lowest, 1e-14);
   EXPECT_NEAR(wall.cutoff(6), 16.0, 1e-13);
   EXPECT_NEAR(wall.cutoff(24), 362.0, 0.1);
-}
-
-TEST(Ladder, AtAWallRefusesWhatIsRigidOrWithoutEnd) {
-  test::expect_refusal([] { RefinableContact{half_space({})}; }, {"against: got a wall for 'half-space"});
-  test::expect_refusal([] { RefinableContact{rigid(disk(0.33))}; }, {"against: got a wall for 'rigid disk"});
-  test::expect_refusal([] { (void)rigid(half_plane({})); }, {"rigid: got 'half-plane"});
 }
 
 TEST(Ladder, MakesEachContactOnceAndSharesIt) {

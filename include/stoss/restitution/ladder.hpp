@@ -10,7 +10,7 @@ namespace stoss {
 /// and kept. Copies share what is made; any number of threads may ask.
 class RefinableContact {
  public:
-  /// A body at a hard wall. @throws InvalidInput for one that is rigid or a half-space
+  /// A body at a hard wall.
   explicit RefinableContact(BodyMaker body);
 
   /// Two bodies. @throws InvalidInput as contact, and for bodies so unequal in size or wave speed that even a coarse
