@@ -128,12 +128,12 @@ def atlas(
         first, weights = stencil(place, count)
         values = np.tensordot(weights[0], values[first[0] : first[0] + 4], 1)
         error = error[_cell(place, count)].max(axis=(0, 1))
-    given = numbers("speed", speed)
-    speeds = given.ravel() / speed_unit(chosen)
-    found, bars = np.empty_like(speeds), np.empty_like(speeds)
+    given, unit = numbers("speed", speed), speed_unit(chosen)
+    speeds, found, bars = (np.empty(given.size) for _ in range(3))
     many = 65536  # between which Ctrl-C is heeded
-    for begin in range(0, speeds.size, many):
+    for begin in range(0, given.size, many):
         part = slice(begin, begin + many)
+        speeds[part] = given.ravel()[part] / unit
         place, count = _places("speed in c", table["speed"], speeds[part], np.log)
         first, weights = stencil(place, count)
         found[part] = (weights * values[first[:, None] + np.arange(4)]).sum(axis=1)
