@@ -58,7 +58,7 @@ int stoss_half_space_make(double poisson, double young, double density, double l
 /** Makes a half-plane, the second body of a contact with a disk. @param poisson 2-D, -0.95 to 0.995 */
 int stoss_half_plane_make(double poisson, double young, double density, double loss_time, stoss_body** body);
 
-/** Makes the rigid body of the size and mass of another, which meets an elastic one. */
+/** Makes the rigid body of the size and mass of another, not a half-space or half-plane; it meets an elastic one. */
 int stoss_rigid_make(const stoss_body* elastic, stoss_body** body);
 
 /** Frees a body; NULL is none. Contacts that were made of it remain. */
@@ -67,7 +67,7 @@ void stoss_body_free(stoss_body* body);
 /** Who meets whom. It keeps the modes that it has computed. */
 typedef struct stoss_contact stoss_contact;
 
-/** Makes the contact of a body with a hard wall. */
+/** Makes the contact of a disk, sphere or rod, not a rigid one, with a hard wall. */
 int stoss_wall_contact_make(const stoss_body* body, stoss_contact** contact);
 
 /** Makes the contact of two bodies; they may be the same. */
@@ -126,7 +126,8 @@ typedef struct stoss_function stoss_function;
 
 /** What a function gives beyond its range. */
 #define STOSS_BEYOND_ERROR 0 /**< STOSS_INVALID_INPUT */
-#define STOSS_BEYOND_CLAMP 1 /**< the value at the nearer end, with an infinite error */
+#define STOSS_BEYOND_CLAMP 1 /**< the value at the nearer end, at speed 0 that at the slowest, with an infinite error \
+                              */
 #define STOSS_BEYOND_LAW 2   /**< below, the law of slow impacts; above, STOSS_INVALID_INPUT */
 
 /**
@@ -142,9 +143,9 @@ int stoss_function_make(const stoss_contact* contact, double slowest, double fas
                         const stoss_control* control, stoss_function** function);
 
 /**
- * Evaluates eps at each of `count` speeds, whose signs do not count.
- * @param values `count` of them; NaN, with an infinite error, at speeds beyond the range and where a speed is 0 or not
- *               finite, which the status tells
+ * Evaluates eps at each of `count` speeds, whose signs do not count; 0 lies below every range.
+ * @param values `count` of them; NaN, with an infinite error, at speeds that are not finite and at those beyond the
+ *               range where that is an error, which the status tells
  * @param errors `count` of them, or NULL, which is faster
  */
 int stoss_function_evaluate(const stoss_function* function, const double* speeds, size_t count, double* values,

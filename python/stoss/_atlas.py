@@ -10,33 +10,49 @@ from __future__ import annotations
 import dataclasses
 import functools
 from importlib import resources
-from typing import Any, Callable, Mapping
+from typing import Any, Callable, ClassVar, Mapping
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from stoss._arguments import arranged, numbers, refusal
 from stoss._bodies import Body, Disk, Sphere, kind, speed_unit
-from stoss._contact import choose_against, choose_body
+from stoss._contact import Against, choose_against, choose_body
 from stoss._half_space import UNBOUNDED, Unbounded
-from stoss._result import Number, span, with_error
+from stoss._result import Column, Number, span, with_error
+from stoss._si import SpeedInSi
 from stoss._walls import HardWall
 
 Array = NDArray[np.float64]
 
 
 @dataclasses.dataclass(frozen=True, repr=False, eq=False)
-class AtlasValue:
+class AtlasValue(SpeedInSi):
     """Coefficients of restitution of the atlas.
+
+    Numbers, or arrays of the shape of `speed`.
 
     Attributes
     ----------
+    body : Disk or Sphere
+        The first.
+    against : HardWall, Disk, Sphere, HalfSpace or HalfPlane
+        What it meets.
+    speed : float or ndarray
+        Of approach, c. With a material `speed_si` is in m/s.
     restitution : float or ndarray
         ε.
     restitution_error : float or ndarray
         Error of ε: of the values of the atlas, and of their interpolation.
     """
 
+    _name: ClassVar[str] = "atlas"
+    _given = {"speed": "speed"}
+    _axis: ClassVar[str] = "speed"
+
+    body: Body
+    against: Against
+    speed: Number
     restitution: Number
     restitution_error: Number
 
@@ -44,6 +60,16 @@ class AtlasValue:
         if isinstance(self.restitution, float) and isinstance(self.restitution_error, float):
             return f"AtlasValue({with_error(self.restitution, self.restitution_error)})"
         return f"AtlasValue({np.shape(self.restitution)}: restitution {span(self.restitution)})"
+
+    def _inputs(self) -> dict[str, Any]:
+        return {"body": self.body, "against": self.against}
+
+    def _table(self) -> dict[str, Column]:
+        return {name: np.asarray(getattr(self, name)) for name in ("speed", "restitution", "restitution_error")}
+
+    def _arranged_columns(self) -> tuple[dict[str, Column], tuple[str, ...]]:
+        dimensions = np.ndim(self.restitution)
+        return self._columns(), ("speed",) if dimensions == 1 else tuple(f"axis_{k}" for k in range(dimensions))
 
 
 def atlas(
@@ -102,12 +128,17 @@ def atlas(
         first, weights = stencil(place, count)
         values = np.tensordot(weights[0], values[first[0] : first[0] + 4], 1)
         error = error[_cell(place, count)].max(axis=(0, 1))
-    speeds = numbers("speed", speed)
-    place, count = _places("speed in c", table["speed"], speeds.ravel() / speed_unit(chosen), np.log)
-    first, weights = stencil(place, count)
-    found = (weights * values[first[:, None] + np.arange(4)]).sum(axis=1)
-    bars = error[_cell(place, count)].max(axis=1)
-    return AtlasValue(arranged(found, speeds.shape), arranged(bars, speeds.shape))
+    given, unit = numbers("speed", speed), speed_unit(chosen)
+    speeds, found, bars = (np.empty(given.size) for _ in range(3))
+    many = 65536  # between which Ctrl-C is heeded
+    for begin in range(0, given.size, many):
+        part = slice(begin, begin + many)
+        speeds[part] = given.ravel()[part] / unit
+        place, count = _places("speed in c", table["speed"], speeds[part], np.log)
+        first, weights = stencil(place, count)
+        found[part] = (weights * values[first[:, None] + np.arange(4)]).sum(axis=1)
+        bars[part] = error[_cell(place, count)].max(axis=1)
+    return AtlasValue(chosen, met, *(arranged(each, given.shape) for each in (speeds, found, bars)))
 
 
 def _what(body: Sphere | Disk, met: Any) -> tuple[str, float]:

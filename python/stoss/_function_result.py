@@ -15,14 +15,15 @@ from stoss._arguments import choice, number, numbers, refusal
 from stoss._bodies import PARTNERS, Body, is_rigid, kind, shown, speed_unit, speeds_in_si
 from stoss._contact import Against
 from stoss._files import write_lines
-from stoss._result import Column, Number, Result, brief_range
+from stoss._result import Column, brief_range
+from stoss._si import SpeedInSi
 from stoss._state import shown_state
 
 BEYOND = ("error", "clamp", "law")
 
 
 @dataclasses.dataclass(frozen=True, eq=False, repr=False)
-class RestitutionFunction(Result):
+class RestitutionFunction(SpeedInSi):
     """ε as a function of the speed: call it with speeds, get values.
 
     Between computed values it is a cubic in ln v that rises and falls only as they do. Speeds are
@@ -198,9 +199,6 @@ class RestitutionFunction(Result):
             values = function(given.ravel() / speed_unit(self.body)).reshape(given.shape)
         return values if given.ndim else float(values)
 
-    def _kind_of_body(self) -> str:
-        return kind(self.body)
-
     def _inputs(self) -> dict[str, Any]:
         named = {"body": self.body, "against": self.against, "beyond": self.beyond}
         return named if self.state is None else named | {"state": shown_state(self.state)}
@@ -209,16 +207,6 @@ class RestitutionFunction(Result):
         names = ("speed", "restitution", "restitution_error")
         padded = np.append(self.interpolation_error, 0.0)  # of the interval that begins there
         return {name: getattr(self, name) for name in names} | {"interpolation_error": padded}
-
-    @property
-    def speed_si(self) -> Number:
-        """Of the computed values, m/s."""
-        if self.body.material is None:
-            raise AttributeError("speed_si: this result has no material (make its body with one)")
-        return self.speed * self.body.scales.speed
-
-    def _derived(self) -> dict[str, Any]:
-        return {} if self.body.material is None else {"speed_si": self.speed_si}
 
 
 def slow_law(body: Body, against: Against) -> _core.SlowLaw:

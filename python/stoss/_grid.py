@@ -5,6 +5,7 @@ from __future__ import annotations
 import hashlib
 import itertools
 import json
+import math
 import os
 from typing import Any, Iterator, Mapping, NamedTuple, Union
 
@@ -17,8 +18,11 @@ from stoss._bodies import Body, speed_unit, speeds_in_si
 from stoss._contact import Against, choose_against, choose_body, refinable
 from stoss._errors import InvalidInput
 from stoss._half_space import Unbounded
-from stoss._specification import Specification, beside, describe, expanded, make, series
+from stoss._specification import Choices, Specification, beside, choices, describe, expanded, make, series
 from stoss._walls import HardWall
+
+MOST_CASES = 100_000  # bodies times partners
+MOST_VALUES = 1_000_000
 
 Given = Union[Body, Unbounded, HardWall, str, Mapping[str, Any]]
 
@@ -53,8 +57,8 @@ class Grid:
     Raises
     ------
     InvalidInput
-        For an empty grid, for bodies that cannot meet, for a case or a speed that comes twice, and
-        for numbers out of range.
+        For an empty grid, one of more than 100 000 cases or 1 000 000 values, for bodies that cannot
+        meet, for a case or a speed that comes twice, and for numbers out of range.
 
     Examples
     --------
@@ -76,11 +80,14 @@ class Grid:
         tolerance: float = 1e-3,
         absolute: float = 1e-6,
     ) -> None:
-        self.bodies: tuple[Body, ...] = tuple(_first(each) for each in _specifications("bodies", bodies))
-        self.against: tuple[Specification, ...] = tuple(_specifications("against", against))
+        first, second = _several("bodies", bodies), _several("against", against)
         self.speed = _speeds(speed)
+        _require_moderate(_count(first), _count(second), self.speed.size)
+        self.bodies: tuple[Body, ...] = tuple(_first(each) for each in _specifications("bodies", first))
+        self.against: tuple[Specification, ...] = tuple(_specifications("against", second))
         self.tolerance = number("tolerance", tolerance)
         self.absolute = number("absolute", absolute)
+        _core.check_curve(np.empty(0), self.tolerance, self.absolute, 1)
         if len({body.material is None for body in self.bodies}) > 1:
             raise InvalidInput("bodies: got some with a material, allowed all or none (speeds are in m/s or in c)")
         self._cases = tuple(self._found())
@@ -124,7 +131,7 @@ class Grid:
         """Make a grid of the inputs as `to_dict` returns them, or as a TOML file has them."""
         known = {"bodies", "against", "speed", "tolerance", "absolute"}
         if not isinstance(given, Mapping) or not {"bodies", "speed"} <= set(given) <= known:
-            got = sorted(given) if isinstance(given, Mapping) else given
+            got = sorted(map(str, given)) if isinstance(given, Mapping) else given
             raise refusal("grid", got, "bodies and speed, and besides against, tolerance, absolute")
         return cls(**given)
 
@@ -145,7 +152,7 @@ class Grid:
         with open(path, "rb") as stream:
             try:
                 given = tomllib.load(stream)
-            except (tomllib.TOMLDecodeError, UnicodeDecodeError) as error:
+            except (ValueError, RecursionError) as error:  # also of integers with thousands of digits
                 raise InvalidInput(f"grid: got '{os.fspath(path)}', allowed TOML ({error})") from None
         return cls.from_dict(given)
 
@@ -173,25 +180,38 @@ def _first(given: Specification) -> Body:
     return choose_body(make("bodies", given), None, rigid=True)
 
 
-def _specifications(name: str, given: Any) -> Iterator[Specification]:
-    """Of one body or partner or several, given as objects, words or mappings with series."""
+def _several(name: str, given: Any) -> list[tuple[Any, Choices]]:
+    """One body or partner or several, given as objects, words or mappings, each with what is left to choose."""
     several = given if isinstance(given, (list, tuple, np.ndarray)) else [given]
-    count = 0
-    for each in several:
-        for one in expanded(name, each):
-            count += 1
-            yield one
-    if count == 0:
+    return [(each, choices(name, each)) for each in several]
+
+
+def _count(several: list[tuple[Any, Choices]]) -> int:
+    return sum(math.prod(map(len, left)) for _, left in several)
+
+
+def _require_moderate(bodies: int, partners: int, speeds: int) -> None:
+    """Refuse a grid that is too large before its cases are made."""
+    cases, values = bodies * partners, bodies * partners * speeds
+    for got, name, most in ((cases, "cases", MOST_CASES), (values, "values", MOST_VALUES)):
+        if got > most:
+            of = f"{bodies} bodies, {partners} partners, {speeds} speeds"
+            raise InvalidInput(f"grid: got {got} {name} ({of}), allowed {most} (make several grids of it)")
+
+
+def _specifications(name: str, several: list[tuple[Any, Choices]]) -> Iterator[Specification]:
+    if _count(several) == 0:
         raise InvalidInput(f"{name}: got none, allowed at least one (the grid is empty)")
+    for each, left in several:
+        yield from expanded(name, each, left)
 
 
 def _speeds(given: Any) -> NDArray[np.float64]:
     values = numbers("speed", series("speed", given) if isinstance(given, str) else given).ravel()
     if values.size == 0:
         raise InvalidInput("speed: got none, allowed at least one (the grid is empty)")
-    least = np.unique(values[~np.isnan(values)])
-    if least.size < np.count_nonzero(~np.isnan(values)):
-        twice = next(value for value in values.tolist() if np.count_nonzero(values == value) > 1)
-        raise InvalidInput(f"speed: got {twice!r} twice, allowed once")
+    each, count = np.unique(values[~np.isnan(values)], return_counts=True)
+    if np.any(count > 1):
+        raise InvalidInput(f"speed: got {each[count > 1].tolist()[0]!r} twice, allowed once")
     values.flags.writeable = False
     return values

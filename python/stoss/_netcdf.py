@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import dataclasses
 import json
 import os
 from typing import TYPE_CHECKING, Any
@@ -10,12 +9,12 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from stoss import _core
-from stoss._arguments import brief
 from stoss._bodies import kind
 from stoss._files import whole_file
 from stoss._quantities import QUANTITIES, unit
 from stoss._si import si_name
-from stoss._specification import Specification, describe
+from stoss._specification import describe
+from stoss._sweep_names import label, numbers_of_bodies, unit_of_body
 
 if TYPE_CHECKING:
     from stoss._sweep_result import Sweep
@@ -68,25 +67,13 @@ def _coordinates(file: Any, sweep: Sweep) -> None:
     speed[:] = sweep.grid.speed
     bodies = [describe(body) for body in sweep.grid.bodies]
     for name, given in (("body", bodies), ("against", sweep.grid.against)):
-        label = file.createVariable(name, str, (name,))
-        label.long_name = "what meets" if name == "body" else "what it meets"
-        label[:] = np.array([_label(each) for each in given], dtype=object)
-    names = {field.name for each in sweep.grid.bodies for field in dataclasses.fields(each)}
-    for name in sorted(names - {"material", "plane", "rigid"}):
+        names = file.createVariable(name, str, (name,))
+        names.long_name = "what meets" if name == "body" else "what it meets"
+        names[:] = np.array([label(each) for each in given], dtype=object)
+    for name, values in numbers_of_bodies(sweep.grid).items():
         variable = file.createVariable(f"body_{name}", "f8", ("body",), fill_value=np.nan)
-        variable.units = _SI.get(name, "1") if sweep.grid.in_si else "1"
-        variable[:] = [getattr(each, name, np.nan) for each in sweep.grid.bodies]
-
-
-_SI = {"radius": "m", "length": "m", "area": "m2", "young": "Pa", "density": "kg/m3", "loss_time": "s"}
-
-
-def _label(words: Specification) -> str:
-    """What a body or a partner is, in the manner of --against."""
-    usual = {"loss_time": 0.0, **({} if "material" in words else dict.fromkeys(_SI, 1.0) | {"loss_time": 0.0})}
-    numbers = {name: value for name, value in words.items() if name != "kind" and usual.get(name) != value}
-    numbers |= {f"material_{name}": value for name, value in numbers.pop("material", {}).items()}
-    return ",".join((words["kind"], *(f"{name}={brief(value)}" for name, value in numbers.items())))
+        variable.units = unit_of_body(name, sweep.grid) or "1"
+        variable[:] = values
 
 
 def _results(file: Any, sweep: Sweep) -> None:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import dataclasses
 import functools
 import importlib
-from typing import Any
+from typing import Any, ClassVar
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -15,11 +15,12 @@ from stoss._arguments import choice, integer, number, numbers, refusal
 from stoss._bodies import Body, Disk, Sphere, is_rigid, kind, shown, speed_unit, speeds_in_si
 from stoss._contact import choose_against, choose_body
 from stoss._errors import InvalidInput
-from stoss._result import brief_range
+from stoss._result import Column, brief_range
+from stoss._si import SpeedInSi
 
 
 @dataclasses.dataclass(frozen=True, eq=False, repr=False)
-class PairTable:
+class PairTable(SpeedInSi):
     """ε of two bodies of any sizes: call it with speeds and ratios of radii, get values.
 
     Between computed values it is a cubic in ln v and one in (r − 1)/(r + 1). Speeds are those of
@@ -49,6 +50,9 @@ class PairTable:
     >>> epsilon([[0.02], [0.1]], [1.1, 1 / 1.1]).round(3).shape
     (2, 2)
     """
+
+    _name: ClassVar[str] = "pair table"
+    _given = {"speed": "speed"}
 
     body: Body
     against: Body
@@ -101,6 +105,23 @@ class PairTable:
 
     def __getstate__(self) -> dict[str, Any]:
         return {field.name: getattr(self, field.name) for field in dataclasses.fields(self)}
+
+    def _inputs(self) -> dict[str, Any]:
+        return {"body": self.body, "against": self.against, "beyond": self.beyond}
+
+    def _columns(self) -> dict[str, Column]:
+        columns = {
+            "speed": self.speed[:, np.newaxis],
+            "ratio": self.ratio,
+            "restitution": self.restitution,
+            "restitution_error": self.restitution_error,
+            "interpolation_error": np.pad(self.interpolation_error, (0, 1)),  # of the cell that begins there
+        }
+        columns |= {name: each[:, np.newaxis] for name, each in self._derived().items()}
+        return {name: np.broadcast_to(each, self.restitution.shape) for name, each in columns.items()}
+
+    def _arranged_columns(self) -> tuple[dict[str, Column], tuple[str, ...]]:
+        return self._columns(), ("speed", "ratio")
 
     def _of(self, speed: ArrayLike, ratio: ArrayLike, function: Any) -> Any:
         given = np.broadcast_arrays(numbers("speed", speed) / speed_unit(self.body), numbers("ratio", ratio))

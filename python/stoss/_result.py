@@ -161,12 +161,17 @@ class Result(abc.ABC):
         """Whose units they are."""
         return "disk"
 
+    def _kinds_of_bodies(self) -> set[str]:
+        """The same where they may be of several kinds."""
+        return {self._kind_of_body()}
+
     def _unit(self, name: str) -> str:
         """Unit of a column; "" of a pure number."""
         if name in self._units:
             return self._units[name]
         own = re.sub(r"_si(?=$|_error$)", "", name)
-        return unit(self._dimensions().get(own, ""), body=self._kind_of_body(), si=own != name)
+        dimension = self._dimensions().get(own, "")
+        return " or ".join(sorted({unit(dimension, body=each, si=own != name) for each in self._kinds_of_bodies()}))
 
     def _derived(self) -> dict[str, Any]:
         """Further quantities that follow from the fields."""
@@ -194,6 +199,8 @@ def columns(table: NDArray[Any]) -> dict[str, Column]:
 def _cell(value: Any) -> str:
     if isinstance(value, bool):
         return "true" if value else "false"
+    if isinstance(value, str) and ("," in value or '"' in value):
+        return '"' + value.replace('"', '""') + '"'
     return repr(value) if isinstance(value, float) else str(value)
 
 

@@ -21,6 +21,26 @@ def si_name(name: str) -> str:
     return f"{own}_si{name[len(own):]}"
 
 
+class SpeedInSi(Result):
+    """The speed in SI, where the body has a material."""
+
+    body: Any
+    speed: Any
+
+    @property
+    def speed_si(self) -> Number:
+        """Speed of approach, m/s."""
+        if self.body.material is None:
+            raise AttributeError("speed_si: this result has no material (make its body with one)")
+        return self.speed * self.body.scales.speed  # type: ignore[no-any-return]
+
+    def _kind_of_body(self) -> str:
+        return kind(self.body)
+
+    def _derived(self) -> dict[str, Any]:
+        return {} if self.body.material is None else {"speed_si": self.speed_si}
+
+
 class InSi(Result):
     """SI values, as names that end in _si; of spheres with a yield strength, where yielding begins."""
 

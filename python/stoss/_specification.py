@@ -5,7 +5,8 @@ from __future__ import annotations
 import dataclasses
 import decimal
 import itertools
-from typing import Any, Dict, Iterator, Mapping
+import math
+from typing import Any, Dict, Iterator, List, Mapping, Tuple
 
 from stoss._arguments import refusal
 from stoss._bodies import PARTNERS, Body, Disk, Rod, Sphere
@@ -25,6 +26,10 @@ CLASSES: Mapping[str, Any] = {
 }
 WORDS = {made: word for word, made in CLASSES.items()}
 WALLS = ("wall", "same")
+LONGEST_SERIES = 10_000
+
+Choices = List[List[Tuple[str, Any]]]
+"""Of each key of a mapping all values that it is to have."""
 
 
 def describe(body: Any) -> Specification:
@@ -42,7 +47,7 @@ def make(name: str, given: Specification) -> Any:
     """The body that a mapping describes."""
     words = dict(given)
     kind = words.pop("kind", None)
-    if kind not in CLASSES:
+    if not isinstance(kind, str) or kind not in CLASSES:
         raise refusal(f"{name}: kind", kind, ", ".join(CLASSES))
     known = {field.name for field in dataclasses.fields(CLASSES[kind])}
     for each in words:
@@ -80,9 +85,16 @@ def beside(given: Specification, body: Body) -> Any:
     return make("against", words)
 
 
-def expanded(name: str, given: Any) -> Iterator[Specification]:
-    """The mappings of an object, a word, or a mapping in which each list stands for a mapping of
-    each number."""
+def choices(name: str, given: Any) -> Choices:
+    """What the lists and series in a mapping leave to choose; of an object or a word nothing."""
+    if not isinstance(given, Mapping) or _is_wall(name, given):
+        return []
+    return [[(key, each) for each in _choices(f"{name}: {key}", key, value)] for key, value in given.items()]
+
+
+def expanded(name: str, given: Any, left: Choices) -> Iterator[Specification]:
+    """The mappings of an object, a word, or a mapping for which all combinations of its choices are
+    left."""
     if isinstance(given, HardWall) and given.tail == "radiating":
         given = "wall"
     if name == "against" and isinstance(given, str) and given in WALLS:
@@ -90,14 +102,12 @@ def expanded(name: str, given: Any) -> Iterator[Specification]:
     elif isinstance(given, PARTNERS):
         yield describe(given)
     elif isinstance(given, Mapping):
-        words = dict(given)
-        if words.get("kind") in WALLS and name == "against":
-            if len(words) > 1:
-                raise refusal(name, next(each for each in words if each != "kind"), f"nothing besides {words['kind']}")
-            yield words
+        if _is_wall(name, given):
+            if len(given) > 1:
+                raise refusal(name, next(each for each in given if each != "kind"), f"nothing besides {given['kind']}")
+            yield dict(given)
             return
-        columns = [[(key, each) for each in _choices(f"{name}: {key}", key, value)] for key, value in words.items()]
-        for chosen in itertools.product(*columns):
+        for chosen in itertools.product(*left):
             one = dict(chosen)
             made = make(name, {"poisson": 0.0, **one} if name == "against" and _borrows(one) else one)
             # What a partner leaves out stays open until it is known whom it meets.
@@ -105,6 +115,10 @@ def expanded(name: str, given: Any) -> Iterator[Specification]:
     else:
         walls = "'wall', 'same', " if name == "against" else ""
         raise refusal(name, given, f"{walls}a body, or a mapping with its kind")
+
+
+def _is_wall(name: str, words: Mapping[str, Any]) -> bool:
+    return name == "against" and isinstance(words.get("kind"), str) and words["kind"] in WALLS
 
 
 def _borrows(words: Specification) -> bool:
@@ -126,9 +140,13 @@ def _choices(name: str, key: str, value: Any) -> list[Any]:
 
 
 def _number(name: str, value: Any) -> float:
+    allowed = "a number, a list of numbers, or a series"
     if isinstance(value, bool) or not isinstance(value, (int, float)):
-        raise refusal(name, value, "a number, a list of numbers, or a series")
-    return float(value)
+        raise refusal(name, value, allowed)
+    try:
+        return float(value)
+    except OverflowError:
+        raise refusal(name, value, allowed) from None
 
 
 def series(name: str, text: str) -> list[float]:
@@ -137,13 +155,15 @@ def series(name: str, text: str) -> list[float]:
     try:
         first, last = (decimal.Decimal(part) for part in parts[:2])
         count = int(parts[2])
-        if kind not in ("log", "lin") or len(parts) != 3 or count < 1 or not (first.is_finite() and last.is_finite()):
+        ends = float(first), float(last)
+        if kind not in ("log", "lin") or len(parts) != 3 or count < 1 or not all(map(math.isfinite, ends)):
             raise ValueError
-        if kind == "log" and min(first, last) <= 0:
+        if kind == "log" and min(ends) <= 0:
             raise ValueError
-    except (ValueError, IndexError, decimal.InvalidOperation):
-        hint = "log:a:b:n or lin:a:b:n with n of 1 or more, positive ends of log"
-        raise InvalidInput(f"{name}: got {text!r}, allowed {hint}") from None
+    except (ValueError, IndexError, ArithmeticError):
+        raise refusal(name, text, "log:a:b:n or lin:a:b:n with n of 1 or more, positive ends of log") from None
+    if count > LONGEST_SERIES:
+        raise InvalidInput(f"{name}: got a series of {count} numbers, allowed 1 to {LONGEST_SERIES}")
     steps = [decimal.Decimal(i) / max(count - 1, 1) for i in range(count)]
     if kind == "lin":
         return [float(first + step * (last - first)) for step in steps]

@@ -71,7 +71,7 @@ def read_grid(path: Path) -> Grid:
         return Grid.from_dict(json.loads((path / GRID).read_text(encoding="utf-8")))
     except (FileNotFoundError, NotADirectoryError):
         raise InvalidInput(f"store: got '{path}', allowed the directory of a sweep, with its {GRID}") from None
-    except (ValueError, TypeError) as error:
+    except (ValueError, TypeError, RecursionError) as error:
         raise InvalidInput(f"store: got a damaged '{path / GRID}', allowed that of a sweep ({error})") from None
 
 

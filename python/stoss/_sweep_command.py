@@ -1,12 +1,14 @@
 """`stoss sweep` and `stoss merge`, to which the command stoss hands over.
 
-Exit codes are those of the command: 0 all is there, 1 values are missing or not converged, 2 usage,
-3 bad input, 4 input or output, 130 interrupted.
+Exit codes are those of the command: 0 all is there, 1 values of a merge are missing, 2 usage, 3 bad
+input, 4 input or output, 130 interrupted. A value that did not converge is there, with its error:
+it makes no job fail.
 """
 
 from __future__ import annotations
 
 import argparse
+import math
 import os
 import re
 import sys
@@ -18,7 +20,7 @@ import numpy as np
 from stoss import _store
 from stoss._arguments import refusal
 from stoss._errors import InvalidInput
-from stoss._grid import Grid
+from stoss._grid import Case, Grid
 from stoss._sweep import compute, missing
 from stoss._sweep_result import Sweep, merge, open_sweep
 from stoss._worker import Worker
@@ -68,25 +70,31 @@ def _sweep(words: Sequence[str]) -> int:
     grid = Grid.from_toml(given.grid)
     path = _store.create(given.store, grid)
     name = f"shard-{shard}-of-{shards}"
-    cases = grid.cases()[shard - 1 :: shards]
+    cases = sample(grid, shard, shards)
     with Worker(path, name):  # before anything is computed: a second one of this shard ends here
         jobs = list(missing(grid, path, cases, given.threads or len(os.sched_getaffinity(0))))
     done = sum(compute(*job, name) for job in jobs)
-    return _report(path, grid, shard, shards, done)
-
-
-def _report(path: Path, grid: Grid, shard: int, shards: int, done: int) -> int:
-    """Say on stderr what has been done, and what is not as accurate as it should be."""
-    result = open_sweep(path)
-    own = np.zeros(result.computed.shape, dtype=bool)
-    for case in grid.cases()[shard - 1 :: shards]:
+    own = np.zeros(grid.shape, dtype=bool)
+    for case in cases:
         own[case.place] = True
-    values, doubtful = np.count_nonzero(own), np.count_nonzero(own & ~result.converged)
+    values, doubtful = np.count_nonzero(own), np.count_nonzero(own & ~open_sweep(path).converged)
     print(f"stoss: shard {shard}/{shards}: {values} values, {done} computed now", file=sys.stderr)
     if doubtful:
-        text = f"stoss: warning: {doubtful} of {values} values not as accurate as asked for (see converged)"
-        print(text, file=sys.stderr)
-    return 1 if doubtful else 0
+        hint = "they are in the store with their errors, converged is false"
+        print(f"stoss: warning: {doubtful} of {values} values not as accurate as asked for ({hint})", file=sys.stderr)
+    return 0
+
+
+def sample(grid: Grid, shard: int, shards: int) -> list[Case]:
+    """The cases of a shard, which has its share of each body and of each partner.
+
+    Cases are spread over [0, 1) by two irrational numbers, evenly along each row and each column of
+    bodies and partners, whatever their numbers. Shards are successive pieces of equal length.
+    """
+    golden, other = (math.sqrt(5) - 1) / 2, math.sqrt(2) - 1
+    spread = sorted(grid.cases(), key=lambda case: (case.place[0] * golden + case.place[1] * other) % 1)
+    begin, end = (-(-len(spread) * piece // shards) for piece in (shard - 1, shard))
+    return spread[begin:end]
 
 
 def _shard(text: str | None) -> tuple[int, int]:

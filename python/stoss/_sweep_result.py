@@ -3,25 +3,34 @@
 from __future__ import annotations
 
 import dataclasses
+import json
 import os
 from pathlib import Path
-from typing import Any
+from typing import Any, ClassVar
 
 import numpy as np
 from numpy.typing import NDArray
 
 from stoss import _core, _store
 from stoss._arguments import boolean
+from stoss._bodies import kind
 from stoss._grid import Grid
+from stoss._quantities import QUANTITIES
+from stoss._result import Column, Result
+from stoss._si import si_name
+from stoss._specification import describe
+from stoss._sweep_names import label, numbers_of_bodies, unit_of_body
 
 
 @dataclasses.dataclass(frozen=True, repr=False, eq=False)
-class Sweep:
+class Sweep(Result):
     """The values of a sweep, in arrays over bodies, partners and speeds.
 
     Besides the attributes below it has all quantities of a `Restitution` by the same names, in
     units of the first body: `restitution`, `restitution_error`, `lost_fraction`, `contact_time`, ….
-    What is not computed yet is NaN, 0 or False there.
+    What is not computed yet is NaN, 0 or False there. Tables, as of `to_csv` and `to_dataframe`, have
+    a row for each value, with the names of the body and of what it meets; data sets of xarray have
+    the dimensions body, against and speed, as the file of `to_netcdf`.
 
     Attributes
     ----------
@@ -33,10 +42,14 @@ class Sweep:
         Versions of stoss that computed them.
     """
 
-    grid: Grid
+    _name: ClassVar[str] = "sweep"
+    _kind = "restitution"
+    _given = {"speed": "speed"}
+
+    grid: Grid = dataclasses.field(repr=False)
     computed: NDArray[np.bool_]
     versions: tuple[str, ...]
-    rows: NDArray[Any]
+    rows: NDArray[Any] = dataclasses.field(repr=False)
 
     def __getattr__(self, name: str) -> NDArray[Any]:
         if name.startswith("_") or name not in (_core.restitution_row.names or ()):
@@ -52,6 +65,16 @@ class Sweep:
         """Whether all values are there."""
         return bool(self.computed.all())
 
+    def to_dict(self) -> dict[str, Any]:
+        """Return all that the sweep holds in plain Python types, ready for json: the grid as of
+        `Grid.to_dict`, and quantities as lists over bodies, partners and speeds.
+
+        Returns
+        -------
+        dict
+        """
+        return {"grid": self.grid.to_dict()} | super().to_dict()
+
     def to_netcdf(self, path: str | os.PathLike[str]) -> None:
         """Write all values to a NetCDF-4 file with units and provenance, which xarray opens.
 
@@ -66,6 +89,42 @@ class Sweep:
         from stoss._netcdf import write
 
         write(self, os.fspath(path))
+
+    def _inputs(self) -> dict[str, Any]:
+        accuracy = {"tolerance": self.grid.tolerance, "absolute": self.grid.absolute}
+        return {**accuracy, "versions": ", ".join(self.versions), "grid": json.dumps(self.grid.to_dict())}
+
+    def _derived(self) -> dict[str, Any]:
+        quantities = {name: self.rows[name] for name in QUANTITIES["restitution"]}
+        if not self.grid.in_si:
+            return quantities
+        for name, dimension in QUANTITIES["restitution"].items():
+            if dimension:
+                scales = np.array([getattr(body.scales, dimension) for body in self.grid.bodies])
+                quantities[si_name(name)] = self.rows[name] * scales[:, np.newaxis, np.newaxis]
+        return quantities
+
+    def _columns(self) -> dict[str, Column]:
+        names = np.array([label(describe(body)) for body in self.grid.bodies], dtype=object)
+        partners = np.array([label(each) for each in self.grid.against], dtype=object)
+        columns = {name: each[:, np.newaxis, np.newaxis] for name, each in self._of_bodies().items()}
+        columns = {"body": names[:, np.newaxis, np.newaxis], **columns, "against": partners[:, np.newaxis]}
+        columns |= {"speed": self.grid.speed, **self._derived(), "computed": self.computed}
+        return {name: np.broadcast_to(each, self.grid.shape) for name, each in columns.items()}
+
+    def _arranged_columns(self) -> tuple[dict[str, Column], tuple[str, ...]]:
+        return self._columns() | self._of_bodies(), ("body", "against", "speed")
+
+    def _of_bodies(self) -> dict[str, Column]:
+        return {f"body_{name}": each for name, each in numbers_of_bodies(self.grid).items()}
+
+    def _unit(self, name: str) -> str:
+        if name.startswith("body_"):
+            return unit_of_body(name.removeprefix("body_"), self.grid)
+        return "m/s" if name == "speed" and self.grid.in_si else super()._unit(name)
+
+    def _kinds_of_bodies(self) -> set[str]:
+        return {kind(body) for body in self.grid.bodies}
 
 
 def open_sweep(store: str | os.PathLike[str], *, mix: bool = False) -> Sweep:

@@ -69,6 +69,10 @@ double whole_mass(const Body& body) { return body.mass + body.part.beyond; }
 bool is_unbounded(const Body& body) { return std::isinf(body.part.beyond); }
 
 Body rigid(const Body& body) {
+  if (is_unbounded(body)) {
+    throw InvalidInput("rigid: got '" + body.name +
+                       "', allowed a body with a size and a mass (what is rigid without end is a hard wall)");
+  }
   Body result = body;
   result.name = "rigid " + body.name;
   result.softness = result.loss_time = 0.0;
@@ -89,8 +93,8 @@ Body rigid(const Body& body) {
 
 BodyMaker rigid(const BodyMaker& maker) {
   constexpr double without_modes = 1e-6;
-  return [maker](double cutoff, const Poll& poll) {
-    Body body = rigid(maker(without_modes, poll));
+  return [made = rigid(maker(without_modes, {}))](double cutoff, const Poll&) {
+    Body body = made;
     body.cutoff = cutoff;
     return body;
   };

@@ -6,6 +6,7 @@
 
 #include "c/handles.hpp"
 #include "c/status.hpp"
+#include "stoss/contact/contact.hpp"
 #include "stoss/errors.hpp"
 #include "stoss/restitution/curve.hpp"
 
@@ -34,6 +35,8 @@ int stoss_wall_contact_make(const stoss_body* body, stoss_contact** contact) {
   return guarded([&] {
     require_given(body, "body");
     require_given(contact, "contact");
+    constexpr double without_modes = 1e-6;
+    (void)stoss::contact(body->maker(without_modes, {}));  // refuses what cannot meet a wall
     *contact = new stoss_contact{*body, std::nullopt, stoss::RefinableContact(body->maker)};
   });
 }

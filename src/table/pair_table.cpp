@@ -163,8 +163,8 @@ struct PairTable::Table {
   }
 
   [[nodiscard]] double outside(double speed, double ratio) const {
-    if (!(speed > 0.0) || !std::isfinite(speed)) {
-      throw InvalidInput("speed: got " + shown(speed) + ", allowed a finite speed of approach that is not 0");
+    if (!std::isfinite(speed)) {
+      throw InvalidInput("speed: got " + shown(speed) + ", allowed a finite speed of approach");
     }
     if (!(ratio > 0.0) || !std::isfinite(ratio)) {
       throw InvalidInput("ratio: got " + shown(ratio) + ", allowed a positive finite ratio of radii");

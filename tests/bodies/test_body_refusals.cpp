@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "stoss/bodies/disk.hpp"
+#include "stoss/bodies/half_space.hpp"
 #include "stoss/bodies/rod.hpp"
 #include "stoss/impact/impact.hpp"
 #include "support/refusal.hpp"
@@ -57,6 +58,11 @@ TEST(BodyRefusal, OfASurfaceOrAComplianceOfTheWrongSize) {
   body = rod(40.0);
   body.residual_second_moment = [](const ContactPoints&, const Poll&) { return std::vector<double>{}; };
   test::expect_refusal([&] { (void)impact(body, HardWall{}, 0.1); }, {"body", "residual"});
+}
+
+TEST(BodyRefusal, OfWhatHasNoEndAsARigidBody) {
+  test::expect_refusal([] { (void)rigid(half_space({})); }, {"rigid: got 'half-space", "a size and a mass"});
+  test::expect_refusal([] { (void)rigid(half_plane({})(1e-6, {})); }, {"rigid: got 'half-plane"});
 }
 
 TEST(StartRefusal, OfAVelocityThatIsNotTheSpeed) {

@@ -82,7 +82,7 @@ TEST(CInterface, TheFunctionIsThatOfCpp) {
   ASSERT_EQ(stoss_function_make(contact, 0.01, 0.2, 1e-2, STOSS_BEYOND_CLAMP, nullptr, &function), STOSS_OK);
   const auto expected =
       restitution_function(RefinableContact(disk(0.33)), 0.01, 0.2, {.error = 1e-2, .beyond = Beyond::clamp});
-  const std::vector<double> speeds{0.01, -0.0345, 0.17, 0.5};
+  const std::vector<double> speeds{0.01, -0.0345, 0.17, 0.5, 1e-3, 0.0, -0.0};
   std::vector<double> values(speeds.size()), errors(speeds.size()), alone(speeds.size());
   EXPECT_EQ(stoss_function_evaluate(function, speeds.data(), speeds.size(), values.data(), errors.data()), STOSS_OK);
   EXPECT_EQ(stoss_function_evaluate(function, speeds.data(), speeds.size(), alone.data(), nullptr), STOSS_OK);
@@ -90,6 +90,10 @@ TEST(CInterface, TheFunctionIsThatOfCpp) {
     EXPECT_EQ(values[i], expected(speeds[i]).value);
     EXPECT_EQ(errors[i], expected(speeds[i]).error);
     EXPECT_EQ(alone[i], values[i]);
+  }
+  for (const std::size_t below : {4U, 5U, 6U}) {
+    EXPECT_EQ(values[below], values[0]);
+    EXPECT_EQ(errors[below], infinity);
   }
   double slowest = 0.0, fastest = 0.0, error = 0.0;
   EXPECT_EQ(stoss_function_range(function, &slowest, &fastest, &error), STOSS_OK);

@@ -77,6 +77,27 @@ TEST(CStatus, RefusesWhatCppRefuses) {
   EXPECT_EQ(std::string(stoss_message()).rfind("beyond: ", 0), 0U);
 }
 
+TEST(CStatus, RefusesWhatCannotMeetWhereItIsMade) {
+  CBody sphere, space, plane, rigid, none;
+  ASSERT_EQ(stoss_sphere_make(0.3, 1.0, 1.0, 1.0, 0.0, &sphere), STOSS_OK);
+  ASSERT_EQ(stoss_half_space_make(0.2, 1.0, 1.0, 0.0, &space), STOSS_OK);
+  ASSERT_EQ(stoss_half_plane_make(0.2, 1.0, 1.0, 0.0, &plane), STOSS_OK);
+  ASSERT_EQ(stoss_rigid_make(sphere, &rigid), STOSS_OK);
+  for (const stoss_body* endless : {space.handle, plane.handle}) {
+    EXPECT_EQ(stoss_rigid_make(endless, &none), STOSS_INVALID_INPUT);
+    EXPECT_EQ(std::string(stoss_message()).rfind("rigid: got 'half-", 0), 0U) << stoss_message();
+    EXPECT_EQ(none.handle, nullptr);
+  }
+  CContact contact;
+  for (const stoss_body* body : {space.handle, plane.handle, rigid.handle}) {
+    EXPECT_EQ(stoss_wall_contact_make(body, &contact), STOSS_INVALID_INPUT);
+    EXPECT_EQ(std::string(stoss_message()).rfind("against: got a wall for '", 0), 0U) << stoss_message();
+  }
+  EXPECT_EQ(stoss_pair_contact_make(space, sphere, &contact), STOSS_INVALID_INPUT);
+  EXPECT_EQ(stoss_pair_contact_make(rigid, rigid, &contact), STOSS_INVALID_INPUT);
+  EXPECT_EQ(contact.handle, nullptr);
+}
+
 TEST(CStatus, RefusesNull) {
   CBody body;
   CContact contact;

@@ -19,6 +19,12 @@ int main(void) {
     difference = fabs(value - stoss_restitution(-speed)) + fabs(error - stoss_restitution_error(speed));
     if (!(difference <= worst)) worst = difference;
   }
+  for (speed = -0.002; !wrong && speed < 0.003; speed += 0.001) { /* below the range, 0 among them */
+    double value, error;
+    wrong = stoss_function_evaluate(function, &speed, 1, &value, &error) != STOSS_OK ||
+            value != stoss_restitution(0.01) || stoss_restitution(speed) != stoss_restitution(0.01) ||
+            error != HUGE_VAL || stoss_restitution_error(speed) != HUGE_VAL;
+  }
   printf("maximum difference %g %s\n", worst, stoss_message());
   stoss_function_free(function);
   stoss_contact_free(contact);

@@ -97,6 +97,24 @@ def test_refused(body, changed, message):
     assert str(error.value).startswith(message)
 
 
+def test_many_values_are_those_of_a_few():
+    """They are computed in blocks, between which Ctrl-C is heeded."""
+    body, speeds = stoss.Disk(poisson=0.31), np.geomspace(1e-4, 0.3, 70_000)
+    all_at_once = stoss.atlas(body, speed=speeds)
+    for part in (slice(0, 9), slice(65_530, 65_540), slice(69_990, None)):
+        alone = stoss.atlas(body, speed=speeds[part])
+        assert np.array_equal(alone.restitution, all_at_once.restitution[part])
+        assert np.array_equal(alone.restitution_error, all_at_once.restitution_error[part])
+    assert stoss.atlas(body, speed=[]).restitution.shape == (0,)
+
+
+def test_values_say_what_they_are_of():
+    steel = stoss.Sphere(radius=0.01, loss_time=0, material=stoss.materials["steel"])
+    value = stoss.atlas(steel, against=stoss.HalfSpace(loss_time=0, material=steel.material), speed=5.0)
+    assert value.body == steel and value.speed_si == pytest.approx(5.0) and value.against.poisson == 0.3
+    assert value.to_dict()["speed_si"] == value.speed_si and not hasattr(stoss.atlas(poisson=0.3, speed=0.1), "speed_si")
+
+
 def test_it_is_instant():
     body = stoss.Sphere(poisson=0.31)
     stoss.atlas(body, speed=0.1)

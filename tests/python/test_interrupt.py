@@ -42,6 +42,7 @@ LONG = {
     " against=stoss.HardWall(tail='static'))",
     "field at many points": "hit.field(time=1.0, radius=np.linspace(0, 1, 1500), angle=np.linspace(-3, 3, 1500))",
     "field at many radii": "hit.field(time=1.0, radius=np.linspace(0, 1, 20_000), angle=0.0)",
+    "atlas": "[stoss.atlas(poisson=0.33, speed=np.full(10**7, 0.1)) for _ in range(9)]",
     # Quasi-static.
     "slow impacts": "stoss.quasistatic.slow_impact(poisson=0.33, speed=np.geomspace(1e-12, 0.1, 10**6))",
     "rayleigh": "stoss.quasistatic.rayleigh(poisson=0.33, speed=1e-3, cutoff=1000)",

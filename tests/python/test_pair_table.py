@@ -44,6 +44,9 @@ def test_two_materials_in_si():
     assert not table.alike and "m/s" in repr(table)
     direct = stoss.restitution(steel, against=glass, speed=40.0)
     assert abs(table(40.0, 1.0) - direct.restitution) < table.error(40.0, 1.0) + direct.restitution_error
+    assert table(0.0, 1.0) == table(1.0, 1.0) == table(10.0, 1.0) and table.error(0.0, 1.0) == np.inf
+    with pytest.raises(stoss.InvalidInput, match="speed: got nan"):
+        table(np.nan, 1.0)
     assert table.error(200.0, 1.0) == np.inf and table(200.0, 1.0) == pytest.approx(table(100.0, 1.0), abs=1e-9)
 
 

@@ -97,12 +97,18 @@ TEST(PairTable, RefusesWhatIsBeyondItsRangeOrClampsIt) {
   EXPECT_DOUBLE_EQ(clamped.value(1e-3, 2.0), clamped.value(0.01, 2.0));
   EXPECT_DOUBLE_EQ(clamped.value(0.1, 9.0), clamped.value(0.1, 7.0));
   EXPECT_DOUBLE_EQ(clamped.value(3.0, 0.1), clamped.value(0.2, 0.5));
+  for (const double nothing : {0.0, -0.0}) {  // lies below every range
+    EXPECT_EQ(clamped(nothing, 2.0).value, clamped.value(1e-3, 2.0));
+    EXPECT_EQ(clamped(nothing, 2.0).error, std::numeric_limits<double>::infinity());
+    test::expect_refusal([&] { (void)strict(nothing, 2.0); }, {"speed: got 0", "0.01 to 0.2"});
+  }
   EXPECT_EQ(clamped(1e-3, 2.0).error, std::numeric_limits<double>::infinity());
   const double nan = std::numeric_limits<double>::quiet_NaN(), infinity = std::numeric_limits<double>::infinity();
-  for (const double bad : {nan, infinity, 0.0}) {
+  for (const double bad : {nan, infinity}) {
     test::expect_refusal([&] { (void)clamped(bad, 1.0); }, {"speed"});
     test::expect_refusal([&] { (void)clamped.value(0.1, bad); }, {"ratio"});
   }
+  test::expect_refusal([&] { (void)clamped(0.1, 0.0); }, {"ratio"});
   test::expect_refusal([&] { (void)clamped(0.1, -1.0); }, {"ratio", "-1"});
 }
 

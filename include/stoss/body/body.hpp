@@ -124,7 +124,7 @@ struct Body {
 /// Makes a body with all modes up to a cutoff.
 using BodyMaker = std::function<Body(double cutoff, const Poll& poll)>;
 
-/// Makes the rigid body at any cutoff.
+/// Makes the rigid body at any cutoff. @throws InvalidInput for a half-space or half-plane
 [[nodiscard]] BodyMaker rigid(const BodyMaker& maker);
 
 /// Checks what a contact relies on: positive finite scale, mass and cutoff; groups with arrays of one length, finite
@@ -152,7 +152,7 @@ void validate(const Body& body);
 [[nodiscard]] bool is_unbounded(const Body& body);
 
 /// The same body without elasticity: it keeps mass and surface, and the units in which it is given. It meets elastic
-/// bodies.
+/// bodies. @throws InvalidInput for a half-space or half-plane
 [[nodiscard]] Body rigid(const Body& body);
 
 /// A body with only some of its kept modes, as the paper selects them, for exponential walls. A hard wall would need

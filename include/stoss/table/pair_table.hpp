@@ -23,8 +23,8 @@ struct PairValues {
 ///
 /// Its error is the sum of 1.25 times the maximum error of the four values around, as those weigh most between
 /// ratios, and of what the interpolation may be off by. For bodies of one material it is symmetric: 1/r gives what r
-/// gives, at the same speed. A speed counts without its sign. An immutable value, for any number of threads; a call
-/// takes some 20 ns.
+/// gives, at the same speed. A speed counts without its sign; 0 lies below every range. An immutable value, for any
+/// number of threads; a call takes some 20 ns.
 class PairTable {
  public:
   /// A value of the table with its derivatives by x = ln v, by s, and by both.
@@ -38,7 +38,7 @@ class PairTable {
   ///         no law of slow impacts
   explicit PairTable(PairValues values, Beyond beyond = Beyond::error);
 
-  /// ε with its whole error. @throws InvalidInput for a speed that is 0 or not finite, a ratio that is not positive and
+  /// ε with its whole error. @throws InvalidInput for a speed that is not finite, a ratio that is not positive and
   /// finite, and beyond the range as it says
   [[nodiscard]] Estimate operator()(double speed, double ratio) const;
 
