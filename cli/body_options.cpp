@@ -32,9 +32,9 @@ std::string heading(const std::vector<std::string>& kinds) {
     const auto needs = needs_in_si(kind(kinds[k]));
     std::vector<std::string> alike;
     for (; k < kinds.size() && needs_in_si(kind(kinds[k])) == needs; ++k) alike.push_back(kinds[k]);
-    said.push_back(fmt::format("{}: all of {}", fmt::join(alike, ", "), fmt::join(needs, ", ")));
+    said.push_back(fmt::format("{}: {}", fmt::join(alike, ", "), fmt::join(needs, ", ")));
   }
-  return fmt::format("Material in SI ({})", fmt::join(said, "; "));
+  return fmt::format("Material in SI, all of them or none ({})", fmt::join(said, "; "));
 }
 
 /// The unit as a placeholder: PA, KG/M^3.

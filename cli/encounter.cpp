@@ -105,7 +105,7 @@ Participant parse_against(const std::string& text, const Participant& first) {
       against.values[key] = parse_number("against " + key, value);
     }
   }
-  if (its.wall) return against;
+  if (its.wall || !meets(kind(first.kind), its)) return against;
   if (!first.material) {
     if (against.values.contains("yield")) {
       throw InvalidInput("against: got yield without a material, allowed only with --young, --density, --radius");

@@ -80,7 +80,7 @@ std::vector<Kind> make_kinds() {
   rod.parameters = {length, young, density, area, loss_time}, rod.solid = rod_of;
   Kind half_space = sphere;
   half_space.name = "half-space", half_space.plural = "half-spaces";
-  half_space.help = "a block for spheres, so large that no wave comes back in time";
+  half_space.help = "a large block for spheres, from which no wave comes back";
   half_space.bounded = half_space.can_be_rigid = false;
   half_space.parameters = {solid_poisson_number, young, density, loss_time};
   half_space.solid = unbounded<HalfSpace>;
