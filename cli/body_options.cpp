@@ -16,25 +16,31 @@ namespace {
 
 constexpr const char* body_group = "Body";
 
-/// What a body in SI needs besides Poisson's ratio: constants of its material, and sizes.
-std::vector<std::string> needs_in_si(const Kind& its) {
-  std::vector<std::string> names{"young", "density"};
+std::vector<std::string> sizes_of(const Kind& its) {
+  std::vector<std::string> names;
   for (const Parameter& each : its.parameters) {
     if (!each.of_material && each.name != "loss_time") names.emplace_back(each.name);
   }
   return names;
 }
 
-/// The kinds that need the same in SI, and what that is.
+/// What a body in SI needs besides Poisson's ratio: constants of its material, and sizes.
+std::vector<std::string> needs_in_si(const Kind& its) {
+  std::vector<std::string> names = sizes_of(its);
+  names.insert(names.begin(), {"young", "density"});
+  return names;
+}
+
+/// The sizes of kinds, those with the same sizes together.
 std::string heading(const std::vector<std::string>& kinds) {
   std::vector<std::string> said;
   for (std::size_t k = 0; k < kinds.size();) {
-    const auto needs = needs_in_si(kind(kinds[k]));
+    const auto sizes = sizes_of(kind(kinds[k]));
     std::vector<std::string> alike;
-    for (; k < kinds.size() && needs_in_si(kind(kinds[k])) == needs; ++k) alike.push_back(kinds[k]);
-    said.push_back(fmt::format("{}: {}", fmt::join(alike, ", "), fmt::join(needs, ", ")));
+    for (; k < kinds.size() && sizes_of(kind(kinds[k])) == sizes; ++k) alike.push_back(kinds[k]);
+    said.push_back(fmt::format("{} ({})", fmt::join(sizes, ", "), fmt::join(alike, ", ")));
   }
-  return fmt::format("Material in SI, all of them or none ({})", fmt::join(said, "; "));
+  return fmt::format("Material in SI (all or none of young, density and {})", fmt::join(said, " or "));
 }
 
 /// The unit as a placeholder: PA, KG/M^3.

@@ -80,7 +80,7 @@ std::vector<Kind> make_kinds() {
   rod.parameters = {length, young, density, area, loss_time}, rod.solid = rod_of;
   Kind half_space = sphere;
   half_space.name = "half-space", half_space.plural = "half-spaces";
-  half_space.help = "a large block for spheres, from which no wave comes back";
+  half_space.help = "a large block for spheres; its waves do not return";
   half_space.bounded = half_space.can_be_rigid = false;
   half_space.parameters = {solid_poisson_number, young, density, loss_time};
   half_space.solid = unbounded<HalfSpace>;
@@ -96,7 +96,7 @@ std::vector<Kind> make_kinds() {
   same.name = "same", same.plural = "equal bodies", same.help = "a second body, equal to the first";
   Kind exponential = wall;
   exponential.name = "exponential", exponential.plural = "exponential walls";
-  exponential.help = "the soft wall of the paper, for one impact at a given cutoff";
+  exponential.help = "the paper's soft wall, for one impact at a cutoff";
   exponential.parameters = {hardness, strength};
   return {wall, same, disk, sphere, rod, half_space, half_plane, exponential};
 }
