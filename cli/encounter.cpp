@@ -86,7 +86,7 @@ void EncounterOptions::add_to(CLI::App& to, bool exponential, const std::string&
     if (exponential || its.name != "exponential") help += lines_of(its);
   }
   to.add_option("--against", against, help + note)
-      ->type_name("{" + shown_kinds(exponential) + "}[,KEY=VALUE]...")
+      ->type_name("{" + shown_kinds(exponential) + "}[,KEY=NUMBER]...")
       ->group("Against");
 }
 

@@ -19,7 +19,7 @@ fi
 # Tests; benchmarks; checks; the documentation site; the page.
 if [ "${1:-all}" = all ]; then
   packages+=(
-    libgtest-dev libgmock-dev pkgconf python3-pytest python3-hypothesis python3-tqdm mypy
+    libgtest-dev libgmock-dev pkgconf python3-pytest python3-jsonschema python3-hypothesis python3-tqdm mypy
     gfortran chipmunk-dev libbox2d-dev libbullet-dev
     python3-netcdf4 python3-xarray python3-mpi4py openmpi-bin python3-distributed
     libbenchmark-dev

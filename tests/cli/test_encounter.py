@@ -1,0 +1,88 @@
+"""Named materials, and the JSON Schema of encounters."""
+
+import json
+
+import jsonschema
+import pytest
+
+BALL = {"kind": "sphere", "poisson": 0.3}
+STEEL = {"kind": "sphere", "radius": 0.005, "material": "steel"}
+NUMBERS = {"young": 7e10, "poisson": 0.22, "density": 2500}
+
+
+@pytest.fixture(scope="module")
+def schema(stoss):
+    document = json.loads(stoss.run("schema").stdout)
+    jsonschema.Draft202012Validator.check_schema(document)
+    return jsonschema.Draft202012Validator(document)
+
+
+@pytest.mark.parametrize(
+    "encounter",
+    [
+        {"first": BALL},
+        {"first": BALL, "against": "wall"},
+        {"first": BALL, "against": {"kind": "exponential", "hardness": 300}},
+        {"first": BALL, "against": {"kind": "sphere", "radius": 2, "rigid": True}},
+        {"first": STEEL, "against": {"kind": "half-space", "material": NUMBERS}},
+        {"first": {"kind": "disk", "radius": 1, "material": "glass", "plane": "strain"}, "against": "same"},
+        {"first": {"kind": "rod"}, "against": {"kind": "rod", "length": 2, "area": 0.5}},
+        {"first": BALL, "vibration": [{"order": 2, "index": 0, "energy": 0.1, "body": "first"}]},
+    ],
+)
+def test_schema_takes(schema, encounter):
+    schema.validate(encounter)
+
+
+@pytest.mark.parametrize(
+    "encounter",
+    [
+        {},
+        {"first": "wall"},
+        {"first": {"kind": "sphere"}},
+        {"first": {"kind": "sphere", "poisson": 0.5}},
+        {"first": {"kind": "half-space", "poisson": 0.3}},
+        {"first": {**BALL, "area": 1}},
+        {"first": BALL, "against": "cube"},
+        {"first": BALL, "against": {"kind": "sphere", "young": 0}},
+        {"first": {"kind": "sphere", "radius": 1, "material": "steal"}},
+        {"first": {"kind": "sphere", "radius": 1, "material": {"young": 1e9}}},
+        {"first": BALL, "vibration": [{"order": 2, "index": 0}]},
+        {"first": BALL, "speed": 1},
+    ],
+)
+def test_schema_refuses(schema, encounter):
+    with pytest.raises(jsonschema.ValidationError):
+        schema.validate(encounter)
+
+
+def test_a_named_material_is_its_numbers(stoss):
+    listed = {row["name"]: row for row in json.loads(stoss.run("materials --format json").stdout)["records"]}
+    steel, glass = listed["brass"], listed["glass"]
+
+    def numbers(of):
+        return f"young={of['young']},density={of['density']},poisson={of['poisson']},loss_time={of['loss_time']}"
+
+    speed = "restitution --body sphere --radius 0.005 --speed 0.1,1"
+    constants = f"--young {steel['young']} --density {steel['density']} --poisson {steel['poisson']}"
+    typed = f"{constants} --yield {steel['yield_strength']} --loss-time {steel['loss_time']}"
+    named = stoss.data(speed, "--material brass", "--against half-space,material=glass")
+    assert named == stoss.data(speed, typed, f"--against half-space,{numbers(glass)}")
+    assert all(float(row["yield_speed_si[m/s]"]) > 0 for row in named)
+
+
+@pytest.mark.parametrize(
+    "arguments, name, said",
+    [
+        ("--material steal --radius 1", "material", "allowed steel, glass"),
+        ("--material steel", "material", "0 of --radius"),
+        ("--material steel --radius 1 --young 1e9", "young", "--material"),
+        ("--poisson 0.3 --against half-space,material=glass", "against", "material without one of the first"),
+        ("--material steel --radius 1 --against half-space,material=glass,young=1", "against", "young with material"),
+    ],
+)
+def test_refusals(stoss, arguments, name, said):
+    result = stoss.run("restitution --body sphere --speed 0.1", arguments)
+    assert (result.returncode, result.stdout) == (3, "")
+    (line,) = result.stderr.splitlines()
+    assert line.startswith(f"stoss: error: {name}: got ") and said in line
