@@ -80,6 +80,18 @@ module stoss
       type(c_ptr), intent(out) :: contact
     end function stoss_pair_contact_make
 
+    ! The document ends with c_null_char.
+    integer(c_int) function stoss_open(json, contact) bind(c)
+      import
+      character(kind=c_char), intent(in) :: json(*)
+      type(c_ptr), intent(out) :: contact
+    end function stoss_open
+
+    real(c_double) function stoss_speed_unit(contact) bind(c)
+      import
+      type(c_ptr), value :: contact
+    end function stoss_speed_unit
+
     subroutine stoss_contact_free(contact) bind(c)
       import
       type(c_ptr), value :: contact

@@ -73,6 +73,20 @@ int stoss_wall_contact_make(const stoss_body* body, stoss_contact** contact);
 /** Makes the contact of two bodies; they may be the same. */
 int stoss_pair_contact_make(const stoss_body* first, const stoss_body* second, stoss_contact** contact);
 
+/**
+ * Makes the contact of an encounter that a JSON document describes, as in
+ *
+ *     {"first": {"kind": "sphere", "radius": 0.005, "material": "steel"},
+ *      "against": {"kind": "half-space", "material": "glass"}}
+ *
+ * `stoss schema` prints the JSON Schema of such documents. What has a material is in SI, and stoss_speed_unit says what
+ * to divide speeds by; otherwise sizes and materials are ratios to those of the first body.
+ */
+int stoss_open(const char* json, stoss_contact** contact);
+
+/** c of the first body in m/s if it has a material, otherwise 1. */
+double stoss_speed_unit(const stoss_contact* contact);
+
 /** Frees a contact; NULL is none. */
 void stoss_contact_free(stoss_contact* contact);
 

@@ -2,11 +2,13 @@
 #include <cstddef>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "c/handles.hpp"
 #include "c/status.hpp"
 #include "stoss/contact/contact.hpp"
+#include "stoss/encounter/document.hpp"
 #include "stoss/errors.hpp"
 #include "stoss/restitution/curve.hpp"
 
@@ -37,7 +39,7 @@ int stoss_wall_contact_make(const stoss_body* body, stoss_contact** contact) {
     require_given(contact, "contact");
     constexpr double without_modes = 1e-6;
     (void)stoss::contact(body->maker(without_modes, {}));  // refuses what cannot meet a wall
-    *contact = new stoss_contact{*body, std::nullopt, stoss::RefinableContact(body->maker)};
+    *contact = new stoss_contact{stoss::RefinableContact(body->maker), *body};
   });
 }
 
@@ -46,9 +48,30 @@ int stoss_pair_contact_make(const stoss_body* first, const stoss_body* second, s
     require_given(first, "first");
     require_given(second, "second");
     require_given(contact, "contact");
-    *contact = new stoss_contact{*first, *second, stoss::RefinableContact(first->maker, second->maker)};
+    *contact = new stoss_contact{stoss::RefinableContact(first->maker, second->maker), *first, *second};
   });
 }
+
+int stoss_open(const char* json, stoss_contact** contact) {
+  return guarded([&] {
+    require_given(json, "json");
+    require_given(contact, "contact");
+    const stoss::Encounter given = stoss::encounter_from_json(json);
+    if (given.against.kind == "exponential") {
+      throw stoss::InvalidInput("against: got exponential, allowed a hard wall or a body");
+    }
+    const stoss_body first{stoss::first_solid(given), given.first.rigid, stoss::first_maker(given)};
+    stoss_contact made{stoss::refinable(given), first};
+    if (const auto second = stoss::second_solid(given)) {
+      made.second = stoss_body{*second, given.against.rigid, stoss::second_maker(given)};
+    }
+    made.vibration = given.vibration;
+    made.speed_unit = stoss::speed_unit(given);
+    *contact = new stoss_contact(std::move(made));
+  });
+}
+
+double stoss_speed_unit(const stoss_contact* contact) { return contact == nullptr ? 1.0 : contact->speed_unit; }
 
 void stoss_contact_free(stoss_contact* contact) { delete contact; }
 
@@ -64,7 +87,8 @@ int stoss_curve(const stoss_contact* contact, const double* speeds, size_t count
     const stoss::CurveOptions options{.tolerance = tolerance,
                                       .absolute = absolute,
                                       .threads = stoss::c::threads_of(control),
-                                      .poll = stoss::c::poll_of(control)};
+                                      .poll = stoss::c::poll_of(control),
+                                      .vibration = contact->vibration};
     stoss::restitution_curve(contact->contact, at, options, [&](std::size_t i, const stoss::Restitution& result) {
       found.push_back(in_c(at[i], result));
       if (!result.converged && reason.empty()) reason = "speed " + std::to_string(i) + ": " + result.reason;

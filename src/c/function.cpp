@@ -3,7 +3,6 @@
 #include <string>
 
 #include "c/handles.hpp"
-#include "c/law.hpp"
 #include "c/status.hpp"
 #include "stoss/errors.hpp"
 #include "stoss/table/adaptive.hpp"
@@ -21,6 +20,19 @@ stoss::Beyond beyond_of(int number) {
                             ", allowed STOSS_BEYOND_ERROR, STOSS_BEYOND_CLAMP or STOSS_BEYOND_LAW");
 }
 
+stoss::SlowLaw law_of(const stoss_contact& contact) {
+  if (!contact.second) return stoss::slow_law(contact.first.value, std::nullopt, contact.first.rigid);
+  if (contact.second->rigid) {
+    throw stoss::InvalidInput("beyond: got law, allowed error or clamp (there is none with a rigid second body)");
+  }
+  return stoss::slow_law(contact.first.value, contact.second->value, contact.first.rigid);
+}
+
+void require_unexcited(const stoss_contact& contact) {
+  if (contact.vibration.empty()) return;
+  throw stoss::InvalidInput("vibration: got modes that vibrate, allowed none in a function of the speed");
+}
+
 }  // namespace
 
 extern "C" {
@@ -30,9 +42,10 @@ int stoss_function_make(const stoss_contact* contact, double slowest, double fas
   return guarded([&] {
     require_given(contact, "contact");
     require_given(function, "function");
+    require_unexcited(*contact);
     const stoss::FunctionOptions options{.error = error,
                                          .beyond = beyond_of(beyond),
-                                         .law = beyond == STOSS_BEYOND_LAW ? stoss::c::law_of(*contact) : nullptr,
+                                         .law = beyond == STOSS_BEYOND_LAW ? law_of(*contact) : nullptr,
                                          .threads = stoss::c::threads_of(control),
                                          .poll = stoss::c::poll_of(control)};
     *function = new stoss_function{stoss::restitution_function(contact->contact, slowest, fastest, options)};

@@ -1,5 +1,7 @@
 // What is known of an encounter in closed form, or computed for all ratios of the radii.
+#include <optional>
 #include <string>
+#include <variant>
 
 #include "encounter/participant.hpp"
 
@@ -20,22 +22,26 @@ Mixture mixture(const Encounter& encounter) {
                      encounter.against.kind + ", allowed elastic disks or spheres that meet each other");
 }
 
+SlowLaw slow_law(const Solid& first, const std::optional<Solid>& second, bool rigid) {
+  const auto* ball = std::get_if<Sphere>(&first);
+  const auto* disk = std::get_if<Disk>(&first);
+  const auto* block = second ? std::get_if<HalfSpace>(&*second) : nullptr;
+  const auto* other_ball = second ? std::get_if<Sphere>(&*second) : nullptr;
+  const auto* other_disk = second ? std::get_if<Disk>(&*second) : nullptr;
+  if (ball != nullptr && block != nullptr) return slow_law(*ball, *block, rigid);
+  if (!rigid && ball != nullptr && !second) return slow_law(*ball);
+  if (!rigid && disk != nullptr && !second) return slow_law(*disk);
+  if (!rigid && ball != nullptr && other_ball != nullptr) return slow_law(*ball, *other_ball);
+  if (!rigid && disk != nullptr && other_disk != nullptr) return slow_law(*disk, *other_disk);
+  throw InvalidInput("beyond: got law, allowed error or clamp (there is no law of slow impacts of these bodies)");
+}
+
 SlowLaw slow_law(const Encounter& encounter) {
   validate(encounter);
-  const Solid first = first_solid(encounter);
-  const auto second = second_solid(encounter);
-  const bool rigid = encounter.first.rigid, elastic = !rigid && !encounter.against.rigid;
-  if (const auto* ball = std::get_if<Sphere>(&first)) {
-    if (!second && elastic) return slow_law(*ball);
-    if (second && std::holds_alternative<HalfSpace>(*second))
-      return slow_law(*ball, std::get<HalfSpace>(*second), rigid);
-    if (second && elastic) return slow_law(*ball, std::get<Sphere>(*second));
+  if (encounter.against.rigid) {
+    throw InvalidInput("beyond: got law, allowed error or clamp (there is none with a rigid second body)");
   }
-  if (const auto* disk = std::get_if<Disk>(&first); disk != nullptr && elastic) {
-    if (!second) return slow_law(*disk);
-    if (std::holds_alternative<Disk>(*second)) return slow_law(*disk, std::get<Disk>(*second));
-  }
-  throw InvalidInput("beyond: got 'law', allowed 'error' or 'clamp' (there is no law of slow impacts of these bodies)");
+  return slow_law(first_solid(encounter), second_solid(encounter), encounter.first.rigid);
 }
 
 }  // namespace stoss

@@ -1,0 +1,79 @@
+// An encounter that is handed over as a JSON document is the one of handles, and of C++.
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <string>
+
+#include "stoss/restitution/curve.hpp"
+#include "stoss/stoss.h"
+#include "support/c_handles.hpp"
+
+namespace stoss {
+using namespace test;
+
+namespace {
+
+constexpr const char* steel_on_glass =
+    R"({"first": {"kind": "sphere", "radius": 0.005, "material": {"young": 2.1e11, "poisson": 0.3, "density": 7850}},
+        "against": {"kind": "half-space", "material": {"young": 7e10, "poisson": 0.22, "density": 2500}}})";
+
+stoss_result at(const stoss_contact* contact, double speed) {
+  stoss_result result{};
+  EXPECT_EQ(stoss_curve(contact, &speed, 1, 1e-2, 1e-6, nullptr, &result), STOSS_OK) << stoss_message();
+  return result;
+}
+
+TEST(COpen, IsTheContactOfHandles) {
+  CContact opened, made;
+  ASSERT_EQ(stoss_open(steel_on_glass, &opened), STOSS_OK) << stoss_message();
+  CBody ball, block;
+  ASSERT_EQ(stoss_sphere_make(0.3, 1.0, 1.0, 1.0, 0.0, &ball), STOSS_OK);
+  ASSERT_EQ(stoss_half_space_make(0.22, 7e10 / 2.1e11, 2500.0 / 7850.0, 0.0, &block), STOSS_OK);
+  ASSERT_EQ(stoss_pair_contact_make(ball, block, &made), STOSS_OK);
+  EXPECT_EQ(stoss_speed_unit(opened), std::sqrt(2.1e11 / 7850));
+  EXPECT_EQ(stoss_speed_unit(made), 1.0);
+  EXPECT_EQ(stoss_speed_unit(nullptr), 1.0);
+  const double speed = 1.0 / stoss_speed_unit(opened);
+  EXPECT_EQ(at(opened, speed).restitution.value, at(made, speed).restitution.value);
+
+  stoss_function* function = nullptr;
+  ASSERT_EQ(stoss_function_make(opened, 0.01, 0.05, 1e-2, STOSS_BEYOND_LAW, nullptr, &function), STOSS_OK);
+  stoss_function_free(function);
+}
+
+TEST(COpen, TakesVibrationAlong) {
+  const std::string ball = R"({"first": {"kind": "sphere", "poisson": 0.3})";
+  CContact unexcited, excited;
+  ASSERT_EQ(stoss_open((ball + "}").c_str(), &unexcited), STOSS_OK);
+  ASSERT_EQ(stoss_open((ball + R"(,"vibration":[{"order":2,"index":0,"energy":0.1}]})").c_str(), &excited), STOSS_OK);
+  const double expected =
+      restitution_curve(RefinableContact(sphere(0.3)), {0.05},
+                        {.tolerance = 1e-2, .absolute = 1e-6, .vibration = {{0, 2, 0, 0.1, 0.0}}})[0]
+          .restitution.value;
+  EXPECT_EQ(at(excited, 0.05).restitution.value, expected);
+  EXPECT_NE(at(unexcited, 0.05).restitution.value, expected);
+
+  stoss_function* function = nullptr;
+  EXPECT_EQ(stoss_function_make(excited, 0.01, 0.05, 1e-2, STOSS_BEYOND_ERROR, nullptr, &function),
+            STOSS_INVALID_INPUT);
+  EXPECT_STREQ(stoss_message(), "vibration: got modes that vibrate, allowed none in a function of the speed");
+}
+
+TEST(COpen, RefusesWithALine) {
+  stoss_contact* contact = nullptr;
+  EXPECT_EQ(stoss_open(nullptr, &contact), STOSS_INVALID_INPUT);
+  EXPECT_EQ(stoss_open(steel_on_glass, nullptr), STOSS_INVALID_INPUT);
+  EXPECT_EQ(stoss_open("{", &contact), STOSS_INVALID_INPUT);
+  EXPECT_EQ(stoss_open(R"({"first": {"kind": "sphere", "poisson": 0.5}})", &contact), STOSS_INVALID_INPUT);
+  EXPECT_STREQ(
+      stoss_message(),
+      "poisson: got 0.5, allowed -0.95 to 0.4999 (Poisson's ratio; at 0.5 the material does not change its volume)");
+  EXPECT_EQ(stoss_open(R"({"first": {"kind": "disk", "poisson": 0.3}, "against": "exponential"})", &contact),
+            STOSS_INVALID_INPUT);
+  EXPECT_STREQ(stoss_message(), "against: got exponential, allowed a hard wall or a body");
+  EXPECT_EQ(contact, nullptr);
+}
+
+}  // namespace
+}  // namespace stoss
