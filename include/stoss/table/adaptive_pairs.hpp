@@ -43,7 +43,7 @@ struct PairTableOptions {
 /// speeds are checked again. What the middles differed by is the error of the interpolation, as in
 /// restitution_function. Values are computed to a fifth of the error.
 /// @param slowest,fastest   1e-8 … 1, in c of the first body, slowest < fastest
-/// @param smallest,maximum ratio of radii, 1e-3 … 1e3, smallest < maximum; of one material the range may lie on
+/// @param smallest,greatest ratio of radii, 1e-3 … 1e3, smallest < greatest; of one material the range may lie on
 ///                          either side of 1, or on both
 /// @throws InvalidInput for arguments out of range, and as RefinableContact; NotConverged if some value does not reach
 ///         its share of the error, or more values are needed
