@@ -85,6 +85,62 @@ def test_nothing_is_loaded_from_another_host(pages):
         assert not re.search(r"(@import|url\()\s*['\"]?(https?:)?//", style.read_text(encoding="utf-8")), style
 
 
+def test_text_of_a_link_is_no_name_of_a_page(pages):
+    text = "".join(file.read_text(encoding="utf-8") for file in pages)
+    links = re.findall(r'<a class="reference internal"[^>]*>(.*?)</a>', text, re.DOTALL)
+    assert len(links) > 1000
+    assert not [link for link in links if re.fullmatch(r"README|[\w/]+\.md", re.sub(r"<[^>]*>", "", link))]
+
+
+def test_landing_page_names_licence_citation_and_repository(pages):
+    page = pages[SITE / "index.html"]
+    assert {"LICENSE", "CITATION.cff"} <= {Path(target).name for target in page.links}
+    assert {"Licence", "Cite", "Repository"} <= set(page.text)
+
+
+def found(queries):
+    """For each query the pages and anchors that the site's own search finds, the best first."""
+    program = """
+      const [tools, index, queries] = process.argv.slice(1);
+      const vm = require('vm'), fs = require('fs');
+      const names = {document: {}, window: {}, _ready: () => {}};
+      const search = vm.runInNewContext(fs.readFileSync(tools, 'utf8') + ';({Search, splitQuery})', names);
+      const {Search, splitQuery} = search;
+      Search._index = JSON.parse(fs.readFileSync(index, 'utf8').replace(/^[^(]*[(]/, '').replace(/[)]\\s*$/, ''));
+      console.log(JSON.stringify(JSON.parse(queries).map((query) => {
+        const terms = new Set(splitQuery(query.toLowerCase()));
+        return [...terms].flatMap((term) => Search.performObjectSearch(term, terms)).map(([page,, anchor]) => page + anchor);
+      })));"""
+    static = SITE / "_static"
+    command = ["node", "-e", program, static / "searchtools.js", SITE / "searchindex.js", json.dumps(queries)]
+    done = subprocess.run(command, capture_output=True, encoding="utf-8")
+    assert done.returncode == 0, done.stderr
+    return json.loads(done.stdout)
+
+
+def test_search_finds_every_option_of_the_command(pages):
+    if shutil.which("node") is None:
+        pytest.skip("not installed: node")
+    stoss_command = ROOT / "build/release/cli/stoss"
+    names = re.findall(r"^  ([a-z]+) ", command_help(stoss_command).partition("Subcommands:")[2], re.MULTILINE)
+    options = {
+        f"{name} {option}"
+        for name in names
+        for option in re.findall(r"^  (?:-\w,)?(--[a-z-]+)", command_help(stoss_command, name), re.MULTILINE)
+        if option != "--help"
+    }
+    assert len(names) > 5 and len(options) > 80
+    queries = sorted({*options, "--loss-time", "loss-time", "rigid-body"})
+    anchors = pages[SITE / "reference/command.html"].anchors
+    for query, places in zip(queries, found(queries)):
+        here = [place for place in places if place.startswith("reference/command#")]
+        assert here and all(place.partition("#")[2] in anchors for place in here), query
+
+
+def command_help(command, *names):
+    return subprocess.run([command, *names, "--help"], capture_output=True, encoding="utf-8", check=True).stdout
+
+
 def test_formulas_can_be_set(pages):
     node = shutil.which("node")
     if node is None:
