@@ -1,4 +1,4 @@
-"""The page of the command, from its own help: every option is an entry of its own, which a search finds by its name."""
+"""The pages of the command, from its own help: every option is an entry of its own, which a search finds by name."""
 
 import re
 import subprocess
@@ -17,7 +17,7 @@ def said(stoss: Path, *arguments: str) -> str:
 
 
 def literal(lines: list[str]) -> list[str]:
-    return ["::", "", textwrap.indent(textwrap.dedent("\n".join(lines)), "   "), ""]
+    return [".. code-block:: text", "", textwrap.indent(textwrap.dedent("\n".join(lines)), "   "), ""]
 
 
 def heading(text: str, line: str) -> list[str]:
@@ -52,7 +52,7 @@ def options(block: list[str]) -> list[str]:
 def subcommand(name: str, text: str) -> list[str]:
     head, *groups = re.split(r"\n\n+(?=\S.*:\n  )", text)
     what, usage = head.split("\n")
-    lines = [*heading(f"stoss {name}", "-"), f"{what}.", "", *literal([usage.removeprefix("Usage: ")])]
+    lines = [*heading(f"stoss {name}", "="), f"{what}.", "", *literal([usage.removeprefix("Usage: ")])]
     lines += [f".. program:: stoss {name}", ""]
     for group in groups:
         title, _, block = group.partition(":\n")
@@ -70,6 +70,7 @@ def write(tree: Tree, stoss: Path) -> None:
     names = re.findall(r"^  ([a-z]+) ", general.partition("Subcommands:")[2], re.MULTILINE)
     lines = [*heading("Options of the command", "="), "What ``stoss --help`` and ``stoss SUBCOMMAND --help`` say;"]
     lines += [":doc:`the command </command>` is a tour.", "", *literal(general.split("\n"))]
+    lines += [".. toctree::", "   :hidden:", "", *(f"   command/{name}" for name in names)]
     for name in names:
-        lines += subcommand(name, said(stoss, name))
+        tree.write(f"reference/command/{name}.rst", "\n".join(subcommand(name, said(stoss, name))) + "\n")
     tree.write("reference/command.rst", "\n".join(lines) + "\n")
