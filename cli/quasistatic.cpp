@@ -103,7 +103,8 @@ void compressions(const QuasistaticArguments& arguments, const QuasistaticBody& 
     throw InvalidInput("cutoff: got --cutoff with --compression, allowed only with --speed (here all modes count)");
   }
   if (arguments.sphere.yield) {
-    throw InvalidInput("yield: got --yield with --compression, allowed only with --speed (it is a speed that is said)");
+    throw InvalidInput(
+        "yield: got --yield with --compression, allowed only with --speed (give the speed, not the compression)");
   }
   const std::vector<double> values = parse_compressions(arguments.compressions, body);
   Report report(Output(arguments.output.path), arguments.output.chosen_format(), provenance);

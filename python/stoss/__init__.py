@@ -25,7 +25,7 @@ speed c = √(E/ρ), mass m; of bodies with a `Material`, speeds are in m/s.
 `rod_chain`                       rods on a ring that remember their collisions
 `quasistatic`                     slow impacts, Rayleigh's estimate of the loss, static contacts
 `Disk`, `Sphere`, `Rod`           bodies
-`HalfSpace`, `HalfPlane`          what gives way, and carries waves away
+`HalfSpace`, `HalfPlane`          elastic blocks, which carry waves away
 `HardWall`, `ExponentialWall`     walls
 `Oscillation`                     a mode that vibrates before an impact
 `Material`, `materials`           SI; typical materials

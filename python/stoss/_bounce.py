@@ -57,7 +57,7 @@ def bounce(
     count : int, optional
         Impacts.
     flight_time : float
-        From leaving the wall to touching it again, of a body at rest inside, R/c (with a material:
+        From leaving the wall to touching it again, of an unexcited body, R/c (with a material:
         s).
     gravity : float
         In place of `flight_time`: g, c²/R (with a material: m/s²); a flight lasts 2v/g.

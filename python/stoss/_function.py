@@ -62,7 +62,7 @@ def restitution_function(
     Raises
     ------
     InvalidInput
-        For arguments out of range, and a law that there is not.
+        For arguments out of range, and an unknown law.
     NotConverged
         If a value cannot be computed as accurately as that, or more than 2000 would be needed.
 

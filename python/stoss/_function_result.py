@@ -238,5 +238,5 @@ def choose_beyond(beyond: Any, body: Body, against: Against, state: NDArray[Any]
     if chosen == "law":
         slow_law(body, against)
         if state is not None and state.size:
-            choice("beyond", beyond, BEYOND[:2])  # the laws are those of bodies at rest inside
+            choice("beyond", beyond, BEYOND[:2])  # the laws are those of unexcited bodies
     return chosen

@@ -39,7 +39,7 @@ class Scales(NamedTuple):
 class Material:
     """An isotropic elastic material in SI, of which bodies are made.
 
-    Bodies made of it meet at speeds in m/s, and in results SI values stand beside the dimensionless
+    Bodies made of it meet at speeds in m/s, and in results SI values stand next to the dimensionless
     ones under names that end in ``_si``.
 
     Parameters
@@ -102,7 +102,7 @@ class Material:
         loss_time = optional_number("loss_time", self.loss_time)
         if quality is not None:
             if loss_time is not None:
-                raise refusal("quality", quality, "none beside loss_time")
+                raise refusal("quality", quality, "none with loss_time")
             if not isinstance(quality, (tuple, list)) or len(quality) != 2:
                 raise refusal("quality", quality, "(Q, ω), a quality and its frequency in rad/s")
             return _core.loss_time_of_quality(number("quality", quality[0]), number("frequency", quality[1]))

@@ -50,7 +50,7 @@ def restitution(
         Of approach of the centres of mass, or towards the wall, 1e-8 to 1, c (with a material:
         m/s). Two equal bodies at twice the speed are one of them at a rigid wall.
     against : HardWall, 'same', Disk, Sphere, Rod, HalfSpace or HalfPlane, optional
-        What the body meets: a rigid wall (default), its like, another of its kind, or, for a
+        What the body meets: a rigid wall (default), an identical body, another of its kind, or, for a
         sphere, a half-space, for a disk a half-plane.
     poisson : array_like
         In place of `body`: 2-D Poisson's ratio of disks, −0.95 to 0.995; broadcasts with `speed`.
@@ -61,7 +61,7 @@ def restitution(
         small.
     state : Oscillation, sequence of them or ndarray, optional
         How the bodies vibrate before the impact, with the same shares of energy and phases at every
-        speed; ε may then exceed 1. Default: they are at rest inside.
+        speed; ε may then exceed 1. Default: they are unexcited.
     threads : int, optional
         0: as many as the machine has. Results do not depend on it.
     progress : bool, optional

@@ -38,7 +38,7 @@ class Restitution(InSiWithErrors):
     bodies : tuple
         All first bodies, each once.
     against : HardWall, Disk, Sphere, Rod, HalfSpace, HalfPlane or 'same'
-        What it meets; 'same' for several Poisson's ratios, each meeting its like.
+        What it meets; 'same' for several Poisson's ratios, each meeting an identical disk.
     poisson : float or ndarray
         Poisson's ratio, of a disk the 2-D one; NaN for a rod.
     speed : float or ndarray

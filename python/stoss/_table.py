@@ -109,7 +109,7 @@ def read_csv(path: str | os.PathLike[str]) -> Table:
     Raises
     ------
     InvalidInput
-        For a file that stoss has not written, or that is damaged.
+        For a damaged file, and one that stoss did not write.
     OSError
         If the file cannot be read.
 

@@ -36,7 +36,7 @@ def yield_speed(body: Sphere, *, against: Sphere | HalfSpace | None = None) -> f
     Raises
     ------
     InvalidInput
-        For a body without a material, and where none gives way.
+        For a body without a material, and where none deforms.
 
     Examples
     --------

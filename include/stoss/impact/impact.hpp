@@ -22,7 +22,7 @@ inline constexpr double small_strain_speed = 0.5;
 struct ImpactOptions {
   Resolution resolution{};
   std::optional<State>
-      start{};  ///< of velocity `speed`, as `approach` makes it; otherwise at rest inside, just out of contact
+      start{};  ///< of velocity `speed`, as `approach` makes it; otherwise unexcited, just out of contact
   Poll poll{};
 };
 
