@@ -1,5 +1,5 @@
-"""README is short, shows how to begin, and what it says of accuracy and time is what the validation has found; the
-page of the C++ library quotes programs that are built and run (tests/downstream)."""
+"""README is short and shows how to begin; what it and docs/python.md say of accuracy is what the validation has found;
+the page of the C++ library quotes programs that are built and run (tests/downstream)."""
 
 import re
 from pathlib import Path
@@ -9,6 +9,7 @@ import pytest
 ROOT = Path(__file__).resolve().parents[2]
 README = (ROOT / "README.md").read_text(encoding="utf-8")
 PROSE = " ".join(README.split())
+GUIDE = " ".join((ROOT / "docs/python.md").read_text(encoding="utf-8").split())
 VALIDATION = (ROOT / "docs/validation.md").read_text(encoding="utf-8")
 DEFAULT = "0.001"  # the tolerance of which README speaks
 
@@ -40,6 +41,7 @@ def test_share_of_true_errors_within_the_estimates_is_that_of_the_validation():
     words = "one two three four five six seven eight nine ten".split()
     said = re.search(r"(\d+) to (\d+) % of the true errors are within .* in each of (\w+) sets", PROSE)
     assert (int(said[1]), int(said[2]), said[3]) == (int(min(within)), int(max(within)), words[len(within) - 1])
+    assert f"{said[1]} to {said[2]} % of the true errors are within" in GUIDE
 
 
 def test_share_of_fast_disks_is_that_of_the_validation():
@@ -47,6 +49,7 @@ def test_share_of_fast_disks_is_that_of_the_validation():
     assert speeds == "0.1 < v < 0.6"
     at_default = re.findall(r"\d+", shares)[1]  # at 10⁻², 10⁻³, …
     assert f"fast disks, 0.1 to 0.6 c, it is {at_default} %" in PROSE
+    assert f"fast disks (0.1 to 0.6 c) {at_default} %" in GUIDE
 
 
 def test_times_are_those_of_the_validation():
