@@ -50,8 +50,8 @@ def restitution_function(
     beyond : {'error', 'clamp', 'law'}, optional
         What the function does beyond the range: refuse; give the value at the nearer end, with an
         infinite error; below it, follow the law of slow impacts with its error, and refuse above.
-        There is a law of disks and spheres at a wall and against their equals, and of elastic
-        spheres on elastic half-spaces.
+        There is a law for disks and spheres at a wall or in equal pairs, and for elastic spheres on
+        elastic half-spaces.
     threads : int, optional
         0: as many as the machine has. Results do not depend on it.
 

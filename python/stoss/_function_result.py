@@ -44,7 +44,7 @@ class RestitutionFunction(Result):
     restitution, restitution_error : ndarray
         ε and its error there.
     interpolation_error : ndarray
-        What the interpolation may be off by from each computed value to the next; one element less.
+        Error of the interpolation from each computed value to the next; one element less.
 
     Examples
     --------
@@ -134,7 +134,7 @@ class RestitutionFunction(Result):
         path : str or path
             Where to; an existing file is replaced.
         name : str, optional
-            With which the names in C begin.
+            Prefix of the names in C.
 
         Raises
         ------

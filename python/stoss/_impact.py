@@ -39,8 +39,8 @@ def impact(
         Of approach of the centres of mass, or towards the wall, 1e-8 to 1, c (with a material:
         m/s). Two equal bodies at twice the speed are one of them at a rigid wall.
     against : HardWall, ExponentialWall, 'same', Disk, Sphere, Rod, HalfSpace or HalfPlane, optional
-        What the body meets: a wall, an identical body, another of its kind, or, for a sphere, a half-space,
-        for a disk a half-plane. Default: a rigid wall.
+        What the body meets: a wall, an identical body, another of its kind, or, for a sphere, a
+        half-space, for a disk a half-plane. Default: a rigid wall.
     poisson : float
         In place of `body`: ``Disk(poisson=poisson)``.
     cutoff : float, optional

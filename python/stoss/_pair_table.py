@@ -39,7 +39,7 @@ class PairTable:
     restitution, restitution_error : ndarray
         ε and its error there, of the shape (speeds, ratios).
     interpolation_error : ndarray
-        What the interpolation may be off by between them; one element less each way.
+        Error of the interpolation between them; one element less each way.
 
     Examples
     --------

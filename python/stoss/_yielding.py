@@ -1,4 +1,4 @@
-"""The speed at which a sphere, or what it meets, begins to yield."""
+"""The speed at which a sphere, or the body that it meets, begins to yield."""
 
 from __future__ import annotations
 
