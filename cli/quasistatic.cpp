@@ -73,7 +73,7 @@ void impacts(const QuasistaticArguments& arguments, const QuasistaticBody& body,
   if (beyond > 0) {
     arguments.output.warn(
         fmt::format("{} of {} rows beyond perturbation theory (marked): lost_fraction is no estimate there, but far "
-                    "too great (see stoss restitution)",
+                    "too large (see stoss restitution)",
                     beyond, speeds.size()));
   }
   const double fastest = *std::max_element(speeds.begin(), speeds.end());

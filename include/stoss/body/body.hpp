@@ -49,7 +49,7 @@ struct Surface {
 
 /// How the end of a body is shaped that meets something, which decides where it can touch.
 enum class Contour {
-  flat,      ///< touches as a whole: a single point stands for it
+  flat,      ///< touches as a whole: a single point represents it
   cylinder,  ///< touches along a line of growing width, as a disk in its plane
   ball       ///< touches on a growing circle, as a sphere: points are rings around the axis
 };

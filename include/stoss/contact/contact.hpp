@@ -53,7 +53,7 @@ struct Contact {
 /// Name of what meets, for provenance.
 [[nodiscard]] std::string name(const Contact& contact);
 
-/// Whether a single point on the axis stands for the whole contact, as with flat ends.
+/// Whether a single point on the axis represents the whole contact, as with flat ends.
 [[nodiscard]] bool has_single_point(const Contact& contact);
 
 /// Largest half-width that the contact points can cover, R; 0 for a single point.
@@ -74,7 +74,7 @@ struct Contact {
 /// Highest wave number of the kept modes along the contact, 1/R.
 [[nodiscard]] double highest_wave_number(const Contact& contact);
 
-/// Maximum of the two bodies' speeds towards their common plane of contact, each in its own wave speed: what says how
+/// The larger of the two bodies' speeds towards their common plane of contact, each in its own wave speed: it says how
 /// fast an impact is. At a wall it is `speed`, for two equal bodies half of it.
 [[nodiscard]] double own_speed(const Contact& contact, double speed);
 

@@ -34,7 +34,7 @@ using Vibration = std::vector<Oscillation>;
 
 /// How bodies that part vibrate when they meet again at the speed of their parting, after a flight from where they
 /// would have parted unexcited to where they would touch. In a lossy material they vibrate less by then. What is
-/// left in a body of which only a part is there has run away.
+/// left in a body of which only a part is there has left.
 /// @param flight its time, R/c, 0 or more
 /// @throws InvalidInput as `vibration`, and for a flight that is negative or not finite
 [[nodiscard]] Vibration vibration_after(const Contact& contact, const State& state, double flight);

@@ -76,7 +76,7 @@ struct RestitutionOptions {
 void validate(const RefinableContact& contact, double speed, const Vibration& vibration, const Poll& poll = {});
 
 /// A coefficient of restitution that misses its tolerance. `best` is the best value that was
-/// reached; best.reason, also in what(), says what stood in the way.
+/// reached; best.reason, also in what(), gives the reason.
 class RestitutionNotConverged : public NotConverged {
  public:
   explicit RestitutionNotConverged(Restitution result);
