@@ -23,7 +23,7 @@ struct Against {
   [[nodiscard]] bool is_unbounded() const { return kind == "half-space" || kind == "half-plane"; }
 };
 
-/// @throws InvalidInput for a kind or a key that there is not, a key that comes twice, and what is no number
+/// @throws InvalidInput for an unknown kind or key, a key that comes twice, and what is no number
 [[nodiscard]] Against parse_against(const std::string& text);
 
 }  // namespace stoss::cli

@@ -47,7 +47,7 @@ void require_elastic(const FirstBody& first, const Against& against) {
   if (!against.is_body() || against.kind == "same") {
     throw InvalidInput(
         fmt::format("rigid-body: got --rigid-body with --against {}, allowed only with {} or {}, which "
-                    "give way",
+                    "deform",
                     against.kind, name(first.kind), unbounded_partner(first.kind)));
   }
   if (first.sphere && first.sphere->material.yield_strength) {
@@ -175,7 +175,7 @@ Mixture Encounter::mixture(double poisson) const {
     throw InvalidInput("ratio: got --ratio with " + std::string(rods() ? "rods" : "--against " + against_.kind) +
                        (first_.rigid ? " and --rigid-body" : "") +
                        ", allowed with elastic disks or spheres that meet " +
-                       "their like (--against same, disk,… or sphere,…)");
+                       "bodies of their kind (--against same, disk,… or sphere,…)");
   }
   const bool same = against_.kind == "same";
   if (first_.kind == BodyKind::disk) {

@@ -38,7 +38,7 @@ void EncounterArguments::add_to(CLI::App& to, const std::string& kind, const std
       ->group("Body");
   to.add_flag("--rigid-body", rigid,
               "The body is rigid: it keeps its mass, and its modulus and density\n"
-              "remain the units; with something to meet that gives way")
+              "remain the units; what it meets must deform")
       ->group("Body");
   add_number(to, "--loss-time", loss_time,
              "Loss time eta of the body: stress = (1 + eta d/dt) elastic stress\n(default: 0); in R/c, with a material "
@@ -59,7 +59,7 @@ void EncounterArguments::add_to(CLI::App& to, const std::string& kind, const std
                 "  half-space[,poisson=NU,young=E,density=RHO,yield=Y]: an elastic\n"
                 "               half-space for a sphere, likewise\n"
                 "  half-plane[,poisson=NU,young=E,density=RHO]: one for a disk;\n"
-                "               whatever gives way may have loss_time=ETA too" +
+                "               every elastic one may have loss_time=ETA too" +
                     help)
       ->type_name("{wall,same,disk,sphere,rod,half-space,half-plane" + (kind.empty() ? "" : "," + kind) +
                   "}[,KEY=NUMBER]...")

@@ -19,7 +19,7 @@ struct SolidSphere {
   [[nodiscard]] Sphere sphere() const { return {material.poisson, radius, material.young, material.density}; }
 };
 
-/// What a sphere has beside what is given as of a disk: the yield strength.
+/// What a sphere has in addition to what a disk has: the yield strength.
 struct SphereArguments {
   std::optional<double> yield;
 
