@@ -62,6 +62,7 @@ results: setup python ## the tables and the figures of docs/results/
 	@build/release/studies/stoss_half_space docs/results/half_space.csv
 	@$(PYTHON) studies/half_space/figure.py docs/results/half_space.csv docs/images/half_space.png
 	@build/venv/bin/python studies/half_space/wave.py docs/images/half_space_wave.png
+	@build/venv/bin/python studies/half_space/ball_on_block.py docs/images/ball_on_block.png
 	@build/release/studies/stoss_vibration docs/results/vibration
 	@$(PYTHON) studies/vibration/figure.py docs/results/vibration docs/images
 

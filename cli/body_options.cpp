@@ -83,7 +83,7 @@ void BodyOptions::add_dynamics_to(CLI::App& command) {
   command
       .add_flag("--rigid-body", rigid_,
                 "The body is rigid: it keeps its mass, and its modulus and density\n"
-                "remain the units; with something to meet that deforms")
+                "remain the units; what it meets must deform")
       ->group(body_group);
   add_number(command, "--loss-time", numbers_["loss_time"],
              "Loss time eta of the body: stress = (1 + eta d/dt) elastic stress\n(default: 0, or that of --material); "

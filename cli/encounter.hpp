@@ -28,7 +28,7 @@ struct EncounterOptions {
 
 /// What --against says: KIND[,key=value…].
 /// @param first of which the Poisson's ratio is that of a material without its own
-/// @throws InvalidInput for a kind or a key that there is not, a key that comes twice, and what is no number
+/// @throws InvalidInput for an unknown kind or key, a key that comes twice, and what is no number
 [[nodiscard]] Participant parse_against(const std::string& text, const Participant& first);
 
 /// Adds the first body, or who meets whom, to the inputs of a result.

@@ -9,7 +9,7 @@ namespace stoss::cli {
 /// Names of the columns of stoss restitution --method extrapolate.
 [[nodiscard]] std::string extrapolate_columns(const Job& job);
 
-/// @throws InvalidInput for speeds at which the paper's method is not to be had, and as the core
+/// @throws InvalidInput for speeds at which the paper's method does not work, and as the core
 void check_extrapolate(const Job& job);
 
 /// Computes the rows that the sweep does not have yet. @throws Interrupted, OutputError

@@ -191,7 +191,7 @@ void add_form(CLI::App& command, TableArguments& arguments) {
       ->check(CLI::IsMember({"c", "two-column", "json"}))
       ->type_name("FORM")
       ->group("Output");
-  command.add_option("--name", arguments.name, "With which names in C begin (default: stoss)")
+  command.add_option("--name", arguments.name, "Prefix of the names in C (default: stoss)")
       ->type_name("NAME")
       ->group("Output");
   command

@@ -53,7 +53,7 @@ double number(const Typed& typed, std::string part) {
 
 std::vector<double> series(const Typed& typed, bool logarithmic) {
   const auto parts = split(typed.text, ':');
-  if (parts.size() != 4) typed.refuse("it has not three parts after the first colon");
+  if (parts.size() != 4) typed.refuse("it needs three parts after the first colon");
   const double first = number(typed, parts[1]);
   const double last = number(typed, parts[2]);
   const double count = number(typed, parts[3]);
@@ -86,7 +86,7 @@ int parse_integer(std::string_view name, const std::string& text) {
   const Typed typed{name, text, one_integer};
   const double value = number(typed, text);
   if (value != std::floor(value)) typed.refuse("it is not a whole number");
-  if (std::abs(value) > std::numeric_limits<int>::max()) typed.refuse("it is too great");
+  if (std::abs(value) > std::numeric_limits<int>::max()) typed.refuse("it is too large");
   return static_cast<int>(value);
 }
 

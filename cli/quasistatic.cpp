@@ -72,7 +72,7 @@ void impacts(const QuasistaticArguments& arguments, const QuasistaticBody& body,
   if (beyond > 0) {
     arguments.output.warn(
         fmt::format("{} of {} rows beyond perturbation theory (marked): lost_fraction is no estimate there, but far "
-                    "too great (see stoss restitution)",
+                    "too large (see stoss restitution)",
                     beyond, speeds.size()));
   }
   const double fastest = *std::max_element(speeds.begin(), speeds.end());
@@ -102,7 +102,8 @@ void compressions(const QuasistaticArguments& arguments, const QuasistaticBody& 
     throw InvalidInput("cutoff: got --cutoff with --compression, allowed only with --speed (here all modes count)");
   }
   if (body.yield_speed) {
-    throw InvalidInput("yield: got --yield with --compression, allowed only with --speed (it is a speed that is said)");
+    throw InvalidInput(
+        "yield: got --yield with --compression, allowed only with --speed (give the speed, not the compression)");
   }
   const std::vector<double> values = parse_compressions(arguments.compressions, body);
   Report report(Output(arguments.output.path), arguments.output.chosen_format(), provenance);

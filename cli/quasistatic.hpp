@@ -16,7 +16,7 @@ namespace stoss::cli {
 /// Compressions that a static contact takes, R.
 inline constexpr double least_compression = 1e-12, greatest_compression = 0.5;
 
-/// What a row of slow impacts says beside its columns.
+/// What a row of slow impacts says besides its columns.
 struct SlowRow {
   bool beyond_perturbation = false;
   std::vector<quasistatic::DrivenMode> modes;

@@ -34,7 +34,7 @@ class Report {
   /// Lines below the rows of a table.
   void close_table(const std::string& lines);
 
-  /// A member of the JSON document beside its records.
+  /// A member of the JSON document in addition to its records.
   void attach(const std::string& key, nlohmann::ordered_json value);
 
   /// Writes what is still to be written. @throws OutputError

@@ -77,7 +77,7 @@ std::string summary_lines(const DistributionSummary& summary) {
   if (std::isfinite(summary.standard_deviation)) {
     text += fmt::format("standard deviation    {:.4g} of the restitution\n", summary.standard_deviation);
   }
-  text += fmt::format("least and maximum     {:.8g}, {:.8g}\nabove 1               {:.4g} % of {} samples\n",
+  text += fmt::format("minimum and maximum   {:.8g}, {:.8g}\nabove 1               {:.4g} % of {} samples\n",
                       summary.least, summary.greatest, 100.0 * summary.share_above_one, summary.samples);
   if (summary.missing > 0) text += fmt::format("without a value       {} samples\n", summary.missing);
   return text;

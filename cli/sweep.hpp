@@ -26,7 +26,7 @@ struct Rows {
   std::function<void(const Cells& cells)> observer{};  ///< called with each row, also those of an earlier run
 };
 
-/// What is said of one row.
+/// A row and what describes it.
 struct Row {
   Record record;
   nlohmann::ordered_json details = nlohmann::ordered_json::object();  ///< for JSON only

@@ -21,7 +21,7 @@ struct Column {
   int width = 0;                                ///< in the printed table; 0: not shown there
   int si_width = 0;                             ///< with a material, of the SI value in place of the other
   bool with_error = false;                      ///< printed as value ± error, in units of the first body
-  bool in_si = true;                            ///< with a material, has its SI value beside it, as name_si
+  bool in_si = true;                            ///< with a material, has its SI value next to it, as name_si
   bool left_out = false;                        ///< also of CSV and JSON
   std::function<bool(const Result&)> marked{};  ///< whether the printed table marks the value with !
 };

@@ -55,7 +55,7 @@ void VibrationArguments::add_to(CLI::App& command) {
       .add_option("--mode", modes,
                   "A mode that vibrates before the impact, once for each: order n and\n"
                   "index l as stoss modes has them; its energy, as a share of the\n"
-                  "translational one; its phase in radians when bodies at rest inside\n"
+                  "translational one; its phase in radians when unexcited bodies\n"
                   "would touch (default: 0); of the second body with of=second")
       ->allow_extra_args(false)
       ->type_name("N,L,energy=SHARE[,phase=PHI][,of=second]")

@@ -33,7 +33,7 @@ bool is_written_directly(const std::string& path) {
   return path.empty() || path == "-" || (stat(path.c_str(), &status) == 0 && !S_ISREG(status.st_mode));
 }
 
-/// A file beside the one that it is to become, removed unless it did.
+/// A file next to the one that it is to become, removed unless it did.
 class Beside {
  public:
   explicit Beside(const std::string& path) : path_(path) {

@@ -4,7 +4,7 @@
 
 namespace stoss::cli {
 
-/// Writes a file that appears whole or not at all: its text goes into another one beside it, which then takes its
+/// Writes a file that appears whole or not at all: its text goes into another one next to it, which then takes its
 /// place. What is no regular file (stdout as "" or "-", a pipe, a device) is written directly.
 /// @throws OutputError
 void write_whole(const std::string& path, const std::string& text);

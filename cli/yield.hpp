@@ -13,7 +13,7 @@ namespace stoss::cli {
 /// @param speed       of the impact, c of the first body, which has a material
 void add_yield(Record& record, const Units& units, const std::optional<double>& yield_speed, double speed);
 
-/// What is said of impacts beyond the speed at which yielding begins, m/s.
+/// The warning about impacts beyond the speed at which yielding begins, m/s.
 [[nodiscard]] std::string yield_warning(double yield_speed);
 
 }  // namespace stoss::cli

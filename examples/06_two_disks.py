@@ -1,4 +1,4 @@
-"""Two steel disks of unequal size: ε against the ratio of their radii, and who takes the loss.
+"""Two steel disks of unequal size: ε against the ratio of their radii, and which absorbs more.
 
 Run:     python examples/06_two_disks.py [FOLDER]        (default: out/)
 Expect:  restitution and the loss to each disk for radii from 1 : 1 to 1 : 8 at 1 m/s; two_disks.png

@@ -2,7 +2,7 @@
 
 Run:     python examples/09_vibrating_ball.py [FOLDER]        (default: out/)
 Expect:  a table of ε against the phase of one mode, which exceeds one over nearly half of the
-         turn, beside a sinusoid that is not fitted; then mean and spread of ε for balls at rising
+         turn, with a sinusoid that is not fitted; then mean and spread of ε for balls at rising
          temperature; vibrating_ball.csv and vibrating_ball.png. Some seconds.
 
 A mode that takes the share e of the energy in the impact from rest, where ε is ε₀, changes ε by

@@ -7,11 +7,11 @@ from pathlib import Path
 
 import stoss
 
-readme = (Path(__file__).parents[1] / "README.md").read_text(encoding="utf-8")
+landing = (Path(__file__).parents[1] / "docs/index.md").read_text(encoding="utf-8")
 os.chdir(sys.argv[1])
 
-# The first picture of the README, drawn by the README's own lines.
-exec(re.search(r"^```python\n(.*?)^```$", readme, re.MULTILINE | re.DOTALL)[1])
+# The first picture of docs/index.md, drawn by the page's own lines.
+exec(re.search(r"^```python\n(.*?)^```$", landing, re.MULTILINE | re.DOTALL)[1])
 
 hit = stoss.impact(poisson=0.33, speed=0.2, cutoff=25)
 stoss.animate(hit, "collision.gif", quantity="von_mises")

@@ -10,8 +10,8 @@
 
 #include "stoss/material.hpp"
 
-/// What results hold, by name: each kind of result has one table of its quantities (`stoss/impact/quantities.hpp` and
-/// its like), from which the command and the Python package take names, units and order.
+/// What results hold, by name: each kind of result has one table of its quantities (such as
+/// `stoss/impact/quantities.hpp`), from which the command and the Python package take names, units and order.
 namespace stoss {
 
 /// What a quantity is measured in; `none` for a pure number, a share of energy, a flag or a name.

@@ -5,10 +5,10 @@
  * @file
  * The C interface of the library: bodies, contacts, the coefficient of restitution and the function of the speed.
  *
- * It is C89, and C++ and bind(C) of Fortran (stoss.f90) can use it. Link it with what `pkg-config --libs stoss` says.
+ * It is C89, and C++ and bind(C) of Fortran (stoss.f90) can use it. Link it with `pkg-config --libs stoss`.
  *
  * Functions that can fail return a status, STOSS_OK or another, and write to their outputs only where they say so.
- * What a function makes belongs to the caller, who frees it once; freeing it twice is an error that is not noticed.
+ * The caller owns what a function makes and frees it once; nothing notices if it is freed twice.
  * Handles do not change: any number of threads may use one. Nothing is printed, and no C++ exception leaves.
  *
  * Sizes and materials are in any consistent units, those of all bodies the same. Speeds are speeds of approach in
@@ -30,7 +30,7 @@ extern "C" {
 #define STOSS_INTERRUPTED 4 /**< by the caller's own poll */
 #define STOSS_FAILED 5      /**< anything else: of the system, as no thread to be had */
 
-/** Why the last function that failed in this thread did: one line, valid until the next one fails; "" before. */
+/** Why the last function failed in this thread: one line, valid until the next one fails; "" before. */
 const char* stoss_message(void);
 
 /** Version of the library, as in "0.1.0". */
@@ -106,7 +106,7 @@ typedef struct stoss_estimate {
   double error;
 } stoss_estimate;
 
-/** The coefficient of restitution at one speed, eps, and what else is known of that impact. */
+/** The coefficient of restitution at one speed, eps, and the impact that led to it. */
 typedef struct stoss_result {
   double speed;
   stoss_estimate restitution;     /**< eps */
@@ -138,11 +138,12 @@ int stoss_curve(const stoss_contact* contact, const double* speeds, size_t count
 /** The coefficient of restitution as a function of the speed. */
 typedef struct stoss_function stoss_function;
 
-/** What a function gives beyond its range. */
+/** Values of a function beyond its range. */
 #define STOSS_BEYOND_ERROR 0 /**< STOSS_INVALID_INPUT */
-#define STOSS_BEYOND_CLAMP 1 /**< the value at the nearer end, at speed 0 that at the slowest, with an infinite error \
-                              */
-#define STOSS_BEYOND_LAW 2   /**< below, the law of slow impacts; above, STOSS_INVALID_INPUT */
+#define STOSS_BEYOND_CLAMP                                                                                          \
+  1                        /**< the value at the nearer end, at speed 0 that at the slowest, with an infinite error \
+                            */
+#define STOSS_BEYOND_LAW 2 /**< below, the law of slow impacts; above, STOSS_INVALID_INPUT */
 
 /**
  * Makes eps(v) with an error of at most `error`, interpolation included.
@@ -159,7 +160,7 @@ int stoss_function_make(const stoss_contact* contact, double slowest, double fas
 /**
  * Evaluates eps at each of `count` speeds, whose signs do not count; 0 lies below every range.
  * @param values `count` of them; NaN, with an infinite error, at speeds that are not finite and at those beyond the
- *               range where that is an error, which the status tells
+ *               range where that is an error, which the status reports
  * @param errors `count` of them, or NULL, which is faster
  */
 int stoss_function_evaluate(const stoss_function* function, const double* speeds, size_t count, double* values,

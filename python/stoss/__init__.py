@@ -17,7 +17,7 @@ speed c = √(E/ρ), mass m; of bodies with a `Material`, speeds are in m/s.
                                   time
 `restitution_distribution`        ε of many bodies that vibrate at random before
 `sweep`, `Grid`                   ε of many bodies, partners and speeds, with a store
-`merge`, `open_sweep`             what such a store has
+`merge`, `open_sweep`             the values in such a store
 `atlas`                           ε of spheres and disks at once, from a sweep; with errors
 `bounce`                          a body that comes back to a wall with the vibration it has kept
 `modes`                           the eigenmodes of a disk or a sphere
@@ -25,7 +25,7 @@ speed c = √(E/ρ), mass m; of bodies with a `Material`, speeds are in m/s.
 `rod_chain`                       rods on a ring that remember their collisions
 `quasistatic`                     slow impacts, Rayleigh's estimate of the loss, static contacts
 `Disk`, `Sphere`, `Rod`           bodies
-`HalfSpace`, `HalfPlane`          what gives way, and carries waves away
+`HalfSpace`, `HalfPlane`          elastic blocks, which carry waves away
 `HardWall`, `ExponentialWall`     walls
 `Oscillation`                     a mode that vibrates before an impact
 `Material`, `materials`           SI; typical materials

@@ -17,7 +17,7 @@ from stoss._sphere import Sphere as Sphere
 
 @dataclasses.dataclass(frozen=True, init=False, repr=False)
 class Disk:
-    """An elastic disk: its 2-D Poisson's ratio, and its size and material beside other bodies.
+    """An elastic disk: its 2-D Poisson's ratio, and its size and material relative to other bodies.
 
     Without a material all sizes are ratios in any consistent units; at a rigid wall only `poisson`
     counts. With a material, the radius and all speeds are in SI. Modes are computed when they are
@@ -42,7 +42,7 @@ class Disk:
         With a material: a thin plate, or a slice of a long cylinder.
     rigid : bool, optional
         Young's modulus is infinite. The disk keeps its mass, and the given modulus remains a unit.
-        It meets what gives way: disks and half-planes.
+        It meets elastic bodies: disks and half-planes.
 
     Examples
     --------
@@ -199,7 +199,7 @@ def kind(body: Any) -> str:
 
 
 def is_rigid(body: Any) -> bool:
-    """Whether it is a body that gives way nowhere."""
+    """Whether it is a body that does not deform."""
     return bool(getattr(body, "rigid", False))
 
 

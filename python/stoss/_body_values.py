@@ -24,7 +24,7 @@ def fill(body: Any, made: dict[str, float], material: Material | None, **given: 
             raise InvalidInput(f"{name}: got none, allowed a number, or a material instead")
         known = made[name] if value is None else number(name, value)
         if material is not None and known != made[name]:
-            raise refusal(name, value, f"none beside a material, which makes it {made[name]:.6g}")
+            raise refusal(name, value, f"none with a material, which makes it {made[name]:.6g}")
         object.__setattr__(body, name, known)
 
 

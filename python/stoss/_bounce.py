@@ -40,7 +40,7 @@ def bounce(
     exp(−T/`decay_time`). All impacts have the same cutoff and no error bar: without damping
     small differences grow, and of a long sequence only means converge. With
     ``against=stoss.HardWall(tail="static")`` all energy is kept, and translation has in the mean as
-    much before an impact as each of the modes; otherwise the modes above the cutoff take energy for
+    much before an impact as each of the modes; otherwise the modes above the cutoff absorb energy for
     good.
 
     Parameters
@@ -50,14 +50,14 @@ def bounce(
     speed : float
         Of the first impact, 1e-8 to 1, c (with a material: m/s).
     against : HardWall, ExponentialWall, HalfSpace or HalfPlane, optional
-        What the body meets. Default: a rigid wall. The waves of a half-space have run away before
+        What the body meets. Default: a rigid wall. The waves of a half-space have left before
         the next impact. Another body, which does not come back, is refused.
     poisson : float
         In place of `body`: ``Disk(poisson=poisson)``.
     count : int, optional
         Impacts.
     flight_time : float
-        From leaving the wall to touching it again, of a body at rest inside, R/c (with a material:
+        From leaving the wall to touching it again, of an unexcited body, R/c (with a material:
         s).
     gravity : float
         In place of `flight_time`: g, c²/R (with a material: m/s²); a flight lasts 2v/g.
@@ -67,8 +67,7 @@ def bounce(
     cutoff : float, optional
         Highest frequency of the modes that are kept, c/R.
     state : Oscillation, sequence of them or ndarray, optional
-        How the body vibrates before the first impact, as for `impact`. Default: it is at rest
-        inside.
+        How the body vibrates before the first impact, as for `impact`. Default: it is unexcited.
 
     Returns
     -------

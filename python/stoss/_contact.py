@@ -51,7 +51,7 @@ def choose_bodies(given: Any) -> tuple[list[Body], NDArray[np.float64]]:
 
 
 def choose_against(body: Body, against: Any, walls: tuple[type, ...]) -> Against:
-    """What the body meets: one of these walls, its like, or another body."""
+    """What the body meets: one of these walls, an identical body, or another body."""
     if against is None:
         against = HardWall()
     if isinstance(against, str) and against == "same":
@@ -60,7 +60,7 @@ def choose_against(body: Body, against: Any, walls: tuple[type, ...]) -> Against
         kinds = ", ".join(f"a stoss.{kind.__name__}" for kind in (*walls, *PARTNERS[:-1]))
         raise refusal("against", against, f"None, 'same', {kinds} or a stoss.{PARTNERS[-1].__name__}")
     if is_rigid(body) and (not isinstance(against, PARTNERS) or is_rigid(against)):
-        raise refusal("against", against, "what gives way, as the body is rigid")
+        raise refusal("against", against, "a body that deforms, as this one is rigid")
     if isinstance(against, PARTNERS):
         if not isinstance(against, MEETS[type(body)]):
             kinds = " or ".join(f"a stoss.{kind.__name__}" for kind in MEETS[type(body)])

@@ -62,12 +62,12 @@ def restitution_distribution(
         In place of `temperature`: the mean energies, 0 to 1e6, of the same modes as a function of ω
         in c/R of the first body; or modes with their mean energies, whose phases do not count.
     highest : float, optional
-        Modes up to this frequency vibrate, c/R of the first body; at a wall to 128. A classical
-        body that were warm without a limit would have no finite energy.
+        Modes up to this frequency vibrate, c/R of the first body; at a wall to 128. Without a limit
+        a warm classical body would have no finite energy.
     samples : int, optional
         How many impacts, 1 to 10⁶.
     seed : int, optional
-        Another one, another ensemble. Sample k depends on nothing but it, k and the modes.
+        Each seed gives another ensemble. Sample k depends only on the seed, k and the modes.
     error : float, optional
         Error of 1 − ε² of each impact to reach, 1e-9 to 0.5.
     threads : int, optional

@@ -53,7 +53,7 @@ def dataset(
 def table(
     title: str, columns: Mapping[str, Any], units: Mapping[str, str], written: Callable[[float, float | None], str]
 ) -> str:
-    """A compact table in HTML: a title, columns with units, errors beside their values, at most
+    """A compact table in HTML: a title, columns with units, errors next to their values, at most
     some rows."""
     arrays = {name: np.asarray(column).ravel() for name, column in columns.items()}
     names = [name for name in arrays if name.removesuffix("_error") not in set(arrays) - {name}]

@@ -10,7 +10,7 @@ from typing import Iterable, Iterator
 
 @contextlib.contextmanager
 def whole_file(path: str, suffix: str = "") -> Iterator[str]:
-    """A temporary name beside `path`, moved there at the end: what fails leaves no half file."""
+    """A temporary name next to `path`, moved there at the end: what fails leaves no half file."""
     path = os.path.realpath(path)
     try:
         if os.path.isdir(path):

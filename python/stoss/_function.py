@@ -50,8 +50,8 @@ def restitution_function(
     beyond : {'error', 'clamp', 'law'}, optional
         What the function does beyond the range: refuse; give the value at the nearer end, with an
         infinite error; below it, follow the law of slow impacts with its error, and refuse above.
-        There is a law of disks and spheres at a wall and against their equals, and of elastic
-        spheres on elastic half-spaces.
+        There is a law for disks and spheres at a wall or in equal pairs, and for elastic spheres on
+        elastic half-spaces.
     threads : int, optional
         0: as many as the machine has. Results do not depend on it.
 
@@ -62,7 +62,7 @@ def restitution_function(
     Raises
     ------
     InvalidInput
-        For arguments out of range, and a law that there is not.
+        For arguments out of range, and an unknown law.
     NotConverged
         If a value cannot be computed as accurately as that, or more than 2000 would be needed.
 

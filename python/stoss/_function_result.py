@@ -45,7 +45,7 @@ class RestitutionFunction(SpeedInSi):
     restitution, restitution_error : ndarray
         ε and its error there.
     interpolation_error : ndarray
-        What the interpolation may be off by from each computed value to the next; one element less.
+        Error of the interpolation from each computed value to the next; one element less.
 
     Examples
     --------
@@ -135,7 +135,7 @@ class RestitutionFunction(SpeedInSi):
         path : str or path
             Where to; an existing file is replaced.
         name : str, optional
-            With which the names in C begin.
+            Prefix of the names in C.
 
         Raises
         ------
@@ -226,5 +226,5 @@ def choose_beyond(beyond: Any, body: Body, against: Against, state: NDArray[Any]
     if chosen == "law":
         slow_law(body, against)
         if state is not None and state.size:
-            choice("beyond", beyond, BEYOND[:2])  # the laws are those of bodies at rest inside
+            choice("beyond", beyond, BEYOND[:2])  # the laws are those of unexcited bodies
     return chosen

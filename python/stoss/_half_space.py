@@ -49,7 +49,7 @@ class _Unbounded:
 class HalfSpace(_Unbounded):
     """An elastic half-space, which spheres meet: a block so large that no wave comes back in time.
 
-    It takes energy as waves that run away: see `Impact.lost_to_second`. The block is thick enough
+    Waves carry energy away in it: see `Impact.lost_to_second`. The block is thick enough
     if a wave to its other side and back takes longer than the contact. Without a material its
     numbers are ratios to those of the sphere, or in the same units.
 
@@ -61,7 +61,7 @@ class HalfSpace(_Unbounded):
         Young's modulus E and density ρ, 1e-3 to 1e6 of those of the sphere; default 1.
     loss_time : float, optional
         Loss time η of a Kelvin–Voigt material, stress = (1 + η ∂/∂t) elastic stress; 0, or
-        that of the material. In R/c of the sphere; with a material in s. What it takes is in
+        that of the material. In R/c of the sphere; with a material in s. Its loss is in
         `lost_to_second` and in `dissipated`.
     material : Material
         In place of `poisson`, `young` and `density`, for a sphere that has one.

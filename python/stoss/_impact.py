@@ -39,8 +39,8 @@ def impact(
         Of approach of the centres of mass, or towards the wall, 1e-8 to 1, c (with a material:
         m/s). Two equal bodies at twice the speed are one of them at a rigid wall.
     against : HardWall, ExponentialWall, 'same', Disk, Sphere, Rod, HalfSpace or HalfPlane, optional
-        What the body meets: a wall, its like, another of its kind, or, for a sphere, a half-space,
-        for a disk a half-plane. Default: a rigid wall.
+        What the body meets: a wall, an identical body, another of its kind, or, for a sphere, a
+        half-space, for a disk a half-plane. Default: a rigid wall.
     poisson : float
         In place of `body`: ``Disk(poisson=poisson)``.
     cutoff : float, optional
@@ -53,11 +53,11 @@ def impact(
         Of the contact grid, R.
     keep : array_like of bool, optional
         Which of the modes with ω ≤ `cutoff` are kept, in the order of `Impact.mode_energies`; only
-        with an `ExponentialWall`, because a hard contact would need what the others give way.
+        with an `ExponentialWall`, because a hard contact needs the compliance of the others.
         Default: all.
     state : Oscillation, sequence of them or ndarray, optional
         How the bodies vibrate before the impact: modes up to `cutoff`, or an array as
-        `Impact.state_after` gives it. Default: they are at rest inside. Then ε cannot exceed 1;
+        `Impact.state_after` gives it. Default: they are unexcited. Then ε cannot exceed 1;
         with a state it may.
 
     Returns
@@ -87,7 +87,7 @@ def impact(
     >>> stoss.impact(poisson=0.33, speed=0.1, against=soft, keep=average >= np.sort(average)[-300]).modes
     300
 
-    Two disks of unequal size, and who takes the loss.
+    Two disks of unequal size, and which absorbs more.
 
     >>> pair = stoss.impact(stoss.Disk(poisson=0.33), against=stoss.Disk(poisson=0.33, radius=2), speed=0.2)
     >>> round(pair.lost_to_first, 2), round(pair.lost_to_second, 2)
@@ -112,7 +112,7 @@ def impact(
     duration, width = optional_number("step", step), optional_number("half_width", half_width)
     kept = None if keep is None else flags("keep", keep)
     if kept is not None and not isinstance(met, ExponentialWall):
-        hint = "elsewhere one would need what the other modes give way"
+        hint = "elsewhere the compliance of the other modes counts"
         raise InvalidInput(
             f"keep: got a selection of modes and {met!r}, allowed only with a stoss.ExponentialWall ({hint})"
         )

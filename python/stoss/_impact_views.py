@@ -158,8 +158,8 @@ class ImpactViews(InSiOfAnImpact):
         Parameters
         ----------
         flight : float
-            Time between the two impacts, R/c: from where the bodies would part if they were at rest
-            inside to where they would touch.
+            Time between the two impacts, R/c: from where the bodies would part if they were unexcited
+            to where they would touch.
 
         Returns
         -------

@@ -39,8 +39,8 @@ class Scales(NamedTuple):
 class Material:
     """An isotropic elastic material in SI, of which bodies are made.
 
-    Bodies made of it meet at speeds in m/s, and in results SI values stand beside the dimensionless
-    ones under names that end in ``_si``.
+    Bodies made of it meet at speeds in m/s, and results also have SI values, under names that end
+    in ``_si``.
 
     Parameters
     ----------
@@ -55,12 +55,12 @@ class Material:
         contact pressure is 1.6 times that: its results say at which speed (`yield_speed`), and
         which of them are beyond it. They are elastic all the same.
     loss_time : float, optional
-        Loss time η, s: stress = (1 + η ∂/∂t) elastic stress. Bodies have it unless told otherwise;
-        ``loss_time=0`` makes one that loses nothing. A rigid one loses nothing anyway.
+        Loss time η, s: stress = (1 + η ∂/∂t) elastic stress. Bodies made of it have this loss time
+        unless they get their own, such as ``loss_time=0``. A rigid body loses nothing.
     quality : tuple of float, optional
         In place of `loss_time`, (Q, ω) with the quality Q at the angular frequency ω in rad/s, π
-        over the contact time for an impact: η = 1/(Qω). Of the same η a slower impact, of lower
-        frequency, has a higher quality; a material whose Q is constant is met at ω only.
+        over the contact time for an impact: η = 1/(Qω). With the same η a slower impact, of lower
+        frequency, has a higher quality; a constant Q is matched at ω only.
 
     Raises
     ------
@@ -102,7 +102,7 @@ class Material:
         loss_time = optional_number("loss_time", self.loss_time)
         if quality is not None:
             if loss_time is not None:
-                raise refusal("quality", quality, "none beside loss_time")
+                raise refusal("quality", quality, "none with loss_time")
             if not isinstance(quality, (tuple, list)) or len(quality) != 2:
                 raise refusal("quality", quality, "(Q, ω), a quality and its frequency in rad/s")
             return _core.loss_time_of_quality(number("quality", quality[0]), number("frequency", quality[1]))

@@ -23,7 +23,7 @@ DIMENSIONS = ("body", "against", "speed")
 
 
 def write(sweep: Sweep, path: str) -> None:
-    """Write the file beside its place, let the disk have it, and move it there."""
+    """Write the file next to its place, let the disk have it, and move it there."""
     try:
         import netCDF4
     except ImportError:

@@ -40,7 +40,7 @@ class PairTable(SpeedInSi):
     restitution, restitution_error : ndarray
         ε and its error there, of the shape (speeds, ratios).
     interpolation_error : ndarray
-        What the interpolation may be off by between them; one element less each way.
+        Error of the interpolation between them; one element less each way.
 
     Examples
     --------
@@ -154,7 +154,7 @@ def pair_table(
     speed : tuple of two float
         Slowest and fastest speed of approach, 1e-8 to 1, c (with a material: m/s).
     ratio : tuple of two float
-        Smallest and maximum radius of the second over that of the first, 1e-3 to 1e3; of spheres
+        Smallest and largest radius of the second over that of the first, 1e-3 to 1e3; of spheres
         to some 50.
     against : 'same', Disk or Sphere, optional
         The second. Default: of the same material; a ratio and its inverse are then the same.
@@ -192,7 +192,7 @@ def pair_table(
     ranges = {"speed": numbers("speed", speed) / speed_unit(chosen), "ratio": numbers("ratio", ratio)}
     for name, ends in ranges.items():
         if ends.shape != (2,):
-            raise InvalidInput(f"{name}: got an array of shape {ends.shape}, allowed two numbers, least and maximum")
+            raise InvalidInput(f"{name}: got an array of shape {ends.shape}, allowed two numbers, smallest and largest")
     outside = choice("beyond", beyond, ("error", "clamp"))
     limit, count = number("error", error), integer("threads", threads)
     with speeds_in_si(chosen):

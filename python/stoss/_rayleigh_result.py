@@ -71,7 +71,7 @@ class RayleighEstimate(EstimateOfABody):
         theory's small number.
     beyond_perturbation : bool or ndarray
         Whether it is above 0.04: `lost_fraction` is then no estimate, but 1.8 to 19 times too
-        great.
+        large.
     modes : int or ndarray
         Number of modes.
     mode_energies : ndarray or None

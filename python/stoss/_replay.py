@@ -144,7 +144,7 @@ def state_after(impact: Impact, flight: float) -> NDArray[Any]:
 
 
 def _require_memory(impact: Impact, name: str, times: int, each: float, once: float, got: str) -> None:
-    """Refuse what is too large: numbers for each time, beside its motion, and numbers once."""
+    """Refuse what is too large: numbers for each time, besides its motion, and numbers once."""
     size = 8.0 * (times * (each + 2.0 * impact.modes + impact.nodes) + once)
     require_memory(name, f"{times} times{got}", size, "give fewer times or points")
 

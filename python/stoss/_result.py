@@ -1,4 +1,4 @@
-"""What all results have in common: to_dict, to_csv and its like, and a line that says the
+"""What all results have in common: to_dict, to_csv and the other formats, and a line that says the
 essential."""
 
 from __future__ import annotations

@@ -126,7 +126,7 @@ def warn_of_yielding(result: InSi, stacklevel: int) -> None:
 
 
 class InSiOfAnImpact(InSi):
-    """Those of an impact that was computed in time."""
+    """SI values of an impact that was computed step by step."""
 
     impulse_time: Any
 

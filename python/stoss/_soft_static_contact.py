@@ -24,7 +24,7 @@ class SoftStaticContact(Result):
     compression : float
         δ beyond the plane where V₀e^{αx} = 1, R.
     cutoff : float
-        Highest frequency of the modes that give way, c/R.
+        Highest frequency of the modes that deform, c/R.
     against : ExponentialWall
     force : float
         F, πRE = mc²/R.

@@ -12,7 +12,7 @@ from stoss._material import Material, Scales
 
 @dataclasses.dataclass(frozen=True, init=False, repr=False)
 class Sphere:
-    """An elastic sphere: its Poisson's ratio, and its size and material beside other bodies.
+    """An elastic sphere: its Poisson's ratio, and its size and material relative to other bodies.
 
     Without a material all sizes are ratios in any consistent units; at a rigid wall only `poisson`
     counts. With a material, the radius and all speeds are in SI. Spheres meet walls and each other
@@ -35,7 +35,7 @@ class Sphere:
         In place of `poisson`, `young` and `density`.
     rigid : bool, optional
         Young's modulus is infinite. The sphere keeps its mass, and the given modulus remains a
-        unit. It meets what gives way: spheres and half-spaces.
+        unit. It meets elastic bodies: spheres and half-spaces.
 
     Examples
     --------

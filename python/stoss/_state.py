@@ -19,7 +19,7 @@ FEW = 4  # modes that a line can name
 class Oscillation:
     """A mode that vibrates before an impact, Q = A cos(ωt + φ).
 
-    Time t is 0 when the bodies would touch if they were at rest inside.
+    Time t is 0 when the bodies would touch if they were unexcited.
 
     Parameters
     ----------
@@ -58,7 +58,7 @@ State = Union[Oscillation, Sequence[Oscillation], NDArray[Any], None]
 
 def choose_state(given: Any, name: str = "state") -> NDArray[Any]:
     """The modes that vibrate, as the core takes them, read-only; without any where the bodies are
-    at rest inside."""
+    unexcited."""
     if given is None:
         modes: Any = []
     elif isinstance(given, Oscillation):

@@ -45,7 +45,7 @@ class Table(Mapping[str, NDArray[Any]]):
     version : str
         Of stoss.
     inputs : mapping of str to str
-        What made it, as the file has it.
+        What made it, as in the file.
     units : mapping of str to str
         Of the columns that have one.
     columns : mapping of str to ndarray
@@ -109,7 +109,7 @@ def read_csv(path: str | os.PathLike[str]) -> Table:
     Raises
     ------
     InvalidInput
-        For a file that stoss has not written, or that is damaged.
+        For a damaged file, and one that stoss did not write.
     OSError
         If the file cannot be read.
 

@@ -1,4 +1,4 @@
-"""The speed at which a sphere, or what it meets, begins to yield."""
+"""The speed at which a sphere, or the body that it meets, begins to yield."""
 
 from __future__ import annotations
 
@@ -36,7 +36,7 @@ def yield_speed(body: Sphere, *, against: Sphere | HalfSpace | None = None) -> f
     Raises
     ------
     InvalidInput
-        For a body without a material, and where none gives way.
+        For a body without a material, and where none deforms.
 
     Examples
     --------

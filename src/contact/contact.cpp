@@ -49,7 +49,7 @@ Contact contact(std::shared_ptr<const Body> body, const Wall& wall) {
   validate(wall);
   if (is_unbounded(*body) || body->softness == 0.0) {
     throw InvalidInput("against: got a wall for '" + body->name +
-                       "', allowed only what moves and gives way (or an elastic body to meet)");
+                       "', allowed only a body that moves and deforms (or an elastic body to meet)");
   }
   Contact contact;
   contact.wall = wall;

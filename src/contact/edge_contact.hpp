@@ -39,7 +39,7 @@ class EdgeContact {
   /// That of the law alone.
   [[nodiscard]] double law_energy(const std::vector<double>& force) const;
 
-  /// Distance in front of first contact from which a body at rest inside feels the law.
+  /// Distance in front of first contact from which an unexcited body feels the law.
   [[nodiscard]] double range(const std::vector<double>& recess) const { return law_.range(recess); }
 
  private:

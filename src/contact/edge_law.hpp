@@ -38,7 +38,7 @@ struct EdgeLaw {
   /// Energy that the law of a node holds, ∫₀ᶠ g df.
   [[nodiscard]] double energy_at(std::size_t i, double closure) const;
 
-  /// Distance in front of first contact from which a node of a body at rest inside feels the law, R.
+  /// Distance in front of first contact from which a node of an unexcited body feels the law, R.
   [[nodiscard]] double range(const std::vector<double>& recess) const;
 };
 

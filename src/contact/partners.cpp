@@ -36,7 +36,7 @@ void require_partners(const Body& first, const Body& second) {
     throw InvalidInput("against: got '" + first.name + "' as the first body, allowed one that moves");
   }
   if (first.softness == 0.0 && second.softness == 0.0) {
-    throw InvalidInput("rigid: got two rigid bodies, allowed one (the other must give way)");
+    throw InvalidInput("rigid: got two rigid bodies, allowed one (the other must deform)");
   }
   const Units units(second, first);
   if (is_unbounded(second)) {

@@ -11,10 +11,10 @@ namespace stoss {
 ///
 ///   (1 + s η) K + [(s²M)⁻¹ + (G + sZ)⁻¹]⁻¹,   K = W⁻¹,   M = K V K,   G = γ ω_c Z,   γ = 8/π − π/2:
 ///
-/// springs K, viscous in a lossy material, and, beside them, masses M behind links of a spring G and a dashpot Z. Its
-/// compliance is W/(1 + sη) − s²V/(1 + sη)² + O(s⁴) at low frequency, as that of the modes above the cutoff ω_c, and
-/// without losses 1/(sZ) − (2/π) ω_c/(s²Z) at high frequency, as that of plane waves less the kept modes. V is of low
-/// rank on the nodes, V = Y Yᵀ, so the masses move in few unit-mass coordinates ξ = Rᵀ (u − z), R = K Y, with z the
+/// springs K, viscous in a lossy material, and, parallel to them, masses M behind links of a spring G and a dashpot Z.
+/// Its compliance is W/(1 + sη) − s²V/(1 + sη)² + O(s⁴) at low frequency, as that of the modes above the cutoff ω_c,
+/// and without losses 1/(sZ) − (2/π) ω_c/(s²Z) at high frequency, as that of plane waves less the kept modes. V is of
+/// low rank on the nodes, V = Y Yᵀ, so the masses move in few unit-mass coordinates ξ = Rᵀ (u − z), R = K Y, with z the
 /// stretch of the links. By the trapezium rule for the masses, backward Euler for the links (docs/numerics.md, section
 /// 3) and the backward differentiation formula of second order (BDF2) for the viscous springs (docs/theory/loss.md):
 ///

@@ -73,9 +73,9 @@ class KeptModes {
   std::vector<double> rate_;             // 2γωΔt of each mode: m Q̇² 2γΔt = m rate b²
   std::vector<double> due_;              // as kernels::advance_damped has it
   std::vector<double> lost_;             // of each group in units of the mass, all but half of the present power
-  std::vector<double> amplitude_of_;  // of each group: Q of its body beside that of the contact, √(mass/modal mass)
-  std::vector<double> push_;          // velocity kick of a full step per unit amplitude; as kernels::advance has it
-  std::vector<double> edge_;          // Σ C Q, then Σ S Q, over each group
+  std::vector<double> amplitude_of_;     // of each group: Q of its body over that of the contact, √(mass/modal mass)
+  std::vector<double> push_;             // velocity kick of a full step per unit amplitude; as kernels::advance has it
+  std::vector<double> edge_;             // Σ C Q, then Σ S Q, over each group
   struct Rows {
     std::size_t upper, lower;
   };

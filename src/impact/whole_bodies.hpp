@@ -17,7 +17,7 @@ class Outlasted : public NotConverged {
 /// The motion and the energies of whole bodies, of which the near side of one has met the other (BodyPart).
 ///
 /// Until the first echo the force is that of the whole bodies, and moves them with their reduced mass μ instead of that
-/// of the part, κμ. With w the velocity of the part beside that before the impact, v,
+/// of the part, κμ. With w the velocity of the part over that before the impact, v,
 ///
 ///   velocity   v [1 − κ(1 − w)],   at the end   ε = κ(1 + ε_part) − 1,
 ///
@@ -39,7 +39,7 @@ class WholeBodies {
   const Contact& contact_;
   Snapshot start_;
   double part_;    // κ
-  double energy_;  // at the start, beside that with the part
+  double energy_;  // at the start, over that with the part
   double force_;   // unit of force of the part, in that of the whole
 };
 

@@ -17,7 +17,7 @@ class RadiusLaw {
   /// The same at a half-space. @param softness S = 1/E* of both
   RadiusLaw(PointLaw law, double poisson, double softness);
 
-  [[nodiscard]] double limit() const { return limit_; }  ///< maximum a for which the law has a meaning
+  [[nodiscard]] double limit() const { return limit_; }  ///< largest a for which the law has a meaning
   [[nodiscard]] double force(double a) const { return scale_ * a * a * a; }
   [[nodiscard]] double radius(double force) const;
   [[nodiscard]] double compression(double a) const;

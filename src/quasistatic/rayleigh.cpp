@@ -19,7 +19,7 @@ constexpr std::array<double, size> inverse(std::array<double, size> values) {
   return values;
 }
 
-/// cos x for 0 ≤ x < 1e6, to 1e-15 beside the rounding of x; without branches, in a loop several times faster than the
+/// cos x for 0 ≤ x < 1e6, to 1e-15 plus the rounding of x; without branches, in a loop several times faster than the
 /// library's: 2 cos²(x/2) − 1, with the series of the cosine after whole turns are taken off.
 double cosine(double x) {
   constexpr double to_integer = 0x1.8p52;           // what is added to it loses its fraction

@@ -64,8 +64,7 @@ std::optional<double> yield_speed(const Material& first, double first_radius, co
                       one.inverse_mass + other.inverse_mass};
   if (both.curvature == 0.0)
     throw InvalidInput("radius: got inf of both, allowed one half-space (the other is a sphere)");
-  if (both.compliance == 0.0)
-    throw InvalidInput("young: got inf of both, allowed one rigid body (the other gives way)");
+  if (both.compliance == 0.0) throw InvalidInput("young: got inf of both, allowed one rigid body (the other deforms)");
   const double strength = std::min(strength_of(first), strength_of(second));
   if (strength == infinity) return std::nullopt;
   return speed_at(both, yield_pressure_ratio * strength);

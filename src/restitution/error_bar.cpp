@@ -82,7 +82,7 @@ Estimate lost_on_a_growing_contact(const Contact& contact, double speed, const s
   };
   const Run& last = runs.back();
   const Missing lacks = missing(last.cutoff * scale, own);
-  // Beside a half-space less is in doubt, as the body alone gives back; but its quadrature leaves something out.
+  // At a half-space less is in doubt, as the body alone gives back; but its quadrature leaves something out.
   constexpr double less = 0.5, quadrature = 3e-5;
   const double doubt = std::max(less, returned) * lacks.doubt;
   const double missed = contact.radiating ? quadrature * std::abs(last.lost_fraction) : 0.0;

@@ -125,7 +125,7 @@ Estimate hard_limit(const std::vector<SoftImpact>& impacts, std::size_t first) {
 
 /// Limit of 1 − ε² for N → ∞. The points weigh the same: errors with two degrees of freedom are
 /// themselves known to a factor of three, and 1/error² would let chance choose the points. Their
-/// errors are carried into that of the intercept, beside its own: curvature in 1/α shifts all
+/// errors are carried into that of the intercept, in addition to its own: curvature in 1/α shifts all
 /// points alike, which the scatter about the second line does not show.
 Estimate complete_limit(const std::vector<Body>& bodies, const std::vector<Estimate>& hard_wall) {
   std::vector<double> x, y;

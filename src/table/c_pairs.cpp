@@ -114,7 +114,7 @@ std::vector<std::string> comment(const PairTable& pairs, const TableLabel& label
       "r is the radius of the second body over that of the first" + inverse + ".",
       "Speeds go from @NAME@_SLOWEST to @NAME@_FASTEST, ratios from @NAME@_SMALLEST to @NAME@_GREATEST.",
       "Beyond, the coefficient is " + std::string(clamps ? "that at the nearer end," : "not a number,") +
-          " and its error HUGE_VAL. What is not a number gives itself.",
+          " and its error HUGE_VAL. NaN gives NaN.",
       "",
       "Values were computed at " + std::to_string(pairs.values().speeds.size()) + " speeds and " +
           std::to_string(pairs.values().ratios.size()) + " ratios.",

@@ -87,7 +87,7 @@ std::vector<std::string> comment(const RestitutionFunction& function, const Tabl
       "",
       "Speeds go from @NAME@_SLOWEST to @NAME@_FASTEST. Beyond, the coefficient is " +
           std::string(clamps ? "that at the nearer end," : "not a number,"),
-      "and its error HUGE_VAL. What is not a number gives itself.",
+      "and its error HUGE_VAL. NaN gives NaN.",
       "",
       "A cubic in ln v, monotone where the values are, between values computed at " +
           std::to_string(function.knots().size()) + " speeds.",

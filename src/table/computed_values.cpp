@@ -21,7 +21,7 @@ Estimate computed(const Request& request, double error, const std::string& place
     if (!found.reason.empty()) throw NotConverged("restitution: at " + place + " " + found.reason);
     absolute *= 0.25;
   }
-  throw NotConverged("restitution: at " + place + " it is so small that its error is not to be had");
+  throw NotConverged("restitution: at " + place + " it is so small that its error cannot be estimated");
 }
 
 }  // namespace

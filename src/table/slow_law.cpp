@@ -40,7 +40,7 @@ Estimate of_loss(double lost, double error) {
   return {value, least};
 }
 
-/// A loss 1 − ε by the material beside another, 1 − ε², that the elastic body would have.
+/// A loss 1 − ε by the material together with another, 1 − ε², that the elastic body would have.
 Estimate of_both(double viscous, double viscous_error, double lost, double lost_error) {
   const Estimate elastic = of_loss(lost, lost_error);
   const double value = elastic.value - viscous, error = elastic.error + viscous_error;
@@ -52,7 +52,8 @@ double loss_factor(double poisson) {
   return quasistatic::mean_loss_factor(poisson, bodies::sphere::modes(poisson, highest_mode));
 }
 
-/// What a sphere keeps as vibration, beside its mean: the wave reaches 0 and twice the mean, faster than 0.01 c more.
+/// What a sphere keeps as vibration, relative to its mean: the wave reaches 0 and twice the mean, faster than 0.01 c
+/// more.
 double swing(double mean, double speed) {
   constexpr double beyond = 20.0;
   return mean * (1.0 + beyond * speed);

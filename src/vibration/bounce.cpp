@@ -45,7 +45,7 @@ void turn(const Contact& contact, State& state, double time) {
 
 /// How the next impact begins.
 struct Beginning {
-  std::optional<State> state;  // nothing of a body at rest inside
+  std::optional<State> state;  // nothing of an unexcited body
   bool short_flight = false;
 };
 

@@ -36,7 +36,7 @@ class RodModes : public RodVibrations {
     std::vector<double> omega{}, coordinate{}, momentum{};
   };
 
-  /// The impact of a pair that touches in a state, or at rest inside.
+  /// The impact of a pair that touches in a state, or unexcited.
   [[nodiscard]] Impact collision(const Contact& pair, const State* touching) const;
 
   std::vector<Vibration> rods_;

@@ -39,7 +39,7 @@ class RodWave {
   [[nodiscard]] double energy() const;
 
   /// Displacement 2φ of the end at which the pieces arrive, φ̇ = w − mean(w) and the mean of φ zero: now, and its
-  /// least and maximum value over a period.
+  /// minimum and maximum over a period.
   struct Swing {
     double now, least, greatest;
   };

@@ -106,7 +106,7 @@ RodMeeting RodWaves::meet(std::size_t left, std::size_t right, double speed) {
   for (long changes = 0; !encounter.over(); ++changes) {
     if (changes == most_changes) {
       throw NotConverged("rod_chain: two rods are still close after " + std::to_string(changes) +
-                         " changes of the waves at their ends (their speed is small beside that of their vibration)");
+                         " changes of the waves at their ends (they vibrate much faster than they move)");
     }
     if (poll_ && changes % patience == 0) poll_();
     encounter.advance();

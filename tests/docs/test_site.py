@@ -85,6 +85,62 @@ def test_nothing_is_loaded_from_another_host(pages):
         assert not re.search(r"(@import|url\()\s*['\"]?(https?:)?//", style.read_text(encoding="utf-8")), style
 
 
+def test_text_of_a_link_is_no_name_of_a_page(pages):
+    text = "".join(file.read_text(encoding="utf-8") for file in pages)
+    links = re.findall(r'<a class="reference internal"[^>]*>(.*?)</a>', text, re.DOTALL)
+    assert len(links) > 1000
+    assert not [link for link in links if re.fullmatch(r"README|[\w/]+\.md", re.sub(r"<[^>]*>", "", link))]
+
+
+def test_landing_page_names_licence_citation_and_repository(pages):
+    page = pages[SITE / "index.html"]
+    assert {"LICENSE", "CITATION.cff"} <= {Path(target).name for target in page.links}
+    assert {"Licence", "Cite", "Repository"} <= set(page.text)
+
+
+def found(queries):
+    """For each query the entries, as page#anchor, that the site's own search finds by their names."""
+    program = r"""
+      const [tools, index, queries] = process.argv.slice(1);
+      const vm = require('vm'), fs = require('fs');
+      const page = {document: {}, window: {}, _ready: () => {}, _: (text) => text};
+      const source = fs.readFileSync(tools, 'utf8') + ';({Search, splitQuery})';
+      const {Search, splitQuery} = vm.runInNewContext(source, page);
+      Search._index = JSON.parse(fs.readFileSync(index, 'utf8').replace(/^[^(]*[(]/, '').replace(/[)]\s*$/, ''));
+      const results = JSON.parse(queries).map((query) => {
+        const terms = new Set(splitQuery(query.toLowerCase()));
+        return [...terms].flatMap((term) => Search.performObjectSearch(term, terms));
+      });
+      console.log(JSON.stringify(results.map((places) => places.map(([name, , anchor]) => name + anchor))));"""
+    files = (SITE / "_static/searchtools.js", SITE / "searchindex.js")
+    done = subprocess.run(
+        ["node", "-e", program, *files, json.dumps(queries)], capture_output=True, encoding="utf-8", check=True
+    )
+    return json.loads(done.stdout)
+
+
+def help_of(*names):
+    command = [ROOT / "build/release/cli/stoss", *names, "--help"]
+    return subprocess.run(command, capture_output=True, encoding="utf-8", check=True).stdout
+
+
+def test_search_finds_every_option_of_the_command(pages):
+    if shutil.which("node") is None:
+        pytest.skip("not installed: node")
+    names = re.findall(r"^  ([a-z]+) ", help_of().partition("Subcommands:")[2], re.MULTILINE)
+    options = [
+        f"{name} {option}"
+        for name in names
+        for option in re.findall(r"^  (?:-\w,)?(--[a-z-]+)", help_of(name), re.MULTILINE)
+        if option != "--help"
+    ]
+    assert len(names) > 5 and len(options) > 80
+    queries = [*options, "--loss-time", "loss-time", "output"]
+    for query, places in zip(queries, found(queries)):
+        here = [place.partition("#")[::2] for place in places if place.startswith("reference/command/")]
+        assert here and all(anchor in pages[SITE / f"{name}.html"].anchors for name, anchor in here), query
+
+
 def test_formulas_can_be_set(pages):
     node = shutil.which("node")
     if node is None:

@@ -19,7 +19,8 @@ run(${CMAKE_COMMAND} -S "${PROJECT}" -B "${SCRATCH}/build" -G "${GENERATOR}"
   "-DCMAKE_FIND_USE_PACKAGE_REGISTRY=OFF"
   "-DCMAKE_BUILD_TYPE=${BUILD_TYPE}"
   "-DCMAKE_CXX_COMPILER=${CXX_COMPILER}"
-  "-DCMAKE_CXX_FLAGS=${CXX_FLAGS}")
+  "-DCMAKE_CXX_FLAGS=${CXX_FLAGS}"
+  "-DEXAMPLES=${SOURCE}/examples/library")
 file(STRINGS "${SCRATCH}/build/CMakeCache.txt" found REGEX "^stoss_DIR:")
 string(FIND "${found}" "=${SCRATCH}/prefix/" inside)
 if(inside EQUAL -1)
@@ -27,6 +28,13 @@ if(inside EQUAL -1)
 endif()
 run(${CMAKE_COMMAND} --build "${SCRATCH}/build")
 run("${SCRATCH}/build/downstream")
+foreach(example impact pairs)
+  execute_process(COMMAND "${SCRATCH}/build/examples/${example}" OUTPUT_VARIABLE got COMMAND_ERROR_IS_FATAL ANY)
+  file(READ "${PROJECT}/${example}.txt" expected)
+  if(NOT got STREQUAL expected)
+    message(FATAL_ERROR "${example} printed\n${got}docs/cpp.md shows\n${expected}")
+  endif()
+endforeach()
 
 # What `pkg-config OPTIONS stoss` says of the .pc file in a folder, as a list of words.
 function(pkg_config result folder)

@@ -9,6 +9,7 @@ digit. An … stands for anything.
 
 import ast
 import contextlib
+import importlib.util
 import io
 import math
 import re
@@ -17,11 +18,15 @@ from pathlib import Path
 import matplotlib.pyplot as plt
 import numpy as np
 import pytest
+import stoss
 
 ROOT = Path(__file__).parents[2]
-PAGES = ("docs/python.md", "docs/vibrating_bodies.md", "README.md", "docs/programs.md", "docs/sweeps.md")
+PAGES = ("docs/python.md", "docs/vibrating_bodies.md", "README.md", "docs/index.md", "docs/programs.md", "docs/sweeps.md")
 # Pictures that a page draws and shows.
-PICTURES = {"docs/vibrating_bodies.md": [f"vibrating_{name}.png" for name in ("phase", "warm", "bounces", "rods")]}
+PICTURES = {
+    "docs/vibrating_bodies.md": [f"vibrating_{name}.png" for name in ("phase", "warm", "bounces", "rods")],
+    "docs/index.md": ["restitution.png"],
+}
 FENCED = re.compile(r"^```(\w*)\n(.*?)^```$\n?", re.MULTILINE | re.DOTALL)
 NUMBER = re.compile(r"(?<![\w.])[-+]?\d+(?:\.\d*)?(?:[eE][-+]?\d+)?(?![\w.]*\d)")
 
@@ -133,13 +138,18 @@ def assert_same_picture(*places):
     assert np.mean(np.abs(drawn - shown).max(axis=-1) > 0.1) < 0.005  # rounding at the edges of lines
 
 
-def test_the_first_lines_of_the_readme_draw_its_picture(tmp_path, monkeypatch):
-    monkeypatch.chdir(tmp_path)
+def test_picture_of_the_readme_is_what_its_program_draws_and_its_caption_says(tmp_path):
+    spec = importlib.util.spec_from_file_location("ball_on_block", ROOT / "studies/half_space/ball_on_block.py")
+    program = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(program)
     plt.switch_backend("Agg")
-    _, code, _ = next(blocks("README.md"))
-    exec(code, {"__name__": "__page__"})
+    program.draw().savefig(tmp_path / "drawn.png")
     plt.close("all")
-    assert_same_picture(tmp_path / "restitution.png", ROOT / "docs/images/restitution.png")
+    assert_same_picture(tmp_path / "drawn.png", ROOT / "docs/images/ball_on_block.png")
+    r = stoss.restitution(program.BALL, against=program.BLOCK, speed=program.SPEED)
+    caption = f"v = {program.SPEED:g} c, deformations in their true size: {100 * r.lost_to_second:.0f} % of its energy"
+    caption += f" leaves as waves, {100 * r.lost_to_first:.1f} % stays"
+    assert caption in " ".join((ROOT / "README.md").read_text(encoding="utf-8").split())
 
 
 @pytest.mark.parametrize(

@@ -1,4 +1,4 @@
-"""Half-spaces, half-planes and rigid bodies: reference values, SI and ratios, who takes the loss, pictures."""
+"""Half-spaces, half-planes and rigid bodies: reference values, SI and ratios, who absorbs the loss, pictures."""
 
 import csv
 import pickle
@@ -126,8 +126,8 @@ IN_SI = stoss.Sphere(radius=1.0, material=STEEL)
     "call, said",
     [
         (lambda: stoss.impact(RIGID, speed=0.1), "against: got HardWall"),
-        (lambda: stoss.restitution(RIGID, against="same", speed=0.1), "allowed what gives way"),
-        (lambda: stoss.restitution(RIGID, against=RIGID, speed=0.1), "allowed what gives way"),
+        (lambda: stoss.restitution(RIGID, against="same", speed=0.1), "allowed a body that deforms"),
+        (lambda: stoss.restitution(RIGID, against=RIGID, speed=0.1), "allowed a body that deforms"),
         (lambda: stoss.restitution(BALL, against=RIGID, speed=0.1, tolerance=0), "tolerance: got 0"),
         (lambda: stoss.modes(RIGID, cutoff=5), "body: got Sphere"),
         (lambda: stoss.quasistatic.slow_impact(stoss.Disk(poisson=0.3, rigid=True), speed=1e-3), "body: got Disk"),
@@ -140,7 +140,7 @@ IN_SI = stoss.Sphere(radius=1.0, material=STEEL)
         (lambda: stoss.HalfSpace(young=0), "young: got 0"),
         (lambda: stoss.HalfSpace(density=float("nan")), "density: got nan"),
         (lambda: stoss.HalfSpace(material=3), "material: got 3"),
-        (lambda: stoss.HalfSpace(material=STEEL, poisson=0.2), "none beside a material"),
+        (lambda: stoss.HalfSpace(material=STEEL, poisson=0.2), "none with a material"),
         (lambda: stoss.HalfPlane(plane="strain"), "plane: got 'strain', allowed none without a material"),
         (lambda: stoss.HalfPlane(material=STEEL, plane="flat"), "plane: got 'flat'"),
         (lambda: stoss.HalfPlane(poisson="x"), "poisson: got 'x'"),

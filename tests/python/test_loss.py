@@ -110,7 +110,7 @@ def test_a_lossy_half_space_in_si():
 @pytest.mark.parametrize(
     "call, said",
     [
-        (lambda: stoss.Material(young=1, poisson=0, density=1, quality=(10, 1), loss_time=1), "none beside loss_time"),
+        (lambda: stoss.Material(young=1, poisson=0, density=1, quality=(10, 1), loss_time=1), "none with loss_time"),
         (lambda: stoss.Material(young=1, poisson=0, density=1, quality=10), r"\(Q, ω\)"),
         (lambda: stoss.Material(young=1, poisson=0, density=1, quality=(0, 1)), "quality: got 0"),
         (lambda: stoss.Material(young=1, poisson=0, density=1, quality=(1, float("nan"))), "frequency: got nan"),

@@ -69,6 +69,8 @@ class Links(SphinxTransform):
         if ROOT not in file.parents or not file.exists():
             return  # which the builder reports
         if shown := page_of(file):
+            if re.fullmatch(r"README|[\w/]+\.md", link.astext()):
+                link["refexplicit"] = False  # the title of the page takes the place of its file's name
             there = os.path.relpath(f"{shown}.md", os.path.dirname(self.env.docname) or ".")
             self.replace(link, addnodes.pending_xref, f"{there}#{anchor}" if anchor else there)
         elif file.is_file():

@@ -4,7 +4,8 @@
 
 namespace stoss {
 
-/// A disk as a value: its 2-D Poisson's ratio, and its size and material beside other bodies, in any consistent units.
+/// A disk as a value: its 2-D Poisson's ratio, and its size and material relative to other bodies, in any consistent
+/// units.
 struct Disk {
   double poisson = 0.0;  ///< ν, −0.95 … 0.995 (plane strain: Material)
   double radius = 1.0;   ///< R

@@ -4,8 +4,8 @@
 
 namespace stoss {
 
-/// An elastic half-space as a value, which a sphere meets: its Poisson's ratio, and its material beside other bodies,
-/// in any consistent units.
+/// An elastic half-space as a value, which a sphere meets: its Poisson's ratio, and its material relative to other
+/// bodies, in any consistent units.
 struct HalfSpace {
   double poisson = 0.0;    ///< ν, −0.95 … 0.4999
   double young = 1.0;      ///< E

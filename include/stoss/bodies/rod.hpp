@@ -5,7 +5,7 @@
 
 namespace stoss {
 
-/// A thin rod as a value: size and material beside other bodies, in any consistent units.
+/// A thin rod as a value: size and material relative to other bodies, in any consistent units.
 struct Rod {
   double length = 1.0;   ///< L
   double young = 1.0;    ///< E

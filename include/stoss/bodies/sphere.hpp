@@ -5,7 +5,8 @@
 
 namespace stoss {
 
-/// A sphere as a value: its Poisson's ratio, and its size and material beside other bodies, in any consistent units.
+/// A sphere as a value: its Poisson's ratio, and its size and material relative to other bodies, in any consistent
+/// units.
 struct Sphere {
   double poisson = 0.0;  ///< ν, −0.95 … 0.4999
   double radius = 1.0;   ///< R

@@ -49,7 +49,7 @@ struct Surface {
 
 /// How the end of a body is shaped that meets something, which decides where it can touch.
 enum class Contour {
-  flat,      ///< touches as a whole: a single point stands for it
+  flat,      ///< touches as a whole: a single point represents it
   cylinder,  ///< touches along a line of growing width, as a disk in its plane
   ball       ///< touches on a growing circle, as a sphere: points are rings around the axis
 };
@@ -79,7 +79,7 @@ struct Sampling {
 /// What of a body is there: all of it, or only its near side, which answers as the whole does until waves are back from
 /// where it ends (docs/theory/pairs.md).
 struct BodyPart {
-  double size = 1.0;    ///< of the part beside the body
+  double size = 1.0;    ///< of the part, over that of the body
   double beyond = 0.0;  ///< mass of the body that does not belong to the part: Body::mass and this are its whole mass;
                         ///< infinite for a half-space, which has no translation: its modes alone move it
   double echo = std::numeric_limits<double>::infinity();  ///< after which the part is no longer like the body, R/c
@@ -90,7 +90,7 @@ struct BodyPart {
 /// this structure (docs/architecture.md).
 struct Body {
   std::string name;  ///< with its parameters, for provenance
-  BodyScale scale;   ///< of this body beside others
+  BodyScale scale;   ///< of this body among others
   Contour contour = Contour::flat;
   double mass = 0.0;       ///< of the body, and of every mode
   double extent = 0.0;     ///< distance from the centre of mass to the foremost point

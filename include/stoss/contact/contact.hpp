@@ -53,7 +53,7 @@ struct Contact {
 /// Name of what meets, for provenance.
 [[nodiscard]] std::string name(const Contact& contact);
 
-/// Whether a single point on the axis stands for the whole contact, as with flat ends.
+/// Whether a single point on the axis represents the whole contact, as with flat ends.
 [[nodiscard]] bool has_single_point(const Contact& contact);
 
 /// Largest half-width that the contact points can cover, R; 0 for a single point.
@@ -74,14 +74,14 @@ struct Contact {
 /// Highest wave number of the kept modes along the contact, 1/R.
 [[nodiscard]] double highest_wave_number(const Contact& contact);
 
-/// Maximum of the two bodies' speeds towards their common plane of contact, each in its own wave speed: what says how
+/// The larger of the two bodies' speeds towards their common plane of contact, each in its own wave speed: it says how
 /// fast an impact is. At a wall it is `speed`, for two equal bodies half of it.
 [[nodiscard]] double own_speed(const Contact& contact, double speed);
 
 /// Compression of the more compressed body in its own radius, of which the approach δ (in R of the first) is the sum.
 [[nodiscard]] double own_compression(const Contact& contact, double approach);
 
-/// Longest R/c of the bodies, or of the part that is there, in that of the first; beside a half-space, time_scale.
+/// Longest R/c of the bodies, or of the part that is there, in that of the first; with a half-space, time_scale.
 [[nodiscard]] double longest_time(const Contact& contact);
 
 /// Half-width of the contact that Hertz' theory expects of an impact at this speed, R; 0 for a single point.
@@ -102,11 +102,11 @@ struct Contact {
 [[nodiscard]] std::vector<double> residual_second_moment(const Contact& contact, const ContactGrid& grid,
                                                          const Poll& poll = {});
 
-/// Share of the first body in the energy that the modes above the cutoff take: the force is common, and a plane wave
+/// Share of the first body in the energy that the modes above the cutoff absorb: the force is common, and a plane wave
 /// takes f²/Z.
 [[nodiscard]] double unresolved_share(const Contact& contact);
 
-/// Time of a contact beside R/c of the first body: both bodies as springs of stiffness mc²/R² under the reduced mass, a
+/// Time of a contact over R/c of the first body: both bodies as springs of stiffness mc²/R² under the reduced mass, a
 /// half-space as one of the size of the first; for flat ends, the shorter transit time. It is 1 at a wall, and the same
 /// whoever is called the first.
 [[nodiscard]] double time_scale(const Contact& contact);

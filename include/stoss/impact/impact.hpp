@@ -22,7 +22,7 @@ inline constexpr double small_strain_speed = 0.5;
 struct ImpactOptions {
   Resolution resolution{};
   std::optional<State>
-      start{};  ///< of velocity `speed`, as `approach` makes it; otherwise at rest inside, just out of contact
+      start{};  ///< of velocity `speed`, as `approach` makes it; otherwise unexcited, just out of contact
   Poll poll{};
 };
 
@@ -93,7 +93,7 @@ struct Impact {
   double contact_time = 0.0;     ///< from first to last contact, R/c
   double impulse_time = 0.0;     ///< from 1 % to 99 % of the impulse, R/c: no matter when a last grazing contact ends
   int contacts = 0;              ///< separate periods of contact
-  double max_force = 0.0;        ///< maximum mean over about one step, πRE = mc²/R; of rods, where the force begins
+  double max_force = 0.0;        ///< largest mean over about one step, πRE = mc²/R; of rods, where the force begins
                                  ///< with a jump, 21 % above it at any cutoff: no sum of modes follows a jump
   double max_compression = 0.0;  ///< R, beyond the wall; beyond the plane V₀e^{αx} = 1 of an exponential one
   double max_half_width = 0.0;   ///< of the contact, R

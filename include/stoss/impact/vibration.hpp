@@ -7,7 +7,7 @@
 
 namespace stoss {
 
-/// A mode that vibrates before an impact, Q = A cos(ωt + φ), with t = 0 when the bodies at rest inside would touch.
+/// A mode that vibrates before an impact, Q = A cos(ωt + φ), with t = 0 when the unexcited bodies would touch.
 struct Oscillation {
   int body = 0;         ///< 0: of the first, 1: of the second
   int order = 0;        ///< n
@@ -33,8 +33,8 @@ using Vibration = std::vector<Oscillation>;
 [[nodiscard]] Vibration vibration(const Contact& contact, const State& state);
 
 /// How bodies that part vibrate when they meet again at the speed of their parting, after a flight from where they
-/// would have parted at rest inside to where they would touch. In a lossy material they vibrate less by then. What is
-/// left in a body of which only a part is there has run away.
+/// would have parted unexcited to where they would touch. In a lossy material they vibrate less by then. What is
+/// left in a body of which only a part is there has left.
 /// @param flight its time, R/c, 0 or more
 /// @throws InvalidInput as `vibration`, and for a flight that is negative or not finite
 [[nodiscard]] Vibration vibration_after(const Contact& contact, const State& state, double flight);

@@ -28,7 +28,7 @@ struct SoftStaticContact {
 };
 
 /// Static contact of a body with an exponential wall, as the paper computes it (section V): with
-/// the centre of mass held, the modes of the body take the coordinates that make the energy least,
+/// the centre of mass held, the modes of the body take the coordinates that minimise the energy,
 ///
 ///   U = Σ ½mω²Q² + V₀ ∫_{−π/2}^{π/2} e^{αx(φ)} dφ,   x(φ) = x₀ + cos φ + Σ Q (C c + S s)(φ).
 ///

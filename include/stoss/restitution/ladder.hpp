@@ -30,9 +30,9 @@ class RefinableContact {
   /// @throws what the makers and poll throw; InvalidInput for a level outside 0 … highest_level()
   [[nodiscard]] const Contact& at(int level, const Poll& poll = {}) const;
 
-  /// Size of the part of a body that stands for it, beside the whole (BodyPart); 1 where both are whole. A disk that is
-  /// so much larger or slower than the other that no echo from its far side can be back in time, by a factor of about
-  /// two, is computed by its near side.
+  /// Size of the part of a body that stands for it, over that of the whole (BodyPart); 1 where both are whole. A disk
+  /// that is so much larger or slower than the other that no echo from its far side can be back in time, by a factor of
+  /// about two, is computed by its near side.
   [[nodiscard]] double part() const;
 
   /// How much longer than the usual a half-space must be good for at this speed; 1 without one.

@@ -13,8 +13,8 @@
 namespace stoss {
 
 /// A number with its estimated error: in the validation (docs/validation.md) the true error of ε and of 1 − ε² is
-/// within it in 95 % of all cases, and never beyond three times it. An infinite error means that it is unknown: it
-/// would reach the value itself or, for ε and 1 − ε², exceed 1.
+/// within it in at least 95 % of the cases of each validation (of fast disks 91 %), and rarely beyond three times it.
+/// An infinite error means that it is unknown: it would reach the value itself or, for ε and 1 − ε², exceed 1.
 struct Estimate {
   double value = 0.0;
   double error = 0.0;
@@ -76,7 +76,7 @@ struct RestitutionOptions {
 void validate(const RefinableContact& contact, double speed, const Vibration& vibration, const Poll& poll = {});
 
 /// A coefficient of restitution that misses its tolerance. `best` is the best value that was
-/// reached; best.reason, also in what(), says what stood in the way.
+/// reached; best.reason, also in what(), gives the reason.
 class RestitutionNotConverged : public NotConverged {
  public:
   explicit RestitutionNotConverged(Restitution result);

@@ -25,7 +25,7 @@ struct TableLabel {
 ///   STOSS_SLOWEST, STOSS_FASTEST                         the range
 ///
 /// A speed counts without its sign. Beyond the range the error is HUGE_VAL, and ε that at the nearer end
-/// (Beyond::clamp) or not a number (Beyond::error). What is not a number gives itself. The range is that of the
+/// (Beyond::clamp) or not a number (Beyond::error). NaN gives NaN. The range is that of the
 /// function, rounded outwards to 15 digits where that is the same number but for rounding. Values agree with
 /// RestitutionFunction to 1e-14. A call takes some 15 ns.
 /// @throws InvalidInput for a name that C cannot have, a scale that is not positive and finite, and Beyond::law, which

@@ -22,7 +22,7 @@ struct PairValues {
 /// through three neighbours.
 ///
 /// Its error is the sum of 1.25 times the maximum error of the four values around, as those weigh most between
-/// ratios, and of what the interpolation may be off by. For bodies of one material it is symmetric: 1/r gives what r
+/// ratios, and of the error of the interpolation. For bodies of one material it is symmetric: 1/r gives what r
 /// gives, at the same speed. A speed counts without its sign; 0 lies below every range. An immutable value, for any
 /// number of threads; a call takes some 20 ns.
 class PairTable {

@@ -28,7 +28,7 @@ using SlowLaw = std::function<Estimate(double speed)>;
 /// falls only as they do (F. N. Fritsch and J. Butland, SIAM J. Sci. Stat. Comput. 5, 300, 1984), so ε never leaves the
 /// range of its neighbours.
 ///
-/// Its error is the sum of the greater error of the two neighbours and of what the interpolation may be off by. A speed
+/// Its error is the sum of the larger error of the two neighbours and of the error of the interpolation. A speed
 /// counts without its sign; 0 lies below every range.
 class RestitutionFunction {
  public:

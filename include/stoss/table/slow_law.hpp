@@ -27,17 +27,17 @@ namespace stoss {
 [[nodiscard]] SlowLaw slow_law(const Disk& disk);
 
 /// Law of slow impacts of two equal spheres: that of one at a wall at half the speed.
-/// @throws InvalidInput for others, of which there is no law
+/// @throws InvalidInput for others, which have no law
 [[nodiscard]] SlowLaw slow_law(const Sphere& first, const Sphere& second);
 
 /// Law of slow impacts of two equal disks: that of one at a wall at half the speed.
-/// @throws InvalidInput for others, of which there is no law
+/// @throws InvalidInput for others, which have no law
 [[nodiscard]] SlowLaw slow_law(const Disk& first, const Disk& second);
 
 /// Law of slow impacts of a sphere on a half-space: what radiates, by half_space_radiation, and what the sphere keeps
 /// as vibration, c(ν)v with the share of the sphere in the softness squared. Takes 10 µs.
 /// @param rigid whether the sphere does not yield
-/// @throws InvalidInput out of range, and for lossy materials, of which there is no law
+/// @throws InvalidInput out of range, and for lossy materials, which have no law
 [[nodiscard]] SlowLaw slow_law(const Sphere& sphere, const HalfSpace& half_space, bool rigid = false);
 
 }  // namespace stoss

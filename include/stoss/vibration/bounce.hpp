@@ -19,7 +19,7 @@ namespace stoss {
 /// and `gravity` is given.
 struct BounceOptions {
   long count = 100;                     ///< impacts, 1 … 1e9
-  std::optional<double> flight_time{};  ///< from leaving the wall to touching it, of a body at rest inside, R/c
+  std::optional<double> flight_time{};  ///< from leaving the wall to touching it, of an unexcited body, R/c
   std::optional<double> gravity{};      ///< g, c²/R, 1e-15 … 1e3: the flight lasts 2v/g; in contact nothing weighs
   std::optional<double> decay_time{};   ///< τ, R/c: in flight, vibrational energies fall as e^(−t/τ); 0: at once
   Resolution resolution{};              ///< of each impact
@@ -61,17 +61,17 @@ class BounceNotConverged : public NotConverged {
 };
 
 /// Computes impact after impact of a body that comes back to a wall or a half-space with the vibration that the last
-/// impact has left, ω times the flight time further in phase. A body that has come to rest inside begins each impact as
-/// in `impact`, to the bit. The waves in a half-space have run away.
+/// impact has left, ω times the flight time further in phase. A body that has stopped vibrating begins each impact as
+/// in `impact`, to the bit. The waves in a half-space have left.
 ///
-/// Times are nominal: a flight begins and ends where the body would touch if it were at rest inside. A flight too short
+/// Times are nominal: a flight begins and ends where the body would touch if it were unexcited. A flight too short
 /// for the vibration to keep clear of the wall is not followed on its way: the body comes as from afar, with the phases
 /// of the nominal time, and short_flight is set. In a lossy material it damps by itself.
 ///
 /// All impacts have the same cutoff and no error bar: without damping small differences grow, and a long sequence
 /// does not converge with the resolution. Its means do. With Tail::quasistatic all energy is kept, and
 /// if the motion is ergodic the mean share of translation before impacts tends to 1/(N + 1) for N kept modes
-/// (docs/theory/bounce.md); with Tail::radiating the modes above the cutoff take energy for good.
+/// (docs/theory/bounce.md); with Tail::radiating the modes above the cutoff absorb energy for good.
 /// @param speed of the first impact, 1e-8 … 1 c
 /// @throws InvalidInput for arguments out of range and two free bodies, which do not come back; NotConverged as
 ///         `impact`, and if the speed leaves 1e-8 … 1 c

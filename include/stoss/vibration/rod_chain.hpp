@@ -25,7 +25,7 @@ struct RodChainOptions {
   RodMethod method = RodMethod::modes;
   int modes = 50;    ///< of the rod of the shortest transit time, 1 … 10 000; the others keep all up to its frequency
   int pieces = 400;  ///< most of the wave in each rod (characteristics), 2 … 1 000 000
-  /// Of the modes above the cutoff (modes): radiating, they take energy for good; static, they take none.
+  /// Of the modes above the cutoff (modes): radiating, they absorb energy for good; static, they absorb none.
   Tail tail = Tail::radiating;
   std::optional<double> decay_time{};  ///< in which the energy of a vibration falls to 1/e; absent: none, 0: complete
   Poll poll{};
@@ -57,12 +57,12 @@ struct RodChainSample {
 /// met: the granular gas of G. Giese and A. Zippelius, Phys. Rev. E 54, 4828 (1996), and T. Aspelmeier, G. Giese and
 /// A. Zippelius, Phys. Rev. E 57, 857 (1998). All values are in the consistent units in which the rods are given.
 ///
-/// Between collisions rods fly freely, and their modes rotate and decay. A collision is instantaneous beside the
-/// flights: how far rods move while they touch, and how far their ends swing, is neglected beside the gaps between them
-/// (docs/theory/rod_chain.md). Rods have no scale of speed, so nothing limits how slow they may become.
+/// Between collisions rods fly freely, and their modes rotate and decay. A collision is instantaneous compared with the
+/// flights: how far rods move while they touch, and how far their ends swing, is neglected against the gaps between
+/// them (docs/theory/rod_chain.md). Rods have no scale of speed, so nothing limits how slow they may become.
 class RodChain {
  public:
-  /// Rods at rest inside, with equal gaps.
+  /// Unexcited rods, with equal gaps.
   /// @param rods          2 to 100 000; lossy material is not computed
   /// @param circumference of the ring, above the sum of the lengths
   /// @param velocities    one for each rod

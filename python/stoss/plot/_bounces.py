@@ -17,12 +17,12 @@ PARTS = {  # from below, told apart without colour by how dark they are
     "dissipated": ("dissipated", "#fdd0a2"),
     "unresolved": ("above the cutoff", "0.75"),
 }
-SPEEDS = 12  # at which the body at rest inside is computed
+SPEEDS = 12  # at which the unexcited body is computed
 MARKED = 60  # impacts whose markers do not run together in one column
 
 
 def bounces(result: Bounces, ax: Axes | None = None) -> Axes:
-    """ε of each impact beside that of the body at rest inside, and below it where the energy is.
+    """ε of each impact and that of the unexcited body, and below it where the energy is.
 
     The line is ε(v) of single impacts of the same cutoff at the speeds of the sequence. Energies
     are those after each impact, as shares of the initial energy of the first, from below:
@@ -60,7 +60,7 @@ def bounces(result: Bounces, ax: Axes | None = None) -> Axes:
             _style.small_ticks(lower)
         rest = _at_rest(result)
         look = {"marker": ".", "linestyle": "none"} if len(result) > MARKED else {"marker": "o", "linestyle": "none"}
-        axes.plot(result.number, rest, color=_style.BLACK, label="at rest inside", zorder=3)
+        axes.plot(result.number, rest, color=_style.BLACK, label="unexcited", zorder=3)
         axes.plot(result.number, result.restitution, color=_style.VERMILION, label="impact", **look)
         axes.set_ylabel("restitution ε")
         axes.tick_params(labelbottom=False)
@@ -83,7 +83,7 @@ def bounces(result: Bounces, ax: Axes | None = None) -> Axes:
 
 
 def _at_rest(result: Bounces) -> NDArray[np.float64]:
-    """ε of the body at rest inside at each of the speeds, between some of them by a line."""
+    """ε of the unexcited body at each of the speeds, between some of them by a line."""
     who, speeds = (result.body, result.against), np.unique(result.speed)
     if speeds.size > SPEEDS:
         speeds = np.geomspace(speeds[0], speeds[-1], SPEEDS)

@@ -15,7 +15,7 @@ from stoss.plot import _style
 
 
 def distribution(result: RestitutionDistribution, ax: Axes | None = None, *, bins: Any = "auto") -> Axes:
-    """Histogram of ε, with its mean and ε of the same bodies at rest inside.
+    """Histogram of ε, with its mean and ε of the same bodies, unexcited.
 
     The latter is computed for the picture.
 

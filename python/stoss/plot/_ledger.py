@@ -57,7 +57,7 @@ def ledger(
         raise refusal("of", of, "0 or 1")
     unbounded = isinstance(impact.against, UNBOUNDED)
     if of == 1 and unbounded:
-        raise refusal("of", of, "0 (a half-space has no modes (n, l); its energy is beside those of the body)")
+        raise refusal("of", of, "0 (a half-space has no modes (n, l); its energy is shown next to those of the body)")
     heat = impact.dissipated if when == "after" else 0.0
     waves = float(impact.mode_energies[when][impact.mode_energies["body"] == 1].sum()) if unbounded else 0.0
     modes = impact.mode_energies[impact.mode_energies["body"] == of]

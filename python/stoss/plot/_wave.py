@@ -24,7 +24,7 @@ MARK = 0.55  # angle of the fronts' names from the axis
 def wave(wave: Wave, ax: Axes | None = None, *, columns: int = 2, limit: float | None = None) -> Axes:
     """Speed of the half-space below the body at each of the wave's times, with the fronts of its waves.
 
-    Colours go with the square root of the speed, because the fast pressure wave is weak beside what
+    Colours go with the square root of the speed, because the fast pressure wave is weak compared with what
     follows. The arcs are c_p t and c_s t from the first point of contact; between them a straight
     front leads from where the pressure wave grazes the surface. The triangles are at c_R t, where
     the Rayleigh wave would be that leaves at once. Deformations have their true size.

@@ -59,7 +59,7 @@ std::vector<RadialField> mode_field(double poisson, const Mode& mode, std::span<
   field.reserve(radii.size());
   for (const double radius : radii) {
     if (poll) poll();
-    // The limit at the centre: evaluate just beside it.
+    // The limit at the centre: evaluate next to it.
     const double r = std::max(radius, 1e-30);
     numeric::bessel_pairs(kappa * r, pairs);
     const Ratio p = rescaled(pairs.back(), pressure);

@@ -20,8 +20,8 @@ struct OrderSum {
   std::vector<Flexibility> coefficients;  ///< of n = 0, 1, 2, …
 };
 
-/// At equally spaced angles, N = π/h: cos nφ_i cos nφ_j = ½[cos n(φ_i−φ_j) + cos n(φ_i+φ_j)] and its like reduce the
-/// double sums over orders and points to three one-dimensional tables.
+/// At equally spaced angles, N = π/h: cos nφ_i cos nφ_j = ½[cos n(φ_i−φ_j) + cos n(φ_i+φ_j)] and similar identities
+/// reduce the double sums over orders and points to three one-dimensional tables.
 [[nodiscard]] std::vector<double> sum_at_equal_angles(const OrderSum& sum, const ContactPoints& points,
                                                       const Poll& poll);
 

@@ -80,7 +80,7 @@ std::vector<RadialField> mode_field(double poisson, const Mode& mode, std::span<
   field.reserve(radii.size());
   for (const double radius : radii) {
     if (poll) poll();
-    const double r = std::max(radius, 1e-30);  // the limit at the centre: evaluate just beside it
+    const double r = std::max(radius, 1e-30);  // the limit at the centre: evaluate next to it
     const double y = 0.5 * kappa_shear * kappa_shear * r * r;
     field.push_back(field_of(mode.order, poisson, r, y, wave_inside(kappa * r, a, pressure, pairs),
                              wave_inside(kappa_shear * r, b, shear, pairs)));
