@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <ostream>
 #include <string>
 #include <vector>
 
@@ -29,6 +30,10 @@ struct Solid {
   Contour contour;
   double poisson;
 };
+
+void PrintTo(const Solid& its, std::ostream* out) {
+  *out << (its.contour == Contour::ball ? "space" : "plane") << ", poisson " << its.poisson;
+}
 
 Body body_of(const Solid& solid, double cutoff, double duration) {
   return solid.contour == Contour::ball ? stoss::half_space(HalfSpace{.poisson = solid.poisson}, cutoff, duration)
