@@ -163,8 +163,8 @@ function encounterFrom(reader: Reader): Encounter {
   const kind = reader.word('body', ['disk', 'sphere', 'rod']);
   const si = reader.word('units', ['c', 'SI']) === 'SI';
   const plane = reader.word('plane', ['stress', 'strain']);
-  const partners = ['wall', 'same', 'body'] as const;
-  const partner = kind === 'rod' ? reader.word('against', partners) : reader.word('against', [...partners, 'half-space']);
+  const others = ['wall', 'same', 'body'] as const;
+  const partner = reader.word('against', kind === 'rod' ? others : ([...others, 'half-space'] as const));
   const against: Against =
     partner === 'wall' || partner === 'same' ? { kind: partner } : { kind: partner, body: unitBody };
   const encounter: Encounter = { kind, si, plane, first: unitBody, against };

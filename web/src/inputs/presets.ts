@@ -13,7 +13,8 @@ export interface Preset {
 function drop(name: string, material: string, radius: number, block: string, speed: number): Preset {
   const made = (of: string, size: number): Body => madeOf(materialNamed(of), { ...unitBody, radius: size, area: 1e-4 });
   const against = { kind: 'half-space', body: made(block, radius) } as const;
-  return { name, speed, encounter: { kind: 'sphere', first: made(material, radius), against, si: true, plane: 'stress' } };
+  const encounter: Encounter = { kind: 'sphere', first: made(material, radius), against, si: true, plane: 'stress' };
+  return { name, encounter, speed };
 }
 
 export const presets: readonly Preset[] = [

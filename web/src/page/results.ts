@@ -39,8 +39,9 @@ function threeDigits({ value }: Quantity, factor = 1): string {
 }
 
 /** The height of rebound, whole and in three digits, of that of the fall; '' for what meets another body. */
-export function reboundInWords(encounter: Encounter, { quantities, speed }: Restitution): { full: string; short: string } {
-  const rebound = quantities.restitution && reboundOf(encounter, speed, quantities.restitution);
+export function reboundInWords(encounter: Encounter, result: Restitution): { full: string; short: string } {
+  const { restitution } = result.quantities;
+  const rebound = restitution && reboundOf(encounter, result.speed, restitution);
   if (rebound === undefined) return { full: '', short: '' };
   const { drop, height } = rebound;
   const of = drop === undefined ? '\u00a0h' : ` of ${shown({ value: drop, unit: 'm' }, threeDigits)}`;
@@ -84,7 +85,7 @@ export function createResults(): Results {
   const showRebound = (encounter: Encounter, result: Restitution): void => {
     const { full, short } = reboundInWords(encounter, result);
     find('rebound-row', HTMLElement).hidden = full === '';
-    find('rebound-name', HTMLElement).textContent = encounter.si ? 'Height of rebound ε²h, h = v²/2g' : 'Height of rebound ε²h';
+    find('rebound-name', HTMLElement).textContent = `Height of rebound ε²h${encounter.si ? ', h = v²/2g' : ''}`;
     find('rebound', HTMLElement).textContent = full;
     find('rebound-short', HTMLElement).textContent = short;
   };
@@ -107,8 +108,8 @@ export function createResults(): Results {
       showYield(encounter, result);
       clearTimeout(soon);
       delete section.dataset.slow;
-      const aim = 'to 10⁻³ of 1 − ε², or to 10⁻⁶';
-      reached = stage === 'first' ? 'first value, refining' : `${result.converged ? 'accurate' : 'not accurate'} ${aim}`;
+      const aim = 'accurate to 10⁻³ of 1 − ε², or to 10⁻⁶';
+      reached = stage === 'first' ? 'first value, refining' : `${result.converged ? '' : 'not '}${aim}`;
       if (section.dataset.stale !== 'wrong') state.textContent = reached;
       const lines = flags(result);
       find('flags', HTMLElement).replaceChildren(...lines.flatMap((line) => [line, document.createElement('br')]));

@@ -111,8 +111,8 @@ describe.skipIf(!hasCore)('the stress in a half-space', { timeout: 60_000 }, () 
   const effective = 1 / (2 * (1 - 0.3 ** 2)); // E*
   const radius = ((3 * mass * collision.force[strongest]!) / (4 * effective)) ** (1 / 3);
   const pressure = (3 * mass * collision.force[strongest]!) / (2 * Math.PI * radius ** 2);
-  const places = (step: number, count: number): Float32Array => Float32Array.from({ length: count }, (_, k) => step * k);
-  const below = { depth: places(0.06 * radius, 40), distance: places(0.06 * radius, 60) };
+  const places = (count: number): Float32Array => Float32Array.from({ length: count }, (_, k) => 0.06 * radius * k);
+  const below = { depth: places(40), distance: places(60) };
   const { all } = ask('frames', encounter, speed, cutoffOf(encounter, speed), [collision.time[strongest]!],
     { ...gridOf(encounter), below });
   const { vonMises, fringes } = (all[0] as Frame).block!;

@@ -52,7 +52,8 @@ describe.skipIf(!hasCore || !hasCommand)('restitution', { timeout: 60_000 }, () 
     const steel: Encounter = { ...ball, si: true, first: made('bearing steel', 0.005) };
     const met = made('brass', 0.002);
     for (const [encounter, known] of [
-      [steel, true], [{ ...steel, against: { kind: 'same' } }, true], [{ ...steel, against: { kind: 'body', body: met } }, true],
+      [steel, true], [{ ...steel, against: { kind: 'same' } }, true],
+      [{ ...steel, against: { kind: 'body', body: met } }, true],
       [{ ...steel, against: { kind: 'half-space', body: made('glass', 1) } }, true],
       [{ ...steel, first: made('glass', 0.005), against: { kind: 'half-space', body: met } }, true],
       [{ ...steel, first: made('glass', 0.005) }, false], [{ ...steel, kind: 'disk' }, false],

@@ -75,7 +75,8 @@ describe.skipIf(missing !== '')(`the inputs of the page${missing && ` (${missing
     await page.fill('#field-speed', '3');
     expect(await page.textContent('#command-line')).toMatch(
       new RegExp('^stoss restitution --body sphere --poisson 0.33 --young 1.1e11 --density 8530 --radius 0.02 ' +
-        '--yield 4.3e8 --loss-time \\S+ --against half-space,poisson=0.25,young=5e10,density=2650,loss_time=\\S+ --speed 3$'));
+        '--yield 4.3e8 --loss-time \\S+ ' +
+        '--against half-space,poisson=0.25,young=5e10,density=2650,loss_time=\\S+ --speed 3$'));
     await page.selectOption('#against', 'same');
     await page.check('input[name=body][value=disk]', { force: true });
     await page.check('input[name=plane][value=strain]', { force: true });
