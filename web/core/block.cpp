@@ -1,12 +1,10 @@
-// Hooke's law with the strains of a field of displacements, by differences between the points of its grid.
 #include "block.hpp"
 
 #include <algorithm>
-#include <array>
-#include <cmath>
 #include <utility>
 
 #include "alive.hpp"
+#include "stoss/bodies/half_space/stress.hpp"
 
 namespace stoss::web {
 namespace {
@@ -28,33 +26,11 @@ ContactPoints merged(const ContactPoints& points, std::size_t number) {
   return {points.radius, points.spacing * static_cast<double>(number), (points.count + number - 1) / number};
 }
 
-/// Derivative at a place of what is known there and at its neighbours: that of the parabola through three of them.
-class Slope {
- public:
-  Slope(const std::vector<double>& places, std::size_t at)
-      : first_(std::clamp<std::size_t>(at, 1, places.size() - 2) - 1) {
-    for (std::size_t i = 0; i < 3; ++i) {
-      const double a = places[first_ + (i + 1) % 3], b = places[first_ + (i + 2) % 3], own = places[first_ + i];
-      weight_[i] = (2.0 * places[at] - a - b) / ((own - a) * (own - b));
-    }
-  }
-
-  /// @param values with a distance of `stride` between neighbours
-  [[nodiscard]] double of(const double* values, std::size_t stride) const {
-    values += first_ * stride;
-    return weight_[0] * values[0] + weight_[1] * values[stride] + weight_[2] * values[2 * stride];
-  }
-
- private:
-  std::size_t first_;
-  std::array<double, 3> weight_{};
-};
-
 }  // namespace
 
 Block::Block(double poisson, const BodyFrame& rest, PlaneGrid points)
     : poisson_(poisson),
-      solid_(rest.body->contour == Contour::ball),
+      contour_(rest.body->contour),
       points_(std::move(points)),
       in_ring_(points_in_ring(rest.points)),
       rings_(merged(rest.points, in_ring_).count),
@@ -84,33 +60,8 @@ Interior Block::at(const BodyFrame& seen) const {
       now.normal[k] += force[i] * answers_[i].normal[k];
     }
   }
-  return with_stress(std::move(now));
-}
-
-Interior Block::with_stress(Field displacement) const {
-  const auto& [distance, depth] = points_;
-  const std::size_t columns = distance.size();
-  const double shear = 0.5 / (1.0 + poisson_);
-  Interior inside;
-  for (std::size_t i = 0; i < depth.size(); ++i) {
-    const Slope down(depth, i);
-    for (std::size_t j = 0; j < columns; ++j) {
-      const Slope out(distance, j);
-      const double *const lateral = displacement.lateral.data(), *const normal = displacement.normal.data();
-      const double rr = out.of(lateral + i * columns, 1), zz = down.of(normal + j, columns);
-      const double rz = shear * (down.of(lateral + j, columns) + out.of(normal + i * columns, 1));
-      // Around the axis of a half-space, and across a half-plane, where it has no stress.
-      const double pp = !solid_              ? -poisson_ / (1.0 - poisson_) * (rr + zz)
-                        : distance[j] == 0.0 ? rr
-                                             : lateral[i * columns + j] / distance[j];
-      inside.fringes.push_back(2.0 * std::hypot(shear * (rr - zz), rz));
-      const double a = 2.0 * shear * (rr - zz), b = 2.0 * shear * (zz - pp), c = 2.0 * shear * (pp - rr);
-      inside.von_mises.push_back(std::sqrt(0.5 * (a * a + b * b + c * c) + 3.0 * rz * rz));
-    }
-  }
-  inside.radial = std::move(displacement.normal);
-  inside.tangential = std::move(displacement.lateral);
-  return inside;
+  auto [von_mises, difference] = bodies::half_space::stress(contour_, poisson_, points_, now);
+  return {std::move(now.normal), std::move(now.lateral), std::move(von_mises), std::move(difference)};
 }
 
 }  // namespace stoss::web

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <span>
 #include <vector>
 
 #include "inside.hpp"
@@ -23,10 +22,9 @@ class Block {
 
  private:
   [[nodiscard]] std::vector<double> on_rings(const std::vector<double>& node_force) const;
-  [[nodiscard]] Interior with_stress(bodies::half_space::Field displacement) const;
 
   double poisson_;
-  bool solid_;  // not a plane
+  Contour contour_;
   bodies::half_space::PlaneGrid points_;
   std::size_t in_ring_, rings_;  // contact points in one of the rings, that a picture needs fewer of
   bodies::half_space::HalfSpaceField field_;
