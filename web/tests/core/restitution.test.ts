@@ -2,6 +2,7 @@
 import { describe, expect, it } from 'vitest';
 import type { Body, CurvePoint, Encounter, Restitution } from '../../src/core/protocol';
 import { madeOf, materialNamed } from '../../src/inputs/materials';
+import { curveSpeeds } from '../../src/inputs/speeds';
 import { cases } from '../unit/cases';
 import { hasCommand, restitution } from './native';
 import { ask, hasCore } from './wasm';
@@ -62,6 +63,15 @@ describe.skipIf(!hasCore || !hasCommand)('restitution', { timeout: 60_000 }, () 
       const theirs = restitution(encounter, 0.1, 1e-2).yield_speed_si as number | undefined;
       expect([yieldSpeed !== undefined, theirs !== undefined]).toEqual([known, known]);
       if (known) expect(Math.abs(yieldSpeed! / theirs! - 1)).toBeLessThan(1e-12);
+    }
+  });
+
+  it('is there up to the end of a curve, at a soft half-space too', () => {
+    for (const kind of ['disk', 'sphere'] as const) {
+      const soft: Encounter = { ...one, kind, against: { kind: 'half-space', body: { ...one.first, young: 0.02 } } };
+      const speeds = [Math.max(...curveSpeeds(soft))];
+      expect((ask('curve', soft, speeds, 1e-2).all as CurvePoint[])[0]!.restitution).toBeGreaterThan(0);
+      expect(() => ask('curve', soft, [0.5], 1e-2)).toThrow('at a soft half-space');
     }
   });
 

@@ -167,6 +167,12 @@ describe('speeds', () => {
     const speeds = curveSpeeds(defaults.encounter);
     expect(new Set(speeds).size).toBe(49);
     expect(Math.min(...speeds)).toBe(slowest);
-    expect(Math.max(...speeds)).toBe(fastest);
+    expect(Math.max(...speeds)).toBe(fastest(defaults.encounter));
+  });
+  it('end at half of the wave speed of a soft half-space, as far as it is the one that is pressed in', () => {
+    const block = (young: number): number => fastest(
+      { ...defaults.encounter, against: { kind: 'half-space', body: { ...unitBody, young } } });
+    expect([block(1), block(100)]).toEqual([0.5, 0.5]);
+    expect(block(0.01)).toBeCloseTo(0.5 * 0.1 * 1.01, 12); // c₂/c₁ over the share of the half-space
   });
 });
