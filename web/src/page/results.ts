@@ -131,7 +131,7 @@ export function createResults(): Results {
       if (why === '') state.textContent = reached;
       if (why === 'wrong') state.textContent = reached === '' ? 'no result yet' : 'of the last inputs in range';
       if (why === 'computing') soon = window.setTimeout(() => {
-        state.textContent = 'computing; the last value is shown until then';
+        state.textContent = reached === '' ? 'computing' : 'computing; this is the last value';
         section.dataset.slow = '';
       }, noticeable);
       clearTimeout(timer);
