@@ -163,6 +163,25 @@ INSTANTIATE_TEST_SUITE_P(HalfSpace, FieldBelow,
                                   (hundredths < 0 ? "m" : "") + std::to_string(std::abs(hundredths));
                          });
 
+TEST(HalfSpaceField, LacksNoWaveOfALossyBody) {
+  // It keeps fewer waves than its cutoff says: those of an elastic one of a lower cutoff, and so has the same field.
+  constexpr double loss_time = 0.1, duration = 4.0;
+  const Body lossy = stoss::half_space(HalfSpace{.poisson = 0.25, .loss_time = loss_time}, 12.0, duration);
+  const Body elastic = stoss::half_space(HalfSpace{.poisson = 0.25}, kept_cutoff(lossy), duration);
+  ASSERT_LT(kept_cutoff(lossy), 0.95 * lossy.cutoff);
+  ASSERT_EQ(mode_count(lossy), mode_count(elastic));
+  const ContactPoints contact = rings(24, 0.1);
+  const std::vector<double> still(mode_count(lossy)), force(contact.count, 1.0);
+  const auto field = [&](const Body& body) {
+    return HalfSpaceField(0.25, body, contact, {{0.0, 0.3, 1.0}, {0.0, 0.2}}).at(still, force);
+  };
+  const Field one = field(lossy), other = field(elastic);
+  for (std::size_t i = 0; i < one.normal.size(); ++i) {
+    EXPECT_NEAR(one.normal[i], other.normal[i], 1e-12 * std::abs(other.normal[0])) << i;
+    EXPECT_NEAR(one.lateral[i], other.lateral[i], 1e-12 * std::abs(other.normal[0])) << i;
+  }
+}
+
 TEST(HalfSpaceField, NothingRunsAheadOfThePressureWave) {
   constexpr double poisson = 0.3, cutoff = 8.0, duration = 100.0;
   const Contact meeting = stoss::contact(sphere(Sphere{.poisson = poisson}, cutoff),
