@@ -75,8 +75,11 @@ std::string name_of(const testing::TestParamInfo<Solid>& its) {
 constexpr Solid half_spaces[] = {{Contour::ball, -0.95}, {Contour::ball, -0.5}, {Contour::ball, 0.0},
                                  {Contour::ball, 0.05},  {Contour::ball, 0.25}, {Contour::ball, 0.3},
                                  {Contour::ball, 0.45},  {Contour::ball, 0.49}, {Contour::ball, 0.4999}};
-constexpr Solid half_planes[] = {{Contour::cylinder, -0.95}, {Contour::cylinder, -0.8}, {Contour::cylinder, -0.5},
-                                 {Contour::cylinder, 0.33},  {Contour::cylinder, 0.9}};
+constexpr Solid half_planes[] = {{Contour::cylinder, -0.95},
+                                 {Contour::cylinder, -0.8},
+                                 {Contour::cylinder, -0.5},
+                                 {Contour::cylinder, 0.33},
+                                 {Contour::cylinder, 0.9}};
 INSTANTIATE_TEST_SUITE_P(HalfSpace, AtAnyPoisson, testing::ValuesIn(half_spaces), name_of);
 INSTANTIATE_TEST_SUITE_P(HalfPlane, AtAnyPoisson, testing::ValuesIn(half_planes), name_of);
 

@@ -27,7 +27,7 @@ def test_a_disk_of_thousand_times_the_radius_is_a_half_plane(stoss):
     (row,) = stoss.data("restitution --poisson 0.33 --speed 0.1 --against disk,radius=1000")
     assert abs(number(row, "lost_fraction") - 0.67529) <= number(row, "lost_fraction_error") + 1e-5
     lost = number(row, "lost_to_first") + number(row, "lost_to_second")
-    assert lost == pytest.approx(number(row, "lost_fraction"), abs=1e-3)
+    assert lost == pytest.approx(number(row, "lost_fraction"), rel=1e-12)
 
 
 @pytest.mark.parametrize("against", ["same", "disk", "disk,poisson=0.33,radius=1,young=1,density=1"])
