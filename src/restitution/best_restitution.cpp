@@ -10,8 +10,8 @@ namespace {
 Restitution failed(double speed, const RestitutionOptions& options, const std::string& reason) {
   constexpr double none = std::numeric_limits<double>::quiet_NaN();
   constexpr Estimate nothing{none, none};
-  Restitution result{nothing,          nothing, nothing, nothing, nothing, nothing, options.tolerance,
-                     options.absolute, false,   reason,  {},      {},      0};
+  Restitution result{nothing, nothing,           nothing,          nothing, nothing, nothing, none, none,
+                     none,    options.tolerance, options.absolute, false,   reason,  {},      {},   0};
   result.finest.speed = speed;
   result.finest.restitution = result.finest.lost_fraction = none;
   return result;

@@ -156,7 +156,8 @@ TEST_P(FieldBelow, SurfaceGivesWayAsTheBodySays) {
 
 INSTANTIATE_TEST_SUITE_P(HalfSpace, FieldBelow,
                          testing::Values(Solid{Contour::ball, -0.5}, Solid{Contour::ball, 0.3},
-                                         Solid{Contour::ball, 0.49}, Solid{Contour::cylinder, 0.33}),
+                                         Solid{Contour::ball, 0.49}, Solid{Contour::cylinder, -0.8},
+                                         Solid{Contour::cylinder, 0.33}),
                          [](const auto& its) {
                            const long hundredths = std::lround(100.0 * its.param.poisson);
                            return std::string(its.param.contour == Contour::ball ? "space" : "plane") +
