@@ -160,6 +160,7 @@ bool solve_all(const FactoredCompliance& compliance, const EdgeLaw& law, const s
       return false;
     };
     if (!shortened(change)) {
+      // A node that is about to carry force has hardly any slope, and its t would have to leap.
       for (std::size_t i = 0; i < next.size(); ++i) {
         const double longest = 0.5 * (1.0 + std::abs(closure[i]));
         change[i] = std::clamp(change[i], -longest, longest);
