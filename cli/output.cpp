@@ -34,7 +34,7 @@ void Output::begin() {
   begun_ = true;
   if (!target_) {
     write(pending_);
-  } else if (use_ == Use::resume) {
+  } else if (use_ == Use::resume || target_->is_empty()) {
     target_->extend(kept_, pending_);
   } else {
     target_->replace(pending_);

@@ -7,6 +7,7 @@
 
 #include <cerrno>
 #include <cstdlib>
+#include <string_view>
 #include <utility>
 
 #include "lock.hpp"
@@ -37,6 +38,18 @@ void require_file(const std::string& path, const struct stat& status) {
                                      standard == STDOUT_FILENO ? "stdout" : "stderr"));
     }
   }
+}
+
+/// Writes the text at this place, without a buffer of which a part could come later.
+bool put(int descriptor, std::string_view text, off_t place) {
+  while (!text.empty()) {
+    const ssize_t done = pwrite(descriptor, text.data(), text.size(), place);
+    if (done < 0 && errno == EINTR) continue;
+    if (done < 0) return false;
+    text.remove_prefix(static_cast<std::size_t>(done));
+    place += done;
+  }
+  return true;
 }
 
 fs::path folder_of(const fs::path& file) { return file.has_parent_path() ? file.parent_path() : fs::path("."); }
@@ -144,12 +157,21 @@ void Target::replace(const std::string& text) {
   made_ = false;
 }
 
+bool Target::is_empty() const {
+  struct stat status {};
+  return stream_ && fstat(fileno(stream()), &status) == 0 && status.st_size == 0;
+}
+
 void Target::extend(std::uintmax_t size, const std::string& text) {
+  const int descriptor = fileno(stream());
   const auto kept = static_cast<off_t>(size);
-  if (ftruncate(fileno(stream()), kept) != 0 || fseeko(stream(), kept, SEEK_SET) != 0) cannot_write(path_, errno);
-  if (std::fwrite(text.data(), 1, text.size(), stream()) != text.size() || std::fflush(stream()) != 0) {
-    cannot_write(path_, errno);
+  if (ftruncate(descriptor, kept) != 0) cannot_write(path_, errno);
+  if (!put(descriptor, text, kept)) {
+    const int reason = errno;
+    if (size == 0 && ftruncate(descriptor, 0) != 0) cannot_write(path_, errno);
+    cannot_write(path_, reason);
   }
+  if (fseeko(stream(), 0, SEEK_END) != 0) cannot_write(path_, errno);
   made_ = false;
 }
 

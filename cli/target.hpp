@@ -32,6 +32,9 @@ class Target {
   /// Cuts the file off after `size` bytes and adds the text. @throws OutputError
   void extend(std::uintmax_t size, const std::string& text);
 
+  /// Whether the file is there and has nothing to lose.
+  [[nodiscard]] bool is_empty() const;
+
   void close();
 
   /// Of the file as it is now; nullptr where there is none.
