@@ -30,11 +30,11 @@ void Output::write(const std::string& text) {
   }
 }
 
-void Output::begin() {
+void Output::begin(bool grows) {
   begun_ = true;
   if (!target_) {
     write(pending_);
-  } else if (use_ == Use::resume || target_->is_empty()) {
+  } else if (use_ == Use::resume || (grows && target_->is_empty())) {
     target_->extend(kept_, pending_);
   } else {
     target_->replace(pending_);
@@ -44,12 +44,12 @@ void Output::begin() {
 
 void Output::end_row() {
   if (use_ == Use::whole && target_) return;
-  if (!begun_) begin();
+  if (!begun_) begin(true);
   if (std::fflush(stream()) != 0) fail(path_);
 }
 
 void Output::close() {
-  if (!begun_) begin();
+  if (!begun_) begin(false);
   if (std::fflush(stream()) != 0) fail(path_);
   if (target_) target_->close();
 }

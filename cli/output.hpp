@@ -40,7 +40,7 @@ class Output {
   [[nodiscard]] std::FILE* stream() const { return target_ ? target_->stream() : stdout; }
 
  private:
-  void begin();
+  void begin(bool grows);
 
   std::string path_;
   Use use_;

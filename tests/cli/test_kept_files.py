@@ -14,7 +14,8 @@ NU = "--poisson 0.33 --speed 0.1"
 # Every way to write a file.
 WAYS = [
     *[f"{job} --format {form} -o" for form in ("table", "csv", "json") for job in (
-        "modes --poisson 0.33 --cutoff 3", f"impact {NU} --cutoff 12.5", f"bounce {NU} --cutoff 4 --flight-time 30 --count 2",
+        "modes --poisson 0.33 --cutoff 3", f"impact {NU} --cutoff 12.5",
+        f"bounce {NU} --cutoff 4 --flight-time 30 --count 2",
         f"restitution {NU} --tolerance 0.1", f"distribution {NU} --spectrum 2,0,energy=0.1 --samples 2 --error 0.1",
         "quasistatic --poisson 0.33 --speed 0.01", "quasistatic --poisson 0.33 --compression 0.01",
     )],
@@ -66,8 +67,9 @@ def test_replaced_as_a_whole(stoss, tmp_path, way):
 @pytest.mark.parametrize("job", [
     f"bounce {NU} --flight-time 1 --mode 2,99,energy=0.1", f"restitution {NU} --mode 2,0,energy=-1",
     f"distribution {NU} --spectrum 2,0,energy=-1", f"impact {NU} --mode 2,99,energy=0.1",
-    f"impact {NU} --nodes 1", "modes --poisson 7", "quasistatic --poisson 7 --speed 0.1", f"restitution {NU} --tolerance 7",
-    f"restitution --poisson 0.33,7 --speed 0.1", f"restitution {NU},7", "restitution --poisson 0.33,7 --speed 0.1 --method extrapolate",
+    f"impact {NU} --nodes 1", "modes --poisson 7", "quasistatic --poisson 7 --speed 0.1",
+    f"restitution {NU} --tolerance 7", "restitution --poisson 0.33,7 --speed 0.1", f"restitution {NU},7",
+    "restitution --poisson 0.33,7 --speed 0.1 --method extrapolate",
     "table --poisson 0.33 --speed 0.01:0.1 --error 7",
 ])  # fmt: skip
 @pytest.mark.parametrize("there", [True, False])

@@ -106,11 +106,7 @@ TEST(Approach, RefusesModesThatAreNotThere) {
     refused({none}, {"of the first body", "an order and an index of 0 or more"});
     test::expect_refusal([&] { (void)keeps(wall, {none}); }, {"an order and an index of 0 or more"});
   }
-  test::expect_refusal(
-      [] {
-        (void)approach(contact(rod(12.0)), 0.1, {{0, 5, 0, 0.1, 0.0}});
-      },
-      {"(5, 0)", "order 0"});
+  test::expect_refusal([] { (void)approach(contact(rod(12.0)), 0.1, {{0, 5, 0, 0.1, 0.0}}); }, {"(5, 0)", "order 0"});
   refused({{0, 2, 0, 0.1, 0.0}, {0, 2, 0, 0.1, 1.0}}, {"mode (2, 0)", "twice"});
   for (const double bad : {-0.1, nan, infinite}) refused({{0, 2, 0, bad, 0.0}}, {"energy"});
   for (const double bad : {nan, infinite}) refused({{0, 2, 0, 0.1, bad}}, {"phase"});
