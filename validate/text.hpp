@@ -18,8 +18,8 @@ inline constexpr const char* speed = R"(
 
 Processor time of one call over the whole range, −0.95 ≤ ν ≤ 0.995 and 10⁻⁸ ≤ v ≤ 1: 240 points, 40
 Poisson's ratios with six speeds each, spread by a quasi-random sequence, speeds evenly on the
-logarithmic scale. A Poisson's ratio's modes are made by the first of its points that needs them, and
-that time is not counted. *99 %*: 99 of 100 calls take no longer.
+logarithmic scale. A Poisson's ratio's modes are made by the first of its points that needs them,
+and that time is not counted. *99 %*: 99 of 100 calls take no longer.
 
 | tolerance | converged | cutoff, median | ms, median | ms, 99 % | ms, longest | at ν | v | its cutoff |
 |---:|---:|---:|---:|---:|---:|---:|---:|---:|
