@@ -66,10 +66,10 @@ file anew.
 `validate/reference_vibrating.csv`: 112 impacts of disks and spheres that vibrate, in turn at the
 wall and in pairs, spread by a quasi-random sequence: Poisson's ratios from −0.5 to 0.9 and from 0
 to 0.45, speeds from 10⁻³ c to 0.3 c, radii and moduli within a factor of 2; temperatures from 10⁻³
-to 1, up to frequencies from 4 to 20 c/R: together the modes have 0.01 to 400 times the energy of the
-translation. Each is one sample of its ensemble. Three impacts as above, with cutoffs 80, 113 and
-160 over the time scale of the contact. Here the tolerance is the error of 1 − ε² itself, which may
-be 0 when bodies vibrate. No constant was fitted to them.
+to 1, up to frequencies from 4 to 20 c/R: together the modes have 0.01 to 400 times the energy of
+the translation. Each is one sample of its ensemble. Three impacts as above, with cutoffs 80, 113
+and 160 over the time scale of the contact. Here the tolerance is the error of 1 − ε² itself, which
+may be 0 when bodies vibrate. No constant was fitted to them.
 `stoss_validate --make-vibrating-reference FILE` makes the file anew.
 
 The references of disks were computed twice, before and after the contact law of

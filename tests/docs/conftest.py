@@ -36,7 +36,9 @@ def table(name):
 def command(arguments):
     """The rows that a command prints: the arguments of the program that the environment variable STOSS names."""
     words = [os.environ["STOSS"], *arguments.split(), "--format", "csv"]
-    return rows(subprocess.run(words, capture_output=True, text=True, check=True, timeout=120).stdout.splitlines())
+    found = subprocess.run(words, capture_output=True, text=True, timeout=120)
+    assert found.returncode in (0, 1), found.stderr  # 1: a value misses its tolerance
+    return rows(found.stdout.splitlines())
 
 
 def line(*cells):
