@@ -29,7 +29,7 @@ class Restitution(InSiWithErrors):
 
     Numbers if all inputs were numbers, otherwise arrays of the shape to which `poisson` and `speed`
     broadcast: then ``len()`` is the length of the first axis, and indices select as in numpy. The
-    true error is within the estimated one in 95 % of all cases.
+    true error is within the estimated one in 95 % of all cases, of fast impacts in 91 %.
 
     Attributes
     ----------

@@ -8,7 +8,7 @@ import subprocess
 import sys
 
 import pytest
-from conftest import ROOT, command, line, page, with_error
+from conftest import ROOT, command, line, page, power, with_error
 
 PAGE, WORDS = page("docs/numerics.md")
 VALIDATION, _ = page("docs/validation.md")
@@ -128,3 +128,12 @@ def test_errors_of_lossy_bodies():
     paddings, converged = [each[5] for each in found], [round(each[1]) for each in found]
     assert f"errors are {paddings[0]}, {paddings[1]} and {paddings[2]} times the true ones" in WORDS
     assert f"{converged[0]}, {converged[1]} and {converged[2]} converge" in WORDS
+
+
+@pytest.mark.parametrize("error", (1e-2, 1e-3))
+def test_grid_of_a_table_of_pairs(error):
+    words = [os.environ["STOSS"], *f"table --poisson 0.33 --against same --speed 1e-3:0.3 --ratio 1:3 --error {error}".split(),
+             "--format", "json"]  # fmt: skip
+    found = json.loads(subprocess.run(words, capture_output=True, text=True, check=True, timeout=120).stdout)
+    cells = (POWERS[error], f"{len(found['records'])} × {len(found['ratio'])}", power(found["greatest_error"], 2))
+    assert line(*cells)[:-2] in PAGE
