@@ -38,8 +38,8 @@ def restitution(
     """Compute the coefficient of restitution ε = −v_f/v_i of a body at a wall or of two bodies.
 
     Cutoff, time step and contact grid are refined together until the estimated error of 1 − ε² is
-    below ``tolerance * (1 − ε²)`` or below ``absolute``. A value takes 2 ms in the median, 20 ms or
-    more in one case of a hundred.
+    below ``tolerance * (1 − ε²)`` or below ``absolute``. A value of a
+    disk takes 2 ms in the median, 20 ms or more in one case of a hundred.
 
     Parameters
     ----------

@@ -87,6 +87,8 @@ def test_picture(hit):
     texts = [text.get_text() for text in axes.texts]
     assert texts[0] == "t = {:.2f} R/c".format(wave.time[0])
     assert {"$c_p t$", "$c_s t$", "$c_R t$"} <= set(texts)
+    scale = axes.lines[-1].get_xdata()
+    assert texts[-1] == "5 R" and scale[1] - scale[0] == pytest.approx(5.0)
     pyplot.close(axes.figure)
 
 

@@ -13,9 +13,8 @@
 namespace stoss {
 
 /// A number with its estimated error: in the validation (docs/validation.md) the true error of ε and of 1 − ε² is
-/// within it in 95 % of all cases, of fast impacts (0.1 … 0.6 c) in 91 %, and beyond three times it at single points
-/// (3.2 and 4 times). An infinite error means that it is unknown: it would reach the value itself or, for ε and 1 − ε²,
-/// exceed 1.
+/// within it in at least 95 % of the cases of each validation (of fast disks 91 %), and rarely beyond three times it.
+/// An infinite error means that it is unknown: it would reach the value itself or, for ε and 1 − ε², exceed 1.
 struct Estimate {
   double value = 0.0;
   double error = 0.0;
