@@ -89,3 +89,17 @@ def test_claims_about_the_loss():
 def test_numbers_of_speeds():
     assert f"{len(ELASTIC)} speeds on the half-space and {len(WALL)} at a rigid wall" in PAGE
     assert len(RIGID) == len(ELASTIC)
+
+
+def test_numbers_of_the_waves():
+    poisson, shear = 0.3, 1 / math.sqrt(2 * 1.3)
+    pressure = shear * math.sqrt((2 - 2 * poisson) / (1 - 2 * poisson))
+    assert f"$c_p = {pressure:.3f}$" in PAGE and f"$c_s = {shear:.3f}$" in PAGE
+    assert f"= {math.degrees(math.asin(shear / pressure)):.0f}°" in PAGE
+    low, high = 0.5 * shear, shear  # of Rayleigh's equation
+    while high - low > 1e-9:
+        middle = 0.5 * (low + high)
+        p, s = (math.sqrt(1 - (middle / speed) ** 2) for speed in (pressure, shear))
+        low, high = (middle, high) if 4 * p * s > (1 + s**2) ** 2 else (low, middle)
+    assert f"$c_R = {low:.3f}$" in PAGE
+    assert f"the contact lasts {ELASTIC[0.1]['contact_time[R/c]']:.2f} R/c" in PAGE
