@@ -67,7 +67,8 @@ def test_where_balls_begin_to_yield(strength, said):
 
 def test_two_glass_balls_beside_measurements():
     young, poisson, density, _ = CYLINDERS["glass"]
-    job = f"restitution --body sphere --poisson {poisson} --young {young} --density {density} --radius 1.59e-3 --speed 1"
+    ball = f"--body sphere --poisson {poisson} --young {young} --density {density} --radius 1.59e-3"
+    job = f"restitution {ball} --speed 1"
     (elastic,) = command(f"{job} --against same")
     loss_time = 1 / (1000 * 2 * math.pi * 1e4)
     (lossy,) = command(f"{job} --loss-time {loss_time} --against same")

@@ -5,8 +5,9 @@ import re
 from conftest import page
 
 PAGE, WORDS = page("docs/programs.md")
-LOSSY, ELASTIC = ([tuple(map(float, line)) for line in re.findall(r"wrong by ([\d.]+), loss × ([\d.]+) to ([\d.]+)", part)]
-                  for part in re.search(r"```text\n(with the typical.*?)elastic\n(.*?)```", PAGE, re.DOTALL).groups())  # fmt: skip
+PRINTED = re.search(r"```text\n(with the typical.*?)elastic\n(.*?)```", PAGE, re.DOTALL).groups()
+NUMBERS = r"wrong by ([\d.]+), loss × ([\d.]+) to ([\d.]+)"
+LOSSY, ELASTIC = ([tuple(map(float, line)) for line in re.findall(NUMBERS, part)] for part in PRINTED)
 
 
 def test_a_constant_over_a_factor_of_two():

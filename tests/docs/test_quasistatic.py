@@ -1,4 +1,4 @@
-"""The numbers of Rayleigh's estimate in docs/theory/quasistatic.md: those of the command and of the table of results."""
+"""The numbers of Rayleigh's estimate in docs/theory/quasistatic.md: those of the command and of the results."""
 
 import json
 import os

@@ -75,8 +75,8 @@ def test_extrema():
     for nu, found in EXTREMA.items():
         for k, it in enumerate(found):
             speed = f"{it['speed']:.4f}" if it["speed"] > 1e-3 else power(it["speed"], 2)
-            cells = (f"{it['lost_fraction']:.4f}", f"{it['contact_time']:.2f}",
-                     f"{it['contact_time_over_quadrupole_period']:.2f}", f"{it['quadrupole_share_of_loss']:.2f}")  # fmt: skip
+            names = ("contact_time", "contact_time_over_quadrupole_period", "quadrupole_share_of_loss")
+            cells = (f"{it['lost_fraction']:.4f}", *(f"{it[name]:.2f}" for name in names))
             assert f"{line('' if k else f'{nu:g}', it['kind'], speed, *cells)}\n".replace("|  |", "| |") in PAGE
     assert PAGE.count("| minimum |") + PAGE.count("| maximum |") == sum(map(len, EXTREMA.values()))
 
