@@ -112,6 +112,16 @@ def test_energy_error_of_the_radiating_tail():
         assert row["energy_error"] == pytest.approx(expected, rel=0.5 / float(mantissa.replace(".", "")) + 0.01)
 
 
+@pytest.mark.parametrize("loss_time", (0.001, 0.01, 0.1, 1))
+def test_energy_error_of_lossy_spheres(loss_time):
+    for cutoff, cell in zip((16, 32, 64), cells_of(f"{loss_time:g}", "| η | ω_c = 16 | 32 | 64 |")):
+        job = f"impact --body sphere --poisson 0.3 --loss-time {loss_time} --speed 0.01"
+        (row,) = command(f"{job} --cutoff {cutoff} --step {0.5 / cutoff} --quiet")
+        mantissa, exponent = re.fullmatch(r"−([\d.]+)·10⁻(.)", cell).groups()
+        unit = 10.0 ** -("⁰¹²³⁴⁵⁶⁷⁸⁹".index(exponent) + len(mantissa.partition(".")[2]))
+        assert abs(row["energy_error"] + float(mantissa.replace(".", "")) * unit) <= 0.6 * unit
+
+
 def test_edge_law():
     pytest.importorskip("numpy")
     script = subprocess.run([sys.executable, ROOT / "validate/edge_law.py"], capture_output=True, text=True, check=True)
