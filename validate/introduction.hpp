@@ -58,8 +58,8 @@ contacts a fifth longer than those of `restitution`.
 
 `validate/reference_lossy.csv`: 48 impacts of lossy spheres and disks, every third one at another
 lossy body with a loss time of its own, spread by a quasi-random sequence: loss times from 10⁻⁴ to
-100 R/c, speeds from 10⁻⁸ c to 0.3 c, Poisson's ratios from −0.4 to 0.48, radii within a factor
-of 3. Three impacts as above, with cutoffs 80, 113 and 160, from 128 nodes to 2.4 times those of
+100 R/c, speeds from 10⁻⁸ c to 0.3 c, Poisson's ratios from −0.4 to 0.48, radii within a factor of
+3. Three impacts as above, with cutoffs 80, 113 and 160, from 128 nodes to 2.4 times those of
 `restitution`. Judged with `absolute` = 0. `stoss_validate --make-lossy-reference FILE` makes the
 file anew.
 
