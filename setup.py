@@ -24,7 +24,9 @@ def cmake(*arguments: str) -> None:
 class BuildWithCMake(build_ext):
     def build_extension(self, ext: Extension) -> None:
         tree = os.environ.get("STOSS_BUILD_TREE") or self.configure()
-        cmake("--build", tree, "--target", "stoss_python", "--parallel", str(os.cpu_count() or 1))
+        jobs = os.environ.get("CMAKE_BUILD_PARALLEL_LEVEL") or str(len(os.sched_getaffinity(0)))
+        print(f"stoss: compiling the library and the module, {jobs} files at a time", flush=True)
+        cmake("--build", tree, "--target", "stoss_python", "--parallel", jobs)
         package = Path(self.get_ext_fullpath(ext.name)).resolve().parent.parent
         cmake("--install", tree, "--component", "python", "--prefix", str(package))
 

@@ -91,7 +91,8 @@ void run(const BounceArguments& arguments) {
   bool beyond_yield = false, beyond_small_strain = false;
   long short_flights = 0;
   catch_interrupts();
-  Report report(Output(arguments.output.path), arguments.output.chosen_format(), describe(arguments, encounter, first));
+  Report report(Output(arguments.output.path, Output::Use::rows), arguments.output.chosen_format(),
+                describe(arguments, encounter, first));
   report.finish_after([&] {
     bounce(contact, first, options, [&](const Bounce& bounce, const Impact&) {
       Record record;

@@ -19,7 +19,6 @@
 #include "stoss/table/c_source.hpp"
 #include "stoss/table/two_column.hpp"
 #include "text.hpp"
-#include "whole_file.hpp"
 #include "yield.hpp"
 
 namespace stoss::cli {
@@ -168,11 +167,12 @@ void warn(const TableArguments& arguments, const TableJob& job) {
 void run(const TableArguments& arguments) {
   check_format(arguments);
   const TableJob job = make_job(arguments);
-  require_writable(arguments.output.path);
+  Output output(arguments.output.path);
   catch_interrupts();
   const std::string text = arguments.ratio.empty() ? text_of_function(arguments, job) : text_of_pairs(arguments, job);
   heed_interrupts();
-  write_whole(arguments.output.path, text);
+  output.write(text);
+  output.close();
   warn(arguments, job);
 }
 

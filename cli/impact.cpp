@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <memory>
+#include <utility>
 
 #include "arguments.hpp"
 #include "encounter.hpp"
@@ -29,6 +30,7 @@ struct ImpactArguments {
   int every = 1;
   OutputArguments output;
   CLI::Option* tail_option = nullptr;
+  CLI::Option* every_option = nullptr;
 };
 
 Provenance describe(const ImpactArguments& arguments, const Encounter& encounter) {
@@ -52,10 +54,7 @@ Record make_record(const Impact& impact, const Encounter& encounter) {
 
 /// @param pair     whether modes of two bodies are told apart
 /// @param vibrates whether modes have energy before the impact
-void write_table(const std::string& path, const Record& record, std::vector<ModeEnergy> modes, bool pair,
-                 bool vibrates) {
-  Output output(path);
-  output.keep(0);
+void write_table(Output output, const Record& record, std::vector<ModeEnergy> modes, bool pair, bool vibrates) {
   for (const Entry& entry : record) {
     const auto* number = std::get_if<double>(&entry.value);
     const std::string value = number != nullptr
@@ -97,6 +96,9 @@ void run(const ImpactArguments& arguments) {
     throw InvalidInput(
         fmt::format("every: got {}, allowed 1 or more (steps between two rows of the trajectory)", arguments.every));
   }
+  if (arguments.every_option->count() > 0 && arguments.trajectory.empty()) {
+    throw InvalidInput("every: got --every without --trajectory, allowed only with it (it thins out its rows)");
+  }
   const std::vector<double> speeds = parse_speeds(arguments.speed, units_of(encounter).si);
   if (speeds.size() != 1) {
     throw InvalidInput(fmt::format("speed: got {} speeds, allowed one (stoss restitution takes lists)", speeds.size()));
@@ -107,6 +109,7 @@ void run(const ImpactArguments& arguments) {
   const Vibration vibration = arguments.vibration.vibration();
   if (!vibration.empty()) options.start = approach(contact, speeds[0], vibration);
   const Provenance provenance = describe(arguments, encounter);
+  Output output(arguments.output.path);
 
   Impact result;
   if (arguments.trajectory.empty()) {
@@ -133,11 +136,10 @@ void run(const ImpactArguments& arguments) {
     std::vector<ModeEnergy> modes = result.energy.modes;
     // The waves of a half-space are a continuum: single ones say little.
     if (unbounded) std::erase_if(modes, [](const ModeEnergy& mode) { return mode.body == 1; });
-    write_table(arguments.output.path, record, std::move(modes), meets_body(encounter) && !unbounded,
-                !vibration.empty());
+    write_table(std::move(output), record, std::move(modes), meets_body(encounter) && !unbounded, !vibration.empty());
     return;
   }
-  Report report(Output(arguments.output.path), arguments.output.chosen_format(), provenance);
+  Report report(std::move(output), arguments.output.chosen_format(), provenance);
   report.add(record);
   if (arguments.output.chosen_format() == Format::json)
     report.attach("modes", to_json(mode_energy_table(), result.energy.modes));
@@ -174,9 +176,10 @@ void add_impact(CLI::App& app) {
   command->add_option("--trajectory", arguments->trajectory, "Write time, center, force, energies as CSV to FILE")
       ->type_name("FILE")
       ->group("Output");
-  add_integer(*command, "--every", arguments->every, "Trajectory: every so many steps (default: 1)")
-      ->type_name("K")
-      ->group("Output");
+  arguments->every_option =
+      add_integer(*command, "--every", arguments->every, "Trajectory: every so many steps (default: 1)")
+          ->type_name("K")
+          ->group("Output");
   arguments->output.add_to(*command);
   command->footer(
       "Examples:\n"

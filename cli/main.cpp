@@ -4,6 +4,7 @@
 
 #include <CLI/CLI.hpp>
 #include <cerrno>
+#include <csignal>
 #include <exception>
 #include <iostream>
 #include <new>
@@ -71,7 +72,7 @@ int run(int argc, char** argv) {
     return complain(not_converged, error.what());
   } catch (const stoss::cli::OutputError& error) {
     // Whoever closed the pipe knows.
-    return errno == EPIPE ? input_output : complain(input_output, error.what());
+    return error.reason() == EPIPE ? input_output : complain(input_output, error.what());
   } catch (const stoss::cli::Interrupted&) {
     return complain(signalled + stoss::cli::interrupted(), "interrupted");
   } catch (const std::bad_alloc&) {
@@ -87,6 +88,7 @@ int run(int argc, char** argv) {
 
 int main(int argc, char** argv) {
   reopen_closed_descriptors();
+  (void)std::signal(SIGXFSZ, SIG_IGN);  // a file that must not grow is then an error of writing
   try {
     stoss::cli::set_command_line(argc, argv);
     return run(argc, argv);

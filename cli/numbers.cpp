@@ -12,8 +12,6 @@
 namespace stoss::cli {
 namespace {
 
-constexpr int max_length = 1'000'000;
-
 /// What is typed for one option, and what may be.
 struct Typed {
   std::string_view name;
@@ -57,8 +55,8 @@ std::vector<double> series(const Typed& typed, bool logarithmic) {
   const double first = number(typed, parts[1]);
   const double last = number(typed, parts[2]);
   const double count = number(typed, parts[3]);
-  if (count != std::floor(count) || count < 2 || count > max_length) {
-    typed.refuse(fmt::format("n is not from 2 to {}", max_length));
+  if (count != std::floor(count) || count < 2 || count > most_numbers) {
+    typed.refuse(fmt::format("n is {}, not a whole number from 2 to {}", shortened(parts[3]), most_numbers));
   }
   if (logarithmic && (first <= 0.0 || last <= 0.0)) typed.refuse("a logarithmic series needs ends above 0");
   std::vector<double> values;

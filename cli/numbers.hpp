@@ -6,6 +6,9 @@
 
 namespace stoss::cli {
 
+/// Of a series, and rows of a job.
+inline constexpr int most_numbers = 1'000'000;
+
 /// A decimal number: sign, digits with or without a point, exponent, as in -0.2 or 1e-4. Spaces around it do not count.
 /// @throws InvalidInput naming `name` for anything else, also for nan, inf and what no double can hold
 [[nodiscard]] double parse_number(std::string_view name, const std::string& text);

@@ -3,47 +3,51 @@
 #include <cstdint>
 #include <cstdio>
 #include <memory>
-#include <stdexcept>
 #include <string>
+
+#include "output_error.hpp"
+#include "target.hpp"
 
 namespace stoss::cli {
 
-/// A file that could not be written or read; the command exits with 4.
-class OutputError : public std::runtime_error {
- public:
-  using std::runtime_error::runtime_error;
-};
-
-/// Bytes of a file name that a message repeats.
-inline constexpr std::size_t longest_path = 240;
-
-/// A file, locked against other processes, or stdout when the path is empty or "-". Every write is checked.
+/// A file, or stdout when the path is empty or "-". Every write is checked. A file stays as it was, or does not appear,
+/// until what takes its place is on the disk.
 class Output {
  public:
-  enum class Use { replace, resume };  ///< whether the content may be read and continued
+  enum class Use {
+    whole,   ///< the file is replaced when the output is closed
+    rows,    ///< it is replaced by the first row, and grows row by row
+    resume,  ///< its content may be read; it is cut off by the first row after `keep`, and grows row by row
+  };
 
-  /// Opens the file; its content stays until `keep`. @throws OutputError also while another process writes it;
-  /// Interrupted
-  explicit Output(const std::string& path, Use use = Use::replace);
+  /// Changes nothing, but that a file of rows that is not there is made, empty, to be locked.
+  /// @throws OutputError also while another process writes the file
+  explicit Output(const std::string& path, Use use = Use::whole);
 
-  /// Keeps the first `size` bytes of a file and writes on behind them.
-  void keep(std::uintmax_t size);
+  /// How many bytes of a file to resume stay.
+  void keep(std::uintmax_t size) { kept_ = size; }
 
   void write(const std::string& text);
-  void flush();
+
+  /// Ends a row. @throws OutputError; Interrupted
+  void end_row();
+
   void close();
 
   [[nodiscard]] const std::string& path() const { return path_; }
 
-  /// For reading what is there, before `keep`.
-  [[nodiscard]] std::FILE* stream() const { return file_.get(); }
+  /// For reading what is there, before the first row.
+  [[nodiscard]] std::FILE* stream() const { return target_ ? target_->stream() : stdout; }
 
  private:
-  [[noreturn]] void fail() const;
-  void open(Use use);
+  void begin(bool grows);
+
   std::string path_;
-  std::unique_ptr<std::FILE, int (*)(std::FILE*)> file_;
-  bool regular_ = false;
+  Use use_;
+  std::unique_ptr<Target> target_;  // of a file
+  std::uintmax_t kept_ = 0;
+  std::string pending_;  // until it has begun
+  bool begun_ = false;
 };
 
 /// Whether two outputs would go to the same place.

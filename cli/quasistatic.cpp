@@ -35,7 +35,6 @@ struct QuasistaticArguments {
 /// A number of rows that are written one by one, until Ctrl-C.
 void write_rows(const QuasistaticArguments& arguments, Report& report, std::size_t count,
                 const std::function<Record(std::size_t)>& make) {
-  catch_interrupts();
   Progress progress(arguments.output, count);
   report.finish_after([&] {
     for (std::size_t i = 0; i < count; ++i) {
@@ -57,7 +56,8 @@ void impacts(const QuasistaticArguments& arguments, const QuasistaticBody& body,
   const std::vector<double> speeds = parse_speeds(arguments.speeds, body.units.si, body.speeds);
   const auto add_impact = body.impacts(arguments.cutoff);
   provenance.inputs["cutoff"] = arguments.cutoff;
-  Report report(Output(arguments.output.path), arguments.output.chosen_format(), provenance);
+  catch_interrupts();
+  Report report(Output(arguments.output.path, Output::Use::rows), arguments.output.chosen_format(), provenance);
   std::size_t beyond = 0;
   write_rows(arguments, report, speeds.size(), [&](std::size_t i) {
     Record record = slow_impact_key(body, speeds[i]);
@@ -106,7 +106,8 @@ void compressions(const QuasistaticArguments& arguments, const QuasistaticBody& 
         "yield: got --yield with --compression, allowed only with --speed (give the speed, not the compression)");
   }
   const std::vector<double> values = parse_compressions(arguments.compressions, body);
-  Report report(Output(arguments.output.path), arguments.output.chosen_format(), provenance);
+  catch_interrupts();
+  Report report(Output(arguments.output.path, Output::Use::rows), arguments.output.chosen_format(), provenance);
   write_rows(arguments, report, values.size(), [&](std::size_t i) {
     Record record{{"poisson", "", body.poisson}};
     body.compress(values[i], record);

@@ -67,13 +67,11 @@ std::string json_text(const nlohmann::ordered_json& document) {
 }
 
 Report::Report(Output output, Format format, Provenance provenance) : format_(format), output_(std::move(output)) {
-  output_.keep(0);
   if (format_ == Format::csv) {
     output_.write(csv_header(provenance));
   } else if (format_ == Format::json) {
     document_ = json_document(std::move(provenance));
   }
-  output_.flush();
 }
 
 Report::Report(Output output, std::uintmax_t size) : format_(Format::csv), begun_(true), output_(std::move(output)) {
@@ -103,7 +101,7 @@ void Report::add(const Record& record, const nlohmann::ordered_json& details) {
     return;
   }
   output_.write((format_ == Format::csv ? csv_row(record) : table_row(record)) + "\n");
-  output_.flush();
+  output_.end_row();
 }
 
 void Report::close_table(const std::string& lines) { output_.write(lines); }
@@ -111,6 +109,7 @@ void Report::close_table(const std::string& lines) { output_.write(lines); }
 void Report::attach(const std::string& key, nlohmann::ordered_json value) { document_[key] = std::move(value); }
 
 void Report::finish(bool complete) {
+  if (!complete && !begun_) return;
   if (format_ == Format::json) {
     document_["complete"] = complete;
     output_.write(json_text(document_));

@@ -21,7 +21,7 @@ enum class Format { table, csv, json };
 /// Records as a table, as CSV or as JSON. Tables and CSV are written record by record, JSON at the end.
 class Report {
  public:
-  /// Replaces what the output holds.
+  /// The output is to have nothing else.
   Report(Output output, Format format, Provenance provenance);
 
   /// Continues the rows of a CSV file after its first `size` bytes.
@@ -37,7 +37,7 @@ class Report {
   /// A member of the JSON document in addition to its records.
   void attach(const std::string& key, nlohmann::ordered_json value);
 
-  /// Writes what is still to be written. @throws OutputError
+  /// Writes what is still to be written; without a record, and not complete, nothing. @throws OutputError
   void finish(bool complete = true);
 
   /// Finishes after `add_all`, as incomplete if that throws.

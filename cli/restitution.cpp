@@ -74,6 +74,10 @@ Job make_job(RestitutionArguments& arguments) {
   }
   if (job.units.si) job.poissons = {poisson_of(first_solid(job.encounter))};
   job.speeds = parse_speeds(arguments.speeds, job.units.si);
+  if (job.size() > most_numbers) {
+    throw InvalidInput(fmt::format("speed: got {} speeds for each of {} Poisson's ratios, {} values, allowed up to {}",
+                                   job.speeds.size(), job.poissons.size(), job.size(), most_numbers));
+  }
   return job;
 }
 

@@ -73,6 +73,10 @@ bool read_header(Lines& lines, const Provenance& provenance, const std::string& 
   std::string names;
   bool complete = false;
   while (const auto line = lines.next()) {
+    if (*line == csv_interrupted) {  // before the first row
+      if (lines.next()) refuse_file(lines, *line);
+      break;
+    }
     if (!line->starts_with("# ")) {
       names = *line;
       complete = true;

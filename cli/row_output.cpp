@@ -37,7 +37,7 @@ void RowOutput::redirect() {
 }
 
 Report RowOutput::open(const Provenance& provenance, Sweep& sweep) const {
-  if (resume.empty()) return {Output(output.path), output.chosen_format(), provenance};
+  if (resume.empty()) return {Output(output.path, Output::Use::rows), output.chosen_format(), provenance};
   Output file(resume, Output::Use::resume);  // locked from before the first row is read
   const Earlier earlier =
       read_earlier(file, provenance, sweep.columns(),

@@ -14,7 +14,6 @@ void add_schema(CLI::App& app) {
   command->footer("Examples:\n  stoss schema -o encounter.schema.json");
   command->callback([arguments] {
     Output output(arguments->path);
-    output.keep(0);
     output.write(encounter_schema() + "\n");
     output.close();
   });

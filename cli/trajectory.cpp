@@ -7,8 +7,8 @@ namespace stoss::cli {
 
 void Trajectory::write(const Snapshot& now) {
   if (!report_) {
-    report_.emplace(Output(path_), Format::csv, provenance_);
     catch_interrupts();  // before, there is nothing to keep
+    report_.emplace(Output(path_, Output::Use::rows), Format::csv, provenance_);
   }
   if (interrupted() != 0) {
     report_->finish(false);

@@ -2,7 +2,7 @@
 
 Run:     python examples/08_drop_test.py [FOLDER]        (default: out/)
 Expect:  a table for five pairs of materials at three speeds each, drop_test.csv and drop_test.png.
-         Twenty seconds.
+         Half a minute on one core.
 
     ringing    what an elastic ball keeps as vibration        lost_to_first
     radiation  what waves carry away through an elastic block lost_to_second

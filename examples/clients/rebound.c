@@ -1,5 +1,5 @@
 /*
- * Two spheres of ice meet in REBOUND 4 and leave with the coefficient of restitution of their speed.
+ * Two spheres of ice meet in REBOUND 4 or 5 and leave with the coefficient of restitution of their speed.
  *
  *   stoss table --body sphere --poisson 0.33 --young 9.5e9 --density 917 --radius 1 --loss-time 1e-4 --against same
  *       --speed 1e-3:10 --format c -o restitution.h
@@ -20,12 +20,20 @@ static double coefficient_of_restitution(const struct reb_simulation* const r, d
   return stoss_restitution(v);
 }
 
+static void use_leapfrog(struct reb_simulation* r) {
+#ifdef REB_BUILTIN_INTEGRATORS /* since REBOUND 5 */
+  reb_simulation_set_integrator(r, "leapfrog");
+#else
+  r->integrator = REB_INTEGRATOR_LEAPFROG;
+#endif
+}
+
 /* How fast two equal spheres separate that meet head-on. */
 static double speed_after(double speed) {
   struct reb_simulation* r = reb_simulation_create();
   struct reb_particle first = {0}, second = {0};
   double after;
-  r->integrator = REB_INTEGRATOR_LEAPFROG;
+  use_leapfrog(r);
   r->gravity = REB_GRAVITY_NONE;
   r->collision = REB_COLLISION_DIRECT;
   r->collision_resolve = reb_collision_resolve_hardsphere;

@@ -2,6 +2,8 @@
 
 #include <stdexcept>
 
+#include "stoss/cxx20.hpp"
+
 namespace stoss {
 
 /// An argument outside its range. what() is one line: name, what was got, what is allowed, a hint.

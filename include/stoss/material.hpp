@@ -2,6 +2,8 @@
 
 #include <optional>
 
+#include "stoss/cxx20.hpp"
+
 namespace stoss {
 
 /// An isotropic linear elastic material in SI.

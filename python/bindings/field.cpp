@@ -23,7 +23,7 @@ struct Component {
 };
 
 /// What is inside a kind of body: two displacements, then stresses.
-struct Disk {
+struct InDisk {
   using Inside = disk::DiskField;
   using Field = disk::Field;
   using Grid = disk::PolarGrid;
@@ -34,7 +34,7 @@ struct Disk {
                                                                {"stress_rp", &Field::stress_rp}}};
 };
 
-struct Sphere {
+struct InSphere {
   using Inside = sphere::SphereField;
   using Field = sphere::Field;
   using Grid = sphere::PolarGrid;
@@ -114,8 +114,8 @@ void bind(py::module_& module, const char* name, const char* what) {
 }  // namespace
 
 void bind_field(py::module_& module) {
-  bind<Disk>(module, "disk_fields", "arrays of times x radii x angles, centers of the body, and its radius");
-  bind<Sphere>(module, "sphere_fields", "the same on a meridian plane");
+  bind<InDisk>(module, "disk_fields", "arrays of times x radii x angles, centers of the body, and its radius");
+  bind<InSphere>(module, "sphere_fields", "the same on a meridian plane");
 }
 
 }  // namespace stoss::python

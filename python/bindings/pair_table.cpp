@@ -23,8 +23,8 @@ Mixture mixture_of(const std::string& kind, const Round& a, const Round& b) {
   return mixture(Disk{a[0], a[1], a[2], a[3], a[4]}, Disk{b[0], b[1], b[2], b[3], b[4]});
 }
 
-PairTable make(const Doubles& speed, const Doubles& ratio, const Doubles& value, const Doubles& error,
-               const Doubles& interpolation, bool alike, const std::string& beyond) {
+PairTable made_table(const Doubles& speed, const Doubles& ratio, const Doubles& value, const Doubles& error,
+                     const Doubles& interpolation, bool alike, const std::string& beyond) {
   PairValues values{to_vector(speed), to_vector(ratio), {}, to_vector(interpolation), alike};
   for (py::ssize_t i = 0; i < value.size(); ++i) values.restitution.push_back({value.data()[i], error.data()[i]});
   return PairTable(std::move(values), to_beyond(beyond));
@@ -61,7 +61,7 @@ void bind_pair_table(py::module_& module) {
         return std::tuple(take(std::move(values.speeds)), take(std::move(values.ratios)), take(std::move(value)),
                           take(std::move(error)), take(std::move(values.interpolation_error)), values.alike);
       });
-  module.def("make_pair_table", &make, py::arg("speed"), py::arg("ratio"), py::arg("restitution"),
+  module.def("make_pair_table", &made_table, py::arg("speed"), py::arg("ratio"), py::arg("restitution"),
              py::arg("restitution_error"), py::arg("interpolation_error"), py::arg("alike"), py::arg("beyond"));
   module.def(
       "adaptive_pair_table",

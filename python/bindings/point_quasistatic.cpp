@@ -44,14 +44,14 @@ py::array rows_of(const Quantities<Result>& quantities, const Doubles& speeds, M
   return rows.take();
 }
 
-py::array slow_impacts(const std::string& law, double poisson, const Doubles& speeds) {
+py::array point_slow_impacts(const std::string& law, double poisson, const Doubles& speeds) {
   const PointLaw chosen = to_law<PointLaw>(law);
   return rows_of(point_slow_impact_quantities(), speeds,
                  [&](double speed, const Poll&) { return slow_impact(chosen, poisson, speed); });
 }
 
 /// Estimates for several speeds, and, if there is only one, its modes.
-py::tuple rayleigh_rows(const std::string& law, double poisson, const Doubles& speeds, double cutoff) {
+py::tuple point_rayleigh_rows(const std::string& law, double poisson, const Doubles& speeds, double cutoff) {
   const PointLaw chosen = to_law<PointLaw>(law);
   std::vector<bodies::sphere::Mode> modes;
   const Poll poll = signal_poll();
@@ -119,8 +119,9 @@ void bind_point_quasistatic(py::module_& module) {
   module.def("point_compression_force", over_law<PointLaw>(&compression_force), law, poisson, py::arg("compression"));
   module.def("point_compression_energy", over_law<PointLaw>(&compression_energy), law, poisson, force);
   module.def("contact_radius", over_law<PointLaw>(&contact_radius), law, poisson, force);
-  module.def("point_slow_impact", &slow_impacts, law, poisson, py::arg("speeds"), "structured array of its quantities");
-  module.def("point_rayleigh", &rayleigh_rows, law, poisson, py::arg("speeds"), py::arg("cutoff"),
+  module.def("point_slow_impact", &point_slow_impacts, law, poisson, py::arg("speeds"),
+             "structured array of its quantities");
+  module.def("point_rayleigh", &point_rayleigh_rows, law, poisson, py::arg("speeds"), py::arg("cutoff"),
              "rows for the speeds, and the modes if there is only one speed");
   module.def(
       "yield_speed",

@@ -45,8 +45,8 @@ SlowLaw law_of(const Who& first, const Who& second) {
   throw InvalidInput("beyond: got 'law', allowed 'error' or 'clamp' (there is no law of slow impacts of these bodies)");
 }
 
-RestitutionFunction make(const Doubles& speed, const Doubles& value, const Doubles& error, const Doubles& interpolation,
-                         const std::string& beyond, const SlowLaw& law) {
+RestitutionFunction made_function(const Doubles& speed, const Doubles& value, const Doubles& error,
+                                  const Doubles& interpolation, const std::string& beyond, const SlowLaw& law) {
   std::vector<Knot> knots;
   for (py::ssize_t k = 0; k < speed.size(); ++k) knots.push_back({speed.data()[k], {value.data()[k], error.data()[k]}});
   const Beyond chosen = beyond == "law" ? Beyond::law : beyond == "clamp" ? Beyond::clamp : Beyond::error;
@@ -103,7 +103,7 @@ void bind_restitution_function(py::module_& module) {
       "slow_law", [](const Words& first, const Words& second) { return law_of(to_who(first), to_who(second)); },
       py::arg("first"), py::arg("second"));
   module.def("no_law", [] { return SlowLaw(); });
-  module.def("make_function", &make, py::arg("speed"), py::arg("restitution"), py::arg("restitution_error"),
+  module.def("make_function", &made_function, py::arg("speed"), py::arg("restitution"), py::arg("restitution_error"),
              py::arg("interpolation_error"), py::arg("beyond"), py::arg("law"));
   module.def(
       "adaptive_function",

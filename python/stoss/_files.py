@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import contextlib
+import errno
 import os
 import tempfile
 from typing import Iterable, Iterator
@@ -10,26 +11,33 @@ from typing import Iterable, Iterator
 
 @contextlib.contextmanager
 def whole_file(path: str, suffix: str = "") -> Iterator[str]:
-    """A temporary name next to `path`, moved there at the end: what fails leaves no half file."""
-    path = os.path.realpath(path)
+    """A temporary name next to `path`, moved there at the end: what fails leaves no half file.
+
+    Raises OSError that says `path`, also for what is no regular file.
+    """
+    given, path = path, os.path.realpath(path)
+    temporary = ""
     try:
-        if os.path.isdir(path):
-            raise IsADirectoryError(21, os.strerror(21), path)
+        if os.path.isdir(given):
+            raise IsADirectoryError(errno.EISDIR, os.strerror(errno.EISDIR))
+        if os.path.exists(given) and not os.path.isfile(given):
+            raise OSError(errno.EINVAL, "it is not a regular file")
         if os.path.exists(path) and not os.access(path, os.W_OK):
-            raise PermissionError(13, os.strerror(13), path)
+            raise PermissionError(errno.EACCES, os.strerror(errno.EACCES))
         descriptor, temporary = tempfile.mkstemp(dir=os.path.dirname(path), prefix=".stoss-", suffix=suffix)
-    except OSError as error:
-        raise type(error)(error.errno, error.strerror, path) from None  # the name that the user knows
-    os.close(descriptor)
-    try:
+        os.close(descriptor)
         yield temporary
         mask = os.umask(0)
         os.umask(mask)
         os.chmod(temporary, os.stat(path).st_mode & 0o777 if os.path.exists(path) else 0o666 & ~mask)
         os.replace(temporary, path)
-    except BaseException:
-        with contextlib.suppress(OSError):
-            os.unlink(temporary)
+    except BaseException as error:
+        if temporary:
+            with contextlib.suppress(OSError):
+                os.unlink(temporary)
+        ours = not temporary or isinstance(error, OSError) and error.filename in (None, temporary)
+        if isinstance(error, OSError) and error.errno and ours:
+            raise type(error)(error.errno, error.strerror, given) from None  # the name that the user knows
         raise
 
 

@@ -33,7 +33,8 @@ def restitution_function(
     """Compute ε as a function of the speed, with an error that is kept at every speed of a range.
 
     It begins with six speeds per decade, and halves every interval until the value computed in its
-    middle is the interpolated one within half the error. Most functions take 40 to 100 values.
+    middle is the interpolated one within a quarter of the error. Most functions take 40 to 100
+    values.
 
     Parameters
     ----------

@@ -23,22 +23,21 @@ DIMENSIONS = ("body", "against", "speed")
 
 
 def write(sweep: Sweep, path: str) -> None:
-    """Write the file next to its place, let the disk have it, and move it there."""
+    """Make the file in memory, where no write fails that HDF5 does not survive; then write it whole."""
     try:
         import netCDF4
     except ImportError:
         raise ImportError("netcdf: a sweep is written with the package netCDF4 (python3-netcdf4), which is missing") from None
 
-    with whole_file(path, ".nc") as temporary:
-        with netCDF4.Dataset(temporary, "w", format="NETCDF4") as file:
-            _describe(file, sweep)
-            _coordinates(file, sweep)
-            _results(file, sweep)
-        descriptor = os.open(temporary, os.O_RDONLY)
-        try:
-            os.fsync(descriptor)
-        finally:
-            os.close(descriptor)
+    file = netCDF4.Dataset("sweep", "w", format="NETCDF4", memory=1)  # bytes to begin with
+    _describe(file, sweep)
+    _coordinates(file, sweep)
+    _results(file, sweep)
+    content = file.close()
+    with whole_file(path) as temporary, open(temporary, "wb") as stream:
+        stream.write(content)
+        stream.flush()
+        os.fsync(stream.fileno())
 
 
 def _describe(file: Any, sweep: Sweep) -> None:

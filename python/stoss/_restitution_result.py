@@ -58,9 +58,9 @@ class Restitution(InSiWithErrors):
     max_force, max_force_error : float or ndarray
         mc²/R: πRE of a disk, (4π/3)R²E of a sphere.
     lost_to_first, lost_to_second : float or ndarray
-        Vibration of each body after the finest impact and what its material absorbed, as shares of
-        the initial energy; of a half-space what its waves carry away; 0 of a wall. For bodies that
-        were unexcited, their sum is `lost_fraction` but for its error.
+        Vibration of each body after the impact and what its material absorbed, as shares of the
+        initial energy; of a half-space what its waves carry away; 0 of a wall. Of bodies that were
+        unexcited, their sum is `lost_fraction`.
     dissipated : float or ndarray
         What the material of both absorbed.
     cutoff, energy_error, modes : float, int or ndarray

@@ -53,7 +53,8 @@ def main(words: Sequence[str]) -> int:
 
 
 def _complain(code: int, text: str) -> int:
-    print(f"stoss: error: {text}", file=sys.stderr)
+    line = " ".join(text.split())
+    print(f"stoss: error: {line if len(line) <= 500 else line[:500] + '...'}", file=sys.stderr)
     return code
 
 

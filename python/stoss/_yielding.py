@@ -14,19 +14,19 @@ from stoss._sphere import Sphere
 InSi = tuple[float, float, float, "float | None", float]
 
 
-def yield_speed(body: Sphere, *, against: Sphere | HalfSpace | None = None) -> float | None:
+def yield_speed(body: Sphere, *, against: Sphere | HalfSpace | str | None = None) -> float | None:
     """Speed of approach at which a sphere at a rigid wall, or the weaker of two bodies, begins to yield, m/s.
 
     The maximum pressure p₀ of Hertz' contact is then 1.6 times the yield strength Y of the
     material: v² = (16/15)(E*R³/m)(πp₀/2E*)⁵ (K. L. Johnson, Contact Mechanics, eqs. 11.31 to
-    11.35). At a wall it does not depend on the radius.
+    11.35). At a wall it does not depend on the radius; an equal sphere takes twice that speed.
 
     Parameters
     ----------
     body : Sphere
         With a material.
-    against : Sphere or HalfSpace, optional
-        Another one, or a half-space with a material; a rigid wall if it is left out.
+    against : 'same', Sphere or HalfSpace, optional
+        An equal sphere, another one, or a half-space with a material; a rigid wall if it is left out.
 
     Returns
     -------
@@ -48,12 +48,18 @@ def yield_speed(body: Sphere, *, against: Sphere | HalfSpace | None = None) -> f
     0.1355
     """
     first: Sphere = instance("body", body, (Sphere,))
-    second: Sphere | HalfSpace | None = None if against is None else instance("against", against, (Sphere, HalfSpace))
+    second: Sphere | HalfSpace | None = None
+    if isinstance(against, str) and against == "same":
+        second = first
+    elif isinstance(against, (Sphere, HalfSpace)):
+        second = against
+    elif against is not None:
+        raise refusal("against", against, "None, 'same', a stoss.Sphere or a stoss.HalfSpace")
     for name, solid in (("body", first), ("against", second)):
         if solid is not None and solid.material is None:
             raise refusal(name, solid, f"a stoss.{type(solid).__name__} with a material")
-    if is_rigid(first) and second is None:
-        raise refusal("body", first, "an elastic sphere at a wall")
+    if is_rigid(first) and second in (None, first):
+        raise refusal("body", first, "an elastic sphere at a wall or an equal one")
     return _core.yield_speed(_in_si(first), None if second is None else _in_si(second))
 
 

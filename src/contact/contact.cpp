@@ -18,6 +18,12 @@ double share_of_first(const Contact& contact, const Units& units) {
   return first / (first + contact.second->softness * units.softness);
 }
 
+/// Beyond the largest stable step of a body points of contact bounce on it; less so the more they are damped.
+double stable_step(const Body& body) {
+  constexpr double damping = 0.5;  // fit: 0.8 and more for ν up to 0.4999 of a sphere and 0.995 of a disk
+  return body.stable_step + damping * body.loss_time;
+}
+
 /// Adds a body's modes, in the units of the first body and with the modal mass of the contact.
 void add_modes(const Body& body, const Units& units, std::size_t first_row, Contact& contact) {
   const double amplitude = std::sqrt(contact.mass / (body.mass * units.mass));
@@ -57,7 +63,7 @@ Contact contact(std::shared_ptr<const Body> body, const Wall& wall) {
   contact.whole_mass = whole_mass(*body);
   contact.extent = body->extent;
   contact.cutoff = body->cutoff;
-  contact.stable_step = body->stable_step;
+  contact.stable_step = stable_step(*body);
   contact.groups = body->groups;
   contact.first_groups = body->groups.size();
   contact.first = std::move(body);
@@ -74,7 +80,7 @@ Contact contact(std::shared_ptr<const Body> first, std::shared_ptr<const Body> s
   contact.whole_mass = reduced(whole_mass(*first), whole_mass(*second) * units.mass);
   contact.extent = first->extent + second->extent * units.length;
   contact.cutoff = std::max(first->cutoff, second->cutoff / units.time);
-  contact.stable_step = std::min(first->stable_step, second->stable_step * units.time);
+  contact.stable_step = std::min(stable_step(*first), stable_step(*second) * units.time);
   contact.radius = is_unbounded(*second) ? 1.0 : std::min(1.0, units.length);
   add_modes(*first, Units{}, 0, contact);
   contact.first_groups = contact.groups.size();

@@ -47,6 +47,7 @@ class EdgeContact {
                   std::vector<double>& displacement);
   void solve_generally(const std::vector<double>& q, double scale, std::vector<double>& force,
                        std::vector<double>& displacement);
+  void begin_anew(const std::vector<double>& q);
   void solve_point(const std::vector<double>& q, std::vector<double>& force, std::vector<double>& displacement);
   void find_zone(std::size_t rigid);
 

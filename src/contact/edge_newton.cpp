@@ -147,18 +147,27 @@ bool solve_all(const FactoredCompliance& compliance, const EdgeLaw& law, const s
     if (poll) poll();
     const double size = norm(rest, q, scale);
     if (size <= rounding) return true;
-    const std::vector<double> change = step(compliance, law, closure, rest);
+    std::vector<double> change = step(compliance, law, closure, rest);
     if (change.empty()) return false;
     std::vector<double> next(closure.size());
     VectorXd left;
-    double share = 1.0;
-    for (; share > 1e-12; share *= 0.5) {
-      for (std::size_t i = 0; i < next.size(); ++i) next[i] = closure[i] + share * change[i];
-      left = residual(compliance, law, q, next);
-      if (norm(left, q, scale) < size) break;
+    const auto shortened = [&](const std::vector<double>& along) {
+      for (double share = 1.0; share > 1e-12; share *= 0.5) {
+        for (std::size_t i = 0; i < next.size(); ++i) next[i] = closure[i] + share * along[i];
+        left = residual(compliance, law, q, next);
+        if (norm(left, q, scale) < size) return true;
+      }
+      return false;
+    };
+    if (!shortened(change)) {
+      // A node that is about to carry force has hardly any slope, and its t would have to leap.
+      for (std::size_t i = 0; i < next.size(); ++i) {
+        const double longest = 0.5 * (1.0 + std::abs(closure[i]));
+        change[i] = std::clamp(change[i], -longest, longest);
+      }
+      // No step helps: the residual is rounding, or the method has failed.
+      if (!shortened(change)) return size <= 100.0 * rounding;
     }
-    // No step helps: the residual is rounding, or the method has failed.
-    if (share <= 1e-12) return size <= 100.0 * rounding;
     closure = next;
     rest = left;
   }

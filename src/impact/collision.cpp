@@ -24,6 +24,12 @@ double first_kick(const Contact& contact) {
   return contact.first->contour == Contour::ball ? bend : kink;
 }
 
+/// A radiating tail follows the force at once in place of the modes that it kicks less.
+Kicks kicks(const Contact& contact, Tail tail) {
+  const bool radiating = tail == Tail::radiating && std::holds_alternative<HardWall>(contact.wall);
+  return radiating && longest_loss_time(contact) > 0.0 ? Kicks::weaker : Kicks::whole;
+}
+
 /// Share of the impulse before the beginning and after the end of impulse_time.
 constexpr double tail_of_impulse = 0.01;
 
@@ -35,7 +41,7 @@ Collision::Collision(const Contact& contact, Tail tail, const ContactGrid& grid,
       grid_(grid),
       speed_(speed),
       step_(step),
-      modes_(contact, grid, step),
+      modes_(contact, grid, step, kicks(contact, tail)),
       position_(grid.recess.size()),
       velocity_(speed),
       lossy_(longest_loss_time(contact) > 0.0) {

@@ -4,13 +4,14 @@
 #include <cmath>
 
 #include "numeric/damped_oscillator.hpp"
+#include "numeric/stable_kicks.hpp"
 #include "stoss/errors.hpp"
 
 namespace stoss {
 
 namespace kernels = numeric::kernels;
 
-KeptModes::KeptModes(const Contact& contact, const ContactGrid& grid, double step)
+KeptModes::KeptModes(const Contact& contact, const ContactGrid& grid, double step, Kicks kicks)
     : mass_(contact.mass),
       step_(step),
       count_(mode_count(contact)),
@@ -45,7 +46,7 @@ KeptModes::KeptModes(const Contact& contact, const ContactGrid& grid, double ste
       lower_[k] = group.lower[l] / std::sqrt(omega);
     }
   }
-  if (longest_loss_time(contact) > 0.0) damp(contact);
+  if (longest_loss_time(contact) > 0.0) damp(contact, kicks);
   push_.resize(2 * blocks() * lanes);
   edge_.resize(push_.size());
   moved_.resize(nodes_);
@@ -59,7 +60,7 @@ KeptModes::KeptModes(const Contact& contact, const ContactGrid& grid, double ste
   }
 }
 
-void KeptModes::damp(const Contact& contact) {
+void KeptModes::damp(const Contact& contact, Kicks kicks) {
   velocity_cosine_ = cosine_;
   rate_.resize(cosine_.size());
   due_.resize(cosine_.size());
@@ -68,7 +69,13 @@ void KeptModes::damp(const Contact& contact) {
     const double loss = loss_time(contact, g);
     for (std::size_t l = 0; l < size_[g]; ++l) {
       const std::size_t k = position(g, l);
-      const double gamma = 0.5 * loss * omega_[k] * omega_[k];
+      double gamma = 0.5 * loss * omega_[k] * omega_[k];
+      if (kicks == Kicks::weaker) {
+        const numeric::StableKicks stable = numeric::stable_kicks(omega_[k], gamma, step_);
+        gamma = stable.gamma;
+        upper_[k] *= std::sqrt(stable.strength);
+        lower_[k] *= std::sqrt(stable.strength);
+      }
       const auto [kept, coupling, velocity] = numeric::damped_motion(omega_[k], gamma, step_);
       due_[k] = numeric::share_due(omega_[k], gamma, step_);
       rate_[k] = 2.0 * gamma * omega_[k] * step_;

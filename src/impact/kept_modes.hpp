@@ -8,6 +8,12 @@
 
 namespace stoss {
 
+/// How a lossy contact kicks its modes.
+enum class Kicks {
+  whole,
+  weaker  ///< by as much as the modes follow the force at once beside them (numeric::StableKicks)
+};
+
 /// The kept modes of a contact as driven oscillators of one mass, advanced by kick and exact free motion: a = √ω Q,
 /// b = Q̇/√ω. They rotate, and those of a lossy body decay besides, at γ = ηω²/2.
 ///
@@ -15,7 +21,7 @@ namespace stoss {
 /// All that is read out (energies, momenta) is synchronous with the coordinates: half of that kick is applied.
 class KeptModes {
  public:
-  KeptModes(const Contact& contact, const ContactGrid& grid, double step);
+  KeptModes(const Contact& contact, const ContactGrid& grid, double step, Kicks kicks = Kicks::whole);
 
   /// Sets Q and P, in the order of the contact's groups. @throws InvalidInput for another number of modes
   void set(const std::vector<double>& coordinate, const std::vector<double>& momentum);
@@ -57,7 +63,7 @@ class KeptModes {
   [[nodiscard]] std::size_t blocks() const { return begin_.size() - 1; }
   [[nodiscard]] std::size_t position(std::size_t group, std::size_t index) const;  // in the arrays over modes
   [[nodiscard]] double velocity(std::size_t group, std::size_t k) const;
-  void damp(const Contact& contact);
+  void damp(const Contact& contact, Kicks kicks);
   [[nodiscard]] double half_power(std::size_t group) const;
 
   double mass_;

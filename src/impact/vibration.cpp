@@ -52,7 +52,7 @@ std::string named(const Oscillation& mode) {
 
 bool is_whole(const Body& body) { return body.part.size >= 1.0 && !is_unbounded(body); }
 
-void require_whole(const Contact& contact, const Oscillation& mode) {
+void require_possible(const Contact& contact, const Oscillation& mode) {
   const bool second = mode.body == 1;
   if ((mode.body != 0 && !second) || (second && contact.second == nullptr)) {
     throw InvalidInput("vibration: got a mode of body " + std::to_string(mode.body) + ", allowed 0" +
@@ -62,6 +62,14 @@ void require_whole(const Contact& contact, const Oscillation& mode) {
   if (!is_whole(body)) {
     throw InvalidInput("vibration: got a mode of '" + body.name + "', allowed modes of bodies that are there as a " +
                        "whole (the waves of this one run away)");
+  }
+  if (mode.order < 0 || mode.index < 0) {
+    throw InvalidInput("vibration: got " + named(mode) + ", allowed an order and an index of 0 or more");
+  }
+  const auto has_order = [&mode](const ModeGroup& group) { return group.order == mode.order; };
+  if (mode.order != 0 && body.contour == Contour::flat &&
+      std::none_of(body.groups.begin(), body.groups.end(), has_order)) {
+    throw InvalidInput("vibration: got " + named(mode) + ", allowed order 0 (a flat end has no other)");
   }
 }
 
@@ -89,7 +97,7 @@ State approach(const Contact& contact, double speed, const Vibration& vibration)
   };
   std::vector<std::size_t> found;
   for (const Oscillation& mode : vibration) {
-    require_whole(contact, mode);
+    require_possible(contact, mode);
     const auto at = numbers.find({mode.body, mode.order, mode.index});
     if (at == numbers.end()) {
       throw InvalidInput("vibration: got " + named(mode) + ", allowed modes up to the cutoff, " +
@@ -146,7 +154,7 @@ Vibration vibration_after(const Contact& contact, const State& state, double fli
 bool keeps(const Contact& contact, const Vibration& vibration) {
   const Numbers numbers = numbered(places(contact));
   return std::all_of(vibration.begin(), vibration.end(), [&](const Oscillation& mode) {
-    require_whole(contact, mode);
+    require_possible(contact, mode);
     return numbers.contains({mode.body, mode.order, mode.index});
   });
 }

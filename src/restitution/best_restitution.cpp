@@ -10,8 +10,22 @@ namespace {
 Restitution failed(double speed, const RestitutionOptions& options, const std::string& reason) {
   constexpr double none = std::numeric_limits<double>::quiet_NaN();
   constexpr Estimate nothing{none, none};
-  Restitution result{nothing,          nothing, nothing, nothing, nothing, nothing, options.tolerance,
-                     options.absolute, false,   reason,  {},      {},      0};
+  Restitution result{.restitution = nothing,
+                     .lost_fraction = nothing,
+                     .contact_time = nothing,
+                     .impulse_time = nothing,
+                     .max_force = nothing,
+                     .max_compression = nothing,
+                     .lost_to_first = none,
+                     .lost_to_second = none,
+                     .dissipated = none,
+                     .tolerance = options.tolerance,
+                     .absolute = options.absolute,
+                     .converged = false,
+                     .reason = reason,
+                     .runs = {},
+                     .finest = {},
+                     .steps = 0};
   result.finest.speed = speed;
   result.finest.restitution = result.finest.lost_fraction = none;
   return result;

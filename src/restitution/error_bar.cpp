@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "contact/touch.hpp"
+#include "restitution/loss_shares.hpp"
 
 namespace stoss {
 namespace {
@@ -139,6 +140,7 @@ void conclude(const Contact& contact, double speed, const CurvatureCorrection& c
   result.max_force = estimate(rough, &Run::max_force, beyond * last.max_force);
   const double missing = turn * last.unresolved + (at_a_point ? 0.0 : node_error(contact, last));
   result.max_compression = estimate(smooth, &Run::max_compression, missing * std::abs(last.max_compression));
+  share_out(contact, result);
   result.converged = error <= std::max(result.tolerance * std::abs(lost), result.absolute);
 }
 

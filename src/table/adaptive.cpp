@@ -10,6 +10,8 @@
 
 #include "check.hpp"
 #include "digits.hpp"
+#include "numeric/monotone_cubic.hpp"
+#include "numeric/parabolic_cubic.hpp"
 #include "stoss/errors.hpp"
 #include "table/computed_values.hpp"
 
@@ -19,6 +21,9 @@ namespace {
 constexpr double per_decade = 6.0;
 constexpr std::size_t fewest_speeds = 7;
 constexpr double share_of_values = 1.0 / 3.0, share_of_interpolation = 0.5;
+constexpr double margin = 1.5;  // of values: one of twenty is beyond its error, and a function has many
+constexpr double least = 0.01;  // of the error asked for: five middles may be met by chance where so little is at stake
+constexpr double safety = 2.0;  // of interpolation: beside a kink half the spacing is hardly better than the whole
 
 void require_options(double slowest, double fastest, const FunctionOptions& options) {
   require_speed(slowest);
@@ -57,7 +62,9 @@ class Computation {
     const auto place = [&speeds](std::size_t i) { return "speed " + shown(speeds[i]) + " c"; };
     const std::vector<Estimate> values =
         computed_values(requests, share_of_values * options_.error, options_.threads, options_.poll, place);
-    for (std::size_t i = 0; i < speeds.size(); ++i) knots[logarithms[i]] = {speeds[i], values[i]};
+    for (std::size_t i = 0; i < speeds.size(); ++i) {
+      knots[logarithms[i]] = {speeds[i], {values[i].value, margin * values[i].error}};
+    }
   }
 
   std::map<double, Knot> knots;
@@ -81,6 +88,43 @@ std::vector<Knot> values(const std::map<double, Knot>& knots) {
   return list;
 }
 
+/// What it costs each interval that the cubic rises and falls only as its knots do: a bound of how far it is from the
+/// cubic with the slopes of parabolas, which is of third order also where ε turns and at the ends.
+std::vector<double> cost_of_monotony(const std::map<double, Knot>& knots) {
+  constexpr double greatest = 4.0 / 27.0;  // of t(1 − t)²
+  std::vector<double> x, y;
+  for (const auto& [logarithm, knot] : knots) {
+    x.push_back(logarithm);
+    y.push_back(knot.restitution.value);
+  }
+  const std::vector<double> monotone = numeric::MonotoneCubic(x, y).slope,
+                            free = numeric::parabolic_slopes(x, y, false);
+  const auto apart = [&](std::size_t k) { return std::abs(monotone[k] - free[k]); };
+  std::vector<double> cost;
+  for (std::size_t k = 0; k + 1 < x.size(); ++k) {
+    cost.push_back(greatest * (x[k + 1] - x[k]) * (apart(k) + apart(k + 1)));
+  }
+  return cost;
+}
+
+/// What the interpolation may be off by in each interval. Its own middle may be met by chance, and both halves of an
+/// interval have the same one: the worst of five counts, those of narrower ones as they would be at its width.
+/// @param missed how far the middle was missed from which each interval came
+std::vector<double> interpolation_errors(const std::map<double, Knot>& knots, const std::map<double, double>& missed) {
+  std::vector<double> errors = cost_of_monotony(knots), x, own;
+  for (const auto& each : knots) x.push_back(each.first);
+  for (const auto& each : missed) own.push_back(each.second);
+  const std::size_t last = own.size() - 1;
+  for (std::size_t k = 0; k <= last; ++k) {
+    const std::size_t first = std::min(std::max<std::size_t>(k, 2) - 2, last - 4);
+    for (std::size_t i = first; i <= first + 4; ++i) {
+      const double ratio = std::max(1.0, (x[k + 1] - x[k]) / (x[i + 1] - x[i]));
+      errors[k] = std::max(errors[k], ratio * ratio * own[i]);
+    }
+  }
+  return errors;
+}
+
 }  // namespace
 
 RestitutionFunction restitution_function(const RefinableContact& contact, double slowest, double fastest,
@@ -98,7 +142,9 @@ RestitutionFunction restitution_function(const RefinableContact& contact, double
   }
   Computation computation(contact, slowest, fastest, options);
   computation.add(next);
-  std::map<double, double> missed;  // by the left end of each interval that is done
+  const double enough = share_of_interpolation * options.error;
+  std::map<double, double> missed;  // by the left end of each interval
+  std::vector<double> interpolation;
   while (!open.empty()) {
     const RestitutionFunction before(values(computation.knots));
     next.clear();
@@ -107,20 +153,21 @@ RestitutionFunction restitution_function(const RefinableContact& contact, double
     std::vector<Gap> still;
     for (std::size_t i = 0; i < open.size(); ++i) {
       const Knot& middle = computation.knots.at(next[i]);
-      const double distance = std::abs(before.value(middle.speed) - middle.restitution.value);
+      const double distance = safety * std::abs(before.value(middle.speed) - middle.restitution.value);
       for (const Gap& half : {Gap{open[i].left, next[i]}, Gap{next[i], open[i].right}}) {
-        if (distance > share_of_interpolation * options.error) still.push_back(half);
+        if (distance > enough) still.push_back(half);
         missed[half.left] = distance;
       }
     }
     open = std::move(still);
-  }
-  // A middle may be met by chance: the worst of three neighbours counts.
-  std::vector<double> own, interpolation;
-  for (const auto& each : missed) own.push_back(each.second);
-  for (std::size_t k = 0; k < own.size(); ++k) {
-    const std::size_t left = k > 0 ? k - 1 : k, right = std::min(k + 1, own.size() - 1);
-    interpolation.push_back(std::max({own[left], own[k], own[right]}));
+    if (!open.empty()) continue;
+    interpolation = interpolation_errors(computation.knots, missed);
+    for (double& each : interpolation) each = std::max(each, least * options.error);
+    auto left = computation.knots.begin();
+    for (const double each : interpolation) {
+      const double begins = left->first, ends = (++left)->first;
+      if (each > enough) open.push_back({begins, ends});
+    }
   }
   return RestitutionFunction(values(computation.knots), options.beyond, options.law, std::move(interpolation));
 }

@@ -171,6 +171,7 @@ void validate(const Contact& contact, double speed, const BounceOptions& options
   if (options.decay_time) {
     require("decay_time", *options.decay_time, {0.0, 1e15, true, true, "0 to 1e15"}, "R/c, of the vibration in flight");
   }
+  if (!options.vibration.empty()) (void)approach(contact, speed, options.vibration);
 }
 
 double slowest_bounce(double speed) { return std::max(slowest, 0.1 * speed); }

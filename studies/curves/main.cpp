@@ -41,9 +41,11 @@ double energy_of_quadrupole(const stoss::Impact& impact) {
 
 /// The quasi-static estimate, where it has a meaning.
 std::string estimate(double poisson, double speed, const std::vector<stoss::bodies::disk::Mode>& modes) {
-  if (speed > 0.03) return ",";
+  using stoss::quasistatic::CompressionLaw;
+  if (speed > 0.9 * stoss::quasistatic::limit_speed(CompressionLaw::center, poisson)) return ",";
   const stoss::quasistatic::RayleighEstimate slow =
-      stoss::quasistatic::rayleigh(stoss::quasistatic::CompressionLaw::center, poisson, speed, modes);
+      stoss::quasistatic::rayleigh(CompressionLaw::center, poisson, speed, modes);
+  if (slow.beyond_perturbation) return ",";
   return fmt::format("{:.5f},{:.6g}", slow.impact.contact_time, slow.lost_fraction);
 }
 

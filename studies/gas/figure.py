@@ -6,12 +6,14 @@ import sys
 
 from matplotlib import pyplot
 from matplotlib.collections import EllipseCollection
+from matplotlib.ticker import NullLocator
 
 LAWS = {
     "constant": ("constant ε", "#D55E00"),
     "power": ("1 − ε ∝ $v^{1/5}$", "#009E73"),
     "stoss": ("ε(v, ratio) of stoss", "#0072B2"),
 }
+SPREADS = (0.2, 0.5, 1, 2, 5, 10)  # where the variance has ticks
 LINES = {"constant": 2.0, "power": 5 / 3}  # exponents of the homogeneous gas
 
 
@@ -45,7 +47,10 @@ def draw(table, disks):
     cooling.plot([], [], color="0.4", linestyle=":", linewidth=0.9, label="$(1 + t/τ)^{-2}$, $(1 + t/τ)^{-5/3}$")
     cooling.set(xscale="log", yscale="log", xlabel="time / (R/c)", ylabel="energy / initial energy", ylim=(1e-4, 2))
     cooling.legend(frameon=False, fontsize=7, loc="lower left")
-    clusters.set(yscale="log", xlabel="collisions of a disk", ylabel="variance of the number in a square / mean")
+    clusters.set(yscale="log", xlabel="collisions of a disk", ylabel="disks in a square, variance / mean")
+    clusters.set_yticks(SPREADS, [f"{each:g}" for each in SPREADS])
+    clusters.yaxis.set_minor_locator(NullLocator())
+    cooling.set_title("ν = 0.33, radii R to 2R", fontsize=8)
     side = float(disks[0]["side"])
     size = [2 * float(row["radius"]) for row in disks]
     centres = [(float(row["x"]) % side, float(row["y"]) % side) for row in disks]

@@ -35,7 +35,8 @@ def draw(table):
     right.axhline(1.0, color="0.3", linestyle=":")
     for axes in (left, right):
         axes.set(xscale="log", xlabel="v / c", xlim=(1e-6, 0.3))
-    left.set(yscale="log", ylim=(1e-7, 1.0), ylabel="1 − ε²")
+        axes.set_title("ν = 0.3 of ball and half-space", fontsize=8)
+    left.set(yscale="log", ylim=(5e-8, 1.0), ylabel="1 − ε²")
     right.set(ylim=(0.5, 1.2), ylabel="$(1 − ε^2)\\;/\\;k\\,(v/c)^{3/5}$")
     left.legend(frameon=False, fontsize=7, loc="lower right")
     right.legend(frameon=False, fontsize=7, loc="lower left")

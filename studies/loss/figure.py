@@ -16,14 +16,14 @@ TERMS = 5  # of the mean law
 
 
 def curves(name):
-    """Speeds and 1 − ε² of each loss time."""
+    """Speeds, 1 − ε² and its error of each loss time."""
     with open(name, encoding="utf-8") as file:
         rows = list(csv.DictReader(line for line in file if not line.startswith("#")))
     result = {}
     for row in rows[: len(LOSS_TIMES) * SPEEDS]:
-        pair = [float(row["speed[c]"]), float(row["lost_fraction"])]
-        result.setdefault(float(row["loss_time[R/c]"]), []).append(pair)
-    return {loss_time: np.array(pairs).T for loss_time, pairs in result.items()}
+        values = [float(row[name]) for name in ("speed[c]", "lost_fraction", "lost_fraction_error")]
+        result.setdefault(float(row["loss_time[R/c]"]), []).append(values)
+    return {loss_time: np.array(lines).T for loss_time, lines in result.items()}
 
 
 def wave(speed, loss):
@@ -37,12 +37,17 @@ def draw(found):
     pyplot.rcParams.update({"font.size": 8, "axes.linewidth": 0.6, "lines.linewidth": 1.2})
     figure, (above, below) = pyplot.subplots(2, 1, figsize=(6.4, 6.4), dpi=150, layout="constrained", sharex=True)
     below.axhline(0.0, color="0.6", linewidth=0.6)
-    for (loss_time, (speed, loss)), color, line in zip(found.items(), COLORS, LINES):
+    for (loss_time, (speed, loss, error)), color, line in zip(found.items(), COLORS, LINES):
         above.plot(speed, loss, color=color, linestyle=line, label=f"η = {loss_time:g}")
-        below.plot(speed, wave(speed, loss), color=color, linestyle=line)
+        rest = wave(speed, loss)
+        below.plot(speed, rest, color=color, linestyle=line)
+        below.fill_between(speed, rest - error / speed, rest + error / speed, color=color, alpha=0.25, linewidth=0)
+    above.set_title("sphere at a rigid wall, ν = 0.3; η in R/c", fontsize=8)
+    below.fill_between([], [], [], color="0.5", alpha=0.4, linewidth=0, label="errors of 1 − ε²")
+    below.legend(frameon=False, loc="upper left")
     above.set(xscale="log", yscale="log", ylabel="1 − ε²")
     above.legend(frameon=False, loc="lower right")
-    below.set(xlim=(SLOWEST, FASTEST), xlabel="speed v / c", ylabel="wave of (1 − ε²) c / v")
+    below.set(ylim=(-0.18, 0.215), xlim=(SLOWEST, FASTEST), xlabel="speed v / c", ylabel="wave of (1 − ε²) c / v")
     return figure
 
 

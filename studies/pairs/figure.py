@@ -30,16 +30,19 @@ def draw(table):
         right.plot(*mirrored(rows, "lost_to_smaller", "lost_to_larger"), color=color, linestyle=":")
     rods = mirrored(rows, *2 * ["restitution_of_rods"])
     left.plot(*rods, color="0.5", linestyle="--", label="rods, $l_1/l_2$")
-    right.plot(rods[0], [1 - value**2 for value in rods[1]], color="0.5", linestyle="--")
-    right.plot([], [], color="0.2", label="lost to both")
-    right.plot([], [], color="0.2", linestyle=":", label="lost to disk 2")
+    right.plot(rods[0], [1 - value**2 for value in rods[1]], color="0.5", linestyle="--", label="rods")
+    right.plot([], [], color="0.2", label="lost to both disks, colours as on the left")
+    right.plot([], [], color="0.2", linestyle=":", label="of it lost to disk 2")
     for axes, label in ((left, "restitution ε"), (right, "1 − ε²")):
         axes.set(xscale="log", xlim=(1 / LARGEST, LARGEST), xlabel="$R_2/R_1$")
         axes.set(ylim=(0, 1.02), ylabel=label)
         axes.set_xticks([0.05, 0.1, 0.2, 0.5, 1, 2, 5, 10, 20])
         axes.xaxis.set_major_formatter("{x:g}")
         axes.minorticks_off()
+        axes.set_title("disks of one material, ν = 0.33", fontsize=8)
     left.legend(frameon=False, fontsize=7, loc="lower center")
+    right.set_ylim(0, 1.3)
+    right.set_yticks([0, 0.2, 0.4, 0.6, 0.8, 1])
     right.legend(frameon=False, fontsize=7, loc="upper center")
     return figure
 

@@ -36,7 +36,7 @@ def draw_loss(axes, spheres, disks):
         axes.plot(*columns(rows, "lost_fraction"), color=COLORS[poisson], label=f"sphere, ν = {poisson:g}")
     axes.plot(*columns(disks[DISK], "lost_fraction"), color="0.35", linestyle="--", label=f"disk, ν = {DISK}")
     ends = (SLOWEST, 1e-2)
-    axes.plot(ends, [v / 25 for v in ends], color="0.35", linestyle=":", label="v / 25 c")
+    axes.plot(ends, [v / 25 for v in ends], color="0.35", linestyle=":", label="Rayleigh, one mode: v / 25 c")
     axes.set(xscale="log", xlim=(SLOWEST, FASTEST), xlabel="speed v / c")
     axes.set(yscale="log", ylim=(2e-8, 1), ylabel="1 − ε²")
     axes.legend(frameon=False, fontsize=7, ncols=2, loc="lower right")

@@ -12,6 +12,7 @@ BODIES = {"sphere": (BLUE, "o"), "disk": (VERMILION, "s")}
 TEMPERATURES = {1e-4: (BLACK, "-"), 1e-3: (BLUE, "--"), 1e-2: (GREEN, "-."), 0.1: (VERMILION, "-"), 1.0: (PURPLE, "-")}
 ENERGIES = {0.01: (BLUE, "o"), 0.1: (GREEN, "s"), 1.0: (VERMILION, "^")}
 DAMPING = {"none": (BLUE, "-"), "partial": (GREEN, "--"), "complete": (VERMILION, "-.")}
+POISSON = {"sphere": 0.3, "disk": 0.33}
 POWERS = {1e-4: "10⁻⁴", 1e-3: "10⁻³", 1e-2: "0.01", 0.1: "0.1", 1.0: "1"}
 
 
@@ -41,6 +42,11 @@ def named(damping):
     return "no damping" if damping == "none" else f"{damping} damping"
 
 
+def at(body, rows):
+    """What a picture of a body at one speed is called."""
+    return f"{body}, ν = {POISSON[body]:g}, v = {rows[0]['speed']:g} c"
+
+
 def draw_phases(axes, rows, body):
     its = having(rows, body=body)
     for energy, (color, marker) in ENERGIES.items():
@@ -51,8 +57,8 @@ def draw_phases(axes, rows, body):
                   label=f"E = {energy:g}")  # fmt: skip
     axes.axhline(1.0, color="0.6", linewidth=0.6)
     axes.set(xlim=(0, 360), xticks=range(0, 361, 90), xlabel="phase φ of mode (2,0) / °", ylabel="ε")
-    axes.set_title(f"{body}, v = {its[0]['speed']:g} c", fontsize=8)
-    axes.legend(frameon=False, fontsize=7, ncols=3, loc="upper center", handletextpad=0.1, columnspacing=0.8)
+    axes.set_title(at(body, its), fontsize=8)
+    axes.legend(frameon=False, fontsize=6.5, ncols=3, loc="upper center", handletextpad=0, columnspacing=0.4)
     low, high = axes.get_ylim()
     axes.set_ylim(low, high + 0.16 * (high - low))
 
@@ -83,8 +89,8 @@ def draw_histograms(axes, samples, summaries, body):
     normal = [0.05 * k for k in range(-80, 81)]
     axes.plot(normal, [math.exp(-0.5 * x * x) / math.sqrt(2 * math.pi) for x in normal], color="0.5", linewidth=2.5,
               alpha=0.5, label="normal")  # fmt: skip
-    axes.set(xlim=(-5, 4), ylim=(0, 0.68), xlabel="(ε − ε₀) / σ", ylabel="density")
-    axes.set_title(f"{body}, v = {its['speed']:g} c", fontsize=8)
+    axes.set(xlim=(-5, 4), ylim=(0, 0.68), xlabel="(ε − ε₀) / (σ by the law of small T)", ylabel="density")
+    axes.set_title(at(body, [its]), fontsize=8)
     axes.legend(frameon=False, fontsize=7, ncols=3, loc="upper center", columnspacing=0.8, handlelength=1.6)
 
 
@@ -93,7 +99,7 @@ def draw_spread(axes, summaries):
         its = having(summaries, body=body)
         axes.plot(column(its, "temperature"), column(its, "law"), color=color)
         axes.plot(column(its, "temperature"), column(its, "standard_deviation"), color=color, linestyle="none",
-                  marker=marker, label=f"{body}, v = {its[0]['speed']:g} c")  # fmt: skip
+                  marker=marker, label=at(body, its))  # fmt: skip
     axes.plot([], [], color="0.3", label="law of small T")
     axes.set(xscale="log", yscale="log", xlabel="temperature T / ½mv²", ylabel="standard deviation of ε")
     axes.legend(frameon=False, fontsize=7)
@@ -111,6 +117,7 @@ def draw_heat(axes, rows):
         axes.plot(around, [equal["half_mean_square"] * (ratio - 1) for ratio in around], color=color)
     axes.plot([], [], color="0.3", label="linear law")
     axes.set(xlabel="temperatures, vibration / translation", ylabel="mean gain of translation ⟨ΔK⟩ / T")
+    axes.set_title("translation as warm as at 0.1 c", fontsize=8)
     axes.legend(frameon=False, fontsize=7)
 
 
@@ -124,7 +131,7 @@ def draw_bounces(axes, rows):
     axes.axhline(1 / 19, color="0.5", linestyle=":", label="1/(N + 1)")
     axes.set(xscale="log", yscale="log", ylim=(1e-5, 1.5), xlim=(1, 6000))
     axes.set(xlabel="impact", ylabel="share of translation")
-    axes.set_title("a disk that bounces", fontsize=8)
+    axes.set_title("a disk that bounces, ν = 0.33, v = 0.1 c at first", fontsize=8)
     axes.legend(frameon=False, fontsize=7, loc="lower left")
 
 
@@ -151,7 +158,7 @@ def draw_chain(axes, rows):
     axes.plot(times, law, color="0.4", linewidth=0.8, label="∝ t⁻²")
     axes.set(xscale="log", yscale="log", xlim=(100, 1e9), ylim=(1e-13, 2))
     axes.set(xlabel="time / (L/c)", ylabel="kinetic energy")
-    axes.set_title("a ring of 40 rods", fontsize=8)
+    axes.set_title("a ring of 40 rods, velocities of 0.01 c at first", fontsize=8)
     axes.legend(frameon=False, fontsize=7, loc="lower left")
 
 

@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <ostream>
 #include <string>
 #include <vector>
 
@@ -29,6 +30,10 @@ struct Solid {
   Contour contour;
   double poisson;
 };
+
+void PrintTo(const Solid& its, std::ostream* out) {
+  *out << (its.contour == Contour::ball ? "space" : "plane") << ", poisson " << its.poisson;
+}
 
 Body body_of(const Solid& solid, double cutoff, double duration) {
   return solid.contour == Contour::ball ? stoss::half_space(HalfSpace{.poisson = solid.poisson}, cutoff, duration)
@@ -151,12 +156,32 @@ TEST_P(FieldBelow, SurfaceGivesWayAsTheBodySays) {
 
 INSTANTIATE_TEST_SUITE_P(HalfSpace, FieldBelow,
                          testing::Values(Solid{Contour::ball, -0.5}, Solid{Contour::ball, 0.3},
-                                         Solid{Contour::ball, 0.49}, Solid{Contour::cylinder, 0.33}),
+                                         Solid{Contour::ball, 0.49}, Solid{Contour::cylinder, -0.8},
+                                         Solid{Contour::cylinder, 0.33}),
                          [](const auto& its) {
                            const long hundredths = std::lround(100.0 * its.param.poisson);
                            return std::string(its.param.contour == Contour::ball ? "space" : "plane") +
                                   (hundredths < 0 ? "m" : "") + std::to_string(std::abs(hundredths));
                          });
+
+TEST(HalfSpaceField, LacksNoWaveOfALossyBody) {
+  // It keeps fewer waves than its cutoff says: those of an elastic one of a lower cutoff, and so has the same field.
+  constexpr double loss_time = 0.1, duration = 4.0;
+  const Body lossy = stoss::half_space(HalfSpace{.poisson = 0.25, .loss_time = loss_time}, 12.0, duration);
+  const Body elastic = stoss::half_space(HalfSpace{.poisson = 0.25}, kept_cutoff(lossy), duration);
+  ASSERT_LT(kept_cutoff(lossy), 0.95 * lossy.cutoff);
+  ASSERT_EQ(mode_count(lossy), mode_count(elastic));
+  const ContactPoints contact = rings(24, 0.1);
+  const std::vector<double> still(mode_count(lossy)), force(contact.count, 1.0);
+  const auto field = [&](const Body& body) {
+    return HalfSpaceField(0.25, body, contact, {{0.0, 0.3, 1.0}, {0.0, 0.2}}).at(still, force);
+  };
+  const Field one = field(lossy), other = field(elastic);
+  for (std::size_t i = 0; i < one.normal.size(); ++i) {
+    EXPECT_NEAR(one.normal[i], other.normal[i], 1e-12 * std::abs(other.normal[0])) << i;
+    EXPECT_NEAR(one.lateral[i], other.lateral[i], 1e-12 * std::abs(other.normal[0])) << i;
+  }
+}
 
 TEST(HalfSpaceField, NothingRunsAheadOfThePressureWave) {
   constexpr double poisson = 0.3, cutoff = 8.0, duration = 100.0;

@@ -3,7 +3,6 @@
 import os
 import signal
 import subprocess
-import time
 
 import pytest
 from conftest import rows, wait_for_rows
@@ -67,32 +66,13 @@ def test_a_lock_ends_with_its_process(stoss, tmp_path, writer, number):
     assert again.wait(timeout=30) == 130
 
 
-def test_places_that_are_no_files_are_not_locked(stoss, tmp_path):
-    pipe = tmp_path / "pipe"
-    os.mkfifo(pipe)
-    with subprocess.Popen(["cat", pipe], stdout=subprocess.PIPE, text=True) as reader:
-        assert stoss.run(f"modes --poisson 0.33 --cutoff 3 -o {pipe}").returncode == 0
-        assert reader.stdout.read().startswith("  order")
-    assert stoss.run("modes --poisson 0.33 --cutoff 3 -o /dev/stdout").stdout.startswith("  order")
-    both = [stoss.start(f"{JOB} -o /dev/null") for _ in range(2)]
-    assert [process.wait(timeout=60) for process in both] == [0, 0]
-
-
-def test_interrupt_while_a_pipe_waits_for_its_reader(stoss, tmp_path):
-    pipe = tmp_path / "pipe"
-    os.mkfifo(pipe)
-    process = stoss.start(f"{JOB} -o {pipe}", stderr=subprocess.PIPE)
-    time.sleep(1)
-    assert process.poll() is None
-    process.send_signal(signal.SIGINT)
-    assert process.wait(timeout=10) == 130
-    assert process.stderr.read() == "stoss: error: interrupted\n"
-
-
 def test_trajectory_and_output_in_one_file(stoss, tmp_path):
     path = tmp_path / "x"
     path.write_text("precious")
     os.link(path, tmp_path / "hard")
+    (tmp_path / "loose").symlink_to("none")
+    result = stoss.run("impact --poisson 0.33 --speed 0.1 -o loose --trajectory none", cwd=tmp_path)
+    assert result.returncode == 3 and not (tmp_path / "none").exists()
     for other in (path, tmp_path / "hard", "/proc/self/cwd/x"):
         result = stoss.run(f"impact --poisson 0.33 --speed 0.1 -o {path} --trajectory {other}", cwd=tmp_path)
         assert result.returncode == 3

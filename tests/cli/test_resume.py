@@ -1,8 +1,10 @@
 """stoss restitution --resume: what was computed stays, what is missing is added, nothing else is touched."""
 
+import os
 import resource
 import signal
 import subprocess
+import time
 
 import pytest
 from conftest import SMALL, resume, rows, wait_for_rows
@@ -48,6 +50,39 @@ def test_interrupted_again_and_again(stoss, tmp_path, whole):
         assert command.wait(timeout=60) == 130
     assert resume(stoss, path, JOB).returncode == 0
     assert rows(path.read_text()) == rows(whole)
+
+
+@pytest.mark.parametrize("job", [JOB, "distribution --poisson 0.33 --speed 0.1 --spectrum 2,0,energy=0.1 --samples 5"])
+def test_interrupted_before_the_first_row(stoss, tmp_path, job):
+    """The file says so where its first row would be."""
+    path = tmp_path / "curve.csv"
+    whole = stoss.run(job, "--format csv").stdout
+    header = "".join(line for line in whole.splitlines(True) if line.startswith("#"))
+    path.write_text(header + INTERRUPTED)
+    assert resume(stoss, path, job).returncode == 0
+    assert rows(path.read_text()) == rows(whole) and INTERRUPTED not in path.read_text()
+    damaged = header + INTERRUPTED + lines(whole)[0] + "\n"
+    path.write_text(damaged)
+    result = resume(stoss, path, job)
+    assert result.returncode == 3 and "got '# interrupted" in result.stderr and path.read_text() == damaged
+
+
+@pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM, signal.SIGKILL])
+def test_stopped_at_any_time(stoss, tmp_path, number):
+    """From before the first row on, with every delay a little more."""
+    path = tmp_path / "curve.csv"
+    job = f"{SMALL} --tolerance 1e-4"
+    whole = rows(stoss.run(job, "--format csv").stdout)
+    for trial in range(12):
+        command = stoss.start(f"{job} --threads 1 --resume {path}", stderr=subprocess.PIPE)
+        time.sleep(0.004 * trial)
+        command.send_signal(number)
+        _, error = command.communicate(timeout=60)
+        assert command.returncode in (0, 128 + number, -number), error
+        if trial % 3 == 2:
+            assert resume(stoss, path, job).returncode == 0
+            assert rows(path.read_text()) == whole and os.listdir(tmp_path) == ["curve.csv"]
+            path.unlink()
 
 
 def test_every_place_of_the_end(stoss, tmp_path, small):
@@ -116,7 +151,6 @@ def test_full_disk_then_resume(stoss, tmp_path, whole):
     path = tmp_path / "curve.csv"
 
     def little_space():
-        signal.signal(signal.SIGXFSZ, signal.SIG_IGN)
         resource.setrlimit(resource.RLIMIT_FSIZE, (20000, 20000))
 
     for _ in range(2):  # a file begun and a file continued

@@ -74,8 +74,7 @@ def test_who_is_first_does_not_matter(stoss):
     assert number(here, "lost_to_first") == pytest.approx(number(there, "lost_to_second"), abs=1e-4)
     assert number(here, "lost_to_second") == pytest.approx(number(there, "lost_to_first"), abs=1e-4)
     lost = number(here, "lost_to_first") + number(here, "lost_to_second")
-    left = number(here, "lost_fraction_error") + abs(number(here, "energy_error"))
-    assert abs(lost - number(here, "lost_fraction")) <= left
+    assert lost == pytest.approx(number(here, "lost_fraction"), rel=1e-12)
 
 
 def test_impact_with_its_ledger_and_trajectory(stoss, tmp_path):

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <ostream>
 #include <string>
 #include <vector>
 
@@ -10,6 +11,7 @@
 #include "stoss/bodies/rod.hpp"
 #include "stoss/restitution.hpp"
 #include "support/csv.hpp"
+#include "support/print.hpp"
 #include "support/refusal.hpp"
 
 namespace stoss {
@@ -80,6 +82,10 @@ double exact_rods(double z1, double t1, double z2, double t2) {
 struct RodCase {
   double z1, t1, z2, t2, restitution;
 };
+
+void PrintTo(const RodCase& its, std::ostream* out) {
+  *out << "impedances " << its.z1 << " and " << its.z2 << ", transit times " << its.t1 << " and " << its.t2;
+}
 
 class Rods : public ::testing::TestWithParam<RodCase> {};
 

@@ -3,10 +3,12 @@
 import csv
 import itertools
 import math
+import re
 import runpy
 from pathlib import Path
 
 import pytest
+from conftest import command
 
 ROOT = Path(__file__).resolve().parents[2]
 PAGE = (ROOT / "docs/results/loss.md").read_text(encoding="utf-8")
@@ -114,3 +116,19 @@ def test_values_agree_with_an_independent_program(speed, loss_time, known, ting,
     if ting is not None:
         assert row["restitution_of_ting"] == pytest.approx(ting, abs=6e-8)
         assert row["restitution_of_point_law"] == pytest.approx(point, abs=6e-8)
+
+
+def test_slow_balls_are_stiffer_than_hertz():
+    speeds = (1e-6, 1e-5, 1e-4, 1e-3)
+    job = "restitution --body sphere --poisson 0.3 --absolute 0 --quiet --speed " + ",".join(map(str, speeds))
+    lossy, elastic = command(f"{job} --tolerance 1e-4 --loss-time 0.01"), command(job)
+    theory = " ".join((ROOT / "docs/theory/loss.md").read_text(encoding="utf-8").split())
+    said = re.search(r"exceeds it by (.*?) % at .*? errors of (\S+) %", theory)
+    values = [float(each) for each in re.findall(r"\d\.\d", said[1])]
+    assert len(values) == len(speeds)
+    first, second = 0.8 * 1.25**0.6 * math.gamma(0.6) * math.gamma(1.5) / math.gamma(2.1), 1.08872
+    assert f"{first:.5f}" in theory and f"-{second} " in theory
+    for speed, a, b, value in zip(speeds, lossy, elastic, values):
+        x = 1.5 * 0.01 * (4 / 3 / (1 - 0.3**2) / (4 * math.pi / 3)) ** 0.4 * speed**0.2
+        excess = (b["restitution"] - a["restitution"]) / (first * x - second * x**2) - 1
+        assert abs(100 * excess - value) < float(said[2])

@@ -75,6 +75,19 @@ def test_chapters_of_the_theory_are_all_in_its_index():
     assert THEORY and all(f"]({page.name})" in index for page in THEORY if page.name != "README.md")
 
 
+def test_letters_with_several_meanings_are_in_the_chapters_that_are_named():
+    index = (ROOT / "docs/theory/README.md").read_text(encoding="utf-8")
+    section = index.partition("### Letters with several meanings")[2].partition("\n## ")[0]
+    lines = re.findall(r"^\| \$(\S+)\$ \| (.*) \|$", section, re.MULTILINE)
+    assert len(lines) > 10
+    for letter, meanings in lines:
+        for chapter in re.findall(r"\]\((\w+\.md)\)", meanings):
+            text = (ROOT / "docs/theory" / chapter).read_text(encoding="utf-8")
+            formulas = re.findall(r"```math\n(.*?)```", text, re.DOTALL) + re.findall(r"\$([^$\n]+)\$", text)
+            before = "" if letter.startswith("\\") else r"(?<![a-zA-Z\\])"
+            assert re.search(rf"{before}{re.escape(letter)}(?![a-zA-Z])", " ".join(formulas)), (letter, chapter)
+
+
 def included(folder):
     """Headers of other libraries that the sources in a folder include."""
     files = [file for file in (ROOT / folder).rglob("*.?pp")]

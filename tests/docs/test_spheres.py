@@ -179,3 +179,13 @@ def test_values_are_those_of_the_command():
     for each in found:
         same = [row for row in ROWS[float(each["poisson"])] if row["speed[c]"] == float(each["speed[c]"])]
         assert all(row["lost_fraction"] == pytest.approx(float(each["lost_fraction"]), rel=1e-5) for row in same)
+
+
+def test_rayleigh_spoke_of_the_fundamental_mode():
+    text = " ".join(PAGE.split())
+    factors = [rows[0]["mean_loss_factor_of_quadrupole"] for rows in ROWS.values()]
+    ends = f"alone takes {min(factors):.3f} to {max(factors):.3f} v"
+    assert ends in text and f"{25 * min(factors):.1f} to {25 * max(factors):.1f} times as much" in text
+    whole = [rows[0]["mean_loss_factor"] for rows in ROWS.values()]
+    assert f"(c = {min(whole):.2f} to {max(whole):.2f})" in text
+    assert (round(25 * min(whole)), round(25 * max(whole))) == (4, 8)

@@ -41,14 +41,14 @@ TEST(LossySphere, LosesWhatAnIndependentProgramSays) {
   EXPECT_NEAR(restitution_with(10.0, 1e-6, 16.0, 128), 0.5530874, 1e-6);
 }
 
-// 1 − ε = 1.15344 βv^{1/5} − 1.083 β²v^{2/5}, β = (3/2) η (k/m)^{2/5}, k = (4/3) E*√R, of a point that obeys Hertz' law
-// with this loss and, in the second order, Ting's: a ball of finite size loses more, by a share that falls with its
+// 1 − ε = 1.15345 βv^{1/5} − 1.08872 β²v^{2/5}, β = (3/2) η (k/m)^{2/5}, k = (4/3) E*√R, of a point that obeys Hertz'
+// law with this loss and, in the second order, Ting's: a ball of finite size loses more, by a share that falls with its
 // speed.
 TEST(LossySphere, TendsToTheFirstOrderLaw) {
   const double eta = 0.01, stiffness = 4.0 / 3.0 / (1.0 - 0.09), mass = 4.0 / 3.0 * std::acos(-1.0);
   const auto excess = [&](double speed) {
     const double x = 1.5 * eta * std::pow(stiffness / mass, 0.4) * std::pow(speed, 0.2);
-    return (1.0 - restitution_with(eta, speed, 16.0, 128)) / (1.15344 * x - 1.083 * x * x) - 1.0;
+    return (1.0 - restitution_with(eta, speed, 16.0, 128)) / (1.15345 * x - 1.08872 * x * x) - 1.0;
   };
   const double slow = excess(1e-8), faster = excess(1e-6);
   EXPECT_GT(slow, -1e-3);

@@ -101,6 +101,12 @@ TEST(Approach, RefusesModesThatAreNotThere) {
   refused({{1, 2, 0, 0.1, 0.0}}, {"body 1", "a wall has no modes"});
   refused({{-1, 2, 0, 0.1, 0.0}}, {"body -1"});
   refused({{0, 2, 99, 0.1, 0.0}}, {"mode (2, 99) of the first body", "12"});
+  // What no cutoff would keep.
+  for (const Oscillation& none : {Oscillation{0, -1, 0, 0.1, 0.0}, Oscillation{0, 2, -1, 0.1, 0.0}}) {
+    refused({none}, {"of the first body", "an order and an index of 0 or more"});
+    test::expect_refusal([&] { (void)keeps(wall, {none}); }, {"an order and an index of 0 or more"});
+  }
+  test::expect_refusal([] { (void)approach(contact(rod(12.0)), 0.1, {{0, 5, 0, 0.1, 0.0}}); }, {"(5, 0)", "order 0"});
   refused({{0, 2, 0, 0.1, 0.0}, {0, 2, 0, 0.1, 1.0}}, {"mode (2, 0)", "twice"});
   for (const double bad : {-0.1, nan, infinite}) refused({{0, 2, 0, bad, 0.0}}, {"energy"});
   for (const double bad : {nan, infinite}) refused({{0, 2, 0, 0.1, bad}}, {"phase"});

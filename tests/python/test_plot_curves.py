@@ -51,6 +51,12 @@ def test_values_and_errors(curve, quantity, label):
     assert [text.get_text() for text in ax.get_legend().get_texts()] == ["ν = 0.33"]
 
 
+def test_legend_of_a_dense_curve_shows_a_line_without_bars():
+    dense = stoss.restitution(poisson=0.33, speed=np.geomspace(0.05, 0.2, 26))
+    handles, labels = stoss.plot.restitution(dense).get_legend_handles_labels()
+    assert labels == ["ν = 0.33"] and isinstance(handles[0], matplotlib.lines.Line2D)
+
+
 def test_linear_scale(curve):
     ax = stoss.plot.restitution(curve, quantity="lost_fraction", scale="linear")
     assert (ax.get_xscale(), ax.get_yscale()) == ("linear", "linear")

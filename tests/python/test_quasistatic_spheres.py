@@ -155,6 +155,22 @@ def test_yield_speed():
     assert pair == quasistatic.yield_speed(plain, against=HARD) > 0
 
 
+# Hertz with E*/2, R/2 and m/2: v² = (16/15)(E*R³/m)(πp₀/2E*)⁵ is four times that at a wall.
+def test_yield_speed_of_equal_spheres():
+    modulus, pressure = 2.1e11 / SOFTNESS, 1.6e9
+    square = 16 / 15 * modulus / (MASS * 7850) * (math.pi * pressure / (2 * modulus)) ** 5
+    equal = quasistatic.yield_speed(HARD, against="same")
+    assert equal == pytest.approx(2 * math.sqrt(square), rel=1e-12)
+    assert equal == pytest.approx(2 * quasistatic.yield_speed(HARD), rel=1e-15)
+    assert equal == quasistatic.yield_speed(HARD, against=dataclasses.replace(HARD))
+    rigid = stoss.Sphere(radius=0.01, material=HARD.material, rigid=True)
+    with pytest.raises(stoss.InvalidInput, match="body: got .*, allowed an elastic sphere at a wall or an equal one"):
+        quasistatic.yield_speed(rigid, against="same")
+    for other in ("wall", stoss.Disk(poisson=0.3), 1):
+        with pytest.raises(stoss.InvalidInput, match="against: got .*, allowed None, 'same', a stoss.Sphere or"):
+            quasistatic.yield_speed(HARD, against=other)
+
+
 def test_restitution_says_where_yielding_begins(command):
     words = "--body sphere --poisson 0.3 --young 2.1e11 --density 7850 --radius 0.01 --yield 1e9"
     for against, also in ((None, ""), ("same", " --against same")):

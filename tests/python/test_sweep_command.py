@@ -3,7 +3,9 @@
 import functools
 import os
 import random
+import resource
 import signal
+import stat
 import subprocess
 import sys
 import time
@@ -104,6 +106,8 @@ def test_merge_tells_what_is_missing(command):
         (["merge", "s"], 2, "--output"),
         (["sweep", "grid.toml", "--store", "s", "--threads", "x"], 2, "--threads"),
         (["sweep", "grid.toml", "--store", "s", "--threads", "-1"], 3, "threads: got -1"),
+        (["sweep", "grid.toml", "--store", "s", "--threads", "1" * 5000], 2, "--threads: invalid"),
+        (["sweep", "two\nlines.toml", "--store", "s"], 4, "two lines.toml"),
         *[(["sweep", "grid.toml", "--store", "s", "--shard", shard], 3, "shard: got")
           for shard in ("0/3", "4/3", "1", "1/0", "a/b", "1/3/5", "1.0/3", "")],
         (["sweep", "grid.toml", "--store", "s", "--shard=-1/3"], 3, "shard: got"),
@@ -123,7 +127,7 @@ def test_exit_codes(command, words, code, message):
     (command.folder / "long.toml").write_text(SMALL.replace("[0.01, 0.1]", '"log:.1:.2:1000000000"'))
     got, error = command.run(*words)
     assert got == code and message in error
-    assert error.startswith("stoss: error: ") and error.count("\n") == 1
+    assert error.startswith("stoss: error: ") and error.count("\n") == 1 and len(error) < 600
 
 
 def test_merge_where_nothing_can_be_written(command):
@@ -132,6 +136,37 @@ def test_merge_where_nothing_can_be_written(command):
     for target in ("none/all.nc", "store", "/proc/all.nc"):
         code, error = command.run("merge", "store", "-o", target)
         assert code == 4 and error.count("\n") == 1, error
+
+
+def test_merge_to_what_is_no_file(command):
+    """It would be replaced by one."""
+    pytest.importorskip("netCDF4")
+    stoss.sweep(command.folder / "grid.toml", store=command.folder / "store")
+    os.mkfifo(command.folder / "pipe")
+    (command.folder / "link").symlink_to("pipe")
+    for target in ("pipe", "link", "/dev/stdout"):
+        code, error = command.run("merge", "store", "-o", target)
+        assert code == 4
+        assert error == f"stoss: error: output: cannot read or write '{target}': it is not a regular file\n"
+    assert stat.S_ISFIFO((command.folder / "link").stat().st_mode) and (command.folder / "link").is_symlink()
+
+
+@pytest.mark.parametrize("before", ["", "precious"])
+@pytest.mark.parametrize("size", [0, 2000, 20000])
+def test_merge_on_a_full_disk(command, before, size):
+    """HDF5 does not survive a write that fails."""
+    pytest.importorskip("netCDF4")
+    stoss.sweep(command.folder / "grid.toml", store=command.folder / "store")
+    if before:
+        (command.folder / "all.nc").write_text(before)
+    listing = sorted(os.listdir(command.folder))
+    full = functools.partial(resource.setrlimit, resource.RLIMIT_FSIZE, (size, size))
+    process = command.start("merge", "store", "-o", "all.nc", preexec_fn=full)
+    out, error = process.communicate(timeout=60)
+    assert (process.returncode, out) == (4, "")
+    assert error == "stoss: error: output: cannot read or write 'all.nc': File too large\n"
+    assert sorted(os.listdir(command.folder)) == listing
+    assert not before or (command.folder / "all.nc").read_text() == before
 
 
 def test_a_second_one_of_the_same_shard_is_refused(command):

@@ -5,11 +5,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <ostream>
 #include <vector>
 
 #include "impact/refined_resolution.hpp"
 #include "stoss/bodies/disk.hpp"
 #include "stoss/restitution.hpp"
+#include "support/print.hpp"
 
 namespace stoss {
 namespace {
@@ -22,6 +24,11 @@ struct Case {
   Disk second;
   double speed;
 };
+
+void PrintTo(const Case& its, std::ostream* out) {
+  PrintTo(its.second, out);
+  *out << ", speed " << its.speed;
+}
 
 class NearSideOf : public ::testing::TestWithParam<Case> {};
 

@@ -41,9 +41,13 @@ TEST(RestitutionOnAHalfSpace, AgreesWithTheReferenceWithinBothErrors) {
 }
 
 TEST(RestitutionOnAHalfSpace, OfADiskIsTheLimitOfLargeDisks) {
-  const RefinableContact large(disk(0.33), disk(Disk{0.33, 1000.0})), plane(disk(0.33), half_plane(HalfPlane{0.33}));
-  const Restitution one = restitution(large, 0.1), limit = restitution(plane, 0.1);
-  EXPECT_NEAR(one.lost_fraction.value, limit.lost_fraction.value, one.lost_fraction.error + limit.lost_fraction.error);
+  for (const double poisson : {-0.95, -0.8, 0.33}) {
+    const RefinableContact large(disk(0.33), disk(Disk{poisson, 1000.0}));
+    const RefinableContact plane(disk(0.33), half_plane(HalfPlane{poisson}));
+    const Restitution one = restitution(large, 0.1), limit = restitution(plane, 0.1);
+    EXPECT_NEAR(one.lost_fraction.value, limit.lost_fraction.value, one.lost_fraction.error + limit.lost_fraction.error)
+        << poisson;
+  }
 }
 
 /// A sphere that is flat where it is touched.

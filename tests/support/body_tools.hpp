@@ -2,11 +2,14 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <ostream>
+#include <variant>
 #include <vector>
 
 #include "stoss/contact/contact.hpp"
 #include "stoss/impact/impact.hpp"
 #include "stoss/impact/resolution.hpp"
+#include "support/print.hpp"
 
 namespace stoss::test {
 
@@ -15,6 +18,15 @@ struct WallCase {
   Wall wall = HardWall{};
   Tail tail = Tail::radiating;
 };
+
+inline void PrintTo(const WallCase& its, std::ostream* out) {
+  if (std::holds_alternative<HardWall>(its.wall)) {
+    *out << "hard, ";
+    PrintTo(its.tail, out);
+  } else {
+    *out << "exponential";
+  }
+}
 
 /// Both tails at a hard wall, and the exponential wall.
 inline const std::vector<WallCase> every_wall{

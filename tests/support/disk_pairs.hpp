@@ -6,6 +6,7 @@
 #include "stoss/bodies/disk.hpp"
 #include "stoss/contact/contact.hpp"
 #include "stoss/restitution/ladder.hpp"
+#include "support/print.hpp"
 
 namespace stoss::test {
 

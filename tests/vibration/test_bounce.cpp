@@ -184,7 +184,9 @@ TEST(BounceInput, IsRefusedOutOfRange) {
   }
   refused(0.1, {}, {"flight_time", "neither"});
   refused(0.1, {.flight_time = 1.0, .gravity = 1.0}, {"flight_time", "gravity", "exactly one"});
-  refused(0.1, {.flight_time = 1.0, .vibration = {{.order = 2, .index = 40, .energy = 0.1}}}, {"vibration", "cutoff"});
+  const BounceOptions above{.flight_time = 1.0, .vibration = {{.order = 2, .index = 40, .energy = 0.1}}};
+  refused(0.1, above, {"vibration", "cutoff"});
+  test::expect_refusal([&] { validate(at_wall, 0.1, above); }, {"vibration", "cutoff"});
   test::expect_refusal([&] { (void)bounce(contact(sphere(0.3, 12.0), sphere(0.3, 12.0)), 0.1, {.flight_time = 1.0}); },
                        {"against", "free bod"});
 }

@@ -11,6 +11,7 @@
 #include <cstdint>
 #include <functional>
 #include <numbers>
+#include <ostream>
 #include <string>
 #include <vector>
 
@@ -33,6 +34,8 @@ struct Ensemble {
   std::string name;
   std::function<Contact()> contact;
 };
+
+void PrintTo(const Ensemble& its, std::ostream* out) { *out << its.name; }
 
 /// Energies, in any one unit, of the translation before and after an impact, and of all.
 struct Exchange {

@@ -39,6 +39,16 @@ val of_modes(const std::vector<ModeEnergy>& modes, bool against_half_space) {
   return list;
 }
 
+/// @param unit of stress
+val interior(const Interior& now, double unit) {
+  val made = val::object();
+  made.set("radial", float32_array(now.radial));
+  made.set("tangential", float32_array(now.tangential));
+  made.set("vonMises", float32_array(now.von_mises, unit));
+  made.set("fringes", float32_array(now.fringes, unit));
+  return made;
+}
+
 }  // namespace
 
 Collision::Collision(const Encounter& encounter, double speed, double cutoff) : encounter_(encounter) {
@@ -112,41 +122,23 @@ val Collision::body_frame(const Frame& frame, int number) {
     Inside made_now = inside(encounter_.kind(), encounter_.poisson(number), seen, points_);
     found = insides_.emplace(number, std::move(made_now)).first;
   }
-  const Interior now = found->second(seen);
-  made.set("radial", float32_array(now.radial));
-  made.set("tangential", float32_array(now.tangential));
-  made.set("vonMises", float32_array(now.von_mises, seen.stress));
-  made.set("fringes", float32_array(now.fringes, seen.stress));
-  return made;
+  val seen_inside = interior(found->second(seen), seen.stress);
+  seen_inside.set("center", made["center"]);
+  return seen_inside;
 }
 
-val Collision::surface(const Frame& frame) {
+val Collision::block_frame(const Frame& frame, const bodies::half_space::PlaneGrid& below) {
   const BodyFrame seen = seen_by(contact_, grid_, frame, 1);
-  if (compliance_.empty()) compliance_ = residual_compliance(seen, say_alive);
-  std::vector<double> lateral, displaced = contact_displacement(seen, compliance_);
-  for (std::size_t i = 0; i < grid_.points.count; ++i) {
-    lateral.push_back(grid_.points.radius * std::sin(grid_.points.angle(i)));
-  }
-  // Beyond the contact points, on a circle so large that they are evenly spaced.
-  constexpr std::size_t count = 40;
-  constexpr double reach = 2.5, flat = 1e4;
-  const ContactPoints even{flat * reach / seen.length, 1.0 / (flat * static_cast<double>(count)), count};
-  const std::vector<double> around = surface_displacement(seen, even);
-  const double edge = lateral.back();
-  for (std::size_t i = 0; i < count; ++i) {
-    const double at = even.radius * seen.length * std::sin(even.angle(i));
-    if (at <= edge) continue;
-    lateral.push_back(at);
-    displaced.push_back(around[i]);
-  }
-  val made = val::object();
-  made.set("y", float32_array(lateral));
-  made.set("depth", float32_array(displaced, -seen.length));
-  return made;
+  if (!block_) block_.emplace(encounter_.poisson(1), seen, below);
+  return interior(block_->at(seen), seen.stress);
 }
 
-void Collision::frames(const std::vector<double>& times, const Points& points, const val& deliver) {
-  if (points != points_) insides_.clear();
+void Collision::frames(const std::vector<double>& times, const Points& points,
+                       const bodies::half_space::PlaneGrid& below, const val& deliver) {
+  if (points != points_) {
+    insides_.clear();
+    block_.reset();
+  }
   points_ = points;
   const double unit = encounter_.unit(Dimension::time);
   std::vector<double> own(times.size());
@@ -159,7 +151,7 @@ void Collision::frames(const std::vector<double>& times, const Points& points, c
     val seen = val::array();
     seen.call<void>("push", body_frame(instants[i], 0));
     if (encounter_.against_half_space()) {
-      made.set("surface", surface(instants[i]));
+      made.set("block", block_frame(instants[i], below));
     } else if (contact_.second) {
       seen.call<void>("push", body_frame(instants[i], 1));
     }

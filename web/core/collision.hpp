@@ -3,9 +3,10 @@
 #include <emscripten/val.h>
 
 #include <map>
-#include <memory>
+#include <optional>
 #include <vector>
 
+#include "block.hpp"
 #include "encounter.hpp"
 #include "inside.hpp"
 #include "stoss/impact/replay.hpp"
@@ -22,12 +23,13 @@ class Collision {
   /// Collision of the protocol.
   [[nodiscard]] emscripten::val series() const;
 
-  /// Calls deliver(Frame, index) for each of the times, which ascend.
-  void frames(const std::vector<double>& times, const Points& points, const emscripten::val& deliver);
+  /// Calls deliver(Frame, index) for each of the times, which ascend. @param below points of a half-space
+  void frames(const std::vector<double>& times, const Points& points, const bodies::half_space::PlaneGrid& below,
+              const emscripten::val& deliver);
 
  private:
   [[nodiscard]] emscripten::val body_frame(const Frame& frame, int number);
-  [[nodiscard]] emscripten::val surface(const Frame& frame);
+  [[nodiscard]] emscripten::val block_frame(const Frame& frame, const bodies::half_space::PlaneGrid& below);
   [[nodiscard]] emscripten::val bodies() const;
 
   Encounter encounter_;
@@ -35,9 +37,9 @@ class Collision {
   Impact impact_;
   std::vector<Snapshot> snapshots_;
   ContactGrid grid_;
-  std::vector<double> compliance_;  ///< of a half-space, of its modes that are not kept
-  Points points_;                   ///< of the last frames
-  std::map<int, Inside> insides_;   ///< of the bodies, at these points
+  Points points_;                  ///< of the last frames
+  std::map<int, Inside> insides_;  ///< of the bodies, at these points
+  std::optional<Block> block_;     ///< a half-space, at its points
 };
 
 }  // namespace stoss::web

@@ -2,12 +2,14 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
 
 #include "stoss/bodies/disk.hpp"
 #include "stoss/bodies/half_space.hpp"
 #include "stoss/bodies/rod.hpp"
 #include "stoss/bodies/sphere.hpp"
 #include "stoss/errors.hpp"
+#include "stoss/quasistatic/yield.hpp"
 #include "text.hpp"
 
 namespace stoss::web {
@@ -20,12 +22,25 @@ constexpr std::array<UnitSystem, 3> si_units{UnitSystem::disk_si, UnitSystem::sp
 
 GivenBody given_body(const val& body) {
   const auto number = [&](const char* name) { return body[name].as<double>(); };
-  return {number("poisson"), number("radius"), number("young"), number("density"), number("area"), number("lossTime")};
+  const val strength = body["yieldStrength"];
+  return {number("poisson"),
+          number("radius"),
+          number("young"),
+          number("density"),
+          number("area"),
+          number("lossTime"),
+          strength.isUndefined() ? 0.0 : strength.as<double>()};
 }
 
 BodyKind kind_of(const std::string& name) {
   if (name == "sphere") return BodyKind::sphere;
   return name == "rod" ? BodyKind::rod : BodyKind::disk;
+}
+
+Material material_of(const GivenBody& body) {
+  Material material{body.young, body.poisson, body.density};
+  if (body.yield_strength > 0.0) material.yield_strength = body.yield_strength;
+  return material;
 }
 
 /// What `make` returns; its refusals say that they are of what is met.
@@ -50,7 +65,7 @@ Encounter::Encounter(const val& given)
     si_ = scales_of(one_);
   } else {
     // Its size and material are the units.
-    one_ = {one_.poisson, 1.0, 1.0, 1.0, 1.0, one_.loss_time};
+    one_ = {one_.poisson, 1.0, 1.0, 1.0, 1.0, one_.loss_time, 0.0};
   }
   first_ = make(one_, 0);
   if (against_ == "wall") {
@@ -134,6 +149,13 @@ double Encounter::own_speed(double speed) const {
   }
   // The division may round beyond an end.
   return std::clamp(speed / scale, slowest, fastest);
+}
+
+std::optional<double> Encounter::yield_speed() const {
+  if (!si_ || kind_ != BodyKind::sphere) return std::nullopt;
+  if (against_ == "wall") return quasistatic::yield_speed(material_of(one_), one_.radius);
+  const double radius = against_half_space() ? std::numeric_limits<double>::infinity() : other_.radius;
+  return quasistatic::yield_speed(material_of(one_), one_.radius, material_of(other_), radius);
 }
 
 double Encounter::unit(Dimension dimension) const { return si_ ? unit_in_si(dimension, *si_) : 1.0; }

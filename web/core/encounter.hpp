@@ -16,6 +16,7 @@ enum class BodyKind { disk, sphere, rod };
 /// A body as the page gives it, in SI or in units of the first.
 struct GivenBody {
   double poisson, radius, young, density, area, loss_time;
+  double yield_strength;  ///< 0: not known
 };
 
 /// Who meets whom: the Encounter of web/src/core/protocol.ts in the words of the core.
@@ -41,6 +42,9 @@ class Encounter {
 
   /// A speed as the page gives it, in c. @throws InvalidInput out of 1e-8 … 1 c
   [[nodiscard]] double own_speed(double speed) const;
+
+  /// At which one of the bodies begins to yield, m/s: of spheres in SI with a yield strength.
+  [[nodiscard]] std::optional<double> yield_speed() const;
 
   /// Value of a unit of the first body in what the page is given: 1, or in SI.
   [[nodiscard]] double unit(Dimension dimension) const;

@@ -57,9 +57,15 @@ val get_collision(const Encounter& encounter, double speed, double cutoff) {
 
 Points points(const val& grid) { return {numbers(grid["radius"]), numbers(grid["angle"])}; }
 
+bodies::half_space::PlaneGrid below(const val& grid) {
+  const val given = grid["below"];
+  if (given.isUndefined()) return {};
+  return {numbers(given["distance"]), numbers(given["depth"])};
+}
+
 val get_frames(Collision& collision, const val& times, const val& grid, const val& deliver) {
   return answered([&] {
-    collision.frames(numbers(times), points(grid), deliver);
+    collision.frames(numbers(times), points(grid), below(grid), deliver);
     return val::object();
   });
 }

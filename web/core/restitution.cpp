@@ -55,6 +55,7 @@ val restitution(const Encounter& encounter, double speed, double tolerance) {
   made.set("reason", result.reason);
   made.set("cutoff", result.finest.cutoff);
   made.set("beyondSmallStrain", result.finest.beyond_small_strain);
+  if (const auto yield = encounter.yield_speed()) made.set("yieldSpeed", *yield);
   return made;
 }
 

@@ -65,7 +65,7 @@ def declared() -> dict[str, list[str]]:
 def page(title: str, introduction: str, headers: list[str], shown: dict[str, list[str]]) -> str:
     lines = [*heading(title, "="), introduction, ""]
     for header in headers:
-        lines += [*heading(f"stoss/{header}", "-"), "\n\n".join(shown[f"stoss/{header}"]), ""]
+        lines += [*heading(f"stoss/{header}", "-"), "\n\n".join(shown.get(f"stoss/{header}", [])), ""]
     return "\n".join(lines)
 
 

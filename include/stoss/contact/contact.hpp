@@ -33,7 +33,7 @@ struct Contact {
   double whole_mass = 0.0;             ///< the same of whole bodies, where only a part of one is there (BodyPart)
   double extent = 0.0;                 ///< distance of the centres (or of centre and wall) at first touch
   double cutoff = 0.0;                 ///< all modes with ω ≤ cutoff are kept; of a lossy body fewer (kept_cutoff)
-  double stable_step = 0.0;            ///< as Body::stable_step
+  double stable_step = 0.0;            ///< as Body::stable_step, and half the loss time more
   std::vector<ModeGroup> groups;       ///< of the first, then of the second, every modal mass `mass`
   std::size_t first_groups = 0;        ///< how many of them are of the first
   bool radiating = false;              ///< those of the second only carry waves away (half-space)

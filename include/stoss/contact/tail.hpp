@@ -1,5 +1,7 @@
 #pragma once
 
+#include "stoss/cxx20.hpp"
+
 namespace stoss {
 
 /// How the modes above the cutoff answer a hard contact (docs/theory/walls.md): part of how an impact is resolved.

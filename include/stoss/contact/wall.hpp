@@ -2,6 +2,8 @@
 
 #include <variant>
 
+#include "stoss/cxx20.hpp"
+
 namespace stoss {
 
 /// A rigid wall at x = 0: no node passes it, pressure ≥ 0, and their product is 0 (Signorini).

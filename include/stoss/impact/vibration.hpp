@@ -40,7 +40,8 @@ using Vibration = std::vector<Oscillation>;
 [[nodiscard]] Vibration vibration_after(const Contact& contact, const State& state, double flight);
 
 /// Whether a contact keeps all modes of a vibration.
-/// @throws InvalidInput for a mode of a body that is not there, or of which only a part is
+/// @throws InvalidInput for a mode of a body that is not there, or of which only a part is, and for one that no cutoff
+///         would keep
 [[nodiscard]] bool keeps(const Contact& contact, const Vibration& vibration);
 
 }  // namespace stoss

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "stoss/cxx20.hpp"
+
 namespace stoss::quasistatic {
 
 /// Force against compression of a disk that is pressed slowly against a wall. With the force F in πRE and lengths in R

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "stoss/cxx20.hpp"
+
 namespace stoss::quasistatic {
 
 /// Maximum force for which Hertz' contact is evaluated, πRE: its half-width is the radius. It is meant for much less.

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "stoss/cxx20.hpp"
+
 namespace stoss::quasistatic {
 
 /// Force against compression of a sphere that is pressed slowly against a wall. With the radius a of the contact,

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "stoss/cxx20.hpp"
+
 namespace stoss::quasistatic {
 
 /// Two bodies that touch at a point, as a small contact knows them. Lengths are in R and moduli in E of any body. A

@@ -20,7 +20,7 @@ namespace stoss::quasistatic {
 /// against the hard wall, ν = 0 … 0.9, v = 1e-8 … 0.16.
 inline constexpr double second_order_factor = 7.0;
 
-/// Bound of kinetic_share for `beyond_perturbation`. In those 251 impacts the estimate is, below the bound, 0.26 to 3.0
+/// Bound of kinetic_share for `beyond_perturbation`. In those 251 impacts the estimate is, below the bound, 0.24 to 3.0
 /// times the full solution (0.67 to 0.96 times at the latter's maxima, ν ≥ 0.2); above the bound it is always too
 /// great, by factors from 1.8 to 19. At ν = 0.33 the bound is reached at v = 0.024.
 inline constexpr double max_kinetic_share = 0.04;

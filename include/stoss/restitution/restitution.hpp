@@ -46,14 +46,18 @@ struct Restitution {
   Estimate impulse_time;
   Estimate max_force;
   Estimate max_compression;
-  double tolerance = 0.0;  ///< asked for, relative to 1 − ε²
-  double absolute = 0.0;   ///< error of 1 − ε² that is small enough in any case
-  bool converged = false;  ///< whether one of them is met
-  std::string reason;      ///< why not
-  std::vector<Run> runs;   ///< from coarse to fine
-  Impact finest;           ///< the last of them, whole; beyond_small_strain says where linear elasticity has ended.
-                           ///< Where the near side of a body stands for it, corrected for its curvature
-  long steps = 0;          ///< of all runs
+  double lost_to_first = 0.0;   ///< share of the initial energy that the first body vibrates with or dissipates
+  double lost_to_second = 0.0;  ///< the same of the second, 0 at a wall. Of bodies at rest inside before, the sum of
+                                ///< both is lost_fraction
+  double dissipated = 0.0;      ///< part of both that their material takes
+  double tolerance = 0.0;       ///< asked for, relative to 1 − ε²
+  double absolute = 0.0;        ///< error of 1 − ε² that is small enough in any case
+  bool converged = false;       ///< whether one of them is met
+  std::string reason;           ///< why not
+  std::vector<Run> runs;        ///< from coarse to fine
+  Impact finest;   ///< the last of them, whole; beyond_small_strain says where linear elasticity has ended.
+                   ///< Where the near side of a body stands for it, corrected for its curvature
+  long steps = 0;  ///< of all runs
 };
 
 /// An impact that is about to begin on the way to a converged value.

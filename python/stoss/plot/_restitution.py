@@ -137,6 +137,9 @@ def _draw(axes: Axes, curve: _Curve, look: dict[str, Any], style: dict[str, Any]
     bars = {"capsize": 1.5, "elinewidth": 0.8} | ({} if known.all() else {"errorevery": known})
     dense = {"marker": "none", "capsize": 0.0} if curve.x.size > MARKED else {}
     drawn = axes.errorbar(curve.x, curve.y, yerr=curve.error, **bars | look | dense | style)
+    if dense:  # bars are hardly to be seen there: the legend shows a line
+        drawn.lines[0].set_label(drawn.get_label())
+        drawn.set_label("_nolegend_")
     doubtful = ~curve.converged
     if not doubtful.any():
         return

@@ -27,7 +27,8 @@ def wave(wave: Wave, ax: Axes | None = None, *, columns: int = 2, limit: float |
     Colours go with the square root of the speed, because the fast pressure wave is weak compared with what
     follows. The arcs are c_p t and c_s t from the first point of contact; between them a straight
     front leads from where the pressure wave grazes the surface. The triangles are at c_R t, where
-    the Rayleigh wave would be that leaves at once. Deformations have their true size.
+    the Rayleigh wave would be that leaves at once. Deformations have their true size, and a bar has
+    a round number of radii.
 
     Parameters
     ----------
@@ -99,6 +100,7 @@ def wave(wave: Wave, ax: Axes | None = None, *, columns: int = 2, limit: float |
                 _disk.draw_grid(axes, x + now.y, y - now.x, balls.radius, balls.angle, circles, 4 * circles, width=0.8)
             _draw_fronts(axes, wave, times[k], (x, y), named=k == times.size - 1)
             axes.text(x, y - depth - 0.5 * line, names[k], ha="center", va="center")
+        _draw_scale(axes, -half, -depth - 0.5 * line, half)
         axes.set_aspect("equal")
         axes.set_xlim(-0.5 * pitch, wide - 0.5 * pitch)
         axes.set_ylim(above - high, above)
@@ -110,6 +112,14 @@ def wave(wave: Wave, ax: Axes | None = None, *, columns: int = 2, limit: float |
         bar.set_label("speed / speed of the impact", size=axes.xaxis.label.get_size())
         _style.small_ticks(bar.ax)
     return axes
+
+
+def _draw_scale(axes: Axes, x: float, y: float, half: float) -> None:
+    """A bar of a round length, a tenth to a quarter of a picture wide."""
+    power = 10.0 ** np.floor(np.log10(0.5 * half))
+    length = power * max(step for step in (1.0, 2.0, 5.0) if step * power <= 0.5 * half)
+    axes.plot([x, x + length], [y, y], color=_style.BLACK, linewidth=1.2, solid_capstyle="butt")
+    axes.text(x + length + 0.02 * half, y, f"{_style.written(length)} R", ha="left", va="center")
 
 
 def _mirrored(values: Array, sign: float = 1.0) -> Array:

@@ -50,7 +50,7 @@ Medium medium_of(double poisson, const Body& body) {
   Medium its = medium(body.contour, poisson);
   constexpr double rounding = 1e-12;
   for (const ModeGroup& group : body.groups) {
-    const double omega = std::min(its.kernel.rayleigh_root * its.shear_speed * group.wave_number, body.cutoff);
+    const double omega = std::min(its.kernel.rayleigh_root * its.shear_speed * group.wave_number, kept_cutoff(body));
     if (!(std::abs(group.omega.front() - omega) <= rounding * omega)) refuse();
   }
   return its;
@@ -154,7 +154,7 @@ HalfSpaceField::HalfSpaceField(double poisson, const Body& body, const ContactPo
   Medium its = medium_of(poisson, body);
   std::vector<double> ring(contact.count);
   for (std::size_t i = 0; i < ring.size(); ++i) ring[i] = lateral_distance(contact, i);
-  const double lowest_unkept = body.cutoff / (its.kernel.rayleigh_root * its.shear_speed);
+  const double lowest_unkept = kept_cutoff(body) / (its.kernel.rayleigh_root * its.shear_speed);
   const double top = *std::min_element(points.depth.begin(), points.depth.end());
   const double highest = std::min(std::numbers::pi / (contact.spacing * contact.radius), deepest / top);
   parts_ = std::make_shared<const Parts>(

@@ -41,11 +41,7 @@ Solid solid(const HalfPlane& given) {
 }
 
 void require_solid(const Solid& given) {
-  if (given.contour == Contour::ball) {
-    require("poisson", given.poisson, {-0.95, 0.4999, true, true, "-0.95 to 0.4999"}, "of the half-space");
-  } else {
-    require_poisson(given.poisson);
-  }
+  require_poisson(given.contour, given.poisson);
   constexpr Range positive{0.0, std::numeric_limits<double>::max(), false, true, "a positive finite number"};
   require("young", given.young, positive, "Young's modulus of the half-space");
   require("density", given.density, positive, "of the half-space");

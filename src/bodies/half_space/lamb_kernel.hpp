@@ -25,8 +25,7 @@ struct LambKernel {
   [[nodiscard]] double density(double x) const;
 };
 
-/// The kernel of a Poisson's ratio.
-/// @param poisson −0.95 … 0.4999. @throws InvalidInput outside
+/// The kernel of a Poisson's ratio: in plane strain, as which a half-plane moves, −19 … 0.4999.
 [[nodiscard]] LambKernel lamb_kernel(double poisson);
 
 /// C(ν) of the energy that a force F on a small part of the surface radiates, C/(ρc_s³) ∫Ḟ² dt, to 1e-14:

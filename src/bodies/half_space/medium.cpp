@@ -3,6 +3,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "bodies/sphere/mode_search.hpp"
+#include "check.hpp"
 #include "numeric/bessel_j01.hpp"
 
 namespace stoss::bodies::half_space {
@@ -19,7 +21,16 @@ double Medium::slope(double phase) const {
   return contour == Contour::ball ? numeric::bessel_j01(phase).first : std::sin(phase);
 }
 
+void require_poisson(Contour contour, double poisson) {
+  if (contour == Contour::ball) {
+    sphere::require_poisson(poisson);
+  } else {
+    stoss::require_poisson(poisson);
+  }
+}
+
 Medium medium(Contour contour, double poisson) {
+  require_poisson(contour, poisson);
   // A half-plane in plane stress with ν₂ moves as one in plane strain with ν₂/(1 + ν₂), with 2μ(1 + ν₂) = E₂ = 1.
   const bool plane = contour == Contour::cylinder;
   const LambKernel kernel = lamb_kernel(plane ? poisson / (1.0 + poisson) : poisson);

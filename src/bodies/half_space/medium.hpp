@@ -26,7 +26,10 @@ struct Medium {
   [[nodiscard]] double slope(double phase) const;
 };
 
-/// @param poisson 2-D for a cylinder
+/// Throws InvalidInput unless such a body can have this Poisson's ratio: −0.95 … 0.4999, 2-D of a cylinder … 0.995.
+void require_poisson(Contour contour, double poisson);
+
+/// @param poisson 2-D for a cylinder. @throws InvalidInput as require_poisson
 [[nodiscard]] Medium medium(Contour contour, double poisson);
 
 }  // namespace stoss::bodies::half_space

@@ -41,7 +41,7 @@ export function panelsOf(collision: Collision): Panel[] {
     { label: 'vibration', values: collision.vibration },
     { label: 'stored at the contact', values: collision.stored },
     { label: 'dissipated', values: collision.dissipated },
-    { label: 'unresolved', values: collision.unresolved },
+    { label: 'elastic energy of the contact', values: collision.unresolved },
   ];
   return [
     panel('Force', units.force, [{ label: 'force', values: collision.force }]),

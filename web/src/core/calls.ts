@@ -1,4 +1,5 @@
 // How a worker answers calls: what it has made for one is kept for the next.
+import { withStrengths } from '../inputs/materials';
 import type { Call } from './messages';
 import type { Collision, Encounter } from './protocol';
 import { CoreError } from './protocol';
@@ -16,7 +17,7 @@ export function createAnswer(core: WasmCore): Answer {
 
   function encounterOf(given: Encounter): WasmEncounter {
     const key = JSON.stringify(given);
-    const found = encounters.get(key) ?? value(core.makeEncounter(given)).encounter;
+    const found = encounters.get(key) ?? value(core.makeEncounter(withStrengths(given))).encounter;
     encounters.delete(key);
     encounters.set(key, found);
     for (const [oldest, encounter] of encounters) {

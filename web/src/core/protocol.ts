@@ -57,6 +57,8 @@ export interface Restitution {
   cutoff: number;
   /** Whether linear elasticity has lost its meaning. */
   beyondSmallStrain: boolean;
+  /** of spheres in SI, one of which has a yield strength: the speed in m/s at which it begins to yield */
+  yieldSpeed?: number;
 }
 
 /** One impact in time, at a cutoff: `stoss impact --cutoff` computes the same. Times are in
@@ -95,16 +97,16 @@ export interface ModeEnergy {
 }
 
 /** Points of a body at rest: every radius (0 … 1 of its own) with every angle; angle 0 points to what it meets. Of a
- *  rod `radius` is the place along it (0: the struck end) and `angle` is [0]. */
+ *  rod `radius` is the place along it (0: the struck end) and `angle` is [0]. `below`: of a half-space, with which
+ *  frames need it, every depth with every distance from the axis, in radii of the first; both begin with 0. */
 export interface Grid {
   radius: Float32Array;
   angle: Float32Array;
+  below?: { depth: Float32Array; distance: Float32Array };
 }
 
-/** One body at one instant, at the points of a grid: radii × angles, row-major. */
-export interface BodyFrame {
-  /** place of its centre, in radii of the first; at rest, bodies would first touch at 0 */
-  center: number;
+/** What is inside a body at one instant, at the points of a grid: radii × angles, row-major. */
+export interface Inside {
   /** displacement in units of its own radius: along the radius, and along the angle; of a rod towards what it meets */
   radial: Float32Array;
   tangential: Float32Array;
@@ -113,14 +115,19 @@ export interface BodyFrame {
   fringes: Float32Array;
 }
 
+export interface BodyFrame extends Inside {
+  /** place of its centre, in radii of the first; at rest, bodies would first touch at 0 */
+  center: number;
+}
+
 /** What meets at one instant. x points from the first body to what it meets; the first body's centre is at x < 0. */
 export interface Frame {
   /** in units.time of the collision, from its start: that of the step nearest to what was asked for */
   time: number;
   /** of the bodies that have a grid. Of one so large that only its near side is computed, as it is at rest */
   bodies: BodyFrame[];
-  /** displaced surface of a half-space: lateral distance y and displacement into it, in radii of the first */
-  surface?: { y: Float32Array; depth: Float32Array };
+  /** a half-space: depths × distances; displacement into it (radial) and away from the axis, in radii of the first */
+  block?: Inside;
 }
 
 /** Shape of one mode of a body at the points of a grid, maximum displacement 1. */

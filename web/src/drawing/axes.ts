@@ -94,17 +94,34 @@ export interface LegendEntry {
   marker: boolean;
 }
 
+const KEY = 34; // pixels of a line or marker before its label
+const LETTER = 6.7;
+const ROW = 18;
+
+/** Words in rows of at most so many letters, as far as single words allow. */
+function wrapped(words: string, letters: number): string[] {
+  const rows: string[] = [];
+  for (const word of words.split(' ')) {
+    const last = rows.at(-1);
+    if (last !== undefined && last.length + 1 + word.length <= letters) rows[rows.length - 1] = `${last} ${word}`;
+    else rows.push(word);
+  }
+  return rows;
+}
+
 /** A legend in rows that are not wider than `width`, from a corner; its height is what the second value says. */
 export function legend(entries: LegendEntry[], left: number, top: number, width: number, theme: Theme):
     [string, number] {
   const parts: string[] = [];
+  const letters = Math.floor((width - KEY) / LETTER);
   let x = left;
   let y = top;
   for (const { label, look, line: lined, marker } of entries) {
-    const wide = 34 + 6.7 * label.length + 12;
+    const rows = wrapped(label, letters);
+    const wide = KEY + LETTER * Math.max(...rows.map((row) => row.length)) + 12;
     if (x > left && x + wide > left + width) {
       x = left;
-      y += 18;
+      y += ROW;
     }
     if (lined) parts.push(line(x, y, x + 26, y, {
       stroke: look.color, 'stroke-width': 2, 'stroke-dasharray': look.dash.join(' ') || undefined,
@@ -112,8 +129,12 @@ export function legend(entries: LegendEntry[], left: number, top: number, width:
     if (marker) parts.push(element('path', {
       d: markerPath(look.marker, x + 13, y, 4), fill: look.color, stroke: look.color,
     }));
-    parts.push(text(x + 32, y + 4, label, { fill: theme.text }));
+    rows.forEach((row, n) => parts.push(text(x + KEY - 2, y + 4 + n * ROW, row, { fill: theme.text })));
     x += wide;
+    if (rows.length > 1) {
+      x = left + width;
+      y += ROW * (rows.length - 1);
+    }
   }
   return [parts.join(''), entries.length ? y - top + 24 : 0];
 }

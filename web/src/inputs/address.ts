@@ -1,50 +1,94 @@
 // All inputs in the address of the page, in short readable keys: ?body=sphere&nu=0.3&v=0.01&against=half-space&nu2=0.2
-import type { Against, Body, BodyKind, Encounter } from '../core/protocol';
+import type { Against, Body, Encounter } from '../core/protocol';
 import { problemsOf } from './check';
-import { type BodyField, bodyFields, fieldsOf, ofSecond, valueOf } from './fields';
+import { type BodyField, type Field, bodyFields, fieldsOf, ofSecond, valueOf, withValue } from './fields';
 import { type Inputs, defaults, mostKept, unitBody, withSecond } from './inputs';
 import { parseNumber, shortest } from './number';
+import { ball, barSpeed, siSpeed } from './scales';
 
 const keys: Record<BodyField, string> = {
   poisson: 'nu', young: 'E', density: 'rho', radius: 'R', area: 'A', lossTime: 'eta',
 };
-const kinds: readonly BodyKind[] = ['disk', 'sphere', 'rod'];
-const partners: readonly Against['kind'][] = ['wall', 'same', 'body', 'half-space'];
+const known = new Set(['body', 'units', 'plane', 'v', ...Object.values(keys), 'against',
+  ...Object.values(keys).map((key) => `${key}2`), 'view']);
 
 /** The inputs as text after ? in the address. */
 export function toAddress(inputs: Inputs): string {
   const kept = inputs.kept.map((encounter) => `keep=${pairsOf(encounter).map((pair) => pair.join(':')).join(',')}`);
   const own = [...pairsOf(inputs.encounter), ['v', shortest(inputs.speed)]].map((pair) => pair.join('='));
-  return [...own, ...kept].join('&');
+  return [...own, ...(inputs.simple ? ['view=simple'] : []), ...kept].join('&');
 }
 
-/** The inputs that an address holds, and in one line what was wrong with it ('' if nothing). */
+/** The inputs that an address holds, and in one line what of it was left out ('' if nothing): what is right counts,
+ *  and what is not is that of the default. */
 export function fromAddress(text: string): { inputs: Inputs; problem: string } {
   const body = text.replace(/^[#?]/, '');
   if (body === '') return { inputs: defaults, problem: '' };
-  try {
-    const parts = body.split('&').filter((part) => part !== '');
-    const kept = parts.filter((part) => part.startsWith('keep=')).map((part) => decode(part.slice(5)));
-    const rest = parts.filter((part) => !part.startsWith('keep='));
-    const pairs = pairsFrom(rest, '=');
-    const v = pairs.get('v');
-    if (v === undefined) throw new Error('v: got none, allowed a speed');
-    pairs.delete('v');
-    const encounter = encounterFrom(pairs);
-    const inputs = checked({ encounter, speed: number('v', v), kept: [] });
-    if (kept.length > mostKept) throw new Error(`keep: got ${kept.length} curves, allowed ${mostKept}`);
-    const others = kept.map((item) => encounterFrom(pairsFrom(item.split(','), ':')));
-    for (const other of others) checked({ encounter: other, speed: 1e-3 * slowest(other), kept: [] });
-    return { inputs: { ...inputs, kept: others }, problem: '' };
-  } catch (error) {
-    const reason = error instanceof Error ? error.message : String(error);
-    return { inputs: defaults, problem: `The link is not readable, so this is the default. ${reason}` };
+  const problems: string[] = [];
+  const parts = body.split('&').filter((part) => part !== '');
+  const reader = readerOf(parts.filter((part) => !part.startsWith('keep=')), '=', problems);
+  const encounter = encounterFrom(reader);
+  const speed = reader.number('v', normalSpeed(encounter));
+  const simple = reader.word('view', ['full', 'simple']) === 'simple';
+  reader.finish();
+  const inputs = inRange({ encounter, speed, kept: [], simple }, problems);
+  const kept = parts.filter((part) => part.startsWith('keep='));
+  if (kept.length > mostKept) problems.push(`keep: got ${kept.length} curves, allowed ${mostKept}`);
+  const others = kept.slice(0, mostKept).flatMap((part) => keptFrom(part.slice('keep='.length), problems));
+  return { inputs: { ...inputs, kept: others }, problem: lineOf(problems) };
+}
+
+/** Problems that are told; more of them do not help. */
+const mostTold = 3;
+
+function lineOf(problems: readonly string[]): string {
+  if (problems.length === 0) return '';
+  const more = problems.length - mostTold;
+  const told = problems.slice(0, mostTold).join('; ');
+  return `The link holds but for this, where the default stands: ${told}${more > 0 ? `; and ${more} more` : ''}.`;
+}
+
+/** A curve for comparison; one that is not right as a whole is not shown. */
+function keptFrom(text: string, problems: string[]): Encounter[] {
+  const wrong: string[] = [];
+  const reader = readerOf(decoded(text).split(','), ':', wrong);
+  const encounter = encounterFrom(reader);
+  reader.finish();
+  inRange({ encounter, speed: 1e-3 * barSpeed(encounter), kept: [], simple: false }, wrong);
+  if (wrong.length === 0) return [encounter];
+  problems.push(`keep: ${wrong[0]}`);
+  return [];
+}
+
+/** The same inputs with the default for every number that is out of its range; for all of a second body where a
+ *  product of its numbers is. */
+function inRange(inputs: Inputs, problems: string[]): Inputs {
+  let { encounter, speed } = inputs;
+  const tried = new Set<Field>();
+  for (;;) {
+    const [first] = problemsOf({ ...inputs, encounter, speed });
+    if (first === undefined) return { ...inputs, encounter, speed };
+    const [field, problem] = first;
+    const normal = standard(encounter);
+    if (!tried.has(field)) problems.push(problem);
+    if (field === 'speed') speed = normalSpeed(encounter);
+    else if (tried.has(field)) encounter = { ...encounter, against: normal.against };
+    else encounter = withValue(encounter, field, valueOf(normal, 0, field));
+    tried.add(field);
   }
 }
 
-/** A speed that every encounter allows: its own unit of speed. */
-function slowest(encounter: Encounter): number {
-  return encounter.si ? Math.sqrt(encounter.first.young / encounter.first.density) : 1;
+/** The default speed, which must be one that the material of a link allows. */
+function normalSpeed(encounter: Encounter): number {
+  if (!encounter.si) return defaults.speed;
+  const c = barSpeed(encounter);
+  return Number(Math.min(Math.max(siSpeed, 1e-7 * c), 0.1 * c).toPrecision(3));
+}
+
+/** The same encounter with default numbers; what it meets is an identical body. */
+function standard(encounter: Encounter): Encounter {
+  const body = encounter.si ? ball : unitBody;
+  return withSecond({ ...encounter, first: body }, () => (encounter.si ? encounter.first : unitBody));
 }
 
 function pairsOf(encounter: Encounter): [string, string][] {
@@ -65,72 +109,83 @@ function pairsOf(encounter: Encounter): [string, string][] {
   return pairs;
 }
 
-function pairsFrom(parts: readonly string[], between: string): Map<string, string> {
+/** Takes the values of an address by their keys; what is wrong with them goes to `problems`. */
+interface Reader {
+  word<Word extends string>(key: string, allowed: readonly [Word, ...Word[]]): Word;
+  /** `without`: without the key; a missing one is a problem unless that is 0 */
+  number(key: string, without: number): number;
+  /** Complains of keys that nobody has asked for. */
+  finish(): void;
+}
+
+function readerOf(parts: readonly string[], between: string, problems: string[]): Reader {
   const pairs = new Map<string, string>();
   for (const part of parts) {
     const at = part.indexOf(between);
-    const key = at < 0 ? part : part.slice(0, at);
-    if (at < 0 || pairs.has(key)) throw new Error(`${brief(key)}: ${at < 0 ? 'has no value' : 'given twice'}`);
-    pairs.set(key, decode(part.slice(at + 1)));
+    const key = brief(at < 0 ? part : part.slice(0, at));
+    if (at < 0) problems.push(`${key}: got no value`);
+    else if (pairs.has(key)) problems.push(`${key}: got twice, allowed once`);
+    else pairs.set(key, decoded(part.slice(at + 1)));
   }
-  return pairs;
-}
-
-function encounterFrom(pairs: Map<string, string>): Encounter {
   const take = (key: string): string | undefined => {
     const value = pairs.get(key);
     pairs.delete(key);
     return value;
   };
-  const kind = word('body', take('body') ?? 'disk', kinds);
-  const si = word('units', take('units') ?? 'c', ['c', 'SI']) === 'SI';
-  const plane = word('plane', take('plane') ?? 'stress', ['stress', 'strain'] as const);
-  const partner = word('against', take('against') ?? 'wall', partners);
-  if (kind === 'rod' && partner === 'half-space') throw new Error('against: got half-space, allowed wall, same, body');
+  return {
+    word(key, allowed) {
+      const value = take(key) ?? allowed[0];
+      const found = allowed.find((item) => item === value);
+      if (found === undefined) problems.push(`${key}: got “${brief(value)}”, allowed ${allowed.join(', ')}`);
+      return found ?? allowed[0];
+    },
+    number(key, without) {
+      const text = take(key);
+      if (text === undefined) {
+        if (without !== 0) problems.push(`${key}: got none, allowed a number`);
+        return without;
+      }
+      const parsed = parseNumber(key, text);
+      if ('value' in parsed) return parsed.value;
+      problems.push(parsed.problem);
+      return without;
+    },
+    finish() {
+      for (const key of pairs.keys()) {
+        problems.push(known.has(key) ? `${key}: got a key that this encounter does not have`
+          : `${key}: got an unknown key, allowed ${[...known].join(' ')} keep`);
+      }
+    },
+  };
+}
+
+function encounterFrom(reader: Reader): Encounter {
+  const kind = reader.word('body', ['disk', 'sphere', 'rod']);
+  const si = reader.word('units', ['c', 'SI']) === 'SI';
+  const plane = reader.word('plane', ['stress', 'strain']);
+  const others = ['wall', 'same', 'body'] as const;
+  const partner = reader.word('against', kind === 'rod' ? others : ([...others, 'half-space'] as const));
   const against: Against =
     partner === 'wall' || partner === 'same' ? { kind: partner } : { kind: partner, body: unitBody };
   const encounter: Encounter = { kind, si, plane, first: unitBody, against };
   const fields = fieldsOf(encounter);
-  const fill = (second: boolean): Body => {
+  const fill = (second: boolean, without: Body): Body => {
     const body: Body = { ...unitBody };
     for (const field of bodyFields) {
-      const key = second ? `${keys[field]}2` : keys[field];
       if (!fields.includes(second ? ofSecond(field) : field)) continue;
-      const text = take(key);
-      if (text !== undefined) body[field] = number(key, text);
-      else if (field !== 'lossTime') throw new Error(`${key}: got none, allowed a number`);
+      body[field] = reader.number(second ? `${keys[field]}2` : keys[field], field === 'lossTime' ? 0 : without[field]);
     }
     return body;
   };
-  const filled = withSecond({ ...encounter, first: fill(false) }, () => fill(true));
-  const [left] = pairs.keys();
-  if (left !== undefined) throw new Error(`${brief(left)}: not a known key`);
-  return filled;
+  const first = fill(false, si ? ball : unitBody);
+  return withSecond({ ...encounter, first }, () => fill(true, si ? first : unitBody));
 }
 
-function word<Word extends string>(key: string, value: string, allowed: readonly Word[]): Word {
-  const found = allowed.find((item) => item === value);
-  if (found === undefined) throw new Error(`${key}: got “${brief(value)}”, allowed ${allowed.join(', ')}`);
-  return found;
-}
-
-function number(key: string, text: string): number {
-  const parsed = parseNumber(key, text);
-  if ('problem' in parsed) throw new Error(parsed.problem);
-  return parsed.value;
-}
-
-function checked(inputs: Inputs): Inputs {
-  const [problem] = problemsOf(inputs).values();
-  if (problem !== undefined) throw new Error(problem);
-  return inputs;
-}
-
-function decode(text: string): string {
+function decoded(text: string): string {
   try {
     return decodeURIComponent(text);
   } catch {
-    throw new Error(`${brief(text)}: not readable`);
+    return text;
   }
 }
 

@@ -1,5 +1,6 @@
 // The command line that gives the same numbers.
 import type { Body, Encounter } from '../core/protocol';
+import { yieldStrengthOf } from './materials';
 import { shortest } from './number';
 
 /** Arguments that say who meets whom, as `stoss restitution` and `stoss table` take them. */
@@ -14,6 +15,8 @@ export function encounterArguments(encounter: Encounter): string[] {
     add(kind === 'rod' ? '--length' : '--radius', first.radius);
     if (kind === 'rod') add('--area', first.area);
     if (kind === 'disk' && plane === 'strain') line.push('--plane', 'strain');
+    const strength = yieldStrengthOf(first, kind);
+    if (kind === 'sphere' && strength !== undefined) add('--yield', strength);
   }
   if (first.lossTime !== 0) add('--loss-time', first.lossTime);
   if (against.kind === 'same') line.push('--against', 'same');
@@ -37,12 +40,14 @@ export function commandLine(encounter: Encounter, speed: number, tolerance = 1e-
 }
 
 function keysOf(encounter: Encounter, body: Body, sized: boolean): string[] {
-  const { kind } = encounter;
+  const { kind, si } = encounter;
   const values: [string, number][] = [];
+  const strength = si && kind === 'sphere' ? yieldStrengthOf(body, kind) : undefined;
   if (kind !== 'rod') values.push(['poisson', body.poisson]);
   values.push(['young', body.young], ['density', body.density]);
   if (sized) values.push([kind === 'rod' ? 'length' : 'radius', body.radius]);
   if (sized && kind === 'rod') values.push(['area', body.area]);
+  if (strength !== undefined) values.push(['yield', strength]);
   if (body.lossTime !== 0) values.push(['loss_time', body.lossTime]);
   return values.map(([key, value]) => `${key}=${shortest(value)}`);
 }

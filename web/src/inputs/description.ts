@@ -10,7 +10,7 @@ export function description(encounter: Encounter): string {
   const first = bodyText(encounter, encounter.first, kind, encounter.si);
   const second = secondBody(against);
   if (against.kind === 'wall') return first;
-  if (against.kind === 'same' || second === undefined) return `${first}, its like`;
+  if (against.kind === 'same' || second === undefined) return `${first} at an identical one`;
   const name = against.kind === 'body' ? kind : kind === 'disk' ? 'half-plane' : 'half-space';
   return `${first} at ${bodyText(encounter, second, name, against.kind === 'body')}`;
 }

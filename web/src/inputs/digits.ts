@@ -1,28 +1,38 @@
-// Values as the command prints them: the error has two digits, and the value ends where they end.
+// Values with their errors, always with ±: the error has two digits, and the value ends where they end.
+import { powerOfTen } from '../drawing/ticks';
 
 export const unknownError = 'unknown';
 
-/** A value with its error: 0.947060 ± 0.000031, 0.99574253(37), 3.49794(14)e-19. */
+/** An error as large as this share of its value is worth one digit only. */
+const rough = 0.1;
+
+/** Digits behind the point beyond which powers of ten are easier to read. */
+const mostDecimals = 8;
+
+/** A value with its error: 0.947060 ± 0.000031, 0.99574253 ± 3.7×10⁻⁷, (3.49794 ± 0.00014)×10⁻¹⁹, 9 ± 5. */
 export function withError(value: number, error: number): string {
   if (Number.isFinite(value) && !Number.isFinite(error)) return `${significant(value, 6)} ± ${unknownError}`;
-  const most = 12;
-  let decimals = most;
-  if (error > 0) decimals = Math.max(1 - Math.floor(Math.log10(error)), 0);
+  if (error === 0 || !Number.isFinite(value)) return `${significant(value, 12)} ± 0`;
   const size = Math.abs(value);
-  if (decimals > most && size < 1e-6 && error < size && error > 1e-15 * size) return inPowersOfTen(value, error);
-  decimals = Math.min(decimals, most);
-  if (decimals < 8) return `${value.toFixed(decimals)} ± ${error.toFixed(decimals)}`;
-  return `${value.toFixed(decimals)}(${(error * 10 ** decimals).toFixed(0)})`;
+  const digits = error > rough * size ? 1 : 2;
+  const [mantissa = '', last = '0'] = error.toExponential(digits - 1).split('e');
+  const decimals = digits - 1 - Number(last);
+  if (size > error && size < 1e-4) {
+    const power = Number(size.toExponential().split('e')[1]);
+    const raised = (number: number): string => (number / 10 ** power).toFixed(Math.max(decimals + power, 0));
+    return `(${raised(value)} ± ${raised(error)})×${powerOfTen(power)}`;
+  }
+  if (decimals < 0) return `${rounded(value, decimals)} ± ${rounded(error, decimals)}`;
+  const shown = value.toFixed(Math.min(decimals, 15));
+  return decimals < mostDecimals
+    ? `${shown} ± ${error.toFixed(decimals)}`
+    : `${shown} ± ${mantissa}×${powerOfTen(Number(last))}`;
 }
 
-/** As in 3.49794(14)e-19: the error counts units of the last digit of the value. */
-function inPowersOfTen(value: number, error: number): string {
-  const doubt = error.toExponential(1);
-  const last = Number(doubt.slice(4)) - 1;
-  const digits = String(Math.round(Math.abs(value) / 10 ** last));
-  const power = last + digits.length - 1;
-  const shown = `e${power < 0 ? '-' : '+'}${String(Math.abs(power)).padStart(2, '0')}`;
-  return `${value < 0 ? '-' : ''}${digits[0]}.${digits.slice(1)}(${doubt[0]}${doubt[2]})${shown}`;
+/** A whole number, of which −decimals digits before the point are not known. */
+function rounded(value: number, decimals: number): string {
+  const unit = 10 ** -decimals;
+  return String(Math.round(value / unit) * unit);
 }
 
 /** A value to some significant digits without trailing zeros, as %g prints it. */

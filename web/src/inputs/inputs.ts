@@ -7,6 +7,8 @@ export interface Inputs {
   /** c of the first body, or m/s in SI */
   readonly speed: number;
   readonly kept: readonly Encounter[];
+  /** whether only ε, the height of rebound and the film are shown */
+  readonly simple: boolean;
 }
 
 /** A body that is its own unit and loses nothing. */
@@ -16,12 +18,13 @@ export const defaults: Inputs = {
   encounter: { kind: 'disk', first: unitBody, against: { kind: 'wall' }, si: false, plane: 'stress' },
   speed: 0.1,
   kept: [],
+  simple: false,
 };
 
 /** More curves than these cannot be told apart: there are as many colours, and one is for the current one. */
 export const mostKept = 5;
 
-/** What gives way opposite the first body; undefined for a rigid wall and for an equal body. */
+/** What deforms opposite the first body; undefined for a rigid wall and for an equal body. */
 export function secondBody(against: Against): Body | undefined {
   return against.kind === 'body' || against.kind === 'half-space' ? against.body : undefined;
 }

@@ -1,7 +1,7 @@
 // Units of the results in SI, and the same encounter in other units.
 import type { Body, Encounter } from '../core/protocol';
-import { type Inputs, secondBody, withSecond } from './inputs';
-import { madeOf, materials } from './materials';
+import { type Inputs, unitBody, withSecond } from './inputs';
+import { madeOf, materialNamed } from './materials';
 
 /** Modulus that counts in the plane of a disk: E, or E/(1−ν²) in plane strain. */
 export function modulus(encounter: Encounter, body: Body): number {
@@ -48,42 +48,27 @@ export function withoutSi(inputs: Inputs): Inputs {
   };
 }
 
-/** Another encounter at the same speed; where that is out of its range, at the same share of its bar speed. */
-export function withEncounter(inputs: Inputs, encounter: Encounter): Inputs {
-  const c = barSpeed(encounter);
-  const allowed = inputs.speed >= 1e-8 * c && inputs.speed <= c;
-  if (allowed || !(c > 0)) return { ...inputs, encounter };
-  return { ...inputs, encounter, speed: Number(((inputs.speed / barSpeed(inputs.encounter)) * c).toPrecision(3)) };
-}
+/** What SI begins with: a ball of a bearing of 1 cm, at the speed of a fall from 5 cm. */
+export const ball: Body = madeOf(materialNamed('bearing steel'), { ...unitBody, radius: 0.01, area: 1e-4 });
+export const siSpeed = 1;
 
-const [steel] = materials;
-
-/** The same impact in SI: the first body becomes steel of 1 cm with its own Poisson's ratio, and ε stays what it is. */
+/** Such bodies in SI: the first becomes the ball of a bearing, and a second one keeps its ratios to the first. */
 export function withSi(inputs: Inputs): Inputs {
   const { encounter } = inputs;
-  if (encounter.si || steel === undefined) return inputs;
-  const bodies = [encounter.first, secondBody(encounter.against)].filter((body) => body !== undefined);
-  const strain = encounter.kind === 'disk' && bodies.some((body) => body.poisson >= 0.5);
-  const plane = strain ? 'strain' : 'stress';
-  const solid = (poisson: number): number => (strain ? rounded(poisson / (1 + poisson)) : poisson);
-  const reference = madeOf(steel, { ...encounter.first, radius: 0.01, area: 1e-4 });
-  const first = { ...reference, poisson: solid(encounter.first.poisson) };
-  const inSi: Encounter = { ...encounter, si: true, plane, first };
-  const time = barTime(inSi);
+  if (encounter.si) return inputs;
   const values = (body: Body): Body => {
-    const poisson = solid(body.poisson);
-    const planeYoung = body.young * modulus(inSi, first);
+    const size = { radius: rounded(body.radius * ball.radius), area: rounded(body.area * ball.area) };
+    if (body.young === 1 && body.density === 1) return { ...ball, ...size };
     return {
-      poisson,
-      radius: rounded(body.radius * first.radius),
-      young: rounded(strain ? planeYoung * (1 - poisson ** 2) : planeYoung),
-      density: rounded(body.density * first.density),
-      area: rounded(body.area * first.area),
-      lossTime: rounded(body.lossTime * time),
+      ...size,
+      poisson: Math.min(body.poisson, ball.poisson),
+      young: rounded(body.young * ball.young),
+      density: rounded(body.density * ball.density),
+      lossTime: rounded((body.lossTime * ball.radius) / Math.sqrt(ball.young / ball.density)),
     };
   };
-  const lossy = { ...inSi, first: { ...first, lossTime: rounded(encounter.first.lossTime * time) } };
-  return { ...inputs, encounter: withSecond(lossy, values), speed: rounded(inputs.speed * barSpeed(inSi)) };
+  const inSi = withSecond({ ...encounter, si: true, plane: 'stress', first: ball }, values);
+  return { ...inputs, encounter: inSi, speed: siSpeed };
 }
 
 /** To six digits, so that a field stays readable. */

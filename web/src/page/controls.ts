@@ -1,10 +1,12 @@
 // The form: it shows the inputs, and tells what the user makes of them.
 import type { Against, Body, BodyKind } from '../core/protocol';
 import { check } from '../inputs/check';
+import { description } from '../inputs/description';
 import { type Field, fieldsOf, owner } from '../inputs/fields';
 import { type Inputs, secondBody, withAgainst, withKind, withSecond } from '../inputs/inputs';
 import { madeOf, materialOf, materials } from '../inputs/materials';
-import { barSpeed, withEncounter, withSi, withoutSi } from '../inputs/scales';
+import { presetOf, presets } from '../inputs/presets';
+import { barSpeed, withSi, withoutSi } from '../inputs/scales';
 import { significant } from '../inputs/digits';
 import { placeOf, speedAt, steps } from '../inputs/speeds';
 import { find, make } from './dom';
@@ -32,8 +34,11 @@ export function createControls(initial: Inputs, listener: Listener): Controls {
   const slider = find('speed-slider', HTMLInputElement);
   const partner = find('against', HTMLSelectElement);
   const selects = { first: find('material', HTMLSelectElement), second: find('material2', HTMLSelectElement) };
+  const preset = find('preset', HTMLSelectElement);
+  const simple = find('simple', HTMLInputElement);
   const views = new Map<Field, FieldView>();
   slider.max = String(steps);
+  preset.append(...[own, ...presets.map(({ name }) => name)].map((name) => make('option', { value: name }, name)));
   for (const select of [selects.first, selects.second]) {
     select.append(...[own, ...materials.map(({ name }) => name)].map((name) => make('option', { value: name }, name)));
   }
@@ -45,12 +50,14 @@ export function createControls(initial: Inputs, listener: Listener): Controls {
     choose('body', kind);
     choose('units', si ? 'SI' : 'c');
     choose('plane', encounter.plane);
+    simple.checked = inputs.simple;
+    document.body.dataset.view = inputs.simple ? 'simple' : 'full';
     find('plane-row', HTMLElement).hidden = !(si && kind === 'disk');
     find('material-row', HTMLElement).hidden = !si;
     const second = secondBody(against);
     find('material2-row', HTMLElement).hidden = !si || second === undefined;
     showPartners(kind, against.kind);
-    showMaterials();
+    showNames();
     find('units-note', HTMLElement).textContent = note();
     const fields = fieldsOf(encounter);
     for (const field of fields) showField(viewOf(field), field, inputs);
@@ -66,8 +73,10 @@ export function createControls(initial: Inputs, listener: Listener): Controls {
     slider.setAttribute('aria-valuetext', `${significant(inputs.speed, 3)} ${inputs.encounter.si ? 'm/s' : 'c'}`);
   }
 
-  function showMaterials(): void {
+  function showNames(): void {
     const { first, kind, against } = inputs.encounter;
+    preset.value = presetOf(inputs)?.name ?? own;
+    find('who', HTMLElement).textContent = description(inputs.encounter);
     const second = secondBody(against);
     selects.first.value = materialOf(first, kind)?.name ?? own;
     selects.second.value = (second && materialOf(second, kind)?.name) ?? own;
@@ -113,7 +122,7 @@ export function createControls(initial: Inputs, listener: Listener): Controls {
     inputs = result.inputs;
     find('units-note', HTMLElement).textContent = note();
     showSlider();
-    showMaterials();
+    showNames();
     listener.changed(inputs, settled);
   }
 
@@ -132,6 +141,9 @@ export function createControls(initial: Inputs, listener: Listener): Controls {
     const { encounter } = inputs;
     if (target === slider || (target instanceof HTMLInputElement && target.dataset.field !== undefined)) {
       read(true);
+    } else if (target === preset) {
+      const { encounter: met, speed } = presets.find(({ name }) => name === preset.value) ?? inputs;
+      take({ ...inputs, encounter: met, speed }, true);
     } else if (target === partner) {
       take({ ...inputs, encounter: withAgainst(encounter, partner.value as Against['kind']) }, true);
     } else if (target === selects.first || target === selects.second) {
@@ -139,15 +151,17 @@ export function createControls(initial: Inputs, listener: Listener): Controls {
       const made = (body: Body): Body => (material === undefined ? body : madeOf(material, body));
       const next =
         target === selects.first ? { ...encounter, first: made(encounter.first) } : withSecond(encounter, made);
-      take(withEncounter(inputs, next), true);
+      take({ ...inputs, encounter: next }, true);
     } else if (target instanceof HTMLInputElement && target.name === 'body') {
-      take(withEncounter(inputs, withKind(encounter, target.value as BodyKind)), true);
+      take({ ...inputs, encounter: withKind(encounter, target.value as BodyKind) }, true);
     } else if (target instanceof HTMLInputElement && target.name === 'units') {
       take(target.value === 'SI' ? withSi(inputs) : withoutSi(inputs), true);
     } else if (target instanceof HTMLInputElement && target.name === 'plane') {
-      take(withEncounter(inputs, { ...encounter, plane: target.value as 'stress' | 'strain' }), true);
+      take({ ...inputs, encounter: { ...encounter, plane: target.value as 'stress' | 'strain' } }, true);
     }
   });
+
+  simple.addEventListener('change', () => take({ ...inputs, simple: simple.checked }, true));
 
   function choose(name: string, value: string): void {
     for (const radio of form.querySelectorAll<HTMLInputElement>(`input[name="${name}"]`)) {
@@ -157,7 +171,7 @@ export function createControls(initial: Inputs, listener: Listener): Controls {
 
   function showPartners(kind: BodyKind, chosen: Against['kind']): void {
     const names: [Against['kind'], string][] = [
-      ['wall', 'a rigid wall'], ['same', 'its like'], ['body', `another ${kind}`],
+      ['wall', 'a rigid wall'], ['same', 'an identical body'], ['body', `another ${kind}`],
     ];
     if (kind !== 'rod') names.push(['half-space', kind === 'disk' ? 'an elastic half-plane' : 'an elastic half-space']);
     if (partner.dataset.kind !== kind) {

@@ -1,6 +1,7 @@
 // ε and what belongs to it, as text.
 import type { Encounter, Quantity, Restitution } from '../core/protocol';
 import { prefixed, significant, withError } from '../inputs/digits';
+import { reboundOf } from '../inputs/rebound';
 import { find } from './dom';
 
 export type Stage = 'first' | 'final';
@@ -16,16 +17,44 @@ export interface Results {
 
 const units: Record<string, string> = { piRE: 'πRE', 'mc^2/R': 'mc²/R' };
 
-/** A quantity of a result, in SI where it is known, with the digits that its error allows and a readable unit. */
+/** A quantity with a readable unit and the digits that its error allows, or some others. */
+function shown(quantity: Quantity, digits = shownNumber): string {
+  const { factor, unit } = prefixed(quantity.value, quantity.unit);
+  return `${digits(quantity, factor)}${unit === '' ? '' : `\u00a0${units[unit] ?? unit}`}`;
+}
+
+/** A quantity of a result, in SI where it is known. */
 export function shownQuantity(result: Restitution, name: string): string {
   const quantity = result.quantities[`${name}_si`] ?? result.quantities[name];
-  if (quantity === undefined) return '–';
-  const { factor, unit } = prefixed(quantity.value, quantity.unit);
-  return `${shownNumber(quantity, factor)}${unit === '' ? '' : ` ${units[unit] ?? unit}`}`;
+  return quantity === undefined ? '–' : shown(quantity);
 }
 
 function shownNumber({ value, error }: Quantity, factor: number): string {
   return error === undefined ? significant(value * factor, 6) : withError(value * factor, error * factor);
+}
+
+/** As far as a class needs it. */
+function threeDigits({ value }: Quantity, factor = 1): string {
+  return (value * factor).toPrecision(3);
+}
+
+/** The height of rebound, whole and in three digits, of that of the fall; '' for what meets another body. */
+export function reboundInWords(encounter: Encounter, result: Restitution): { full: string; short: string } {
+  const { restitution } = result.quantities;
+  const rebound = restitution && reboundOf(encounter, result.speed, restitution);
+  if (rebound === undefined) return { full: '', short: '' };
+  const { drop, height } = rebound;
+  const of = drop === undefined ? '\u00a0h' : ` of ${shown({ value: drop, unit: 'm' }, threeDigits)}`;
+  return { full: shown(height) + of, short: shown(height, threeDigits) + of };
+}
+
+/** Up to where ε is more than a bound; '' without SI. */
+export function yieldInWords({ si }: Encounter, { speed, yieldSpeed }: Restitution): string {
+  if (!si) return '';
+  if (yieldSpeed === undefined) return 'From where the material yields or cracks, ε is an upper bound.';
+  const at = `${significant(yieldSpeed, 2)} m/s`;
+  return speed > yieldSpeed ? `Above the ${at} where it begins to yield: ε is an upper bound.`
+    : `Begins to yield at ${at}: ε is an upper bound above.`;
 }
 
 /** What a reader should know about a result, one line each. */
@@ -47,27 +76,40 @@ const noticeable = 200;
 export function createResults(): Results {
   const section = find('result', HTMLElement);
   const value = find('epsilon', HTMLElement);
-  const bar = find('error-bar', HTMLElement);
   const spoken = find('spoken', HTMLOutputElement);
   const state = find('result-state', HTMLElement);
   let reached = '';
   let timer: number | undefined;
   let soon: number | undefined;
 
-  /** Logarithmic: an error of 10⁻² of ε fills the bar, one of 10⁻⁸ empties it. */
-  const share = (error: number): number => Math.min(Math.max((Math.log10(error || 1e-12) + 8) / 6, 0.02), 1);
+  const showRebound = (encounter: Encounter, result: Restitution): void => {
+    const { full, short } = reboundInWords(encounter, result);
+    find('rebound-row', HTMLElement).hidden = full === '';
+    find('rebound-name', HTMLElement).textContent = `Height of rebound ε²h${encounter.si ? ', h = v²/2g' : ''}`;
+    find('rebound', HTMLElement).textContent = full;
+    find('rebound-short', HTMLElement).textContent = short;
+  };
+  const showYield = (encounter: Encounter, result: Restitution): void => {
+    const line = find('yield', HTMLElement);
+    line.textContent = yieldInWords(encounter, result);
+    line.classList.toggle('problem', result.speed > (result.yieldSpeed ?? Infinity));
+  };
 
   return {
     show(encounter, result, stage) {
       const epsilon = result.quantities.restitution ?? { value: NaN, unit: '' };
       value.textContent = withError(epsilon.value, epsilon.error ?? 0);
-      bar.style.transform = `scaleX(${share(epsilon.error ?? 0)})`;
+      find('epsilon-short', HTMLElement).textContent = threeDigits(epsilon);
       section.dataset.stage = stage;
       if (section.dataset.stale !== 'wrong') delete section.dataset.stale;
       for (const [id, name] of quantities) find(id, HTMLElement).textContent = shownQuantity(result, name);
+      find('force-note', HTMLElement).hidden = encounter.kind !== 'rod';
+      showRebound(encounter, result);
+      showYield(encounter, result);
       clearTimeout(soon);
-      const missed = result.converged ? '' : ' not reached';
-      reached = stage === 'first' ? 'tolerance 10⁻², refining' : `tolerance 10⁻³${missed}`;
+      delete section.dataset.slow;
+      const aim = 'accurate to 10⁻³ of 1 − ε², or to 10⁻⁶';
+      reached = stage === 'first' ? 'first value, refining' : `${result.converged ? '' : 'not '}${aim}`;
       if (section.dataset.stale !== 'wrong') state.textContent = reached;
       const lines = flags(result);
       find('flags', HTMLElement).replaceChildren(...lines.flatMap((line) => [line, document.createElement('br')]));
@@ -85,9 +127,13 @@ export function createResults(): Results {
       if (why === '') delete section.dataset.stale;
       else section.dataset.stale = why;
       clearTimeout(soon);
+      delete section.dataset.slow;
       if (why === '') state.textContent = reached;
       if (why === 'wrong') state.textContent = reached === '' ? 'no result yet' : 'of the last inputs in range';
-      if (why === 'computing') soon = window.setTimeout(() => (state.textContent = 'computing'), noticeable);
+      if (why === 'computing') soon = window.setTimeout(() => {
+        state.textContent = reached === '' ? 'computing' : 'computing; this is the last value';
+        section.dataset.slow = '';
+      }, noticeable);
       clearTimeout(timer);
     },
     say(line) {

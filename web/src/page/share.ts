@@ -66,7 +66,7 @@ export function createShare(
     button.disabled = true;
     say('Computing the table of the C header.');
     try {
-      const [low, high] = [slowest, fastest].map((speed) => Number((speed * c).toPrecision(4)));
+      const [low, high] = [slowest, fastest(encounter)].map((speed) => Number((speed * c).toPrecision(4)));
       const text = await core.header(encounter, low ?? 0, high ?? 0, headerError);
       download('restitution.h', text, 'text/x-c');
       return `C header downloaded: ε(v) to an error of ${headerError}.`;

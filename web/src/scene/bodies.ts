@@ -1,11 +1,10 @@
 // Draws the bodies of one frame: their stress, their edges, and what a single one meets.
 
 import type { Encounter, Frame, Grid } from '../core/protocol';
-import { interpolate } from '../drawing/scale';
 import type { Theme } from '../drawing/theme';
 import type { Shade } from './colors';
 import { between, faceOf, type Edge } from './interface';
-import { edgeOf, magnifiedCenter, meshOf, type Mesh, type Placed } from './mesh';
+import { blockMesh, edgeOf, magnifiedCenter, meshOf, surfaceOf, type Mesh, type Placed } from './mesh';
 import { paintMesh, type Pixels } from './raster';
 import type { Layout } from './view';
 
@@ -36,25 +35,49 @@ export function drawBodies(
 ): void {
   const meshes = placed.map((body, n) =>
     (scratch.meshes[n] = meshOf(body, frame.bodies[n]!, grid, magnification, scratch.meshes[n])));
-  const edges = placed.map((body, n) => edgeOf(body, meshes[n]!));
-  const seam = placed.length === 2 ? seamOf(placed, edges) : undefined;
-  placed.forEach((body, n) => {
-    const { context } = to;
-    context.save();
-    if (seam) clipBeside(to, seam, n === 0);
+  const edges: Edge[] = placed.map((body, n) => edgeOf(body, meshes[n]!));
+  const curvatures = placed.map((body) => (body.kind === 'rod' ? 0 : 1 / body.radius));
+  const block = frame.block && grid.below &&
+    (scratch.meshes[placed.length] = blockMesh(frame.block, grid.below, magnification, scratch.meshes[placed.length]));
+  if (block) {
+    edges.push(surfaceOf(block));
+    curvatures.push(0);
+  }
+  const seam = edges.length === 2 ? seamOf(edges as [Edge, Edge], curvatures as [number, number]) : undefined;
+  placed.forEach((body, n) => beside(to, seam, n === 0, () => {
     strokeRest(to, body, magnifiedCenter(body, frame.bodies[n]!.center, magnification));
     paint(to, meshes[n]!, frame.bodies[n]![to.shade.quantity], scratch);
-    strokeEdge(to, edges[n]!);
-    context.restore();
-  });
+    strokeEdge(to, edges[n]!, true);
+  }));
   if (against === 'wall') drawWall(to);
-  if (frame.surface) drawSurface(to, frame.surface, magnification);
+  if (block) {
+    beside(to, seam, false, () => {
+      clipDeep(to);
+      paint(to, block, frame.block![to.shade.quantity], scratch);
+      strokeEdge(to, edges[1]!, false);
+    });
+  }
 }
 
-function seamOf(placed: Placed[], edges: Edge[]): Edge {
-  const heights = faceOf(edges[placed[0]!.radius <= placed[1]!.radius ? 0 : 1]!).y;
-  const curvature = (body: Placed): number => (body.kind === 'rod' ? 0 : 1 / body.radius);
-  return between(edges[0]!, edges[1]!, [curvature(placed[0]!), curvature(placed[1]!)], Array.from(heights));
+/** The line where two edges meet, at the heights of the points of the lower face. */
+function seamOf(edges: [Edge, Edge], curvatures: [number, number]): Edge {
+  const [first, second] = edges.map((edge) => Array.from(faceOf(edge).y)) as [number[], number[]];
+  return between(...edges, curvatures, first.at(-1)! <= second.at(-1)! ? first : second);
+}
+
+/** Draws left, or right, of the seam, if there is one. */
+function beside(to: Drawing, seam: Edge | undefined, left: boolean, draw: () => void): void {
+  to.context.save();
+  if (seam) clipBeside(to, seam, left);
+  draw();
+  to.context.restore();
+}
+
+/** Keeps what is shown of a half-space, which has no end. */
+function clipDeep({ context, layout }: Drawing): void {
+  context.beginPath();
+  context.rect(0, 0, layout.right, 2 * layout.y + 8);
+  context.clip();
 }
 
 /** Keeps what is left, or right, of the seam; above and below it everything. */
@@ -100,15 +123,16 @@ function paint(to: Drawing, mesh: Mesh, stress: Float32Array, scratch: Scratch):
   context.restore();
 }
 
-function strokeEdge({ context, layout, theme }: Drawing, edge: Edge): void {
+/** An edge and its mirror image: around a body, or along an open surface. */
+function strokeEdge({ context, layout, theme }: Drawing, edge: Edge, closed: boolean): void {
   context.beginPath();
-  for (const sign of [1, -1]) {
+  for (const sign of closed ? [1, -1] : [-1, 1]) {
     for (let k = 0; k < edge.x.length; ++k) {
       const n = sign > 0 ? k : edge.x.length - 1 - k;
       context.lineTo(layout.x + layout.scale * edge.x[n]!, layout.y + sign * layout.scale * edge.y[n]!);
     }
   }
-  context.closePath();
+  if (closed) context.closePath();
   context.lineWidth = 1.6;
   context.lineJoin = 'round';
   context.strokeStyle = theme.text;
@@ -154,7 +178,6 @@ function hatched({ context, layout, theme }: Drawing, face: Path2D, shape: Path2
 }
 
 const WALL = 0.26; // thickness, in radii
-const STEP = 2; // pixels between two points of a surface
 
 function drawWall(to: Drawing): void {
   const { x, scale, height, y } = to.layout;
@@ -166,20 +189,4 @@ function drawWall(to: Drawing): void {
   face.moveTo(x, top);
   face.lineTo(x, height);
   hatched(to, face, shape, x + thick);
-}
-
-function drawSurface(to: Drawing, surface: { y: Float32Array; depth: Float32Array }, magnification: number): void {
-  const { x, y, scale, height } = to.layout;
-  const top = 2 * y - height + 4;
-  const at = (reach: number): number =>
-    x + scale * magnification * interpolate(surface.y, surface.depth, reach / scale);
-  const face = new Path2D();
-  for (let reach = y - top; reach > 0; reach -= STEP) face.lineTo(at(reach), y - reach);
-  for (let reach = 0; reach < height - y; reach += STEP) face.lineTo(at(reach), y + reach);
-  face.lineTo(at(height - y), height);
-  const shape = new Path2D(face);
-  shape.lineTo(to.width, height);
-  shape.lineTo(to.width, top);
-  shape.closePath();
-  hatched(to, face, shape, to.width);
 }

@@ -1,6 +1,6 @@
 // The frames of a film that are there already, and what is between two of them.
 
-import type { BodyFrame, Frame } from '../core/protocol';
+import type { BodyFrame, Frame, Inside } from '../core/protocol';
 import { lastNotAbove } from '../drawing/scale';
 
 /** Frames in the order of their times. */
@@ -23,14 +23,17 @@ function mixed(a: Float32Array, b: Float32Array, share: number, into?: Float32Ar
   return out;
 }
 
-function mixedBody(a: BodyFrame, b: BodyFrame, share: number, into?: BodyFrame): BodyFrame {
+function mixedInside(a: Inside, b: Inside, share: number, into?: Inside): Inside {
   return {
-    center: a.center + share * (b.center - a.center),
     radial: mixed(a.radial, b.radial, share, into?.radial),
     tangential: mixed(a.tangential, b.tangential, share, into?.tangential),
     vonMises: mixed(a.vonMises, b.vonMises, share, into?.vonMises),
     fringes: mixed(a.fringes, b.fringes, share, into?.fringes),
   };
+}
+
+function mixedBody(a: BodyFrame, b: BodyFrame, share: number, into?: BodyFrame): BodyFrame {
+  return { center: a.center + share * (b.center - a.center), ...mixedInside(a, b, share, into) };
 }
 
 /** The frame of a film at any time: between two of its frames both, mixed by their distance. `into`, an earlier
@@ -45,11 +48,6 @@ export function frameAt(film: Film, time: number, into?: Frame): Frame | undefin
     time,
     bodies: a.bodies.map((each, n) => mixedBody(each, b.bodies[n]!, share, spare?.bodies[n])),
   };
-  if (a.surface && b.surface) {
-    frame.surface = {
-      y: mixed(a.surface.y, b.surface.y, share, spare?.surface?.y),
-      depth: mixed(a.surface.depth, b.surface.depth, share, spare?.surface?.depth),
-    };
-  }
+  if (a.block && b.block) frame.block = mixedInside(a.block, b.block, share, spare?.block);
   return frame;
 }

@@ -40,6 +40,21 @@ export function gridFor(kind: BodyKind, halfWidth: number): Grid {
   };
 }
 
+const DEPTHS = 30;
+const DISTANCES = 44;
+
+/** How deep a half-space is shown, and how far from the line of impact, in radii of the body that it meets. */
+export const DEEP = 0.9;
+const WIDE = 1.7;
+
+/** The points of a half-space, for a contact of some maximum half width in radii of the body that it meets. */
+export function gridBelow(halfWidth: number): NonNullable<Grid['below']> {
+  const first = halfWidth / PER_HALF_WIDTH;
+  const places = (count: number, last: number): Float32Array =>
+    Float32Array.from(gradedPlaces(count, first / last), (each) => last * each);
+  return { depth: places(DEPTHS, DEEP), distance: places(DISTANCES, WIDE) };
+}
+
 /** An even grid for mode shapes, which have no contact. */
 export function evenGrid(kind: BodyKind, radii = 12, angles = 96): Grid {
   if (kind === 'rod') return gridFor(kind, 1);

@@ -1,6 +1,6 @@
 // How much displacements are magnified: enough to see them, not so much that a body turns inside out.
 
-import type { BodyFrame, Frame, Grid } from '../core/protocol';
+import type { BodyFrame, Frame, Grid, Inside } from '../core/protocol';
 import { roundDown } from '../drawing/ticks';
 
 const VISIBLE = 0.18; // maximum displacement in the picture, in radii of the body
@@ -42,6 +42,24 @@ function firstBelow(trace: number, determinant: number): number {
   return Math.min(...both.map((each) => (each > 0 ? each : Infinity)));
 }
 
+/** The same for a half-space. */
+export function blockUnfoldedUpTo(block: Inside, { depth, distance }: NonNullable<Grid['below']>): number {
+  const columns = distance.length;
+  let greatest = Infinity;
+  for (let i = 0; i + 1 < depth.length; ++i) {
+    for (let j = 0; j + 1 < columns; ++j) {
+      const k = i * columns + j;
+      const [dz, dr] = [depth[i + 1]! - depth[i]!, distance[j + 1]! - distance[j]!];
+      const along = (of: Float32Array, step: number, other: number): number =>
+        (of[k + step]! + of[k + step + other]! - of[k]! - of[k + other]!) / 2;
+      const [zz, zr] = [along(block.radial, columns, 1) / dz, along(block.radial, 1, columns) / dr];
+      const [rz, rr] = [along(block.tangential, columns, 1) / dz, along(block.tangential, 1, columns) / dr];
+      greatest = Math.min(greatest, firstBelow(zz + rr, zz * rr - zr * rz));
+    }
+  }
+  return greatest;
+}
+
 /** The same for a rod: no two of its points change places. */
 export function rodUnfoldedUpTo(body: BodyFrame, grid: Grid): number {
   let greatest = Infinity;
@@ -57,13 +75,15 @@ export function magnificationOf(frames: Frame[], grid: Grid): number {
   let limit = Infinity;
   let displaced = 0;
   const rod = grid.angle.length === 1;
-  for (const frame of frames) {
-    for (const body of frame.bodies) {
-      for (const values of [body.radial, body.tangential]) {
-        for (const each of values) displaced = Math.max(displaced, Math.abs(each));
-      }
-      limit = Math.min(limit, rod ? rodUnfoldedUpTo(body, grid) : unfoldedUpTo(body, grid));
+  const look = ({ radial, tangential }: Inside, unfolded: number): void => {
+    for (const values of [radial, tangential]) {
+      for (const each of values) displaced = Math.max(displaced, Math.abs(each));
     }
+    limit = Math.min(limit, unfolded);
+  };
+  for (const { bodies, block } of frames) {
+    for (const body of bodies) look(body, rod ? rodUnfoldedUpTo(body, grid) : unfoldedUpTo(body, grid));
+    if (block && grid.below) look(block, blockUnfoldedUpTo(block, grid.below));
   }
   const wanted = Math.min(limit, VISIBLE / displaced);
   return wanted > 1 && Number.isFinite(wanted) ? roundDown(wanted) : 1;

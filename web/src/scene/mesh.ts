@@ -1,6 +1,6 @@
 // A deformed body as a mesh in the plane of the picture: the half above the line of impact, the other mirrors it.
 
-import type { BodyFrame, BodyKind, Grid } from '../core/protocol';
+import type { BodyFrame, BodyKind, Grid, Inside } from '../core/protocol';
 
 /** Points in rows and columns, row-major. Places are in radii of the first body, y ≥ 0. */
 export interface Mesh {
@@ -70,6 +70,24 @@ function rodMesh(
     mesh.y[2 * i + 1] = body.halfHeight;
   }
   return mesh;
+}
+
+/** Where the points of a half-space are: depths × distances. */
+export function blockMesh(block: Inside, below: NonNullable<Grid['below']>, magnification: number, into?: Mesh): Mesh {
+  const { depth, distance } = below;
+  const mesh = fresh(depth.length, distance.length, into);
+  for (let i = 0, k = 0; i < mesh.rows; ++i) {
+    for (let j = 0; j < mesh.columns; ++j, ++k) {
+      mesh.x[k] = depth[i]! + magnification * block.radial[k]!;
+      mesh.y[k] = distance[j]! + magnification * block.tangential[k]!;
+    }
+  }
+  return mesh;
+}
+
+/** The surface of a half-space, from the line of impact on. */
+export function surfaceOf(mesh: Mesh): { x: Float32Array; y: Float32Array } {
+  return { x: mesh.x.subarray(0, mesh.columns), y: mesh.y.subarray(0, mesh.columns) };
 }
 
 /** The edge of a body's upper half: from the line of impact where it is struck, to that line on its far side. */

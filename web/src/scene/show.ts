@@ -3,7 +3,7 @@
 import type { Collision, Core, Encounter, Frame, Grid } from '../core/protocol';
 import type { Quantity } from './colors';
 import { insertFrame, type Film } from './frames';
-import { gridFor } from './grid';
+import { gridBelow, gridFor } from './grid';
 import { magnificationOf } from './magnify';
 import type { Placed } from './mesh';
 import { stressUnit } from './scales';
@@ -40,7 +40,9 @@ export async function produce(
   core: Core, encounter: Encounter, speed: number, cutoff: number, collision: Collision, signal: AbortSignal,
   ready: (show: Show) => void, finer: () => void,
 ): Promise<void> {
-  const grid = gridFor(encounter.kind, relativeHalfWidth(encounter, collision));
+  const halfWidth = relativeHalfWidth(encounter, collision);
+  const block = encounter.against.kind === 'half-space';
+  const grid: Grid = { ...gridFor(encounter.kind, halfWidth), ...(block && { below: gridBelow(halfWidth) }) };
   const { from, to } = filmSpan(collision.begin, collision.end);
   const [first, ...rest] = coarseToFine(from, to, FIRST, LEVELS);
   const film: Film = { times: [], frames: [] };

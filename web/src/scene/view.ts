@@ -1,6 +1,7 @@
 // What part of the plane a film shows, and how large.
 
 import type { Encounter, Frame, Grid } from '../core/protocol';
+import { DEEP } from './grid';
 import { edgeOf, meshOf, type Placed } from './mesh';
 
 /** In radii of the first body; the line of impact is y = 0. */
@@ -13,7 +14,6 @@ export interface View {
 const ROD = 0.1; // half the thickness of the first rod, in its lengths
 const ZOOM = 4.6; // a body is shown as far as this many radii of the smaller one
 const GROUND = 0.3; // a wall's thickness
-const DEEP = 0.9; // what is shown of a half-space, at least
 const MARGIN = 0.08;
 
 /** The bodies of a collision in the picture; a half-space is none of them. */
@@ -57,6 +57,8 @@ export interface Layout {
   scale: number;
   x: number;
   y: number;
+  /** where the view ends on the right */
+  right: number;
   /** height of the picture without its legend */
   height: number;
 }
@@ -72,5 +74,6 @@ export function layoutOf(view: View, width: number, density: number): Layout {
   const scale = Math.min((width - 8) / span, TALLEST / (2 * view.half));
   const inner = Math.max(LOWEST, 2 * view.half * scale);
   const y = Math.round((HEAD + inner / 2) * density) / density;
-  return { scale, x: (width - span * scale) / 2 - view.left * scale, y, height: HEAD + inner + 6 };
+  const x = (width - span * scale) / 2 - view.left * scale;
+  return { scale, x, y, right: x + view.right * scale, height: HEAD + inner + 6 };
 }

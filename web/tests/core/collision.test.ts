@@ -3,7 +3,7 @@ import { mkdtempSync, readFileSync, rmSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { describe, expect, it } from 'vitest';
-import type { Collision, Encounter, Frame, Grid, Restitution, Shape } from '../../src/core/protocol';
+import type { Body, Collision, Encounter, Frame, Grid, Restitution, Shape } from '../../src/core/protocol';
 import { encounterArguments } from '../../src/inputs/command_line';
 import { shortest } from '../../src/inputs/number';
 import { barSpeed } from '../../src/inputs/scales';
@@ -57,9 +57,10 @@ describe.skipIf(!hasCore || !hasCommand)('a collision', { timeout: 60_000 }, () 
 
 /** A grid that has the foremost point. */
 function gridOf(encounter: Encounter): Grid {
+  const below = { depth: Float32Array.from([0, 0.5, 1]), distance: Float32Array.from([0, 0.5, 1, 2]) };
   return encounter.kind === 'rod'
     ? { radius: Float32Array.from([0, 0.5, 1]), angle: Float32Array.from([0]) }
-    : { radius: Float32Array.from([0, 0.5, 1]), angle: Float32Array.from([0, 1, 2, Math.PI]) };
+    : { radius: Float32Array.from([0, 0.5, 1]), angle: Float32Array.from([0, 1, 2, Math.PI]), below };
 }
 
 /** Place of the point of a body that touches first. */
@@ -82,7 +83,7 @@ describe.skipIf(!hasCore)('frames', { timeout: 60_000 }, () => {
     const compression = Math.abs(before.bodies[0]!.center - touching.bodies[0]!.center);
     const gap = (frame: Frame): number => {
       const first = front(encounter, frame, 0, 1);
-      if (frame.surface) return frame.surface.depth[0]! - first;
+      if (frame.block) return frame.block.radial[0]! - first;
       return frame.bodies.length === 1 ? -first : front(encounter, frame, 1, collision.bodies[1]!.radius) - first;
     };
     expect(gap(before)).toBeGreaterThan(0);
@@ -95,6 +96,42 @@ describe.skipIf(!hasCore)('frames', { timeout: 60_000 }, () => {
     }
     expect(Math.max(...before.bodies[0]!.vonMises)).toBe(0);
     if (encounter.kind === 'rod') expect(touching.bodies[0]!.vonMises[0]).toBeGreaterThan(0);
+  });
+});
+
+describe.skipIf(!hasCore)('the stress in a half-space', { timeout: 60_000 }, () => {
+  // A slow impact is Hertz' (K. L. Johnson, Contact Mechanics, 3.4): a ball as stiff as the block, ν = 0.3.
+  const ball: Body = { poisson: 0.3, radius: 1, young: 1, density: 1, area: 1, lossTime: 0 };
+  const encounter: Encounter =
+    { kind: 'sphere', first: ball, against: { kind: 'half-space', body: ball }, si: false, plane: 'stress' };
+  const speed = 1e-3;
+  const collision = ask('collision', encounter, speed, cutoffOf(encounter, speed)).value as Collision;
+  const strongest = collision.force.reduce((best, force, k) => (force > collision.force[best]! ? k : best), 0);
+  const mass = (4 / 3) * Math.PI; // of the ball, in its radius and density
+  const effective = 1 / (2 * (1 - 0.3 ** 2)); // E*
+  const radius = ((3 * mass * collision.force[strongest]!) / (4 * effective)) ** (1 / 3);
+  const pressure = (3 * mass * collision.force[strongest]!) / (2 * Math.PI * radius ** 2);
+  const places = (count: number): Float32Array => Float32Array.from({ length: count }, (_, k) => 0.06 * radius * k);
+  const below = { depth: places(40), distance: places(60) };
+  const { all } = ask('frames', encounter, speed, cutoffOf(encounter, speed), [collision.time[strongest]!],
+    { ...gridOf(encounter), below });
+  const { vonMises, fringes } = (all[0] as Frame).block!;
+  it('has its maximum on the axis, 0.62 p₀ at the depth 0.48 a', () => {
+    const axis = Array.from(below.depth, (_, i) => vonMises[i * below.distance.length]!);
+    const most = Math.max(...axis);
+    expect(Math.abs(most / pressure - 0.62)).toBeLessThan(0.003);
+    expect(Math.abs(below.depth[axis.indexOf(most)]! / radius - 0.48)).toBeLessThan(0.07);
+    expect(fringes[axis.indexOf(most) * below.distance.length]! / most).toBeCloseTo(1, 4);
+  });
+  it('on the axis is that of Hertz at every depth', () => {
+    below.depth.forEach((depth, i) => {
+      const z = depth / radius;
+      if (z < 0.3) return; // the rings are seen there
+      const lateral = -1.3 * (1 - z * Math.atan(1 / z)) + 0.5 / (1 + z * z);
+      const normal = -1 / (1 + z * z);
+      const expected = Math.abs(lateral - normal);
+      expect(Math.abs(vonMises[i * below.distance.length]! / pressure - expected), `${z}`).toBeLessThan(0.015);
+    });
   });
 });
 

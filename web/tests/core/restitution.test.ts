@@ -1,6 +1,8 @@
 // ε of the page's core, and all that comes with it, are those of the native command.
 import { describe, expect, it } from 'vitest';
-import type { CurvePoint, Encounter, Restitution } from '../../src/core/protocol';
+import type { Body, CurvePoint, Encounter, Restitution } from '../../src/core/protocol';
+import { madeOf, materialNamed } from '../../src/inputs/materials';
+import { curveSpeeds } from '../../src/inputs/speeds';
 import { cases } from '../unit/cases';
 import { hasCommand, restitution } from './native';
 import { ask, hasCore } from './wasm';
@@ -45,6 +47,33 @@ describe.skipIf(!hasCore || !hasCommand)('restitution', { timeout: 60_000 }, () 
       }
       expect(compared).toBeGreaterThan(10);
     });
+
+  it('has the yield speed of the command, where a strength is known', () => {
+    const made = (name: string, radius: number): Body => madeOf(materialNamed(name), { ...ball.first, radius });
+    const steel: Encounter = { ...ball, si: true, first: made('bearing steel', 0.005) };
+    const met = made('brass', 0.002);
+    for (const [encounter, known] of [
+      [steel, true], [{ ...steel, against: { kind: 'same' } }, true],
+      [{ ...steel, against: { kind: 'body', body: met } }, true],
+      [{ ...steel, against: { kind: 'half-space', body: made('glass', 1) } }, true],
+      [{ ...steel, first: made('glass', 0.005), against: { kind: 'half-space', body: met } }, true],
+      [{ ...steel, first: made('glass', 0.005) }, false], [{ ...steel, kind: 'disk' }, false],
+    ] as [Encounter, boolean][]) {
+      const { yieldSpeed } = ask('restitution', encounter, 0.1, 1e-2).value as Restitution;
+      const theirs = restitution(encounter, 0.1, 1e-2).yield_speed_si as number | undefined;
+      expect([yieldSpeed !== undefined, theirs !== undefined]).toEqual([known, known]);
+      if (known) expect(Math.abs(yieldSpeed! / theirs! - 1)).toBeLessThan(1e-12);
+    }
+  });
+
+  it('is there up to the end of a curve, at a soft half-space too', () => {
+    for (const kind of ['disk', 'sphere'] as const) {
+      const soft: Encounter = { ...one, kind, against: { kind: 'half-space', body: { ...one.first, young: 0.02 } } };
+      const speeds = [Math.max(...curveSpeeds(soft))];
+      expect((ask('curve', soft, speeds, 1e-2).all as CurvePoint[])[0]!.restitution).toBeGreaterThan(0);
+      expect(() => ask('curve', soft, [0.5], 1e-2)).toThrow('at a soft half-space');
+    }
+  });
 
   it('at many speeds is that at each', () => {
     const speeds = [0.2, 0.01, 0.05];

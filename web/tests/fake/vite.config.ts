@@ -15,5 +15,6 @@ export default defineConfig({
   base: './',
   define: { STOSS_VERSION: '"0"' },
   plugins: [fake, equations('')],
+  server: { host: '127.0.0.1' }, // as in web/vite.config.ts
   build: { outDir: here('../../../build/web-fake'), emptyOutDir: true, target: 'es2022', assetsInlineLimit: 0 },
 });

@@ -16,7 +16,7 @@ describe.skipIf(missing !== '')(`the inputs of the page${missing && ` (${missing
     const page = await site.open();
     expect(await settled(page)).toMatch(/^0\.\d+ ± 0\.0+\d\d$/);
     expect(await page.textContent('#command-line')).toBe('stoss restitution --poisson 0.33 --speed 0.1');
-    expect(await page.textContent('#result-state')).toBe('tolerance 10⁻³');
+    expect(await page.textContent('#result-state')).toBe('accurate to 10⁻³ of 1 − ε², or to 10⁻⁶');
     await page.context().close();
   });
 
@@ -33,9 +33,12 @@ describe.skipIf(missing !== '')(`the inputs of the page${missing && ` (${missing
     await page.context().close();
   });
 
-  it('that are bad in a link give the default and one line', async () => {
-    const page = await site.open('?body=cube&v=0.1');
-    expect(await page.textContent('#notice')).toContain('body: got “cube”, allowed disk, sphere, rod');
+  it('that are right in a link are kept, and one line says what was not', async () => {
+    const page = await site.open('?body=cube&v=0.2&colour=red');
+    const notice = await page.textContent('#notice');
+    expect(notice).toContain('body: got “cube”, allowed disk, sphere, rod');
+    expect(notice).toContain('colour: got an unknown key');
+    expect(await page.inputValue('#field-speed')).toBe('0.2');
     expect(await settled(page)).toMatch(/±/);
     await page.context().close();
   });
@@ -72,7 +75,8 @@ describe.skipIf(missing !== '')(`the inputs of the page${missing && ` (${missing
     await page.fill('#field-speed', '3');
     expect(await page.textContent('#command-line')).toMatch(
       new RegExp('^stoss restitution --body sphere --poisson 0.33 --young 1.1e11 --density 8530 --radius 0.02 ' +
-        '--loss-time \\S+ --against half-space,poisson=0.25,young=5e10,density=2650,loss_time=\\S+ --speed 3$'));
+        '--yield 4.3e8 --loss-time \\S+ ' +
+        '--against half-space,poisson=0.25,young=5e10,density=2650,loss_time=\\S+ --speed 3$'));
     await page.selectOption('#against', 'same');
     await page.check('input[name=body][value=disk]', { force: true });
     await page.check('input[name=plane][value=strain]', { force: true });
@@ -86,14 +90,84 @@ describe.skipIf(missing !== '')(`the inputs of the page${missing && ` (${missing
     await page.context().close();
   });
 
-  it('convert the speed with the units, and ε stays', async () => {
+  it('in SI begin with a round speed, and leave it with the same impact', async () => {
     const page = await site.open();
-    const before = await settled(page);
+    await settled(page);
     await page.check('input[name=units][value=SI]', { force: true });
-    expect(Number(await page.inputValue('#field-speed'))).toBeCloseTo(517.219, 2);
-    expect((await settled(page)).slice(0, 6)).toBe(before.slice(0, 6));
+    expect(await page.inputValue('#field-speed')).toBe('1');
+    expect(await page.inputValue('#material')).toBe('bearing steel');
+    const before = await settled(page);
     await page.check('input[name=units][value=c]', { force: true });
-    expect(Number(await page.inputValue('#field-speed'))).toBeCloseTo(0.1, 5);
+    expect(Number(await page.inputValue('#field-speed'))).toBeCloseTo(1 / 5185.42, 8);
+    expect((await settled(page)).slice(0, 6)).toBe(before.slice(0, 6));
+    await page.context().close();
+  });
+
+  it('keep the speed that was typed when the material changes, and say where it is too fast', async () => {
+    const page = await site.open(ball.replace('v=1', 'v=50'));
+    await page.selectOption('#material', 'brass');
+    expect(await page.inputValue('#field-speed')).toBe('50');
+    expect(await page.isVisible('#field-speed-problem')).toBe(false);
+    await page.selectOption('#material', 'rubber');
+    expect(await page.inputValue('#field-speed')).toBe('50');
+    expect(await page.textContent('#field-speed-problem')).toContain('here c = 42.64 m/s');
+    await page.selectOption('#material', 'ice');
+    expect(await page.inputValue('#field-speed')).toBe('50');
+    await settled(page);
+    await page.context().close();
+  });
+
+  it('of the examples are one choice, and in the address', async () => {
+    const page = await site.open();
+    for (const [name, address] of [
+      ['Glass marble on a granite table', /body=sphere&units=SI&nu=0.22&E=7e10&.*&against=half-space&.*&v=1$/],
+      ['Rubber ball on a granite floor', /body=sphere&units=SI&nu=0.49&E=2e6&.*&against=half-space&.*&v=2$/],
+      ['Steel ball on glass', /body=sphere&units=SI&nu=0.3&E=2.1e11&.*&against=half-space&.*&v=1$/],
+    ] as const) {
+      await page.selectOption('#preset', name);
+      await page.waitForURL(address);
+      expect(await settled(page)).toMatch(/^0\.9\d+ ± /);
+      expect(await page.textContent('#rebound'), name).toMatch(/^[\d.]+ ± [\d.]+\u00a0mm of [\d.]+\u00a0mm$/);
+    }
+    expect(await page.textContent('#yield')).toBe('Begins to yield at 2.2 m/s: ε is an upper bound above.');
+    await page.fill('#field-speed', '3');
+    await settled(page);
+    expect(await page.textContent('#yield')).toBe('Above the 2.2 m/s where it begins to yield: ε is an upper bound.');
+    expect(await page.inputValue('#preset')).toBe('own numbers');
+    await page.context().close();
+  });
+
+  it('in the simple view are an example and the speed, beside three digits of ε', async () => {
+    const page = await site.open(ball);
+    await settled(page);
+    await page.check('#simple');
+    await page.waitForURL(/&view=simple$/);
+    expect(await page.innerText('.value')).toMatch(/0\.996$/);
+    expect(await page.innerText('#who')).toContain('sphere');
+    expect(await page.innerText('.quantities')).toMatch(/^Height of rebound[^\n]*\n+50\.6\u00a0mm of 51\.0\u00a0mm$/);
+    const shown = await page.$$eval('fieldset, section', (all) => all.filter((each) => each.clientHeight > 1).length);
+    expect(shown).toBe(3); // speed, result, film
+    await page.uncheck('#simple');
+    expect(await page.isVisible('#curve-chart svg')).toBe(true);
+    await page.context().close();
+  });
+
+  it('on a phone are in reach while the film is seen: the slider is as high as a finger', async () => {
+    const page = await site.open(ball, { viewport: { width: 360, height: 740 }, isMobile: true, hasTouch: true });
+    await settled(page);
+    await page.waitForFunction(() => document.querySelector<HTMLCanvasElement>('.scene canvas')!.clientHeight > 150);
+    const boxes = await page.$$eval('.scene canvas, #speed-slider', (all) => all.map((each) => {
+      const { top, bottom, height } = each.getBoundingClientRect();
+      return { top, bottom, height };
+    }));
+    for (const { top, bottom } of boxes) {
+      expect(top).toBeGreaterThan(0);
+      expect(bottom).toBeLessThan(740);
+    }
+    expect(Math.min(...boxes.map(({ height }) => height))).toBeGreaterThanOrEqual(44);
+    const cut = await page.$$eval('#curve-chart svg text', (all) => all.filter((each) =>
+      each.getBoundingClientRect().right > each.closest('svg')!.getBoundingClientRect().right + 1).length);
+    expect(cut).toBe(0);
     await page.context().close();
   });
 

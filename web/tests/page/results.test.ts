@@ -167,6 +167,20 @@ describe.skipIf(missing !== '')(`the results of the page${missing && ` (${missin
     await alone.context().close();
   });
 
+  it('that take long are announced, and do not hold up the next', async () => {
+    const ball = 'body=sphere&units=SI&nu=0.3&E=2.1e11&rho=7850&R=0.005&against=half-space&nu2=0.22&E2=7e10&rho2=2500';
+    const page = await site.open(`?${ball}&v=1`);
+    const before = await settled(page);
+    await page.fill('#field-speed', '0.001');
+    await page.waitForFunction(() => document.getElementById('result')!.dataset.slow !== undefined);
+    expect(await page.textContent('#result-state')).toBe('computing; this is the last value');
+    expect(await page.textContent('#epsilon')).toBe(before);
+    await page.fill('#field-speed', '2');
+    expect(await settled(page)).toMatch(/^0\.99\d+ ± /);
+    expect(await page.textContent('#epsilon')).not.toBe(before);
+    await page.context().close();
+  });
+
   it('take less than 1.5 MB to transfer', () => {
     const bytes = [...site.transferred.values()].reduce((sum, its) => sum + its, 0);
     expect([...site.transferred.keys()].some((path) => path.endsWith('.wasm'))).toBe(true);

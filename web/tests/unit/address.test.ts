@@ -1,6 +1,8 @@
 import { describe, expect, it } from 'vitest';
 import { fromAddress, toAddress } from '../../src/inputs/address';
+import { problemsOf } from '../../src/inputs/check';
 import { defaults, equal } from '../../src/inputs/inputs';
+import { presetOf, presets } from '../../src/inputs/presets';
 import { cases } from './cases';
 
 describe('the address', () => {
@@ -26,16 +28,53 @@ describe('the address', () => {
     for (const text of ['', '?', '#']) expect(fromAddress(text)).toEqual({ inputs: defaults, problem: '' });
   });
   it.each([
-    'body=cube&nu=0.3&v=0.1', 'body=disk&nu=0.33', 'body=disk&v=0.1', 'body=disk&nu=0.33&v=0,1', 'body=disk&nu=2&v=0.1',
-    'body=disk&nu=0.33&v=0.1&colour=red', 'body=disk&nu=0.33&nu=0.4&v=0.1', 'body=disk&nu=0.33&v=nan', 'v',
-    '%E0%A4%A&v=1',
-    'body=rod&v=0.1&against=half-space&E2=1&rho2=1', 'body=disk&nu=0.33&v=0.1&keep=body:cube',
-    'body=disk&nu=0.33&v=0.1&keep=body:disk,nu:7', `body=disk&nu=0.33&v=0.1${'&keep=body:disk,nu:0.3'.repeat(9)}`,
-    'body=sphere&units=SI&nu=0.3&E=2e11&rho=7850&v=1', '<script>', 'body=disk&nu=0.33&v=__proto__',
-  ])('that is bad (%s) gives the default and one line', (text) => {
+    ['body=cube&nu=0.3&v=0.2', 'body=disk&nu=0.3&v=0.2', 'body: got “cube”, allowed disk, sphere, rod'],
+    ['body=disk&nu=0.4', 'body=disk&nu=0.4&v=0.1', 'v: got none, allowed a number'],
+    ['body=disk&v=0.2', 'body=disk&nu=0.33&v=0.2', 'nu: got none, allowed a number'],
+    ['body=disk&nu=0.4&v=0,1', 'body=disk&nu=0.4&v=0.1', 'v: got “0,1”, write it with a point: 0.1'],
+    ['body=disk&nu=2&v=0.2', 'body=disk&nu=0.33&v=0.2', '2‑D Poisson’s ratio: got 2, allowed -0.95 to 0.995'],
+    ['body=disk&nu=0.4&v=7', 'body=disk&nu=0.4&v=0.1', 'Speed of approach: got 7, allowed 1e-8 to 1 c'],
+    ['body=disk&nu=0.4&v=0.2&colour=red', 'body=disk&nu=0.4&v=0.2', 'colour: got an unknown key, allowed body'],
+    ['body=disk&nu=0.4&v=0.2&R=3', 'body=disk&nu=0.4&v=0.2', 'R: got a key that this encounter does not have'],
+    ['body=disk&nu=0.3&nu=0.4&v=0.2', 'body=disk&nu=0.3&v=0.2', 'nu: got twice, allowed once'],
+    ['nu=0.4&v', 'body=disk&nu=0.4&v=0.1', 'v: got no value'],
+    ['nu=0.4&v=__proto__', 'body=disk&nu=0.4&v=0.1', 'v: got “__proto__”, not a decimal number'],
+    ['nu=0.4&v=0.2&%E0%A4%A=1', 'body=disk&nu=0.4&v=0.2', '%E0%A4%A: got an unknown key'],
+    ['<script>', 'body=disk&nu=0.33&v=0.1', '<script>: got no value'],
+    ['body=rod&v=0.2&against=half-space', 'body=rod&v=0.2', 'against: got “half-space”, allowed wall, same, body'],
+    ['body=rod&v=0.2&against=body&E2=1e9&rho2=1&R2=2&A2=3', 'body=rod&against=body&E2=1&rho2=1&R2=1&A2=1&v=0.2',
+      'Length of what it meets: got 6.32456e-5, allowed 0.001 to 1000 (ratio of the transit times'],
+    ['nu=0.4&v=0.2&keep=body:cube,nu:0.3&keep=body:disk,nu:0.5', 'body=disk&nu=0.4&v=0.2&keep=body:disk,nu:0.5',
+      'keep: body: got “cube”'],
+    ['nu=0.4&v=0.2&keep=body:disk,nu:7', 'body=disk&nu=0.4&v=0.2', 'keep: 2‑D Poisson’s ratio: got 7'],
+    [`nu=0.4&v=0.2${'&keep=body:disk,nu:0.3'.repeat(9)}`, `body=disk&nu=0.4&v=0.2${'&keep=body:disk,nu:0.3'.repeat(5)}`,
+      'keep: got 9 curves, allowed 5'],
+    ['body=sphere&units=SI&nu=0.3&E=2e11&rho=7850&v=2', 'body=sphere&units=SI&nu=0.3&E=2e11&rho=7850&R=0.01&v=2',
+      'R: got none, allowed a number'],
+    ['body=sphere&units=SI&nu=0.3&E=1&rho=7850&R=1&v=5', 'body=sphere&units=SI&nu=0.3&E=1&rho=7850&R=1&v=0.00113',
+      'Speed of approach: got 5'],
+    ['nu=0.4&v=0.2&view=none', 'body=disk&nu=0.4&v=0.2', 'view: got “none”, allowed full, simple'],
+  ])('keeps what is right of %s, and says in one line what is not', (text, right, line) => {
     const { inputs, problem } = fromAddress(text);
-    expect(inputs).toEqual(defaults);
-    expect(problem).toMatch(/^The link is not readable, so this is the default\. [^\n]+$/);
-    expect(problem.length).toBeLessThan(220);
+    expect(toAddress(inputs)).toBe(right);
+    expect(problem).toMatch(/^The link holds but for this, where the default stands: [^\n]+\.$/);
+    expect(problem).toContain(line);
+    expect(problem.length).toBeLessThan(260);
+  });
+  it('of the simple view keeps it', () => {
+    const { inputs, problem } = fromAddress('nu=0.4&v=0.2&view=simple');
+    expect([inputs.simple, problem]).toEqual([true, '']);
+    expect(toAddress(inputs)).toBe('body=disk&nu=0.4&v=0.2&view=simple');
+  });
+  it('tells a few of many problems', () => {
+    expect(fromAddress('a=1&b=1&c=1&d=1&e=1').problem).toMatch(/; and 4 more\.$/);
+  });
+  it('of every example gives it back', () => {
+    for (const { name, encounter, speed } of presets) {
+      const { inputs, problem } = fromAddress(toAddress({ ...defaults, encounter, speed }));
+      expect(problem).toBe('');
+      expect(presetOf(inputs)?.name).toBe(name);
+      expect([...problemsOf(inputs).values()]).toEqual([]);
+    }
   });
 });

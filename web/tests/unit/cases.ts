@@ -16,7 +16,8 @@ const ratios = (numbers: Partial<Body>): Body => ({ ...unitBody, ...numbers });
 const ball = made('bearing steel', 0.005);
 const own: Body = { poisson: 0.25, young: 1.5e11, density: 5000, radius: 0.004, area: 2e-4, lossTime: 1e-9 };
 
-const of = (encounter: Encounter, speed: number, kept: Encounter[] = []): Inputs => ({ encounter, speed, kept });
+const of = (encounter: Encounter, speed: number, kept: Encounter[] = []): Inputs =>
+  ({ encounter, speed, kept, simple: false });
 
 export const cases: readonly Inputs[] = [
   of(disk, 0.1),

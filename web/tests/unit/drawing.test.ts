@@ -1,6 +1,8 @@
 import { describe, expect, it } from 'vitest';
+import { legend } from '../../src/drawing/axes';
 import { interpolate, lastNotAbove, placeOf, valueAt } from '../../src/drawing/scale';
 import { element, escaped, pathThrough, svgDocument } from '../../src/drawing/svg';
+import { look } from '../../src/drawing/theme';
 import { linearTicks, logTicks, roundDown, roundUp, unitInWords, written } from '../../src/drawing/ticks';
 
 describe('written', () => {
@@ -57,6 +59,22 @@ describe('scales', () => {
     expect(interpolate([0, 2], [10, 20], 0.5)).toBe(12.5);
     expect(interpolate([0, 2], [10, 20], -5)).toBe(10);
     expect(interpolate([0, 2], [10, 20], 5)).toBe(20);
+  });
+});
+
+describe('a legend', () => {
+  const ink = '#000';
+  const theme = { text: ink, muted: ink, line: ink, background: '#fff', panel: '#fff', accent: ink, dark: false };
+  const drawn = (labels: string[], width: number): [string, number] => legend(
+    labels.map((label) => ({ label, look: look(0, theme), line: true, marker: true })), 10, 0, width, theme);
+  it('breaks labels that are wider than it, and is as high as its rows', () => {
+    const long = 'bearing steel sphere 5 mm at glass half-space';
+    const [svg, height] = drawn([long, 'disk'], 240);
+    const rows = [...svg.matchAll(/<text x="([\d.]+)" y="([\d.]+)"[^>]*>([^<]+)</g)].map((each) => each.slice(1));
+    expect(rows.map((row) => row[2])).toEqual(['bearing steel sphere 5 mm at', 'glass half-space', 'disk']);
+    expect(rows.map((row) => Number(row[1]))).toEqual([4, 22, 40]);
+    expect(height).toBe(60);
+    expect(drawn([long, 'disk'], 900)[1]).toBe(24);
   });
 });
 

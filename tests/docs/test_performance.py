@@ -1,0 +1,139 @@
+"""Times depend on a machine, so no test can repeat them; but what pages say of them must be what the tables of
+docs/performance.md and docs/validation.md hold."""
+
+import math
+import re
+
+import pytest
+from conftest import page
+
+PAGE, WORDS = page("docs/performance.md")
+VALIDATION, VALIDATION_WORDS = page("docs/validation.md")
+
+
+def rows(first):
+    """The lines of the table whose header begins so, as lists of cells."""
+    block = PAGE[PAGE.index(f"\n| {first} |") + 1 :].partition("\n\n")[0].splitlines()
+    return [[cell.strip() for cell in line.split("|")[1:-1]] for line in block[2:]]
+
+
+MS = {cells[0]: cells[1:] for cells in rows("benchmark")}
+PROTOCOL = float(MS["the paper's protocol"][0])
+
+
+def ms(name):
+    """The time of a benchmark, in whichever table it is."""
+    return float(re.search(rf"^\| {re.escape(name)} \| ([\d.]+) \|", PAGE, re.MULTILINE)[1])
+
+
+def rounded(value, shown):
+    """Whether a number, as a page shows it, is that value."""
+    digits = len(shown.partition(".")[2])
+    return abs(float(shown) - value) <= 0.5001 * 10.0**-digits
+
+
+@pytest.mark.parametrize("name", [name for name, cells in MS.items() if len(cells) == 4 and cells[3] != "–"])
+def test_ratios_to_the_paper(name):
+    time, ratio = float(MS[name][0]), float(MS[name][3])
+    assert ratio == pytest.approx(PROTOCOL / time, abs=0.006, rel=2.5e-3)
+
+
+def test_before_and_after():
+    for name, *cells in rows("ms | 0.1"):
+        before, after, ratio = map(float, cells[:3])
+        assert before / after == pytest.approx(ratio, abs=0.06 + 0.005 * ratio), name
+
+
+def limits(column):
+    """What a column of the errors against times says, by the error."""
+    return {row[0]: row[column] for row in rows("error ≤")}
+
+
+def test_errors_against_times():
+    assert rounded(PROTOCOL, limits(1)["9·10⁻³"])
+    two = ms("the paper's two limits (extrapolated_restitution), modes included")
+    assert rounded(two, limits(2)["7·10⁻⁴"])
+    assert rounded(ms("hard wall, static, cutoff 25"), limits(4)["9·10⁻³"])
+    assert rounded(ms("hard wall, static, cutoff 100"), limits(4)["7·10⁻⁴"])
+    by_impact = {"7·10⁻⁴": "hard wall, as restitution resolves it, cutoff 16",
+                 "1·10⁻⁴": "hard wall, radiating, cutoff 25",
+                 "2·10⁻⁵": "hard wall, radiating, cutoff 50", "7·10⁻⁶": "hard wall, radiating, cutoff 50",
+                 "2·10⁻⁶": "hard wall, as restitution resolves it, cutoff 64"}  # fmt: skip
+    assert all(rounded(ms(name), limits(5)[error]) for error, name in by_impact.items())
+    converged = {"7·10⁻⁴": "0.01", "1·10⁻⁴": "0.001", "2·10⁻⁵": "0.001", "7·10⁻⁶": "0.0001", "2·10⁻⁶": "0.0001"}
+    assert all(rounded(ms(f"restitution to {to}"), limits(7)[error]) for error, to in converged.items())
+    best = ms("restitution to 0.01")
+    assert f"takes {two:.0f} ms with the modes, steps and inner loops of stoss" in WORDS
+    assert f"`restitution` to 10⁻² takes {best:.1f} ms, {round(two / best, -1):.0f} times less" in WORDS
+
+
+def test_tolerances():
+    slow = {to: [float(cells[0]) for name, cells in MS.items() if re.match(rf"restitution to {to}(, v = .*)?$", name)]
+            for to in ("0.01", "0.001", "0.0001")}  # fmt: skip
+    assert f"10⁻² takes {min(slow['0.01']):.1f} to {max(slow['0.01']):.1f} ms" in WORDS
+    assert f"10⁻⁴ {min(slow['0.0001']):.0f} to {max(slow['0.0001']):.0f} ms" in WORDS
+    first, *_, second, third = sorted(slow["0.001"])
+    assert f"10⁻³ takes {first:.1f} to {second:.1f} ms and {third:.1f} ms at v = 0.1" in WORDS
+
+
+def test_other_claims():
+    assert f"it takes {ms('restitution of a sphere, v = 0.0001, absolute 0'):.0f} ms at v = 10⁻⁴" in WORDS
+    modes = [ms(f"modes of a sphere, cutoff {cutoff}") for cutoff in (100, 400)]
+    assert f"ω ≤ 100 in {modes[0]:.0f} ms" in WORDS and f"66 974 of them, in {modes[1]:.0f} ms" in WORDS
+    accurate = [ms(f"restitution of a sphere, v = {v}") for v in (0.1, 0.05, 0.02)]
+    assert f"a value takes {min(accurate):.0f} to {max(accurate):.0f} ms" in WORDS
+    for v, digits in ((0.1, "3.4"), (0.01, "4.4")):
+        time = ms(f"100 samples of a sphere at temperature 0.01 up to 10 c/R, to 0.001, v = {v}")
+        assert rounded(time / 100, digits) and f"{digits} ms" in WORDS
+    cutoffs = [ms(f"hard wall, as restitution resolves it, cutoff {cutoff}") for cutoff in (16, 32, 64, 128, 256)]
+    powers = ", ".join(f"{math.log2(b / a):.1f}" for a, b in zip(cutoffs, cutoffs[1:]))
+    assert f"256 is {powers};" in WORDS
+    assert round(ms("the paper's protocol, every mode at every angle") / PROTOCOL) == 7
+    assert "it takes seven times as long (second row)" in WORDS
+    curves = [ms(f"two curves of 60 speeds to 0.001, {n}, modes included") / 1e3 for n in ("1 thread", "2 threads")]
+    assert f"{curves[0]:.2f} s on one thread, {curves[1]:.2f} s on two" in WORDS
+
+
+def over_the_whole_range():
+    """Of each tolerance what docs/validation.md measures: converged, cutoff, and times: median, 99 %, longest."""
+    line = r"^\| (0\.\d+) \| (\d+) of 240 \| (\d+) \| ([\d.]+) \| (\d+) \| (\d+) \|"
+    found = re.findall(line, VALIDATION, re.MULTILINE)
+    return {float(tolerance): rest for tolerance, *rest in found}
+
+
+RANGE = over_the_whole_range()
+
+
+def test_the_whole_range_is_that_of_the_validation():
+    assert len(RANGE) == 3
+    for cells, found in zip(rows("tolerance"), RANGE.values()):
+        assert cells[2::2] == list(found)
+
+
+def short(value):
+    """With one digit."""
+    return f"{float(f'{float(value):.0e}'):g}"
+
+
+def test_times_that_others_quote():
+    _, _, median, most, _ = RANGE[1e-3]
+    said = f"takes {short(median)} ms in the median, {short(most)} ms or more in one case of a hundred"
+    python = page("docs/python.md")[1]
+    assert said in python
+    _, _, finer, slowest, _ = RANGE[1e-4]
+    assert f"10⁻⁴ {short(finer)} ms and {float(short(slowest)) / 1e3:g} s" in python
+    for other in ("README.md", "docs/index.md", "python/stoss/_restitution.py"):
+        text = page(other)[1]
+        assert set(re.findall(r"(\S+) ms in the median", text)) <= {median, short(median)}, other
+        assert set(re.findall(r"(\S+) (?:ms|s) or more in one case of a hundred", text)) <= {most, short(most)}, other
+
+
+def test_coverage_of_fast_disks_that_others_quote():
+    fast = re.search(r"with 0.1 < v < 0.6, ([\d, ]+) and (\d+) % lie within", VALIDATION_WORDS)
+    measured = {*fast[1].split(", "), fast[2]}
+    others = ("README.md", "docs/python.md", "include/stoss/restitution/restitution.hpp",
+              "python/stoss/_restitution_result.py")  # fmt: skip
+    for other in others:
+        text = " ".join(page(other)[1].replace("///", "").split())
+        assert set(re.findall(r"fast disks[^%.]*?(?:0.1[^%.]*?0.6 c[^%.]*?)?(\d+) %", text)) <= measured, other
+        assert "never beyond three times" not in text, other

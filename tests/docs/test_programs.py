@@ -1,0 +1,19 @@
+"""What docs/programs.md says of constants follows from what its code prints (which tests/python/test_guide.py runs)."""
+
+import re
+
+from conftest import page
+
+PAGE, WORDS = page("docs/programs.md")
+PRINTED = re.search(r"```text\n(with the typical.*?)elastic\n(.*?)```", PAGE, re.DOTALL).groups()
+NUMBERS = r"wrong by ([\d.]+), loss × ([\d.]+) to ([\d.]+)"
+LOSSY, ELASTIC = ([tuple(map(float, line)) for line in re.findall(NUMBERS, part)] for part in PRINTED)
+
+
+def test_a_constant_over_a_factor_of_two():
+    assert all(max(high - 1, 1 - low) <= 1 / 3 for _, low, high in (LOSSY[0], ELASTIC[0]))
+
+
+def test_a_constant_over_two_decades():
+    assert f"wrong by only {LOSSY[2][0]:.3f}" in WORDS and LOSSY[2][0] >= ELASTIC[2][0]
+    assert f"lose {LOSSY[2][2]:.0f} times too much, those of elastic bodies {ELASTIC[2][2]:.0f} times" in WORDS

@@ -1,0 +1,18 @@
+#pragma once
+
+#include <ostream>
+
+#include "stoss/bodies/disk.hpp"
+#include "stoss/contact/tail.hpp"
+
+/// How GoogleTest names parameters of these types; without it, by their bytes.
+namespace stoss {
+
+inline void PrintTo(const Disk& disk, std::ostream* out) {
+  *out << "poisson " << disk.poisson << ", radius " << disk.radius << ", young " << disk.young << ", density "
+       << disk.density;
+}
+
+inline void PrintTo(Tail tail, std::ostream* out) { *out << (tail == Tail::radiating ? "radiating" : "quasistatic"); }
+
+}  // namespace stoss

@@ -1,0 +1,60 @@
+// What the page says of a result beside ε: how high it bounces, from where it yields.
+import { describe, expect, it } from 'vitest';
+import type { Encounter, Quantity, Restitution } from '../../src/core/protocol';
+import { reboundOf } from '../../src/inputs/rebound';
+import { presets } from '../../src/inputs/presets';
+import { reboundInWords, shownQuantity, yieldInWords } from '../../src/page/results';
+
+const ball = presets[1]!.encounter;
+const plain: Encounter = { ...ball, si: false, against: { kind: 'wall' } };
+
+function result(speed: number, restitution: Quantity, more: Partial<Restitution> = {}): Restitution {
+  const quantities = { restitution };
+  return { speed, quantities, converged: true, reason: '', cutoff: 8, beyondSmallStrain: false, ...more };
+}
+
+describe('the height of rebound', () => {
+  it('is ε²h, with the error that follows', () => {
+    const rebound = reboundOf(ball, 2, { value: 0.9, error: 0.01, unit: '' })!;
+    expect(rebound.drop).toBeCloseTo(4 / 19.6133, 12);
+    expect(rebound.height.value).toBeCloseTo(0.81 * rebound.drop!, 12);
+    expect(rebound.height.error).toBeCloseTo(0.018 * rebound.drop!, 12);
+    const inHeights = { drop: undefined, height: { value: 0.81, unit: '' } };
+    expect(reboundOf(plain, 0.1, { value: 0.9, unit: '' })).toEqual(inHeights);
+  });
+  it('is none where the other body moves too', () => {
+    for (const kind of ['same', 'body'] as const) {
+      const against = kind === 'same' ? { kind } : { kind, body: ball.first };
+      const words = reboundInWords({ ...ball, against }, result(1, { value: 0.9, unit: '' }));
+      expect(words).toEqual({ full: '', short: '' });
+    }
+  });
+  it('is said whole and in three digits', () => {
+    const words = reboundInWords(ball, result(1, { value: 0.986193, error: 1.1e-5, unit: '' }));
+    expect(words).toEqual({ full: '49.5876 ± 0.0011\u00a0mm of 51.0\u00a0mm', short: '49.6\u00a0mm of 51.0\u00a0mm' });
+    expect(reboundInWords(plain, result(0.1, { value: 0.94706, error: 3e-5, unit: '' })).short).toBe('0.897\u00a0h');
+  });
+});
+
+describe('the yield speed', () => {
+  const at = (speed: number, yieldSpeed?: number): string =>
+    yieldInWords(ball, result(speed, { value: 0.9, unit: '' }, yieldSpeed === undefined ? {} : { yieldSpeed }));
+  it('is said, and that ε is a bound above it', () => {
+    expect(at(0.1, 0.1312)).toBe('Begins to yield at 0.13 m/s: ε is an upper bound above.');
+    expect(at(1, 0.1312)).toBe('Above the 0.13 m/s where it begins to yield: ε is an upper bound.');
+    expect(at(1)).toBe('From where the material yields or cracks, ε is an upper bound.');
+    expect(yieldInWords(plain, result(0.1, { value: 0.9, unit: '' }))).toBe('');
+  });
+});
+
+describe('a quantity', () => {
+  it('has no digits that its error does not allow', () => {
+    const force = (value: number, error: number): string => {
+      const quantities = { max_force_si: { value, error, unit: 'N' } };
+      return shownQuantity(result(1, { value: 1, unit: '' }, { quantities }), 'max_force');
+    };
+    expect(force(9530, 4960)).toBe('10 ± 5\u00a0kN');
+    expect(force(4924, 985)).toBe('5 ± 1\u00a0kN');
+    expect(force(327.25, 0.14)).toBe('327.25 ± 0.14\u00a0N');
+  });
+});
