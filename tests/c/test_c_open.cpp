@@ -5,6 +5,7 @@
 #include <cmath>
 #include <string>
 
+#include "stoss/bodies/sphere.hpp"
 #include "stoss/restitution/curve.hpp"
 #include "stoss/stoss.h"
 #include "support/c_handles.hpp"
