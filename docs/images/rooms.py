@@ -2,7 +2,7 @@
 
 from pathlib import Path
 
-WIDTH, HEIGHT = 1000, 340
+WIDTH, HEIGHT = 1210, 340
 BOX_WIDTH, BOX_HEIGHT = 150, 84
 
 # Name: left, top, what it holds.
@@ -13,6 +13,7 @@ ROOMS = {
     "restitution": (630, 20, ("ε with its error;", "curves")),
     "vibration": (830, 20, ("ensembles of bodies", "that vibrate")),
     "table": (830, 175, ("ε(v) as a function,", "with its error")),
+    "encounter": (1040, 175, ("kinds, materials, units:", "who meets whom, as given")),
     "bodies": (215, 175, ("disk, sphere, rod:", "modes and the rest")),
     "quasistatic": (630, 175, ("slow contacts:", "Hertz, Rayleigh")),
 }
@@ -23,6 +24,7 @@ ARROWS = {
     "impact": ("restitution",),
     "restitution": ("vibration", "table"),
     "quasistatic": ("table",),
+    "table": ("encounter",),
     "bodies": ("restitution", "quasistatic"),
 }
 FOUNDATION = "numeric, errors, poll, material: all rooms stand on them"

@@ -46,7 +46,7 @@ class Sphere:
     (5172, 0.967)
     >>> lossy = stoss.restitution(stoss.Sphere(poisson=0.3, loss_time=0.3), speed=0.01)
     >>> round(lossy.restitution, 3), round(lossy.dissipated, 3)
-    (0.866, 0.251)
+    (0.866, 0.25)
     """
 
     poisson: float

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <ostream>
 #include <string>
 
 #include "bodies/half_space/surface_waves.hpp"
@@ -23,6 +24,10 @@ struct Solid {
   Contour contour;
   double poisson;
 };
+
+void PrintTo(const Solid& solid, std::ostream* out) {
+  *out << (solid.contour == Contour::ball ? "half-space " : "half-plane ") << solid.poisson;
+}
 
 class AtAnyPoisson : public testing::TestWithParam<Solid> {
  protected:

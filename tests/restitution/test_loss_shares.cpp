@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <ostream>
 #include <random>
 #include <string>
 #include <vector>
@@ -22,6 +23,8 @@ struct Meeting {
   RefinableContact contact;
   double slowest, fastest;
 };
+
+void PrintTo(const Meeting& meeting, std::ostream* out) { *out << meeting.name; }
 
 std::vector<Meeting> meetings() {
   const BodyMaker ball = sphere(0.3), lossy_ball = sphere(Sphere{.poisson = -0.4, .loss_time = 3e-3});

@@ -2,6 +2,7 @@
 
 #include <optional>
 #include <string>
+#include <utility>
 
 #include "stoss/encounter/kinds.hpp"
 #include "stoss/impact/vibration.hpp"
@@ -22,6 +23,9 @@ struct Participant {
   bool rigid = false;                  ///< keeps its mass and the units of the elastic body
 };
 
+/// Something of a kind without numbers.
+[[nodiscard]] inline Participant of_kind(std::string kind) { return {.kind = std::move(kind)}; }
+
 /// Who meets whom, and how both are given; not at which speed.
 ///
 /// With a material of the first body, sizes, loss times and speeds are in SI. Without, they are in any consistent
@@ -29,7 +33,7 @@ struct Participant {
 /// ratio, otherwise 1; its kind "same" means a body equal to the first.
 struct Encounter {
   Participant first{};
-  Participant against{.kind = "wall"};
+  Participant against = of_kind("wall");
   Vibration vibration{};  ///< of the bodies before they meet
 };
 

@@ -1,0 +1,9 @@
+#pragma once
+
+// Who meets whom, and how it is given: everything in include/stoss/encounter/.
+
+#include "stoss/encounter/document.hpp"
+#include "stoss/encounter/encounter.hpp"
+#include "stoss/encounter/kinds.hpp"
+#include "stoss/encounter/materials.hpp"
+#include "stoss/encounter/solid.hpp"
