@@ -1,8 +1,11 @@
 #include "stoss/material.hpp"
 
+#include <pybind11/stl.h>
+
 #include "bindings.hpp"
 #include "stoss/bodies/rod.hpp"
 #include "stoss/bodies/sphere.hpp"
+#include "stoss/encounter/materials.hpp"
 
 namespace stoss::python {
 namespace {
@@ -42,6 +45,16 @@ void bind_material(py::module_& module) {
       },
       py::arg("poisson"), py::arg("radius"), py::arg("young"), py::arg("density"),
       "(length, speed, time, frequency, force)");
+  module.def(
+      "named_materials",
+      [] {
+        py::list all;
+        for (const auto& [name, its, quality, frequency, source] : named_materials()) {
+          all.append(py::make_tuple(name, its.young, its.poisson, its.density, its.yield_strength, its.loss_time));
+        }
+        return all;
+      },
+      "(name, young, poisson, density, yield strength or None, loss time or None) of each");
 }
 
 }  // namespace stoss::python

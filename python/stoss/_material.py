@@ -127,36 +127,15 @@ class Material:
         return Scales(*_core.scales(self.young, self.poisson, self.density, plane == "strain", radius))
 
 
-HARD, SOFT = 2.0 * math.pi * 1e4, 2.0 * math.pi * 500.0
-"""Frequencies of the qualities below, rad/s: of contacts that last 50 µs and, of rubber, 1 ms."""
-
 materials: Mapping[str, Material] = MappingProxyType(
     {
-        "steel": Material(young=2.1e11, poisson=0.30, density=7850.0, quality=(3000, HARD)),
-        "glass": Material(young=7.0e10, poisson=0.22, density=2500.0, quality=(1000, HARD)),
-        "ice": Material(young=9.3e9, poisson=0.33, density=917.0, quality=(200, HARD)),
-        "rubber": Material(young=2e6, poisson=0.49, density=1100.0, quality=(10, SOFT)),
-        "bearing steel": Material(
-            young=2.1e11, poisson=0.30, density=7810.0, yield_strength=1.7e9, quality=(3000, HARD)
-        ),
-        "brass": Material(young=1.1e11, poisson=0.33, density=8530.0, yield_strength=4.3e8, quality=(2000, HARD)),
-        "aluminium": Material(young=6.9e10, poisson=0.33, density=2700.0, yield_strength=2.8e8, quality=(10000, HARD)),
-        "tungsten carbide": Material(young=6.2e11, poisson=0.22, density=14900.0),
-        "granite": Material(young=5e10, poisson=0.25, density=2650.0, quality=(100, HARD)),
-        "PMMA": Material(young=3.2e9, poisson=0.37, density=1190.0, quality=(30, HARD)),
+        name: Material(young=young, poisson=poisson, density=density, yield_strength=strength, loss_time=loss_time)
+        for name, young, poisson, density, strength, loss_time in _core.named_materials()
     }
 )
-"""Typical materials. Yours differs, rubber and rock by factors: measure it.
+"""Typical materials, those of the command: ``stoss materials`` lists them with their sources.
 
-Structural steel (Eurocode 3); soda-lime glass (EN 572-1, but ν between the 0.20 there and the 0.23 of makers);
-polycrystalline ice at −16 °C (Gammon et al., J. Glaciology 29, 433 (1983)); soft rubber (orders of magnitude);
-hard-drawn brass CuZn30 and aluminium 6061-T6 (as engineering tables have them). Typical without a single source:
-hardened ball-bearing steel, tungsten carbide with 6 % of cobalt, granite (E from 20 to 70 GPa), and PMMA, whose modulus
-grows with the rate of loading. What has no `yield_strength` here is brittle, or not known well
-enough; structural steel has 0.235 GPa and more.
-
-The qualities Q are at 10 kHz, that of rubber at 500 Hz: contacts of 50 µs and 1 ms. They are orders
-of magnitude. The metals lie in the range of L. Cremer and M. Heckl, Structure-Borne Sound (1988);
-the others are typical without a single source. That of tungsten carbide is not known well enough.
-What ε means for each of them: docs/materials.md.
+Yours differs, rubber and rock by factors: measure it. What has no `yield_strength` here is brittle, or not known well
+enough; structural steel has 0.235 GPa and more. Loss times are those of a quality at 10 kHz, that of rubber at 500 Hz:
+contacts of 50 µs and 1 ms. They are orders of magnitude. What ε means for each of them: docs/materials.md.
 """

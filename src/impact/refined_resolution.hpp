@@ -6,7 +6,7 @@ namespace stoss {
 
 /// Resolution of an impact at a hard wall for `restitution`: finer in time and in space with the
 /// cutoff.
-/// @param half_width maximum one of the contact in a coarser run, or 0 if there was none
+/// @param half_width maximum of the contact in a coarser run, or 0 if there was none
 [[nodiscard]] Resolution refined_resolution(const Contact& contact, double speed, double half_width);
 
 }  // namespace stoss
