@@ -74,7 +74,7 @@ def line(*cells):
 
 
 def waves():
-    """A line for each Poisson's ratio: the factor, the swing, who takes the loss, how often it turns."""
+    """A line for each Poisson's ratio: the factor, the swing, the share of (2,0), how often it turns."""
     for nu, rows in ROWS.items():
         slow = within(nu, 0.0, SLOW)
         factor = rows[0]["mean_loss_factor"]
