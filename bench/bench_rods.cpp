@@ -35,9 +35,9 @@ void add_chain(const std::string& name, const stoss::RodChainOptions& options) {
 void add_rods() {
   using stoss::RodMethod;
   add_chain("50 modes", {});
-  add_chain("50 modes, at rest inside", {.decay_time = 0.0});
+  add_chain("50 modes, unexcited", {.decay_time = 0.0});
   add_chain("characteristics, 400 pieces", {.method = RodMethod::characteristics});
-  add_chain("characteristics, at rest inside", {.method = RodMethod::characteristics, .decay_time = 0.0});
+  add_chain("characteristics, unexcited", {.method = RodMethod::characteristics, .decay_time = 0.0});
 }
 
 }  // namespace bench

@@ -1,16 +1,16 @@
-"""Anatomy of one collision: what the disk does, what the wall does, and where the energy goes.
+"""Anatomy of one collision: the motion of the disk, the force of the wall, and where the energy goes.
 
 Run:     python examples/03_anatomy.py [FOLDER]        (default: out/)
-Expect:  the energy ledger of an impact at a tenth of the bar speed, where the mode (2,0) takes the
-         maximum part of the loss; anatomy.png with the disk at six times, force, velocity, energies and contact
-         width against time, the energies of the modes, and the stress half-way; anatomy.csv, the
-         trajectory. Two or three seconds.
+Expect:  the energy ledger of an impact at a tenth of the bar speed, where the mode (2,0) absorbs
+         the largest part of the loss; anatomy.png with the disk at six times, force, velocity,
+         energies and contact width against time, the energies of the modes, and the stress
+         half-way; anatomy.csv, the trajectory. Two or three seconds.
 
 The force drops when the pressure wave of the first contact comes back from the far side of the
 disk, after the time 4R/c_p with c_p = c/√(1 − ν²). The half-width is a staircase, because the
 contact grows and shrinks by whole nodes of its grid.
 
-    m dv/dt = −F,    ½ m v² + energy of the modes + energy taken by the tail = constant
+    m dv/dt = −F,    ½ m v² + energy of the modes + energy absorbed by the tail = constant
 """
 
 import sys

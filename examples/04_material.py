@@ -7,7 +7,7 @@ Expect:  restitution, contact time in µs and force in N per mm of thickness for
 
     plate: c = √(E/ρ), ν        cylinder: c = √(E/ρ(1 − ν²)), ν/(1 − ν)
 
-Only vibrations take energy here, so ε is an upper bound of the real one: bearing steel stays
+Only vibrations absorb energy here, so ε is an upper bound of the real one: bearing steel stays
 elastic up to 2.7 m/s, mild steel up to 0.06 m/s (docs/materials.md).
 """
 

@@ -1,7 +1,7 @@
 """ε(v) as a function for event-driven simulations: with its error, and a gas that cools by it.
 
 Run:     python examples/05_event_driven.py [FOLDER]        (default: out/)
-Expect:  ε of a few speeds of approach, with errors that include the interpolation; the energy that
+Expect:  ε at a few speeds of approach, with errors that include the interpolation; the energy that
          a gas of 20 disks on a ring has left after 1000 collisions: with ε(v) 400 times as much as
          with ε held at its first value; event_driven.png. Three seconds.
 
@@ -9,9 +9,9 @@ Expect:  ε of a few speeds of approach, with errors that include the interpolat
 
 Here v is the speed at which two equal disks approach each other. `restitution_function` computes ε
 where the wave needs it, and its error includes the interpolation; below its range it follows the
-law of slow impacts. In a callback such as REBOUND's sim.coefficient_of_restitution it is
-`lambda simulation, v: restitution(v)`: the sign of v does not count. Disks are taken to have
-stopped ringing before they meet again, and material damping is left out (docs/materials.md).
+law of slow impacts. In a callback such as REBOUND's sim.coefficient_of_restitution use
+`lambda simulation, v: restitution(v)`: the sign of v does not matter. The example assumes that
+disks stop ringing before they meet again, and ignores material damping (docs/materials.md).
 """
 
 import sys

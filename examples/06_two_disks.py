@@ -7,7 +7,7 @@ Expect:  restitution and the loss to each disk for radii from 1 : 1 to 1 : 8 at 
     1 − ε² = lost energy / ½ μ v²,    μ = m₁m₂/(m₁ + m₂),    v = speed of approach
 
 From a ratio of about 3 on, the contact is long for the small disk, which hardly rings, and short
-for the large one, which takes the loss.
+for the large one, which absorbs the loss.
 """
 
 import sys

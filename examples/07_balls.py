@@ -1,4 +1,4 @@
-"""Balls of steel, glass, ice and rubber on a rigid wall: what vibrations alone take, and
+"""Balls of steel, glass, ice and rubber on a rigid wall: the loss to vibrations alone, and
 one bounce.
 
 Run:     python examples/07_balls.py [FOLDER]        (default: out/)
@@ -9,7 +9,7 @@ Expect:  a table of restitution, contact time, maximum force and pressure at 0.0
     p₀ = 3F/(2πa²),    a³ = 3FR/(4E*),    E* = E/(1 − ν²)        (Hertz)
 
 A ball loses far less than a disk: 1 − ε² is of the order of v/c times a wave that never settles.
-The pressure says how far the elastic value can be believed.
+The pressure shows how far to trust the elastic value.
 """
 
 import sys
@@ -27,7 +27,7 @@ COLUMNS = "material,speed_m_s,speed_c,lost_fraction,lost_fraction_error,contact_
 
 
 def greatest_pressure(ball: stoss.Sphere, force):
-    """Hertz' pressure in the middle of the contact for a force in N, Pa."""
+    """Hertz's pressure in the middle of the contact for a force in N, Pa."""
     stiffness = ball.young / (1 - ball.poisson**2)
     contact_radius = np.cbrt(0.75 * force * ball.radius / stiffness)
     return 1.5 * force / (np.pi * contact_radius**2)

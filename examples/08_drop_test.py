@@ -1,13 +1,13 @@
-"""What a drop test would show: a ball of 5 mm on a block, and what takes how much of its energy.
+"""What a drop test would show: a ball of 5 mm on a block, and where its energy goes.
 
 Run:     python examples/08_drop_test.py [FOLDER]        (default: out/)
 Expect:  a table for five pairs of materials at three speeds each, drop_test.csv and drop_test.png.
          Half a minute on one core.
 
-    ringing    what an elastic ball keeps as vibration        lost_to_first
-    radiation  what waves carry away through an elastic block lost_to_second
-    material   what both lose as heat inside, where they have the typical qualities of
-               stoss.materials; this takes some of the other two           dissipated
+    ringing    energy that an elastic ball keeps as vibration        lost_to_first
+    radiation  energy that waves carry away through an elastic block lost_to_second
+    material   heat inside both, with the typical qualities of stoss.materials; it reduces
+               the other two                                         dissipated
     adhesion   (v_s/v)², with the sticking speed of smooth surfaces,
                v_s² = 14.18 (Γ⁵R⁴/E*²)^(1/3)/m               (Johnson, Kendall, Roberts; Thornton and Ning)
     air        drag of the fall from v²/2g and the rise, ¾ C_D (ρ_air/ρ) v²/(2gR)
@@ -42,7 +42,7 @@ COLUMNS = (
 
 
 def sticking_speed(ball: stoss.Sphere, block: stoss.HalfSpace) -> float:
-    """Below it an elastic ball sticks to the block, m/s."""
+    """The speed below which an elastic ball sticks to the block, m/s."""
     compliance = sum((1 - body.poisson**2) / body.young for body in (ball, block))
     mass = 4 / 3 * np.pi * ball.radius**3 * ball.density
     return np.sqrt(14.18 * np.cbrt(ADHESION**5 * ball.radius**4 * compliance**2) / mass)

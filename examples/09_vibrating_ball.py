@@ -5,11 +5,11 @@ Expect:  a table of ε against the phase of one mode, which exceeds one over nea
          turn, with a sinusoid that is not fitted; then mean and spread of ε for balls at rising
          temperature; vibrating_ball.csv and vibrating_ball.png. Some seconds.
 
-A mode that takes the share e of the energy in the impact from rest, where ε is ε₀, changes ε by
+A mode that absorbs the share e of the energy in the impact from rest, where ε is ε₀, changes ε by
 
     ε(φ) = ε₀ + √(e E)/ε₀ · cos(φ − φ₀)        if it vibrates with the share E before,
 
-and warm balls, with the mean energy T ½mv² in each mode, have ε spread by √(T (1 − ε₀²)/2)/ε₀. Both
+and ε of warm balls, with the mean energy T ½mv² in each mode, spreads by √(T (1 − ε₀²)/2)/ε₀. Both
 are the first order of slow impacts (docs/theory/vibration.md).
 """
 

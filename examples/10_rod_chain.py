@@ -2,16 +2,16 @@
 
 Run:     python examples/10_rod_chain.py [FOLDER]        (default: out/)
 Expect:  for three dampings of the vibration between collisions the kinetic energy that is left,
-         mean and spread of ε of the collisions; rod_chain.png with the energy against time and how
-         ε is distributed. Some seconds.
+         and mean and spread of ε; rod_chain.png with the energy against time and the distribution
+         of ε. Some seconds.
 
 Rods of two lengths, L and 0.9 L, are unexcited at first. With complete damping every collision
 of two unequal rods has ε = 0.9, so that the energy falls as
 
     dE/dt ∝ −E^(3/2),    E → t⁻² .
 
-Without damping it stays in the rods. Then ε differs from collision to collision and often exceeds
-one, and translation ends with its fair share among some fifty modes of each rod.
+Without damping the energy stays in the rods. Then ε differs from collision to collision and often
+exceeds one, and translation ends with its equal share among some fifty modes of each rod.
 """
 
 import sys

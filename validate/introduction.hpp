@@ -8,32 +8,33 @@ inline constexpr const char* introduction = R"(# Validation: are the errors hone
 Written by `make validate`; do not edit by hand, edit `validate/introduction.hpp` and
 `validate/text.hpp`.
 
-`restitution` gives every value with an estimated error ([numerics.md](numerics.md) §5). What is
-promised of the error of 1 − ε²:
+`restitution` gives every value with an estimated error ([numerics.md](numerics.md) §5). stoss makes
+three promises about the error of 1 − ε²:
 
 1. in at least 95 % of all points the true error is within the estimated one,
 2. in all it is within three times the estimated one,
 3. the estimated one is not padded: in the median it is at most ten times the true one.
 
-The program ends with exit code 1 if one of the three fails at a tolerance, on one of the sets.
+The program exits with code 1 if one of the three fails at any tolerance on any of the sets.
 `tests/restitution/test_validation_sample.cpp` repeats it on a sample.
 
 ## The references
 
 `validate/reference.csv`: 90 points, ten Poisson's ratios from −0.9 to 0.98, nine speeds each, all
-speeds different and evenly from 10⁻⁶ c to 0.5 c on the logarithmic scale. At each point three
-impacts with cutoffs 200, 283 and 400 (`restitution` typically ends at the cutoffs in the table of
-times), whose step and node spacing differ by other ratios than the cutoff. The reference is the
-last; its uncertainty is the spread of the three: for 1 − ε² in the median 2·10⁻⁶ of the value and
-at most 4·10⁻⁵, but for one point (ν = 0.07, v = 0.5) with 2·10⁻⁴. `stoss_validate --make-reference
-FILE` makes the file anew. Constants of the error were chosen on these points.
+speeds different and evenly spaced from 10⁻⁶ c to 0.5 c on the logarithmic scale. At each point
+three impacts with cutoffs 200, 283 and 400 (`restitution` typically ends at the cutoffs in the
+table of times), whose step and node spacing differ by other ratios than the cutoff. The reference
+is the last; its uncertainty is the spread of the three: for 1 − ε² in the median 2·10⁻⁶ of the
+value and at most 4·10⁻⁵, except for one point (ν = 0.07, v = 0.5) with 2·10⁻⁴. `stoss_validate
+--make-reference FILE` makes the file anew. The constants of the error were chosen on these points.
 
 `validate/reference_unseen.csv`: 64 points with references of the same kind, spread by a
 quasi-random sequence over −0.93 < ν < 0.99 and 10⁻⁶ < v < 0.5. No constant was fitted to them; but
-how they fared was seen while the constants of the other quantities and of fast impacts were chosen
-from other points. Once all constants stood, 64 others of the same range were drawn and judged once,
-by single impacts at the cutoff 320: 100, 100 and 98 % lay within the error at 10⁻², 10⁻³ and 10⁻⁴,
-the maximum at 1.7 times. `stoss_validate --make-unseen-reference FILE` makes the file anew.
+their results were visible while the constants of the other quantities and of fast impacts were
+chosen on other points. Once all constants were fixed, 64 others of the same range were drawn and
+judged once, by single impacts at the cutoff 320: 100, 100 and 98 % lay within the error at 10⁻²,
+10⁻³ and 10⁻⁴, the worst at 1.7 times its error. `stoss_validate --make-unseen-reference FILE` makes
+the file anew.
 
 `tests/data/restitution_hard_wall.csv`: 15 points from cutoffs up to 100 and a coarser scheme in
 time, with uncertainties of 2·10⁻⁵ and more.
@@ -45,7 +46,7 @@ time scale of the pair. `stoss_validate --make-pair-reference FILE` makes the fi
 
 `validate/reference_spheres.csv`: 64 spheres, spread by a quasi-random sequence over −0.5 < ν < 0.49
 and 10⁻⁶ < v < 0.5. Three impacts as above, with cutoffs 80, 113 and 160. They are judged with
-`absolute` = 0: by default a sphere's 1 − ε² is content with an error of 10⁻⁶.
+`absolute` = 0: by default an error of 10⁻⁶ suffices for the 1 − ε² of a sphere.
 `stoss_validate --make-sphere-reference FILE` makes the file anew.
 
 `validate/reference_half_spaces.csv`: 48 impacts of spheres on half-spaces and, every fourth, of
@@ -78,9 +79,9 @@ another phase of the first touch and without any correction. 1 − ε² agrees t
 at the wall and to 7·10⁻⁷ for pairs, and within the sum of both uncertainties at 84 of the 90 and 48
 of the 48 points; the other six are off by at most 3.3 times that sum, 8·10⁻⁶ of the value.
 
-These references share the equations and the modes with what they judge: they show what limited
-resolution does. That the method has the right limit is for the finite elements and the rod below to
-show.
+These references share the equations and the modes with the values that they judge: they show the
+effect of limited resolution. The finite elements and the rod below show that the method has the
+right limit.
 )";
 
 }  // namespace validate::text

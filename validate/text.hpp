@@ -18,8 +18,8 @@ inline constexpr const char* speed = R"(
 
 Processor time of one call over the whole range, −0.95 ≤ ν ≤ 0.995 and 10⁻⁸ ≤ v ≤ 1: 240 points, 40
 Poisson's ratios with six speeds each, spread by a quasi-random sequence, speeds evenly on the
-logarithmic scale. A Poisson's ratio's modes are made by the first of its points that needs them,
-and that time is not counted. *99 %*: 99 of 100 calls take no longer.
+logarithmic scale. The first point that needs the modes of a Poisson's ratio makes them; that time
+is not counted. *99 %*: 99 of 100 calls take no longer.
 
 | tolerance | converged | cutoff, median | ms, median | ms, 99 % | ms, longest | at ν | v | its cutoff |
 |---:|---:|---:|---:|---:|---:|---:|---:|---:|
@@ -28,26 +28,26 @@ and that time is not counted. *99 %*: 99 of 100 calls take no longer.
 inline constexpr const char* tally = R"(
 ## Errors against true errors
 
-*Within*: share of the points at which |value − reference| ≤ error. *Maximum*: of
-(value − reference) / error in size. *Error / true error*: the median over the points. *Blurred*:
-points whose reference has an uncertainty above a tenth of the error. Those are judged by the
-condition |value − reference| ≤ error + uncertainty (in *maximum* the uncertainty is taken off the
-difference), and they have no part in the median, to which the references' own errors would add.
+*Within*: share of the points at which |value − reference| ≤ error. *Maximum*: that of |value −
+reference| / error. *Error / true error*: the median over the points. *Blurred*: points whose
+reference has an uncertainty above a tenth of the error. They are judged by the condition |value −
+reference| ≤ error + uncertainty (in *maximum* the uncertainty is subtracted from the difference),
+and they are left out of the median, because the errors of the references would add to it.
 *Strictly*: *within* without that allowance.
 
-The promise is that of 1 − ε², and with it of ε. The other quantities come along, and are held to 95
-% and the factor 3 too. The contact time is counted in steps; the time of the impulse, between 1 %
-and 99 % of it, is not. The maximum force may be that of a short peak when a wave returns, which
-impacts at low cutoffs lack and whose absence no difference between them betrays (ν = 0.98, v =
-0.085: 0.038 up to the cutoff 32, 0.043 from 91). That such a peak may exist makes the error of the
-maximum force 17 to 95 times the true one where there is none.
+The promise is for 1 − ε², and with it for ε. The other quantities must meet 95 % and the factor 3
+too. The contact time is counted in steps; the time of the impulse, between 1 % and 99 % of it, is
+not. The maximum force may be that of a short peak when a wave returns, which impacts at low cutoffs
+lack; no difference between them reveals its absence (ν = 0.98, v = 0.085: 0.038 up to the cutoff
+32, 0.043 from 91). Because such a peak may exist, the error of the maximum force is 17 to 95 times
+the true one where there is none.
 
-The range is even in log v, so that few points are fast. Of another 120 with 0.1 < v < 0.6, 98, 92,
+The points are spaced evenly in log v, so few are fast. Of another 120 with 0.1 < v < 0.6, 98, 92,
 92 and 91 % lie within the error at 10⁻², 10⁻³, 3·10⁻⁴ and 10⁻⁴, and one is off by 3.2 times its
-error (ν = 0.74, v = 0.28, 10⁻³); what the error does above v = 0.28 was chosen on them. Of 60 more
-with 0.15 < v < 0.5, which had no part in that, 100, 95, 92 and 93 %, none beyond three. Single
-points can be worse: ν = 0, v = 0.39718 at 2·10⁻⁴ is off by four times its error
-([numerics.md](numerics.md) §5).
+error (ν = 0.74, v = 0.28, 10⁻³); the form of the error above v = 0.28 was chosen on them. Of 60
+more with 0.15 < v < 0.5, which played no part in that choice, it is 100, 95, 92 and 93 %, none
+beyond three. Single points can be worse: ν = 0, v = 0.39718 at 2·10⁻⁴ is off by four times its
+error ([numerics.md](numerics.md) §5).
 
 | tolerance | quantity | points | within | strictly | maximum | error / true error | blurred |
 |---:|---|---:|---:|---:|---:|---:|---:|
@@ -100,7 +100,7 @@ inline constexpr const char* finite_elements = R"(
 ## Independent finite elements
 
 ε by spectral elements with unilateral contact (two families, up to 550 000 unknowns;
-`tests/data/restitution_hard_wall.csv`), which share nothing with stoss but the problem, against
+`tests/data/restitution_hard_wall.csv`), which share only the problem with stoss, compared with
 `restitution` at the default tolerance.
 
 | ν | v | finite elements | uncertainty | ε | error | difference |
@@ -111,7 +111,7 @@ inline constexpr const char* rod = R"(
 ## The rod
 
 A rod against a hard wall has the exact answer ε = 1 and contact time 2 L/c, at any speed. Its 1 −
-ε² is 0, of which no error is a small share: `restitution` throws `RestitutionNotConverged` at the
+ε² is 0, so no error is small relative to it: `restitution` throws `RestitutionNotConverged` at the
 highest cutoff, and the best value, which it carries, must contain 1 within its error.
 
 | cutoff | ε | error | contact time | error |
@@ -122,7 +122,7 @@ inline constexpr const char* points = R"(
 ## All points at the default tolerance
 
 *Ratio*: |value − reference| / error; u: the reference's uncertainty, above a tenth of the error, is
-taken off the difference.
+subtracted from the difference.
 
 | ν | v | 1−ε², reference | uncertainty | 1−ε² | error | ratio | cutoff |
 |---:|---:|---:|---:|---:|---:|---:|---:|

@@ -7,7 +7,7 @@
 //     constant ε      E = E₀ (1 + t/τ)^(−2)     (Haff 1983)
 //     1 − ε ∝ v^(1/5)     E ~ t^(−5/3)           (Brilliantov and Pöschel, Phys. Rev. E 61, 5573, 2000)
 //
-// Disks are smooth, and taken to be at rest inside before each collision. Lengths in R, times in R/c.
+// Disks are smooth, and count as unexcited before each collision. Lengths in R, times in R/c.
 #include <chrono>
 #include <cmath>
 #include <cstdio>

@@ -25,7 +25,7 @@ extern "C" {
 /** What a function returns. */
 #define STOSS_OK 0
 #define STOSS_INVALID_INPUT 1 /**< an argument out of its range, or NULL */
-#define STOSS_NOT_CONVERGED 2 /**< the accuracy is not to be had */
+#define STOSS_NOT_CONVERGED 2 /**< the accuracy is out of reach */
 #define STOSS_OUT_OF_MEMORY 3
 #define STOSS_INTERRUPTED 4 /**< by the caller's own poll */
 #define STOSS_FAILED 5      /**< anything else: of the system, as no thread to be had */

@@ -11,7 +11,7 @@ namespace stoss {
 /// How a lossy contact kicks its modes.
 enum class Kicks {
   whole,
-  weaker  ///< by as much as the modes follow the force at once beside them (numeric::StableKicks)
+  weaker  ///< by as much as the modes follow the force at once in addition (numeric::StableKicks)
 };
 
 /// The kept modes of a contact as driven oscillators of one mass, advanced by kick and exact free motion: a = √ω Q,

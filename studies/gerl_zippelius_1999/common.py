@@ -17,7 +17,7 @@ Table = dict[str, NDArray]  # columns by name, "speed[c]"
 Tables = dict[str, Table]
 Row = tuple[str, str, str, str]  # quantity, paper, protocol, converged
 
-NONE = "–"  # in place of a number that there is not
+NONE = "–"  # in place of a missing number
 COLUMN, PAGE = 3.4, 7.0  # inches: one column of a journal, and two
 
 __all__ = [

@@ -29,7 +29,7 @@ from gerl_zippelius_1999.ranking import ranked_intercepts
 
 TITLE = "Figure 1: the coefficient of restitution against speed"
 CAPTION = (
-    "Coefficient of restitution ε of an elastic disk against the speed v with which it meets a wall; two equal disks "
+    "Coefficient of restitution ε of an elastic disk against the speed v at which it meets a wall; two equal disks "
     "that each move at v are the same problem. Lines: converged values; their errors are narrower than the lines. "
     "Points: the protocol of the paper, extrapolated to infinitely hard walls and then to infinitely many modes, with "
     "the errors of the regressions (95 %); with the N lowest modes, and walls of αv = 25 to 100 c/R, since the paper "

@@ -9,7 +9,7 @@ The protocol of the paper is the exponential wall with αR = 500 and the 940 low
 the two extrapolations. Contact and compression at that wall are those of figures 10 and 11: contact
 while the force is above 1 % of its maximum (for comparison also at the hard wall), compression from
 the plane where the wall's pressure is 0.1 E. The force of so few modes swings with a period near
-0.1 R/c, and its maximum is a spike; so the maximum mean over 0.2 R/c is given beside it.
+0.1 R/c, and its maximum is a spike; so the maximum mean over 0.2 R/c is given as well.
 """
 
 from __future__ import annotations

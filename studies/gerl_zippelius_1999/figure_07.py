@@ -43,7 +43,7 @@ CAPTION = (
 
 ALT = (
     "Two plots of seventeen nearly straight, falling lines each, one for each speed; they end at the hard wall a few "
-    "percent above black bars. On the left the lines of the slowest impacts are steep and cross."
+    "per cent above black bars. On the left the lines of the slowest impacts are steep and cross."
 )
 
 MODES = 940

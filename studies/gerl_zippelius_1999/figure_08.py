@@ -35,7 +35,7 @@ CAPTION = (
     "values of α; the lowest modes and the walls, with the same αv for all speeds, are chosen here. Right: how much "
     "the intercepts exceed the converged value, for the N lowest modes (open: more modes than the paper has) and for "
     "the N modes that rank first by energy in a preliminary run with 1600 or 4500 modes, the choice of the paper. "
-    "Lines: regressions through the paper’s four N. The errors of the points, not drawn, are up to a few percent, as "
+    "Lines: regressions through the paper’s four N. The errors of the points, not drawn, are up to a few per cent, as "
     "large as many of the differences between the series."
 )
 

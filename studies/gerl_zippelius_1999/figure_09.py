@@ -1,6 +1,6 @@
 """Figure 9: the quasi-static approach.
 
-The paper illustrates a disk pressed against the wall over the contact −a ≤ y ≤ a by Hertz' pressure
+The paper illustrates a disk pressed against the wall over the contact −a ≤ y ≤ a by Hertz's pressure
 p(y) = (2P/πa²)√(a² − y²) with a² = 4PR/πE (eq. 45), balanced by its own inertia, that is, by a
 uniform body force. Here both are computed: the static contact of a disk with a hard wall, by
 complementarity with the compliance of all modes (`stoss.quasistatic.static_contact`), and from its
@@ -25,7 +25,7 @@ CAPTION = (
     "A disk with ν = 0.33 whose centre of mass is held at the distance R − δ from a hard wall, δ = 0.1 R, balanced by "
     "a uniform body force as in a slow impact. Left: its deformation in true size, the radius R in grey, the contact "
     "from −a to a, and the pressure (arrows). Right: the pressure on the contact for three compressions, against "
-    "Hertz’ semi-ellipse (line), in units of the half-width and the maximum pressure that Hertz gives for the same "
+    "Hertz’s semi-ellipse (line), in units of the half-width and the maximum pressure that Hertz gives for the same "
     "force."
 )
 ALT = "Left: a disk pressed against a wall, with arrows for the pressure. Right: pressures that follow a semi-ellipse."
@@ -70,7 +70,7 @@ def compute(quick: bool) -> Tables:
 
 
 def _hertz(force: float) -> tuple[float, float]:
-    """a and p(0) of eq. (45), Hertz’ pressure, R and E, for a force in πRE."""
+    """a and p(0) of eq. (45), Hertz’s pressure, R and E, for a force in πRE."""
     half = 2.0 * np.sqrt(force)
     return half, 0.5 * half
 

@@ -1,7 +1,7 @@
 """Figure 10: force of the wall against compression, at rest and in impacts.
 
 The paper shows its law, eq. (56); the relaxation of 1300 modes to the least energy, eq. (40), with
-the centre held still; and impacts at v = 0.1 c and 0.04 c, αR = 500. Beside them, at the hard wall:
+the centre held still; and impacts at v = 0.1 c and 0.04 c, αR = 500. In addition, at the hard wall:
 exact static contact, law of the centre of mass (docs/theory/errata.md, E8), and full impacts.
 
 At an exponential wall, δ = R + x₀ counts from the plane V₀e^{αx} = 1. A contact of the pressure p

@@ -3,7 +3,7 @@
 The paper integrates m δ̈ = −F(δ) with the force of eq. (56), shows τ c/R and (δ_max/R)(c/v), and
 for τ also points of the full calculation; in the text δ_max ≃ v (R/c) √ln(4c/v) and τ ∝ (R/c)
 √ln(4c/v) (eq. 60). Here the same with `stoss.quasistatic.slow_impact`, for the printed law and for
-that of the centre of mass (docs/theory/errata.md, E8), beside the full solution at the hard wall
+that of the centre of mass (docs/theory/errata.md, E8), next to the full solution at the hard wall
 with its errors (`stoss.restitution`). It goes down to v = 1e-8 c; the paper had to stop at 0.005 c.
 
 The exact asymptotes are δ_max = v√Λ and τ = π√Λ, Λ = ln(c/v) − (3 + ν)/4 for the centre
@@ -162,7 +162,7 @@ def row_at(table: Table, speed: float) -> dict[str, float]:
 
 
 def deviation(tables: Tables, law: str, lowest: float, highest: float, full: str = "dynamic") -> tuple[float, float]:
-    """The maximum deviation of the contact time from a full solution, percent, and its speed."""
+    """The maximum deviation of the contact time from a full solution, per cent, and its speed."""
     speeds, key = tables[full]["speed[c]"], "contact_time[R/c]"
     off = 100.0 * (quasi_at(tables, speeds)[f"{law}_{key}"] / tables[full][key] - 1.0)
     off[(speeds < 0.999 * lowest) | (speeds > 1.001 * highest)] = np.nan

@@ -169,7 +169,7 @@ def _item(item: str, outcome: Outcome, folder: Path) -> str:
     content = (
         f'<figure>\n<div class="picture" tabindex="0">{picture}</div>\n<figcaption>{escape(outcome.caption)}'
         f'</figcaption>\n</figure>\n{_numbers(rows) if rows else ""}\n{_paragraphs(outcome.meaning)}\n'
-        f'<p class="small">Beside this file: {" · ".join(links)}</p>'
+        f'<p class="small">Next to this file: {" · ".join(links)}</p>'
     )
     return _section(item, outcome.title, content)
 

@@ -139,7 +139,7 @@ def _ratios(tables: Tables, slip: str, when: str) -> NDArray:
 
 
 def _spread(ratios: NDArray) -> tuple[float, float]:
-    """Geometric mean of ratios, and the factor by which they typically lie beside it."""
+    """Geometric mean of ratios, and the factor by which they typically differ from it."""
     logarithms = np.log(ratios[np.isfinite(ratios)])
     return float(np.exp(logarithms.mean())), float(np.exp(logarithms.std()))
 
@@ -244,7 +244,7 @@ def meaning(tables: Tables) -> str:
 
 
 def _complete(tables: Tables) -> list[str]:
-    """The slips with which all ten modes are there."""
+    """The slips that leave all ten modes in the table."""
     table = tables["slips"]
     names = dict.fromkeys(table["slip"].tolist())
     return [slip for slip in names if np.all(np.isfinite(table["after"][table["slip"] == slip]))]

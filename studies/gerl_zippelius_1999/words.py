@@ -1,4 +1,4 @@
-"""What the report says besides the items: introduction, method, verdict, errata, references.
+"""The text of the report around its items: introduction, method, verdict, errata, references.
 
 Text in HTML.
 """
@@ -36,19 +36,19 @@ METHOD = f"""
 amplitudes <i>C</i> (radial) and <i>S</i> (tangential) at the edge. A point of the edge is at</p>
 {equations.POSITION}
 <p>(eq. 39), and the paper lets a wall at <i>x</i> = 0 repel it by an exponential potential (eq. 40, with the ½ that
-it lacks there),</p>
+missing there),</p>
 {equations.HAMILTONIAN}
 <p>which becomes hard as <i>α</i> → ∞. stoss solves the hard wall directly: the edge is never beyond the wall, the
 pressure <i>p</i> never pulls, and one of the two is zero everywhere,</p>
 {equations.HARD_WALL}
 <p>with the modes above a cutoff represented by their exact static compliance and their radiation. After the
-impact, the lost energy is what the modes hold,</p>
+impact, the lost energy is that of the modes,</p>
 {equations.LEDGER}
-<p>The paper reaches the same limit by two extrapolations, in the hardness of the wall and in the number of modes,</p>
+<p>The paper reaches the same limit by two extrapolations, in the hardness of the wall and in the number of modes:</p>
 {equations.EXTRAPOLATIONS}
-<p>the second of which converges slowly, because the contact is too stiff without the modes left out. For slow
-impacts the force follows from the compression as in a contact at rest. For the approach of the centre of mass, which is
-what the equation of motion needs, the law is</p>
+<p>The second converges slowly, because the contact is too stiff without the modes left out. For slow
+impacts the force follows from the compression as in a contact at rest. For the approach of the centre of mass, which
+the equation of motion needs, the law is</p>
 {equations.CENTRE}
 <p>whereas the paper prints, and uses, its eq. (56),</p>
 {equations.PRINTED}
@@ -58,7 +58,7 @@ VERDICT = """
 <ul>
 <li><b>Agrees:</b> the two limits of the paper lead to the converged loss (figure 8). Frequencies of the modes
 (figures 2, 3), lines in 1/<i>α</i> (7), the quadrupole as the strongest mode (6) and contact times of slow impacts (11)
-come out.</li>
+are confirmed.</li>
 <li><b>Misprint or slip:</b> factors and signs in equations (E1–E7, E9, E10); the law for the diameter used for the
 centre of mass (E8). The falling loss, “presumably unphysical”, is real (E11).</li>
 <li><b>Open:</b> <i>ε</i> ≈ 0.65, where modes and finite elements give 0.7477 (E12); the energies of Table 1 (E13); the

@@ -1,4 +1,4 @@
-// 1 − ε² of an elastic and of a rigid ball on a half-space of the ball's material against speed, beside the theory of
+// 1 − ε² of an elastic and of a rigid ball on a half-space of the ball's material against speed, next to the theory of
 // slow impacts, its law k (v/c)^{3/5}, and the same ball at a rigid wall. Writes one CSV file.
 #include <fmt/format.h>
 #include <fmt/os.h>

@@ -7,7 +7,7 @@ from matplotlib import pyplot
 from matplotlib.ticker import NullLocator
 
 COLORS = {0.0: "#009E73", 0.2: "#56B4E9", 0.3: "#0072B2", 0.45: "#D55E00", 0.49: "#CC79A7"}
-DISK = 0.33  # Poisson's ratio of the disk that is drawn beside the spheres
+DISK = 0.33  # Poisson's ratio of the disk that is drawn next to the spheres
 SLOWEST, FASTEST = 1e-6, 0.5
 ZOOM = (1e-6, 2.2e-6)
 

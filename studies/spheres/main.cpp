@@ -1,4 +1,4 @@
-// ε(v) of a sphere at a rigid wall, with what explains it: Rayleigh's estimate, the law of the ends of Hertz' pulse,
+// ε(v) of a sphere at a rigid wall, with what explains it: Rayleigh's estimate, the law of the ends of Hertz's pulse,
 // its mean over the phases, and the share of the quadrupole mode (2,0). Writes one CSV file.
 //
 // The loss over v is a wave in v^(-1/5): the speeds are dense enough for twenty of them to each wave of the quadrupole.
@@ -50,7 +50,7 @@ std::vector<double> speeds(double poisson, double omega) {
   return result;
 }
 
-/// 1 − ε² by the ends of Hertz' pulse alone (docs/theory/points.md), with the contact time of the law of the centre.
+/// 1 − ε² by the ends of Hertz's pulse alone (docs/theory/points.md), with the contact time of the law of the centre.
 /// @param share 1, or 0 without the phase Φ that the stiffness of the contact adds
 double loss_of_ends(const PointRayleighEstimate& slow, const std::vector<Mode>& modes, double share) {
   const double modulus = 1.0 / (1.0 - slow.impact.poisson * slow.impact.poisson), mass = 4.0 * pi / 3.0;

@@ -1,5 +1,5 @@
-// Amplitude and phase of the sinusoid of ε, mode by mode, beside what follows from the share of the energy that the
-// mode takes in the impact from rest.
+// Amplitude and phase of the sinusoid of ε, mode by mode, next to those that follow from the share of the energy that
+// the mode absorbs in the impact from rest.
 #include <fmt/format.h>
 #include <fmt/os.h>
 

@@ -1,4 +1,4 @@
-// ε against the phase of one mode that vibrates before the impact, beside its sinusoid of small energies.
+// ε against the phase of one mode that vibrates before the impact, next to its sinusoid of small energies.
 #include <fmt/format.h>
 #include <fmt/os.h>
 

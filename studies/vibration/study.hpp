@@ -47,7 +47,7 @@ void on_all_threads(std::size_t count, F&& f) {
 
 /// ε₀ + a√E cos(φ − φ₀), which ε is to first order when one mode vibrates.
 struct Sinusoid {
-  double mean = 0.0;       ///< ε₀, of the body at rest inside
+  double mean = 0.0;       ///< ε₀, of the unexcited body
   double amplitude = 0.0;  ///< a
   double error = 0.0;      ///< of a
   double phase = 0.0;      ///< φ₀

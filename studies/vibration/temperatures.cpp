@@ -1,5 +1,5 @@
-// ε of warm bodies: all samples of ensembles at rising temperatures, and their mean and spread beside the law of small
-// temperatures, σ² = T Σ e_k / 2ε₀² over the modes that are warm.
+// ε of warm bodies: all samples of ensembles at rising temperatures, and their mean and spread next to the law of
+// small temperatures, σ² = T Σ e_k / 2ε₀² over the modes that are warm.
 #include <fmt/format.h>
 #include <fmt/os.h>
 
@@ -17,7 +17,7 @@ constexpr double highest = 5.0;  // c/R: modes of nearly all the loss
 constexpr long samples = 400;
 const std::vector<double> temperatures{1e-4, 1e-3, 1e-2, 0.1, 1.0};
 
-/// Share of the energy that the warm modes take in the impact from rest.
+/// Share of the energy that the warm modes absorb in the impact from rest.
 double share(const stoss::Restitution& from_rest) {
   double sum = 0.0;
   for (const stoss::ModeEnergy& mode : from_rest.finest.energy.modes) sum += mode.omega <= highest ? mode.after : 0.0;

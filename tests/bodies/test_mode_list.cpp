@@ -53,7 +53,7 @@ TEST_P(ModeList, OfALowerCutoffIsTheLowerPartOfEveryOrder) {
 }
 
 TEST_P(ModeList, EndsAtTheCutoffWhereverItLies) {
-  // A cutoff just beside a root decides whether this root is in.
+  // A cutoff just above or below a root decides whether this root is in.
   const auto modes = bodies::disk::modes(GetParam(), 12.0);
   for (std::size_t i = 0; i < modes.size(); i += 5) {
     const double omega = modes[i].omega;

@@ -50,7 +50,7 @@ def test_a_hard_half_space_is_a_rigid_wall(stoss, kind):
     assert number(hard, "lost_to_second") < 1e-4
 
 
-# A half-space that gives way much more than the sphere makes the sphere rigid.
+# A half-space that deforms much more than the sphere makes the sphere rigid.
 def test_a_hard_sphere_is_a_rigid_one(stoss):
     body, against = BODIES["sphere"]
     (soft,) = stoss.data("restitution --speed 3e-3", body, f"--against {against},young=1e-3")

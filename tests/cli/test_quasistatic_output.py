@@ -1,4 +1,4 @@
-"""stoss quasistatic: how it is written, what is said beside it, and what is refused."""
+"""stoss quasistatic: its output, the messages that go with it, and what it refuses."""
 
 import json
 import signal

@@ -1,6 +1,6 @@
 // The modes above the cutoff behind a hard wall, on one node that is driven by a prescribed motion u(t):
 //   static     f = K u
-//   radiating  f = (K + [(s²M)⁻¹ + (G + sZ)⁻¹]⁻¹) u: a spring beside a mass that hangs on a spring and a dashpot.
+//   radiating  f = (K + [(s²M)⁻¹ + (G + sZ)⁻¹]⁻¹) u: a spring parallel to a mass that hangs on a spring and a dashpot.
 #include <gtest/gtest.h>
 
 #include <algorithm>

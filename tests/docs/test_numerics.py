@@ -147,7 +147,7 @@ def test_errors_of_vibrating_bodies():
 def test_errors_of_lossy_bodies():
     found = validated("lossy")
     inside = [round(count * within / 100) for _, _, count, within, _, _ in found]
-    said = f"{inside[0]}, {inside[1]} and {inside[2]} lie within the error, the maximum at"
+    said = f"{inside[0]}, {inside[1]} and {inside[2]} lie within the error, the worst at"
     assert f"{said} {max(each[4] for each in found):.2f} times" in WORDS
     paddings, converged = [each[5] for each in found], [round(each[1]) for each in found]
     assert f"errors are {paddings[0]}, {paddings[1]} and {paddings[2]} times the true ones" in WORDS

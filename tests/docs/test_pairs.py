@@ -19,7 +19,7 @@ def of(ratio):
 
 
 def test_what_the_file_holds():
-    assert f"holds {len(RATIOS)} ratios to a tolerance of 10⁻³" in WORDS
+    assert f"holds {len(RATIOS)} ratios; all values meet a tolerance of 10⁻³" in WORDS
     assert all(row["converged"] == "true" for row in ROWS.values())
 
 
@@ -52,14 +52,14 @@ def test_claims_about_the_loss():
     assert f"{said}, at 20 it is {round(min(by_twenty))} to {round(max(by_twenty))} times" in WORDS
     shares = [[100 * ROWS[ratio, speed]["lost_to_smaller"] for ratio in RATIOS] for speed in SPEEDS]
     said = [f"{min(its):.1f} to {max(its):.1f} %".replace(".0 %", " %") for its in shares]
-    assert f"takes {said[0]} at v = 0.01, {said[1]} at 0.1 and {said[2]} at 0.3" in WORDS
+    assert f"absorbs {said[0]} at v = 0.01, {said[1]} at 0.1 and {said[2]} at 0.3" in WORDS
 
 
 def test_where_the_loss_falls_first():
     larger = min((row for (_, speed), row in ROWS.items() if speed == 0.01), key=lambda row: row["lost_to_larger"])
     periods = larger["contact_time"] / larger["radius_ratio"] / 4.368
     said = f"At R₂/R₁ = {larger['radius_ratio']:g}, τ is {periods:.2f} periods of the larger disk"
-    assert f"{said}, which then takes least, {100 * larger['lost_to_larger']:.1f} %" in WORDS
+    assert f"{said}, which then absorbs the least, {100 * larger['lost_to_larger']:.1f} %" in WORDS
     assert f"τ is {ROWS[1, 0.01]['contact_time'] / 4.368:.2f} periods in a pair of equal disks" in WORDS
 
 

@@ -74,7 +74,7 @@ def line(*cells):
 
 
 def waves():
-    """A line for each Poisson's ratio: the factor, the swing, who takes the loss, how often it turns."""
+    """A line for each Poisson's ratio: the factor, the swing, the share of (2,0), how often it turns."""
     for nu, rows in ROWS.items():
         slow = within(nu, 0.0, SLOW)
         factor = rows[0]["mean_loss_factor"]
@@ -184,7 +184,7 @@ def test_values_are_those_of_the_command():
 def test_rayleigh_spoke_of_the_fundamental_mode():
     text = " ".join(PAGE.split())
     factors = [rows[0]["mean_loss_factor_of_quadrupole"] for rows in ROWS.values()]
-    ends = f"alone takes {min(factors):.3f} to {max(factors):.3f} v"
+    ends = f"alone absorbs {min(factors):.3f} to {max(factors):.3f} v"
     assert ends in text and f"{25 * min(factors):.1f} to {25 * max(factors):.1f} times as much" in text
     whole = [rows[0]["mean_loss_factor"] for rows in ROWS.values()]
     assert f"(c = {min(whole):.2f} to {max(whole):.2f})" in text

@@ -51,7 +51,7 @@ const std::vector<Named> other_disks{{"small", Disk{0.2, 0.5, 2.0, 3.0}}, {"larg
 const std::vector<Named> other_spheres{{"small", Sphere{0.2, 0.5, 2.0, 3.0}}, {"large", Sphere{-0.3, 3.0, 0.5, 0.2}}};
 const std::vector<Named> other_rods{{"long", Rod{2.5, 1.0, 1.0, 1.0}}, {"thin", Rod{0.4, 2.0, 3.0, 0.2}}};
 
-// Beside a lossy body: one that loses nothing, and one that loses more.
+// Partners of a lossy body: one that loses nothing, and one that loses more.
 const std::vector<Named> beside_lossy_disks{{"small", Disk{0.2, 0.5, 2.0, 3.0}},
                                             {"large", Disk{-0.3, 3.0, 0.5, 0.2, 0.7}}};
 const std::vector<Named> beside_lossy_spheres{{"small", Sphere{0.2, 0.5, 2.0, 3.0}},

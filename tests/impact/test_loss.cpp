@@ -62,7 +62,7 @@ TEST(LossyBodies, LoseNothingWithoutALossTime) {
   EXPECT_EQ(with.restitution, without.restitution);
   EXPECT_EQ(with.final_state.coordinate, without.final_state.coordinate);
   EXPECT_EQ(with.energy.dissipated, 0.0);
-  // What a small loss time changes is of its first order; beside it, what kicks leave out is no longer in the springs.
+  // A small loss time has effects of first order; in addition, what kicks leave out is no longer in the springs.
   const double least = impact(lossy_sphere(1e-8, 20.0), 0.1).restitution;
   EXPECT_NEAR(least, without.restitution, 1e-5);
   const double small = impact(lossy_sphere(1e-4, 20.0), 0.1).restitution - least;

@@ -107,7 +107,7 @@ def test_order_and_units_are_those_of_the_command(command, tmp_path, arguments, 
     units = document["units"]
     columns = [f"{name}[{units[name]}]" if name in units else name for name in document["records"][0]]
     ours = header(result(), tmp_path / "python.csv")
-    early = ("poisson", "speed_si[m/s]")  # the command has this SI value beside its own, Python with all others
+    early = ("poisson", "speed_si[m/s]")  # the command has this SI value next to its own, Python with all others
     assert [name for name in ours if name not in early] == [n for n in columns if n not in (*early, "ledger")]
 
 

@@ -95,7 +95,7 @@ TEST(QuasistaticHeavyDisk, EdgeIsFreeToHigherOrderAroundAHertzContact) {
       const Traction traction = on_edge(HeavyDiskContact::hertz, force, phi);
       const double size = std::hypot(traction.x, traction.y);
       EXPECT_LT(size, force * force / (1.0 - std::cos(phi)) * (1.0 + 20.0 * force)) << force << " " << phi;
-      // F², that is a² beside the stress F of the load.
+      // F², that is a² compared with the stress F of the load.
       if (previous > 0.0) {
         EXPECT_NEAR(std::log10(previous / size), 2.0, 0.05) << force << " " << phi;
       }

@@ -1,4 +1,4 @@
-// Who takes the loss: the shares of a converged value add up to it.
+// Which body absorbs the loss: the shares of a converged value add up to it.
 #include <gtest/gtest.h>
 
 #include <cmath>

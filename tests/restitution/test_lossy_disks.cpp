@@ -9,7 +9,7 @@ namespace stoss {
 namespace {
 
 TEST(RestitutionOfLossyDisks, TendsToTheLawOfSlowImpacts) {
-  // Beside the viscous loss of the law, damping changes by some per cent of it what the disk keeps as vibration.
+  // In addition to the viscous loss of the law, damping changes the vibration left in the disk by some per cent of it.
   constexpr double of_vibration = 0.04;
   const RefinableContact elastic(disk(0.33));
   for (const double loss_time : {1e-3, 1e-2}) {

@@ -7,7 +7,7 @@
 
 namespace stoss {
 
-/// ε of two rods at rest inside, exactly (docs/theory/pairs.md).
+/// ε of two unexcited rods, exactly (docs/theory/pairs.md).
 inline double restitution_at_rest(const Rod& one, const Rod& other) {
   RodMeasures quick(one), slow(other);
   if (quick.transit > slow.transit) std::swap(quick, slow);

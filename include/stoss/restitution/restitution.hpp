@@ -47,7 +47,7 @@ struct Restitution {
   Estimate max_force;
   Estimate max_compression;
   double lost_to_first = 0.0;   ///< share of the initial energy that the first body vibrates with or dissipates
-  double lost_to_second = 0.0;  ///< the same of the second, 0 at a wall. Of bodies at rest inside before, the sum of
+  double lost_to_second = 0.0;  ///< the same of the second, 0 at a wall. Of bodies unexcited before, the sum of
                                 ///< both is lost_fraction
   double dissipated = 0.0;      ///< part of both that their material takes
   double tolerance = 0.0;       ///< asked for, relative to 1 − ε²

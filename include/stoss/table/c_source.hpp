@@ -10,7 +10,7 @@ namespace stoss {
 
 /// What a table in another program's language says of itself.
 struct TableLabel {
-  std::string name = "stoss";             ///< with which its names begin: letters, digits and _, at most 40
+  std::string name = "stoss";             ///< prefix of its names: letters, digits and _, at most 40
   std::string unit = "c";                 ///< of its speeds, as in m/s
   double scale = 1.0;                     ///< speed of the table over that of the function
   std::vector<std::string> provenance{};  ///< lines: who made it, from what

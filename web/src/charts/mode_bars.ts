@@ -53,7 +53,7 @@ export function createModeBars(host: HTMLElement, core: Core): ModeBars {
   picture.setAttribute('aria-hidden', 'true');
   const buttons = document.createElement('div');
   buttons.setAttribute('role', 'group');
-  buttons.setAttribute('aria-label', 'Modes with the maximum energies: arrows move between them');
+  buttons.setAttribute('aria-label', 'Modes with the most energy: arrows move between them');
   const note = Object.assign(document.createElement('p'), { className: 'chart-note' });
   chart.append(picture, buttons, note);
   const figure = Object.assign(document.createElement('figure'), { className: 'mode-shape' });
@@ -106,7 +106,7 @@ export function createModeBars(host: HTMLElement, core: Core): ModeBars {
       layout.bars.length ? '' : 'No mode of this body has energy.',
       layout.omitted ? `${layout.omitted} more modes hold ${percent(layout.rest)} together.` : '',
       now.collision.bodies[1]?.kind === 'half-space' && when.chosen() === 'after'
-        ? `The waves in what it meets hold ${percent(energyOfWaves(now.collision))}.` : '',
+        ? `The waves in the body it meets hold ${percent(energyOfWaves(now.collision))}.` : '',
     ].filter(Boolean).join(' ');
     const bar = layout.bars.find((each) => nameOf(each) === chosen)
       ?? [...layout.bars].sort((a, b) => b.energy - a.energy)[0];

@@ -27,7 +27,7 @@ export interface ModeLayout {
 
 const GAP = 0.7; // between groups, in bars
 
-/** The modes of a body with the maximum energies, at most `count`, in groups of their orders n. */
+/** The modes of a body with the most energy, at most `count`, in groups of their orders n. */
 export function layoutModes(modes: ModeEnergy[], body: 0 | 1, when: When, count: number): ModeLayout {
   const all = modes.filter((each) => each.body === body && each[when] > 0);
   const greatest = [...all].sort((a, b) => b[when] - a[when]).slice(0, count);

@@ -45,7 +45,7 @@ function lineOf(problems: readonly string[]): string {
   if (problems.length === 0) return '';
   const more = problems.length - mostTold;
   const told = problems.slice(0, mostTold).join('; ');
-  return `The link holds but for this, where the default stands: ${told}${more > 0 ? `; and ${more} more` : ''}.`;
+  return `The link is used except for this, where the default applies: ${told}${more > 0 ? `; and ${more} more` : ''}.`;
 }
 
 /** A curve for comparison; one that is not right as a whole is not shown. */

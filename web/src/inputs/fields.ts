@@ -48,7 +48,7 @@ export function withValue(encounter: Encounter, field: Exclude<Field, 'speed'>, 
   return withSecond(encounter, (body) => ({ ...body, [place.name]: value }));
 }
 
-/** What a field is called beside its number. */
+/** The name of a field next to its number. */
 export function labelOf(encounter: Encounter, field: Field): string {
   const place = owner(field);
   if (place === undefined) return 'Speed of approach v';

@@ -51,10 +51,10 @@ export function reboundInWords(encounter: Encounter, result: Restitution): { ful
 /** Up to where ε is more than a bound; '' without SI. */
 export function yieldInWords({ si }: Encounter, { speed, yieldSpeed }: Restitution): string {
   if (!si) return '';
-  if (yieldSpeed === undefined) return 'From where the material yields or cracks, ε is an upper bound.';
+  if (yieldSpeed === undefined) return 'Once the material yields or cracks, ε is an upper bound.';
   const at = `${significant(yieldSpeed, 2)} m/s`;
-  return speed > yieldSpeed ? `Above the ${at} where it begins to yield: ε is an upper bound.`
-    : `Begins to yield at ${at}: ε is an upper bound above.`;
+  return speed > yieldSpeed ? `Above ${at}, where it begins to yield: ε is an upper bound.`
+    : `Begins to yield at ${at}: above that, ε is an upper bound.`;
 }
 
 /** What a reader should know about a result, one line each. */

@@ -89,7 +89,7 @@ export function createScene(host: HTMLElement, core: Core): Scene {
   }
 
   function empty(): void {
-    canvas.setAttribute('aria-label', 'Film of the collision: not there yet');
+    canvas.setAttribute('aria-label', 'Film of the collision: not ready yet');
     controls.setEnabled(false);
     note.textContent = '';
   }

@@ -1,4 +1,4 @@
-// What is built beside the page: the native command and the Python package.
+// Built in addition to the page: the native command and the Python package.
 import { existsSync } from 'node:fs';
 import { fileURLToPath } from 'node:url';
 

@@ -129,15 +129,15 @@ describe.skipIf(missing !== '')(`the inputs of the page${missing && ` (${missing
       expect(await settled(page)).toMatch(/^0\.9\d+ ± /);
       expect(await page.textContent('#rebound'), name).toMatch(/^[\d.]+ ± [\d.]+\u00a0mm of [\d.]+\u00a0mm$/);
     }
-    expect(await page.textContent('#yield')).toBe('Begins to yield at 2.2 m/s: ε is an upper bound above.');
+    expect(await page.textContent('#yield')).toBe('Begins to yield at 2.2 m/s: above that, ε is an upper bound.');
     await page.fill('#field-speed', '3');
     await settled(page);
-    expect(await page.textContent('#yield')).toBe('Above the 2.2 m/s where it begins to yield: ε is an upper bound.');
+    expect(await page.textContent('#yield')).toBe('Above 2.2 m/s, where it begins to yield: ε is an upper bound.');
     expect(await page.inputValue('#preset')).toBe('own numbers');
     await page.context().close();
   });
 
-  it('in the simple view are an example and the speed, beside three digits of ε', async () => {
+  it('in the simple view are an example and the speed, next to three digits of ε', async () => {
     const page = await site.open(ball);
     await settled(page);
     await page.check('#simple');

@@ -57,7 +57,7 @@ describe('the address', () => {
   ])('keeps what is right of %s, and says in one line what is not', (text, right, line) => {
     const { inputs, problem } = fromAddress(text);
     expect(toAddress(inputs)).toBe(right);
-    expect(problem).toMatch(/^The link holds but for this, where the default stands: [^\n]+\.$/);
+    expect(problem).toMatch(/^The link is used except for this, where the default applies: [^\n]+\.$/);
     expect(problem).toContain(line);
     expect(problem.length).toBeLessThan(260);
   });

@@ -1,4 +1,4 @@
-// What the page says of a result beside ε: how high it bounces, from where it yields.
+// What the page shows of a result besides ε: how high it bounces, at what speed it yields.
 import { describe, expect, it } from 'vitest';
 import type { Encounter, Quantity, Restitution } from '../../src/core/protocol';
 import { reboundOf } from '../../src/inputs/rebound';
@@ -40,9 +40,9 @@ describe('the yield speed', () => {
   const at = (speed: number, yieldSpeed?: number): string =>
     yieldInWords(ball, result(speed, { value: 0.9, unit: '' }, yieldSpeed === undefined ? {} : { yieldSpeed }));
   it('is said, and that ε is a bound above it', () => {
-    expect(at(0.1, 0.1312)).toBe('Begins to yield at 0.13 m/s: ε is an upper bound above.');
-    expect(at(1, 0.1312)).toBe('Above the 0.13 m/s where it begins to yield: ε is an upper bound.');
-    expect(at(1)).toBe('From where the material yields or cracks, ε is an upper bound.');
+    expect(at(0.1, 0.1312)).toBe('Begins to yield at 0.13 m/s: above that, ε is an upper bound.');
+    expect(at(1, 0.1312)).toBe('Above 0.13 m/s, where it begins to yield: ε is an upper bound.');
+    expect(at(1)).toBe('Once the material yields or cracks, ε is an upper bound.');
     expect(yieldInWords(plain, result(0.1, { value: 0.9, unit: '' }))).toBe('');
   });
 });
