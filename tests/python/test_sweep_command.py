@@ -3,9 +3,7 @@
 import functools
 import os
 import random
-import resource
 import signal
-import stat
 import subprocess
 import sys
 import time
@@ -14,6 +12,7 @@ import numpy as np
 import pytest
 
 import stoss
+from sweep_command import SMALL, command  # noqa: F401
 
 TOML = """
 speed = "log:1e-3:0.1:12"
@@ -22,34 +21,6 @@ absolute = 0
 against = ["wall", {kind = "half-space"}]
 bodies = {kind = "sphere", poisson = "lin:0:0.4:8"}
 """
-SMALL = 'speed = [0.01, 0.1]\ntolerance = 1e-2\nbodies = {kind = "sphere", poisson = [0.1, 0.3]}\n'
-
-
-class Command:
-    """`python -m stoss` in a folder."""
-
-    def __init__(self, folder, environment):
-        self.folder, self.environment = folder, environment
-        (folder / "grid.toml").write_text(SMALL)
-
-    def start(self, *words, **options):
-        pipe = subprocess.PIPE
-        command = [sys.executable, "-m", "stoss", *words]
-        return subprocess.Popen(
-            command, cwd=self.folder, env=self.environment, stdout=pipe, stderr=pipe, text=True, **options
-        )
-
-    def run(self, *words):
-        """Exit code and what is on stderr; nothing is on stdout."""
-        process = self.start(*words)
-        out, error = process.communicate(timeout=300)
-        assert out == ""
-        return process.returncode, error
-
-
-@pytest.fixture
-def command(tmp_path, interpreter):
-    return Command(tmp_path, interpreter.environment)
 
 
 def test_shards_and_merge(command):
@@ -128,45 +99,6 @@ def test_exit_codes(command, words, code, message):
     got, error = command.run(*words)
     assert got == code and message in error
     assert error.startswith("stoss: error: ") and error.count("\n") == 1 and len(error) < 600
-
-
-def test_merge_where_nothing_can_be_written(command):
-    pytest.importorskip("netCDF4")
-    stoss.sweep(command.folder / "grid.toml", store=command.folder / "store")
-    for target in ("none/all.nc", "store", "/proc/all.nc"):
-        code, error = command.run("merge", "store", "-o", target)
-        assert code == 4 and error.count("\n") == 1, error
-
-
-def test_merge_to_what_is_no_file(command):
-    """It would be replaced by one."""
-    pytest.importorskip("netCDF4")
-    stoss.sweep(command.folder / "grid.toml", store=command.folder / "store")
-    os.mkfifo(command.folder / "pipe")
-    (command.folder / "link").symlink_to("pipe")
-    for target in ("pipe", "link", "/dev/stdout"):
-        code, error = command.run("merge", "store", "-o", target)
-        assert code == 4
-        assert error == f"stoss: error: output: cannot read or write '{target}': it is not a regular file\n"
-    assert stat.S_ISFIFO((command.folder / "link").stat().st_mode) and (command.folder / "link").is_symlink()
-
-
-@pytest.mark.parametrize("before", ["", "precious"])
-@pytest.mark.parametrize("size", [0, 2000, 20000])
-def test_merge_on_a_full_disk(command, before, size):
-    """HDF5 does not survive a write that fails."""
-    pytest.importorskip("netCDF4")
-    stoss.sweep(command.folder / "grid.toml", store=command.folder / "store")
-    if before:
-        (command.folder / "all.nc").write_text(before)
-    listing = sorted(os.listdir(command.folder))
-    full = functools.partial(resource.setrlimit, resource.RLIMIT_FSIZE, (size, size))
-    process = command.start("merge", "store", "-o", "all.nc", preexec_fn=full)
-    out, error = process.communicate(timeout=60)
-    assert (process.returncode, out) == (4, "")
-    assert error == "stoss: error: output: cannot read or write 'all.nc': File too large\n"
-    assert sorted(os.listdir(command.folder)) == listing
-    assert not before or (command.folder / "all.nc").read_text() == before
 
 
 def test_a_second_one_of_the_same_shard_is_refused(command):
