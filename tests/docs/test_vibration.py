@@ -1,13 +1,12 @@
 """The numbers of docs/results/vibration.md: those of its CSV files."""
 
-import csv
 import math
 import statistics
-from pathlib import Path
 
 import pytest
+from conftest import ROOT
+from conftest import table as table_of
 
-ROOT = Path(__file__).resolve().parents[2]
 PAGE = (ROOT / "docs/results/vibration.md").read_text(encoding="utf-8")
 WORDS = " ".join(PAGE.split())
 TABLES = ROOT / "docs/results/vibration"
@@ -17,15 +16,7 @@ MODES = 18  # of the disk that bounces
 
 
 def table(name):
-    def number(text):
-        try:
-            return float(text)
-        except ValueError:
-            return text
-
-    with open(TABLES / f"{name}.csv", encoding="utf-8") as file:
-        rows = csv.DictReader(line for line in file if not line.startswith("#"))
-        return [{key.partition("[")[0]: number(text) for key, text in row.items()} for row in rows]
+    return table_of(f"docs/results/vibration/{name}.csv")
 
 
 def having(rows, **values):
