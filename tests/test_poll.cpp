@@ -9,6 +9,7 @@
 #include "contact/response.hpp"
 #include "stoss/bodies/disk.hpp"
 #include "stoss/bodies/disk/field.hpp"
+#include "stoss/contact/grid.hpp"
 #include "stoss/contact/wall.hpp"
 #include "stoss/impact/impact.hpp"
 #include "stoss/impact/replay.hpp"

@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "contact/touch.hpp"
+#include "stoss/contact/grid.hpp"
 
 namespace stoss {
 namespace {
@@ -15,9 +16,9 @@ constexpr double gap_constant = 0.6177;
 constexpr double outrun = 0.5;  // fit: the edge, which moves at v/(y/R), opens a smaller gap above the wave speed
 
 /// What stands before √a s^{3/2}/R in the gap at a distance s from the edge of a Hertzian contact.
-double opening_constant(Contour contour) {
+double opening_constant(bool circle) {
   const double line = 2.0 * std::numbers::sqrt2 / 3.0;
-  return contour == Contour::ball ? line * 4.0 / std::numbers::pi : line;
+  return circle ? line * 4.0 / std::numbers::pi : line;
 }
 
 }  // namespace
@@ -45,13 +46,13 @@ EdgeLaw edge_law(const Contact& contact, const ContactGrid& grid, double speed) 
   const Touch met = touch(contact);
   law.loss_time = met.loss_time;
   const double spacing = grid.points.spacing * grid.points.radius;
-  const bool rings = contact.first->contour == Contour::ball;
-  const double constant = opening_constant(contact.first->contour);
+  const double constant = opening_constant(met.circle);
   for (std::size_t i = 0; i < grid.coordinate.size(); ++i) {
     const double at = grid.coordinate[i];
     const double mach = outrun * speed * met.slowness / (met.curvature * at);
     const double opening = constant * met.curvature * std::sqrt(at) / (1.0 + mach * mach);
-    const double edges = rings ? std::numbers::pi * grid.points.radius * std::sin(grid.points.angle(i)) : 1.0;  // pairs
+    const double edges =
+        met.circle ? std::numbers::pi * grid.points.radius * std::sin(grid.points.angle(i)) : 1.0;  // pairs
     law.force.push_back(force_constant * edges * opening * spacing * std::sqrt(spacing) / met.softness);
     law.gap.push_back(gap_constant * opening * spacing * std::sqrt(spacing));
   }

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "stoss/contact/contact.hpp"
+#include "stoss/contact/grid.hpp"
 
 namespace stoss {
 

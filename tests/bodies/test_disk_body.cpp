@@ -10,6 +10,7 @@
 #include "contact/complementarity.hpp"
 #include "stoss/bodies/disk.hpp"
 #include "stoss/bodies/disk/modes.hpp"
+#include "stoss/contact/grid.hpp"
 #include "support/body_tools.hpp"
 
 namespace stoss {

@@ -11,6 +11,7 @@
 #include "contact/complementarity.hpp"
 #include "contact/edge_contact.hpp"
 #include "stoss/bodies/disk.hpp"
+#include "stoss/contact/grid.hpp"
 #include "stoss/errors.hpp"
 
 namespace stoss {

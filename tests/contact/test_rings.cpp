@@ -12,6 +12,7 @@
 #include "contact/touch.hpp"
 #include "stoss/bodies/disk.hpp"
 #include "stoss/bodies/sphere.hpp"
+#include "stoss/contact/grid.hpp"
 #include "stoss/errors.hpp"
 #include "support/refusal.hpp"
 

@@ -10,6 +10,7 @@
 #include "stoss/bodies/disk/modes.hpp"
 #include "stoss/bodies/rod.hpp"
 #include "stoss/contact/contact.hpp"
+#include "stoss/contact/grid.hpp"
 #include "stoss/impact/impact.hpp"
 #include "support/disk_pairs.hpp"
 

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "alive.hpp"
+#include "stoss/contact/grid.hpp"
 #include "values.hpp"
 
 namespace stoss::web {
@@ -56,7 +57,7 @@ Collision::Collision(const Encounter& encounter, double speed, double cutoff) : 
   contact_ = encounter.contact(cutoff, own_speed);
   const ImpactObserver observer = [this](const Snapshot& now) { snapshots_.push_back(now); };
   impact_ = impact(contact_, own_speed, {.poll = say_alive}, {.observer = observer});
-  grid_ = contact_grid(contact_, impact_.half_width, impact_.nodes);
+  grid_ = contact_grid(contact_, impact_.resolution.half_width, impact_.resolution.nodes);
 }
 
 val Collision::bodies() const {

@@ -9,6 +9,7 @@
 #include "block.hpp"
 #include "encounter.hpp"
 #include "inside.hpp"
+#include "stoss/contact/grid.hpp"
 #include "stoss/impact/replay.hpp"
 
 namespace stoss::web {

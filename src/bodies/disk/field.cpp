@@ -88,7 +88,7 @@ Field DiskField::at(std::span<const double> coordinate, std::span<const double> 
   const Eigen::ArrayXd force = Eigen::Map<const Eigen::ArrayXd>(node_force.data(), nodes);
 
   const std::vector<int>& orders = profiles.orders();
-  std::array<Harmonics::Table, OrderProfiles::components> sum;
+  std::array<Harmonics::Matrix, OrderProfiles::components> sum;
   for (auto& component : sum) component.setZero(static_cast<Eigen::Index>(orders.size()), angle.size());
   OrderProfiles::Profile profile;
   const int end = *std::max_element(orders.begin(), orders.end());
@@ -101,7 +101,7 @@ Field DiskField::at(std::span<const double> coordinate, std::span<const double> 
     const Eigen::Index row = top - orders.begin(), rows = bottom - top;
     const Harmonics at_points = harmonics(angle, first);
     for (std::size_t i = 0; i < sum.size(); ++i) {
-      const Harmonics::Table& harmonic = with_cosine[i] ? at_points.cosine : at_points.sine;
+      const Harmonics::Matrix& harmonic = with_cosine[i] ? at_points.cosine : at_points.sine;
       dense::by_columns(angle.size(), poll, [&](Eigen::Index at, Eigen::Index count) {
         sum[i].block(row, at, rows, count).noalias() +=
             profile[i].middleRows(row, rows) * harmonic.middleCols(at, count);

@@ -152,7 +152,7 @@ void OrderProfiles::add_kept(const Eigen::VectorXd& coordinate, const Loads& loa
 void OrderProfiles::evaluate(const Eigen::VectorXd& coordinate, const Eigen::ArrayXd& node_force, int first,
                              const Poll& poll, Profile& profile) const {
   const auto radii = static_cast<Index>(radius_.size());
-  for (Harmonics::Table& component : profile) component.setZero(radii, order_block);
+  for (Harmonics::Matrix& component : profile) component.setZero(radii, order_block);
   const Loads loads = this->loads(node_force, first);
   add_static(loads, first, poll, profile);
   add_kept(coordinate, loads, first, profile);

@@ -24,7 +24,7 @@ namespace stoss::bodies::disk {
 class OrderProfiles {
  public:
   static constexpr std::size_t components = 5;  // those of RadialField, in its order
-  using Profile = std::array<Harmonics::Table, components>;
+  using Profile = std::array<Harmonics::Matrix, components>;
 
   /// @throws InvalidInput if the modes of the body are not those of a disk of this Poisson's ratio
   OrderProfiles(double poisson, const Body& body, const ContactPoints& contact, std::vector<double> radius,

@@ -144,7 +144,7 @@ void DegreeProfiles::add_kept(const Eigen::VectorXd& coordinate, const Loads& lo
 
 void DegreeProfiles::evaluate(const Eigen::VectorXd& coordinate, const Loads& loads, int first, const Poll& poll,
                               Profile& profile) const {
-  for (Table& component : profile) component.setZero(static_cast<Index>(radius_.size()), block);
+  for (Matrix& component : profile) component.setZero(static_cast<Index>(radius_.size()), block);
   add_static(loads, first, poll, profile);
   add_kept(coordinate, loads, first, profile);
 }

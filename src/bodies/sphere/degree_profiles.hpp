@@ -24,8 +24,8 @@ class DegreeProfiles {
  public:
   static constexpr std::size_t components = 6;  // those of RadialField, in its order
   static constexpr int block = 32;              // of degrees
-  using Table = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
-  using Profile = std::array<Table, components>;  // radii × block
+  using Matrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+  using Profile = std::array<Matrix, components>;  // radii × block
   /// w_n g_U and w_n g_V of all degrees up to Nyquist and of all kept ones.
   struct Loads {
     std::vector<double> radial, tangential;

@@ -21,7 +21,7 @@
 namespace stoss::bodies::sphere {
 namespace {
 
-using Table = DegreeProfiles::Table;
+using Matrix = DegreeProfiles::Matrix;
 
 void require_points(const PolarGrid& points, const ContactPoints& contact) {
   const auto radii = static_cast<long>(points.radius.size()), angles = static_cast<long>(points.angle.size());
@@ -40,7 +40,7 @@ void require_points(const PolarGrid& points, const ContactPoints& contact) {
 
 /// P, dP/dθ, H = P + cot θ dP/dθ and (L−2)P + H of a block of degrees: degrees × angles.
 struct Harmonics {
-  Table value, slope, across, along;
+  Matrix value, slope, across, along;
 
   explicit Harmonics(Eigen::Index angles)
       : value(DegreeProfiles::block, angles), slope(value), across(value), along(value) {}
@@ -101,8 +101,8 @@ Field SphereField::at(std::span<const double> coordinate, std::span<const double
   const auto loads = profiles.loads(Eigen::Map<const Eigen::ArrayXd>(node_force.data(), rings), poll);
 
   const std::vector<int>& degrees = profiles.degrees();
-  std::array<Table, 6> sum;  // in the order of Field
-  for (Table& component : sum) component.setZero(static_cast<Eigen::Index>(degrees.size()), angle.size());
+  std::array<Matrix, 6> sum;  // in the order of Field
+  for (Matrix& component : sum) component.setZero(static_cast<Eigen::Index>(degrees.size()), angle.size());
   auto& [radial, tangential, stress_rr, stress_tt, stress_pp, stress_rt] = sum;
   DegreeProfiles::Profile profile;
   Harmonics harmonics(angle.size());
@@ -117,7 +117,7 @@ Field SphereField::at(std::span<const double> coordinate, std::span<const double
     const auto top = std::find_if(degrees.begin(), degrees.end(), counts);
     const auto bottom = std::find_if(degrees.rbegin(), degrees.rend(), counts).base();
     const Eigen::Index row = top - degrees.begin(), rows = bottom - top;
-    const auto add = [&](Table& to, const Table& from, const Table& with) {
+    const auto add = [&](Matrix& to, const Matrix& from, const Matrix& with) {
       to.middleRows(row, rows).noalias() += from.middleRows(row, rows) * with;
     };
     const auto& [of_radial, of_tangential, of_rr, of_rt, hoop, bend] = profile;
@@ -130,7 +130,7 @@ Field SphereField::at(std::span<const double> coordinate, std::span<const double
     add(stress_tt, hoop, harmonics.value);
     add(stress_tt, -bend, harmonics.along);
   }
-  const auto flat = [](const Table& table) { return std::vector<double>(table.data(), table.data() + table.size()); };
+  const auto flat = [](const Matrix& table) { return std::vector<double>(table.data(), table.data() + table.size()); };
   return {flat(radial), flat(tangential), flat(stress_rr), flat(stress_tt), flat(stress_pp), flat(stress_rt)};
 }
 

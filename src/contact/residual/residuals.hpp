@@ -4,7 +4,8 @@
 #include <cstddef>
 #include <vector>
 
-#include "contact/residual_motion.hpp"
+#include "contact/residual/residual_motion.hpp"
+#include "stoss/contact/grid.hpp"
 
 namespace stoss {
 

@@ -1,13 +1,14 @@
-// Where bodies can touch, and what they are there together.
+#include "stoss/contact/grid.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
 
 #include "check.hpp"
+#include "contact/residual/residual_part.hpp"
 #include "contact/touch.hpp"
-#include "contact/units.hpp"
-#include "stoss/contact/contact.hpp"
+#include "contact/unit_ratios.hpp"
 #include "stoss/errors.hpp"
 
 namespace stoss {
@@ -17,7 +18,7 @@ namespace {
 /// behind its widest place a disk touches only a body of its own size (or the wall, where the model means little).
 double greatest_angle(const Contact& contact) {
   constexpr double before_the_widest = 0.95;  // where points at equal angles crowd together on a plane
-  if (contact.radiating) return before_the_widest * 0.5 * std::numbers::pi;
+  if (contact.unbounded) return before_the_widest * 0.5 * std::numbers::pi;
   const bool same_size = contact.second == nullptr || contact.second->scale.length == contact.first->scale.length;
   const bool all_around = same_size && std::holds_alternative<HardWall>(contact.wall);
   return all_around ? std::numbers::pi : 0.5 * std::numbers::pi;
@@ -50,7 +51,7 @@ Surface surface_of(const Body& body, const ContactPoints& points) {
 }
 
 /// Joins the second body's surface to that of the first, in its units: recesses add, impedances are in series.
-void join(const Surface& second, const Units& units, std::size_t first_rows, Surface& surface) {
+void join(const Surface& second, const UnitRatios& units, std::size_t first_rows, Surface& surface) {
   const std::size_t points = surface.recess.size();
   surface.shape.resize(first_rows * points);
   surface.shape.insert(surface.shape.end(), second.shape.begin(), second.shape.end());
@@ -60,11 +61,18 @@ void join(const Surface& second, const Units& units, std::size_t first_rows, Sur
   }
 }
 
-}  // namespace
-
-ContactPoints seen_by_second(const ContactPoints& points, const Units& units) {
-  return {points.radius / units.length, points.spacing, points.count};
+/// The sum of one residual matrix of both bodies.
+std::vector<double> residual_sum(const Contact& contact, const ContactGrid& grid, Residual residual,
+                                 double UnitRatios::*unit, const Poll& poll) {
+  std::vector<double> sum = residual_of(contact, grid, 0, residual, poll);
+  if (contact.second == nullptr) return sum;
+  const double scale = units_of(contact, 1).*unit;
+  const std::vector<double> second = residual_of(contact, grid, 1, residual, poll);
+  for (std::size_t i = 0; i < sum.size(); ++i) sum[i] += scale * second[i];
+  return sum;
 }
+
+}  // namespace
 
 double greatest_half_width(const Contact& contact) {
   return has_single_point(contact) ? 0.0 : greatest_angle(contact) * contact.radius;
@@ -73,7 +81,7 @@ double greatest_half_width(const Contact& contact) {
 double expected_half_width(const Contact& contact, double speed) {
   if (has_single_point(contact)) return 0.0;
   const Touch met = touch(contact);
-  if (contact.first->contour == Contour::ball) {
+  if (met.circle) {
     // Hertz: the energy of the approach is (8/15) δ^{5/2}/(D √curvature), a² = δ/curvature.
     const double energy = 0.5 * contact.whole_mass * speed * speed;
     const double approach = std::pow(1.875 * energy * met.softness * std::sqrt(met.curvature), 0.4);
@@ -90,7 +98,7 @@ double expected_half_width(const Contact& contact, double speed) {
 double expected_duration(const Contact& contact, double speed) {
   const Touch met = touch(contact);
   const double width = expected_half_width(contact, speed);
-  if (contact.first->contour == Contour::ball) return 2.943 * width * width * met.curvature / speed;
+  if (met.circle) return 2.943 * width * width * met.curvature / speed;
   // The impulse 2μv over the maximum force, times the shape of the pulse.
   const double force = 0.25 * width * width * met.curvature / met.softness;
   return 3.3 * speed * contact.whole_mass / whole_mass(*contact.first) / force;
@@ -104,13 +112,21 @@ ContactGrid contact_grid(const Contact& contact, double half_width, int nodes) {
   }
   static_cast<Surface&>(grid) = surface_of(*contact.first, grid.points);
   if (contact.second != nullptr) {
-    const Units units(*contact.second, *contact.first);
-    join(surface_of(*contact.second, seen_by_second(grid.points, units)), units, shape_rows(*contact.first), grid);
+    const UnitRatios units = units_of(contact, 1);
+    join(surface_of(*contact.second, seen_by(grid.points, units)), units, shape_rows(*contact.first), grid);
   }
   for (std::size_t i = 0; i < grid.points.count; ++i) {
     grid.coordinate.push_back(grid.points.angle(i) * grid.points.radius);
   }
   return grid;
+}
+
+std::vector<double> residual_compliance(const Contact& contact, const ContactGrid& grid, const Poll& poll) {
+  return residual_sum(contact, grid, &Body::residual_compliance, &UnitRatios::compliance, poll);
+}
+
+std::vector<double> residual_second_moment(const Contact& contact, const ContactGrid& grid, const Poll& poll) {
+  return residual_sum(contact, grid, &Body::residual_second_moment, &UnitRatios::second_moment, poll);
 }
 
 }  // namespace stoss

@@ -1,9 +1,10 @@
-// Which bodies can meet.
+#include "contact/unit_ratios.hpp"
+
+#include <algorithm>
 #include <cmath>
 #include <string>
 
 #include "check.hpp"
-#include "contact/units.hpp"
 #include "stoss/errors.hpp"
 
 namespace stoss {
@@ -30,6 +31,20 @@ void require_contours(const Body& first, const Body& second) {
 
 }  // namespace
 
+UnitRatios units_of(const Contact& contact, int number) {
+  return number == 0 ? UnitRatios{} : UnitRatios(*contact.second, *contact.first);
+}
+
+ContactPoints seen_by(const ContactPoints& points, const UnitRatios& units) {
+  return {points.radius / units.length, points.spacing, points.count};
+}
+
+std::size_t shape_rows(const Body& body) {
+  std::size_t rows = 0;
+  for (const ModeGroup& group : body.groups) rows = std::max({rows, group.upper_row + 1, group.lower_row + 1});
+  return rows;
+}
+
 void require_partners(const Body& first, const Body& second) {
   require_contours(first, second);
   if (is_unbounded(first)) {
@@ -38,7 +53,7 @@ void require_partners(const Body& first, const Body& second) {
   if (first.softness == 0.0 && second.softness == 0.0) {
     throw InvalidInput("rigid: got two rigid bodies, allowed one (the other must deform)");
   }
-  const Units units(second, first);
+  const UnitRatios units(second, first);
   if (is_unbounded(second)) {
     const double size = first.contour == Contour::ball ? units.length : 1.0;
     require_ratio_of_half_space("young", 1.0 / units.softness);

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "stoss/contact/contact.hpp"
+#include "stoss/contact/grid.hpp"
 
 namespace stoss {
 
@@ -18,6 +19,14 @@ struct ResidualPart {
   double loss_time = 0.0;                              ///< η
   std::size_t body = 0;                                ///< 0: of the first or of all, 1: of the second
 };
+
+/// One of the two residual matrices of a body: of its compliance, or of its second moment.
+using Residual = std::function<std::vector<double>(const ContactPoints&, const Poll&)> Body::*;
+
+/// That matrix of one body at the points of a contact, in its own units. @param number 0: of the first, 1: of the second
+/// @throws InvalidInput for a matrix of another size
+[[nodiscard]] std::vector<double> residual_of(const Contact& contact, const ContactGrid& grid, int number,
+                                              Residual residual, const Poll& poll);
 
 /// The parts that yield to one force, in series: all bodies together while they lose nothing, else each body, as each
 /// has a loss time, and a part of what the materials take; a rigid one has no part.

@@ -1,8 +1,9 @@
-#include "contact/kick_compliance.hpp"
+#include "contact/residual/kick_compliance.hpp"
 
 #include "numeric/damped_oscillator.hpp"
 #include "numeric/dense.hpp"
 #include "numeric/stable_kicks.hpp"
+#include "stoss/contact/grid.hpp"
 
 namespace stoss {
 

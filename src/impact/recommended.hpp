@@ -1,6 +1,6 @@
 #pragma once
 
-#include "stoss/contact/contact.hpp"
+#include "stoss/impact/resolution.hpp"
 
 namespace stoss {
 
@@ -18,5 +18,10 @@ inline constexpr int most_nodes = 4096;
 
 /// Recommended nodes of a grid.
 [[nodiscard]] int nodes_within(const Contact& contact, double half_width);
+
+/// Resolution of an impact at a hard wall for `restitution`: finer in time and in space with the
+/// cutoff.
+/// @param half_width maximum of the contact in a coarser run, or 0 if there was none
+[[nodiscard]] Resolution refined_resolution(const Contact& contact, double speed, double half_width);
 
 }  // namespace stoss

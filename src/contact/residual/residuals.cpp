@@ -1,9 +1,10 @@
-#include "contact/residuals.hpp"
+#include "contact/residual/residuals.hpp"
 
 #include <algorithm>
 
-#include "contact/kick_compliance.hpp"
+#include "contact/residual/kick_compliance.hpp"
 #include "numeric/kernels.hpp"
+#include "stoss/contact/grid.hpp"
 
 namespace stoss {
 
@@ -22,7 +23,7 @@ Residuals::Residuals(const Contact& contact, const ContactGrid& grid, ResidualMo
   displacement_.resize(parts_.size(), std::vector<double>(nodes));
   const auto size = static_cast<Eigen::Index>(nodes);
   Eigen::MatrixXd kicks = Eigen::MatrixXd::Zero(size, size);
-  if (inertia == ResidualMotion::Inertia::radiating) add_kick_compliance(contact, grid, step, poll, kicks);
+  if (inertia == ResidualMotion::Inertia::all) add_kick_compliance(contact, grid, step, poll, kicks);
   kicks_.assign(kicks.data(), kicks.data() + kicks.size());
 }
 

@@ -3,6 +3,7 @@
 #include <Eigen/Core>
 
 #include "stoss/contact/contact.hpp"
+#include "stoss/contact/grid.hpp"
 #include "stoss/poll.hpp"
 
 namespace stoss {

@@ -1,4 +1,4 @@
-#include "contact/residual_motion.hpp"
+#include "contact/residual/residual_motion.hpp"
 
 #include <Eigen/Core>
 #include <algorithm>
@@ -6,10 +6,11 @@
 #include <numbers>
 #include <utility>
 
-#include "contact/kick_compliance.hpp"
+#include "contact/residual/kick_compliance.hpp"
 #include "numeric/dense.hpp"
 #include "numeric/kernels.hpp"
 #include "stoss/errors.hpp"
+#include "stoss/contact/grid.hpp"
 
 namespace stoss {
 namespace {
@@ -132,7 +133,7 @@ ResidualMotion::ResidualMotion(const ResidualPart& part, const Contact& contact,
       fading_(1.0 / (1.0 + link_stiffness * part.cutoff * step)),
       viscous_(part.loss_time / step),
       share_(share_of(viscous_)),
-      matrices_(inertia == Inertia::radiating ? discretize(part, contact, grid, step, poll) : massless(part, step)),
+      matrices_(inertia == Inertia::all ? discretize(part, contact, grid, step, poll) : massless(part, step)),
       free_(nodes_),
       mass_displacement_(matrices_.masses),
       mass_velocity_(matrices_.masses),

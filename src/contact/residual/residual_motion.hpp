@@ -3,7 +3,8 @@
 #include <cstddef>
 #include <vector>
 
-#include "contact/residual_part.hpp"
+#include "contact/residual/residual_part.hpp"
+#include "stoss/contact/grid.hpp"
 
 namespace stoss {
 
@@ -27,8 +28,8 @@ class ResidualMotion {
  public:
   /// Which of the modes that are not kept carry mass.
   enum class Inertia {
-    none,       ///< none: u answers the force by itself, u + η u̇ = W f
-    radiating,  ///< all; and while nothing is lost, what the kicks leave out of the kept modes is in W
+    none,  ///< none: u answers the force by itself, u + η u̇ = W f
+    all,   ///< all; and while nothing is lost, what the kicks leave out of the kept modes is in W
   };
 
   ResidualMotion(const ResidualPart& part, const Contact& contact, const ContactGrid& grid, Inertia inertia,
