@@ -5,7 +5,7 @@
 #include <map>
 #include <string>
 
-#include "contact/complementarity.hpp"
+#include "contact/edge/complementarity.hpp"
 #include "contact/response.hpp"
 #include "stoss/bodies/disk.hpp"
 #include "stoss/bodies/disk/field.hpp"

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "contact/edge_contact.hpp"
+#include "contact/edge/edge_contact.hpp"
 #include "contact/residual/residuals.hpp"
 #include "contact/response.hpp"
 

@@ -4,7 +4,7 @@
 #include <limits>
 #include <utility>
 
-#include "digits.hpp"
+#include "check.hpp"
 #include "encounter/participant.hpp"
 #include "stoss/quasistatic/yield.hpp"
 

@@ -5,7 +5,6 @@
 
 #include "check.hpp"
 #include "contact/demands.hpp"
-#include "digits.hpp"
 #include "impact/recommended.hpp"
 #include "stoss/contact/grid.hpp"
 #include "stoss/errors.hpp"

@@ -9,7 +9,6 @@
 #include <tuple>
 
 #include "check.hpp"
-#include "digits.hpp"
 #include "stoss/errors.hpp"
 
 namespace stoss {

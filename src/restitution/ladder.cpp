@@ -11,7 +11,6 @@
 
 #include "check.hpp"
 #include "contact/unit_ratios.hpp"
-#include "digits.hpp"
 #include "stoss/contact/grid.hpp"
 #include "stoss/errors.hpp"
 

@@ -1,7 +1,6 @@
 #include "stoss/table/mixture.hpp"
 
 #include "check.hpp"
-#include "digits.hpp"
 #include "stoss/errors.hpp"
 
 namespace stoss {

@@ -10,12 +10,12 @@
 #include <string>
 #include <utility>
 
-#include "digits.hpp"
+#include "check.hpp"
 #include "numeric/bins.hpp"
 #include "numeric/monotone_cubic.hpp"
 #include "numeric/parabolic_cubic.hpp"
 #include "stoss/errors.hpp"
-#include "table/pair_values.hpp"
+#include "table/arguments.hpp"
 
 namespace stoss {
 namespace {

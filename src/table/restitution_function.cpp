@@ -7,7 +7,7 @@
 #include <string>
 #include <utility>
 
-#include "digits.hpp"
+#include "check.hpp"
 #include "numeric/bins.hpp"
 #include "numeric/monotone_cubic.hpp"
 #include "stoss/errors.hpp"

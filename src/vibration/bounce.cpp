@@ -9,7 +9,6 @@
 #include <utility>
 
 #include "check.hpp"
-#include "digits.hpp"
 
 namespace stoss {
 namespace {

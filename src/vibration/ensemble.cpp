@@ -7,7 +7,6 @@
 #include <numbers>
 
 #include "check.hpp"
-#include "digits.hpp"
 #include "numeric/random.hpp"
 #include "stoss/errors.hpp"
 

@@ -9,7 +9,6 @@
 #include <utility>
 
 #include "check.hpp"
-#include "digits.hpp"
 #include "stoss/errors.hpp"
 #include "vibration/rod_modes.hpp"
 #include "vibration/rod_waves.hpp"

@@ -5,7 +5,6 @@
 #include <numbers>
 
 #include "check.hpp"
-#include "digits.hpp"
 #include "numeric/random.hpp"
 #include "stoss/errors.hpp"
 #include "vibration/rod_vibrations.hpp"

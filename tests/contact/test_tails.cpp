@@ -11,7 +11,7 @@
 #include <numbers>
 #include <vector>
 
-#include "contact/edge_law.hpp"
+#include "contact/edge/edge_law.hpp"
 #include "contact/response.hpp"
 #include "stoss/contact/grid.hpp"
 #include "stoss/contact/wall.hpp"

@@ -11,7 +11,6 @@
 #include <string>
 
 #include "check.hpp"
-#include "digits.hpp"
 
 namespace stoss {
 namespace {

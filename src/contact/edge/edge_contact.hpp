@@ -3,9 +3,9 @@
 #include <cstddef>
 #include <vector>
 
-#include "contact/edge_law.hpp"
-#include "contact/edge_newton.hpp"
-#include "contact/factored_compliance.hpp"
+#include "contact/edge/edge_law.hpp"
+#include "contact/edge/edge_newton.hpp"
+#include "contact/edge/factored_compliance.hpp"
 
 namespace stoss {
 

@@ -1,12 +1,15 @@
-#include "table/pair_values.hpp"
+#include "table/arguments.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
+#include <locale>
+#include <sstream>
 #include <string>
 #include <vector>
 
-#include "digits.hpp"
+#include "check.hpp"
 #include "stoss/errors.hpp"
 
 namespace stoss {
@@ -66,3 +69,30 @@ void require_beyond(Beyond beyond) {
 }
 
 }  // namespace stoss
+
+namespace stoss::table {
+namespace {
+
+double to_fifteen_digits(double value) {
+  std::stringstream text;
+  text.imbue(std::locale::classic());
+  text.precision(std::numeric_limits<double>::digits10);
+  text << value;
+  text >> value;
+  return value;
+}
+
+}  // namespace
+
+std::pair<double, double> speed_range(const RestitutionFunction& function, double scale) {
+  return speed_range(function.slowest(), function.fastest(), scale);
+}
+
+std::pair<double, double> speed_range(double slowest, double fastest, double scale) {
+  require("scale", scale, {0.0, 1e100, false, true, "above 0 to 1e100"},
+          "speed of the table over that of the function");
+  const double low = slowest * scale, high = fastest * scale;
+  return {std::min(low, to_fifteen_digits(low)), std::max(high, to_fifteen_digits(high))};
+}
+
+}  // namespace stoss::table

@@ -1,4 +1,4 @@
-#include "contact/complementarity.hpp"
+#include "contact/edge/complementarity.hpp"
 
 #include <Eigen/Core>
 #include <algorithm>

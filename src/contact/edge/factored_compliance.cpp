@@ -1,4 +1,4 @@
-#include "contact/factored_compliance.hpp"
+#include "contact/edge/factored_compliance.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "contact/edge_newton.hpp"
+#include "contact/edge/edge_newton.hpp"
 
 #include <Eigen/Cholesky>
 #include <algorithm>

@@ -1,4 +1,4 @@
-#include "contact/edge_law.hpp"
+#include "contact/edge/edge_law.hpp"
 
 #include <algorithm>
 #include <cmath>

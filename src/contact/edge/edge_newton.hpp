@@ -3,8 +3,8 @@
 #include <array>
 #include <vector>
 
-#include "contact/edge_law.hpp"
-#include "contact/factored_compliance.hpp"
+#include "contact/edge/edge_law.hpp"
+#include "contact/edge/factored_compliance.hpp"
 
 namespace stoss {
 

@@ -1,4 +1,4 @@
-#include "contact/edge_contact.hpp"
+#include "contact/edge/edge_contact.hpp"
 
 #include <algorithm>
 #include <cmath>
