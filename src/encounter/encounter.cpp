@@ -41,6 +41,11 @@ Wall wall_of(const Encounter& encounter) {
   return ExponentialWall{all.at("hardness"), all.at("strength")};
 }
 
+/// Whether it meets a wall, no body.
+bool is_at_wall(const Encounter& encounter) {
+  return kind(encounter.against.kind).wall && encounter.against.kind != "same";
+}
+
 /// By itself, an elastic body without modes is a mistake: its maker then refuses the cutoff.
 void require_modes(const Solid& solid, double cutoff) {
   if (const auto* its = std::get_if<Disk>(&solid)) (void)disk(its->poisson, cutoff);
@@ -103,10 +108,6 @@ void require_units(const Encounter& encounter) {
 }
 
 }  // namespace
-
-bool is_at_wall(const Encounter& encounter) {
-  return kind(encounter.against.kind).wall && encounter.against.kind != "same";
-}
 
 void validate(const Encounter& encounter) {
   require_partner(encounter);
@@ -203,8 +204,7 @@ Mixture mixture(const Encounter& encounter) {
 
 SlowLaw slow_law(const Encounter& encounter) {
   validate(encounter);
-  const bool second_rigid = encounter.against.kind != "same" && encounter.against.rigid;
-  return slow_law(first_solid(encounter), second_solid(encounter), encounter.first.rigid, second_rigid);
+  return slow_law(first_solid(encounter), second_solid(encounter), encounter.first.rigid, encounter.against.rigid);
 }
 
 std::optional<double> yield_speed(const Encounter& encounter) {

@@ -10,6 +10,7 @@
 #include "stoss/errors.hpp"
 
 namespace stoss {
+
 FixedResolution fixed_resolution(const Contact& contact, double speed, const Resolution& asked) {
   require_speed(speed);
   if (contact.unbounded && own_speed(contact, speed) > 1.0) {

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "stoss/bodies/round.hpp"
+#include "stoss/bodies/sphere/modes.hpp"
 #include "stoss/quasistatic/point_slow_impact.hpp"
 #include "stoss/quasistatic/rayleigh.hpp"
 

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "stoss/bodies/round.hpp"
+#include "stoss/bodies/disk/modes.hpp"
 #include "stoss/poll.hpp"
 #include "stoss/quasistatic/slow_impact.hpp"
 
