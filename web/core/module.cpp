@@ -17,37 +17,37 @@ namespace {
 using emscripten::val;
 
 /// { encounter }, to be deleted after use.
-val make_encounter(const val& given) {
+val make_encounter(const std::string& document) {
   return answered([&] {
     val made = val::object();
-    made.set("encounter", std::make_shared<Encounter>(given));
+    made.set("encounter", std::make_shared<Meeting>(document));
     return made;
   });
 }
 
-val get_restitution(const Encounter& encounter, double speed, double tolerance) {
-  return answered([&] { return restitution(encounter, speed, tolerance); });
+val get_restitution(const Meeting& meeting, double speed, double tolerance) {
+  return answered([&] { return restitution(meeting, speed, tolerance); });
 }
 
-val get_curve(const Encounter& encounter, const val& speeds, double tolerance, const val& deliver) {
+val get_curve(const Meeting& meeting, const val& speeds, double tolerance, const val& deliver) {
   return answered([&] {
-    curve(encounter, numbers(speeds), tolerance, deliver);
+    curve(meeting, numbers(speeds), tolerance, deliver);
     return val::object();
   });
 }
 
-val get_header(const Encounter& encounter, double slowest, double fastest, double error) {
+val get_header(const Meeting& meeting, double slowest, double fastest, double error) {
   return answered([&] {
     val made = val::object();
-    made.set("text", header(encounter, slowest, fastest, error));
+    made.set("text", header(meeting, slowest, fastest, error));
     return made;
   });
 }
 
 /// { collision, series }, the first to be deleted after use.
-val get_collision(const Encounter& encounter, double speed, double cutoff) {
+val get_collision(const std::shared_ptr<Meeting>& meeting, double speed, double cutoff) {
   return answered([&] {
-    auto collision = std::make_shared<Collision>(encounter, speed, cutoff);
+    auto collision = std::make_shared<Collision>(meeting, speed, cutoff);
     val made = val::object();
     made.set("series", collision->series());
     made.set("collision", std::move(collision));
@@ -70,15 +70,16 @@ val get_frames(Collision& collision, const val& times, const val& grid, const va
   });
 }
 
-val get_shape(const Encounter& encounter, int body, int order, int index, const val& grid) {
-  return answered([&] { return shape(encounter, body, order, index, points(grid)); });
+val get_shape(const Meeting& meeting, int body, int order, int index, const val& grid) {
+  return answered([&] { return shape(meeting, body, order, index, points(grid)); });
 }
 
 }  // namespace
 
 EMSCRIPTEN_BINDINGS(stoss) {
-  emscripten::class_<Encounter>("Encounter")
-      .smart_ptr<std::shared_ptr<Encounter>>("EncounterPointer")
+  emscripten::class_<Meeting>("Encounter")
+      .smart_ptr<std::shared_ptr<Meeting>>("EncounterPointer")
+      .function("units", &units)
       .function("restitution", &get_restitution)
       .function("curve", &get_curve)
       .function("header", &get_header)
@@ -88,6 +89,7 @@ EMSCRIPTEN_BINDINGS(stoss) {
       .smart_ptr<std::shared_ptr<Collision>>("CollisionPointer")
       .function("frames", &get_frames);
   emscripten::function("makeEncounter", &make_encounter);
+  emscripten::function("tableOfKinds", &table_of_kinds);
 }
 
 }  // namespace stoss::web
