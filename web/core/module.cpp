@@ -8,6 +8,8 @@
 #include "encounter.hpp"
 #include "restitution.hpp"
 #include "shape.hpp"
+#include "stoss/encounter/document.hpp"
+#include "stoss/encounter/series.hpp"
 #include "stoss/version.hpp"
 #include "values.hpp"
 
@@ -16,11 +18,44 @@ namespace {
 
 using emscripten::val;
 
+constexpr double fewest_modes = 4.0;  // cutoff, c/R
+constexpr double quick = 0.5;         // c
+
 /// { encounter }, to be deleted after use.
 val make_encounter(const std::string& document) {
   return answered([&] {
     val made = val::object();
     made.set("encounter", std::make_shared<Meeting>(document));
+    return made;
+  });
+}
+
+/// { units } of an encounter that is checked; nothing is kept.
+val get_units(const std::string& document) {
+  return answered([&] {
+    const Meeting meeting(document);
+    // The ratios of two bodies are checked where they meet; of the fewest modes that is soon done.
+    if (meeting.second) (void)contact_of(meeting.encounter, fewest_modes, quick);
+    val made = val::object();
+    made.set("units", units(meeting));
+    return made;
+  });
+}
+
+/// { speed } in c of the first body.
+val get_own_speed(const std::string& document, double speed) {
+  return answered([&] {
+    val made = val::object();
+    made.set("speed", own_speed(encounter_from_json(document), speed));
+    return made;
+  });
+}
+
+/// { values } of a number or a series, as the command reads it.
+val get_series(const std::string& name, const std::string& text) {
+  return answered([&] {
+    val made = val::object();
+    made.set("values", float64_array(parse_series(name, text)));
     return made;
   });
 }
@@ -79,7 +114,6 @@ val get_shape(const Meeting& meeting, int body, int order, int index, const val&
 EMSCRIPTEN_BINDINGS(stoss) {
   emscripten::class_<Meeting>("Encounter")
       .smart_ptr<std::shared_ptr<Meeting>>("EncounterPointer")
-      .function("units", &units)
       .function("restitution", &get_restitution)
       .function("curve", &get_curve)
       .function("header", &get_header)
@@ -89,6 +123,9 @@ EMSCRIPTEN_BINDINGS(stoss) {
       .smart_ptr<std::shared_ptr<Collision>>("CollisionPointer")
       .function("frames", &get_frames);
   emscripten::function("makeEncounter", &make_encounter);
+  emscripten::function("units", &get_units);
+  emscripten::function("ownSpeed", &get_own_speed);
+  emscripten::function("series", &get_series);
   emscripten::function("tableOfKinds", &table_of_kinds);
 }
 

@@ -1,9 +1,16 @@
-// The core as Emscripten makes it (web/core/module.cpp).
+// The core as Emscripten makes it (web/core/module.cpp). It gets an encounter as a document.
 import create from '@wasm/stoss.mjs';
-import type { Collision, CurvePoint, Encounter, Frame, Grid, Restitution, Shape } from './protocol';
+import { type Collision, CoreError, type CurvePoint, type Frame, type Grid, type Restitution, type Shape, type Units }
+  from './protocol';
 
 /** An answer, or one line that says why there is none. */
 export type Answered<T> = (T & { error?: undefined }) | { error: string };
+
+/** What an answer holds. Throws CoreError where there is none. */
+export function value<T extends object>(answer: Answered<T>): T {
+  if (answer.error !== undefined) throw new CoreError(answer.error);
+  return answer as T;
+}
 
 interface Deletable {
   delete(): void;
@@ -24,7 +31,10 @@ export interface WasmEncounter extends Deletable {
 }
 
 export interface WasmCore {
-  makeEncounter(encounter: Encounter): Answered<{ encounter: WasmEncounter }>;
+  makeEncounter(document: string): Answered<{ encounter: WasmEncounter }>;
+  units(document: string): Answered<{ units: Units }>;
+  ownSpeed(document: string, speed: number): Answered<{ speed: number }>;
+  series(name: string, text: string): Answered<{ values: Float64Array }>;
 }
 
 /** Make the core from its compiled module. @param alive is called during long computations */

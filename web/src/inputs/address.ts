@@ -1,13 +1,15 @@
 // All inputs in the address of the page, in short readable keys: ?body=sphere&nu=0.3&v=0.01&against=half-space&nu2=0.2
 import type { Against, Body, Encounter } from '../core/protocol';
-import { problemsOf } from './check';
-import { type BodyField, type Field, bodyFields, fieldsOf, ofSecond, valueOf, withValue } from './fields';
-import { type Inputs, defaults, mostKept, unitBody, withSecond } from './inputs';
+import { problemsOf, standard } from './check';
+import { fieldsOfBody, secondOf } from './document';
+import { type Field, valueOf, withValue } from './fields';
+import { type Inputs, ball, defaults, mostKept, siSpeed, unitBody, withSecond } from './inputs';
+import { type BodyField, type BodyKind, type Kind, blockOf, bodyKinds, kindNamed } from './kinds';
 import { parseNumber, shortest } from './number';
-import { ball, barSpeed, siSpeed } from './scales';
+import { barSpeed } from './units';
 
 const keys: Record<BodyField, string> = {
-  poisson: 'nu', young: 'E', density: 'rho', radius: 'R', area: 'A', lossTime: 'eta',
+  poisson: 'nu', young: 'E', density: 'rho', radius: 'R', length: 'R', area: 'A', loss_time: 'eta',
 };
 const known = new Set(['body', 'units', 'plane', 'v', ...Object.values(keys), 'against',
   ...Object.values(keys).map((key) => `${key}2`), 'view']);
@@ -85,28 +87,20 @@ function normalSpeed(encounter: Encounter): number {
   return Number(Math.min(Math.max(siSpeed, 1e-7 * c), 0.1 * c).toPrecision(3));
 }
 
-/** The same encounter with default numbers; what it meets is an identical body. */
-function standard(encounter: Encounter): Encounter {
-  const body = encounter.si ? ball : unitBody;
-  return withSecond({ ...encounter, first: body }, () => (encounter.si ? encounter.first : unitBody));
-}
-
 function pairsOf(encounter: Encounter): [string, string][] {
-  const { kind, si, plane, against } = encounter;
-  const pairs: [string, string][] = [['body', kind]];
-  if (si) pairs.push(['units', 'SI']);
-  if (si && kind === 'disk' && plane === 'strain') pairs.push(['plane', plane]);
-  const fields = fieldsOf(encounter);
-  const add = (field: BodyField, second: boolean): void => {
-    const name = second ? ofSecond(field) : field;
-    const value = valueOf(encounter, 0, name);
-    if (!fields.includes(name) || (field === 'lossTime' && value === 0)) return;
-    pairs.push([second ? `${keys[field]}2` : keys[field], shortest(value)]);
-  };
-  for (const field of bodyFields) add(field, false);
-  if (against.kind !== 'wall') pairs.push(['against', against.kind]);
-  for (const field of bodyFields) add(field, true);
-  return pairs;
+  const { kind, si, plane, first, against } = encounter;
+  const second = secondOf(encounter);
+  const numbers = (of: Kind, body: Body, mark: '' | '2'): [string, string][] =>
+    fieldsOfBody(of, si, mark !== '').filter((name) => name !== 'loss_time' || body[name] !== 0)
+      .map((name) => [keys[name] + mark, shortest(body[name])]);
+  return [
+    ['body', kind],
+    ...(si ? [['units', 'SI']] as [string, string][] : []),
+    ...(si && kindNamed(kind).hasPlane && plane === 'strain' ? [['plane', plane]] as [string, string][] : []),
+    ...numbers(kindNamed(kind), first, ''),
+    ...(against.kind !== 'wall' ? [['against', against.kind]] as [string, string][] : []),
+    ...(second ? numbers(second.kind, second.body, '2') : []),
+  ];
 }
 
 /** Takes the values of an address by their keys; what is wrong with them goes to `problems`. */
@@ -160,25 +154,23 @@ function readerOf(parts: readonly string[], between: string, problems: string[])
 }
 
 function encounterFrom(reader: Reader): Encounter {
-  const kind = reader.word('body', ['disk', 'sphere', 'rod']);
+  const kind = reader.word('body', bodyKinds as [BodyKind, ...BodyKind[]]);
   const si = reader.word('units', ['c', 'SI']) === 'SI';
   const plane = reader.word('plane', ['stress', 'strain']);
   const others = ['wall', 'same', 'body'] as const;
-  const partner = reader.word('against', kind === 'rod' ? others : ([...others, 'half-space'] as const));
+  const partner = reader.word('against', blockOf(kind) ? ([...others, 'half-space'] as const) : others);
   const against: Against =
     partner === 'wall' || partner === 'same' ? { kind: partner } : { kind: partner, body: unitBody };
-  const encounter: Encounter = { kind, si, plane, first: unitBody, against };
-  const fields = fieldsOf(encounter);
-  const fill = (second: boolean, without: Body): Body => {
+  const fill = (of: Kind, second: boolean, without: Body): Body => {
     const body: Body = { ...unitBody };
-    for (const field of bodyFields) {
-      if (!fields.includes(second ? ofSecond(field) : field)) continue;
-      body[field] = reader.number(second ? `${keys[field]}2` : keys[field], field === 'lossTime' ? 0 : without[field]);
+    for (const field of fieldsOfBody(of, si, second)) {
+      body[field] = reader.number(second ? `${keys[field]}2` : keys[field], field === 'loss_time' ? 0 : without[field]);
     }
     return body;
   };
-  const first = fill(false, si ? ball : unitBody);
-  return withSecond({ ...encounter, first }, () => fill(true, si ? first : unitBody));
+  const first = fill(kindNamed(kind), false, si ? ball : unitBody);
+  const encounter: Encounter = { kind, si, plane, first, against };
+  return withSecond(encounter, () => fill(secondOf(encounter)!.kind, true, si ? first : unitBody));
 }
 
 function decoded(text: string): string {
