@@ -66,7 +66,9 @@ Meeting::Meeting(const std::string& document)
       si(si_scales(encounter)),
       contact(refinable(encounter)) {}
 
-bool Meeting::against_half_space() const { return second && !kind(encounter.against.kind).bounded; }
+bool Meeting::against_half_space() const {
+  return second && (std::holds_alternative<HalfSpace>(*second) || std::holds_alternative<HalfPlane>(*second));
+}
 
 std::string Meeting::unit_name(Dimension dimension) const {
   return std::string(stoss::unit_name(dimension, unit_system(encounter)));

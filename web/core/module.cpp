@@ -51,6 +51,15 @@ val get_own_speed(const std::string& document, double speed) {
   });
 }
 
+/// { value } of one number, as the command reads it.
+val get_number(const std::string& name, const std::string& text) {
+  return answered([&] {
+    val made = val::object();
+    made.set("value", parse_number(name, text));
+    return made;
+  });
+}
+
 /// { values } of a number or a series, as the command reads it.
 val get_series(const std::string& name, const std::string& text) {
   return answered([&] {
@@ -125,6 +134,7 @@ EMSCRIPTEN_BINDINGS(stoss) {
   emscripten::function("makeEncounter", &make_encounter);
   emscripten::function("units", &get_units);
   emscripten::function("ownSpeed", &get_own_speed);
+  emscripten::function("number", &get_number);
   emscripten::function("series", &get_series);
   emscripten::function("tableOfKinds", &table_of_kinds);
 }

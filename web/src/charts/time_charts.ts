@@ -63,6 +63,8 @@ export function createTimeCharts(host: HTMLElement): TimeCharts {
     values = [];
     charts = panelsAs(width, false).map((drawn) => {
       const line = Object.assign(document.createElement('div'), { className: 'chart-cursor' });
+      const [low = 0, high = 0] = drawn.scale('y')!.range as number[];
+      Object.assign(line.style, { top: `${high}px`, height: `${low - high}px` });
       return { drawn, line };
     });
     place.replaceChildren(...charts.flatMap(({ drawn, line }, n) => {

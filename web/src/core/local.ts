@@ -10,27 +10,34 @@ export function setLocal(made: WasmCore): void {
   core = made;
 }
 
-const known = new Map<string, Units | CoreError>();
-const most = 64;
-
-function lookUp(document: string): Units | CoreError {
-  try {
-    return value(core!.units(document)).units;
-  } catch (error) {
-    if (error instanceof CoreError) return error;
-    throw error;
-  }
+/** The answers to what was asked last, of which a page asks few again and again. */
+function remembered<T extends object>(ask: (text: string) => T): (text: string) => T {
+  const known = new Map<string, T | CoreError>();
+  const most = 64;
+  const answer = (text: string): T | CoreError => {
+    try {
+      return ask(text);
+    } catch (error) {
+      if (error instanceof CoreError) return error;
+      throw error;
+    }
+  };
+  return (text) => {
+    const found = known.get(text) ?? answer(text);
+    known.delete(text);
+    known.set(text, found);
+    for (const oldest of known.keys()) if (known.size > most) known.delete(oldest);
+    if (found instanceof CoreError) throw found;
+    return found;
+  };
 }
+
+const units = remembered((document) => value(core!.units(document)).units);
+const series = remembered((text) => Array.from(value(core!.series('speeds', text)).values));
 
 /** The units of an encounter. Throws CoreError with one line for one that cannot be. */
 export function unitsOf(encounter: Encounter): Units {
-  const document = documentOf(encounter);
-  const found = known.get(document) ?? lookUp(document);
-  known.delete(document);
-  known.set(document, found);
-  for (const oldest of known.keys()) if (known.size > most) known.delete(oldest);
-  if (found instanceof CoreError) throw found;
-  return found;
+  return units(documentOf(encounter));
 }
 
 /** Throws CoreError with one line for a speed that is out of range. */
@@ -38,8 +45,13 @@ export function requireSpeed(encounter: Encounter, speed: number): void {
   value(core!.ownSpeed(documentOf(encounter), speed));
 }
 
-/** The numbers that a text stands for, as the command reads it: one, a list a,b,c, log:a:b:n or lin:a:b:n. Throws
+/** A number as the command reads it. Throws CoreError with one line. */
+export function numberOf(name: string, text: string): number {
+  return value(core!.number(name, text)).value;
+}
+
+/** The speeds that a text stands for, as the command reads it: one, a list a,b,c, log:a:b:n or lin:a:b:n. Throws
  *  CoreError with one line. */
-export function seriesOf(name: string, text: string): number[] {
-  return Array.from(value(core!.series(name, text)).values);
+export function seriesOf(text: string): readonly number[] {
+  return series(text);
 }

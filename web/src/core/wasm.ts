@@ -34,6 +34,7 @@ export interface WasmCore {
   makeEncounter(document: string): Answered<{ encounter: WasmEncounter }>;
   units(document: string): Answered<{ units: Units }>;
   ownSpeed(document: string, speed: number): Answered<{ speed: number }>;
+  number(name: string, text: string): Answered<{ value: number }>;
   series(name: string, text: string): Answered<{ values: Float64Array }>;
 }
 

@@ -1,7 +1,7 @@
 // Charts that Observable Plot draws: one description for the page and for the file that leaves it.
 import * as Plot from '@observablehq/plot';
 import { scaleLinear, scaleLog } from 'd3-scale';
-import { written } from './numbers';
+import { powerOfTen, written } from './numbers';
 import type { Look, Theme } from './theme';
 
 export interface Axis {
@@ -37,7 +37,7 @@ const PITCH = 64; // pixels for the number of a tick along x
 const RISE = 30; // and along y
 
 /** Round numbers along an axis of some length in pixels; of a logarithmic one only some have a name. */
-function ticksOf({ low, high, log }: Axis, length: number, pitch: number): Ticks {
+export function ticksOf({ low, high, log }: Axis, length: number, pitch: number): Ticks {
   const count = Math.max(2, Math.floor(length / pitch));
   if (!log) {
     const scale = scaleLinear([low, high], [0, 1]);
@@ -46,10 +46,13 @@ function ticksOf({ low, high, log }: Axis, length: number, pitch: number): Ticks
     return { places: scale.ticks(count), words: plain ? (each) => (each === 0 ? '0' : usual(each)) : written };
   }
   const decades = Math.log10(high / low);
-  const leads = decades < 0.7 ? [1, 2, 3, 4, 5, 6, 7, 8, 9] : 3 * decades <= count ? [1, 2, 5] : [1];
-  const lead = (each: number): number => Number(each.toExponential(3).split('e')[0]);
-  const words = (each: number): string =>
-    (leads.includes(lead(each)) ? written(each, decades > 4 && each < 0.1 ? 1 : 4) : '');
+  const leads = 3 * decades <= count ? [1, 2, 5] : [1];
+  const words = (each: number): string => {
+    const [lead, power] = each.toExponential(3).split('e').map(Number) as [number, number];
+    // A row of powers looks best with all written alike.
+    if (lead === 1 && decades > 4 && (power < -1 || power > 2)) return powerOfTen(power);
+    return decades < 0.7 || leads.includes(lead) ? written(each) : '';
+  };
   return { places: scaleLog([low, high], [0, 1]).ticks(count), words };
 }
 

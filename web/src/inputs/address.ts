@@ -1,8 +1,7 @@
 // All inputs in the address of the page, in short readable keys: ?body=sphere&nu=0.3&v=0.01&against=half-space&nu2=0.2
 import type { Against, Body, Encounter } from '../core/protocol';
-import { problemsOf, standard } from './check';
+import { repaired, speedProblem } from './check';
 import { fieldsOfBody, secondOf } from './document';
-import { type Field, valueOf, withValue } from './fields';
 import { type Inputs, ball, defaults, mostKept, siSpeed, unitBody, withSecond } from './inputs';
 import { type BodyField, type BodyKind, type Kind, blockOf, bodyKinds, kindNamed } from './kinds';
 import { parseNumber, shortest } from './number';
@@ -29,15 +28,17 @@ export function fromAddress(text: string): { inputs: Inputs; problem: string } {
   const problems: string[] = [];
   const parts = body.split('&').filter((part) => part !== '');
   const reader = readerOf(parts.filter((part) => !part.startsWith('keep=')), '=', problems);
-  const encounter = encounterFrom(reader);
-  const speed = reader.number('v', normalSpeed(encounter));
+  const encounter = inRange(encounterFrom(reader), problems);
+  const typed = reader.number('v', normalSpeed(encounter));
+  const wrong = speedProblem(encounter, typed);
+  if (wrong !== '') problems.push(wrong);
+  const speed = wrong === '' ? typed : normalSpeed(encounter);
   const simple = reader.word('view', ['full', 'simple']) === 'simple';
   reader.finish();
-  const inputs = inRange({ encounter, speed, kept: [], simple }, problems);
   const kept = parts.filter((part) => part.startsWith('keep='));
   if (kept.length > mostKept) problems.push(`keep: got ${kept.length} curves, allowed ${mostKept}`);
   const others = kept.slice(0, mostKept).flatMap((part) => keptFrom(part.slice('keep='.length), problems));
-  return { inputs: { ...inputs, kept: others }, problem: lineOf(problems) };
+  return { inputs: { encounter, speed, kept: others, simple }, problem: lineOf(problems) };
 }
 
 /** Problems that are told; more of them do not help. */
@@ -56,28 +57,17 @@ function keptFrom(text: string, problems: string[]): Encounter[] {
   const reader = readerOf(decoded(text).split(','), ':', wrong);
   const encounter = encounterFrom(reader);
   reader.finish();
-  inRange({ encounter, speed: 1e-3 * barSpeed(encounter), kept: [], simple: false }, wrong);
+  inRange(encounter, wrong);
   if (wrong.length === 0) return [encounter];
   problems.push(`keep: ${wrong[0]}`);
   return [];
 }
 
-/** The same inputs with the default for every number that is out of its range; for all of a second body where a
- *  product of its numbers is. */
-function inRange(inputs: Inputs, problems: string[]): Inputs {
-  let { encounter, speed } = inputs;
-  const tried = new Set<Field>();
-  for (;;) {
-    const [first] = problemsOf({ ...inputs, encounter, speed });
-    if (first === undefined) return { ...inputs, encounter, speed };
-    const [field, problem] = first;
-    const normal = standard(encounter);
-    if (!tried.has(field)) problems.push(problem);
-    if (field === 'speed') speed = normalSpeed(encounter);
-    else if (tried.has(field)) encounter = { ...encounter, against: normal.against };
-    else encounter = withValue(encounter, field, valueOf(normal, 0, field));
-    tried.add(field);
-  }
+/** The same encounter with the default for what the core refuses. */
+function inRange(encounter: Encounter, problems: string[]): Encounter {
+  const right = repaired(encounter);
+  problems.push(...right.problems.values());
+  return right.encounter;
 }
 
 /** The default speed, which must be one that the material of a link allows. */

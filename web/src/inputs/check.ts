@@ -1,6 +1,7 @@
 // What was typed, checked: the core says what is wrong with a number, the page at which field.
 import { requireSpeed, unitsOf } from '../core/local';
 import { CoreError, type Encounter } from '../core/protocol';
+import { significant } from './digits';
 import { type Field, fieldsOf, nameOf, ofSecond, owner, valueOf, withValue } from './fields';
 import { type Inputs, ball, unitBody, withSecond } from './inputs';
 import { type BodyField, sizeOf } from './kinds';
@@ -26,31 +27,41 @@ export function check(inputs: Inputs, texts: ReadonlyMap<Field, string>): Checke
   return problems.size > 0 ? { problems } : { inputs: next };
 }
 
-/** What the core refuses, by field. It names one number at a time: the next is found with a default in its place. */
+/** What the core refuses, by field. */
 export function problemsOf({ encounter, speed }: Inputs): Map<Field, string> {
+  const right = repaired(encounter);
+  // Of a material that is wrong, c is not known.
+  const line = right.problems.size === 0 || !encounter.si ? speedProblem(right.encounter, speed) : '';
+  return line === '' ? right.problems : right.problems.set('speed', line);
+}
+
+/** What is wrong with a speed; '' if nothing. */
+export function speedProblem(encounter: Encounter, speed: number): string {
+  const line = refusal(() => requireSpeed(encounter, speed));
+  return line && problemOf(encounter, 'speed', line);
+}
+
+/** An encounter that the core takes, and what of the given one it refuses, by field. It names one number at a time: the
+ *  next is found with a default in its place, or in place of all of a body whose numbers do not go together. */
+export function repaired(encounter: Encounter): { encounter: Encounter; problems: Map<Field, string> } {
   const problems = new Map<Field, string>();
-  const repaired = standard(encounter);
-  let tried = encounter;
-  for (let left = fieldsOf(encounter).length; left > 0; --left) {
-    const line = refusal(() => unitsOf(tried));
-    if (line === '') break;
-    const field = fieldOf(tried, line);
-    if (field === undefined || field === 'speed' || problems.has(field)) {
-      tried = repaired;
+  const usual = standard(encounter);
+  let right = encounter;
+  for (let line = refusal(() => unitsOf(right)); line !== ''; line = refusal(() => unitsOf(right))) {
+    const field = fieldOf(right, line);
+    if (field === undefined || problems.has(field)) {
       if (field === undefined) problems.set('speed', line);
+      right = right.against === usual.against ? usual : { ...right, against: usual.against };
     } else {
-      problems.set(field, problemOf(tried, field, line));
-      tried = withValue(tried, field, valueOf(repaired, 0, field));
+      problems.set(field, problemOf(right, field, line));
+      right = withValue(right, field, valueOf(usual, 0, field));
     }
   }
-  // Of a material that is wrong, c is not known.
-  const line = problems.size === 0 || !encounter.si ? refusal(() => requireSpeed(tried, speed)) : '';
-  if (line !== '') problems.set('speed', problemOf(tried, 'speed', line));
-  return problems;
+  return { encounter: right, problems };
 }
 
 /** The same encounter with default numbers; what it meets is an identical body. */
-export function standard(encounter: Encounter): Encounter {
+function standard(encounter: Encounter): Encounter {
   const body = encounter.si ? ball : unitBody;
   return withSecond({ ...encounter, first: body }, () => (encounter.si ? encounter.first : unitBody));
 }
@@ -66,7 +77,7 @@ function refusal(ask: () => unknown): string {
 }
 
 /** What a refusal is about: the number that it names, or the size of a second body that does not go with the first. */
-function fieldOf(encounter: Encounter, line: string): Field | undefined {
+function fieldOf(encounter: Encounter, line: string): Exclude<Field, 'speed'> | undefined {
   const [, second, name] = /^(against )?(\w+)/.exec(line) ?? [];
   const own = name === 'loss' ? 'loss_time' : name;
   const size = sizeOf(encounter.kind);
@@ -74,14 +85,15 @@ function fieldOf(encounter: Encounter, line: string): Field | undefined {
   const field = aliases[own ?? ''] ?? (own as BodyField);
   const ratio = /^[\w ]+ ratio:/.test(line) || line.startsWith('against');
   const wanted = second || ratio ? ofSecond(field) : field;
-  return fieldsOf(encounter).find((each) => each === wanted);
+  return fieldsOf(encounter).includes(wanted) ? wanted : undefined;
 }
 
-/** A refusal with the page's name for the number. */
-export function problemOf(encounter: Encounter, field: Field, line: string): string {
+/** A refusal with the page's name for the number, and no more digits than a reader needs. */
+function problemOf(encounter: Encounter, field: Field, line: string): string {
   const [subject = '', ...rest] = line.split(':');
   const hint = subject.endsWith('ratio') ? `, ${subject}` : '';
-  return `${fullName(encounter, field)}${hint}:${rest.join(':')}`;
+  const short = rest.join(':').replace(/\d+\.\d{6,}(e-?\d+)?|\d+e-0\d/g, (number) => significant(Number(number), 6));
+  return `${fullName(encounter, field)}${hint}:${short}`;
 }
 
 function fullName(encounter: Encounter, field: Field): string {

@@ -1,5 +1,5 @@
 // Numbers as people type them, and as they are shown in a field.
-import { seriesOf } from '../core/local';
+import { numberOf } from '../core/local';
 import { CoreError } from '../core/protocol';
 
 /** A number, or in one line what is wrong with the text. */
@@ -12,8 +12,7 @@ export function parseNumber(name: string, text: string): Parsed {
     return { problem: `${name}: got “${typed}”, write it with a point: ${typed.replace(',', '.')}` };
   }
   try {
-    const [value = NaN, ...more] = seriesOf(name, typed);
-    if (more.length > 0) return { problem: `${name}: got “${typed}”, a series, allowed one number` };
+    const value = numberOf(name, typed);
     return { value: value === 0 ? 0 : value };
   } catch (error) {
     if (error instanceof CoreError) return { problem: error.message };

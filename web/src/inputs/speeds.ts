@@ -50,7 +50,7 @@ export function usualSeries(encounter: Encounter, count = 49): string {
  *  text that is none. */
 export function curveSpeeds(encounter: Encounter, series = ''): number[] {
   const usual = series.trim() === '';
-  const speeds = seriesOf('speeds', usual ? usualSeries(encounter) : series)
+  const speeds = seriesOf(usual ? usualSeries(encounter) : series)
     .map((speed) => (usual ? Number(speed.toPrecision(4)) : speed));
   const order = new Set<number>();
   for (let stride = 2 ** Math.ceil(Math.log2(speeds.length)); stride >= 1; stride /= 2) {

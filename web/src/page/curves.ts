@@ -84,7 +84,7 @@ export function createCurves(core: Core, changed: () => void, failed: (line: str
       begin();
     },
     at(text) {
-      if (text.trim() !== '') seriesOf('speeds', text);
+      if (text.trim() !== '') seriesOf(text);
       series = text.trim();
       begin();
     },

@@ -1,7 +1,7 @@
 // A core that invents numbers at once: to develop the page without WebAssembly. It is never shipped.
 import type { BodyFrame, Collision, Core, CurvePoint, Encounter, Frame, Restitution } from '../../src/core/protocol';
 import { CoreError } from '../../src/core/protocol';
-import { barSpeed } from '../../src/inputs/scales';
+import { barSpeed } from '../../src/inputs/units';
 
 const wait = (time: number, signal?: AbortSignal): Promise<void> =>
   new Promise((resolve, reject) => {
