@@ -60,7 +60,7 @@ Collision::Collision(std::shared_ptr<const Meeting> meeting, double speed, doubl
   contact_ = contact_of(meeting_->encounter, cutoff, own_speed);
   const ImpactObserver observer = [this](const Snapshot& now) { snapshots_.push_back(now); };
   impact_ = impact(contact_, own_speed, {.poll = say_alive}, {.observer = observer});
-  grid_ = contact_grid(contact_, impact_.half_width, impact_.nodes);
+  grid_ = contact_grid(contact_, impact_.resolution.half_width, impact_.resolution.nodes);
 }
 
 val Collision::bodies() const {

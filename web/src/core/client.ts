@@ -1,11 +1,11 @@
 // The core in workers: what is asked often does not wait for what takes long.
 import address from '@wasm/stoss.wasm?url';
 import { documentOf } from '../inputs/document';
+import { instantiate } from './instantiate';
 import { createLane, type Deliver, type Fellow, type Lane } from './lane';
 import { setLocal } from './local';
 import type { Collision, Core, Restitution, Shape } from './protocol';
 import { withWarmUp } from './warm_up';
-import { instantiate } from './wasm';
 import CoreWorker from './worker?worker&inline';
 
 /** The core of this page, which needs no network once it is loaded. */

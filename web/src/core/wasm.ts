@@ -1,5 +1,4 @@
 // The core as Emscripten makes it (web/core/module.cpp). It gets an encounter as a document.
-import create from '@wasm/stoss.mjs';
 import { type Collision, CoreError, type CurvePoint, type Frame, type Grid, type Restitution, type Shape, type Units }
   from './protocol';
 
@@ -36,16 +35,4 @@ export interface WasmCore {
   ownSpeed(document: string, speed: number): Answered<{ speed: number }>;
   number(name: string, text: string): Answered<{ value: number }>;
   series(name: string, text: string): Answered<{ values: Float64Array }>;
-}
-
-/** Make the core from its compiled module. @param alive is called during long computations */
-export function instantiate(module: WebAssembly.Module, alive: () => void): Promise<WasmCore> {
-  return create({
-    alive,
-    locateFile: (name: string) => name,
-    instantiateWasm(imports: WebAssembly.Imports, receive: (instance: WebAssembly.Instance) => void) {
-      void WebAssembly.instantiate(module, imports).then(receive);
-      return {};
-    },
-  });
 }

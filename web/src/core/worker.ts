@@ -2,7 +2,7 @@
 import { createAnswer, type Answer } from './calls';
 import type { Call, FromWorker, ToWorker } from './calls';
 import { CoreError } from './protocol';
-import { instantiate } from './wasm';
+import { instantiate } from './instantiate';
 
 let answer: Promise<Answer> | undefined;
 

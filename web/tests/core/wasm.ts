@@ -3,7 +3,7 @@ import { readFileSync } from 'node:fs';
 import { fileURLToPath } from 'node:url';
 import { type Calls, createAnswer } from '../../src/core/calls';
 import type { Encounter } from '../../src/core/protocol';
-import { instantiate } from '../../src/core/wasm';
+import { instantiate } from '../../src/core/instantiate';
 import { documentOf } from '../../src/inputs/document';
 
 const path = fileURLToPath(new URL('../../../build/wasm/stoss.wasm', import.meta.url));
