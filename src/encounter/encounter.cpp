@@ -99,10 +99,19 @@ void require_one_that_deforms(const Encounter& encounter) {
   }
 }
 
+bool takes_material(const Kind& kind) {
+  return std::any_of(kind.parameters.begin(), kind.parameters.end(),
+                     [](const Parameter& each) { return each.of_material; });
+}
+
 void require_units(const Encounter& encounter) {
-  if (!has_second_values(encounter) || encounter.first.material.has_value() == encounter.against.material.has_value()) {
+  const Kind& against = kind(encounter.against.kind);
+  const bool material = encounter.against.material.has_value();
+  if (!takes_material(against)) {
+    if (material) throw InvalidInput("against material: got one, allowed none of a " + std::string(against.name));
     return;
   }
+  if (encounter.first.material.has_value() == material) return;
   throw InvalidInput(encounter.first.material ? "against material: got none, allowed one, as the first body has one"
                                               : "against material: got one, allowed none, as the first body has none");
 }
@@ -215,6 +224,7 @@ std::optional<double> yield_speed(const Encounter& encounter) {
   if (first.rigid) material.young = infinity;
   if (is_at_wall(encounter)) return quasistatic::yield_speed(material, radius);
   if (encounter.against.kind == "same") return quasistatic::yield_speed(material, radius, material, radius);
+  if (!kind(encounter.against.kind).can_yield) return std::nullopt;
   return of_what_is_met([&] {
     Material other = *encounter.against.material;
     if (encounter.against.rigid) other.young = infinity;

@@ -1,24 +1,4 @@
-// From numbers to places along an axis and back.
-
-export interface Scale {
-  low: number;
-  high: number;
-  log: boolean;
-}
-
-/** Where a value is on an axis: 0 at its low end, 1 at its high end. */
-export function placeOf(scale: Scale, value: number): number {
-  return scale.log
-    ? Math.log(value / scale.low) / Math.log(scale.high / scale.low)
-    : (value - scale.low) / (scale.high - scale.low);
-}
-
-/** The value at a place of an axis. */
-export function valueAt(scale: Scale, place: number): number {
-  return scale.log
-    ? scale.low * (scale.high / scale.low) ** place
-    : scale.low + place * (scale.high - scale.low);
-}
+// A sampled function.
 
 /** The index of the last value of a sorted array that is not above `value`; −1 below the first. */
 export function lastNotAbove(values: ArrayLike<number>, value: number): number {
