@@ -3,7 +3,7 @@
 namespace stoss::quasistatic {
 namespace {
 
-struct WithError {
+struct LossWithError {
   double value, error;
 };
 
@@ -26,7 +26,7 @@ const Quantities<RayleighEstimate>& rayleigh_quantities() {
     Quantities<E> quantities{
         {"lost_fraction", none,
          [](const E& e) {
-           return WithError{e.lost_fraction, e.lost_fraction_error};
+           return LossWithError{e.lost_fraction, e.lost_fraction_error};
          }},
     };
     for (const Quantity<SlowImpact>& of_impact : slow_impact_quantities()) {

@@ -12,8 +12,6 @@ namespace {
 
 namespace dense = numeric::dense;
 
-constexpr double mass = std::numbers::pi;
-
 /// Σ_n R_n cos nθ for R^CC and R^SS and Σ_n R^CS_n sin nθ at the angles θ = mh.
 struct Tables {
   std::vector<double> radial, mixed, tangential;

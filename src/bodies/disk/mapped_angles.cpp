@@ -16,8 +16,6 @@ namespace {
 
 using Matrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
-constexpr double mass = std::numbers::pi;
-
 /// The static flexibilities of all orders, summed between the points.
 class StaticMatrix {
  public:

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <numbers>
 #include <vector>
 
 #include "stoss/bodies/disk/modes.hpp"
@@ -7,6 +8,9 @@
 #include "stoss/poll.hpp"
 
 namespace stoss::bodies::disk {
+
+/// Mass of a disk.
+inline constexpr double mass = std::numbers::pi;
 
 /// A response between points of the edge as a sum over the angular orders,
 ///
