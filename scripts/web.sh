@@ -12,7 +12,7 @@ command -v npm >/dev/null || lack "npm"
 export NODE_PATH=${NODE_PATH:-/usr/share/nodejs} EMSDK_PYTHON=${EMSDK_PYTHON:-/usr/bin/python3}
 wasm=build/wasm
 mkdir -p "$wasm"
-{ emcmake cmake -G Ninja -S web/core -B "$wasm" -DCMAKE_BUILD_TYPE=Release -DCMAKE_UNITY_BUILD=ON -DSTOSS_WERROR=ON &&
+{ emcmake cmake -G Ninja -S web/core -B "$wasm" -DCMAKE_BUILD_TYPE=Release -DSTOSS_WERROR=ON &&
   cmake --build "$wasm" -j "$jobs" --target stoss_web; } >"$wasm/log" 2>&1 || { cat "$wasm/log" >&2; exit 1; }
 
 cd web
