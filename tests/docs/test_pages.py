@@ -143,8 +143,8 @@ def test_class_of_the_recipe_has_the_numbers_of_its_kind():
     (code,) = re.findall(r"```python\n(.*?)^```$", ARCHITECTURE, re.MULTILINE | re.DOTALL)
     ((_, *body),) = [[each, *each.body] for each in ast.parse(code).body if isinstance(each, ast.ClassDef)]
     fields = [each.target.id for each in body if isinstance(each, ast.AnnAssign)]
-    patch = (ROOT / "tests/docs/recipe/anvil.patch").read_text(encoding="utf-8")
-    assert fields == re.findall(r'\{\{"(\w+)", "kg"', patch)
+    header = (ROOT / "tests/docs/recipe/include/stoss/bodies/anvil.hpp").read_text(encoding="utf-8")
+    assert fields == [*re.findall(r"double (\w+) =", header), "material"]
 
 
 def rooms_picture():

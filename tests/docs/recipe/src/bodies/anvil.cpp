@@ -1,18 +1,21 @@
 // A rigid body: no modes, no compliance, no waves.
 #include "stoss/bodies/anvil.hpp"
 
-#include "check.hpp"
+#include <cmath>
+
+#include "stoss/bodies/rod.hpp"
 
 namespace stoss {
 
 BodyMaker anvil(const Anvil& anvil) {
-  require("mass", anvil.mass, {0.0, 1e100, false, true, "above 0"}, "of the anvil, as rods have it");
+  (void)rod({anvil.length, anvil.young, anvil.density, anvil.area});  // refuses what is out of range
   return [anvil](double cutoff, const Poll&) {
     Body body;
     body.name = "anvil";
     body.contour = Contour::flat;
     body.mass = 1.0;
-    body.scale = {1.0, 1.0, anvil.mass};
+    const double mass = anvil.density * anvil.area * anvil.length;
+    body.scale = {anvil.length, std::sqrt(anvil.young / anvil.density), mass};
     body.extent = 0.5;
     body.softness = 0.0;
     body.cutoff = cutoff;

@@ -4,12 +4,15 @@
 
 namespace stoss {
 
-/// A rigid mass with a flat face, for rods to meet.
+/// A rigid mass with a flat face, for rods to meet, in any units common to both.
 struct Anvil {
-  double mass = 1.0;  ///< in the units of the rod
+  double length = 1.0;
+  double young = 1.0;  ///< only sets units: those in which a rod of the same numbers is given
+  double density = 1.0;
+  double area = 1.0;
 };
 
-/// Makes it, at any cutoff. @throws InvalidInput unless its mass is above 0 and finite
+/// Makes it, at any cutoff. @throws InvalidInput unless all numbers are above 0
 [[nodiscard]] BodyMaker anvil(const Anvil& anvil);
 
 }  // namespace stoss
