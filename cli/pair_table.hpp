@@ -4,6 +4,7 @@
 
 #include "encounter.hpp"
 #include "output.hpp"
+#include "stoss/encounter/laws.hpp"
 #include "stoss/table/adaptive_pairs.hpp"
 #include "stoss/table/c_source.hpp"
 

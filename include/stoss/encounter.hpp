@@ -5,6 +5,7 @@
 #include "stoss/encounter/document.hpp"
 #include "stoss/encounter/encounter.hpp"
 #include "stoss/encounter/kinds.hpp"
+#include "stoss/encounter/laws.hpp"
 #include "stoss/encounter/materials.hpp"
 #include "stoss/encounter/series.hpp"
 #include "stoss/encounter/solid.hpp"

@@ -196,26 +196,6 @@ Contact contact_of(const Encounter& encounter, double cutoff, double speed) {
   return contact(std::move(body), wall_of(encounter));
 }
 
-Mixture mixture(const Encounter& encounter) {
-  validate(encounter);
-  const Solid first = first_solid(encounter);
-  const auto second = second_solid(encounter);
-  const bool rigid = encounter.first.rigid || encounter.against.rigid;
-  if (second && !rigid && std::holds_alternative<Disk>(first) && std::holds_alternative<Disk>(*second)) {
-    return mixture(std::get<Disk>(first), std::get<Disk>(*second));
-  }
-  if (second && !rigid && std::holds_alternative<Sphere>(first) && std::holds_alternative<Sphere>(*second)) {
-    return mixture(std::get<Sphere>(first), std::get<Sphere>(*second));
-  }
-  throw InvalidInput("ratio: got a " + std::string(rigid ? "rigid " : "") + encounter.first.kind + " against " +
-                     encounter.against.kind + ", allowed elastic disks or spheres that meet each other");
-}
-
-SlowLaw slow_law(const Encounter& encounter) {
-  validate(encounter);
-  return slow_law(first_solid(encounter), second_solid(encounter), encounter.first.rigid, encounter.against.rigid);
-}
-
 std::optional<double> yield_speed(const Encounter& encounter) {
   const Participant& first = encounter.first;
   if (!first.material || !kind(first.kind).can_yield) return std::nullopt;
