@@ -7,6 +7,8 @@ import subprocess
 import pytest
 from conftest import rows, wait_for_rows
 
+pytestmark = pytest.mark.numbers
+
 KEYS = (
     "poisson speed restitution restitution_error lost_fraction lost_fraction_error impacts steps"
 ).split()
