@@ -77,8 +77,8 @@ export function draw({ width, height, x, y, ticks, bottom = true, top = true, ma
     marks: [
       ticks ? null : Plot.gridX(named(across), line),
       Plot.gridY(named(up), line),
-      Plot.axisX(across.places, { ...numbers, tickSize: ticks ? 0 : 5, tickFormat: bottom ? across.words : () => '' }),
-      Plot.axisY(up.places, { ...numbers, tickSize: 5, tickFormat: up.words }),
+      Plot.axisX(across.places, { ...numbers, tickSize: ticks ? 0 : 5, text: bottom ? across.words : () => '' }),
+      Plot.axisY(up.places, { ...numbers, tickSize: 5, text: up.words }),
       bottom ? Plot.text([x.label], { frameAnchor: 'bottom', dy: 38 }) : null,
       top ? Plot.text([y.label], { frameAnchor: 'top-left', dy: -18 }) : null,
       Plot.frame({ anchor: 'left', stroke: theme.muted }),

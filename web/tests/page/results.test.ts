@@ -55,6 +55,15 @@ describe.skipIf(missing !== '')(`the results of the page${missing && ` (${missin
     await rod.context().close();
   });
 
+  it('have numbers on a logarithmic axis of less than a decade', async () => {
+    const page = await site.open('?body=rod&v=0.1&against=body&E2=1&rho2=1&R2=2.5&A2=1&eta=0.01');
+    await settled(page);
+    await page.check('#curve-chart input');
+    await page.waitForFunction(() => [...document.querySelectorAll('#curve-chart g text')]
+      .filter((each) => /^0\.[89]\d*$/.test(each.textContent ?? '')).length > 2);
+    await page.context().close();
+  });
+
   it('can be copied as lines and as a link', async () => {
     const page = await site.open('?body=disk&nu=0.4&v=0.2');
     const python = 'import stoss\n\ndisk = stoss.Disk(poisson=0.4)\nprint(stoss.restitution(disk, speed=0.2))';
