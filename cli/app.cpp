@@ -2,11 +2,19 @@
 
 #include <fmt/format.h>
 
-#include "arguments.hpp"
-#include "options.hpp"
+#include "input/options.hpp"
+#include "process/text.hpp"
 #include "stoss/version.hpp"
 
 namespace stoss::cli {
+namespace {
+
+std::string& stored_command_line() {
+  static std::string line;
+  return line;
+}
+
+}  // namespace
 
 void declare(CLI::App& app, int& exit_code) {
   app.description("Coefficient of restitution of elastic bodies from first principles");
@@ -28,8 +36,17 @@ void declare(CLI::App& app, int& exit_code) {
   add_table(app);
   add_materials(app);
   add_schema(app);
-  add_sweeps(app);
+  add_sweep(app);
+  add_merge(app);
   refuse_empty_values(app);
+}
+
+std::string command_line() { return stored_command_line(); }
+
+void set_command_line(int argc, char** argv) {
+  std::string line = "stoss";
+  for (int i = 1; i < argc; ++i) line += " " + shell_quoted(argv[i]);
+  stored_command_line() = line;
 }
 
 }  // namespace stoss::cli

@@ -16,8 +16,9 @@
 #include <vector>
 
 #include "app.hpp"
+#include "input/options.hpp"
+#include "process/text.hpp"
 #include "stoss/version.hpp"
-#include "text.hpp"
 
 namespace {
 

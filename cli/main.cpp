@@ -11,13 +11,11 @@
 #include <system_error>
 
 #include "app.hpp"
-#include "arguments.hpp"
-#include "interrupt.hpp"
-#include "messages.hpp"
-#include "options.hpp"
-#include "report.hpp"
+#include "input/options.hpp"
+#include "output/target.hpp"
+#include "process/interrupt.hpp"
+#include "process/text.hpp"
 #include "stoss/errors.hpp"
-#include "text.hpp"
 
 namespace {
 
@@ -64,7 +62,7 @@ int run(int argc, char** argv) {
   } catch (const CLI::ParseError& error) {
     // A misspelt word matters more than what is missing because of it.
     std::string text = stoss::cli::unknown_words(app);
-    if (text.empty()) text = stoss::cli::shortened(error.what(), 160);
+    if (text.empty()) text = stoss::shortened(error.what(), 160);
     return complain(usage, text + " (see stoss --help or stoss SUBCOMMAND --help)");
   } catch (const stoss::InvalidInput& error) {
     return complain(bad_input, error.what());

@@ -1,0 +1,46 @@
+#include "process/python.hpp"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+
+#include "output/target.hpp"
+#include "stoss/version.hpp"
+
+namespace stoss::cli {
+namespace {
+
+/// What Python runs.
+std::string program() {
+  return fmt::format(
+      "import sys\n"
+      "sys.path = [each for each in sys.path if each]\n"
+      "try:\n"
+      "    import stoss\n"
+      "    from stoss import _sweep_command as command\n"
+      "except ImportError as error:\n"
+      "    got, allowed = 'none', 'the package stoss for python3 (make python; put its bin into PATH): ' + str(error)\n"
+      "else:\n"
+      "    got, allowed = stoss.__version__, '{0}'\n"
+      "    if got == allowed: sys.exit(command.main(sys.argv[1:]))\n"
+      "print(f'stoss: error: Python package: got {{got}}, allowed {{allowed}}', file=sys.stderr)\n"
+      "sys.exit(4)\n",
+      version());
+}
+
+}  // namespace
+
+void become_python(const std::vector<std::string>& words) {
+  std::vector<std::string> all{"python3", "-c", program()};
+  all.insert(all.end(), words.begin(), words.end());
+  std::vector<char*> pointers;
+  pointers.reserve(all.size() + 1);
+  for (std::string& word : all) pointers.push_back(word.data());
+  pointers.push_back(nullptr);
+  execvp(pointers.front(), pointers.data());
+  throw OutputError(fmt::format("Python: cannot run python3, which has the store of sweeps: {}", std::strerror(errno)));
+}
+
+}  // namespace stoss::cli
