@@ -38,7 +38,7 @@ void check(const Job& job, const CurveOptions& asked) {
   const double slowest = *std::min_element(job.speeds.begin(), job.speeds.end());
   for (const double poisson : job.poissons) {
     const RefinableContact contact = job.contact(poisson);
-    if (!asked.vibration.empty()) validate(contact, slowest, asked.vibration, heed_interrupts);
+    if (!asked.each.vibration.empty()) validate(contact, slowest, asked.each.vibration, heed_interrupts);
   }
 }
 
@@ -47,11 +47,11 @@ void compute(const Job& job, RowRun& run, CurveOptions options, const Fields<Res
   const auto first = static_cast<std::ptrdiff_t>(run.done() % job.speeds.size());
   const std::vector<double> speeds(job.speeds.begin() + first, job.speeds.end());
   std::string state = "begins";
-  options.poll = [&] {
+  options.each.poll = [&] {
     heed_interrupts();
     run.wait(state);
   };
-  options.attempt_observer = [&state](std::size_t, const Attempt& attempt) { state = describe(attempt); };
+  options.each.attempt_observer = [&state](const Attempt& attempt) { state = describe(attempt); };
   restitution_curve(job.contact(job.poisson(run.done())), speeds, options, [&](std::size_t, const Restitution& result) {
     heed_interrupts();
     run.add(job.row(run.done(), fields, result), details(result), result.converged ? "" : result.reason);

@@ -28,7 +28,8 @@ struct RestitutionArguments {
 
   [[nodiscard]] bool converges() const { return method == "converge"; }
   [[nodiscard]] CurveOptions options() const {
-    return {.tolerance = tolerance, .absolute = absolute, .threads = threads, .vibration = vibration.vibration()};
+    return {.each = {.tolerance = tolerance, .absolute = absolute, .vibration = vibration.vibration()},
+            .threads = threads};
   }
 };
 

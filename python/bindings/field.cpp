@@ -56,7 +56,7 @@ struct Series {
 template <typename Kind>
 Series evaluate(double poisson, int number, const Contact& contact, const Impact& impact, const Frames& frames,
                 typename Kind::Grid points, const Poll& poll) {
-  const ContactGrid grid = contact_grid(contact, impact.half_width, impact.nodes);
+  const ContactGrid grid = contact_grid(contact, impact.resolution.half_width, impact.resolution.nodes);
   const std::size_t values = frames.all.size() * points.radius.size() * points.angle.size();
   const std::size_t count = Kind::components.size();
   Frame rest;

@@ -23,7 +23,7 @@ py::dict numbers(const Impact& impact) {
 Rows<Snapshot> trajectory(const Contact& contact, const Impact& impact, int every, const Poll& poll) {
   Rows<Snapshot> instants(snapshot_quantities());
   const ImpactObserver observer = [&](const Snapshot& now) { instants.add(now); };
-  const ImpactOptions options{.resolution = repetition(contact, impact), .start = impact.start, .poll = poll};
+  const ImpactOptions options{.resolution = Resolution(impact.resolution), .start = impact.start, .poll = poll};
   (void)stoss::impact(contact, impact.speed, options, {.observer = observer, .every = every});
   return instants;
 }

@@ -56,7 +56,7 @@ struct Surfaces {
 
 Surfaces surfaces(const Contact& contact, const Impact& impact, const Frames& frames, double reach, std::size_t count,
                   const Poll& poll) {
-  const ContactGrid grid = contact_grid(contact, impact.half_width, impact.nodes);
+  const ContactGrid grid = contact_grid(contact, impact.resolution.half_width, impact.resolution.nodes);
   Surfaces all;
   // On a circle so large that they are evenly spaced.
   constexpr double flat = 1e4;

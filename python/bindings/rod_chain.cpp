@@ -48,7 +48,7 @@ void bind_rod_chain(py::module_& module) {
         options.method = modes ? RodMethod::modes : RodMethod::characteristics;
         options.modes = count;
         options.pieces = pieces;
-        options.tail = radiating ? Tail::radiating : Tail::quasistatic;
+        options.resolution.tail = radiating ? Tail::radiating : Tail::quasistatic;
         options.decay_time = decay_time;
         options.poll = signal_poll();
         return WatchedChain{RodChain(rods_of(rods), circumference, to_vector(velocities), options)};

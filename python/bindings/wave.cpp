@@ -60,16 +60,17 @@ Waves waves(double poisson, const BodyMaker& first, const BodyMaker& second, con
             const Vibration& vibration, const Values& times, PlaneGrid points, const Poll& poll) {
   const double latest = times.empty() ? 0.0 : times.back();
   const Contact meeting = lasting(first, second, original.cutoff, latest, points, poisson, poll);
-  Resolution resolution = repetition(meeting, original);
+  Resolution resolution(original.resolution);
   resolution.step.reset();
   ImpactOptions options{.resolution = resolution, .poll = poll};
   if (!vibration.empty()) options.start = approach(meeting, original.speed, vibration);
   const Impact impact = stoss::impact(meeting, original.speed, options);
-  const ContactGrid grid = contact_grid(meeting, impact.half_width, impact.nodes);
+  const ContactGrid grid = contact_grid(meeting, impact.resolution.half_width, impact.resolution.nodes);
 
   Waves all;
   Values around;
-  for (const double time : times) around.insert(around.end(), {time - impact.step, time, time + impact.step});
+  for (const double time : times)
+    around.insert(around.end(), {time - impact.resolution.step, time, time + impact.resolution.step});
   std::sort(around.begin(), around.end());
   const std::vector<Frame> frames = motion(meeting, impact, around, poll);
   const auto at = [&](double time) {
@@ -94,7 +95,8 @@ Waves waves(double poisson, const BodyMaker& first, const BodyMaker& second, con
     all.force.push_back(now.force);
     all.center.push_back(seen_by(meeting, grid, now, 0).center);
     add(now, all.lateral, all.normal);
-    add(rate(meeting, at(time - impact.step), now, at(time + impact.step)), all.lateral_velocity, all.normal_velocity);
+    add(rate(meeting, at(time - impact.resolution.step), now, at(time + impact.resolution.step)), all.lateral_velocity,
+        all.normal_velocity);
   }
   return all;
 }
