@@ -11,9 +11,8 @@
 #include <system_error>
 
 #include "app.hpp"
-#include "input/options.hpp"
-#include "output/target.hpp"
-#include "process/interrupt.hpp"
+#include "output/output.hpp"
+#include "process/process.hpp"
 #include "process/text.hpp"
 #include "stoss/errors.hpp"
 
@@ -50,11 +49,12 @@ void reopen_closed_descriptors() {
 
 int run(int argc, char** argv) {
   CLI::App app;
-  int exit_code = ok;
-  stoss::cli::declare(app, exit_code);
+  stoss::cli::declare(app);
   try {
     app.parse(words(argc, argv));
-    return exit_code;
+    return ok;
+  } catch (const stoss::cli::NotAsAsked&) {
+    return not_converged;
   } catch (const CLI::Success& request) {  // --help and --version
     const int code = app.exit(request);
     std::cout.flush();

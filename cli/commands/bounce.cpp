@@ -3,16 +3,10 @@
 
 #include <fmt/format.h>
 
-#include <memory>
-
 #include "app.hpp"
 #include "input/encounter.hpp"
-#include "input/options.hpp"
-#include "input/speeds.hpp"
-#include "input/vibration.hpp"
 #include "output/output_options.hpp"
-#include "output/yield.hpp"
-#include "process/interrupt.hpp"
+#include "process/process.hpp"
 #include "stoss/errors.hpp"
 #include "stoss/vibration/quantities.hpp"
 
@@ -127,29 +121,27 @@ void add_flight(CLI::App& command, BounceArguments& arguments) {
 }  // namespace
 
 void add_bounce(CLI::App& app) {
-  auto* command = app.add_subcommand("bounce", "Impacts of a body that comes back with the vibration it has kept");
-  auto arguments = std::make_shared<BounceArguments>();
-  arguments->command = command;
-  arguments->who.first.add_poisson_to(*command);
-  add(*command, "--speed", arguments->speed,
-      "Speed of the first impact, 1e-8 to 1 in c of the body (with a\nmaterial: m/s)", "V", "Body")
-      ->required();
-  arguments->who.add_to(*command, true, "\nA second body that is free does not come back: it is refused");
-  arguments->vibration.add_to(*command);
-  add_flight(*command, *arguments);
-  add_choice(*command, "--tail", arguments->tail, {"radiating", "static"},
-             "How modes above the cutoff answer (default: radiating); static keeps\nall energy", "TAIL", "Resolution");
-  add(*command, "--cutoff", arguments->cutoff, "Modes up to this frequency in c/R are kept (default: 20)", "OMEGA",
-      "Resolution");
-  arguments->output.add_to(*command);
-  command->footer(
+  auto& arguments = add_subcommand<BounceArguments>(
+      app, "bounce", "Impacts of a body that comes back with the vibration it has kept", run,
       "Examples:\n"
       "  stoss bounce --body sphere --poisson 0.3 --speed 0.05 --count 200 --flight-time 30\n"
       "  stoss bounce --poisson 0.33 --speed 0.2 --count 5000 --flight-time 31.4 --tail static --cutoff 4\n"
       "  stoss bounce --body sphere --poisson 0.3 --speed 0.05 --flight-time 30 --decay-time 100\n"
       "  stoss bounce --body sphere --poisson 0.3 --young 2.1e11 --density 7850 --radius 0.01 --speed 1\n"
       "      --gravity 9.81 --loss-time 1e-9 --count 20");
-  command->callback([arguments] { run(*arguments); });
+  CLI::App& command = *arguments.command;
+  arguments.who.first.add_poisson_to(command);
+  add(command, "--speed", arguments.speed,
+      "Speed of the first impact, 1e-8 to 1 in c of the body (with a\nmaterial: m/s)", "V", "Body")
+      ->required();
+  arguments.who.add_to(command, true, "\nA second body that is free does not come back: it is refused");
+  arguments.vibration.add_to(command);
+  add_flight(command, arguments);
+  add_choice(command, "--tail", arguments.tail, {"radiating", "static"},
+             "How modes above the cutoff answer (default: radiating); static keeps\nall energy", "TAIL", "Resolution");
+  add(command, "--cutoff", arguments.cutoff, "Modes up to this frequency in c/R are kept (default: 20)", "OMEGA",
+      "Resolution");
+  arguments.output.add_to(command);
 }
 
 }  // namespace stoss::cli

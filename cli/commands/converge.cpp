@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "commands/job.hpp"
-#include "process/interrupt.hpp"
+#include "process/process.hpp"
 #include "stoss/impact/quantities.hpp"
 #include "stoss/restitution/curve.hpp"
 #include "stoss/restitution/quantities.hpp"

@@ -3,17 +3,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <memory>
 #include <utility>
 
 #include "app.hpp"
-#include "commands/samples.hpp"
 #include "input/encounter.hpp"
-#include "input/options.hpp"
-#include "input/speeds.hpp"
-#include "input/vibration.hpp"
-#include "output/yield.hpp"
-#include "process/interrupt.hpp"
+#include "output/row_run.hpp"
+#include "process/process.hpp"
 #include "process/text.hpp"
 #include "stoss/encounter/series.hpp"
 #include "stoss/errors.hpp"
@@ -31,6 +26,16 @@ struct DistributionArguments {
   double error = 1e-3;
   int threads = 0;
   RowOptions rows;
+  CLI::App* command = nullptr;
+};
+
+/// The impacts.
+struct Ensemble {
+  RefinableContact contact;
+  double speed = 0.0;  ///< c
+  Spectrum spectrum;
+  DistributionOptions options;  ///< but where a run is resumed
+  Units units;
 };
 
 DistributionOptions options(const DistributionArguments& arguments) {
@@ -70,6 +75,75 @@ Provenance describe(const DistributionArguments& arguments, const Encounter& enc
   return provenance;
 }
 
+Fields<Sample> fields(const Units& units) {
+  return Fields<Sample>(sample_quantities(), units,
+                        {{"sample", {.width = 8}},
+                         {"vibration", {.width = 13}},
+                         {"restitution", {.width = 22, .with_error = true}},
+                         {"lost_fraction", {.width = 25, .with_error = true, .mark = {{"converged", false}}}},
+                         {"contact_time", {.width = 13, .si_width = 17}}});
+}
+
+/// A sample as its row has it, as far as a summary needs it.
+Sample sample_of(const Columns& columns, const Row& row) {
+  const auto estimate = [&](const std::string& name) {
+    return Estimate{number(*find(columns, row, name)), number(*find(columns, row, name + "_error"))};
+  };
+  Sample sample;
+  sample.restitution = estimate("restitution");
+  sample.lost_fraction = estimate("lost_fraction");
+  sample.converged = has(columns, row, "converged", true);
+  return sample;
+}
+
+std::string with_both_errors(const Mean& mean) {
+  const auto error = [](double value) { return std::isfinite(value) ? fmt::format("{:.1e}", value) : "unknown"; };
+  return fmt::format("{:.8g} ± {} (statistical) ± {} (numerical)", mean.value, error(mean.statistical_error),
+                     error(mean.numerical_error));
+}
+
+/// What rows the samples of an ensemble make; `taken` gets each of them.
+RowPlan sample_plan(const Ensemble& ensemble, std::vector<Sample>& taken) {
+  const Columns columns = fields(ensemble.units).columns();
+  return {.size = static_cast<std::size_t>(ensemble.options.samples),
+          .columns = columns,
+          .key = [](std::size_t row) { return Row{static_cast<long>(row)}; },
+          .name = [](std::size_t row) { return fmt::format("sample {}", row); },
+          .observer = [&taken, columns](const Row& row) { taken.push_back(sample_of(columns, row)); }};
+}
+
+/// Computes the samples that the run does not have yet. @throws Interrupted, OutputError
+void compute_samples(const Ensemble& ensemble, RowRun& run) {
+  if (run.done() == run.size()) return;
+  DistributionOptions options = ensemble.options;
+  options.first = static_cast<long>(run.done());
+  options.samples -= options.first;
+  options.poll = [&run] {
+    heed_interrupts();
+    run.wait(fmt::format("sample {}", run.done()));
+  };
+  const Fields<Sample> its = fields(ensemble.units);
+  restitution_distribution(ensemble.contact, ensemble.speed, ensemble.spectrum, options, [&](const Sample& sample) {
+    heed_interrupts();
+    auto details = nlohmann::ordered_json::object();
+    if (!sample.converged) details["reason"] = sample.reason;
+    run.add(its.row(sample), details, sample.converged ? "" : sample.reason);
+  });
+}
+
+/// The summary of samples in two or three lines for reading, with line ends.
+std::string summary_lines(const DistributionSummary& summary) {
+  std::string text = fmt::format("mean restitution      {}\nmean lost fraction    {}\n",
+                                 with_both_errors(summary.restitution), with_both_errors(summary.lost_fraction));
+  if (std::isfinite(summary.standard_deviation)) {
+    text += fmt::format("standard deviation    {:.4g} of the restitution\n", summary.standard_deviation);
+  }
+  text += fmt::format("minimum and maximum   {:.8g}, {:.8g}\nabove 1               {:.4g} % of {} samples\n",
+                      summary.least, summary.greatest, 100.0 * summary.share_above_one, summary.samples);
+  if (summary.missing > 0) text += fmt::format("without a value       {} samples\n", summary.missing);
+  return text;
+}
+
 /// The summary as JSON has it.
 nlohmann::ordered_json to_json(const DistributionSummary& all) {
   auto object = cli::to_json(distribution_quantities(), std::vector{all}).front();
@@ -91,7 +165,8 @@ void summarize(const std::vector<Sample>& samples, const OutputOptions& output, 
   if (format == Format::csv && !output.quiet) show(lines);
 }
 
-int run(DistributionArguments arguments) {
+void run(const DistributionArguments& asked) {
+  DistributionArguments arguments = asked;
   arguments.rows.redirect();
   const OutputOptions& output = arguments.rows.output;
   const Encounter encounter = arguments.who.encounter();
@@ -104,7 +179,7 @@ int run(DistributionArguments arguments) {
     summarize(samples, output, run.writer());
   });
   if (const Yielding its = yielding(encounter); its.is_below(ensemble.speed)) output.warn(yield_warning(*its.speed));
-  return run.conclude();
+  run.conclude();
 }
 
 void add_ensemble(CLI::App& command, DistributionArguments& arguments) {
@@ -119,24 +194,23 @@ void add_ensemble(CLI::App& command, DistributionArguments& arguments) {
 
 }  // namespace
 
-void add_distribution(CLI::App& app, int& exit_code) {
-  auto* command = app.add_subcommand("distribution", "Coefficients of restitution of bodies that vibrate at random");
-  auto arguments = std::make_shared<DistributionArguments>();
-  arguments->who.first.add_poisson_to(*command);
-  add(*command, "--speed", arguments->speed, "Speed of approach, 1e-8 to 1 in c of the body (with a material: m/s)",
-      "V", "Body")
-      ->required();
-  arguments->who.add_to(*command);
-  add_ensemble(*command, *arguments);
-  arguments->rows.add_to(*command);
-  command->footer(
+void add_distribution(CLI::App& app) {
+  auto& arguments = add_subcommand<DistributionArguments>(
+      app, "distribution", "Coefficients of restitution of bodies that vibrate at random", run,
       "Examples:\n"
       "  stoss distribution --body sphere --poisson 0.3 --speed 0.01 --temperature 0.01 --seed 7\n"
       "  stoss distribution --body sphere --poisson 0.3 --speed 0.01 --temperature 0.01 --highest 20\n"
       "      --samples 1e4 --resume samples.csv\n"
       "  stoss distribution --body rod --speed 0.1 --against rod,length=2.5 --temperature 0.02 --error 0.02\n"
       "  stoss distribution --poisson 0.33 --speed 0.1 --spectrum 2,0,energy=0.1 --format json");
-  command->callback([arguments, &exit_code] { exit_code = run(*arguments); });
+  CLI::App& command = *arguments.command;
+  arguments.who.first.add_poisson_to(command);
+  add(command, "--speed", arguments.speed, "Speed of approach, 1e-8 to 1 in c of the body (with a material: m/s)", "V",
+      "Body")
+      ->required();
+  arguments.who.add_to(command);
+  add_ensemble(command, arguments);
+  arguments.rows.add_to(command);
 }
 
 }  // namespace stoss::cli

@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "commands/job.hpp"
-#include "process/interrupt.hpp"
+#include "process/process.hpp"
 #include "stoss/errors.hpp"
 #include "stoss/restitution/extrapolation.hpp"
 #include "stoss/restitution/quantities.hpp"

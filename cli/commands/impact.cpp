@@ -4,17 +4,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <memory>
+#include <optional>
 #include <utility>
 
 #include "app.hpp"
-#include "commands/trajectory.hpp"
 #include "input/encounter.hpp"
-#include "input/options.hpp"
-#include "input/speeds.hpp"
-#include "input/vibration.hpp"
 #include "output/output_options.hpp"
-#include "output/yield.hpp"
+#include "process/process.hpp"
 #include "stoss/errors.hpp"
 #include "stoss/impact/quantities.hpp"
 
@@ -105,6 +101,38 @@ void check_trajectory(const ImpactArguments& arguments) {
   }
 }
 
+/// The instants of an impact as CSV. The file is opened with the first one, so that a refused impact leaves it alone.
+class Trajectory {
+ public:
+  Trajectory(std::string path, Provenance provenance, const Units& units)
+      : path_(std::move(path)),
+        provenance_(std::move(provenance)),
+        fields_(snapshot_quantities(), Units{.own = units.own}) {}
+
+  /// @throws Interrupted after Ctrl-C or SIGTERM, when the file is complete so far; OutputError
+  void write(const Snapshot& now) {
+    if (!writer_) {
+      catch_interrupts();  // before, there is nothing to keep
+      writer_.emplace(Output(path_, Output::Use::rows), Format::csv, provenance_, fields_.columns());
+    }
+    if (interrupted() != 0) {
+      writer_->finish(false);
+      throw Interrupted{};
+    }
+    writer_->add(fields_.row(now));
+  }
+
+  void finish() {
+    if (writer_) writer_->finish();
+  }
+
+ private:
+  std::string path_;
+  Provenance provenance_;
+  Fields<Snapshot> fields_;  // in units of the first body only
+  std::optional<Writer> writer_;
+};
+
 /// The impact, with its trajectory if that is asked for.
 Impact compute(const ImpactArguments& arguments, const Encounter& encounter, const Contact& contact, double speed,
                const ImpactOptions& options) {
@@ -156,27 +184,8 @@ void run(const ImpactArguments& arguments) {
 }  // namespace
 
 void add_impact(CLI::App& app) {
-  auto* command = app.add_subcommand("impact", "One impact at a fixed resolution, with its energy ledger");
-  auto arguments = std::make_shared<ImpactArguments>();
-  arguments->command = command;
-  arguments->who.first.add_poisson_to(*command);
-  add(*command, "--speed", arguments->speed, "Speed of approach, 1e-8 to 1 in c of the body (with a material: m/s)",
-      "V", "Body")
-      ->required();
-  arguments->who.add_to(*command, true);
-  arguments->vibration.add_to(*command);
-  add_choice(*command, "--tail", arguments->tail, {"radiating", "static"},
-             "How modes above the cutoff answer (default: radiating)", "TAIL", "Against");
-  add(*command, "--cutoff", arguments->cutoff, "Modes up to this frequency in c/R are kept (default: 50)", "OMEGA",
-      "Resolution");
-  add(*command, "--step", arguments->resolution.step, "Time step in R/c (default: recommended)", "DT", "Resolution");
-  add(*command, "--nodes", arguments->resolution.nodes, "Contact nodes, 16 to 4096 (default: recommended)", "N",
-      "Resolution");
-  add(*command, "--trajectory", arguments->trajectory, "Write time, center, force, energies as CSV to FILE", "FILE",
-      "Output");
-  add(*command, "--every", arguments->every, "Trajectory: every so many steps (default: 1)", "K", "Output");
-  arguments->output.add_to(*command);
-  command->footer(
+  auto& arguments = add_subcommand<ImpactArguments>(
+      app, "impact", "One impact at a fixed resolution, with its energy ledger", run,
       "Examples:\n"
       "  stoss impact --poisson 0.33 --speed 0.1 --trajectory t.csv --every 4\n"
       "  stoss impact --poisson 0.33 --speed 0.2 --against disk,radius=2\n"
@@ -184,7 +193,24 @@ void add_impact(CLI::App& app) {
       "  stoss impact --body sphere --poisson 0.3 --speed 0.1 --against sphere,radius=2,young=4\n"
       "  stoss impact --body sphere --poisson 0.3 --speed 0.1 --against half-space --cutoff 12\n"
       "  stoss impact --body sphere --poisson 0.3 --speed 0.01 --mode 2,0,energy=0.1,phase=2");
-  command->callback([arguments] { run(*arguments); });
+  CLI::App& command = *arguments.command;
+  arguments.who.first.add_poisson_to(command);
+  add(command, "--speed", arguments.speed, "Speed of approach, 1e-8 to 1 in c of the body (with a material: m/s)", "V",
+      "Body")
+      ->required();
+  arguments.who.add_to(command, true);
+  arguments.vibration.add_to(command);
+  add_choice(command, "--tail", arguments.tail, {"radiating", "static"},
+             "How modes above the cutoff answer (default: radiating)", "TAIL", "Against");
+  add(command, "--cutoff", arguments.cutoff, "Modes up to this frequency in c/R are kept (default: 50)", "OMEGA",
+      "Resolution");
+  add(command, "--step", arguments.resolution.step, "Time step in R/c (default: recommended)", "DT", "Resolution");
+  add(command, "--nodes", arguments.resolution.nodes, "Contact nodes, 16 to 4096 (default: recommended)", "N",
+      "Resolution");
+  add(command, "--trajectory", arguments.trajectory, "Write time, center, force, energies as CSV to FILE", "FILE",
+      "Output");
+  add(command, "--every", arguments.every, "Trajectory: every so many steps (default: 1)", "K", "Output");
+  arguments.output.add_to(command);
 }
 
 }  // namespace stoss::cli

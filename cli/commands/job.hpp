@@ -7,7 +7,6 @@
 #include "input/encounter.hpp"
 #include "output/fields.hpp"
 #include "output/row_run.hpp"
-#include "output/yield.hpp"
 #include "stoss/restitution/curve.hpp"
 
 namespace stoss::cli {

@@ -1,7 +1,6 @@
 // stoss materials: the named materials, with their sources.
 #include "stoss/encounter/materials.hpp"
 
-#include <memory>
 #include <string>
 
 #include "app.hpp"
@@ -10,10 +9,15 @@
 namespace stoss::cli {
 namespace {
 
-void run(const OutputOptions& output) {
+struct MaterialsArguments {
+  OutputOptions output;
+  CLI::App* command = nullptr;
+};
+
+void run(const MaterialsArguments& arguments) {
   const Columns columns{{"name", "", 18},         {"young", "Pa", 10}, {"poisson", "", 9}, {"density", "kg/m^3", 9},
                         {"yield_strength", "Pa"}, {"loss_time", "s"},  {"source", "", 60}};
-  Writer writer = output.writer({"materials", command_line(), {}}, columns, Output::Use::whole);
+  Writer writer = arguments.output.writer({"materials", command_line(), {}}, columns, Output::Use::whole);
   const auto known = [](const std::optional<double>& value) { return value ? Value(*value) : Value(std::string()); };
   for (const NamedMaterial& each : named_materials()) {
     const Material& its = each.material;
@@ -26,11 +30,10 @@ void run(const OutputOptions& output) {
 }  // namespace
 
 void add_materials(CLI::App& app) {
-  auto* command = app.add_subcommand("materials", "The materials that --material takes, with their sources");
-  auto output = std::make_shared<OutputOptions>();
-  output->add_to(*command);
-  command->footer("Examples:\n  stoss materials\n  stoss materials --format json");
-  command->callback([output] { run(*output); });
+  auto& arguments =
+      add_subcommand<MaterialsArguments>(app, "materials", "The materials that --material takes, with their sources",
+                                         run, "Examples:\n  stoss materials\n  stoss materials --format json");
+  arguments.output.add_to(*arguments.command);
 }
 
 }  // namespace stoss::cli

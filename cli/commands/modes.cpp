@@ -1,13 +1,10 @@
 // stoss modes: the eigenmodes of a disk or a sphere.
-#include <memory>
 #include <numbers>
 #include <utility>
 #include <vector>
 
 #include "app.hpp"
 #include "input/encounter.hpp"
-#include "input/options.hpp"
-#include "output/fields.hpp"
 #include "output/output_options.hpp"
 #include "stoss/bodies/disk/quantities.hpp"
 #include "stoss/bodies/sphere/quantities.hpp"
@@ -19,6 +16,7 @@ struct ModesArguments {
   BodyOptions body;
   double cutoff = 30.0;
   OutputOptions output;
+  CLI::App* command = nullptr;
 };
 
 double in_hertz(const Scales& si) { return si.frequency / (2.0 * std::numbers::pi); }
@@ -66,19 +64,18 @@ void run(const ModesArguments& arguments) {
 }  // namespace
 
 void add_modes(CLI::App& app) {
-  auto* command = app.add_subcommand("modes", "Eigenmodes of a free elastic disk or sphere, with edge amplitudes");
-  auto arguments = std::make_shared<ModesArguments>();
-  arguments->body.add_kind_to(*command, {"disk", "sphere"});
-  arguments->body.add_poisson_to(*command);
-  arguments->body.add_material_to(*command, false);
-  add(*command, "--cutoff", arguments->cutoff, "Highest frequency in c/R, up to 1000 (default: 30)", "OMEGA",
-      "Resolution");
-  arguments->output.add_to(*command);
-  command->footer(
+  auto& arguments = add_subcommand<ModesArguments>(
+      app, "modes", "Eigenmodes of a free elastic disk or sphere, with edge amplitudes", run,
       "Examples:\n"
       "  stoss modes --poisson 0.33 --cutoff 30 --format csv -o modes.csv\n"
       "  stoss modes --body sphere --poisson 0.3 --cutoff 12.5");
-  command->callback([arguments] { run(*arguments); });
+  CLI::App& command = *arguments.command;
+  arguments.body.add_kind_to(command, {"disk", "sphere"});
+  arguments.body.add_poisson_to(command);
+  arguments.body.add_material_to(command, false);
+  add(command, "--cutoff", arguments.cutoff, "Highest frequency in c/R, up to 1000 (default: 30)", "OMEGA",
+      "Resolution");
+  arguments.output.add_to(command);
 }
 
 }  // namespace stoss::cli

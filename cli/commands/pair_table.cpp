@@ -11,13 +11,12 @@
 
 namespace stoss::cli {
 
-PairTable compute_pairs(const Encounter& encounter, const PairOrder& order) {
-  const std::vector<std::string> ends = split(order.ratio, ':');
-  if (ends.size() != 2) {
-    throw InvalidInput(fmt::format("ratio: got '{}', allowed SMALLEST:GREATEST, as in 1:3", order.ratio));
-  }
-  return pair_table(mixture(encounter), order.slowest, order.fastest, parse_number("ratio", ends[0]),
-                    parse_number("ratio", ends[1]), order.options);
+PairTable compute_pairs(const Encounter& encounter, double slowest, double fastest, const std::string& ratio,
+                        const PairTableOptions& options) {
+  const std::vector<std::string> ends = split(ratio, ':');
+  if (ends.size() != 2) throw InvalidInput(fmt::format("ratio: got '{}', allowed SMALLEST:GREATEST, as in 1:3", ratio));
+  return pair_table(mixture(encounter), slowest, fastest, parse_number("ratio", ends[0]),
+                    parse_number("ratio", ends[1]), options);
 }
 
 std::string pairs_as_json(const PairTable& table, const TableLabel& label, const Provenance& provenance) {

@@ -4,15 +4,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <memory>
 
 #include "app.hpp"
 #include "input/encounter.hpp"
-#include "input/options.hpp"
 #include "output/output_options.hpp"
 #include "output/progress.hpp"
-#include "output/yield.hpp"
-#include "process/interrupt.hpp"
+#include "process/process.hpp"
 #include "stoss/errors.hpp"
 #include "stoss/quasistatic/quantities.hpp"
 
@@ -123,18 +120,24 @@ void run(const QuasistaticArguments& arguments) {
 }  // namespace
 
 void add_quasistatic(CLI::App& app) {
-  auto* command = app.add_subcommand("quasistatic", "Slow impacts with an estimate of the loss, or static compression");
-  auto arguments = std::make_shared<QuasistaticArguments>();
-  arguments->body.add_kind_to(*command, {"disk", "sphere"});
-  arguments->body.add_poisson_to(*command);
-  arguments->body.add_material_to(*command, true);
-  arguments->command = command;
-  auto* speed = add(*command, "--speed", arguments->speeds,
+  auto& arguments = add_subcommand<QuasistaticArguments>(
+      app, "quasistatic", "Slow impacts with an estimate of the loss, or static compression", run,
+      "Examples:\n"
+      "  stoss quasistatic --poisson 0.33 --speed log:1e-6:0.1:50\n"
+      "  stoss quasistatic --poisson 0.33 --speed 1e-12 --format json\n"
+      "  stoss quasistatic --poisson 0.33 --compression lin:0.001:0.03:20\n"
+      "  stoss quasistatic --body sphere --poisson 0.3 --speed log:1e-9:0.01:50\n"
+      "Two equal bodies that each move at SPEED towards each other are the same problem.");
+  CLI::App& command = *arguments.command;
+  arguments.body.add_kind_to(command, {"disk", "sphere"});
+  arguments.body.add_poisson_to(command);
+  arguments.body.add_material_to(command, true);
+  auto* speed = add(command, "--speed", arguments.speeds,
                     "Slow impacts at these speeds, in c (m/s with a material): a number,\n"
                     "a,b,c, log:a:b:n or lin:a:b:n; 1e-100 c (of a sphere 1e-12 c) to\n"
                     "0.14 c or more, where the law ends",
                     "SPEEDS", "Body");
-  add(*command, "--compression", arguments->compressions,
+  add(command, "--compression", arguments.compressions,
       "In place of --speed: static contacts at these compressions, in R\n"
       "(m with a material): a number, a,b,c, log:a:b:n or lin:a:b:n; 1e-12\n"
       "to 0.2 or more, where the law or the contact ends (at most 0.5 R).\n"
@@ -142,25 +145,17 @@ void add_quasistatic(CLI::App& app) {
       "law, and the force of the exact static contact with its error",
       "DELTAS", "Body")
       ->excludes(speed);
-  add_choice(*command, "--law", arguments->law, {"center", "diameter", "printed", "hertz"},
+  add_choice(command, "--law", arguments.law, {"center", "diameter", "printed", "hertz"},
              "Force against compression (default: center)\n"
              "  center:   approach of the centre of mass to the wall\n"
              "  diameter: of a disk, shortening of the diameter between two walls\n"
              "  printed:  of a disk, as Gerl and Zippelius print it\n"
              "  hertz:    of a sphere, two half-spaces",
              "LAW", "Body");
-  add(*command, "--cutoff", arguments->cutoff,
+  add(command, "--cutoff", arguments.cutoff,
       "With --speed: highest frequency in Rayleigh's estimate, in c/R,\nup to 1000 (default: 60)", "OMEGA",
       "Resolution");
-  arguments->output.add_to(*command);
-  command->footer(
-      "Examples:\n"
-      "  stoss quasistatic --poisson 0.33 --speed log:1e-6:0.1:50\n"
-      "  stoss quasistatic --poisson 0.33 --speed 1e-12 --format json\n"
-      "  stoss quasistatic --poisson 0.33 --compression lin:0.001:0.03:20\n"
-      "  stoss quasistatic --body sphere --poisson 0.3 --speed log:1e-9:0.01:50\n"
-      "Two equal bodies that each move at SPEED towards each other are the same problem.");
-  command->callback([arguments] { run(*arguments); });
+  arguments.output.add_to(command);
 }
 
 }  // namespace stoss::cli

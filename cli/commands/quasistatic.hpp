@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "input/speeds.hpp"
+#include "input/encounter.hpp"
 #include "output/fields.hpp"
 #include "stoss/quasistatic/rayleigh.hpp"
 

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "commands/quasistatic.hpp"
-#include "process/interrupt.hpp"
+#include "process/process.hpp"
 #include "stoss/errors.hpp"
 #include "stoss/quasistatic.hpp"
 #include "stoss/quasistatic/point_quantities.hpp"

@@ -1,14 +1,9 @@
 // stoss restitution: the coefficient of restitution against speed and Poisson's ratio, with errors.
 #include <fmt/format.h>
 
-#include <memory>
-
 #include "app.hpp"
 #include "commands/job.hpp"
 #include "input/encounter.hpp"
-#include "input/options.hpp"
-#include "input/speeds.hpp"
-#include "input/vibration.hpp"
 #include "stoss/encounter/series.hpp"
 #include "stoss/errors.hpp"
 
@@ -25,6 +20,7 @@ struct RestitutionArguments {
   double absolute = 1e-6;
   int threads = 0;
   RowOptions rows;
+  CLI::App* command = nullptr;
 
   [[nodiscard]] bool converges() const { return method == "converge"; }
   [[nodiscard]] CurveOptions options() const {
@@ -35,7 +31,7 @@ struct RestitutionArguments {
 
 void check_method(const RestitutionArguments& arguments) {
   for (const std::string name : {"tolerance", "absolute", "threads", "loss-time", "mode"}) {
-    if (!arguments.converges() && given(*arguments.rows.command, "--" + name)) {
+    if (!arguments.converges() && given(*arguments.command, "--" + name)) {
       throw InvalidInput(
           fmt::format("{0}: got --{0} with --method extrapolate, allowed only with --method converge", name));
     }
@@ -54,7 +50,7 @@ void check_against(const RestitutionArguments& arguments, const Encounter& encou
 
 Job make_job(RestitutionArguments& arguments) {
   std::vector<double> poissons{0.0};  // of rods, which have none
-  if (given(*arguments.rows.command, "--poisson")) {
+  if (given(*arguments.command, "--poisson")) {
     poissons = parse_series("poisson", arguments.poissons);
     arguments.who.first.set_poisson(poissons.front());
   }
@@ -99,14 +95,15 @@ Provenance describe(const RestitutionArguments& arguments, const Job& job) {
   return provenance;
 }
 
-int run(RestitutionArguments arguments) {
+void run(const RestitutionArguments& asked) {
+  RestitutionArguments arguments = asked;
   check_method(arguments);
   arguments.rows.redirect();
   const Job job = make_job(arguments);
   const Method method = arguments.converges() ? converging(job, arguments.options()) : extrapolating(job);
   RowRun run(method.plan, arguments.rows);
   run.write(describe(arguments, job), [&] { method.compute(run); });
-  return run.conclude();
+  run.conclude();
 }
 
 void add_resolution(CLI::App& command, RestitutionArguments& arguments) {
@@ -126,25 +123,39 @@ void add_resolution(CLI::App& command, RestitutionArguments& arguments) {
 
 }  // namespace
 
-void add_restitution(CLI::App& app, int& exit_code) {
-  auto* command =
-      app.add_subcommand("restitution", "Coefficient of restitution at a wall, a half-space or of two bodies");
-  auto arguments = std::make_shared<RestitutionArguments>();
-  add(*command, "--poisson", arguments->poissons,
-      "Poisson's ratios, -0.95 to 0.995 of a disk, to 0.4999 of a sphere: a\n"
-      "number, a,b,c, log:a:b:n or lin:a:b:n. With a material: the one of\n"
-      "the solid",
-      "NUS", "Body");
-  add(*command, "--speed", arguments->speeds,
-      "Speeds of approach, 1e-8 to 1 in c of the body (m/s with a material):\n"
-      "a number, a,b,c, log:a:b:n or lin:a:b:n",
-      "SPEEDS", "Body")
-      ->required();
-  arguments->who.add_to(*command);
-  arguments->vibration.add_to(*command);
-  add_resolution(*command, *arguments);
-  arguments->rows.add_to(*command);
-  command->footer(
+RefinableContact Job::contact(double poisson) const {
+  Encounter its = encounter;
+  if (!units.si && !is_rod(its)) its.first.values["poisson"] = poisson;
+  return refinable(its);
+}
+
+Row Job::key(std::size_t row) const {
+  Row key;
+  if (!is_rod(encounter)) key.emplace_back(poisson(row));
+  append(key, speed_row(units, speed(row)));
+  return key;
+}
+
+RowPlan Job::plan(const Columns& results) const {
+  Columns columns;
+  if (!is_rod(encounter)) columns.push_back({"poisson", "", units.si ? 0 : 8});
+  append(columns, speed_columns(units));
+  append(columns, results);
+  append(columns, yielding(encounter).columns());
+  const auto name = [this](std::size_t row) {
+    const std::string body = is_rod(encounter) ? "" : fmt::format("poisson {}, ", poisson(row));
+    return fmt::format("{}speed {:.6g} c", body, speed(row));
+  };
+  return {.size = size(),
+          .columns = columns,
+          .key = [this](std::size_t row) { return key(row); },
+          .name = name,
+          .yield_speed = yield_speed(encounter)};
+}
+
+void add_restitution(CLI::App& app) {
+  auto& arguments = add_subcommand<RestitutionArguments>(
+      app, "restitution", "Coefficient of restitution at a wall, a half-space or of two bodies", run,
       "Examples:\n"
       "  stoss restitution --poisson 0.33 --speed log:1e-4:0.3:40 --format csv -o curve.csv\n"
       "  stoss restitution --poisson lin:-0.9:0.9:7 --speed 0.01,0.1 --resume map.csv\n"
@@ -163,7 +174,21 @@ void add_restitution(CLI::App& app, int& exit_code) {
       "  stoss restitution --body rod --speed 0.1 --against rod,length=2.5,density=3\n"
       "  stoss restitution --body rod --young 2.1e11 --density 7850 --length 0.5 --area 1e-4 --speed 1\n"
       "      --against rod,young=7e10,density=2700,length=1,area=2e-4");
-  command->callback([arguments, &exit_code] { exit_code = run(*arguments); });
+  CLI::App& command = *arguments.command;
+  add(command, "--poisson", arguments.poissons,
+      "Poisson's ratios, -0.95 to 0.995 of a disk, to 0.4999 of a sphere: a\n"
+      "number, a,b,c, log:a:b:n or lin:a:b:n. With a material: the one of\n"
+      "the solid",
+      "NUS", "Body");
+  add(command, "--speed", arguments.speeds,
+      "Speeds of approach, 1e-8 to 1 in c of the body (m/s with a material):\n"
+      "a number, a,b,c, log:a:b:n or lin:a:b:n",
+      "SPEEDS", "Body")
+      ->required();
+  arguments.who.add_to(command);
+  arguments.vibration.add_to(command);
+  add_resolution(command, arguments);
+  arguments.rows.add_to(command);
 }
 
 }  // namespace stoss::cli

@@ -2,18 +2,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <memory>
 #include <string>
 #include <vector>
 
 #include "app.hpp"
 #include "commands/pair_table.hpp"
 #include "input/encounter.hpp"
-#include "input/options.hpp"
-#include "input/speeds.hpp"
 #include "output/output_options.hpp"
-#include "output/yield.hpp"
-#include "process/interrupt.hpp"
+#include "process/process.hpp"
 #include "process/text.hpp"
 #include "stoss/errors.hpp"
 #include "stoss/table/adaptive.hpp"
@@ -75,16 +71,6 @@ TableJob make_job(const TableArguments& arguments) {
 
 Beyond beyond(const TableArguments& arguments) { return arguments.beyond == "clamp" ? Beyond::clamp : Beyond::error; }
 
-RestitutionFunction compute(const TableArguments& arguments, const TableJob& job) {
-  // Half of the error is for the straight lines between the rows.
-  const double share = arguments.format == "two-column" ? 0.5 : 1.0;
-  return restitution_function(refinable(job.encounter), job.speeds[0], job.speeds[1],
-                              {.error = share * arguments.error,
-                               .beyond = beyond(arguments),
-                               .threads = arguments.threads,
-                               .poll = heed_interrupts});
-}
-
 Provenance describe(const TableArguments& arguments, const TableJob& job) {
   Provenance provenance{"table", command_line(), {}};
   auto& inputs = provenance.inputs;
@@ -113,10 +99,8 @@ std::string as_json(const TableArguments& arguments, const TableJob& job, const 
   const auto& knots = function.knots();
   const std::size_t last = knots.size() - 1;
   for (std::size_t k = 0; k <= last; ++k) {
-    const double inner = knots[k].speed * job.unit;
-    nlohmann::ordered_json record{{"speed", k == 0      ? job.typed[0]
-                                            : k == last ? job.typed[1]
-                                                        : inner},
+    const double speed = k == 0 ? job.typed[0] : k == last ? job.typed[1] : knots[k].speed * job.unit;
+    nlohmann::ordered_json record{{"speed", speed},
                                   {"restitution", knots[k].restitution.value},
                                   {"restitution_error", knots[k].restitution.error},
                                   {"slope", function.slopes()[k]}};
@@ -127,26 +111,25 @@ std::string as_json(const TableArguments& arguments, const TableJob& job, const 
   return json_text(document);
 }
 
-std::string as_text(const TableArguments& arguments, const TableJob& job, const RestitutionFunction& function) {
+std::string text_of_function(const TableArguments& arguments, const TableJob& job) {
+  // Half of the error is for the straight lines between the rows.
+  const double share = arguments.format == "two-column" ? 0.5 : 1.0;
+  const RestitutionFunction function = restitution_function(refinable(job.encounter), job.speeds[0], job.speeds[1],
+                                                            {.error = share * arguments.error,
+                                                             .beyond = beyond(arguments),
+                                                             .threads = arguments.threads,
+                                                             .poll = heed_interrupts});
   if (arguments.format == "json") return as_json(arguments, job, function);
   if (arguments.format == "c") return c_header(function, label(arguments, job));
   return two_column(function, arguments.error, job.unit);
 }
 
 std::string text_of_pairs(const TableArguments& arguments, const TableJob& job) {
-  const PairTable table = compute_pairs(job.encounter, {.slowest = job.speeds[0],
-                                                        .fastest = job.speeds[1],
-                                                        .ratio = arguments.ratio,
-                                                        .options = {.error = arguments.error,
-                                                                    .beyond = beyond(arguments),
-                                                                    .threads = arguments.threads,
-                                                                    .poll = heed_interrupts}});
+  const PairTableOptions options{
+      .error = arguments.error, .beyond = beyond(arguments), .threads = arguments.threads, .poll = heed_interrupts};
+  const PairTable table = compute_pairs(job.encounter, job.speeds[0], job.speeds[1], arguments.ratio, options);
   if (arguments.format == "c") return c_header(table, label(arguments, job));
   return pairs_as_json(table, label(arguments, job), describe(arguments, job));
-}
-
-std::string text_of_function(const TableArguments& arguments, const TableJob& job) {
-  return as_text(arguments, job, compute(arguments, job));
 }
 
 void warn(const TableArguments& arguments, const TableJob& job) {
@@ -193,22 +176,8 @@ void add_form(CLI::App& command, TableArguments& arguments) {
 }  // namespace
 
 void add_table(CLI::App& app) {
-  auto* command = app.add_subcommand("table", "Coefficient of restitution as a function, for other programs");
-  auto arguments = std::make_shared<TableArguments>();
-  arguments->command = command;
-  arguments->who.first.add_poisson_to(*command);
-  add(*command, "--speed", arguments->speed,
-      "Range of the speed of approach, SLOWEST:FASTEST, within 1e-8 to 1 in c\nof the body (with a material: m/s)",
-      "RANGE", "Body")
-      ->required();
-  add(*command, "--ratio", arguments->ratio,
-      "Range of the ratio of radii, SMALLEST:GREATEST, second body over first,\nwithin 1e-3 to 1e3: a table of pairs "
-      "of "
-      "disks or of spheres, --against\nsame or a body, whose radius does not count",
-      "RANGE", "Body");
-  arguments->who.add_to(*command);
-  add_form(*command, *arguments);
-  command->footer(
+  auto& arguments = add_subcommand<TableArguments>(
+      app, "table", "Coefficient of restitution as a function, for other programs", run,
       "Examples:\n"
       "  stoss table --poisson 0.33 --speed 1e-4:0.3 -o restitution.h\n"
       "  stoss table --body sphere --poisson 0.3 --speed 1e-5:0.1 --against same --error 1e-4 --format json\n"
@@ -216,7 +185,19 @@ void add_table(CLI::App& app) {
       "      --against half-space,poisson=0.23,young=7e10,density=2500 --format two-column -o steel_on_glass.txt\n"
       "  stoss table --poisson 0.33 --speed 1e-4:0.3 --against same --ratio 1:3 -o pairs.h\n"
       "  stoss table --body rod --speed 0.001:0.1 --against rod,length=2.5 --error 0.01 --name rods -o rods.h");
-  command->callback([arguments] { run(*arguments); });
+  CLI::App& command = *arguments.command;
+  arguments.who.first.add_poisson_to(command);
+  add(command, "--speed", arguments.speed,
+      "Range of the speed of approach, SLOWEST:FASTEST, within 1e-8 to 1 in c\nof the body (with a material: m/s)",
+      "RANGE", "Body")
+      ->required();
+  add(command, "--ratio", arguments.ratio,
+      "Range of the ratio of radii, SMALLEST:GREATEST, second body over first,\nwithin 1e-3 to 1e3: a table of pairs "
+      "of "
+      "disks or of spheres, --against\nsame or a body, whose radius does not count",
+      "RANGE", "Body");
+  arguments.who.add_to(command);
+  add_form(command, arguments);
 }
 
 }  // namespace stoss::cli

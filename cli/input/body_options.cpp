@@ -1,4 +1,4 @@
-#include "input/body_options.hpp"
+#include "input/encounter.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -7,7 +7,7 @@
 #include <cctype>
 #include <iterator>
 
-#include "input/options.hpp"
+#include "app.hpp"
 #include "stoss/encounter/materials.hpp"
 #include "stoss/errors.hpp"
 
@@ -46,17 +46,8 @@ std::string heading(const std::vector<std::string>& kinds) {
 /// The unit as a placeholder: PA, KG/M^3.
 std::string upper(std::string_view unit) {
   std::string text(unit);
-  std::transform(text.begin(), text.end(), text.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
+  for (char& c : text) c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
   return text;
-}
-
-template <typename Has>
-std::vector<std::string> those(const std::vector<std::string>& kinds, Has has) {
-  std::vector<std::string> some;
-  std::copy_if(kinds.begin(), kinds.end(), std::back_inserter(some),
-               [&](const std::string& name) { return has(kind(name)); });
-  return some;
 }
 
 }  // namespace
@@ -120,8 +111,10 @@ std::optional<double> BodyOptions::given(const std::string& name) const {
 void BodyOptions::require_own(const Kind& its) const {
   const auto require = [&](const std::string& option, bool is_given, const auto& has) {
     if (!is_given || has(its)) return;
+    std::vector<std::string> owners = kinds_;
+    std::erase_if(owners, [&](const std::string& name) { return !has(kind(name)); });
     throw InvalidInput(fmt::format("{0}: got --{0} with --body {1}, allowed only with --body {2}", option, its.name,
-                                   fmt::join(those(kinds_, has), " or ")));
+                                   fmt::join(owners, " or ")));
   };
   for (const auto& [name, value] : numbers_) {
     const std::string& of = name;

@@ -1,4 +1,4 @@
-#include "input/speeds.hpp"
+#include "input/encounter.hpp"
 
 #include <fmt/format.h>
 

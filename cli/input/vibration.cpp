@@ -1,11 +1,11 @@
-#include "input/vibration.hpp"
+#include "input/encounter.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <optional>
 
-#include "input/options.hpp"
+#include "app.hpp"
 #include "input/words.hpp"
 #include "process/text.hpp"
 #include "stoss/encounter/series.hpp"
@@ -15,6 +15,7 @@ namespace stoss::cli {
 namespace {
 
 const std::vector<std::string> bodies{"first", "second"};
+constexpr double usual_highest = 10.0;
 
 /// Of --mode or --spectrum. @param keys that may stand behind order and index
 Oscillation parse_mode(const std::string& option, const std::vector<std::string>& keys, const std::string& text) {
@@ -37,15 +38,23 @@ Oscillation parse_mode(const std::string& option, const std::vector<std::string>
   return mode;
 }
 
-Oscillation parse_oscillation(const std::string& text) { return parse_mode("mode", {"energy", "phase", "of"}, text); }
+Vibration parse_modes(const std::string& option, const std::vector<std::string>& keys,
+                      const std::vector<std::string>& texts) {
+  Vibration modes;
+  for (const std::string& text : texts) modes.push_back(parse_mode(option, keys, text));
+  return modes;
+}
 
-Oscillation parse_mean(const std::string& text) { return parse_mode("spectrum", {"energy", "of"}, text); }
-
-nlohmann::ordered_json described(const Oscillation& mode) {
-  return {{"body", bodies[static_cast<std::size_t>(mode.body)]},
-          {"order", mode.order},
-          {"index", mode.index},
-          {"energy", mode.energy}};
+nlohmann::ordered_json described(const Vibration& modes, bool with_phase) {
+  auto list = nlohmann::ordered_json::array();
+  for (const Oscillation& mode : modes) {
+    list.push_back({{"body", bodies[static_cast<std::size_t>(mode.body)]},
+                    {"order", mode.order},
+                    {"index", mode.index},
+                    {"energy", mode.energy}});
+    if (with_phase) list.back()["phase"] = mode.phase;
+  }
+  return list;
 }
 
 }  // namespace
@@ -59,26 +68,13 @@ void VibrationArguments::add_to(CLI::App& command) {
       "N,L,energy=SHARE[,phase=PHI][,of=second]", "Vibration");
 }
 
-Vibration VibrationArguments::vibration() const {
-  Vibration vibration;
-  for (const std::string& text : modes) vibration.push_back(parse_oscillation(text));
-  return vibration;
-}
+Vibration VibrationArguments::vibration() const { return parse_modes("mode", {"energy", "phase", "of"}, modes); }
 
 void VibrationArguments::describe(nlohmann::ordered_json& inputs) const {
-  if (modes.empty()) return;
-  auto list = nlohmann::ordered_json::array();
-  for (const Oscillation& mode : vibration()) {
-    list.push_back(described(mode));
-    list.back()["phase"] = mode.phase;
-  }
-  inputs["modes"] = std::move(list);
+  if (!modes.empty()) inputs["modes"] = described(vibration(), true);
 }
 
-double SpectrumArguments::chosen_highest() const {
-  constexpr double usual = 10.0;
-  return highest.value_or(usual);
-}
+Vibration SpectrumArguments::means() const { return parse_modes("spectrum", {"energy", "of"}, modes); }
 
 void SpectrumArguments::add_to(CLI::App& command) {
   add(command, "--temperature", temperature,
@@ -103,24 +99,19 @@ Spectrum SpectrumArguments::spectrum(const RefinableContact& contact, const Poll
   if (highest && !temperature) {
     throw InvalidInput("highest: got --highest with --spectrum, allowed only with --temperature");
   }
-  if (temperature) return thermal(contact, *temperature, chosen_highest(), poll);
+  if (temperature) return thermal(contact, *temperature, highest.value_or(usual_highest), poll);
   Spectrum spectrum;
-  for (const std::string& text : modes) {
-    const Oscillation mean = parse_mean(text);
-    spectrum.push_back({mean.body, mean.order, mean.index, mean.energy});
-  }
+  for (const Oscillation& mean : means()) spectrum.push_back({mean.body, mean.order, mean.index, mean.energy});
   return spectrum;
 }
 
 void SpectrumArguments::describe(nlohmann::ordered_json& inputs) const {
   if (temperature) {
     inputs["temperature"] = *temperature;
-    inputs["highest"] = chosen_highest();
-    return;
+    inputs["highest"] = highest.value_or(usual_highest);
+  } else {
+    inputs["spectrum"] = described(means(), false);
   }
-  auto list = nlohmann::ordered_json::array();
-  for (const std::string& text : modes) list.push_back(described(parse_mean(text)));
-  inputs["spectrum"] = std::move(list);
 }
 
 }  // namespace stoss::cli

@@ -10,7 +10,6 @@
 #include "stoss/errors.hpp"
 
 namespace stoss::cli {
-
 namespace {
 
 std::string_view without_dashes(std::string_view word) {

@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <utility>
 
-#include "process/interrupt.hpp"
+#include "process/process.hpp"
 
 namespace stoss::cli {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "input/options.hpp"
+#include "app.hpp"
 #include "process/text.hpp"
 #include "stoss/errors.hpp"
 

@@ -6,9 +6,10 @@
 #include <cmath>
 #include <utility>
 
+#include "app.hpp"
 #include "output/earlier.hpp"
-#include "output/yield.hpp"
-#include "process/interrupt.hpp"
+#include "output/fields.hpp"
+#include "process/process.hpp"
 #include "stoss/errors.hpp"
 
 namespace stoss::cli {
@@ -65,12 +66,12 @@ void RowRun::add(const Row& row, const nlohmann::ordered_json& details, const st
   progress_.show(done_);
 }
 
-int RowRun::conclude() const {
+void RowRun::conclude() const {
   if (beyond_small_strain_) options_.output.warn_of_strain();
   if (beyond_yield_) options_.output.warn(yield_warning(*plan_.yield_speed));
-  if (marked_ == 0) return 0;
+  if (marked_ == 0) return;
   options_.output.warn(fmt::format("{} of {} values not as accurate as asked for (marked)", marked_, done_));
-  return 1;
+  throw NotAsAsked{};
 }
 
 }  // namespace stoss::cli

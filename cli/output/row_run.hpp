@@ -45,8 +45,8 @@ class RowRun {
   /// Within `write`.
   [[nodiscard]] Writer& writer() { return *writer_; }
 
-  /// Warns of rows without the value that was asked for. Returns the exit code.
-  [[nodiscard]] int conclude() const;
+  /// Warns of rows without the value that was asked for. @throws NotAsAsked if there are any
+  void conclude() const;
 
  private:
   [[nodiscard]] Writer open(const Provenance& provenance);

@@ -51,6 +51,13 @@ struct Provenance {
 /// With as many digits as tell it from every other value.
 [[nodiscard]] std::string full_precision(const Value& value);
 
+/// `value ± error` to the digits that the error leaves, two of the error's own; at most 12 decimals, and from 8 on in
+/// the short form 0.94706123(12), of which small values that need more make 3.49794(14)e-19.
+[[nodiscard]] std::string with_error(double value, double error);
+
+/// The error of a value in its row: the word `unknown` where a finite value has none that is finite.
+[[nodiscard]] Value error_of(double value, double error);
+
 /// Last line of a CSV file that is not complete.
 inline constexpr std::string_view csv_interrupted =
     "# interrupted: the rows above are complete, later ones are missing";

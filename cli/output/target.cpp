@@ -1,4 +1,4 @@
-#include "output/target.hpp"
+#include "output/output.hpp"
 
 #include <fcntl.h>
 #include <fmt/format.h>

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <string>
+#include <vector>
+
 namespace stoss::cli {
 
 /// Thrown to leave a computation after Ctrl-C or SIGTERM; the command then exits with 128 + the signal's number.
@@ -13,5 +16,10 @@ void catch_interrupts();
 
 /// @throws Interrupted after Ctrl-C or SIGTERM
 void heed_interrupts();
+
+/// Becomes Python with these words for the package's command of the same name: the package has the store of sweeps.
+/// Complains of a package of another version, which would compute other values.
+/// @throws OutputError if there is no Python
+[[noreturn]] void become_python(const std::vector<std::string>& words);
 
 }  // namespace stoss::cli

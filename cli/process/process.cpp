@@ -1,16 +1,23 @@
-#include "process/python.hpp"
+#include "process/process.hpp"
 
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <atomic>
 #include <cerrno>
+#include <csignal>
 #include <cstring>
 
-#include "output/target.hpp"
+#include "output/output.hpp"
 #include "stoss/version.hpp"
 
 namespace stoss::cli {
 namespace {
+
+std::atomic<int> noted = 0;
+static_assert(std::atomic<int>::is_always_lock_free);  // so that a signal handler may write it
+
+void note(int number) { noted = number; }
 
 /// What Python runs.
 std::string program() {
@@ -31,6 +38,20 @@ std::string program() {
 }
 
 }  // namespace
+
+void catch_interrupts() {
+  struct sigaction action {};
+  action.sa_handler = note;
+  action.sa_flags = static_cast<int>(SA_RESETHAND);
+  sigaction(SIGINT, &action, nullptr);
+  sigaction(SIGTERM, &action, nullptr);
+}
+
+int interrupted() { return noted; }
+
+void heed_interrupts() {
+  if (interrupted() != 0) throw Interrupted{};
+}
 
 void become_python(const std::vector<std::string>& words) {
   std::vector<std::string> all{"python3", "-c", program()};
