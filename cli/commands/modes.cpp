@@ -6,8 +6,8 @@
 #include "app.hpp"
 #include "input/encounter.hpp"
 #include "output/output_options.hpp"
-#include "stoss/bodies/disk/quantities.hpp"
-#include "stoss/bodies/sphere/quantities.hpp"
+#include "stoss/bodies/disk/modes.hpp"
+#include "stoss/bodies/sphere/modes.hpp"
 
 namespace stoss::cli {
 namespace {

@@ -8,7 +8,6 @@
 #include "process/process.hpp"
 #include "stoss/errors.hpp"
 #include "stoss/quasistatic.hpp"
-#include "stoss/quasistatic/point_quantities.hpp"
 #include "stoss/quasistatic/quantities.hpp"
 
 namespace stoss::cli {

@@ -1,4 +1,5 @@
 #include "stoss/vibration/bounce.hpp"
+#include "stoss/vibration/quantities.hpp"
 
 #include <pybind11/stl.h>
 

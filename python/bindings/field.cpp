@@ -5,6 +5,7 @@
 #include "interpreter.hpp"
 #include "stoss/bodies/disk/field.hpp"
 #include "stoss/bodies/sphere/field.hpp"
+#include "stoss/contact/grid.hpp"
 
 namespace stoss::python {
 namespace {

@@ -53,10 +53,8 @@ void bind(py::module_& module, const std::string& body, std::vector<Mode> (*mode
 }  // namespace
 
 void bind_modes(py::module_& module) {
-  PYBIND11_NUMPY_DTYPE(bodies::disk::Mode, order, index, omega, radial, tangential);
-  PYBIND11_NUMPY_DTYPE(bodies::disk::Displacement, radial, tangential);
-  PYBIND11_NUMPY_DTYPE(bodies::sphere::Mode, order, index, omega, radial, tangential);
-  PYBIND11_NUMPY_DTYPE(bodies::sphere::Displacement, radial, tangential);
+  PYBIND11_NUMPY_DTYPE(bodies::Mode, order, index, omega, radial, tangential);
+  PYBIND11_NUMPY_DTYPE(bodies::Displacement, radial, tangential);
   module.attr("min_poisson") = bodies::disk::min_poisson;
   module.attr("max_poisson") = bodies::disk::max_poisson;
   bind<bodies::disk::Mode, bodies::disk::Displacement>(module, "disk", &bodies::disk::modes,

@@ -1,3 +1,4 @@
+#include "stoss/contact/grid.hpp"
 #include "stoss/impact/replay.hpp"
 
 #include <cmath>

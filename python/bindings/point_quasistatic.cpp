@@ -13,7 +13,7 @@
 #include "interpreter.hpp"
 #include "quantities.hpp"
 #include "stoss/quasistatic.hpp"
-#include "stoss/quasistatic/point_quantities.hpp"
+#include "stoss/quasistatic/quantities.hpp"
 
 namespace stoss::python {
 

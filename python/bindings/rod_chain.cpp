@@ -1,4 +1,4 @@
-#include "stoss/vibration/rod_chain.hpp"
+#include "stoss/vibration/rod_chain_run.hpp"
 
 #include <pybind11/stl.h>
 

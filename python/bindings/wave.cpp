@@ -6,6 +6,7 @@
 #include "bindings.hpp"
 #include "interpreter.hpp"
 #include "stoss/bodies/half_space/field.hpp"
+#include "stoss/contact/grid.hpp"
 #include "stoss/impact/replay.hpp"
 #include "vibration.hpp"
 
