@@ -10,15 +10,15 @@
 namespace stoss {
 namespace {
 
-constexpr double rounding = 1e-9;
+constexpr double unequal = 1e-9;
 
 void require_ratio(const std::string& name, double ratio) {
-  constexpr Range allowed{1e-3 * (1.0 - rounding), 1e3 * (1.0 + rounding), true, true, "0.001 to 1000"};
+  constexpr Range allowed{1e-3 * (1.0 - unequal), 1e3 * (1.0 + unequal), true, true, "0.001 to 1000"};
   require(name + " ratio", ratio, allowed, "of the second body to the first");
 }
 
 void require_ratio_of_half_space(const std::string& name, double ratio) {
-  constexpr Range allowed{1e-3 * (1.0 - rounding), 1e6 * (1.0 + rounding), true, true, "0.001 to 1e6"};
+  constexpr Range allowed{1e-3 * (1.0 - unequal), 1e6 * (1.0 + unequal), true, true, "0.001 to 1e6"};
   require(name + " ratio", ratio, allowed, "of the half-space to the body");
 }
 
@@ -69,7 +69,7 @@ void require_partners(const Body& first, const Body& second) {
     require_ratio("density", units.mass / volume);
   }
   const double cutoff = second.cutoff / units.time;
-  if (std::abs(cutoff - first.cutoff) > rounding * first.cutoff) {
+  if (std::abs(cutoff - first.cutoff) > unequal * first.cutoff) {
     throw InvalidInput("cutoff: got " + std::to_string(first.cutoff) + " for the first body and " +
                        std::to_string(cutoff) +
                        " for the second, allowed one frequency for both (in c/R of the first)");

@@ -11,7 +11,7 @@
 namespace stoss {
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double infinite = std::numeric_limits<double>::infinity();
 
 /// In units of the first body with a material, of which rods are the exception: they keep SI.
 Values in_units_of_first(Values all, const Values& first, double time) {
@@ -26,7 +26,7 @@ bool is_rod(const Encounter& encounter) { return encounter.first.kind == "rod"; 
 
 bool has_second_values(const Encounter& encounter) { return !kind(encounter.against.kind).wall; }
 
-Values first_values(const Encounter& encounter) { return all_values(encounter.first, {}, infinity); }
+Values first_values(const Encounter& encounter) { return all_values(encounter.first, {}, infinite); }
 
 Solid solid_of(const Encounter& encounter, const Kind& kind, Values all) {
   if (encounter.first.material && !is_rod(encounter)) {
@@ -37,7 +37,7 @@ Solid solid_of(const Encounter& encounter, const Kind& kind, Values all) {
 
 Wall wall_of(const Encounter& encounter) {
   if (encounter.against.kind != "exponential") return HardWall{};
-  const Values all = all_values(encounter.against, {}, infinity);
+  const Values all = all_values(encounter.against, {}, infinite);
   return ExponentialWall{all.at("hardness"), all.at("strength")};
 }
 
@@ -219,16 +219,16 @@ SlowLaw slow_law(const Encounter& encounter) {
 std::optional<double> yield_speed(const Encounter& encounter) {
   const Participant& first = encounter.first;
   if (!first.material || !kind(first.kind).can_yield) return std::nullopt;
-  const double radius = given_or(first, "radius", infinity);
+  const double radius = given_or(first, "radius", infinite);
   Material material = *first.material;
-  if (first.rigid) material.young = infinity;
+  if (first.rigid) material.young = infinite;
   if (is_at_wall(encounter)) return quasistatic::yield_speed(material, radius);
   if (encounter.against.kind == "same") return quasistatic::yield_speed(material, radius, material, radius);
   if (!kind(encounter.against.kind).can_yield) return std::nullopt;
   return of_what_is_met([&] {
     Material other = *encounter.against.material;
-    if (encounter.against.rigid) other.young = infinity;
-    return quasistatic::yield_speed(material, radius, other, given_or(encounter.against, "radius", infinity));
+    if (encounter.against.rigid) other.young = infinite;
+    return quasistatic::yield_speed(material, radius, other, given_or(encounter.against, "radius", infinite));
   });
 }
 

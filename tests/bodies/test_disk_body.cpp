@@ -18,7 +18,7 @@ using namespace bodies::disk;
 
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 int nyquist(const ContactGrid& grid) { return static_cast<int>(std::lround(0.5 * pi / grid.coordinate.front())); }
 

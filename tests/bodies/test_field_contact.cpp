@@ -19,7 +19,7 @@ using namespace bodies::disk;
 
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 /// An impact at the instant of its maximum force.
 class FieldInAnImpact : public ::testing::TestWithParam<Tail> {

@@ -20,7 +20,7 @@ using namespace bodies::disk;
 
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 struct Stress {
   double xx = 0.0, yy = 0.0, xy = 0.0;

@@ -21,7 +21,8 @@ using namespace bodies::disk;
 
 namespace {
 
-constexpr double pi = std::numbers::pi, cutoff = 12.5, poisson = 0.33;
+using std::numbers::pi;
+constexpr double cutoff = 12.5, poisson = 0.33;
 
 using Response = std::function<Flexibility(int)>;
 

@@ -23,7 +23,7 @@ using namespace bodies::sphere;
 
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 constexpr double mass = 4.0 * pi / 3.0;
 
 ContactPoints rings(std::size_t count, double half_width) {

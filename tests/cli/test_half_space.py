@@ -8,6 +8,8 @@ from pathlib import Path
 import pytest
 from conftest import number, resume, rows
 
+pytestmark = pytest.mark.numbers
+
 DATA = Path(__file__).resolve().parents[1] / "data"
 BODIES = {"sphere": ("--body sphere --poisson 0.3", "half-space"), "disk": ("--poisson 0.33", "half-plane")}
 MASS = {"sphere": 4 * math.pi / 3, "disk": math.pi}

@@ -7,6 +7,8 @@ import subprocess
 import pytest
 from conftest import number, rows, wait_for_rows
 
+pytestmark = pytest.mark.numbers
+
 NU = 0.33
 IMPACT = f"quasistatic --poisson {NU} --speed"
 CONTACT = f"quasistatic --poisson {NU} --compression"

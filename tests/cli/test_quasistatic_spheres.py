@@ -8,6 +8,8 @@ import subprocess
 import pytest
 from conftest import number, rows, wait_for_rows
 
+pytestmark = pytest.mark.numbers
+
 NU = 0.3
 SPHERE = f"quasistatic --body sphere --poisson {NU}"
 STEEL = "--young 2.1e11 --density 7850 --radius 0.01"

@@ -8,6 +8,8 @@ import subprocess
 import pytest
 from conftest import rows, wait_for_rows
 
+pytestmark = pytest.mark.numbers
+
 KEYS = (
     "poisson speed restitution restitution_error lost_fraction lost_fraction_error contact_time contact_time_error "
     "impulse_time impulse_time_error max_compression max_compression_error max_force max_force_error "

@@ -16,7 +16,7 @@
 namespace stoss {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 /// Recess of a circle at the distance y from the axis.
 double recess_of(double radius, double y) { return radius - std::sqrt(radius * radius - y * y); }

@@ -3,7 +3,6 @@ package have."""
 
 import csv
 import re
-import runpy
 from pathlib import Path
 
 import numpy as np
@@ -31,9 +30,8 @@ def tables(text):
 
 
 @pytest.fixture(scope="module")
-def rows(tmp_path_factory):
-    folder = tmp_path_factory.mktemp("drop")
-    runpy.run_path(str(ROOT / "examples/08_drop_test.py"))["main"](folder)
+def rows(example_folder):
+    folder = example_folder("08_drop_test") / "out"
     return list(csv.DictReader((folder / "drop_test.csv").read_text(encoding="utf-8").splitlines()))
 
 

@@ -1,7 +1,6 @@
 """Ctrl-C, other threads, and the progress bar."""
 
 import signal
-import statistics
 import subprocess
 import sys
 import threading
@@ -55,7 +54,7 @@ import signal, sys, time
 import numpy as np
 import stoss
 signal.signal(signal.SIGINT, signal.default_int_handler)
-hit = stoss.impact(poisson=0.33, speed=0.1, cutoff=25, step={step})
+{hit}
 print("ready", flush=True)
 try:
     {call}
@@ -68,7 +67,8 @@ except KeyboardInterrupt as caught:
 def interrupt(interpreter, call, wait):
     """Seconds from the signal to the exception in Python, and the exception's name."""
     step = 2e-5 if "trajectory" in call else 0.01
-    child = interpreter.start(CHILD.format(call=call, step=step), stderr=subprocess.DEVNULL)
+    hit = f"hit = stoss.impact(poisson=0.33, speed=0.1, cutoff=25, step={step})" if "hit." in call else ""
+    child = interpreter.start(CHILD.format(hit=hit, call=call), stderr=subprocess.DEVNULL)
     try:
         assert child.stdout.readline() == "ready\n"
         time.sleep(wait)
@@ -84,12 +84,18 @@ def interrupt(interpreter, call, wait):
 
 @pytest.mark.parametrize("what", LONG)
 def test_ctrl_c_stops_within_the_promised_time(interpreter, what, record_property):
-    took, names = zip(*(interrupt(interpreter, LONG[what], wait) for wait in LATER.get(what, (0.15, 0.3, 0.45))))
+    took, names = [], set()
+    for wait in LATER.get(what, (0.15, 0.3, 0.45)):
+        seconds, name = interrupt(interpreter, LONG[what], wait)
+        took.append(seconds)
+        names.add(name)
+        if sum(each < PROMISED for each in took) == 2:
+            break  # so is the median of three
     record_property("seconds", took)
     print(f"{what}: {', '.join(f'{each * 1000:.1f}' for each in took)} ms")
-    assert statistics.median(took) < PROMISED and max(took) < CEILING
+    assert sorted(took)[1] < PROMISED and max(took) < CEILING
     keeps = any(f"stoss.{name}(" in LONG[what] for name in ("restitution", "bounce", "rod_chain"))
-    assert set(names) == {"Interrupted" if keeps else "KeyboardInterrupt"}
+    assert names == {"Interrupted" if keeps else "KeyboardInterrupt"}
 
 
 @pytest.mark.parametrize("poisson", [0.33, [[0.33], [0.6]]])

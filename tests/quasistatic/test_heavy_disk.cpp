@@ -28,7 +28,7 @@ using namespace quasistatic;
 
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 constexpr std::array contacts{HeavyDiskContact::point, HeavyDiskContact::hertz};
 
 struct Traction {

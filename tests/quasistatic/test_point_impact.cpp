@@ -23,7 +23,7 @@ using bodies::sphere::Mode;
 
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 TEST(PointSlowImpact, IsHertzInHisLimit) {
   const double ratio = 0.8 * boost::math::beta(0.4, 0.5);

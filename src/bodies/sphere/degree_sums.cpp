@@ -17,7 +17,7 @@ namespace {
 
 using Matrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
-constexpr double mass = 4.0 * std::numbers::pi / 3.0;
+constexpr double sphere_mass = 4.0 * std::numbers::pi / 3.0;
 constexpr int block = 48;            // rows of a product of matrices at a time
 constexpr int rule_nodes = 24;       // of the quadrature of a sum
 constexpr double rule_phase = 18.0;  // by which its terms may turn to either side of the middle
@@ -168,7 +168,7 @@ std::vector<double> sum_over_degrees(const OrderSum& sum, const ContactPoints& p
   Eigen::Map<Matrix> matrix(result.data(), rings, rings);
   matrix = half.triangularView<Eigen::Lower>();
   matrix.triangularView<Eigen::StrictlyUpper>() = half.transpose();
-  matrix /= mass;
+  matrix /= sphere_mass;
   return result;
 }
 

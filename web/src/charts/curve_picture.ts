@@ -33,13 +33,13 @@ export function drawCurves(content: CurveContent, width: number, theme: Theme): 
   const x = speedsOf(content);
   const y = ordinateScale(ordinate, [...curves.flatMap((each) => each.points), ...(current ? [current] : [])]);
   const unit = curves[0]?.encounter.si ? 'm/s' : 'c';
-  const height = Math.min(416, Math.max(296, 0.5 * width + 76));
+  const height = Math.min(340, Math.max(220, 0.5 * width));
   const chart = draw({
     width, height,
     x: { ...x, label: `speed of the impact v (${unit})` },
     y: { ...y, label: ordinate === 'restitution' ? 'coefficient of restitution ε' : 'lost share of energy 1 − ε²' },
     marks: [
-      ...curves.flatMap((curve, n) => marksOf(curve, look(n, theme), y, ordinate, theme, height - 76)),
+      ...curves.flatMap((curve, n) => marksOf(curve, look(n, theme), y, ordinate, theme, height)),
       ...(current ? currentMarks(current, y, ordinate, theme) : []),
     ],
   }, theme);

@@ -4,7 +4,7 @@ import { unitsOf } from '../core/local';
 import type { Collision, Core, Encounter, Shape } from '../core/protocol';
 import { pngOf, textOf } from '../drawing/files';
 import { withUnit, written } from '../drawing/numbers';
-import { stacked } from '../drawing/plot';
+import { BESIDE, stacked } from '../drawing/plot';
 import { onResize } from '../drawing/sized';
 import { readTheme } from '../drawing/theme';
 import { kindNamed } from '../inputs/kinds';
@@ -22,7 +22,6 @@ export interface ModeBars {
 }
 
 const PITCH = 17; // pixels of a bar, at least
-const AXIS = 76; // and of what stands beside them
 const SMALLEST = 24; // height of what is pressed
 const MOST = 40;
 const SHAPE = 168;
@@ -75,7 +74,7 @@ export function createModeBars(host: HTMLElement, core: Core): ModeBars {
   buttons.addEventListener('keydown', onKey);
 
   function laidOut(width: number): ModeLayout {
-    const count = Math.max(6, Math.min(MOST, Math.floor((width - AXIS) / PITCH)));
+    const count = Math.max(6, Math.min(MOST, Math.floor((width - BESIDE) / PITCH)));
     return layoutModes(now!.collision.modes, body.chosen() === '1' ? 1 : 0, when.chosen(), count);
   }
 

@@ -1,7 +1,7 @@
 // Energies of the modes as bars: their description.
 
 import * as Plot from '@observablehq/plot';
-import { type Drawn, draw, drawLegend } from '../drawing/plot';
+import { BESIDE, type Drawn, draw, drawLegend } from '../drawing/plot';
 import { look, type Theme } from '../drawing/theme';
 import type { Scale } from './curve_scales';
 import type { ModeBar, ModeGroup, ModeLayout, When } from './mode_layout';
@@ -10,7 +10,7 @@ export const MODE_LABELS: Record<When, string> = {
   after: 'after the impact', average: 'mean during contact',
 };
 
-const HEIGHT = 286;
+const HEIGHT = 210;
 const COLORED = 6; // overtones with a colour of their own
 const DECADES = 5; // below the maximum bar, at most
 
@@ -28,13 +28,14 @@ export function energyScale(layout: ModeLayout, log: boolean): Scale {
 export function drawModes(layout: ModeLayout, log: boolean, when: When, width: number, theme: Theme): [Drawn, Drawn] {
   const y = energyScale(layout, log);
   const alone = layout.groups.length === 1;
+  const label = alone ? `overtone l of the order n = ${layout.groups[0]!.order}` : 'order n';
   const color = (index: number): string => (index < COLORED ? look(index, theme).color : theme.muted);
   const names = spaced(alone
     ? layout.bars.map(({ mode, left, width: wide }) => ({ order: mode.index, center: left + 0.5 * wide }))
-    : layout.groups, width - 76);
+    : layout.groups, width - BESIDE);
   const chart = draw({
     width, height: HEIGHT,
-    x: { low: 0, high: 1, log: false, label: alone ? `overtone l of the order n = ${layout.groups[0]!.order}` : 'order n' },
+    x: { low: 0, high: 1, log: false, label },
     y: { ...y, label: `share of the energy, ${MODE_LABELS[when]}` },
     ticks: {
       places: names.map(({ center }) => center),

@@ -61,12 +61,13 @@ export function panelLabel({ name, unit }: Panel): string {
 
 /** Draws a panel. `lowest`: it has the axis of time. `named`: its name stands above it. */
 export function drawPanel(
-  { time, units }: Collision, panel: Panel, width: number, height: number, lowest: boolean, named: boolean, theme: Theme,
+  { time, units }: Collision, panel: Panel, width: number, height: number, lowest: boolean, named: boolean,
+  theme: Theme,
 ): Drawn {
   const { low, high, series } = panel;
   const label = `time since first contact (${unitInWords(units.time)})`;
   return draw({
-    width, height: height + (lowest ? 46 : 8) + (named ? 30 : 8), bottom: lowest, top: named,
+    width, height, bottom: lowest, top: named,
     x: { low: time[0] ?? 0, high: time[time.length - 1] ?? 1, log: false, label },
     y: { low, high, log: false, label: panelLabel(panel) },
     marks: series.map(({ values }, k) => {

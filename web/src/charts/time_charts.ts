@@ -170,7 +170,8 @@ export function createTimeCharts(host: HTMLElement): TimeCharts {
       if (!collision) throw new Error('there is no collision to draw yet');
       const width = Math.max(480, place.clientWidth);
       const theme = readTheme(place);
-      const entries = panels.at(-1)!.series.map(({ label }, k) => ({ label, look: look(k, theme), line: true, marker: false }));
+      const entries = panels.at(-1)!.series.map(({ label }, k) =>
+        ({ label, look: look(k, theme), line: true, marker: false }));
       const parts = [...panelsAs(width, true), drawLegend(entries, width, theme)];
       return textOf(stacked(parts, 'Force, velocity and energies in time', theme.background));
     },

@@ -29,8 +29,8 @@ export function summaryOf(collision: Collision): string {
   });
   const end = time.length - 1;
   const energy = (name: string, values: Float64Array): string => `${written(100 * values[end]!, 3)} % ${name}`;
-  return `The force is at its maximum, ${withUnit(force[most]!, units.force)}, ${withUnit(time[most]!, units.time)} after ` +
-    `first contact; the last contact is after ${withUnit(collision.end, units.time)}. The velocity goes from ` +
+  return `The force is at its maximum, ${withUnit(force[most]!, units.force)}, ` +
+    `${withUnit(time[most]!, units.time)} after first contact; the last contact is after ${withUnit(collision.end, units.time)}. The velocity goes from ` +
     `${withUnit(velocity[0]!, units.speed)} to ${withUnit(velocity[end]!, units.speed)}. At the end the energy is ` +
     `${energy('translation', collision.translation)}, ${energy('vibration', collision.vibration)}` +
     `${collision.dissipated[end]! > 0 ? `, ${energy('dissipated', collision.dissipated)}` : ''}.`;

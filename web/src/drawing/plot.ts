@@ -19,6 +19,7 @@ interface Ticks {
 
 export interface Chart {
   width: number;
+  /** of the axes */
   height: number;
   x: Axis;
   y: Axis;
@@ -33,6 +34,10 @@ export interface Chart {
 export type Drawn = SVGSVGElement & Plot.Plot;
 
 const MARGIN = { left: 62, right: 14, top: 30, bottom: 46 };
+
+/** Pixels of a chart beside what it shows. */
+export const BESIDE = MARGIN.left + MARGIN.right;
+
 const PITCH = 64; // pixels for the number of a tick along x
 const RISE = 30; // and along y
 
@@ -59,13 +64,12 @@ export function ticksOf({ low, high, log }: Axis, length: number, pitch: number)
 /** Draws marks in a frame of axes. */
 export function draw({ width, height, x, y, ticks, bottom = true, top = true, marks }: Chart, theme: Theme): Drawn {
   const margin = { ...MARGIN, ...(bottom ? {} : { bottom: 8 }), ...(top ? {} : { top: 8 }) };
-  const inside = [width - margin.left - margin.right, height - margin.top - margin.bottom] as const;
-  const [across, up] = [ticks ?? ticksOf(x, inside[0], PITCH), ticksOf(y, inside[1], RISE)];
+  const [across, up] = [ticks ?? ticksOf(x, width - BESIDE, PITCH), ticksOf(y, height, RISE)];
   const named = ({ places, words }: Ticks): number[] => places.filter((each) => words(each) !== '');
   const line = { stroke: theme.line, strokeOpacity: 1, strokeWidth: 0.7 };
   const numbers = { fill: theme.muted, stroke: theme.muted, strokeWidth: 0.8, label: null };
   return Plot.plot({
-    width, height,
+    width, height: height + margin.top + margin.bottom,
     marginLeft: margin.left, marginRight: margin.right, marginTop: margin.top, marginBottom: margin.bottom,
     style: { background: 'none', color: theme.text, fontSize: '12px' },
     x: { type: x.log ? 'log' : 'linear', domain: [x.low, x.high] },
@@ -149,7 +153,8 @@ export function stacked(parts: SVGSVGElement[], title: string, ground?: string):
     element.append(...inside);
     whole.append(element);
   };
-  const [width, height] = [parts[0]!.width.baseVal.value, parts.reduce((sum, { height: h }) => sum + h.baseVal.value, 0)];
+  const width = parts[0]!.width.baseVal.value;
+  const height = parts.reduce((sum, part) => sum + part.height.baseVal.value, 0);
   add('title', {}, title);
   if (ground) add('rect', { width, height, fill: ground, stroke: 'none' }, '');
   let top = 0;

@@ -16,6 +16,7 @@ import stoss.plot
 
 ROOT = Path(__file__).resolve().parents[2]
 SITE = ROOT / "build/docs"
+pytestmark = pytest.mark.long
 NEEDED = ("sphinx", "furo", "myst_parser", "breathe", "sphinx_copybutton")
 if missing := [name for name in NEEDED if importlib.util.find_spec(name) is None]:
     pytest.skip(f"not installed: {', '.join(missing)}", allow_module_level=True)
