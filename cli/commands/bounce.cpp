@@ -56,7 +56,7 @@ Provenance describe(const BounceArguments& arguments, const Encounter& encounter
   return provenance;
 }
 
-Fields<Bounce> fields(const Units& units) {
+Fields<Bounce> bounce_fields(const Units& units) {
   const Shown shown{.width = 13, .si_width = 13};
   return Fields<Bounce>(bounce_quantities(), units,
                         {{"number", {.width = 8}},
@@ -78,7 +78,7 @@ void run(const BounceArguments& arguments) {
   const BounceOptions options = make_options(arguments, units);
   validate(contact, first, options);
 
-  const Fields<Bounce> its = fields(units);
+  const Fields<Bounce> its = bounce_fields(units);
   const Yielding yielding = cli::yielding(encounter);
   Columns columns = its.columns();
   append(columns, yielding.columns());

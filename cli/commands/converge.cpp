@@ -12,7 +12,7 @@
 namespace stoss::cli {
 namespace {
 
-Fields<Restitution> fields(const Units& units) {
+Fields<Restitution> restitution_fields(const Units& units) {
   return Fields<Restitution>(restitution_quantities(), units,
                              {{"restitution", {.width = 22, .with_error = true}},
                               {"lost_fraction", {.width = 25, .with_error = true, .mark = {{"converged", false}}}},
@@ -62,7 +62,7 @@ void compute(const Job& job, RowRun& run, CurveOptions options, const Fields<Res
 
 Method converging(const Job& job, const CurveOptions& asked) {
   check(job, asked);
-  const Fields<Restitution> its = fields(job.units);
+  const Fields<Restitution> its = restitution_fields(job.units);
   return {job.plan(its.columns()), [&job, asked, its](RowRun& run) {
             while (run.done() < job.size()) compute(job, run, asked, its);
           }};

@@ -75,7 +75,7 @@ Provenance describe(const DistributionArguments& arguments, const Encounter& enc
   return provenance;
 }
 
-Fields<Sample> fields(const Units& units) {
+Fields<Sample> sample_fields(const Units& units) {
   return Fields<Sample>(sample_quantities(), units,
                         {{"sample", {.width = 8}},
                          {"vibration", {.width = 13}},
@@ -104,7 +104,7 @@ std::string with_both_errors(const Mean& mean) {
 
 /// What rows the samples of an ensemble make; `taken` gets each of them.
 RowPlan sample_plan(const Ensemble& ensemble, std::vector<Sample>& taken) {
-  const Columns columns = fields(ensemble.units).columns();
+  const Columns columns = sample_fields(ensemble.units).columns();
   return {.size = static_cast<std::size_t>(ensemble.options.samples),
           .columns = columns,
           .key = [](std::size_t row) { return Row{static_cast<long>(row)}; },
@@ -122,7 +122,7 @@ void compute_samples(const Ensemble& ensemble, RowRun& run) {
     heed_interrupts();
     run.wait(fmt::format("sample {}", run.done()));
   };
-  const Fields<Sample> its = fields(ensemble.units);
+  const Fields<Sample> its = sample_fields(ensemble.units);
   restitution_distribution(ensemble.contact, ensemble.speed, ensemble.spectrum, options, [&](const Sample& sample) {
     heed_interrupts();
     auto details = nlohmann::ordered_json::object();
@@ -145,8 +145,8 @@ std::string summary_lines(const DistributionSummary& summary) {
 }
 
 /// The summary as JSON has it.
-nlohmann::ordered_json to_json(const DistributionSummary& all) {
-  auto object = cli::to_json(distribution_quantities(), std::vector{all}).front();
+nlohmann::ordered_json summary_json(const DistributionSummary& all) {
+  auto object = to_json(distribution_quantities(), std::vector{all}).front();
   for (auto& value : object) {
     if (value.is_number_float() && !std::isfinite(value.get<double>())) value = unknown;
   }
@@ -160,7 +160,7 @@ void summarize(const std::vector<Sample>& samples, const OutputOptions& output, 
   const DistributionSummary all = summary(samples);
   const std::string lines = summary_lines(all);
   const Format format = output.chosen_format();
-  if (format == Format::json) writer.attach("summary", to_json(all));
+  if (format == Format::json) writer.attach("summary", summary_json(all));
   if (format == Format::table) writer.close_table("\n" + lines);
   if (format == Format::csv && !output.quiet) show(lines);
 }

@@ -13,7 +13,7 @@
 namespace stoss::cli {
 namespace {
 
-Fields<ExtrapolatedRestitution> fields(const Units& units) {
+Fields<ExtrapolatedRestitution> extrapolation_fields(const Units& units) {
   return Fields<ExtrapolatedRestitution>(extrapolation_quantities(), units,
                                          {{"restitution", {.width = 22, .with_error = true}},
                                           {"lost_fraction", {.width = 24, .with_error = true}},
@@ -72,7 +72,7 @@ void compute(const Job& job, RowRun& run, const Fields<ExtrapolatedRestitution>&
 
 Method extrapolating(const Job& job) {
   check(job);
-  const Fields<ExtrapolatedRestitution> its = fields(job.units);
+  const Fields<ExtrapolatedRestitution> its = extrapolation_fields(job.units);
   return {job.plan(its.columns()), [&job, its](RowRun& run) {
             while (run.done() < job.size()) compute(job, run, its);
           }};
