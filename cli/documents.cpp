@@ -16,8 +16,8 @@
 #include <vector>
 
 #include "app.hpp"
+#include "process/text.hpp"
 #include "stoss/version.hpp"
-#include "text.hpp"
 
 namespace {
 
@@ -136,19 +136,19 @@ std::string bash_values(const CLI::App& app) {
 std::string bash_options(const CLI::App& app) {
   std::string text;
   for (const CLI::App* command : subcommands(app)) {
-    std::vector<std::string> all;
+    std::string all;
     for (const CLI::Option* option : command->get_options()) {
-      for (const std::string& name : names(*option)) all.push_back(name);
+      for (const std::string& name : names(*option)) all += (all.empty() ? "" : " ") + name;
     }
-    text += fmt::format("    {}) words=\"{}\" ;;\n", command->get_name(), fmt::join(all, " "));
+    text += fmt::format("    {}) words=\"{}\" ;;\n", command->get_name(), all);
   }
   return text;
 }
 
 std::string bash_commands(const CLI::App& app) {
-  std::vector<std::string> all;
-  for (const CLI::App* command : subcommands(app)) all.push_back(command->get_name());
-  return fmt::format("{} --help --version", fmt::join(all, " "));
+  std::string all;
+  for (const CLI::App* command : subcommands(app)) all += command->get_name() + " ";
+  return all + "--help --version";
 }
 
 /// A line that is only a placeholder gives place to lines, another one to words.
@@ -167,8 +167,7 @@ std::string filled(std::string text, const CLI::App& app) {
 
 bool make(const char* source, const char* target) {
   CLI::App app;
-  int exit_code = 0;
-  stoss::cli::declare(app, exit_code);
+  stoss::cli::declare(app);
   std::ifstream in(source);
   const std::string text{std::istreambuf_iterator<char>(in), {}};
   std::ofstream out(target);

@@ -1,0 +1,188 @@
+#include "input/encounter.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cctype>
+#include <iterator>
+
+#include "app.hpp"
+#include "stoss/encounter/materials.hpp"
+#include "stoss/errors.hpp"
+
+namespace stoss::cli {
+namespace {
+
+constexpr const char* body_group = "Body";
+
+std::vector<std::string> sizes_of(const Kind& its) {
+  std::vector<std::string> names;
+  for (const Parameter& each : its.parameters) {
+    if (!each.of_material && each.name != "loss_time") names.emplace_back(each.name);
+  }
+  return names;
+}
+
+/// What a body in SI needs besides Poisson's ratio: constants of its material, and sizes.
+std::vector<std::string> needs_in_si(const Kind& its) {
+  std::vector<std::string> names = sizes_of(its);
+  names.insert(names.begin(), {"young", "density"});
+  return names;
+}
+
+/// The sizes of kinds, those with the same sizes together.
+std::string heading(const std::vector<std::string>& kinds) {
+  std::vector<std::string> said;
+  for (std::size_t k = 0; k < kinds.size();) {
+    const auto sizes = sizes_of(kind(kinds[k]));
+    std::vector<std::string> alike;
+    for (; k < kinds.size() && sizes_of(kind(kinds[k])) == sizes; ++k) alike.push_back(kinds[k]);
+    said.push_back(fmt::format("{} ({})", fmt::join(sizes, ", "), fmt::join(alike, ", ")));
+  }
+  return fmt::format("Material in SI (all or none of young, density and {})", fmt::join(said, " or "));
+}
+
+/// The unit as a placeholder: PA, KG/M^3.
+std::string upper(std::string_view unit) {
+  std::string text(unit);
+  for (char& c : text) c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
+  return text;
+}
+
+}  // namespace
+
+void BodyOptions::add_poisson_to(CLI::App& command) {
+  add(command, "--poisson", numbers_["poisson"],
+      "Poisson's ratio, -0.95 to 0.995 of a disk, to 0.4999 of a sphere; with\na material: of the solid", "NU",
+      body_group);
+}
+
+void BodyOptions::add_kind_to(CLI::App& command, const std::vector<std::string>& kinds) {
+  kinds_ = kinds;
+  const bool rods = kinds.back() == "rod";
+  add_choice(command, "--body", kind_, kinds,
+             std::string("Kind of body (default: disk)") + (rods ? "; a rod has no Poisson's ratio" : ""), "BODY",
+             body_group);
+}
+
+void BodyOptions::add_dynamics_to(CLI::App& command) {
+  command
+      .add_flag("--rigid-body", rigid_,
+                "The body is rigid: it keeps its mass, and its modulus and density\n"
+                "remain the units; what it meets must deform")
+      ->group(body_group);
+  add(command, "--loss-time", numbers_["loss_time"],
+      "Loss time eta of the body: stress = (1 + eta d/dt) elastic stress\n(default: 0, or that of --material); "
+      "in R/c, with a material in s",
+      "ETA", body_group);
+}
+
+void BodyOptions::add_material_to(CLI::App& command, bool yield) {
+  const std::string group = heading(kinds_);
+  add(command, "--material", material_,
+      "A material of the list in place of --young, --density, --poisson:\nsteel, glass, ice, ... (stoss materials)",
+      "NAME", group);
+  std::vector<std::string> added{"poisson", "loss_time"};
+  for (const std::string& owner : kinds_) {
+    for (const Parameter& each : kind(owner).parameters) {
+      const std::string name(each.name);
+      if (std::find(added.begin(), added.end(), name) != added.end()) continue;
+      added.push_back(name);
+      const std::string more = name == "young" ? "; makes speeds m/s and adds SI values" : "";
+      add(command, "--" + name, numbers_[name], fmt::format("{} in {}{}", each.help, each.unit, more), upper(each.unit),
+          group);
+    }
+  }
+  add_choice(command, "--plane", plane_, {"stress", "strain"},
+             "Of a disk: thin (stress) or a long cylinder (strain); default: stress", "PLANE", group);
+  if (!yield) return;
+  add(command, "--yield", yield_,
+      "Yield strength of a sphere in Pa; adds the speed at which it begins\nto yield, and flags values beyond it", "PA",
+      group);
+}
+
+std::optional<double> BodyOptions::given(const std::string& name) const {
+  const auto found = numbers_.find(name);
+  return found == numbers_.end() ? std::nullopt : found->second;
+}
+
+/// Refuses options that belong to other kinds.
+void BodyOptions::require_own(const Kind& its) const {
+  const auto require = [&](const std::string& option, bool is_given, const auto& has) {
+    if (!is_given || has(its)) return;
+    std::vector<std::string> owners = kinds_;
+    std::erase_if(owners, [&](const std::string& name) { return !has(kind(name)); });
+    throw InvalidInput(fmt::format("{0}: got --{0} with --body {1}, allowed only with --body {2}", option, its.name,
+                                   fmt::join(owners, " or ")));
+  };
+  for (const auto& [name, value] : numbers_) {
+    const std::string& of = name;
+    require(name, value.has_value(), [&of](const Kind& each) { return parameter(each, of) != nullptr; });
+  }
+  require("plane", !plane_.empty(), [](const Kind& each) { return each.has_plane; });
+  require("yield", yield_.has_value(), [](const Kind& each) { return each.can_yield; });
+  require("rigid-body", rigid_, [](const Kind& each) { return each.can_be_rigid; });
+}
+
+bool BodyOptions::in_si(const Kind& its) const {
+  const auto needs = needs_in_si(its);
+  const auto is_given = [this](const std::string& name) { return given(name).has_value(); };
+  return !material_.empty() || !plane_.empty() || yield_ || std::any_of(needs.begin(), needs.end(), is_given);
+}
+
+void BodyOptions::require_whole_material(const Kind& its) const {
+  std::vector<std::string> needs = needs_in_si(its);
+  if (!material_.empty()) {
+    for (const char* name : {"poisson", "young", "density"}) {
+      if (given(name)) {
+        throw InvalidInput(
+            fmt::format("{0}: got --{0} with --material, allowed only without (the material has one)", name));
+      }
+    }
+    needs.erase(needs.begin(), needs.begin() + 2);
+  }
+  const auto count =
+      std::count_if(needs.begin(), needs.end(), [this](const auto& name) { return given(name).has_value(); });
+  if (count == static_cast<std::ptrdiff_t>(needs.size())) return;
+  if (yield_ && count == 0 && material_.empty()) {
+    throw InvalidInput("yield: got --yield without a material, allowed only with --young, --density, --radius");
+  }
+  throw InvalidInput(fmt::format("material: got {} of --{} with --body {}, allowed all or none{}", count,
+                                 fmt::join(needs, ", --"), its.name,
+                                 plane_.empty() ? "" : " (--plane needs them all)"));
+}
+
+Material BodyOptions::material(const Kind& its) const {
+  Material made = material_.empty() ? Material{*given("young"), given("poisson").value_or(0.0), *given("density")}
+                                    : named_material(material_);
+  if (yield_) made.yield_strength = yield_;
+  if (!its.can_yield) made.yield_strength.reset();
+  return made;
+}
+
+Participant BodyOptions::body() const {
+  const Kind& its = kind(kind_);
+  require_own(its);
+  if (parameter(its, "poisson") != nullptr && !given("poisson") && material_.empty()) {
+    throw CLI::RequiredError("--poisson");
+  }
+  if (rigid_ && yield_) {
+    throw InvalidInput("yield: got --yield with --rigid-body, allowed only without (the second may have yield=)");
+  }
+  Participant body{.kind = kind_, .rigid = rigid_};
+  const bool si = in_si(its);
+  if (si) {
+    require_whole_material(its);
+    body.material = material(its);
+    body.material_name = yield_ ? "" : material_;
+    body.plane = plane_ == "strain" ? Plane::strain : Plane::stress;
+  }
+  for (const auto& [name, value] : numbers_) {
+    const Parameter* parameter = stoss::parameter(its, name);
+    if (value && !(si && parameter->of_material)) body.values[name] = *value;
+  }
+  return body;
+}
+
+}  // namespace stoss::cli
