@@ -35,12 +35,6 @@ Solid solid_of(const Encounter& encounter, const Kind& kind, Values all) {
   return kind.solid(all);
 }
 
-Wall wall_of(const Encounter& encounter) {
-  if (encounter.against.kind != "exponential") return HardWall{};
-  const Values all = all_values(encounter.against, {}, infinity);
-  return ExponentialWall{all.at("hardness"), all.at("strength")};
-}
-
 /// By itself, an elastic body without modes is a mistake: its maker then refuses the cutoff.
 void require_modes(const Solid& solid, double cutoff) {
   if (const auto* its = std::get_if<Disk>(&solid)) (void)disk(its->poisson, cutoff);
@@ -170,6 +164,12 @@ BodyMaker second_maker(const Encounter& encounter) {
   if (encounter.against.kind == "same") return first_maker(encounter);
   const auto second = second_solid(encounter);
   return second ? of_what_is_met([&] { return made(encounter.against, *second); }) : BodyMaker{};
+}
+
+Wall wall_of(const Encounter& encounter) {
+  if (encounter.against.kind != "exponential") return HardWall{};
+  const Values all = all_values(encounter.against, {}, infinity);
+  return ExponentialWall{all.at("hardness"), all.at("strength")};
 }
 
 RefinableContact refinable(const Encounter& encounter) {

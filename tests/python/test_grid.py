@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 import stoss
-from stoss._sweep_command import sample
+from stoss.sweeps._command import sample
 
 BALLS = {"kind": "sphere", "poisson": [0.1, 0.3]}
 PAGE = Path(__file__).parents[2] / "docs/sweeps.md"

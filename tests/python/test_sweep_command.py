@@ -48,9 +48,9 @@ def test_what_did_not_converge_makes_no_job_fail(command):
 def test_a_store_of_other_shards_is_continued(command):
     """Which case was in which file does not count."""
     whole = stoss.sweep(command.folder / "grid.toml", store=command.folder / "whole")
-    store = stoss._store.create(command.folder / "store", whole.grid)
+    store = stoss.sweeps._store.create(command.folder / "store", whole.grid)
     (first, _), rows = whole.grid.cases(), whole.rows[0, 0]
-    with stoss._worker.Worker(store, "shard-2-of-2") as worker:
+    with stoss.sweeps._worker.Worker(store, "shard-2-of-2") as worker:
         for speed, row in zip(whole.grid.speed.tolist(), rows):
             worker.append(first.key, first.inputs, speed, row.item())
     for shard in ("1/2", "2/2"):
@@ -62,7 +62,7 @@ def test_a_store_of_other_shards_is_continued(command):
 def test_merge_tells_what_is_missing(command):
     pytest.importorskip("netCDF4")
     (command.folder / "grid.toml").write_text(TOML)
-    stoss._store.create(command.folder / "store", stoss.Grid.from_toml(command.folder / "grid.toml"))
+    stoss.sweeps._store.create(command.folder / "store", stoss.Grid.from_toml(command.folder / "grid.toml"))
     code, error = command.run("merge", "store", "-o", "all.nc")
     assert code == 1 and error.count("stoss: missing: Sphere(poisson=0) against wall, speed") == 5
     assert "and 187 more" in error and "192 of 192 values are missing" in error
@@ -102,8 +102,8 @@ def test_exit_codes(command, words, code, message):
 
 
 def test_a_second_one_of_the_same_shard_is_refused(command):
-    path = stoss._store.create(command.folder / "store", stoss.Grid.from_toml(command.folder / "grid.toml"))
-    with stoss._worker.Worker(path, "shard-1-of-2"):
+    path = stoss.sweeps._store.create(command.folder / "store", stoss.Grid.from_toml(command.folder / "grid.toml"))
+    with stoss.sweeps._worker.Worker(path, "shard-1-of-2"):
         code, error = command.run("sweep", "grid.toml", "--store", "store", "--shard", "1/2")
         assert code == 4 and "another process is writing it" in error
         assert command.run("sweep", "grid.toml", "--store", "store", "--shard", "2/2")[0] == 0

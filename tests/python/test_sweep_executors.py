@@ -89,7 +89,7 @@ def _dies(*_):
 
 
 def test_a_worker_that_dies_costs_nothing_that_was_finished(alone, tmp_path, monkeypatch):
-    real, jobs = stoss._sweep.compute, []
+    real, jobs = stoss.sweeps._sweep.compute, []
 
     class Fragile(concurrent.futures.ProcessPoolExecutor):
         def submit(self, function, *arguments):

@@ -7,7 +7,7 @@ from pathlib import Path
 
 import stoss
 
-OPAQUE = ("AnyWall", "Body", "BodyMaker", "Contact", "Frames", "Impact", "PairTable", "RefinableContact",
+OPAQUE = ("Contact", "Encounter", "Frames", "Impact", "PairTable", "RefinableContact",
           "RestitutionFunction", "RodChain", "SlowLaw")  # fmt: skip
 PYPROJECT = Path(__file__).parents[2] / "pyproject.toml"
 

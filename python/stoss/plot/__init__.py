@@ -37,20 +37,20 @@ except ModuleNotFoundError as _missing:
     _hint = "pip install matplotlib, or apt install python3-matplotlib"
     raise ImportError(f"stoss.plot needs matplotlib: {_hint}") from None
 
-from stoss._bounce_result import Bounces
-from stoss._distribution_result import RestitutionDistribution
-from stoss._extrapolation import Extrapolation
-from stoss._field import DiskField, SphereField
-from stoss._function_result import RestitutionFunction
-from stoss._modes import Modes
-from stoss._rayleigh_result import PointRayleighEstimate, RayleighEstimate
-from stoss._restitution_result import Restitution
-from stoss._result import pictures
-from stoss._rod_chain_result import RodChain
-from stoss._slow_impact_result import PointSlowImpact, SlowImpact
-from stoss._static_contact import StaticContact
-from stoss._trajectory import Trajectory
-from stoss._wave import Wave
+from stoss.results._bounce import Bounces
+from stoss.results._distribution import RestitutionDistribution
+from stoss.results._extrapolation import Extrapolation
+from stoss.results._field import DiskField, SphereField
+from stoss.results._function import RestitutionFunction
+from stoss.results._modes import Modes
+from stoss.quasistatic._estimates import PointRayleighEstimate, RayleighEstimate
+from stoss.results._restitution import Restitution
+from stoss.results._result import pictures
+from stoss.results._rod_chain import RodChain
+from stoss.quasistatic._slow_impact import PointSlowImpact, SlowImpact
+from stoss.quasistatic._static_contact import StaticContact
+from stoss.results._trajectory import Trajectory
+from stoss.results._wave import Wave
 from stoss.plot._animation import animate
 from stoss.plot._bounces import bounces
 from stoss.plot._disk import disk, sphere

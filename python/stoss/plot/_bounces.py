@@ -7,8 +7,8 @@ from matplotlib.axes import Axes
 from numpy.typing import NDArray
 
 from stoss._arguments import instance, refusal
-from stoss._bounce_result import Bounces
-from stoss._impact_result import Impact
+from stoss.results._bounce import Bounces
+from stoss.results._impact import Impact
 from stoss.plot import _style
 
 PARTS = {  # from below, told apart without colour by how dark they are
@@ -87,5 +87,5 @@ def _at_rest(result: Bounces) -> NDArray[np.float64]:
     who, speeds = (result.body, result.against), np.unique(result.speed)
     if speeds.size > SPEEDS:
         speeds = np.geomspace(speeds[0], speeds[-1], SPEEDS)
-    single = [Impact._made(*who, float(v), result.cutoff, None, None, None, None, None).restitution for v in speeds]
+    single = [Impact._made(*who, float(v), result.cutoff, None, None, None, result.tail, None, None).restitution for v in speeds]
     return np.interp(np.log(result.speed), np.log(speeds), single)

@@ -12,10 +12,10 @@ from matplotlib.ticker import MultipleLocator
 from numpy.typing import NDArray
 
 from stoss._arguments import instance, integer, refusal
-from stoss._bodies import BODIES
+from stoss.bodies._bodies import BODIES
 from stoss._errors import InvalidInput
-from stoss._field import Field
-from stoss._impact_result import Impact
+from stoss.results._field import Field
+from stoss.results._impact import Impact
 from stoss.plot import _ground, _style
 
 CIRCLES, SPOKES = 6, 24

@@ -7,10 +7,10 @@ from typing import Any
 from matplotlib.axes import Axes
 
 from stoss._arguments import instance
-from stoss._bodies import speed_unit
-from stoss._distribution_result import RestitutionDistribution
+from stoss.bodies._bodies import speed_unit
+from stoss.results._distribution import RestitutionDistribution
 from stoss._errors import NotConverged
-from stoss._restitution import restitution
+from stoss.results._curves import restitution
 from stoss.plot import _style
 
 

@@ -6,7 +6,7 @@ import numpy as np
 from matplotlib.axes import Axes
 
 from stoss._arguments import instance
-from stoss._extrapolation import Extrapolation
+from stoss.results._extrapolation import Extrapolation
 from stoss.plot import _style
 
 

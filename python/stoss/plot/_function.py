@@ -8,7 +8,7 @@ import numpy as np
 from matplotlib.axes import Axes
 
 from stoss._arguments import instance
-from stoss._function_result import RestitutionFunction
+from stoss.results._function import RestitutionFunction
 from stoss.plot import _style
 
 FINE = 12  # points of the curve between computed values

@@ -6,9 +6,9 @@ import numpy as np
 from matplotlib.axes import Axes
 
 from stoss._arguments import instance, integer, refusal
-from stoss._bodies import Disk, Sphere
-from stoss._half_space import UNBOUNDED
-from stoss._impact_result import Impact
+from stoss.bodies._bodies import Disk, Sphere
+from stoss.bodies._blocks import UNBOUNDED
+from stoss.results._impact import Impact
 from stoss.plot import _style
 
 LABELS = {"after": "energy after impact / initial", "average": "mean energy in contact / initial"}

@@ -7,8 +7,8 @@ from matplotlib.axes import Axes
 from numpy.typing import NDArray
 
 from stoss._arguments import instance, number, refusal
-from stoss._bodies import Sphere
-from stoss._modes import Modes
+from stoss.bodies._bodies import Sphere
+from stoss.results._modes import Modes
 from stoss.plot import _disk, _style
 
 

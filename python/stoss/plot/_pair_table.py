@@ -9,8 +9,8 @@ from matplotlib.axes import Axes
 from numpy.typing import ArrayLike
 
 from stoss._arguments import instance, numbers
-from stoss._bodies import speed_unit
-from stoss._pair_table import PairTable
+from stoss.bodies._bodies import speed_unit
+from stoss.results._pair_table import PairTable
 from stoss.plot import _style
 
 POINTS = 600

@@ -9,10 +9,10 @@ from matplotlib.axes import Axes
 from numpy.typing import NDArray
 
 from stoss._arguments import instance
-from stoss._hertz import hertz_pressure
-from stoss._rayleigh_result import PointRayleighEstimate, RayleighEstimate
-from stoss._slow_impact_result import PointSlowImpact, SlowImpact
-from stoss._static_contact import StaticContact
+from stoss.quasistatic._hertz import hertz_pressure
+from stoss.quasistatic._estimates import PointRayleighEstimate, RayleighEstimate
+from stoss.quasistatic._slow_impact import PointSlowImpact, SlowImpact
+from stoss.quasistatic._static_contact import StaticContact
 from stoss.plot import _style
 
 Slow = Union[SlowImpact, PointSlowImpact, RayleighEstimate, PointRayleighEstimate]

@@ -11,8 +11,8 @@ from matplotlib.container import ErrorbarContainer
 from numpy.typing import NDArray
 
 from stoss._arguments import instance
-from stoss._bodies import Rod
-from stoss._restitution_result import Restitution
+from stoss.bodies._bodies import Rod
+from stoss.results._restitution import Restitution
 from stoss.plot import _style
 
 LABELS = {"restitution": "restitution ε", "lost_fraction": "lost fraction 1 − ε²"}

@@ -6,7 +6,7 @@ import numpy as np
 from matplotlib.axes import Axes
 
 from stoss._arguments import instance
-from stoss._rod_chain_result import RodChain
+from stoss.results._rod_chain import RodChain
 from stoss.plot import _style
 
 COOLED = 1e-2  # share of the energy below which t⁻² is drawn

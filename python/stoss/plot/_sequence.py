@@ -9,7 +9,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from stoss._arguments import instance, integer, numbers, refusal
 from stoss._errors import InvalidInput
-from stoss._impact_result import Impact
+from stoss.results._impact import Impact
 from stoss.plot import _disk, _ground, _style
 
 Array = NDArray[np.float64]

@@ -11,7 +11,7 @@ from matplotlib.lines import Line2D
 from numpy.typing import NDArray
 
 from stoss._arguments import number, refusal
-from stoss._field import Field
+from stoss.results._field import Field
 from stoss.plot import _disk, _ground, _style
 
 Array = NDArray[np.float64]

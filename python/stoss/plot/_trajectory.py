@@ -8,8 +8,8 @@ from matplotlib.axes import Axes
 from numpy.typing import NDArray
 
 from stoss._arguments import instance
-from stoss._bodies import PARTNERS, Disk, Sphere
-from stoss._trajectory import Trajectory
+from stoss.bodies._bodies import PARTNERS, Disk, Sphere
+from stoss.results._trajectory import Trajectory
 from stoss.plot import _style
 
 

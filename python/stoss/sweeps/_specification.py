@@ -1,0 +1,152 @@
+"""Bodies and walls as plain mappings, which files hold and other processes take."""
+
+from __future__ import annotations
+
+import dataclasses
+import decimal
+import itertools
+import math
+from typing import Any, Iterator, List, Mapping, Tuple
+
+from stoss._arguments import refusal
+from stoss._errors import InvalidInput
+from stoss.bodies._blocks import HalfPlane, HalfSpace
+from stoss.bodies._bodies import PARTNERS, Body, Disk, Rod, Sphere
+from stoss.bodies._material import Material, materials
+from stoss.bodies._solid import Solid, Specification, describe
+from stoss.bodies._walls import HardWall
+
+SOLIDS: tuple[type[Solid], ...] = (Disk, Sphere, Rod, HalfSpace, HalfPlane)
+CLASSES: Mapping[str, Any] = {made._kind: made for made in SOLIDS}
+WALLS = ("wall", "same")
+LONGEST_SERIES = 10_000
+
+Choices = List[List[Tuple[str, Any]]]
+"""Of each key of a mapping all values that it is to have."""
+
+
+def make(name: str, given: Specification) -> Any:
+    """The body that a mapping describes."""
+    words = dict(given)
+    kind = words.pop("kind", None)
+    if not isinstance(kind, str) or kind not in CLASSES:
+        raise refusal(f"{name}: kind", kind, ", ".join(CLASSES))
+    known = {field.name for field in dataclasses.fields(CLASSES[kind])}
+    for each in words:
+        if each not in known:
+            raise refusal(name, each, f"{', '.join(sorted(known))} of a {kind}")
+    if "material" in words:
+        words["material"] = _material(name, words["material"])
+    return CLASSES[kind](**words)
+
+
+def _material(name: str, given: Any) -> Material:
+    """By its name in stoss.materials, or of its constants."""
+    if isinstance(given, Material):
+        return given
+    if isinstance(given, str) and given in materials:
+        return materials[given]
+    known = {"young", "poisson", "density", "yield_strength", "loss_time", "quality"}
+    if not isinstance(given, Mapping) or not {"young", "poisson", "density"} <= set(given) <= known:
+        raise refusal(f"{name}: material", given, f"one of {', '.join(materials)}, or young, poisson and density")
+    return Material(**given)
+
+
+def beside(given: Specification, body: Body) -> Any:
+    """What a mapping describes where it meets this body: what it leaves out is the body's."""
+    kind = given["kind"]
+    if kind == "wall":
+        return HardWall()
+    if kind == "same":
+        return body
+    words = dict(given)
+    if kind in ("disk", "sphere") and "material" not in words and "poisson" in vars(body):
+        words.setdefault("poisson", body.poisson)
+    if kind in ("disk", "half-plane") and "material" in words and getattr(body, "plane", None):
+        words.setdefault("plane", body.plane)  # type: ignore[union-attr]
+    return make("against", words)
+
+
+def choices(name: str, given: Any) -> Choices:
+    """What the lists and series in a mapping leave to choose; of an object or a word nothing."""
+    if not isinstance(given, Mapping) or _is_wall(name, given):
+        return []
+    return [[(key, each) for each in _choices(f"{name}: {key}", key, value)] for key, value in given.items()]
+
+
+def expanded(name: str, given: Any, left: Choices) -> Iterator[Specification]:
+    """The mappings of an object, a word, or a mapping for which all combinations of its choices are
+    left."""
+    if isinstance(given, HardWall):
+        given = "wall"
+    if name == "against" and isinstance(given, str) and given in WALLS:
+        yield {"kind": given}
+    elif isinstance(given, PARTNERS):
+        yield describe(given)
+    elif isinstance(given, Mapping):
+        if _is_wall(name, given):
+            if len(given) > 1:
+                raise refusal(name, next(each for each in given if each != "kind"), f"nothing besides {given['kind']}")
+            yield dict(given)
+            return
+        for chosen in itertools.product(*left):
+            one = dict(chosen)
+            made = make(name, {"poisson": 0.0, **one} if name == "against" and _borrows(one) else one)
+            # What a partner leaves out stays open until it is known whom it meets.
+            yield {**one, **_plain_material(made, one)} if name == "against" else describe(made)
+    else:
+        walls = "'wall', 'same', " if name == "against" else ""
+        raise refusal(name, given, f"{walls}a body, or a mapping with its kind")
+
+
+def _is_wall(name: str, words: Mapping[str, Any]) -> bool:
+    return name == "against" and isinstance(words.get("kind"), str) and words["kind"] in WALLS
+
+
+def _borrows(words: Specification) -> bool:
+    return words.get("kind") in ("disk", "sphere") and "material" not in words
+
+
+def _plain_material(made: Any, words: Specification) -> Specification:
+    return {"material": describe(made)["material"]} if "material" in words else {}
+
+
+def _choices(name: str, key: str, value: Any) -> list[Any]:
+    if key in ("kind", "plane", "rigid", "material"):
+        return list(value) if isinstance(value, (list, tuple)) else [value]
+    if isinstance(value, str):
+        return list(series(name, value))
+    if hasattr(value, "tolist"):  # of NumPy
+        value = value.tolist()
+    return [_number(name, each) for each in value] if isinstance(value, (list, tuple)) else [_number(name, value)]
+
+
+def _number(name: str, value: Any) -> float:
+    allowed = "a number, a list of numbers, or a series"
+    if isinstance(value, bool) or not isinstance(value, (int, float)):
+        raise refusal(name, value, allowed)
+    try:
+        return float(value)
+    except OverflowError:
+        raise refusal(name, value, allowed) from None
+
+
+def series(name: str, text: str) -> list[float]:
+    """The numbers of log:a:b:n or lin:a:b:n, the same bits on any machine."""
+    kind, *parts = text.split(":")
+    try:
+        first, last = (decimal.Decimal(part) for part in parts[:2])
+        count = int(parts[2])
+        ends = float(first), float(last)
+        if kind not in ("log", "lin") or len(parts) != 3 or count < 1 or not all(map(math.isfinite, ends)):
+            raise ValueError
+        if kind == "log" and min(ends) <= 0:
+            raise ValueError
+    except (ValueError, IndexError, ArithmeticError):
+        raise refusal(name, text, "log:a:b:n or lin:a:b:n with n of 1 or more, positive ends of log") from None
+    if count > LONGEST_SERIES:
+        raise InvalidInput(f"{name}: got a series of {count} numbers, allowed 1 to {LONGEST_SERIES}")
+    steps = [decimal.Decimal(i) / max(count - 1, 1) for i in range(count)]
+    if kind == "lin":
+        return [float(first + step * (last - first)) for step in steps]
+    return [float(first * (last / first) ** step) for step in steps]
