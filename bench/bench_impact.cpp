@@ -22,7 +22,7 @@ void add_set_up(double cutoff) {
   add(with_cutoff("grid and compliance", cutoff), [cutoff](benchmark::State& state) {
     const stoss::Contact contact = stoss::contact(disk_body(cutoff));
     const double half_width = 1.25 * stoss::expected_half_width(contact, speed);
-    const int nodes = stoss::recommended_nodes(contact, speed);
+    const int nodes = stoss::fixed_resolution(contact, speed).nodes;
     for (auto _ : state) {
       const stoss::ContactGrid grid = stoss::contact_grid(contact, half_width, nodes);
       const std::vector<double> compliance = stoss::residual_compliance(contact, grid);
@@ -33,7 +33,7 @@ void add_set_up(double cutoff) {
   add(with_cutoff("grid, compliance and hard wall", cutoff), [cutoff](benchmark::State& state) {
     const stoss::Contact contact = stoss::contact(disk_body(cutoff));
     const double half_width = 1.25 * stoss::expected_half_width(contact, speed);
-    const int nodes = stoss::recommended_nodes(contact, speed);
+    const int nodes = stoss::fixed_resolution(contact, speed).nodes;
     for (auto _ : state) {
       const stoss::ContactGrid grid = stoss::contact_grid(contact, half_width, nodes);
       benchmark::DoNotOptimize(stoss::make_response(contact, stoss::Tail::radiating, grid, speed, 0.5 / cutoff));
@@ -49,7 +49,7 @@ void add_impact(const std::string& name, const stoss::Wall& wall, double cutoff,
     options.resolution.tail = tail;
     options.resolution.step = cutoff_times_step > 0.0
                                   ? cutoff_times_step / cutoff
-                                  : stoss::recommended_step(stoss::contact(body, wall), speed, tail);
+                                  : stoss::fixed_resolution(stoss::contact(body, wall), speed, options.resolution).step;
     double lost_fraction = 0.0;
     for (auto _ : state) lost_fraction = stoss::impact(body, wall, speed, options).lost_fraction;
     count(state, lost_fraction);

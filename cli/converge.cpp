@@ -36,7 +36,7 @@ void check_converge(const Job& job, const CurveOptions& asked) {
   const double slowest = *std::min_element(job.speeds.begin(), job.speeds.end());
   for (const double poisson : job.poissons) {
     const RefinableContact contact = job.contact(poisson);
-    if (!asked.vibration.empty()) validate(contact, slowest, asked.vibration, heed_interrupts);
+    if (!asked.each.vibration.empty()) validate(contact, slowest, asked.each.vibration, heed_interrupts);
   }
 }
 
@@ -50,10 +50,10 @@ void converge(const Job& job, Sweep& sweep, Report& report, const CurveOptions& 
       heed_interrupts();
       sweep.wait(state);
     };
-    const auto note = [&state](std::size_t, const Attempt& attempt) { state = describe(attempt); };
+    const auto note = [&state](const Attempt& attempt) { state = describe(attempt); };
     CurveOptions options = asked;
-    options.poll = poll;
-    options.attempt_observer = note;
+    options.each.poll = poll;
+    options.each.attempt_observer = note;
     restitution_curve(job.contact(poisson), speeds, options, [&](std::size_t, const Restitution& result) {
       heed_interrupts();
       sweep.add(make_row(job, sweep.done(), result), report);

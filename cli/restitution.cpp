@@ -33,7 +33,8 @@ struct RestitutionArguments {
   [[nodiscard]] bool given(const std::string& option) const { return command->get_option(option)->count() > 0; }
   [[nodiscard]] bool converges() const { return method == "converge"; }
   [[nodiscard]] CurveOptions options() const {
-    return {.tolerance = tolerance, .absolute = absolute, .threads = threads, .vibration = vibration.vibration()};
+    return {.each = {.tolerance = tolerance, .absolute = absolute, .vibration = vibration.vibration()},
+            .threads = threads};
   }
 };
 

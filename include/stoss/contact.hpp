@@ -3,5 +3,4 @@
 // What meets what: everything in include/stoss/contact/.
 
 #include "stoss/contact/contact.hpp"
-#include "stoss/contact/tail.hpp"
 #include "stoss/contact/wall.hpp"

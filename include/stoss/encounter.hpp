@@ -6,4 +6,5 @@
 #include "stoss/encounter/encounter.hpp"
 #include "stoss/encounter/kinds.hpp"
 #include "stoss/encounter/materials.hpp"
+#include "stoss/encounter/series.hpp"
 #include "stoss/encounter/solid.hpp"

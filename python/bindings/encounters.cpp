@@ -3,6 +3,7 @@
 #include "stoss/bodies/sphere/modes.hpp"
 #include "stoss/encounter/document.hpp"
 #include "stoss/encounter/materials.hpp"
+#include "stoss/encounter/series.hpp"
 #include "stoss/encounter/views.hpp"
 #include "stoss/restitution/ladder.hpp"
 #include "support.hpp"
@@ -103,6 +104,9 @@ void bind_encounters(py::module_& module) {
   module.def(
       "meets", [](const std::string& first, const std::string& against) { return meets(kind(first), kind(against)); },
       py::arg("first"), py::arg("against"));
+  module.def(
+      "series", [](const std::string& name, const std::string& text) { return parse_series(name, text); },
+      py::arg("name"), py::arg("text"));
   module.def("who_meets_whom", &who_meets_whom);
   module.def("units", &units, py::arg("kind"), py::arg("si"), "names by dimension");
   module.def(

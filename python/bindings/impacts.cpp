@@ -40,7 +40,7 @@ py::array trajectory(const Impact& impact, const Contact& contact, int every) {
   auto instants = computed([&](const Poll& poll) {
     Rows<Snapshot> rows(snapshot_quantities());
     const ImpactObserver observer = [&](const Snapshot& now) { rows.add(now); };
-    const ImpactOptions options{.resolution = repetition(contact, impact), .start = impact.start, .poll = poll};
+    const ImpactOptions options{.resolution = Resolution(impact.resolution), .start = impact.start, .poll = poll};
     (void)stoss::impact(contact, impact.speed, options, {.observer = observer, .every = every});
     return rows;
   });

@@ -23,11 +23,9 @@ void curve(const RefinableContact& contact, const Doubles& speeds, double tolera
   const bool fits = rows.ndim() == 1 && (rows.flags() & py::array::c_style) != 0 && rows.dtype().equal(layout.type());
   if (!fits || rows.size() != speeds.size()) throw std::invalid_argument("rows: one restitution_row for each speed");
   auto* const row = static_cast<std::byte*>(rows.mutable_data());
-  const CurveOptions options{.tolerance = tolerance,
-                             .absolute = absolute,
-                             .threads = threads,
-                             .poll = signal_poll(),
-                             .vibration = to_vibration(state)};
+  const CurveOptions options{
+      .each = {.tolerance = tolerance, .absolute = absolute, .poll = signal_poll(), .vibration = to_vibration(state)},
+      .threads = threads};
   std::vector<std::string> why;
   const auto hand_over = [&] {
     for (const std::string& reason : why) reasons.append(reason);
@@ -200,7 +198,7 @@ void bind_rod_chain(py::module_& module) {
         options.method = modes ? RodMethod::modes : RodMethod::characteristics;
         options.modes = count;
         options.pieces = pieces;
-        options.tail = to_tail(tail);
+        options.resolution.tail = to_tail(tail);
         options.decay_time = decay_time;
         options.poll = signal_poll();
         return WatchedChain{RodChain(rods_of(rods), circumference, to_vector(velocities), options)};

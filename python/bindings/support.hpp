@@ -12,7 +12,7 @@
 #include <variant>
 #include <vector>
 
-#include "stoss/contact/tail.hpp"
+#include "stoss/impact/resolution.hpp"
 #include "stoss/impact/vibration.hpp"
 #include "stoss/poll.hpp"
 #include "stoss/quantity.hpp"

@@ -84,11 +84,11 @@ int stoss_curve(const stoss_contact* contact, const double* speeds, size_t count
     const std::vector<double> at(speeds, speeds + count);
     std::vector<stoss_result> found;
     std::string reason;
-    const stoss::CurveOptions options{.tolerance = tolerance,
-                                      .absolute = absolute,
-                                      .threads = stoss::c::threads_of(control),
-                                      .poll = stoss::c::poll_of(control),
-                                      .vibration = contact->vibration};
+    const stoss::CurveOptions options{.each = {.tolerance = tolerance,
+                                               .absolute = absolute,
+                                               .poll = stoss::c::poll_of(control),
+                                               .vibration = contact->vibration},
+                                      .threads = stoss::c::threads_of(control)};
     stoss::restitution_curve(contact->contact, at, options, [&](std::size_t i, const stoss::Restitution& result) {
       found.push_back(in_c(at[i], result));
       if (!result.converged && reason.empty()) reason = "speed " + std::to_string(i) + ": " + result.reason;

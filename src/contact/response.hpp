@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "stoss/contact/contact.hpp"
-#include "stoss/contact/tail.hpp"
 #include "stoss/contact/wall.hpp"
 
 namespace stoss {

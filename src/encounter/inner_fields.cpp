@@ -46,7 +46,7 @@ struct InSphere {
 template <typename Kind>
 InnerFields inside(double poisson, int number, const Contact& contact, const Impact& impact,
                    const std::vector<Frame>& frames, typename Kind::Grid points, const Poll& poll) {
-  const ContactGrid grid = contact_grid(contact, impact.half_width, impact.nodes);
+  const ContactGrid grid = contact_grid(contact, impact.resolution.half_width, impact.resolution.nodes);
   const std::size_t values = frames.size() * points.radius.size() * points.angle.size();
   constexpr std::size_t count = Kind::components.size();
   Frame rest;

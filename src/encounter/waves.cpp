@@ -76,16 +76,17 @@ Waves waves(const Encounter& encounter, const Impact& original, const Vibration&
   const Medium medium = medium_of(encounter);
   const double latest = times.empty() ? 0.0 : times.back();
   const Contact meeting = lasting(encounter, medium, original.cutoff, latest, points, poll);
-  Resolution resolution = repetition(meeting, original);
+  Resolution resolution(original.resolution);
   resolution.step.reset();
   ImpactOptions options{.resolution = resolution, .poll = poll};
   if (!vibration.empty()) options.start = approach(meeting, original.speed, vibration);
   const Impact again = impact(meeting, original.speed, options);
-  const ContactGrid grid = contact_grid(meeting, again.half_width, again.nodes);
+  const ContactGrid grid = contact_grid(meeting, again.resolution.half_width, again.resolution.nodes);
 
   Waves all;
   Numbers around;
-  for (const double time : times) around.insert(around.end(), {time - again.step, time, time + again.step});
+  for (const double time : times)
+    around.insert(around.end(), {time - again.resolution.step, time, time + again.resolution.step});
   std::sort(around.begin(), around.end());
   const std::vector<Frame> frames = motion(meeting, again, around, poll);
   const auto at = [&](double time) {
@@ -110,7 +111,8 @@ Waves waves(const Encounter& encounter, const Impact& original, const Vibration&
     all.force.push_back(now.force);
     all.center.push_back(seen_by(meeting, grid, now, 0).center);
     add(now, all.lateral, all.normal);
-    add(rate(meeting, at(time - again.step), now, at(time + again.step)), all.lateral_velocity, all.normal_velocity);
+    add(rate(meeting, at(time - again.resolution.step), now, at(time + again.resolution.step)), all.lateral_velocity,
+        all.normal_velocity);
   }
   return all;
 }
@@ -124,7 +126,7 @@ half_space::WaveSpeeds wave_speeds(const Encounter& encounter) {
 
 Surfaces surfaces(const Contact& contact, const Impact& impact, const std::vector<Frame>& frames, double reach,
                   std::size_t count, const Poll& poll) {
-  const ContactGrid grid = contact_grid(contact, impact.half_width, impact.nodes);
+  const ContactGrid grid = contact_grid(contact, impact.resolution.half_width, impact.resolution.nodes);
   Surfaces all;
   // On a circle so large that they are evenly spaced.
   constexpr double flat = 1e4;

@@ -35,20 +35,20 @@ constexpr double tail_of_impulse = 0.01;
 
 }  // namespace
 
-Collision::Collision(const Contact& contact, Tail tail, const ContactGrid& grid, double speed, double step,
+Collision::Collision(const Contact& contact, const FixedResolution& resolution, const ContactGrid& grid, double speed,
                      const std::optional<State>& start, const Poll& poll)
     : contact_(contact),
       grid_(grid),
       speed_(speed),
-      step_(step),
-      modes_(contact, grid, step, kicks(contact, tail)),
+      step_(resolution.step),
+      modes_(contact, grid, resolution.step, kicks(contact, resolution.tail)),
       position_(grid.recess.size()),
       velocity_(speed),
       lossy_(longest_loss_time(contact) > 0.0) {
   if (start) modes_.set(start->coordinate, start->momentum);
   // The same before and after an impact, so that it can be reversed.
   const double energy_speed = start ? std::sqrt(speed * speed + 2.0 * modes_.energy() / contact.mass) : speed;
-  response_ = make_response(contact, tail, grid, energy_speed, step, poll);
+  response_ = make_response(contact, resolution.tail, grid, energy_speed, step_, poll);
   place(start);
   respond();
   if (std::holds_alternative<HardWall>(contact.wall) && force_ > 0.0) {

@@ -26,7 +26,7 @@ class Collision {
  public:
   /// Starts just out of reach of what is met, at a hard contact with the first touch at the best phase within a step;
   /// or from `start`.
-  Collision(const Contact& contact, Tail tail, const ContactGrid& grid, double speed, double step,
+  Collision(const Contact& contact, const FixedResolution& resolution, const ContactGrid& grid, double speed,
             const std::optional<State>& start, const Poll& poll);
 
   /// Moves on by one step.

@@ -7,7 +7,7 @@
 #include "check.hpp"
 #include "contact/units.hpp"
 #include "impact/collision.hpp"
-#include "impact/fixed_resolution.hpp"
+#include "impact/grid_size.hpp"
 #include "impact/whole_bodies.hpp"
 #include "stoss/errors.hpp"
 
@@ -55,12 +55,36 @@ double own_vibration_speed(const Contact& contact, const State& state) {
   return std::max(first, speed(contact.first_groups, contact.groups.size(), of_first) * units.time / units.length);
 }
 
+void require_start(const State& start, double speed) {
+  if (start.velocity != speed) {
+    throw InvalidInput("start: got velocity " + std::to_string(start.velocity) + ", allowed the speed of the impact, " +
+                       std::to_string(speed) + " (it is given twice)");
+  }
+  const auto finite = [](double x) { return std::isfinite(x); };
+  if (!finite(start.center) || !std::all_of(start.coordinate.begin(), start.coordinate.end(), finite) ||
+      !std::all_of(start.momentum.begin(), start.momentum.end(), finite)) {
+    throw InvalidInput(
+        "start: got a center, coordinate or momentum that is no finite number, allowed finite ones (nan?)");
+  }
+}
+
+/// A wider grid of the same node spacing, at most as wide as the edge that can touch.
+FixedResolution widened(const Contact& contact, const FixedResolution& resolution) {
+  constexpr double growth = 1.4;
+  const double half_width = std::min(growth * resolution.half_width, greatest_half_width(contact));
+  const double nodes = std::ceil(resolution.nodes * half_width / resolution.half_width);
+  FixedResolution wider = resolution;
+  wider.half_width = half_width;
+  wider.nodes = static_cast<int>(std::min<double>(nodes, most_nodes));
+  return wider;
+}
+
 /// One run; empty if the contact outgrew the grid.
 std::optional<Impact> run(const Contact& contact, double speed, const FixedResolution& resolution,
                           const ImpactOptions& options, const Observation& observation) {
   if (options.poll) options.poll();
   const ContactGrid grid = contact_grid(contact, resolution.half_width, resolution.nodes);
-  Collision collision(contact, options.resolution.tail, grid, speed, resolution.step, options.start, options.poll);
+  Collision collision(contact, resolution, grid, speed, options.start, options.poll);
   const WholeBodies whole(contact, collision.snapshot());
   const double flight = std::max(0.0, -(collision.snapshot().center + contact.extent)) + 4.0 * collision.clearance();
   double steps = (longest_contact(contact) + flight / speed) / resolution.step;
@@ -110,7 +134,8 @@ std::optional<Impact> run(const Contact& contact, double speed, const FixedResol
 }  // namespace
 
 Impact impact(const Contact& contact, double speed, const ImpactOptions& options, const Observation& observation) {
-  FixedResolution resolution = fix(contact, speed, options);
+  FixedResolution resolution = fixed_resolution(contact, speed, options.resolution);
+  if (options.start) require_start(*options.start, speed);
   require("every", static_cast<long>(observation.every), 1, 1'000'000'000, "steps between two calls of the observer");
   std::optional<Impact> result = run(contact, speed, resolution, options, {});
   while (!result) {
@@ -127,11 +152,8 @@ Impact impact(const Contact& contact, double speed, const ImpactOptions& options
   result->contact = name(contact);
   result->start = options.start;
   result->wall = contact.wall;
-  result->tail = options.resolution.tail;
   result->cutoff = contact.cutoff;
-  result->step = resolution.step;
-  result->nodes = resolution.nodes;
-  result->half_width = resolution.half_width;
+  result->resolution = resolution;
   result->beyond_small_strain = own_speed(contact, speed) > small_strain_speed ||
                                 own_compression(contact, result->max_compression) > small_strain_limit ||
                                 (options.start && own_vibration_speed(contact, *options.start) > small_strain_speed);

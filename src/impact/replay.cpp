@@ -40,15 +40,6 @@ void require_body(const Contact& contact, int number) {
 
 }  // namespace
 
-Resolution repetition(const Contact& contact, const Impact& impact) {
-  Resolution resolution;
-  resolution.step = impact.step;
-  resolution.nodes = impact.nodes;
-  if (!has_single_point(contact)) resolution.half_width = impact.half_width;
-  resolution.tail = impact.tail;
-  return resolution;
-}
-
 double center(const Contact& contact, const State& state, int number) {
   const bool of_second = number == 1;
   require_body(contact, number);
@@ -147,20 +138,20 @@ std::vector<Frame> motion(const Contact& contact, const Impact& impact, const st
           {time, 0.0, 0.0, free_motion(contact, state(), time), std::vector<double>(now.node_force.size())});
     }
     first = false;
-    while (wanted() && times[frames.size()] <= now.time + 0.5 * impact.step) {
+    while (wanted() && times[frames.size()] <= now.time + 0.5 * impact.resolution.step) {
       if (poll) poll();
       frames.push_back(
           {now.time, now.force, now.contact_half_width, state(), {now.node_force.begin(), now.node_force.end()}});
     }
   };
-  const ImpactOptions options{.resolution = repetition(contact, impact), .start = impact.start, .poll = poll};
+  const ImpactOptions options{.resolution = Resolution(impact.resolution), .start = impact.start, .poll = poll};
   const Impact again = stoss::impact(contact, impact.speed, options, {.observer = observer, .modes = true});
-  const double end = static_cast<double>(again.steps) * again.step;
+  const double end = static_cast<double>(again.steps) * again.resolution.step;
   while (wanted()) {
     if (poll) poll();
     const double time = times[frames.size()];
     frames.push_back({time, 0.0, 0.0, free_motion(contact, again.final_state, time - end),
-                      std::vector<double>(static_cast<std::size_t>(impact.nodes))});
+                      std::vector<double>(static_cast<std::size_t>(impact.resolution.nodes))});
   }
   return frames;
 }

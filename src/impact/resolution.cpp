@@ -4,12 +4,15 @@
 #include <cmath>
 
 #include "check.hpp"
+#include "digits.hpp"
 #include "impact/grid_size.hpp"
+#include "stoss/errors.hpp"
 
 namespace stoss {
+namespace {
 
+/// Recommended time step Δt of an impact, R/c.
 double recommended_step(const Contact& contact, double speed, Tail tail) {
-  require_speed(speed);
   if (const auto* soft = std::get_if<ExponentialWall>(&contact.wall)) {
     // The edge layer on the soft wall oscillates at about √(α v ω_c), and what first touches it bounces within 1/(α v).
     const double bounce = soft->hardness * speed;
@@ -22,9 +25,34 @@ double recommended_step(const Contact& contact, double speed, Tail tail) {
   return 0.2 / (contact.cutoff * (1.0 + 16.0 * own_speed(contact, speed)));
 }
 
-int recommended_nodes(const Contact& contact, double speed) {
+}  // namespace
+
+FixedResolution fixed_resolution(const Contact& contact, double speed, const Resolution& asked) {
   require_speed(speed);
-  return nodes_within(contact, initial_half_width(contact, speed));
+  if (contact.radiating && own_speed(contact, speed) > 1.0) {
+    throw InvalidInput("speed: got " + shown(speed) + " c at a soft half-space, allowed up to " +
+                       shown(speed / own_speed(contact, speed)) + " (the wave speed of the softer body)");
+  }
+  const auto& [step, nodes, asked_half_width, tail] = asked;
+  if (step) {
+    const double least = 5e-6 * std::min(1.0, time_scale(contact));
+    require("step", *step,
+            {least, 1.0 / contact.cutoff, true, true, "5e-6 (of two bodies, less where they meet faster) to 1/cutoff"},
+            "time step in R/c; 0.25/cutoff is usual");
+  }
+  if (asked_half_width) {
+    require("half_width", *asked_half_width,
+            {0.0, std::max(greatest_half_width(contact), 1e-300), false, true,
+             "above 0 and up to the end of the edge that can touch"},
+            "half-width of the contact grid in R");
+  }
+  const double half_width = asked_half_width ? *asked_half_width : initial_half_width(contact, speed);
+  if (nodes) {
+    const long fewest = !has_single_point(contact) ? std::max(16, nyquist_nodes(contact, half_width)) : 1;
+    require("nodes", static_cast<long>(*nodes), fewest, most_nodes, "contact nodes; as many as the kept orders need");
+  }
+  return {step ? *step : recommended_step(contact, speed, tail), nodes ? *nodes : nodes_within(contact, half_width),
+          half_width, tail};
 }
 
 }  // namespace stoss

@@ -36,7 +36,7 @@ class Attempts {
 }  // namespace
 
 void validate(const std::vector<double>& speeds, const CurveOptions& options) {
-  require_tolerance(options.tolerance, options.absolute);
+  require_tolerance(options.each.tolerance, options.each.absolute);
   require("threads", static_cast<long>(options.threads), 0, 1024, "0 for as many as the machine has");
   for (const double speed : speeds) require_speed(speed);
 }
@@ -47,19 +47,16 @@ void restitution_curve(const RefinableContact& contact, const std::vector<double
   Attempts attempts(speeds.size());
   std::size_t awaited = 0;
   const auto poll = [&] {
-    if (options.attempt_observer) {
-      if (const auto attempt = attempts.take(awaited)) options.attempt_observer(awaited, *attempt);
+    if (options.each.attempt_observer) {
+      if (const auto attempt = attempts.take(awaited)) options.each.attempt_observer(*attempt);
     }
-    if (options.poll) options.poll();
+    if (options.each.poll) options.each.poll();
   };
   const auto job = [&](std::size_t i, const Poll& heed) {
-    const auto note = [&attempts, i](const Attempt& attempt) { attempts.put(i, attempt); };
-    return best_restitution(contact, speeds[i],
-                            {.tolerance = options.tolerance,
-                             .absolute = options.absolute,
-                             .poll = heed,
-                             .attempt_observer = note,
-                             .vibration = options.vibration});
+    RestitutionOptions of_one = options.each;
+    of_one.poll = heed;
+    of_one.attempt_observer = [&attempts, i](const Attempt& attempt) { attempts.put(i, attempt); };
+    return best_restitution(contact, speeds[i], of_one);
   };
   const auto deliver = [&](std::size_t i, Restitution&& result) {
     awaited = i + 1;

@@ -68,7 +68,7 @@ Missing missing_of_balls(double cutoff, double speed) {
 /// resolved the fewer there are and the less each of them relaxes meanwhile, 2 η n/t nodes in the time η.
 double node_error(const Contact& contact, const Run& run) {
   const bool ball = contact.first->contour == Contour::ball;
-  const double constant = ball ? 12.0 : 2.1, nodes = run.nodes;
+  const double constant = ball ? 12.0 : 2.1, nodes = run.resolution.nodes;
   const double relaxing = 1.0 + 2.0 * touch(contact).loss_time * nodes / run.contact_time;
   return constant * run.dissipated / (nodes * nodes * relaxing * relaxing);
 }
@@ -134,8 +134,8 @@ void conclude(const Contact& contact, double speed, const CurvatureCorrection& c
     return by_differences(runs, bar, order, quantity, least);
   };
   // An instant is known to half a step at either end, and so are the parts of an impulse that begins with a jump.
-  result.contact_time = estimate(rough, &Run::contact_time, last.step);
-  result.impulse_time = estimate(smooth, &Run::impulse_time, at_a_point ? last.step : 0.0);
+  result.contact_time = estimate(rough, &Run::contact_time, last.resolution.step);
+  result.impulse_time = estimate(smooth, &Run::impulse_time, at_a_point ? last.resolution.step : 0.0);
   const double beyond = std::max(focus * std::sqrt(last.unresolved), at_a_point ? overshoot : 0.0);
   result.max_force = estimate(rough, &Run::max_force, beyond * last.max_force);
   const double missing = turn * last.unresolved + (at_a_point ? 0.0 : node_error(contact, last));

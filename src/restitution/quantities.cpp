@@ -45,8 +45,8 @@ const Quantities<Restitution>& restitution_quantities() {
 const Quantities<Run>& run_quantities() {
   static const Quantities<Run> all{
       {"cutoff", frequency, &Run::cutoff},
-      {"step", time, &Run::step},
-      {"nodes", none, &Run::nodes},
+      {"step", time, [](const Run& run) { return run.resolution.step; }},
+      {"nodes", none, [](const Run& run) { return run.resolution.nodes; }},
       {"lost_fraction", none, &Run::lost_fraction},
       {"dissipated", none, &Run::dissipated},
       {"unresolved", none, &Run::unresolved},

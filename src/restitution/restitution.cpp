@@ -30,9 +30,7 @@ constexpr double affordable = 2e8;    // of `work`, less than a second: what a r
 /// @param energy initial energy of an impact, over that of the translation
 Run summary(const Impact& impact, double energy) {
   return {.cutoff = impact.cutoff,
-          .step = impact.step,
-          .nodes = impact.nodes,
-          .half_width = impact.half_width,
+          .resolution = impact.resolution,
           .lost_fraction = impact.lost_fraction,
           .dissipated = energy * impact.energy.dissipated,
           .unresolved = energy * impact.energy.unresolved,
@@ -107,7 +105,7 @@ double falling_order(const Bar& first, const Bar& last, double expected) {
 /// damped mode takes several times as long.
 double work(const Impact& run) {
   constexpr double damped = 4.0;
-  const double nodes = run.nodes, modes = static_cast<double>(run.energy.modes.size());
+  const double nodes = run.resolution.nodes, modes = static_cast<double>(run.energy.modes.size());
   const double each = run.energy.dissipated == 0.0 ? modes : damped * modes;
   return static_cast<double>(run.steps) * (each + nodes * nodes);
 }

@@ -20,7 +20,7 @@ constexpr double slowest = 1e-8, fastest = 1.0;  // of an impact, c
 double center_after(const Contact& contact, const Impact& impact) {
   const double part = contact.mass / contact.whole_mass, center = impact.final_state.center;
   if (part == 1.0) return center;
-  const double free = impact.start->center + impact.speed * static_cast<double>(impact.steps) * impact.step;
+  const double free = impact.start->center + impact.speed * static_cast<double>(impact.steps) * impact.resolution.step;
   return free - part * (free - center);
 }
 

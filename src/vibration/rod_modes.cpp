@@ -70,7 +70,7 @@ State before_touch(const Contact& pair, const State& touch, double step) {
 }  // namespace
 
 RodModes::RodModes(const std::vector<Rod>& rods, const RodChainOptions& options)
-    : tail_(options.tail), poll_(options.poll) {
+    : resolution_(options.resolution), poll_(options.poll) {
   double shortest = RodMeasures(rods.front()).transit;
   for (const Rod& rod : rods) shortest = std::min(shortest, RodMeasures(rod).transit);
   const double highest = (options.modes + 0.5) * std::numbers::pi / shortest;
@@ -130,9 +130,9 @@ Impact RodModes::collision(const Contact& pair, const State* touching) const {
   constexpr int attempts = 4;
   constexpr double finer = 0.25;
   ImpactOptions options;
-  options.resolution.tail = tail_;
+  options.resolution = resolution_;
   options.poll = poll_;
-  double step = recommended_step(pair, scaled_speed, tail_);
+  double step = fixed_resolution(pair, scaled_speed, resolution_).step;
   for (int attempt = 1;; ++attempt) {
     options.resolution.step = step;
     if (touching != nullptr) options.start = before_touch(pair, *touching, step);

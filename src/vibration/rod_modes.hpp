@@ -41,7 +41,7 @@ class RodModes : public RodVibrations {
 
   std::vector<Vibration> rods_;
   std::vector<Contact> contacts_;  // of each rod and its right neighbour
-  Tail tail_;
+  Resolution resolution_;
   Poll poll_;
 };
 

@@ -53,7 +53,7 @@ void write_curve(fmt::ostream& out, double poisson, const std::vector<double>& s
   const std::vector<stoss::bodies::disk::Mode> modes = stoss::bodies::disk::modes(poisson, 60.0);
   const double period = 2.0 * std::numbers::pi / frequency_of_quadrupole(modes);
   for (const stoss::Restitution& r :
-       stoss::restitution_curve(poisson, speeds, {.tolerance = tolerance, .absolute = 0.0})) {
+       stoss::restitution_curve(poisson, speeds, {.each = {.tolerance = tolerance, .absolute = 0.0}})) {
     const double speed = r.finest.speed;
     out.print("{},{:.8g},{:.8f},{:.1e},{:.6g},{:.1e},", poisson, speed, r.restitution.value, r.restitution.error,
               r.lost_fraction.value, r.lost_fraction.error);

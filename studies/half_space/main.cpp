@@ -41,7 +41,7 @@ std::vector<double> speeds_at_wall() {
 }
 
 std::vector<stoss::Restitution> curve(const stoss::RefinableContact& contact, const std::vector<double>& at) {
-  return stoss::restitution_curve(contact, at, {.tolerance = tolerance, .absolute = 0.0});
+  return stoss::restitution_curve(contact, at, {.each = {.tolerance = tolerance, .absolute = 0.0}});
 }
 
 std::string lost(const stoss::Restitution& r) {

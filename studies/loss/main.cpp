@@ -46,7 +46,7 @@ void write(fmt::ostream& out, double loss_time, const std::vector<double>& at) {
     out.print("{:.10f},{:.10f},{}\n", point_law(LossyLaw::ting, loss_time, speed),
               point_law(LossyLaw::point, loss_time, speed), r.converged);
   };
-  stoss::restitution_curve(ball, at, {.tolerance = tolerance, .absolute = 0.0}, line);
+  stoss::restitution_curve(ball, at, {.each = {.tolerance = tolerance, .absolute = 0.0}}, line);
 }
 
 }  // namespace

@@ -26,7 +26,7 @@ void write_ratio(fmt::ostream& out, double ratio) {
   const stoss::Disk smaller{.poisson = poisson}, larger{.poisson = poisson, .radius = ratio};
   const stoss::RefinableContact pair(stoss::disk(smaller), stoss::disk(larger));
   for (const stoss::Restitution& r :
-       stoss::restitution_curve(pair, speeds, {.tolerance = tolerance, .absolute = 0.0})) {
+       stoss::restitution_curve(pair, speeds, {.each = {.tolerance = tolerance, .absolute = 0.0}})) {
     const double reduced_mass = ratio * ratio / (1.0 + ratio * ratio);  // in that of the smaller disk
     out.print("{:.6g},{:.6g},{:.6f},{:.1e},{:.6f},{:.1e},", ratio, r.finest.speed, r.restitution.value,
               r.restitution.error, r.lost_fraction.value, r.lost_fraction.error);

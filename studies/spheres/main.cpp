@@ -95,7 +95,8 @@ void write_curve(fmt::ostream& out, double poisson) {
               mean_of_quadrupole);
     out.print("{},{}\n", estimate(poisson, speed, modes), r.converged);
   };
-  stoss::restitution_curve(ball, speeds(poisson, slow.omega), {.tolerance = tolerance, .absolute = 0.0}, write);
+  stoss::restitution_curve(ball, speeds(poisson, slow.omega), {.each = {.tolerance = tolerance, .absolute = 0.0}},
+                           write);
 }
 
 }  // namespace

@@ -38,7 +38,8 @@ stoss::RodChainRecord run(std::optional<double> decay_time) {
     mass += all[i].length;
   }
   for (double& velocity : velocities) velocity -= momentum / mass;
-  stoss::RodChain chain(all, circumference, velocities, {.tail = stoss::Tail::quasistatic, .decay_time = decay_time});
+  stoss::RodChain chain(all, circumference, velocities,
+                        {.resolution = {.tail = stoss::Tail::quasistatic}, .decay_time = decay_time});
   stoss::RodChainRecord record;
   stoss::run(chain, record, collisions);
   return record;

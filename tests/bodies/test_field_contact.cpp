@@ -42,7 +42,7 @@ class FieldInAnImpact : public ::testing::TestWithParam<Tail> {
     };
     const Impact result =
         impact(body, HardWall{}, speed, {.resolution = {.tail = GetParam()}}, {.observer = observer, .modes = true});
-    contact = test::grid_of(body, result.half_width, result.nodes);
+    contact = test::grid_of(body, result.resolution.half_width, result.resolution.nodes);
   }
 
   [[nodiscard]] Field on_edge(const std::vector<double>& angle) const {

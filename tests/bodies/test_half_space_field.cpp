@@ -188,7 +188,7 @@ TEST(HalfSpaceField, NothingRunsAheadOfThePressureWave) {
   const Contact meeting = stoss::contact(sphere(Sphere{.poisson = poisson}, cutoff),
                                          stoss::half_space(HalfSpace{.poisson = poisson}, cutoff, duration));
   const Impact impact = stoss::impact(meeting, 0.1, {}, {.modes = true});
-  const ContactGrid grid = contact_grid(meeting, impact.half_width, impact.nodes);
+  const ContactGrid grid = contact_grid(meeting, impact.resolution.half_width, impact.resolution.nodes);
   const Medium its = medium(Contour::ball, poisson);
   for (const double time : {5.0, 12.0}) {
     const Frame frame = motion(meeting, impact, {time}).front();

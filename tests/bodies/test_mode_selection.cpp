@@ -136,7 +136,7 @@ TEST(ModeEnergies, AreThoseOfTheLedgerAndOfTheMotion) {
     if (now.time <= 3.0) vibration = now.vibration;
   };
   (void)impact(body, soft, speed, {}, {observer});
-  const std::vector<Frame> frames = motion(contact(body, soft), result, {3.0 - 0.5 * result.step});
+  const std::vector<Frame> frames = motion(contact(body, soft), result, {3.0 - 0.5 * result.resolution.step});
   double sum = 0.0;
   for (const double energy : mode_energies(contact(body, soft), frames[0].state)) sum += energy / initial;
   EXPECT_NEAR(sum, vibration, 1e-10);

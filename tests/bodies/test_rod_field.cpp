@@ -37,7 +37,7 @@ TEST(RodField, CarriesAWaveOfConstantStressFromTheWall) {
   constexpr double speed = 0.1, time = 0.5;
   const Impact hit = impact(meeting, speed);
   const std::vector<Frame> frames = motion(meeting, hit, {time});
-  const ContactGrid grid = contact_grid(meeting, hit.half_width, hit.nodes);
+  const ContactGrid grid = contact_grid(meeting, hit.resolution.half_width, hit.resolution.nodes);
   const BodyFrame seen = seen_by(meeting, grid, frames.front(), 0);
   const Field now = field(*seen.body, seen.coordinate, seen.node_force.front(), {0.0, 0.2, 0.4, 0.6, 0.8});
   for (const unsigned behind : {0U, 1U, 2U}) EXPECT_NEAR(now.stress[behind], -speed, 0.02 * speed) << behind;

@@ -189,7 +189,7 @@ TEST(SphereField, ShowsAnImpactWithTheGreatestShearBelowTheContact) {
                                   peak.share.assign(now.node_force.begin(), now.node_force.end());
                                 },
                                 1, true});
-  const ContactGrid grid = contact_grid(meeting, result.half_width, result.nodes);
+  const ContactGrid grid = contact_grid(meeting, result.resolution.half_width, result.resolution.nodes);
   PolarGrid axis{{}, {1e-4}};
   const double a = peak.half_width;
   for (int k = 0; k <= 300; ++k) axis.radius.push_back(1.0 - 0.005 * k * a);

@@ -34,7 +34,7 @@ void expect_same(const stoss_contact* in_c, const RefinableContact& contact) {
   const stoss_control control{2, nullptr, nullptr};
   ASSERT_EQ(stoss_curve(in_c, speeds.data(), speeds.size(), 1e-2, 1e-5, &control, results.data()), STOSS_OK)
       << stoss_message();
-  const auto expected = restitution_curve(contact, speeds, {.tolerance = 1e-2, .absolute = 1e-5});
+  const auto expected = restitution_curve(contact, speeds, {.each = {.tolerance = 1e-2, .absolute = 1e-5}});
   for (std::size_t i = 0; i < speeds.size(); ++i) {
     EXPECT_EQ(results[i].speed, speeds[i]);
     EXPECT_EQ(results[i].restitution.value, expected[i].restitution.value);

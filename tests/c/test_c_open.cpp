@@ -50,7 +50,7 @@ TEST(COpen, TakesVibrationAlong) {
   ASSERT_EQ(stoss_open((ball + R"(,"vibration":[{"order":2,"index":0,"energy":0.1}]})").c_str(), &excited), STOSS_OK);
   const double expected =
       restitution_curve(RefinableContact(sphere(0.3)), {0.05},
-                        {.tolerance = 1e-2, .absolute = 1e-6, .vibration = {{0, 2, 0, 0.1, 0.0}}})[0]
+                        {.each = {.tolerance = 1e-2, .absolute = 1e-6, .vibration = {{0, 2, 0, 0.1, 0.0}}}})[0]
           .restitution.value;
   EXPECT_EQ(at(excited, 0.05).restitution.value, expected);
   EXPECT_NE(at(unexcited, 0.05).restitution.value, expected);

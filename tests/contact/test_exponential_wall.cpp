@@ -92,7 +92,7 @@ TEST(ExponentialWall, ActsOnTheFrontHalfOfTheDisk) {
     };
     const Impact result = impact(body, ExponentialWall{hardness, 1e-2}, speed, options, {observer});
     EXPECT_NEAR(share * 0.5 * body.mass * speed * speed, 1e-2 * potential, 1e-5 * 1e-2 * potential) << hardness;
-    EXPECT_LE(result.half_width, 0.5 * pi);
+    EXPECT_LE(result.resolution.half_width, 0.5 * pi);
     const auto wider = [&] {
       (void)impact(body, ExponentialWall{hardness}, speed, {.resolution = {.half_width = 1.6}});
     };

@@ -99,7 +99,8 @@ def test_dependencies_of_the_core_are_those_that_it_includes():
     page = (ROOT / "docs/dependencies.md").read_text(encoding="utf-8")
     rows = [[cell.strip() for cell in line.split("|")[1:-1]] for line in page.splitlines() if line.startswith("| ")]
     said = {row[0].split()[0] for row in rows if "core" in row[-1]}
-    names = {"Eigen": "Eigen", "boost/math": "Boost.Math", "Random123": "Random123", "nlohmann": "JSON"}
+    names = {"Eigen": "Eigen", "boost/math": "Boost.Math", "boost/multiprecision": "Boost.Multiprecision",
+             "Random123": "Random123", "nlohmann": "JSON"}
     found = {next(names[key] for key in names if header.startswith(key + "/")) for header in included("src")}
     assert said == found == set(names.values())
     assert not included("include")

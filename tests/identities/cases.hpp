@@ -10,7 +10,6 @@
 #include "stoss/bodies/rod.hpp"
 #include "stoss/bodies/sphere.hpp"
 #include "stoss/contact/contact.hpp"
-#include "stoss/contact/tail.hpp"
 #include "stoss/contact/wall.hpp"
 
 namespace stoss::test {

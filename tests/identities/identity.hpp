@@ -14,7 +14,7 @@ class Identity : public ::testing::TestWithParam<Case> {
   const Contact contact = contact_of(its);
   // All of a rod's end touches and leaves at once, which a static tail without mass answers with a rattle: fewer, but
   // finer steps. With the radiating tail nothing is gained from them.
-  const double step = recommended_step(contact, its.speed, its.tail) * (is_rod(its) ? 0.125 : 1.0);
+  const double step = fixed_resolution(contact, its.speed, {.tail = its.tail}).step * (is_rod(its) ? 0.125 : 1.0);
 
   [[nodiscard]] bool has_static_tail() const { return !its.soft && its.tail == Tail::quasistatic; }
   [[nodiscard]] bool loses_energy() const { return !its.soft && its.tail == Tail::radiating; }

@@ -15,7 +15,7 @@ TEST_P(Identity, TimeReversalGivesBackTheStart) {
   use_one_grid(contact, its.speed, options.resolution);
   const Impact forth = impact(contact, its.speed, options);
   options.start = backwards(forth.final_state);
-  if (!is_rod(its)) options.resolution.nodes = forth.nodes;
+  if (!is_rod(its)) options.resolution.nodes = forth.resolution.nodes;
   const Impact back = impact(contact, -forth.final_state.velocity, options);
   EXPECT_NEAR(back.restitution * forth.restitution, 1.0, 1e-8);
   EXPECT_NEAR(-back.final_state.velocity / its.speed, 1.0, 1e-8);

@@ -26,7 +26,7 @@ TEST(RodImpact, TendsToTheExactOneAtFirstOrderInTheCutoff) {
     const Impact result = impact(rod(cutoff), HardWall{}, 0.1);
     EXPECT_EQ(result.contacts, 1);
     restitution_error.push_back(std::abs(result.restitution - 1.0));
-    EXPECT_NEAR(result.contact_time, 2.0, result.step);
+    EXPECT_NEAR(result.contact_time, 2.0, result.resolution.step);
     EXPECT_NEAR(result.max_compression, 0.05, 0.01 / cutoff);  // half of v L/c: it stops in the middle
   }
   for (std::size_t i = 1; i < restitution_error.size(); ++i) {

@@ -24,7 +24,7 @@ TEST(Motion, IsTheImpactItself) {
   };
   (void)impact(body, HardWall{}, 0.1, {}, {observer});
   std::vector<double> times;
-  for (std::size_t i = 0; i < centers.size(); i += 7) times.push_back(static_cast<double>(i) * result.step);
+  for (std::size_t i = 0; i < centers.size(); i += 7) times.push_back(static_cast<double>(i) * result.resolution.step);
   const std::vector<Frame> frames = motion(contact(body), result, times);
   ASSERT_EQ(frames.size(), times.size());
   for (std::size_t i = 0; i < frames.size(); ++i) {
@@ -41,16 +41,17 @@ TEST(Motion, GoesToTheNearestStep) {
   const Body body = disk(0.33, 12.5);
   const Impact result = impact(body, HardWall{}, 0.1);
   const std::vector<Frame> frames =
-      motion(contact(body), result, {10.4 * result.step, 10.6 * result.step, 10.6 * result.step});
-  EXPECT_DOUBLE_EQ(frames[0].time, 10.0 * result.step);
-  EXPECT_DOUBLE_EQ(frames[1].time, 11.0 * result.step);
-  EXPECT_DOUBLE_EQ(frames[2].time, 11.0 * result.step);
+      motion(contact(body), result,
+             {10.4 * result.resolution.step, 10.6 * result.resolution.step, 10.6 * result.resolution.step});
+  EXPECT_DOUBLE_EQ(frames[0].time, 10.0 * result.resolution.step);
+  EXPECT_DOUBLE_EQ(frames[1].time, 11.0 * result.resolution.step);
+  EXPECT_DOUBLE_EQ(frames[2].time, 11.0 * result.resolution.step);
 }
 
 TEST(Motion, IsFreeBeforeAndAfter) {
   const Body body = disk(0.33, 12.5);
   const Impact result = impact(body, HardWall{}, 0.1);
-  const double end = static_cast<double>(result.steps) * result.step;
+  const double end = static_cast<double>(result.resolution.steps) * result.resolution.step;
   const std::vector<Frame> frames = motion(contact(body), result, {-2.0, 0.0, end, end + 3.0});
   EXPECT_NEAR(frames[0].state.center, frames[1].state.center - 0.2, 1e-12);
   for (const double coordinate : frames[0].state.coordinate) EXPECT_EQ(coordinate, 0.0);

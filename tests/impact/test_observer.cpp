@@ -41,7 +41,7 @@ TEST_P(Observer, SeesAConsistentMotion) {
   double largest_force = 0.0, deepest = -1.0, widest = 0.0;
   for (std::size_t i = 0; i < seen.size(); ++i) {
     const Snapshot& now = seen[i];
-    EXPECT_NEAR(now.time, static_cast<double>(i) * result.step, 1e-12);
+    EXPECT_NEAR(now.time, static_cast<double>(i) * result.resolution.step, 1e-12);
     EXPECT_GE(now.force, 0.0);
     EXPECT_NEAR(now.translation, now.velocity * now.velocity / 0.01, 1e-6);
     // In contact the tail has energy of its own, which the radiating one counts as unresolved.
@@ -59,7 +59,7 @@ TEST_P(Observer, SeesAConsistentMotion) {
   EXPECT_NEAR(seen.back().vibration, result.energy.vibration, 1e-14);
   // The maximum values are tops of parabolas through the samples; compression counts from the touch of the continuous
   // surface, h²/24 before that of the centre's position.
-  const double spacing = result.half_width / result.nodes;
+  const double spacing = result.resolution.half_width / result.resolution.nodes;
   EXPECT_GE(result.max_force, largest_force);
   EXPECT_LT(result.max_force, 1.003 * largest_force);
   EXPECT_GE(result.max_compression, deepest);
@@ -178,11 +178,11 @@ TEST(ImpactResult, CarriesItsInputs) {
   EXPECT_EQ(std::get<ExponentialWall>(result.wall).hardness, 321.0);
   EXPECT_EQ(result.speed, 0.07);
   EXPECT_EQ(result.cutoff, 12.5);
-  EXPECT_EQ(result.step, 0.004);
-  EXPECT_EQ(result.nodes, 150);
+  EXPECT_EQ(result.resolution.step, 0.004);
+  EXPECT_EQ(result.resolution.nodes, 150);
   const Impact usual = impact(body, HardWall{}, 0.07);
-  EXPECT_EQ(usual.step, recommended_step(contact(body, HardWall{}), 0.07));
-  EXPECT_EQ(usual.nodes, recommended_nodes(contact(body, HardWall{}), 0.07));
+  EXPECT_EQ(usual.resolution.step, fixed_resolution(contact(body, HardWall{}), 0.07).step);
+  EXPECT_EQ(usual.resolution.nodes, fixed_resolution(contact(body, HardWall{}), 0.07).nodes);
 }
 
 TEST(ImpactResult, FlagsWhatIsBeyondSmallStrain) {

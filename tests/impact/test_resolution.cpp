@@ -25,7 +25,7 @@ TEST(Resolution, ABodySaysHowManyPointsItNeeds) {
   const Body usual = disk(0.33, 25.0);
   Body fine = usual;
   fine.sampling = {.points = 100.0, .cutoff = 10.0, .power = 1.0, .along_edge = 0.0, .fewest = 300};
-  EXPECT_EQ(recommended_nodes(contact(fine), 0.1), 300);
+  EXPECT_EQ(fixed_resolution(contact(fine), 0.1).nodes, 300);
   EXPECT_EQ(refined_resolution(contact(fine), 0.1, 0.1).nodes, 256);  // 100 · 2.5, in eights
   fine.sampling.along_edge = 40.0;
   EXPECT_EQ(refined_resolution(contact(fine), 0.1, 0.25).nodes, 504);  // 40 · 25 · √¼
@@ -36,7 +36,7 @@ TEST(Resolution, OfAPairTheBodyThatAsksForMorePointsDecides) {
   Body fine = usual;
   fine.sampling = {.points = 100.0, .cutoff = 10.0, .power = 1.0, .along_edge = 0.0, .fewest = 300};
   for (const Contact& pair : {contact(fine, usual), contact(usual, fine)}) {
-    EXPECT_EQ(recommended_nodes(pair, 0.2), 300);
+    EXPECT_EQ(fixed_resolution(pair, 0.2).nodes, 300);
     EXPECT_EQ(refined_resolution(pair, 0.2, 0.1).nodes, 256);
   }
 }
@@ -48,10 +48,10 @@ TEST(Resolution, RefusesNodesThatAliasTheKeptModes) {
 
 TEST(Resolution, RefusesNonsense) {
   const Body body = disk(0.33, 12.5);
-  test::expect_refusal([&] { (void)recommended_step(contact(body, HardWall{}), std::nan("")); }, {"speed", "nan"});
+  test::expect_refusal([&] { (void)fixed_resolution(contact(body, HardWall{}), std::nan("")); }, {"speed", "nan"});
   test::expect_refusal(
       [&] {
-        (void)recommended_nodes(contact(body, ExponentialWall{-5.0, 1.0}), 0.1);
+        (void)fixed_resolution(contact(body, ExponentialWall{-5.0, 1.0}), 0.1).nodes;
       },
       {"hardness", "-5"});
   test::expect_refusal([&] { (void)test::grid_of(body, std::nan(""), 32); }, {"half_width", "nan"});

@@ -58,8 +58,8 @@ TEST(StartState, FurtherAwayChangesTheImpactOnlyByTheStep) {
   const Impact near = impact(body, HardWall{}, 0.1, {.resolution = {.step = step}});
   // So many whole steps further away, the touch falls on the same phase within a step.
   const Contact at_wall = contact(body);
-  const ContactGrid grid = contact_grid(at_wall, near.half_width, near.nodes);
-  const Collision beside(at_wall, Tail::radiating, grid, 0.1, step, {}, {});
+  const ContactGrid grid = contact_grid(at_wall, near.resolution.half_width, near.resolution.nodes);
+  const Collision beside(at_wall, near.resolution, grid, 0.1, {}, {});
   const double distance = -(beside.snapshot().center + body.extent) + 0.1 * 250 * step;
   const Impact far =
       impact(body, HardWall{}, 0.1, {.resolution = {.step = step}, .start = at_rest(body, distance, 0.1)});
@@ -126,7 +126,7 @@ TEST(StartState, MayPartSoSlowlyThatClearingTheWallTakesLongerThanAnyContact) {
   State start = forth.final_state;
   start.velocity = -start.velocity;
   for (double& momentum : start.momentum) momentum = -momentum;
-  const Resolution same{forth.step, forth.nodes, forth.half_width, Tail::quasistatic};
+  const Resolution same(forth.resolution);
   const Impact back = impact(at_wall, start.velocity, {.resolution = same, .start = start});
   EXPECT_NEAR(back.restitution * forth.restitution, 1.0, 1e-4);
   EXPECT_GT(static_cast<double>(back.steps) * back.step, 1000.0);  // R/c

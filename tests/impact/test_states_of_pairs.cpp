@@ -146,7 +146,7 @@ TEST_P(StatesOfAPair, MayBeToldFromTheOtherBody) {
   there.coordinate[of_second + 2] = here.coordinate[2] / units.length;
   there.coordinate[3] = here.coordinate[of_first + 3] / units.length;
   there.momentum[1] = here.momentum[of_first + 1] / momentum;
-  const double step = recommended_step(pair, speed);
+  const double step = fixed_resolution(pair, speed).step;
   const Impact a = impact(pair, speed, {.resolution = {.step = step}, .start = here});
   const Impact b = impact(swapped, speed / wave, {.resolution = {.step = step / units.time}, .start = there});
   EXPECT_NEAR(b.restitution, a.restitution, 1e-10);
@@ -173,7 +173,7 @@ INSTANTIATE_TEST_SUITE_P(Every, StatesOfAPair, ::testing::ValuesIn(test::other_d
 TEST(StatesOfRods, AreReplayedWithOneNode) {
   const Contact pair = contact(rod(), rod(Rod{2.5, 1.0, 1.0, 1.0}), 160.0);
   const Impact result = impact(pair, speed);
-  const double end = static_cast<double>(result.steps) * result.step;
+  const double end = static_cast<double>(result.steps) * result.resolution.step;
   const std::vector<Frame> frames = motion(pair, result, {-1.0, 1.0, end + 2.0});
   ASSERT_EQ(frames[1].node_force.size(), 1U);
   EXPECT_NEAR(frames[1].node_force[0], frames[1].force, 1e-15);

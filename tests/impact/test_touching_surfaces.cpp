@@ -45,7 +45,7 @@ TEST_P(TouchingSurfaces, AreInOnePlace) {
   const Contact meeting = contact(who.first, who.second, who.cutoff, speed);
   // Of the quasistatic tail the surfaces are known to rounding.
   const Impact hit = impact(meeting, speed, {.resolution = {.tail = Tail::quasistatic}});
-  const ContactGrid grid = contact_grid(meeting, hit.half_width, hit.nodes);
+  const ContactGrid grid = contact_grid(meeting, hit.resolution.half_width, hit.resolution.nodes);
   const std::vector<Frame> frames = motion(meeting, hit, {0.25 * hit.contact_time, 0.5 * hit.contact_time});
   for (const Frame& frame : frames) {
     const std::vector<double> one = places(meeting, grid, frame, 0), other = places(meeting, grid, frame, 1);
@@ -64,7 +64,7 @@ TEST(TouchingSurface, OfAHalfSpaceIsThatOfItsField) {
   constexpr double poisson = 0.2;
   const Contact meeting = contact(sphere(0.3), half_space({.poisson = poisson}), 8.0, 0.05);
   const Impact hit = impact(meeting, 0.05);
-  const ContactGrid grid = contact_grid(meeting, hit.half_width, hit.nodes);
+  const ContactGrid grid = contact_grid(meeting, hit.resolution.half_width, hit.resolution.nodes);
   const BodyFrame seen = seen_by(meeting, grid, motion(meeting, hit, {0.5 * hit.contact_time}).front(), 1);
   const std::vector<double> displaced = contact_displacement(seen, residual_compliance(seen));
   const double place = seen.points.radius * std::sin(seen.points.angle(3));

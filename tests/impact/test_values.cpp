@@ -48,7 +48,7 @@ class SoftWallValues : public ::testing::Test {
   static Impact refined(double cutoff) {
     const Body body = disk(0.33, cutoff);
     return impact(body, ExponentialWall{}, 0.1,
-                  {.resolution = {.step = 0.25 * recommended_step(contact(body, ExponentialWall{}), 0.1)}});
+                  {.resolution = {.step = 0.25 * fixed_resolution(contact(body, ExponentialWall{}), 0.1).step}});
   }
 };
 
@@ -110,9 +110,9 @@ TEST(ImpactReference, ContactAtHardWallIsThatOfFiniteElements) {
     const Impact result =
         impact(bodies.at(poisson), HardWall{}, speed, {}, {[&](const Snapshot& now) { force.push_back(now.force); }});
     EXPECT_NEAR(result.contact_time, row.number("contact_time"),
-                row.number("contact_time_uncertainty") + 2.0 * result.step);
+                row.number("contact_time_uncertainty") + 2.0 * result.resolution.step);
     // The reference averages the force over 0.05 R/c.
-    const auto window = std::lround(0.05 / result.step);
+    const auto window = std::lround(0.05 / result.resolution.step);
     double largest = 0.0;
     for (auto from = force.begin(); force.end() - from >= window; ++from) {
       largest = std::max(largest, std::accumulate(from, from + window, 0.0) / static_cast<double>(window));

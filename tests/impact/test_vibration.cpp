@@ -160,7 +160,7 @@ TEST(VibratingBodies, ThatAreMirrorImagesAreOneAtAWall) {
   const Impact one = impact_of(wall, 0.05, {{0, 2, 0, 0.1, 1.0}, {0, 3, 0, 0.2, 2.0}});
   const Impact both =
       impact_of(pair, 0.1, {{0, 2, 0, 0.05, 1.0}, {1, 2, 0, 0.05, 1.0}, {0, 3, 0, 0.1, 2.0}, {1, 3, 0, 0.1, 2.0}},
-                {.step = one.step, .nodes = one.nodes, .half_width = one.half_width});
+                Resolution(one.resolution));
   // Only their clearances differ, so the touch falls on another phase within a step.
   EXPECT_NEAR(both.restitution, one.restitution, 2e-4);
   EXPECT_NEAR(both.energy.lost_to_first, both.energy.lost_to_second, 1e-12);
@@ -174,9 +174,10 @@ TEST(VibratingBodies, MayBeSwapped) {
   const double time = other.time / unit.time, speed = 0.1 * (unit.length / unit.time) / (other.length / other.time);
   for (const int body : {0, 1}) {
     const Impact one = impact_of(here, 0.1, {{body, 2, 0, 0.2, 1.0}});
-    const Impact mirrored = impact_of(
-        there, speed, {{1 - body, 2, 0, 0.2, 1.0}},
-        {.step = one.step / time, .nodes = one.nodes, .half_width = one.half_width * unit.length / other.length});
+    const Impact mirrored = impact_of(there, speed, {{1 - body, 2, 0, 0.2, 1.0}},
+                                      {.step = one.resolution.step / time,
+                                       .nodes = one.resolution.nodes,
+                                       .half_width = one.resolution.half_width * unit.length / other.length});
     // The touch falls on another phase within a step.
     EXPECT_NEAR(mirrored.restitution, one.restitution, 5e-6);
     EXPECT_NEAR(mirrored.energy.lost_to_first, one.energy.lost_to_second, 5e-6);

@@ -22,9 +22,9 @@ std::vector<double> speeds(int count) {
 }
 
 TEST(Curve, HasTheSameBitsForAnyNumberOfThreads) {
-  const auto one = restitution_curve(0.33, speeds(12), {.tolerance = 1e-2, .threads = 1});
+  const auto one = restitution_curve(0.33, speeds(12), {.each = {.tolerance = 1e-2}, .threads = 1});
   for (const int threads : {2, 3, 64}) {
-    const auto many = restitution_curve(0.33, speeds(12), {.tolerance = 1e-2, .threads = threads});
+    const auto many = restitution_curve(0.33, speeds(12), {.each = {.tolerance = 1e-2}, .threads = threads});
     ASSERT_EQ(many.size(), one.size());
     for (std::size_t i = 0; i < one.size(); ++i) {
       EXPECT_EQ(many[i].restitution.value, one[i].restitution.value);
@@ -37,10 +37,10 @@ TEST(Curve, HasTheSameBitsForAnyNumberOfThreads) {
 
 TEST(Curve, IsThePointsOneByOne) {
   const RefinableContact body{disk(0.9)};
-  const auto curve = restitution_curve(body, {0.2, 0.01, 0.2}, {.tolerance = 3e-3});
+  const auto curve = restitution_curve(body, {0.2, 0.01, 0.2}, {.each = {.tolerance = 3e-3}});
   ASSERT_EQ(curve.size(), 3U);
   for (const Restitution& point : curve) {
-    const Restitution alone = restitution(body, point.finest.speed, {.tolerance = 3e-3});
+    const Restitution alone = restitution(body, point.finest.speed, {.each = {.tolerance = 3e-3}});
     EXPECT_EQ(point.lost_fraction.value, alone.lost_fraction.value);
     EXPECT_TRUE(point.converged);
   }
@@ -56,7 +56,7 @@ TEST(Curve, IsObservedInOrderOnTheCallingThread) {
     EXPECT_EQ(point.finest.speed, speeds(9)[i]);
     order.push_back(i);
   };
-  restitution_curve(RefinableContact(disk(0.33)), speeds(9), {.tolerance = 1e-2, .threads = 4}, observer);
+  restitution_curve(RefinableContact(disk(0.33)), speeds(9), {.each = {.tolerance = 1e-2}, .threads = 4}, observer);
   EXPECT_EQ(order, (std::vector<std::size_t>{0, 1, 2, 3, 4, 5, 6, 7, 8}));
 }
 
@@ -68,16 +68,17 @@ TEST(Curve, EndsSoonWhenPollOrObserverThrow) {
     if (Clock::now() - begin > std::chrono::milliseconds(100)) throw Enough{};
   };
   // Each point alone takes seconds.
-  EXPECT_THROW(
-      (void)restitution_curve(0.33, speeds(50), {.tolerance = 1e-9, .absolute = 0.0, .threads = 2, .poll = poll}),
-      Enough);
+  EXPECT_THROW((void)restitution_curve(0.33, speeds(50),
+                                       {.each = {.tolerance = 1e-9, .absolute = 0.0, .poll = poll}, .threads = 2}),
+               Enough);
   EXPECT_LT(Clock::now() - begin, std::chrono::seconds(10));
   std::size_t seen = 0;
   const auto observer = [&](std::size_t i, const Restitution&) {
     seen = i;
     if (i == 2) throw Enough{};
   };
-  EXPECT_THROW(restitution_curve(RefinableContact(disk(0.33)), speeds(50), {.tolerance = 1e-2}, observer), Enough);
+  EXPECT_THROW(restitution_curve(RefinableContact(disk(0.33)), speeds(50), {.each = {.tolerance = 1e-2}}, observer),
+               Enough);
   EXPECT_EQ(seen, 2U);
 }
 
@@ -116,8 +117,9 @@ TEST(Curve, RefusesBadInputBeforeItComputes) {
         restitution_curve(RefinableContact(disk(0.33)), {0.1, std::nan("")}, {}, observer);
       },
       {"speed", "nan"});
-  test::expect_refusal([&] { restitution_curve(RefinableContact(disk(0.33)), {0.1}, {.tolerance = 0.0}, observer); },
-                       {"tolerance"});
+  test::expect_refusal(
+      [&] { restitution_curve(RefinableContact(disk(0.33)), {0.1}, {.each = {.tolerance = 0.0}}, observer); },
+      {"tolerance"});
   test::expect_refusal([&] { restitution_curve(RefinableContact(disk(0.33)), {0.1}, {.threads = -1}, observer); },
                        {"threads", "-1"});
   test::expect_refusal([&] { (void)restitution_curve(1.1, {0.1}); }, {"poisson", "1.1"});

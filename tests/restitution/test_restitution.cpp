@@ -53,8 +53,8 @@ TEST(Restitution, MeetsItsToleranceAndSaysHow) {
       if (i > 0) {
         EXPECT_GT(run.cutoff, result.runs[i - 1].cutoff);
       }
-      EXPECT_LE(run.step * run.cutoff, 0.5 + 1e-12);
-      EXPECT_GT(run.nodes, 0);
+      EXPECT_LE(run.resolution.step * run.cutoff, 0.5 + 1e-12);
+      EXPECT_GT(run.resolution.nodes, 0);
       steps += run.steps;
     }
     EXPECT_EQ(steps, result.steps);
@@ -76,8 +76,7 @@ TEST(Restitution, RecordsRunsThatCanBeRepeated) {
   const Restitution result = restitution(disk(-0.5), 0.02);
   for (const auto& run : result.runs) {
     const Impact repeated =
-        impact(disk(-0.5, run.cutoff), HardWall{}, 0.02,
-               {.resolution = {.step = run.step, .nodes = run.nodes, .half_width = run.half_width}});
+        impact(disk(-0.5, run.cutoff), HardWall{}, 0.02, {.resolution = Resolution(run.resolution)});
     EXPECT_EQ(repeated.lost_fraction, run.lost_fraction);
     EXPECT_EQ(repeated.contact_time, run.contact_time);
     EXPECT_EQ(repeated.max_force, run.max_force);

@@ -3,7 +3,7 @@
 #include <ostream>
 
 #include "stoss/bodies/disk.hpp"
-#include "stoss/contact/tail.hpp"
+#include "stoss/contact/wall.hpp"
 
 /// How GoogleTest names parameters of these types; without it, by their bytes.
 namespace stoss {

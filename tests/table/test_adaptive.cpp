@@ -59,7 +59,8 @@ TEST_P(Functions, AreWithinTheirErrorOfValuesBetweenTheirKnots) {
       const double left = function.knots()[k].speed, right = function.knots()[k + 1].speed;
       speeds.push_back(left * std::pow(right / left, 0.2 + 0.6 * 0x1p-64 * static_cast<double>(random())));
     }
-    const auto direct = restitution_curve(contact, speeds, {.tolerance = 1e-15, .absolute = 0.1 * error, .threads = 2});
+    const auto direct =
+        restitution_curve(contact, speeds, {.each = {.tolerance = 1e-15, .absolute = 0.1 * error}, .threads = 2});
     for (std::size_t i = 0; i < speeds.size(); ++i) {
       const Estimate found = function(speeds[i]), exact = direct[i].restitution;
       const double distance = std::abs(found.value - exact.value) - exact.error;
@@ -79,7 +80,8 @@ double worst_ratio(const RefinableContact& contact, double slowest, double faste
   constexpr int points = 25;
   std::vector<double> speeds;
   for (int i = 0; i < points; ++i) speeds.push_back(from * std::pow(to / from, (i + 0.5) / points));
-  const auto direct = restitution_curve(contact, speeds, {.tolerance = 1e-15, .absolute = 0.1 * error, .threads = 2});
+  const auto direct =
+      restitution_curve(contact, speeds, {.each = {.tolerance = 1e-15, .absolute = 0.1 * error}, .threads = 2});
   double worst = 0.0;
   for (std::size_t i = 0; i < speeds.size(); ++i) {
     const Estimate found = function(speeds[i]);

@@ -58,7 +58,8 @@ TEST_P(Laws, HoldWithinTheirErrors) {
   const auto& [name, contact, law] = GetParam();
   for (const double speed : {1e-6, 1e-5, 1e-4, 1e-3, 0.005, 0.02}) {
     const auto& [value, error] = law(speed);
-    const CurveOptions options{.tolerance = 1e-3, .absolute = 0.1 * error};  // as accurate as can be told apart
+    const CurveOptions options{
+        .each = {.tolerance = 1e-3, .absolute = 0.1 * error}};  // as accurate as can be told apart
     const Estimate found = restitution_curve(contact, {speed}, options).front().restitution;
     EXPECT_LE(std::abs(value - found.value), error + found.error) << name << ", v = " << speed;
     EXPECT_GE(error, 0.0);

@@ -43,7 +43,7 @@ TEST(RodChain, KeepsEnergyAndMomentum) {
   const double mass = 12.0;
   for (const RodMethod method : methods) {
     for (const Tail tail : {Tail::radiating, Tail::quasistatic}) {
-      RodChain chain = chain_of(rods, {.method = method, .modes = 10, .pieces = 60, .tail = tail});
+      RodChain chain = chain_of(rods, {.method = method, .modes = 10, .pieces = 60, .resolution = {.tail = tail}});
       const RodChainSample start = chain.sample();
       RodChainRecord record;
       run(chain, record, 1000);
@@ -121,7 +121,7 @@ TEST(RodChain, VibrationsDecayAsAsked) {
 }
 
 TEST(RodChain, RunsBackWithTheStaticTail) {
-  RodChain chain = chain_of(random_rods(4, 0.3), {.modes = 20, .tail = Tail::quasistatic});
+  RodChain chain = chain_of(random_rods(4, 0.3), {.modes = 20, .resolution = {.tail = Tail::quasistatic}});
   const std::vector<double> start = chain.velocities();
   for (int k = 0; k < 5; ++k) chain.collide();
   chain.fly(0.5 * (chain.sample().time + chain.next()));

@@ -40,7 +40,7 @@ Mean mean(const std::vector<double>& values) {
 // Microcanonical: translation has as many degrees of freedom as rods but one, every mode two.
 TEST(RodChainCooling, EnergyIsSharedByAllDegreesOfFreedomWithoutDamping) {
   const std::vector<Rod> rods = random_rods(6, 0.1);
-  RodChain chain = chain_of(rods, {.modes = 2, .tail = Tail::quasistatic}, 4);
+  RodChain chain = chain_of(rods, {.modes = 2, .resolution = {.tail = Tail::quasistatic}}, 4);
   const double total = chain.sample().translation;
   constexpr int batches = 20, each = 4000;
   for (int k = 0; k < each; ++k) chain.collide();

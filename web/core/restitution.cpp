@@ -41,7 +41,7 @@ val quantities(const Encounter& encounter, const Restitution& result) {
   return all;
 }
 
-CurveOptions options(double tolerance) { return {.tolerance = tolerance, .threads = 1, .poll = say_alive}; }
+CurveOptions options(double tolerance) { return {.each = {.tolerance = tolerance, .poll = say_alive}, .threads = 1}; }
 
 }  // namespace
 

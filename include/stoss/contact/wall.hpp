@@ -17,6 +17,12 @@ struct ExponentialWall {
   double strength = 1.0;  ///< V₀, ρc²R², of a sphere ρc²R; shifts the wall by ln V₀/α and changes nothing else
 };
 
+/// How the modes above the cutoff answer a hard contact (docs/theory/walls.md).
+enum class Tail {
+  quasistatic,  ///< exact static compliance; stores energy, loses none ("static" on the command line)
+  radiating     ///< static compliance at low and plane-wave impedance at high frequency; absorbs energy
+};
+
 using Wall = std::variant<HardWall, ExponentialWall>;
 
 /// Checks the constants of a wall. @throws InvalidInput for a hardness or strength out of range

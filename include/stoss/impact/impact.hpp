@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "stoss/contact/contact.hpp"
-#include "stoss/contact/tail.hpp"
 #include "stoss/impact/resolution.hpp"
 #include "stoss/impact/state.hpp"
 #include "stoss/poll.hpp"
@@ -81,12 +80,9 @@ struct EnergyLedger {
 struct Impact {
   std::string contact;  ///< name of what met
   Wall wall;
-  Tail tail = Tail::radiating;
   double speed = 0.0;   ///< c
   double cutoff = 0.0;  ///< c/R
-  double step = 0.0;    ///< R/c
-  int nodes = 0;
-  double half_width = 0.0;     ///< of the contact grid, R
+  FixedResolution resolution;
   double restitution = 0.0;    ///< ε = −v_f / v_i
   double lost_fraction = 0.0;  ///< 1 − ε²
   EnergyLedger energy;

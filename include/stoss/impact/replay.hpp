@@ -4,7 +4,6 @@
 #include <vector>
 
 #include "stoss/impact/impact.hpp"
-#include "stoss/impact/resolution.hpp"
 #include "stoss/poll.hpp"
 
 namespace stoss {
@@ -17,9 +16,6 @@ struct Frame {
   State state;
   std::vector<double> node_force;  ///< share of each contact node in F
 };
-
-/// Resolution at which `impact` repeats an impact, from the same start, bit by bit.
-[[nodiscard]] Resolution repetition(const Contact& contact, const Impact& impact);
 
 /// One of two bodies at one instant. Lengths and the place are in units of the first, what is inside the body in its
 /// own: the arguments of DiskField and SphereField.

@@ -4,7 +4,6 @@
 #include <functional>
 #include <vector>
 
-#include "stoss/poll.hpp"
 #include "stoss/restitution/restitution.hpp"
 
 namespace stoss {
@@ -13,18 +12,12 @@ namespace stoss {
 /// as it and all before it are there. What it throws ends the curve.
 using CurveObserver = std::function<void(std::size_t index, const Restitution& result)>;
 
-/// Called on the calling thread while it waits for result `index`, with the last impact that has
-/// begun for it.
-using AttemptObserver = std::function<void(std::size_t index, const Attempt& attempt)>;
-
-/// Tolerance and threads of a curve.
+/// How the values of a curve are computed.
 struct CurveOptions {
-  double tolerance = 1e-3;             ///< as in RestitutionOptions
-  double absolute = 1e-6;              ///< as in RestitutionOptions
-  int threads = 0;                     ///< 0: as many as the machine has; results do not depend on it
-  Poll poll{};                         ///< on the calling thread, at least every 50 ms
-  AttemptObserver attempt_observer{};  ///< what it throws ends the curve
-  Vibration vibration{};               ///< as in RestitutionOptions, at each speed
+  /// Of each value. `poll` is called on the calling thread, at least every 50 ms, and so is `attempt_observer`: with
+  /// the last impact that has begun for the result that comes next.
+  RestitutionOptions each{};
+  int threads = 0;  ///< 0: as many as the machine has; results do not depend on it
 };
 
 /// Checks the speeds and the options of a curve.

@@ -23,9 +23,7 @@ struct Estimate {
 /// One impact on the way to a converged value: its resolution, with which `impact` repeats it bit by bit, and results.
 struct Run {
   double cutoff = 0.0;
-  double step = 0.0;
-  int nodes = 0;
-  double half_width = 0.0;  ///< of the contact grid
+  FixedResolution resolution;
   double lost_fraction = 0.0;
   double dissipated = 0.0;  ///< energy that the material took, share of the initial energy of translation
   double unresolved = 0.0;  ///< energy that the modes above the cutoff took, share of the initial energy of translation

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "stoss/bodies/rod.hpp"
-#include "stoss/contact/tail.hpp"
+#include "stoss/impact/resolution.hpp"
 #include "stoss/poll.hpp"
 
 namespace stoss {
@@ -25,8 +25,9 @@ struct RodChainOptions {
   RodMethod method = RodMethod::modes;
   int modes = 50;    ///< of the rod of the shortest transit time, 1 … 10 000; the others keep all up to its frequency
   int pieces = 400;  ///< most of the wave in each rod (characteristics), 2 … 1 000 000
-  /// Of the modes above the cutoff (modes): radiating, they absorb energy for good; static, they absorb none.
-  Tail tail = Tail::radiating;
+  /// Of each collision (modes). The radiating tail absorbs energy for good, the static one none; times are in the
+  /// transit time of the left rod.
+  Resolution resolution{};
   std::optional<double> decay_time{};  ///< in which the energy of a vibration falls to 1/e; absent: none, 0: complete
   Poll poll{};
 };

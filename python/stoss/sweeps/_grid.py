@@ -18,7 +18,7 @@ from stoss.bodies._bodies import Body, speed_unit, speeds_in_si
 from stoss.bodies._encounter import Against, choose_against, choose_body, refinable
 from stoss._errors import InvalidInput
 from stoss.bodies._blocks import Unbounded
-from stoss.sweeps._specification import Choices, beside, choices, expanded, make, series
+from stoss.sweeps._specification import Choices, beside, choices, expanded, make
 from stoss.bodies._solid import Solid, Specification, describe
 from stoss.bodies._walls import HardWall
 
@@ -208,7 +208,7 @@ def _specifications(name: str, several: list[tuple[Any, Choices]]) -> Iterator[S
 
 
 def _speeds(given: Any) -> NDArray[np.float64]:
-    values = numbers("speed", series("speed", given) if isinstance(given, str) else given).ravel()
+    values = numbers("speed", _core.series("speed", given) if isinstance(given, str) else given).ravel()
     if values.size == 0:
         raise InvalidInput("speed: got none, allowed at least one (the grid is empty)")
     each, count = np.unique(values[~np.isnan(values)], return_counts=True)

@@ -3,11 +3,10 @@
 from __future__ import annotations
 
 import dataclasses
-import decimal
 import itertools
-import math
 from typing import Any, Iterator, List, Mapping, Tuple
 
+from stoss import _core
 from stoss._arguments import refusal
 from stoss._errors import InvalidInput
 from stoss.bodies._blocks import HalfPlane, HalfSpace
@@ -19,7 +18,6 @@ from stoss.bodies._walls import HardWall
 SOLIDS: tuple[type[Solid], ...] = (Disk, Sphere, Rod, HalfSpace, HalfPlane)
 CLASSES: Mapping[str, Any] = {made._kind: made for made in SOLIDS}
 WALLS = ("wall", "same")
-LONGEST_SERIES = 10_000
 
 Choices = List[List[Tuple[str, Any]]]
 """Of each key of a mapping all values that it is to have."""
@@ -115,7 +113,7 @@ def _choices(name: str, key: str, value: Any) -> list[Any]:
     if key in ("kind", "plane", "rigid", "material"):
         return list(value) if isinstance(value, (list, tuple)) else [value]
     if isinstance(value, str):
-        return list(series(name, value))
+        return list(_core.series(name, value))
     if hasattr(value, "tolist"):  # of NumPy
         value = value.tolist()
     return [_number(name, each) for each in value] if isinstance(value, (list, tuple)) else [_number(name, value)]
@@ -129,24 +127,3 @@ def _number(name: str, value: Any) -> float:
         return float(value)
     except OverflowError:
         raise refusal(name, value, allowed) from None
-
-
-def series(name: str, text: str) -> list[float]:
-    """The numbers of log:a:b:n or lin:a:b:n, the same bits on any machine."""
-    kind, *parts = text.split(":")
-    try:
-        first, last = (decimal.Decimal(part) for part in parts[:2])
-        count = int(parts[2])
-        ends = float(first), float(last)
-        if kind not in ("log", "lin") or len(parts) != 3 or count < 1 or not all(map(math.isfinite, ends)):
-            raise ValueError
-        if kind == "log" and min(ends) <= 0:
-            raise ValueError
-    except (ValueError, IndexError, ArithmeticError):
-        raise refusal(name, text, "log:a:b:n or lin:a:b:n with n of 1 or more, positive ends of log") from None
-    if count > LONGEST_SERIES:
-        raise InvalidInput(f"{name}: got a series of {count} numbers, allowed 1 to {LONGEST_SERIES}")
-    steps = [decimal.Decimal(i) / max(count - 1, 1) for i in range(count)]
-    if kind == "lin":
-        return [float(first + step * (last - first)) for step in steps]
-    return [float(first * (last / first) ** step) for step in steps]
