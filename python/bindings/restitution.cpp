@@ -224,7 +224,7 @@ void bind_restitution(py::module_& module) {
   module.def(
       "check_curve",
       [](const Doubles& speeds, double tolerance, double absolute, int threads) {
-        validate(to_vector(speeds), {tolerance, absolute, threads});
+        validate(to_vector(speeds), {.each = {.tolerance = tolerance, .absolute = absolute}, .threads = threads});
       },
       py::arg("speeds"), py::arg("tolerance"), py::arg("absolute"), py::arg("threads"));
   module.def("restitution_curve", &curve, py::arg("contact"), py::arg("speeds"), py::arg("tolerance"),

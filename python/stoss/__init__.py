@@ -35,38 +35,37 @@ speed c = √(E/ρ), mass m; of bodies with a `Material`, speeds are in m/s.
 ================================  ==================================================================
 """
 
+import importlib
+
 from stoss import quasistatic
-from stoss.results._atlas import AtlasValue, atlas
-from stoss.bodies._bodies import Body, Disk, Rod, Sphere
-from stoss.results._bounce_call import bounce
-from stoss.results._bounce import Bounces
 from stoss._core import version as __version__
-from stoss.results._ensemble import restitution_distribution
-from stoss.results._distribution import RestitutionDistribution
 from stoss._errors import Interrupted, InvalidInput, NotConverged, StossWarning
+from stoss.bodies._blocks import HalfPlane, HalfSpace
+from stoss.bodies._bodies import Body, Disk, Rod, Sphere
+from stoss.bodies._material import Material, Scales, materials
+from stoss.bodies._state import Oscillation
+from stoss.bodies._walls import ExponentialWall, HardWall, Wall
+from stoss.export._csv import Table, read_csv
+from stoss.export._text import with_error
+from stoss.results._atlas import AtlasValue, atlas
+from stoss.results._bounce import Bounces, bounce
+from stoss.results._curves import restitution
+from stoss.results._distribution import RestitutionDistribution
+from stoss.results._ensemble import restitution_distribution
 from stoss.results._extrapolation import Extrapolation, extrapolated_restitution
 from stoss.results._field import DiskField, Field, SphereField
-from stoss.results._interpolation import restitution_function
 from stoss.results._function import RestitutionFunction
-from stoss.sweeps._grid import Grid
-from stoss.bodies._blocks import HalfPlane, HalfSpace
-from stoss.results._impact_call import impact
-from stoss.results._impact import Impact
-from stoss.bodies._material import Material, Scales, materials
+from stoss.results._impact import Impact, impact
+from stoss.results._interpolation import restitution_function
 from stoss.results._modes import Modes, modes
+from stoss.results._motion import Trajectory, Wave
 from stoss.results._pair_table import PairTable, pair_table
-from stoss.results._curves import restitution
 from stoss.results._restitution import Restitution
-from stoss.results._result import with_error
-from stoss.results._rod_chain_call import rod_chain
-from stoss.results._rod_chain import RodChain
-from stoss.bodies._state import Oscillation
+from stoss.results._result import Result
+from stoss.results._rod_chain import RodChain, rod_chain
+from stoss.sweeps._grid import Grid
 from stoss.sweeps._sweep import sweep
 from stoss.sweeps._values import Sweep, merge, open_sweep
-from stoss.export._csv import Table, read_csv
-from stoss.results._trajectory import Trajectory
-from stoss.bodies._walls import ExponentialWall, HardWall, Wall
-from stoss.results._wave import Wave
 
 __all__ = [
     "AtlasValue",
@@ -129,8 +128,13 @@ __all__ = [
 def __getattr__(name: str) -> object:
     """Matplotlib is only loaded when a picture is asked for."""
     if name in ("plot", "animate"):
-        import importlib
-
         plot = importlib.import_module("stoss.plot")
         return plot if name == "plot" else plot.animate
     raise AttributeError(f"module 'stoss' has no attribute {name!r}")
+
+
+def _draw(result: Result, ax: object, name: str) -> object:
+    return importlib.import_module("stoss.plot").PICTURES[type(result), name](result, ax)
+
+
+Result._draw = _draw

@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 
 from stoss.export import _tables
 from stoss._errors import InvalidInput
-from stoss.results._result import UNKNOWN, with_error
+from stoss.export._text import UNKNOWN, with_error
 
 AXES = {"restitution": "speed", "function": "speed", "quasistatic": "speed", "slow impact": "speed",
         "rayleigh": "speed", "modes": "mode", "trajectory": "time", "bounce": "number", "rod_chain": "time",

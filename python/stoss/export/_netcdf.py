@@ -11,10 +11,10 @@ import numpy as np
 from stoss import _core
 
 from stoss.export._files import whole_file
-from stoss.results._quantities import QUANTITIES, unit
+from stoss.results._result import QUANTITIES, unit
 from stoss.results._si import si_name
 from stoss.bodies._solid import describe
-from stoss.sweeps._names import label, numbers_of_bodies, unit_of_body
+from stoss.sweeps._values import label, numbers_of_bodies, unit_of_body
 
 if TYPE_CHECKING:
     from stoss.sweeps._values import Sweep

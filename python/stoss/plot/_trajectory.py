@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from stoss._arguments import instance
 from stoss.bodies._bodies import PARTNERS, Disk, Sphere
-from stoss.results._trajectory import Trajectory
+from stoss.results._motion import Trajectory
 from stoss.plot import _style
 
 

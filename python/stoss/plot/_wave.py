@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 from stoss._arguments import instance, integer, number, refusal
 from stoss.bodies._solid import is_rigid
 from stoss._errors import InvalidInput
-from stoss.results._wave import Wave
+from stoss.results._motion import Wave
 from stoss.plot import _disk, _style
 from stoss.plot._sequence import LARGEST, spoken_times
 

@@ -48,12 +48,9 @@ from stoss.quasistatic._hertz import (
     hertz_pressure,
     hertz_stress,
 )
-from stoss.quasistatic._rayleigh import rayleigh
-from stoss.quasistatic._estimates import PointRayleighEstimate, RayleighEstimate
-from stoss.quasistatic._slow import slow_impact
-from stoss.quasistatic._slow_impact import PointSlowImpact, SlowImpact
-from stoss.quasistatic._soft_static_contact import SoftStaticContact, soft_static_contact
-from stoss.quasistatic._static_contact import StaticContact, static_contact
+from stoss.quasistatic._rayleigh import PointRayleighEstimate, RayleighEstimate, rayleigh
+from stoss.quasistatic._slow_impact import PointSlowImpact, SlowImpact, slow_impact
+from stoss.quasistatic._static_contact import SoftStaticContact, StaticContact, soft_static_contact, static_contact
 from stoss.bodies._yielding import yield_speed
 
 __all__ = [

@@ -2,20 +2,174 @@
 
 from __future__ import annotations
 
+import dataclasses
 import warnings
-from typing import Any, overload
+from typing import Any, ClassVar, Union, overload
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from stoss import _core
 from stoss._arguments import arranged, number
-from stoss.bodies._bodies import Disk, Sphere, speeds_in_si
 from stoss._errors import StossWarning
-from stoss.quasistatic._estimates import PointRayleighEstimate, RayleighEstimate
-from stoss.results._result import columns
-from stoss.results._si import warn_of_yielding
-from stoss.quasistatic._slow import slow_inputs
+from stoss.bodies._bodies import Disk, Sphere, speeds_in_si
+from stoss.quasistatic._slow_impact import slow_inputs
+from stoss.export._text import span, with_error
+from stoss.results._result import Number, columns
+from stoss.results._si import InSi, warn_of_yielding
+
+Flag = Union[bool, NDArray[np.bool_]]
+Integer = Union[int, NDArray[np.int64]]
+
+
+class EstimateOfABody(InSi):
+    """What the estimates of disks and spheres have in common."""
+
+    _name: ClassVar[str] = "rayleigh"
+    _given = {"poisson": "", "speed": "speed"}
+
+    law: str
+    cutoff: float
+    poisson: Number
+    lost_fraction: Number
+    lost_fraction_error: Number
+    beyond_perturbation: Flag
+
+    def __repr__(self) -> str:
+        of = f"poisson={span(self.poisson)}, speed={span(self.speed)} c"
+        if isinstance(self.lost_fraction, float):
+            value = with_error(self.lost_fraction, float(self.lost_fraction_error))
+            doubt = ", beyond perturbation theory" if self.beyond_perturbation else ""
+            return f"{type(self).__name__}({of}: lost fraction {value}{doubt})"
+        beyond = np.count_nonzero(self.beyond_perturbation)
+        value = f"lost fraction {span(self.lost_fraction)}, {beyond} beyond perturbation theory"
+        return f"{type(self).__name__}({np.size(self.speed)} values, {of}: {value})"
+
+    def plot(self, ax: Any = None) -> Any:
+        """1 − ε² against v. See `stoss.plot.rayleigh`."""
+        return self._picture(ax)
+
+    def _inputs(self) -> dict[str, Any]:
+        return {"law": self.law, "cutoff": self.cutoff} | ({"body": self.body} if self.body else {})
+
+
+@dataclasses.dataclass(frozen=True, eq=False, repr=False)
+class RayleighEstimate(EstimateOfABody):
+    """What slow impacts lose to vibration, to first order of a perturbation theory.
+
+    Numbers if all inputs were numbers, otherwise arrays of the shape to which `poisson` and `speed`
+    broadcast.
+
+    Attributes
+    ----------
+    law : str
+        Of compression.
+    cutoff : float
+        Modes up to this frequency are driven, c/R.
+    poisson, speed, contact_time, max_compression, max_force : float or ndarray
+        Of the impact that drives the modes, as in `SlowImpact`.
+    lost_fraction : float or ndarray
+        1 − ε². May exceed 1 where it means nothing.
+    lost_fraction_error : float or ndarray
+        By how much the full solution may differ from it, from `kinetic_share`.
+    kinetic_share : float or ndarray
+        Maximum kinetic energy of the modes as they follow the force, as a share of ½mv²: the
+        theory's small number.
+    beyond_perturbation : bool or ndarray
+        Whether it is above 0.04: `lost_fraction` is then no estimate, but 1.8 to 19 times too
+        large.
+    modes : int or ndarray
+        Number of modes.
+    mode_energies : ndarray or None
+        For a single speed, a structured array with the fields order, index, omega, amplitude (∫F
+        cos ωt dt / v, with t from the turning point) and after (energy after the impact, as a share
+        of ½mv²).
+    body : Disk or None
+        What it was made with, if it was one.
+    material : Material or None
+        Of the body. If there is one, `speed_si`, `contact_time_si`, `max_force_si` and
+        `max_compression_si` are the SI values.
+    """
+
+    _kind = "rayleigh"
+
+    law: str
+    cutoff: float
+    poisson: Number
+    speed: Number
+    lost_fraction: Number
+    lost_fraction_error: Number
+    contact_time: Number
+    max_compression: Number
+    max_force: Number
+    kinetic_share: Number
+    beyond_perturbation: Flag
+    modes: Integer
+    mode_energies: NDArray[Any] | None
+    body: Disk | None
+
+
+@dataclasses.dataclass(frozen=True, eq=False, repr=False)
+class PointRayleighEstimate(EstimateOfABody):
+    """What slow impacts of a sphere lose to vibration, to first order of a perturbation theory.
+
+    Numbers, or arrays of the shape of `speed`.
+
+    Attributes
+    ----------
+    law : str
+        Of compression.
+    cutoff : float
+        Modes up to this frequency are driven, c/R.
+    poisson, speed, contact_time, max_compression, max_force, max_radius : float or ndarray
+        Of the impact that drives the modes, as in `PointSlowImpact`.
+    lost_fraction : float or ndarray
+        1 − ε². May exceed 1 where it means nothing.
+    lost_fraction_error : float or ndarray
+        By how much the full solution may differ from it, from `kinetic_share`.
+    mean_lost_fraction : float or ndarray
+        The law of v → 0 averaged over the phases of the modes, c(ν) v.
+    kinetic_share : float or ndarray
+        Maximum kinetic energy of the modes as they follow the force, as a share of ½mv²: the
+        theory's small number.
+    beyond_perturbation : bool or ndarray
+        Whether it is above 0.04: `lost_fraction` is then no estimate.
+    modes : int or ndarray
+        Number of modes.
+    mode_energies : ndarray or None
+        For a single speed, a structured array with the fields order, index, omega, amplitude (∫F
+        cos(ωt + φ) dt / v, with t from the turning point and the phase φ that a mode gains from the
+        stiffness of the contact) and after (energy after the impact, as a share of ½mv²).
+    body : Sphere
+    material : Material or None
+        Of the body. If there is one, `speed_si`, `contact_time_si`, `max_force_si`,
+        `max_compression_si` and `max_radius_si` are the SI values. With a yield strength,
+        `yield_speed`, `yield_speed_si` and `beyond_yield` say where yielding begins.
+    """
+
+    _kind = "point rayleigh"
+
+    law: str
+    cutoff: float
+    poisson: Number
+    speed: Number
+    lost_fraction: Number
+    lost_fraction_error: Number
+    mean_lost_fraction: Number
+    contact_time: Number
+    max_compression: Number
+    max_force: Number
+    max_radius: Number
+    kinetic_share: Number
+    beyond_perturbation: Flag
+    modes: Integer
+    mode_energies: NDArray[Any] | None
+    body: Sphere
+
+    @property
+    def max_radius_si(self) -> Number:
+        """Maximum radius of the contact, m."""
+        return self._in_si("max_radius")
 
 
 @overload

@@ -19,7 +19,8 @@ from stoss._arguments import arranged, numbers, refusal
 from stoss.bodies._bodies import Body, Disk, Sphere, speed_unit
 from stoss.bodies._encounter import Against, choose_against, choose_body
 from stoss.bodies._blocks import UNBOUNDED, Unbounded
-from stoss.results._result import Column, Number, span, with_error
+from stoss.export._text import span, with_error
+from stoss.results._result import Column, Number
 from stoss.results._si import SpeedInSi
 from stoss.bodies._walls import HardWall
 

@@ -3,24 +3,65 @@
 from __future__ import annotations
 
 import warnings
-from typing import Any, Sequence
+from typing import Any, Callable, Sequence
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from stoss import _core
-from stoss._arguments import arranged, boolean, broadcast, integer, number, numbers, refusal
-from stoss.bodies._bodies import Body, Disk, speed_unit, speeds_in_si
-from stoss.bodies._encounter import Against, choose_against, choose_bodies, choose_body
-from stoss.results._curve import Curve, gather
+from stoss._arguments import arranged, boolean, broadcast, integer, number, numbers
 from stoss._errors import Interrupted, NotConverged, StossWarning
 from stoss.bodies._blocks import UNBOUNDED, Unbounded
+from stoss.bodies._bodies import Body, Disk, speed_unit, speeds_in_si
+from stoss.bodies._encounter import Against, choose_against, choose_bodies, choose_body, refinable
+from stoss.bodies._state import State, choose_state
+from stoss.bodies._walls import HardWall
 from stoss.results._progress import bar
 from stoss.results._restitution import Restitution
 from stoss.results._result import columns
 from stoss.results._si import warn_of_yielding
-from stoss.bodies._state import State, choose_state
-from stoss.bodies._walls import HardWall
+
+class Curve:
+    """The values of one body: rows that the core fills."""
+
+    def __init__(
+        self, body: Body, against: Against, where: NDArray[np.intp], speeds: NDArray[np.float64]
+    ) -> None:
+        self.body = body
+        self.against = against
+        self.where = where
+        self.speeds = speeds
+        self.rows = np.zeros(speeds.size, dtype=_core.restitution_row)
+        for name, (kind, *_) in (self.rows.dtype.fields or {}).items():
+            if kind.kind == "f":
+                self.rows[name] = np.nan
+        self.reasons: list[str] = []
+
+    def compute(
+        self,
+        tolerance: float,
+        absolute: float,
+        threads: int,
+        state: NDArray[Any],
+        tick: Callable[[], None] | None,
+    ) -> None:
+        contact = refinable(self.body, self.against)
+        _core.restitution_curve(
+            contact, self.speeds, tolerance, absolute, threads, state, self.rows, self.reasons, tick
+        )
+
+
+def gather(curves: list[Curve], size: int) -> tuple[NDArray[Any], NDArray[np.object_]]:
+    """Rows and reasons of all curves in their places; missing ones are NaN, "interrupted"."""
+    reasons = np.full(size, "interrupted", dtype=object)
+    for curve in curves:
+        reasons[curve.where[: len(curve.reasons)]] = curve.reasons
+    if len(curves) == 1:
+        return curves[0].rows, reasons
+    table = np.zeros(size, dtype=_core.restitution_row)
+    for curve in curves:
+        table[curve.where] = curve.rows
+    return table, reasons
 
 
 def restitution(

@@ -11,8 +11,8 @@ from numpy.typing import ArrayLike, NDArray
 from stoss import _core
 from stoss.bodies._bodies import PARTNERS, Body, shown
 from stoss.bodies._encounter import Against
-from stoss.results._result import span, with_error
-from stoss.results._rows import RowResult
+from stoss.export._text import span, with_error
+from stoss.results._result import RowResult
 
 
 @dataclasses.dataclass(frozen=True, eq=False, repr=False)

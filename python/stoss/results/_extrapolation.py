@@ -9,7 +9,8 @@ from numpy.typing import ArrayLike, NDArray
 
 from stoss import _core
 from stoss._arguments import number, numbers
-from stoss.results._result import Column, Result, columns, with_error
+from stoss.export._text import with_error
+from stoss.results._result import Column, Result, columns
 
 
 @dataclasses.dataclass(frozen=True, eq=False, repr=False)

@@ -8,7 +8,8 @@ from typing import TYPE_CHECKING, Any, ClassVar, TypeVar
 import numpy as np
 from numpy.typing import NDArray
 
-from stoss.results._result import Column, Number, Result, span
+from stoss.export._text import span
+from stoss.results._result import Column, Number, Result
 
 if TYPE_CHECKING:
     from stoss.results._impact import Impact

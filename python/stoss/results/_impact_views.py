@@ -10,8 +10,7 @@ from stoss.results import _replay
 from stoss._arguments import number
 from stoss.results._field import Field
 from stoss.results._si import InSiOfAnImpact
-from stoss.results._trajectory import Trajectory
-from stoss.results._wave import Wave
+from stoss.results._motion import Trajectory, Wave
 
 if TYPE_CHECKING:
     from stoss.results._impact import Impact

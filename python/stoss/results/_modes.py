@@ -13,8 +13,8 @@ from stoss._arguments import brief, instance, integer, number, numbers
 from stoss.bodies._bodies import Disk, Sphere
 from stoss.bodies._encounter import choose_body
 from stoss._errors import InvalidInput
-from stoss.results._result import columns, span
-from stoss.results._rows import RowResult
+from stoss.export._text import span
+from stoss.results._result import RowResult, columns
 
 
 @dataclasses.dataclass(frozen=True, eq=False, repr=False)

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import dataclasses
 import functools
-import importlib
 from typing import Any, ClassVar
 
 import numpy as np
@@ -16,7 +15,8 @@ from stoss.bodies._bodies import Body, Disk, Sphere, shown, speed_unit, speeds_i
 from stoss.bodies._solid import is_rigid
 from stoss.bodies._encounter import choose_against, choose_body, encounter
 from stoss._errors import InvalidInput
-from stoss.results._result import Column, brief_range
+from stoss.export._text import brief_range
+from stoss.results._result import Column
 from stoss.results._si import SpeedInSi
 
 
@@ -96,7 +96,7 @@ class PairTable(SpeedInSi):
 
     def plot(self, ax: Any = None) -> Any:
         """ε against speed for some ratios. See `stoss.plot.pair_table`."""
-        return importlib.import_module("stoss.plot").pair_table(self, ax)
+        return self._picture(ax)
 
     @functools.cached_property
     def _core(self) -> _core.PairTable:

@@ -17,8 +17,7 @@ from stoss.bodies._blocks import UNBOUNDED
 from stoss.results._result import columns
 from stoss.bodies._encounter import encounter
 from stoss.bodies._state import choose_state
-from stoss.results._trajectory import Trajectory
-from stoss.results._wave import Wave
+from stoss.results._motion import Trajectory, Wave
 
 if TYPE_CHECKING:
     from stoss.results._impact import Impact

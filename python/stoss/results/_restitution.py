@@ -15,7 +15,8 @@ from stoss.bodies._encounter import Against, choose_against
 from stoss.results._interpolation import of_curve
 from stoss.results._function import RestitutionFunction
 from stoss.bodies._blocks import UNBOUNDED
-from stoss.results._result import Column, Number, span, with_error
+from stoss.export._text import span, with_error
+from stoss.results._result import Column, Number
 from stoss.results._si import InSiWithErrors
 from stoss.bodies._state import shown_state
 

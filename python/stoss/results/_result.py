@@ -5,10 +5,9 @@ from __future__ import annotations
 
 import abc
 import dataclasses
-import importlib
-import math
 import os
 import re
+from types import MappingProxyType
 from typing import Any, Callable, ClassVar, Iterator, Mapping, Union
 
 import numpy as np
@@ -17,41 +16,30 @@ from numpy.typing import NDArray
 from stoss import _core
 from stoss.export import _tables
 from stoss.export._files import write_lines
-from stoss.results._quantities import QUANTITIES, unit
+from stoss.export._text import cell, known, plain, with_error
 
 Number = Union[float, NDArray[np.float64]]
 Column = NDArray[Any]
 
 
-UNKNOWN = "unknown"
-"""What stands in texts and files for an infinite error: one that is as large as its value."""
+QUANTITIES: Mapping[str, Mapping[str, str]] = MappingProxyType(
+    {
+        kind: MappingProxyType(
+            {
+                column: dimension
+                for name, dimension, has_error in table
+                for column in ((name, f"{name}_error") if has_error else (name,))
+            }
+        )
+        for kind, table in _core.quantities.items()
+    }
+)
+"""Dimension of each column of each kind of result, in the order of the core; errors follow their values."""
 
 
-def known(name: str, value: Any) -> Any:
-    """The value, or the word for an error that is unknown."""
-    if isinstance(value, list):
-        return [known(name, each) for each in value]
-    return UNKNOWN if name.endswith("_error") and value == math.inf else value
-
-
-def plain(value: Any) -> Any:
-    """Convert to types that json and pickle of any Python know."""
-    if isinstance(value, np.ndarray):
-        return [dict(zip(value.dtype.names, row)) for row in value.tolist()] if value.dtype.names else value.tolist()
-    if isinstance(value, np.generic):
-        return value.item()
-    if isinstance(value, (list, tuple)):
-        return [plain(each) for each in value]
-    if isinstance(value, dict):
-        return {key: known(key, plain(each)) for key, each in value.items()}
-    if dataclasses.is_dataclass(value) and not isinstance(value, type):
-        given = {field.name: getattr(value, field.name) for field in dataclasses.fields(value) if field.repr}
-        return plain({name: each for name, each in given.items() if each is not None})
-    return value
-
-
-pictures: dict[type, Callable[[Any, Any], Any]] = {}
-"""Draws the usual picture of each kind of result: stoss.plot registers its functions here."""
+def unit(dimension: str, *, body: str, si: bool) -> str:
+    """Name of the unit of a dimension: of a disk, a rod or a sphere, or in SI."""
+    return _core.units(body, si)[dimension]
 
 
 class Result(abc.ABC):
@@ -62,6 +50,7 @@ class Result(abc.ABC):
     _given: ClassVar[Mapping[str, str]] = {}  # dimensions of inputs that are columns too, before all others
     _units: ClassVar[Mapping[str, str]] = {}  # of columns of which the core knows nothing
     _axis: ClassVar[str] = "row"  # along which its columns run
+    _draw: ClassVar[Callable[[Any, Any, str], Any]]  # set by the package: results know no pictures
 
     def to_dict(self) -> dict[str, Any]:
         """Return all that the result holds in plain Python types, ready for json.
@@ -151,7 +140,7 @@ class Result(abc.ABC):
         for first in range(0, min(column.size for column in table.values()), many):
             rows = slice(first, first + many)
             columns = [known(key, column.flat[rows].tolist()) for key, column in table.items()]
-            yield from (",".join(_cell(value) for value in row) + "\n" for row in zip(*columns))
+            yield from (",".join(cell(value) for value in row) + "\n" for row in zip(*columns))
 
     @classmethod
     def _dimensions(cls) -> dict[str, str]:
@@ -178,9 +167,9 @@ class Result(abc.ABC):
         """Further quantities that follow from the fields."""
         return {}
 
-    def _picture(self, ax: Any) -> Any:
-        importlib.import_module("stoss.plot")
-        return pictures[type(self)](self, ax)
+    def _picture(self, ax: Any, name: str = "plot") -> Any:
+        """The picture of that method."""
+        return type(self)._draw(self, ax, name)
 
     @abc.abstractmethod
     def _inputs(self) -> dict[str, Any]:
@@ -192,58 +181,29 @@ class Result(abc.ABC):
         return {name: np.asarray(getattr(self, name)) for name in self._dimensions() if name in fields}
 
 
+class RowResult(Result):
+    """A result whose fields are columns of one length: `len()` is their number, an index one
+    row."""
+
+    def __len__(self) -> int:
+        return len(getattr(self, self._axis_column()))
+
+    def __getitem__(self, key: Any) -> Any:
+        """A row as a dict, or for a slice, an array of indices or of flags, the result with these
+        rows alone."""
+        names = [field.name for field in dataclasses.fields(self) if self._is_column(getattr(self, field.name))]
+        parts = _tables.rows({name: getattr(self, name) for name in names}, key, len(self))
+        if any(np.ndim(part) == 0 for part in parts.values()):
+            return plain(parts)
+        return dataclasses.replace(self, **parts)
+
+    def _axis_column(self) -> str:
+        return next(name for name in self._dimensions() if hasattr(self, name))
+
+    def _is_column(self, value: Any) -> bool:
+        return isinstance(value, np.ndarray) and value.ndim == 1 and not value.dtype.names and len(value) == len(self)
+
+
 def columns(table: NDArray[Any]) -> dict[str, Column]:
     """The fields of a structured array, as views."""
     return {name: table[name] for name in table.dtype.names or ()}
-
-
-def _cell(value: Any) -> str:
-    if isinstance(value, bool):
-        return "true" if value else "false"
-    if isinstance(value, str) and ("," in value or '"' in value):
-        return '"' + value.replace('"', '""') + '"'
-    return repr(value) if isinstance(value, float) else str(value)
-
-
-def with_error(value: float, error: float | None = None) -> str:
-    """Write a number with the digits that its error leaves it.
-
-    Parameters
-    ----------
-    value : float
-    error : float, optional
-        Two digits of it are written; infinite if it is unknown. Without one the number has six
-        digits.
-
-    Returns
-    -------
-    str
-
-    Examples
-    --------
-    >>> stoss.with_error(0.947041, 0.0000523)
-    '0.947041 ± 0.000052'
-    >>> stoss.with_error(3.35, np.inf)
-    '3.35 ± unknown'
-    """
-    if error == math.inf and math.isfinite(value):
-        return f"{value:.6g} ± {UNKNOWN}"
-    if error is None or not math.isfinite(error) or error <= 0.0 or not math.isfinite(value):
-        return f"{value:.6g}" if error is None or not math.isnan(error) else f"{value:.6g} ± nan"
-    digits = max(0, 1 - math.floor(math.log10(error)))
-    return f"{value:.{digits}f} ± {error:.{digits}f}"
-
-
-def span(values: Any) -> str:
-    """A number, or the least and the maximum of several."""
-    array = np.asarray(values)
-    finite = array[np.isfinite(array)]
-    if finite.size == 0:
-        return "nan" if array.size else "none"
-    low, high = float(finite.min()), float(finite.max())
-    return brief_range(low, high)
-
-
-def brief_range(low: float, high: float) -> str:
-    """Two numbers, or one if they are equal."""
-    return f"{low:.6g}" if low == high else f"{low:.6g} to {high:.6g}"

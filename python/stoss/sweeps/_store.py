@@ -21,7 +21,7 @@ from typing import Any, Dict, Iterator, NamedTuple, Tuple
 from stoss import _core
 from stoss._errors import InvalidInput
 from stoss.sweeps._grid import Grid
-from stoss.results._result import UNKNOWN
+from stoss.export._text import UNKNOWN
 
 GRID = "grid.json"
 COLUMNS: tuple[str, ...] = _core.restitution_row.names or ()

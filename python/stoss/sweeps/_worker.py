@@ -15,7 +15,7 @@ from typing import Any
 
 from stoss import _core
 from stoss._errors import InvalidInput
-from stoss.results._result import _cell, known
+from stoss.export._text import cell as _cell, known
 from stoss.sweeps._store import COLUMNS, HEADER, Row
 
 
