@@ -118,9 +118,11 @@ void bind_encounters(py::module_& module) {
         validate(Wall(ExponentialWall{hardness, strength}));
       },
       py::arg("hardness"), py::arg("strength"));
-  py::class_<Encounter>(module, "Encounter", "Who meets whom, by its JSON document.")
-      .def(py::init([](const std::string& document) { return encounter_from_json(document); }), py::arg("document"))
-      .def("to_json", [](const Encounter& self) { return to_json(self); })
+  py::class_<Encounter> handle(module, "Encounter", "Who meets whom, by its JSON document.");
+  seal(handle);
+  module.def(
+      "encounter", [](const std::string& document) { return encounter_from_json(document); }, py::arg("document"));
+  handle.def("to_json", [](const Encounter& self) { return to_json(self); })
       .def("contact", &contact_at, py::arg("cutoff"), py::arg("slowest"))
       .def("refinable", [](const Encounter& self) { return refinable(self); })
       .def("slow_law", [](const Encounter& self) { return slow_law(self); })

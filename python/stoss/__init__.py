@@ -55,7 +55,8 @@ from stoss.results._ensemble import restitution_distribution
 from stoss.results._extrapolation import Extrapolation, extrapolated_restitution
 from stoss.results._field import DiskField, Field, SphereField
 from stoss.results._function import RestitutionFunction
-from stoss.results._impact import Impact, impact
+from stoss.results._collision import impact
+from stoss.results._impact import Impact
 from stoss.results._interpolation import restitution_function
 from stoss.results._modes import Modes, modes
 from stoss.results._motion import Trajectory, Wave

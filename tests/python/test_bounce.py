@@ -43,9 +43,8 @@ def test_on_a_half_space_as_well(command):
 
 @pytest.mark.parametrize("tail", ["radiating", "static"])
 def test_without_memory_every_impact_is_that_of_impact(tail):
-    wall = stoss.HardWall(tail=tail)
-    sequence = stoss.bounce(BALL, against=wall, speed=0.1, count=4, flight_time=30, decay_time=0, cutoff=12)
-    single = [stoss.impact(BALL, against=wall, speed=speed, cutoff=12).restitution for speed in sequence.speed]
+    sequence = stoss.bounce(BALL, tail=tail, speed=0.1, count=4, flight_time=30, decay_time=0, cutoff=12)
+    single = [stoss.impact(BALL, tail=tail, speed=speed, cutoff=12).restitution for speed in sequence.speed]
     assert sequence.restitution.tolist() == single
 
 

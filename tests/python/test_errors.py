@@ -71,10 +71,6 @@ def disk(**changed):
     return stoss.Disk(**{"poisson": 0.3, **changed})
 
 
-def hard(**changed):
-    return stoss.HardWall(**changed)
-
-
 def soft(**changed):
     return stoss.ExponentialWall(**changed)
 
@@ -129,11 +125,11 @@ WRONG = {
     (displacement, "index"): [*INTEGERS, None],
     (restitution, "progress"): [1, 0, None, "yes", [], Broken()],
     (impact, "against"): ["hard", stoss.HardWall, Broken(), stoss.Rod(), in_si(), 0.3],
-    (restitution, "against"): ["hard", stoss.HardWall, Broken(), stoss.Rod(), in_si(), soft(), hard(tail="static")],
+    (restitution, "against"): ["hard", stoss.HardWall, Broken(), stoss.Rod(), in_si(), soft()],
     (impact, "body"): [stoss.Disk, 0.3, "disk", Broken(), stoss.HardWall()],
     (in_si, "material"): [{}, "steel", METAL, Broken()],
     (field, "of"): [1, 2, -1, *INTEGERS, None],
-    (hard, "tail"): ["", "Static", None, 1, ["static"], Broken()],
+    (impact, "tail"): ["", "Static", None, 1, ["static"], Broken()],
     (in_si, "plane"): ["", "Strain", 1, Broken()],
     (disk, "plane"): ["stress", 1, Broken()],
 }

@@ -139,7 +139,8 @@ def called(function, arguments):
 
 hit = stoss.impact(poisson=0.33, speed=0.1, cutoff=6)
 modes = stoss.modes(poisson=0.33, cutoff=6)
-MAKER, ROD = stoss._core.disk(0.3, 1.0, 1.0, 1.0, 0.0), stoss._core.rod(1.0, 1.0, 1.0, 1.0, 0.0)
+DISK = stoss._core.encounter('{"first": {"kind": "disk", "poisson": 0.3}}')
+RODS = stoss._core.encounter('{"first": {"kind": "rod"}, "against": "same"}')
 few = {"cutoffs": [4, 5, 6], "hardnesses": [50, 60, 70]}
 PUBLIC = {
     "restitution": (stoss.restitution, CHEAP),
@@ -189,11 +190,10 @@ def test_private(data):
     """The compiled module alone, with whatever fits its signatures badly. A crash would end the tests."""
     core = stoss._core
     doors = [getattr(core, name) for name in dir(core) if inspect.isbuiltin(getattr(core, name))]
-    doors += [hit._handle.trajectory, hit._handle.numbers, hit._handle.modes, core.Body, core.Frames.summaries]
+    doors += [hit._handle.trajectory, hit._handle.numbers, hit._handle.modes, core.Encounter, core.Frames.summaries]
     function = data.draw(st.sampled_from(doors))
-    usual = [0.3, 0.1, 3, True, np.array([0.1, 0.2]), ROD.at(9.0), MAKER.at(5.0), hit._handle, [], len]
-    usual += [core.hard_wall(), core.refinable(MAKER), np.zeros(2, core.restitution_row), MAKER, ROD]
-    usual += [core.at_wall(MAKER.at(5.0), core.hard_wall()), core.pair(MAKER, MAKER, 5.0, 0.1)]
+    usual = [0.3, 0.1, 3, True, np.array([0.1, 0.2]), RODS.contact(9.0, 1.0), DISK, hit._handle, [], len]
+    usual += ["sphere", DISK.refinable(), np.zeros(2, core.restitution_row), RODS, DISK.contact(5.0, 1.0)]
     cheap = boxes.filter(lambda box: harmless("tolerance", box.content))
     arguments = data.draw(st.lists(boxed(st.sampled_from(usual)) | cheap, max_size=7))
     try:

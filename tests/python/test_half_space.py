@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 import stoss
-from stoss import _replay
+from stoss.results import _replay
 
 DATA = Path(__file__).parents[1] / "data/half_space_restitution.csv"
 BALL = stoss.Sphere(poisson=0.3)

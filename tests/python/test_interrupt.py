@@ -38,8 +38,7 @@ LONG = {
     "bodies": "stoss.extrapolated_restitution(poisson=0.33, speed=0.1, cutoffs=[900, 950, 1000])",
     "2048 nodes": "stoss.impact(poisson=0.33, speed=0.1, nodes=2048)",
     "4096 nodes": "stoss.impact(poisson=0.33, speed=0.1, nodes=4096)",
-    "4096 nodes, static tail": "stoss.impact(poisson=0.33, speed=0.1, nodes=4096,"
-    " against=stoss.HardWall(tail='static'))",
+    "4096 nodes, static tail": "stoss.impact(poisson=0.33, speed=0.1, nodes=4096, tail='static')",
     "field at many points": "hit.field(time=1.0, radius=np.linspace(0, 1, 1500), angle=np.linspace(-3, 3, 1500))",
     "field at many radii": "hit.field(time=1.0, radius=np.linspace(0, 1, 20_000), angle=0.0)",
     "atlas": "[stoss.atlas(poisson=0.33, speed=np.full(10**7, 0.1)) for _ in range(9)]",

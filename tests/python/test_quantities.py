@@ -17,10 +17,10 @@ HARD = stoss.Material(young=2.1e11, poisson=0.3, density=7850, yield_strength=1e
 # Kind of result, its class, quantities that the class has in another form, fields that are no
 # quantities.
 RESULTS = [
-    ("impact", stoss.Impact, set(), {"body", "against", "speed", "mode_energies", "keep", "state", "_handle"}),
+    ("impact", stoss.Impact, set(), {"body", "against", "speed", "tail", "mode_energies", "keep", "state", "_handle"}),
     ("restitution", stoss.Restitution, set(),
      {"body", "bodies", "against", "poisson", "speed", "reason", "tolerance", "absolute", "state"}),
-    ("bounce", stoss.Bounces, set(), {"body", "against", "cutoff", "gravity", "decay_time", "state"}),
+    ("bounce", stoss.Bounces, set(), {"body", "against", "cutoff", "tail", "gravity", "decay_time", "state"}),
     ("sample", stoss.RestitutionDistribution, set(),
      {"body", "against", "speed", "temperature", "highest", "spectrum", "seed", "error", "mean", "mean_error",
       "numerical_error", "spread", "above_one", "reason"}),

@@ -92,9 +92,9 @@ def test_refusals_of_combinations(steel):
     with pytest.raises(stoss.InvalidInput, match="^distance: got 0"):
         quasistatic.heavy_disk_stress(force=0.01, x=0, y=0)
     core, two, three = stoss._core, np.full(2, 0.1), np.full(3, 0.1)
-    body = core.disk(0.3, 1.0, 1.0, 1.0, 0.0).at(5.0)
+    at_wall = core.encounter('{"first": {"kind": "disk", "poisson": 0.3}}').contact(5.0, 1.0)
     for call in (lambda: core.compression("center", two, three), lambda: core.slow_impact("law", two, two),
-                 lambda: core.soft_static_contact(body, core.hard_wall(), 0.01, None)):  # fmt: skip
+                 lambda: core.soft_static_contact(at_wall, 0.01, None)):  # fmt: skip
         with pytest.raises(ValueError):
             call()
 

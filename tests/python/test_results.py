@@ -73,7 +73,7 @@ def test_fields_are_read_only(result):
 def test_bodies_walls_and_materials_are_values(steel):
     for one, other in (
         (stoss.Disk(poisson=0.3), stoss.Disk(poisson=0.4)), (stoss.Rod(), stoss.Disk(poisson=0.3)),
-        (stoss.HardWall(), stoss.HardWall(tail="static")), (stoss.ExponentialWall(), stoss.ExponentialWall(hardness=9)),
+        (stoss.HardWall(), stoss.HalfPlane()), (stoss.ExponentialWall(), stoss.ExponentialWall(hardness=9)),
         (steel, stoss.Disk(radius=0.01, material=steel.material, plane="strain")),
         (steel.material, dataclasses.replace(steel.material, poisson=0.2)),
         (stoss.Disk(poisson=0.3, radius=2), stoss.Disk(poisson=0.3, young=2)), (stoss.Rod(area=2), stoss.Rod(length=3)),

@@ -91,7 +91,7 @@ def test_flags_that_do_not_fit_are_refused(whole):
 def test_a_hard_wall_refuses_any_selection(whole, tail):
     for flags in (np.ones(whole.modes, dtype=bool), np.arange(whole.modes) < 9):
         with pytest.raises(stoss.InvalidInput, match="^keep: .*HardWall.*ExponentialWall"):
-            stoss.impact(**(COMMON | {"against": stoss.HardWall(tail=tail)}), keep=flags)
+            stoss.impact(**(COMMON | {"against": stoss.HardWall()}), tail=tail, keep=flags)
 
 
 def test_energies_in_time_are_those_of_the_trajectory(some):

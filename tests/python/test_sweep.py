@@ -115,7 +115,6 @@ def test_grid_of_toml(tmp_path, whole):
         ({"bodies": {"kind": "sphere", "poisson": "log:1:2"}}, "bodies: poisson: got 'log:1:2'"),
         ({"bodies": "sphere"}, "bodies: got 'sphere'"),
         ({"against": stoss.ExponentialWall()}, "against: got ExponentialWa"),
-        ({"against": stoss.HardWall(tail="static")}, "against: got HardWall"),
         ({"against": stoss.HalfPlane()}, "against: got HalfPlane"),
         ({"against": {"kind": "wall", "radius": 2}}, "against: got 'radius'"),
         ({"speed": "log:0:1:3"}, "speed: got 'log:0:1:3'"),

@@ -138,7 +138,7 @@ def test_si_is_that_of_the_command(command, plane):
     "options, arguments",
     [
         ({}, ""),
-        ({"against": stoss.HardWall(tail="static")}, "--tail static"),
+        ({"tail": "static"}, "--tail static"),
         ({"against": stoss.ExponentialWall(hardness=99, strength=2)}, "--against exponential,hardness=99,strength=2"),
         ({"step": 0.01, "nodes": 100}, "--step 0.01 --nodes 100"),
     ],

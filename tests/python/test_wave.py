@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 import stoss
-from stoss import _replay
+from stoss.results import _replay
 
 pyplot = pytest.importorskip("matplotlib.pyplot")
 

@@ -6,7 +6,7 @@ import dataclasses
 from typing import Any, TypeVar, Union
 
 from stoss.bodies._material import Material
-from stoss.bodies._solid import Solid
+from stoss.bodies._solid import LEFT_OUT, Solid
 
 Block = TypeVar("Block", bound="_Unbounded")
 
@@ -22,7 +22,7 @@ class _Unbounded(Solid):
         return type(self)(poisson=body.poisson, young=self.young, density=self.density, loss_time=self.loss_time)  # type: ignore[call-arg]
 
 
-@dataclasses.dataclass(frozen=True, init=False, repr=False)
+@dataclasses.dataclass(frozen=True, kw_only=True, repr=False)
 class HalfSpace(_Unbounded):
     """An elastic half-space, which spheres meet: a block so large that no wave comes back in time.
 
@@ -56,25 +56,14 @@ class HalfSpace(_Unbounded):
 
     _kind = "half-space"
 
-    poisson: float | None
-    young: float
-    density: float
-    loss_time: float
-    material: Material | None
-
-    def __init__(
-        self,
-        *,
-        poisson: float | None = None,
-        young: float | None = None,
-        density: float | None = None,
-        loss_time: float | None = None,
-        material: Material | None = None,
-    ) -> None:
-        self._fill(poisson=poisson, young=young, density=density, loss_time=loss_time, material=material)
+    poisson: float | None = LEFT_OUT
+    young: float = LEFT_OUT
+    density: float = LEFT_OUT
+    loss_time: float = LEFT_OUT
+    material: Material | None = None
 
 
-@dataclasses.dataclass(frozen=True, init=False, repr=False)
+@dataclasses.dataclass(frozen=True, kw_only=True, repr=False)
 class HalfPlane(_Unbounded):
     """An elastic half-plane, which disks meet: a half-space in two dimensions.
 
@@ -99,24 +88,12 @@ class HalfPlane(_Unbounded):
 
     _kind = "half-plane"
 
-    poisson: float | None
-    young: float
-    density: float
-    loss_time: float
-    material: Material | None
-    plane: str | None
-
-    def __init__(
-        self,
-        *,
-        poisson: float | None = None,
-        young: float | None = None,
-        density: float | None = None,
-        loss_time: float | None = None,
-        material: Material | None = None,
-        plane: str | None = None,
-    ) -> None:
-        self._fill(poisson=poisson, young=young, density=density, loss_time=loss_time, material=material, plane=plane)
+    poisson: float | None = LEFT_OUT
+    young: float = LEFT_OUT
+    density: float = LEFT_OUT
+    loss_time: float = LEFT_OUT
+    material: Material | None = None
+    plane: str | None = None
 
 
 Unbounded = Union[HalfSpace, HalfPlane]

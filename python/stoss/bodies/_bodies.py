@@ -9,10 +9,10 @@ from typing import Iterator, Union
 from stoss._errors import InvalidInput
 from stoss.bodies._blocks import UNBOUNDED, Unbounded
 from stoss.bodies._material import Material
-from stoss.bodies._solid import Solid
+from stoss.bodies._solid import LEFT_OUT, Solid
 
 
-@dataclasses.dataclass(frozen=True, init=False, repr=False)
+@dataclasses.dataclass(frozen=True, kw_only=True, repr=False)
 class Disk(Solid):
     """An elastic disk: its 2-D Poisson's ratio, and its size and material relative to other bodies.
 
@@ -51,31 +51,17 @@ class Disk(Solid):
 
     _kind = "disk"
 
-    poisson: float
-    radius: float
-    young: float
-    density: float
-    loss_time: float
-    material: Material | None
-    plane: str | None
-    rigid: bool
-
-    def __init__(
-        self,
-        *,
-        poisson: float | None = None,
-        radius: float | None = None,
-        young: float | None = None,
-        density: float | None = None,
-        loss_time: float | None = None,
-        material: Material | None = None,
-        plane: str | None = None,
-        rigid: bool = False,
-    ) -> None:
-        self._fill(poisson=poisson, radius=radius, young=young, density=density, loss_time=loss_time, material=material, plane=plane, rigid=rigid)
+    poisson: float = LEFT_OUT
+    radius: float = LEFT_OUT
+    young: float = LEFT_OUT
+    density: float = LEFT_OUT
+    loss_time: float = LEFT_OUT
+    material: Material | None = None
+    plane: str | None = None
+    rigid: bool = False
 
 
-@dataclasses.dataclass(frozen=True, init=False, repr=False)
+@dataclasses.dataclass(frozen=True, kw_only=True, repr=False)
 class Sphere(Solid):
     """An elastic sphere: its Poisson's ratio, and its size and material relative to other bodies.
 
@@ -116,29 +102,16 @@ class Sphere(Solid):
 
     _kind = "sphere"
 
-    poisson: float
-    radius: float
-    young: float
-    density: float
-    loss_time: float
-    material: Material | None
-    rigid: bool
-
-    def __init__(
-        self,
-        *,
-        poisson: float | None = None,
-        radius: float | None = None,
-        young: float | None = None,
-        density: float | None = None,
-        loss_time: float | None = None,
-        material: Material | None = None,
-        rigid: bool = False,
-    ) -> None:
-        self._fill(poisson=poisson, radius=radius, young=young, density=density, loss_time=loss_time, material=material, rigid=rigid)
+    poisson: float = LEFT_OUT
+    radius: float = LEFT_OUT
+    young: float = LEFT_OUT
+    density: float = LEFT_OUT
+    loss_time: float = LEFT_OUT
+    material: Material | None = None
+    rigid: bool = False
 
 
-@dataclasses.dataclass(frozen=True, init=False, repr=False)
+@dataclasses.dataclass(frozen=True, kw_only=True, repr=False)
 class Rod(Solid):
     """A thin elastic rod that meets a wall or another rod with one end.
 
@@ -169,24 +142,12 @@ class Rod(Solid):
 
     _kind = "rod"
 
-    length: float
-    young: float
-    density: float
-    area: float
-    loss_time: float
-    material: Material | None
-
-    def __init__(
-        self,
-        *,
-        length: float | None = None,
-        young: float | None = None,
-        density: float | None = None,
-        area: float | None = None,
-        loss_time: float | None = None,
-        material: Material | None = None,
-    ) -> None:
-        self._fill(length=length, young=young, density=density, area=area, loss_time=loss_time, material=material)
+    length: float = LEFT_OUT
+    young: float = LEFT_OUT
+    density: float = LEFT_OUT
+    area: float = LEFT_OUT
+    loss_time: float = LEFT_OUT
+    material: Material | None = None
 
 
 Body = Union[Disk, Rod, Sphere]
@@ -199,8 +160,10 @@ PARTNERS = (*BODIES, *UNBOUNDED)
 """The classes of what a body can meet that is no wall."""
 
 
-def shown(body: Body | Unbounded) -> str:
-    """The body in the line that says what a result is."""
+def shown(body: Body | Unbounded, against: object = None) -> str:
+    """The body, and what it meets if that is no wall, in the line that says what a result is."""
+    if isinstance(against, PARTNERS):
+        return f"{shown(body)} against {shown(against)}"
     if body.material is None:
         return repr(body)
     if isinstance(body, UNBOUNDED):

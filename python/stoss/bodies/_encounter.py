@@ -95,7 +95,7 @@ def _document(body: Body, against: Against) -> str:
 # Contacts are made once for each resolution. One with 1000 modes takes 0.1 MB, a refined one 10 MB.
 @functools.lru_cache(maxsize=64)
 def _encounter(document: str) -> _core.Encounter:
-    return _core.Encounter(document)
+    return _core.encounter(document)
 
 
 @functools.lru_cache(maxsize=32)

@@ -17,6 +17,10 @@ Specification = dict[str, Any]
 """A body, a block or a wall in plain types, as an encounter's JSON document has it."""
 
 
+LEFT_OUT: Any = None
+"""A number that was not given: the material has it, or the core a usual one."""
+
+
 class Parameter(NamedTuple):
     """A number that makes something of a kind, as the core has it."""
 
@@ -56,9 +60,10 @@ class Solid:
     loss_time: float
     material: Material | None
 
-    def _fill(self, material: Any, plane: Any = None, rigid: Any = False, **given: Any) -> None:
+    def __post_init__(self) -> None:
         """Set all fields to what was given, what is made of the material, or what the core takes for usual."""
-        kind = KINDS[self._kind]
+        kind, given = KINDS[self._kind], dict(vars(self))
+        material, plane, rigid = (given.get(name) for name in ("material", "plane", "rigid"))
         made: dict[str, Any] = {each.name: each.otherwise for each in kind.parameters}
         if material is not None:
             instance("material", material, (Material,))
@@ -142,7 +147,7 @@ def describe(solid: Solid) -> Specification:
 @functools.lru_cache(maxsize=64)
 def _scales(solid: Solid) -> Scales:
     elastic = {name: value for name, value in describe(solid).items() if name != "rigid"}
-    return Scales(*_core.Encounter(json.dumps({"first": elastic})).scales())
+    return Scales(*_core.encounter(json.dumps({"first": elastic})).scales())
 
 
 def is_rigid(solid: Any) -> bool:

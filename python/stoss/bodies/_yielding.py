@@ -74,4 +74,4 @@ def yield_speed_of(body: Any, against: Any) -> float | None:
 def _encounter(first: Sphere, second: Sphere | HalfSpace | None) -> _core.Encounter:
     """With their materials."""
     met = "wall" if second is None else describe(second)
-    return _core.Encounter(json.dumps({"first": describe(first), "against": met}))
+    return _core.encounter(json.dumps({"first": describe(first), "against": met}))

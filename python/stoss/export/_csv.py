@@ -102,10 +102,6 @@ def read_csv(path: str | os.PathLike[str]) -> Table:
     ----------
     path : str or path
 
-    Returns
-    -------
-    Table
-
     Raises
     ------
     InvalidInput

@@ -53,10 +53,6 @@ def with_error(value: float, error: float | None = None) -> str:
         Two digits of it are written; infinite if it is unknown. Without one the number has six
         digits.
 
-    Returns
-    -------
-    str
-
     Examples
     --------
     >>> stoss.with_error(0.947041, 0.0000523)

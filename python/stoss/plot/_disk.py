@@ -111,10 +111,6 @@ def disk(
     color : color, optional
         Of the grid.
 
-    Returns
-    -------
-    Axes
-
     Examples
     --------
     >>> hit = stoss.impact(poisson=0.33, speed=0.2, cutoff=12.5)

@@ -31,10 +31,6 @@ def function(result: RestitutionFunction, ax: Axes | None = None, *, label: str 
     **style
         Handed on to `matplotlib.axes.Axes.plot`: color, linestyle, …
 
-    Returns
-    -------
-    Axes
-
     Examples
     --------
     >>> epsilon = stoss.restitution_function(poisson=0.33, speed=(0.01, 0.3), error=1e-2)
@@ -83,10 +79,6 @@ def pair_table(table: PairTable, ax: Axes | None = None, *, ratio: ArrayLike | N
     **style
         Handed on to `matplotlib.axes.Axes.plot`: color, linestyle, …
 
-    Returns
-    -------
-    Axes
-
     Examples
     --------
     >>> table = stoss.pair_table(poisson=0.33, ratio=(1, 1.5), speed=(0.02, 0.3), error=2e-2)
@@ -129,10 +121,6 @@ def extrapolation(result: Extrapolation, ax: Axes | None = None) -> Axes:
     result : Extrapolation
     ax : Axes, optional
         Where to draw.
-
-    Returns
-    -------
-    Axes
 
     Examples
     --------

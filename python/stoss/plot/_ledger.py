@@ -38,10 +38,6 @@ def ledger(
     of : {0, 1}, optional
         The modes of which body: the first, or the second.
 
-    Returns
-    -------
-    Axes
-
     Examples
     --------
     >>> ax = stoss.plot.ledger(stoss.impact(poisson=0.33, speed=0.1, cutoff=12.5))

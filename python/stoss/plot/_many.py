@@ -94,7 +94,7 @@ def _single(result: Bounces) -> NDArray[np.float64]:
     who, speeds = (result.body, result.against), np.unique(result.speed)
     if speeds.size > SPEEDS:
         speeds = np.geomspace(speeds[0], speeds[-1], SPEEDS)
-    single = [Impact._made(*who, float(v), result.cutoff, None, None, None, result.tail, None, None).restitution for v in speeds]
+    single = [Impact._made(*who, float(v), result.cutoff, tail=result.tail).restitution for v in speeds]
     return np.interp(np.log(result.speed), np.log(speeds), single)
 
 
@@ -110,10 +110,6 @@ def distribution(result: RestitutionDistribution, ax: Axes | None = None, *, bin
         Where to draw.
     bins : optional
         As `numpy.histogram` has them.
-
-    Returns
-    -------
-    Axes
 
     Examples
     --------
@@ -167,10 +163,6 @@ def cooling(chain: RodChain, ax: Axes | None = None) -> Axes:
     ax : Axes, optional
         Where to draw.
 
-    Returns
-    -------
-    Axes
-
     Examples
     --------
     >>> rods = [stoss.Rod(length=length) for length in (1.0, 1.1, 0.9, 1.05)]
@@ -213,10 +205,6 @@ def restitution_histogram(chain: RodChain, ax: Axes | None = None) -> Axes:
     chain : RodChain
     ax : Axes, optional
         Where to draw.
-
-    Returns
-    -------
-    Axes
 
     Examples
     --------

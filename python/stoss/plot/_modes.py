@@ -24,10 +24,6 @@ def spectrum(modes: Modes, ax: Axes | None = None) -> Axes:
     ax : Axes, optional
         Where to draw.
 
-    Returns
-    -------
-    Axes
-
     Examples
     --------
     >>> ax = stoss.plot.spectrum(stoss.modes(poisson=0.33, cutoff=10))
@@ -69,10 +65,6 @@ def mode_shape(modes: Modes, ax: Axes | None = None, *, order: int, index: int, 
         n and l.
     amplitude : float, optional
         Maximum displacement in the picture, R, −1 to 1.
-
-    Returns
-    -------
-    Axes
 
     Examples
     --------

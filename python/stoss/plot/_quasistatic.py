@@ -32,10 +32,6 @@ def slow_impact(result: SlowImpact | PointSlowImpact, ax: Axes | None = None) ->
     ax : Axes, optional
         Where to draw; further calls with the same Axes add curves.
 
-    Returns
-    -------
-    Axes
-
     Examples
     --------
     >>> ax = stoss.plot.slow_impact(stoss.quasistatic.slow_impact(poisson=0.33, speed=np.geomspace(1e-8, 0.1, 30)))
@@ -63,10 +59,6 @@ def rayleigh(result: RayleighEstimate | PointRayleighEstimate, ax: Axes | None =
     result : RayleighEstimate or PointRayleighEstimate
     ax : Axes, optional
         Where to draw; further calls with the same Axes add curves.
-
-    Returns
-    -------
-    Axes
 
     Examples
     --------
@@ -104,10 +96,6 @@ def static_contact(result: StaticContact, ax: Axes | None = None) -> Axes:
     result : StaticContact
     ax : Axes, optional
         Where to draw.
-
-    Returns
-    -------
-    Axes
 
     Examples
     --------

@@ -58,10 +58,6 @@ def restitution(
     **style
         Handed on to `matplotlib.axes.Axes.errorbar`: color, marker, linestyle, …
 
-    Returns
-    -------
-    Axes
-
     Examples
     --------
     >>> curve = stoss.restitution(poisson=[[0.0], [0.33]], speed=np.geomspace(1e-3, 0.3, 8))

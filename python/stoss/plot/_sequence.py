@@ -44,10 +44,6 @@ def sequence(
     columns : int, optional
         Disks in a row; up to 3 are legible in one column, 6 in two.
 
-    Returns
-    -------
-    Axes
-
     Examples
     --------
     >>> ax = stoss.plot.sequence(stoss.impact(poisson=0.33, speed=0.2, cutoff=12.5), count=3)

@@ -85,10 +85,6 @@ def stress(
     frame : int, optional
         Which of the field's times, if it has several.
 
-    Returns
-    -------
-    Axes
-
     Examples
     --------
     >>> hit = stoss.impact(poisson=0.33, speed=0.1, cutoff=12.5)

@@ -41,10 +41,6 @@ def wave(wave: Wave, ax: Axes | None = None, *, columns: int = 2, limit: float |
     limit : float, optional
         Where the colours end, in speeds of the impact.
 
-    Returns
-    -------
-    Axes
-
     Examples
     --------
     >>> hit = stoss.impact(stoss.Sphere(poisson=0.3), against=stoss.HalfSpace(), speed=0.1, cutoff=4)

@@ -16,13 +16,13 @@ from stoss.bodies._bodies import Disk, Sphere, speeds_in_si
 from stoss.quasistatic._slow_impact import slow_inputs
 from stoss.export._text import span, with_error
 from stoss.results._result import Number, columns
-from stoss.results._si import InSi, warn_of_yielding
+from stoss.results._si import ImpactsInSi, Si, warn_of_yielding
 
 Flag = Union[bool, NDArray[np.bool_]]
 Integer = Union[int, NDArray[np.int64]]
 
 
-class EstimateOfABody(InSi):
+class EstimateOfABody(ImpactsInSi):
     """What the estimates of disks and spheres have in common."""
 
     _name: ClassVar[str] = "rayleigh"
@@ -148,6 +148,7 @@ class PointRayleighEstimate(EstimateOfABody):
     """
 
     _kind = "point rayleigh"
+    max_radius_si = Si("Maximum radius of the contact, m.")
 
     law: str
     cutoff: float
@@ -165,11 +166,6 @@ class PointRayleighEstimate(EstimateOfABody):
     modes: Integer
     mode_energies: NDArray[Any] | None
     body: Sphere
-
-    @property
-    def max_radius_si(self) -> Number:
-        """Maximum radius of the contact, m."""
-        return self._in_si("max_radius")
 
 
 @overload

@@ -14,9 +14,9 @@ from stoss.bodies._bodies import Disk, Sphere, speed_unit, speeds_in_si
 from stoss.quasistatic._compression import choose_law, poissons_of
 from stoss.export._text import span
 from stoss.results._result import Number, columns
-from stoss.results._si import InSi, warn_of_yielding
+from stoss.results._si import ImpactsInSi, Si, warn_of_yielding
 
-class SlowImpactOfABody(InSi):
+class SlowImpactOfABody(ImpactsInSi):
     """What slow impacts of disks and spheres have in common."""
 
     _name: ClassVar[str] = "slow impact"
@@ -109,6 +109,7 @@ class PointSlowImpact(SlowImpactOfABody):
     """
 
     _kind = "point slow impact"
+    max_radius_si = Si("Maximum radius of the contact, m.")
 
     law: str
     poisson: Number
@@ -118,11 +119,6 @@ class PointSlowImpact(SlowImpactOfABody):
     max_force: Number
     max_radius: Number
     body: Sphere
-
-    @property
-    def max_radius_si(self) -> Number:
-        """Maximum radius of the contact, m."""
-        return self._in_si("max_radius")
 
 
 def slow_inputs(

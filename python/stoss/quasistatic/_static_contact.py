@@ -101,10 +101,6 @@ def static_contact(
         On half of the contact, 16 to 1024; the force converges with their square. A sphere takes
         0.3 s with 160 for δ below 1e-3, 0.1 s with 80.
 
-    Returns
-    -------
-    StaticContact
-
     Raises
     ------
     InvalidInput
@@ -199,10 +195,6 @@ def soft_static_contact(
     against : ExponentialWall, optional
     nodes : int, optional
         Of the contact grid, 64 to 2048; default: as many as wall and modes need.
-
-    Returns
-    -------
-    SoftStaticContact
 
     Raises
     ------

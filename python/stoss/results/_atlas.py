@@ -98,10 +98,6 @@ def atlas(
     poisson : float
         In place of `body`: 2-D Poisson's ratio of a disk.
 
-    Returns
-    -------
-    AtlasValue
-
     Raises
     ------
     InvalidInput

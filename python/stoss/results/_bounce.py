@@ -13,16 +13,16 @@ from stoss import _core
 from stoss._arguments import integer, number, optional_number
 from stoss._errors import Interrupted, NotConverged, StossWarning
 from stoss.bodies._blocks import UNBOUNDED
-from stoss.bodies._bodies import PARTNERS, Body, shown, speed_unit, speeds_in_si
+from stoss.bodies._bodies import Body, shown, speed_unit, speeds_in_si
 from stoss.bodies._encounter import Against, choose_against, choose_body, choose_tail, contact
 from stoss.bodies._state import State, choose_state, shown_state
 from stoss.bodies._walls import ExponentialWall, HardWall
 from stoss.export._text import span
-from stoss.results._result import Number, RowResult, columns
-from stoss.results._si import InSi, warn_of_yielding
+from stoss.results._result import RowResult, columns
+from stoss.results._si import MayYield, Si, warn_of_yielding
 
 @dataclasses.dataclass(frozen=True, eq=False, repr=False)
-class Bounces(InSi, RowResult):
+class Bounces(MayYield, RowResult):
     """A sequence of impacts of a body that comes back. All arrays have one element for each impact;
     an index gives one of them, a slice the impacts among them.
 
@@ -73,6 +73,7 @@ class Bounces(InSi, RowResult):
     _name: ClassVar[str] = "bounce"
     _kind = "bounce"
     _axis: ClassVar[str] = "number"
+    flight_time_si = Si("Time of the flight after each impact, s.")
 
     body: Body
     against: Against
@@ -98,13 +99,8 @@ class Bounces(InSi, RowResult):
     short_flight: NDArray[np.bool_]
     beyond_small_strain: NDArray[np.bool_]
 
-    @property
-    def flight_time_si(self) -> Number:
-        """Time of the flight after each impact, s."""
-        return self._in_si("flight_time")
-
     def __repr__(self) -> str:
-        who = shown(self.body) + (f" against {shown(self.against)}" if isinstance(self.against, PARTNERS) else "")
+        who = shown(self.body, self.against)
         if len(self) == 0:
             return f"Bounces(no impacts, {who})"
         return (
@@ -174,10 +170,6 @@ def bounce(
         How the modes above the cutoff answer, as for `impact`.
     state : Oscillation, sequence of them or ndarray, optional
         How the body vibrates before the first impact, as for `impact`. Default: it is unexcited.
-
-    Returns
-    -------
-    Bounces
 
     Raises
     ------

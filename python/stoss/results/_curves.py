@@ -107,10 +107,6 @@ def restitution(
     progress : bool, optional
         Show a bar on stderr.
 
-    Returns
-    -------
-    Restitution
-
     Raises
     ------
     InvalidInput

@@ -9,14 +9,15 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from stoss import _core
-from stoss.bodies._bodies import PARTNERS, Body, shown
+from stoss.bodies._bodies import Body, shown
 from stoss.bodies._encounter import Against
 from stoss.export._text import span, with_error
 from stoss.results._result import RowResult
+from stoss.results._si import InSi, Si
 
 
 @dataclasses.dataclass(frozen=True, eq=False, repr=False)
-class RestitutionDistribution(RowResult):
+class RestitutionDistribution(InSi, RowResult):
     """Coefficients of restitution of bodies that vibrate at random before the impact.
 
     Arrays have one element for each sample; ``len()`` is their number, an index gives one of them,
@@ -73,6 +74,8 @@ class RestitutionDistribution(RowResult):
     _name: ClassVar[str] = "distribution"
     _kind = "sample"
     _axis: ClassVar[str] = "sample"
+    contact_time_si = Si("Contact time, s.")
+    contact_time_si_error = Si("Error of the contact time, s.")
 
     body: Body
     against: Against
@@ -110,22 +113,11 @@ class RestitutionDistribution(RowResult):
         return dataclasses.replace(part, **summary_of(part.restitution, part.restitution_error))
 
     def __repr__(self) -> str:
-        of = shown(self.body) + (f" against {shown(self.against)}" if isinstance(self.against, PARTNERS) else "")
         warm = f"{len(self.spectrum)} modes" if self.temperature is None else f"temperature {self.temperature:.6g}"
         return (
-            f"RestitutionDistribution({of}, speed={self.speed:.6g} c, {warm}: {len(self)} samples, "
+            f"RestitutionDistribution({shown(self.body, self.against)}, speed={self.speed:.6g} c, {warm}: {len(self)} samples, "
             f"mean {with_error(self.mean, self.mean_error)}, restitution {span(self.restitution)})"
         )
-
-    @property
-    def contact_time_si(self) -> NDArray[np.float64]:
-        """Contact time, s."""
-        return self._seconds("contact_time")
-
-    @property
-    def contact_time_si_error(self) -> NDArray[np.float64]:
-        """Error of the contact time, s."""
-        return self._seconds("contact_time_error")
 
     def histogram(self, bins: Any = "auto", range: ArrayLike | None = None) -> tuple[NDArray[Any], NDArray[Any]]:
         """How many samples have ε in which interval.
@@ -152,18 +144,6 @@ class RestitutionDistribution(RowResult):
     def plot(self, ax: Any = None) -> Any:
         """Histogram of ε. See `stoss.plot.distribution`."""
         return self._picture(ax)
-
-    def _seconds(self, name: str) -> NDArray[np.float64]:
-        if self.body.material is None:
-            raise AttributeError(f"{name}: this result has no material (make its body with one)")
-        return np.asarray(getattr(self, name) * self.body.scales.time)
-
-    def _kind_of_body(self) -> str:
-        return self.body._kind
-
-    def _derived(self) -> dict[str, Any]:
-        names = ("contact_time_si", "contact_time_si_error") if self.body.material is not None else ()
-        return {name: getattr(self, name) for name in names}
 
     def _inputs(self) -> dict[str, Any]:
         named = {name: getattr(self, name) for name in ("body", "against", "speed", "temperature", "highest")}

@@ -75,10 +75,6 @@ def restitution_distribution(
     progress : bool, optional
         Show a bar on stderr.
 
-    Returns
-    -------
-    RestitutionDistribution
-
     Raises
     ------
     InvalidInput

@@ -80,10 +80,6 @@ def extrapolated_restitution(
     hardnesses : array_like, optional
         αR, at least three, ascending; default: αv/c = 25, 33, 50 and 100.
 
-    Returns
-    -------
-    Extrapolation
-
     Raises
     ------
     InvalidInput

@@ -12,7 +12,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from stoss import _core
 from stoss._arguments import choice, number, numbers, refusal
-from stoss.bodies._bodies import PARTNERS, Body, shown, speed_unit, speeds_in_si
+from stoss.bodies._bodies import Body, shown, speed_unit, speeds_in_si
 from stoss.bodies._encounter import Against, encounter
 from stoss.export._files import write_lines
 from stoss.export._text import brief_range
@@ -88,11 +88,10 @@ class RestitutionFunction(SpeedInSi):
         return len(self.speed)
 
     def __repr__(self) -> str:
-        who = shown(self.body) + (f" against {shown(self.against)}" if isinstance(self.against, PARTNERS) else "")
         unit = "c" if self.body.material is None else "m/s"
         beyond = "" if self.beyond == "error" else f", beyond={self.beyond!r}"
         return (
-            f"RestitutionFunction({who}, speed={brief_range(*self.range)} {unit}{beyond}: "
+            f"RestitutionFunction({shown(self.body, self.against)}, speed={brief_range(*self.range)} {unit}{beyond}: "
             f"{len(self)} speeds computed, error below {self.greatest_error:.2g})"
         )
 

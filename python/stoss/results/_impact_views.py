@@ -9,14 +9,14 @@ from numpy.typing import ArrayLike, NDArray
 from stoss.results import _replay
 from stoss._arguments import number
 from stoss.results._field import Field
-from stoss.results._si import InSiOfAnImpact
+from stoss.results._si import ImpactsInSi
 from stoss.results._motion import Trajectory, Wave
 
 if TYPE_CHECKING:
     from stoss.results._impact import Impact
 
 
-class ImpactViews(InSiOfAnImpact):
+class ImpactViews(ImpactsInSi):
     """The methods of `Impact` that repeat it."""
 
     def _whole(self) -> Impact:
@@ -29,10 +29,6 @@ class ImpactViews(InSiOfAnImpact):
         ----------
         every : int
             Steps between two rows.
-
-        Returns
-        -------
-        Trajectory
 
         Examples
         --------

@@ -56,10 +56,6 @@ def restitution_function(
     threads : int, optional
         0: as many as the machine has. Results do not depend on it.
 
-    Returns
-    -------
-    RestitutionFunction
-
     Raises
     ------
     InvalidInput

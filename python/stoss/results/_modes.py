@@ -143,10 +143,6 @@ def modes(body: Disk | Sphere | None = None, *, cutoff: float, poisson: float | 
     poisson : float
         In place of `body`: 2-D Poisson's ratio ν, −0.95 to 0.995.
 
-    Returns
-    -------
-    Modes
-
     Raises
     ------
     InvalidInput

@@ -169,10 +169,6 @@ def pair_table(
     threads : int, optional
         0: as many as the machine has. Results do not depend on it.
 
-    Returns
-    -------
-    PairTable
-
     Raises
     ------
     InvalidInput

@@ -17,7 +17,7 @@ from stoss.results._function import RestitutionFunction
 from stoss.bodies._blocks import UNBOUNDED
 from stoss.export._text import span, with_error
 from stoss.results._result import Column, Number
-from stoss.results._si import InSiWithErrors
+from stoss.results._si import ImpactsInSi, Si
 from stoss.bodies._state import shown_state
 
 Integer = Union[int, NDArray[np.int64]]
@@ -25,7 +25,7 @@ Flag = Union[bool, NDArray[np.bool_]]
 
 
 @dataclasses.dataclass(frozen=True, eq=False, repr=False)
-class Restitution(InSiWithErrors):
+class Restitution(ImpactsInSi):
     """The coefficient of restitution of a body at a wall or a half-space, or of two bodies.
 
     Numbers if all inputs were numbers, otherwise arrays of the shape to which `poisson` and `speed`
@@ -94,6 +94,11 @@ class Restitution(InSiWithErrors):
     _kind = "restitution"
     _axis: ClassVar[str] = "speed"
     _given = {"poisson": "", "speed": "speed"}
+    contact_time_si_error = Si("Error of the contact time, s.")
+    impulse_time_si = Si("Time between 1 % and 99 % of the impulse, s.")
+    impulse_time_si_error = Si("Error of the impulse time, s.")
+    max_force_si_error = Si("Error of the maximum force, N/m or N.")
+    max_compression_si_error = Si("Error of the maximum compression, m.")
 
     body: Body | None
     bodies: tuple[Body, ...] = dataclasses.field(repr=False)
@@ -178,10 +183,6 @@ class Restitution(InSiWithErrors):
         ----------
         beyond : {'error', 'clamp', 'law'}, optional
             What the function does beyond these speeds, as of `stoss.restitution_function`.
-
-        Returns
-        -------
-        RestitutionFunction
 
         Raises
         ------

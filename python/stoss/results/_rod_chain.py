@@ -169,10 +169,6 @@ def rod_chain(
     tail : {'radiating', 'static'}
         With modes: those above the cutoff take energy for good, or none.
 
-    Returns
-    -------
-    RodChain
-
     Raises
     ------
     InvalidInput

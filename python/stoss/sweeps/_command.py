@@ -12,7 +12,6 @@ import math
 import os
 import re
 import sys
-from pathlib import Path
 from typing import NoReturn, Sequence
 
 import numpy as np

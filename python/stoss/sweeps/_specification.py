@@ -8,7 +8,6 @@ from typing import Any, Iterator, List, Mapping, Tuple
 
 from stoss import _core
 from stoss._arguments import refusal
-from stoss._errors import InvalidInput
 from stoss.bodies._blocks import HalfPlane, HalfSpace
 from stoss.bodies._bodies import PARTNERS, Body, Disk, Rod, Sphere
 from stoss.bodies._material import Material, materials

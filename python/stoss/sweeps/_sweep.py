@@ -48,10 +48,6 @@ def sweep(
     store : path
         Directory, made where it is not there yet.
 
-    Returns
-    -------
-    Sweep
-
     Raises
     ------
     InvalidInput

@@ -161,10 +161,6 @@ def open_sweep(store: str | os.PathLike[str], *, mix: bool = False) -> Sweep:
         Take values of other versions of stoss too, where this one has none, and leave out those of
         other grids. Without it such a store is refused.
 
-    Returns
-    -------
-    Sweep
-
     Raises
     ------
     InvalidInput
