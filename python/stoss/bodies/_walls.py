@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import dataclasses
-from typing import NoReturn, Union
+from typing import Union
 
 from stoss import _core
 from stoss._arguments import number
@@ -13,10 +13,9 @@ from stoss._arguments import number
 class HardWall:
     """A rigid wall: no point of the body passes it, and pressure is never negative (Signorini)."""
 
-    def __init__(self, **moved: NoReturn) -> None:
-        if moved:
-            hint = "how the modes above the cutoff answer is an argument of the call, stoss.impact(..., tail='static')"
-            raise TypeError(f"HardWall: got {', '.join(moved)}, allowed no argument ({hint})")
+    def __init__(self, *, tail: None = None) -> None:
+        if tail is not None:
+            raise TypeError("HardWall: got tail, which is an argument of the call: stoss.impact(..., tail='static')")
 
     def _document(self) -> str:
         return "wall"

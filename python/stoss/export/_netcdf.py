@@ -14,7 +14,7 @@ from stoss.export._files import whole_file
 from stoss.results._result import QUANTITIES, unit
 from stoss.results._si import si_name
 from stoss.bodies._solid import describe
-from stoss.sweeps._values import label, numbers_of_bodies, unit_of_body
+from stoss.sweeps._specification import label, numbers_of_bodies, unit_of_body
 
 if TYPE_CHECKING:
     from stoss.sweeps._values import Sweep
@@ -69,9 +69,9 @@ def _coordinates(file: Any, sweep: Sweep) -> None:
         names = file.createVariable(name, str, (name,))
         names.long_name = "what meets" if name == "body" else "what it meets"
         names[:] = np.array([label(each) for each in given], dtype=object)
-    for name, values in numbers_of_bodies(sweep.grid).items():
+    for name, values in numbers_of_bodies(sweep.grid.bodies).items():
         variable = file.createVariable(f"body_{name}", "f8", ("body",), fill_value=np.nan)
-        variable.units = unit_of_body(name, sweep.grid) or "1"
+        variable.units = unit_of_body(name, sweep.grid.in_si) or "1"
         variable[:] = values
 
 

@@ -1,13 +1,16 @@
-"""Bodies and walls as plain mappings, which files hold and other processes take."""
+"""Bodies and walls as plain mappings, which files hold and other processes take, and what they are called there."""
 
 from __future__ import annotations
 
 import dataclasses
 import itertools
-from typing import Any, Iterator, List, Mapping, Tuple
+from typing import Any, Iterator, List, Mapping, Sequence, Tuple
+
+import numpy as np
+from numpy.typing import NDArray
 
 from stoss import _core
-from stoss._arguments import refusal
+from stoss._arguments import brief, refusal
 from stoss.bodies._blocks import HalfPlane, HalfSpace
 from stoss.bodies._bodies import PARTNERS, Body, Disk, Rod, Sphere
 from stoss.bodies._material import Material, materials
@@ -126,3 +129,29 @@ def _number(name: str, value: Any) -> float:
         return float(value)
     except OverflowError:
         raise refusal(name, value, allowed) from None
+
+
+SI = {"radius": "m", "length": "m", "area": "m2", "young": "Pa", "density": "kg/m3", "loss_time": "s"}
+"""Units of the numbers of bodies with a material."""
+
+
+def label(words: Specification) -> str:
+    """What a body or a partner is, in the manner of --against."""
+    usual = {"loss_time": 0.0, **({} if "material" in words else dict.fromkeys(SI, 1.0) | {"loss_time": 0.0})}
+    numbers = {name: value for name, value in words.items() if name != "kind" and usual.get(name) != value}
+    numbers |= {f"material_{name}": value for name, value in numbers.pop("material", {}).items()}
+    return ",".join((words["kind"], *(f"{name}={brief(value)}" for name, value in numbers.items())))
+
+
+def numbers_of_bodies(bodies: Sequence[Body]) -> dict[str, NDArray[np.float64]]:
+    """Poisson's ratio, radius and so on of the first bodies; NaN of a body that has none."""
+    names = {field.name for each in bodies for field in dataclasses.fields(each)}
+    return {
+        name: np.array([getattr(each, name, np.nan) for each in bodies], dtype=np.float64)
+        for name in sorted(names - {"material", "plane", "rigid"})
+    }
+
+
+def unit_of_body(name: str, in_si: bool) -> str:
+    """Unit of one of these numbers; "" of a pure one."""
+    return SI.get(name, "") if in_si else ""

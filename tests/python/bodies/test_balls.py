@@ -9,7 +9,7 @@ import pytest
 
 import stoss
 
-ROOT = Path(__file__).parents[2]
+ROOT = Path(__file__).parents[3]
 
 
 def written(text):

@@ -16,7 +16,7 @@ import pytest
 
 import stoss
 
-EXAMPLES = Path(__file__).parents[2] / "examples"
+EXAMPLES = Path(__file__).parents[3] / "examples"
 FILES = {
     "01_first_curve": ["first_curve.csv", "first_curve.png"],
     "02_modes": ["modes.csv", "modes.png"],

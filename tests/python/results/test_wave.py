@@ -126,7 +126,7 @@ def test_numbers_of_the_results():
         down = np.abs(axis.normal_velocity)[:, 0] / hit.speed
         peaks.append([along[:31].max(), down.max(), along[31:].max()])
     assert np.array(peaks) == pytest.approx(np.array([[0.0276, 0.0035, 0.0031], [0.0207, 0.0016, 0.00083]]), rel=0.03)
-    words = (Path(__file__).parents[2] / "docs/results/half_space.md").read_text(encoding="utf-8")
+    words = (Path(__file__).parents[3] / "docs/results/half_space.md").read_text(encoding="utf-8")
     for name in ("0.0276 to 0.0207 v", "0.0035 to 0.0016 v", "0.0031 to 0.00083 v"):
         assert name in " ".join(words.split())
     assert (surface.pressure_speed, surface.shear_speed, surface.rayleigh_speed) == pytest.approx(
@@ -136,7 +136,7 @@ def test_numbers_of_the_results():
 
 @pytest.mark.parametrize("ball, rigid", [("elastic", False), ("rigid", True)])
 def test_table_of_the_results(ball, rigid):
-    lines = (Path(__file__).parents[2] / "docs/results/half_space.csv").read_text(encoding="utf-8").splitlines()
+    lines = (Path(__file__).parents[3] / "docs/results/half_space.csv").read_text(encoding="utf-8").splitlines()
     table = csv.DictReader(line for line in lines if not line.startswith("#"))
     known = [row for row in table if row["ball"] == ball][10::20]
     body = stoss.Sphere(poisson=0.3, rigid=rigid)

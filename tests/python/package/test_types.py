@@ -9,7 +9,7 @@ import stoss
 
 OPAQUE = ("Contact", "Encounter", "Frames", "Impact", "PairTable", "RefinableContact",
           "RestitutionFunction", "RodChain", "SlowLaw")  # fmt: skip
-PYPROJECT = Path(__file__).parents[2] / "pyproject.toml"
+PYPROJECT = Path(__file__).parents[3] / "pyproject.toml"
 
 
 def run(*command, folder):

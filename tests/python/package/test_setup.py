@@ -8,7 +8,7 @@ from pathlib import Path
 
 import pytest
 
-ROOT = Path(__file__).parents[2]
+ROOT = Path(__file__).parents[3]
 
 # Configures as CMake does, but neither builds nor installs.
 CONFIGURE_ONLY = """#!/bin/sh

@@ -72,7 +72,7 @@ def test_results_are_frozen_and_can_be_kept(tmp_path):
     assert again.restitution.tolist() == sequence.restitution.tolist() and repr(again) == repr(sequence)
     assert json.loads(json.dumps(sequence.to_dict()))["restitution"] == sequence.restitution.tolist()
     sequence.to_csv(tmp_path / "sequence.csv")
-    assert len((tmp_path / "sequence.csv").read_text().splitlines()) == 4 + 5
+    assert len((tmp_path / "sequence.csv").read_text().splitlines()) == 5 + 5
 
 
 @pytest.mark.parametrize(

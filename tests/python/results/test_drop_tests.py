@@ -11,7 +11,7 @@ import pytest
 
 import stoss
 
-ROOT = Path(__file__).parents[2]
+ROOT = Path(__file__).parents[3]
 SUPERSCRIPTS = str.maketrans("⁻⁰¹²³⁴⁵⁶⁷⁸⁹", "-0123456789")
 PAGE = (ROOT / "docs/materials.md").read_text(encoding="utf-8")
 

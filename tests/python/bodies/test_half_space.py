@@ -10,7 +10,7 @@ import pytest
 import stoss
 from stoss.results import _replay
 
-DATA = Path(__file__).parents[1] / "data/half_space_restitution.csv"
+DATA = Path(__file__).parents[2] / "data/half_space_restitution.csv"
 BALL = stoss.Sphere(poisson=0.3)
 DISK = stoss.Disk(poisson=0.33)
 STEEL = stoss.Material(young=2.1e11, poisson=0.3, density=7850)

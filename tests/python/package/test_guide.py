@@ -20,7 +20,7 @@ import numpy as np
 import pytest
 import stoss
 
-ROOT = Path(__file__).parents[2]
+ROOT = Path(__file__).parents[3]
 PAGES = ("docs/python.md", "docs/vibrating_bodies.md", "README.md", "docs/index.md", "docs/programs.md", "docs/sweeps.md")
 # Pictures that a page draws and shows.
 PICTURES = {
