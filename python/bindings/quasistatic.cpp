@@ -167,6 +167,7 @@ void bind_quasistatic(py::module_& module) {
   PYBIND11_NUMPY_DTYPE(AxisymmetricStress, radial, hoop, axial, shear);
   PYBIND11_NUMPY_DTYPE(GreatestShear, depth, shear);
   module.attr("rayleigh_row") = Rows<RayleighEstimate>(rayleigh_quantities()).type();
+  module.attr("point_rayleigh_row") = Rows<PointRayleighEstimate>(point_rayleigh_quantities()).type();
   const auto law = py::arg("law"), poisson = py::arg("poisson"), speeds = py::arg("speeds");
   bind_law<CompressionLaw>(module, "");
   bind_law<PointLaw>(module, "point_");

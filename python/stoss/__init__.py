@@ -49,13 +49,13 @@ from stoss.export._csv import Table, read_csv
 from stoss.export._text import with_error
 from stoss.results._atlas import AtlasValue, atlas
 from stoss.results._bounce import Bounces, bounce
+from stoss.results._collision import impact
 from stoss.results._curves import restitution
 from stoss.results._distribution import RestitutionDistribution
 from stoss.results._ensemble import restitution_distribution
 from stoss.results._extrapolation import Extrapolation, extrapolated_restitution
 from stoss.results._field import DiskField, Field, SphereField
 from stoss.results._function import RestitutionFunction
-from stoss.results._collision import impact
 from stoss.results._impact import Impact
 from stoss.results._interpolation import restitution_function
 from stoss.results._modes import Modes, modes

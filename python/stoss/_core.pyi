@@ -8,6 +8,7 @@ quantities: dict[str, tuple[tuple[str, str, bool], ...]]
 oscillation: np.dtype[Any]
 mean_energy: np.dtype[Any]
 rayleigh_row: np.dtype[Any]
+point_rayleigh_row: np.dtype[Any]
 restitution_row: np.dtype[Any]
 sample_row: np.dtype[Any]
 

@@ -13,8 +13,8 @@ from typing import Any, Iterator, Mapping
 import numpy as np
 from numpy.typing import NDArray
 
-from stoss.export import _tables
 from stoss._errors import InvalidInput
+from stoss.export import _tables
 from stoss.export._text import UNKNOWN, with_error
 
 AXES = {"restitution": "speed", "function": "speed", "quasistatic": "speed", "slow impact": "speed",

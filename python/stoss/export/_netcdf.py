@@ -10,10 +10,10 @@ import numpy as np
 
 from stoss import _core
 
+from stoss.bodies._solid import describe
 from stoss.export._files import whole_file
 from stoss.results._result import QUANTITIES, unit
 from stoss.results._si import si_name
-from stoss.bodies._solid import describe
 from stoss.sweeps._specification import label, numbers_of_bodies, unit_of_body
 
 if TYPE_CHECKING:

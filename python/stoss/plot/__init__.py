@@ -40,24 +40,11 @@ except ModuleNotFoundError as _missing:
     _hint = "pip install matplotlib, or apt install python3-matplotlib"
     raise ImportError(f"stoss.plot needs matplotlib: {_hint}") from None
 
-from stoss.results._bounce import Bounces
-from stoss.results._distribution import RestitutionDistribution
-from stoss.results._extrapolation import Extrapolation
-from stoss.results._field import DiskField, SphereField
-from stoss.results._function import RestitutionFunction
-from stoss.results._modes import Modes
-from stoss.quasistatic._rayleigh import PointRayleighEstimate, RayleighEstimate
-from stoss.results._restitution import Restitution
-from stoss.results._pair_table import PairTable
-from stoss.results._rod_chain import RodChain
-from stoss.quasistatic._slow_impact import PointSlowImpact, SlowImpact
-from stoss.quasistatic._static_contact import StaticContact
-from stoss.results._motion import Trajectory, Wave
 from stoss.plot._animation import animate
-from stoss.plot._many import bounces, cooling, distribution, restitution_histogram
 from stoss.plot._disk import disk, sphere
 from stoss.plot._functions import extrapolation, function, pair_table
 from stoss.plot._ledger import ledger
+from stoss.plot._many import bounces, cooling, distribution, restitution_histogram
 from stoss.plot._modes import mode_shape, spectrum
 from stoss.plot._quasistatic import rayleigh, slow_impact, static_contact
 from stoss.plot._restitution import restitution
@@ -65,6 +52,19 @@ from stoss.plot._sequence import sequence
 from stoss.plot._stress import stress
 from stoss.plot._trajectory import energies, force, half_width, velocity
 from stoss.plot._wave import wave
+from stoss.quasistatic._rayleigh import PointRayleighEstimate, RayleighEstimate
+from stoss.quasistatic._slow_impact import PointSlowImpact, SlowImpact
+from stoss.quasistatic._static_contact import StaticContact
+from stoss.results._bounce import Bounces
+from stoss.results._distribution import RestitutionDistribution
+from stoss.results._extrapolation import Extrapolation
+from stoss.results._field import DiskField, SphereField
+from stoss.results._function import RestitutionFunction
+from stoss.results._modes import Modes
+from stoss.results._motion import Trajectory, Wave
+from stoss.results._pair_table import PairTable
+from stoss.results._restitution import Restitution
+from stoss.results._rod_chain import RodChain
 
 PICTURES: Mapping[tuple[type, str], Callable[..., Any]] = MappingProxyType(
     {

@@ -21,8 +21,8 @@ from PIL import Image
 
 from stoss._arguments import instance, integer, number, refusal, require_memory
 from stoss.export._files import whole_file
-from stoss.results._impact import Impact
 from stoss.plot import _disk, _ground, _sequence, _stress, _style
+from stoss.results._impact import Impact
 
 DPI = 100
 SUFFIXES = (".gif", ".mp4")

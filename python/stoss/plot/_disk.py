@@ -12,11 +12,11 @@ from matplotlib.ticker import MultipleLocator
 from numpy.typing import NDArray
 
 from stoss._arguments import instance, integer, refusal
-from stoss.bodies._bodies import BODIES
 from stoss._errors import InvalidInput
+from stoss.bodies._bodies import BODIES
+from stoss.plot import _ground, _style
 from stoss.results._field import Field
 from stoss.results._impact import Impact
-from stoss.plot import _ground, _style
 
 CIRCLES, SPOKES = 6, 24
 

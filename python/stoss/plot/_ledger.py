@@ -6,10 +6,10 @@ import numpy as np
 from matplotlib.axes import Axes
 
 from stoss._arguments import instance, integer, refusal
-from stoss.bodies._bodies import Disk, Sphere
 from stoss.bodies._blocks import UNBOUNDED
-from stoss.results._impact import Impact
+from stoss.bodies._bodies import Disk, Sphere
 from stoss.plot import _style
+from stoss.results._impact import Impact
 
 LABELS = {"after": "energy after impact / initial", "average": "mean energy in contact / initial"}
 HATCHES = ("", "/////", "xxxxx", ".....", "\\\\\\\\\\", "-----", "+++++")

@@ -8,8 +8,8 @@ from numpy.typing import NDArray
 
 from stoss._arguments import instance, number, refusal
 from stoss.bodies._bodies import Sphere
-from stoss.results._modes import Modes
 from stoss.plot import _disk, _style
+from stoss.results._modes import Modes
 
 
 def spectrum(modes: Modes, ax: Axes | None = None) -> Axes:

@@ -9,11 +9,11 @@ from matplotlib.axes import Axes
 from numpy.typing import NDArray
 
 from stoss._arguments import instance
+from stoss.plot import _style
 from stoss.quasistatic._hertz import hertz_pressure
 from stoss.quasistatic._rayleigh import PointRayleighEstimate, RayleighEstimate
 from stoss.quasistatic._slow_impact import PointSlowImpact, SlowImpact
 from stoss.quasistatic._static_contact import StaticContact
-from stoss.plot import _style
 
 Slow = Union[SlowImpact, PointSlowImpact, RayleighEstimate, PointRayleighEstimate]
 SLOW = (SlowImpact, PointSlowImpact)

@@ -12,8 +12,8 @@ from numpy.typing import NDArray
 
 from stoss._arguments import instance
 from stoss.bodies._bodies import Rod
-from stoss.results._restitution import Restitution
 from stoss.plot import _style
+from stoss.results._restitution import Restitution
 
 LABELS = {"restitution": "restitution ε", "lost_fraction": "lost fraction 1 − ε²"}
 DOUBTFUL = "not converged"

@@ -9,8 +9,8 @@ from numpy.typing import ArrayLike, NDArray
 
 from stoss._arguments import instance, integer, numbers, refusal
 from stoss._errors import InvalidInput
-from stoss.results._impact import Impact
 from stoss.plot import _disk, _ground, _style
+from stoss.results._impact import Impact
 
 Array = NDArray[np.float64]
 

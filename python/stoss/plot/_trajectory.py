@@ -9,8 +9,8 @@ from numpy.typing import NDArray
 
 from stoss._arguments import instance
 from stoss.bodies._bodies import PARTNERS, Disk, Sphere
-from stoss.results._motion import Trajectory
 from stoss.plot import _style
+from stoss.results._motion import Trajectory
 
 
 def force(trajectory: Trajectory, ax: Axes | None = None, *, label: str | None = None, **style: Any) -> Axes:

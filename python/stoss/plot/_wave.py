@@ -8,11 +8,11 @@ from matplotlib.colors import PowerNorm
 from numpy.typing import NDArray
 
 from stoss._arguments import instance, integer, number, refusal
-from stoss.bodies._solid import is_rigid
 from stoss._errors import InvalidInput
-from stoss.results._motion import Wave
+from stoss.bodies._solid import is_rigid
 from stoss.plot import _disk, _style
 from stoss.plot._sequence import LARGEST, spoken_times
+from stoss.results._motion import Wave
 
 Array = NDArray[np.float64]
 

@@ -48,10 +48,10 @@ from stoss.quasistatic._hertz import (
     hertz_pressure,
     hertz_stress,
 )
+from stoss.bodies._yielding import yield_speed
 from stoss.quasistatic._rayleigh import PointRayleighEstimate, RayleighEstimate, rayleigh
 from stoss.quasistatic._slow_impact import PointSlowImpact, SlowImpact, slow_impact
 from stoss.quasistatic._static_contact import SoftStaticContact, StaticContact, soft_static_contact, static_contact
-from stoss.bodies._yielding import yield_speed
 
 __all__ = [
     "AxisymmetricStress",

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import dataclasses
 import warnings
-from typing import Any, ClassVar, Union, overload
+from typing import Any, ClassVar, overload
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -13,24 +13,18 @@ from stoss import _core
 from stoss._arguments import arranged, number
 from stoss._errors import StossWarning
 from stoss.bodies._bodies import Disk, Sphere, speeds_in_si
-from stoss.quasistatic._slow_impact import slow_inputs
 from stoss.export._text import span, with_error
+from stoss.quasistatic._slow_impact import SlowOfABody, slow_inputs
+from stoss.results._restitution import Flag, Integer
 from stoss.results._result import Number, columns
-from stoss.results._si import ImpactsInSi, Si, warn_of_yielding
-
-Flag = Union[bool, NDArray[np.bool_]]
-Integer = Union[int, NDArray[np.int64]]
+from stoss.results._si import Si, warn_of_yielding
 
 
-class EstimateOfABody(ImpactsInSi):
+class EstimateOfABody(SlowOfABody):
     """What the estimates of disks and spheres have in common."""
 
     _name: ClassVar[str] = "rayleigh"
-    _given = {"poisson": "", "speed": "speed"}
 
-    law: str
-    cutoff: float
-    poisson: Number
     lost_fraction: Number
     lost_fraction_error: Number
     beyond_perturbation: Flag
@@ -48,9 +42,6 @@ class EstimateOfABody(ImpactsInSi):
     def plot(self, ax: Any = None) -> Any:
         """1 − ε² against v. See `stoss.plot.rayleigh`."""
         return self._picture(ax)
-
-    def _inputs(self) -> dict[str, Any]:
-        return {"law": self.law, "cutoff": self.cutoff} | ({"body": self.body} if self.body else {})
 
 
 @dataclasses.dataclass(frozen=True, eq=False, repr=False)
@@ -239,24 +230,21 @@ def rayleigh(
     """
     chosen, poissons, speeds = slow_inputs(body, speed, poisson, law)
     highest = number("cutoff", cutoff)
-    energies: NDArray[Any] | None = None
+    function, row = _core.rayleigh, _core.rayleigh_row
+    if isinstance(body, Sphere):
+        function, row = _core.point_rayleigh, _core.point_rayleigh_row
+    table, energies = np.zeros(speeds.size, dtype=row), None
     with speeds_in_si(body):
-        if isinstance(body, Sphere):
-            table, energies = _core.point_rayleigh(chosen, body.poisson, speeds.ravel(), highest)
-        else:
-            table = np.zeros(speeds.size, dtype=_core.rayleigh_row)
-            for nu in np.unique(poissons):
-                where = np.flatnonzero(poissons == nu)
-                table[where], energies = _core.rayleigh(chosen, float(nu), speeds.ravel()[where], highest)
+        for nu in np.unique(poissons):
+            where = np.flatnonzero(poissons == nu)
+            table[where], energies = function(chosen, float(nu), speeds.ravel()[where], highest)
     values = {"poisson": poissons, "speed": speeds, **columns(table)}
     shaped = {name: arranged(column, speeds.shape) for name, column in values.items()}
-    beyond = np.count_nonzero(table["beyond_perturbation"])
-    if beyond:
+    if beyond := np.count_nonzero(table["beyond_perturbation"]):
         text = f"{beyond} of {speeds.size} values beyond perturbation theory: their lost_fraction is far too great"
         warnings.warn(text, StossWarning, stacklevel=2)
-    energies = energies if speeds.ndim == 0 else None
-    if isinstance(body, Sphere):
-        result = PointRayleighEstimate(law=chosen, cutoff=highest, body=body, mode_energies=energies, **shaped)
-        warn_of_yielding(result, 2)
-        return result
-    return RayleighEstimate(law=chosen, cutoff=highest, body=body, mode_energies=energies, **shaped)
+    shaped |= {"law": chosen, "cutoff": highest, "mode_energies": energies if speeds.ndim == 0 else None}
+    made = PointRayleighEstimate if isinstance(body, Sphere) else RayleighEstimate
+    result: RayleighEstimate | PointRayleighEstimate = made(body=body, **shaped)
+    warn_of_yielding(result, 2)
+    return result

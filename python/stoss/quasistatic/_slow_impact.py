@@ -11,19 +11,29 @@ from numpy.typing import ArrayLike, NDArray
 from stoss import _core
 from stoss._arguments import arranged, broadcast, numbers
 from stoss.bodies._bodies import Disk, Sphere, speed_unit, speeds_in_si
-from stoss.quasistatic._compression import choose_law, poissons_of
 from stoss.export._text import span
+from stoss.quasistatic._compression import choose_law, poissons_of
 from stoss.results._result import Number, columns
 from stoss.results._si import ImpactsInSi, Si, warn_of_yielding
 
-class SlowImpactOfABody(ImpactsInSi):
-    """What slow impacts of disks and spheres have in common."""
 
-    _name: ClassVar[str] = "slow impact"
+class SlowOfABody(ImpactsInSi):
+    """What slow impacts and their estimates have in common."""
+
     _given = {"poisson": "", "speed": "speed"}
 
     law: str
     poisson: Number
+
+    def _inputs(self) -> dict[str, Any]:
+        given = {name: getattr(self, name, None) for name in ("law", "cutoff", "body")}
+        return {name: value for name, value in given.items() if value is not None}
+
+
+class SlowImpactOfABody(SlowOfABody):
+    """What slow impacts of disks and spheres have in common."""
+
+    _name: ClassVar[str] = "slow impact"
 
     def __repr__(self) -> str:
         count = "" if isinstance(self.speed, float) else f"{np.size(self.speed)} values, "
@@ -35,9 +45,6 @@ class SlowImpactOfABody(ImpactsInSi):
     def plot(self, ax: Any = None) -> Any:
         """Contact time against speed. See `stoss.plot.slow_impact`."""
         return self._picture(ax)
-
-    def _inputs(self) -> dict[str, Any]:
-        return {"law": self.law} | ({"body": self.body} if self.body else {})
 
 
 @dataclasses.dataclass(frozen=True, eq=False, repr=False)
@@ -186,8 +193,7 @@ def slow_impact(
         table = function(chosen, poissons.ravel(), speeds.ravel())
     values = {"poisson": poissons, "speed": speeds, **columns(table)}
     shaped = {name: arranged(column, speeds.shape) for name, column in values.items()}
-    if isinstance(body, Sphere):
-        result = PointSlowImpact(law=chosen, body=body, **shaped)
-        warn_of_yielding(result, 2)
-        return result
-    return SlowImpact(law=chosen, body=body, **shaped)
+    made = PointSlowImpact if isinstance(body, Sphere) else SlowImpact
+    result: SlowImpact | PointSlowImpact = made(law=chosen, body=body, **shaped)
+    warn_of_yielding(result, 2)
+    return result

@@ -15,6 +15,7 @@ from stoss.bodies._encounter import choose_body, contact
 from stoss.bodies._walls import ExponentialWall
 from stoss.results._result import Column, Result, unit
 
+
 @dataclasses.dataclass(frozen=True, eq=False, repr=False)
 class StaticContact(Result):
     """A disk or a sphere held against a hard wall, at rest.

@@ -16,13 +16,13 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from stoss._arguments import arranged, numbers, refusal
+from stoss.bodies._blocks import UNBOUNDED, Unbounded
 from stoss.bodies._bodies import Body, Disk, Sphere, speed_unit
 from stoss.bodies._encounter import Against, choose_against, choose_body
-from stoss.bodies._blocks import UNBOUNDED, Unbounded
+from stoss.bodies._walls import HardWall
 from stoss.export._text import span, with_error
 from stoss.results._result import Column, Number
 from stoss.results._si import SpeedInSi
-from stoss.bodies._walls import HardWall
 
 Array = NDArray[np.float64]
 

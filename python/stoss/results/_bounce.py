@@ -19,7 +19,8 @@ from stoss.bodies._state import State, choose_state, shown_state
 from stoss.bodies._walls import ExponentialWall, HardWall
 from stoss.export._text import span
 from stoss.results._result import RowResult, columns
-from stoss.results._si import MayYield, Si, warn_of_yielding
+from stoss.results._si import MayYield, Si, warn_of_large_strain, warn_of_yielding
+
 
 @dataclasses.dataclass(frozen=True, eq=False, repr=False)
 class Bounces(MayYield, RowResult):
@@ -223,9 +224,7 @@ def bounce(
 
 
 def _warn(result: Bounces) -> None:
-    if np.any(result.beyond_small_strain):
-        text = "speed above 0.5 c or compression above 0.5 R: linear elasticity has lost its meaning there"
-        warnings.warn(text, StossWarning, stacklevel=3)
+    warn_of_large_strain(result, 3)
     short = int(np.count_nonzero(result.short_flight))
     if short:
         text = f"{short} flights too short for the vibration to keep clear of the wall (see .short_flight)"

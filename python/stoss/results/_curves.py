@@ -19,7 +19,8 @@ from stoss.bodies._walls import HardWall
 from stoss.results._progress import bar
 from stoss.results._restitution import Restitution
 from stoss.results._result import columns
-from stoss.results._si import warn_of_yielding
+from stoss.results._si import warn_of_large_strain, warn_of_yielding
+
 
 class Curve:
     """The values of one body: rows that the core fills."""
@@ -209,7 +210,5 @@ def _judge(result: Restitution) -> None:
         doubtful = count - np.count_nonzero(result.converged)
         text = f"{doubtful} of {count} values not as accurate as asked for (see .converged, .reason)"
         warnings.warn(text, StossWarning, stacklevel=3)
-    if np.any(result.beyond_small_strain):
-        text = "speed above 0.5 c or compression above 0.5 R: linear elasticity has lost its meaning here"
-        warnings.warn(text, StossWarning, stacklevel=3)
+    warn_of_large_strain(result, 3)
     warn_of_yielding(result, 3)

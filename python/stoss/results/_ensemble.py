@@ -11,15 +11,16 @@ from numpy.typing import NDArray
 
 from stoss import _core
 from stoss._arguments import boolean, integer, number, refusal
-from stoss.bodies._bodies import Body, speed_unit, speeds_in_si
-from stoss.bodies._encounter import Against, choose_against, choose_body, refinable
-from stoss.results._distribution import RestitutionDistribution, summary_of
 from stoss._errors import Interrupted, InvalidInput, StossWarning
 from stoss.bodies._blocks import Unbounded
-from stoss.results._progress import bar
-from stoss.results._result import columns
+from stoss.bodies._bodies import Body, speed_unit, speeds_in_si
+from stoss.bodies._encounter import Against, choose_against, choose_body, refinable
 from stoss.bodies._state import Oscillation, choose_state
 from stoss.bodies._walls import HardWall
+from stoss.results._distribution import RestitutionDistribution, summary_of
+from stoss.results._progress import bar
+from stoss.results._result import columns
+from stoss.results._si import warn_of_large_strain
 
 Spectrum = Union[Callable[[float], float], Oscillation, Sequence[Oscillation], NDArray[Any]]
 
@@ -166,6 +167,4 @@ def _judge(result: RestitutionDistribution) -> None:
     if doubtful:
         text = f"{doubtful} of {len(result)} samples not as accurate as asked for (see .converged, .reason)"
         warnings.warn(text, StossWarning, stacklevel=3)
-    if np.any(result.beyond_small_strain):
-        text = "speed above 0.5 c or compression above 0.5 R: linear elasticity has lost its meaning here"
-        warnings.warn(text, StossWarning, stacklevel=3)
+    warn_of_large_strain(result, 3)

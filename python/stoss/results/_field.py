@@ -17,8 +17,20 @@ if TYPE_CHECKING:
 FieldKind = TypeVar("FieldKind", bound="Field")
 
 
+class OfAnImpact(Result):
+    """What is seen of an impact at some times."""
+
+    impact: Impact
+
+    def _kind_of_body(self) -> str:
+        return self.impact._kind_of_body()
+
+    def _inputs(self) -> dict[str, Any]:
+        return self.impact._inputs() | {"speed": self.impact.speed, "cutoff": self.impact.cutoff}
+
+
 @dataclasses.dataclass(frozen=True, eq=False, repr=False)
-class Field(Result):
+class Field(OfAnImpact):
     """The deformed body and the stress inside it: what a `DiskField` and a `SphereField` have in common.
 
     Arrays are times × radii × angles, or radii × angles for one time.
@@ -71,12 +83,6 @@ class Field(Result):
     def plot(self, ax: Any = None) -> Any:
         """Stress inside the body. See `stoss.plot.stress`."""
         return self._picture(ax)
-
-    def _kind_of_body(self) -> str:
-        return self.impact._kind_of_body()
-
-    def _inputs(self) -> dict[str, Any]:
-        return self.impact._inputs() | {"speed": self.impact.speed, "cutoff": self.impact.cutoff}
 
     def _table(self) -> dict[str, Column]:
         shape = self.x.shape

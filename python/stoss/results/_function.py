@@ -14,11 +14,11 @@ from stoss import _core
 from stoss._arguments import choice, number, numbers, refusal
 from stoss.bodies._bodies import Body, shown, speed_unit, speeds_in_si
 from stoss.bodies._encounter import Against, encounter
+from stoss.bodies._state import shown_state
 from stoss.export._files import write_lines
 from stoss.export._text import brief_range
 from stoss.results._result import Column
 from stoss.results._si import SpeedInSi
-from stoss.bodies._state import shown_state
 
 BEYOND = ("error", "clamp", "law")
 

@@ -16,6 +16,7 @@ from stoss.bodies._walls import ExponentialWall, HardWall
 from stoss.results._impact_views import ImpactViews
 from stoss.results._si import Si
 
+
 @dataclasses.dataclass(frozen=True, eq=False, repr=False)
 class Impact(ImpactViews):
     """One impact at a fixed resolution, with the inputs that made it.

@@ -6,11 +6,11 @@ from typing import TYPE_CHECKING, Any, cast
 
 from numpy.typing import ArrayLike, NDArray
 
-from stoss.results import _replay
 from stoss._arguments import number
+from stoss.results import _replay
 from stoss.results._field import Field
-from stoss.results._si import ImpactsInSi
 from stoss.results._motion import Trajectory, Wave
+from stoss.results._si import ImpactsInSi
 
 if TYPE_CHECKING:
     from stoss.results._impact import Impact

@@ -10,9 +10,9 @@ from numpy.typing import ArrayLike, NDArray
 
 from stoss import _core
 from stoss._arguments import brief, instance, integer, number, numbers
+from stoss._errors import InvalidInput
 from stoss.bodies._bodies import Disk, Sphere
 from stoss.bodies._encounter import choose_body
-from stoss._errors import InvalidInput
 from stoss.export._text import span
 from stoss.results._result import RowResult, columns
 

@@ -9,7 +9,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from stoss.export._text import span
-from stoss.results._result import Column, Number, Result, RowResult
+from stoss.results._field import OfAnImpact
+from stoss.results._result import Column, Number, RowResult
 
 if TYPE_CHECKING:
     from stoss.results._impact import Impact
@@ -69,7 +70,7 @@ class Trajectory(RowResult):
 
 
 @dataclasses.dataclass(frozen=True, eq=False, repr=False)
-class Wave(Result):
+class Wave(OfAnImpact):
     """How a half-space, or a half-plane, moves below its surface during and after an impact.
 
     Arrays are times × depths × distances, or depths × distances for one time. The plane goes
@@ -118,12 +119,6 @@ class Wave(Result):
     def plot(self, ax: Any = None) -> Any:
         """Speed below the surface. See `stoss.plot.wave`."""
         return self._picture(ax)
-
-    def _kind_of_body(self) -> str:
-        return self.impact._kind_of_body()
-
-    def _inputs(self) -> dict[str, Any]:
-        return self.impact._inputs() | {"speed": self.impact.speed, "cutoff": self.impact.cutoff}
 
     def _table(self) -> dict[str, Column]:
         shape = self.normal.shape

@@ -11,10 +11,10 @@ from numpy.typing import ArrayLike, NDArray
 
 from stoss import _core
 from stoss._arguments import choice, integer, number, numbers, refusal
-from stoss.bodies._bodies import Body, Disk, Sphere, shown, speed_unit, speeds_in_si
-from stoss.bodies._solid import is_rigid
-from stoss.bodies._encounter import choose_against, choose_body, encounter
 from stoss._errors import InvalidInput
+from stoss.bodies._bodies import Body, Disk, Sphere, shown, speed_unit, speeds_in_si
+from stoss.bodies._encounter import choose_against, choose_body, encounter
+from stoss.bodies._solid import is_rigid
 from stoss.export._text import brief_range
 from stoss.results._result import Column
 from stoss.results._si import SpeedInSi

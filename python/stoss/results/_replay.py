@@ -9,15 +9,15 @@ from numpy.typing import NDArray
 
 from stoss import _core
 from stoss._arguments import arranged, integer, numbers, refusal, require_memory
-from stoss.bodies._bodies import BODIES, Disk, Sphere
-from stoss.bodies._solid import is_rigid
 from stoss._errors import InvalidInput
-from stoss.results._field import DiskField, Field, SphereField
 from stoss.bodies._blocks import UNBOUNDED
-from stoss.results._result import columns
+from stoss.bodies._bodies import BODIES, Disk, Sphere
 from stoss.bodies._encounter import encounter
+from stoss.bodies._solid import is_rigid
 from stoss.bodies._state import choose_state
+from stoss.results._field import DiskField, Field, SphereField
 from stoss.results._motion import Trajectory, Wave
+from stoss.results._result import columns
 
 if TYPE_CHECKING:
     from stoss.results._impact import Impact

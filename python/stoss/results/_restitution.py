@@ -8,17 +8,17 @@ from typing import Any, ClassVar, Union
 import numpy as np
 from numpy.typing import NDArray
 
-from stoss.export import _tables
 from stoss._arguments import arranged
+from stoss.bodies._blocks import UNBOUNDED
 from stoss.bodies._bodies import PARTNERS, Body, Disk, Rod, Sphere, shown
 from stoss.bodies._encounter import Against, choose_against
-from stoss.results._interpolation import of_curve
-from stoss.results._function import RestitutionFunction
-from stoss.bodies._blocks import UNBOUNDED
+from stoss.bodies._state import shown_state
+from stoss.export import _tables
 from stoss.export._text import span, with_error
+from stoss.results._function import RestitutionFunction
+from stoss.results._interpolation import of_curve
 from stoss.results._result import Column, Number
 from stoss.results._si import ImpactsInSi, Si
-from stoss.bodies._state import shown_state
 
 Integer = Union[int, NDArray[np.int64]]
 Flag = Union[bool, NDArray[np.bool_]]

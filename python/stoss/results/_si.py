@@ -121,3 +121,10 @@ def warn_of_yielding(result: MayYield, stacklevel: int) -> None:
         hint = "see .beyond_yield: elastic values are bounds there"
         text = f"speed above {found:.4g} m/s, where yielding begins ({hint})"
         warnings.warn(text, StossWarning, stacklevel=stacklevel + 1)
+
+
+def warn_of_large_strain(result: Any, stacklevel: int) -> None:
+    """A warning, as from that many calls above, of impacts that no linear elasticity describes."""
+    if np.any(result.beyond_small_strain):
+        text = "speed above 0.5 c or compression above 0.5 R: linear elasticity has lost its meaning there"
+        warnings.warn(text, StossWarning, stacklevel=stacklevel + 1)

@@ -16,9 +16,9 @@ from typing import NoReturn, Sequence
 
 import numpy as np
 
-from stoss.sweeps import _store
 from stoss._arguments import refusal
 from stoss._errors import InvalidInput
+from stoss.sweeps import _store
 from stoss.sweeps._grid import Case, Grid
 from stoss.sweeps._sweep import compute, missing
 from stoss.sweeps._values import Sweep, merge, open_sweep

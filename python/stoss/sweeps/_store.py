@@ -20,8 +20,8 @@ from typing import Any, Dict, Iterator, NamedTuple, Tuple
 
 from stoss import _core
 from stoss._errors import InvalidInput
-from stoss.sweeps._grid import Grid
 from stoss.export._text import UNKNOWN
+from stoss.sweeps._grid import Grid
 
 GRID = "grid.json"
 COLUMNS: tuple[str, ...] = _core.restitution_row.names or ()

@@ -12,13 +12,13 @@ from typing import Any, Iterator, Mapping, Sequence
 import numpy as np
 
 from stoss import _core
-from stoss.sweeps import _store
 from stoss._arguments import instance, integer, refusal
+from stoss._errors import Interrupted, InvalidInput, StossWarning
 from stoss.bodies._bodies import speed_unit
 from stoss.bodies._encounter import refinable
-from stoss._errors import Interrupted, InvalidInput, StossWarning
-from stoss.sweeps._grid import Case, Grid
 from stoss.bodies._state import choose_state
+from stoss.sweeps import _store
+from stoss.sweeps._grid import Case, Grid
 from stoss.sweeps._values import Sweep, open_sweep
 from stoss.sweeps._worker import Worker
 

@@ -20,6 +20,7 @@ from stoss.sweeps import _store
 from stoss.sweeps._grid import Grid
 from stoss.sweeps._specification import label, numbers_of_bodies, unit_of_body
 
+
 @dataclasses.dataclass(frozen=True, repr=False, eq=False)
 class Sweep(Result):
     """The values of a sweep, in arrays over bodies, partners and speeds.
