@@ -216,6 +216,11 @@ def test_speed_of_a_material_is_in_si(call, steel):
         call(steel, speed=1e308)
 
 
+def test_a_hard_wall_says_where_its_tail_went():
+    with pytest.raises(TypeError, match=r"^HardWall: got tail, .*stoss\.impact\(\.\.\., tail='static'\)$"):
+        stoss.HardWall(tail="static")
+
+
 def test_signatures():
     for call in (stoss.restitution, stoss.impact, stoss.modes):
         with pytest.raises(TypeError, match="positional"):

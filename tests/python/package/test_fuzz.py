@@ -150,7 +150,6 @@ PUBLIC = {
     "Disk": (stoss.Disk, CHEAP),
     "Material": (stoss.Material, {"young": 1, "poisson": 0.3, "density": 1}),
     "Rod": (stoss.Rod, {}),
-    "HardWall": (stoss.HardWall, {}),
     "ExponentialWall": (stoss.ExponentialWall, {}),
     "trajectory": (hit.trajectory, {}),
     "field": (hit.field, {"time": 1, "radius": 1, "angle": 0}),
