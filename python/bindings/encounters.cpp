@@ -147,10 +147,8 @@ void bind_encounters(py::module_& module) {
         return plane_poisson({young, poisson, density}, strain ? Plane::strain : Plane::stress);
       },
       py::arg("young"), py::arg("poisson"), py::arg("density"), py::arg("strain"));
-  PYBIND11_NUMPY_DTYPE(bodies::disk::Mode, order, index, omega, radial, tangential);
-  PYBIND11_NUMPY_DTYPE(bodies::disk::Displacement, radial, tangential);
-  PYBIND11_NUMPY_DTYPE(bodies::sphere::Mode, order, index, omega, radial, tangential);
-  PYBIND11_NUMPY_DTYPE(bodies::sphere::Displacement, radial, tangential);
+  PYBIND11_NUMPY_DTYPE(bodies::Mode, order, index, omega, radial, tangential);
+  PYBIND11_NUMPY_DTYPE(bodies::Displacement, radial, tangential);
   bind_modes<bodies::disk::Mode, bodies::disk::Displacement>(module, "disk", &bodies::disk::modes,
                                                              &bodies::disk::displacement);
   bind_modes<bodies::sphere::Mode, bodies::sphere::Displacement>(module, "sphere", &bodies::sphere::modes,

@@ -1,10 +1,9 @@
 #include <chrono>
 
-#include "stoss/bodies/disk/quantities.hpp"
-#include "stoss/bodies/sphere/quantities.hpp"
+#include "stoss/bodies/disk/modes.hpp"
+#include "stoss/bodies/sphere/modes.hpp"
 #include "stoss/errors.hpp"
 #include "stoss/impact/quantities.hpp"
-#include "stoss/quasistatic/point_quantities.hpp"
 #include "stoss/quasistatic/quantities.hpp"
 #include "stoss/restitution/quantities.hpp"
 #include "stoss/version.hpp"

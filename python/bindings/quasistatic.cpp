@@ -3,7 +3,6 @@
 
 #include <optional>
 
-#include "stoss/quasistatic/point_quantities.hpp"
 #include "stoss/quasistatic/quantities.hpp"
 #include "support.hpp"
 

@@ -8,7 +8,7 @@
 #include "stoss/vibration/bounce.hpp"
 #include "stoss/vibration/distribution.hpp"
 #include "stoss/vibration/quantities.hpp"
-#include "stoss/vibration/rod_chain.hpp"
+#include "stoss/vibration/rod_chain_run.hpp"
 #include "support.hpp"
 
 namespace stoss::python {

@@ -4,7 +4,7 @@
 #include <limits>
 #include <utility>
 
-#include "digits.hpp"
+#include "check.hpp"
 #include "encounter/participant.hpp"
 #include "stoss/quasistatic/yield.hpp"
 
@@ -33,6 +33,11 @@ Solid solid_of(const Encounter& encounter, const Kind& kind, Values all) {
     all = in_units_of_first(std::move(all), first_values(encounter), si_scales(encounter)->time);
   }
   return kind.solid(all);
+}
+
+/// Whether it meets a wall, no body.
+bool is_at_wall(const Encounter& encounter) {
+  return kind(encounter.against.kind).wall && encounter.against.kind != "same";
 }
 
 /// By itself, an elastic body without modes is a mistake: its maker then refuses the cutoff.
@@ -88,19 +93,24 @@ void require_one_that_deforms(const Encounter& encounter) {
   }
 }
 
+bool takes_material(const Kind& kind) {
+  return std::any_of(kind.parameters.begin(), kind.parameters.end(),
+                     [](const Parameter& each) { return each.of_material; });
+}
+
 void require_units(const Encounter& encounter) {
-  if (!has_second_values(encounter) || encounter.first.material.has_value() == encounter.against.material.has_value()) {
+  const Kind& against = kind(encounter.against.kind);
+  const bool material = encounter.against.material.has_value();
+  if (!takes_material(against)) {
+    if (material) throw InvalidInput("against material: got one, allowed none of a " + std::string(against.name));
     return;
   }
+  if (encounter.first.material.has_value() == material) return;
   throw InvalidInput(encounter.first.material ? "against material: got none, allowed one, as the first body has one"
                                               : "against material: got one, allowed none, as the first body has none");
 }
 
 }  // namespace
-
-bool is_at_wall(const Encounter& encounter) {
-  return kind(encounter.against.kind).wall && encounter.against.kind != "same";
-}
 
 void validate(const Encounter& encounter) {
   require_partner(encounter);
@@ -186,6 +196,26 @@ Contact contact_of(const Encounter& encounter, double cutoff, double speed) {
   return contact(std::move(body), wall_of(encounter));
 }
 
+Mixture mixture(const Encounter& encounter) {
+  validate(encounter);
+  const Solid first = first_solid(encounter);
+  const auto second = second_solid(encounter);
+  const bool rigid = encounter.first.rigid || encounter.against.rigid;
+  if (second && !rigid && std::holds_alternative<Disk>(first) && std::holds_alternative<Disk>(*second)) {
+    return mixture(std::get<Disk>(first), std::get<Disk>(*second));
+  }
+  if (second && !rigid && std::holds_alternative<Sphere>(first) && std::holds_alternative<Sphere>(*second)) {
+    return mixture(std::get<Sphere>(first), std::get<Sphere>(*second));
+  }
+  throw InvalidInput("ratio: got a " + std::string(rigid ? "rigid " : "") + encounter.first.kind + " against " +
+                     encounter.against.kind + ", allowed elastic disks or spheres that meet each other");
+}
+
+SlowLaw slow_law(const Encounter& encounter) {
+  validate(encounter);
+  return slow_law(first_solid(encounter), second_solid(encounter), encounter.first.rigid, encounter.against.rigid);
+}
+
 std::optional<double> yield_speed(const Encounter& encounter) {
   const Participant& first = encounter.first;
   if (!first.material || !kind(first.kind).can_yield) return std::nullopt;
@@ -194,6 +224,7 @@ std::optional<double> yield_speed(const Encounter& encounter) {
   if (first.rigid) material.young = infinity;
   if (is_at_wall(encounter)) return quasistatic::yield_speed(material, radius);
   if (encounter.against.kind == "same") return quasistatic::yield_speed(material, radius, material, radius);
+  if (!kind(encounter.against.kind).can_yield) return std::nullopt;
   return of_what_is_met([&] {
     Material other = *encounter.against.material;
     if (encounter.against.rigid) other.young = infinity;

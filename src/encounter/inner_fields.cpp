@@ -3,6 +3,7 @@
 
 #include "stoss/bodies/disk/field.hpp"
 #include "stoss/bodies/sphere/field.hpp"
+#include "stoss/contact/grid.hpp"
 #include "stoss/encounter/views.hpp"
 #include "stoss/errors.hpp"
 

@@ -3,6 +3,7 @@
 #include <utility>
 #include <variant>
 
+#include "stoss/contact/grid.hpp"
 #include "stoss/encounter/views.hpp"
 #include "stoss/errors.hpp"
 

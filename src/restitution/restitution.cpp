@@ -10,7 +10,7 @@
 #include <utility>
 
 #include "check.hpp"
-#include "impact/refined_resolution.hpp"
+#include "impact/recommended.hpp"
 #include "impact/whole_bodies.hpp"
 #include "restitution/curvature.hpp"
 #include "restitution/error_bar.hpp"
@@ -55,7 +55,7 @@ Impact impact_to_its_end(const RefinableContact& contact, double cutoff, double 
     try {
       return impact(resolved, speed, options);
     } catch (const Outlasted&) {
-      if (!resolved.radiating || stretch > longest) throw;
+      if (!resolved.unbounded || stretch > longest) throw;
     }
   }
 }
@@ -167,7 +167,7 @@ Restitution restitution(const RefinableContact& contact, double speed, const Res
   result.tolerance = options.tolerance;
   result.absolute = options.absolute;
   std::optional<Bar> first;
-  const auto& rungs = contact.at(0, options.poll).radiating ? first_rungs_with_half_space : first_rungs;
+  const auto& rungs = contact.at(0, options.poll).unbounded ? first_rungs_with_half_space : first_rungs;
   Outlook next{rungs.front(), 0.0, 0.0, true};
   const CurvatureCorrection correction = curvature_correction(contact, speed, options.poll);
   std::string trouble;

@@ -9,7 +9,6 @@
 #include <vector>
 
 #include "check.hpp"
-#include "digits.hpp"
 #include "numeric/monotone_cubic.hpp"
 #include "numeric/parabolic_cubic.hpp"
 #include "stoss/errors.hpp"

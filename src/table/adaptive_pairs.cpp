@@ -10,11 +10,10 @@
 #include <vector>
 
 #include "check.hpp"
-#include "digits.hpp"
 #include "stoss/errors.hpp"
+#include "table/arguments.hpp"
 #include "table/computed_values.hpp"
 #include "table/nested_axis.hpp"
-#include "table/pair_values.hpp"
 
 namespace stoss {
 namespace {

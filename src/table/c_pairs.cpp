@@ -6,11 +6,11 @@
 #include <string_view>
 #include <vector>
 
-#include "digits.hpp"
+#include "check.hpp"
 #include "numeric/bins.hpp"
 #include "stoss/table/c_source.hpp"
+#include "table/arguments.hpp"
 #include "table/c_text.hpp"
-#include "table/speed_range.hpp"
 
 namespace stoss {
 namespace {

@@ -5,9 +5,9 @@
 #include <cmath>
 #include <vector>
 
-#include "digits.hpp"
+#include "check.hpp"
 #include "stoss/errors.hpp"
-#include "table/speed_range.hpp"
+#include "table/arguments.hpp"
 
 namespace stoss {
 namespace {

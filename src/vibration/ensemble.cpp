@@ -9,7 +9,6 @@
 #include <tuple>
 
 #include "check.hpp"
-#include "digits.hpp"
 #include "numeric/random.hpp"
 #include "stoss/errors.hpp"
 
@@ -20,8 +19,6 @@ constexpr Range energies{0.0, 1e6, true, true, "0 to 1e6"};
 
 /// Levels of the ladder above the modes that vibrate, for `restitution` to have three cutoffs.
 constexpr int levels_above = 6;
-
-bool vibrates(const Body& body) { return body.part.size == 1.0 && !is_unbounded(body); }
 
 }  // namespace
 
@@ -40,7 +37,7 @@ Spectrum thermal(const RefinableContact& contact, double temperature, double hig
   double lowest = std::numeric_limits<double>::infinity();
   for (std::size_t g = 0; g < resolved.groups.size(); ++g) {
     const bool second = g >= resolved.first_groups;
-    if (!vibrates(second ? *resolved.second : *resolved.first)) continue;
+    if (!is_whole(second ? *resolved.second : *resolved.first)) continue;
     const ModeGroup& group = resolved.groups[g];
     for (std::size_t l = 0; l < group.omega.size(); ++l) {
       lowest = std::min(lowest, group.omega[l]);

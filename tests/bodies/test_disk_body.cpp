@@ -7,9 +7,10 @@
 #include <numbers>
 #include <vector>
 
-#include "contact/complementarity.hpp"
+#include "contact/edge/complementarity.hpp"
 #include "stoss/bodies/disk.hpp"
 #include "stoss/bodies/disk/modes.hpp"
+#include "stoss/contact/grid.hpp"
 #include "support/body_tools.hpp"
 
 namespace stoss {

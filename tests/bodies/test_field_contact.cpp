@@ -9,6 +9,7 @@
 
 #include "stoss/bodies/disk.hpp"
 #include "stoss/bodies/disk/field.hpp"
+#include "stoss/contact/grid.hpp"
 #include "stoss/impact/impact.hpp"
 #include "support/body_tools.hpp"
 #include "support/field_tools.hpp"

@@ -15,6 +15,7 @@
 #include "stoss/bodies/half_space/field.hpp"
 #include "stoss/bodies/sphere.hpp"
 #include "stoss/contact/contact.hpp"
+#include "stoss/contact/grid.hpp"
 #include "stoss/errors.hpp"
 #include "stoss/impact/replay.hpp"
 #include "support/field_tools.hpp"

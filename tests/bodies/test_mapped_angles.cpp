@@ -13,6 +13,7 @@
 #include "stoss/bodies/disk.hpp"
 #include "stoss/bodies/disk/modes.hpp"
 #include "stoss/contact/contact.hpp"
+#include "stoss/contact/grid.hpp"
 #include "support/disk_pairs.hpp"
 
 namespace stoss {

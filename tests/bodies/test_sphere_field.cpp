@@ -13,6 +13,7 @@
 #include "stoss/bodies/sphere/field.hpp"
 #include "stoss/bodies/sphere/modes.hpp"
 #include "stoss/contact/contact.hpp"
+#include "stoss/contact/grid.hpp"
 #include "stoss/impact/impact.hpp"
 #include "support/field_tools.hpp"
 #include "support/refusal.hpp"

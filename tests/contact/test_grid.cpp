@@ -9,6 +9,7 @@
 #include "stoss/bodies/disk.hpp"
 #include "stoss/bodies/rod.hpp"
 #include "stoss/contact/contact.hpp"
+#include "stoss/contact/grid.hpp"
 #include "support/disk_pairs.hpp"
 #include "support/refusal.hpp"
 

@@ -10,6 +10,7 @@
 #include "impact/collision.hpp"
 #include "stoss/bodies/disk.hpp"
 #include "stoss/bodies/rod.hpp"
+#include "stoss/contact/grid.hpp"
 #include "stoss/errors.hpp"
 #include "stoss/impact/impact.hpp"
 #include "stoss/impact/vibration.hpp"

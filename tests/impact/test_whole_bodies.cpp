@@ -8,8 +8,9 @@
 #include <string>
 #include <vector>
 
-#include "impact/refined_resolution.hpp"
+#include "impact/recommended.hpp"
 #include "stoss/bodies/disk.hpp"
+#include "stoss/contact/grid.hpp"
 #include "stoss/errors.hpp"
 #include "stoss/impact.hpp"
 #include "support/refusal.hpp"

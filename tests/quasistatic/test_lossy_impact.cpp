@@ -6,7 +6,6 @@
 #include <limits>
 #include <numbers>
 
-#include "stoss/quasistatic/lossy_impact.hpp"
 #include "stoss/quasistatic/slow_impact.hpp"
 #include "support/refusal.hpp"
 

@@ -11,9 +11,9 @@
 #include "quasistatic/point_pulse.hpp"
 #include "stoss/bodies/sphere.hpp"
 #include "stoss/bodies/sphere/modes.hpp"
-#include "stoss/quasistatic/point_quantities.hpp"
 #include "stoss/quasistatic/point_rayleigh.hpp"
 #include "stoss/quasistatic/point_slow_impact.hpp"
+#include "stoss/quasistatic/quantities.hpp"
 #include "stoss/restitution/restitution.hpp"
 #include "support/refusal.hpp"
 

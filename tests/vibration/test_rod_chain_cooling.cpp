@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "numeric/random.hpp"
-#include "stoss/vibration/rod_chain.hpp"
+#include "stoss/vibration/rod_chain_run.hpp"
 
 namespace stoss {
 namespace {

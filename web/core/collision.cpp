@@ -1,18 +1,17 @@
 #include "collision.hpp"
 
 #include <algorithm>
-#include <array>
-#include <cmath>
+#include <utility>
+#include <variant>
 
 #include "alive.hpp"
+#include "stoss/contact/grid.hpp"
 #include "values.hpp"
 
 namespace stoss::web {
 namespace {
 
 using emscripten::val;
-
-constexpr std::array<const char*, 3> kinds{"disk", "sphere", "rod"};
 
 /// One quantity of all instants.
 val of_all(const std::vector<Snapshot>& snapshots, double Snapshot::*quantity, double unit = 1.0) {
@@ -39,6 +38,11 @@ val of_modes(const std::vector<ModeEnergy>& modes, bool against_half_space) {
   return list;
 }
 
+double poisson(const Solid& block) {
+  const auto* half_plane = std::get_if<HalfPlane>(&block);
+  return half_plane != nullptr ? half_plane->poisson : std::get<HalfSpace>(block).poisson;
+}
+
 /// @param unit of stress
 val interior(const Interior& now, double unit) {
   val made = val::object();
@@ -51,25 +55,26 @@ val interior(const Interior& now, double unit) {
 
 }  // namespace
 
-Collision::Collision(const Encounter& encounter, double speed, double cutoff) : encounter_(encounter) {
-  const double own_speed = encounter.own_speed(speed);
-  contact_ = encounter.contact(cutoff, own_speed);
+Collision::Collision(std::shared_ptr<const Meeting> meeting, double speed, double cutoff)
+    : meeting_(std::move(meeting)) {
+  const double own_speed = stoss::own_speed(meeting_->encounter, speed);
+  contact_ = contact_of(meeting_->encounter, cutoff, own_speed);
   const ImpactObserver observer = [this](const Snapshot& now) { snapshots_.push_back(now); };
   impact_ = impact(contact_, own_speed, {.poll = say_alive}, {.observer = observer});
-  grid_ = contact_grid(contact_, impact_.half_width, impact_.nodes);
+  grid_ = contact_grid(contact_, impact_.resolution.half_width, impact_.resolution.nodes);
 }
 
 val Collision::bodies() const {
   val list = val::array();
-  const auto add = [&](const char* kind, double radius) {
+  const auto add = [&](const std::string& kind, double radius) {
     val made = val::object();
-    made.set("kind", std::string(kind));
+    made.set("kind", kind);
     made.set("radius", radius);
     list.call<void>("push", made);
   };
-  const char* const kind = kinds.at(static_cast<std::size_t>(encounter_.kind()));
+  const std::string& kind = meeting_->encounter.first.kind;
   add(kind, 1.0);
-  if (encounter_.against_half_space()) {
+  if (meeting_->against_half_space()) {
     add("half-space", 1.0);
   } else if (contact_.second) {
     add(kind, contact_.second->scale.length / contact_.first->scale.length);
@@ -82,24 +87,24 @@ val Collision::series() const {
   val units = val::object();
   for (const auto& [name, dimension] :
        {std::pair{"time", time}, {"length", length}, {"speed", speed}, {"force", force}}) {
-    units.set(name, encounter_.unit_name(dimension));
+    units.set(name, meeting_->unit_name(dimension));
   }
   const auto touches = [](const Snapshot& now) { return now.force > 0.0; };
   const auto begin = std::find_if(snapshots_.begin(), snapshots_.end(), touches);
   const auto end = std::find_if(snapshots_.rbegin(), snapshots_.rend(), touches);
-  const double second = encounter_.unit(time);
+  const double second = meeting_->unit(time);
   val made = val::object();
   made.set("units", units);
   made.set("time", of_all(snapshots_, &Snapshot::time, second));
-  made.set("velocity", of_all(snapshots_, &Snapshot::velocity, encounter_.unit(speed)));
-  made.set("force", of_all(snapshots_, &Snapshot::force, encounter_.unit(force)));
-  made.set("halfWidth", of_all(snapshots_, &Snapshot::contact_half_width, encounter_.unit(length)));
+  made.set("velocity", of_all(snapshots_, &Snapshot::velocity, meeting_->unit(speed)));
+  made.set("force", of_all(snapshots_, &Snapshot::force, meeting_->unit(force)));
+  made.set("halfWidth", of_all(snapshots_, &Snapshot::contact_half_width, meeting_->unit(length)));
   made.set("translation", of_all(snapshots_, &Snapshot::translation));
   made.set("vibration", of_all(snapshots_, &Snapshot::vibration));
   made.set("stored", of_all(snapshots_, &Snapshot::stored));
   made.set("dissipated", of_all(snapshots_, &Snapshot::dissipated));
   made.set("unresolved", of_all(snapshots_, &Snapshot::unresolved));
-  made.set("modes", of_modes(impact_.energy.modes, encounter_.against_half_space()));
+  made.set("modes", of_modes(impact_.energy.modes, meeting_->against_half_space()));
   made.set("begin", begin == snapshots_.end() ? 0.0 : begin->time * second);
   made.set("end", end == snapshots_.rend() ? 0.0 : end->time * second);
   made.set("bodies", bodies());
@@ -119,7 +124,7 @@ val Collision::body_frame(const Frame& frame, int number) {
   const BodyFrame seen = seen_by(contact_, grid_, frame, number);
   auto found = insides_.find(number);
   if (found == insides_.end()) {
-    Inside made_now = inside(encounter_.kind(), encounter_.poisson(number), seen, points_);
+    Inside made_now = inside(meeting_->solid(number), seen, points_);
     found = insides_.emplace(number, std::move(made_now)).first;
   }
   val seen_inside = interior(found->second(seen), seen.stress);
@@ -129,7 +134,7 @@ val Collision::body_frame(const Frame& frame, int number) {
 
 val Collision::block_frame(const Frame& frame, const bodies::half_space::PlaneGrid& below) {
   const BodyFrame seen = seen_by(contact_, grid_, frame, 1);
-  if (!block_) block_.emplace(encounter_.poisson(1), seen, below);
+  if (!block_) block_.emplace(poisson(meeting_->solid(1)), seen, below);
   return interior(block_->at(seen), seen.stress);
 }
 
@@ -140,7 +145,7 @@ void Collision::frames(const std::vector<double>& times, const Points& points,
     block_.reset();
   }
   points_ = points;
-  const double unit = encounter_.unit(Dimension::time);
+  const double unit = meeting_->unit(Dimension::time);
   std::vector<double> own(times.size());
   std::transform(times.begin(), times.end(), own.begin(), [unit](double time) { return time / unit; });
   const std::vector<Frame> instants = motion(contact_, impact_, own, say_alive);
@@ -150,7 +155,7 @@ void Collision::frames(const std::vector<double>& times, const Points& points,
     made.set("time", instants[i].time * unit);
     val seen = val::array();
     seen.call<void>("push", body_frame(instants[i], 0));
-    if (encounter_.against_half_space()) {
+    if (meeting_->against_half_space()) {
       made.set("block", block_frame(instants[i], below));
     } else if (contact_.second) {
       seen.call<void>("push", body_frame(instants[i], 1));

@@ -3,12 +3,14 @@
 #include <emscripten/val.h>
 
 #include <map>
+#include <memory>
 #include <optional>
 #include <vector>
 
 #include "block.hpp"
 #include "encounter.hpp"
 #include "inside.hpp"
+#include "stoss/contact/grid.hpp"
 #include "stoss/impact/replay.hpp"
 
 namespace stoss::web {
@@ -18,7 +20,7 @@ class Collision {
  public:
   /// @param cutoff of a converged ε, c/R of the first body
   /// @throws InvalidInput as impact; NotConverged where the impact does not end
-  Collision(const Encounter& encounter, double speed, double cutoff);
+  Collision(std::shared_ptr<const Meeting> meeting, double speed, double cutoff);
 
   /// Collision of the protocol.
   [[nodiscard]] emscripten::val series() const;
@@ -32,7 +34,7 @@ class Collision {
   [[nodiscard]] emscripten::val block_frame(const Frame& frame, const bodies::half_space::PlaneGrid& below);
   [[nodiscard]] emscripten::val bodies() const;
 
-  Encounter encounter_;
+  std::shared_ptr<const Meeting> meeting_;
   Contact contact_;
   Impact impact_;
   std::vector<Snapshot> snapshots_;

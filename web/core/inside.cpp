@@ -1,12 +1,13 @@
 #include "inside.hpp"
 
 #include <cmath>
-#include <memory>
 #include <utility>
+#include <variant>
 
 #include "stoss/bodies/disk/field.hpp"
 #include "stoss/bodies/rod/field.hpp"
 #include "stoss/bodies/sphere/field.hpp"
+#include "stoss/errors.hpp"
 
 namespace stoss::web {
 namespace {
@@ -20,27 +21,35 @@ Inside round(Field field) {
   };
 }
 
-Inside along(const Points& points) {
-  return [place = points.radius](const BodyFrame& seen) {
-    auto now = bodies::rod::field(*seen.body, seen.coordinate, seen.node_force.front(), place);
-    // Along a rod there is one stress.
-    for (double& each : now.stress) each = std::abs(each);
-    return Interior{std::move(now.displacement), std::vector<double>(place.size()), now.stress, now.stress};
-  };
-}
+/// Makes the inside of a solid.
+struct Make {
+  const BodyFrame& rest;
+  const Points& points;
+
+  Inside operator()(const Disk& disk) const {
+    return round(bodies::disk::DiskField(disk.poisson, *rest.body, rest.points, {points.radius, points.angle}));
+  }
+  Inside operator()(const Sphere& sphere) const {
+    return round(bodies::sphere::SphereField(sphere.poisson, *rest.body, rest.points, {points.radius, points.angle}));
+  }
+  Inside operator()(const Rod&) const {
+    return [place = points.radius](const BodyFrame& seen) {
+      auto now = bodies::rod::field(*seen.body, seen.coordinate, seen.node_force.front(), place);
+      // Along a rod there is one stress.
+      for (double& each : now.stress) each = std::abs(each);
+      return Interior{std::move(now.displacement), std::vector<double>(place.size()), now.stress, now.stress};
+    };
+  }
+  template <typename Unbounded>
+  Inside operator()(const Unbounded&) const {
+    throw InvalidInput("body: got a half-space, allowed one with modes");
+  }
+};
 
 }  // namespace
 
-Inside inside(BodyKind kind, double poisson, const BodyFrame& rest, const Points& points) {
-  switch (kind) {
-    case BodyKind::disk:
-      return round(bodies::disk::DiskField(poisson, *rest.body, rest.points, {points.radius, points.angle}));
-    case BodyKind::sphere:
-      return round(bodies::sphere::SphereField(poisson, *rest.body, rest.points, {points.radius, points.angle}));
-    case BodyKind::rod:
-      break;
-  }
-  return along(points);
+Inside inside(const Solid& solid, const BodyFrame& rest, const Points& points) {
+  return std::visit(Make{rest, points}, solid);
 }
 
 }  // namespace stoss::web

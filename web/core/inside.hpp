@@ -3,7 +3,7 @@
 #include <functional>
 #include <vector>
 
-#include "encounter.hpp"
+#include "stoss/encounter/solid.hpp"
 #include "stoss/impact/replay.hpp"
 
 namespace stoss::web {
@@ -21,7 +21,7 @@ struct Interior {
 
 using Inside = std::function<Interior(const BodyFrame&)>;
 
-/// The inside of a body of an encounter at given points. @param rest the body at rest
-[[nodiscard]] Inside inside(BodyKind kind, double poisson, const BodyFrame& rest, const Points& points);
+/// The inside of a body at given points. @param rest the body at rest @throws InvalidInput for a half-space
+[[nodiscard]] Inside inside(const Solid& solid, const BodyFrame& rest, const Points& points);
 
 }  // namespace stoss::web

@@ -8,6 +8,8 @@
 #include "encounter.hpp"
 #include "restitution.hpp"
 #include "shape.hpp"
+#include "stoss/encounter/document.hpp"
+#include "stoss/encounter/series.hpp"
 #include "stoss/version.hpp"
 #include "values.hpp"
 
@@ -16,38 +18,80 @@ namespace {
 
 using emscripten::val;
 
+constexpr double fewest_modes = 4.0;  // cutoff, c/R
+constexpr double quick = 0.5;         // c
+
 /// { encounter }, to be deleted after use.
-val make_encounter(const val& given) {
+val make_encounter(const std::string& document) {
   return answered([&] {
     val made = val::object();
-    made.set("encounter", std::make_shared<Encounter>(given));
+    made.set("encounter", std::make_shared<Meeting>(document));
     return made;
   });
 }
 
-val get_restitution(const Encounter& encounter, double speed, double tolerance) {
-  return answered([&] { return restitution(encounter, speed, tolerance); });
+/// { units } of an encounter that is checked; nothing is kept.
+val get_units(const std::string& document) {
+  return answered([&] {
+    const Meeting meeting(document);
+    // The ratios of two bodies are checked where they meet; of the fewest modes that is soon done.
+    if (meeting.second) (void)contact_of(meeting.encounter, fewest_modes, quick);
+    val made = val::object();
+    made.set("units", units(meeting));
+    return made;
+  });
 }
 
-val get_curve(const Encounter& encounter, const val& speeds, double tolerance, const val& deliver) {
+/// { speed } in c of the first body.
+val get_own_speed(const std::string& document, double speed) {
   return answered([&] {
-    curve(encounter, numbers(speeds), tolerance, deliver);
+    val made = val::object();
+    made.set("speed", own_speed(encounter_from_json(document), speed));
+    return made;
+  });
+}
+
+/// { value } of one number, as the command reads it.
+val get_number(const std::string& name, const std::string& text) {
+  return answered([&] {
+    val made = val::object();
+    made.set("value", parse_number(name, text));
+    return made;
+  });
+}
+
+/// { values } of a number or a series, as the command reads it.
+val get_series(const std::string& name, const std::string& text) {
+  return answered([&] {
+    val made = val::object();
+    made.set("values", float64_array(parse_series(name, text)));
+    return made;
+  });
+}
+
+val get_restitution(const Meeting& meeting, double speed, double tolerance) {
+  return answered([&] { return restitution(meeting, speed, tolerance); });
+}
+
+val get_curve(const Meeting& meeting, const val& speeds, double tolerance, const val& deliver) {
+  return answered([&] {
+    curve(meeting, numbers(speeds), tolerance, deliver);
     return val::object();
   });
 }
 
-val get_header(const Encounter& encounter, double slowest, double fastest, double error) {
+val get_header(const Meeting& meeting, double slowest, double fastest, double error) {
   return answered([&] {
     val made = val::object();
-    made.set("text", header(encounter, slowest, fastest, error));
+    made.set("text", header(meeting, slowest, fastest, error));
     return made;
   });
 }
 
 /// { collision, series }, the first to be deleted after use.
-val get_collision(const Encounter& encounter, double speed, double cutoff) {
+val get_collision(const std::shared_ptr<Meeting>& meeting, double speed, double cutoff) {
   return answered([&] {
-    auto collision = std::make_shared<Collision>(encounter, speed, cutoff);
+    auto collision = std::make_shared<Collision>(meeting, speed, cutoff);
     val made = val::object();
     made.set("series", collision->series());
     made.set("collision", std::move(collision));
@@ -70,15 +114,15 @@ val get_frames(Collision& collision, const val& times, const val& grid, const va
   });
 }
 
-val get_shape(const Encounter& encounter, int body, int order, int index, const val& grid) {
-  return answered([&] { return shape(encounter, body, order, index, points(grid)); });
+val get_shape(const Meeting& meeting, int body, int order, int index, const val& grid) {
+  return answered([&] { return shape(meeting, body, order, index, points(grid)); });
 }
 
 }  // namespace
 
 EMSCRIPTEN_BINDINGS(stoss) {
-  emscripten::class_<Encounter>("Encounter")
-      .smart_ptr<std::shared_ptr<Encounter>>("EncounterPointer")
+  emscripten::class_<Meeting>("Encounter")
+      .smart_ptr<std::shared_ptr<Meeting>>("EncounterPointer")
       .function("restitution", &get_restitution)
       .function("curve", &get_curve)
       .function("header", &get_header)
@@ -88,6 +132,11 @@ EMSCRIPTEN_BINDINGS(stoss) {
       .smart_ptr<std::shared_ptr<Collision>>("CollisionPointer")
       .function("frames", &get_frames);
   emscripten::function("makeEncounter", &make_encounter);
+  emscripten::function("units", &get_units);
+  emscripten::function("ownSpeed", &get_own_speed);
+  emscripten::function("number", &get_number);
+  emscripten::function("series", &get_series);
+  emscripten::function("tableOfKinds", &table_of_kinds);
 }
 
 }  // namespace stoss::web

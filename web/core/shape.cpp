@@ -4,6 +4,7 @@
 #include <cmath>
 #include <memory>
 #include <optional>
+#include <variant>
 
 #include "stoss/errors.hpp"
 #include "values.hpp"
@@ -27,23 +28,24 @@ std::optional<std::size_t> number_of(const Body& body, int order, int index) {
 
 }  // namespace
 
-val shape(const Encounter& encounter, int body, int order, int index, const Points& points) {
+val shape(const Meeting& meeting, int body, int order, int index, const Points& points) {
   constexpr double lowest = 8.0, highest = 400.0;
-  const BodyMaker maker = encounter.maker(body);
-  if (!maker || (body == 1 && encounter.against_half_space())) throw InvalidInput("body: got one without modes");
+  if (body == 1 && !meeting.second) throw InvalidInput("body: got the second, allowed the first");
+  const Solid& solid = meeting.solid(body);
+  const BodyMaker make = maker(solid);
   BodyFrame alone;
   std::optional<std::size_t> number;
   for (double cutoff = lowest; cutoff < highest && !number; cutoff *= 2.0) {
-    alone.body = std::make_shared<const Body>(maker(cutoff, {}));
+    alone.body = std::make_shared<const Body>(make(cutoff, {}));
     number = number_of(*alone.body, order, index);
   }
   if (!number) throw InvalidInput("mode: got one above all that are computed at once");
   // No force, so that nothing but the mode moves.
-  alone.points = {.radius = 1.0, .spacing = encounter.kind() == BodyKind::rod ? 0.0 : 0.1, .count = 1};
+  alone.points = {.radius = 1.0, .spacing = std::holds_alternative<Rod>(solid) ? 0.0 : 0.1, .count = 1};
   alone.coordinate.assign(mode_count(*alone.body), 0.0);
   alone.coordinate[*number] = 1.0;
   alone.node_force = {0.0};
-  const Interior still = inside(encounter.kind(), encounter.poisson(body), alone, points)(alone);
+  const Interior still = inside(solid, alone, points)(alone);
   double greatest = 0.0;
   for (std::size_t i = 0; i < still.radial.size(); ++i) {
     greatest = std::max(greatest, std::hypot(still.radial[i], still.tangential[i]));

@@ -7,7 +7,7 @@ import { createCore } from './core/client';
 import { fromAddress } from './inputs/address';
 import { description } from './inputs/description';
 import { type Inputs, equal } from './inputs/inputs';
-import { onAxisOf } from './inputs/speeds';
+import { onAxisOf, usualSeries } from './inputs/speeds';
 import { createAddressBar } from './page/address_bar';
 import { createControls } from './page/controls';
 import { createCurves } from './page/curves';
@@ -18,7 +18,12 @@ import { createSession } from './page/session';
 import { createShare } from './page/share';
 import { createScene } from './scene/scene';
 
-const core = createCore();
+const core = await createCore().catch((error: unknown) => {
+  const notice = find('notice', HTMLElement);
+  notice.textContent = `The core could not be loaded: ${error instanceof Error ? error.message : String(error)}`;
+  notice.hidden = false;
+  throw error;
+});
 const start = fromAddress(location.search);
 let inputs = start.inputs;
 /** What is computed, or under way; undefined after a failure. */
@@ -101,6 +106,7 @@ function showPoint(result: { quantities: Record<string, { value: number; error?:
 }
 
 function showCurves(): void {
+  series.placeholder = usualSeries(inputs.encounter);
   const all = [inputs.encounter, ...inputs.kept.filter((other) => !equal(other, inputs.encounter))];
   curveChart.setCurves(all.map((encounter) => {
     const { points, planned } = curves.of(encounter);
@@ -113,6 +119,18 @@ function showCurves(): void {
     };
   }));
 }
+
+const series = find('series', HTMLInputElement);
+series.addEventListener('change', () => {
+  const problem = find('series-problem', HTMLElement);
+  problem.textContent = '';
+  try {
+    curves.at(series.value);
+  } catch (error) {
+    problem.textContent = error instanceof Error ? error.message : String(error);
+  }
+  problem.hidden = problem.textContent === '';
+});
 
 curveChart.onPick((speed) => {
   const next = { ...inputs, speed: Number(speed.toPrecision(4)) };

@@ -8,7 +8,7 @@
 #include "stoss/impact/vibration.hpp"
 #include "stoss/material.hpp"
 #include "stoss/restitution/ladder.hpp"
-#include "stoss/table/adaptive_pairs.hpp"
+#include "stoss/table/mixture.hpp"
 #include "stoss/table/slow_law.hpp"
 
 namespace stoss {

@@ -19,7 +19,8 @@ using Solid = std::variant<Disk, Sphere, Rod, HalfSpace, HalfPlane>;
 [[nodiscard]] BodyMaker maker(const Solid& solid);
 
 /// The law of slow impacts of a solid on another, or at a hard wall. @throws InvalidInput where there is none
-/// @param rigid whether the first is rigid
-[[nodiscard]] SlowLaw slow_law(const Solid& first, const std::optional<Solid>& second, bool rigid = false);
+/// @param rigid,second_rigid whether the first, and what it meets, is rigid
+[[nodiscard]] SlowLaw slow_law(const Solid& first, const std::optional<Solid>& second, bool rigid = false,
+                               bool second_rigid = false);
 
 }  // namespace stoss

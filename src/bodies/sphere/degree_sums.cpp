@@ -10,7 +10,7 @@
 #include "bodies/sphere/static_flexibility.hpp"
 #include "bodies/sphere/sum_quadrature.hpp"
 #include "bodies/sphere/surface_points.hpp"
-#include "numeric/cosine_integral.hpp"
+#include "numeric/special_functions.hpp"
 
 namespace stoss::bodies::sphere {
 namespace {
@@ -74,7 +74,7 @@ class ShapeProducts {
   Eigen::Index rows_ = 0;
 };
 
-Flexibility coefficient(const DegreeSum& sum, long n) {
+Flexibility coefficient(const OrderSum& sum, long n) {
   Flexibility r;
   if (sum.with_static) r = static_flexibility(sum.poisson, static_cast<int>(n));
   if (static_cast<std::size_t>(n) < sum.coefficients.size()) {
@@ -87,7 +87,7 @@ Flexibility coefficient(const DegreeSum& sum, long n) {
 }
 
 /// The degrees 0 … last one by one; that of Nyquist with weight ½.
-void add_degrees(const DegreeSum& sum, const Eigen::ArrayXd& angle, long last, long nyquist, ShapeProducts& products) {
+void add_degrees(const OrderSum& sum, const Eigen::ArrayXd& angle, long last, long nyquist, ShapeProducts& products) {
   LegendreSequence sequence(angle);
   Eigen::ArrayXd below = Eigen::ArrayXd::Zero(angle.size()), here = sequence.value();
   for (long n = 0; n <= last; ++n) {
@@ -142,7 +142,7 @@ void resolve_each_pair(double poisson, const ContactPoints& points, const Eigen:
 
 }  // namespace
 
-std::vector<double> sum_over_degrees(const DegreeSum& sum, const ContactPoints& points, const Poll& poll) {
+std::vector<double> sum_over_degrees(const OrderSum& sum, const ContactPoints& points, const Poll& poll) {
   const auto rings = static_cast<Eigen::Index>(points.count);
   if (rings == 0) return {};
   Eigen::ArrayXd angle(rings);

@@ -1,16 +1,14 @@
 // The chart of ε against the speed on the page: points fill in, the current one moves, a reader picks a speed.
 
-import { valueAt } from '../drawing/scale';
+import { pngOf, textOf } from '../drawing/files';
+import { written } from '../drawing/numbers';
+import { type Drawn, stacked } from '../drawing/plot';
 import { onResize } from '../drawing/sized';
-import { pngOf } from '../drawing/svg';
 import { readTheme } from '../drawing/theme';
-import { written } from '../drawing/ticks';
 import { withError } from '../inputs/digits';
-import { nearestPoint, type Current, type Ordinate } from './curve_scales';
-import { curveBox, curveSpeeds, curveSvg, type Curve } from './curve_svg';
+import { drawCurves, speedsOf, type Curve, type CurveContent } from './curve_picture';
+import { nearestPoint, type Current } from './curve_scales';
 import './charts.css';
-
-export type { Curve } from './curve_svg';
 
 export interface CurveChart {
   setCurves(curves: Curve[]): void;
@@ -20,7 +18,6 @@ export interface CurveChart {
   onPick(callback: (speed: number) => void): void;
   toPng(): Promise<Blob>;
   toSvg(): string;
-  destroy(): void;
 }
 
 const STEPS = 100; // of the keyboard along the axis
@@ -47,14 +44,15 @@ export function createCurveChart(host: HTMLElement): CurveChart {
   let current: Current | undefined;
   let callback: (speed: number) => void = () => undefined;
   let asked = 0;
-  const stopWatching = onResize(area, draw);
+  let chart: Drawn | undefined;
+  onResize(area, draw);
   loss.addEventListener('change', draw);
   area.addEventListener('click', (event) => callback(rounded(speedAt(event.clientX))));
   area.addEventListener('pointermove', (event) => tell(speedAt(event.clientX)));
   area.addEventListener('pointerleave', () => tell());
   area.addEventListener('keydown', onKey);
 
-  function content(): { curves: Curve[]; current: Current | undefined; ordinate: Ordinate } {
+  function content(): CurveContent {
     return { curves, current, ordinate: loss.checked ? 'loss' : 'restitution' };
   }
 
@@ -62,8 +60,14 @@ export function createCurveChart(host: HTMLElement): CurveChart {
     cancelAnimationFrame(asked);
     const width = area.clientWidth;
     if (!width) return;
-    area.innerHTML = curveSvg(content(), width, { ...readTheme(area), background: 'none' });
+    area.replaceChildren(picture(width));
     tell();
+  }
+
+  function picture(width: number, ground?: string): SVGSVGElement {
+    const [all, legend] = drawCurves(content(), width, readTheme(area));
+    if (!ground) chart = all;
+    return stacked([all, legend], 'ε against the speed', ground);
   }
 
   function drawSoon(): void {
@@ -72,9 +76,9 @@ export function createCurveChart(host: HTMLElement): CurveChart {
   }
 
   function speedAt(clientX: number): number {
-    const box = curveBox(area.clientWidth);
-    const share = (clientX - area.getBoundingClientRect().left - box.left) / box.width;
-    return valueAt(curveSpeeds(content()), Math.min(1, Math.max(0, share)));
+    const { low, high } = speedsOf(content());
+    const at = chart?.scale('x')?.invert?.(clientX - area.getBoundingClientRect().left) ?? low;
+    return Math.min(high, Math.max(low, at));
   }
 
   /** Says the points nearest to a speed, or the current one. */
@@ -98,7 +102,7 @@ export function createCurveChart(host: HTMLElement): CurveChart {
   }
 
   function onKey(event: KeyboardEvent): void {
-    const scale = curveSpeeds(content());
+    const scale = speedsOf(content());
     const step = (scale.high / scale.low) ** (1 / STEPS);
     const from = current?.speed ?? Math.sqrt(scale.low * scale.high);
     const places: Record<string, number> = {
@@ -114,7 +118,7 @@ export function createCurveChart(host: HTMLElement): CurveChart {
   return {
     setCurves(next) {
       curves = next;
-      const scale = curveSpeeds(content());
+      const scale = speedsOf(content());
       area.setAttribute('aria-valuemin', String(scale.low));
       area.setAttribute('aria-valuemax', String(scale.high));
       drawSoon();
@@ -130,12 +134,7 @@ export function createCurveChart(host: HTMLElement): CurveChart {
     toPng() {
       return pngOf(this.toSvg());
     },
-    toSvg: () => curveSvg(content(), Math.max(480, area.clientWidth), readTheme(area)),
-    destroy() {
-      cancelAnimationFrame(asked);
-      stopWatching();
-      place.remove();
-    },
+    toSvg: () => textOf(picture(Math.max(480, area.clientWidth), readTheme(area).background)),
   };
 }
 

@@ -1,27 +1,29 @@
 // Energies of the modes on the page: each bar is a button that shows its mode.
 
+import { unitsOf } from '../core/local';
 import type { Collision, Core, Encounter, Shape } from '../core/protocol';
-import { up } from '../drawing/axes';
-import { frequencyInWords } from '../drawing/si';
+import { pngOf, textOf } from '../drawing/files';
+import { withUnit, written } from '../drawing/numbers';
+import { stacked } from '../drawing/plot';
 import { onResize } from '../drawing/sized';
-import { pngOf } from '../drawing/svg';
 import { readTheme } from '../drawing/theme';
-import { written } from '../drawing/ticks';
+import { kindNamed } from '../inputs/kinds';
 import { evenGrid } from '../scene/grid';
 import { placedBodies } from '../scene/view';
 import { energyOfWaves, layoutModes, type ModeBar, type ModeLayout, type When } from './mode_layout';
 import { createShapeView } from './mode_shape';
-import { energyScale, modeBox, modeSvg, MODE_LABELS } from './mode_svg';
+import { drawModes, MODE_LABELS } from './mode_picture';
 import './charts.css';
 
 export interface ModeBars {
   show(encounter: Encounter, collision: Collision): void;
   toPng(): Promise<Blob>;
   toSvg(): string;
-  destroy(): void;
 }
 
 const PITCH = 17; // pixels of a bar, at least
+const AXIS = 76; // and of what stands beside them
+const SMALLEST = 24; // height of what is pressed
 const MOST = 40;
 const SHAPE = 168;
 
@@ -69,11 +71,11 @@ export function createModeBars(host: HTMLElement, core: Core): ModeBars {
   let chosen = ''; // the mode whose shape is shown
   let shapes = new Map<string, Promise<Shape>>();
   let asked = 0;
-  const stopWatching = onResize(chart, draw);
+  onResize(chart, draw);
   buttons.addEventListener('keydown', onKey);
 
   function laidOut(width: number): ModeLayout {
-    const count = Math.max(6, Math.min(MOST, Math.floor(modeBox(width).width / PITCH)));
+    const count = Math.max(6, Math.min(MOST, Math.floor((width - AXIS) / PITCH)));
     return layoutModes(now!.collision.modes, body.chosen() === '1' ? 1 : 0, when.chosen(), count);
   }
 
@@ -81,10 +83,10 @@ export function createModeBars(host: HTMLElement, core: Core): ModeBars {
     const width = chart.clientWidth;
     if (!now || !width) return;
     layout = laidOut(width);
-    const log = axis.chosen() === 'log';
-    picture.innerHTML = modeSvg(layout, log, when.chosen(), width, { ...readTheme(place), background: 'none' });
-    const box = modeBox(width);
-    const scale = energyScale(layout, log);
+    const [drawn, legend] = drawModes(layout, axis.chosen() === 'log', when.chosen(), width, readTheme(place));
+    picture.replaceChildren(stacked([drawn, legend], 'Energy of the modes'));
+    const [x, y] = [drawn.scale('x')!, drawn.scale('y')!];
+    const [ground = 0, ceiling = 0] = y.range as number[];
     const focused = buttons.contains(document.activeElement);
     buttons.replaceChildren(...layout.bars.map((bar) => {
       const button = document.createElement('button');
@@ -92,11 +94,10 @@ export function createModeBars(host: HTMLElement, core: Core): ModeBars {
       button.className = 'mode-bar';
       button.dataset['mode'] = nameOf(bar);
       button.setAttribute('aria-label', wordsOf(bar));
-      const top = Math.min(box.top + box.height - 24, up(box, scale, bar.energy) - 4);
-      Object.assign(button.style, {
-        left: `${box.left + bar.left * box.width}px`, width: `${bar.width * box.width}px`,
-        top: `${Math.max(box.top, top)}px`, height: `${box.top + box.height - Math.max(box.top, top)}px`,
-      });
+      const top = Math.max(ceiling, Math.min(ground - SMALLEST, y.apply(bar.energy) - 4));
+      const [left, right] = [x.apply(bar.left), x.apply(bar.left + bar.width)];
+      const box = { left, top, width: right - left, height: ground - top };
+      for (const [side, pixels] of Object.entries(box)) button.style.setProperty(side, `${pixels}px`);
       button.addEventListener('click', () => choose(bar));
       button.addEventListener('pointerenter', (event) => event.pointerType === 'mouse' && choose(bar));
       button.addEventListener('focus', () => choose(bar));
@@ -185,12 +186,9 @@ export function createModeBars(host: HTMLElement, core: Core): ModeBars {
     toSvg() {
       if (!now) throw new Error('there are no modes to draw yet');
       const width = Math.max(480, chart.clientWidth);
-      return modeSvg(laidOut(width), axis.chosen() === 'log', when.chosen(), width, readTheme(place));
-    },
-    destroy() {
-      view.stop();
-      stopWatching();
-      place.remove();
+      const theme = readTheme(place);
+      const parts = drawModes(laidOut(width), axis.chosen() === 'log', when.chosen(), width, theme);
+      return textOf(stacked(parts, 'Energy of the modes', theme.background));
     },
   };
 }
@@ -201,4 +199,10 @@ function nameOf({ mode }: ModeBar): string {
 
 function percent(share: number): string {
   return `${written(100 * share, 3)} %`;
+}
+
+/** A frequency in words: ω in c/R, or in SI ω/2π in Hz. */
+export function frequencyInWords(omega: number, encounter: Encounter): string {
+  if (!encounter.si) return `ω = ${written(omega)} c/${kindNamed(encounter.kind).length}`;
+  return withUnit((omega * unitsOf(encounter).frequency) / (2 * Math.PI), 'Hz', 4);
 }

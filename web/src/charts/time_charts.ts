@@ -1,16 +1,12 @@
 // Force, velocity and energies of one collision in time, above each other, with one cursor.
 
-import 'uplot/dist/uPlot.min.css';
 import type { Collision } from '../core/protocol';
+import { pngOf, textOf } from '../drawing/files';
+import { type Drawn, drawLegend, stacked } from '../drawing/plot';
 import { onResize } from '../drawing/sized';
-import { pngOf } from '../drawing/svg';
 import { look, readTheme } from '../drawing/theme';
-import { unitInWords } from '../drawing/ticks';
-import { readable } from './readable';
-import { panelLabel, panelsOf, type Panel } from './series';
-import { createTimePlot, type TimePlot } from './time_plot';
-import { timeSvg } from './time_svg';
-import { cursorWords, summaryOf, valueWords } from './words';
+import { drawPanel, panelLabel, panelsOf, type Panel } from './series';
+import { cursorWords, readable, summaryOf, valueWords } from './words';
 import './charts.css';
 
 export interface TimeCharts {
@@ -21,11 +17,16 @@ export interface TimeCharts {
   onCursor(callback: (time: number) => void): void;
   toPng(): Promise<Blob>;
   toSvg(): string;
-  destroy(): void;
 }
 
-const HEIGHTS = [120, 120, 200];
+const HEIGHTS = [90, 90, 160];
 const STEPS = 100;
+
+/** A chart on the page, with the line of the cursor. */
+interface Shown {
+  drawn: Drawn;
+  line: HTMLElement;
+}
 
 /** Makes empty charts in an element. */
 export function createTimeCharts(host: HTMLElement): TimeCharts {
@@ -37,32 +38,42 @@ export function createTimeCharts(host: HTMLElement): TimeCharts {
   const words = Object.assign(document.createElement('p'), { className: 'chart-words' });
   host.append(place, words);
   let collision: Collision | undefined;
-  let plots: TimePlot[] = [];
+  let charts: Shown[] = [];
   let panels: Panel[] = [];
   let values: HTMLElement[] = [];
   let cursor = 0; // in the readable unit, as all times inside
   let second = 1;
   let callback: (time: number) => void = () => undefined;
-  const stopWatching = onResize(place, draw);
+  onResize(place, draw);
   place.addEventListener('keydown', onKey);
+
+  function ends({ time }: Collision): [number, number] {
+    return [time[0]!, time[time.length - 1]!];
+  }
+
+  function panelsAs(width: number, named: boolean): Drawn[] {
+    const theme = readTheme(place);
+    return panels.map((panel, n) =>
+      drawPanel(collision!, panel, width, HEIGHTS[n]!, n === panels.length - 1, named, theme));
+  }
 
   function draw(): void {
     const width = place.clientWidth;
     if (!collision || !width) return;
-    for (const each of plots) each.destroy();
-    plots = [];
     values = [];
-    place.replaceChildren();
-    const theme = readTheme(place);
-    const { time, units } = collision;
-    panels.forEach((panel, n) => {
-      place.append(heading(panel));
-      const last = n === panels.length - 1;
-      const label = `time since first contact (${unitInWords(units.time)})`;
-      const plot = createTimePlot(place, time, label, panel, HEIGHTS[n]!, width, last, theme);
-      listen(plot);
-      plots.push(plot);
+    charts = panelsAs(width, false).map((drawn) => {
+      const line = Object.assign(document.createElement('div'), { className: 'chart-cursor' });
+      const [low = 0, high = 0] = drawn.scale('y')!.range as number[];
+      Object.assign(line.style, { top: `${high}px`, height: `${low - high}px` });
+      return { drawn, line };
     });
+    place.replaceChildren(...charts.flatMap(({ drawn, line }, n) => {
+      const area = Object.assign(document.createElement('div'), { className: 'chart-time' });
+      area.setAttribute('aria-hidden', 'true');
+      area.append(drawn, line);
+      listen(area, drawn);
+      return [heading(panels[n]!), area];
+    }));
     put(cursor);
   }
 
@@ -80,8 +91,7 @@ export function createTimeCharts(host: HTMLElement): TimeCharts {
           `stroke-dasharray="${dash.join(' ')}"/></svg>`;
         item.append(`${label} `);
       }
-      const value = document.createElement('span');
-      value.className = 'chart-value';
+      const value = Object.assign(document.createElement('span'), { className: 'chart-value' });
       item.append(value);
       values.push(value);
       head.append(item);
@@ -89,25 +99,26 @@ export function createTimeCharts(host: HTMLElement): TimeCharts {
     return head;
   }
 
-  function listen(plot: TimePlot): void {
+  function listen(area: HTMLElement, drawn: Drawn): void {
     const move = (event: PointerEvent): void => {
       if (event.type === 'pointermove' && !(event.buttons & 1)) return;
-      if (event.type === 'pointerdown') plot.over.setPointerCapture(event.pointerId);
-      choose(plot.timeAt(event.clientX));
+      if (event.type === 'pointerdown') area.setPointerCapture(event.pointerId);
+      choose(drawn.scale('x')!.invert!(event.clientX - area.getBoundingClientRect().left));
     };
-    plot.over.addEventListener('pointerdown', move);
-    plot.over.addEventListener('pointermove', move);
+    area.addEventListener('pointerdown', move);
+    area.addEventListener('pointermove', move);
   }
 
   function choose(time: number): void {
-    put(time);
-    callback(time * second);
+    const [first, last] = ends(collision!);
+    const inside = Math.min(last, Math.max(first, time));
+    put(inside);
+    callback(inside * second);
   }
 
   function onKey(event: KeyboardEvent): void {
     if (!collision) return;
-    const { time } = collision;
-    const [first, last] = [time[0]!, time[time.length - 1]!];
+    const [first, last] = ends(collision);
     const step = (last - first) / STEPS;
     const places: Record<string, number> = {
       ArrowRight: cursor + step, ArrowUp: cursor + step, ArrowLeft: cursor - step, ArrowDown: cursor - step,
@@ -116,14 +127,18 @@ export function createTimeCharts(host: HTMLElement): TimeCharts {
     const to = places[event.key];
     if (to === undefined) return;
     event.preventDefault();
-    choose(Math.min(last, Math.max(first, to)));
+    choose(to);
   }
 
   function put(time: number): void {
     cursor = time;
     if (!collision) return;
-    for (const plot of plots) plot.setCursor(time);
-    const inside = time >= collision.time[0]! && time <= collision.time[collision.time.length - 1]!;
+    const [first, last] = ends(collision);
+    const inside = time >= first && time <= last;
+    for (const { drawn, line } of charts) {
+      line.hidden = !inside;
+      line.style.transform = `translateX(${drawn.scale('x')!.apply(time)}px)`;
+    }
     const shown = panels.flatMap((panel) =>
       panel.series.map((each) => (inside ? valueWords(collision!, panel, each, time) : '')));
     shown.forEach((each, k) => values[k] && (values[k].textContent = each));
@@ -137,11 +152,11 @@ export function createTimeCharts(host: HTMLElement): TimeCharts {
       cursor *= second / shown.second;
       second = shown.second;
       collision = shown.collision;
-      const { time } = collision;
+      const [first, last] = ends(collision);
       panels = panelsOf(collision);
       words.textContent = summaryOf(collision);
-      place.setAttribute('aria-valuemin', String(time[0]));
-      place.setAttribute('aria-valuemax', String(time[time.length - 1]));
+      place.setAttribute('aria-valuemin', String(first));
+      place.setAttribute('aria-valuemax', String(last));
       draw();
     },
     setCursor: (time) => put(time / second),
@@ -153,13 +168,11 @@ export function createTimeCharts(host: HTMLElement): TimeCharts {
     },
     toSvg() {
       if (!collision) throw new Error('there is no collision to draw yet');
-      return timeSvg(collision, Math.max(480, place.clientWidth), readTheme(place));
-    },
-    destroy() {
-      stopWatching();
-      for (const each of plots) each.destroy();
-      place.remove();
-      words.remove();
+      const width = Math.max(480, place.clientWidth);
+      const theme = readTheme(place);
+      const entries = panels.at(-1)!.series.map(({ label }, k) => ({ label, look: look(k, theme), line: true, marker: false }));
+      const parts = [...panelsAs(width, true), drawLegend(entries, width, theme)];
+      return textOf(stacked(parts, 'Force, velocity and energies in time', theme.background));
     },
   };
 }

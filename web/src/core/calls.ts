@@ -1,9 +1,31 @@
-// How a worker answers calls: what it has made for one is kept for the next.
-import { withStrengths } from '../inputs/materials';
-import type { Call } from './messages';
-import type { Collision, Encounter } from './protocol';
-import { CoreError } from './protocol';
-import type { Answered, WasmCollision, WasmCore, WasmEncounter } from './wasm';
+// What a worker is asked and what it answers: what it has made for one call is kept for the next.
+import type { Collision, Grid } from './protocol';
+import { type WasmCollision, type WasmCore, type WasmEncounter, value } from './wasm';
+
+/** The calls by their names, with their arguments: first of all the document of an encounter. */
+export interface Calls {
+  restitution: [document: string, speed: number, tolerance: number];
+  collision: [document: string, speed: number, cutoff: number];
+  frames: [document: string, speed: number, cutoff: number, times: number[], grid: Grid];
+  shape: [document: string, body: 0 | 1, order: number, index: number, grid: Grid];
+  curve: [document: string, speeds: number[], tolerance: number];
+  header: [document: string, slowest: number, fastest: number, error: number];
+}
+
+export type Call = { [Name in keyof Calls]: { name: Name; arguments: Calls[Name] } }[keyof Calls];
+
+/** The first message is the compiled core; then one call after another. */
+export type ToWorker = { module: WebAssembly.Module } | { call: Call };
+
+export type FromWorker =
+  | { kind: 'alive' }
+  /** one of many results of a call */
+  | { kind: 'delivered'; value: unknown; index: number }
+  | { kind: 'answer'; value: unknown }
+  /** one line: what the core cannot do */
+  | { kind: 'refusal'; line: string }
+  /** the worker is of no further use */
+  | { kind: 'broken'; line: string };
 
 /** How many encounters are kept, with the modes of their bodies. */
 const kept = 4;
@@ -15,11 +37,10 @@ export function createAnswer(core: WasmCore): Answer {
   const encounters = new Map<string, WasmEncounter>();
   let last: { key: string; collision: WasmCollision; series: Collision } | undefined;
 
-  function encounterOf(given: Encounter): WasmEncounter {
-    const key = JSON.stringify(given);
-    const found = encounters.get(key) ?? value(core.makeEncounter(withStrengths(given))).encounter;
-    encounters.delete(key);
-    encounters.set(key, found);
+  function encounterOf(document: string): WasmEncounter {
+    const found = encounters.get(document) ?? value(core.makeEncounter(document)).encounter;
+    encounters.delete(document);
+    encounters.set(document, found);
     for (const [oldest, encounter] of encounters) {
       if (encounters.size <= kept) break;
       encounter.delete();
@@ -28,12 +49,12 @@ export function createAnswer(core: WasmCore): Answer {
     return found;
   }
 
-  function collisionOf(given: Encounter, speed: number, cutoff: number): NonNullable<typeof last> {
-    const key = JSON.stringify([given, speed, cutoff]);
+  function collisionOf(document: string, speed: number, cutoff: number): NonNullable<typeof last> {
+    const key = JSON.stringify([document, speed, cutoff]);
     if (last?.key !== key) {
-      const made = value(encounterOf(given).collision(speed, cutoff));
+      const made = value(encounterOf(document).collision(speed, cutoff));
       last?.collision.delete();
-      last = { key, collision: made.collision, series: made.series };
+      last = { key, ...made };
     }
     return last;
   }
@@ -41,34 +62,27 @@ export function createAnswer(core: WasmCore): Answer {
   return (call, deliver) => {
     switch (call.name) {
       case 'restitution': {
-        const [encounter, speed, tolerance] = call.arguments;
-        return value(encounterOf(encounter).restitution(speed, tolerance));
+        const [document, ...given] = call.arguments;
+        return value(encounterOf(document).restitution(...given));
       }
       case 'collision':
         return collisionOf(...call.arguments).series;
       case 'frames': {
-        const [encounter, speed, cutoff, times, grid] = call.arguments;
-        value(collisionOf(encounter, speed, cutoff).collision.frames(times, grid, deliver));
-        return undefined;
+        const [document, speed, cutoff, ...given] = call.arguments;
+        return void value(collisionOf(document, speed, cutoff).collision.frames(...given, deliver));
       }
       case 'shape': {
-        const [encounter, body, order, index, grid] = call.arguments;
-        return value(encounterOf(encounter).shape(body, order, index, grid));
+        const [document, ...given] = call.arguments;
+        return value(encounterOf(document).shape(...given));
       }
       case 'curve': {
-        const [encounter, speeds, tolerance] = call.arguments;
-        value(encounterOf(encounter).curve(speeds, tolerance, deliver));
-        return undefined;
+        const [document, ...given] = call.arguments;
+        return void value(encounterOf(document).curve(...given, deliver));
       }
       case 'header': {
-        const [encounter, slowest, fastest, error] = call.arguments;
-        return value(encounterOf(encounter).header(slowest, fastest, error)).text;
+        const [document, ...given] = call.arguments;
+        return value(encounterOf(document).header(...given)).text;
       }
     }
   };
-}
-
-function value<T extends object>(answer: Answered<T>): T {
-  if (answer.error !== undefined) throw new CoreError(answer.error);
-  return answer as T;
 }

@@ -1,5 +1,5 @@
 // One worker with the calls that wait for it. A call that is aborted ends soon; a worker that dies is replaced.
-import type { Call, FromWorker, ToWorker } from './messages';
+import type { Call, FromWorker, ToWorker } from './calls';
 import { CoreError } from './protocol';
 
 /** What a lane needs of a Worker. */
@@ -34,7 +34,7 @@ export const silence = 5;
 /** The same of a worker that starts. */
 const startup = 30;
 
-export function createLane(spawn: () => Fellow, module: Promise<WebAssembly.Module>): Lane {
+export function createLane(spawn: () => Fellow, module: WebAssembly.Module): Lane {
   const waiting: Task[] = [];
   let current: Task | undefined;
   let worker: Fellow | undefined;
@@ -54,9 +54,7 @@ export function createLane(spawn: () => Fellow, module: Promise<WebAssembly.Modu
     fresh.onerror = (event) => {
       if (worker === fresh) lose(event.message);
     };
-    module.then((compiled) => fresh.postMessage({ module: compiled }), (error: unknown) => {
-      if (worker === fresh) fail(new CoreError(`core: could not be loaded (${String(error)})`));
-    });
+    fresh.postMessage({ module });
     clearInterval(clock);
     clock = setInterval(() => {
       if (!current) silent = 0;
@@ -101,23 +99,11 @@ export function createLane(spawn: () => Fellow, module: Promise<WebAssembly.Modu
     next();
   }
 
-  /** Nothing can be computed here. */
-  function fail(error: CoreError): void {
-    stop();
-    for (const task of [...(current ? [current] : []), ...waiting.splice(0)]) task.reject(error);
-    current = undefined;
-  }
-
   function next(): void {
     if (current) return;
     current = waiting.shift();
     if (!current) return;
-    const fellow = worker ?? start();
-    const task = current;
-    // After the module, which is sent as soon as it is compiled.
-    module.then(() => {
-      if (worker === fellow && current === task) fellow.postMessage({ call: task.call });
-    }, () => {});
+    (worker ?? start()).postMessage({ call: current.call });
   }
 
   function abort(task: Task): void {

@@ -1,28 +1,18 @@
 // What the page asks of the core, which runs in a worker, and what it gets back.
 // Words are those of the command: docs/architecture.md, stoss --help.
 
-export type BodyKind = 'disk' | 'sphere' | 'rod';
+import type { BodyField, BodyKind } from '../inputs/kinds';
 
-/** A body as a user gives it: in SI (m, Pa, kg/m³, s), or in units of the first body, which are all 1. */
-export interface Body {
-  /** of the material; of a disk without a material the 2-D Poisson's ratio */
-  poisson: number;
-  /** of a rod its length */
-  radius: number;
-  young: number;
-  density: number;
-  /** of the cross-section of a rod */
-  area: number;
-  /** Kelvin–Voigt loss time η; 0: elastic */
-  lossTime: number;
-}
+/** A body as a user gives it: in SI, or in units of the first body, which are all 1. What its kind does not have is not
+ *  used. */
+export type Body = Record<BodyField, number>;
 
 export type Against =
   | { kind: 'wall' }
   | { kind: 'same' }
   /** of the same kind as the first */
   | { kind: 'body'; body: Body }
-  /** a half-space for a sphere, a half-plane for a disk; radius and area are not used */
+  /** a half-space for a sphere, a half-plane for a disk */
   | { kind: 'half-space'; body: Body };
 
 /** Who meets whom. */
@@ -34,6 +24,25 @@ export interface Encounter {
   si: boolean;
   /** of a disk in SI */
   plane: 'stress' | 'strain';
+}
+
+/** What an encounter's numbers are measured in. */
+export interface Units {
+  /** c, R/c and c/R of the first body: 1 or in SI */
+  speed: number;
+  time: number;
+  frequency: number;
+  /** E of the first body, of a disk in the plane: only in SI, Pa */
+  modulus?: number;
+  first: Elastic;
+  second?: Elastic;
+}
+
+/** Of a body that the core computes with; E in that of the first. */
+export interface Elastic {
+  young: number;
+  /** not of a rod */
+  poisson?: number;
 }
 
 /** A number as the core gives it, in `unit` ('' for a pure number); without `error` where there is none. An infinite

@@ -1,9 +1,15 @@
-// The core as Emscripten makes it (web/core/module.cpp).
-import create from '@wasm/stoss.mjs';
-import type { Collision, CurvePoint, Encounter, Frame, Grid, Restitution, Shape } from './protocol';
+// The core as Emscripten makes it (web/core/module.cpp). It gets an encounter as a document.
+import { type Collision, CoreError, type CurvePoint, type Frame, type Grid, type Restitution, type Shape, type Units }
+  from './protocol';
 
 /** An answer, or one line that says why there is none. */
 export type Answered<T> = (T & { error?: undefined }) | { error: string };
+
+/** What an answer holds. Throws CoreError where there is none. */
+export function value<T extends object>(answer: Answered<T>): T {
+  if (answer.error !== undefined) throw new CoreError(answer.error);
+  return answer as T;
+}
 
 interface Deletable {
   delete(): void;
@@ -24,17 +30,9 @@ export interface WasmEncounter extends Deletable {
 }
 
 export interface WasmCore {
-  makeEncounter(encounter: Encounter): Answered<{ encounter: WasmEncounter }>;
-}
-
-/** Make the core from its compiled module. @param alive is called during long computations */
-export function instantiate(module: WebAssembly.Module, alive: () => void): Promise<WasmCore> {
-  return create({
-    alive,
-    locateFile: (name: string) => name,
-    instantiateWasm(imports: WebAssembly.Imports, receive: (instance: WebAssembly.Instance) => void) {
-      void WebAssembly.instantiate(module, imports).then(receive);
-      return {};
-    },
-  });
+  makeEncounter(document: string): Answered<{ encounter: WasmEncounter }>;
+  units(document: string): Answered<{ units: Units }>;
+  ownSpeed(document: string, speed: number): Answered<{ speed: number }>;
+  number(name: string, text: string): Answered<{ value: number }>;
+  series(name: string, text: string): Answered<{ values: Float64Array }>;
 }

@@ -1,8 +1,8 @@
 // A worker of the core: answers one call after another.
 import { createAnswer, type Answer } from './calls';
-import type { Call, FromWorker, ToWorker } from './messages';
+import type { Call, FromWorker, ToWorker } from './calls';
 import { CoreError } from './protocol';
-import { instantiate } from './wasm';
+import { instantiate } from './instantiate';
 
 let answer: Promise<Answer> | undefined;
 

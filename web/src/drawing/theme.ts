@@ -27,10 +27,10 @@ export interface Look {
   marker: Marker;
 }
 
-export type Marker = 'circle' | 'square' | 'triangle' | 'diamond' | 'cross' | 'down';
+export type Marker = 'circle' | 'square' | 'triangle' | 'diamond' | 'star' | 'times';
 
 const DASHES: number[][] = [[], [6, 3], [2, 3], [8, 3, 2, 3], [12, 3], [4, 2, 1, 2, 1, 2]];
-const MARKERS: Marker[] = ['circle', 'square', 'triangle', 'diamond', 'down', 'cross'];
+const MARKERS: Marker[] = ['circle', 'square', 'triangle', 'diamond', 'star', 'times'];
 // Okabe and Ito's; the first two a little lighter on a dark ground, where they would have too little contrast.
 const ON_LIGHT = ['#0072b2', '#d55e00', '#009e73', '#b8608f', '#b37a00', '#2f8fc4'];
 const ON_DARK = ['#56b4e9', '#ff8a3d', '#2fc79b', '#e59fc4', '#e69f00', '#8fc7ff'];

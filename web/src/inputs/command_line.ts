@@ -1,29 +1,34 @@
 // The command line that gives the same numbers.
 import type { Body, Encounter } from '../core/protocol';
-import { yieldStrengthOf } from './materials';
+import { fieldsOfBody, secondOf, solidOf } from './document';
+import { type Kind, kindNamed } from './kinds';
 import { shortest } from './number';
+
+/** The numbers of a body by the keys of the command. */
+function pairsOf({ si }: Encounter, kind: Kind, body: Body, second: boolean): [string, number][] {
+  const all = fieldsOfBody(kind, si, second).filter((name) => name !== 'loss_time');
+  const pairs: [string, number][] = all.map((name) => [name, body[name]]);
+  const strength = si && kind.canYield ? solidOf(body, kind)?.yield_strength : undefined;
+  if (strength !== undefined) pairs.push(['yield', strength]);
+  if (body.loss_time !== 0) pairs.push(['loss_time', body.loss_time]);
+  return pairs;
+}
 
 /** Arguments that say who meets whom, as `stoss restitution` and `stoss table` take them. */
 export function encounterArguments(encounter: Encounter): string[] {
   const { kind, si, plane, first, against } = encounter;
   const line: string[] = kind === 'disk' ? [] : ['--body', kind];
-  const add = (option: string, value: number): void => void line.push(option, shortest(value));
-  if (kind !== 'rod') add('--poisson', first.poisson);
-  if (si) {
-    add('--young', first.young);
-    add('--density', first.density);
-    add(kind === 'rod' ? '--length' : '--radius', first.radius);
-    if (kind === 'rod') add('--area', first.area);
-    if (kind === 'disk' && plane === 'strain') line.push('--plane', 'strain');
-    const strength = yieldStrengthOf(first, kind);
-    if (kind === 'sphere' && strength !== undefined) add('--yield', strength);
+  const strain = si && kindNamed(kind).hasPlane && plane === 'strain';
+  for (const [key, value] of pairsOf(encounter, kindNamed(kind), first, false)) {
+    line.push(`--${key.replace('_', '-')}`, shortest(value));
   }
-  if (first.lossTime !== 0) add('--loss-time', first.lossTime);
-  if (against.kind === 'same') line.push('--against', 'same');
-  if (against.kind === 'body') line.push('--against', [kind, ...keysOf(encounter, against.body, true)].join(','));
-  if (against.kind === 'half-space') {
-    const name = kind === 'disk' ? 'half-plane' : 'half-space';
-    line.push('--against', [name, ...keysOf(encounter, against.body, false)].join(','));
+  if (strain) line.push('--plane', plane);
+  const second = secondOf(encounter);
+  if (second) {
+    const pairs = pairsOf(encounter, second.kind, second.body, true).map(([key, value]) => `${key}=${shortest(value)}`);
+    line.push('--against', [second.kind.name, ...pairs].join(','));
+  } else if (against.kind !== 'wall') {
+    line.push('--against', against.kind);
   }
   return line;
 }
@@ -37,17 +42,4 @@ export function commandArguments(encounter: Encounter, speed: string, tolerance:
 /** The command line, to be pasted into a shell. */
 export function commandLine(encounter: Encounter, speed: number, tolerance = 1e-3): string {
   return ['stoss', ...commandArguments(encounter, shortest(speed), tolerance)].join(' ');
-}
-
-function keysOf(encounter: Encounter, body: Body, sized: boolean): string[] {
-  const { kind, si } = encounter;
-  const values: [string, number][] = [];
-  const strength = si && kind === 'sphere' ? yieldStrengthOf(body, kind) : undefined;
-  if (kind !== 'rod') values.push(['poisson', body.poisson]);
-  values.push(['young', body.young], ['density', body.density]);
-  if (sized) values.push([kind === 'rod' ? 'length' : 'radius', body.radius]);
-  if (sized && kind === 'rod') values.push(['area', body.area]);
-  if (strength !== undefined) values.push(['yield', strength]);
-  if (body.lossTime !== 0) values.push(['loss_time', body.lossTime]);
-  return values.map(([key, value]) => `${key}=${shortest(value)}`);
 }

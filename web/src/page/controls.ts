@@ -1,14 +1,15 @@
 // The form: it shows the inputs, and tells what the user makes of them.
-import type { Against, Body, BodyKind } from '../core/protocol';
+import type { Against, Body } from '../core/protocol';
 import { check } from '../inputs/check';
 import { description } from '../inputs/description';
-import { type Field, fieldsOf, owner } from '../inputs/fields';
-import { type Inputs, secondBody, withAgainst, withKind, withSecond } from '../inputs/inputs';
-import { madeOf, materialOf, materials } from '../inputs/materials';
-import { presetOf, presets } from '../inputs/presets';
-import { barSpeed, withSi, withoutSi } from '../inputs/scales';
 import { significant } from '../inputs/digits';
+import { madeOf, materialOf, secondOf } from '../inputs/document';
+import { type Field, fieldsOf, owner } from '../inputs/fields';
+import { type Inputs, withAgainst, withKind, withSecond } from '../inputs/inputs';
+import { type BodyKind, blockOf, bodyKinds, kindNamed, materials, sizeOf } from '../inputs/kinds';
+import { presetOf, presets } from '../inputs/presets';
 import { placeOf, speedAt, steps } from '../inputs/speeds';
+import { barSpeed, withSi, withoutSi } from '../inputs/units';
 import { find, make } from './dom';
 import { type FieldView, makeField, showField, showProblem } from './fields_view';
 
@@ -38,6 +39,9 @@ export function createControls(initial: Inputs, listener: Listener): Controls {
   const simple = find('simple', HTMLInputElement);
   const views = new Map<Field, FieldView>();
   slider.max = String(steps);
+  find('bodies', HTMLElement).append(...bodyKinds.map((kind) => make('label', { title: kindNamed(kind).help },
+    make('input', { type: 'radio', name: 'body', value: kind }),
+    make('span', {}, kind.charAt(0).toUpperCase() + kind.slice(1)))));
   preset.append(...[own, ...presets.map(({ name }) => name)].map((name) => make('option', { value: name }, name)));
   for (const select of [selects.first, selects.second]) {
     select.append(...[own, ...materials.map(({ name }) => name)].map((name) => make('option', { value: name }, name)));
@@ -52,10 +56,9 @@ export function createControls(initial: Inputs, listener: Listener): Controls {
     choose('plane', encounter.plane);
     simple.checked = inputs.simple;
     document.body.dataset.view = inputs.simple ? 'simple' : 'full';
-    find('plane-row', HTMLElement).hidden = !(si && kind === 'disk');
+    find('plane-row', HTMLElement).hidden = !(si && kindNamed(kind).hasPlane);
     find('material-row', HTMLElement).hidden = !si;
-    const second = secondBody(against);
-    find('material2-row', HTMLElement).hidden = !si || second === undefined;
+    find('material2-row', HTMLElement).hidden = !si || secondOf(encounter) === undefined;
     showPartners(kind, against.kind);
     showNames();
     find('units-note', HTMLElement).textContent = note();
@@ -63,6 +66,7 @@ export function createControls(initial: Inputs, listener: Listener): Controls {
     for (const field of fields) showField(viewOf(field), field, inputs);
     for (const [field, view] of views) {
       view.row.hidden = !fields.includes(field);
+      view.row.style.order = String(fields.indexOf(field));
       showProblem(view, '');
     }
     showSlider();
@@ -74,17 +78,23 @@ export function createControls(initial: Inputs, listener: Listener): Controls {
   }
 
   function showNames(): void {
-    const { first, kind, against } = inputs.encounter;
+    const { encounter } = inputs;
     preset.value = presetOf(inputs)?.name ?? own;
-    find('who', HTMLElement).textContent = description(inputs.encounter);
-    const second = secondBody(against);
-    selects.first.value = materialOf(first, kind)?.name ?? own;
-    selects.second.value = (second && materialOf(second, kind)?.name) ?? own;
+    find('who', HTMLElement).textContent = description(encounter);
+    const second = secondOf(encounter);
+    const made = {
+      first: materialOf(encounter.first, kindNamed(encounter.kind)),
+      second: second && materialOf(second.body, second.kind),
+    };
+    for (const each of ['first', 'second'] as const) {
+      selects[each].value = made[each]?.name ?? own;
+      selects[each].title = made[each]?.source ?? '';
+    }
   }
 
   function note(): string {
     const { si, kind } = inputs.encounter;
-    const size = kind === 'rod' ? 'length' : 'radius';
+    const size = sizeOf(kind);
     return si
       ? `c = √(E/ρ) = ${significant(barSpeed(inputs.encounter), 4)} m/s`
       : `Units: ${size}, bar speed c = √(E/ρ) and mass of the first body`;
@@ -96,8 +106,6 @@ export function createControls(initial: Inputs, listener: Listener): Controls {
     const view = makeField(field);
     const place = owner(field);
     const home = place === undefined ? 'speed-field' : place.second ? 'second-fields' : 'first-fields';
-    const order = ['poisson', 'young', 'density', 'radius', 'area', 'lossTime'];
-    view.row.style.order = place === undefined ? '0' : String(order.indexOf(place.name));
     find(home, HTMLElement).append(view.row);
     views.set(field, view);
     return view;
@@ -173,7 +181,8 @@ export function createControls(initial: Inputs, listener: Listener): Controls {
     const names: [Against['kind'], string][] = [
       ['wall', 'a rigid wall'], ['same', 'an identical body'], ['body', `another ${kind}`],
     ];
-    if (kind !== 'rod') names.push(['half-space', kind === 'disk' ? 'an elastic half-plane' : 'an elastic half-space']);
+    const block = blockOf(kind);
+    if (block) names.push(['half-space', `an elastic ${block.name}`]);
     if (partner.dataset.kind !== kind) {
       partner.replaceChildren(...names.map(([value, text]) => make('option', { value }, text)));
       partner.dataset.kind = kind;

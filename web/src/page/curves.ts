@@ -1,7 +1,8 @@
 // ε(v) of the current encounter and of those kept for comparison: computed one after the other, and remembered.
+import { seriesOf } from '../core/local';
 import type { Core, CurvePoint, Encounter } from '../core/protocol';
 import { description } from '../inputs/description';
-import { used } from '../inputs/inputs';
+import { documentOf } from '../inputs/document';
 import { curveSpeeds } from '../inputs/speeds';
 import { fine } from './session';
 
@@ -15,6 +16,9 @@ export interface Curve {
 export interface Curves {
   /** Compute these curves, the first of which is the current one; what is not among them is no longer computed. */
   want(encounters: readonly Encounter[]): void;
+  /** Compute at the speeds of a series; those of '' are the usual ones. They are in the units of the current encounter,
+   *  and those in others have the usual ones. Throws CoreError for a text that is none. */
+  at(series: string): void;
   /** The curve of an encounter as far as it is known. */
   of(encounter: Encounter): Curve;
 }
@@ -27,14 +31,16 @@ export function createCurves(core: Core, changed: () => void, failed: (line: str
   const known = new Map<string, Curve>();
   let current = new AbortController();
   let wanted: readonly Encounter[] = [];
+  let series = '';
 
-  const keyOf = (encounter: Encounter): string => JSON.stringify(used(encounter));
+  const seriesFor = (encounter: Encounter): string => (wanted[0]?.si === encounter.si ? series : '');
+  const keyOf = (encounter: Encounter): string => `${documentOf(encounter)} ${seriesFor(encounter)}`;
 
   function of(encounter: Encounter): Curve {
     const key = keyOf(encounter);
     const found = known.get(key);
     if (found !== undefined) return { ...found, encounter };
-    return { encounter, points: [], planned: curveSpeeds(encounter) };
+    return { encounter, points: [], planned: curveSpeeds(encounter, seriesFor(encounter)) };
   }
 
   async function compute(encounter: Encounter, signal: AbortSignal): Promise<void> {
@@ -63,15 +69,24 @@ export function createCurves(core: Core, changed: () => void, failed: (line: str
     }
   }
 
+  function begin(): void {
+    current.abort();
+    current = new AbortController();
+    changed();
+    void computeAll(current.signal);
+  }
+
   return {
     of,
     want(encounters) {
-      if (JSON.stringify(encounters.map(used)) === JSON.stringify(wanted.map(used))) return;
+      if (encounters.map(documentOf).join() === wanted.map(documentOf).join()) return;
       wanted = encounters;
-      current.abort();
-      current = new AbortController();
-      changed();
-      void computeAll(current.signal);
+      begin();
+    },
+    at(text) {
+      if (text.trim() !== '') seriesOf(text);
+      series = text.trim();
+      begin();
     },
   };
 }

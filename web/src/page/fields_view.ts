@@ -1,5 +1,5 @@
 // The number fields of the form: label, text field, unit, and the line that says what is wrong.
-import { type Field, labelOf, owner, unitOf, valueOf } from '../inputs/fields';
+import { type Field, helpOf, labelOf, owner, unitOf, valueOf } from '../inputs/fields';
 import type { Inputs } from '../inputs/inputs';
 import { displayed } from '../inputs/number';
 import { make } from './dom';
@@ -30,6 +30,7 @@ export function makeField(field: Field): FieldView {
 export function showField(view: FieldView, field: Field, inputs: Inputs): void {
   const label = labelOf(inputs.encounter, field);
   if (view.label.textContent !== label) view.label.textContent = label;
+  view.row.title = helpOf(inputs.encounter, field);
   view.unit.textContent = unitOf(inputs.encounter, field);
   const value = valueOf(inputs.encounter, inputs.speed, field);
   const { value: text } = view.input;

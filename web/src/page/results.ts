@@ -1,6 +1,7 @@
 // ε and what belongs to it, as text.
 import type { Encounter, Quantity, Restitution } from '../core/protocol';
-import { prefixed, significant, withError } from '../inputs/digits';
+import { prefixFor } from '../drawing/numbers';
+import { significant, withError } from '../inputs/digits';
 import { reboundOf } from '../inputs/rebound';
 import { find } from './dom';
 
@@ -15,12 +16,10 @@ export interface Results {
   say(line: string): void;
 }
 
-const units: Record<string, string> = { piRE: 'πRE', 'mc^2/R': 'mc²/R' };
-
 /** A quantity with a readable unit and the digits that its error allows, or some others. */
 function shown(quantity: Quantity, digits = shownNumber): string {
-  const { factor, unit } = prefixed(quantity.value, quantity.unit);
-  return `${digits(quantity, factor)}${unit === '' ? '' : `\u00a0${units[unit] ?? unit}`}`;
+  const { size, unit } = prefixFor(quantity.value, quantity.unit);
+  return `${digits(quantity, 1 / size)}${unit === '' ? '' : `\u00a0${unit}`}`;
 }
 
 /** A quantity of a result, in SI where it is known. */

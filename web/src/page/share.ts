@@ -5,8 +5,7 @@ import { commandLine } from '../inputs/command_line';
 import { curveCsv } from '../inputs/csv';
 import type { Inputs } from '../inputs/inputs';
 import { pythonLines } from '../inputs/python_lines';
-import { barSpeed } from '../inputs/scales';
-import { fastest, slowest } from '../inputs/speeds';
+import { endsOf } from '../inputs/speeds';
 import type { Curve } from './curves';
 import { download, find } from './dom';
 
@@ -62,12 +61,10 @@ export function createShare(
   on('download-header', async () => {
     const button = find('download-header', HTMLButtonElement);
     const { encounter } = inputs;
-    const c = barSpeed(encounter);
     button.disabled = true;
     say('Computing the table of the C header.');
     try {
-      const [low, high] = [slowest, fastest(encounter)].map((speed) => Number((speed * c).toPrecision(4)));
-      const text = await core.header(encounter, low ?? 0, high ?? 0, headerError);
+      const text = await core.header(encounter, ...endsOf(encounter), headerError);
       download('restitution.h', text, 'text/x-c');
       return `C header downloaded: ε(v) to an error of ${headerError}.`;
     } finally {

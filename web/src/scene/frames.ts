@@ -1,7 +1,7 @@
 // The frames of a film that are there already, and what is between two of them.
 
 import type { BodyFrame, Frame, Inside } from '../core/protocol';
-import { lastNotAbove } from '../drawing/scale';
+import { lastNotAbove } from '../drawing/samples';
 
 /** Frames in the order of their times. */
 export interface Film {

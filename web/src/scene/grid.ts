@@ -1,6 +1,7 @@
 // The points of a body at which frames are asked for: dense where it is struck.
 
-import type { BodyKind, Grid } from '../core/protocol';
+import type { Grid } from '../core/protocol';
+import type { BodyKind } from '../inputs/kinds';
 
 const RADII = 44;
 const ANGLES = 112;

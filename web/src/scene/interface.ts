@@ -1,7 +1,7 @@
 // Where two bodies meet in the picture. Magnified displacements alone would let them enter each other by as much as
 // the gap between their faces at rest is not magnified; both are cut at the line between.
 
-import { interpolate } from '../drawing/scale';
+import { interpolate } from '../drawing/samples';
 
 export interface Edge {
   x: ArrayLike<number>;

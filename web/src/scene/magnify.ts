@@ -1,7 +1,7 @@
 // How much displacements are magnified: enough to see them, not so much that a body turns inside out.
 
 import type { BodyFrame, Frame, Grid, Inside } from '../core/protocol';
-import { roundDown } from '../drawing/ticks';
+import { roundDown } from '../drawing/numbers';
 
 const VISIBLE = 0.18; // maximum displacement in the picture, in radii of the body
 const LEAST_AREA = 0.12; // of a magnified cell, of what it is at rest

@@ -1,6 +1,7 @@
 // A deformed body as a mesh in the plane of the picture: the half above the line of impact, the other mirrors it.
 
-import type { BodyFrame, BodyKind, Grid, Inside } from '../core/protocol';
+import type { BodyFrame, Grid, Inside } from '../core/protocol';
+import type { BodyKind } from '../inputs/kinds';
 
 /** Points in rows and columns, row-major. Places are in radii of the first body, y ≥ 0. */
 export interface Mesh {

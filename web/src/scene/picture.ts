@@ -1,7 +1,7 @@
 // One picture of a film: bodies, what it says about itself, and its legend.
 
+import { unitsOf } from '../core/local';
 import type { Frame } from '../core/protocol';
-import { modulus } from '../drawing/si';
 import type { Theme } from '../drawing/theme';
 import { drawBodies, type Scratch } from './bodies';
 import { shadeOf, type Quantity, type Shade } from './colors';
@@ -53,6 +53,6 @@ export function drawPicture(
   context.fillStyle = theme.muted;
   const { magnification } = show;
   context.fillText(magnification === 1 ? 'true displacements' : `displacements × ${magnification}`, width - 4, 16);
-  drawLegend(context, 8, layout.height + 2, width - 16, theme, shade, modulus(show.encounter),
+  drawLegend(context, 8, layout.height + 2, width - 16, theme, shade, unitsOf(show.encounter).modulus,
     rods ? 'stress |σ|' : 'von Mises stress');
 }

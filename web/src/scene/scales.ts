@@ -1,7 +1,7 @@
 // The scale of colours of a film, from the stress in some of its frames.
 
 import type { Frame, Grid } from '../core/protocol';
-import { roundUp } from '../drawing/ticks';
+import { roundUp } from '../drawing/numbers';
 import type { Quantity } from './colors';
 
 const COVERED = 0.99; // of a body's area is within the scale, in every frame

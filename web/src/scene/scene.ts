@@ -2,7 +2,7 @@
 
 import type { Collision, Core, Encounter, Frame } from '../core/protocol';
 import { fitCanvas, onResize } from '../drawing/sized';
-import { pngOfCanvas } from '../drawing/svg';
+import { pngOfCanvas } from '../drawing/files';
 import { motionIsReduced, readTheme } from '../drawing/theme';
 import { newScratch } from './bodies';
 import { advance, LENGTH, type Clock } from './clock';
@@ -23,7 +23,6 @@ export interface Scene {
   onCursor(callback: (time: number) => void): void;
   clear(): void;
   toPng(): Promise<Blob>;
-  destroy(): void;
 }
 
 const STEPS = 64; // of the film
@@ -65,7 +64,7 @@ export function createScene(host: HTMLElement, core: Core): Scene {
   place.append(canvas, controls.element, note, words);
   host.append(place);
   place.addEventListener('keydown', onKey);
-  const stopWatching = onResize(place, draw);
+  onResize(place, draw);
   empty();
 
   function onKey(event: KeyboardEvent): void {
@@ -199,12 +198,6 @@ export function createScene(host: HTMLElement, core: Core): Scene {
       [copy.width, copy.height] = [density * width, density * pictureHeight(show, width)];
       drawPicture(copy, width, density, show, frame, clock.time, quantity, readTheme(place), newScratch());
       return pngOfCanvas(copy);
-    },
-    destroy() {
-      asked?.abort();
-      pause();
-      stopWatching();
-      place.remove();
     },
   };
 }

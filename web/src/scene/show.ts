@@ -1,6 +1,7 @@
 // What a film of one collision needs: its frames, and the scales that all of them share.
 
 import type { Collision, Core, Encounter, Frame, Grid } from '../core/protocol';
+import { sizeOf } from '../inputs/kinds';
 import type { Quantity } from './colors';
 import { insertFrame, type Film } from './frames';
 import { gridBelow, gridFor } from './grid';
@@ -67,7 +68,7 @@ export async function produce(
 }
 
 /** Maximum half width of the contact in radii of the larger body, whose smallest part it is. */
-function relativeHalfWidth({ si, first }: Encounter, { bodies, halfWidth }: Collision): number {
-  const greatest = halfWidth.reduce((most, each) => Math.max(most, each), 0) / (si ? first.radius : 1);
+function relativeHalfWidth({ kind, si, first }: Encounter, { bodies, halfWidth }: Collision): number {
+  const greatest = halfWidth.reduce((most, each) => Math.max(most, each), 0) / (si ? first[sizeOf(kind)] : 1);
   return greatest / Math.max(...bodies.filter((each) => each.kind !== 'half-space').map((each) => each.radius));
 }

@@ -4,15 +4,16 @@ import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { describe, expect, it } from 'vitest';
 import type { Body, Collision, Encounter, Frame, Grid, Restitution, Shape } from '../../src/core/protocol';
+import { unitBody } from '../../src/inputs/inputs';
 import { encounterArguments } from '../../src/inputs/command_line';
 import { shortest } from '../../src/inputs/number';
-import { barSpeed } from '../../src/inputs/scales';
+import { barSpeed } from '../../src/inputs/units';
 import { cases } from '../unit/cases';
 import { hasCommand, run } from './native';
-import { ask, hasCore } from './wasm';
+import { ask } from './wasm';
 
 const tolerance = 1e-2;
-const chosen = [0, 2, 4, 5, 6, 9, 10, 12];
+const chosen = [0, 1, 2, 4, 5, 6, 9, 10, 12];
 
 const cutoffOf = (encounter: Encounter, speed: number): number =>
   (ask('restitution', encounter, speed, tolerance).value as Restitution).cutoff;
@@ -28,7 +29,7 @@ function trajectory(encounter: Encounter, speed: number, cutoff: number): Record
   return Object.fromEntries(names.map((name, k) => [name, rows.map((row) => Number(row.split(',')[k]))]));
 }
 
-describe.skipIf(!hasCore || !hasCommand)('a collision', { timeout: 60_000 }, () => {
+describe.skipIf(!hasCommand)('a collision', { timeout: 60_000 }, () => {
   it.each(chosen)('is the impact of the command: case %i', (index) => {
     const { encounter, speed } = cases[index]!;
     const cutoff = cutoffOf(encounter, speed);
@@ -71,7 +72,7 @@ function front(encounter: Encounter, frame: Frame, body: 0 | 1, radius: number):
   return seen.center + (body === 0 ? 1 : -1) * radius * ((rod ? 0.5 : 1) + u);
 }
 
-describe.skipIf(!hasCore)('frames', { timeout: 60_000 }, () => {
+describe('frames', { timeout: 60_000 }, () => {
   it.each(chosen)('show bodies that touch: case %i', (index) => {
     const { encounter, speed } = cases[index]!;
     const cutoff = cutoffOf(encounter, speed);
@@ -99,9 +100,9 @@ describe.skipIf(!hasCore)('frames', { timeout: 60_000 }, () => {
   });
 });
 
-describe.skipIf(!hasCore)('the stress in a half-space', { timeout: 60_000 }, () => {
+describe('the stress in a half-space', { timeout: 60_000 }, () => {
   // A slow impact is Hertz' (K. L. Johnson, Contact Mechanics, 3.4): a ball as stiff as the block, ν = 0.3.
-  const ball: Body = { poisson: 0.3, radius: 1, young: 1, density: 1, area: 1, lossTime: 0 };
+  const ball: Body = { ...unitBody, poisson: 0.3 };
   const encounter: Encounter =
     { kind: 'sphere', first: ball, against: { kind: 'half-space', body: ball }, si: false, plane: 'stress' };
   const speed = 1e-3;
@@ -135,7 +136,7 @@ describe.skipIf(!hasCore)('the stress in a half-space', { timeout: 60_000 }, () 
   });
 });
 
-describe.skipIf(!hasCore)('shape', () => {
+describe('shape', () => {
   const grid = { radius: Float32Array.from([0, 1]), angle: Float32Array.from([0, Math.PI / 2, Math.PI]) };
   it('of the breathing mode of a disk is the same all around', () => {
     const { radial, tangential } = ask('shape', cases[0]!.encounter, 0, 0, 0, grid).value as Shape;

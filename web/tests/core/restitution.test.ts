@@ -1,11 +1,12 @@
 // ε of the page's core, and all that comes with it, are those of the native command.
 import { describe, expect, it } from 'vitest';
 import type { Body, CurvePoint, Encounter, Restitution } from '../../src/core/protocol';
-import { madeOf, materialNamed } from '../../src/inputs/materials';
+import { madeOf } from '../../src/inputs/document';
+import { materialNamed } from '../../src/inputs/kinds';
 import { curveSpeeds } from '../../src/inputs/speeds';
 import { cases } from '../unit/cases';
 import { hasCommand, restitution } from './native';
-import { ask, hasCore } from './wasm';
+import { ask } from './wasm';
 
 const one = cases[0]!.encounter;
 const ball = cases[4]!.encounter;
@@ -26,7 +27,7 @@ const sameError = 1e-10;
 const rounding = 1e-14;
 const shares = ['lost_fraction', 'lost_to_first', 'lost_to_second', 'dissipated'];
 
-describe.skipIf(!hasCore || !hasCommand)('restitution', { timeout: 60_000 }, () => {
+describe.skipIf(!hasCommand)('restitution', { timeout: 60_000 }, () => {
   it.each(all.map((each, index) => [index, ...each] as const))('of case %i is that of the command',
     (_, encounter, speed, tolerance) => {
       const row = restitution(encounter, speed, tolerance);
@@ -88,7 +89,7 @@ describe.skipIf(!hasCore || !hasCommand)('restitution', { timeout: 60_000 }, () 
   });
 });
 
-describe.skipIf(!hasCore)('what is wrong', () => {
+describe('what is wrong', () => {
   it.each([
     [{ ...one, first: { ...one.first, poisson: 7 } }, 0.1, 'poisson: got 7'],
     [one, 2, 'speed: got 2, allowed 1e-08 to 1 c'],

@@ -1,22 +1,26 @@
 // The core of the page in Node.js.
-import { existsSync, readFileSync } from 'node:fs';
+import { readFileSync } from 'node:fs';
 import { fileURLToPath } from 'node:url';
-import { createAnswer } from '../../src/core/calls';
-import type { Calls } from '../../src/core/messages';
+import { type Calls, createAnswer } from '../../src/core/calls';
+import type { Encounter } from '../../src/core/protocol';
+import { instantiate } from '../../src/core/instantiate';
+import { documentOf } from '../../src/inputs/document';
 
 const path = fileURLToPath(new URL('../../../build/wasm/stoss.wasm', import.meta.url));
 
-/** Whether the core is compiled. */
-export const hasCore = existsSync(path);
+export const core = await instantiate(new WebAssembly.Module(Uint8Array.from(readFileSync(path))), () => {});
 
-const answer = hasCore
-  ? createAnswer(await (await import('../../src/core/wasm')).instantiate(
-      new WebAssembly.Module(Uint8Array.from(readFileSync(path))), () => {}))
-  : (): never => { throw new Error('the core is not compiled'); };
+const answer = createAnswer(core);
+
+/** Arguments of a call, but for the document. */
+type Given<Name extends keyof Calls> = Calls[Name] extends [string, ...infer Rest] ? Rest : never;
 
 /** The answer to a call, and what it delivered. */
-export function ask<Name extends keyof Calls>(name: Name, ...given: Calls[Name]): { value: unknown; all: unknown[] } {
+export function ask<Name extends keyof Calls>(name: Name, encounter: Encounter, ...given: Given<Name>):
+    { value: unknown; all: unknown[] } {
   const all: unknown[] = [];
-  const value = answer({ name, arguments: given } as never, (each, index) => { all[index] = each; });
+  const value = answer({ name, arguments: [documentOf(encounter), ...given] } as never, (each, index) => {
+    all[index] = each;
+  });
   return { value, all };
 }

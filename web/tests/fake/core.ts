@@ -1,7 +1,9 @@
 // A core that invents numbers at once: to develop the page without WebAssembly. It is never shipped.
 import type { BodyFrame, Collision, Core, CurvePoint, Encounter, Frame, Restitution } from '../../src/core/protocol';
 import { CoreError } from '../../src/core/protocol';
-import { barSpeed } from '../../src/inputs/scales';
+import { setLocal } from '../../src/core/local';
+import type { WasmCore } from '../../src/core/wasm';
+import { barSpeed } from '../../src/inputs/units';
 
 const wait = (time: number, signal?: AbortSignal): Promise<void> =>
   new Promise((resolve, reject) => {
@@ -78,8 +80,27 @@ function bodyFrame(time: number, radius: Float32Array, angle: Float32Array): Bod
   };
 }
 
+/** Units of steel for all that has a material; it takes every encounter and speed. */
+const local: WasmCore = {
+  makeEncounter: () => ({ error: 'there is no core' }),
+  units(document) {
+    const si = document.includes('material');
+    const elastic = { young: 1, poisson: 0.3 };
+    const units = { speed: si ? 5185 : 1, time: si ? 1.9e-6 : 1, frequency: si ? 5.2e5 : 1, first: elastic };
+    return { units: { ...units, second: elastic, ...(si ? { modulus: 2.1e11 } : {}) } };
+  },
+  ownSpeed: (_document, speed) => ({ speed }),
+  number: (name, text) => (Number.isFinite(Number(text)) ? { value: Number(text) } : { error: `${name}: got '${text}'` }),
+  series(_name, text) {
+    const [low = 1e-6, high = 0.5, count = 49] = text.split(':').slice(1).map(Number);
+    const step = (high / low) ** (1 / (count - 1));
+    return { values: Float64Array.from({ length: count }, (_, k) => low * step ** k) };
+  },
+};
+
 /** The core of the tests; it refuses the speed 0.777. */
-export function createCore(): Core {
+export async function createCore(): Promise<Core> {
+  setLocal(local);
   return {
     async restitution(encounter, speed, tolerance, signal) {
       await wait(tolerance > 5e-3 ? 15 : 200, signal);
