@@ -26,7 +26,7 @@ std::string program() {
       "sys.path = [each for each in sys.path if each]\n"
       "try:\n"
       "    import stoss\n"
-      "    from stoss import _sweep_command as command\n"
+      "    from stoss.sweeps import _command as command\n"
       "except ImportError as error:\n"
       "    got, allowed = 'none', 'the package stoss for python3 (make python; put its bin into PATH): ' + str(error)\n"
       "else:\n"

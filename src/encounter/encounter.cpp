@@ -35,12 +35,6 @@ Solid solid_of(const Encounter& encounter, const Kind& kind, Values all) {
   return kind.solid(all);
 }
 
-Wall wall_of(const Encounter& encounter) {
-  if (encounter.against.kind != "exponential") return HardWall{};
-  const Values all = all_values(encounter.against, {}, infinite);
-  return ExponentialWall{all.at("hardness"), all.at("strength")};
-}
-
 /// Whether it meets a wall, no body.
 bool is_at_wall(const Encounter& encounter) {
   return kind(encounter.against.kind).wall && encounter.against.kind != "same";
@@ -180,6 +174,12 @@ BodyMaker second_maker(const Encounter& encounter) {
   if (encounter.against.kind == "same") return first_maker(encounter);
   const auto second = second_solid(encounter);
   return second ? of_what_is_met([&] { return made(encounter.against, *second); }) : BodyMaker{};
+}
+
+Wall wall_of(const Encounter& encounter) {
+  if (encounter.against.kind != "exponential") return HardWall{};
+  const Values all = all_values(encounter.against, {}, infinite);
+  return ExponentialWall{all.at("hardness"), all.at("strength")};
 }
 
 RefinableContact refinable(const Encounter& encounter) {

@@ -155,6 +155,11 @@ double compression_force(PointLaw law, double poisson, double compression) {
   return radius_law.force(radius_law.at_compression(compression));
 }
 
+PointHertz point_hertz_at_wall(double poisson, double force) {
+  const double radius = contact_radius(PointLaw::hertz, poisson, force);
+  return point_hertz_of_approach({1.0, 1.0 - poisson * poisson}, radius * radius);
+}
+
 double compression_energy(PointLaw law, double poisson, double force) {
   const RadiusLaw radius_law(law, poisson);
   require_force(radius_law, force);

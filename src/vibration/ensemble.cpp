@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <numbers>
+#include <tuple>
 
 #include "check.hpp"
 #include "numeric/random.hpp"
@@ -50,6 +52,25 @@ Spectrum thermal(const RefinableContact& contact, double temperature, double hig
                                               : "bodies that have modes at such frequencies"));
   }
   return spectrum;
+}
+
+std::vector<double> frequencies(const RefinableContact& contact, const Spectrum& spectrum, const Poll& poll) {
+  Vibration named;
+  for (const MeanEnergy& mode : spectrum) named.push_back({mode.body, mode.order, mode.index});
+  int level = 0;
+  while (!keeps(contact.at(level, poll), named)) ++level;
+  const Contact& resolved = contact.at(level, poll);
+  std::map<std::tuple<int, int, int>, double> omega;
+  for (std::size_t g = 0; g < resolved.groups.size(); ++g) {
+    const ModeGroup& group = resolved.groups[g];
+    for (std::size_t l = 0; l < group.omega.size(); ++l) {
+      const int index = group.index.empty() ? static_cast<int>(l) : group.index[l];
+      omega.emplace(std::tuple(g < resolved.first_groups ? 0 : 1, group.order, index), group.omega[l]);
+    }
+  }
+  std::vector<double> all;
+  for (const MeanEnergy& mode : spectrum) all.push_back(omega.at({mode.body, mode.order, mode.index}));
+  return all;
 }
 
 Vibration draw(const Spectrum& spectrum, std::uint64_t seed, std::uint64_t sample) {

@@ -10,11 +10,11 @@ from matplotlib.axes import Axes
 from matplotlib.lines import Line2D
 from numpy.typing import NDArray
 
-from stoss import _replay
-from stoss._field import Field
-from stoss._half_space import UNBOUNDED
-from stoss._impact_result import Impact
+from stoss.bodies._blocks import UNBOUNDED
 from stoss.plot import _style
+from stoss.results import _replay
+from stoss.results._field import Field
+from stoss.results._impact import Impact
 
 Array = NDArray[np.float64]
 

@@ -6,10 +6,10 @@ import numpy as np
 from matplotlib.axes import Axes
 
 from stoss._arguments import instance, integer, refusal
-from stoss._bodies import Disk, Sphere
-from stoss._half_space import UNBOUNDED
-from stoss._impact_result import Impact
+from stoss.bodies._blocks import UNBOUNDED
+from stoss.bodies._bodies import Disk, Sphere
 from stoss.plot import _style
+from stoss.results._impact import Impact
 
 LABELS = {"after": "energy after impact / initial", "average": "mean energy in contact / initial"}
 HATCHES = ("", "/////", "xxxxx", ".....", "\\\\\\\\\\", "-----", "+++++")
@@ -37,10 +37,6 @@ def ledger(
         How many n and l from 0 on, 1 to 100 and 1 to 20; modes above the cutoff have no bars.
     of : {0, 1}, optional
         The modes of which body: the first, or the second.
-
-    Returns
-    -------
-    Axes
 
     Examples
     --------

@@ -7,9 +7,9 @@ from matplotlib.axes import Axes
 from numpy.typing import NDArray
 
 from stoss._arguments import instance, number, refusal
-from stoss._bodies import Sphere
-from stoss._modes import Modes
+from stoss.bodies._bodies import Sphere
 from stoss.plot import _disk, _style
+from stoss.results._modes import Modes
 
 
 def spectrum(modes: Modes, ax: Axes | None = None) -> Axes:
@@ -23,10 +23,6 @@ def spectrum(modes: Modes, ax: Axes | None = None) -> Axes:
     modes : Modes
     ax : Axes, optional
         Where to draw.
-
-    Returns
-    -------
-    Axes
 
     Examples
     --------
@@ -69,10 +65,6 @@ def mode_shape(modes: Modes, ax: Axes | None = None, *, order: int, index: int, 
         n and l.
     amplitude : float, optional
         Maximum displacement in the picture, R, −1 to 1.
-
-    Returns
-    -------
-    Axes
 
     Examples
     --------

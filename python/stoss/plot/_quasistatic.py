@@ -9,11 +9,11 @@ from matplotlib.axes import Axes
 from numpy.typing import NDArray
 
 from stoss._arguments import instance
-from stoss._hertz import hertz_pressure
-from stoss._rayleigh_result import PointRayleighEstimate, RayleighEstimate
-from stoss._slow_impact_result import PointSlowImpact, SlowImpact
-from stoss._static_contact import StaticContact
 from stoss.plot import _style
+from stoss.quasistatic._hertz import hertz_pressure
+from stoss.quasistatic._rayleigh import PointRayleighEstimate, RayleighEstimate
+from stoss.quasistatic._slow_impact import PointSlowImpact, SlowImpact
+from stoss.quasistatic._static_contact import StaticContact
 
 Slow = Union[SlowImpact, PointSlowImpact, RayleighEstimate, PointRayleighEstimate]
 SLOW = (SlowImpact, PointSlowImpact)
@@ -31,10 +31,6 @@ def slow_impact(result: SlowImpact | PointSlowImpact, ax: Axes | None = None) ->
     result : SlowImpact or PointSlowImpact
     ax : Axes, optional
         Where to draw; further calls with the same Axes add curves.
-
-    Returns
-    -------
-    Axes
 
     Examples
     --------
@@ -63,10 +59,6 @@ def rayleigh(result: RayleighEstimate | PointRayleighEstimate, ax: Axes | None =
     result : RayleighEstimate or PointRayleighEstimate
     ax : Axes, optional
         Where to draw; further calls with the same Axes add curves.
-
-    Returns
-    -------
-    Axes
 
     Examples
     --------
@@ -104,10 +96,6 @@ def static_contact(result: StaticContact, ax: Axes | None = None) -> Axes:
     result : StaticContact
     ax : Axes, optional
         Where to draw.
-
-    Returns
-    -------
-    Axes
 
     Examples
     --------

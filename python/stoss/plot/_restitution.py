@@ -11,9 +11,9 @@ from matplotlib.container import ErrorbarContainer
 from numpy.typing import NDArray
 
 from stoss._arguments import instance
-from stoss._bodies import Rod
-from stoss._restitution_result import Restitution
+from stoss.bodies._bodies import Rod
 from stoss.plot import _style
+from stoss.results._restitution import Restitution
 
 LABELS = {"restitution": "restitution ε", "lost_fraction": "lost fraction 1 − ε²"}
 DOUBTFUL = "not converged"
@@ -57,10 +57,6 @@ def restitution(
         Name of the curve; default: its Poisson's ratio.
     **style
         Handed on to `matplotlib.axes.Axes.errorbar`: color, marker, linestyle, …
-
-    Returns
-    -------
-    Axes
 
     Examples
     --------

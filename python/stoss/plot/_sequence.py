@@ -9,8 +9,8 @@ from numpy.typing import ArrayLike, NDArray
 
 from stoss._arguments import instance, integer, numbers, refusal
 from stoss._errors import InvalidInput
-from stoss._impact_result import Impact
 from stoss.plot import _disk, _ground, _style
+from stoss.results._impact import Impact
 
 Array = NDArray[np.float64]
 
@@ -43,10 +43,6 @@ def sequence(
         Number of default times, 2 to 64.
     columns : int, optional
         Disks in a row; up to 3 are legible in one column, 6 in two.
-
-    Returns
-    -------
-    Axes
 
     Examples
     --------

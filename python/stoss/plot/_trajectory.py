@@ -8,9 +8,9 @@ from matplotlib.axes import Axes
 from numpy.typing import NDArray
 
 from stoss._arguments import instance
-from stoss._bodies import PARTNERS, Disk, Sphere
-from stoss._trajectory import Trajectory
+from stoss.bodies._bodies import PARTNERS, Disk, Sphere
 from stoss.plot import _style
+from stoss.results._motion import Trajectory
 
 
 def force(trajectory: Trajectory, ax: Axes | None = None, *, label: str | None = None, **style: Any) -> Axes:
@@ -26,10 +26,6 @@ def force(trajectory: Trajectory, ax: Axes | None = None, *, label: str | None =
         Name of the curve; if there is one, there is a legend.
     **style
         Handed on to `matplotlib.axes.Axes.plot`: color, linestyle, …
-
-    Returns
-    -------
-    Axes
 
     Examples
     --------
@@ -56,10 +52,6 @@ def velocity(trajectory: Trajectory, ax: Axes | None = None, *, label: str | Non
         Name of the curve; if there is one, there is a legend.
     **style
         Handed on to `matplotlib.axes.Axes.plot`: color, linestyle, …
-
-    Returns
-    -------
-    Axes
 
     Examples
     --------
@@ -88,10 +80,6 @@ def half_width(trajectory: Trajectory, ax: Axes | None = None, *, label: str | N
     **style
         Handed on to `matplotlib.axes.Axes.plot`: color, linestyle, …
 
-    Returns
-    -------
-    Axes
-
     Examples
     --------
     >>> path = stoss.impact(poisson=0.33, speed=0.1, cutoff=12.5).trajectory()
@@ -118,10 +106,6 @@ def energies(trajectory: Trajectory, ax: Axes | None = None) -> Axes:
         From `Impact.trajectory`.
     ax : Axes, optional
         Where to draw.
-
-    Returns
-    -------
-    Axes
 
     Examples
     --------

@@ -8,11 +8,11 @@ from matplotlib.colors import PowerNorm
 from numpy.typing import NDArray
 
 from stoss._arguments import instance, integer, number, refusal
-from stoss._bodies import is_rigid
 from stoss._errors import InvalidInput
-from stoss._wave import Wave
+from stoss.bodies._solid import is_rigid
 from stoss.plot import _disk, _style
 from stoss.plot._sequence import LARGEST, spoken_times
+from stoss.results._motion import Wave
 
 Array = NDArray[np.float64]
 
@@ -40,10 +40,6 @@ def wave(wave: Wave, ax: Axes | None = None, *, columns: int = 2, limit: float |
         Pictures in a row.
     limit : float, optional
         Where the colours end, in speeds of the impact.
-
-    Returns
-    -------
-    Axes
 
     Examples
     --------
