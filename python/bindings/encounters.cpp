@@ -2,6 +2,7 @@
 #include "stoss/bodies/disk/modes.hpp"
 #include "stoss/bodies/sphere/modes.hpp"
 #include "stoss/encounter/document.hpp"
+#include "stoss/encounter/laws.hpp"
 #include "stoss/encounter/materials.hpp"
 #include "stoss/encounter/series.hpp"
 #include "stoss/encounter/views.hpp"

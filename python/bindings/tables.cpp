@@ -2,7 +2,7 @@
 #include <array>
 #include <tuple>
 
-#include "stoss/encounter/encounter.hpp"
+#include "stoss/encounter/laws.hpp"
 #include "stoss/restitution/extrapolation.hpp"
 #include "stoss/restitution/quantities.hpp"
 #include "stoss/table/adaptive.hpp"
