@@ -58,18 +58,6 @@ export function readTheme(element: Element): Theme {
   };
 }
 
-/** Calls back when the page becomes dark or light; returns what ends that. */
-export function onThemeChange(callback: () => void): () => void {
-  const query = matchMedia('(prefers-color-scheme: dark)');
-  query.addEventListener('change', callback);
-  const root = new MutationObserver(callback);
-  root.observe(document.documentElement, { attributes: true, attributeFilter: ['data-theme', 'class', 'style'] });
-  return () => {
-    query.removeEventListener('change', callback);
-    root.disconnect();
-  };
-}
-
 /** Whether the reader has asked for less motion. */
 export function motionIsReduced(): boolean {
   return matchMedia('(prefers-reduced-motion: reduce)').matches;

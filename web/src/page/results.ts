@@ -3,7 +3,7 @@ import type { Encounter, Quantity, Restitution } from '../core/protocol';
 import { prefixFor } from '../drawing/numbers';
 import { significant, withError } from '../inputs/digits';
 import { reboundOf } from '../inputs/rebound';
-import { find } from './dom';
+import { find } from '../drawing/dom';
 
 export type Stage = 'first' | 'final';
 
