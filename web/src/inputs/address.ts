@@ -1,7 +1,7 @@
 // All inputs in the address of the page, in short readable keys: ?body=sphere&nu=0.3&v=0.01&against=half-space&nu2=0.2
 import type { Against, Body, Encounter } from '../core/protocol';
 import { repaired, speedProblem } from './check';
-import { fieldsOfBody, secondOf } from './document';
+import { type Side, fieldsOfBody, sidesOf } from './document';
 import { type Inputs, ball, defaults, mostKept, siSpeed, unitBody, withSecond } from './inputs';
 import { type BodyField, type BodyKind, type Kind, blockOf, bodyKinds, kindNamed } from './kinds';
 import { parseNumber, shortest } from './number';
@@ -78,18 +78,18 @@ function normalSpeed(encounter: Encounter): number {
 }
 
 function pairsOf(encounter: Encounter): [string, string][] {
-  const { kind, si, plane, first, against } = encounter;
-  const second = secondOf(encounter);
-  const numbers = (of: Kind, body: Body, mark: '' | '2'): [string, string][] =>
-    fieldsOfBody(of, si, mark !== '').filter((name) => name !== 'loss_time' || body[name] !== 0)
+  const { kind, si, against } = encounter;
+  const [first, second] = sidesOf(encounter);
+  const numbers = ({ body, fields }: Side, mark: '' | '2'): [string, string][] =>
+    fields.filter((name) => name !== 'loss_time' || body[name] !== 0)
       .map((name) => [keys[name] + mark, shortest(body[name])]);
   return [
     ['body', kind],
     ...(si ? [['units', 'SI']] as [string, string][] : []),
-    ...(si && kindNamed(kind).hasPlane && plane === 'strain' ? [['plane', plane]] as [string, string][] : []),
-    ...numbers(kindNamed(kind), first, ''),
+    ...(first.strain ? [['plane', 'strain']] as [string, string][] : []),
+    ...numbers(first, ''),
     ...(against.kind !== 'wall' ? [['against', against.kind]] as [string, string][] : []),
-    ...(second ? numbers(second.kind, second.body, '2') : []),
+    ...(second ? numbers(second, '2') : []),
   ];
 }
 
@@ -160,7 +160,7 @@ function encounterFrom(reader: Reader): Encounter {
   };
   const first = fill(kindNamed(kind), false, si ? ball : unitBody);
   const encounter: Encounter = { kind, si, plane, first, against };
-  return withSecond(encounter, () => fill(secondOf(encounter)!.kind, true, si ? first : unitBody));
+  return withSecond(encounter, () => fill(sidesOf(encounter)[1]!.kind, true, si ? first : unitBody));
 }
 
 function decoded(text: string): string {

@@ -5,7 +5,7 @@ import { find, optionsOf } from '../drawing/dom';
 import { check } from '../inputs/check';
 import { description } from '../inputs/description';
 import { significant } from '../inputs/digits';
-import { madeOf, materialOf, secondOf } from '../inputs/document';
+import { madeOf, sidesOf } from '../inputs/document';
 import { type Field, fieldsOf } from '../inputs/fields';
 import { type Inputs, withAgainst, withKind, withSecond } from '../inputs/inputs';
 import { type BodyKind, blockOf, bodyKinds, kindNamed, materials, sizeOf } from '../inputs/kinds';
@@ -58,7 +58,7 @@ export function createControls(initial: Inputs, listener: Listener): Controls {
     document.body.dataset.view = inputs.simple ? 'simple' : 'full';
     find('plane-row', HTMLElement).hidden = !(si && kindNamed(kind).hasPlane);
     find('material-row', HTMLElement).hidden = !si;
-    find('material2-row', HTMLElement).hidden = !si || secondOf(encounter) === undefined;
+    find('material2-row', HTMLElement).hidden = !si || sidesOf(encounter)[1] === undefined;
     showPartners(kind, against.kind);
     showNames();
     find('units-note', HTMLElement).textContent = note();
@@ -76,14 +76,10 @@ export function createControls(initial: Inputs, listener: Listener): Controls {
     const { encounter } = inputs;
     preset.value = presetOf(inputs)?.name ?? own;
     find('who', HTMLElement).textContent = description(encounter);
-    const second = secondOf(encounter);
-    const made = {
-      first: materialOf(encounter.first, kindNamed(encounter.kind)),
-      second: second && materialOf(second.body, second.kind),
-    };
-    for (const each of ['first', 'second'] as const) {
-      selects[each].value = made[each]?.name ?? own;
-      selects[each].title = made[each]?.source ?? '';
+    const [first, second] = sidesOf(encounter);
+    for (const [select, side] of [[selects.first, first], [selects.second, second]] as const) {
+      select.value = side?.material?.name ?? own;
+      select.title = side?.material?.source ?? '';
     }
   }
 
