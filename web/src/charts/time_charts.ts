@@ -57,7 +57,7 @@ export function createTimeCharts(host: HTMLElement, choose: (time: number) => vo
         aria-valuenow=${cursor} aria-valuetext=${cursorWords(collision, panels, cursor)} @keydown=${onKey}>
         ${charts.map((drawn, n) => [headOf(panels[n]!), chartOf(drawn)])}
       </div>
-      <p class="chart-words">${summaryOf(collision)}</p>`, host);
+      <p class="unseen">${summaryOf(collision)}</p>`, host);
   }
 
   function isInside(): boolean {

@@ -75,7 +75,7 @@ export function createScene(host: HTMLElement, core: Core): Scene {
           ready: show !== undefined, colored: show?.encounter.kind !== 'rod',
         }, actions)}
         <p class="scene-note">${note}</p>
-        <output class="scene-words" aria-live="polite">${words}</output>
+        <output class="unseen" aria-live="polite">${words}</output>
       </div>`, host);
   }
 
