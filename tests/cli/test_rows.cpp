@@ -12,6 +12,7 @@
 #include "output/earlier.hpp"
 #include "output/fields.hpp"
 #include "output/writer.hpp"
+#include "stoss/restitution/restitution.hpp"
 
 namespace stoss::cli {
 namespace {
