@@ -19,7 +19,6 @@ namespace {
 
 struct ImpactArguments {
   EncounterOptions who;
-  VibrationArguments vibration;
   std::string speed;
   std::string tail = "radiating";
   double cutoff = 50.0;
@@ -33,7 +32,6 @@ struct ImpactArguments {
 Provenance describe(const ImpactArguments& arguments, const Encounter& encounter) {
   Provenance provenance{"impact", command_line(), {}};
   cli::describe(encounter, provenance.inputs);
-  arguments.vibration.describe(provenance.inputs);
   if (!is_soft(encounter)) provenance.inputs["tail"] = arguments.tail;
   return provenance;
 }
@@ -47,9 +45,9 @@ std::pair<Columns, Row> make_row(const Impact& impact, const Encounter& encounte
   const Yielding yielding = cli::yielding(encounter);
   Columns columns;
   Row row;
-  if (!is_rod(encounter)) {
+  if (const auto poisson = poisson_of(encounter)) {
     columns.push_back({"poisson"});
-    row.emplace_back(poisson_of(first_solid(encounter)));
+    row.emplace_back(*poisson);
   }
   for (const Columns& more : {speed_columns(units), fields.columns(), yielding.columns()}) append(columns, more);
   for (const Row& more : {speed_row(units, impact.speed), fields.row(impact), yielding.row(impact.speed)}) {
@@ -156,7 +154,7 @@ void run(const ImpactArguments& arguments) {
   ImpactOptions options{.resolution = arguments.resolution};
   options.resolution.tail = arguments.tail == "static" ? Tail::quasistatic : Tail::radiating;
   const Contact contact = contact_of(encounter, arguments.cutoff, speed);
-  const Vibration vibration = arguments.vibration.vibration();
+  const Vibration& vibration = encounter.vibration;
   if (!vibration.empty()) options.start = approach(contact, speed, vibration);
   const OutputOptions& asked = arguments.output;
   Output output(asked.path);
@@ -166,11 +164,12 @@ void run(const ImpactArguments& arguments) {
 
   const auto [columns, row] = make_row(result, encounter);
   if (asked.chosen_format() == Format::table) {
-    const bool unbounded = meets_unbounded(encounter);
+    const Kind& against = kind(encounter.against.kind);
+    const bool unbounded = !against.wall && !against.bounded;
     std::vector<ModeEnergy> modes = result.energy.modes;
     // The waves of a half-space are a continuum: single ones say little.
     if (unbounded) std::erase_if(modes, [](const ModeEnergy& mode) { return mode.body == 1; });
-    const bool pair = meets_body(encounter) && !unbounded;
+    const bool pair = against.name == "same" || (!against.wall && !unbounded);
     return write_table(std::move(output), columns, row, std::move(modes), pair, !vibration.empty());
   }
   Writer writer(std::move(output), asked.chosen_format(), describe(arguments, encounter), columns);
@@ -199,7 +198,7 @@ void add_impact(CLI::App& app) {
       "Body")
       ->required();
   arguments.who.add_to(command, true);
-  arguments.vibration.add_to(command);
+  add_modes_to(command, arguments.who.modes);
   add_choice(command, "--tail", arguments.tail, {"radiating", "static"},
              "How modes above the cutoff answer (default: radiating)", "TAIL", "Against");
   add(command, "--cutoff", arguments.cutoff, "Modes up to this frequency in c/R are kept (default: 50)", "OMEGA",

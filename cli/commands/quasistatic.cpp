@@ -12,6 +12,7 @@
 #include "process/process.hpp"
 #include "stoss/errors.hpp"
 #include "stoss/quasistatic/quantities.hpp"
+#include "stoss/restitution/restitution.hpp"
 
 namespace stoss::cli {
 namespace {

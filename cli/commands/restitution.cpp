@@ -12,7 +12,6 @@ namespace {
 
 struct RestitutionArguments {
   EncounterOptions who;
-  VibrationArguments vibration;
   std::string poissons;
   std::string speeds;
   std::string method = "converge";
@@ -23,10 +22,6 @@ struct RestitutionArguments {
   CLI::App* command = nullptr;
 
   [[nodiscard]] bool converges() const { return method == "converge"; }
-  [[nodiscard]] CurveOptions options() const {
-    return {.each = {.tolerance = tolerance, .absolute = absolute, .vibration = vibration.vibration()},
-            .threads = threads};
-  }
 };
 
 void check_method(const RestitutionArguments& arguments) {
@@ -49,7 +44,7 @@ void check_against(const RestitutionArguments& arguments, const Encounter& encou
 }
 
 Job make_job(RestitutionArguments& arguments) {
-  std::vector<double> poissons{0.0};  // of rods, which have none
+  std::vector<double> poissons{0.0};  // of what has none
   if (given(*arguments.command, "--poisson")) {
     poissons = parse_series("poisson", arguments.poissons);
     arguments.who.first.set_poisson(poissons.front());
@@ -60,7 +55,7 @@ Job make_job(RestitutionArguments& arguments) {
     throw InvalidInput(fmt::format("poisson: got {} numbers with a material, allowed one (a material has only one)",
                                    job.poissons.size()));
   }
-  if (job.units.si) job.poissons = {poisson_of(first_solid(job.encounter))};
+  if (job.units.si) job.poissons = {poisson_of(job.encounter).value_or(0.0)};
   job.speeds = parse_speeds(arguments.speeds, job.units);
   if (job.size() > longest_series) {
     throw InvalidInput(fmt::format("speed: got {} speeds for each of {} Poisson's ratios, {} values, allowed up to {}",
@@ -84,8 +79,7 @@ Provenance describe(const RestitutionArguments& arguments, const Job& job) {
   Provenance provenance{arguments.converges() ? "restitution" : "extrapolation", command_line(), {}};
   auto& inputs = provenance.inputs;
   cli::describe(job.encounter, inputs);
-  arguments.vibration.describe(inputs);
-  if (!job.units.si && !is_rod(job.encounter)) inputs["poisson"] = as_typed(arguments.poissons);
+  if (!job.units.si && has_poisson(job.encounter.first)) inputs["poisson"] = as_typed(arguments.poissons);
   inputs[job.units.si ? "speed[m/s]" : "speed"] = as_typed(arguments.speeds);
   inputs["method"] = arguments.method;
   if (arguments.converges()) {
@@ -100,7 +94,10 @@ void run(const RestitutionArguments& asked) {
   check_method(arguments);
   arguments.rows.redirect();
   const Job job = make_job(arguments);
-  const Method method = arguments.converges() ? converging(job, arguments.options()) : extrapolating(job);
+  const CurveOptions options{
+      .each = {.tolerance = arguments.tolerance, .absolute = arguments.absolute, .vibration = job.encounter.vibration},
+      .threads = arguments.threads};
+  const Method method = arguments.converges() ? converging(job, options) : extrapolating(job);
   RowRun run(method.plan, arguments.rows);
   run.write(describe(arguments, job), [&] { method.compute(run); });
   run.conclude();
@@ -125,25 +122,25 @@ void add_resolution(CLI::App& command, RestitutionArguments& arguments) {
 
 RefinableContact Job::contact(double poisson) const {
   Encounter its = encounter;
-  if (!units.si && !is_rod(its)) its.first.values["poisson"] = poisson;
+  if (!units.si && has_poisson(its.first)) its.first.values["poisson"] = poisson;
   return refinable(its);
 }
 
 Row Job::key(std::size_t row) const {
   Row key;
-  if (!is_rod(encounter)) key.emplace_back(poisson(row));
+  if (has_poisson(encounter.first)) key.emplace_back(poisson(row));
   append(key, speed_row(units, speed(row)));
   return key;
 }
 
 RowPlan Job::plan(const Columns& results) const {
   Columns columns;
-  if (!is_rod(encounter)) columns.push_back({"poisson", "", units.si ? 0 : 8});
+  if (has_poisson(encounter.first)) columns.push_back({"poisson", "", units.si ? 0 : 8});
   append(columns, speed_columns(units));
   append(columns, results);
   append(columns, yielding(encounter).columns());
   const auto name = [this](std::size_t row) {
-    const std::string body = is_rod(encounter) ? "" : fmt::format("poisson {}, ", poisson(row));
+    const std::string body = has_poisson(encounter.first) ? fmt::format("poisson {}, ", poisson(row)) : "";
     return fmt::format("{}speed {:.6g} c", body, speed(row));
   };
   return {.size = size(),
@@ -186,7 +183,7 @@ void add_restitution(CLI::App& app) {
       "SPEEDS", "Body")
       ->required();
   arguments.who.add_to(command);
-  arguments.vibration.add_to(command);
+  add_modes_to(command, arguments.who.modes);
   add_resolution(command, arguments);
   arguments.rows.add_to(command);
 }
