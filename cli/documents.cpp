@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <algorithm>
 #include <exception>
 #include <fstream>
 #include <iostream>
@@ -23,8 +22,6 @@ namespace {
 
 using stoss::cli::subcommands;
 
-using Options = std::vector<const CLI::Option*>;
-
 bool is_flag(const CLI::Option& option) { return option.get_expected_min() == 0; }
 
 /// The words of {a,b} in what an option takes.
@@ -41,27 +38,6 @@ std::vector<std::string> names(const CLI::Option& option) {
   for (const std::string& name : option.get_snames()) all.push_back("-" + name);
   for (const std::string& name : option.get_lnames()) all.push_back("--" + name);
   return all;
-}
-
-bool same(const CLI::Option* a, const CLI::Option* b) {
-  return names(*a) == names(*b) && a->get_description() == b->get_description();
-}
-
-bool among(const CLI::Option* option, const Options& options) {
-  return std::any_of(options.begin(), options.end(), [&](const CLI::Option* other) { return same(option, other); });
-}
-
-/// The options that every subcommand has that prints results: not those that are handed over to Python.
-Options common(const CLI::App& app) {
-  Options shared;
-  for (const CLI::Option* option : subcommands(app).front()->get_options()) {
-    const auto has = [&](const CLI::App* command) {
-      return command->get_option_no_throw("--format") == nullptr || among(option, command->get_options());
-    };
-    const auto all = subcommands(app);
-    if (std::all_of(all.begin(), all.end(), has)) shared.push_back(option);
-  }
-  return shared;
 }
 
 /// Text for roff. A line that is indented by two stands by itself, as in the help; one indented by more goes on.
@@ -85,18 +61,25 @@ std::string roff(const CLI::Option& option) {
   return ".TP\n" + head + "\n" + roff(option.get_description()) + ".\n";
 }
 
+/// All options, at the end those that every subcommand has that prints results: not what is handed over to Python.
 std::string roff_options(const CLI::App& app) {
-  const Options shared = common(app);
-  std::string text;
+  std::map<std::string, std::size_t> owners;
+  std::size_t printing = 0;
+  for (const CLI::App* command : subcommands(app)) {
+    if (command->get_option_no_throw("--format") == nullptr) continue;
+    ++printing;
+    for (const CLI::Option* option : command->get_options()) ++owners[roff(*option)];
+  }
+  std::string text, shared;
   for (const CLI::App* command : subcommands(app)) {
     text += ".SS stoss " + command->get_name() + "\n";
     for (const CLI::Option* option : command->get_options()) {
-      if (!among(option, shared)) text += roff(*option);
+      const std::string its = roff(*option);
+      if (owners[its] < printing) text += its;
+      if (owners[its] == printing && command == subcommands(app).front()) shared += its;
     }
   }
-  text += ".SS All subcommands\nThose of sweep and merge, which print no results, are above.\n";
-  for (const CLI::Option* option : shared) text += roff(*option);
-  return text;
+  return text + ".SS All subcommands\nThose of sweep and merge, which print no results, are above.\n" + shared;
 }
 
 bool names_a_file(const CLI::Option& option) {

@@ -63,9 +63,7 @@ void compute(const Job& job, RowRun& run, CurveOptions options, const Fields<Res
 Method converging(const Job& job, const CurveOptions& asked) {
   check(job, asked);
   const Fields<Restitution> its = restitution_fields(job.units);
-  return {job.plan(its.columns()), [&job, asked, its](RowRun& run) {
-            while (run.done() < job.size()) compute(job, run, asked, its);
-          }};
+  return {job.plan(its.columns()), [&job, asked, its](RowRun& run) { compute(job, run, asked, its); }};
 }
 
 }  // namespace stoss::cli

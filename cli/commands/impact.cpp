@@ -49,10 +49,8 @@ std::pair<Columns, Row> make_row(const Impact& impact, const Encounter& encounte
     columns.push_back({"poisson"});
     row.emplace_back(*poisson);
   }
-  for (const Columns& more : {speed_columns(units), fields.columns(), yielding.columns()}) append(columns, more);
-  for (const Row& more : {speed_row(units, impact.speed), fields.row(impact), yielding.row(impact.speed)}) {
-    append(row, more);
-  }
+  append(columns, speed_columns(units), fields.columns(), yielding.columns());
+  append(row, speed_row(units, impact.speed), fields.row(impact), yielding.row(impact.speed));
   return {columns, row};
 }
 
@@ -99,39 +97,7 @@ void check_trajectory(const ImpactArguments& arguments) {
   }
 }
 
-/// The instants of an impact as CSV. The file is opened with the first one, so that a refused impact leaves it alone.
-class Trajectory {
- public:
-  Trajectory(std::string path, Provenance provenance, const Units& units)
-      : path_(std::move(path)),
-        provenance_(std::move(provenance)),
-        fields_(snapshot_quantities(), Units{.own = units.own}) {}
-
-  /// @throws Interrupted after Ctrl-C or SIGTERM, when the file is complete so far; OutputError
-  void write(const Snapshot& now) {
-    if (!writer_) {
-      catch_interrupts();  // before, there is nothing to keep
-      writer_.emplace(Output(path_, Output::Use::rows), Format::csv, provenance_, fields_.columns());
-    }
-    if (interrupted() != 0) {
-      writer_->finish(false);
-      throw Interrupted{};
-    }
-    writer_->add(fields_.row(now));
-  }
-
-  void finish() {
-    if (writer_) writer_->finish();
-  }
-
- private:
-  std::string path_;
-  Provenance provenance_;
-  Fields<Snapshot> fields_;  // in units of the first body only
-  std::optional<Writer> writer_;
-};
-
-/// The impact, with its trajectory if that is asked for.
+/// The impact, with its instants as CSV if they are asked for. A refused impact leaves their file alone.
 Impact compute(const ImpactArguments& arguments, const Encounter& encounter, const Contact& contact, double speed,
                const ImpactOptions& options) {
   if (arguments.trajectory.empty()) return impact(contact, speed, options);
@@ -139,10 +105,17 @@ Impact compute(const ImpactArguments& arguments, const Encounter& encounter, con
   provenance.schema = "trajectory";
   provenance.inputs["speed"] = speed;
   provenance.inputs["cutoff"] = arguments.cutoff;
-  Trajectory trajectory(arguments.trajectory, provenance, units_of(encounter));
-  const ImpactObserver observer = [&](const Snapshot& now) { trajectory.write(now); };
-  Impact result = impact(contact, speed, options, {.observer = observer, .every = arguments.every});
-  trajectory.finish();
+  const Fields<Snapshot> fields(snapshot_quantities(), Units{.own = units_of(encounter).own});
+  Writer writer(Output(arguments.trajectory, Output::Use::rows), Format::csv, provenance, fields.columns());
+  catch_interrupts();
+  Impact result;
+  writer.finish_after([&] {
+    const ImpactObserver observer = [&](const Snapshot& now) {
+      heed_interrupts();
+      writer.add(fields.row(now));
+    };
+    result = impact(contact, speed, options, {.observer = observer, .every = arguments.every});
+  });
   return result;
 }
 

@@ -32,8 +32,7 @@ struct Job {
   template <typename Result>
   [[nodiscard]] Row row(std::size_t row, const Fields<Result>& fields, const Result& result) const {
     Row made = key(row);
-    append(made, fields.row(result));
-    append(made, yielding(encounter).row(speed(row)));
+    append(made, fields.row(result), yielding(encounter).row(speed(row)));
     return made;
   }
 
@@ -44,7 +43,7 @@ struct Job {
 /// How the values of a job are reached.
 struct Method {
   RowPlan plan;
-  std::function<void(RowRun& run)> compute;  ///< those that the run does not have yet. @throws Interrupted, OutputError
+  std::function<void(RowRun& run)> compute;  ///< the next ones. @throws Interrupted, OutputError
 };
 
 /// The cutoff is raised until the error is small enough. The job must outlive the method.

@@ -92,7 +92,7 @@ void impacts(const QuasistaticArguments& arguments, const Of& of, const Yielding
   catch_interrupts();
   const auto fields = estimate_fields(of.quantities(), units);
   Columns columns{{"poisson"}};
-  for (const Columns& more : {speed_columns(units), fields.columns(), yielding.columns()}) append(columns, more);
+  append(columns, speed_columns(units), fields.columns(), yielding.columns());
   Writer writer = output.writer(provenance, columns);
   std::size_t beyond = 0;
   write_rows(output, writer, speeds.size(), [&](std::size_t i) {
@@ -102,7 +102,7 @@ void impacts(const QuasistaticArguments& arguments, const Of& of, const Yielding
       writer.attach("modes", to_json(driven_mode_quantities(), its.modes));
     }
     Row row{of.poisson};
-    for (const Row& more : {speed_row(units, speeds[i]), fields.row(its), yielding.row(speeds[i])}) append(row, more);
+    append(row, speed_row(units, speeds[i]), fields.row(its), yielding.row(speeds[i]));
     return row;
   });
   if (beyond > 0) {

@@ -68,10 +68,8 @@ Job make_job(RestitutionArguments& arguments) {
 nlohmann::ordered_json as_typed(const std::string& text) {
   const std::vector<double> values = parse_series("", text);
   if (values.size() == 1) return values.front();
-  std::string typed;
-  for (const char c : text) {
-    if (c != ' ') typed += c;
-  }
+  std::string typed = text;
+  std::erase(typed, ' ');
   return typed;
 }
 
@@ -99,7 +97,9 @@ void run(const RestitutionArguments& asked) {
       .threads = arguments.threads};
   const Method method = arguments.converges() ? converging(job, options) : extrapolating(job);
   RowRun run(method.plan, arguments.rows);
-  run.write(describe(arguments, job), [&] { method.compute(run); });
+  run.write(describe(arguments, job), [&] {
+    while (run.done() < job.size()) method.compute(run);
+  });
   run.conclude();
 }
 
@@ -136,9 +136,7 @@ Row Job::key(std::size_t row) const {
 RowPlan Job::plan(const Columns& results) const {
   Columns columns;
   if (has_poisson(encounter.first)) columns.push_back({"poisson", "", units.si ? 0 : 8});
-  append(columns, speed_columns(units));
-  append(columns, results);
-  append(columns, yielding(encounter).columns());
+  append(columns, speed_columns(units), results, yielding(encounter).columns());
   const auto name = [this](std::size_t row) {
     const std::string body = has_poisson(encounter.first) ? fmt::format("poisson {}, ", poisson(row)) : "";
     return fmt::format("{}speed {:.6g} c", body, speed(row));

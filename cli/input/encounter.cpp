@@ -32,14 +32,6 @@ std::string lines_of(const Kind& its) {
   return fmt::format("\n  {}: {}{}", its.name, its.help, with);
 }
 
-std::string shown_kinds(bool exponential) {
-  std::vector<std::string> names;
-  for (const Kind& its : kinds()) {
-    if (exponential || its.name != "exponential") names.emplace_back(its.name);
-  }
-  return fmt::format("{}", fmt::join(names, ","));
-}
-
 /// What --against says: KIND[,key=value…].
 /// @param first of which the Poisson's ratio is that of a material without its own
 /// @throws InvalidInput for an unknown kind or key, a key that comes twice, and what is no number
@@ -132,10 +124,14 @@ void EncounterOptions::add_to(CLI::App& to, bool exponential, const std::string&
   first.add_material_to(to, true);
   std::string help =
       "What the body meets (default: wall); numbers in units of the first, or\nin SI if it has a material";
+  std::vector<std::string_view> names;
   for (const Kind& its : kinds()) {
-    if (exponential || its.name != "exponential") help += lines_of(its);
+    if (its.name == "exponential" && !exponential) continue;
+    help += lines_of(its);
+    names.push_back(its.name);
   }
-  add(to, "--against", against, help + note, "{" + shown_kinds(exponential) + "}[,KEY=NUMBER]...", "Against");
+  const std::string type = fmt::format("{{{}}}[,KEY=NUMBER]...", fmt::join(names, ","));
+  add(to, "--against", against, help + note, type, "Against");
 }
 
 Encounter EncounterOptions::encounter() const {
