@@ -24,14 +24,6 @@ using stoss::cli::subcommands;
 
 bool is_flag(const CLI::Option& option) { return option.get_expected_min() == 0; }
 
-/// The words of {a,b} in what an option takes.
-std::vector<std::string> choices(const CLI::Option& option) {
-  const std::string type = option.get_type_name();
-  const auto begin = type.find('{'), end = type.find('}');
-  if (begin == std::string::npos || end == std::string::npos) return {};
-  return stoss::cli::split(type.substr(begin + 1, end - begin - 1), ',');
-}
-
 /// -o, --output
 std::vector<std::string> names(const CLI::Option& option) {
   std::vector<std::string> all;
@@ -82,9 +74,14 @@ std::string roff_options(const CLI::App& app) {
   return text + ".SS All subcommands\nThose of sweep and merge, which print no results, are above.\n" + shared;
 }
 
-bool names_a_file(const CLI::Option& option) {
+/// What bash is to do behind an option: offer the words of {a,b}, or files, or nothing.
+std::string action(const CLI::Option& option) {
   const std::string type = option.get_type_name();
-  return type == "FILE" || type == "DIR" || type == "GRID";
+  if (type == "FILE" || type == "DIR" || type == "GRID") return "files=yes";
+  const auto begin = type.find('{'), end = type.find('}');
+  if (begin == std::string::npos || end == std::string::npos) return "return";
+  const auto words = stoss::cli::split(type.substr(begin + 1, end - begin - 1), ',');
+  return fmt::format("words=\"{}\"", fmt::join(words, " "));
 }
 
 /// The cases of subcommand and word before: what may follow an option.
@@ -93,18 +90,14 @@ std::string bash_values(const CLI::App& app) {
   for (const CLI::App* command : subcommands(app)) {
     for (const CLI::Option* option : command->get_options()) {
       if (is_flag(*option)) continue;
-      const auto allowed = choices(*option);
-      const std::string action = !allowed.empty()        ? fmt::format("words=\"{}\"", fmt::join(allowed, " "))
-                                 : names_a_file(*option) ? "files=yes"
-                                                         : "return";
       for (const std::string& name : names(*option)) {
-        patterns[action].insert(fmt::format("\"{} {}\"", command->get_name(), name));
+        patterns[action(*option)].insert(fmt::format("\"{} {}\"", command->get_name(), name));
       }
     }
   }
   std::string text;
-  for (const auto& [action, words] : patterns) {
-    text += fmt::format("    {}) {} ;;\n", fmt::join(words, " | \\\n      "), action);
+  for (const auto& [its, words] : patterns) {
+    text += fmt::format("    {}) {} ;;\n", fmt::join(words, " | \\\n      "), its);
   }
   for (const CLI::App* command : subcommands(app)) {
     const auto all = command->get_options(&CLI::Option::get_positional);

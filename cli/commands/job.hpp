@@ -7,7 +7,6 @@
 #include "input/encounter.hpp"
 #include "output/fields.hpp"
 #include "output/row_run.hpp"
-#include "stoss/restitution/curve.hpp"
 
 namespace stoss::cli {
 
@@ -45,11 +44,6 @@ struct Method {
   RowPlan plan;
   std::function<void(RowRun& run)> compute;  ///< the next ones. @throws Interrupted, OutputError
 };
-
-/// The cutoff is raised until the error is small enough. The job must outlive the method.
-/// @param asked tolerances, threads and vibration
-/// @throws InvalidInput for what the core does not accept, before anything is computed
-[[nodiscard]] Method converging(const Job& job, const CurveOptions& asked);
 
 /// As the paper does it, by regressions over exponential walls. The job must outlive the method.
 /// @throws InvalidInput for speeds at which this does not work, and as the core
