@@ -22,8 +22,6 @@ namespace {
 
 using stoss::cli::subcommands;
 
-bool is_flag(const CLI::Option& option) { return option.get_expected_min() == 0; }
-
 /// -o, --output
 std::vector<std::string> names(const CLI::Option& option) {
   std::vector<std::string> all;
@@ -49,7 +47,7 @@ std::string roff(const std::string& text) {
 std::string roff(const CLI::Option& option) {
   std::string head;
   for (const std::string& name : names(option)) head += (head.empty() ? "\\fB" : ", \\fB") + roff(name) + "\\fR";
-  if (!is_flag(option)) head += (head.empty() ? "\\fI" : " \\fI") + roff(option.get_type_name()) + "\\fR";
+  if (option.get_expected_min() > 0) head += (head.empty() ? "\\fI" : " \\fI") + roff(option.get_type_name()) + "\\fR";
   return ".TP\n" + head + "\n" + roff(option.get_description()) + ".\n";
 }
 
@@ -89,7 +87,7 @@ std::string bash_values(const CLI::App& app) {
   std::map<std::string, std::set<std::string>> patterns;  // of what is to be done
   for (const CLI::App* command : subcommands(app)) {
     for (const CLI::Option* option : command->get_options()) {
-      if (is_flag(*option)) continue;
+      if (option->get_expected_min() == 0) continue;  // a flag
       for (const std::string& name : names(*option)) {
         patterns[action(*option)].insert(fmt::format("\"{} {}\"", command->get_name(), name));
       }

@@ -165,9 +165,7 @@ PointLaw point_law(const std::string& law) {
   throw InvalidInput(fmt::format("law: got {} with --body sphere, allowed center or hertz", law));
 }
 
-using AnyContact = std::variant<LineContact, PointContact>;
-
-AnyContact contact_of(const Solid& solid, const std::string& law) {
+std::variant<LineContact, PointContact> contact_of(const Solid& solid, const std::string& law) {
   if (const auto* sphere = std::get_if<Sphere>(&solid)) return PointContact{point_law(law), sphere->poisson};
   return LineContact{line_law(law), std::get<Disk>(solid).poisson};
 }
@@ -179,7 +177,7 @@ void run(const QuasistaticArguments& arguments) {
   const Encounter encounter{.first = arguments.body.body()};
   validate(encounter);
   describe_first(encounter, provenance.inputs);
-  const AnyContact contact = contact_of(first_solid(encounter), arguments.law);
+  const auto contact = contact_of(first_solid(encounter), arguments.law);
   provenance.inputs["law"] = arguments.law;
   const auto write = [&](const auto& of) {
     if (speeds) {

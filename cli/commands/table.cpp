@@ -44,16 +44,13 @@ struct TableJob {
 
 void check_format(const TableArguments& arguments) {
   const std::string& format = arguments.format;
-  if (given(*arguments.command, "--name") && format != "c") {
-    throw InvalidInput(fmt::format("name: got --name with --format {}, allowed only with --format c", format));
-  }
-  if (!arguments.ratio.empty() && format == "two-column") {
-    throw InvalidInput("ratio: got --ratio with --format two-column, allowed only with c and json");
-  }
-  if (given(*arguments.command, "--beyond") && format == "two-column") {
-    throw InvalidInput(
-        "beyond: got --beyond with --format two-column, allowed only with c and json (who reads the columns decides)");
-  }
+  const auto require = [&](const std::string& option, bool goes_with, const std::string& allowed) {
+    if (goes_with || !given(*arguments.command, "--" + option)) return;
+    throw InvalidInput(fmt::format("{0}: got --{0} with --format {1}, allowed only with {2}", option, format, allowed));
+  };
+  require("name", format == "c", "--format c");
+  require("ratio", format != "two-column", "c and json");
+  require("beyond", format != "two-column", "c and json (who reads the columns decides)");
 }
 
 TableJob make_job(const TableArguments& arguments) {

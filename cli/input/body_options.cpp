@@ -14,8 +14,6 @@
 namespace stoss::cli {
 namespace {
 
-constexpr const char* body_group = "Body";
-
 std::vector<std::string> sizes_of(const Kind& its) {
   std::vector<std::string> names;
   for (const Parameter& each : its.parameters) {
@@ -47,8 +45,7 @@ std::string upper(std::string_view unit) {
 
 void BodyOptions::add_poisson_to(CLI::App& command) {
   add(command, "--poisson", numbers_["poisson"],
-      "Poisson's ratio, -0.95 to 0.995 of a disk, to 0.4999 of a sphere; with\na material: of the solid", "NU",
-      body_group);
+      "Poisson's ratio, -0.95 to 0.995 of a disk, to 0.4999 of a sphere; with\na material: of the solid", "NU", "Body");
 }
 
 void BodyOptions::add_kind_to(CLI::App& command, const std::vector<std::string>& kinds) {
@@ -56,7 +53,7 @@ void BodyOptions::add_kind_to(CLI::App& command, const std::vector<std::string>&
   const bool rods = kinds.back() == "rod";
   add_choice(command, "--body", kind_, kinds,
              std::string("Kind of body (default: disk)") + (rods ? "; a rod has no Poisson's ratio" : ""), "BODY",
-             body_group);
+             "Body");
 }
 
 void BodyOptions::add_dynamics_to(CLI::App& command) {
@@ -64,11 +61,11 @@ void BodyOptions::add_dynamics_to(CLI::App& command) {
       .add_flag("--rigid-body", rigid_,
                 "The body is rigid: it keeps its mass, and its modulus and density\n"
                 "remain the units; what it meets must deform")
-      ->group(body_group);
+      ->group("Body");
   add(command, "--loss-time", numbers_["loss_time"],
       "Loss time eta of the body: stress = (1 + eta d/dt) elastic stress\n(default: 0, or that of --material); "
       "in R/c, with a material in s",
-      "ETA", body_group);
+      "ETA", "Body");
 }
 
 void BodyOptions::add_material_to(CLI::App& command, bool yield) {

@@ -50,7 +50,6 @@ class RowRun {
   /// Says on a terminal what the next row has come to, if it takes long.
   void wait(const std::string& state) { progress_.wait(state); }
 
-  [[nodiscard]] std::size_t size() const { return plan_.size; }
   [[nodiscard]] std::size_t done() const { return done_; }
 
   /// Within `write`.
