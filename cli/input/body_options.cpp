@@ -50,10 +50,11 @@ void BodyOptions::add_poisson_to(CLI::App& command) {
 
 void BodyOptions::add_kind_to(CLI::App& command, const std::vector<std::string>& kinds) {
   kinds_ = kinds;
-  const bool rods = kinds.back() == "rod";
-  add_choice(command, "--body", kind_, kinds,
-             std::string("Kind of body (default: disk)") + (rods ? "; a rod has no Poisson's ratio" : ""), "BODY",
-             "Body");
+  std::string help = "Kind of body (default: disk)";
+  for (const std::string& name : kinds) {
+    if (parameter(kind(name), "poisson") == nullptr) help += "; a " + name + " has no Poisson's ratio";
+  }
+  add_choice(command, "--body", kind_, kinds, help, "BODY", "Body");
 }
 
 void BodyOptions::add_dynamics_to(CLI::App& command) {
