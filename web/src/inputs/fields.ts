@@ -40,9 +40,11 @@ export function withValue(encounter: Encounter, field: Exclude<Field, 'speed'>, 
   return withSecond(encounter, (body) => ({ ...body, [name]: value }));
 }
 
-const names: Record<BodyField, [words: string, symbol: string]> = {
-  poisson: ['Poisson’s ratio', 'ν'], young: ['Young’s modulus', 'E'], density: ['Density', 'ρ'],
-  radius: ['Radius', 'R'], length: ['Length', 'L'], area: ['Cross-section', 'A'], loss_time: ['Loss time', 'η'],
+/** What the page calls a number of a body: in words, by a symbol, and in the address. */
+export const names: Record<BodyField, [words: string, symbol: string, key: string]> = {
+  poisson: ['Poisson’s ratio', 'ν', 'nu'], young: ['Young’s modulus', 'E', 'E'], density: ['Density', 'ρ', 'rho'],
+  radius: ['Radius', 'R', 'R'], length: ['Length', 'L', 'R'], area: ['Cross-section', 'A', 'A'],
+  loss_time: ['Loss time', 'η', 'eta'],
 };
 
 /** The name of a field, without its symbol. */

@@ -14,6 +14,8 @@ export interface Part {
   /** displacement in the picture of a radial and of a tangential one */
   radial: { x: Float32Array; y: Float32Array };
   tangential: { x: Float32Array; y: Float32Array };
+  /** what is between four neighbours of them */
+  cells: Cell[];
   /** place of its centre there, and its radius or length */
   center: number;
   size: number;
@@ -23,6 +25,15 @@ export interface Part {
   curvature: number;
   /** a half-space goes on beyond the picture */
   open: boolean;
+}
+
+type Point = Record<'x' | 'y', number>;
+
+export interface Cell {
+  corners: [number, number, number, number];
+  /** sides from its first corner, of its mean parallelogram, and the area between them, with a sign */
+  sides: [Point, Point];
+  area: number;
 }
 
 export interface Line {
@@ -40,8 +51,6 @@ export interface Mesh {
 
 const range = (count: number, first = 0): number[] => Array.from({ length: count }, (_, k) => first + k);
 
-type Point = Record<'x' | 'y', number>;
-
 /** @param at what is at a row and a column */
 function partOf(
   rows: ArrayLike<number>, columns: ArrayLike<number>,
@@ -51,10 +60,14 @@ function partOf(
   const points = Array.from(rows).flatMap((row) => Array.from(columns, (column) => at(row, column)));
   const of = (name: 'rest' | 'radial' | 'tangential'): { x: Float32Array; y: Float32Array } =>
     ({ x: Float32Array.from(points, (each) => each[name].x), y: Float32Array.from(points, (each) => each[name].y) });
-  return {
-    rows: rows.length, columns: columns.length, ...of('rest'), radial: of('radial'), tangential: of('tangential'),
-    ...more,
-  };
+  const rest = of('rest');
+  const [count, step] = [rows.length, columns.length];
+  const cells = range(count - 1).flatMap((i) => range(step - 1, i * step)).map((k): Cell => {
+    const corners: Cell['corners'] = [k, k + 1, k + step, k + step + 1];
+    const sides = sidesOf(rest, corners);
+    return { corners, sides, area: cross(...sides) };
+  });
+  return { rows: count, columns: step, ...rest, radial: of('radial'), tangential: of('tangential'), cells, ...more };
 }
 
 const nowhere: Point = { x: 0, y: 0 };
@@ -129,17 +142,12 @@ export function edgeOf({ edge }: Part, { x, y }: Line, shift = 0): Line {
   return { x: edge.map((k) => x[k]! + shift), y: edge.map((k) => y[k]!) };
 }
 
-/** Of every cell between four points: its corners. */
-export function cellsOf({ rows, columns }: Pick<Mesh, 'rows' | 'columns'>): [number, number, number, number][] {
-  return range(rows - 1).flatMap((i) => range(columns - 1, i * columns).map((k): [number, number, number, number] =>
-    [k, k + 1, k + columns, k + columns + 1]));
-}
-
-/** The two sides of a cell that begin at its first corner, of its mean parallelogram. */
-export function sidesOf({ x, y }: Line, [a, b, c, d]: [number, number, number, number]): [Point, Point] {
-  const mean = (of: ArrayLike<number>, ...[p, q, r, s]: [number, number, number, number]): number =>
-    0.5 * (of[p]! + of[q]! - of[r]! - of[s]!);
-  return [{ x: mean(x, c, d, a, b), y: mean(y, c, d, a, b) }, { x: mean(x, b, d, a, c), y: mean(y, b, d, a, c) }];
+/** The sides of a cell of a mesh, or of displacements. */
+export function sidesOf({ x, y }: Line, [a, b, c, d]: Cell['corners']): [Point, Point] {
+  return [
+    { x: 0.5 * (x[c]! + x[d]! - x[a]! - x[b]!), y: 0.5 * (y[c]! + y[d]! - y[a]! - y[b]!) },
+    { x: 0.5 * (x[b]! + x[d]! - x[a]! - x[c]!), y: 0.5 * (y[b]! + y[d]! - y[a]! - y[c]!) },
+  ];
 }
 
 /** The area between two sides. */

@@ -3,7 +3,7 @@
 import type { BodyFrame, Frame } from '../core/protocol';
 import { roundDown, roundUp } from '../drawing/numbers';
 import type { Quantity } from './colors';
-import { cellsOf, cross, displacementOf, sidesOf, type Part } from './parts';
+import { cross, displacementOf, sidesOf, type Part } from './parts';
 
 const VISIBLE = 0.18; // maximum displacement in the picture, in radii of the body
 const LEAST_AREA = 0.12; // of a magnified cell, of what it is at rest
@@ -11,10 +11,8 @@ const LEAST_AREA = 0.12; // of a magnified cell, of what it is at rest
 /** The maximum magnification at which every piece of a part keeps its orientation and some of its area. */
 export function unfoldedUpTo(part: Part, now: BodyFrame): number {
   const displacement = displacementOf(part, now);
-  return cellsOf(part).reduce((least, cell) => {
-    const [down, across] = sidesOf(part, cell);
-    const [moreDown, moreAcross] = sidesOf(displacement, cell);
-    const area = cross(down, across);
+  return part.cells.reduce((least, { corners, sides: [down, across], area }) => {
+    const [moreDown, moreAcross] = sidesOf(displacement, corners);
     const linear = cross(moreDown, across) + cross(down, moreAcross);
     return Math.min(least, firstBelow(linear / area, cross(moreDown, moreAcross) / area));
   }, Infinity);
@@ -52,9 +50,8 @@ const ORDERS = 6; // fringes, at most, in that share
 
 /** The stress that is not exceeded in a share of the area of a part. */
 export function coveringStress(part: Part, values: Float32Array, covered = COVERED): number {
-  const cells = cellsOf(part).map((cell) => ({
-    area: Math.abs(cross(...sidesOf(part, cell))),
-    stress: 0.25 * cell.reduce((sum, k) => sum + values[k]!, 0),
+  const cells = part.cells.map(({ corners, area }) => ({
+    area: Math.abs(area), stress: 0.25 * corners.reduce((sum, k) => sum + values[k]!, 0),
   })).sort((a, b) => a.stress - b.stress);
   const whole = cells.reduce((sum, { area }) => sum + area, 0);
   let sum = 0;
