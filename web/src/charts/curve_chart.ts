@@ -63,7 +63,9 @@ export function createCurveChart(host: HTMLElement, pick: (speed: number) => voi
           aria-valuemin=${low} aria-valuemax=${high} aria-valuenow=${content.current?.speed ?? low}
           aria-valuetext=${now || 'none'} @click=${(event: MouseEvent) => pick(rounded(speedAt(event)))}
           @pointermove=${point} @pointerleave=${() => point()} @keydown=${onKey}>${shown}</div>
-        <p class="chart-note">${pointed === undefined ? [now, toCome()].filter(Boolean).join('; ') : nearTo(pointed)}</p>
+        <p class="chart-note">
+          ${pointed === undefined ? [now, toCome()].filter(Boolean).join('; ') : nearTo(pointed)}
+        </p>
       </div>`, host);
   }
 

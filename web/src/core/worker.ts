@@ -11,7 +11,8 @@ function post(message: FromWorker): void {
 
 async function take({ question, given }: Call): Promise<void> {
   try {
-    const value = answer(await core!, question, given, (each, index) => post({ kind: 'delivered', value: each, index }));
+    const value = answer(await core!, question, given,
+      (each, index) => post({ kind: 'delivered', value: each, index }));
     post({ kind: 'answer', value });
   } catch (error) {
     if (error instanceof CoreError) post({ kind: 'refusal', line: error.message });

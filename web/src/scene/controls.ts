@@ -37,12 +37,14 @@ const NEXT = 'M4 2.5v11L11 8zM11.2 2.5H13v11h-1.8z';
 export function controlsOf(state: State, actions: Actions): TemplateResult {
   const button = (name: string, path: string, action: () => void, kind = ''): TemplateResult => html`
     <button type="button" class=${kind} title=${name} aria-label=${name} ?disabled=${!state.ready} @click=${action}>
-      <svg viewBox="0 0 16 16" width="16" height="16" aria-hidden="true"><path fill="currentColor" d=${path}></path></svg>
+      <svg viewBox="0 0 16 16" width="16" height="16" aria-hidden="true">
+        <path fill="currentColor" d=${path}></path>
+      </svg>
     </button>`;
   const scrub = (event: Event): void => actions.scrub(Number((event.target as HTMLInputElement).value) / PIECES);
   return html`
     <div class="scene-controls" role="group" aria-label="Film of the collision">
-      ${state.playing ? button('Pause', PAUSE, actions.toggle, 'scene-play') : button('Play', PLAY, actions.toggle, 'scene-play')}
+      ${button(state.playing ? 'Pause' : 'Play', state.playing ? PAUSE : PLAY, actions.toggle, 'scene-play')}
       ${button('Step back', BACK, () => actions.step(-1))} ${button('Step forward', NEXT, () => actions.step(1))}
       <input type="range" class="scene-time" min="0" max=${PIECES} step="1" aria-label="Time in the film"
         aria-valuetext=${state.words} .value=${String(Math.round(state.share * PIECES))} ?disabled=${!state.ready}
