@@ -6,12 +6,13 @@ import numpy as np
 from matplotlib.axes import Axes
 from numpy.typing import NDArray
 
-from stoss._arguments import instance, number, refusal
+from stoss._arguments import number, refusal
 from stoss.bodies._bodies import Sphere
 from stoss.plot import _disk, _style
 from stoss.results._modes import Modes
 
 
+@_style.picture_of(Modes, method="plot")
 def spectrum(modes: Modes, ax: Axes | None = None) -> Axes:
     """Eigenfrequencies ω against the order or degree n, radial and tangential modes told apart.
 
@@ -30,7 +31,6 @@ def spectrum(modes: Modes, ax: Axes | None = None) -> Axes:
     >>> ax.get_ylabel()
     'frequency ω / (c/R)'
     """
-    instance("modes", modes, (Modes,))
     size = 3.5 if len(modes) < 150 else 2.5 if len(modes) < 600 else 1.5
     ball = isinstance(modes.body, Sphere)
     names = ("U > √(n(n+1)) |V|", "U ≤ √(n(n+1)) |V|") if ball else ("C > |S|", "C ≤ |S|")
@@ -39,18 +39,18 @@ def spectrum(modes: Modes, ax: Axes | None = None) -> Axes:
         (~modes.radial_family, f"tangential, {names[1]}",
          {"color": _style.VERMILION, "marker": "^", "fillstyle": "none"}),
     )  # fmt: skip
-    with _style.canvas(ax, size=(_style.COLUMN, 2.8)) as axes:
+    axis = {"xlabel": "degree n" if ball else "angular order n", "ylabel": "frequency ω / (c/R)"}
+    with _style.canvas(ax, size=(_style.COLUMN, 2.8), **axis) as axes:
         for where, name, style in kinds:
             look = {"linestyle": "none", "markersize": size, "markeredgewidth": 0.7} | style
             axes.plot(modes.order[where], modes.omega[where], label=name, **look)
         axes.xaxis.get_major_locator().set_params(integer=True)
         axes.set_ylim(bottom=0.0)
-        axes.set_xlabel("degree n" if ball else "angular order n")
-        axes.set_ylabel("frequency ω / (c/R)")
         _style.legend(axes, loc="lower right", handlelength=1.0)
     return axes
 
 
+@_style.picture_of(Modes)
 def mode_shape(modes: Modes, ax: Axes | None = None, *, order: int, index: int, amplitude: float = 0.15) -> Axes:
     """Shape of the mode (n, l): a deformed grid over the undeformed outline in grey.
 
@@ -72,7 +72,6 @@ def mode_shape(modes: Modes, ax: Axes | None = None, *, order: int, index: int, 
     >>> ax.get_title()
     '(n, l) = (2, 0), ω = 1.439 c/R'
     """
-    instance("modes", modes, (Modes,))
     greatest = number("amplitude", amplitude)
     if not abs(greatest) <= 1.0:
         raise refusal("amplitude", amplitude, "-1 to 1 (R)")

@@ -64,15 +64,6 @@ def compression(
     law : {'center', 'diameter', 'printed', 'hertz'}, optional
         See `stoss.quasistatic`.
 
-    Returns
-    -------
-    float or ndarray
-
-    Raises
-    ------
-    InvalidInput
-        For arguments out of range.
-
     Examples
     --------
     >>> round(stoss.quasistatic.compression(force=0.001, poisson=0.33), 6)
@@ -97,15 +88,6 @@ def compression_force(
     body, poisson, law
         As for `compression`.
 
-    Returns
-    -------
-    float or ndarray
-
-    Raises
-    ------
-    InvalidInput
-        For arguments out of range.
-
     Examples
     --------
     >>> stoss.quasistatic.compression_force(compression=[0.01, 0.02], poisson=0.33).round(6)
@@ -123,15 +105,6 @@ def compression_energy(
     ----------
     body, force, poisson, law
         As for `compression`.
-
-    Returns
-    -------
-    float or ndarray
-
-    Raises
-    ------
-    InvalidInput
-        For arguments out of range.
 
     Examples
     --------
@@ -151,15 +124,6 @@ def contact_radius(body: Sphere, *, force: ArrayLike) -> Number:
     body : Sphere
     force : array_like
         F, up to where a is R, mc²/R.
-
-    Returns
-    -------
-    float or ndarray
-
-    Raises
-    ------
-    InvalidInput
-        For arguments out of range.
 
     Examples
     --------
@@ -184,10 +148,6 @@ def limit_force(
     body, poisson, law
         As for `compression`.
 
-    Returns
-    -------
-    float or ndarray
-
     Examples
     --------
     >>> round(stoss.quasistatic.limit_force(poisson=0.33), 4)
@@ -205,10 +165,6 @@ def limit_speed(
     ----------
     body, poisson, law
         As for `compression`.
-
-    Returns
-    -------
-    float or ndarray
 
     Examples
     --------

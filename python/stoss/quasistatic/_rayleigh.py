@@ -205,15 +205,6 @@ def rayleigh(
     cutoff : float, optional
         Highest frequency of the modes, up to 1000, c/R.
 
-    Returns
-    -------
-    RayleighEstimate, or of a sphere PointRayleighEstimate
-
-    Raises
-    ------
-    InvalidInput
-        For arguments out of range.
-
     Warns
     -----
     StossWarning

@@ -165,15 +165,6 @@ def slow_impact(
     law : {'center', 'diameter', 'printed', 'hertz'}, optional
         Of compression, see `stoss.quasistatic`.
 
-    Returns
-    -------
-    SlowImpact, or of a sphere PointSlowImpact
-
-    Raises
-    ------
-    InvalidInput
-        For arguments out of range.
-
     Warns
     -----
     StossWarning

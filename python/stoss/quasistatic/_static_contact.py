@@ -104,8 +104,6 @@ def static_contact(
 
     Raises
     ------
-    InvalidInput
-        For arguments out of range.
     NotConverged
         If the contact cannot be solved.
 
@@ -199,8 +197,6 @@ def soft_static_contact(
 
     Raises
     ------
-    InvalidInput
-        For arguments out of range.
     NotConverged
         If the minimum is not found.
 

@@ -110,8 +110,6 @@ def restitution(
 
     Raises
     ------
-    InvalidInput
-        For arguments out of range, before anything is computed.
     NotConverged
         If all inputs are numbers and the tolerance cannot be met; the best value is its
         attribute `best`. In arrays such values are marked, and a `StossWarning` says how many there

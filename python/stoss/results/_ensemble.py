@@ -78,8 +78,6 @@ def restitution_distribution(
 
     Raises
     ------
-    InvalidInput
-        For arguments out of range, before anything is computed.
     Interrupted
         After Ctrl-C; the samples that are done are its attribute `best`.
 

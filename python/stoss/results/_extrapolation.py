@@ -82,8 +82,6 @@ def extrapolated_restitution(
 
     Raises
     ------
-    InvalidInput
-        For arguments out of range.
     NotConverged
         If an impact does not end.
 

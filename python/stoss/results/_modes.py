@@ -143,11 +143,6 @@ def modes(body: Disk | Sphere | None = None, *, cutoff: float, poisson: float | 
     poisson : float
         In place of `body`: 2-D Poisson's ratio ν, −0.95 to 0.995.
 
-    Raises
-    ------
-    InvalidInput
-        For arguments out of range.
-
     Examples
     --------
     >>> modes = stoss.modes(poisson=0.33, cutoff=30)

@@ -56,10 +56,6 @@ class Result(abc.ABC):
         """Return all that the result holds in plain Python types, ready for json.
 
         An error that is unknown is the word "unknown"; in the arrays it is infinite.
-
-        Returns
-        -------
-        dict
         """
         values: dict[str, Any] = plain(self) | plain(self._derived())
         return values
@@ -85,10 +81,6 @@ class Result(abc.ABC):
     def to_dataframe(self) -> Any:
         """Return the columns of `to_csv` as a table of pandas, with units and inputs in its attrs.
 
-        Returns
-        -------
-        pandas.DataFrame
-
         Raises
         ------
         ImportError
@@ -102,10 +94,6 @@ class Result(abc.ABC):
 
         Its dimension is what the result runs along: speed, mode, time, …; of `restitution` with
         Poisson's ratios down and speeds across there are two.
-
-        Returns
-        -------
-        xarray.Dataset
 
         Raises
         ------

@@ -171,8 +171,6 @@ def rod_chain(
 
     Raises
     ------
-    InvalidInput
-        For arguments out of range.
     NotConverged
         If collisions accumulate at one time (inelastic collapse); what is done is its attribute
         `best`.

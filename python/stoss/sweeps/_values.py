@@ -67,10 +67,6 @@ class Sweep(Result):
     def to_dict(self) -> dict[str, Any]:
         """Return all that the sweep holds in plain Python types, ready for json: the grid as of
         `Grid.to_dict`, and quantities as lists over bodies, partners and speeds.
-
-        Returns
-        -------
-        dict
         """
         return {"grid": self.grid.to_dict()} | super().to_dict()
 
