@@ -16,14 +16,16 @@ from stoss.bodies._bodies import Disk, Sphere, speeds_in_si
 from stoss.export._text import span, with_error
 from stoss.quasistatic._slow_impact import SlowOfABody, slow_inputs
 from stoss.results._restitution import Flag, Integer
-from stoss.results._result import Number, columns
+from stoss.results._result import Number, columns, picture
 from stoss.results._si import Si, warn_of_yielding
 
 
 class EstimateOfABody(SlowOfABody):
     """What the estimates of disks and spheres have in common."""
 
+    plot = picture("1 − ε² against v. See `stoss.plot.rayleigh`.")
     _name: ClassVar[str] = "rayleigh"
+    _told = ("law", "cutoff", "body")
 
     lost_fraction: Number
     lost_fraction_error: Number
@@ -38,10 +40,6 @@ class EstimateOfABody(SlowOfABody):
         beyond = np.count_nonzero(self.beyond_perturbation)
         value = f"lost fraction {span(self.lost_fraction)}, {beyond} beyond perturbation theory"
         return f"{type(self).__name__}({np.size(self.speed)} values, {of}: {value})"
-
-    def plot(self, ax: Any = None) -> Any:
-        """1 − ε² against v. See `stoss.plot.rayleigh`."""
-        return self._picture(ax)
 
 
 @dataclasses.dataclass(frozen=True, eq=False, repr=False)

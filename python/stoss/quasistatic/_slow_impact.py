@@ -13,7 +13,7 @@ from stoss._arguments import arranged, broadcast, numbers
 from stoss.bodies._bodies import Disk, Sphere, speed_unit, speeds_in_si
 from stoss.export._text import span
 from stoss.quasistatic._compression import choose_law, poissons_of
-from stoss.results._result import Number, columns
+from stoss.results._result import Number, columns, picture
 from stoss.results._si import ImpactsInSi, Si, warn_of_yielding
 
 
@@ -21,18 +21,16 @@ class SlowOfABody(ImpactsInSi):
     """What slow impacts and their estimates have in common."""
 
     _given = {"poisson": "", "speed": "speed"}
+    _told: ClassVar[tuple[str, ...]] = ("law", "body")
 
     law: str
     poisson: Number
-
-    def _inputs(self) -> dict[str, Any]:
-        given = {name: getattr(self, name, None) for name in ("law", "cutoff", "body")}
-        return {name: value for name, value in given.items() if value is not None}
 
 
 class SlowImpactOfABody(SlowOfABody):
     """What slow impacts of disks and spheres have in common."""
 
+    plot = picture("Contact time against speed. See `stoss.plot.slow_impact`.")
     _name: ClassVar[str] = "slow impact"
 
     def __repr__(self) -> str:
@@ -41,10 +39,6 @@ class SlowImpactOfABody(SlowOfABody):
             f"{type(self).__name__}({count}poisson={span(self.poisson)}, speed={span(self.speed)} c: "
             f"contact time {span(self.contact_time)} R/c, compression {span(self.max_compression)} R)"
         )
-
-    def plot(self, ax: Any = None) -> Any:
-        """Contact time against speed. See `stoss.plot.slow_impact`."""
-        return self._picture(ax)
 
 
 @dataclasses.dataclass(frozen=True, eq=False, repr=False)

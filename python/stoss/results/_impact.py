@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from stoss import _core
 from stoss.bodies._bodies import Body, Rod, shown
 from stoss.bodies._encounter import Against, contact
-from stoss.bodies._state import choose_state, shown_state
+from stoss.bodies._state import choose_state
 from stoss.bodies._walls import ExponentialWall, HardWall
 from stoss.results._impact_views import ImpactViews
 from stoss.results._si import Si
@@ -86,6 +86,7 @@ class Impact(ImpactViews):
 
     _name: ClassVar[str] = "impact"
     _kind = "impact"
+    _told = ("body", "against", "tail", "keep", "state")
     _given = {"speed": "speed"}
     max_half_width_si = Si("Maximum half-width of the contact, m.")
     impulse_time_si = Si("Time between 1 % and 99 % of the impulse, s.")
@@ -159,9 +160,5 @@ class Impact(ImpactViews):
         return Impact._made, made_with
 
     def _inputs(self) -> dict[str, Any]:
-        inputs: dict[str, Any] = {"body": self.body, "against": self.against, "tail": self.tail}
-        if self.keep is not None:
-            inputs["keep"] = f"{self.modes} of {self.keep.size} modes"
-        if self.state is not None:
-            inputs["state"] = shown_state(self.state)
-        return inputs
+        kept = {} if self.keep is None else {"keep": f"{self.modes} of {self.keep.size} modes"}
+        return super()._inputs() | kept

@@ -23,6 +23,21 @@ if TYPE_CHECKING:
     from stoss.results._impact import Impact
 
 
+class Rising:
+    """Times in rising order, in which the core takes them."""
+
+    def __init__(self, given: NDArray[np.float64]) -> None:
+        order = np.argsort(given.ravel(), kind="stable")
+        self.times = given.ravel()[order]
+        self._shape = given.shape
+        self._back = None if np.all(order == np.arange(order.size)) else np.argsort(order, kind="stable")
+
+    def placed(self, values: NDArray[Any]) -> Any:
+        """Values at these times, in the order and the shape in which the times were given."""
+        array = values if self._back is None else values[self._back]
+        return arranged(array, self._shape + array.shape[1:])
+
+
 def trajectory(impact: Impact, every: Any) -> Trajectory:
     """See `Impact.trajectory`."""
     rows = integer("every", every)
@@ -53,15 +68,25 @@ def field(impact: Impact, time: Any, radius: Any, angle: Any, of: Any) -> Field:
     points = radii.size * angles.size
     each = (11.0 if isinstance(inside, Disk) else 12.0) * points
     _require_memory(impact, "field", times.size, each, 5.0 * radii.size * impact.modes, f" x {points} points")
-    order = np.argsort(times.ravel(), kind="stable")
-    made = impact._contact()
-    frames = _core.motion(made, impact._handle, times.ravel()[order])
-    made_of: type[Field] = SphereField
-    if isinstance(inside, Disk):
-        made_of = DiskField
-    meeting = encounter(impact.body, impact.against)
-    fields = _core.fields(meeting, number, made, impact._handle, frames, radii, angles)
-    return made_of._from_core(impact, number, times.shape, order, frames.summaries(), fields, radii, angles)
+    rising, made = Rising(times), impact._contact()
+    frames = _core.motion(made, impact._handle, rising.times)
+    meeting, now = encounter(impact.body, impact.against), frames.summaries()
+    values = _core.fields(meeting, number, made, impact._handle, frames, radii, angles)
+    center, size, outwards, around = (values.pop(name) for name in ("center", "size", "radial", "tangential"))
+    reach = size * radii[:, None] + outwards
+    out = reach * np.cos(angles)
+    out -= around * np.sin(angles)
+    up = reach * np.sin(angles)
+    up += around * np.cos(angles)
+    if number == 1:  # the second body looks the other way
+        out *= -1.0
+    values |= {"center": center, "x": out + center[:, None, None], "y": up}
+    values |= {name: now[name] for name in ("time", "force", "contact_half_width")}
+    for array in (radii, angles):
+        array.flags.writeable = False
+    made_of: type[Field] = DiskField if isinstance(inside, Disk) else SphereField
+    placed = {name: rising.placed(each) for name, each in values.items()}
+    return made_of(impact=impact, of=number, size=float(size), radius=radii, angle=angles, **placed)
 
 
 def wave(impact: Impact, time: Any, distance: Any, depth: Any) -> Wave:
@@ -82,22 +107,13 @@ def wave(impact: Impact, time: Any, distance: Any, depth: Any) -> Wave:
     points = across.size * below.size
     size = 8.0 * times.size * (8.0 * points + 6.0 * impact.modes)
     require_memory("wave", f"{times.size} times x {points} points", size, "give fewer times or points")
-    order = np.argsort(times.ravel(), kind="stable")
-    meeting, state = encounter(impact.body, impact.against), choose_state(impact.state)
-    made = _core.waves(meeting, impact._handle, state, times.ravel()[order], across, below)
-    back = np.argsort(order, kind="stable")
-
-    def placed(value: NDArray[np.float64]) -> Any:
-        return arranged(value[back], times.shape + value.shape[1:])
-
+    rising, state = Rising(times), choose_state(impact.state)
+    made = _core.waves(encounter(impact.body, impact.against), impact._handle, state, rising.times, across, below)
     for array in (across, below):
         array.flags.writeable = False
-    pressure, shear, rayleigh = speeds
-    fields = {name: placed(value) for name, value in made.items()}
-    return Wave(
-        impact=impact, distance=across, depth=below, **fields,
-        pressure_speed=pressure, shear_speed=shear, rayleigh_speed=rayleigh,
-    )  # fmt: skip
+    fronts: dict[str, Any] = dict(zip(("pressure_speed", "shear_speed", "rayleigh_speed"), speeds))
+    placed = {name: rising.placed(value) for name, value in made.items()}
+    return Wave(impact=impact, distance=across, depth=below, **placed, **fronts)
 
 
 def surface(impact: Impact, time: Any, reach: float) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
@@ -106,11 +122,10 @@ def surface(impact: Impact, time: Any, reach: float) -> tuple[NDArray[np.float64
 
     It is moved by the kept modes alone.
     """
-    times = numbers("time", time).ravel()
-    order = np.argsort(times, kind="stable")
-    made = impact._contact()
-    lateral, place = _core.surfaces(made, impact._handle, _core.motion(made, impact._handle, times[order]), reach, 256)
-    x = place[np.argsort(order, kind="stable")]
+    rising, made = Rising(numbers("time", time).ravel()), impact._contact()
+    frames = _core.motion(made, impact._handle, rising.times)
+    lateral, place = _core.surfaces(made, impact._handle, frames, reach, 256)
+    x = rising.placed(place)
     return np.concatenate((-lateral[::-1], lateral)), np.concatenate((x[:, ::-1], x), axis=1)
 
 
@@ -118,10 +133,8 @@ def energies_at(impact: Impact, time: Any) -> NDArray[Any]:
     """See `Impact.energies_at`."""
     times = numbers("time", time)
     _require_memory(impact, "energies", times.size, 3.0 * impact.modes, 0.0, f" x {impact.modes} modes")
-    order = np.argsort(times.ravel(), kind="stable")
-    table = _core.energies_at(impact._contact(), impact._handle, times.ravel()[order])
-    energies = table[np.argsort(order, kind="stable")].reshape(times.shape + (impact.modes,))
-    energies.flags.writeable = False
+    rising = Rising(times)
+    energies: NDArray[Any] = rising.placed(_core.energies_at(impact._contact(), impact._handle, rising.times))
     return energies
 
 

@@ -12,12 +12,11 @@ from stoss._arguments import arranged
 from stoss.bodies._blocks import UNBOUNDED
 from stoss.bodies._bodies import PARTNERS, Body, Disk, Rod, Sphere, shown
 from stoss.bodies._encounter import Against, choose_against
-from stoss.bodies._state import shown_state
 from stoss.export import _tables
 from stoss.export._text import span, with_error
 from stoss.results._function import RestitutionFunction
 from stoss.results._interpolation import of_curve
-from stoss.results._result import Column, Number
+from stoss.results._result import Column, Number, picture
 from stoss.results._si import ImpactsInSi, Si
 
 Integer = Union[int, NDArray[np.int64]]
@@ -90,8 +89,10 @@ class Restitution(ImpactsInSi):
         begins, and `beyond_yield` which values are beyond it.
     """
 
+    plot = picture("ε against v with error bars. See `stoss.plot.restitution`.")
     _name: ClassVar[str] = "restitution"
     _kind = "restitution"
+    _told = ("body", "bodies", "against", "tolerance", "absolute", "state")
     _axis: ClassVar[str] = "speed"
     _given = {"poisson": "", "speed": "speed"}
     contact_time_si_error = Si("Error of the contact time, s.")
@@ -198,10 +199,6 @@ class Restitution(ImpactsInSi):
         """
         return of_curve(self, beyond)
 
-    def plot(self, ax: Any = None) -> Any:
-        """ε against v with error bars. See `stoss.plot.restitution`."""
-        return self._picture(ax)
-
     def _arranged_columns(self) -> tuple[dict[str, Column], tuple[str, ...]]:
         table, shape = self._columns(), np.shape(self.restitution)
         speed, poisson = table["speed"], table["poisson"]
@@ -216,8 +213,5 @@ class Restitution(ImpactsInSi):
     def _inputs(self) -> dict[str, Any]:
         # Several disks without sizes are told by their Poisson's ratios.
         plain = [isinstance(each, Disk) and each == Disk(poisson=each.poisson) for each in self.bodies]
-        told = self.body is not None or all(plain)
-        named: dict[str, Any] = {"body": self.body, "bodies": None if told else self.bodies, "against": self.against}
-        named |= {"tolerance": self.tolerance, "absolute": self.absolute}
-        named["state"] = None if self.state is None else shown_state(self.state)
-        return {key: value for key, value in named.items() if value is not None}
+        left_out = "bodies" if self.body is not None or all(plain) else ""
+        return {name: value for name, value in super()._inputs().items() if name != left_out}
