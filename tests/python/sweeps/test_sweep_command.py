@@ -190,7 +190,9 @@ class TestHandOver:
             package.write_text(text)
             done = self.run(command, *words, PYTHONPATH=str(tmp_path / "other"))
             assert done.returncode == 4 and f"Python package: got {got}" in done.stderr
-        (tmp_path / "other/stoss/_sweep_command.py").write_text("")
+        (tmp_path / "other/stoss/sweeps").mkdir()
+        for name in ("__init__", "_command"):
+            (tmp_path / f"other/stoss/sweeps/{name}.py").write_text("")
         package.write_text("__version__ = '0.0.9'")
         done = self.run(command, *words, PYTHONPATH=str(tmp_path / "other"))
         assert done.returncode == 4 and f"got 0.0.9, allowed {stoss.__version__}" in done.stderr
