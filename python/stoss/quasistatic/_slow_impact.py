@@ -65,8 +65,7 @@ class SlowImpact(SlowImpactOfABody):
     body : Disk or None
         What it was made with, if it was one.
     material : Material or None
-        Of the body. If there is one, `speed_si`, `contact_time_si`, `max_force_si` and
-        `max_compression_si` are the SI values.
+        Of the body. With one there are SI values, `speed_si` and so on.
     """
 
     _kind = "slow impact"
@@ -88,25 +87,16 @@ class PointSlowImpact(SlowImpactOfABody):
 
     Attributes
     ----------
-    law : str
-        Of compression.
-    poisson : float or ndarray
-        Poisson's ratio.
-    speed : float or ndarray
-        Of the centre of mass towards the wall, c.
-    contact_time : float or ndarray
-        From first to last contact, R/c.
-    max_compression : float or ndarray
-        In R.
+    law, poisson, speed, contact_time, max_compression : str, float or ndarray
+        As of a `SlowImpact`.
     max_force : float or ndarray
         mc²/R = (4π/3)R²E.
     max_radius : float or ndarray
         Maximum radius of the contact, R.
     body : Sphere
     material : Material or None
-        Of the body. If there is one, `speed_si`, `contact_time_si`, `max_force_si`,
-        `max_compression_si` and `max_radius_si` are the SI values. With a yield strength,
-        `yield_speed`, `yield_speed_si` and `beyond_yield` say where yielding begins.
+        Of the body. With one there are SI values, `speed_si` and so on, and of a sphere with a yield
+        strength `yield_speed`, `yield_speed_si` and `beyond_yield`.
     """
 
     _kind = "point slow impact"

@@ -66,9 +66,8 @@ class Bounces(MayYield, RowResult):
     beyond_small_strain : ndarray
         Speed above 0.5 c or compression above 0.5 R, where linear elasticity has lost its meaning.
     material : Material or None
-        Of the body. If there is one, `speed_si`, `contact_time_si` and `flight_time_si` are the SI
-        values. If a sphere has a yield strength, `yield_speed` and `yield_speed_si` say where
-        yielding begins, and `beyond_yield` which impacts are faster.
+        Of the body. With one there are SI values, `speed_si` and so on, and of a sphere with a yield
+        strength `yield_speed`, `yield_speed_si` and `beyond_yield`.
     """
 
     plot = picture("ε of each impact, and where the energy is. See `stoss.plot.bounces`.")

@@ -50,8 +50,7 @@ def restitution_distribution(
     body : Disk, Sphere or Rod
         The first body, in whose units all results are.
     speed : float
-        Of approach of the centres of mass, or towards the wall, 1e-8 to 1, c (with a material:
-        m/s).
+        Of approach of the centres of mass, or towards the wall, 1e-8 to 1, c (with a material: m/s).
     against : HardWall, 'same', Disk, Sphere, Rod, HalfSpace or HalfPlane, optional
         What the body meets. Default: a rigid wall.
     poisson : float

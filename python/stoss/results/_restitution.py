@@ -83,10 +83,8 @@ class Restitution(ImpactsInSi):
         How the bodies vibrated before, if they did: a structured array with the fields body, order,
         index, energy (as a share of the translational one) and phase.
     material : Material or None
-        Of the body. If there is one, `speed_si`, `contact_time_si`, `max_force_si`,
-        `max_compression_si` and their errors, `contact_time_si_error` and so on, are the SI values.
-        If a sphere has a yield strength, `yield_speed` and `yield_speed_si` say where yielding
-        begins, and `beyond_yield` which values are beyond it.
+        Of the body. With one there are SI values, `speed_si` and so on, and of a sphere with a yield
+        strength `yield_speed`, `yield_speed_si` and `beyond_yield`.
     """
 
     plot = picture("ε against v with error bars. See `stoss.plot.restitution`.")
