@@ -9,13 +9,12 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from stoss._arguments import numbers
-from stoss.bodies._bodies import speed_unit
+from stoss.bodies._bodies import Body, speed_unit
 from stoss.plot import _style
 from stoss.results._extrapolation import Extrapolation
 from stoss.results._function import RestitutionFunction
 from stoss.results._pair_table import PairTable
 
-APPROACH = "speed of approach v"
 FINE = 12  # points of the curve between computed values
 
 
@@ -44,8 +43,7 @@ def function(result: RestitutionFunction, ax: Axes | None = None, *, label: str 
     between = [np.geomspace(low, high, FINE, endpoint=False) for low, high in zip(knots["speed"], knots["speed"][1:])]
     speed = np.clip(np.append(np.concatenate(between), knots["speed"][-1]), *result.range)
     value, error = result(speed), result.error(speed)
-    look: dict[str, Any] = {"xscale": "log", "xlabel": _style.speed_label(result.body.material, APPROACH), "ylabel": "restitution ε"}
-    with _style.canvas(ax, **look) as axes:
+    with _style.canvas(ax, **_axes_of(result.body)) as axes:
         color = _style.COLORS[len(axes.lines) // 2 % len(_style.COLORS)]
         (line,) = axes.plot(speed, value, **{"color": color, "label": label, "linewidth": 0.9} | style)
         axes.fill_between(speed, value - error, value + error, alpha=0.3, color=line.get_color(), linewidth=0.0)
@@ -57,6 +55,11 @@ def function(result: RestitutionFunction, ax: Axes | None = None, *, label: str 
         if label is not None:
             _style.legend(axes)
     return axes
+
+
+def _axes_of(body: Body) -> dict[str, Any]:
+    named = _style.speed_label(body.material, "speed of approach v")
+    return {"xscale": "log", "xlabel": named, "ylabel": "restitution ε"}
 
 
 POINTS = 600
@@ -92,12 +95,12 @@ def pair_table(table: PairTable, ax: Axes | None = None, *, ratio: ArrayLike | N
     speed = np.clip(np.geomspace(table.speed[0], table.speed[-1], POINTS), table.speed[0], table.speed[-1]) * unit
     if table.body.material is not None:  # rounded inwards
         speed = np.clip(speed, np.nextafter(speed[0], np.inf), np.nextafter(speed[-1], 0.0))
-    look: dict[str, Any] = {"xscale": "log", "xlabel": _style.speed_label(table.body.material, APPROACH), "ylabel": "restitution ε"}
-    with _style.canvas(ax, **look) as axes:
+    with _style.canvas(ax, **_axes_of(table.body)) as axes:
         for each in chosen:
             value, error = table(speed, each), table.error(speed, each)
             color = _style.COLORS[len(axes.lines) % len(_style.COLORS)]
-            (line,) = axes.plot(speed, value, **{"color": color, "label": f"ratio {each:.3g}", "linewidth": 1.0} | style)
+            look = {"color": color, "label": f"ratio {each:.3g}", "linewidth": 1.0} | style
+            (line,) = axes.plot(speed, value, **look)
             axes.fill_between(speed, value - error, value + error, alpha=0.3, color=line.get_color(), linewidth=0.0)
         axes.ticklabel_format(axis="y", useOffset=False)
         _style.legend(axes)

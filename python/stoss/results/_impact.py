@@ -13,12 +13,12 @@ from stoss.bodies._bodies import Body, Rod, shown
 from stoss.bodies._encounter import Against, contact
 from stoss.bodies._state import choose_state
 from stoss.bodies._walls import ExponentialWall, HardWall
-from stoss.results._impact_views import ImpactViews
-from stoss.results._si import Si
+from stoss.results import _inside, _replay
+from stoss.results._si import ImpactsInSi, Si
 
 
 @dataclasses.dataclass(frozen=True, eq=False, repr=False)
-class Impact(ImpactViews):
+class Impact(ImpactsInSi):
     """One impact at a fixed resolution, with the inputs that made it.
 
     Energies are shares of the initial energy, that of translation and vibration.
@@ -89,6 +89,12 @@ class Impact(ImpactViews):
     max_half_width_si = Si("Maximum half-width of the contact, m.")
     impulse_time_si = Si("Time between 1 % and 99 % of the impulse, s.")
 
+    trajectory = _replay.trajectory
+    field = _inside.field
+    wave = _inside.wave
+    energies_at = _replay.energies_at
+    state_after = _replay.state_after
+
     body: Body
     against: Against
     speed: float
@@ -126,6 +132,10 @@ class Impact(ImpactViews):
             f"Impact({shown(self.body, self.against)}, speed={self.speed:.6g} c: restitution {self.restitution:.5f}, "
             f"contact time {self.contact_time:.4g} {self._unit('contact_time')}, {self.modes} modes)"
         )
+
+    def plot(self, ax: Any = None) -> Any:
+        """Force against time. See `stoss.plot.force`."""
+        return self.trajectory().plot(ax)
 
     def _contact(self) -> _core.Contact:
         return contact(self.body, self.against, self.cutoff, self.speed, self.keep)

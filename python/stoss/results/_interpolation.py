@@ -111,7 +111,7 @@ def of_curve(curve: Any, beyond: str) -> RestitutionFunction:
 
 
 def _made(*given: Any) -> RestitutionFunction:
-    """A function of these fields, whose knots the core has checked, with the error of the interpolation that it finds."""
+    """A function of these fields, of which the core has checked the knots and found the error between them."""
     made = RestitutionFunction(*given)
     for each in (made.speed, made.restitution, made.restitution_error):
         each.flags.writeable = False
