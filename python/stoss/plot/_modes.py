@@ -99,10 +99,6 @@ def _around(modes: Modes, order: int, angle: NDArray[np.float64]) -> tuple[NDArr
     """How the two displacements of a mode vary with the angle: cos nφ and sin nφ, or P_n(cos θ) and its derivative."""
     if not isinstance(modes.body, Sphere):
         return np.cos(order * angle), np.sin(order * angle)
+    value = np.polynomial.Legendre([0.0] * order + [1.0])
     x = np.cos(angle)
-    before, value = np.zeros_like(x), np.ones_like(x)  # P_{k−1}, P_k
-    slope_before, slope = np.zeros_like(x), np.zeros_like(x)  # their derivatives with respect to x
-    for k in range(order):
-        slope_before, slope = slope, slope_before + (2 * k + 1) * value
-        before, value = value, ((2 * k + 1) * x * value - k * before) / (k + 1)
-    return value, -np.sin(angle) * slope
+    return value(x), -np.sin(angle) * value.deriv()(x)
