@@ -76,6 +76,8 @@ struct Laws {
   HalfWidth half_width;
   Exact exact;
 };
+template <typename Law, typename Modes, typename HalfWidth, typename Exact>
+Laws(Law, double, double, Modes, HalfWidth, Exact) -> Laws<Law, Modes, HalfWidth, Exact>;  // clang 14 needs it
 
 template <typename Of, typename Made>
 QuasistaticBody body_of(const Of& of, Allowed speeds, const Fields<Made>& impact, const Fields<Compressed>& contact) {

@@ -11,8 +11,8 @@ struct UnitRatios {
   double length = 1.0;
   double time = 1.0;  ///< R/c
   double mass = 1.0;
-  double compliance = 1.0;     ///< displacement per force, time²/mass
-  double softness = 1.0;       ///< 1/E: compliance along a line, compliance times length at a point of contact
+  double compliance = 1.0;  ///< displacement per force, time²/mass
+  double softness = 1.0;    ///< 1/E: compliance along a line, compliance times length at a point of contact
   double force = 1.0;
   double stress = 1.0;         ///< force per area; of a disk, whose forces are per thickness, per length
   double second_moment = 1.0;  ///< time⁴/mass

@@ -40,8 +40,8 @@ double sampled_nodes(const Contact& contact, double half_width) {
 
 int nodes_within(const Contact& contact, double half_width) {
   if (has_single_point(contact)) return 1;
-  const double nodes = std::max({1.0 * fewest_nodes(contact), 1.5 * nyquist_nodes(contact, half_width),
-                                 needed_nodes(contact, half_width)});
+  const double nodes = std::max(
+      {1.0 * fewest_nodes(contact), 1.5 * nyquist_nodes(contact, half_width), needed_nodes(contact, half_width)});
   return static_cast<int>(std::ceil(std::min<double>(nodes, most_nodes)));
 }
 

@@ -9,8 +9,8 @@
 #include "contact/residual/kick_compliance.hpp"
 #include "numeric/dense.hpp"
 #include "numeric/kernels.hpp"
-#include "stoss/errors.hpp"
 #include "stoss/contact/grid.hpp"
+#include "stoss/errors.hpp"
 
 namespace stoss {
 namespace {

@@ -23,7 +23,8 @@ struct ResidualPart {
 /// One of the two residual matrices of a body: of its compliance, or of its second moment.
 using Residual = std::function<std::vector<double>(const ContactPoints&, const Poll&)> Body::*;
 
-/// That matrix of one body at the points of a contact, in its own units. @param number 0: of the first, 1: of the second
+/// That matrix of one body at the points of a contact, in its own units. @param number 0: of the first, 1: of the
+/// second
 /// @throws InvalidInput for a matrix of another size
 [[nodiscard]] std::vector<double> residual_of(const Contact& contact, const ContactGrid& grid, int number,
                                               Residual residual, const Poll& poll);
