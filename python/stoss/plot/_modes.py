@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import numpy as np
 from matplotlib.axes import Axes
 from numpy.typing import NDArray
@@ -99,6 +101,6 @@ def _around(modes: Modes, order: int, angle: NDArray[np.float64]) -> tuple[NDArr
     """How the two displacements of a mode vary with the angle: cos nφ and sin nφ, or P_n(cos θ) and its derivative."""
     if not isinstance(modes.body, Sphere):
         return np.cos(order * angle), np.sin(order * angle)
-    value = np.polynomial.Legendre([0.0] * order + [1.0])
-    x = np.cos(angle)
-    return value(x), -np.sin(angle) * value.deriv()(x)
+    legendre: Any = np.polynomial.legendre
+    x, series = np.cos(angle), [0.0] * order + [1.0]
+    return legendre.legval(x, series), -np.sin(angle) * legendre.legval(x, legendre.legder(series))
