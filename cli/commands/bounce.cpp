@@ -15,7 +15,6 @@ namespace {
 
 struct BounceArguments {
   EncounterOptions who;
-  VibrationArguments vibration;
   std::string speed;
   int count = 100;
   std::optional<double> flight_time, gravity, decay_time;
@@ -26,7 +25,7 @@ struct BounceArguments {
 };
 
 /// As the core takes them; with a material they are in s and m/s².
-BounceOptions make_options(const BounceArguments& arguments, const Units& units) {
+BounceOptions make_options(const BounceArguments& arguments, const Encounter& encounter, const Units& units) {
   const auto in = [](const std::optional<double>& value, double unit) {
     return value ? std::optional(*value / unit) : std::nullopt;
   };
@@ -36,7 +35,7 @@ BounceOptions make_options(const BounceArguments& arguments, const Units& units)
           .gravity = in(arguments.gravity, acceleration),
           .decay_time = in(arguments.decay_time, time),
           .resolution = {.tail = arguments.tail == "static" ? Tail::quasistatic : Tail::radiating},
-          .vibration = arguments.vibration.vibration(),
+          .vibration = encounter.vibration,
           .poll = heed_interrupts};
 }
 
@@ -45,9 +44,7 @@ Provenance describe(const BounceArguments& arguments, const Encounter& encounter
   auto& inputs = provenance.inputs;
   const bool si = units_of(encounter).si.has_value();
   cli::describe(encounter, inputs);
-  if (!si && !is_rod(encounter)) inputs["poisson"] = poisson_of(first_solid(encounter));
   inputs["speed"] = speed;
-  arguments.vibration.describe(inputs);
   if (arguments.flight_time) inputs[si ? "flight_time[s]" : "flight_time"] = *arguments.flight_time;
   if (arguments.gravity) inputs[si ? "gravity[m/s^2]" : "gravity"] = *arguments.gravity;
   if (arguments.decay_time) inputs[si ? "decay_time[s]" : "decay_time"] = *arguments.decay_time;
@@ -75,7 +72,7 @@ void run(const BounceArguments& arguments) {
   const Units units = units_of(encounter);
   const double first = parse_speed(arguments.speed, units, "that of the first impact");
   const Contact contact = contact_of(encounter, arguments.cutoff, slowest_bounce(first));
-  const BounceOptions options = make_options(arguments, units);
+  const BounceOptions options = make_options(arguments, encounter, units);
   validate(contact, first, options);
 
   const Fields<Bounce> its = bounce_fields(units);
@@ -135,7 +132,7 @@ void add_bounce(CLI::App& app) {
       "Speed of the first impact, 1e-8 to 1 in c of the body (with a\nmaterial: m/s)", "V", "Body")
       ->required();
   arguments.who.add_to(command, true, "\nA second body that is free does not come back: it is refused");
-  arguments.vibration.add_to(command);
+  add_modes_to(command, arguments.who.modes);
   add_flight(command, arguments);
   add_choice(command, "--tail", arguments.tail, {"radiating", "static"},
              "How modes above the cutoff answer (default: radiating); static keeps\nall energy", "TAIL", "Resolution");

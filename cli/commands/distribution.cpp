@@ -38,25 +38,22 @@ struct Ensemble {
   Units units;
 };
 
-DistributionOptions options(const DistributionArguments& arguments) {
-  if (arguments.seed < 0) {
-    throw InvalidInput(
-        fmt::format("seed: got {}, allowed 0 to 2147483647 (another one, another ensemble)", arguments.seed));
-  }
-  return {.samples = arguments.samples,
-          .seed = static_cast<std::uint64_t>(arguments.seed),
-          .error = arguments.error,
-          .threads = arguments.threads,
-          .poll = heed_interrupts};
-}
-
 Ensemble make_ensemble(const DistributionArguments& arguments, const Encounter& encounter) {
   refuse_soft(encounter);
   const Units units = units_of(encounter);
   const double speed = parse_speed(arguments.speed, units);
   RefinableContact contact = refinable(encounter);
   Spectrum spectrum = arguments.spectrum.spectrum(contact, heed_interrupts);
-  Ensemble ensemble{std::move(contact), speed, std::move(spectrum), options(arguments), units};
+  if (arguments.seed < 0) {
+    throw InvalidInput(
+        fmt::format("seed: got {}, allowed 0 to 2147483647 (another one, another ensemble)", arguments.seed));
+  }
+  const DistributionOptions options{.samples = arguments.samples,
+                                    .seed = static_cast<std::uint64_t>(arguments.seed),
+                                    .error = arguments.error,
+                                    .threads = arguments.threads,
+                                    .poll = heed_interrupts};
+  Ensemble ensemble{std::move(contact), speed, std::move(spectrum), options, units};
   validate(ensemble.contact, ensemble.speed, ensemble.spectrum, ensemble.options);
   return ensemble;
 }
@@ -114,10 +111,10 @@ RowPlan sample_plan(const Ensemble& ensemble, std::vector<Sample>& taken) {
 
 /// Computes the samples that the run does not have yet. @throws Interrupted, OutputError
 void compute_samples(const Ensemble& ensemble, RowRun& run) {
-  if (run.done() == run.size()) return;
   DistributionOptions options = ensemble.options;
   options.first = static_cast<long>(run.done());
   options.samples -= options.first;
+  if (options.samples == 0) return;
   options.poll = [&run] {
     heed_interrupts();
     run.wait(fmt::format("sample {}", run.done()));

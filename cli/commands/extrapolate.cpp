@@ -73,9 +73,7 @@ void compute(const Job& job, RowRun& run, const Fields<ExtrapolatedRestitution>&
 Method extrapolating(const Job& job) {
   check(job);
   const Fields<ExtrapolatedRestitution> its = extrapolation_fields(job.units);
-  return {job.plan(its.columns()), [&job, its](RowRun& run) {
-            while (run.done() < job.size()) compute(job, run, its);
-          }};
+  return {job.plan(its.columns()), [&job, its](RowRun& run) { compute(job, run, its); }};
 }
 
 }  // namespace stoss::cli

@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <optional>
 #include <utility>
 
 #include "app.hpp"
@@ -19,7 +18,6 @@ namespace {
 
 struct ImpactArguments {
   EncounterOptions who;
-  VibrationArguments vibration;
   std::string speed;
   std::string tail = "radiating";
   double cutoff = 50.0;
@@ -33,7 +31,6 @@ struct ImpactArguments {
 Provenance describe(const ImpactArguments& arguments, const Encounter& encounter) {
   Provenance provenance{"impact", command_line(), {}};
   cli::describe(encounter, provenance.inputs);
-  arguments.vibration.describe(provenance.inputs);
   if (!is_soft(encounter)) provenance.inputs["tail"] = arguments.tail;
   return provenance;
 }
@@ -47,14 +44,12 @@ std::pair<Columns, Row> make_row(const Impact& impact, const Encounter& encounte
   const Yielding yielding = cli::yielding(encounter);
   Columns columns;
   Row row;
-  if (!is_rod(encounter)) {
+  if (const auto poisson = poisson_of(encounter)) {
     columns.push_back({"poisson"});
-    row.emplace_back(poisson_of(first_solid(encounter)));
+    row.emplace_back(*poisson);
   }
-  for (const Columns& more : {speed_columns(units), fields.columns(), yielding.columns()}) append(columns, more);
-  for (const Row& more : {speed_row(units, impact.speed), fields.row(impact), yielding.row(impact.speed)}) {
-    append(row, more);
-  }
+  append(columns, speed_columns(units), fields.columns(), yielding.columns());
+  append(row, speed_row(units, impact.speed), fields.row(impact), yielding.row(impact.speed));
   return {columns, row};
 }
 
@@ -101,39 +96,7 @@ void check_trajectory(const ImpactArguments& arguments) {
   }
 }
 
-/// The instants of an impact as CSV. The file is opened with the first one, so that a refused impact leaves it alone.
-class Trajectory {
- public:
-  Trajectory(std::string path, Provenance provenance, const Units& units)
-      : path_(std::move(path)),
-        provenance_(std::move(provenance)),
-        fields_(snapshot_quantities(), Units{.own = units.own}) {}
-
-  /// @throws Interrupted after Ctrl-C or SIGTERM, when the file is complete so far; OutputError
-  void write(const Snapshot& now) {
-    if (!writer_) {
-      catch_interrupts();  // before, there is nothing to keep
-      writer_.emplace(Output(path_, Output::Use::rows), Format::csv, provenance_, fields_.columns());
-    }
-    if (interrupted() != 0) {
-      writer_->finish(false);
-      throw Interrupted{};
-    }
-    writer_->add(fields_.row(now));
-  }
-
-  void finish() {
-    if (writer_) writer_->finish();
-  }
-
- private:
-  std::string path_;
-  Provenance provenance_;
-  Fields<Snapshot> fields_;  // in units of the first body only
-  std::optional<Writer> writer_;
-};
-
-/// The impact, with its trajectory if that is asked for.
+/// The impact, with its instants as CSV if they are asked for. A refused impact leaves their file alone.
 Impact compute(const ImpactArguments& arguments, const Encounter& encounter, const Contact& contact, double speed,
                const ImpactOptions& options) {
   if (arguments.trajectory.empty()) return impact(contact, speed, options);
@@ -141,10 +104,17 @@ Impact compute(const ImpactArguments& arguments, const Encounter& encounter, con
   provenance.schema = "trajectory";
   provenance.inputs["speed"] = speed;
   provenance.inputs["cutoff"] = arguments.cutoff;
-  Trajectory trajectory(arguments.trajectory, provenance, units_of(encounter));
-  const ImpactObserver observer = [&](const Snapshot& now) { trajectory.write(now); };
-  Impact result = impact(contact, speed, options, {.observer = observer, .every = arguments.every});
-  trajectory.finish();
+  const Fields<Snapshot> fields(snapshot_quantities(), Units{.own = units_of(encounter).own});
+  Writer writer(Output(arguments.trajectory, Output::Use::rows), Format::csv, provenance, fields.columns());
+  catch_interrupts();
+  Impact result;
+  writer.finish_after([&] {
+    const ImpactObserver observer = [&](const Snapshot& now) {
+      heed_interrupts();
+      writer.add(fields.row(now));
+    };
+    result = impact(contact, speed, options, {.observer = observer, .every = arguments.every});
+  });
   return result;
 }
 
@@ -156,7 +126,7 @@ void run(const ImpactArguments& arguments) {
   ImpactOptions options{.resolution = arguments.resolution};
   options.resolution.tail = arguments.tail == "static" ? Tail::quasistatic : Tail::radiating;
   const Contact contact = contact_of(encounter, arguments.cutoff, speed);
-  const Vibration vibration = arguments.vibration.vibration();
+  const Vibration& vibration = encounter.vibration;
   if (!vibration.empty()) options.start = approach(contact, speed, vibration);
   const OutputOptions& asked = arguments.output;
   Output output(asked.path);
@@ -166,11 +136,12 @@ void run(const ImpactArguments& arguments) {
 
   const auto [columns, row] = make_row(result, encounter);
   if (asked.chosen_format() == Format::table) {
-    const bool unbounded = meets_unbounded(encounter);
+    const Kind& against = kind(encounter.against.kind);
+    const bool unbounded = !against.wall && !against.bounded;
     std::vector<ModeEnergy> modes = result.energy.modes;
     // The waves of a half-space are a continuum: single ones say little.
     if (unbounded) std::erase_if(modes, [](const ModeEnergy& mode) { return mode.body == 1; });
-    const bool pair = meets_body(encounter) && !unbounded;
+    const bool pair = against.name == "same" || (!against.wall && !unbounded);
     return write_table(std::move(output), columns, row, std::move(modes), pair, !vibration.empty());
   }
   Writer writer(std::move(output), asked.chosen_format(), describe(arguments, encounter), columns);
@@ -199,7 +170,7 @@ void add_impact(CLI::App& app) {
       "Body")
       ->required();
   arguments.who.add_to(command, true);
-  arguments.vibration.add_to(command);
+  add_modes_to(command, arguments.who.modes);
   add_choice(command, "--tail", arguments.tail, {"radiating", "static"},
              "How modes above the cutoff answer (default: radiating)", "TAIL", "Against");
   add(command, "--cutoff", arguments.cutoff, "Modes up to this frequency in c/R are kept (default: 50)", "OMEGA",

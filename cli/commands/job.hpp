@@ -7,7 +7,6 @@
 #include "input/encounter.hpp"
 #include "output/fields.hpp"
 #include "output/row_run.hpp"
-#include "stoss/restitution/curve.hpp"
 
 namespace stoss::cli {
 
@@ -32,8 +31,7 @@ struct Job {
   template <typename Result>
   [[nodiscard]] Row row(std::size_t row, const Fields<Result>& fields, const Result& result) const {
     Row made = key(row);
-    append(made, fields.row(result));
-    append(made, yielding(encounter).row(speed(row)));
+    append(made, fields.row(result), yielding(encounter).row(speed(row)));
     return made;
   }
 
@@ -44,13 +42,8 @@ struct Job {
 /// How the values of a job are reached.
 struct Method {
   RowPlan plan;
-  std::function<void(RowRun& run)> compute;  ///< those that the run does not have yet. @throws Interrupted, OutputError
+  std::function<void(RowRun& run)> compute;  ///< the next ones. @throws Interrupted, OutputError
 };
-
-/// The cutoff is raised until the error is small enough. The job must outlive the method.
-/// @param asked tolerances, threads and vibration
-/// @throws InvalidInput for what the core does not accept, before anything is computed
-[[nodiscard]] Method converging(const Job& job, const CurveOptions& asked);
 
 /// As the paper does it, by regressions over exponential walls. The job must outlive the method.
 /// @throws InvalidInput for speeds at which this does not work, and as the core

@@ -51,7 +51,7 @@ void write(const ModesArguments& arguments, const Encounter& encounter, const Qu
 void run(const ModesArguments& arguments) {
   const Encounter encounter{.first = arguments.body.body()};
   validate(encounter);
-  const double poisson = poisson_of(first_solid(encounter));
+  const double poisson = *poisson_of(encounter);
   if (encounter.first.kind == "sphere") {
     using namespace bodies::sphere;
     write(arguments, encounter, mode_quantities(), modes(poisson, arguments.cutoff));

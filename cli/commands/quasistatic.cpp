@@ -1,20 +1,23 @@
 // stoss quasistatic: slow impacts and static compression, in closed form where there is one.
-#include "commands/quasistatic.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <variant>
 
 #include "app.hpp"
+#include "commands/quasistatic.hpp"
 #include "input/encounter.hpp"
 #include "output/output_options.hpp"
 #include "output/progress.hpp"
 #include "process/process.hpp"
 #include "stoss/errors.hpp"
 #include "stoss/quasistatic/quantities.hpp"
+#include "stoss/restitution/restitution.hpp"
 
 namespace stoss::cli {
 namespace {
+
+using namespace quasistatic;
 
 struct QuasistaticArguments {
   BodyOptions body;
@@ -25,6 +28,44 @@ struct QuasistaticArguments {
   OutputOptions output;
   CLI::App* command = nullptr;
 };
+
+/// A body that is pressed to a wall: by the law of compression, and as the exact static contact has it.
+struct Compressed {
+  double compression = 0.0;
+  double force = 0.0;
+  double energy = 0.0;
+  double half_width = 0.0;
+  StaticContact contact;
+};
+
+template <typename Of>
+Fields<Compressed> compressed_fields(const Units& units) {
+  using C = Compressed;
+  using enum Dimension;
+  const auto static_force = [](const C& c) { return Estimate{c.contact.force, c.contact.force_error}; };
+  const Quantities<C> quantities{
+      {"compression", length, &C::compression},  //
+      {"force", force, &C::force},               //
+      {"energy", energy, &C::energy},            //
+      {Of::size, length, &C::half_width},        //
+      {"static_force", force, static_force},
+  };
+  return Fields<C>(quantities, units,
+                   {{"compression", {.width = 13, .si_width = 16}},
+                    {"force", {.width = 13, .si_width = 13}},
+                    {"energy", {.width = 13, .si_width = 13}},
+                    {Of::size, {.width = Of::width, .si_width = Of::width + 3}},
+                    {"static_force", {.width = 25, .si_width = 17, .with_error = true}}});
+}
+
+template <typename Made>
+Fields<Made> estimate_fields(const Quantities<Made>& quantities, const Units& units) {
+  return Fields<Made>(quantities, units,
+                      {{"lost_fraction", {.width = 24, .with_error = true, .mark = {{"beyond_perturbation", true}}}},
+                       {"contact_time", {.width = 14, .si_width = 17}},
+                       {"max_compression", {.width = 17, .si_width = 20}},
+                       {"max_force", {.width = 13}}});
+}
 
 /// A number of rows that are written one by one, until Ctrl-C.
 void write_rows(const OutputOptions& output, Writer& writer, std::size_t count,
@@ -39,26 +80,29 @@ void write_rows(const OutputOptions& output, Writer& writer, std::size_t count,
   });
 }
 
-void impacts(const QuasistaticArguments& arguments, const QuasistaticBody& body, const Yielding& yielding,
-             Provenance provenance) {
+template <typename Of>
+void impacts(const QuasistaticArguments& arguments, const Of& of, const Yielding& yielding, Provenance provenance) {
   const Units& units = yielding.units;
   const OutputOptions& output = arguments.output;
-  const std::vector<double> speeds = parse_series_in("speed", arguments.speeds, Dimension::speed, units, body.speeds);
-  const auto impact = body.impacts(arguments.cutoff);
+  const Allowed allowed{of.slowest, limit_speed(of.law, of.poisson),
+                        fmt::format("of the centre of mass, {} to where the static law ends", of.slowest_text)};
+  const std::vector<double> speeds = parse_series_in("speed", arguments.speeds, Dimension::speed, units, allowed);
+  const auto modes = of.modes(arguments.cutoff);
   provenance.inputs["cutoff"] = arguments.cutoff;
   catch_interrupts();
+  const auto fields = estimate_fields(of.quantities(), units);
   Columns columns{{"poisson"}};
-  for (const Columns& more : {speed_columns(units), body.impact_columns, yielding.columns()}) append(columns, more);
+  append(columns, speed_columns(units), fields.columns(), yielding.columns());
   Writer writer = output.writer(provenance, columns);
   std::size_t beyond = 0;
   write_rows(output, writer, speeds.size(), [&](std::size_t i) {
-    const SlowImpactRow its = impact(speeds[i]);
+    const auto its = rayleigh(of.law, of.poisson, speeds[i], modes, heed_interrupts);
     beyond += its.beyond_perturbation ? 1 : 0;
     if (speeds.size() == 1 && output.chosen_format() == Format::json) {
-      writer.attach("modes", to_json(quasistatic::driven_mode_quantities(), its.modes));
+      writer.attach("modes", to_json(driven_mode_quantities(), its.modes));
     }
-    Row row{body.poisson};
-    for (const Row& more : {speed_row(units, speeds[i]), its.row, yielding.row(speeds[i])}) append(row, more);
+    Row row{of.poisson};
+    append(row, speed_row(units, speeds[i]), fields.row(its), yielding.row(speeds[i]));
     return row;
   });
   if (beyond > 0) {
@@ -71,7 +115,8 @@ void impacts(const QuasistaticArguments& arguments, const QuasistaticBody& body,
   if (yielding.is_below(fastest)) output.warn(yield_warning(*yielding.speed));
 }
 
-void compressions(const QuasistaticArguments& arguments, const QuasistaticBody& body, const Yielding& yielding,
+template <typename Of>
+void compressions(const QuasistaticArguments& arguments, const Of& of, const Yielding& yielding,
                   const Provenance& provenance) {
   if (given(*arguments.command, "--cutoff")) {
     throw InvalidInput("cutoff: got --cutoff with --compression, allowed only with --speed (here all modes count)");
@@ -81,16 +126,22 @@ void compressions(const QuasistaticArguments& arguments, const QuasistaticBody& 
         "yield: got --yield with --compression, allowed only with --speed (give the speed, not the compression)");
   }
   const OutputOptions& output = arguments.output;
-  const Allowed allowed{least_compression, body.greatest_compression, "R + x0; beyond them a law or a contact ends"};
+  constexpr double least = 1e-12, greatest = 0.5;  // of a static contact, R
+  const Allowed allowed{least, std::min(compression(of.law, of.poisson, of.last_force), greatest),
+                        "R + x0; beyond them a law or a contact ends"};
   const std::vector<double> values =
       parse_series_in("compression", arguments.compressions, Dimension::length, yielding.units, allowed);
   catch_interrupts();
+  const auto fields = compressed_fields<Of>(yielding.units);
   Columns columns{{"poisson"}};
-  append(columns, body.contact_columns);
+  append(columns, fields.columns());
   Writer writer = output.writer(provenance, columns);
   write_rows(output, writer, values.size(), [&](std::size_t i) {
-    Row row{body.poisson};
-    append(row, body.compress(values[i]));
+    // The rounding of the inversion must not lead beyond the last force.
+    const double force = std::min(compression_force(of.law, of.poisson, values[i]), of.last_force);
+    const double energy = compression_energy(of.law, of.poisson, force);
+    Row row{of.poisson};
+    append(row, fields.row({values[i], force, energy, of.half_width(force), of.exact(values[i])}));
     return row;
   });
   constexpr double great_compression = 0.1;  // beyond it small strains mean little
@@ -101,6 +152,24 @@ void compressions(const QuasistaticArguments& arguments, const QuasistaticBody& 
   }
 }
 
+CompressionLaw line_law(const std::string& law) {
+  if (law == "center") return CompressionLaw::center;
+  if (law == "diameter") return CompressionLaw::diameter;
+  if (law == "printed") return CompressionLaw::printed;
+  throw InvalidInput(fmt::format("law: got {} with --body disk, allowed center, diameter or printed", law));
+}
+
+PointLaw point_law(const std::string& law) {
+  if (law == "center") return PointLaw::center;
+  if (law == "hertz") return PointLaw::hertz;
+  throw InvalidInput(fmt::format("law: got {} with --body sphere, allowed center or hertz", law));
+}
+
+std::variant<LineContact, PointContact> contact_of(const Solid& solid, const std::string& law) {
+  if (const auto* sphere = std::get_if<Sphere>(&solid)) return PointContact{point_law(law), sphere->poisson};
+  return LineContact{line_law(law), std::get<Disk>(solid).poisson};
+}
+
 void run(const QuasistaticArguments& arguments) {
   const bool speeds = given(*arguments.command, "--speed");
   if (!speeds && !given(*arguments.command, "--compression")) throw CLI::RequiredError("--speed or --compression");
@@ -108,13 +177,16 @@ void run(const QuasistaticArguments& arguments) {
   const Encounter encounter{.first = arguments.body.body()};
   validate(encounter);
   describe_first(encounter, provenance.inputs);
-  const QuasistaticBody body = quasistatic_body(encounter, arguments.law);
+  const auto contact = contact_of(first_solid(encounter), arguments.law);
   provenance.inputs["law"] = arguments.law;
-  if (speeds) {
-    impacts(arguments, body, yielding(encounter), provenance);
-  } else {
-    compressions(arguments, body, yielding(encounter), provenance);
-  }
+  const auto write = [&](const auto& of) {
+    if (speeds) {
+      impacts(arguments, of, yielding(encounter), provenance);
+    } else {
+      compressions(arguments, of, yielding(encounter), provenance);
+    }
+  };
+  std::visit(write, contact);
 }
 
 }  // namespace

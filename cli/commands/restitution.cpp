@@ -1,18 +1,23 @@
 // stoss restitution: the coefficient of restitution against speed and Poisson's ratio, with errors.
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "app.hpp"
 #include "commands/job.hpp"
 #include "input/encounter.hpp"
+#include "process/process.hpp"
 #include "stoss/encounter/series.hpp"
 #include "stoss/errors.hpp"
+#include "stoss/impact/quantities.hpp"
+#include "stoss/restitution/curve.hpp"
+#include "stoss/restitution/quantities.hpp"
 
 namespace stoss::cli {
 namespace {
 
 struct RestitutionArguments {
   EncounterOptions who;
-  VibrationArguments vibration;
   std::string poissons;
   std::string speeds;
   std::string method = "converge";
@@ -23,10 +28,6 @@ struct RestitutionArguments {
   CLI::App* command = nullptr;
 
   [[nodiscard]] bool converges() const { return method == "converge"; }
-  [[nodiscard]] CurveOptions options() const {
-    return {.each = {.tolerance = tolerance, .absolute = absolute, .vibration = vibration.vibration()},
-            .threads = threads};
-  }
 };
 
 void check_method(const RestitutionArguments& arguments) {
@@ -49,7 +50,7 @@ void check_against(const RestitutionArguments& arguments, const Encounter& encou
 }
 
 Job make_job(RestitutionArguments& arguments) {
-  std::vector<double> poissons{0.0};  // of rods, which have none
+  std::vector<double> poissons{0.0};  // of what has none
   if (given(*arguments.command, "--poisson")) {
     poissons = parse_series("poisson", arguments.poissons);
     arguments.who.first.set_poisson(poissons.front());
@@ -60,7 +61,7 @@ Job make_job(RestitutionArguments& arguments) {
     throw InvalidInput(fmt::format("poisson: got {} numbers with a material, allowed one (a material has only one)",
                                    job.poissons.size()));
   }
-  if (job.units.si) job.poissons = {poisson_of(first_solid(job.encounter))};
+  if (job.units.si) job.poissons = {poisson_of(job.encounter).value_or(0.0)};
   job.speeds = parse_speeds(arguments.speeds, job.units);
   if (job.size() > longest_series) {
     throw InvalidInput(fmt::format("speed: got {} speeds for each of {} Poisson's ratios, {} values, allowed up to {}",
@@ -73,10 +74,8 @@ Job make_job(RestitutionArguments& arguments) {
 nlohmann::ordered_json as_typed(const std::string& text) {
   const std::vector<double> values = parse_series("", text);
   if (values.size() == 1) return values.front();
-  std::string typed;
-  for (const char c : text) {
-    if (c != ' ') typed += c;
-  }
+  std::string typed = text;
+  std::erase(typed, ' ');
   return typed;
 }
 
@@ -84,8 +83,7 @@ Provenance describe(const RestitutionArguments& arguments, const Job& job) {
   Provenance provenance{arguments.converges() ? "restitution" : "extrapolation", command_line(), {}};
   auto& inputs = provenance.inputs;
   cli::describe(job.encounter, inputs);
-  arguments.vibration.describe(inputs);
-  if (!job.units.si && !is_rod(job.encounter)) inputs["poisson"] = as_typed(arguments.poissons);
+  if (!job.units.si && has_poisson(job.encounter.first)) inputs["poisson"] = as_typed(arguments.poissons);
   inputs[job.units.si ? "speed[m/s]" : "speed"] = as_typed(arguments.speeds);
   inputs["method"] = arguments.method;
   if (arguments.converges()) {
@@ -95,14 +93,74 @@ Provenance describe(const RestitutionArguments& arguments, const Job& job) {
   return provenance;
 }
 
+Fields<Restitution> restitution_fields(const Units& units) {
+  return Fields<Restitution>(restitution_quantities(), units,
+                             {{"restitution", {.width = 22, .with_error = true}},
+                              {"lost_fraction", {.width = 25, .with_error = true, .mark = {{"converged", false}}}},
+                              {"contact_time", {.width = 13, .si_width = 17}},
+                              {"cutoff", {.in_si = false}}});
+}
+
+nlohmann::ordered_json details(const Restitution& r) {
+  nlohmann::ordered_json object{{"runs", to_json(run_quantities(), r.runs)}};
+  if (!r.runs.empty()) object["ledger"] = to_json(ledger_quantities(), std::vector{r.finest.energy}).front();
+  if (!r.converged) object["reason"] = r.reason;
+  return object;
+}
+
+std::string describe(const Attempt& attempt) {
+  const Estimate& lost = attempt.lost_fraction;
+  const std::string error = lost.error > 0.0 ? fmt::format("{:.1e}", lost.error / lost.value) : "unknown";
+  return fmt::format("cutoff {:.0f}, relative error of 1-eps^2 so far {}", attempt.cutoff, error);
+}
+
+/// @throws InvalidInput for what the core does not accept, before anything is computed
+void check(const Job& job, const CurveOptions& asked) {
+  validate(job.speeds, asked);
+  const double slowest = *std::min_element(job.speeds.begin(), job.speeds.end());
+  for (const double poisson : job.poissons) {
+    const RefinableContact contact = job.contact(poisson);
+    if (!asked.each.vibration.empty()) validate(contact, slowest, asked.each.vibration, heed_interrupts);
+  }
+}
+
+/// The speeds of one Poisson's ratio that the run does not have yet.
+void compute(const Job& job, RowRun& run, CurveOptions options, const Fields<Restitution>& fields) {
+  const auto first = static_cast<std::ptrdiff_t>(run.done() % job.speeds.size());
+  const std::vector<double> speeds(job.speeds.begin() + first, job.speeds.end());
+  std::string state = "begins";
+  options.each.poll = [&] {
+    heed_interrupts();
+    run.wait(state);
+  };
+  options.each.attempt_observer = [&state](const Attempt& attempt) { state = describe(attempt); };
+  restitution_curve(job.contact(job.poisson(run.done())), speeds, options, [&](std::size_t, const Restitution& result) {
+    heed_interrupts();
+    run.add(job.row(run.done(), fields, result), details(result), result.converged ? "" : result.reason);
+  });
+}
+
+/// The cutoff is raised until the error is small enough. The job must outlive the method.
+/// @param asked tolerances, threads and vibration
+Method converging(const Job& job, const CurveOptions& asked) {
+  check(job, asked);
+  const Fields<Restitution> its = restitution_fields(job.units);
+  return {job.plan(its.columns()), [&job, asked, its](RowRun& run) { compute(job, run, asked, its); }};
+}
+
 void run(const RestitutionArguments& asked) {
   RestitutionArguments arguments = asked;
   check_method(arguments);
   arguments.rows.redirect();
   const Job job = make_job(arguments);
-  const Method method = arguments.converges() ? converging(job, arguments.options()) : extrapolating(job);
+  const CurveOptions options{
+      .each = {.tolerance = arguments.tolerance, .absolute = arguments.absolute, .vibration = job.encounter.vibration},
+      .threads = arguments.threads};
+  const Method method = arguments.converges() ? converging(job, options) : extrapolating(job);
   RowRun run(method.plan, arguments.rows);
-  run.write(describe(arguments, job), [&] { method.compute(run); });
+  run.write(describe(arguments, job), [&] {
+    while (run.done() < job.size()) method.compute(run);
+  });
   run.conclude();
 }
 
@@ -125,25 +183,23 @@ void add_resolution(CLI::App& command, RestitutionArguments& arguments) {
 
 RefinableContact Job::contact(double poisson) const {
   Encounter its = encounter;
-  if (!units.si && !is_rod(its)) its.first.values["poisson"] = poisson;
+  if (!units.si && has_poisson(its.first)) its.first.values["poisson"] = poisson;
   return refinable(its);
 }
 
 Row Job::key(std::size_t row) const {
   Row key;
-  if (!is_rod(encounter)) key.emplace_back(poisson(row));
+  if (has_poisson(encounter.first)) key.emplace_back(poisson(row));
   append(key, speed_row(units, speed(row)));
   return key;
 }
 
 RowPlan Job::plan(const Columns& results) const {
   Columns columns;
-  if (!is_rod(encounter)) columns.push_back({"poisson", "", units.si ? 0 : 8});
-  append(columns, speed_columns(units));
-  append(columns, results);
-  append(columns, yielding(encounter).columns());
+  if (has_poisson(encounter.first)) columns.push_back({"poisson", "", units.si ? 0 : 8});
+  append(columns, speed_columns(units), results, yielding(encounter).columns());
   const auto name = [this](std::size_t row) {
-    const std::string body = is_rod(encounter) ? "" : fmt::format("poisson {}, ", poisson(row));
+    const std::string body = has_poisson(encounter.first) ? fmt::format("poisson {}, ", poisson(row)) : "";
     return fmt::format("{}speed {:.6g} c", body, speed(row));
   };
   return {.size = size(),
@@ -186,7 +242,7 @@ void add_restitution(CLI::App& app) {
       "SPEEDS", "Body")
       ->required();
   arguments.who.add_to(command);
-  arguments.vibration.add_to(command);
+  add_modes_to(command, arguments.who.modes);
   add_resolution(command, arguments);
   arguments.rows.add_to(command);
 }

@@ -6,13 +6,15 @@
 #include <vector>
 
 #include "app.hpp"
-#include "commands/pair_table.hpp"
 #include "input/encounter.hpp"
 #include "output/output_options.hpp"
 #include "process/process.hpp"
 #include "process/text.hpp"
+#include "stoss/encounter/laws.hpp"
 #include "stoss/errors.hpp"
 #include "stoss/table/adaptive.hpp"
+#include "stoss/table/adaptive_pairs.hpp"
+#include "stoss/table/c_source.hpp"
 #include "stoss/table/two_column.hpp"
 
 namespace stoss::cli {
@@ -42,16 +44,13 @@ struct TableJob {
 
 void check_format(const TableArguments& arguments) {
   const std::string& format = arguments.format;
-  if (given(*arguments.command, "--name") && format != "c") {
-    throw InvalidInput(fmt::format("name: got --name with --format {}, allowed only with --format c", format));
-  }
-  if (!arguments.ratio.empty() && format == "two-column") {
-    throw InvalidInput("ratio: got --ratio with --format two-column, allowed only with c and json");
-  }
-  if (given(*arguments.command, "--beyond") && format == "two-column") {
-    throw InvalidInput(
-        "beyond: got --beyond with --format two-column, allowed only with c and json (who reads the columns decides)");
-  }
+  const auto require = [&](const std::string& option, bool goes_with, const std::string& allowed) {
+    if (goes_with || !given(*arguments.command, "--" + option)) return;
+    throw InvalidInput(fmt::format("{0}: got --{0} with --format {1}, allowed only with {2}", option, format, allowed));
+  };
+  require("name", format == "c", "--format c");
+  require("ratio", format != "two-column", "c and json");
+  require("beyond", format != "two-column", "c and json (who reads the columns decides)");
 }
 
 TableJob make_job(const TableArguments& arguments) {
@@ -91,11 +90,19 @@ TableLabel label(const TableArguments& arguments, const TableJob& job) {
   return {.name = arguments.name, .unit = job.unit_name, .scale = job.unit, .provenance = std::move(lines)};
 }
 
-std::string as_json(const TableArguments& arguments, const TableJob& job, const RestitutionFunction& function) {
+/// What both kinds of table have besides their records. @param between how values between the knots are to be had
+template <typename Function>
+nlohmann::ordered_json json_of(const TableArguments& arguments, const TableJob& job, const Function& function,
+                               const std::string& between) {
   auto document = json_document(describe(arguments, job));
   document["units"]["speed"] = job.unit_name;
-  document["interpolation"] = "cubic Hermite in ln(speed)";
+  document["interpolation"] = "cubic Hermite in " + between;
   document["greatest_error"] = function.greatest_error();
+  return document;
+}
+
+std::string as_json(const TableArguments& arguments, const TableJob& job, const RestitutionFunction& function) {
+  auto document = json_of(arguments, job, function, "ln(speed)");
   const auto& knots = function.knots();
   const std::size_t last = knots.size() - 1;
   for (std::size_t k = 0; k <= last; ++k) {
@@ -105,6 +112,31 @@ std::string as_json(const TableArguments& arguments, const TableJob& job, const 
                                   {"restitution_error", knots[k].restitution.error},
                                   {"slope", function.slopes()[k]}};
     if (k < last) record["error_to_next"] = function.errors()[k];
+    document["records"].push_back(std::move(record));
+  }
+  document["complete"] = true;
+  return json_text(document);
+}
+
+std::string as_json(const TableArguments& arguments, const TableJob& job, const PairTable& table) {
+  auto document = json_of(arguments, job, table, "ln(speed) and in s = (ratio - 1)/(ratio + 1)");
+  const PairValues& values = table.values();
+  document["inverse_is_same"] = values.alike;
+  document["ratio"] = values.ratios;
+  const std::size_t columns = values.ratios.size();
+  for (std::size_t k = 0; k < values.speeds.size(); ++k) {
+    nlohmann::ordered_json record{{"speed", values.speeds[k] * job.unit}};
+    for (std::size_t j = 0; j < columns; ++j) {
+      const PairTable::Node& node = table.nodes()[k * columns + j];
+      record["restitution"].push_back(node.value);
+      record["restitution_error"].push_back(values.restitution[k * columns + j].error);
+      record["slope_of_speed"].push_back(node.by_speed);
+      record["slope_of_ratio"].push_back(node.by_ratio);
+      record["slope_of_both"].push_back(node.by_both);
+      if (k + 1 < values.speeds.size() && j + 1 < columns) {
+        record["error_to_next"].push_back(table.errors()[k * (columns - 1) + j]);
+      }
+    }
     document["records"].push_back(std::move(record));
   }
   document["complete"] = true;
@@ -125,11 +157,14 @@ std::string text_of_function(const TableArguments& arguments, const TableJob& jo
 }
 
 std::string text_of_pairs(const TableArguments& arguments, const TableJob& job) {
-  const PairTableOptions options{
-      .error = arguments.error, .beyond = beyond(arguments), .threads = arguments.threads, .poll = heed_interrupts};
-  const PairTable table = compute_pairs(job.encounter, job.speeds[0], job.speeds[1], arguments.ratio, options);
-  if (arguments.format == "c") return c_header(table, label(arguments, job));
-  return pairs_as_json(table, label(arguments, job), describe(arguments, job));
+  const std::string& ratio = arguments.ratio;
+  const std::vector<std::string> ends = split(ratio, ':');
+  if (ends.size() != 2) throw InvalidInput(fmt::format("ratio: got '{}', allowed SMALLEST:GREATEST, as in 1:3", ratio));
+  const PairTable table = pair_table(
+      mixture(job.encounter), job.speeds[0], job.speeds[1], parse_number("ratio", ends[0]),
+      parse_number("ratio", ends[1]),
+      {.error = arguments.error, .beyond = beyond(arguments), .threads = arguments.threads, .poll = heed_interrupts});
+  return arguments.format == "c" ? c_header(table, label(arguments, job)) : as_json(arguments, job, table);
 }
 
 void warn(const TableArguments& arguments, const TableJob& job) {

@@ -14,20 +14,11 @@
 namespace stoss::cli {
 namespace {
 
-constexpr const char* body_group = "Body";
-
 std::vector<std::string> sizes_of(const Kind& its) {
   std::vector<std::string> names;
   for (const Parameter& each : its.parameters) {
     if (!each.of_material && each.name != "loss_time") names.emplace_back(each.name);
   }
-  return names;
-}
-
-/// What a body in SI needs besides Poisson's ratio: constants of its material, and sizes.
-std::vector<std::string> needs_in_si(const Kind& its) {
-  std::vector<std::string> names = sizes_of(its);
-  names.insert(names.begin(), {"young", "density"});
   return names;
 }
 
@@ -54,16 +45,16 @@ std::string upper(std::string_view unit) {
 
 void BodyOptions::add_poisson_to(CLI::App& command) {
   add(command, "--poisson", numbers_["poisson"],
-      "Poisson's ratio, -0.95 to 0.995 of a disk, to 0.4999 of a sphere; with\na material: of the solid", "NU",
-      body_group);
+      "Poisson's ratio, -0.95 to 0.995 of a disk, to 0.4999 of a sphere; with\na material: of the solid", "NU", "Body");
 }
 
 void BodyOptions::add_kind_to(CLI::App& command, const std::vector<std::string>& kinds) {
   kinds_ = kinds;
-  const bool rods = kinds.back() == "rod";
-  add_choice(command, "--body", kind_, kinds,
-             std::string("Kind of body (default: disk)") + (rods ? "; a rod has no Poisson's ratio" : ""), "BODY",
-             body_group);
+  std::string help = "Kind of body (default: disk)";
+  for (const std::string& name : kinds) {
+    if (parameter(kind(name), "poisson") == nullptr) help += "; a " + name + " has no Poisson's ratio";
+  }
+  add_choice(command, "--body", kind_, kinds, help, "BODY", "Body");
 }
 
 void BodyOptions::add_dynamics_to(CLI::App& command) {
@@ -71,11 +62,11 @@ void BodyOptions::add_dynamics_to(CLI::App& command) {
       .add_flag("--rigid-body", rigid_,
                 "The body is rigid: it keeps its mass, and its modulus and density\n"
                 "remain the units; what it meets must deform")
-      ->group(body_group);
+      ->group("Body");
   add(command, "--loss-time", numbers_["loss_time"],
       "Loss time eta of the body: stress = (1 + eta d/dt) elastic stress\n(default: 0, or that of --material); "
       "in R/c, with a material in s",
-      "ETA", body_group);
+      "ETA", "Body");
 }
 
 void BodyOptions::add_material_to(CLI::App& command, bool yield) {
@@ -102,11 +93,6 @@ void BodyOptions::add_material_to(CLI::App& command, bool yield) {
       group);
 }
 
-std::optional<double> BodyOptions::given(const std::string& name) const {
-  const auto found = numbers_.find(name);
-  return found == numbers_.end() ? std::nullopt : found->second;
-}
-
 /// Refuses options that belong to other kinds.
 void BodyOptions::require_own(const Kind& its) const {
   const auto require = [&](const std::string& option, bool is_given, const auto& has) {
@@ -125,64 +111,54 @@ void BodyOptions::require_own(const Kind& its) const {
   require("rigid-body", rigid_, [](const Kind& each) { return each.can_be_rigid; });
 }
 
-bool BodyOptions::in_si(const Kind& its) const {
-  const auto needs = needs_in_si(its);
-  const auto is_given = [this](const std::string& name) { return given(name).has_value(); };
-  return !material_.empty() || !plane_.empty() || yield_ || std::any_of(needs.begin(), needs.end(), is_given);
-}
-
-void BodyOptions::require_whole_material(const Kind& its) const {
-  std::vector<std::string> needs = needs_in_si(its);
-  if (!material_.empty()) {
-    for (const char* name : {"poisson", "young", "density"}) {
-      if (given(name)) {
-        throw InvalidInput(
-            fmt::format("{0}: got --{0} with --material, allowed only without (the material has one)", name));
-      }
-    }
-    needs.erase(needs.begin(), needs.begin() + 2);
-  }
-  const auto count =
-      std::count_if(needs.begin(), needs.end(), [this](const auto& name) { return given(name).has_value(); });
-  if (count == static_cast<std::ptrdiff_t>(needs.size())) return;
-  if (yield_ && count == 0 && material_.empty()) {
-    throw InvalidInput("yield: got --yield without a material, allowed only with --young, --density, --radius");
-  }
-  throw InvalidInput(fmt::format("material: got {} of --{} with --body {}, allowed all or none{}", count,
-                                 fmt::join(needs, ", --"), its.name,
-                                 plane_.empty() ? "" : " (--plane needs them all)"));
-}
-
-Material BodyOptions::material(const Kind& its) const {
-  Material made = material_.empty() ? Material{*given("young"), given("poisson").value_or(0.0), *given("density")}
-                                    : named_material(material_);
-  if (yield_) made.yield_strength = yield_;
-  if (!its.can_yield) made.yield_strength.reset();
-  return made;
+/// Whether there is something that only a body with a material has.
+bool BodyOptions::in_si() const {
+  return !material_.empty() || !plane_.empty() || yield_ || std::any_of(numbers_.begin(), numbers_.end(), [](auto& of) {
+    return of.second && of.first != "poisson" && of.first != "loss_time";
+  });
 }
 
 Participant BodyOptions::body() const {
   const Kind& its = kind(kind_);
   require_own(its);
-  if (parameter(its, "poisson") != nullptr && !given("poisson") && material_.empty()) {
+  Participant body{.kind = kind_, .material_name = material_, .rigid = rigid_};
+  if (plane_ == "strain") body.plane = Plane::strain;
+  for (const auto& [name, value] : numbers_) {
+    if (value) body.values[name] = *value;
+  }
+  if (has_poisson(body) && !body.values.contains("poisson") && material_.empty()) {
     throw CLI::RequiredError("--poisson");
   }
   if (rigid_ && yield_) {
     throw InvalidInput("yield: got --yield with --rigid-body, allowed only without (the second may have yield=)");
   }
-  Participant body{.kind = kind_, .rigid = rigid_};
-  const bool si = in_si(its);
-  if (si) {
-    require_whole_material(its);
-    body.material = material(its);
-    body.material_name = yield_ ? "" : material_;
-    body.plane = plane_ == "strain" ? Plane::strain : Plane::stress;
-  }
-  for (const auto& [name, value] : numbers_) {
-    const Parameter* parameter = stoss::parameter(its, name);
-    if (value && !(si && parameter->of_material)) body.values[name] = *value;
-  }
+  if (in_si()) set_material(body, yield_, 0.0, "material");
   return body;
+}
+
+void set_material(Participant& of, std::optional<double> yield, double poisson, const std::string& option) {
+  if (!of.material_name.empty()) {
+    of.material = named_material(of.material_name);
+  } else {
+    const bool young = of.values.contains("young"), density = of.values.contains("density");
+    if (yield && !young && !density) {
+      throw InvalidInput(fmt::format(
+          "{}: got yield without a material, allowed only with young, density and radius, or with a named material",
+          option == "material" ? "yield" : option));
+    }
+    if (!young || !density) {
+      throw InvalidInput(
+          fmt::format("{}: got {} without {}, allowed young, density and sizes together, in SI, or a "
+                      "named material (which sizes and plane need)",
+                      option, of.kind, young ? "density" : "young"));
+    }
+    of.material = Material{of.values.at("young"), poisson, of.values.at("density")};
+    if (const auto own = of.values.find("poisson"); own != of.values.end()) of.material->poisson = own->second;
+    for (const char* own : {"young", "poisson", "density"}) of.values.erase(own);
+  }
+  if (!yield) return;
+  of.material->yield_strength = yield;
+  of.material_name.clear();
 }
 
 }  // namespace stoss::cli

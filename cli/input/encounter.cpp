@@ -10,7 +10,6 @@
 #include "app.hpp"
 #include "input/words.hpp"
 #include "process/text.hpp"
-#include "stoss/encounter/materials.hpp"
 #include "stoss/encounter/series.hpp"
 #include "stoss/errors.hpp"
 
@@ -33,41 +32,6 @@ std::string lines_of(const Kind& its) {
   return fmt::format("\n  {}: {}{}", its.name, its.help, with);
 }
 
-std::string shown_kinds(bool exponential) {
-  std::vector<std::string> names;
-  for (const Kind& its : kinds()) {
-    if (exponential || its.name != "exponential") names.emplace_back(its.name);
-  }
-  return fmt::format("{}", fmt::join(names, ","));
-}
-
-/// The material of a second body in SI, of what was given of it.
-/// @param solid Poisson's ratio that it has without its own
-Material second_material(const Kind& its, const Values& given, const std::string& name, double solid) {
-  Material made;
-  if (name.empty()) {
-    std::vector<std::string> all;
-    for (const Parameter& each : its.parameters) {
-      if (each.name != "poisson" && each.name != "loss_time") all.emplace_back(each.name);
-    }
-    for (const std::string& each : all) {
-      if (given.contains(each)) continue;
-      throw InvalidInput(fmt::format("against: got {} without {}, allowed all of {}, in SI as the first", its.name,
-                                     each, fmt::join(all, ", ")));
-    }
-    made = {given.at("young"), given.contains("poisson") ? given.at("poisson") : solid, given.at("density")};
-  } else {
-    for (const char* key : {"poisson", "young", "density"}) {
-      if (!given.contains(key)) continue;
-      throw InvalidInput(
-          fmt::format("against: got {} with material, allowed only without (the material has one)", key));
-    }
-    made = named_material(name);
-  }
-  if (given.contains("yield")) made.yield_strength = given.at("yield");
-  return made;
-}
-
 /// What --against says: KIND[,key=value…].
 /// @param first of which the Poisson's ratio is that of a material without its own
 /// @throws InvalidInput for an unknown kind or key, a key that comes twice, and what is no number
@@ -78,34 +42,35 @@ Participant parse_against(const std::string& text, const Participant& first) {
   const std::string name = without_spaces(parts.front());
   if (std::find(names.begin(), names.end(), name) == names.end()) refuse_word("against", name, names);
   const Kind& its = kind(name);
-  Participant against{.kind = name};
+  Participant against{.kind = name, .plane = first.plane};
+  std::optional<double> yield;
   for (const auto& [key, value] : parse_keys("against", parts, 1, keys_of(its), " with " + name)) {
     if (key == "material") {
       against.material_name = without_spaces(value);
+    } else if (const double number = parse_number("against " + key, value); key == "yield") {
+      yield = number;
     } else {
-      against.values[key] = parse_number("against " + key, value);
+      against.values[key] = number;
     }
   }
-  if (its.wall || !meets(kind(first.kind), its)) return against;
-  if (!first.material) {
-    if (against.values.contains("yield")) {
-      throw InvalidInput("against: got yield without a material, allowed only with --young, --density, --radius");
-    }
-    if (!against.material_name.empty()) {
-      throw InvalidInput(
-          "against: got material without one of the first body, allowed only with --material, or --young, --density "
-          "and a size");
-    }
-    return against;
+  const bool in_si = first.material || yield || !against.material_name.empty();
+  if (in_si && !its.wall && meets(kind(first.kind), its)) {
+    set_material(against, yield, first.material ? first.material->poisson : 0.0, "against");
   }
-  against.plane = first.plane;
-  against.material = second_material(its, against.values, against.material_name, first.material->poisson);
-  if (against.values.contains("yield")) against.material_name.clear();
-  for (const char* key : {"poisson", "young", "density", "yield"}) against.values.erase(key);
   return against;
 }
 
 using Json = nlohmann::ordered_json;
+
+/// As the core computes with it.
+std::optional<double> poisson_of(const Solid& solid) {
+  return std::visit(
+      [](const auto& of) -> std::optional<double> {
+        if constexpr (requires { of.poisson; }) return of.poisson;
+        return std::nullopt;
+      },
+      solid);
+}
 
 bool is_size(const Parameter& parameter) { return !parameter.of_material && parameter.name != "loss_time"; }
 
@@ -147,7 +112,7 @@ void describe_against(const Encounter& encounter, Json& inputs) {
     inputs[against.material ? "against_loss_time[s]" : "against_loss_time"] = found->second;
   }
   if (!against.material) return describe_ratios(against, inputs);
-  if (!is_rod(encounter)) inputs["against_poisson"] = poisson_of(*second_solid(encounter));
+  if (const auto its = poisson_of(*second_solid(encounter))) inputs["against_poisson"] = *its;
   describe_in_si("against_", against, inputs);
 }
 
@@ -159,15 +124,20 @@ void EncounterOptions::add_to(CLI::App& to, bool exponential, const std::string&
   first.add_material_to(to, true);
   std::string help =
       "What the body meets (default: wall); numbers in units of the first, or\nin SI if it has a material";
+  std::vector<std::string_view> names;
   for (const Kind& its : kinds()) {
-    if (exponential || its.name != "exponential") help += lines_of(its);
+    if (its.name == "exponential" && !exponential) continue;
+    help += lines_of(its);
+    names.push_back(its.name);
   }
-  add(to, "--against", against, help + note, "{" + shown_kinds(exponential) + "}[,KEY=NUMBER]...", "Against");
+  const std::string type = fmt::format("{{{}}}[,KEY=NUMBER]...", fmt::join(names, ","));
+  add(to, "--against", against, help + note, type, "Against");
 }
 
 Encounter EncounterOptions::encounter() const {
   Encounter encounter{.first = first.body()};
   encounter.against = parse_against(against, encounter.first);
+  encounter.vibration = vibration_of(modes);
   validate(encounter);
   return encounter;
 }
@@ -181,22 +151,12 @@ void refuse_soft(const Encounter& encounter, const std::string& hint) {
   if (is_soft(encounter)) throw InvalidInput("against: got exponential, allowed wall, same or a body" + hint);
 }
 
-double poisson_of(const Solid& solid) {
-  return std::visit(
-      [](const auto& of) {
-        if constexpr (requires { of.poisson; }) {
-          return of.poisson;
-        } else {
-          return 0.0;
-        }
-      },
-      solid);
-}
+std::optional<double> poisson_of(const Encounter& encounter) { return poisson_of(first_solid(encounter)); }
 
 void describe_first(const Encounter& encounter, Json& inputs) {
   const Participant& first = encounter.first;
   inputs["body"] = first.kind;
-  if (!is_rod(encounter)) inputs["poisson"] = poisson_of(first_solid(encounter));
+  if (const auto its = poisson_of(encounter)) inputs["poisson"] = *its;
   const auto si = si_scales(encounter);
   if (!si) return;
   describe_in_si("", first, inputs);
@@ -214,6 +174,7 @@ void describe(const Encounter& encounter, Json& inputs) {
   }
   inputs["against"] = encounter.against.kind;
   describe_against(encounter, inputs);
+  describe(encounter.vibration, inputs);
 }
 
 }  // namespace stoss::cli

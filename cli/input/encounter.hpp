@@ -37,10 +37,7 @@ class BodyOptions {
   [[nodiscard]] Participant body() const;
 
  private:
-  [[nodiscard]] std::optional<double> given(const std::string& name) const;
-  [[nodiscard]] bool in_si(const Kind& its) const;
-  [[nodiscard]] Material material(const Kind& its) const;
-  void require_whole_material(const Kind& its) const;
+  [[nodiscard]] bool in_si() const;
   void require_own(const Kind& its) const;
 
   std::vector<std::string> kinds_;
@@ -51,10 +48,18 @@ class BodyOptions {
   bool rigid_ = false;
 };
 
+/// Gives a body in SI the material of its name or, in place of them, of its numbers. Sizes that are missing, and
+/// numbers beside a named material, are for validate.
+/// @param poisson of a material without its own
+/// @param option  named by refusals
+/// @throws InvalidInput for a name that is not known, and for a material that is not whole
+void set_material(Participant& of, std::optional<double> yield, double poisson, const std::string& option);
+
 /// The options that say who meets whom, but for --poisson.
 struct EncounterOptions {
   BodyOptions first;
   std::string against = "wall";
+  std::vector<std::string> modes{};
 
   /// @param exponential whether the soft wall can be met
   /// @param note        to the help of --against
@@ -69,17 +74,11 @@ struct EncounterOptions {
 void describe_first(const Encounter& encounter, nlohmann::ordered_json& inputs);
 void describe(const Encounter& encounter, nlohmann::ordered_json& inputs);
 
-/// The Poisson's ratio that the core computes with; 0 of a rod.
-[[nodiscard]] double poisson_of(const Solid& solid);
+/// Whether bodies of its kind have a Poisson's ratio.
+[[nodiscard]] inline bool has_poisson(const Participant& of) { return parameter(kind(of.kind), "poisson") != nullptr; }
 
-/// Whether it meets a body, no wall; and whether that extends to infinity.
-[[nodiscard]] inline bool meets_body(const Encounter& encounter) {
-  return encounter.against.kind == "same" || !kind(encounter.against.kind).wall;
-}
-[[nodiscard]] inline bool meets_unbounded(const Encounter& encounter) {
-  const Kind& against = kind(encounter.against.kind);
-  return !against.wall && !against.bounded;
-}
+/// That of the first body as the core computes with it; nothing where it has none.
+[[nodiscard]] std::optional<double> poisson_of(const Encounter& encounter);
 
 /// @throws InvalidInput for --tail of an exponential wall
 void refuse_tail(const CLI::App& command, const Encounter& encounter);
@@ -88,7 +87,6 @@ void refuse_tail(const CLI::App& command, const Encounter& encounter);
 void refuse_soft(const Encounter& encounter, const std::string& hint = {});
 
 [[nodiscard]] inline bool is_soft(const Encounter& encounter) { return encounter.against.kind == "exponential"; }
-[[nodiscard]] inline bool is_rod(const Encounter& encounter) { return encounter.first.kind == "rod"; }
 
 /// The range of a number, in units of the first body, and what a refusal says of it.
 struct Allowed {
@@ -107,18 +105,14 @@ struct Allowed {
 /// The same of one speed. @param note why only one
 [[nodiscard]] double parse_speed(const std::string& text, const Units& units, const std::string& note = {});
 
-/// How the bodies vibrate before the impact: --mode, as often as there are modes.
-struct VibrationArguments {
-  std::vector<std::string> modes;
+/// --mode, as often as there are modes: how the bodies vibrate before the impact.
+void add_modes_to(CLI::App& command, std::vector<std::string>& modes);
 
-  void add_to(CLI::App& command);
+/// @throws InvalidInput for what is no mode
+[[nodiscard]] Vibration vibration_of(const std::vector<std::string>& modes);
 
-  /// @throws InvalidInput for what is no mode
-  [[nodiscard]] Vibration vibration() const;
-
-  /// Adds the modes to the inputs of a result, if there are any.
-  void describe(nlohmann::ordered_json& inputs) const;
-};
+/// Adds the modes to the inputs of a result, if there are any.
+void describe(const Vibration& modes, nlohmann::ordered_json& inputs);
 
 /// How the bodies of an ensemble vibrate on average: --temperature and --highest, or --spectrum.
 struct SpectrumArguments {

@@ -59,7 +59,7 @@ nlohmann::ordered_json described(const Vibration& modes, bool with_phase) {
 
 }  // namespace
 
-void VibrationArguments::add_to(CLI::App& command) {
+void add_modes_to(CLI::App& command, std::vector<std::string>& modes) {
   add(command, "--mode", modes,
       "A mode that vibrates before the impact, once for each: order n and\n"
       "index l as stoss modes has them; its energy, as a share of the\n"
@@ -68,10 +68,12 @@ void VibrationArguments::add_to(CLI::App& command) {
       "N,L,energy=SHARE[,phase=PHI][,of=second]", "Vibration");
 }
 
-Vibration VibrationArguments::vibration() const { return parse_modes("mode", {"energy", "phase", "of"}, modes); }
+Vibration vibration_of(const std::vector<std::string>& modes) {
+  return parse_modes("mode", {"energy", "phase", "of"}, modes);
+}
 
-void VibrationArguments::describe(nlohmann::ordered_json& inputs) const {
-  if (!modes.empty()) inputs["modes"] = described(vibration(), true);
+void describe(const Vibration& modes, nlohmann::ordered_json& inputs) {
+  if (!modes.empty()) inputs["modes"] = described(modes, true);
 }
 
 Vibration SpectrumArguments::means() const { return parse_modes("spectrum", {"energy", "of"}, modes); }

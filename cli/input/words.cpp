@@ -58,9 +58,11 @@ void refuse_word(const std::string& option, const std::string& got, const std::v
                                  similar.empty() ? "" : fmt::format(", did you mean {}?", similar)));
 }
 
-std::vector<KeyedValue> parse_keys(const std::string& option, const std::vector<std::string>& parts, std::size_t first,
-                                   const std::vector<std::string>& keys, const std::string& where) {
-  std::vector<KeyedValue> found;
+std::vector<std::pair<std::string, std::string>> parse_keys(const std::string& option,
+                                                            const std::vector<std::string>& parts, std::size_t first,
+                                                            const std::vector<std::string>& keys,
+                                                            const std::string& where) {
+  std::vector<std::pair<std::string, std::string>> found;
   for (std::size_t i = first; i < parts.size(); ++i) {
     const auto equals = parts[i].find('=');
     const std::string key = without_spaces(parts[i].substr(0, equals));
@@ -68,10 +70,10 @@ std::vector<KeyedValue> parse_keys(const std::string& option, const std::vector<
     if (equals == std::string::npos) {
       throw InvalidInput(fmt::format("{0}: got '{1}' without a value, allowed {1}=NUMBER", option, key));
     }
-    if (std::any_of(found.begin(), found.end(), [&](const KeyedValue& each) { return each.key == key; })) {
+    if (std::any_of(found.begin(), found.end(), [&](const auto& each) { return each.first == key; })) {
       throw InvalidInput(fmt::format("{}: got {} twice, allowed once", option, key));
     }
-    found.push_back({key, parts[i].substr(equals + 1)});
+    found.emplace_back(key, parts[i].substr(equals + 1));
   }
   return found;
 }

@@ -1,5 +1,4 @@
-#include "output/earlier.hpp"
-
+// What an earlier run has left.
 #include <fmt/format.h>
 
 #include <cerrno>
@@ -9,6 +8,7 @@
 #include <optional>
 #include <utility>
 
+#include "output/row_run.hpp"
 #include "process/text.hpp"
 #include "stoss/errors.hpp"
 

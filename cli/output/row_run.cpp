@@ -7,7 +7,6 @@
 #include <utility>
 
 #include "app.hpp"
-#include "output/earlier.hpp"
 #include "output/fields.hpp"
 #include "process/process.hpp"
 #include "stoss/errors.hpp"

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -11,6 +12,16 @@
 #include "output/writer.hpp"
 
 namespace stoss::cli {
+
+/// Reads the rows that an earlier run of the same job, perhaps killed, has left in its CSV file, without changing it.
+/// Where the file is empty, or has only a part of its header, nothing has been done yet. An incomplete last line is
+/// left out, and so is the line that tells of an interruption.
+/// @param provenance of the present job; the file must have the same inputs
+/// @param visit      called with each complete row, in order; what it throws ends the reading
+/// @return bytes up to the end of the last complete row; 0: nothing to keep
+/// @throws InvalidInput if the file is not one of this job; OutputError if it cannot be read
+[[nodiscard]] std::uintmax_t read_earlier(const Output& output, const Provenance& provenance, const Columns& columns,
+                                          const std::function<void(const Row&)>& visit);
 
 /// What rows there will be.
 struct RowPlan {
@@ -39,7 +50,6 @@ class RowRun {
   /// Says on a terminal what the next row has come to, if it takes long.
   void wait(const std::string& state) { progress_.wait(state); }
 
-  [[nodiscard]] std::size_t size() const { return plan_.size; }
   [[nodiscard]] std::size_t done() const { return done_; }
 
   /// Within `write`.

@@ -36,9 +36,9 @@ inline constexpr std::string_view unknown = "unknown";
 /// Whether a row has this flag, with this value.
 [[nodiscard]] bool has(const Columns& columns, const Row& row, std::string_view flag, bool value);
 
-template <typename T>
-void append(std::vector<T>& to, const std::vector<T>& more) {
-  to.insert(to.end(), more.begin(), more.end());
+template <typename T, typename... More>
+void append(std::vector<T>& to, const More&... more) {
+  (to.insert(to.end(), more.begin(), more.end()), ...);
 }
 
 /// What made the data: written at the head of CSV and JSON.

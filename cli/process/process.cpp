@@ -26,11 +26,11 @@ std::string program() {
       "sys.path = [each for each in sys.path if each]\n"
       "try:\n"
       "    import stoss\n"
-      "    from stoss.sweeps import _command as command\n"
+      "    got, allowed = stoss.__version__, '{0}'\n"
+      "    if got == allowed: from stoss.sweeps import _command as command\n"
       "except ImportError as error:\n"
       "    got, allowed = 'none', 'the package stoss for python3 (make python; put its bin into PATH): ' + str(error)\n"
       "else:\n"
-      "    got, allowed = stoss.__version__, '{0}'\n"
       "    if got == allowed: sys.exit(command.main(sys.argv[1:]))\n"
       "print(f'stoss: error: Python package: got {{got}}, allowed {{allowed}}', file=sys.stderr)\n"
       "sys.exit(4)\n",

@@ -75,10 +75,10 @@ def test_a_named_material_is_its_numbers(stoss):
     "arguments, name, said",
     [
         ("--material steal --radius 1", "material", "allowed steel, glass"),
-        ("--material steel", "material", "0 of --radius"),
-        ("--material steel --radius 1 --young 1e9", "young", "--material"),
-        ("--poisson 0.3 --against half-space,material=glass", "against", "material without one of the first"),
-        ("--material steel --radius 1 --against half-space,material=glass,young=1", "against", "young with material"),
+        ("--material steel", "radius", "none, allowed a number in m (with a material)"),
+        ("--material steel --radius 1 --young 1e9", "young", "beside a material, allowed one of the two"),
+        ("--poisson 0.3 --against half-space,material=glass", "against material", "allowed none, as the first body has none"),
+        ("--material steel --radius 1 --against half-space,material=glass,young=1", "against young", "beside a material"),
     ],
 )
 def test_refusals(stoss, arguments, name, said):

@@ -93,7 +93,7 @@ BAD_VALUES = [
     (f"{STEEL} --compression 0.01", "compression", "0.01, allowed 1e-14 to 0.0026"),
     ("quasistatic --poisson 1 --speed 0.1", "poisson", "1"),
     ("quasistatic --poisson nan --compression 0.1", "poisson", "nan"),
-    (f"{IMPACT} 0.1 --young 1e9", "material", "1 of"),
+    (f"{IMPACT} 0.1 --young 1e9", "material", "disk without density"),
     (f"{IMPACT} 0.1 --law hertz", "law", "hertz with --body disk, allowed center, diameter or printed"),
     (f"{STEEL} --speed 1 --yield 1e9", "yield", "--body disk"),
 ]

@@ -9,8 +9,8 @@
 #include <iterator>
 #include <limits>
 
-#include "output/earlier.hpp"
 #include "output/fields.hpp"
+#include "output/row_run.hpp"
 #include "output/writer.hpp"
 #include "stoss/restitution/restitution.hpp"
 
