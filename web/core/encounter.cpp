@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <variant>
 
+#include "javascript.hpp"
 #include "stoss/encounter/document.hpp"
 #include "stoss/encounter/materials.hpp"
 
@@ -79,16 +80,19 @@ std::string Meeting::own_unit_name(Dimension dimension) const {
 }
 
 val units(const Meeting& meeting) {
+  constexpr double fewest_modes = 4.0;  // cutoff, c/R
+  constexpr double quick = 0.5;         // c
   using enum Dimension;
+  // The ratios of two bodies are checked where they meet; of the fewest modes that is soon done.
+  if (meeting.second) (void)contact_of(meeting.encounter, fewest_modes, quick);
   // A rod in SI keeps its numbers.
   const auto* rod = std::get_if<Rod>(&meeting.first);
   const double modulus = rod != nullptr ? rod->young : 1.0;
-  val made = val::object();
-  for (const auto& [name, dimension] : {std::pair{"speed", speed}, {"time", time}, {"frequency", frequency}}) {
-    made.set(name, meeting.unit(dimension));
-  }
+  val made = object({{"speed", val(meeting.unit(speed))},
+                     {"time", val(meeting.unit(time))},
+                     {"frequency", val(meeting.unit(frequency))},
+                     {"first", elastic(meeting.first, modulus)}});
   if (meeting.si) made.set("modulus", meeting.encounter.first.material->density * std::pow(meeting.unit(speed), 2));
-  made.set("first", elastic(meeting.first, modulus));
   if (meeting.second) made.set("second", elastic(*meeting.second, modulus));
   return made;
 }

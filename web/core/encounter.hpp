@@ -34,6 +34,7 @@ struct Meeting {
 };
 
 /// Units of the first body, and the elastic numbers of both in these: Units of web/src/core/protocol.ts.
+/// @throws InvalidInput for bodies that cannot meet
 [[nodiscard]] emscripten::val units(const Meeting& meeting);
 
 /// The kinds and the named materials, as JSON: web/plugins/kinds.mjs writes them for the page.

@@ -3,7 +3,7 @@
 #include <array>
 #include <cstdio>
 
-#include "alive.hpp"
+#include "javascript.hpp"
 #include "stoss/errors.hpp"
 #include "stoss/restitution/curve.hpp"
 #include "stoss/restitution/quantities.hpp"
@@ -24,9 +24,7 @@ std::string text(double value) {
 }
 
 val quantity(double value, const double* error, const std::string& unit, double scale) {
-  val made = val::object();
-  made.set("value", value * scale);
-  made.set("unit", unit);
+  val made = object({{"value", val(value * scale)}, {"unit", val(unit)}});
   if (error != nullptr) made.set("error", *error * scale);
   return made;
 }
@@ -57,13 +55,12 @@ CurveOptions options(double tolerance) { return {.each = {.tolerance = tolerance
 val restitution(const Meeting& meeting, double speed, double tolerance) {
   const std::vector<double> speeds{own_speed(meeting.encounter, speed)};
   const Restitution result = restitution_curve(meeting.contact, speeds, options(tolerance)).front();
-  val made = val::object();
-  made.set("speed", speed);
-  made.set("quantities", quantities(meeting, result));
-  made.set("converged", result.converged);
-  made.set("reason", result.reason);
-  made.set("cutoff", result.finest.cutoff);
-  made.set("beyondSmallStrain", result.finest.beyond_small_strain);
+  val made = object({{"speed", val(speed)},
+                     {"quantities", quantities(meeting, result)},
+                     {"converged", val(result.converged)},
+                     {"reason", val(result.reason)},
+                     {"cutoff", val(result.finest.cutoff)},
+                     {"beyondSmallStrain", val(result.finest.beyond_small_strain)}});
   if (const auto yield = yield_speed(meeting.encounter)) made.set("yieldSpeed", *yield);
   return made;
 }
@@ -72,12 +69,11 @@ void curve(const Meeting& meeting, const std::vector<double>& speeds, double tol
   std::vector<double> own;
   for (const double speed : speeds) own.push_back(own_speed(meeting.encounter, speed));
   restitution_curve(meeting.contact, own, options(tolerance), [&](std::size_t i, const Restitution& result) {
-    val point = val::object();
-    point.set("speed", speeds[i]);
-    point.set("restitution", result.restitution.value);
-    point.set("error", result.restitution.error);
-    point.set("converged", result.converged);
-    deliver(point, i);
+    deliver(object({{"speed", val(speeds[i])},
+                    {"restitution", val(result.restitution.value)},
+                    {"error", val(result.restitution.error)},
+                    {"converged", val(result.converged)}}),
+            i);
   });
 }
 

@@ -2,6 +2,7 @@
 
 #include <emscripten/val.h>
 
+#include <string>
 #include <vector>
 
 #include "encounter.hpp"

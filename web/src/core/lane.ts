@@ -1,6 +1,19 @@
 // One worker with the calls that wait for it. A call that is aborted ends soon; a worker that dies is replaced.
-import type { Call, FromWorker, ToWorker } from './calls';
-import { CoreError } from './protocol';
+import { CoreError, type Deliver } from './protocol';
+import type { Call } from './wasm';
+
+/** The first message is the compiled core; then one call after another. */
+export type ToWorker = { module: WebAssembly.Module } | { call: Call };
+
+export type FromWorker =
+  | { kind: 'alive' }
+  /** one of many results of a call */
+  | { kind: 'delivered'; value: unknown; index: number }
+  | { kind: 'answer'; value: unknown }
+  /** one line: what the core cannot do */
+  | { kind: 'refusal'; line: string }
+  /** the worker is of no further use */
+  | { kind: 'broken'; line: string };
 
 /** What a lane needs of a Worker. */
 export interface Fellow {
@@ -9,8 +22,6 @@ export interface Fellow {
   onmessage: ((event: MessageEvent<FromWorker>) => void) | null;
   onerror: ((event: ErrorEvent) => void) | null;
 }
-
-export type Deliver = (value: never, index: number) => void;
 
 /** Computes a call: resolves with its answer, rejects with CoreError for what the core cannot do. */
 export type Lane = (call: Call, deliver?: Deliver, signal?: AbortSignal) => Promise<unknown>;

@@ -10,18 +10,13 @@ const encounters = (['sphere', 'disk'] as const).map((kind): Encounter =>
 /** The core, which computes values of its own, where curves are computed, as soon as it has answered the first. */
 export function withWarmUp(core: Core): Core {
   let cold = true;
-  function warm(): void {
-    if (!cold) return;
-    cold = false;
-    // Whatever fails here fails again where it is asked for.
-    for (const encounter of encounters) core.curve(encounter, [0.1], 1e-2, () => {}).catch(() => {});
-  }
-  return {
-    ...core,
-    async restitution(...given) {
-      const result = await core.restitution(...given);
-      warm();
-      return result;
-    },
+  return async (question, ...rest) => {
+    const result = await core(question, ...rest);
+    if (cold && question === 'restitution') {
+      cold = false;
+      // Whatever fails here fails again where it is asked for.
+      for (const encounter of encounters) core('curve', encounter, { speeds: [0.1], tolerance: 1e-2 }).catch(() => {});
+    }
+    return result;
   };
 }

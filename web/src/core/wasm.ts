@@ -1,38 +1,35 @@
-// The core as Emscripten makes it (web/core/module.cpp). It gets an encounter as a document.
-import { type Collision, CoreError, type CurvePoint, type Frame, type Grid, type Restitution, type Shape, type Units }
-  from './protocol';
+// The core as Emscripten makes it of what scripts/web.sh has compiled.
+import create, { type Wasm } from '@wasm/stoss.mjs';
+import { documentOf } from '../inputs/document';
+import { CoreError, type Deliver, type Encounter, type Questions } from './protocol';
 
-/** An answer, or one line that says why there is none. */
-export type Answered<T> = (T & { error?: undefined }) | { error: string };
+export type { Wasm };
 
-/** What an answer holds. Throws CoreError where there is none. */
-export function value<T extends object>(answer: Answered<T>): T {
-  if (answer.error !== undefined) throw new CoreError(answer.error);
-  return answer as T;
+/** Make the core from its compiled module. @param alive is called during long computations */
+export function instantiate(module: WebAssembly.Module, alive: () => void): Promise<Wasm> {
+  return create({
+    alive,
+    locateFile: (name: string) => name,
+    instantiateWasm(imports: WebAssembly.Imports, receive: (instance: WebAssembly.Instance) => void) {
+      void WebAssembly.instantiate(module, imports).then(receive);
+      return {};
+    },
+  });
 }
 
-interface Deletable {
-  delete(): void;
+/** A question to a worker. */
+export interface Call {
+  readonly question: keyof Questions;
+  readonly given: object;
 }
 
-export interface WasmCollision extends Deletable {
-  frames(times: number[], grid: Grid, deliver: (frame: Frame, index: number) => void): Answered<object>;
+export function callOf(question: keyof Questions, encounter: Encounter, given: object): Call {
+  return { question, given: { ...given, document: documentOf(encounter) } };
 }
 
-export interface WasmEncounter extends Deletable {
-  restitution(speed: number, tolerance: number): Answered<Restitution>;
-  collision(speed: number, cutoff: number): Answered<{ collision: WasmCollision; series: Collision }>;
-  shape(body: number, order: number, index: number, grid: Grid): Answered<Shape>;
-  curve(
-    speeds: number[], tolerance: number, deliver: (point: CurvePoint, index: number) => void,
-  ): Answered<object>;
-  header(slowest: number, fastest: number, error: number): Answered<{ text: string }>;
-}
-
-export interface WasmCore {
-  makeEncounter(document: string): Answered<{ encounter: WasmEncounter }>;
-  units(document: string): Answered<{ units: Units }>;
-  ownSpeed(document: string, speed: number): Answered<{ speed: number }>;
-  number(name: string, text: string): Answered<{ value: number }>;
-  series(name: string, text: string): Answered<{ values: Float64Array }>;
+/** The answer to a question. Throws CoreError with one line for what the core cannot do. */
+export function answer(core: Wasm, question: string, given: object, deliver: Deliver | null = null): unknown {
+  const answered = core.ask(question, given, deliver);
+  if (answered.error !== undefined) throw new CoreError(answered.error);
+  return answered.value;
 }

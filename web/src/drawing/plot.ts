@@ -38,6 +38,9 @@ const MARGIN = { left: 62, right: 14, top: 30, bottom: 46 };
 /** Pixels of a chart beside what it shows. */
 export const BESIDE = MARGIN.left + MARGIN.right;
 
+/** The least width of a chart that leaves the page. */
+export const WIDTH = 480;
+
 const PITCH = 64; // pixels for the number of a tick along x
 const RISE = 30; // and along y
 

@@ -11,15 +11,6 @@ export interface Theme {
   dark: boolean;
 }
 
-const LIGHT: Theme = {
-  text: '#1a1d21', muted: '#5a636e', line: '#d5dae0', background: '#ffffff', panel: '#f5f7f9', accent: '#0072b2',
-  dark: false,
-};
-const DARK: Theme = {
-  text: '#e8eaed', muted: '#a3adb8', line: '#3a424c', background: '#14171a', panel: '#1d2126', accent: '#56b4e9',
-  dark: true,
-};
-
 /** How one of several curves looks: no two share a colour, a dash or a marker. */
 export interface Look {
   color: string;
@@ -45,28 +36,13 @@ export function look(index: number, theme: Theme): Look {
   };
 }
 
-/** The theme where an element stands: its custom properties, and ours where it has none. */
+/** The theme where an element stands: the custom properties of style.css. */
 export function readTheme(element: Element): Theme {
   const style = getComputedStyle(element);
-  const scheme = style.colorScheme;
-  const dark = scheme === 'dark' || (scheme !== 'light' && matchMedia('(prefers-color-scheme: dark)').matches);
-  const ours = dark ? DARK : LIGHT;
-  const read = (name: keyof Theme): string => style.getPropertyValue(`--${name}`).trim() || String(ours[name]);
+  const read = (name: string): string => style.getPropertyValue(`--${name}`).trim();
   return {
     text: read('text'), muted: read('muted'), line: read('line'), background: read('background'),
-    panel: read('panel'), accent: read('accent'), dark,
-  };
-}
-
-/** Calls back when the page becomes dark or light; returns what ends that. */
-export function onThemeChange(callback: () => void): () => void {
-  const query = matchMedia('(prefers-color-scheme: dark)');
-  query.addEventListener('change', callback);
-  const root = new MutationObserver(callback);
-  root.observe(document.documentElement, { attributes: true, attributeFilter: ['data-theme', 'class', 'style'] });
-  return () => {
-    query.removeEventListener('change', callback);
-    root.disconnect();
+    panel: read('panel'), accent: read('accent'), dark: matchMedia('(prefers-color-scheme: dark)').matches,
   };
 }
 

@@ -1,17 +1,17 @@
 // All inputs in the address of the page, in short readable keys: ?body=sphere&nu=0.3&v=0.01&against=half-space&nu2=0.2
 import type { Against, Body, Encounter } from '../core/protocol';
 import { repaired, speedProblem } from './check';
-import { fieldsOfBody, secondOf } from './document';
+import { type Side, fieldsOfBody, sidesOf } from './document';
+import { names } from './fields';
 import { type Inputs, ball, defaults, mostKept, siSpeed, unitBody, withSecond } from './inputs';
 import { type BodyField, type BodyKind, type Kind, blockOf, bodyKinds, kindNamed } from './kinds';
 import { parseNumber, shortest } from './number';
 import { barSpeed } from './units';
 
-const keys: Record<BodyField, string> = {
-  poisson: 'nu', young: 'E', density: 'rho', radius: 'R', length: 'R', area: 'A', loss_time: 'eta',
-};
-const known = new Set(['body', 'units', 'plane', 'v', ...Object.values(keys), 'against',
-  ...Object.values(keys).map((key) => `${key}2`), 'view']);
+const keyOf = (field: BodyField, second: boolean): string => names[field][2] + (second ? '2' : '');
+const fields = Object.keys(names) as BodyField[];
+const known = new Set(['body', 'units', 'plane', 'v', ...fields.map((field) => keyOf(field, false)), 'against',
+  ...fields.map((field) => keyOf(field, true)), 'view']);
 
 /** The inputs as text after ? in the address. */
 export function toAddress(inputs: Inputs): string {
@@ -78,18 +78,18 @@ function normalSpeed(encounter: Encounter): number {
 }
 
 function pairsOf(encounter: Encounter): [string, string][] {
-  const { kind, si, plane, first, against } = encounter;
-  const second = secondOf(encounter);
-  const numbers = (of: Kind, body: Body, mark: '' | '2'): [string, string][] =>
-    fieldsOfBody(of, si, mark !== '').filter((name) => name !== 'loss_time' || body[name] !== 0)
-      .map((name) => [keys[name] + mark, shortest(body[name])]);
+  const { kind, si, against } = encounter;
+  const [first, second] = sidesOf(encounter);
+  const numbers = ({ body, fields: its, second: other }: Side): [string, string][] =>
+    its.filter((name) => name !== 'loss_time' || body[name] !== 0)
+      .map((name) => [keyOf(name, other), shortest(body[name])]);
   return [
     ['body', kind],
     ...(si ? [['units', 'SI']] as [string, string][] : []),
-    ...(si && kindNamed(kind).hasPlane && plane === 'strain' ? [['plane', plane]] as [string, string][] : []),
-    ...numbers(kindNamed(kind), first, ''),
+    ...(first.strain ? [['plane', 'strain']] as [string, string][] : []),
+    ...numbers(first),
     ...(against.kind !== 'wall' ? [['against', against.kind]] as [string, string][] : []),
-    ...(second ? numbers(second.kind, second.body, '2') : []),
+    ...(second ? numbers(second) : []),
   ];
 }
 
@@ -154,13 +154,13 @@ function encounterFrom(reader: Reader): Encounter {
   const fill = (of: Kind, second: boolean, without: Body): Body => {
     const body: Body = { ...unitBody };
     for (const field of fieldsOfBody(of, si, second)) {
-      body[field] = reader.number(second ? `${keys[field]}2` : keys[field], field === 'loss_time' ? 0 : without[field]);
+      body[field] = reader.number(keyOf(field, second), field === 'loss_time' ? 0 : without[field]);
     }
     return body;
   };
   const first = fill(kindNamed(kind), false, si ? ball : unitBody);
   const encounter: Encounter = { kind, si, plane, first, against };
-  return withSecond(encounter, () => fill(secondOf(encounter)!.kind, true, si ? first : unitBody));
+  return withSecond(encounter, () => fill(sidesOf(encounter)[1]!.kind, true, si ? first : unitBody));
 }
 
 function decoded(text: string): string {

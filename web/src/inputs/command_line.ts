@@ -1,36 +1,30 @@
 // The command line that gives the same numbers.
-import type { Body, Encounter } from '../core/protocol';
-import { fieldsOfBody, secondOf, solidOf } from './document';
-import { type Kind, kindNamed } from './kinds';
+import type { Encounter } from '../core/protocol';
+import { type Side, sidesOf } from './document';
 import { shortest } from './number';
 
 /** The numbers of a body by the keys of the command. */
-function pairsOf({ si }: Encounter, kind: Kind, body: Body, second: boolean): [string, number][] {
-  const all = fieldsOfBody(kind, si, second).filter((name) => name !== 'loss_time');
-  const pairs: [string, number][] = all.map((name) => [name, body[name]]);
-  const strength = si && kind.canYield ? solidOf(body, kind)?.yield_strength : undefined;
-  if (strength !== undefined) pairs.push(['yield', strength]);
-  if (body.loss_time !== 0) pairs.push(['loss_time', body.loss_time]);
-  return pairs;
+function pairsOf({ kind, body, fields, solid }: Side): [string, string][] {
+  const strength = kind.canYield ? solid?.yield_strength : undefined;
+  const pairs: [string, number][] = [
+    ...fields.filter((name) => name !== 'loss_time').map((name): [string, number] => [name, body[name]]),
+    ...(strength === undefined ? [] : [['yield', strength] as [string, number]]),
+    ...(body.loss_time === 0 ? [] : [['loss_time', body.loss_time] as [string, number]]),
+  ];
+  return pairs.map(([key, value]) => [key, shortest(value)]);
 }
 
 /** Arguments that say who meets whom, as `stoss restitution` and `stoss table` take them. */
 export function encounterArguments(encounter: Encounter): string[] {
-  const { kind, si, plane, first, against } = encounter;
-  const line: string[] = kind === 'disk' ? [] : ['--body', kind];
-  const strain = si && kindNamed(kind).hasPlane && plane === 'strain';
-  for (const [key, value] of pairsOf(encounter, kindNamed(kind), first, false)) {
-    line.push(`--${key.replace('_', '-')}`, shortest(value));
-  }
-  if (strain) line.push('--plane', plane);
-  const second = secondOf(encounter);
-  if (second) {
-    const pairs = pairsOf(encounter, second.kind, second.body, true).map(([key, value]) => `${key}=${shortest(value)}`);
-    line.push('--against', [second.kind.name, ...pairs].join(','));
-  } else if (against.kind !== 'wall') {
-    line.push('--against', against.kind);
-  }
-  return line;
+  const { kind, against } = encounter;
+  const [first, second] = sidesOf(encounter);
+  const other = second ? [second.kind.name, ...pairsOf(second).map((pair) => pair.join('='))].join(',') : against.kind;
+  return [
+    ...(kind === 'disk' ? [] : ['--body', kind]),
+    ...pairsOf(first).flatMap(([key, value]) => [`--${key.replace('_', '-')}`, value]),
+    ...(first.strain ? ['--plane', 'strain'] : []),
+    ...(other === 'wall' ? [] : ['--against', other]),
+  ];
 }
 
 /** The arguments of `stoss restitution` for ε at one speed. */

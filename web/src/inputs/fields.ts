@@ -1,7 +1,7 @@
 // The numbers a user types: which of them an encounter has, what they are called, and in what unit.
 import type { Encounter } from '../core/protocol';
 import { unitInWords } from '../drawing/numbers';
-import { fieldsOfBody, secondOf } from './document';
+import { sidesOf } from './document';
 import { secondBody, withSecond } from './inputs';
 import { type BodyField, kindNamed } from './kinds';
 
@@ -10,10 +10,8 @@ export type Field = BodyField | `${BodyField}2` | 'speed';
 
 /** The fields that count in an encounter, in the order of the page. */
 export function fieldsOf(encounter: Encounter): Field[] {
-  const { kind, si } = encounter;
-  const second = secondOf(encounter);
-  const others = second ? fieldsOfBody(second.kind, si, true).map(ofSecond) : [];
-  return [...fieldsOfBody(kindNamed(kind), si, false), ...others, 'speed'];
+  return [...sidesOf(encounter).flatMap((side) =>
+    side!.fields.map((name): Field => (side!.second ? ofSecond(name) : name))), 'speed'];
 }
 
 export function ofSecond(field: BodyField): `${BodyField}2` {
@@ -42,9 +40,11 @@ export function withValue(encounter: Encounter, field: Exclude<Field, 'speed'>, 
   return withSecond(encounter, (body) => ({ ...body, [name]: value }));
 }
 
-const names: Record<BodyField, [words: string, symbol: string]> = {
-  poisson: ['Poisson’s ratio', 'ν'], young: ['Young’s modulus', 'E'], density: ['Density', 'ρ'],
-  radius: ['Radius', 'R'], length: ['Length', 'L'], area: ['Cross-section', 'A'], loss_time: ['Loss time', 'η'],
+/** What the page calls a number of a body: in words, by a symbol, and in the address. */
+export const names: Record<BodyField, [words: string, symbol: string, key: string]> = {
+  poisson: ['Poisson’s ratio', 'ν', 'nu'], young: ['Young’s modulus', 'E', 'E'], density: ['Density', 'ρ', 'rho'],
+  radius: ['Radius', 'R', 'R'], length: ['Length', 'L', 'R'], area: ['Cross-section', 'A', 'A'],
+  loss_time: ['Loss time', 'η', 'eta'],
 };
 
 /** The name of a field, without its symbol. */

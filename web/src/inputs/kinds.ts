@@ -53,7 +53,7 @@ export function parametersOf(kind: Kind): Parameter[] {
 }
 
 /** The name of the size of a body: radius, or length. */
-export function sizeOf(kind: BodyKind): BodyField {
+export function sizeOf(kind: string): BodyField {
   return kindNamed(kind).parameters.find(({ unit }) => unit === 'm')!.name;
 }
 

@@ -1,17 +1,18 @@
 // The form: it shows the inputs, and tells what the user makes of them.
+import { html, render } from 'lit-html';
 import type { Against, Body } from '../core/protocol';
+import { find, optionsOf } from '../drawing/dom';
 import { check } from '../inputs/check';
 import { description } from '../inputs/description';
 import { significant } from '../inputs/digits';
-import { madeOf, materialOf, secondOf } from '../inputs/document';
-import { type Field, fieldsOf, owner } from '../inputs/fields';
+import { madeOf, sidesOf } from '../inputs/document';
+import { type Field, fieldsOf } from '../inputs/fields';
 import { type Inputs, withAgainst, withKind, withSecond } from '../inputs/inputs';
 import { type BodyKind, blockOf, bodyKinds, kindNamed, materials, sizeOf } from '../inputs/kinds';
 import { presetOf, presets } from '../inputs/presets';
 import { placeOf, speedAt, steps } from '../inputs/speeds';
 import { barSpeed, withSi, withoutSi } from '../inputs/units';
-import { find, make } from './dom';
-import { type FieldView, makeField, showField, showProblem } from './fields_view';
+import { showFields, showNumbers, textOf } from './fields_view';
 
 export interface Controls {
   /** Show inputs that come from elsewhere: the address, the curve. */
@@ -37,15 +38,14 @@ export function createControls(initial: Inputs, listener: Listener): Controls {
   const selects = { first: find('material', HTMLSelectElement), second: find('material2', HTMLSelectElement) };
   const preset = find('preset', HTMLSelectElement);
   const simple = find('simple', HTMLInputElement);
-  const views = new Map<Field, FieldView>();
   slider.max = String(steps);
-  find('bodies', HTMLElement).append(...bodyKinds.map((kind) => make('label', { title: kindNamed(kind).help },
-    make('input', { type: 'radio', name: 'body', value: kind }),
-    make('span', {}, kind.charAt(0).toUpperCase() + kind.slice(1)))));
-  preset.append(...[own, ...presets.map(({ name }) => name)].map((name) => make('option', { value: name }, name)));
-  for (const select of [selects.first, selects.second]) {
-    select.append(...[own, ...materials.map(({ name }) => name)].map((name) => make('option', { value: name }, name)));
-  }
+  render(bodyKinds.map((kind) => html`<label title=${kindNamed(kind).help}>
+    <input type="radio" name="body" value=${kind} /><span>${kind.charAt(0).toUpperCase() + kind.slice(1)}</span>
+  </label>`), find('bodies', HTMLElement));
+  const named = (all: readonly { name: string }[]): unknown =>
+    optionsOf([own, ...all.map(({ name }) => name)].map((name) => [name, name]));
+  render(named(presets), preset);
+  for (const select of Object.values(selects)) render(named(materials), select);
 
   function show(next: Inputs): void {
     inputs = next;
@@ -58,17 +58,12 @@ export function createControls(initial: Inputs, listener: Listener): Controls {
     document.body.dataset.view = inputs.simple ? 'simple' : 'full';
     find('plane-row', HTMLElement).hidden = !(si && kindNamed(kind).hasPlane);
     find('material-row', HTMLElement).hidden = !si;
-    find('material2-row', HTMLElement).hidden = !si || secondOf(encounter) === undefined;
+    find('material2-row', HTMLElement).hidden = !si || sidesOf(encounter)[1] === undefined;
     showPartners(kind, against.kind);
     showNames();
     find('units-note', HTMLElement).textContent = note();
-    const fields = fieldsOf(encounter);
-    for (const field of fields) showField(viewOf(field), field, inputs);
-    for (const [field, view] of views) {
-      view.row.hidden = !fields.includes(field);
-      view.row.style.order = String(fields.indexOf(field));
-      showProblem(view, '');
-    }
+    showFields(inputs, new Map());
+    showNumbers(inputs);
     showSlider();
   }
 
@@ -81,14 +76,10 @@ export function createControls(initial: Inputs, listener: Listener): Controls {
     const { encounter } = inputs;
     preset.value = presetOf(inputs)?.name ?? own;
     find('who', HTMLElement).textContent = description(encounter);
-    const second = secondOf(encounter);
-    const made = {
-      first: materialOf(encounter.first, kindNamed(encounter.kind)),
-      second: second && materialOf(second.body, second.kind),
-    };
-    for (const each of ['first', 'second'] as const) {
-      selects[each].value = made[each]?.name ?? own;
-      selects[each].title = made[each]?.source ?? '';
+    const [first, second] = sidesOf(encounter);
+    for (const [select, side] of [[selects.first, first], [selects.second, second]] as const) {
+      select.value = side?.material?.name ?? own;
+      select.title = side?.material?.source ?? '';
     }
   }
 
@@ -100,17 +91,6 @@ export function createControls(initial: Inputs, listener: Listener): Controls {
       : `Units: ${size}, bar speed c = √(E/ρ) and mass of the first body`;
   }
 
-  function viewOf(field: Field): FieldView {
-    const known = views.get(field);
-    if (known !== undefined) return known;
-    const view = makeField(field);
-    const place = owner(field);
-    const home = place === undefined ? 'speed-field' : place.second ? 'second-fields' : 'first-fields';
-    find(home, HTMLElement).append(view.row);
-    views.set(field, view);
-    return view;
-  }
-
   /** Take over inputs that a choice or a slider made; they are in range unless a field already was not. */
   function take(next: Inputs, settled: boolean): void {
     show(next);
@@ -119,10 +99,10 @@ export function createControls(initial: Inputs, listener: Listener): Controls {
 
   /** Check all fields, and report. */
   function read(settled: boolean): void {
-    const texts = new Map(fieldsOf(inputs.encounter).map((field) => [field, viewOf(field).input.value]));
+    const texts = new Map(fieldsOf(inputs.encounter).map((field) => [field, textOf(field)]));
     const result = check(inputs, texts);
     const problems = 'problems' in result ? result.problems : new Map<Field, string>();
-    for (const [field, view] of views) showProblem(view, problems.get(field) ?? '');
+    showFields(inputs, problems);
     if ('problems' in result) {
       listener.wrong();
       return;
@@ -178,21 +158,18 @@ export function createControls(initial: Inputs, listener: Listener): Controls {
   }
 
   function showPartners(kind: BodyKind, chosen: Against['kind']): void {
-    const names: [Against['kind'], string][] = [
+    const names: [string, string][] = [
       ['wall', 'a rigid wall'], ['same', 'an identical body'], ['body', `another ${kind}`],
     ];
     const block = blockOf(kind);
     if (block) names.push(['half-space', `an elastic ${block.name}`]);
-    if (partner.dataset.kind !== kind) {
-      partner.replaceChildren(...names.map(([value, text]) => make('option', { value }, text)));
-      partner.dataset.kind = kind;
-    }
+    render(optionsOf(names), partner);
     partner.value = chosen;
   }
 
   show(inputs);
   return {
     show,
-    refuse: (field, problem) => showProblem(viewOf(field), problem),
+    refuse: (field, problem) => showFields(inputs, new Map([[field, problem]])),
   };
 }

@@ -47,7 +47,7 @@ export function createCurves(core: Core, changed: () => void, failed: (line: str
     const begun = of(encounter);
     const missing = begun.planned.filter((speed) => !begun.points.some((point) => point.speed === speed));
     if (missing.length === 0) return;
-    await core.curve(encounter, missing, fine, (point) => {
+    const deliver = (point: CurvePoint): void => {
       if (signal.aborted) return;
       const before = of(encounter);
       const key = keyOf(encounter);
@@ -55,7 +55,8 @@ export function createCurves(core: Core, changed: () => void, failed: (line: str
       known.set(key, { ...before, points: [...before.points, point] });
       for (const oldest of known.keys()) if (known.size > most) known.delete(oldest);
       changed();
-    }, signal);
+    };
+    await core('curve', encounter, { speeds: missing, tolerance: fine }, { deliver, signal });
   }
 
   async function computeAll(signal: AbortSignal): Promise<void> {

@@ -1,11 +1,12 @@
 // A lane ends what is aborted, and replaces a worker that dies.
 import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest';
-import { createLane, type Fellow, type Lane, patience, silence } from '../../src/core/lane';
-import type { Call, FromWorker, ToWorker } from '../../src/core/calls';
+import { createLane, type Fellow, type FromWorker, type Lane, patience, silence, type ToWorker }
+  from '../../src/core/lane';
+import type { Call } from '../../src/core/wasm';
 import { CoreError } from '../../src/core/protocol';
 
 const module = {} as WebAssembly.Module;
-const call = (speed: number): Call => ({ name: 'restitution', arguments: ['{}', speed, 1e-2] });
+const call = (speed: number): Call => ({ question: 'restitution', given: { speed } });
 
 /** A worker that answers when the test says so. */
 class Fake implements Fellow {
