@@ -5,7 +5,8 @@
 >>> stoss.restitution(disk, speed=0.1)
 Restitution(poisson=0.33, speed=0.1 c: restitution 0.947060 ± 0.000031)
 
-A body comes first, all other arguments are named. Units are those of the first body: radius R, bar
+A body comes first, all other arguments are named; those out of range are refused with
+`InvalidInput` before anything is computed. Units are those of the first body: radius R, bar
 speed c = √(E/ρ), mass m; of bodies with a `Material`, speeds are in m/s.
 
 ================================  ==================================================================
@@ -135,7 +136,8 @@ def __getattr__(name: str) -> object:
 
 
 def _draw(result: Result, ax: object, name: str) -> object:
-    return importlib.import_module("stoss.plot").PICTURES[type(result), name](result, ax)
+    pictures = importlib.import_module("stoss.plot").PICTURES
+    return next(pictures[kind, name] for kind in type(result).__mro__ if (kind, name) in pictures)(result, ax)
 
 
 Result._draw = _draw

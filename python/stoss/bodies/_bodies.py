@@ -29,9 +29,8 @@ class Disk(Solid):
     young, density : float, optional
         Young's modulus E and density ρ.
     loss_time : float, optional
-        Loss time η of a Kelvin–Voigt material, stress = (1 + η ∂/∂t) elastic stress; 0, or
-        that of the material. In the unit of time that the others imply, R/c of the first body; with
-        a material in s.
+        Loss time η, stress = (1 + η ∂/∂t) elastic stress: R/c of the first body, or with a material
+        s. Default: 0, or that of the material.
     material : Material
         In place of `poisson`, `young` and `density`: then these attributes are ν, E and ρ in plane
         stress, ν/(1−ν), E/(1−ν²) and ρ in plane strain.
@@ -79,9 +78,8 @@ class Sphere(Solid):
     young, density : float, optional
         Young's modulus E and density ρ.
     loss_time : float, optional
-        Loss time η of a Kelvin–Voigt material, stress = (1 + η ∂/∂t) elastic stress; 0, or
-        that of the material. In the unit of time that the others imply, R/c of the first body; with
-        a material in s.
+        Loss time η, stress = (1 + η ∂/∂t) elastic stress: R/c of the first body, or with a material
+        s. Default: 0, or that of the material.
     material : Material
         In place of `poisson`, `young` and `density`.
     rigid : bool, optional
@@ -127,9 +125,8 @@ class Rod(Solid):
     area : float
         Of the cross-section, A; 1, or with a material to be given in m².
     loss_time : float, optional
-        Loss time η of a Kelvin–Voigt material, stress = (1 + η ∂/∂t) elastic stress; 0, or
-        that of the material. In the unit of time that the others imply, L/c of the first body; with
-        a material in s.
+        Loss time η, stress = (1 + η ∂/∂t) elastic stress: L/c of the first body, or with a material
+        s. Default: 0, or that of the material.
     material : Material
         In place of `young` and `density`.
 

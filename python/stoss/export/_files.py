@@ -27,9 +27,7 @@ def whole_file(path: str, suffix: str = "") -> Iterator[str]:
         descriptor, temporary = tempfile.mkstemp(dir=os.path.dirname(path), prefix=".stoss-", suffix=suffix)
         os.close(descriptor)
         yield temporary
-        mask = os.umask(0)
-        os.umask(mask)
-        os.chmod(temporary, os.stat(path).st_mode & 0o777 if os.path.exists(path) else 0o666 & ~mask)
+        os.chmod(temporary, os.stat(path).st_mode & 0o777 if os.path.exists(path) else usual_mode())
         os.replace(temporary, path)
     except BaseException as error:
         if temporary:
@@ -39,6 +37,13 @@ def whole_file(path: str, suffix: str = "") -> Iterator[str]:
         if isinstance(error, OSError) and error.errno and ours:
             raise type(error)(error.errno, error.strerror, given) from None  # the name that the user knows
         raise
+
+
+def usual_mode() -> int:
+    """Who may do what with a new file."""
+    mask = os.umask(0)
+    os.umask(mask)
+    return 0o666 & ~mask
 
 
 def write_lines(path: str | os.PathLike[str], lines: Iterable[str]) -> None:

@@ -29,9 +29,6 @@ Examples
 >>> ax.figure.savefig("sequence.pdf")
 """
 
-from types import MappingProxyType
-from typing import Any, Callable, Mapping
-
 try:
     import matplotlib as _matplotlib  # noqa: F401
 except ModuleNotFoundError as _missing:
@@ -50,45 +47,9 @@ from stoss.plot._quasistatic import rayleigh, slow_impact, static_contact
 from stoss.plot._restitution import restitution
 from stoss.plot._sequence import sequence
 from stoss.plot._stress import stress
+from stoss.plot._style import PICTURES as PICTURES
 from stoss.plot._trajectory import energies, force, half_width, velocity
 from stoss.plot._wave import wave
-from stoss.quasistatic._rayleigh import PointRayleighEstimate, RayleighEstimate
-from stoss.quasistatic._slow_impact import PointSlowImpact, SlowImpact
-from stoss.quasistatic._static_contact import StaticContact
-from stoss.results._bounce import Bounces
-from stoss.results._distribution import RestitutionDistribution
-from stoss.results._extrapolation import Extrapolation
-from stoss.results._field import DiskField, SphereField
-from stoss.results._function import RestitutionFunction
-from stoss.results._modes import Modes
-from stoss.results._motion import Trajectory, Wave
-from stoss.results._pair_table import PairTable
-from stoss.results._restitution import Restitution
-from stoss.results._rod_chain import RodChain
-
-PICTURES: Mapping[tuple[type, str], Callable[..., Any]] = MappingProxyType(
-    {
-        (Bounces, "plot"): bounces,
-        (DiskField, "plot"): stress,
-        (Extrapolation, "plot"): extrapolation,
-        (Modes, "plot"): spectrum,
-        (PairTable, "plot"): pair_table,
-        (PointRayleighEstimate, "plot"): rayleigh,
-        (PointSlowImpact, "plot"): slow_impact,
-        (RayleighEstimate, "plot"): rayleigh,
-        (Restitution, "plot"): restitution,
-        (RestitutionDistribution, "plot"): distribution,
-        (RestitutionFunction, "plot"): function,
-        (RodChain, "plot"): cooling,
-        (SlowImpact, "plot"): slow_impact,
-        (SphereField, "plot"): stress,
-        (StaticContact, "plot"): static_contact,
-        (Trajectory, "plot"): force,
-        (Wave, "plot"): wave,
-        (RodChain, "histogram"): restitution_histogram,
-    }
-)
-"""Draws the picture of each method of a result."""
 
 __all__ = [
     "animate",

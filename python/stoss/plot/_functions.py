@@ -8,8 +8,8 @@ from matplotlib.axes import Axes
 import numpy as np
 from numpy.typing import ArrayLike
 
-from stoss._arguments import instance, numbers
-from stoss.bodies._bodies import speed_unit
+from stoss._arguments import numbers
+from stoss.bodies._bodies import Body, speed_unit
 from stoss.plot import _style
 from stoss.results._extrapolation import Extrapolation
 from stoss.results._function import RestitutionFunction
@@ -18,6 +18,7 @@ from stoss.results._pair_table import PairTable
 FINE = 12  # points of the curve between computed values
 
 
+@_style.picture_of(RestitutionFunction, method="plot")
 def function(result: RestitutionFunction, ax: Axes | None = None, *, label: str | None = None, **style: Any) -> Axes:
     """ε against speed as a curve in a band of its error, with the computed values and their bars.
 
@@ -38,34 +39,34 @@ def function(result: RestitutionFunction, ax: Axes | None = None, *, label: str 
     >>> ax.get_xlabel(), ax.get_ylabel()
     ('speed of approach v / c', 'restitution ε')
     """
-    instance("result", result, (RestitutionFunction,))
     knots = result.knots
     between = [np.geomspace(low, high, FINE, endpoint=False) for low, high in zip(knots["speed"], knots["speed"][1:])]
     speed = np.clip(np.append(np.concatenate(between), knots["speed"][-1]), *result.range)
     value, error = result(speed), result.error(speed)
-    with _style.canvas(ax) as axes:
-        axes.set_xscale("log")
+    with _style.canvas(ax, **_axes_of(result.body)) as axes:
         color = _style.COLORS[len(axes.lines) // 2 % len(_style.COLORS)]
         (line,) = axes.plot(speed, value, **{"color": color, "label": label, "linewidth": 0.9} | style)
-        look = {"color": line.get_color(), "linewidth": 0.0}
-        axes.fill_between(speed, value - error, value + error, alpha=0.3, **look)
+        axes.fill_between(speed, value - error, value + error, alpha=0.3, color=line.get_color(), linewidth=0.0)
         axes.errorbar(
             knots["speed"], knots["restitution"], yerr=knots["error"], color=line.get_color(), linestyle="none",
             marker="o", markersize=1.8, capsize=1.2, elinewidth=0.6,
         )  # fmt: skip
-        unit = "c" if result.body.material is None else "(m/s)"
-        axes.set_xlabel(f"speed of approach v / {unit}")
         axes.ticklabel_format(axis="y", useOffset=False)
-        axes.set_ylabel("restitution ε")
         if label is not None:
             _style.legend(axes)
     return axes
+
+
+def _axes_of(body: Body) -> dict[str, Any]:
+    named = _style.speed_label(body.material, "speed of approach v")
+    return {"xscale": "log", "xlabel": named, "ylabel": "restitution ε"}
 
 
 POINTS = 600
 USUAL = 5  # ratios that are drawn if none are named
 
 
+@_style.picture_of(PairTable, method="plot")
 def pair_table(table: PairTable, ax: Axes | None = None, *, ratio: ArrayLike | None = None, **style: Any) -> Axes:
     """ε against speed for several ratios of radii, each in a band of its error.
 
@@ -86,7 +87,6 @@ def pair_table(table: PairTable, ax: Axes | None = None, *, ratio: ArrayLike | N
     >>> [text.get_text() for text in ax.get_legend().get_texts()]
     ['ratio 1', 'ratio 1.5']
     """
-    instance("table", table, (PairTable,))
     ends = (table.ratio[[0, -1]] - 1) / (table.ratio[[0, -1]] + 1)
     places = np.linspace(float(ends[0]), float(ends[1]), USUAL)
     usual = np.clip((1 + places) / (1 - places), table.ratio[0], table.ratio[-1])
@@ -95,21 +95,19 @@ def pair_table(table: PairTable, ax: Axes | None = None, *, ratio: ArrayLike | N
     speed = np.clip(np.geomspace(table.speed[0], table.speed[-1], POINTS), table.speed[0], table.speed[-1]) * unit
     if table.body.material is not None:  # rounded inwards
         speed = np.clip(speed, np.nextafter(speed[0], np.inf), np.nextafter(speed[-1], 0.0))
-    with _style.canvas(ax) as axes:
-        axes.set_xscale("log")
+    with _style.canvas(ax, **_axes_of(table.body)) as axes:
         for each in chosen:
             value, error = table(speed, each), table.error(speed, each)
             color = _style.COLORS[len(axes.lines) % len(_style.COLORS)]
             look = {"color": color, "label": f"ratio {each:.3g}", "linewidth": 1.0} | style
             (line,) = axes.plot(speed, value, **look)
             axes.fill_between(speed, value - error, value + error, alpha=0.3, color=line.get_color(), linewidth=0.0)
-        axes.set_xlabel("speed of approach v / c" if table.body.material is None else "speed of approach v / (m/s)")
         axes.ticklabel_format(axis="y", useOffset=False)
-        axes.set_ylabel("restitution ε")
         _style.legend(axes)
     return axes
 
 
+@_style.picture_of(Extrapolation, method="plot")
 def extrapolation(result: Extrapolation, ax: Axes | None = None) -> Axes:
     """1 − ε² against 1/α for each cutoff, with the straight lines to the hard wall, 1/α = 0.
 
@@ -129,11 +127,9 @@ def extrapolation(result: Extrapolation, ax: Axes | None = None) -> Axes:
     >>> ax.get_xlabel()
     'inverse hardness 1/(αR)'
     """
-    instance("result", result, (Extrapolation,))
     cutoffs = np.unique(result.impacts["cutoff"])
-    with _style.canvas(ax, size=(_style.COLUMN, 2.8)) as axes:
-        axes.set_xlabel("inverse hardness 1/(αR)")
-        axes.set_ylabel("lost fraction 1 − ε²")
+    look = {"xlabel": "inverse hardness 1/(αR)", "ylabel": "lost fraction 1 − ε²"}
+    with _style.canvas(ax, size=(_style.COLUMN, 2.8), **look) as axes:
         axes.locator_params(axis="x", nbins=5)
         for k, (cutoff, at_zero) in enumerate(zip(cutoffs, result.hard_wall)):
             n = k % len(_style.COLORS)

@@ -8,7 +8,7 @@ from matplotlib.axes import Axes
 import numpy as np
 from numpy.typing import NDArray
 
-from stoss._arguments import instance, refusal
+from stoss._arguments import refusal
 from stoss._errors import NotConverged
 from stoss.bodies._bodies import speed_unit
 from stoss.plot import _style
@@ -28,6 +28,7 @@ SPEEDS = 12  # at which the unexcited body is computed
 MARKED = 60  # impacts whose markers do not run together in one column
 
 
+@_style.picture_of(Bounces, method="plot")
 def bounces(result: Bounces, ax: Axes | None = None) -> Axes:
     """ε of each impact and that of the unexcited body, and below it where the energy is.
 
@@ -53,10 +54,9 @@ def bounces(result: Bounces, ax: Axes | None = None) -> Axes:
     >>> ax.get_ylabel(), ax.figure.axes[-1].get_ylabel()
     ('restitution ε', 'energy / initial')
     """
-    instance("result", result, (Bounces,))
     if len(result) == 0:
         raise refusal("result", result, "a sequence of at least one impact")
-    with _style.canvas(ax, size=(_style.COLUMN, 4.0)) as axes:
+    with _style.canvas(ax, size=(_style.COLUMN, 4.0), ylabel="restitution ε") as axes:
         place = getattr(axes, "get_subplotspec", lambda: None)()  # before matplotlib 3.7 only subplots have it
         if place is None:
             raise refusal("ax", ax, "an Axes of pyplot.subplots, of which the lower half can be taken")
@@ -69,7 +69,6 @@ def bounces(result: Bounces, ax: Axes | None = None) -> Axes:
         look = {"marker": ".", "linestyle": "none"} if len(result) > MARKED else {"marker": "o", "linestyle": "none"}
         axes.plot(result.number, rest, color=_style.BLACK, label="unexcited", zorder=3)
         axes.plot(result.number, result.restitution, color=_style.VERMILION, label="impact", **look)
-        axes.set_ylabel("restitution ε")
         axes.tick_params(labelbottom=False)
         axes.ticklabel_format(axis="y", useOffset=False)
         _style.legend(axes)
@@ -81,10 +80,8 @@ def bounces(result: Bounces, ax: Axes | None = None) -> Axes:
             labels=[label for label, _ in shown.values()], colors=[color for _, color in shown.values()],
             step="post", linewidth=0.0,
         )  # fmt: skip
-        lower.set_xlim(0.5, float(result.number[-1]) + 0.5)
-        lower.set_ylim(0.0, 1.0)
-        lower.set_xlabel("impact")
-        lower.set_ylabel("energy / initial")
+        ends = (0.5, float(result.number[-1]) + 0.5)
+        lower.set(xlim=ends, ylim=(0.0, 1.0), xlabel="impact", ylabel="energy / initial")
         _style.legend(lower, loc="lower left", handlelength=1.2)
     return axes
 
@@ -98,6 +95,7 @@ def _single(result: Bounces) -> NDArray[np.float64]:
     return np.interp(np.log(result.speed), np.log(speeds), single)
 
 
+@_style.picture_of(RestitutionDistribution, method="plot")
 def distribution(result: RestitutionDistribution, ax: Axes | None = None, *, bins: Any = "auto") -> Axes:
     """Histogram of ε, with its mean and ε of the same bodies, unexcited.
 
@@ -118,10 +116,9 @@ def distribution(result: RestitutionDistribution, ax: Axes | None = None, *, bin
     >>> ax.get_xlabel(), ax.get_ylabel()
     ('restitution ε', 'samples')
     """
-    instance("result", result, (RestitutionDistribution,))
     count, edges = result.histogram(bins)
     at_rest = _at_rest(result)
-    with _style.canvas(ax) as axes:
+    with _style.canvas(ax, xlabel="restitution ε", ylabel="samples") as axes:
         axes.stairs(count, edges, fill=True, facecolor=_style.SKY, edgecolor=_style.BLUE, linewidth=0.6)
         for value, name, look in (
             (result.mean, "mean", {"color": _style.BLACK, "linestyle": "-"}),
@@ -131,8 +128,6 @@ def distribution(result: RestitutionDistribution, ax: Axes | None = None, *, bin
         axes.set_ylim(0.0, 1.25 * max(1, count.max(initial=1)))
         axes.ticklabel_format(axis="x", useOffset=False)
         axes.locator_params(axis="x", nbins=5)  # numbers near 1 are long
-        axes.set_xlabel("restitution ε")
-        axes.set_ylabel("samples")
         _style.legend(axes, loc="upper left", ncol=2)
     return axes
 
@@ -150,6 +145,7 @@ def _at_rest(result: RestitutionDistribution) -> float:
 COOLED = 1e-2  # share of the energy below which t⁻² is drawn
 
 
+@_style.picture_of(RodChain, method="plot")
 def cooling(chain: RodChain, ax: Axes | None = None) -> Axes:
     """Energies of a chain of rods against time, as shares of the initial one, with a line ∝ t⁻².
 
@@ -170,16 +166,12 @@ def cooling(chain: RodChain, ax: Axes | None = None) -> Axes:
     >>> stoss.plot.cooling(chain).get_xscale()
     'log'
     """
-    instance("chain", chain, (RodChain,))
     after = chain.time > 0.0
     time, first = chain.time[after], chain.translation[0] or 1.0
     translation, vibration = chain.translation[after] / first, chain.vibration[after] / first
-    with _style.canvas(ax) as axes:
-        axes.set_xscale("log")
-        axes.set_yscale("log")
-        unit = chain._unit("time")
-        axes.set_xlabel(f"time ({unit})" if unit else "time")
-        axes.set_ylabel("energy / initial energy")
+    name = f"time ({chain._unit('time')})" if chain._unit("time") else "time"
+    look: dict[str, Any] = {"xscale": "log", "yscale": "log", "xlabel": name, "ylabel": "energy / initial energy"}
+    with _style.canvas(ax, **look) as axes:
         if time.size:
             axes.plot(time, translation, color=_style.BLUE, label="translation")
             if chain.decay_time != 0.0 and np.any(vibration > 0.0):
@@ -194,6 +186,7 @@ def cooling(chain: RodChain, ax: Axes | None = None) -> Axes:
     return axes
 
 
+@_style.picture_of(RodChain, method="histogram")
 def restitution_histogram(chain: RodChain, ax: Axes | None = None) -> Axes:
     """How often each coefficient of restitution occurs in a chain of rods.
 
@@ -213,11 +206,8 @@ def restitution_histogram(chain: RodChain, ax: Axes | None = None) -> Axes:
     >>> stoss.plot.restitution_histogram(chain).get_xlabel()
     'coefficient of restitution ε'
     """
-    instance("chain", chain, (RodChain,))
     values = chain.restitution
-    with _style.canvas(ax) as axes:
-        axes.set_xlabel("coefficient of restitution ε")
-        axes.set_ylabel("probability density")
+    with _style.canvas(ax, xlabel="coefficient of restitution ε", ylabel="probability density") as axes:
         if values.size:
             top = max(float(np.percentile(values, 99.8)), float(values.min()) + 1e-3)
             bins = int(np.clip(np.sqrt(values.size), 10, 60))

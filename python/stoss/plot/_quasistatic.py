@@ -8,7 +8,6 @@ import numpy as np
 from matplotlib.axes import Axes
 from numpy.typing import NDArray
 
-from stoss._arguments import instance
 from stoss.plot import _style
 from stoss.quasistatic._hertz import hertz_pressure
 from stoss.quasistatic._rayleigh import PointRayleighEstimate, RayleighEstimate
@@ -16,11 +15,10 @@ from stoss.quasistatic._slow_impact import PointSlowImpact, SlowImpact
 from stoss.quasistatic._static_contact import StaticContact
 
 Slow = Union[SlowImpact, PointSlowImpact, RayleighEstimate, PointRayleighEstimate]
-SLOW = (SlowImpact, PointSlowImpact)
-ESTIMATES = (RayleighEstimate, PointRayleighEstimate)
 BEYOND = "beyond perturbation theory"
 
 
+@_style.picture_of(SlowImpact, PointSlowImpact, method="plot")
 def slow_impact(result: SlowImpact | PointSlowImpact, ax: Axes | None = None) -> Axes:
     """Contact time against speed, a curve for each Poisson's ratio.
 
@@ -38,16 +36,14 @@ def slow_impact(result: SlowImpact | PointSlowImpact, ax: Axes | None = None) ->
     >>> ax.get_xlabel(), ax.get_ylabel()
     ('speed v / c', 'contact time τ / (R/c)')
     """
-    instance("result", result, SLOW)
-    with _style.canvas(ax) as axes:
-        _speed_axis(axes, result)
-        axes.set_ylabel("contact time τ / (R/c)")
+    with _style.canvas(ax, **_speed_axis(result), ylabel="contact time τ / (R/c)") as axes:
         for speed, where, look in _curves(result, axes):
             axes.plot(speed, np.ravel(result.contact_time)[where], **look)
         _style.legend(axes)
     return axes
 
 
+@_style.picture_of(RayleighEstimate, PointRayleighEstimate, method="plot")
 def rayleigh(result: RayleighEstimate | PointRayleighEstimate, ax: Axes | None = None) -> Axes:
     """Rayleigh's estimate of 1 − ε² against speed, with a band for its error.
 
@@ -66,11 +62,7 @@ def rayleigh(result: RayleighEstimate | PointRayleighEstimate, ax: Axes | None =
     >>> ax.get_ylabel()
     'lost fraction 1 − ε²'
     """
-    instance("result", result, ESTIMATES)
-    with _style.canvas(ax) as axes:
-        _speed_axis(axes, result)
-        axes.set_yscale("log")
-        axes.set_ylabel("lost fraction 1 − ε²")
+    with _style.canvas(ax, **_speed_axis(result), yscale="log", ylabel="lost fraction 1 − ε²") as axes:
         lost, error = np.ravel(result.lost_fraction), np.ravel(result.lost_fraction_error)
         beyond = np.ravel(result.beyond_perturbation).astype(bool)
         for speed, where, look in _curves(result, axes):
@@ -88,6 +80,7 @@ def rayleigh(result: RayleighEstimate | PointRayleighEstimate, ax: Axes | None =
     return axes
 
 
+@_style.picture_of(StaticContact, method="plot")
 def static_contact(result: StaticContact, ax: Axes | None = None) -> Axes:
     """Pressure of a static contact along the edge, with that of Hertz' contact of the same force.
 
@@ -103,24 +96,20 @@ def static_contact(result: StaticContact, ax: Axes | None = None) -> Axes:
     >>> ax.get_ylabel()
     'pressure p / E'
     """
-    instance("result", result, (StaticContact,))
     touching = slice(0, result.contact_nodes)
     y = np.concatenate((-result.position[touching][::-1], result.position[touching]))
     pressure = np.concatenate((result.pressure[touching][::-1], result.pressure[touching]))
-    with _style.canvas(ax) as axes:
+    with _style.canvas(ax, xlabel="position along the edge / R", ylabel="pressure p / E") as axes:
         axes.plot(y, pressure, color=_style.BLUE, label=f"δ = {_style.written(result.compression)} R")
         hertz = np.asarray(hertz_pressure(result.body, force=result.force, y=np.abs(y)))
         axes.plot(y, hertz, color=_style.BLACK, linestyle="--", label="Hertz")
         axes.set_ylim(bottom=0.0)
-        axes.set_xlabel("position along the edge / R")
-        axes.set_ylabel("pressure p / E")
         _style.legend(axes)
     return axes
 
 
-def _speed_axis(axes: Axes, result: Slow) -> None:
-    axes.set_xscale("log")
-    axes.set_xlabel("speed v / c" if result.material is None else "speed v / (m/s)")
+def _speed_axis(result: Slow) -> dict[str, Any]:
+    return {"xscale": "log", "xlabel": _style.speed_label(result.material)}
 
 
 def _curves(

@@ -52,6 +52,7 @@ class Scale(NamedTuple):
         return light
 
 
+@_style.picture_of(Field, method="plot")
 def stress(
     field: Field,
     ax: Axes | None = None,

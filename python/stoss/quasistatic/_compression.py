@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Any, Callable, Mapping
+from typing import Any, Mapping
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -30,19 +30,12 @@ def poissons_of(body: Any, poisson: Any) -> NDArray[np.float64]:
     return np.array(found.poisson)
 
 
-def by_law(
-    line: Callable[..., NDArray[np.float64]],
-    point: Callable[..., NDArray[np.float64]],
-    body: Any,
-    poisson: Any,
-    law: Any,
-    **given: Any,
-) -> Number:
-    """One of two functions of the core of a law, a Poisson's ratio and what else is given, over arrays."""
+def by_law(name: str, body: Any, poisson: Any, law: Any, **given: Any) -> Number:
+    """What the core's function of that name has of a law, a Poisson's ratio and what else is given, over arrays."""
     nu = poissons_of(body, poisson)
     chosen = choose_law(body, law)
     arrays = broadcast(poisson=nu, **{name: numbers(name, value) for name, value in given.items()})
-    function = point if isinstance(body, Sphere) else line
+    function = getattr(_core, f"point_{name}" if isinstance(body, Sphere) else name)
     values = function(chosen, *(each.ravel() for each in arrays))
     return arranged(values, arrays[0].shape)  # type: ignore[no-any-return]
 
@@ -64,15 +57,6 @@ def compression(
     law : {'center', 'diameter', 'printed', 'hertz'}, optional
         See `stoss.quasistatic`.
 
-    Returns
-    -------
-    float or ndarray
-
-    Raises
-    ------
-    InvalidInput
-        For arguments out of range.
-
     Examples
     --------
     >>> round(stoss.quasistatic.compression(force=0.001, poisson=0.33), 6)
@@ -80,7 +64,7 @@ def compression(
     >>> round(stoss.quasistatic.compression(stoss.Sphere(poisson=0.3), force=0.001), 6)
     0.018322
     """
-    return by_law(_core.compression, _core.point_compression, body, poisson, law, force=force)
+    return by_law("compression", body, poisson, law, force=force)
 
 
 def compression_force(
@@ -97,21 +81,12 @@ def compression_force(
     body, poisson, law
         As for `compression`.
 
-    Returns
-    -------
-    float or ndarray
-
-    Raises
-    ------
-    InvalidInput
-        For arguments out of range.
-
     Examples
     --------
     >>> stoss.quasistatic.compression_force(compression=[0.01, 0.02], poisson=0.33).round(6)
     array([0.001645, 0.003821])
     """
-    return by_law(_core.compression_force, _core.point_compression_force, body, poisson, law, compression=compression)
+    return by_law("compression_force", body, poisson, law, compression=compression)
 
 
 def compression_energy(
@@ -124,15 +99,6 @@ def compression_energy(
     body, force, poisson, law
         As for `compression`.
 
-    Returns
-    -------
-    float or ndarray
-
-    Raises
-    ------
-    InvalidInput
-        For arguments out of range.
-
     Examples
     --------
     >>> impact = stoss.quasistatic.slow_impact(poisson=0.33, speed=0.01)
@@ -140,7 +106,7 @@ def compression_energy(
     >>> round(energy / (0.5 * 0.01**2), 12)
     1.0
     """
-    return by_law(_core.compression_energy, _core.point_compression_energy, body, poisson, law, force=force)
+    return by_law("compression_energy", body, poisson, law, force=force)
 
 
 def contact_radius(body: Sphere, *, force: ArrayLike) -> Number:
@@ -151,15 +117,6 @@ def contact_radius(body: Sphere, *, force: ArrayLike) -> Number:
     body : Sphere
     force : array_like
         F, up to where a is R, mc²/R.
-
-    Returns
-    -------
-    float or ndarray
-
-    Raises
-    ------
-    InvalidInput
-        For arguments out of range.
 
     Examples
     --------
@@ -184,16 +141,12 @@ def limit_force(
     body, poisson, law
         As for `compression`.
 
-    Returns
-    -------
-    float or ndarray
-
     Examples
     --------
     >>> round(stoss.quasistatic.limit_force(poisson=0.33), 4)
     0.2638
     """
-    return by_law(_core.limit_force, _core.point_limit_force, body, poisson, law)
+    return by_law("limit_force", body, poisson, law)
 
 
 def limit_speed(
@@ -206,13 +159,9 @@ def limit_speed(
     body, poisson, law
         As for `compression`.
 
-    Returns
-    -------
-    float or ndarray
-
     Examples
     --------
     >>> round(stoss.quasistatic.limit_speed(poisson=0.33), 4)
     0.1865
     """
-    return by_law(_core.limit_speed, _core.point_limit_speed, body, poisson, law)
+    return by_law("limit_speed", body, poisson, law)

@@ -90,15 +90,6 @@ def hertz_pressure(body: Disk | Sphere | None = None, *, force: ArrayLike, y: Ar
         Along the wall from the middle of the contact, R; broadcasts with `force`. Not negative for
         a sphere.
 
-    Returns
-    -------
-    float or ndarray
-
-    Raises
-    ------
-    InvalidInput
-        For arguments out of range.
-
     Examples
     --------
     >>> stoss.quasistatic.hertz_pressure(force=0.0025, y=[0.0, 0.06, 0.2])
@@ -146,11 +137,6 @@ def hertz_stress(
     PlaneStress, or of a sphere AxisymmetricStress
         The named tuple (xx, yy, xy), or (radial, hoop, axial, shear).
 
-    Raises
-    ------
-    InvalidInput
-        For arguments out of range.
-
     Examples
     --------
     >>> stress = stoss.quasistatic.hertz_stress(force=0.0025, depth=[0.0, 0.1], y=0.0)
@@ -182,11 +168,6 @@ def greatest_shear(body: Sphere, *, force: ArrayLike) -> GreatestShear:
     -------
     GreatestShear
         The named tuple (depth, shear).
-
-    Raises
-    ------
-    InvalidInput
-        For arguments out of range.
 
     Examples
     --------

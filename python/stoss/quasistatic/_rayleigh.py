@@ -16,14 +16,16 @@ from stoss.bodies._bodies import Disk, Sphere, speeds_in_si
 from stoss.export._text import span, with_error
 from stoss.quasistatic._slow_impact import SlowOfABody, slow_inputs
 from stoss.results._restitution import Flag, Integer
-from stoss.results._result import Number, columns
+from stoss.results._result import Number, columns, picture
 from stoss.results._si import Si, warn_of_yielding
 
 
 class EstimateOfABody(SlowOfABody):
     """What the estimates of disks and spheres have in common."""
 
+    plot = picture("1 − ε² against v. See `stoss.plot.rayleigh`.")
     _name: ClassVar[str] = "rayleigh"
+    _told = ("law", "cutoff", "body")
 
     lost_fraction: Number
     lost_fraction_error: Number
@@ -38,10 +40,6 @@ class EstimateOfABody(SlowOfABody):
         beyond = np.count_nonzero(self.beyond_perturbation)
         value = f"lost fraction {span(self.lost_fraction)}, {beyond} beyond perturbation theory"
         return f"{type(self).__name__}({np.size(self.speed)} values, {of}: {value})"
-
-    def plot(self, ax: Any = None) -> Any:
-        """1 − ε² against v. See `stoss.plot.rayleigh`."""
-        return self._picture(ax)
 
 
 @dataclasses.dataclass(frozen=True, eq=False, repr=False)
@@ -78,8 +76,7 @@ class RayleighEstimate(EstimateOfABody):
     body : Disk or None
         What it was made with, if it was one.
     material : Material or None
-        Of the body. If there is one, `speed_si`, `contact_time_si`, `max_force_si` and
-        `max_compression_si` are the SI values.
+        Of the body. With one there are SI values, `speed_si` and so on.
     """
 
     _kind = "rayleigh"
@@ -108,34 +105,20 @@ class PointRayleighEstimate(EstimateOfABody):
 
     Attributes
     ----------
-    law : str
-        Of compression.
-    cutoff : float
-        Modes up to this frequency are driven, c/R.
+    law, cutoff, lost_fraction, lost_fraction_error, kinetic_share, beyond_perturbation, modes : float or ndarray, …
+        As of a `RayleighEstimate`.
     poisson, speed, contact_time, max_compression, max_force, max_radius : float or ndarray
         Of the impact that drives the modes, as in `PointSlowImpact`.
-    lost_fraction : float or ndarray
-        1 − ε². May exceed 1 where it means nothing.
-    lost_fraction_error : float or ndarray
-        By how much the full solution may differ from it, from `kinetic_share`.
     mean_lost_fraction : float or ndarray
         The law of v → 0 averaged over the phases of the modes, c(ν) v.
-    kinetic_share : float or ndarray
-        Maximum kinetic energy of the modes as they follow the force, as a share of ½mv²: the
-        theory's small number.
-    beyond_perturbation : bool or ndarray
-        Whether it is above 0.04: `lost_fraction` is then no estimate.
-    modes : int or ndarray
-        Number of modes.
     mode_energies : ndarray or None
         For a single speed, a structured array with the fields order, index, omega, amplitude (∫F
         cos(ωt + φ) dt / v, with t from the turning point and the phase φ that a mode gains from the
         stiffness of the contact) and after (energy after the impact, as a share of ½mv²).
     body : Sphere
     material : Material or None
-        Of the body. If there is one, `speed_si`, `contact_time_si`, `max_force_si`,
-        `max_compression_si` and `max_radius_si` are the SI values. With a yield strength,
-        `yield_speed`, `yield_speed_si` and `beyond_yield` say where yielding begins.
+        Of the body. With one there are SI values, `speed_si` and so on, and of a sphere with a yield
+        strength `yield_speed`, `yield_speed_si` and `beyond_yield`.
     """
 
     _kind = "point rayleigh"
@@ -204,15 +187,6 @@ def rayleigh(
         Of compression, see `stoss.quasistatic`.
     cutoff : float, optional
         Highest frequency of the modes, up to 1000, c/R.
-
-    Returns
-    -------
-    RayleighEstimate, or of a sphere PointRayleighEstimate
-
-    Raises
-    ------
-    InvalidInput
-        For arguments out of range.
 
     Warns
     -----

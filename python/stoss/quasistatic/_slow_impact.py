@@ -13,7 +13,7 @@ from stoss._arguments import arranged, broadcast, numbers
 from stoss.bodies._bodies import Disk, Sphere, speed_unit, speeds_in_si
 from stoss.export._text import span
 from stoss.quasistatic._compression import choose_law, poissons_of
-from stoss.results._result import Number, columns
+from stoss.results._result import Number, columns, picture
 from stoss.results._si import ImpactsInSi, Si, warn_of_yielding
 
 
@@ -21,18 +21,16 @@ class SlowOfABody(ImpactsInSi):
     """What slow impacts and their estimates have in common."""
 
     _given = {"poisson": "", "speed": "speed"}
+    _told: ClassVar[tuple[str, ...]] = ("law", "body")
 
     law: str
     poisson: Number
-
-    def _inputs(self) -> dict[str, Any]:
-        given = {name: getattr(self, name, None) for name in ("law", "cutoff", "body")}
-        return {name: value for name, value in given.items() if value is not None}
 
 
 class SlowImpactOfABody(SlowOfABody):
     """What slow impacts of disks and spheres have in common."""
 
+    plot = picture("Contact time against speed. See `stoss.plot.slow_impact`.")
     _name: ClassVar[str] = "slow impact"
 
     def __repr__(self) -> str:
@@ -41,10 +39,6 @@ class SlowImpactOfABody(SlowOfABody):
             f"{type(self).__name__}({count}poisson={span(self.poisson)}, speed={span(self.speed)} c: "
             f"contact time {span(self.contact_time)} R/c, compression {span(self.max_compression)} R)"
         )
-
-    def plot(self, ax: Any = None) -> Any:
-        """Contact time against speed. See `stoss.plot.slow_impact`."""
-        return self._picture(ax)
 
 
 @dataclasses.dataclass(frozen=True, eq=False, repr=False)
@@ -71,8 +65,7 @@ class SlowImpact(SlowImpactOfABody):
     body : Disk or None
         What it was made with, if it was one.
     material : Material or None
-        Of the body. If there is one, `speed_si`, `contact_time_si`, `max_force_si` and
-        `max_compression_si` are the SI values.
+        Of the body. With one there are SI values, `speed_si` and so on.
     """
 
     _kind = "slow impact"
@@ -94,25 +87,16 @@ class PointSlowImpact(SlowImpactOfABody):
 
     Attributes
     ----------
-    law : str
-        Of compression.
-    poisson : float or ndarray
-        Poisson's ratio.
-    speed : float or ndarray
-        Of the centre of mass towards the wall, c.
-    contact_time : float or ndarray
-        From first to last contact, R/c.
-    max_compression : float or ndarray
-        In R.
+    law, poisson, speed, contact_time, max_compression : str, float or ndarray
+        As of a `SlowImpact`.
     max_force : float or ndarray
         mc²/R = (4π/3)R²E.
     max_radius : float or ndarray
         Maximum radius of the contact, R.
     body : Sphere
     material : Material or None
-        Of the body. If there is one, `speed_si`, `contact_time_si`, `max_force_si`,
-        `max_compression_si` and `max_radius_si` are the SI values. With a yield strength,
-        `yield_speed`, `yield_speed_si` and `beyond_yield` say where yielding begins.
+        Of the body. With one there are SI values, `speed_si` and so on, and of a sphere with a yield
+        strength `yield_speed`, `yield_speed_si` and `beyond_yield`.
     """
 
     _kind = "point slow impact"
@@ -164,15 +148,6 @@ def slow_impact(
         In place of `body`: 2-D Poisson's ratio of disks, −0.95 to 0.995; broadcasts with `speed`.
     law : {'center', 'diameter', 'printed', 'hertz'}, optional
         Of compression, see `stoss.quasistatic`.
-
-    Returns
-    -------
-    SlowImpact, or of a sphere PointSlowImpact
-
-    Raises
-    ------
-    InvalidInput
-        For arguments out of range.
 
     Warns
     -----

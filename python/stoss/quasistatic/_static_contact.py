@@ -13,7 +13,7 @@ from stoss._arguments import brief, instance, integer, number
 from stoss.bodies._bodies import Disk, Sphere
 from stoss.bodies._encounter import choose_body, contact
 from stoss.bodies._walls import ExponentialWall
-from stoss.results._result import Column, Result, unit
+from stoss.results._result import Column, Result, picture, unit
 
 
 @dataclasses.dataclass(frozen=True, eq=False, repr=False)
@@ -46,8 +46,10 @@ class StaticContact(Result):
         pressure, the next 2.4 % too much, all others are within 1 %.
     """
 
+    plot = picture("Pressure along the edge. See `stoss.plot.static_contact`.")
     _name: ClassVar[str] = "static contact"
     _units = {"position": "R", "pressure": "E"}
+    _told = ("body", "poisson", "compression", "force", "force_error", "half_width", "energy")
 
     body: Disk | Sphere
     poisson: float
@@ -70,14 +72,6 @@ class StaticContact(Result):
 
     def _of(self) -> str:
         return f"Sphere(poisson={brief(self.body.poisson)})" if isinstance(self.body, Sphere) else f"poisson={self.poisson:g}"
-
-    def plot(self, ax: Any = None) -> Any:
-        """Pressure along the edge. See `stoss.plot.static_contact`."""
-        return self._picture(ax)
-
-    def _inputs(self) -> dict[str, Any]:
-        names = ("body", "poisson", "compression", "force", "force_error", "half_width", "energy")
-        return {name: getattr(self, name) for name in names}
 
     def _table(self) -> dict[str, Column]:
         return {"position": self.position, "pressure": self.pressure}
@@ -104,8 +98,6 @@ def static_contact(
 
     Raises
     ------
-    InvalidInput
-        For arguments out of range.
     NotConverged
         If the contact cannot be solved.
 
@@ -149,6 +141,7 @@ class SoftStaticContact(Result):
     _name: ClassVar[str] = "soft static contact"
     _kind = "soft static contact"
     _given = {"poisson": "", "compression": "length", "cutoff": "frequency"}
+    _told = ("against",)
 
     poisson: float
     compression: float
@@ -166,9 +159,6 @@ class SoftStaticContact(Result):
             f"SoftStaticContact(poisson={self.poisson:g}, compression={self.compression:g} R, {self.against!r}: "
             f"force {self.force:.7g} piRE, {self.modes} modes)"
         )
-
-    def _inputs(self) -> dict[str, Any]:
-        return {"against": self.against}
 
 
 def soft_static_contact(
@@ -199,8 +189,6 @@ def soft_static_contact(
 
     Raises
     ------
-    InvalidInput
-        For arguments out of range.
     NotConverged
         If the minimum is not found.
 

@@ -50,6 +50,7 @@ class AtlasValue(SpeedInSi):
     _name: ClassVar[str] = "atlas"
     _given = {"speed": "speed"}
     _axis: ClassVar[str] = "speed"
+    _told = ("body", "against")
 
     body: Body
     against: Against
@@ -61,9 +62,6 @@ class AtlasValue(SpeedInSi):
         if isinstance(self.restitution, float) and isinstance(self.restitution_error, float):
             return f"AtlasValue({with_error(self.restitution, self.restitution_error)})"
         return f"AtlasValue({np.shape(self.restitution)}: restitution {span(self.restitution)})"
-
-    def _inputs(self) -> dict[str, Any]:
-        return {"body": self.body, "against": self.against}
 
     def _table(self) -> dict[str, Column]:
         return {name: np.asarray(getattr(self, name)) for name in ("speed", "restitution", "restitution_error")}

@@ -15,10 +15,10 @@ from stoss._errors import Interrupted, NotConverged, StossWarning
 from stoss.bodies._blocks import UNBOUNDED
 from stoss.bodies._bodies import Body, shown, speed_unit, speeds_in_si
 from stoss.bodies._encounter import Against, choose_against, choose_body, choose_tail, contact
-from stoss.bodies._state import State, choose_state, shown_state
+from stoss.bodies._state import State, choose_state
 from stoss.bodies._walls import ExponentialWall, HardWall
 from stoss.export._text import span
-from stoss.results._result import RowResult, columns
+from stoss.results._result import RowResult, columns, picture
 from stoss.results._si import MayYield, Si, warn_of_large_strain, warn_of_yielding
 
 
@@ -66,13 +66,14 @@ class Bounces(MayYield, RowResult):
     beyond_small_strain : ndarray
         Speed above 0.5 c or compression above 0.5 R, where linear elasticity has lost its meaning.
     material : Material or None
-        Of the body. If there is one, `speed_si`, `contact_time_si` and `flight_time_si` are the SI
-        values. If a sphere has a yield strength, `yield_speed` and `yield_speed_si` say where
-        yielding begins, and `beyond_yield` which impacts are faster.
+        Of the body. With one there are SI values, `speed_si` and so on, and of a sphere with a yield
+        strength `yield_speed`, `yield_speed_si` and `beyond_yield`.
     """
 
+    plot = picture("ε of each impact, and where the energy is. See `stoss.plot.bounces`.")
     _name: ClassVar[str] = "bounce"
     _kind = "bounce"
+    _told = ("body", "against", "cutoff", "tail", "gravity", "decay_time", "state")
     _axis: ClassVar[str] = "number"
     flight_time_si = Si("Time of the flight after each impact, s.")
 
@@ -108,17 +109,6 @@ class Bounces(MayYield, RowResult):
             f"Bounces({len(self)} impacts, {who}, speed={self.speed[0]:.6g} c: "
             f"restitution {span(self.restitution)}, translation {self.translation[-1]:.4g} in the end)"
         )
-
-    def plot(self, ax: Any = None) -> Any:
-        """ε of each impact, and where the energy is. See `stoss.plot.bounces`."""
-        return self._picture(ax)
-
-    def _inputs(self) -> dict[str, Any]:
-        named: dict[str, Any] = {"body": self.body, "against": self.against, "cutoff": self.cutoff, "tail": self.tail}
-        named |= {"gravity": self.gravity, "decay_time": self.decay_time}
-        if self.state is not None:
-            named["state"] = shown_state(self.state)
-        return {key: value for key, value in named.items() if value is not None}
 
 
 def bounce(

@@ -66,8 +66,6 @@ def impact(
 
     Raises
     ------
-    InvalidInput
-        For arguments out of range.
     NotConverged
         If the contact cannot be solved or does not end.
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import warnings
-from typing import Any, Callable, Sequence
+from typing import Any, Sequence
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -13,7 +13,7 @@ from stoss._arguments import arranged, boolean, broadcast, integer, number, numb
 from stoss._errors import Interrupted, NotConverged, StossWarning
 from stoss.bodies._blocks import UNBOUNDED, Unbounded
 from stoss.bodies._bodies import Body, Disk, speed_unit, speeds_in_si
-from stoss.bodies._encounter import Against, choose_against, choose_bodies, choose_body, refinable
+from stoss.bodies._encounter import choose_against, choose_bodies, choose_body, refinable
 from stoss.bodies._state import State, choose_state
 from stoss.bodies._walls import HardWall
 from stoss.results._progress import bar
@@ -22,47 +22,13 @@ from stoss.results._result import columns
 from stoss.results._si import warn_of_large_strain, warn_of_yielding
 
 
-class Curve:
-    """The values of one body: rows that the core fills."""
-
-    def __init__(
-        self, body: Body, against: Against, where: NDArray[np.intp], speeds: NDArray[np.float64]
-    ) -> None:
-        self.body = body
-        self.against = against
-        self.where = where
-        self.speeds = speeds
-        self.rows = np.zeros(speeds.size, dtype=_core.restitution_row)
-        for name, (kind, *_) in (self.rows.dtype.fields or {}).items():
-            if kind.kind == "f":
-                self.rows[name] = np.nan
-        self.reasons: list[str] = []
-
-    def compute(
-        self,
-        tolerance: float,
-        absolute: float,
-        threads: int,
-        state: NDArray[Any],
-        tick: Callable[[], None] | None,
-    ) -> None:
-        contact = refinable(self.body, self.against)
-        _core.restitution_curve(
-            contact, self.speeds, tolerance, absolute, threads, state, self.rows, self.reasons, tick
-        )
-
-
-def gather(curves: list[Curve], size: int) -> tuple[NDArray[Any], NDArray[np.object_]]:
-    """Rows and reasons of all curves in their places; missing ones are NaN, "interrupted"."""
-    reasons = np.full(size, "interrupted", dtype=object)
-    for curve in curves:
-        reasons[curve.where[: len(curve.reasons)]] = curve.reasons
-    if len(curves) == 1:
-        return curves[0].rows, reasons
-    table = np.zeros(size, dtype=_core.restitution_row)
-    for curve in curves:
-        table[curve.where] = curve.rows
-    return table, reasons
+def empty_rows(shape: int | tuple[int, ...]) -> NDArray[Any]:
+    """Rows of curves that nothing has been computed of: NaN, 0 and False."""
+    rows = np.zeros(shape, dtype=_core.restitution_row)
+    for name, (kind, *_) in (rows.dtype.fields or {}).items():
+        if kind.kind == "f":
+            rows[name] = np.nan
+    return rows
 
 
 def restitution(
@@ -110,8 +76,6 @@ def restitution(
 
     Raises
     ------
-    InvalidInput
-        For arguments out of range, before anything is computed.
     NotConverged
         If all inputs are numbers and the tolerance cannot be met; the best value is its
         attribute `best`. In arrays such values are marked, and a `StossWarning` says how many there
@@ -160,44 +124,34 @@ def restitution(
     with speeds_in_si(bodies[0] if bodies else None):
         _core.check_curve(speeds.ravel(), limit, enough, count)
 
-    curves = [Curve(*each, speeds.ravel()[each[-1]]) for each in zip(bodies, met, places)]
+    table, reasons, done = empty_rows(speeds.size), np.full(speeds.size, "interrupted", dtype=object), 0
     stopped = False
     with bar(speeds.size, boolean("progress", progress)) as seen:
+        tick = None if seen is None else seen.update
         try:
-            for curve in curves:
-                curve.compute(limit, enough, count, modes, None if seen is None else seen.update)
+            for each, partner, where in zip(bodies, met, places):
+                own, rows, why = speeds.ravel()[where], empty_rows(where.size), list[str]()
+                try:
+                    contact = refinable(each, partner)
+                    _core.restitution_curve(contact, own, limit, enough, count, modes, rows, why, tick)
+                finally:
+                    table[where], reasons[where[: len(why)]] = rows, why
+                    done += len(why)
         except KeyboardInterrupt:
             stopped = True
-    table, reasons = gather(curves, speeds.size)
     one = bodies[0] if len(bodies) == 1 else None
     # Each of several bodies meets these in its own form.
     shared = against if one is None and isinstance(against, (str, *UNBOUNDED)) else met[0]
-    result = _make(one, tuple(bodies), shared, poissons, speeds, table, reasons, limit, enough, modes)
+    values = {"poisson": poissons, "speed": speeds, "reason": reasons, **columns(table)}
+    shaped = {name: arranged(column, speeds.shape) for name, column in values.items()}
+    state_before = modes if modes.size else None
+    result = Restitution(
+        one, tuple(bodies), shared, tolerance=limit, absolute=enough, state=state_before, **shaped
+    )
     if stopped:
-        done = sum(len(curve.reasons) for curve in curves)
         raise Interrupted(f"restitution: interrupted after {done} of {speeds.size} values (they are in .best)", result)
     _judge(result)
     return result
-
-
-def _make(
-    body: Body | None,
-    bodies: tuple[Body, ...],
-    against: Against | str,
-    poissons: NDArray[np.float64],
-    speeds: NDArray[np.float64],
-    table: NDArray[Any],
-    reasons: NDArray[np.object_],
-    tolerance: float,
-    absolute: float,
-    state: NDArray[Any],
-) -> Restitution:
-    values = {name: arranged(column, speeds.shape) for name, column in columns(table).items()}
-    given = {"poisson": poissons, "speed": speeds, "reason": reasons}
-    inputs = {name: arranged(column, speeds.shape) for name, column in given.items()}
-    who: dict[str, Any] = {"body": body, "bodies": bodies, "against": against}
-    asked: dict[str, Any] = {"tolerance": tolerance, "absolute": absolute, "state": state if state.size else None}
-    return Restitution(**who, **asked, **inputs, **values)
 
 
 def _judge(result: Restitution) -> None:

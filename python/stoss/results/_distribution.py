@@ -12,7 +12,7 @@ from stoss import _core
 from stoss.bodies._bodies import Body, shown
 from stoss.bodies._encounter import Against
 from stoss.export._text import span, with_error
-from stoss.results._result import RowResult
+from stoss.results._result import RowResult, picture
 from stoss.results._si import InSi, Si
 
 
@@ -71,6 +71,7 @@ class RestitutionDistribution(InSi, RowResult):
         Why it is not converged; empty where it is.
     """
 
+    plot = picture("Histogram of ε. See `stoss.plot.distribution`.")
     _name: ClassVar[str] = "distribution"
     _kind = "sample"
     _axis: ClassVar[str] = "sample"
@@ -140,10 +141,6 @@ class RestitutionDistribution(InSi, RowResult):
         (20, 6)
         """
         return np.histogram(self.restitution[np.isfinite(self.restitution)], bins, range)  # type: ignore[arg-type]
-
-    def plot(self, ax: Any = None) -> Any:
-        """Histogram of ε. See `stoss.plot.distribution`."""
-        return self._picture(ax)
 
     def _inputs(self) -> dict[str, Any]:
         named = {name: getattr(self, name) for name in ("body", "against", "speed", "temperature", "highest")}

@@ -14,7 +14,7 @@ from stoss._arguments import boolean, integer, number, refusal
 from stoss._errors import Interrupted, InvalidInput, StossWarning
 from stoss.bodies._blocks import Unbounded
 from stoss.bodies._bodies import Body, speed_unit, speeds_in_si
-from stoss.bodies._encounter import Against, choose_against, choose_body, refinable
+from stoss.bodies._encounter import choose_against, choose_body, refinable
 from stoss.bodies._state import Oscillation, choose_state
 from stoss.bodies._walls import HardWall
 from stoss.results._distribution import RestitutionDistribution, summary_of
@@ -50,8 +50,7 @@ def restitution_distribution(
     body : Disk, Sphere or Rod
         The first body, in whose units all results are.
     speed : float
-        Of approach of the centres of mass, or towards the wall, 1e-8 to 1, c (with a material:
-        m/s).
+        Of approach of the centres of mass, or towards the wall, 1e-8 to 1, c (with a material: m/s).
     against : HardWall, 'same', Disk, Sphere, Rod, HalfSpace or HalfPlane, optional
         What the body meets. Default: a rigid wall.
     poisson : float
@@ -78,8 +77,6 @@ def restitution_distribution(
 
     Raises
     ------
-    InvalidInput
-        For arguments out of range, before anything is computed.
     Interrupted
         After Ctrl-C; the samples that are done are its attribute `best`.
 
@@ -113,8 +110,15 @@ def restitution_distribution(
         except KeyboardInterrupt:
             stopped = True
     by_frequency = warmth is not None or callable(spectrum)
-    asked = {"temperature": warmth, "highest": top if by_frequency else None, "seed": chance, "error": limit}
-    result = _make(chosen, met, initial, means, asked, rows[: len(reasons)], reasons)
+    done, why = rows[: len(reasons)], np.array(reasons, dtype=object)
+    for array in (done, why):
+        array.flags.writeable = False
+    values: dict[str, Any] = columns(done)
+    result = RestitutionDistribution(
+        body=chosen, against=met, speed=initial, temperature=warmth, highest=top if by_frequency else None,
+        spectrum=means, seed=chance, error=limit, reason=why, **values,
+        **summary_of(values["restitution"], values["restitution_error"]),
+    )  # fmt: skip
     if stopped:
         text = f"restitution_distribution: interrupted after {len(reasons)} of {count} samples (they are in .best)"
         raise Interrupted(text, result)
@@ -140,25 +144,6 @@ def _choose_spectrum(
         means["energy"] = [number("spectrum", spectrum(float(omega))) for omega in _core.frequencies(contact, modes)]
     means.flags.writeable = False
     return means
-
-
-def _make(
-    body: Body,
-    against: Against,
-    speed: float,
-    spectrum: NDArray[Any],
-    asked: dict[str, Any],
-    rows: NDArray[Any],
-    reasons: list[str],
-) -> RestitutionDistribution:
-    rows.flags.writeable = False
-    values: dict[str, Any] = columns(rows)
-    why = np.array(reasons, dtype=object)
-    why.flags.writeable = False
-    return RestitutionDistribution(
-        body=body, against=against, speed=speed, spectrum=spectrum, reason=why, **asked, **values,
-        **summary_of(values["restitution"], values["restitution_error"]),
-    )  # fmt: skip
 
 
 def _judge(result: RestitutionDistribution) -> None:

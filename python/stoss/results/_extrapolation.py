@@ -10,7 +10,7 @@ from numpy.typing import ArrayLike, NDArray
 from stoss import _core
 from stoss._arguments import number, numbers
 from stoss.export._text import with_error
-from stoss.results._result import Column, Result, columns
+from stoss.results._result import Column, Result, columns, picture
 
 
 @dataclasses.dataclass(frozen=True, eq=False, repr=False)
@@ -32,8 +32,10 @@ class Extrapolation(Result):
         Time steps of all impacts.
     """
 
+    plot = picture("1 − ε² against 1/α with the regressions. See `stoss.plot.extrapolation`.")
     _name: ClassVar[str] = "extrapolation"
     _kind = "soft impact"
+    _told = ("poisson", "speed", "restitution", "restitution_error", "lost_fraction", "lost_fraction_error")
 
     poisson: float
     speed: float
@@ -48,14 +50,6 @@ class Extrapolation(Result):
     def __repr__(self) -> str:
         value = with_error(self.restitution, self.restitution_error)
         return f"Extrapolation(poisson={self.poisson:g}, speed={self.speed:g} c: restitution {value})"
-
-    def plot(self, ax: Any = None) -> Any:
-        """1 − ε² against 1/α with the regressions. See `stoss.plot.extrapolation`."""
-        return self._picture(ax)
-
-    def _inputs(self) -> dict[str, Any]:
-        names = ("poisson", "speed", "restitution", "restitution_error", "lost_fraction", "lost_fraction_error")
-        return {name: getattr(self, name) for name in names}
 
     def _table(self) -> dict[str, Column]:
         return columns(self.impacts)
@@ -82,8 +76,6 @@ def extrapolated_restitution(
 
     Raises
     ------
-    InvalidInput
-        For arguments out of range.
     NotConverged
         If an impact does not end.
 

@@ -3,24 +3,39 @@
 from __future__ import annotations
 
 import dataclasses
-from typing import TYPE_CHECKING, Any, ClassVar, TypeVar
+from typing import TYPE_CHECKING, Any, ClassVar, Mapping
 
 import numpy as np
 from numpy.typing import NDArray
 
 from stoss.export._text import span
-from stoss.results._result import Column, Number, Result
+from stoss.results._result import Column, Number, Result, picture
 
 if TYPE_CHECKING:
     from stoss.results._impact import Impact
 
-FieldKind = TypeVar("FieldKind", bound="Field")
-
 
 class OfAnImpact(Result):
-    """What is seen of an impact at some times."""
+    """What is seen of an impact at some times, in points on a grid."""
+
+    _instants: ClassVar[tuple[str, ...]] = ("time", "center", "force")  # the columns of each instant
+    _points: ClassVar[Mapping[str, str]]  # the two columns of the points, and what these are in plural
+    _values: ClassVar[tuple[str, ...]]  # the columns at the points
 
     impact: Impact
+    time: Number
+
+    def __repr__(self) -> str:
+        points = " x ".join(f"{len(getattr(self, name))} {several}" for name, several in self._points.items())
+        return f"{type(self).__name__}(time {span(self.time)} R/c, {points}, of {self.impact!r})"
+
+    def _table(self) -> dict[str, Column]:
+        values = {name: getattr(self, name) for name in self._values}
+        first, second = self._points
+        columns = {name: np.asarray(getattr(self, name))[..., None, None] for name in self._instants}
+        columns |= {first: getattr(self, first)[:, None], second: getattr(self, second)}
+        shape = values[self._values[0]].shape
+        return {name: np.broadcast_to(each, shape) for name, each in columns.items()} | values
 
     def _kind_of_body(self) -> str:
         return self.impact._kind_of_body()
@@ -54,9 +69,11 @@ class Field(OfAnImpact):
         In E.
     """
 
+    plot = picture("Stress inside the body. See `stoss.plot.stress`.")
     _name: ClassVar[str] = "field"
     _kind = "snapshot"
-    _stresses: ClassVar[tuple[str, ...]] = ()  # in the order of the columns
+    _instants = ("time", "center", "force", "contact_half_width")
+    _points = {"radius": "radii", "angle": "angles"}
     _units = {"angle": "rad", "x": "R", "y": "R", "von_mises": "E", "principal_difference": "E"} | {
         f"stress_{pair}": "E" for pair in ("rr", "tt", "pp", "rt", "rp")
     }
@@ -75,68 +92,6 @@ class Field(OfAnImpact):
     stress_rr: NDArray[np.float64]
     von_mises: NDArray[np.float64]
     principal_difference: NDArray[np.float64]
-
-    def __repr__(self) -> str:
-        points = f"{len(self.radius)} radii x {len(self.angle)} angles"
-        return f"{type(self).__name__}(time {span(self.time)} R/c, {points}, of {self.impact!r})"
-
-    def plot(self, ax: Any = None) -> Any:
-        """Stress inside the body. See `stoss.plot.stress`."""
-        return self._picture(ax)
-
-    def _table(self) -> dict[str, Column]:
-        shape = self.x.shape
-        instants = {name: np.asarray(getattr(self, name)) for name in ("time", "center", "force", "contact_half_width")}
-        columns = {name: np.broadcast_to(value[..., None, None], shape) for name, value in instants.items()}
-        columns["radius"] = np.broadcast_to(self.radius[:, None], shape)
-        columns["angle"] = np.broadcast_to(self.angle, shape)
-        for name in ("x", "y", *self._stresses, "von_mises", "principal_difference"):
-            columns[name] = getattr(self, name)
-        return columns
-
-    @classmethod
-    def _from_core(
-        cls: type[FieldKind],
-        impact: Impact,
-        of: int,
-        shape: tuple[int, ...],
-        order: NDArray[np.intp],
-        instants: NDArray[Any],
-        fields: dict[str, Any],
-        radius: NDArray[np.float64],
-        angle: NDArray[np.float64],
-    ) -> FieldKind:
-        """From the core's arrays, whose times are sorted: `order` says where each belongs."""
-        back = np.argsort(order, kind="stable")
-        in_order = bool(np.all(order == np.arange(order.size)))
-
-        def arranged(array: NDArray[np.float64]) -> Any:
-            values = (array if in_order else array[back]).reshape(shape + array.shape[1:])
-            values.flags.writeable = False
-            return values if values.ndim else float(values)
-
-        center, size = fields.pop("center"), float(fields.pop("size"))
-        reach = size * radius[:, None] + fields["radial"]
-        out = reach * np.cos(angle)
-        out -= fields["tangential"] * np.sin(angle)
-        up = reach * np.sin(angle)
-        up += fields["tangential"] * np.cos(angle)
-        if of == 1:  # the second body looks the other way
-            out *= -1.0
-        for array in (radius, angle):
-            array.flags.writeable = False
-        return cls(
-            impact=impact,
-            of=of,
-            size=size,
-            center=arranged(center),
-            radius=radius,
-            angle=angle,
-            x=arranged(out + center[:, None, None]),
-            y=arranged(up),
-            **{name: arranged(instants[name]) for name in ("time", "force", "contact_half_width")},
-            **{name: arranged(array) for name, array in fields.items() if name not in ("radial", "tangential")},
-        )
 
 
 @dataclasses.dataclass(frozen=True, eq=False, repr=False)
@@ -157,7 +112,7 @@ class DiskField(Field):
     Field : what it has in common with the field of a sphere.
     """
 
-    _stresses = ("stress_rr", "stress_pp", "stress_rp")
+    _values = ("x", "y", "stress_rr", "stress_pp", "stress_rp", "von_mises", "principal_difference")
 
     stress_pp: NDArray[np.float64]
     stress_rp: NDArray[np.float64]
@@ -185,7 +140,7 @@ class SphereField(Field):
     Field : what it has in common with the field of a disk.
     """
 
-    _stresses = ("stress_rr", "stress_tt", "stress_pp", "stress_rt")
+    _values = ("x", "y", "stress_rr", "stress_tt", "stress_pp", "stress_rt", "von_mises", "principal_difference")
 
     stress_tt: NDArray[np.float64]
     stress_pp: NDArray[np.float64]

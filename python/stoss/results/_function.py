@@ -14,10 +14,9 @@ from stoss import _core
 from stoss._arguments import choice, number, numbers, refusal
 from stoss.bodies._bodies import Body, shown, speed_unit, speeds_in_si
 from stoss.bodies._encounter import Against, encounter
-from stoss.bodies._state import shown_state
 from stoss.export._files import write_lines
 from stoss.export._text import brief_range
-from stoss.results._result import Column
+from stoss.results._result import Column, picture
 from stoss.results._si import SpeedInSi
 
 BEYOND = ("error", "clamp", "law")
@@ -57,9 +56,11 @@ class RestitutionFunction(SpeedInSi):
     array([1.  , 0.96])
     """
 
+    plot = picture("The curve with its error, and the computed values. See `stoss.plot.function`.")
     _name: ClassVar[str] = "function"
     _given = {"speed": "speed"}
     _axis: ClassVar[str] = "speed"
+    _told = ("body", "against", "beyond", "state")
 
     body: Body
     against: Against
@@ -116,10 +117,6 @@ class RestitutionFunction(SpeedInSi):
     def greatest_error(self) -> float:
         """Of ε at any speed of the range."""
         return self._core.greatest_error()
-
-    def plot(self, ax: Any = None) -> Any:
-        """The curve with its error, and the computed values. See `stoss.plot.function`."""
-        return self._picture(ax)
 
     def to_c(self, path: str | os.PathLike[str], *, name: str = "stoss") -> None:
         """Write the function as a header in C, which C++ takes too.
@@ -198,10 +195,6 @@ class RestitutionFunction(SpeedInSi):
         with speeds_in_si(self.body):
             values = function(given.ravel() / speed_unit(self.body)).reshape(given.shape)
         return values if given.ndim else float(values)
-
-    def _inputs(self) -> dict[str, Any]:
-        named = {"body": self.body, "against": self.against, "beyond": self.beyond}
-        return named if self.state is None else named | {"state": shown_state(self.state)}
 
     def _table(self) -> dict[str, Column]:
         names = ("speed", "restitution", "restitution_error")

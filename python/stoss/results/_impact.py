@@ -11,14 +11,14 @@ from numpy.typing import NDArray
 from stoss import _core
 from stoss.bodies._bodies import Body, Rod, shown
 from stoss.bodies._encounter import Against, contact
-from stoss.bodies._state import choose_state, shown_state
+from stoss.bodies._state import choose_state
 from stoss.bodies._walls import ExponentialWall, HardWall
-from stoss.results._impact_views import ImpactViews
-from stoss.results._si import Si
+from stoss.results import _inside, _replay
+from stoss.results._si import ImpactsInSi, Si
 
 
 @dataclasses.dataclass(frozen=True, eq=False, repr=False)
-class Impact(ImpactViews):
+class Impact(ImpactsInSi):
     """One impact at a fixed resolution, with the inputs that made it.
 
     Energies are shares of the initial energy, that of translation and vibration.
@@ -78,17 +78,22 @@ class Impact(ImpactViews):
         How the bodies vibrated before, if they did: a structured array with the fields body, order,
         index, energy (as a share of the translational one) and phase.
     material : Material or None
-        Of the body. If there is one, `speed_si`, `contact_time_si`, `max_force_si`,
-        `max_compression_si` and `max_half_width_si` are the SI values. If a sphere has a yield
-        strength, `yield_speed` and `yield_speed_si` say where yielding begins, and `beyond_yield`
-        whether the impact is faster.
+        Of the body. With one there are SI values, `speed_si` and so on, and of a sphere with a yield
+        strength `yield_speed`, `yield_speed_si` and `beyond_yield`.
     """
 
     _name: ClassVar[str] = "impact"
     _kind = "impact"
+    _told = ("body", "against", "tail", "keep", "state")
     _given = {"speed": "speed"}
     max_half_width_si = Si("Maximum half-width of the contact, m.")
     impulse_time_si = Si("Time between 1 % and 99 % of the impulse, s.")
+
+    trajectory = _replay.trajectory
+    field = _inside.field
+    wave = _inside.wave
+    energies_at = _replay.energies_at
+    state_after = _replay.state_after
 
     body: Body
     against: Against
@@ -128,6 +133,10 @@ class Impact(ImpactViews):
             f"contact time {self.contact_time:.4g} {self._unit('contact_time')}, {self.modes} modes)"
         )
 
+    def plot(self, ax: Any = None) -> Any:
+        """Force against time. See `stoss.plot.force`."""
+        return self.trajectory().plot(ax)
+
     def _contact(self) -> _core.Contact:
         return contact(self.body, self.against, self.cutoff, self.speed, self.keep)
 
@@ -159,9 +168,5 @@ class Impact(ImpactViews):
         return Impact._made, made_with
 
     def _inputs(self) -> dict[str, Any]:
-        inputs: dict[str, Any] = {"body": self.body, "against": self.against, "tail": self.tail}
-        if self.keep is not None:
-            inputs["keep"] = f"{self.modes} of {self.keep.size} modes"
-        if self.state is not None:
-            inputs["state"] = shown_state(self.state)
-        return inputs
+        kept = {} if self.keep is None else {"keep": f"{self.modes} of {self.keep.size} modes"}
+        return super()._inputs() | kept

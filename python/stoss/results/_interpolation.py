@@ -7,14 +7,14 @@ import warnings
 from typing import Any
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 from stoss import _core
 from stoss._arguments import integer, number, numbers, refusal
 from stoss._errors import InvalidInput, StossWarning
 from stoss.bodies._blocks import Unbounded
 from stoss.bodies._bodies import Body, speed_unit, speeds_in_si
-from stoss.bodies._encounter import Against, choose_against, choose_body, refinable
+from stoss.bodies._encounter import choose_against, choose_body, refinable
 from stoss.bodies._walls import HardWall
 from stoss.bodies._yielding import yield_speed_of
 from stoss.results._function import RestitutionFunction, choose_beyond
@@ -110,24 +110,13 @@ def of_curve(curve: Any, beyond: str) -> RestitutionFunction:
     return _made(body, against, outside, curve.state, speed[order], value, error, np.empty(0))
 
 
-def _made(
-    body: Body,
-    against: Against,
-    beyond: str,
-    state: NDArray[Any] | None,
-    speed: NDArray[np.float64],
-    restitution: NDArray[np.float64],
-    error: NDArray[np.float64],
-    interpolation: NDArray[np.float64],
-) -> RestitutionFunction:
-    """A function whose knots the core has checked, with the error of the interpolation that it
-    finds."""
-    for each in (speed, restitution, error):
+def _made(*given: Any) -> RestitutionFunction:
+    """A function of these fields, of which the core has checked the knots and found the error between them."""
+    made = RestitutionFunction(*given)
+    for each in (made.speed, made.restitution, made.restitution_error):
         each.flags.writeable = False
-    given = RestitutionFunction(body, against, beyond, state, speed, restitution, error, interpolation)
-    with speeds_in_si(body):
-        made = given._core
-    return dataclasses.replace(given, interpolation_error=made.interpolation_errors())
+    with speeds_in_si(made.body):
+        return dataclasses.replace(made, interpolation_error=made._core.interpolation_errors())
 
 
 def _warn_of_yielding(function: RestitutionFunction) -> None:

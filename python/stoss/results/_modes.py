@@ -14,7 +14,7 @@ from stoss._errors import InvalidInput
 from stoss.bodies._bodies import Disk, Sphere
 from stoss.bodies._encounter import choose_body
 from stoss.export._text import span
-from stoss.results._result import RowResult, columns
+from stoss.results._result import RowResult, columns, picture
 
 
 @dataclasses.dataclass(frozen=True, eq=False, repr=False)
@@ -44,8 +44,10 @@ class Modes(RowResult):
         Amplitudes at the surface: C = u_r and S = u_φ, of a sphere U = u_r and V = u_θ; C, U ≥ 0.
     """
 
+    plot = picture("Spectrum, ω against n. See `stoss.plot.spectrum`.")
     _name: ClassVar[str] = "modes"
     _kind = "mode"
+    _told = ("body", "poisson", "cutoff")
     _axis: ClassVar[str] = "mode"
 
     body: Disk | Sphere
@@ -117,15 +119,8 @@ class Modes(RowResult):
         )
         return field["radial"].reshape(radii.shape), field["tangential"].reshape(radii.shape)
 
-    def plot(self, ax: Any = None) -> Any:
-        """Spectrum, ω against n. See `stoss.plot.spectrum`."""
-        return self._picture(ax)
-
     def _kind_of_body(self) -> str:
         return self.body._kind
-
-    def _inputs(self) -> dict[str, Any]:
-        return {"body": self.body, "poisson": self.poisson, "cutoff": self.cutoff}
 
 
 def modes(body: Disk | Sphere | None = None, *, cutoff: float, poisson: float | None = None) -> Modes:
@@ -142,11 +137,6 @@ def modes(body: Disk | Sphere | None = None, *, cutoff: float, poisson: float | 
         Highest frequency, c/R, up to 1000.
     poisson : float
         In place of `body`: 2-D Poisson's ratio ν, −0.95 to 0.995.
-
-    Raises
-    ------
-    InvalidInput
-        For arguments out of range.
 
     Examples
     --------

@@ -8,12 +8,12 @@ from typing import TYPE_CHECKING, Any, ClassVar
 import numpy as np
 from numpy.typing import NDArray
 
-from stoss.export._text import span
 from stoss.results._field import OfAnImpact
-from stoss.results._result import Column, Number, RowResult
+from stoss.results._result import Number, RowResult, picture
 
 if TYPE_CHECKING:
     from stoss.results._impact import Impact
+
 
 @dataclasses.dataclass(frozen=True, eq=False, repr=False)
 class Trajectory(RowResult):
@@ -39,6 +39,7 @@ class Trajectory(RowResult):
         R, in steps of the nodes' spacing; of spheres the radius of the contact.
     """
 
+    plot = picture("Force against time. See `stoss.plot.force`.")
     _name: ClassVar[str] = "trajectory"
     _kind = "snapshot"
     _axis: ClassVar[str] = "time"
@@ -60,10 +61,6 @@ class Trajectory(RowResult):
 
     def _kind_of_body(self) -> str:
         return self.impact._kind_of_body()
-
-    def plot(self, ax: Any = None) -> Any:
-        """Force against time. See `stoss.plot.force`."""
-        return self._picture(ax)
 
     def _inputs(self) -> dict[str, Any]:
         return self.impact._inputs()
@@ -91,12 +88,12 @@ class Wave(OfAnImpact):
         c_p, c_s and c_R of the half-space, in c of the first body.
     """
 
+    plot = picture("Speed below the surface. See `stoss.plot.wave`.")
     _name: ClassVar[str] = "wave"
     _kind = "snapshot"
-    _units = {"depth": "R", "distance": "R", "lateral": "R", "normal": "R"} | {
-        "lateral_velocity": "c",
-        "normal_velocity": "c",
-    }
+    _points = {"depth": "depths", "distance": "distances"}
+    _values = ("lateral", "normal", "lateral_velocity", "normal_velocity")
+    _units = dict.fromkeys((*_points, "lateral", "normal"), "R") | dict.fromkeys(_values[2:], "c")
 
     impact: Impact = dataclasses.field(repr=False)
     time: Number
@@ -111,21 +108,3 @@ class Wave(OfAnImpact):
     pressure_speed: float
     shear_speed: float
     rayleigh_speed: float
-
-    def __repr__(self) -> str:
-        points = f"{len(self.depth)} depths x {len(self.distance)} distances"
-        return f"Wave(time {span(self.time)} R/c, {points}, of {self.impact!r})"
-
-    def plot(self, ax: Any = None) -> Any:
-        """Speed below the surface. See `stoss.plot.wave`."""
-        return self._picture(ax)
-
-    def _table(self) -> dict[str, Column]:
-        shape = self.normal.shape
-        instants = {name: np.asarray(getattr(self, name)) for name in ("time", "center", "force")}
-        columns = {name: np.broadcast_to(value[..., None, None], shape) for name, value in instants.items()}
-        columns["depth"] = np.broadcast_to(self.depth[:, None], shape)
-        columns["distance"] = np.broadcast_to(self.distance, shape)
-        for name in ("lateral", "normal", "lateral_velocity", "normal_velocity"):
-            columns[name] = getattr(self, name)
-        return columns

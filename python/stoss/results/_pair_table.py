@@ -16,7 +16,7 @@ from stoss.bodies._bodies import Body, Disk, Sphere, shown, speed_unit, speeds_i
 from stoss.bodies._encounter import choose_against, choose_body, encounter
 from stoss.bodies._solid import is_rigid
 from stoss.export._text import brief_range
-from stoss.results._result import Column
+from stoss.results._result import Column, picture
 from stoss.results._si import SpeedInSi
 
 
@@ -52,8 +52,10 @@ class PairTable(SpeedInSi):
     (2, 2)
     """
 
+    plot = picture("ε against speed for some ratios. See `stoss.plot.pair_table`.")
     _name: ClassVar[str] = "pair table"
     _given = {"speed": "speed"}
+    _told = ("body", "against", "beyond")
 
     body: Body
     against: Body
@@ -94,10 +96,6 @@ class PairTable(SpeedInSi):
         """Of ε anywhere in the range."""
         return self._core.greatest_error()
 
-    def plot(self, ax: Any = None) -> Any:
-        """ε against speed for some ratios. See `stoss.plot.pair_table`."""
-        return self._picture(ax)
-
     @functools.cached_property
     def _core(self) -> _core.PairTable:
         grids = (self.speed, self.ratio, self.restitution, self.restitution_error, self.interpolation_error)
@@ -106,9 +104,6 @@ class PairTable(SpeedInSi):
 
     def __getstate__(self) -> dict[str, Any]:
         return {field.name: getattr(self, field.name) for field in dataclasses.fields(self)}
-
-    def _inputs(self) -> dict[str, Any]:
-        return {"body": self.body, "against": self.against, "beyond": self.beyond}
 
     def _columns(self) -> dict[str, Column]:
         columns = {

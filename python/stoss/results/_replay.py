@@ -1,103 +1,121 @@
-"""An impact again, bit by bit, to look at it in time."""
+"""An impact again, bit by bit, to look at it in time: methods of `Impact`."""
 
 from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 
 from stoss import _core
-from stoss._arguments import arranged, integer, numbers, refusal, require_memory
+from stoss._arguments import arranged, integer, number, numbers, require_memory
 from stoss._errors import InvalidInput
-from stoss.bodies._blocks import UNBOUNDED
-from stoss.bodies._bodies import BODIES, Disk, Sphere
-from stoss.bodies._encounter import encounter
-from stoss.bodies._solid import is_rigid
-from stoss.bodies._state import choose_state
-from stoss.results._field import DiskField, Field, SphereField
-from stoss.results._motion import Trajectory, Wave
+from stoss.results._motion import Trajectory
 from stoss.results._result import columns
 
 if TYPE_CHECKING:
     from stoss.results._impact import Impact
 
 
-def trajectory(impact: Impact, every: Any) -> Trajectory:
-    """See `Impact.trajectory`."""
+class Rising:
+    """Times in rising order, in which the core takes them."""
+
+    def __init__(self, given: NDArray[np.float64]) -> None:
+        order = np.argsort(given.ravel(), kind="stable")
+        self.times = given.ravel()[order]
+        self._shape = given.shape
+        self._back = None if np.all(order == np.arange(order.size)) else np.argsort(order, kind="stable")
+
+    def placed(self, values: NDArray[Any]) -> Any:
+        """Values at these times, in the order and the shape in which the times were given."""
+        array = values if self._back is None else values[self._back]
+        return arranged(array, self._shape + array.shape[1:])
+
+
+def trajectory(self: Impact, *, every: int = 1) -> Trajectory:
+    """The impact in time, by repeating it bit by bit.
+
+    Parameters
+    ----------
+    every : int
+        Steps between two rows.
+
+    Examples
+    --------
+    >>> path = stoss.impact(poisson=0.33, speed=0.1, cutoff=25).trajectory()
+    >>> energy = path.translation + path.vibration + path.unresolved
+    >>> bool(abs(energy - 1).max() < 2e-3)
+    True
+    """
     rows = integer("every", every)
     if rows < 1:
         raise InvalidInput(f"every: got {rows}, allowed 1 or more (steps between two rows)")
-    size = 72.0 * (impact.steps // rows + 2)
-    require_memory("every", f"{rows} for {impact.steps} steps", size, "give a larger one")
-    return Trajectory(impact=impact, **columns(impact._handle.trajectory(impact._contact(), rows)))
+    size = 72.0 * (self.steps // rows + 2)
+    require_memory("every", f"{rows} for {self.steps} steps", size, "give a larger one")
+    return Trajectory(impact=self, **columns(self._handle.trajectory(self._contact(), rows)))
 
 
-def field(impact: Impact, time: Any, radius: Any, angle: Any, of: Any) -> Field:
-    """See `Impact.field`."""
-    if not isinstance(impact.body, (Disk, Sphere)):
-        hint = "a stoss.Disk or a stoss.Sphere (a rod has no field)"
-        raise InvalidInput(f"body: got {impact.body!r}, allowed {hint}")
-    number, pair = integer("of", of), isinstance(impact.against, BODIES)
-    if number not in ((0, 1) if pair else (0,)):
-        other = "half-space" if isinstance(impact.against, UNBOUNDED) else "wall"
-        hint = "0 or 1" if pair else f"0 (a {other} has no field)"
-        raise InvalidInput(f"of: got {number}, allowed {hint}")
-    inside = impact.body if number == 0 else impact.against
-    assert isinstance(inside, (Disk, Sphere))
-    if is_rigid(inside):
-        raise InvalidInput(f"body: got {inside!r}, allowed an elastic one (a rigid one has no field)")
+def energies_at(self: Impact, *, time: ArrayLike) -> NDArray[Any]:
+    """Energy of each kept mode at some times, by repeating the impact bit by bit.
+
+    Parameters
+    ----------
+    time : array_like
+        R/c from the start of the impact, any order; during the impact the nearest step is
+        taken, before and after it the energies stay.
+
+    Returns
+    -------
+    ndarray
+        Times × modes, without the first axis if `time` is one number: a structured array with
+        the fields body, order, index, omega and energy, as a share of the initial one, in the
+        order of `mode_energies`.
+
+    Examples
+    --------
+    >>> hit = stoss.impact(poisson=0.33, speed=0.1, cutoff=25)
+    >>> energies = hit.energies_at(time=[0, hit.contact_time / 2])
+    >>> energies["energy"].sum(axis=1).round(2)
+    array([0.  , 0.96])
+    """
     times = numbers("time", time)
-    radii = np.linspace(0.0, 1.0, 41) if radius is None else numbers("radius", radius).ravel()
-    angles = _around() if angle is None else numbers("angle", angle).ravel()
-    points = radii.size * angles.size
-    each = (11.0 if isinstance(inside, Disk) else 12.0) * points
-    _require_memory(impact, "field", times.size, each, 5.0 * radii.size * impact.modes, f" x {points} points")
-    order = np.argsort(times.ravel(), kind="stable")
-    made = impact._contact()
-    frames = _core.motion(made, impact._handle, times.ravel()[order])
-    made_of: type[Field] = SphereField
-    if isinstance(inside, Disk):
-        made_of = DiskField
-    meeting = encounter(impact.body, impact.against)
-    fields = _core.fields(meeting, number, made, impact._handle, frames, radii, angles)
-    return made_of._from_core(impact, number, times.shape, order, frames.summaries(), fields, radii, angles)
+    require_replay(self, "energies", times.size, 3.0 * self.modes, 0.0, f" x {self.modes} modes")
+    rising = Rising(times)
+    energies: NDArray[Any] = rising.placed(_core.energies_at(self._contact(), self._handle, rising.times))
+    return energies
 
 
-def wave(impact: Impact, time: Any, distance: Any, depth: Any) -> Wave:
-    """See `Impact.wave`."""
-    if not isinstance(impact.against, UNBOUNDED):
-        raise InvalidInput(f"against: got {impact.against!r}, allowed a stoss.HalfSpace or a stoss.HalfPlane")
-    chosen = impact.contact_time * np.array([0.4, 0.8, 1.2, 1.6]) if time is None else time
-    times = numbers("time", chosen)
-    if not np.all(np.abs(times) <= 1e4):
-        raise refusal("time", time, "-1e4 to 1e4 (R/c, from the start of the impact)")
-    speeds = encounter(impact.body, impact.against).wave_speeds()
-    reach = np.linspace(0.0, speeds[0] * max(times.max(initial=0.0), impact.contact_time), 121)
-    across = reach if distance is None else numbers("distance", distance).ravel()
-    below = reach.copy() if depth is None else numbers("depth", depth).ravel()
-    for name, places in (("distance", across), ("depth", below)):
-        if not (places.size and np.all((places >= 0.0) & (places <= 1e6))):
-            raise refusal(name, places, "one or more, each 0 to 1e6 (R)")
-    points = across.size * below.size
-    size = 8.0 * times.size * (8.0 * points + 6.0 * impact.modes)
-    require_memory("wave", f"{times.size} times x {points} points", size, "give fewer times or points")
-    order = np.argsort(times.ravel(), kind="stable")
-    meeting, state = encounter(impact.body, impact.against), choose_state(impact.state)
-    made = _core.waves(meeting, impact._handle, state, times.ravel()[order], across, below)
-    back = np.argsort(order, kind="stable")
+def state_after(self: Impact, *, flight: float) -> NDArray[Any]:
+    """How the bodies vibrate when they meet again at the speed of their parting, `restitution`
+    × `speed`.
 
-    def placed(value: NDArray[np.float64]) -> Any:
-        return arranged(value[back], times.shape + value.shape[1:])
+    Parameters
+    ----------
+    flight : float
+        Time between the two impacts, R/c: from where the bodies would part if they were unexcited
+        to where they would touch.
 
-    for array in (across, below):
-        array.flags.writeable = False
-    pressure, shear, rayleigh = speeds
-    fields = {name: placed(value) for name, value in made.items()}
-    return Wave(
-        impact=impact, distance=across, depth=below, **fields,
-        pressure_speed=pressure, shear_speed=shear, rayleigh_speed=rayleigh,
-    )  # fmt: skip
+    Returns
+    -------
+    ndarray
+        The `state` of the next `impact`: a structured array with the fields body, order, index,
+        energy (as a share of the translational one before that impact) and phase, radians.
+        Bodies with a loss time vibrate less by then, and the waves of a half-space have run
+        away.
+
+    Raises
+    ------
+    InvalidInput
+        If the flight is negative, and if the bodies do not part.
+
+    Examples
+    --------
+    >>> hit = stoss.impact(stoss.Sphere(poisson=0.3), speed=0.1, cutoff=25)
+    >>> state = hit.state_after(flight=20)
+    >>> bool(abs(state["energy"].sum() - hit.vibration / hit.translation) < 1e-12)
+    True
+    """
+    return self._handle.vibration_after(self._contact(), number("flight", flight))
 
 
 def surface(impact: Impact, time: Any, reach: float) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
@@ -106,37 +124,14 @@ def surface(impact: Impact, time: Any, reach: float) -> tuple[NDArray[np.float64
 
     It is moved by the kept modes alone.
     """
-    times = numbers("time", time).ravel()
-    order = np.argsort(times, kind="stable")
-    made = impact._contact()
-    lateral, place = _core.surfaces(made, impact._handle, _core.motion(made, impact._handle, times[order]), reach, 256)
-    x = place[np.argsort(order, kind="stable")]
+    rising, made = Rising(numbers("time", time).ravel()), impact._contact()
+    frames = _core.motion(made, impact._handle, rising.times)
+    lateral, place = _core.surfaces(made, impact._handle, frames, reach, 256)
+    x = rising.placed(place)
     return np.concatenate((-lateral[::-1], lateral)), np.concatenate((x[:, ::-1], x), axis=1)
 
 
-def energies_at(impact: Impact, time: Any) -> NDArray[Any]:
-    """See `Impact.energies_at`."""
-    times = numbers("time", time)
-    _require_memory(impact, "energies", times.size, 3.0 * impact.modes, 0.0, f" x {impact.modes} modes")
-    order = np.argsort(times.ravel(), kind="stable")
-    table = _core.energies_at(impact._contact(), impact._handle, times.ravel()[order])
-    energies = table[np.argsort(order, kind="stable")].reshape(times.shape + (impact.modes,))
-    energies.flags.writeable = False
-    return energies
-
-
-def state_after(impact: Impact, flight: float) -> NDArray[Any]:
-    """See `Impact.state_after`."""
-    return impact._handle.vibration_after(impact._contact(), flight)
-
-
-def _require_memory(impact: Impact, name: str, times: int, each: float, once: float, got: str) -> None:
+def require_replay(impact: Impact, name: str, times: int, each: float, once: float, got: str) -> None:
     """Refuse what is too large: numbers for each time, besides its motion, and numbers once."""
     size = 8.0 * (times * (each + 2.0 * impact.modes + impact.nodes) + once)
     require_memory(name, f"{times} times{got}", size, "give fewer times or points")
-
-
-def _around() -> NDArray[np.float64]:
-    """Angles around the body, three times as dense at the contact as opposite to it."""
-    even = np.linspace(-np.pi, np.pi, 181)
-    return np.asarray(even - 0.5 * np.sin(even))

@@ -12,12 +12,11 @@ from stoss._arguments import arranged
 from stoss.bodies._blocks import UNBOUNDED
 from stoss.bodies._bodies import PARTNERS, Body, Disk, Rod, Sphere, shown
 from stoss.bodies._encounter import Against, choose_against
-from stoss.bodies._state import shown_state
 from stoss.export import _tables
 from stoss.export._text import span, with_error
 from stoss.results._function import RestitutionFunction
 from stoss.results._interpolation import of_curve
-from stoss.results._result import Column, Number
+from stoss.results._result import Column, Number, picture
 from stoss.results._si import ImpactsInSi, Si
 
 Integer = Union[int, NDArray[np.int64]]
@@ -84,14 +83,14 @@ class Restitution(ImpactsInSi):
         How the bodies vibrated before, if they did: a structured array with the fields body, order,
         index, energy (as a share of the translational one) and phase.
     material : Material or None
-        Of the body. If there is one, `speed_si`, `contact_time_si`, `max_force_si`,
-        `max_compression_si` and their errors, `contact_time_si_error` and so on, are the SI values.
-        If a sphere has a yield strength, `yield_speed` and `yield_speed_si` say where yielding
-        begins, and `beyond_yield` which values are beyond it.
+        Of the body. With one there are SI values, `speed_si` and so on, and of a sphere with a yield
+        strength `yield_speed`, `yield_speed_si` and `beyond_yield`.
     """
 
+    plot = picture("ε against v with error bars. See `stoss.plot.restitution`.")
     _name: ClassVar[str] = "restitution"
     _kind = "restitution"
+    _told = ("body", "bodies", "against", "tolerance", "absolute", "state")
     _axis: ClassVar[str] = "speed"
     _given = {"poisson": "", "speed": "speed"}
     contact_time_si_error = Si("Error of the contact time, s.")
@@ -198,10 +197,6 @@ class Restitution(ImpactsInSi):
         """
         return of_curve(self, beyond)
 
-    def plot(self, ax: Any = None) -> Any:
-        """ε against v with error bars. See `stoss.plot.restitution`."""
-        return self._picture(ax)
-
     def _arranged_columns(self) -> tuple[dict[str, Column], tuple[str, ...]]:
         table, shape = self._columns(), np.shape(self.restitution)
         speed, poisson = table["speed"], table["poisson"]
@@ -216,8 +211,5 @@ class Restitution(ImpactsInSi):
     def _inputs(self) -> dict[str, Any]:
         # Several disks without sizes are told by their Poisson's ratios.
         plain = [isinstance(each, Disk) and each == Disk(poisson=each.poisson) for each in self.bodies]
-        told = self.body is not None or all(plain)
-        named: dict[str, Any] = {"body": self.body, "bodies": None if told else self.bodies, "against": self.against}
-        named |= {"tolerance": self.tolerance, "absolute": self.absolute}
-        named["state"] = None if self.state is None else shown_state(self.state)
-        return {key: value for key, value in named.items() if value is not None}
+        left_out = "bodies" if self.body is not None or all(plain) else ""
+        return {name: value for name, value in super()._inputs().items() if name != left_out}

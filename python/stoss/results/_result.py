@@ -3,7 +3,6 @@ essential."""
 
 from __future__ import annotations
 
-import abc
 import dataclasses
 import os
 import re
@@ -14,6 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from stoss import _core
+from stoss.bodies._state import shown_state
 from stoss.export import _tables
 from stoss.export._files import write_lines
 from stoss.export._text import cell, known, plain, with_error
@@ -42,7 +42,17 @@ def unit(dimension: str, *, body: str, si: bool) -> str:
     return _core.units(body, si)[dimension]
 
 
-class Result(abc.ABC):
+def picture(said: str, name: str = "plot") -> Callable[..., Any]:
+    """The method of that name, which draws the result in `ax`, matplotlib Axes (None: a new figure)."""
+
+    def drawn(self: Result, ax: Any = None) -> Any:
+        return type(self)._draw(self, ax, name)
+
+    drawn.__name__, drawn.__doc__ = name, said
+    return drawn
+
+
+class Result:
     """Base of all results: frozen, with the inputs that made them."""
 
     _name: ClassVar[str] = ""
@@ -50,16 +60,13 @@ class Result(abc.ABC):
     _given: ClassVar[Mapping[str, str]] = {}  # dimensions of inputs that are columns too, before all others
     _units: ClassVar[Mapping[str, str]] = {}  # of columns of which the core knows nothing
     _axis: ClassVar[str] = "row"  # along which its columns run
+    _told: ClassVar[tuple[str, ...]] = ()  # what made it, for the head of the CSV; what is None is left out
     _draw: ClassVar[Callable[[Any, Any, str], Any]]  # set by the package: results know no pictures
 
     def to_dict(self) -> dict[str, Any]:
         """Return all that the result holds in plain Python types, ready for json.
 
         An error that is unknown is the word "unknown"; in the arrays it is infinite.
-
-        Returns
-        -------
-        dict
         """
         values: dict[str, Any] = plain(self) | plain(self._derived())
         return values
@@ -85,10 +92,6 @@ class Result(abc.ABC):
     def to_dataframe(self) -> Any:
         """Return the columns of `to_csv` as a table of pandas, with units and inputs in its attrs.
 
-        Returns
-        -------
-        pandas.DataFrame
-
         Raises
         ------
         ImportError
@@ -102,10 +105,6 @@ class Result(abc.ABC):
 
         Its dimension is what the result runs along: speed, mode, time, …; of `restitution` with
         Poisson's ratios down and speeds across there are two.
-
-        Returns
-        -------
-        xarray.Dataset
 
         Raises
         ------
@@ -167,13 +166,12 @@ class Result(abc.ABC):
         """Further quantities that follow from the fields."""
         return {}
 
-    def _picture(self, ax: Any, name: str = "plot") -> Any:
-        """The picture of that method."""
-        return type(self)._draw(self, ax, name)
-
-    @abc.abstractmethod
     def _inputs(self) -> dict[str, Any]:
         """What made the result, for the head of the CSV."""
+        told = {name: getattr(self, name) for name in self._told}
+        if told.get("state") is not None:
+            told["state"] = shown_state(told["state"])
+        return {name: value for name, value in told.items() if value is not None}
 
     def _table(self) -> dict[str, Column]:
         """Columns of one length."""

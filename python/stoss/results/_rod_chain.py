@@ -14,7 +14,7 @@ from stoss._errors import Interrupted, InvalidInput, NotConverged
 from stoss.bodies._bodies import Rod
 from stoss.bodies._encounter import choose_tail
 from stoss.export._text import span
-from stoss.results._result import Column, Result, columns
+from stoss.results._result import Column, Result, columns, picture
 
 SI = {"time": "s", "translation": "J", "vibration": "J", "dissipated": "J", "unresolved": "J", "momentum": "kg m/s"}
 
@@ -55,6 +55,8 @@ class RodChain(Result):
         Columns of `impacts`.
     """
 
+    plot = picture("Energies against time, with t⁻². See `stoss.plot.cooling`.")
+    histogram = picture("How often each ε occurs. See `stoss.plot.restitution_histogram`.", "histogram")
     _name: ClassVar[str] = "rod_chain"
 
     rods: tuple[Rod, ...]
@@ -99,14 +101,6 @@ class RodChain(Result):
     def pair(self) -> NDArray[np.uint64]:
         pair: NDArray[np.uint64] = self.impacts["pair"]
         return pair
-
-    def plot(self, ax: Any = None) -> Any:
-        """Energies against time, with t⁻². See `stoss.plot.cooling`."""
-        return self._picture(ax)
-
-    def histogram(self, ax: Any = None) -> Any:
-        """How often each ε occurs. See `stoss.plot.restitution_histogram`."""
-        return self._picture(ax, "histogram")
 
     def _unit(self, name: str) -> str:
         return SI.get(name, "") if self.rods[0].material is not None else ""
@@ -171,8 +165,6 @@ def rod_chain(
 
     Raises
     ------
-    InvalidInput
-        For arguments out of range.
     NotConverged
         If collisions accumulate at one time (inelastic collapse); what is done is its attribute
         `best`.

@@ -20,6 +20,7 @@ from typing import Any, Dict, Iterator, NamedTuple, Tuple
 
 from stoss import _core
 from stoss._errors import InvalidInput
+from stoss.export._files import usual_mode
 from stoss.export._text import UNKNOWN
 from stoss.sweeps._grid import Grid
 
@@ -55,7 +56,7 @@ def create(store: str | os.PathLike[str], grid: Grid) -> Path:
                 stream.write(json.dumps(grid.to_dict(), indent=1) + "\n")
                 stream.flush()
                 os.fsync(stream.fileno())
-            os.chmod(temporary, 0o666 & ~_mask())
+            os.chmod(temporary, usual_mode())
             with contextlib.suppress(FileExistsError):  # another worker was faster
                 os.link(temporary, path / GRID)
         finally:
@@ -163,9 +164,3 @@ def _value(kind: str, cell: str) -> Any:
     if kind in "iu":
         return int(cell)
     return math.inf if cell == UNKNOWN else float(cell)
-
-
-def _mask() -> int:
-    mask = os.umask(0)
-    os.umask(mask)
-    return mask

@@ -14,6 +14,7 @@ from numpy.typing import NDArray
 from stoss import _core
 from stoss._arguments import boolean
 from stoss.bodies._solid import describe
+from stoss.results._curves import empty_rows
 from stoss.results._result import QUANTITIES, Column, Result
 from stoss.results._si import si_name
 from stoss.sweeps import _store
@@ -67,10 +68,6 @@ class Sweep(Result):
     def to_dict(self) -> dict[str, Any]:
         """Return all that the sweep holds in plain Python types, ready for json: the grid as of
         `Grid.to_dict`, and quantities as lists over bodies, partners and speeds.
-
-        Returns
-        -------
-        dict
         """
         return {"grid": self.grid.to_dict()} | super().to_dict()
 
@@ -155,10 +152,7 @@ def open_sweep(store: str | os.PathLike[str], *, mix: bool = False) -> Sweep:
     grid = _store.read_grid(path)
     cases = grid.cases()
     found = _store.read(path, {case.key for case in cases}, boolean("mix", mix))
-    rows = np.zeros(grid.shape, dtype=_core.restitution_row)
-    for name, kind in _store.KINDS.items():
-        if kind == "f":
-            rows[name] = np.nan
+    rows = empty_rows(grid.shape)
     computed = np.zeros(grid.shape, dtype=bool)
     versions = set()
     for case in cases:
