@@ -106,7 +106,9 @@ function compute(next: Inputs): void {
 
 function showPoint(result: { quantities: Record<string, { value: number; error?: number }>; speed: number }): void {
   const epsilon = result.quantities.restitution;
-  if (epsilon !== undefined) curveChart.setCurrent({ speed: result.speed, restitution: epsilon.value, error: epsilon.error ?? 0 });
+  if (epsilon === undefined) return;
+  const { value, error = 0 } = epsilon;
+  curveChart.setCurrent({ speed: result.speed, restitution: value, error });
 }
 
 function showCurves(): void {

@@ -22,7 +22,7 @@ export function textOf(field: Field): string {
   return inputOf(field).value;
 }
 
-/** Show the fields of inputs with what is wrong with them: screen readers hear the unit and the problem with a field. */
+/** Show the fields of inputs with what is wrong: screen readers hear the unit and the problem with a field. */
 export function showFields({ encounter }: Inputs, problems: ReadonlyMap<Field, string>): void {
   const rowOf = (field: Field): unknown => {
     const [id, label, problem] = [`field-${field}`, labelOf(encounter, field), problems.get(field) ?? ''];

@@ -28,8 +28,8 @@ export function gradedPlaces(count: number, first: number): number[] {
   return [...places, 1]; // rounding must not carry the last beyond its end
 }
 
-/** The grid of a body whose contact has some maximum half width, in its own radius: one half, the other mirrors it. Of a
- *  rod `angle` goes from its middle to its side, which move alike. */
+/** The grid of a body whose contact has some maximum half width, in its own radius: one half, the other mirrors it. Of
+ *  a rod `angle` goes from its middle to its side, which move alike. */
 export function gridFor(kind: BodyKind, halfWidth: number): Grid {
   if (kind === 'rod') {
     return { radius: Float32Array.from({ length: ALONG + 1 }, (_, k) => k / ALONG), angle: Float32Array.of(0, 1) };
