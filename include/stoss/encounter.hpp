@@ -4,8 +4,10 @@
 
 #include "stoss/encounter/document.hpp"
 #include "stoss/encounter/encounter.hpp"
+#include "stoss/encounter/inside.hpp"
 #include "stoss/encounter/kinds.hpp"
 #include "stoss/encounter/laws.hpp"
 #include "stoss/encounter/materials.hpp"
 #include "stoss/encounter/series.hpp"
 #include "stoss/encounter/solid.hpp"
+#include "stoss/encounter/views.hpp"

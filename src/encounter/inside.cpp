@@ -96,7 +96,12 @@ std::vector<double> repeated(const std::vector<double>& values, std::size_t time
   return all;
 }
 
-/// Makes the inside of a solid.
+Inside at_rest(const PolarGrid& points) {
+  const std::vector<double> still(points.radius.size() * points.angle.size());
+  return [still](const BodyFrame&) { return Interior{still, still, still, still}; };
+}
+
+/// Makes the inside of a solid; one whose field is not known is shown at rest.
 struct MakeInside {
   const BodyFrame& rest;
   const PolarGrid& points;
@@ -118,9 +123,11 @@ struct MakeInside {
       return Interior{repeated(now.displacement, sides), std::vector<double>(stress.size()), stress, stress};
     };
   }
-  template <typename Unbounded>
-  Inside operator()(const Unbounded& block) const {
-    return Block(block.poisson, rest, below, poll);
+  Inside operator()(const HalfSpace& block) const { return Block(block.poisson, rest, below, poll); }
+  Inside operator()(const HalfPlane& block) const { return Block(block.poisson, rest, below, poll); }
+  template <typename Other>
+  Inside operator()(const Other&) const {
+    return at_rest(points);
   }
 };
 
@@ -141,10 +148,7 @@ std::optional<std::size_t> number_of(const Body& body, int order, int index) {
 Inside inside(const Solid& solid, const BodyFrame& rest, const PolarGrid& points, const PlaneGrid& below,
               const Poll& poll) {
   const bool bounded = !std::holds_alternative<HalfSpace>(solid) && !std::holds_alternative<HalfPlane>(solid);
-  if (bounded && rest.body->part.size < 1.0) {
-    const std::vector<double> still(points.radius.size() * points.angle.size());
-    return [still](const BodyFrame&) { return Interior{still, still, still, still}; };
-  }
+  if (bounded && rest.body->part.size < 1.0) return at_rest(points);
   return std::visit(MakeInside{rest, points, below, poll}, solid);
 }
 
