@@ -10,7 +10,7 @@ namespace stoss {
 
 /// Coefficient of restitution as `restitution` has it, or the best value that it reached: `converged` is false then,
 /// with a reason, and the values are NaN where no two impacts end.
-/// @throws InvalidInput, and what poll throws
+/// @throws InvalidInput as the options of one value do; what poll throws comes through
 [[nodiscard]] Restitution best_restitution(const RefinableContact& contact, double speed,
                                            const RestitutionOptions& options);
 
