@@ -1,6 +1,6 @@
 # The short way in. Everything here can also be done with the CMake presets (cmake --list-presets).
 .DEFAULT_GOAL := help
-.PHONY: help setup build python demo web web-serve test bench validate results docs paper paper-quick format lint \
+.PHONY: help setup build python demo web web-serve test test-fast test-long coverage bench validate results docs paper paper-quick format lint \
 	install uninstall clean
 
 JOBS ?= $(shell nproc)
@@ -33,8 +33,17 @@ web: setup ## build the page, with the core in WebAssembly, into build/web
 web-serve: web ## serve it on this machine: http://127.0.0.1:8000 (PORT=... for another port)
 	@$(PYTHON) -m http.server $(PORT) --bind 127.0.0.1 --directory build/web
 
-test: setup ## all tests, once more with clang++ under sanitizers, downstream project, format
-	@scripts/test.sh $(JOBS)
+test: ## what must hold: tests of every face, what handles memory under sanitizers, downstream projects, format
+	@scripts/test.sh whole $(JOBS)
+
+test-fast: ## only the fast ones of them, of the library and of the command
+	@scripts/test.sh fast $(JOBS)
+
+test-long: ## before a release: everything under sanitizers, the documentation site, the validation, coverage
+	@scripts/test.sh long $(JOBS)
+
+coverage: setup ## lines of src/ and cli/ that the fast tests run, by folder
+	@scripts/coverage.sh $(JOBS)
 
 bench: setup python ## benchmarks, with the paper's protocol as the rival
 	@cmake --preset release -DSTOSS_BUILD_BENCH=ON

@@ -3,8 +3,9 @@
 
 #include "common.hpp"
 #include "contact/response.hpp"
-#include "impact/refined_resolution.hpp"
+#include "impact/recommended.hpp"
 #include "stoss/bodies/disk.hpp"
+#include "stoss/contact/grid.hpp"
 #include "stoss/impact/impact.hpp"
 
 namespace bench {

@@ -2,7 +2,7 @@
 #include <vector>
 
 #include "common.hpp"
-#include "stoss/vibration/rod_chain.hpp"
+#include "stoss/vibration/rod_chain_run.hpp"
 
 namespace bench {
 namespace {

@@ -7,13 +7,15 @@ import { readFileSync } from 'node:fs';
 import { fileURLToPath } from 'node:url';
 
 const wasm = new URL('../build/wasm/', import.meta.url);
-const unit = { poisson: 0.3, radius: 1, young: 1, density: 1, area: 1, lossTime: 0 };
-const of = (kind, against) =>
-  ({ kind, first: unit, against: against === 'half-space' ? { kind: against, body: unit } : { kind: against },
-    si: false, plane: 'stress' });
-const steel = { ...unit, poisson: 0.29, radius: 0.01, young: 200e9, density: 7850 };
-const glass = { ...unit, poisson: 0.22, young: 70e9, density: 2500 };
-const onGlass = { ...of('sphere', 'wall'), si: true, first: steel, against: { kind: 'half-space', body: glass } };
+const others = { disk: 'half-plane', sphere: 'half-space' };
+const of = (kind, against) => ({
+  first: { kind, poisson: 0.3 },
+  against: against === 'half-space' ? { kind: others[kind], poisson: 0.3, young: 1, density: 1 } : against,
+});
+const onGlass = {
+  first: { kind: 'sphere', radius: 0.01, material: { young: 200e9, poisson: 0.29, density: 7850 } },
+  against: { kind: 'half-space', material: { young: 70e9, poisson: 0.22, density: 2500 } },
+};
 
 const cases = [];
 for (const speed of [0.1, 0.01]) {
@@ -34,7 +36,7 @@ function now() {
 
 function asked(core, { encounter, speed }, tolerance) {
   const before = now();
-  const made = core.makeEncounter(encounter);
+  const made = core.makeEncounter(JSON.stringify(encounter));
   const answer = made.encounter.restitution(speed, tolerance);
   const after = now();
   if (answer.error !== undefined) throw new Error(answer.error);

@@ -2,13 +2,32 @@
 
 #include <fmt/format.h>
 
-#include "arguments.hpp"
-#include "options.hpp"
+#include "input/words.hpp"
+#include "process/text.hpp"
+#include "stoss/errors.hpp"
 #include "stoss/version.hpp"
 
 namespace stoss::cli {
+namespace {
 
-void declare(CLI::App& app, int& exit_code) {
+std::string stored_command_line;
+
+/// The names that may stand where `word` stands.
+std::vector<std::string> candidates(const CLI::App& app) {
+  std::vector<std::string> names;
+  const auto parsed = app.get_subcommands();
+  if (parsed.empty()) {
+    for (const CLI::App* command : subcommands(app)) names.push_back(command->get_name());
+  }
+  for (const CLI::Option* option : (parsed.empty() ? app : *parsed.front()).get_options()) {
+    for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
+  }
+  return names;
+}
+
+}  // namespace
+
+void declare(CLI::App& app) {
   app.description("Coefficient of restitution of elastic bodies from first principles");
   app.name("stoss");
   app.set_version_flag("--version", fmt::format("stoss {}", stoss::version()), "Print the version and exit");
@@ -22,14 +41,53 @@ void declare(CLI::App& app, int& exit_code) {
   add_modes(app);
   add_impact(app);
   add_bounce(app);
-  add_restitution(app, exit_code);
-  add_distribution(app, exit_code);
+  add_restitution(app);
+  add_distribution(app);
   add_quasistatic(app);
   add_table(app);
   add_materials(app);
   add_schema(app);
-  add_sweeps(app);
+  add_sweep(app);
+  add_merge(app);
   refuse_empty_values(app);
+}
+
+std::string command_line() { return stored_command_line; }
+
+void set_command_line(int argc, char** argv) {
+  stored_command_line = "stoss";
+  for (int i = 1; i < argc; ++i) stored_command_line += " " + shell_quoted(argv[i]);
+}
+
+CLI::Option* add_choice(CLI::App& command, const std::string& name, std::string& value,
+                        const std::vector<std::string>& words, const std::string& help, const std::string& type,
+                        const std::string& group) {
+  return command.add_option(name, value, help)->check(CLI::IsMember(words))->type_name(type)->group(group);
+}
+
+void add_threads(CLI::App& command, int& threads) {
+  add(command, "--threads", threads, "Threads, 0 for all cores; results do not depend on it\n(default: 0)", "N",
+      "Resolution");
+}
+
+void refuse_empty_values(CLI::App& app) {
+  for (CLI::Option* option : app.get_options()) {
+    if (option->get_expected_min() == 0) continue;  // a flag
+    const std::string name = option->get_single_name();
+    option->transform([name](std::string text) {
+      if (text.empty()) throw InvalidInput(fmt::format("{}: got '', allowed a value (is a variable not set?)", name));
+      return text;
+    });
+  }
+  for (CLI::App* command : subcommands(app)) refuse_empty_values(*command);
+}
+
+std::string unknown_words(const CLI::App& app) {
+  const auto unknown = app.remaining(true);
+  if (unknown.empty()) return {};
+  const std::string word = unknown.front().substr(0, unknown.front().find('='));
+  const std::string similar = nearest(word, candidates(app));
+  return "unknown argument: " + shortened(word) + (similar.empty() ? "" : fmt::format(", did you mean {}?", similar));
 }
 
 }  // namespace stoss::cli

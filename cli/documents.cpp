@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <algorithm>
 #include <exception>
 #include <fstream>
 #include <iostream>
@@ -16,24 +15,12 @@
 #include <vector>
 
 #include "app.hpp"
+#include "process/text.hpp"
 #include "stoss/version.hpp"
-#include "text.hpp"
 
 namespace {
 
 using stoss::cli::subcommands;
-
-using Options = std::vector<const CLI::Option*>;
-
-bool is_flag(const CLI::Option& option) { return option.get_expected_min() == 0; }
-
-/// The words of {a,b} in what an option takes.
-std::vector<std::string> choices(const CLI::Option& option) {
-  const std::string type = option.get_type_name();
-  const auto begin = type.find('{'), end = type.find('}');
-  if (begin == std::string::npos || end == std::string::npos) return {};
-  return stoss::cli::split(type.substr(begin + 1, end - begin - 1), ',');
-}
 
 /// -o, --output
 std::vector<std::string> names(const CLI::Option& option) {
@@ -41,27 +28,6 @@ std::vector<std::string> names(const CLI::Option& option) {
   for (const std::string& name : option.get_snames()) all.push_back("-" + name);
   for (const std::string& name : option.get_lnames()) all.push_back("--" + name);
   return all;
-}
-
-bool same(const CLI::Option* a, const CLI::Option* b) {
-  return names(*a) == names(*b) && a->get_description() == b->get_description();
-}
-
-bool among(const CLI::Option* option, const Options& options) {
-  return std::any_of(options.begin(), options.end(), [&](const CLI::Option* other) { return same(option, other); });
-}
-
-/// The options that every subcommand has that prints results: not those that are handed over to Python.
-Options common(const CLI::App& app) {
-  Options shared;
-  for (const CLI::Option* option : subcommands(app).front()->get_options()) {
-    const auto has = [&](const CLI::App* command) {
-      return command->get_option_no_throw("--format") == nullptr || among(option, command->get_options());
-    };
-    const auto all = subcommands(app);
-    if (std::all_of(all.begin(), all.end(), has)) shared.push_back(option);
-  }
-  return shared;
 }
 
 /// Text for roff. A line that is indented by two stands by itself, as in the help; one indented by more goes on.
@@ -81,27 +47,39 @@ std::string roff(const std::string& text) {
 std::string roff(const CLI::Option& option) {
   std::string head;
   for (const std::string& name : names(option)) head += (head.empty() ? "\\fB" : ", \\fB") + roff(name) + "\\fR";
-  if (!is_flag(option)) head += (head.empty() ? "\\fI" : " \\fI") + roff(option.get_type_name()) + "\\fR";
+  if (option.get_expected_min() > 0) head += (head.empty() ? "\\fI" : " \\fI") + roff(option.get_type_name()) + "\\fR";
   return ".TP\n" + head + "\n" + roff(option.get_description()) + ".\n";
 }
 
+/// All options, at the end those that every subcommand has that prints results: not what is handed over to Python.
 std::string roff_options(const CLI::App& app) {
-  const Options shared = common(app);
-  std::string text;
+  std::map<std::string, std::size_t> owners;
+  std::size_t printing = 0;
+  for (const CLI::App* command : subcommands(app)) {
+    if (command->get_option_no_throw("--format") == nullptr) continue;
+    ++printing;
+    for (const CLI::Option* option : command->get_options()) ++owners[roff(*option)];
+  }
+  std::string text, shared;
   for (const CLI::App* command : subcommands(app)) {
     text += ".SS stoss " + command->get_name() + "\n";
     for (const CLI::Option* option : command->get_options()) {
-      if (!among(option, shared)) text += roff(*option);
+      const std::string its = roff(*option);
+      if (owners[its] < printing) text += its;
+      if (owners[its] == printing && command == subcommands(app).front()) shared += its;
     }
   }
-  text += ".SS All subcommands\nThose of sweep and merge, which print no results, are above.\n";
-  for (const CLI::Option* option : shared) text += roff(*option);
-  return text;
+  return text + ".SS All subcommands\nThose of sweep and merge, which print no results, are above.\n" + shared;
 }
 
-bool names_a_file(const CLI::Option& option) {
+/// What bash is to do behind an option: offer the words of {a,b}, or files, or nothing.
+std::string action(const CLI::Option& option) {
   const std::string type = option.get_type_name();
-  return type == "FILE" || type == "DIR" || type == "GRID";
+  if (type == "FILE" || type == "DIR" || type == "GRID") return "files=yes";
+  const auto begin = type.find('{'), end = type.find('}');
+  if (begin == std::string::npos || end == std::string::npos) return "return";
+  const auto words = stoss::cli::split(type.substr(begin + 1, end - begin - 1), ',');
+  return fmt::format("words=\"{}\"", fmt::join(words, " "));
 }
 
 /// The cases of subcommand and word before: what may follow an option.
@@ -109,19 +87,15 @@ std::string bash_values(const CLI::App& app) {
   std::map<std::string, std::set<std::string>> patterns;  // of what is to be done
   for (const CLI::App* command : subcommands(app)) {
     for (const CLI::Option* option : command->get_options()) {
-      if (is_flag(*option)) continue;
-      const auto allowed = choices(*option);
-      const std::string action = !allowed.empty()        ? fmt::format("words=\"{}\"", fmt::join(allowed, " "))
-                                 : names_a_file(*option) ? "files=yes"
-                                                         : "return";
+      if (option->get_expected_min() == 0) continue;  // a flag
       for (const std::string& name : names(*option)) {
-        patterns[action].insert(fmt::format("\"{} {}\"", command->get_name(), name));
+        patterns[action(*option)].insert(fmt::format("\"{} {}\"", command->get_name(), name));
       }
     }
   }
   std::string text;
-  for (const auto& [action, words] : patterns) {
-    text += fmt::format("    {}) {} ;;\n", fmt::join(words, " | \\\n      "), action);
+  for (const auto& [its, words] : patterns) {
+    text += fmt::format("    {}) {} ;;\n", fmt::join(words, " | \\\n      "), its);
   }
   for (const CLI::App* command : subcommands(app)) {
     const auto all = command->get_options(&CLI::Option::get_positional);
@@ -136,19 +110,19 @@ std::string bash_values(const CLI::App& app) {
 std::string bash_options(const CLI::App& app) {
   std::string text;
   for (const CLI::App* command : subcommands(app)) {
-    std::vector<std::string> all;
+    std::string all;
     for (const CLI::Option* option : command->get_options()) {
-      for (const std::string& name : names(*option)) all.push_back(name);
+      for (const std::string& name : names(*option)) all += (all.empty() ? "" : " ") + name;
     }
-    text += fmt::format("    {}) words=\"{}\" ;;\n", command->get_name(), fmt::join(all, " "));
+    text += fmt::format("    {}) words=\"{}\" ;;\n", command->get_name(), all);
   }
   return text;
 }
 
 std::string bash_commands(const CLI::App& app) {
-  std::vector<std::string> all;
-  for (const CLI::App* command : subcommands(app)) all.push_back(command->get_name());
-  return fmt::format("{} --help --version", fmt::join(all, " "));
+  std::string all;
+  for (const CLI::App* command : subcommands(app)) all += command->get_name() + " ";
+  return all + "--help --version";
 }
 
 /// A line that is only a placeholder gives place to lines, another one to words.
@@ -167,8 +141,7 @@ std::string filled(std::string text, const CLI::App& app) {
 
 bool make(const char* source, const char* target) {
   CLI::App app;
-  int exit_code = 0;
-  stoss::cli::declare(app, exit_code);
+  stoss::cli::declare(app);
   std::ifstream in(source);
   const std::string text{std::istreambuf_iterator<char>(in), {}};
   std::ofstream out(target);

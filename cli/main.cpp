@@ -11,13 +11,10 @@
 #include <system_error>
 
 #include "app.hpp"
-#include "arguments.hpp"
-#include "interrupt.hpp"
-#include "messages.hpp"
-#include "options.hpp"
-#include "report.hpp"
+#include "output/output.hpp"
+#include "process/process.hpp"
+#include "process/text.hpp"
 #include "stoss/errors.hpp"
-#include "text.hpp"
 
 namespace {
 
@@ -52,11 +49,12 @@ void reopen_closed_descriptors() {
 
 int run(int argc, char** argv) {
   CLI::App app;
-  int exit_code = ok;
-  stoss::cli::declare(app, exit_code);
+  stoss::cli::declare(app);
   try {
     app.parse(words(argc, argv));
-    return exit_code;
+    return ok;
+  } catch (const stoss::cli::NotAsAsked&) {
+    return not_converged;
   } catch (const CLI::Success& request) {  // --help and --version
     const int code = app.exit(request);
     std::cout.flush();
@@ -64,7 +62,7 @@ int run(int argc, char** argv) {
   } catch (const CLI::ParseError& error) {
     // A misspelt word matters more than what is missing because of it.
     std::string text = stoss::cli::unknown_words(app);
-    if (text.empty()) text = stoss::cli::shortened(error.what(), 160);
+    if (text.empty()) text = stoss::shortened(error.what(), 160);
     return complain(usage, text + " (see stoss --help or stoss SUBCOMMAND --help)");
   } catch (const stoss::InvalidInput& error) {
     return complain(bad_input, error.what());

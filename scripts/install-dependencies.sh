@@ -1,36 +1,44 @@
 #!/usr/bin/env bash
 # Installs the Debian packages that stoss needs and that are missing, as root or through sudo: all of them, or with the
-# argument `build` only those for the library and the command, with `python` also those for the Python package.
+# argument `build` only those for the library and the command, with `python` also those for the Python package, with
+# `test` also those of `make test`.
 # Where that is not possible it names what is missing and stops with an error.
 set -euo pipefail
 
+what=${1:-all}
 # Build and core; the command.
 packages=(
   g++ cmake ninja-build make git libeigen3-dev libboost-dev librandom123-dev
   libcli11-dev libfmt-dev nlohmann-json3-dev
 )
 # The Python package.
-if [ "${1:-all}" != build ]; then
+if [ "$what" != build ]; then
   packages+=(
     python3-dev pybind11-dev python3-numpy python3-matplotlib
     python3-venv python3-pip python3-setuptools python3-wheel
   )
 fi
-# Tests; benchmarks; checks; the documentation site; the page.
-if [ "${1:-all}" = all ]; then
+# Tests and checks; the page.
+if [ "$what" = test ] || [ "$what" = all ]; then
   packages+=(
     libgtest-dev libgmock-dev pkgconf python3-pytest python3-jsonschema python3-hypothesis python3-tqdm mypy
     gfortran chipmunk-dev libbox2d-dev libbullet-dev
     python3-netcdf4 python3-xarray python3-mpi4py openmpi-bin python3-distributed
-    libbenchmark-dev
-    clang libclang-rt-dev clang-format clang-tidy
-    doxygen python3-sphinx furo python3-myst-parser python3-breathe python3-sphinx-copybutton libjs-katex
+    clang libclang-rt-dev clang-format
     emscripten chromium
   )
   # Debian's packages of Node.js and npm do not go together with those of others, which may be there already.
   if ! command -v npm >/dev/null || [ "$(node -p 'parseInt(process.versions.node) >= 18' 2>/dev/null)" != true ]; then
     packages+=(nodejs npm)
   fi
+fi
+
+# Benchmarks; static analysis; the documentation site.
+if [ "$what" = all ]; then
+  packages+=(
+    libbenchmark-dev clang-tidy
+    doxygen python3-sphinx furo python3-myst-parser python3-breathe python3-sphinx-copybutton libjs-katex
+  )
 fi
 
 if ! command -v dpkg-query >/dev/null; then

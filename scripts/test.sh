@@ -1,33 +1,79 @@
 #!/usr/bin/env bash
-# Everything that must hold at every commit. What did not change is neither built nor, under the slow sanitizers, run again.
+# The tests of a tier and of those before it: fast (at every commit), whole (what must hold) or long (before a release:
+# all tests, all of them under sanitizers too, the documentation site, the validation, coverage).
+#   test.sh fast|whole|long [JOBS]
 set -euo pipefail
-jobs=${1:-2}
+tier=$1
+jobs=${2:-2}
 
 step() { printf '\n== %s\n' "$*"; }
 
-build() {
+configure() {
   mkdir -p "build/$1"
   cmake --preset "$1" "${@:2}" >"build/$1/configure.log" 2>&1 || { cat "build/$1/configure.log"; exit 1; }
-  cmake --build --preset "$1" -j "$jobs"
 }
 
-step "format"
-git ls-files '*.cpp' '*.hpp' '*.c' '*.h' | xargs clang-format --dry-run --Werror
+# While the library is compiled, what only its tests need is installed.
+scripts/install-dependencies.sh build
+case $tier in long) packages=all ;; *) packages=test ;; esac
+mkdir -p build
+scripts/install-dependencies.sh "$packages" >build/packages.log 2>&1 &
+installing=$!
 
 step "build: g++, warnings are errors"
-build release -DSTOSS_BUILD_TESTS=ON -DSTOSS_BUILD_PYTHON=ON
-step "build: clang++ with AddressSanitizer and UndefinedBehaviorSanitizer"
-build asan
+configure release
+cmake --build --preset release -j "$jobs" --target stoss stoss_command
+wait $installing || { cat build/packages.log >&2; exit 1; }
+cat build/packages.log
 
-step "tests"
-ctest --preset release -j "$jobs"
+step "format"
+git ls-files '*.cpp' '*.hpp' '*.c' '*.h' | xargs -P "$jobs" -n 100 clang-format --dry-run --Werror
+
+step "build: tests"
+configure release -DSTOSS_BUILD_TESTS=ON -DSTOSS_BUILD_PYTHON=ON
+if [ "$tier" = fast ]; then
+  cmake --build --preset release -j "$jobs" --target stoss_tests stoss_command_tests stoss_recipe_tests
+  step "tests: fast"
+  ctest --preset fast -j "$jobs"
+  exit
+fi
+cmake --build --preset release -j "$jobs"
+
+step "build: clang++ with AddressSanitizer and UndefinedBehaviorSanitizer"
+# What handles memory: the C interface, documents, the command; before a release all.
+if [ "$tier" = long ]; then
+  configure asan -DSTOSS_TEST_ROOMS=
+  cmake --build --preset asan -j "$jobs" --target stoss_command stoss_tests stoss_command_tests
+else
+  configure asan
+  cmake --build --preset asan -j "$jobs"
+fi
+
+step "tests: fast and whole"
+ctest --preset whole -j "$jobs"
 
 step "tests under sanitizers"
+# They are slow: what has passed is not run again.
 passed=build/asan/passed
-state=$(cat build/asan/tests/stoss_tests build/asan/cli/stoss $(git ls-files tests) | sha256sum)
+state=$(cat build/asan/tests/stoss_tests build/asan/cli/stoss $(git ls-files tests) | sha256sum)" $tier"
 if [ "$state" = "$(cat "$passed" 2>/dev/null)" ]; then
   echo "passed before, and neither the programs nor the tests have changed since"
 else
-  ctest --preset asan -j "$jobs"
+  case $tier in long) ctest --preset asan-long -j "$jobs" ;; *) ctest --preset asan -j "$jobs" ;; esac
   echo "$state" >"$passed"
 fi
+[ "$tier" = long ] || exit 0
+
+step "tests: long"
+ctest --preset long -j "$jobs"
+
+step "validation: the errors of restitution are honest, as docs/validation.md says"
+configure release -DSTOSS_BUILD_VALIDATE=ON
+cmake --build --preset release -j "$jobs" --target stoss_validate
+build/release/validate/stoss_validate --markdown=build/validation.md
+# Its times are those of the machine.
+without_times() { sed '/^## Convergence and time/,/^## /d' "$1"; }
+diff <(without_times docs/validation.md) <(without_times build/validation.md)
+
+step "coverage: each file compiled by itself"
+scripts/coverage.sh "$jobs"

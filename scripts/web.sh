@@ -16,6 +16,7 @@ mkdir -p "$wasm"
   cmake --build "$wasm" -j "$jobs" --target stoss_web; } >"$wasm/log" 2>&1 || { cat "$wasm/log" >&2; exit 1; }
 
 cd web
+node plugins/kinds.mjs  # the core's table of kinds, for the types of the page
 if ! cmp -s package-lock.json node_modules/.installed; then
   npm ci --no-progress >"../$wasm/npm.log" 2>&1 || { cat "../$wasm/npm.log" >&2; exit 1; }
   cp package-lock.json node_modules/.installed

@@ -1,9 +1,11 @@
 #include "check.hpp"
 
 #include <cmath>
+#include <limits>
+#include <locale>
+#include <sstream>
 #include <string>
 
-#include "digits.hpp"
 #include "stoss/bodies/disk/modes.hpp"
 #include "stoss/errors.hpp"
 
@@ -49,6 +51,23 @@ void require_loss_time(double loss_time) {
 void require_tolerance(double tolerance, double absolute) {
   require("tolerance", tolerance, {1e-15, 0.5, true, true, "1e-15 to 0.5"}, "relative error of 1 - eps^2");
   require("absolute", absolute, {0.0, 0.5, true, true, "0 to 0.5"}, "error of 1 - eps^2 that is small enough");
+}
+
+std::string shown(double value) {
+  if (std::isnan(value)) return "nan";  // without the sign that some processors give it
+  std::string text;
+  for (int digits = 10; digits <= std::numeric_limits<double>::max_digits10; ++digits) {
+    std::ostringstream writer;
+    writer.imbue(std::locale::classic());
+    writer.precision(digits);
+    writer << value;
+    text = writer.str();
+    std::istringstream reader(text);
+    reader.imbue(std::locale::classic());
+    double read = 0.0;
+    if (reader >> read && read == value) break;
+  }
+  return text;
 }
 
 }  // namespace stoss

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <string>
 #include <string_view>
 
 namespace stoss {
@@ -31,5 +32,8 @@ void require_loss_time(double loss_time);
 /// Throws InvalidInput unless `tolerance` is a relative error that can be asked for, 1e-15 … 0.5, and `absolute` an
 /// error of 1 − ε², 0 … 0.5.
 void require_tolerance(double tolerance, double absolute);
+
+/// A number with ten digits, or as many as tell it from every other one.
+[[nodiscard]] std::string shown(double value);
 
 }  // namespace stoss

@@ -5,10 +5,11 @@
 #include <map>
 #include <string>
 
-#include "contact/complementarity.hpp"
+#include "contact/edge/complementarity.hpp"
 #include "contact/response.hpp"
 #include "stoss/bodies/disk.hpp"
 #include "stoss/bodies/disk/field.hpp"
+#include "stoss/contact/grid.hpp"
 #include "stoss/contact/wall.hpp"
 #include "stoss/impact/impact.hpp"
 #include "stoss/impact/replay.hpp"

@@ -5,9 +5,9 @@
 #include <set>
 
 #include "stoss/bodies/disk.hpp"
-#include "stoss/bodies/disk/quantities.hpp"
+#include "stoss/bodies/disk/modes.hpp"
 #include "stoss/bodies/sphere.hpp"
-#include "stoss/bodies/sphere/quantities.hpp"
+#include "stoss/bodies/sphere/modes.hpp"
 #include "stoss/impact/quantities.hpp"
 #include "stoss/quasistatic/quantities.hpp"
 #include "stoss/restitution/quantities.hpp"

@@ -20,15 +20,15 @@ The program exits with code 1 if one of the three fails at any tolerance on any 
 
 ## The references
 
-`validate/reference.csv`: 90 points, ten Poisson's ratios from −0.9 to 0.98, nine speeds each, all
-speeds different and evenly spaced from 10⁻⁶ c to 0.5 c on the logarithmic scale. At each point
+`validate/data/reference.csv`: 90 points, ten Poisson's ratios from −0.9 to 0.98, nine speeds each,
+all speeds different and evenly spaced from 10⁻⁶ c to 0.5 c on the logarithmic scale. At each point
 three impacts with cutoffs 200, 283 and 400 (`restitution` typically ends at the cutoffs in the
 table of times), whose step and node spacing differ by other ratios than the cutoff. The reference
 is the last; its uncertainty is the spread of the three: for 1 − ε² in the median 2·10⁻⁶ of the
 value and at most 4·10⁻⁵, except for one point (ν = 0.07, v = 0.5) with 2·10⁻⁴. `stoss_validate
 --make-reference FILE` makes the file anew. The constants of the error were chosen on these points.
 
-`validate/reference_unseen.csv`: 64 points with references of the same kind, spread by a
+`validate/data/reference_unseen.csv`: 64 points with references of the same kind, spread by a
 quasi-random sequence over −0.93 < ν < 0.99 and 10⁻⁶ < v < 0.5. No constant was fitted to them; but
 their results were visible while the constants of the other quantities and of fast impacts were
 chosen on other points. Once all constants were fixed, 64 others of the same range were drawn and
@@ -39,39 +39,39 @@ the file anew.
 `tests/data/restitution_hard_wall.csv`: 15 points from cutoffs up to 100 and a coarser scheme in
 time, with uncertainties of 2·10⁻⁵ and more.
 
-`validate/reference_pairs.csv`: 48 pairs of unequal disks, spread by a quasi-random sequence:
+`validate/data/reference_pairs.csv`: 48 pairs of unequal disks, spread by a quasi-random sequence:
 Poisson's ratios from −0.6 to 0.9, radii within a factor of 4, moduli and densities within 2,
 relative speeds from 10⁻⁵ c to 0.4 c. Three impacts as above, with cutoffs 100, 141 and 200 over the
 time scale of the pair. `stoss_validate --make-pair-reference FILE` makes the file anew.
 
-`validate/reference_spheres.csv`: 64 spheres, spread by a quasi-random sequence over −0.5 < ν < 0.49
-and 10⁻⁶ < v < 0.5. Three impacts as above, with cutoffs 80, 113 and 160. They are judged with
-`absolute` = 0: by default an error of 10⁻⁶ suffices for the 1 − ε² of a sphere.
-`stoss_validate --make-sphere-reference FILE` makes the file anew.
+`validate/data/reference_spheres.csv`: 64 spheres, spread by a quasi-random sequence over −0.5 < ν <
+0.49 and 10⁻⁶ < v < 0.5. Three impacts as above, with cutoffs 80, 113 and 160. They are judged with
+`absolute` = 0: by default an error of 10⁻⁶ suffices for the 1 − ε² of a sphere. `stoss_validate
+--make-sphere-reference FILE` makes the file anew.
 
-`validate/reference_half_spaces.csv`: 48 impacts of spheres on half-spaces and, every fourth, of
-disks on half-planes, every fifth with a rigid body, spread by a quasi-random sequence: Poisson's
-ratios from −0.4 to 0.48, modulus and density of the half-space from 0.01 to 100 and from 0.1 to
-10, speeds from 10⁻⁶ to 0.5 in c of the body or of the half-space, whichever is less. Three impacts
-as above, with cutoffs 12, 17 and 24 over the time scale of the contact, and half-spaces for
-contacts a fifth longer than those of `restitution`.
-`stoss_validate --make-half-space-reference FILE` makes the file anew.
+`validate/data/reference_half_spaces.csv`: 48 impacts of spheres on half-spaces and, every fourth,
+of disks on half-planes, every fifth with a rigid body, spread by a quasi-random sequence: Poisson's
+ratios from −0.4 to 0.48, modulus and density of the half-space from 0.01 to 100 and from 0.1 to 10,
+speeds from 10⁻⁶ to 0.5 in c of the body or of the half-space, whichever is less. Three impacts as
+above, with cutoffs 12, 17 and 24 over the time scale of the contact, and half-spaces for contacts a
+fifth longer than those of `restitution`. `stoss_validate --make-half-space-reference FILE` makes
+the file anew.
 
-`validate/reference_lossy.csv`: 48 impacts of lossy spheres and disks, every third one at another
-lossy body with a loss time of its own, spread by a quasi-random sequence: loss times from 10⁻⁴ to
-100 R/c, speeds from 10⁻⁸ c to 0.3 c, Poisson's ratios from −0.4 to 0.48, radii within a factor of
-3. Three impacts as above, with cutoffs 80, 113 and 160, from 128 nodes to 2.4 times those of
-`restitution`. Judged with `absolute` = 0. `stoss_validate --make-lossy-reference FILE` makes the
+`validate/data/reference_lossy.csv`: 48 impacts of lossy spheres and disks, every third one at
+another lossy body with a loss time of its own, spread by a quasi-random sequence: loss times from
+10⁻⁴ to 100 R/c, speeds from 10⁻⁸ c to 0.3 c, Poisson's ratios from −0.4 to 0.48, radii within a
+factor of 3. Three impacts as above, with cutoffs 80, 113 and 160, from 128 nodes to 2.4 times those
+of `restitution`. Judged with `absolute` = 0. `stoss_validate --make-lossy-reference FILE` makes the
 file anew.
 
-`validate/reference_vibrating.csv`: 112 impacts of disks and spheres that vibrate, in turn at the
-wall and in pairs, spread by a quasi-random sequence: Poisson's ratios from −0.5 to 0.9 and from 0
-to 0.45, speeds from 10⁻³ c to 0.3 c, radii and moduli within a factor of 2; temperatures from 10⁻³
-to 1, up to frequencies from 4 to 20 c/R: together the modes have 0.01 to 400 times the energy of
-the translation. Each is one sample of its ensemble. Three impacts as above, with cutoffs 80, 113
+`validate/data/reference_vibrating.csv`: 112 impacts of disks and spheres that vibrate, in turn at
+the wall and in pairs, spread by a quasi-random sequence: Poisson's ratios from −0.5 to 0.9 and from
+0 to 0.45, speeds from 10⁻³ c to 0.3 c, radii and moduli within a factor of 2; temperatures from
+10⁻³ to 1, up to frequencies from 4 to 20 c/R: together the modes have 0.01 to 400 times the energy
+of the translation. Each is one sample of its ensemble. Three impacts as above, with cutoffs 80, 113
 and 160 over the time scale of the contact. Here the tolerance is the error of 1 − ε² itself, which
-may be 0 when bodies vibrate. No constant was fitted to them.
-`stoss_validate --make-vibrating-reference FILE` makes the file anew.
+may be 0 when bodies vibrate. No constant was fitted to them. `stoss_validate
+--make-vibrating-reference FILE` makes the file anew.
 
 The references of disks were computed twice, before and after the contact law of
 [numerics.md](numerics.md) §3 took the place of plain complementarity, with other numbers of nodes,

@@ -51,11 +51,11 @@ stoss::Vibration vibration_of(const Point& point, const stoss::RefinableContact&
                      static_cast<std::uint64_t>(point.sample));
 }
 
-std::vector<Point> read_unseen_points() { return read_full_points("../../validate/reference_unseen.csv"); }
+std::vector<Point> read_unseen_points() { return read_full_points("../../validate/data/reference_unseen.csv"); }
 
 std::vector<Point> read_spheres() {
   std::vector<Point> points;
-  for (const CsvRow& row : stoss::test::read_csv("../../validate/reference_spheres.csv")) {
+  for (const CsvRow& row : stoss::test::read_csv("../../validate/data/reference_spheres.csv")) {
     points.push_back(read_full_point(row));
     points.back().sphere = true;
   }
@@ -64,7 +64,7 @@ std::vector<Point> read_spheres() {
 
 std::vector<Point> read_half_spaces() {
   std::vector<Point> points;
-  for (const CsvRow& row : stoss::test::read_csv("../../validate/reference_half_spaces.csv")) {
+  for (const CsvRow& row : stoss::test::read_csv("../../validate/data/reference_half_spaces.csv")) {
     Point point = read_full_point(row);
     point.sphere = row.text("body") == "sphere";
     point.half_space = true;
@@ -79,7 +79,7 @@ std::vector<Point> read_half_spaces() {
 
 std::vector<Point> read_lossy() {
   std::vector<Point> points;
-  for (const CsvRow& row : stoss::test::read_csv("../../validate/reference_lossy.csv")) {
+  for (const CsvRow& row : stoss::test::read_csv("../../validate/data/reference_lossy.csv")) {
     Point point = read_full_point(row);
     point.sphere = row.text("body") == "sphere";
     point.loss_time = row.number("loss_time");
@@ -95,7 +95,7 @@ std::vector<Point> read_lossy() {
 
 std::vector<Point> read_vibrating() {
   std::vector<Point> points;
-  for (const CsvRow& row : stoss::test::read_csv("../../validate/reference_vibrating.csv")) {
+  for (const CsvRow& row : stoss::test::read_csv("../../validate/data/reference_vibrating.csv")) {
     Point point = read_full_point(row);
     point.sphere = row.text("body") == "sphere";
     point.temperature = row.number("temperature");
@@ -113,7 +113,7 @@ std::vector<Point> read_vibrating() {
 
 std::vector<Point> read_pairs() {
   std::vector<Point> points;
-  for (const CsvRow& row : stoss::test::read_csv("../../validate/reference_pairs.csv")) {
+  for (const CsvRow& row : stoss::test::read_csv("../../validate/data/reference_pairs.csv")) {
     points.push_back(read_full_point(row));
     points.back().against = stoss::Disk{row.number("against_poisson"), row.number("against_radius"),
                                         row.number("against_young"), row.number("against_density")};
@@ -122,7 +122,7 @@ std::vector<Point> read_pairs() {
 }
 
 std::vector<Point> read_points() {
-  std::vector<Point> points = read_full_points("../../validate/reference.csv");
+  std::vector<Point> points = read_full_points("../../validate/data/reference.csv");
   for (const CsvRow& row : stoss::test::read_csv("restitution_hard_wall.csv")) {
     Point point = read_point(row);
     if (row.has("finite_elements_restitution")) {

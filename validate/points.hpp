@@ -45,29 +45,29 @@ struct Point {
 /// How the bodies of a point vibrate before the impact.
 stoss::Vibration vibration_of(const Point& point, const stoss::RefinableContact& contact);
 
-/// Those at the wall: of validate/reference.csv, then of tests/data/restitution_hard_wall.csv.
+/// Those at the wall: of validate/data/reference.csv, then of tests/data/restitution_hard_wall.csv.
 /// @throws std::runtime_error if a file cannot be read
 std::vector<Point> read_points();
 
-/// Those at the wall to which no constant was fitted: of validate/reference_unseen.csv.
+/// Those at the wall to which no constant was fitted: of validate/data/reference_unseen.csv.
 /// @throws std::runtime_error as read_points
 std::vector<Point> read_unseen_points();
 
-/// Spheres at the wall: those of validate/reference_spheres.csv. @throws std::runtime_error as read_points
+/// Spheres at the wall: those of validate/data/reference_spheres.csv. @throws std::runtime_error as read_points
 std::vector<Point> read_spheres();
 
-/// Spheres on half-spaces and disks on half-planes: those of validate/reference_half_spaces.csv.
+/// Spheres on half-spaces and disks on half-planes: those of validate/data/reference_half_spaces.csv.
 /// @throws std::runtime_error as read_points
 std::vector<Point> read_half_spaces();
 
-/// Lossy spheres and disks: those of validate/reference_lossy.csv. @throws std::runtime_error as read_points
+/// Lossy spheres and disks: those of validate/data/reference_lossy.csv. @throws std::runtime_error as read_points
 std::vector<Point> read_lossy();
 
-/// Disks, spheres and pairs that vibrate: those of validate/reference_vibrating.csv.
+/// Disks, spheres and pairs that vibrate: those of validate/data/reference_vibrating.csv.
 /// @throws std::runtime_error as read_points
 std::vector<Point> read_vibrating();
 
-/// Pairs of disks: those of validate/reference_pairs.csv. @throws std::runtime_error as read_points
+/// Pairs of disks: those of validate/data/reference_pairs.csv. @throws std::runtime_error as read_points
 std::vector<Point> read_pairs();
 
 }  // namespace validate

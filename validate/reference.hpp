@@ -17,13 +17,13 @@ void make_pair_reference(const std::string& path);
 /// Computes the reference values of spheres. Takes minutes. @throws std::runtime_error as make_reference
 void make_sphere_reference(const std::string& path);
 
-/// Computes those of half-spaces: validate/reference_half_spaces.csv. @throws std::runtime_error as above
+/// Computes those of half-spaces: validate/data/reference_half_spaces.csv. @throws std::runtime_error as above
 void make_half_space_reference(const std::string& path);
 
-/// Computes those of lossy spheres and disks: validate/reference_lossy.csv. @throws std::runtime_error as above
+/// Computes those of lossy spheres and disks: validate/data/reference_lossy.csv. @throws std::runtime_error as above
 void make_lossy_reference(const std::string& path);
 
-/// Computes those of vibrating bodies: validate/reference_vibrating.csv. @throws std::runtime_error as above
+/// Computes those of vibrating bodies: validate/data/reference_vibrating.csv. @throws std::runtime_error as above
 void make_vibrating_reference(const std::string& path);
 
 }  // namespace validate

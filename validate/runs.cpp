@@ -7,7 +7,7 @@
 #include <iostream>
 #include <stdexcept>
 
-#include "impact/refined_resolution.hpp"
+#include "impact/recommended.hpp"
 #include "restitution/ordered_jobs.hpp"
 #include "stoss/impact/impact.hpp"
 
@@ -57,7 +57,8 @@ Runs resolved_runs(const ReferencePoint& point, const Finenesses& finenesses) {
 
 void write_quantities(std::ostream& out, const Runs& runs) {
   write_quantity(out, runs, &stoss::Impact::lost_fraction);
-  write_quantity(out, runs, &stoss::Impact::contact_time, runs.back().step);  // noticed and lost within half a step
+  write_quantity(out, runs, &stoss::Impact::contact_time,
+                 runs.back().resolution.step);  // noticed and lost within half a step
   write_quantity(out, runs, &stoss::Impact::impulse_time);
   write_quantity(out, runs, &stoss::Impact::max_force);
   write_quantity(out, runs, &stoss::Impact::max_compression);

@@ -7,7 +7,6 @@
 #include "stoss/quasistatic/half_space_radiation.hpp"
 #include "stoss/quasistatic/heavy_disk.hpp"
 #include "stoss/quasistatic/hertz.hpp"
-#include "stoss/quasistatic/lossy_impact.hpp"
 #include "stoss/quasistatic/maw.hpp"
 #include "stoss/quasistatic/mindlin.hpp"
 #include "stoss/quasistatic/point_compression.hpp"

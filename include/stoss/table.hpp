@@ -5,6 +5,7 @@
 #include "stoss/table/adaptive.hpp"
 #include "stoss/table/adaptive_pairs.hpp"
 #include "stoss/table/c_source.hpp"
+#include "stoss/table/mixture.hpp"
 #include "stoss/table/pair_table.hpp"
 #include "stoss/table/restitution_function.hpp"
 #include "stoss/table/slow_law.hpp"

@@ -7,3 +7,4 @@
 #include "stoss/vibration/ensemble.hpp"
 #include "stoss/vibration/quantities.hpp"
 #include "stoss/vibration/rod_chain.hpp"
+#include "stoss/vibration/rod_chain_run.hpp"

@@ -1,27 +1,92 @@
-#include "bindings.hpp"
+#include <chrono>
+
+#include "stoss/bodies/disk/modes.hpp"
+#include "stoss/bodies/sphere/modes.hpp"
+#include "stoss/errors.hpp"
+#include "stoss/impact/quantities.hpp"
+#include "stoss/quasistatic/quantities.hpp"
+#include "stoss/restitution/quantities.hpp"
 #include "stoss/version.hpp"
+#include "stoss/vibration/bounce.hpp"
+#include "stoss/vibration/quantities.hpp"
+#include "support.hpp"
+
+namespace stoss::python {
+
+Poll signal_poll() {
+  const py::module_ threading = py::module_::import("threading");
+  const py::object here = threading.attr("get_ident")(), main = threading.attr("main_thread")().attr("ident");
+  if (!here.equal(main)) return {};
+  return [last = std::chrono::steady_clock::now()]() mutable {
+    constexpr auto patience = std::chrono::milliseconds(50);
+    const auto now = std::chrono::steady_clock::now();
+    if (now - last < patience) return;
+    last = now;
+    const py::gil_scoped_acquire interpreter;
+    if (PyErr_CheckSignals() != 0) throw py::error_already_set();
+  };
+}
+
+namespace {
+
+void raise(const char* name, const char* what) {
+  const py::object type = py::module_::import("stoss._errors").attr(name);
+  PyErr_SetString(type.ptr(), what);
+}
+
+/// The core's exceptions become those of stoss._errors.
+void translate(std::exception_ptr error) {
+  try {
+    if (error) std::rethrow_exception(error);
+  } catch (const InvalidInput& refusal) {
+    raise("InvalidInput", refusal.what());
+  } catch (const NotConverged& failure) {
+    raise("NotConverged", failure.what());
+  }
+}
+
+/// Name, dimension and whether there is an error, of each.
+template <typename Result>
+py::tuple listed(const Quantities<Result>& quantities) {
+  py::list list;
+  for (const auto& [name, dimension, value, error] : quantities) {
+    list.append(py::make_tuple(name, dimension_name(dimension), static_cast<bool>(error)));
+  }
+  return py::tuple(list);
+}
+
+py::dict quantities() {
+  py::dict all;
+  all["impact"] = listed(impact_quantities());
+  all["mode energy"] = listed(mode_energy_quantities());
+  all["snapshot"] = listed(snapshot_quantities());
+  all["restitution"] = listed(restitution_quantities());
+  all["bounce"] = listed(bounce_quantities());
+  all["sample"] = listed(sample_quantities());
+  all["extrapolation"] = listed(extrapolation_quantities());
+  all["soft impact"] = listed(soft_impact_quantities());
+  all["mode"] = listed(bodies::disk::mode_quantities());
+  all["sphere mode"] = listed(bodies::sphere::mode_quantities());
+  all["slow impact"] = listed(quasistatic::slow_impact_quantities());
+  all["rayleigh"] = listed(quasistatic::rayleigh_quantities());
+  all["point slow impact"] = listed(quasistatic::point_slow_impact_quantities());
+  all["point rayleigh"] = listed(quasistatic::point_rayleigh_quantities());
+  all["driven mode"] = listed(quasistatic::driven_mode_quantities());
+  all["soft static contact"] = listed(quasistatic::soft_static_contact_quantities());
+  return all;
+}
+
+}  // namespace
+}  // namespace stoss::python
 
 PYBIND11_MODULE(_core, module) {
   module.doc() = "The C++ core of stoss. Use the package stoss, which checks, broadcasts and documents.";
   module.attr("version") = std::string(stoss::version());
-  stoss::python::bind_errors(module);
-  stoss::python::bind_quantities(module);
-  stoss::python::bind_material(module);
-  stoss::python::bind_modes(module);
-  stoss::python::bind_body(module);
-  stoss::python::bind_wall(module);
-  stoss::python::bind_contact(module);
-  stoss::python::bind_impact(module);
-  stoss::python::bind_motion(module);
-  stoss::python::bind_field(module);
-  stoss::python::bind_wave(module);
+  pybind11::register_exception_translator(&stoss::python::translate);
+  module.attr("quantities") = stoss::python::quantities();
+  stoss::python::bind_encounters(module);
+  stoss::python::bind_impacts(module);
   stoss::python::bind_restitution(module);
-  stoss::python::bind_restitution_function(module);
-  stoss::python::bind_bounce(module);
-  stoss::python::bind_rod_chain(module);
-  stoss::python::bind_distribution(module);
-  stoss::python::bind_extrapolation(module);
-  stoss::python::bind_pair_table(module);
+  stoss::python::bind_tables(module);
   stoss::python::bind_quasistatic(module);
-  stoss::python::bind_point_quasistatic(module);
 }

@@ -1,18 +1,10 @@
+// Slow contacts along a line, of disks, and at a point, of spheres.
 #include "stoss/quasistatic.hpp"
 
-#include <pybind11/stl.h>
-
 #include <optional>
-#include <stdexcept>
-#include <string>
-#include <variant>
 
-#include "bindings.hpp"
-#include "elementwise.hpp"
-#include "interpreter.hpp"
-#include "quantities.hpp"
 #include "stoss/quasistatic/quantities.hpp"
-#include "wall.hpp"
+#include "support.hpp"
 
 namespace stoss::python {
 
@@ -26,41 +18,68 @@ CompressionLaw to_law(const std::string& name) {
   throw std::invalid_argument("law: center, diameter or printed");
 }
 
+template <>
+PointLaw to_law(const std::string& name) {
+  if (name == "center") return PointLaw::center;
+  if (name == "hertz") return PointLaw::hertz;
+  throw std::invalid_argument("law: center or hertz");
+}
+
 namespace {
 
-py::array slow_impacts(const std::string& law, const Doubles& poisson, const Doubles& speeds) {
-  const CompressionLaw chosen = to_law<CompressionLaw>(law);
-  if (poisson.size() != speeds.size()) throw std::invalid_argument("arrays: all of one size");
-  const std::vector<double> nu = to_vector(poisson), at = to_vector(speeds);
-  Rows<SlowImpact> rows(slow_impact_quantities());
-  const Poll poll = signal_poll();
-  {
-    const Released released;
-    for (std::size_t i = 0; i < at.size(); ++i) {
-      if (poll) poll();
-      rows.add(slow_impact(chosen, nu[i], at[i]));
-    }
-  }
-  return rows.take();
+/// The functions of a law of compression.
+template <typename Law>
+void bind_law(py::module_& module, const std::string& prefix) {
+  const auto law = py::arg("law"), poisson = py::arg("poisson"), force = py::arg("force");
+  const auto def = [&](const char* name, const auto& function, const auto&... arguments) {
+    module.def((prefix + name).c_str(), function, arguments...);
+  };
+  def("limit_force", over_law<Law>(&limit_force), law, poisson);
+  def("limit_speed", over_law<Law>(&limit_speed), law, poisson);
+  def("compression", over_law<Law>(&compression), law, poisson, force);
+  def("compression_force", over_law<Law>(&compression_force), law, poisson, py::arg("compression"));
+  def("compression_energy", over_law<Law>(&compression_energy), law, poisson, force);
+}
+
+/// Slow impacts of several Poisson's ratios and speeds.
+template <typename Law, typename Result>
+auto slow_impacts(const Quantities<Result>& quantities) {
+  return [&quantities](const std::string& law, const Doubles& poisson, const Doubles& speeds) {
+    const Law chosen = to_law<Law>(law);
+    if (poisson.size() != speeds.size()) throw std::invalid_argument("arrays: all of one size");
+    const std::vector<double> nu = to_vector(poisson), at = to_vector(speeds);
+    auto made = computed([&](const Poll& poll) {
+      Rows<Result> rows(quantities);
+      for (std::size_t i = 0; i < at.size(); ++i) {
+        if (poll) poll();
+        rows.add(slow_impact(chosen, nu[i], at[i]));
+      }
+      return rows;
+    });
+    return made.take();
+  };
 }
 
 /// Estimates for several speeds, and, if there is only one, its modes.
-py::tuple rayleigh_rows(const std::string& law, double poisson, const Doubles& speeds, double cutoff) {
-  const CompressionLaw chosen = to_law<CompressionLaw>(law);
-  const std::vector<double> at = to_vector(speeds);
-  Rows<RayleighEstimate> rows(rayleigh_quantities());
-  std::vector<DrivenMode> driven;
-  const Poll poll = signal_poll();
-  {
-    const Released released;
-    const std::vector<bodies::disk::Mode> modes = bodies::disk::modes(poisson, cutoff, poll);
-    for (const double speed : at) {
-      RayleighEstimate estimate = rayleigh(chosen, poisson, speed, modes, poll);
-      rows.add(estimate);
-      if (at.size() == 1) driven = std::move(estimate.modes);
-    }
-  }
-  return py::make_tuple(rows.take(), take(std::move(driven)));
+template <typename Law, typename Mode, typename Result>
+auto estimates(const Quantities<Result>& quantities, std::vector<Mode> (*modes)(double, double, const Poll&)) {
+  return [&quantities, modes](const std::string& law, double poisson, const Doubles& speeds, double cutoff) {
+    const Law chosen = to_law<Law>(law);
+    const std::vector<double> at = to_vector(speeds);
+    std::vector<DrivenMode> driven;
+    auto made = computed([&](const Poll& poll) {
+      Rows<Result> rows(quantities);
+      const std::vector<Mode> all = modes(poisson, cutoff, poll);
+      for (const double speed : at) {
+        if (poll) poll();
+        Result estimate = rayleigh(chosen, poisson, speed, all, poll);
+        rows.add(estimate);
+        if (at.size() == 1) driven = std::move(estimate.modes);
+      }
+      return rows;
+    });
+    return py::make_tuple(made.take(), take(std::move(driven)));
+  };
 }
 
 /// Of a disk, or of a sphere.
@@ -78,17 +97,40 @@ py::dict static_contact_numbers(const Pressed& body, double compression, int nod
                   "position"_a = take(std::move(contact.position)), "pressure"_a = take(std::move(contact.pressure)));
 }
 
-py::dict soft_static_contact_numbers(const Body& body, const AnyWall& wall, double compression,
-                                     std::optional<int> nodes) {
-  const auto* soft = std::get_if<ExponentialWall>(&wall.wall);
-  if (soft == nullptr) throw std::invalid_argument("wall: an exponential one");
-  SoftStaticContact contact;
-  const Poll poll = signal_poll();
-  {
-    const Released released;
-    contact = soft_static_contact(body, *soft, compression, {nodes, poll});
-  }
-  return to_dict(soft_static_contact_quantities(), contact);
+py::dict soft_static_contact_numbers(const Contact& contact, double compression, std::optional<int> nodes) {
+  const auto* soft = std::get_if<ExponentialWall>(&contact.wall);
+  if (soft == nullptr) throw std::invalid_argument("contact: at an exponential wall");
+  return to_dict(soft_static_contact_quantities(), computed([&](const Poll& poll) {
+                   return soft_static_contact(*contact.first, *soft, compression, {nodes, poll});
+                 }));
+}
+
+void bind_hertz(py::module_& module) {
+  module.def(
+      "point_hertz_pressure",
+      [](double poisson, const Doubles& force, const Doubles& distance) {
+        const double *f = force.data(), *r = distance.data();
+        return over([&](std::size_t i) { return point_hertz_pressure(point_hertz_at_wall(poisson, f[i]), r[i]); },
+                    force, distance);
+      },
+      py::arg("poisson"), py::arg("force"), py::arg("distance"));
+  module.def(
+      "point_hertz_stress",
+      [](double poisson, const Doubles& force, const Doubles& depth, const Doubles& distance) {
+        const double *f = force.data(), *z = depth.data(), *r = distance.data();
+        return over(
+            [&](std::size_t i) { return point_hertz_stress(point_hertz_at_wall(poisson, f[i]), poisson, z[i], r[i]); },
+            force, depth, distance);
+      },
+      py::arg("poisson"), py::arg("force"), py::arg("depth"), py::arg("distance"),
+      "structured array of radial, hoop, axial, shear");
+  module.def(
+      "greatest_shear",
+      [](double poisson, const Doubles& force) {
+        const double* f = force.data();
+        return over([&](std::size_t i) { return greatest_shear(point_hertz_at_wall(poisson, f[i]), poisson); }, force);
+      },
+      py::arg("poisson"), py::arg("force"), "structured array of depth, shear");
 }
 
 void bind_stresses(py::module_& module) {
@@ -121,29 +163,32 @@ void bind_stresses(py::module_& module) {
 void bind_quasistatic(py::module_& module) {
   PYBIND11_NUMPY_DTYPE(DrivenMode, order, index, omega, amplitude, after);
   PYBIND11_NUMPY_DTYPE(PlaneStress, xx, yy, xy);
+  PYBIND11_NUMPY_DTYPE(AxisymmetricStress, radial, hoop, axial, shear);
+  PYBIND11_NUMPY_DTYPE(GreatestShear, depth, shear);
   module.attr("rayleigh_row") = Rows<RayleighEstimate>(rayleigh_quantities()).type();
-  module.def("limit_force", over_law<CompressionLaw>(&limit_force), py::arg("law"), py::arg("poisson"));
-  module.def("limit_speed", over_law<CompressionLaw>(&limit_speed), py::arg("law"), py::arg("poisson"));
-  module.def("compression", over_law<CompressionLaw>(&compression), py::arg("law"), py::arg("poisson"),
-             py::arg("force"));
-  module.def("compression_force", over_law<CompressionLaw>(&compression_force), py::arg("law"), py::arg("poisson"),
-             py::arg("compression"));
-  module.def("compression_energy", over_law<CompressionLaw>(&compression_energy), py::arg("law"), py::arg("poisson"),
-             py::arg("force"));
-  module.def("slow_impact", &slow_impacts, py::arg("law"), py::arg("poisson"), py::arg("speed"),
-             "structured array of its quantities");
-  module.def("rayleigh", &rayleigh_rows, py::arg("law"), py::arg("poisson"), py::arg("speeds"), py::arg("cutoff"),
-             "rows for the speeds, and the modes if there is only one speed");
-  module.def("static_contact", &static_contact_numbers<double>, py::arg("poisson"), py::arg("compression"),
-             py::arg("nodes"));
+  module.attr("point_rayleigh_row") = Rows<PointRayleighEstimate>(point_rayleigh_quantities()).type();
+  const auto law = py::arg("law"), poisson = py::arg("poisson"), speeds = py::arg("speeds");
+  bind_law<CompressionLaw>(module, "");
+  bind_law<PointLaw>(module, "point_");
+  module.def("contact_radius", over_law<PointLaw>(&contact_radius), law, poisson, py::arg("force"));
+  constexpr const char* rows = "structured array of its quantities";
+  module.def("slow_impact", slow_impacts<CompressionLaw>(slow_impact_quantities()), law, poisson, speeds, rows);
+  module.def("point_slow_impact", slow_impacts<PointLaw>(point_slow_impact_quantities()), law, poisson, speeds, rows);
+  constexpr const char* both = "rows for the speeds, and the modes if there is only one speed";
+  module.def("rayleigh", estimates<CompressionLaw>(rayleigh_quantities(), &bodies::disk::modes), law, poisson, speeds,
+             py::arg("cutoff"), both);
+  module.def("point_rayleigh", estimates<PointLaw>(point_rayleigh_quantities(), &bodies::sphere::modes), law, poisson,
+             speeds, py::arg("cutoff"), both);
+  module.def("static_contact", &static_contact_numbers<double>, poisson, py::arg("compression"), py::arg("nodes"));
   module.def(
       "point_static_contact",
-      [](double poisson, double compression, int nodes) {
-        return static_contact_numbers(Sphere{.poisson = poisson}, compression, nodes);
+      [](double nu, double compression, int nodes) {
+        return static_contact_numbers(Sphere{.poisson = nu}, compression, nodes);
       },
-      py::arg("poisson"), py::arg("compression"), py::arg("nodes"));
-  module.def("soft_static_contact", &soft_static_contact_numbers, py::arg("body"), py::arg("wall"),
-             py::arg("compression"), py::arg("nodes"));
+      poisson, py::arg("compression"), py::arg("nodes"));
+  module.def("soft_static_contact", &soft_static_contact_numbers, py::arg("contact"), py::arg("compression"),
+             py::arg("nodes"));
+  bind_hertz(module);
   bind_stresses(module);
 }
 

@@ -5,7 +5,8 @@
 >>> stoss.restitution(disk, speed=0.1)
 Restitution(poisson=0.33, speed=0.1 c: restitution 0.947060 ± 0.000031)
 
-A body comes first, all other arguments are named. Units are those of the first body: radius R, bar
+A body comes first, all other arguments are named; those out of range are refused with
+`InvalidInput` before anything is computed. Units are those of the first body: radius R, bar
 speed c = √(E/ρ), mass m; of bodies with a `Material`, speeds are in m/s.
 
 ================================  ==================================================================
@@ -35,38 +36,38 @@ speed c = √(E/ρ), mass m; of bodies with a `Material`, speeds are in m/s.
 ================================  ==================================================================
 """
 
+import importlib
+
 from stoss import quasistatic
-from stoss._atlas import AtlasValue, atlas
-from stoss._bodies import Body, Disk, Rod, Sphere
-from stoss._bounce import bounce
-from stoss._bounce_result import Bounces
 from stoss._core import version as __version__
-from stoss._distribution import restitution_distribution
-from stoss._distribution_result import RestitutionDistribution
 from stoss._errors import Interrupted, InvalidInput, NotConverged, StossWarning
-from stoss._extrapolation import Extrapolation, extrapolated_restitution
-from stoss._field import DiskField, Field, SphereField
-from stoss._function import restitution_function
-from stoss._function_result import RestitutionFunction
-from stoss._grid import Grid
-from stoss._half_space import HalfPlane, HalfSpace
-from stoss._impact import impact
-from stoss._impact_result import Impact
-from stoss._material import Material, Scales, materials
-from stoss._modes import Modes, modes
-from stoss._pair_table import PairTable, pair_table
-from stoss._restitution import restitution
-from stoss._restitution_result import Restitution
-from stoss._result import with_error
-from stoss._rod_chain import rod_chain
-from stoss._rod_chain_result import RodChain
-from stoss._state import Oscillation
-from stoss._sweep import sweep
-from stoss._sweep_result import Sweep, merge, open_sweep
-from stoss._table import Table, read_csv
-from stoss._trajectory import Trajectory
-from stoss._walls import ExponentialWall, HardWall, Wall
-from stoss._wave import Wave
+from stoss.bodies._blocks import HalfPlane, HalfSpace
+from stoss.bodies._bodies import Body, Disk, Rod, Sphere
+from stoss.bodies._material import Material, Scales, materials
+from stoss.bodies._state import Oscillation
+from stoss.bodies._walls import ExponentialWall, HardWall, Wall
+from stoss.export._csv import Table, read_csv
+from stoss.export._text import with_error
+from stoss.results._atlas import AtlasValue, atlas
+from stoss.results._bounce import Bounces, bounce
+from stoss.results._collision import impact
+from stoss.results._curves import restitution
+from stoss.results._distribution import RestitutionDistribution
+from stoss.results._ensemble import restitution_distribution
+from stoss.results._extrapolation import Extrapolation, extrapolated_restitution
+from stoss.results._field import DiskField, Field, SphereField
+from stoss.results._function import RestitutionFunction
+from stoss.results._impact import Impact
+from stoss.results._interpolation import restitution_function
+from stoss.results._modes import Modes, modes
+from stoss.results._motion import Trajectory, Wave
+from stoss.results._pair_table import PairTable, pair_table
+from stoss.results._restitution import Restitution
+from stoss.results._result import Result
+from stoss.results._rod_chain import RodChain, rod_chain
+from stoss.sweeps._grid import Grid
+from stoss.sweeps._sweep import sweep
+from stoss.sweeps._values import Sweep, merge, open_sweep
 
 __all__ = [
     "AtlasValue",
@@ -129,8 +130,14 @@ __all__ = [
 def __getattr__(name: str) -> object:
     """Matplotlib is only loaded when a picture is asked for."""
     if name in ("plot", "animate"):
-        import importlib
-
         plot = importlib.import_module("stoss.plot")
         return plot if name == "plot" else plot.animate
     raise AttributeError(f"module 'stoss' has no attribute {name!r}")
+
+
+def _draw(result: Result, ax: object, name: str) -> object:
+    pictures = importlib.import_module("stoss.plot").PICTURES
+    return next(pictures[kind, name] for kind in type(result).__mro__ if (kind, name) in pictures)(result, ax)
+
+
+Result._draw = _draw

@@ -17,9 +17,9 @@ def main() -> int:
     """Run sweep or merge, or become the command with the same arguments; without it, say how to get
     it."""
     if sys.argv[1:2] in (["sweep"], ["merge"]):
-        from stoss import _sweep_command
+        from stoss.sweeps import _command
 
-        return _sweep_command.main(sys.argv[1:])
+        return _command.main(sys.argv[1:])
     places = os.pathsep.join([sysconfig.get_path("scripts"), os.environ.get("PATH", os.defpath)])
     command = shutil.which("stoss", path=places)
     if command is None:

@@ -6,11 +6,12 @@
 #include <limits>
 #include <vector>
 
+#include "stoss/bodies/round.hpp"
+
 namespace stoss::bodies {
 
 /// The kept modes of a round body, added up order by order: what its static response has too much without them. The
 /// two amplitudes of a mode, radial and tangential, make the three entries of a symmetric matrix, a Flexibility.
-template <typename Mode, typename Flexibility>
 class KeptSums {
  public:
   /// @param kept modes, sorted by order
@@ -27,6 +28,12 @@ class KeptSums {
       add(second_moment_[n], mode, compliance * compliance);
     }
   }
+
+  /// Number of orders up to the last that has a kept mode.
+  [[nodiscard]] int orders() const { return static_cast<int>(compliance_.size()); }
+
+  /// Σ_kept (radial, tangential)(radial, tangential)ᵀ/ω² of an order.
+  [[nodiscard]] const Flexibility& compliance(int order) const { return compliance_[static_cast<std::size_t>(order)]; }
 
   /// −Σ_kept (radial, tangential)(radial, tangential)ᵀ/ω², for the orders that have kept modes.
   [[nodiscard]] std::vector<Flexibility> missing_compliance() const {

@@ -7,7 +7,6 @@
 #include <utility>
 
 #include "check.hpp"
-#include "digits.hpp"
 #include "stoss/body/body.hpp"
 
 namespace stoss::bodies {

@@ -68,6 +68,8 @@ double whole_mass(const Body& body) { return body.mass + body.part.beyond; }
 
 bool is_unbounded(const Body& body) { return std::isinf(body.part.beyond); }
 
+bool is_whole(const Body& body) { return body.part.size >= 1.0 && !is_unbounded(body); }
+
 Body rigid(const Body& body) {
   if (is_unbounded(body)) {
     throw InvalidInput("rigid: got '" + body.name +

@@ -1,5 +1,6 @@
 #include <cstddef>
 #include <limits>
+#include <optional>
 #include <string>
 
 #include "c/handles.hpp"
@@ -21,11 +22,8 @@ stoss::Beyond beyond_of(int number) {
 }
 
 stoss::SlowLaw law_of(const stoss_contact& contact) {
-  if (!contact.second) return stoss::slow_law(contact.first.value, std::nullopt, contact.first.rigid);
-  if (contact.second->rigid) {
-    throw stoss::InvalidInput("beyond: got law, allowed error or clamp (there is none with a rigid second body)");
-  }
-  return stoss::slow_law(contact.first.value, contact.second->value, contact.first.rigid);
+  const auto second = contact.second ? std::optional(contact.second->value) : std::nullopt;
+  return stoss::slow_law(contact.first.value, second, contact.first.rigid, contact.second && contact.second->rigid);
 }
 
 void require_unexcited(const stoss_contact& contact) {

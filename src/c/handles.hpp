@@ -2,7 +2,7 @@
 
 #include <optional>
 
-#include "stoss/encounter/encounter.hpp"
+#include "stoss/encounter/laws.hpp"
 #include "stoss/stoss.h"
 #include "stoss/table/restitution_function.hpp"
 

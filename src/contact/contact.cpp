@@ -6,14 +6,14 @@
 #include <utility>
 
 #include "check.hpp"
-#include "contact/units.hpp"
+#include "contact/unit_ratios.hpp"
 #include "stoss/errors.hpp"
 
 namespace stoss {
 namespace {
 
 /// Share of the first body in the approach: compressions go with softness.
-double share_of_first(const Contact& contact, const Units& units) {
+double share_of_first(const Contact& contact, const UnitRatios& units) {
   const double first = contact.first->softness;
   return first / (first + contact.second->softness * units.softness);
 }
@@ -25,7 +25,7 @@ double stable_step(const Body& body) {
 }
 
 /// Adds a body's modes, in the units of the first body and with the modal mass of the contact.
-void add_modes(const Body& body, const Units& units, std::size_t first_row, Contact& contact) {
+void add_modes(const Body& body, const UnitRatios& units, std::size_t first_row, Contact& contact) {
   const double amplitude = std::sqrt(contact.mass / (body.mass * units.mass));
   for (const ModeGroup& from : body.groups) {
     ModeGroup group = from;
@@ -43,12 +43,6 @@ void add_modes(const Body& body, const Units& units, std::size_t first_row, Cont
 double reduced(double first, double second) { return std::isinf(second) ? first : first * (second / (first + second)); }
 
 }  // namespace
-
-std::size_t shape_rows(const Body& body) {
-  std::size_t rows = 0;
-  for (const ModeGroup& group : body.groups) rows = std::max({rows, group.upper_row + 1, group.lower_row + 1});
-  return rows;
-}
 
 Contact contact(std::shared_ptr<const Body> body, const Wall& wall) {
   validate(*body);
@@ -74,7 +68,7 @@ Contact contact(std::shared_ptr<const Body> first, std::shared_ptr<const Body> s
   validate(*first);
   validate(*second);
   require_partners(*first, *second);
-  const Units units(*second, *first);
+  const UnitRatios units(*second, *first);
   Contact contact;
   contact.mass = reduced(first->mass, is_unbounded(*second) ? whole_mass(*second) : second->mass * units.mass);
   contact.whole_mass = reduced(whole_mass(*first), whole_mass(*second) * units.mass);
@@ -82,9 +76,9 @@ Contact contact(std::shared_ptr<const Body> first, std::shared_ptr<const Body> s
   contact.cutoff = std::max(first->cutoff, second->cutoff / units.time);
   contact.stable_step = std::min(stable_step(*first), stable_step(*second) * units.time);
   contact.radius = is_unbounded(*second) ? 1.0 : std::min(1.0, units.length);
-  add_modes(*first, Units{}, 0, contact);
+  add_modes(*first, UnitRatios{}, 0, contact);
   contact.first_groups = contact.groups.size();
-  contact.radiating = is_unbounded(*second);
+  contact.unbounded = is_unbounded(*second);
   add_modes(*second, units, shape_rows(*first), contact);
   contact.first = std::move(first);
   contact.second = std::move(second);
@@ -105,22 +99,31 @@ bool has_single_point(const Contact& contact) { return contact.first->contour ==
 
 double own_speed(const Contact& contact, double speed) {
   if (contact.second == nullptr) return speed;
-  const Units units(*contact.second, *contact.first);
+  const UnitRatios units = units_of(contact, 1);
   const double share = share_of_first(contact, units);
   return speed * std::max(share, (1.0 - share) * units.time / units.length);
 }
 
 double own_compression(const Contact& contact, double approach) {
   if (contact.second == nullptr) return approach;
-  const Units units(*contact.second, *contact.first);
+  const UnitRatios units = units_of(contact, 1);
   const double share = share_of_first(contact, units);
   return approach * std::max(share, (1.0 - share) / (is_unbounded(*contact.second) ? 1.0 : units.length));
 }
 
 double longest_time(const Contact& contact) {
   if (contact.second == nullptr) return contact.first->part.size;
-  const double second = contact.second->part.size * Units(*contact.second, *contact.first).time;
+  const double second = contact.second->part.size * units_of(contact, 1).time;
   return is_unbounded(*contact.second) ? time_scale(contact) : std::max(contact.first->part.size, second);
+}
+
+std::shared_ptr<const Body> body_of(const Contact& contact, int number) {
+  if (number == 0) return contact.first;
+  return number == 1 ? contact.second : nullptr;
+}
+
+std::size_t lasting_groups(const Contact& contact) {
+  return contact.unbounded ? contact.first_groups : contact.groups.size();
 }
 
 std::size_t mode_count(const Contact& contact) {
@@ -130,18 +133,18 @@ std::size_t mode_count(const Contact& contact) {
 double modal_mass(const Contact& contact, std::size_t group) {
   if (contact.second == nullptr) return contact.mass;
   if (group < contact.first_groups) return contact.first->mass;
-  return contact.second->mass * Units(*contact.second, *contact.first).mass;
+  return contact.second->mass * units_of(contact, 1).mass;
 }
 
 double loss_time(const Contact& contact, std::size_t group) {
   if (group < contact.first_groups) return contact.first->loss_time;
-  return contact.second->loss_time * Units(*contact.second, *contact.first).time;
+  return contact.second->loss_time * units_of(contact, 1).time;
 }
 
 double longest_loss_time(const Contact& contact) {
   const double first = contact.first->loss_time;
   if (contact.second == nullptr) return first;
-  return std::max(first, contact.second->loss_time * Units(*contact.second, *contact.first).time);
+  return std::max(first, contact.second->loss_time * units_of(contact, 1).time);
 }
 
 double highest_wave_number(const Contact& contact) {
@@ -152,7 +155,7 @@ double highest_wave_number(const Contact& contact) {
 
 double time_scale(const Contact& contact) {
   if (contact.second == nullptr) return 1.0;
-  const Units units(*contact.second, *contact.first);
+  const UnitRatios units = units_of(contact, 1);
   // Waves in flat-ended bodies run to and fro without spreading: the shorter body sets what has to be resolved.
   if (has_single_point(contact)) return std::min(1.0, units.time);
   const double first_softness = contact.first->softness > 0.0 ? 1.0 / whole_mass(*contact.first) : 0.0;
@@ -164,13 +167,18 @@ double time_scale(const Contact& contact) {
   return std::sqrt(contact.whole_mass * (first_softness + second_softness));
 }
 
+double echo_time(const Contact& contact) {
+  if (contact.second == nullptr) return contact.first->part.echo;
+  return std::min(contact.first->part.echo, contact.second->part.echo * units_of(contact, 1).time);
+}
+
 double unresolved_share(const Contact& contact) {
   if (contact.second == nullptr) return 1.0;
   // On a short arc around the foremost point, the same for both.
   constexpr double short_arc = 1e-3;
   ContactPoints axis{contact.radius, has_single_point(contact) ? 0.0 : short_arc, 1};
   const double first = contact.first->surface(axis).impedance.front();
-  const Units units(*contact.second, *contact.first);
+  const UnitRatios units = units_of(contact, 1);
   axis.radius /= units.length;
   const double second = contact.second->surface(axis).impedance.front() * units.impedance;
   return second / (first + second);

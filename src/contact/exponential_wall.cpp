@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "stoss/contact/grid.hpp"
 #include "stoss/errors.hpp"
 
 namespace stoss {

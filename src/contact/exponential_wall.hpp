@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "contact/response.hpp"
+#include "stoss/contact/grid.hpp"
 
 namespace stoss {
 
@@ -16,8 +17,10 @@ class ExponentialResponse final : public ContactResponse {
   [[nodiscard]] bool overflows() const override;
   [[nodiscard]] double stored_energy() const override { return total_force_ / wall_.hardness; }
   [[nodiscard]] double contact_threshold() const override { return threshold_; }
-  [[nodiscard]] double plane_offset() const override { return std::log(wall_.strength) / wall_.hardness; }
   [[nodiscard]] double range() const override { return range_; }
+  [[nodiscard]] bool acts_from_afar() const override { return true; }
+  [[nodiscard]] double touch() const override { return -std::log(wall_.strength) / wall_.hardness; }
+  [[nodiscard]] double start(double /*stride*/) const override { return -range_; }
 
  private:
   ExponentialWall wall_;

@@ -4,22 +4,13 @@
 #include <cmath>
 
 #include "contact/touch.hpp"
+#include "stoss/contact/grid.hpp"
 
 namespace stoss {
 
 QuasistaticTail::QuasistaticTail(const Contact& contact, const ContactGrid& grid, double speed, double step,
                                  const Poll& poll)
-    : step_(step),
-      residuals_(contact, grid, ResidualMotion::Inertia::none, step, poll),
-      contact_(residuals_.compliance(), edge_law(contact, grid, speed), grid.recess.size(), poll),
-      range_(contact_.range(grid.recess)),
-      force_(grid.recess.size()),
-      displacement_(grid.recess.size()),
-      lossy_(longest_loss_time(contact) > 0.0),
-      first_share_(loss_share(contact)),
-      position_(grid.recess.size()),
-      gap_(grid.recess.size()),
-      old_force_(grid.recess.size()),
+    : HardContact(contact, grid, ResidualMotion::Inertia::none, speed, step, poll),
       old_displacement_(grid.recess.size()) {}
 
 const std::vector<double>& QuasistaticTail::advance(const std::vector<double>& position) {
@@ -55,11 +46,6 @@ double QuasistaticTail::stored_energy() const {
   return residuals_.stored() + contact_.law_energy(force_);
 }
 
-double QuasistaticTail::protrusion() const {
-  if (!lossy_) return 0.0;
-  double largest = 0.0;
-  for (const double displacement : displacement_) largest = std::max(largest, std::abs(displacement));
-  return largest;
-}
+double QuasistaticTail::protrusion() const { return lossy_ ? largest_displacement() : 0.0; }
 
 }  // namespace stoss

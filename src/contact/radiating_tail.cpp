@@ -4,23 +4,14 @@
 #include <cmath>
 
 #include "contact/touch.hpp"
+#include "stoss/contact/grid.hpp"
 
 namespace stoss {
 
 RadiatingTail::RadiatingTail(const Contact& contact, const ContactGrid& grid, double speed, double step,
                              const Poll& poll)
-    : step_(step),
-      residuals_(contact, grid, ResidualMotion::Inertia::radiating, step, poll),
-      contact_(residuals_.compliance(), edge_law(contact, grid, speed), grid.recess.size(), poll),
-      range_(contact_.range(grid.recess)),
-      position_(grid.recess.size()),
-      displacement_(grid.recess.size()),
-      force_(grid.recess.size()),
-      old_force_(grid.recess.size()),
-      contact_displacement_(grid.recess.size()),
-      gap_(grid.recess.size()),
-      lossy_(longest_loss_time(contact) > 0.0),
-      first_share_(loss_share(contact)) {}
+    : HardContact(contact, grid, ResidualMotion::Inertia::all, speed, step, poll),
+      contact_displacement_(grid.recess.size()) {}
 
 const std::vector<double>& RadiatingTail::advance(const std::vector<double>& position) {
   const std::size_t nodes = position.size();
@@ -49,13 +40,6 @@ std::array<double, 2> RadiatingTail::dissipated_energy() const {
 double RadiatingTail::unresolved_energy() const {
   const auto [first, second] = dissipated_energy();
   return work_ - first - second - stored_energy();
-}
-
-double RadiatingTail::protrusion() const {
-  // A released node swings back through its rest position, but never as far as it was displaced.
-  double largest = 0.0;
-  for (const double displacement : displacement_) largest = std::max(largest, std::abs(displacement));
-  return largest;
 }
 
 }  // namespace stoss

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "stoss/contact/contact.hpp"
+#include "stoss/contact/grid.hpp"
 #include "stoss/contact/wall.hpp"
 
 namespace stoss {
@@ -43,11 +44,17 @@ class ContactResponse {
   /// Contact is counted while the total force exceeds this.
   [[nodiscard]] virtual double contact_threshold() const { return 0.0; }
 
-  /// How far in front of x = 0 the wall's own plane lies, from which compression is measured.
-  [[nodiscard]] virtual double plane_offset() const { return 0.0; }
-
   /// Distance in front of first contact beyond which no force acts that counts.
-  [[nodiscard]] virtual double range() const { return 0.0; }
+  [[nodiscard]] virtual double range() const = 0;
+
+  /// Whether it pushes at any distance, on all of the edge that there is, and before an impact.
+  [[nodiscard]] virtual bool acts_from_afar() const { return false; }
+
+  /// Compression at which it begins, from which compression is measured.
+  [[nodiscard]] virtual double touch() const = 0;
+
+  /// Compression at which an unexcited body starts, out of range. @param stride by which it moves in a step
+  [[nodiscard]] virtual double start(double stride) const = 0;
 };
 
 /// @param speed of an impact with all the energy there is: it sets what force counts as contact with a soft wall, and
@@ -55,5 +62,8 @@ class ContactResponse {
 /// @param step  time between two calls of advance
 [[nodiscard]] std::unique_ptr<ContactResponse> make_response(const Contact& contact, Tail tail, const ContactGrid& grid,
                                                              double speed, double step, const Poll& poll = {});
+
+/// Whether the response follows forces at once in place of the kept modes, which are then kicked less.
+[[nodiscard]] bool follows_at_once(const Contact& contact, Tail tail);
 
 }  // namespace stoss

@@ -1,16 +1,18 @@
 #include "contact/touch.hpp"
 
-#include "contact/units.hpp"
+#include "contact/unit_ratios.hpp"
+#include "stoss/contact/grid.hpp"
 
 namespace stoss {
 
 Touch touch(const Contact& contact) {
   Touch touch;
   const double first = contact.first->softness;
+  touch.circle = contact.first->contour == Contour::ball;
   touch.softness = first;
   touch.loss_time = contact.first->loss_time;
   if (contact.second == nullptr) return touch;
-  const Units units(*contact.second, *contact.first);
+  const UnitRatios units = units_of(contact, 1);
   const double second = contact.second->softness * units.softness;
   touch.curvature = contact.first->curvature + contact.second->curvature / units.length;
   touch.softness = first + second;
@@ -28,8 +30,8 @@ double loss_share(const Contact& contact) {
 double touch_compression(const Contact& contact, const ContactGrid& grid) {
   if (has_single_point(contact)) return 0.0;
   const double spacing = grid.points.spacing * grid.points.radius;
-  const double shift = contact.first->contour == Contour::ball ? 12.0 : 24.0;
-  return -touch(contact).curvature * spacing * spacing / shift;
+  const Touch met = touch(contact);
+  return -met.curvature * spacing * spacing / (met.circle ? 12.0 : 24.0);
 }
 
 }  // namespace stoss

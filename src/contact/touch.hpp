@@ -1,12 +1,14 @@
 #pragma once
 
 #include "stoss/contact/contact.hpp"
+#include "stoss/contact/grid.hpp"
 
 namespace stoss {
 
 /// What meets, near the first point of contact, in units of the first body: all that a small contact knows of the
 /// bodies.
 struct Touch {
+  bool circle = false;     ///< touches on a growing circle, not along a line
   double curvature = 1.0;  ///< 1/R₁ + 1/R₂
   double softness = 1.0;   ///< D₁/E₁ + D₂/E₂, D = 1 for a disk and 1 − ν² for a sphere
   double slowness = 1.0;   ///< 1/c of the bodies, weighted with their share of the compression

@@ -4,14 +4,14 @@
 #include <limits>
 #include <utility>
 
-#include "digits.hpp"
+#include "check.hpp"
 #include "encounter/participant.hpp"
 #include "stoss/quasistatic/yield.hpp"
 
 namespace stoss {
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double infinite = std::numeric_limits<double>::infinity();
 
 /// In units of the first body with a material, of which rods are the exception: they keep SI.
 Values in_units_of_first(Values all, const Values& first, double time) {
@@ -26,7 +26,7 @@ bool is_rod(const Encounter& encounter) { return encounter.first.kind == "rod"; 
 
 bool has_second_values(const Encounter& encounter) { return !kind(encounter.against.kind).wall; }
 
-Values first_values(const Encounter& encounter) { return all_values(encounter.first, {}, infinity); }
+Values first_values(const Encounter& encounter) { return all_values(encounter.first, {}, infinite); }
 
 Solid solid_of(const Encounter& encounter, const Kind& kind, Values all) {
   if (encounter.first.material && !is_rod(encounter)) {
@@ -35,10 +35,9 @@ Solid solid_of(const Encounter& encounter, const Kind& kind, Values all) {
   return kind.solid(all);
 }
 
-Wall wall_of(const Encounter& encounter) {
-  if (encounter.against.kind != "exponential") return HardWall{};
-  const Values all = all_values(encounter.against, {}, infinity);
-  return ExponentialWall{all.at("hardness"), all.at("strength")};
+/// Whether it meets a wall, no body.
+bool is_at_wall(const Encounter& encounter) {
+  return kind(encounter.against.kind).wall && encounter.against.kind != "same";
 }
 
 /// By itself, an elastic body without modes is a mistake: its maker then refuses the cutoff.
@@ -94,19 +93,24 @@ void require_one_that_deforms(const Encounter& encounter) {
   }
 }
 
+bool takes_material(const Kind& kind) {
+  return std::any_of(kind.parameters.begin(), kind.parameters.end(),
+                     [](const Parameter& each) { return each.of_material; });
+}
+
 void require_units(const Encounter& encounter) {
-  if (!has_second_values(encounter) || encounter.first.material.has_value() == encounter.against.material.has_value()) {
+  const Kind& against = kind(encounter.against.kind);
+  const bool material = encounter.against.material.has_value();
+  if (!takes_material(against)) {
+    if (material) throw InvalidInput("against material: got one, allowed none of a " + std::string(against.name));
     return;
   }
+  if (encounter.first.material.has_value() == material) return;
   throw InvalidInput(encounter.first.material ? "against material: got none, allowed one, as the first body has one"
                                               : "against material: got one, allowed none, as the first body has none");
 }
 
 }  // namespace
-
-bool is_at_wall(const Encounter& encounter) {
-  return kind(encounter.against.kind).wall && encounter.against.kind != "same";
-}
 
 void validate(const Encounter& encounter) {
   require_partner(encounter);
@@ -172,6 +176,12 @@ BodyMaker second_maker(const Encounter& encounter) {
   return second ? of_what_is_met([&] { return made(encounter.against, *second); }) : BodyMaker{};
 }
 
+Wall wall_of(const Encounter& encounter) {
+  if (encounter.against.kind != "exponential") return HardWall{};
+  const Values all = all_values(encounter.against, {}, infinite);
+  return ExponentialWall{all.at("hardness"), all.at("strength")};
+}
+
 RefinableContact refinable(const Encounter& encounter) {
   validate(encounter);
   if (is_at_wall(encounter)) return RefinableContact(first_maker(encounter));
@@ -189,15 +199,16 @@ Contact contact_of(const Encounter& encounter, double cutoff, double speed) {
 std::optional<double> yield_speed(const Encounter& encounter) {
   const Participant& first = encounter.first;
   if (!first.material || !kind(first.kind).can_yield) return std::nullopt;
-  const double radius = given_or(first, "radius", infinity);
+  const double radius = given_or(first, "radius", infinite);
   Material material = *first.material;
-  if (first.rigid) material.young = infinity;
+  if (first.rigid) material.young = infinite;
   if (is_at_wall(encounter)) return quasistatic::yield_speed(material, radius);
   if (encounter.against.kind == "same") return quasistatic::yield_speed(material, radius, material, radius);
+  if (!kind(encounter.against.kind).can_yield) return std::nullopt;
   return of_what_is_met([&] {
     Material other = *encounter.against.material;
-    if (encounter.against.rigid) other.young = infinity;
-    return quasistatic::yield_speed(material, radius, other, given_or(encounter.against, "radius", infinity));
+    if (encounter.against.rigid) other.young = infinite;
+    return quasistatic::yield_speed(material, radius, other, given_or(encounter.against, "radius", infinite));
   });
 }
 

@@ -1,9 +1,9 @@
-// What is known of an encounter in closed form, or computed for all ratios of the radii.
-#include <optional>
+#include "stoss/encounter/laws.hpp"
+
 #include <string>
 #include <variant>
 
-#include "encounter/participant.hpp"
+#include "stoss/errors.hpp"
 
 namespace stoss {
 
@@ -22,7 +22,10 @@ Mixture mixture(const Encounter& encounter) {
                      encounter.against.kind + ", allowed elastic disks or spheres that meet each other");
 }
 
-SlowLaw slow_law(const Solid& first, const std::optional<Solid>& second, bool rigid) {
+SlowLaw slow_law(const Solid& first, const std::optional<Solid>& second, bool rigid, bool second_rigid) {
+  if (second_rigid) {
+    throw InvalidInput("beyond: got law, allowed error or clamp (there is none with a rigid second body)");
+  }
   const auto* ball = std::get_if<Sphere>(&first);
   const auto* disk = std::get_if<Disk>(&first);
   const auto* block = second ? std::get_if<HalfSpace>(&*second) : nullptr;
@@ -38,10 +41,7 @@ SlowLaw slow_law(const Solid& first, const std::optional<Solid>& second, bool ri
 
 SlowLaw slow_law(const Encounter& encounter) {
   validate(encounter);
-  if (encounter.against.rigid) {
-    throw InvalidInput("beyond: got law, allowed error or clamp (there is none with a rigid second body)");
-  }
-  return slow_law(first_solid(encounter), second_solid(encounter), encounter.first.rigid);
+  return slow_law(first_solid(encounter), second_solid(encounter), encounter.first.rigid, encounter.against.rigid);
 }
 
 }  // namespace stoss

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "digits.hpp"
+#include "check.hpp"
 
 namespace stoss {
 namespace {

@@ -30,7 +30,4 @@ auto of_what_is_met(Make make) {
 /// @throws InvalidInput for numbers that the kind does not have, that are missing, or that the material gives too
 [[nodiscard]] Values all_values(const Participant& of, std::optional<double> poisson, double radius);
 
-/// Whether it meets a wall, no body.
-[[nodiscard]] bool is_at_wall(const Encounter& encounter);
-
 }  // namespace stoss

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "contact/touch.hpp"
+#include "stoss/contact/grid.hpp"
 #include "stoss/errors.hpp"
 
 namespace stoss {
@@ -12,23 +13,6 @@ namespace {
 /// The modes' energies change slowly between steps: every fourth step is enough for their mean, and for what is left of
 /// a vibration that decays.
 constexpr long sampling = 4;
-
-/// Where a force that starts like t^p is best caught by kicks: the time of the first kick after its start, in steps,
-/// at which the sum of the kicks has no error of order p + 1, the zero of Hurwitz' ζ(−p, x). A jump (p = 0) at a single
-/// point, a kink (p = 1) where a line of contact begins to grow, t^{3/2} where a circle does.
-double first_kick(const Contact& contact) {
-  constexpr double jump = 0.5;
-  constexpr double kink = 0.7886751345948129;  // (3 + √3)/6
-  constexpr double bend = 0.9018628666552377;
-  if (has_single_point(contact)) return jump;
-  return contact.first->contour == Contour::ball ? bend : kink;
-}
-
-/// A radiating tail follows the force at once in place of the modes that it kicks less.
-Kicks kicks(const Contact& contact, Tail tail) {
-  const bool radiating = tail == Tail::radiating && std::holds_alternative<HardWall>(contact.wall);
-  return radiating && longest_loss_time(contact) > 0.0 ? Kicks::weaker : Kicks::whole;
-}
 
 /// Share of the impulse before the beginning and after the end of impulse_time.
 constexpr double tail_of_impulse = 0.01;
@@ -41,7 +25,7 @@ Collision::Collision(const Contact& contact, const FixedResolution& resolution, 
       grid_(grid),
       speed_(speed),
       step_(resolution.step),
-      modes_(contact, grid, resolution.step, kicks(contact, resolution.tail)),
+      modes_(contact, grid, resolution.step, follows_at_once(contact, resolution.tail) ? Kicks::weaker : Kicks::whole),
       position_(grid.recess.size()),
       velocity_(speed),
       lossy_(longest_loss_time(contact) > 0.0) {
@@ -49,9 +33,10 @@ Collision::Collision(const Contact& contact, const FixedResolution& resolution, 
   // The same before and after an impact, so that it can be reversed.
   const double energy_speed = start ? std::sqrt(speed * speed + 2.0 * modes_.energy() / contact.mass) : speed;
   response_ = make_response(contact, resolution.tail, grid, energy_speed, step_, poll);
-  place(start);
+  touch_ = response_->touch();
+  compression_ = start ? contact_.extent + start->center : response_->start(speed_ * step_);
   respond();
-  if (std::holds_alternative<HardWall>(contact.wall) && force_ > 0.0) {
+  if (!acts_from_afar() && force_ > 0.0) {
     throw InvalidInput("start: the body already touches the wall (move its center back)");
   }
   // The first step has only the second half of the first kick.
@@ -60,21 +45,6 @@ Collision::Collision(const Contact& contact, const FixedResolution& resolution, 
   initial_velocity_ = velocity();
   initial_energy_ = translation() + modes_.energy() + response_->stored_energy();
   if (start) energy_before_ = modes_.energies();
-}
-
-void Collision::place(const std::optional<State>& start) {
-  const bool hard = std::holds_alternative<HardWall>(contact_.wall);
-  if (hard) touch_ = touch_compression(contact_, grid_);
-  if (start) {
-    compression_ = contact_.extent + start->center;
-  } else if (hard) {
-    const double phase = 1.0 - first_kick(contact_);  // of the touch, after a kick
-    const double step = speed_ * step_;
-    const double steps = std::max(0.0, std::ceil((response_->range() + touch_) / step - phase));
-    compression_ = touch_ - (steps + phase) * step;
-  } else {
-    compression_ = -response_->range();
-  }
 }
 
 double Collision::velocity() const { return velocity_ - 0.5 * force_ * step_ / contact_.mass; }
@@ -118,7 +88,7 @@ void Collision::record() {
       modes_.accumulate_energy();
       ++samples_;
     }
-    compression_peak_.add(compression_ - touch_ + response_->plane_offset());
+    compression_peak_.add(compression_ - touch_);
     half_width_peak_.add(half_width());
     reach_ = -1.0;
   }
@@ -128,7 +98,7 @@ void Collision::record() {
 double Collision::since_touch() const {
   // At a hard wall the foremost node has moved uniformly from its last position out of contact; it touches where the
   // foremost point of the whole surface does, which may still be to come.
-  if (response_->contact_threshold() > 0.0 || foremost_ <= foremost_before_) return 0.5;
+  if (acts_from_afar() || foremost_ <= foremost_before_) return 0.5;
   const double touching = touch_ - grid_.recess.front();
   return std::min(1.0, (foremost_ - touching) / (foremost_ - foremost_before_));
 }

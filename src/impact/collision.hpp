@@ -8,6 +8,7 @@
 #include "contact/response.hpp"
 #include "impact/kept_modes.hpp"
 #include "impact/peak.hpp"
+#include "stoss/contact/grid.hpp"
 #include "stoss/impact/impact.hpp"
 
 namespace stoss {
@@ -35,6 +36,9 @@ class Collision {
   /// The contact has reached the end of the grid, so that the result is void.
   [[nodiscard]] bool overflows() const { return !has_single_point(contact_) && response_->overflows(); }
 
+  /// What is met pushes at any distance, and may push on all of the edge.
+  [[nodiscard]] bool acts_from_afar() const { return response_->acts_from_afar(); }
+
   /// The body recedes and can touch the wall no more.
   [[nodiscard]] bool over();
 
@@ -53,7 +57,6 @@ class Collision {
   [[nodiscard]] std::vector<double> node_force() const;
 
  private:
-  void place(const std::optional<State>& start);
   void respond();
   void record();
   [[nodiscard]] double since_touch() const;  // in steps, at the first notice of a contact

@@ -5,27 +5,20 @@
 #include <string>
 
 #include "check.hpp"
-#include "contact/units.hpp"
+#include "contact/demands.hpp"
+#include "contact/unit_ratios.hpp"
 #include "impact/collision.hpp"
-#include "impact/grid_size.hpp"
+#include "impact/recommended.hpp"
 #include "impact/whole_bodies.hpp"
+#include "stoss/contact/grid.hpp"
 #include "stoss/errors.hpp"
 
 namespace stoss {
 namespace {
 
-// R/c of the slower body. An impact of disks lasts 5 to 30; that of spheres grows as v^(−1/5), to 200 at v = 1e-8.
-constexpr double max_contact_time = 200.0, max_contact_time_of_balls = 1000.0;
 constexpr double most_steps = 5e7;
 constexpr double max_energy_error = 1e-2;   // beyond, the motion is not resolved in time and means nothing
 constexpr double small_strain_limit = 0.5;  // compression, R
-
-double longest_contact(const Contact& contact) {
-  // A contact that outlasts what stands for a half-space is given up soon after.
-  if (contact.radiating) return 2.0 * echo_time(contact);
-  const double longest = contact.first->contour == Contour::ball ? max_contact_time_of_balls : max_contact_time;
-  return longest * longest_time(contact);
-}
 
 /// Steps in which bodies that vibrate, and part so slowly that they have not yet cleared each other, will have done so.
 double steps_to_leave(const Contact& contact, const Collision& collision, double step) {
@@ -50,8 +43,8 @@ double own_vibration_speed(const Contact& contact, const State& state) {
   std::size_t of_first = 0;
   for (std::size_t g = 0; g < contact.first_groups; ++g) of_first += contact.groups[g].omega.size();
   const double first = speed(0, contact.first_groups, 0);
-  if (contact.second == nullptr || is_unbounded(*contact.second)) return first;
-  const Units units(*contact.second, *contact.first);
+  if (lasting_groups(contact) == contact.first_groups) return first;
+  const UnitRatios units = units_of(contact, 1);
   return std::max(first, speed(contact.first_groups, contact.groups.size(), of_first) * units.time / units.length);
 }
 
@@ -87,7 +80,7 @@ std::optional<Impact> run(const Contact& contact, double speed, const FixedResol
   Collision collision(contact, resolution, grid, speed, options.start, options.poll);
   const WholeBodies whole(contact, collision.snapshot());
   const double flight = std::max(0.0, -(collision.snapshot().center + contact.extent)) + 4.0 * collision.clearance();
-  double steps = (longest_contact(contact) + flight / speed) / resolution.step;
+  double steps = (longest_duration(contact) + flight / speed) / resolution.step;
   if (steps > most_steps) {
     throw NotConverged("impact: would take more than " + std::to_string(static_cast<long>(most_steps)) +
                        " steps (use a larger step, or a hard wall instead of an exponential one)");
@@ -109,7 +102,7 @@ std::optional<Impact> run(const Contact& contact, double speed, const FixedResol
   if (observation.observer) observe();
   for (long step = 1; !collision.over(); ++step) {
     if (static_cast<double>(step) > steps) {
-      if (contact.radiating) throw Outlasted(static_cast<double>(step) * resolution.step, echo_time(contact));
+      if (contact.unbounded) throw Outlasted(static_cast<double>(step) * resolution.step, echo_time(contact));
       steps += steps_to_leave(contact, collision, resolution.step);
     }
     if (static_cast<double>(step) > std::min(steps, most_steps)) {
@@ -119,8 +112,7 @@ std::optional<Impact> run(const Contact& contact, double speed, const FixedResol
     collision.advance();
     if (collision.overflows()) {
       if (resolution.half_width < greatest_half_width(contact)) return std::nullopt;
-      // An exponential wall may push on all of the edge that it acts on; a hard wall must not.
-      if (std::holds_alternative<HardWall>(contact.wall)) {
+      if (!collision.acts_from_afar()) {
         throw NotConverged("impact: the contact spreads over the whole body (speed too high for this model)");
       }
     }

@@ -5,6 +5,7 @@
 
 #include "numeric/damped_oscillator.hpp"
 #include "numeric/stable_kicks.hpp"
+#include "stoss/contact/grid.hpp"
 #include "stoss/errors.hpp"
 
 namespace stoss {
@@ -16,7 +17,7 @@ KeptModes::KeptModes(const Contact& contact, const ContactGrid& grid, double ste
       step_(step),
       count_(mode_count(contact)),
       nodes_(grid.recess.size()),
-      lasting_groups_(contact.radiating ? contact.first_groups : contact.groups.size()) {
+      lasting_groups_(lasting_groups(contact)) {
   constexpr std::size_t lanes = kernels::lanes;
   const std::size_t groups = contact.groups.size();
   begin_.push_back(0);

@@ -5,6 +5,7 @@
 
 #include "numeric/kernels.hpp"
 #include "stoss/contact/contact.hpp"
+#include "stoss/contact/grid.hpp"
 
 namespace stoss {
 

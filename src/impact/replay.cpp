@@ -4,7 +4,8 @@
 #include <string>
 
 #include "check.hpp"
-#include "contact/units.hpp"
+#include "contact/unit_ratios.hpp"
+#include "stoss/contact/grid.hpp"
 #include "stoss/errors.hpp"
 
 namespace stoss {
@@ -31,20 +32,18 @@ bool same_modes(const Contact& contact, const std::vector<ModeEnergy>& modes) {
   return true;
 }
 
-void require_body(const Contact& contact, int number) {
-  if (number != 0 && (number != 1 || contact.second == nullptr)) {
-    throw InvalidInput("body: got number " + std::to_string(number) + " of '" + name(contact) + "', allowed " +
-                       (contact.second == nullptr ? "0 (a wall has no inside)" : "0 or 1"));
-  }
+std::shared_ptr<const Body> required(const Contact& contact, int number) {
+  if (auto body = body_of(contact, number)) return body;
+  throw InvalidInput("body: got number " + std::to_string(number) + " of '" + name(contact) + "', allowed " +
+                     (body_of(contact, 1) == nullptr ? "0 (a wall has no inside)" : "0 or 1"));
 }
 
 }  // namespace
 
 double center(const Contact& contact, const State& state, int number) {
   const bool of_second = number == 1;
-  require_body(contact, number);
-  const Body& body = of_second ? *contact.second : *contact.first;
-  const Units units = of_second ? Units(*contact.second, *contact.first) : Units{};
+  const Body& body = *required(contact, number);
+  const UnitRatios units = units_of(contact, number);
   const double overlap = state.center + contact.extent;
   // The centre of mass of both rests, and the share of a body in their relative motion is that of the other's mass.
   const double share = contact.mass / (whole_mass(body) * units.mass);
@@ -53,31 +52,28 @@ double center(const Contact& contact, const State& state, int number) {
 
 BodyFrame seen_by(const Contact& contact, const ContactGrid& grid, const Frame& frame, int number) {
   const bool of_second = number == 1;
-  require_body(contact, number);
+  BodyFrame seen;
+  seen.body = required(contact, number);
   const std::size_t modes = mode_count(contact), of_first = mode_count(*contact.first);
   if (frame.state.coordinate.size() != modes) {
     throw InvalidInput("state: got " + std::to_string(frame.state.coordinate.size()) + " coordinates, allowed " +
                        std::to_string(modes) + " (one for every kept mode)");
   }
-  BodyFrame seen;
-  seen.body = of_second ? contact.second : contact.first;
   if (seen.body->part.size < 1.0) {
     throw InvalidInput("body: got number " + std::to_string(number) + " of '" + name(contact) + "', allowed " +
                        std::to_string(1 - number) + " (of the larger body only the near side is computed)");
   }
-  const Units units = of_second ? Units(*contact.second, *contact.first) : Units{};
+  const UnitRatios units = units_of(contact, number);
   seen.length = units.length;
-  const double force = units.mass * units.length / (units.time * units.time);
-  const bool solid = seen.body->contour == Contour::ball;  // forces of a disk are per thickness
-  seen.stress = force / (solid ? units.length * units.length : units.length);
+  seen.stress = units.stress;
   seen.center = center(contact, frame.state, number);
-  seen.points = {grid.points.radius / units.length, grid.points.spacing, grid.points.count};
+  seen.points = seen_by(grid.points, units);
   const auto begin = frame.state.coordinate.begin();
   const auto middle = begin + static_cast<std::ptrdiff_t>(of_first);
   seen.coordinate.assign(of_second ? middle : begin, of_second ? frame.state.coordinate.end() : middle);
   for (double& each : seen.coordinate) each /= units.length;
   seen.node_force = frame.node_force;
-  for (double& each : seen.node_force) each *= contact.first->mass / (seen.body->mass * force);
+  for (double& each : seen.node_force) each *= contact.first->mass / (seen.body->mass * units.force);
   return seen;
 }
 

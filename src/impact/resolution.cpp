@@ -4,32 +4,16 @@
 #include <cmath>
 
 #include "check.hpp"
-#include "digits.hpp"
-#include "impact/grid_size.hpp"
+#include "contact/demands.hpp"
+#include "impact/recommended.hpp"
+#include "stoss/contact/grid.hpp"
 #include "stoss/errors.hpp"
 
 namespace stoss {
-namespace {
-
-/// Recommended time step Δt of an impact, R/c.
-double recommended_step(const Contact& contact, double speed, Tail tail) {
-  if (const auto* soft = std::get_if<ExponentialWall>(&contact.wall)) {
-    // The edge layer on the soft wall oscillates at about √(α v ω_c), and what first touches it bounces within 1/(α v).
-    const double bounce = soft->hardness * speed;
-    return 0.25 / std::sqrt(contact.cutoff * (contact.cutoff + bounce) + 0.5 * bounce * bounce);
-  }
-  if (tail == Tail::radiating) {
-    return std::min(0.25 / (contact.cutoff * (1.0 + own_speed(contact, speed))), contact.stable_step);
-  }
-  // Without damping, the nodes at the edge of the contact bounce the more the faster it spreads.
-  return 0.2 / (contact.cutoff * (1.0 + 16.0 * own_speed(contact, speed)));
-}
-
-}  // namespace
 
 FixedResolution fixed_resolution(const Contact& contact, double speed, const Resolution& asked) {
   require_speed(speed);
-  if (contact.radiating && own_speed(contact, speed) > 1.0) {
+  if (contact.unbounded && own_speed(contact, speed) > 1.0) {
     throw InvalidInput("speed: got " + shown(speed) + " c at a soft half-space, allowed up to " +
                        shown(speed / own_speed(contact, speed)) + " (the wave speed of the softer body)");
   }
@@ -51,7 +35,7 @@ FixedResolution fixed_resolution(const Contact& contact, double speed, const Res
     const long fewest = !has_single_point(contact) ? std::max(16, nyquist_nodes(contact, half_width)) : 1;
     require("nodes", static_cast<long>(*nodes), fewest, most_nodes, "contact nodes; as many as the kept orders need");
   }
-  return {step ? *step : recommended_step(contact, speed, tail), nodes ? *nodes : nodes_within(contact, half_width),
+  return {step ? *step : following_step(contact, tail, speed), nodes ? *nodes : nodes_within(contact, half_width),
           half_width, tail};
 }
 

@@ -3,11 +3,12 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <numbers>
 #include <string>
 
-#include "impact/grid_size.hpp"
+#include "contact/demands.hpp"
+#include "impact/recommended.hpp"
 #include "numeric/damped_oscillator.hpp"
+#include "stoss/contact/grid.hpp"
 #include "stoss/errors.hpp"
 
 namespace stoss {
@@ -88,15 +89,9 @@ std::vector<double> mode_energies(const Contact& contact, const State& state) {
 double clearance(const Contact& contact, const State& state) {
   require_modes(contact, state);
   constexpr double margin = 1.05;
-  const double free = margin * reach(contact, state), speed = std::abs(state.velocity);
-  if (const auto* soft = std::get_if<ExponentialWall>(&contact.wall)) {
-    constexpr double negligible = 1e-12, edge = 2.0 * std::numbers::pi;  // at least that of any body
-    const double energy = 0.5 * contact.mass * speed * speed;
-    return free + std::max(0.0, std::log(soft->strength * edge / (negligible * energy))) / soft->hardness;
-  }
-  // Beyond the first spacing of nodes, where a hard contact begins to push, and some steps.
+  const double speed = std::abs(state.velocity);
   const double half_width = has_single_point(contact) ? 0.0 : initial_half_width(contact, speed);
-  return free + 0.02 * half_width * half_width + speed / contact.cutoff;
+  return unfelt_distance(contact, margin * reach(contact, state), speed, half_width);
 }
 
 }  // namespace stoss

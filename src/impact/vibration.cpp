@@ -9,7 +9,6 @@
 #include <tuple>
 
 #include "check.hpp"
-#include "digits.hpp"
 #include "stoss/errors.hpp"
 
 namespace stoss {
@@ -50,15 +49,13 @@ std::string named(const Oscillation& mode) {
          (mode.body == 0 ? "first" : "second") + " body";
 }
 
-bool is_whole(const Body& body) { return body.part.size >= 1.0 && !is_unbounded(body); }
-
 void require_possible(const Contact& contact, const Oscillation& mode) {
-  const bool second = mode.body == 1;
-  if ((mode.body != 0 && !second) || (second && contact.second == nullptr)) {
+  const auto its = body_of(contact, mode.body);
+  if (its == nullptr) {
     throw InvalidInput("vibration: got a mode of body " + std::to_string(mode.body) + ", allowed 0" +
-                       (contact.second == nullptr ? " (a wall has no modes)" : " or 1"));
+                       (body_of(contact, 1) == nullptr ? " (a wall has no modes)" : " or 1"));
   }
-  const Body& body = second ? *contact.second : *contact.first;
+  const Body& body = *its;
   if (!is_whole(body)) {
     throw InvalidInput("vibration: got a mode of '" + body.name + "', allowed modes of bodies that are there as a " +
                        "whole (the waves of this one run away)");
@@ -67,8 +64,7 @@ void require_possible(const Contact& contact, const Oscillation& mode) {
     throw InvalidInput("vibration: got " + named(mode) + ", allowed an order and an index of 0 or more");
   }
   const auto has_order = [&mode](const ModeGroup& group) { return group.order == mode.order; };
-  if (mode.order != 0 && body.contour == Contour::flat &&
-      std::none_of(body.groups.begin(), body.groups.end(), has_order)) {
+  if (mode.order != 0 && has_single_point(contact) && std::none_of(body.groups.begin(), body.groups.end(), has_order)) {
     throw InvalidInput("vibration: got " + named(mode) + ", allowed order 0 (a flat end has no other)");
   }
 }
@@ -146,8 +142,7 @@ Vibration vibration_after(const Contact& contact, const State& state, double fli
   State next = free_motion(contact, state, flight - (state.center + contact.extent) / state.velocity);
   next.center = -contact.extent;
   Vibration all = vibration(contact, next);
-  std::erase_if(all,
-                [&](const Oscillation& mode) { return !is_whole(mode.body == 0 ? *contact.first : *contact.second); });
+  std::erase_if(all, [&](const Oscillation& mode) { return !is_whole(*body_of(contact, mode.body)); });
   return all;
 }
 

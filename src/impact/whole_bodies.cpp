@@ -1,17 +1,10 @@
 #include "impact/whole_bodies.hpp"
 
-#include <algorithm>
 #include <string>
 
-#include "contact/units.hpp"
 #include "stoss/errors.hpp"
 
 namespace stoss {
-
-double echo_time(const Contact& contact) {
-  if (contact.second == nullptr) return contact.first->part.echo;
-  return std::min(contact.first->part.echo, contact.second->part.echo * Units(*contact.second, *contact.first).time);
-}
 
 Outlasted::Outlasted(double contact_time, double echo)
     : NotConverged("impact: the contact lasts " + std::to_string(contact_time) +

@@ -5,9 +5,6 @@
 
 namespace stoss {
 
-/// Time until the first echo of a part, in units of the first body; infinite where both bodies are whole.
-[[nodiscard]] double echo_time(const Contact& contact);
-
 /// A contact has lasted longer than the part of a body that is there stands for it.
 class Outlasted : public NotConverged {
  public:

@@ -65,6 +65,13 @@ void bessel_pairs(double x, std::vector<BesselPair>& pairs, BesselKind kind) {
   }
 }
 
+BesselPair last_pair(double x, std::vector<BesselPair>& pairs, BesselKind kind) {
+  bessel_pairs(x, pairs, kind);
+  const BesselPair& pair = pairs.back();
+  const int shift = std::ilogb(std::hypot(pair.value, pair.next));
+  return {std::ldexp(pair.value, -shift), std::ldexp(pair.next, -shift), pair.exponent + shift};
+}
+
 BesselTaylor::BesselTaylor(int order, double center, const BesselPair& pair, double reach, BesselKind kind)
     : center_(center), exponent_(pair.exponent) {
   // With x = c + h, J_n = Σ a_k h^k and J_{n+1} = Σ b_k h^k, from x J_n' = n J_n − x J_{n+1} and

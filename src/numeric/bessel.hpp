@@ -25,6 +25,9 @@ inline double slope(int order, const BesselPair& pair) { return order * pair.val
 /// with 2n + 1 for 2n, and the greater of j_0 = sin x/x and j_1 (DLMF 10.51.1, 10.49.3).
 void bessel_pairs(double x, std::vector<BesselPair>& pairs, BesselKind kind = BesselKind::cylindrical);
 
+/// The pair of the last order of `pairs`, which it fills, scaled to about 1.
+[[nodiscard]] BesselPair last_pair(double x, std::vector<BesselPair>& pairs, BesselKind kind = BesselKind::cylindrical);
+
 /// Taylor polynomials of (J_n, x J_{n+1}) about an argument at which the pair is known: they continue a grid value to
 /// nearby arguments for a few nanoseconds. Scaled as the pair that they continue.
 class BesselTaylor {

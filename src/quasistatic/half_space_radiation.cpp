@@ -17,7 +17,7 @@
 namespace stoss::quasistatic {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 constexpr double mass = 4.0 * pi / 3.0;
 constexpr double max_share = 0.1;  // of the loss that its error may be
 

@@ -21,8 +21,8 @@
 namespace stoss::quasistatic {
 namespace {
 
-constexpr double pi = std::numbers::pi;
-constexpr double epsilon = std::numeric_limits<double>::epsilon();
+using std::numbers::pi;
+constexpr double rounding = std::numeric_limits<double>::epsilon();
 
 /// Coefficient of the logarithm.
 double log_factor(double poisson) { return 0.5 * (1.0 - 2.0 * poisson) * (1.0 - 2.0 * poisson) / (1.0 - poisson); }
@@ -42,7 +42,7 @@ double root(Function function, double guess, double highest) {
 
 void require_force(const RadiusLaw& law, double force) {
   require("force", force,
-          {0.0, law.force(law.limit()) * (1.0 + 8.0 * epsilon), true, true, "0 to limit_force(law, poisson)"},
+          {0.0, law.force(law.limit()) * (1.0 + 8.0 * rounding), true, true, "0 to limit_force(law, poisson)"},
           "in units of m c^2/R; there the contact is as wide as the sphere, or the law has a maximum");
 }
 
@@ -81,7 +81,7 @@ RadiusLaw::RadiusLaw(PointLaw law, double poisson, double softness) : scale_(1.0
   // The slope rises from a while the logarithm wins and then falls: it vanishes once at most.
   if (half_slope(1.0) >= 0.0) return;
   double low = 0.0, high = 1.0;
-  while (high - low > epsilon) {
+  while (high - low > rounding) {
     const double middle = 0.5 * (low + high);
     (middle > 0.0 && half_slope(middle) < 0.0 ? high : low) = middle;
   }
@@ -150,9 +150,14 @@ double compression_force(PointLaw law, double poisson, double compression) {
   const RadiusLaw radius_law(law, poisson);
   const double greatest = radius_law.compression(radius_law.limit());
   require("compression", compression,
-          {0.0, greatest * (1.0 + 8.0 * epsilon), true, true, "0 to compression(law, poisson, limit_force)"},
+          {0.0, greatest * (1.0 + 8.0 * rounding), true, true, "0 to compression(law, poisson, limit_force)"},
           "in units of R; the law ends there");
   return radius_law.force(radius_law.at_compression(compression));
+}
+
+PointHertz point_hertz_at_wall(double poisson, double force) {
+  const double radius = contact_radius(PointLaw::hertz, poisson, force);
+  return point_hertz_of_approach({1.0, 1.0 - poisson * poisson}, radius * radius);
 }
 
 double compression_energy(PointLaw law, double poisson, double force) {

@@ -13,8 +13,7 @@
 namespace stoss::quasistatic {
 namespace {
 
-constexpr double pi = std::numbers::pi;
-constexpr double largest = std::numeric_limits<double>::max();
+using std::numbers::pi;
 constexpr double most = 1e100;
 
 void require_pair(const PointPair& pair) {
@@ -24,7 +23,8 @@ void require_pair(const PointPair& pair) {
 }
 
 void require_distance(double distance) {
-  require("distance", distance, {0.0, largest, true, true, "0 or more"}, "from the axis of the contact, in R");
+  require("distance", distance, {0.0, std::numeric_limits<double>::max(), true, true, "0 or more"},
+          "from the axis of the contact, in R");
 }
 
 PointHertz of_radius(const PointPair& pair, double radius) {
@@ -70,7 +70,8 @@ double point_hertz_pressure(const PointHertz& contact, double distance) {
 
 AxisymmetricStress point_hertz_stress(const PointHertz& contact, double poisson, double depth, double distance) {
   bodies::sphere::require_poisson(poisson);
-  require("depth", depth, {0.0, largest, true, true, "0 or more"}, "below the surface of the half-space, in R");
+  require("depth", depth, {0.0, std::numeric_limits<double>::max(), true, true, "0 or more"},
+          "below the surface of the half-space, in R");
   require_distance(distance);
   if (contact.radius == 0.0) return {};
   // In units of a.

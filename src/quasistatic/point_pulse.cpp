@@ -14,9 +14,9 @@
 namespace stoss::quasistatic {
 namespace {
 
-constexpr double pi = std::numbers::pi;
-constexpr double end_of_time = 24.0;  // places u beyond which nothing is left of the time and of the impulse
-constexpr double end_of_impulse = 10.0;
+using std::numbers::pi;
+constexpr double last_time = 24.0;  // places u beyond which nothing is left of the time and of the impulse
+constexpr double last_impulse = 10.0;
 
 /// The phase at a place, 0 … π/2.
 double phase_at(double u) { return pi / (1.0 + std::exp(2.0 * u)); }
@@ -37,8 +37,8 @@ PointPulse::PointPulse(const RadiusLaw& law, double speed)
     : law_(law), speed_(speed), greatest_(law_.at_energy(0.5 * speed * speed)) {}
 
 double PointPulse::place_of(double phase) {
-  if (!(phase > 0.0)) return end_of_time;
-  return std::clamp(0.5 * std::log((pi - phase) / phase), 0.0, end_of_time);
+  if (!(phase > 0.0)) return last_time;
+  return std::clamp(0.5 * std::log((pi - phase) / phase), 0.0, last_time);
 }
 
 double PointPulse::radius(double phase) const {
@@ -62,7 +62,7 @@ double PointPulse::time(double u) const {
   return sum;
 }
 
-double PointPulse::contact_time() const { return 2.0 * time(end_of_time); }
+double PointPulse::contact_time() const { return 2.0 * time(last_time); }
 
 double PointPulse::max_force_rate() const {
   const auto negative_rate = [this](double phase) { return -std::cos(phase) * law_.stiffness(radius(phase)); };
@@ -74,7 +74,7 @@ template <typename Function>
 double PointPulse::over_pulse(Function f) const {
   constexpr double step = 0.125;  // the nearest singularities are at Im u = π/2
   double sum = 0.0;
-  for (int i = 0; i * step < end_of_time; ++i) {
+  for (int i = 0; i * step < last_time; ++i) {
     const Rate at = rate(i * step);
     sum += (i > 0 ? 2.0 : 1.0) * at.time * f(phase_at(i * step), at.radius);
   }
@@ -95,13 +95,13 @@ double PointPulse::squared_force_rate() const {
 PointPulse::Nodes PointPulse::nodes(double omega) const {
   double fastest = 0.0;
   constexpr int samples = 64;
-  for (int i = 0; i <= samples; ++i) fastest = std::max(fastest, rate(end_of_impulse * i / samples).time);
+  for (int i = 0; i <= samples; ++i) fastest = std::max(fastest, rate(last_impulse * i / samples).time);
   // As for the pulse of a disk: the phase runs no faster than ω fastest, and beyond that the part falls off as an Airy
   // function does.
   const double phase_rate = omega * fastest;
   const double sampling = phase_rate + 14.0 * std::cbrt(phase_rate) + 50.0;
-  const int count = static_cast<int>(std::ceil(end_of_impulse * sampling / (2.0 * pi)));
-  const double step = end_of_impulse / count;
+  const int count = static_cast<int>(std::ceil(last_impulse * sampling / (2.0 * pi)));
+  const double step = last_impulse / count;
   using Rule = boost::math::quadrature::gauss<double, 7>;
   Nodes result;
   double now = 0.0, stiffness = 0.0;

@@ -6,6 +6,9 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <sstream>
+
+#include "check.hpp"
 
 namespace stoss::quasistatic {
 namespace {
@@ -117,6 +120,18 @@ ForcePulse::Nodes ForcePulse::nodes(double omega) const {
     result.weight.push_back((i > 0 ? scale : 0.5 * scale) * std::exp(-fall_at(u)) * rate(u));
   }
   return result;
+}
+
+ForcePulse slow_pulse(CompressionLaw law, double poisson, double speed) {
+  const double limit = limit_speed(law, poisson);
+  std::ostringstream allowed;
+  allowed.precision(std::numeric_limits<double>::digits10);
+  allowed << min_slow_speed << " to " << limit << " = limit_speed(law, poisson)";
+  require("speed", speed, {min_slow_speed, limit, true, true, allowed.str()},
+          "in units of c; the static law has no force for the energy of a faster disk");
+  // ln(limit/speed), for speeds near the limit without cancellation
+  const double excess = speed > 0.5 * limit ? std::log1p((limit - speed) / speed) : std::log(limit) - std::log(speed);
+  return ForcePulse(solve_fall(0.5, excess));
 }
 
 }  // namespace stoss::quasistatic

@@ -2,6 +2,8 @@
 
 #include <vector>
 
+#include "stoss/quasistatic/slow_impact.hpp"
+
 namespace stoss::quasistatic {
 
 /// The pulse of force of an impact with the static law δ = F [1 + ln(F*/F)] (F* its limit_force), apart from scales.
@@ -54,5 +56,9 @@ class ForcePulse {
 /// The y ≥ 0 with y − ½ ln(1 + y/A) = excess, for A ≥ ½ and excess ≥ 0. With A = ½ it is the D of the speed at which
 /// ln(limit_speed/v) is the excess.
 [[nodiscard]] double solve_fall(double energy_factor, double excess);
+
+/// The pulse of force of a slow impact.
+/// @throws InvalidInput as slow_impact
+[[nodiscard]] ForcePulse slow_pulse(CompressionLaw law, double poisson, double speed);
 
 }  // namespace stoss::quasistatic

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <cstddef>
 
-#include "check.hpp"
-#include "quasistatic/slow_pulse.hpp"
+#include "quasistatic/driven_modes.hpp"
+#include "quasistatic/pulse.hpp"
 
 namespace stoss::quasistatic {
 namespace {
@@ -63,41 +63,18 @@ ForcePulse::Nodes padded(ForcePulse::Nodes nodes) {
   return nodes;
 }
 
-void require_modes(const std::vector<bodies::disk::Mode>& modes) {
-  for (const bodies::disk::Mode& mode : modes) {
-    require("omega", mode.omega, {0.0, bodies::disk::max_cutoff, false, true, "above 0 to 1000"},
-            "frequency of a mode, in c/R");
-    require("radial", mode.radial, {0.0, 1e6, true, true, "0 to 1e6"}, "edge amplitude C of a mode");
-  }
-}
-
 }  // namespace
 
-RayleighEstimate rayleigh(CompressionLaw law, double poisson, double speed,
-                          const std::vector<bodies::disk::Mode>& modes, const Poll& poll) {
+RayleighEstimate rayleigh(CompressionLaw law, double poisson, double speed, const std::vector<bodies::Mode>& modes,
+                          const Poll& poll) {
   RayleighEstimate result;
   result.impact = slow_impact(law, poisson, speed);
-  require_modes(modes);
+  require_modes(modes, "edge amplitude C");
   const ForcePulse pulse = slow_pulse(law, poisson, speed);
-  for (const bodies::disk::Mode& mode : modes) result.cutoff = std::max(result.cutoff, mode.omega);
+  for (const bodies::Mode& mode : modes) result.cutoff = std::max(result.cutoff, mode.omega);
   const ForcePulse::Nodes nodes = padded(pulse.nodes(result.cutoff));
-  double inertia = 0.0;  // Σ C²/ω⁴
-  result.modes.reserve(modes.size());
-  for (const bodies::disk::Mode& mode : modes) {
-    if (poll) poll();
-    const double integral = amplitude(nodes, mode.omega);
-    const double edge = mode.radial * integral;
-    const double lag = mode.radial / (mode.omega * mode.omega);
-    result.modes.push_back(
-        {.order = mode.order, .index = mode.index, .omega = mode.omega, .amplitude = integral, .after = edge * edge});
-    result.lost_fraction += edge * edge;
-    inertia += lag * lag;
-  }
-  const double rate = pulse.max_force_rate();
-  result.kinetic_share = rate * rate * inertia;
-  const double change = second_order_factor * result.kinetic_share;
-  result.lost_fraction_error = change * (2.0 * std::sqrt(result.lost_fraction) + change);
-  result.beyond_perturbation = result.kinetic_share > max_kinetic_share;
+  const auto integral = [&](const bodies::Mode& mode) { return amplitude(nodes, mode.omega); };
+  drive(modes, integral, pulse.max_force_rate(), second_order_factor, poll, result);
   return result;
 }
 

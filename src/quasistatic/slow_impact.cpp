@@ -2,13 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
-#include <sstream>
 
 #include "check.hpp"
 #include "quasistatic/pulse.hpp"
-#include "quasistatic/slow_pulse.hpp"
 
 namespace stoss::quasistatic {
 namespace {
@@ -27,18 +24,6 @@ ContactInstant instant(const SlowImpact& impact, const ForcePulse& pulse, double
 }  // namespace
 
 double limit_speed(CompressionLaw law, double poisson) { return limit_force(law, poisson) / std::numbers::sqrt2; }
-
-ForcePulse slow_pulse(CompressionLaw law, double poisson, double speed) {
-  const double limit = limit_speed(law, poisson);
-  std::ostringstream allowed;
-  allowed.precision(std::numeric_limits<double>::digits10);
-  allowed << min_slow_speed << " to " << limit << " = limit_speed(law, poisson)";
-  require("speed", speed, {min_slow_speed, limit, true, true, allowed.str()},
-          "in units of c; the static law has no force for the energy of a faster disk");
-  // ln(limit/speed), for speeds near the limit without cancellation
-  const double excess = speed > 0.5 * limit ? std::log1p((limit - speed) / speed) : std::log(limit) - std::log(speed);
-  return ForcePulse(solve_fall(0.5, excess));
-}
 
 SlowImpact slow_impact(CompressionLaw law, double poisson, double speed) {
   const ForcePulse pulse = slow_pulse(law, poisson, speed);
@@ -61,6 +46,12 @@ std::vector<ContactInstant> contact_history(const SlowImpact& impact, const std:
     result.push_back(instant(whole, pulse, phase));
   }
   return result;
+}
+
+// In units R, c and m: the power η δ̇² dF/dδ = η Ḟδ̇ is, integrated by parts, η∫F² dt, which is ½v²(1 − ε²).
+double viscous_loss(CompressionLaw law, double poisson, double loss_time, double speed) {
+  require("loss_time", loss_time, {0.0, 1e3, true, true, "0 to 1000"}, "in units of R/c");
+  return loss_time * slow_pulse(law, poisson, speed).squared_force();
 }
 
 }  // namespace stoss::quasistatic

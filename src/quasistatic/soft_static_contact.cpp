@@ -15,6 +15,7 @@
 
 #include "check.hpp"
 #include "numeric/dense.hpp"
+#include "stoss/contact/grid.hpp"
 #include "stoss/errors.hpp"
 
 namespace stoss::quasistatic {

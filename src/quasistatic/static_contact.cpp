@@ -8,12 +8,12 @@
 #include <numbers>
 #include <vector>
 
-#include "bodies/disk/residual.hpp"
+#include "bodies/disk/order_sums.hpp"
+#include "bodies/sphere/degree_sums.hpp"
 #include "bodies/sphere/mode_search.hpp"
-#include "bodies/sphere/residual.hpp"
 #include "bodies/sphere/surface_points.hpp"
 #include "check.hpp"
-#include "contact/complementarity.hpp"
+#include "contact/edge/complementarity.hpp"
 #include "stoss/errors.hpp"
 
 namespace stoss::quasistatic {

@@ -7,7 +7,7 @@
 #include <numbers>
 #include <vector>
 
-#include "impact/refined_resolution.hpp"
+#include "impact/recommended.hpp"
 
 namespace stoss {
 namespace {

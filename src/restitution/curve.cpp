@@ -1,11 +1,12 @@
 #include "stoss/restitution/curve.hpp"
 
+#include <limits>
 #include <mutex>
 #include <optional>
+#include <string>
 #include <utility>
 
 #include "check.hpp"
-#include "restitution/best_restitution.hpp"
 #include "restitution/ordered_jobs.hpp"
 #include "stoss/bodies/disk.hpp"
 
@@ -33,7 +34,42 @@ class Attempts {
   std::vector<std::optional<Attempt>> attempts_;
 };
 
+/// A point at which no two impacts ended.
+Restitution failed(double speed, const RestitutionOptions& options, const std::string& reason) {
+  constexpr double none = std::numeric_limits<double>::quiet_NaN();
+  constexpr Estimate nothing{none, none};
+  Restitution result{.restitution = nothing,
+                     .lost_fraction = nothing,
+                     .contact_time = nothing,
+                     .impulse_time = nothing,
+                     .max_force = nothing,
+                     .max_compression = nothing,
+                     .lost_to_first = none,
+                     .lost_to_second = none,
+                     .dissipated = none,
+                     .tolerance = options.tolerance,
+                     .absolute = options.absolute,
+                     .converged = false,
+                     .reason = reason,
+                     .runs = {},
+                     .finest = {},
+                     .steps = 0};
+  result.finest.speed = speed;
+  result.finest.restitution = result.finest.lost_fraction = none;
+  return result;
+}
+
 }  // namespace
+
+Restitution best_restitution(const RefinableContact& contact, double speed, const RestitutionOptions& options) {
+  try {
+    return restitution(contact, speed, options);
+  } catch (const RestitutionNotConverged& error) {
+    return error.best;
+  } catch (const NotConverged& error) {
+    return failed(speed, options, error.what());
+  }
+}
 
 void validate(const std::vector<double>& speeds, const CurveOptions& options) {
   require_tolerance(options.each.tolerance, options.each.absolute);

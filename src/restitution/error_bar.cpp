@@ -5,7 +5,6 @@
 #include <limits>
 
 #include "contact/touch.hpp"
-#include "restitution/loss_shares.hpp"
 
 namespace stoss {
 namespace {
@@ -67,17 +66,17 @@ Missing missing_of_balls(double cutoff, double speed) {
 /// Error of what the material takes in one run, from its nodes: those that a lossy contact leaves are the worse
 /// resolved the fewer there are and the less each of them relaxes meanwhile, 2 η n/t nodes in the time η.
 double node_error(const Contact& contact, const Run& run) {
-  const bool ball = contact.first->contour == Contour::ball;
-  const double constant = ball ? 12.0 : 2.1, nodes = run.resolution.nodes;
-  const double relaxing = 1.0 + 2.0 * touch(contact).loss_time * nodes / run.contact_time;
+  const Touch met = touch(contact);
+  const double constant = met.circle ? 12.0 : 2.1, nodes = run.resolution.nodes;
+  const double relaxing = 1.0 + 2.0 * met.loss_time * nodes / run.contact_time;
   return constant * run.dissipated / (nodes * nodes * relaxing * relaxing);
 }
 
 Estimate lost_on_a_growing_contact(const Contact& contact, double speed, const std::vector<Run>& runs, double order) {
   constexpr double safety = 3.0;
-  const auto missing = contact.first->contour == Contour::ball ? missing_of_balls : missing_on_a_line;
+  const auto missing = touch(contact).circle ? missing_of_balls : missing_on_a_line;
   const double scale = time_scale(contact), own = own_speed(contact, speed);
-  const double returned = contact.radiating ? unresolved_share(contact) : 1.0;  // a half-space returns nothing
+  const double returned = contact.unbounded ? unresolved_share(contact) : 1.0;  // a half-space returns nothing
   const auto corrected = [&](const Run& run) {
     return run.lost_fraction - returned * missing(run.cutoff * scale, own).share * run.unresolved;
   };
@@ -86,7 +85,7 @@ Estimate lost_on_a_growing_contact(const Contact& contact, double speed, const s
   // At a half-space less is in doubt, as the body alone gives back; but its quadrature leaves something out.
   constexpr double less = 0.5, quadrature = 3e-5;
   const double doubt = std::max(less, returned) * lacks.doubt;
-  const double missed = contact.radiating ? quadrature * std::abs(last.lost_fraction) : 0.0;
+  const double missed = contact.unbounded ? quadrature * std::abs(last.lost_fraction) : 0.0;
   return {corrected(last), std::max({missed, doubt * last.unresolved, node_error(contact, last),
                                      safety * spread(runs, order, corrected)})};
 }
@@ -106,6 +105,33 @@ Estimate by_differences(const std::vector<Run>& runs, const Bar& bar, double hig
   // An error as large as the value leaves nothing of it.
   if (estimate.error >= std::abs(estimate.value)) estimate.error = unknown;
   return estimate;
+}
+
+/// Energy of the translation before the impact, as a share of the initial energy.
+double translation_before(const EnergyLedger& ledger) {
+  double share = 1.0;
+  for (const ModeEnergy& mode : ledger.modes) share -= mode.before;
+  return share;
+}
+
+/// Fills what each body keeps, and what the material takes, so that it adds up to the loss of a concluded result.
+///
+/// The ledger of the finest impact adds up to its own 1 − ε². What the result has less is energy that the modes above
+/// the cutoff would have given back, each body its part of `unresolved`; of a half-space they give nothing back. What
+/// the ledger misses, its energy error, belongs to each share as much as the share is large.
+void share_out(const Contact& contact, Restitution& result) {
+  const EnergyLedger& ledger = result.finest.energy;
+  const double unit = translation_before(ledger);
+  const double given_back = unit * (result.finest.lost_fraction - result.lost_fraction.value);
+  const double by_first = contact.unbounded ? 1.0 : unresolved_share(contact);
+  const double first = ledger.lost_to_first - by_first * given_back;
+  const double second = ledger.lost_to_second - (1.0 - by_first) * given_back;
+  const double whole = 1.0 - unit * (1.0 - result.lost_fraction.value);
+  const double counted = first + second;
+  const double scale = counted == 0.0 ? 1.0 : whole / counted;
+  result.lost_to_first = scale * first;
+  result.lost_to_second = scale * second;
+  result.dissipated = scale * ledger.dissipated;
 }
 
 }  // namespace

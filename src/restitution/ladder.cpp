@@ -10,8 +10,8 @@
 #include <utility>
 
 #include "check.hpp"
-#include "contact/units.hpp"
-#include "digits.hpp"
+#include "contact/unit_ratios.hpp"
+#include "stoss/contact/grid.hpp"
 #include "stoss/errors.hpp"
 
 namespace stoss {
@@ -48,7 +48,7 @@ struct Pair {
 
 Contact probed(const BodyMaker& first, const BodyMaker& second) {
   Body one = first(least_cutoff, {});
-  const Units units(second(least_cutoff, {}), one);
+  const UnitRatios units(second(least_cutoff, {}), one);
   return contact(std::move(one), second(least_cutoff * units.time, {}));
 }
 
@@ -66,7 +66,7 @@ Pair pair_of(const BodyMaker& first, const BodyMaker& second) {
   Pair pair{first, second, probed(first, second)};
   const double unit = time_scale(pair.probe);
   pair.first_size = computed_size(*pair.probe.first, 1.0 / unit);
-  pair.second_size = computed_size(*pair.probe.second, Units(*pair.probe.second, *pair.probe.first).time / unit);
+  pair.second_size = computed_size(*pair.probe.second, UnitRatios(*pair.probe.second, *pair.probe.first).time / unit);
   return pair;
 }
 
@@ -86,7 +86,7 @@ Contact contact_of(const Pair& pair, double cutoff, double stretch, const Poll& 
     if (is_unbounded(body)) return usual * stretch;
     return usual < 1.0 ? std::min(usual * stretch, 1.0) : 1.0;
   };
-  const double time = Units(*pair.probe.second, *pair.probe.first).time;
+  const double time = UnitRatios(*pair.probe.second, *pair.probe.first).time;
   return contact(
       made(pair.first, *pair.probe.first, size(*pair.probe.first, pair.first_size), cutoff, poll),
       made(pair.second, *pair.probe.second, size(*pair.probe.second, pair.second_size), cutoff * time, poll));
@@ -97,7 +97,7 @@ double highest_cutoff(const Pair& pair) {
   const Body &one = *pair.probe.first, &other = *pair.probe.second;
   if (is_unbounded(other)) return one.highest_cutoff / pair.first_size;  // depends on the duration: highest_level
   return std::min(one.highest_cutoff / pair.first_size,
-                  other.highest_cutoff / pair.second_size / Units(other, one).time);
+                  other.highest_cutoff / pair.second_size / UnitRatios(other, one).time);
 }
 
 }  // namespace
@@ -136,7 +136,7 @@ int RefinableContact::highest_level(double stretch) const {
   if (!levels_->pair || !is_unbounded(*levels_->pair->probe.second)) return level;
   const Body &first = *levels_->pair->probe.first, &second = *levels_->pair->probe.second;
   const double most = second.near_side(levels_->pair->second_size * stretch, least_cutoff, {}).highest_cutoff;
-  while (level > 0 && cutoff(level) * Units(second, first).time > most) --level;
+  while (level > 0 && cutoff(level) * UnitRatios(second, first).time > most) --level;
   return level;
 }
 

@@ -10,7 +10,7 @@
 #include <utility>
 
 #include "check.hpp"
-#include "impact/refined_resolution.hpp"
+#include "impact/recommended.hpp"
 #include "impact/whole_bodies.hpp"
 #include "restitution/curvature.hpp"
 #include "restitution/error_bar.hpp"
@@ -21,8 +21,7 @@ namespace {
 constexpr int first_runs = 3;  // two that agree by chance say nothing
 constexpr std::array first_rungs{4, 2};
 constexpr std::array first_rungs_with_half_space{2, 2};  // of which few waves are enough
-constexpr int most_rungs = 4;  // a run far above all others would find the differences from them without weight
-constexpr double unknown = std::numeric_limits<double>::infinity();
+constexpr int most_rungs = 4;         // a run far above all others would find the differences from them without weight
 constexpr double aim = 0.9;           // of the tolerance: one run too fine costs less than another run
 constexpr double room_to_last = 1.5;  // of a half-space, over what is expected of the contact
 constexpr double affordable = 2e8;    // of `work`, less than a second: what a run without hope may cost
@@ -55,7 +54,7 @@ Impact impact_to_its_end(const RefinableContact& contact, double cutoff, double 
     try {
       return impact(resolved, speed, options);
     } catch (const Outlasted&) {
-      if (!resolved.radiating || stretch > longest) throw;
+      if (!resolved.unbounded || stretch > longest) throw;
     }
   }
 }
@@ -88,14 +87,14 @@ double scaled_error(const Restitution& result) {
 }
 
 /// That error with the runs up to a cutoff.
-struct Bar {
+struct Reached {
   double cutoff;
   double error;
 };
 
 /// Order at which the errors fall with the cutoff: as observed since the first, or what it should be while the runs are
 /// too close to tell. Errors that do not fall at all may be chance, and count as falling slowly.
-double falling_order(const Bar& first, const Bar& last, double expected) {
+double falling_order(const Reached& first, const Reached& last, double expected) {
   if (last.cutoff < 2.0 * first.cutoff) return expected;
   const double observed = std::log(first.error / last.error) / std::log(last.cutoff / first.cutoff);
   return std::clamp(observed, 0.2 * expected, expected);
@@ -118,8 +117,8 @@ struct Outlook {
   bool worthwhile;   ///< the next run has a chance, or costs little
 };
 
-Outlook outlook(const Restitution& result, const Bar& first, double expected, double highest) {
-  const Bar last{result.runs.back().cutoff, scaled_error(result)};
+Outlook outlook(const Restitution& result, const Reached& first, double expected, double highest) {
+  const Reached last{result.runs.back().cutoff, scaled_error(result)};
   const double order = falling_order(first, last, expected);
   const double missing = result.lost_fraction.error / (aim * wanted_error(result));
   Outlook next{};
@@ -166,8 +165,8 @@ Restitution restitution(const RefinableContact& contact, double speed, const Res
   Restitution result;
   result.tolerance = options.tolerance;
   result.absolute = options.absolute;
-  std::optional<Bar> first;
-  const auto& rungs = contact.at(0, options.poll).radiating ? first_rungs_with_half_space : first_rungs;
+  std::optional<Reached> first;
+  const auto& rungs = contact.at(0, options.poll).unbounded ? first_rungs_with_half_space : first_rungs;
   Outlook next{rungs.front(), 0.0, 0.0, true};
   const CurvatureCorrection correction = curvature_correction(contact, speed, options.poll);
   std::string trouble;
@@ -195,7 +194,7 @@ Restitution restitution(const RefinableContact& contact, double speed, const Res
     if (result.converged) return result;
     trouble = out_of_reach(correction, result);
     if (!trouble.empty()) break;
-    if (!first) first = Bar{result.runs.back().cutoff, scaled_error(result)};
+    if (!first) first = Reached{result.runs.back().cutoff, scaled_error(result)};
     next = outlook(result, *first, order, contact.cutoff(highest));
     if (level < highest) next.rungs = std::min(next.rungs, highest - level);
   }
@@ -203,7 +202,8 @@ Restitution restitution(const RefinableContact& contact, double speed, const Res
     throw NotConverged(trouble.empty() ? "restitution: the half-space has more waves than are computed" : trouble);
   }
   conclude(contact.at(0), speed, correction, result);
-  if (result.lost_fraction.error > 1.0) result.lost_fraction.error = result.restitution.error = unknown;
+  if (result.lost_fraction.error > 1.0)
+    result.lost_fraction.error = result.restitution.error = std::numeric_limits<double>::infinity();
   result.converged = false;  // two or three runs that agree are not enough
   result.reason = trouble.empty() ? beyond_reach(next, contact.cutoff(highest), !options.vibration.empty()) : trouble;
   throw RestitutionNotConverged(std::move(result));

@@ -9,7 +9,6 @@
 #include <vector>
 
 #include "check.hpp"
-#include "digits.hpp"
 #include "numeric/monotone_cubic.hpp"
 #include "numeric/parabolic_cubic.hpp"
 #include "stoss/errors.hpp"
@@ -22,7 +21,8 @@ constexpr double per_decade = 6.0;
 constexpr std::size_t fewest_speeds = 7;
 constexpr double share_of_values = 1.0 / 3.0, share_of_interpolation = 0.5;
 constexpr double margin = 1.5;  // of values: one of twenty is beyond its error, and a function has many
-constexpr double least = 0.01;  // of the error asked for: five middles may be met by chance where so little is at stake
+constexpr double least_share =
+    0.01;                       // of the error asked for: five middles may be met by chance where so little is at stake
 constexpr double safety = 2.0;  // of interpolation: next to a kink half the spacing is hardly better than the whole
 
 void require_options(double slowest, double fastest, const FunctionOptions& options) {
@@ -162,7 +162,7 @@ RestitutionFunction restitution_function(const RefinableContact& contact, double
     open = std::move(still);
     if (!open.empty()) continue;
     interpolation = interpolation_errors(computation.knots, missed);
-    for (double& each : interpolation) each = std::max(each, least * options.error);
+    for (double& each : interpolation) each = std::max(each, least_share * options.error);
     auto left = computation.knots.begin();
     for (const double each : interpolation) {
       const double begins = left->first, ends = (++left)->first;

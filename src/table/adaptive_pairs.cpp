@@ -10,17 +10,16 @@
 #include <vector>
 
 #include "check.hpp"
-#include "digits.hpp"
 #include "stoss/errors.hpp"
+#include "table/arguments.hpp"
 #include "table/computed_values.hpp"
 #include "table/nested_axis.hpp"
-#include "table/pair_values.hpp"
 
 namespace stoss {
 namespace {
 
-constexpr double share_of_values = 0.2, share_of_interpolation = 0.375;  // 1.25 × the first + 2 × the second = 1
-constexpr double per_decade = 6.0;
+constexpr double share_of_pairs = 0.2, share_of_grid = 0.375;  // 1.25 × the first + 2 × the second = 1
+constexpr double knots_per_decade = 6.0;
 constexpr std::size_t fewest_of_speeds = 6, fewest_of_ratios = 2;  // intervals
 
 void require_rising(const char* name, double low, double high) {
@@ -52,7 +51,7 @@ void require_options(double slowest, double fastest, const PairTableOptions& opt
 }
 
 std::size_t intervals(double low, double high, std::size_t fewest) {
-  return std::max(fewest, static_cast<std::size_t>(std::ceil(per_decade * std::log10(high / low))));
+  return std::max(fewest, static_cast<std::size_t>(std::ceil(knots_per_decade * std::log10(high / low))));
 }
 
 NestedAxis axis_of_speeds(double slowest, double fastest) {
@@ -91,7 +90,7 @@ class Grid {
 
   /// Halves intervals until all are accurate.
   void refine() {
-    const double enough = share_of_interpolation * options_.error;
+    const double enough = share_of_grid * options_.error;
     for (;;) {
       if (!speeds_.halve(missed(speeds_, columns()), enough) && !ratios_.halve(missed(ratios_, rows()), enough)) return;
       compute();
@@ -182,7 +181,7 @@ class Grid {
       return "speed " + shown(speed(places[i].first)) + " c and the ratio " + shown(ratio(places[i].second));
     };
     const std::vector<Estimate> found =
-        computed_values(requests, share_of_values * options_.error, options_.threads, options_.poll, named);
+        computed_values(requests, share_of_pairs * options_.error, options_.threads, options_.poll, named);
     for (std::size_t i = 0; i < found.size(); ++i) {
       values_[speeds_.x()[places[i].first]][ratios_.x()[places[i].second]] = found[i];
     }

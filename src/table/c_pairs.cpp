@@ -6,16 +6,16 @@
 #include <string_view>
 #include <vector>
 
-#include "digits.hpp"
+#include "check.hpp"
 #include "numeric/bins.hpp"
 #include "stoss/table/c_source.hpp"
+#include "table/arguments.hpp"
 #include "table/c_text.hpp"
-#include "table/speed_range.hpp"
 
 namespace stoss {
 namespace {
 
-constexpr std::string_view functions = R"(
+constexpr std::string_view pair_functions = R"(
 /* Of as many intervals between places x, that in which another one lies. */
 @NAME@_FUNCTION int @name@_interval(const double *x, const int *first, int intervals, double bins, double at)
 {
@@ -179,7 +179,7 @@ std::string c_header(const PairTable& pairs, const TableLabel& label) {
       "#define @NAME@_GREATEST @greatest@\n\n";
   return table::c_file(name, comment(pairs, label, name),
                        table::filled(limits, name, fillings) + arrays(pairs, name, x, s) +
-                           table::filled(std::string(functions), name, fillings));
+                           table::filled(std::string(pair_functions), name, fillings));
 }
 
 }  // namespace stoss

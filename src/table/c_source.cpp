@@ -8,10 +8,10 @@
 #include <utility>
 #include <vector>
 
-#include "digits.hpp"
+#include "check.hpp"
 #include "stoss/errors.hpp"
+#include "table/arguments.hpp"
 #include "table/c_text.hpp"
-#include "table/speed_range.hpp"
 
 namespace stoss {
 namespace {

@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <string_view>
 
-#include "digits.hpp"
+#include "check.hpp"
 #include "stoss/errors.hpp"
 
 namespace stoss::table {

@@ -4,9 +4,9 @@
 
 #include <algorithm>
 
-#include "restitution/best_restitution.hpp"
 #include "restitution/ordered_jobs.hpp"
 #include "stoss/errors.hpp"
+#include "stoss/restitution/curve.hpp"
 
 namespace stoss {
 namespace {

@@ -1,7 +1,7 @@
+#include "stoss/table/mixture.hpp"
+
 #include "check.hpp"
-#include "digits.hpp"
 #include "stoss/errors.hpp"
-#include "stoss/table/adaptive_pairs.hpp"
 
 namespace stoss {
 namespace {

@@ -10,12 +10,12 @@
 #include <string>
 #include <utility>
 
-#include "digits.hpp"
+#include "check.hpp"
 #include "numeric/bins.hpp"
 #include "numeric/monotone_cubic.hpp"
 #include "numeric/parabolic_cubic.hpp"
 #include "stoss/errors.hpp"
-#include "table/pair_values.hpp"
+#include "table/arguments.hpp"
 
 namespace stoss {
 namespace {
@@ -55,7 +55,7 @@ struct Cell {
 
 }  // namespace
 
-struct PairTable::Table {
+struct PairTable::Data {
   PairValues values;
   numeric::Bins x, s;
   Beyond beyond;
@@ -64,7 +64,7 @@ struct PairTable::Table {
   std::vector<double> errors{};
   std::vector<Cell> cells{};
 
-  Table(PairValues given, Beyond outside)
+  Data(PairValues given, Beyond outside)
       : values(std::move(given)),
         x(logarithms(values.speeds)),
         s(differences(values.ratios)),
@@ -187,30 +187,30 @@ struct PairTable::Table {
 PairTable::PairTable(PairValues values, Beyond beyond) {
   require_values(values);
   require_beyond(beyond);
-  table_ = std::make_shared<const Table>(std::move(values), beyond);
+  data_ = std::make_shared<const Data>(std::move(values), beyond);
 }
 
 Estimate PairTable::operator()(double speed, double ratio) const {
-  const double size = std::abs(speed), difference = table_->place(ratio);
-  if (!(ratio > 0.0) || !table_->holds(size, difference)) {
-    return {table_->outside(size, ratio), std::numeric_limits<double>::infinity()};
+  const double size = std::abs(speed), difference = data_->place(ratio);
+  if (!(ratio > 0.0) || !data_->holds(size, difference)) {
+    return {data_->outside(size, ratio), std::numeric_limits<double>::infinity()};
   }
   const double logarithm = std::log(size);
-  const std::size_t cell = table_->cell_of(logarithm, difference);
-  return {table_->at(cell, logarithm, difference), table_->errors[cell]};
+  const std::size_t cell = data_->cell_of(logarithm, difference);
+  return {data_->at(cell, logarithm, difference), data_->errors[cell]};
 }
 
 double PairTable::value(double speed, double ratio) const {
-  const double size = std::abs(speed), difference = table_->place(ratio);
-  if (!(ratio > 0.0) || !table_->holds(size, difference)) return table_->outside(size, ratio);
+  const double size = std::abs(speed), difference = data_->place(ratio);
+  if (!(ratio > 0.0) || !data_->holds(size, difference)) return data_->outside(size, ratio);
   const double logarithm = std::log(size);
-  return table_->at(table_->cell_of(logarithm, difference), logarithm, difference);
+  return data_->at(data_->cell_of(logarithm, difference), logarithm, difference);
 }
 
-const PairValues& PairTable::values() const { return table_->values; }
-Beyond PairTable::beyond() const { return table_->beyond; }
-const std::vector<PairTable::Node>& PairTable::nodes() const { return table_->nodes; }
-const std::vector<double>& PairTable::errors() const { return table_->errors; }
-double PairTable::greatest_error() const { return *std::max_element(table_->errors.begin(), table_->errors.end()); }
+const PairValues& PairTable::values() const { return data_->values; }
+Beyond PairTable::beyond() const { return data_->beyond; }
+const std::vector<PairTable::Node>& PairTable::nodes() const { return data_->nodes; }
+const std::vector<double>& PairTable::errors() const { return data_->errors; }
+double PairTable::greatest_error() const { return *std::max_element(data_->errors.begin(), data_->errors.end()); }
 
 }  // namespace stoss

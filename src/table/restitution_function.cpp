@@ -7,7 +7,7 @@
 #include <string>
 #include <utility>
 
-#include "digits.hpp"
+#include "check.hpp"
 #include "numeric/bins.hpp"
 #include "numeric/monotone_cubic.hpp"
 #include "stoss/errors.hpp"
@@ -79,7 +79,7 @@ std::vector<double> estimated(const std::vector<double>& x, const std::vector<do
 
 }  // namespace
 
-struct RestitutionFunction::Table {
+struct RestitutionFunction::Data {
   std::vector<Knot> knots;
   numeric::MonotoneCubic cubic;
   double slowest, fastest;
@@ -127,35 +127,35 @@ RestitutionFunction::RestitutionFunction(std::vector<Knot> knots, Beyond beyond,
   }
   const double slowest = knots.front().speed, fastest = knots.back().speed;
   numeric::Bins bins(cubic.x);
-  Table table{std::move(knots), std::move(cubic),         slowest,          fastest,        beyond,
-              std::move(law),   std::move(interpolation), std::move(error), std::move(bins)};
-  table_ = std::make_shared<const Table>(std::move(table));
+  Data table{std::move(knots), std::move(cubic),         slowest,          fastest,        beyond,
+             std::move(law),   std::move(interpolation), std::move(error), std::move(bins)};
+  data_ = std::make_shared<const Data>(std::move(table));
 }
 
 Estimate RestitutionFunction::operator()(double speed) const {
   const double size = std::abs(speed);
-  if (!(size >= slowest() && size <= fastest())) return table_->outside(size);
+  if (!(size >= slowest() && size <= fastest())) return data_->outside(size);
   const double logarithm = std::log(size);
-  const std::size_t k = table_->bins.interval(logarithm);
-  return {table_->cubic(k, logarithm), table_->error[k]};
+  const std::size_t k = data_->bins.interval(logarithm);
+  return {data_->cubic(k, logarithm), data_->error[k]};
 }
 
 double RestitutionFunction::value(double speed) const {
   const double size = std::abs(speed);
-  if (!(size >= table_->slowest && size <= table_->fastest)) return table_->outside(size).value;
+  if (!(size >= data_->slowest && size <= data_->fastest)) return data_->outside(size).value;
   const double logarithm = std::log(size);
-  return table_->cubic(table_->bins.interval(logarithm), logarithm);
+  return data_->cubic(data_->bins.interval(logarithm), logarithm);
 }
 
-double RestitutionFunction::slowest() const { return table_->slowest; }
-double RestitutionFunction::fastest() const { return table_->fastest; }
-Beyond RestitutionFunction::beyond() const { return table_->beyond; }
+double RestitutionFunction::slowest() const { return data_->slowest; }
+double RestitutionFunction::fastest() const { return data_->fastest; }
+Beyond RestitutionFunction::beyond() const { return data_->beyond; }
 double RestitutionFunction::greatest_error() const {
-  return *std::max_element(table_->error.begin(), table_->error.end());
+  return *std::max_element(data_->error.begin(), data_->error.end());
 }
-const std::vector<Knot>& RestitutionFunction::knots() const { return table_->knots; }
-const std::vector<double>& RestitutionFunction::slopes() const { return table_->cubic.slope; }
-const std::vector<double>& RestitutionFunction::errors() const { return table_->error; }
-const std::vector<double>& RestitutionFunction::interpolation_errors() const { return table_->interpolation; }
+const std::vector<Knot>& RestitutionFunction::knots() const { return data_->knots; }
+const std::vector<double>& RestitutionFunction::slopes() const { return data_->cubic.slope; }
+const std::vector<double>& RestitutionFunction::errors() const { return data_->error; }
+const std::vector<double>& RestitutionFunction::interpolation_errors() const { return data_->interpolation; }
 
 }  // namespace stoss

@@ -12,10 +12,10 @@
 #include "stoss/bodies/sphere/modes.hpp"
 #include "stoss/errors.hpp"
 #include "stoss/quasistatic/half_space_radiation.hpp"
-#include "stoss/quasistatic/lossy_impact.hpp"
 #include "stoss/quasistatic/point_lossy_impact.hpp"
 #include "stoss/quasistatic/point_rayleigh.hpp"
 #include "stoss/quasistatic/rayleigh.hpp"
+#include "stoss/quasistatic/slow_impact.hpp"
 
 namespace stoss {
 namespace {

@@ -5,16 +5,16 @@
 #include <cmath>
 #include <vector>
 
-#include "digits.hpp"
+#include "check.hpp"
 #include "stoss/errors.hpp"
-#include "table/speed_range.hpp"
+#include "table/arguments.hpp"
 
 namespace stoss {
 namespace {
 
-constexpr int points = 16;      // of each cubic, or of its part between two rows
-constexpr double share = 0.99;  // of the error: between the points a chord is off by up to 0.4 % more
-constexpr double least = 1.01;  // of the error of the function, to leave something for the interpolation
+constexpr int points = 16;            // of each cubic, or of its part between two rows
+constexpr double share = 0.99;        // of the error: between the points a chord is off by up to 0.4 % more
+constexpr double least_error = 1.01;  // of the error of the function, to leave something for the interpolation
 
 /// Chords in v of a function, by ln v.
 class Chords {
@@ -86,7 +86,7 @@ class Chords {
 
 std::string two_column(const RestitutionFunction& function, double error, double scale) {
   const auto [slowest, fastest] = table::speed_range(function, scale);
-  const double allowed = least * function.greatest_error();
+  const double allowed = least_error * function.greatest_error();
   if (!(error >= allowed) || !std::isfinite(error)) {
     throw InvalidInput("error: got " + shown(error) + ", allowed " + shown(allowed) +
                        " or more (1.01 of the maximum error of the function)");

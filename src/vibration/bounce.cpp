@@ -9,7 +9,6 @@
 #include <utility>
 
 #include "check.hpp"
-#include "digits.hpp"
 
 namespace stoss {
 namespace {
@@ -133,7 +132,7 @@ class Sequence {
     // What a lossy body still holds where it relaxes becomes heat in flight.
     const double relaxing = longest_loss_time(contact_) > 0.0 ? ledger.stored : 0.0;
     energy_.dissipated += (ledger.dissipated + relaxing) * share;
-    const double waves = contact_.radiating ? ledger.vibration - own : 0.0;
+    const double waves = contact_.unbounded ? ledger.vibration - own : 0.0;
     energy_.unresolved += (ledger.unresolved + waves) * share;
   }
 
@@ -152,7 +151,7 @@ BounceNotConverged::BounceNotConverged(const std::string& reason, std::vector<Bo
     : NotConverged(reason), done(std::move(impacts)) {}
 
 void validate(const Contact& contact, double speed, const BounceOptions& options) {
-  if (contact.second != nullptr && !contact.radiating) {
+  if (contact.second != nullptr && !contact.unbounded) {
     throw InvalidInput(
         "against: got a free body, allowed a wall or a half-space (two free bodies that have met do not "
         "come back to each other)");
@@ -194,30 +193,6 @@ std::vector<Bounce> bounce(const Contact& contact, double speed, const BounceOpt
     throw BounceNotConverged(error.what(), std::move(impacts));
   }
   return impacts;
-}
-
-const Quantities<Bounce>& bounce_quantities() {
-  using enum Dimension;
-  using B = Bounce;
-  static const Quantities<B> all{
-      {"number", none, &B::number},
-      {"speed", Dimension::speed, &B::speed},
-      {"restitution", none, &B::restitution},
-      {"translation_before", none, [](const B& b) { return b.before.translation; }},
-      {"vibration_before", none, [](const B& b) { return b.before.vibration; }},
-      {"dissipated_before", none, [](const B& b) { return b.before.dissipated; }},
-      {"unresolved_before", none, [](const B& b) { return b.before.unresolved; }},
-      {"translation", none, [](const B& b) { return b.after.translation; }},
-      {"vibration", none, [](const B& b) { return b.after.vibration; }},
-      {"dissipated", none, [](const B& b) { return b.after.dissipated; }},
-      {"unresolved", none, [](const B& b) { return b.after.unresolved; }},
-      {"energy_error", none, &B::energy_error},
-      {"contact_time", time, &B::contact_time},
-      {"flight_time", time, &B::flight_time},
-      {"short_flight", none, &B::short_flight},
-      {"beyond_small_strain", none, &B::beyond_small_strain},
-  };
-  return all;
 }
 
 }  // namespace stoss

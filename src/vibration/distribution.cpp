@@ -6,9 +6,9 @@
 #include <utility>
 
 #include "check.hpp"
-#include "restitution/best_restitution.hpp"
 #include "restitution/ordered_jobs.hpp"
 #include "stoss/errors.hpp"
+#include "stoss/restitution/curve.hpp"
 
 namespace stoss {
 namespace {

@@ -4,10 +4,11 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <numbers>
+#include <tuple>
 
 #include "check.hpp"
-#include "digits.hpp"
 #include "numeric/random.hpp"
 #include "stoss/errors.hpp"
 
@@ -18,8 +19,6 @@ constexpr Range energies{0.0, 1e6, true, true, "0 to 1e6"};
 
 /// Levels of the ladder above the modes that vibrate, for `restitution` to have three cutoffs.
 constexpr int levels_above = 6;
-
-bool vibrates(const Body& body) { return body.part.size == 1.0 && !is_unbounded(body); }
 
 }  // namespace
 
@@ -38,7 +37,7 @@ Spectrum thermal(const RefinableContact& contact, double temperature, double hig
   double lowest = std::numeric_limits<double>::infinity();
   for (std::size_t g = 0; g < resolved.groups.size(); ++g) {
     const bool second = g >= resolved.first_groups;
-    if (!vibrates(second ? *resolved.second : *resolved.first)) continue;
+    if (!is_whole(second ? *resolved.second : *resolved.first)) continue;
     const ModeGroup& group = resolved.groups[g];
     for (std::size_t l = 0; l < group.omega.size(); ++l) {
       lowest = std::min(lowest, group.omega[l]);
@@ -53,6 +52,25 @@ Spectrum thermal(const RefinableContact& contact, double temperature, double hig
                                               : "bodies that have modes at such frequencies"));
   }
   return spectrum;
+}
+
+std::vector<double> frequencies(const RefinableContact& contact, const Spectrum& spectrum, const Poll& poll) {
+  Vibration named;
+  for (const MeanEnergy& mode : spectrum) named.push_back({mode.body, mode.order, mode.index});
+  int level = 0;
+  while (!keeps(contact.at(level, poll), named)) ++level;
+  const Contact& resolved = contact.at(level, poll);
+  std::map<std::tuple<int, int, int>, double> omega;
+  for (std::size_t g = 0; g < resolved.groups.size(); ++g) {
+    const ModeGroup& group = resolved.groups[g];
+    for (std::size_t l = 0; l < group.omega.size(); ++l) {
+      const int index = group.index.empty() ? static_cast<int>(l) : group.index[l];
+      omega.emplace(std::tuple(g < resolved.first_groups ? 0 : 1, group.order, index), group.omega[l]);
+    }
+  }
+  std::vector<double> all;
+  for (const MeanEnergy& mode : spectrum) all.push_back(omega.at({mode.body, mode.order, mode.index}));
+  return all;
 }
 
 Vibration draw(const Spectrum& spectrum, std::uint64_t seed, std::uint64_t sample) {

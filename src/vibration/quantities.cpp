@@ -40,4 +40,27 @@ const Quantities<DistributionSummary>& distribution_quantities() {
   return all;
 }
 
+const Quantities<Bounce>& bounce_quantities() {
+  using B = Bounce;
+  static const Quantities<B> all{
+      {"number", none, &B::number},
+      {"speed", Dimension::speed, &B::speed},
+      {"restitution", none, &B::restitution},
+      {"translation_before", none, [](const B& b) { return b.before.translation; }},
+      {"vibration_before", none, [](const B& b) { return b.before.vibration; }},
+      {"dissipated_before", none, [](const B& b) { return b.before.dissipated; }},
+      {"unresolved_before", none, [](const B& b) { return b.before.unresolved; }},
+      {"translation", none, [](const B& b) { return b.after.translation; }},
+      {"vibration", none, [](const B& b) { return b.after.vibration; }},
+      {"dissipated", none, [](const B& b) { return b.after.dissipated; }},
+      {"unresolved", none, [](const B& b) { return b.after.unresolved; }},
+      {"energy_error", none, &B::energy_error},
+      {"contact_time", time, &B::contact_time},
+      {"flight_time", time, &B::flight_time},
+      {"short_flight", none, &B::short_flight},
+      {"beyond_small_strain", none, &B::beyond_small_strain},
+  };
+  return all;
+}
+
 }  // namespace stoss

@@ -9,9 +9,9 @@
 #include <utility>
 
 #include "check.hpp"
-#include "digits.hpp"
 #include "stoss/errors.hpp"
-#include "vibration/rod_vibrations.hpp"
+#include "vibration/rod_modes.hpp"
+#include "vibration/rod_waves.hpp"
 
 namespace stoss {
 namespace {
@@ -47,13 +47,6 @@ void validate(const std::vector<Rod>& rods, double circumference, const std::vec
 }
 
 }  // namespace
-
-RodMeasures::RodMeasures(const Rod& rod)
-    : length(rod.length),
-      speed(std::sqrt(rod.young / rod.density)),
-      mass(rod.density * rod.area * rod.length),
-      transit(length / speed),
-      impedance(mass / transit) {}
 
 struct RodChain::State {
   struct Member {
@@ -191,7 +184,11 @@ RodChain::RodChain(std::vector<Rod> rods, double circumference, const std::vecto
   }
   state_->pairs.resize(rods.size(), {(circumference - length) / static_cast<double>(rods.size())});
   state_->decay_time = options.decay_time;
-  state_->vibrations = options.method == RodMethod::modes ? modes_of_rods(rods, options) : waves_of_rods(rods, options);
+  if (options.method == RodMethod::modes) {
+    state_->vibrations = std::make_unique<RodModes>(rods, options);
+  } else {
+    state_->vibrations = std::make_unique<RodWaves>(rods, options);
+  }
   state_->settle();
   for (std::size_t pair = 0; pair < rods.size(); ++pair) state_->foresee(pair);
 }

@@ -1,10 +1,13 @@
+#include "stoss/vibration/rod_chain_run.hpp"
+
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "check.hpp"
-#include "digits.hpp"
+#include "numeric/random.hpp"
 #include "stoss/errors.hpp"
-#include "stoss/vibration/rod_chain.hpp"
+#include "vibration/rod_vibrations.hpp"
 
 namespace stoss {
 namespace {
@@ -16,6 +19,24 @@ long sampled_after(long collisions) {
 }
 
 }  // namespace
+
+// Normal numbers √(−2 ln u₁) cos 2πu₂ (Box and Muller 1958).
+std::vector<double> thermal_velocities(std::span<const Rod> rods, double temperature, std::uint64_t seed) {
+  require("temperature", temperature, {0.0, 1e100, true, true, "0 to 1e100"}, "twice the mean kinetic energy of a rod");
+  std::vector<double> velocities;
+  double mass = 0.0, momentum = 0.0;
+  for (const Rod& rod : rods) {
+    static_cast<void>(scales(rod));  // refuses what is out of range
+    const RodMeasures measures(rod);
+    const auto [first, second] = numeric::uniform(seed, {static_cast<std::uint32_t>(velocities.size())});
+    const double normal = std::sqrt(-2.0 * std::log(first)) * std::cos(2.0 * std::numbers::pi * second);
+    velocities.push_back(std::sqrt(temperature / measures.mass) * normal);
+    mass += measures.mass;
+    momentum += measures.mass * velocities.back();
+  }
+  for (double& each : velocities) each -= momentum / mass;
+  return velocities;
+}
 
 void run(RodChain& chain, RodChainRecord& record, long collisions, double time) {
   require("collisions", collisions, 0, 1'000'000'000, "of the chain");

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "impact/kept_modes.hpp"
+#include "stoss/contact/grid.hpp"
 #include "stoss/errors.hpp"
 
 namespace stoss {
@@ -193,10 +194,6 @@ RodMeeting RodModes::meet(std::size_t left, std::size_t right, double speed) {
 
 void RodModes::reverse(std::size_t rod) {
   for (double& each : rods_[rod].momentum) each = -each;
-}
-
-std::unique_ptr<RodVibrations> modes_of_rods(const std::vector<Rod>& rods, const RodChainOptions& options) {
-  return std::make_unique<RodModes>(rods, options);
 }
 
 }  // namespace stoss

@@ -1,7 +1,7 @@
 #pragma once
 
+#include <cmath>
 #include <cstddef>
-#include <memory>
 #include <vector>
 
 #include "stoss/vibration/rod_chain.hpp"
@@ -12,7 +12,12 @@ namespace stoss {
 struct RodMeasures {
   double length, speed, mass, transit, impedance;
 
-  explicit RodMeasures(const Rod& rod);
+  explicit RodMeasures(const Rod& rod)
+      : length(rod.length),
+        speed(std::sqrt(rod.young / rod.density)),
+        mass(rod.density * rod.area * rod.length),
+        transit(length / speed),
+        impedance(mass / transit) {}
 };
 
 /// What becomes of two rods that meet.
@@ -39,13 +44,5 @@ class RodVibrations {
   /// Turns the velocities of a vibration round.
   virtual void reverse(std::size_t rod) = 0;
 };
-
-/// Vibrations as kept modes; collisions by `impact`.
-[[nodiscard]] std::unique_ptr<RodVibrations> modes_of_rods(const std::vector<Rod>& rods,
-                                                           const RodChainOptions& options);
-
-/// Vibrations as waves in pieces of constant velocity; collisions by the method of characteristics.
-[[nodiscard]] std::unique_ptr<RodVibrations> waves_of_rods(const std::vector<Rod>& rods,
-                                                           const RodChainOptions& options);
 
 }  // namespace stoss

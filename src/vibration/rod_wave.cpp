@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-#include "digits.hpp"
+#include "check.hpp"
 #include "stoss/errors.hpp"
 
 namespace stoss {

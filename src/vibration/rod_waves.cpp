@@ -120,8 +120,4 @@ RodMeeting RodWaves::meet(std::size_t left, std::size_t right, double speed) {
   return result;
 }
 
-std::unique_ptr<RodVibrations> waves_of_rods(const std::vector<Rod>& rods, const RodChainOptions& options) {
-  return std::make_unique<RodWaves>(rods, options);
-}
-
 }  // namespace stoss

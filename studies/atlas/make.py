@@ -15,7 +15,7 @@ import sys
 import numpy as np
 
 import stoss
-from stoss._atlas import stencil
+from stoss.results._atlas import stencil
 
 def held_out_error(values, axis):
     """How far each second node is from the cubic through the others; at these the larger one of its

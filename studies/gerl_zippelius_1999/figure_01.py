@@ -24,8 +24,7 @@ from numpy.typing import NDArray
 
 from gerl_zippelius_1999.common import BLACK, BLUE, GREY, NONE, PAGE, PRINT, VERMILION
 from gerl_zippelius_1999.common import Row, Table, Tables, axes_of, legend, measured, written
-from gerl_zippelius_1999.two_limits import SPEEDS, line, walls
-from gerl_zippelius_1999.ranking import ranked_intercepts
+from gerl_zippelius_1999.two_limits import SPEEDS, line, ranked_intercepts, walls
 
 TITLE = "Figure 1: the coefficient of restitution against speed"
 CAPTION = (

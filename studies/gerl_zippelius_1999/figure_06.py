@@ -19,8 +19,7 @@ from matplotlib.ticker import FixedLocator, FuncFormatter
 from mpl_toolkits.mplot3d import Axes3D
 
 from gerl_zippelius_1999.common import NONE, PAGE, PRINT, Row, Table, Tables, measured, power, small_ticks
-from gerl_zippelius_1999.ranking import place, selected_impact
-from gerl_zippelius_1999.two_limits import POISSON
+from gerl_zippelius_1999.two_limits import POISSON, place, selected_impact
 
 TITLE = "Figure 6: energy of the modes at closest approach"
 CAPTION = (

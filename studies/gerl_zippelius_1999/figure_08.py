@@ -23,9 +23,8 @@ from matplotlib.figure import Figure
 from gerl_zippelius_1999.common import BLACK, BLUE, GREEN, GREY, NONE, PAGE, PRINT, VERMILION
 from gerl_zippelius_1999.common import Row, Table, Tables, axes_of, legend, measured, written
 from gerl_zippelius_1999.two_limits import (
-    POISSON, SPEEDS, Line, colour, cutoff, line, lost_fraction, name_curve, walls,
+    POISSON, SPEEDS, Line, colour, cutoff, line, lost_fraction, name_curve, ranked_intercepts, walls,
 )  # fmt: skip
-from gerl_zippelius_1999.ranking import ranked_intercepts
 
 TITLE = "Figure 8: the loss against the number of modes"
 CAPTION = (

@@ -19,8 +19,7 @@ from matplotlib.figure import Figure
 from gerl_zippelius_1999.common import (
     BLACK, COLORS, GREY, LINES, NONE, PAGE, PRINT, Row, Table, Tables, axes_of, legend,
 )  # fmt: skip
-from gerl_zippelius_1999.ranking import ranked
-from gerl_zippelius_1999.two_limits import POISSON
+from gerl_zippelius_1999.two_limits import POISSON, ranked
 
 TITLE = "In the text: which modes matter"
 CAPTION = (

@@ -35,7 +35,7 @@ def item_key(item: str, quick: bool) -> str:
     """Hash of all that the tables depend on: the item, its imports from the study, and stoss."""
     digest = hashlib.sha256(f"{stoss.__version__} {quick}\n".encode())
     package = Path(stoss.__file__).parent
-    for path in (*_sources(item), *sorted(path for path in package.iterdir() if path.suffix in LOADED)):
+    for path in (*_sources(item), *sorted(path for path in package.rglob("*") if path.suffix in LOADED)):
         digest.update(path.name.encode() + path.read_bytes())
     return digest.hexdigest()
 

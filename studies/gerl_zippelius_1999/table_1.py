@@ -22,8 +22,7 @@ from gerl_zippelius_1999 import slips
 from gerl_zippelius_1999.common import (
     BLACK, BLUE, GREEN, NONE, PAGE, PRINT, VERMILION, Row, Table, Tables, legend, measured, small_ticks,
 )  # fmt: skip
-from gerl_zippelius_1999.ranking import place, ranked, selected_impact
-from gerl_zippelius_1999.two_limits import POISSON
+from gerl_zippelius_1999.two_limits import POISSON, place, ranked, selected_impact
 
 TITLE = "Table 1: the ten most important modes"
 CAPTION = (

@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "stoss/vibration/ensemble.hpp"
-#include "stoss/vibration/rod_chain.hpp"
+#include "stoss/vibration/rod_chain_run.hpp"
 #include "study.hpp"
 
 namespace study {

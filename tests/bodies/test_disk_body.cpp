@@ -7,9 +7,10 @@
 #include <numbers>
 #include <vector>
 
-#include "contact/complementarity.hpp"
+#include "contact/edge/complementarity.hpp"
 #include "stoss/bodies/disk.hpp"
 #include "stoss/bodies/disk/modes.hpp"
+#include "stoss/contact/grid.hpp"
 #include "support/body_tools.hpp"
 
 namespace stoss {
@@ -17,7 +18,7 @@ using namespace bodies::disk;
 
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 int nyquist(const ContactGrid& grid) { return static_cast<int>(std::lround(0.5 * pi / grid.coordinate.front())); }
 

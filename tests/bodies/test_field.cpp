@@ -13,6 +13,7 @@
 
 #include "stoss/bodies/disk.hpp"
 #include "stoss/bodies/rod.hpp"
+#include "stoss/contact/grid.hpp"
 #include "support/body_tools.hpp"
 #include "support/field_tools.hpp"
 #include "support/refusal.hpp"

@@ -9,6 +9,7 @@
 
 #include "stoss/bodies/disk.hpp"
 #include "stoss/bodies/disk/field.hpp"
+#include "stoss/contact/grid.hpp"
 #include "stoss/impact/impact.hpp"
 #include "support/body_tools.hpp"
 #include "support/field_tools.hpp"
@@ -18,7 +19,7 @@ using namespace bodies::disk;
 
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 /// An impact at the instant of its maximum force.
 class FieldInAnImpact : public ::testing::TestWithParam<Tail> {

@@ -12,8 +12,8 @@
 #include <vector>
 
 #include "stoss/bodies/disk.hpp"
-#include "stoss/bodies/disk/field.hpp"
 #include "stoss/bodies/disk/modes.hpp"
+#include "stoss/contact/grid.hpp"
 #include "support/body_tools.hpp"
 #include "support/field_tools.hpp"
 

@@ -11,6 +11,7 @@
 #include "stoss/bodies/disk.hpp"
 #include "stoss/bodies/disk/field.hpp"
 #include "stoss/bodies/disk/modes.hpp"
+#include "stoss/contact/grid.hpp"
 #include "support/body_tools.hpp"
 #include "support/field_tools.hpp"
 
@@ -19,7 +20,7 @@ using namespace bodies::disk;
 
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 struct Stress {
   double xx = 0.0, yy = 0.0, xy = 0.0;

@@ -15,6 +15,7 @@
 #include "stoss/bodies/half_space/field.hpp"
 #include "stoss/bodies/sphere.hpp"
 #include "stoss/contact/contact.hpp"
+#include "stoss/contact/grid.hpp"
 #include "stoss/errors.hpp"
 #include "stoss/impact/replay.hpp"
 #include "support/field_tools.hpp"
@@ -26,23 +27,23 @@ ContactPoints rings(std::size_t count, double half_width) {
   return {1.0, std::asin(half_width) / static_cast<double>(count), count};
 }
 
-struct Solid {
+struct FieldSolid {
   Contour contour;
   double poisson;
 };
 
-void PrintTo(const Solid& its, std::ostream* out) {
+void PrintTo(const FieldSolid& its, std::ostream* out) {
   *out << (its.contour == Contour::ball ? "space" : "plane") << ", poisson " << its.poisson;
 }
 
-Body body_of(const Solid& solid, double cutoff, double duration) {
+Body body_of(const FieldSolid& solid, double cutoff, double duration) {
   return solid.contour == Contour::ball ? stoss::half_space(HalfSpace{.poisson = solid.poisson}, cutoff, duration)
                                         : stoss::half_plane(HalfPlane{.poisson = solid.poisson}, cutoff, duration);
 }
 
-class FieldBelow : public testing::TestWithParam<Solid> {
+class FieldBelow : public testing::TestWithParam<FieldSolid> {
  protected:
-  const Solid solid = GetParam();
+  const FieldSolid solid = GetParam();
   const Medium its = medium(solid.contour, solid.poisson);
   const Body body = body_of(solid, 5.0, 4.0);
   const ContactPoints contact = rings(24, 0.3);
@@ -155,9 +156,9 @@ TEST_P(FieldBelow, SurfaceGivesWayAsTheBodySays) {
 }
 
 INSTANTIATE_TEST_SUITE_P(HalfSpace, FieldBelow,
-                         testing::Values(Solid{Contour::ball, -0.5}, Solid{Contour::ball, 0.3},
-                                         Solid{Contour::ball, 0.49}, Solid{Contour::cylinder, -0.8},
-                                         Solid{Contour::cylinder, 0.33}),
+                         testing::Values(FieldSolid{Contour::ball, -0.5}, FieldSolid{Contour::ball, 0.3},
+                                         FieldSolid{Contour::ball, 0.49}, FieldSolid{Contour::cylinder, -0.8},
+                                         FieldSolid{Contour::cylinder, 0.33}),
                          [](const auto& its) {
                            const long hundredths = std::lround(100.0 * its.param.poisson);
                            return std::string(its.param.contour == Contour::ball ? "space" : "plane") +

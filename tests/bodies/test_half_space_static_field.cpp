@@ -14,7 +14,7 @@ namespace {
 
 using std::numbers::pi;
 
-ContactPoints rings(std::size_t count, double half_width) {
+ContactPoints static_rings(std::size_t count, double half_width) {
   return {1.0, std::asin(half_width) / static_cast<double>(count), count};
 }
 
@@ -37,7 +37,7 @@ std::vector<double> at_rest(const Body& body, const ContactPoints& contact, cons
 TEST(HalfSpaceField, IsBoussinesqsFarBelowASmallLoad) {
   constexpr double poisson = 0.3, mu = 0.5 / (1.0 + poisson);
   const Body body = stoss::half_space(HalfSpace{.poisson = poisson}, 6.0, 20.0);
-  const ContactPoints contact = rings(2, 1e-3);
+  const ContactPoints contact = static_rings(2, 1e-3);
   const std::vector<double> force{0.7, 0.3}, distance{0.0, 0.2, 1.0, 2.5}, depth{0.3, 1.0, 3.0};
   const Field at = HalfSpaceField(poisson, body, contact, {distance, depth}).at(at_rest(body, contact, force), force);
   for (std::size_t i = 0; i < depth.size(); ++i) {
@@ -56,7 +56,7 @@ TEST(HalfSpaceField, StrainsAHalfPlaneAsFlamantsLoad) {
   //   ln(r₂/r₁) + ½(1 + ν)(sin²θ₂ − sin²θ₁) and −½(1 − ν)θ + ½(1 + ν) sin θ cos θ.
   constexpr double poisson = 0.33;
   const Body body = stoss::half_plane(HalfPlane{.poisson = poisson}, 6.0, 20.0);
-  const ContactPoints contact = rings(2, 1e-3);
+  const ContactPoints contact = static_rings(2, 1e-3);
   const std::vector<double> force{0.7, 0.3}, distance{0.0, 0.5, 1.5}, depth{0.4, 1.0, 2.0};
   const Field at = HalfSpaceField(poisson, body, contact, {distance, depth}).at(at_rest(body, contact, force), force);
   const auto expected = [&](double x, double z) {

@@ -13,6 +13,7 @@
 #include "stoss/bodies/disk.hpp"
 #include "stoss/bodies/disk/modes.hpp"
 #include "stoss/contact/contact.hpp"
+#include "stoss/contact/grid.hpp"
 #include "support/disk_pairs.hpp"
 
 namespace stoss {
@@ -20,7 +21,8 @@ using namespace bodies::disk;
 
 namespace {
 
-constexpr double pi = std::numbers::pi, cutoff = 12.5, poisson = 0.33;
+using std::numbers::pi;
+constexpr double cutoff = 12.5, poisson = 0.33;
 
 using Response = std::function<Flexibility(int)>;
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "stoss/bodies/disk.hpp"
+#include "stoss/contact/grid.hpp"
 #include "stoss/impact/impact.hpp"
 #include "stoss/impact/replay.hpp"
 #include "support/body_tools.hpp"

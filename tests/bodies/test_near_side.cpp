@@ -8,7 +8,7 @@
 #include <numbers>
 #include <vector>
 
-#include "contact/units.hpp"
+#include "contact/unit_ratios.hpp"
 #include "stoss/errors.hpp"
 #include "support/refusal.hpp"
 
@@ -29,7 +29,7 @@ TEST(NearSide, AnswersAsASmallerDisk) {
   Disk smaller = whole;
   smaller.radius *= size;
   const Body small = disk(smaller, cutoff * size);
-  const Units units(small, part);
+  const UnitRatios units(small, part);
   EXPECT_NEAR(units.length, size, 1e-15);
   EXPECT_NEAR(small.mass * units.mass, part.mass, 1e-14);
   const ContactPoints on_small{points.radius / size, points.spacing, points.count};

@@ -6,6 +6,7 @@
 
 #include "stoss/bodies/rod.hpp"
 #include "stoss/bodies/rod/field.hpp"
+#include "stoss/contact/grid.hpp"
 #include "stoss/impact/replay.hpp"
 #include "support/refusal.hpp"
 

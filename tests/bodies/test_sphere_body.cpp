@@ -19,7 +19,7 @@ namespace stoss {
 namespace {
 
 using bodies::sphere::Flexibility;
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 constexpr double mass = 4.0 * pi / 3.0;
 
 /// Rings across a half-width, their Nyquist degree whole.

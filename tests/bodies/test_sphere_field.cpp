@@ -13,6 +13,7 @@
 #include "stoss/bodies/sphere/field.hpp"
 #include "stoss/bodies/sphere/modes.hpp"
 #include "stoss/contact/contact.hpp"
+#include "stoss/contact/grid.hpp"
 #include "stoss/impact/impact.hpp"
 #include "support/field_tools.hpp"
 #include "support/refusal.hpp"
@@ -22,7 +23,7 @@ using namespace bodies::sphere;
 
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 constexpr double mass = 4.0 * pi / 3.0;
 
 ContactPoints rings(std::size_t count, double half_width) {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "stoss/bodies/rod.hpp"
+#include "stoss/contact/grid.hpp"
 #include "stoss/impact/impact.hpp"
 #include "support/body_tools.hpp"
 #include "support/refusal.hpp"

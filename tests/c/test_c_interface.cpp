@@ -25,9 +25,6 @@ using namespace test;
 
 namespace {
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-constexpr double infinity = std::numeric_limits<double>::infinity();
-
 void expect_same(const stoss_contact* in_c, const RefinableContact& contact) {
   const std::vector<double> speeds{0.02, 0.1};
   std::array<stoss_result, 2> results{};

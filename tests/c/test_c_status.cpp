@@ -18,9 +18,6 @@ using namespace test;
 
 namespace {
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-constexpr double infinity = std::numeric_limits<double>::infinity();
-
 TEST(CStatus, RefusesWhatCppRefuses) {
   CBody body;
   for (const double bad : {0.0, -1.0, nan, infinity}) {

@@ -10,6 +10,8 @@ import pytest
 
 from conftest import number, resume, rows, wait_for_rows
 
+pytestmark = pytest.mark.numbers
+
 BALL = "distribution --body sphere --poisson 0.3 --speed 0.01"
 JOB = f"{BALL} --temperature 0.01 --samples 12 --seed 7"
 LONG = f"{BALL} --temperature 0.01 --samples 400 --error 1e-5 --seed 3"

@@ -7,7 +7,9 @@ import subprocess
 import pytest
 from conftest import rows, wait_for_rows
 
-KEYS = (
+pytestmark = pytest.mark.numbers
+
+EXTRAPOLATED = (
     "poisson speed restitution restitution_error lost_fraction lost_fraction_error impacts steps"
 ).split()
 ONE = "restitution --method extrapolate --poisson 0.33 --speed 0.1"
@@ -17,7 +19,7 @@ MANY = "restitution --method extrapolate --poisson 0.33 --speed lin:0.1:0.2:3"
 def test_meets_the_hard_wall_within_its_error(stoss):
     (row,) = stoss.data(ONE)
     (hard,) = stoss.data("restitution --poisson 0.33 --speed 0.1")
-    assert [key.partition("[")[0] for key in row] == KEYS
+    assert [key.partition("[")[0] for key in row] == EXTRAPOLATED
     for key in ("restitution", "lost_fraction"):
         assert abs(float(row[key]) - float(hard[key])) <= float(row[f"{key}_error"])
     assert int(row["steps"]) > int(hard["steps"])
@@ -29,7 +31,7 @@ def test_json_has_every_impact_and_the_intercepts(stoss):
     assert document["inputs"]["method"] == "extrapolate"
     assert "tolerance" not in document["inputs"]
     (record,) = document["records"]
-    assert list(record) == KEYS + ["hard_wall"]
+    assert list(record) == EXTRAPOLATED + ["hard_wall"]
     impacts = record["impacts"]
     assert sum(impact["steps"] for impact in impacts) == record["steps"]
     assert all(list(impact) == ["cutoff", "modes", "hardness", "lost_fraction", "steps"] for impact in impacts)

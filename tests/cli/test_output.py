@@ -12,6 +12,8 @@ import time
 import pytest
 from conftest import rows, wait_for_rows
 
+pytestmark = pytest.mark.numbers
+
 # Minutes of work.
 LONG = "restitution --poisson 0.33 --speed log:1e-3:0.3:100000 --threads 2"
 

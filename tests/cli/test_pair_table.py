@@ -9,6 +9,8 @@ import subprocess
 
 import pytest
 
+pytestmark = pytest.mark.numbers
+
 DISKS = "table --poisson 0.33 --speed 0.01:0.2 --against same --ratio 1:2 --error 5e-3"
 WARNINGS = "-pedantic -Wall -Wextra -Wconversion -Wshadow -Wfloat-equal -Werror".split()
 PROGRAM = """#include "pairs.h"

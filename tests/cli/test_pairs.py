@@ -7,6 +7,8 @@ import subprocess
 import pytest
 from conftest import number, rows
 
+pytestmark = pytest.mark.numbers
+
 DISK = "restitution --poisson 0.33 --speed 0.2"
 STEEL = "--poisson 0.3 --young 2.1e11 --density 7850 --radius 0.01"
 GLASS = "poisson=0.22,young=7e10,density=2500,radius=0.02"

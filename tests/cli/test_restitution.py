@@ -6,6 +6,8 @@ import math
 import pytest
 from conftest import rows
 
+pytestmark = pytest.mark.numbers
+
 KEYS = (
     "poisson speed restitution restitution_error lost_fraction lost_fraction_error contact_time contact_time_error "
     "impulse_time impulse_time_error max_compression max_compression_error max_force max_force_error "

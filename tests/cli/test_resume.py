@@ -9,6 +9,8 @@ import time
 import pytest
 from conftest import SMALL, resume, rows, wait_for_rows
 
+pytestmark = pytest.mark.numbers
+
 JOB = "restitution --poisson 0.33,-0.2 --speed log:1e-3:0.3:60"
 INTERRUPTED = "# interrupted: the rows above are complete, later ones are missing\n"
 
@@ -147,18 +149,24 @@ def test_same_output_is_allowed(stoss, tmp_path, small):
     assert rows(path.read_text()) == rows(small)
 
 
-def test_full_disk_then_resume(stoss, tmp_path, whole):
+@pytest.mark.parametrize("how", ["--resume", "-o"])
+def test_full_disk_leaves_whole_rows(stoss, tmp_path, whole, how):
     path = tmp_path / "curve.csv"
 
     def little_space():
         resource.setrlimit(resource.RLIMIT_FSIZE, (20000, 20000))
 
-    for _ in range(2):  # a file begun and a file continued
-        result = resume(stoss, path, JOB, preexec_fn=little_space)
+    for begun in (False, True):
+        if begun or how == "--resume":
+            result = resume(stoss, path, JOB, preexec_fn=little_space)
+        else:
+            result = stoss.run(JOB, "--format csv -o", str(path), preexec_fn=little_space)
         assert result.returncode == 4
         (line,) = result.stderr.splitlines()
         assert "cannot write" in line and "curve.csv" in line
-        assert path.stat().st_size == 20000
+        kept = path.read_text()
+        assert len(kept) <= 20000 and kept.endswith("\n")
+        assert rows(kept) == rows(whole)[: len(rows(kept))] != []
     assert resume(stoss, path, JOB).returncode == 0
     assert rows(path.read_text()) == rows(whole)
 
@@ -172,3 +180,44 @@ def test_row_with_an_unknown_error_is_kept(stoss, tmp_path, small):
     path.write_text(known[: known.index(table[1])])
     assert resume(stoss, path).returncode == 0
     assert path.read_text() == known
+
+
+@pytest.mark.parametrize("number_of_signal", [signal.SIGINT, signal.SIGKILL])
+def test_curve_of_pairs_interrupted_or_killed_and_resumed(stoss, tmp_path, number_of_signal):
+    path = tmp_path / "curve.csv"
+    job = "restitution --poisson 0.33,0.2 --speed log:0.01:0.2:40 --tolerance 1e-2 --against disk,radius=2"
+    command = stoss.start(f"{job} --threads 1 --resume {path}", stderr=subprocess.DEVNULL)
+    wait_for_rows(command, path, 3)
+    command.send_signal(number_of_signal)
+    assert command.wait(timeout=60) == (130 if number_of_signal == signal.SIGINT else -signal.SIGKILL)
+    assert resume(stoss, path, job).returncode == 0
+    assert rows(path.read_text()) == rows(stoss.run(job, "--format csv").stdout)
+
+
+@pytest.mark.parametrize(
+    "bodies, others",
+    [
+        (
+            "--poisson 0.33 --against disk,radius=2",
+            [
+                "--poisson 0.33 --against disk,radius=2.5",
+                "--poisson 0.33 --against same",
+                "--poisson 0.33",
+                "--body rod",
+            ],
+        ),
+        ("--body rod --against rod,length=2.5", ["--body rod --against same", "--body rod", "--poisson 0.33"]),
+    ],
+)
+def test_resume_keeps_to_the_bodies(stoss, tmp_path, bodies, others):
+    path = tmp_path / "curve.csv"
+    job = "restitution --speed 0.1,0.2 --tolerance 0.1"
+    whole = stoss.run(job, bodies, "--format csv").stdout
+    path.write_text(whole[: whole.rindex("\n", 0, -1) + 1])
+    before = path.read_text()
+    for other in others:
+        result = resume(stoss, path, f"{job} {other}")
+        assert result.returncode == 3 and "another job needs another file" in result.stderr
+        assert path.read_text() == before
+    assert resume(stoss, path, f"{job} {bodies}").returncode == 0
+    assert rows(path.read_text()) == rows(whole)

@@ -101,14 +101,14 @@ WHOLE = f"{SOLID} --length 1 --area 1"
 @pytest.mark.parametrize(
     "arguments, name, said",
     [
-        ("--body rod --young 1e9", "material", "1 of --young, --density, --length, --area"),
-        (f"--body rod {SOLID} --length 1", "material", "3 of --young"),
-        ("--body rod --length 1 --area 1", "material", "2 of --young"),
+        ("--body rod --young 1e9", "material", "rod without density, allowed young, density and sizes"),
+        (f"--body rod {SOLID} --length 1", "area", "none, allowed a number in m^2"),
+        ("--body rod --length 1 --area 1", "material", "rod without young"),
         (f"--body rod {SOLID} --length 0 --area 1", "length", "0"),
         (f"--body rod {SOLID} --length 1 --area -1", "area", "-1"),
         (f"--body rod {WHOLE} --radius 1", "radius", "--body rod"),
         (f"--body rod {WHOLE} --against rod,length=2", "against", "without young"),
-        (f"--body rod {WHOLE} --against rod,length=2,young=1e9,density=1e3", "against", "without area"),
+        (f"--body rod {WHOLE} --against rod,length=2,young=1e9,density=1e3", "against area", "none, allowed a number"),
         (f"--body rod {WHOLE} --against rod,length=1,area=1,young=-1,density=1", "against young", "-1"),
         (f"--body rod {WHOLE} --against rod,length=1e6,area=1,young=1e9,density=1e3", "length ratio", "1000000"),
         (f"--body rod {WHOLE} --against disk", "against", "a disk meets disks"),

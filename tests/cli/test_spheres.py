@@ -8,6 +8,8 @@ from pathlib import Path
 import pytest
 from conftest import number, rows
 
+pytestmark = pytest.mark.numbers
+
 DATA = Path(__file__).resolve().parents[1] / "data"
 SPHERE = "restitution --body sphere --poisson 0.3"
 MASS = 4 * math.pi / 3  # in rho R^3, and so mc^2/R in E R^2

@@ -116,7 +116,7 @@ def test_inputs_describe_both(stoss):
 @pytest.mark.parametrize(
     "arguments, name, said",
     [
-        ("--young 1e9", "material", "1 of --young, --density, --radius"),
+        ("--young 1e9", "material", "sphere without density, allowed young, density and sizes"),
         ("--young 1e9 --density 1e3 --radius 0", "radius", "0"),
         ("--young -1 --density 1e3 --radius 1", "young", "-1"),
         ("--young 1e9 --density 1e3 --radius 1 --yield 0", "yield_strength", "0"),

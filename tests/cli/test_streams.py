@@ -11,6 +11,8 @@ import subprocess
 import pytest
 from conftest import rows
 
+pytestmark = pytest.mark.numbers
+
 LINEAR = "restitution --poisson 0.33 --speed 0.7 --format csv"  # warns of small strain
 
 

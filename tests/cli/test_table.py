@@ -12,6 +12,8 @@ import pytest
 
 from conftest import number
 
+pytestmark = pytest.mark.numbers
+
 DISK = "table --poisson 0.33 --speed 1e-4:0.3"
 BALL = (
     "table --body sphere --poisson 0.3 --young 2.1e11 --density 7850 --radius 0.005 --speed 0.01:10"

@@ -8,9 +8,10 @@
 #include <random>
 #include <vector>
 
-#include "contact/complementarity.hpp"
-#include "contact/edge_contact.hpp"
+#include "contact/edge/complementarity.hpp"
+#include "contact/edge/edge_contact.hpp"
 #include "stoss/bodies/disk.hpp"
+#include "stoss/contact/grid.hpp"
 #include "stoss/errors.hpp"
 
 namespace stoss {

@@ -13,6 +13,7 @@
 #include "contact/response.hpp"
 #include "stoss/bodies/disk.hpp"
 #include "stoss/bodies/rod.hpp"
+#include "stoss/contact/grid.hpp"
 #include "stoss/errors.hpp"
 #include "stoss/impact/impact.hpp"
 #include "support/body_tools.hpp"

@@ -9,13 +9,14 @@
 #include "stoss/bodies/disk.hpp"
 #include "stoss/bodies/rod.hpp"
 #include "stoss/contact/contact.hpp"
+#include "stoss/contact/grid.hpp"
 #include "support/disk_pairs.hpp"
 #include "support/refusal.hpp"
 
 namespace stoss {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 /// Recess of a circle at the distance y from the axis.
 double recess_of(double radius, double y) { return radius - std::sqrt(radius * radius - y * y); }

@@ -7,11 +7,12 @@
 #include <numeric>
 #include <vector>
 
-#include "contact/complementarity.hpp"
-#include "contact/edge_contact.hpp"
+#include "contact/edge/complementarity.hpp"
+#include "contact/edge/edge_contact.hpp"
 #include "contact/touch.hpp"
 #include "stoss/bodies/disk.hpp"
 #include "stoss/bodies/sphere.hpp"
+#include "stoss/contact/grid.hpp"
 #include "stoss/errors.hpp"
 #include "support/refusal.hpp"
 

@@ -8,8 +8,10 @@
 
 #include "stoss/bodies/disk.hpp"
 #include "stoss/bodies/disk/modes.hpp"
+#include "stoss/bodies/half_space.hpp"
 #include "stoss/bodies/rod.hpp"
 #include "stoss/contact/contact.hpp"
+#include "stoss/contact/grid.hpp"
 #include "stoss/impact/impact.hpp"
 #include "support/disk_pairs.hpp"
 
@@ -132,6 +134,19 @@ TEST(ExpectedHalfWidth, IsThatOfTheImpactWithinThirtyPercent) {
     EXPECT_NEAR(expected_half_width(pair, at.speed) / result.max_half_width, 1.0, 0.3)
         << at.second.poisson << ' ' << at.second.radius << ' ' << at.second.young << ' ' << at.speed;
   }
+}
+
+TEST(Contact, TellsItsBodiesAndWhichOfTheirModesStay) {
+  const Contact at_wall = contact(disk(0.33, 10.0)), on_plane = contact(disk(0.33), half_plane(HalfPlane{}), 10.0);
+  EXPECT_EQ(body_of(at_wall, 0), at_wall.first);
+  EXPECT_EQ(body_of(at_wall, 1), nullptr);
+  EXPECT_EQ(body_of(on_plane, 1), on_plane.second);
+  EXPECT_EQ(body_of(on_plane, 2), nullptr);
+  EXPECT_EQ(lasting_groups(at_wall), at_wall.groups.size());
+  EXPECT_EQ(lasting_groups(on_plane), on_plane.first_groups);
+  EXPECT_LT(on_plane.first_groups, on_plane.groups.size());
+  EXPECT_TRUE(is_whole(*on_plane.first));
+  EXPECT_FALSE(is_whole(*on_plane.second));
 }
 
 }  // namespace

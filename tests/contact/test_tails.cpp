@@ -11,8 +11,9 @@
 #include <numbers>
 #include <vector>
 
-#include "contact/edge_law.hpp"
+#include "contact/edge/edge_law.hpp"
 #include "contact/response.hpp"
+#include "stoss/contact/grid.hpp"
 #include "stoss/contact/wall.hpp"
 #include "support/body_tools.hpp"
 #include "support/toy_bodies.hpp"

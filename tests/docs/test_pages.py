@@ -1,5 +1,7 @@
 """Links, line lengths, names of files and claims about the sources in the documentation."""
 
+import subprocess
+import ast
 import importlib.util
 import re
 from pathlib import Path
@@ -66,7 +68,7 @@ def test_chapter_of_the_theory_names_code_that_exists(page):
 def test_files_that_a_page_names_exist(page):
     folders = "bench|cli|cmake|docs|examples|include|python|scripts|src|studies|tests|validate"
     named = re.findall(rf"`((?:{folders})/[\w./]*)`", without_code(page))
-    own = ROOT / "tests/docs"  # has the examples of the architecture
+    own = ROOT / "tests/docs/recipe"  # has the example of the architecture
     assert not [name for name in named if not (ROOT / name).exists() and not (own / name).exists()]
 
 
@@ -106,36 +108,43 @@ def test_dependencies_of_the_core_are_those_that_it_includes():
     assert not included("include")
 
 
-def named_in(section, sheet=ROOT / "docs/architecture.md"):
-    """What the tables of a section of the architecture set in typewriter."""
-    table = sheet.read_text(encoding="utf-8").partition(f"### {section}")[2].partition("###")[0]
-    return set(re.findall(r"`([^`]+)`", "\n".join(re.findall(r"^\|.*$", table, re.MULTILINE))))
+ARCHITECTURE = (ROOT / "docs/architecture.md").read_text(encoding="utf-8")
 
 
-def test_index_of_the_private_rooms_has_every_source_and_room():
-    named = {name.removesuffix(".hpp") for name in named_in("Private rooms")}
-    public = {header.stem for header in (ROOT / "include").rglob("*.hpp")}
-    private = {file.stem for file in (ROOT / "src").rglob("*.?pp")} - public
-    assert private <= named, private - named
-    rooms = {str(path.relative_to(ROOT / "src")) for path in (ROOT / "src").rglob("*/")}
-    assert named - private <= rooms
+def test_architecture_is_short():
+    assert len(ARCHITECTURE.splitlines()) <= 300
 
 
-def test_index_of_the_public_face_has_every_header():
-    face = ROOT / "include/stoss"
-    headers = {str(header.relative_to(face)) for header in face.rglob("*.hpp")}
-    whole_rooms = {name for name in headers if (face / name).with_suffix("").is_dir() and "/" not in name}
-    named = {name for name in named_in("Public face") if name.endswith(".hpp")}
-    assert named == headers - whole_rooms
+def test_architecture_names_every_room():
+    table = ARCHITECTURE.partition("## The library")[2].partition("\n## ")[0]
+    named = set(re.findall(r"^\| `(\w+)`", table, re.MULTILINE))
+    assert named == {room.name for folder in ("include/stoss", "src") for room in (ROOT / folder).iterdir() if room.is_dir()}
 
 
-def test_examples_of_the_architecture_are_those_that_are_compiled():
-    page = (ROOT / "docs/architecture.md").read_text(encoding="utf-8")
-    quoted = dict(re.findall(r"`([\w/]+\.[ch]pp)`:\n\n```cpp\n(.*?)^```$", page, re.MULTILINE | re.DOTALL))
-    here = ROOT / "tests/docs"
-    assert len(quoted) == page.count("```cpp")
-    assert quoted == {name: (here / name).read_text(encoding="utf-8") for name in quoted}
-    assert set(quoted) == {str(file.relative_to(here)) for file in here.glob("*/**/*.?pp")}
+def test_architecture_names_every_folder():
+    table = ARCHITECTURE.partition("## Around the library")[2].partition("\n\n#")[0]
+    firsts = " ".join(re.findall(r"^\| ([^|]*) \|", table, re.MULTILINE))
+    tracked = subprocess.run(["git", "ls-files"], cwd=ROOT, check=True, capture_output=True, text=True).stdout
+    folders = {name.split("/")[0] for name in tracked.splitlines() if "/" in name and not name.startswith(".")}
+    assert set(re.findall(r"`(\w+)/", firsts)) == folders - {"include", "src"}
+
+
+def test_recipe_of_the_architecture_is_the_one_that_is_compiled():
+    recipe = ROOT / "tests/docs/recipe"
+    quoted = dict(re.findall(r"`([\w/]+\.[ch]pp)`:\n\n```cpp\n(.*?)^```$", ARCHITECTURE, re.MULTILINE | re.DOTALL))
+    files = [*recipe.glob("include/**/*.hpp"), *recipe.glob("src/**/*.cpp")]
+    assert len(files) == ARCHITECTURE.count("```cpp")
+    assert quoted == {str(file.relative_to(recipe)): file.read_text(encoding="utf-8") for file in files}
+    (patch,) = re.findall(r"```diff\n(.*?)^```$", ARCHITECTURE, re.MULTILINE | re.DOTALL)
+    assert patch == (recipe / "anvil.patch").read_text(encoding="utf-8")
+
+
+def test_class_of_the_recipe_has_the_numbers_of_its_kind():
+    (code,) = re.findall(r"```python\n(.*?)^```$", ARCHITECTURE, re.MULTILINE | re.DOTALL)
+    ((_, *body),) = [[each, *each.body] for each in ast.parse(code).body if isinstance(each, ast.ClassDef)]
+    fields = [each.target.id for each in body if isinstance(each, ast.AnnAssign)]
+    header = (ROOT / "tests/docs/recipe/include/stoss/bodies/anvil.hpp").read_text(encoding="utf-8")
+    assert fields == [*re.findall(r"double (\w+) =", header), "material"]
 
 
 def rooms_picture():

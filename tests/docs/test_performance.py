@@ -122,7 +122,7 @@ def test_times_that_others_quote():
     assert said in python
     _, _, finer, slowest, _ = RANGE[1e-4]
     assert f"10⁻⁴ {short(finer)} ms and {float(short(slowest)) / 1e3:g} s" in python
-    for other in ("README.md", "docs/index.md", "python/stoss/_restitution.py"):
+    for other in ("README.md", "docs/index.md", "python/stoss/results/_curves.py"):
         text = page(other)[1]
         assert set(re.findall(r"(\S+) ms in the median", text)) <= {median, short(median)}, other
         assert set(re.findall(r"(\S+) (?:ms|s) or more in one case of a hundred", text)) <= {most, short(most)}, other
@@ -132,7 +132,7 @@ def test_coverage_of_fast_disks_that_others_quote():
     fast = re.search(r"with 0.1 < v < 0.6, ([\d, ]+) and (\d+) % lie within", VALIDATION_WORDS)
     measured = {*fast[1].split(", "), fast[2]}
     others = ("README.md", "docs/python.md", "include/stoss/restitution/restitution.hpp",
-              "python/stoss/_restitution_result.py")  # fmt: skip
+              "python/stoss/results/_restitution.py")  # fmt: skip
     for other in others:
         text = " ".join(page(other)[1].replace("///", "").split())
         assert set(re.findall(r"fast disks[^%.]*?(?:0.1[^%.]*?0.6 c[^%.]*?)?(\d+) %", text)) <= measured, other

@@ -1,4 +1,5 @@
-"""What docs/programs.md says of constants follows from what its code prints (which tests/python/test_guide.py runs)."""
+"""What docs/programs.md says of constants follows from what its code prints (which
+tests/python/package/test_guide.py runs)."""
 
 import re
 

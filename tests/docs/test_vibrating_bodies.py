@@ -1,5 +1,5 @@
-"""What docs/vibrating_bodies.md says of its numbers follows from what its code prints (which tests/python/test_guide.py
-runs) and from the tables of docs/results/vibration.md."""
+"""What docs/vibrating_bodies.md says of its numbers follows from what its code prints (which
+tests/python/package/test_guide.py runs) and from the tables of docs/results/vibration.md."""
 
 import re
 

@@ -51,7 +51,7 @@ TEST(Motion, GoesToTheNearestStep) {
 TEST(Motion, IsFreeBeforeAndAfter) {
   const Body body = disk(0.33, 12.5);
   const Impact result = impact(body, HardWall{}, 0.1);
-  const double end = static_cast<double>(result.resolution.steps) * result.resolution.step;
+  const double end = static_cast<double>(result.steps) * result.resolution.step;
   const std::vector<Frame> frames = motion(contact(body), result, {-2.0, 0.0, end, end + 3.0});
   EXPECT_NEAR(frames[0].state.center, frames[1].state.center - 0.2, 1e-12);
   for (const double coordinate : frames[0].state.coordinate) EXPECT_EQ(coordinate, 0.0);

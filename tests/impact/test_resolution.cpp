@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "impact/refined_resolution.hpp"
+#include "impact/recommended.hpp"
 #include "stoss/bodies/disk.hpp"
 #include "stoss/bodies/rod.hpp"
 #include "stoss/impact/impact.hpp"
@@ -16,8 +16,9 @@ namespace {
 TEST(Resolution, DefaultNodesSufficeAtAHighCutoff) {
   const Body body = disk(0.33, 300.0);
   const Impact chosen = impact(body, HardWall{}, 0.1, {.resolution = {.step = 2e-3}});
-  const Impact finer = impact(body, HardWall{}, 0.1, {.resolution = {.step = 2e-3, .nodes = 2 * chosen.nodes}});
-  EXPECT_GT(chosen.nodes, 64);
+  const Impact finer =
+      impact(body, HardWall{}, 0.1, {.resolution = {.step = 2e-3, .nodes = 2 * chosen.resolution.nodes}});
+  EXPECT_GT(chosen.resolution.nodes, 64);
   EXPECT_NEAR(chosen.lost_fraction, finer.lost_fraction, 2e-5);
 }
 

@@ -10,6 +10,7 @@
 #include "impact/collision.hpp"
 #include "stoss/bodies/disk.hpp"
 #include "stoss/bodies/rod.hpp"
+#include "stoss/contact/grid.hpp"
 #include "stoss/errors.hpp"
 #include "stoss/impact/impact.hpp"
 #include "stoss/impact/vibration.hpp"
@@ -129,7 +130,7 @@ TEST(StartState, MayPartSoSlowlyThatClearingTheWallTakesLongerThanAnyContact) {
   const Resolution same(forth.resolution);
   const Impact back = impact(at_wall, start.velocity, {.resolution = same, .start = start});
   EXPECT_NEAR(back.restitution * forth.restitution, 1.0, 1e-4);
-  EXPECT_GT(static_cast<double>(back.steps) * back.step, 1000.0);  // R/c
+  EXPECT_GT(static_cast<double>(back.steps) * back.resolution.step, 1000.0);  // R/c
 }
 
 TEST(StartState, OfADiskDecidesByThePhaseOfItsVibration) {

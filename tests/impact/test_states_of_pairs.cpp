@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "contact/units.hpp"
+#include "contact/unit_ratios.hpp"
 #include "stoss/bodies/disk.hpp"
 #include "stoss/bodies/rod.hpp"
 #include "stoss/impact/impact.hpp"
@@ -134,7 +134,7 @@ TEST_P(StatesOfAPair, OfASecondBodyThatVibratesAreLedFreelyToTheImpact) {
 
 TEST_P(StatesOfAPair, MayBeToldFromTheOtherBody) {
   const Contact swapped = test::swapped_pair(one, other, cutoff);
-  const Units units(*pair.second, *pair.first);
+  const UnitRatios units(*pair.second, *pair.first);
   const std::size_t of_first = mode_count(*pair.first);
   State here = at_rest(pair, 0.02, speed);
   here.coordinate[2] = 0.003;

@@ -10,6 +10,7 @@
 #include "stoss/bodies/half_space.hpp"
 #include "stoss/bodies/half_space/field.hpp"
 #include "stoss/bodies/sphere.hpp"
+#include "stoss/contact/grid.hpp"
 #include "stoss/impact/replay.hpp"
 #include "stoss/restitution/ladder.hpp"
 

@@ -22,7 +22,7 @@
 namespace stoss {
 namespace {
 
-constexpr double turn = 2.0 * std::numbers::pi;
+constexpr double full_turn = 2.0 * std::numbers::pi;
 
 Impact impact_of(const Contact& contact, double speed, const Vibration& vibration, const Resolution& resolution = {}) {
   return impact(contact, speed, {.resolution = resolution, .start = approach(contact, speed, vibration)});
@@ -65,14 +65,14 @@ TEST(Approach, IsTheInverseOfVibration) {
       EXPECT_EQ(found[k].order, given[k].order);
       EXPECT_EQ(found[k].index, given[k].index);
       EXPECT_NEAR(found[k].energy, given[k].energy, 1e-13);
-      EXPECT_NEAR(std::remainder(found[k].phase - given[k].phase, turn), 0.0, 1e-11) << name(contact);
+      EXPECT_NEAR(std::remainder(found[k].phase - given[k].phase, full_turn), 0.0, 1e-11) << name(contact);
     }
     // Free flight changes neither energies nor phases.
     if (longest_loss_time(contact) > 0.0) continue;
     const Vibration earlier = vibration(contact, free_motion(contact, state, -7.0));
     for (std::size_t k = 0; k < given.size(); ++k) {
       EXPECT_NEAR(earlier[k].energy, given[k].energy, 1e-13);
-      EXPECT_NEAR(std::remainder(earlier[k].phase - given[k].phase, turn), 0.0, 1e-11);
+      EXPECT_NEAR(std::remainder(earlier[k].phase - given[k].phase, full_turn), 0.0, 1e-11);
     }
   }
 }
@@ -147,10 +147,11 @@ TEST(VibratingBodies, KnowNoFullTurnsOfThePhase) {
   const Contact ball = contact(sphere(0.3, 9.0));
   const Impact once = impact_of(ball, 0.1, {{0, 2, 0, 0.2, 0.7}});
   for (const double turns : {1.0, -3.0}) {
-    const Impact again = impact_of(ball, 0.1, {{0, 2, 0, 0.2, 0.7 + turns * turn}});
+    const Impact again = impact_of(ball, 0.1, {{0, 2, 0, 0.2, 0.7 + turns * full_turn}});
     EXPECT_NEAR(again.restitution, once.restitution, 1e-9);
   }
-  EXPECT_GT(std::abs(impact_of(ball, 0.1, {{0, 2, 0, 0.2, 0.7 + 0.5 * turn}}).restitution - once.restitution), 0.03);
+  EXPECT_GT(std::abs(impact_of(ball, 0.1, {{0, 2, 0, 0.2, 0.7 + 0.5 * full_turn}}).restitution - once.restitution),
+            0.03);
 }
 
 TEST(VibratingBodies, ThatAreMirrorImagesAreOneAtAWall) {

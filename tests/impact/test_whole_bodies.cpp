@@ -8,8 +8,9 @@
 #include <string>
 #include <vector>
 
-#include "impact/refined_resolution.hpp"
+#include "impact/recommended.hpp"
 #include "stoss/bodies/disk.hpp"
+#include "stoss/contact/grid.hpp"
 #include "stoss/errors.hpp"
 #include "stoss/impact.hpp"
 #include "support/refusal.hpp"
@@ -18,26 +19,26 @@ namespace stoss {
 namespace {
 
 const Disk large{0.33, 20.0, 1.0, 1.0};
-constexpr double speed = 0.1, cutoff = 10.0;
+constexpr double approach_speed = 0.1, cutoff_of_both = 10.0;
 
 Contact with_part(double size) {
   const Body whole = disk(large, 1.0);
-  return contact(disk(0.33, cutoff), whole.near_side(size, cutoff * large.radius, {}));
+  return contact(disk(0.33, cutoff_of_both), whole.near_side(size, cutoff_of_both * large.radius, {}));
 }
 
 /// The part called the first; its units are those of the large disk.
 Contact part_first(double size) {
   const Body whole = disk(large, 1.0);
-  return contact(whole.near_side(size, cutoff * large.radius, {}), disk(0.33, cutoff));
+  return contact(whole.near_side(size, cutoff_of_both * large.radius, {}), disk(0.33, cutoff_of_both));
 }
 
 Impact impact_of(const Contact& contact) {
-  return impact(contact, speed, {.resolution = refined_resolution(contact, speed, 0.0)});
+  return impact(contact, approach_speed, {.resolution = refined_resolution(contact, approach_speed, 0.0)});
 }
 
 // What the small disk feels cannot depend on what no wave has told it of.
 TEST(WholeBodies, DoNotDependOnThePartThatStandsForOne) {
-  const Impact whole = impact_of(contact(disk(0.33, cutoff), disk(large, cutoff * large.radius)));
+  const Impact whole = impact_of(contact(disk(0.33, cutoff_of_both), disk(large, cutoff_of_both * large.radius)));
   for (const double size : {0.3, 0.5, 0.8}) {
     const Impact part = impact_of(with_part(size));
     // The edge of the part is more curved for waves.
@@ -67,7 +68,7 @@ TEST(WholeBodies, MoveByTheForce) {
   EXPECT_NEAR(contact.whole_mass, std::numbers::pi * 400.0 / 401.0, 1e-12);
   double impulse = 0.0, center = 0.0;
   Snapshot before{}, last{};
-  const Resolution resolution = refined_resolution(contact, speed, 0.0);
+  const Resolution resolution = refined_resolution(contact, approach_speed, 0.0);
   const ImpactObserver observer = [&](const Snapshot& now) {
     if (now.time > 0.0) {
       impulse += 0.5 * (before.force + now.force) * *resolution.step;
@@ -76,13 +77,13 @@ TEST(WholeBodies, MoveByTheForce) {
     } else {
       center = now.center;
     }
-    EXPECT_NEAR(contact.whole_mass * (speed - now.velocity), std::numbers::pi * impulse, 1e-12);
+    EXPECT_NEAR(contact.whole_mass * (approach_speed - now.velocity), std::numbers::pi * impulse, 1e-12);
     EXPECT_NEAR(now.center, center, 1e-12);
     EXPECT_NEAR(now.translation + now.vibration + now.stored + now.unresolved, 1.0, 0.03);
     before = last = now;
   };
-  const Impact impact = stoss::impact(contact, speed, {.resolution = resolution}, {observer});
-  EXPECT_NEAR(-last.velocity / speed, impact.restitution, 1e-13);
+  const Impact impact = stoss::impact(contact, approach_speed, {.resolution = resolution}, {observer});
+  EXPECT_NEAR(-last.velocity / approach_speed, impact.restitution, 1e-13);
   EXPECT_NEAR(last.translation, impact.energy.translation, 1e-13);
   EXPECT_NEAR(last.vibration, impact.energy.vibration, 1e-12);
 }

@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "numeric/cosine_integral.hpp"
+#include "numeric/special_functions.hpp"
 
 namespace stoss::numeric {
 namespace {

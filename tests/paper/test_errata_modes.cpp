@@ -13,6 +13,7 @@
 #include "stoss/bodies/disk.hpp"
 #include "stoss/bodies/disk/field.hpp"
 #include "stoss/bodies/disk/modes.hpp"
+#include "stoss/contact/grid.hpp"
 #include "support/body_tools.hpp"
 
 namespace stoss {

@@ -11,6 +11,9 @@ import pytest
 
 import stoss
 
+sys.path.insert(0, str(Path(__file__).parents[2] / "scripts"))
+from run_examples import run  # noqa: E402
+
 os.environ.setdefault("MPLBACKEND", "Agg")
 DATA = Path(__file__).parents[1] / "data"
 
@@ -38,6 +41,12 @@ class Interpreter:
 @pytest.fixture(scope="session")
 def interpreter():
     return Interpreter()
+
+
+@pytest.fixture(scope="session")
+def example_folder():
+    """The folder of an example that has run: output.txt, and out/."""
+    return run
 
 
 @pytest.fixture(scope="session")

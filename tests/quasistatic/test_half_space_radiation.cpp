@@ -9,7 +9,7 @@
 
 #include "quasistatic/point_pulse.hpp"
 #include "stoss/quasistatic/half_space_radiation.hpp"
-#include "stoss/quasistatic/point_quantities.hpp"
+#include "stoss/quasistatic/quantities.hpp"
 #include "support/refusal.hpp"
 
 namespace stoss {

@@ -14,6 +14,7 @@
 
 #include "stoss/bodies/disk.hpp"
 #include "stoss/bodies/disk/field.hpp"
+#include "stoss/contact/grid.hpp"
 #include "stoss/quasistatic/compression.hpp"
 #include "stoss/quasistatic/heavy_disk.hpp"
 #include "stoss/quasistatic/static_contact.hpp"
@@ -27,7 +28,7 @@ using namespace quasistatic;
 
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 constexpr std::array contacts{HeavyDiskContact::point, HeavyDiskContact::hertz};
 
 struct Traction {

@@ -21,7 +21,7 @@ using namespace quasistatic;
 
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 /// Paper eq. (46), the stress under the Hertz pressure, by adaptive quadrature over s = a sin θ.
 PlaneStress by_quadrature(double force, double x, double y) {

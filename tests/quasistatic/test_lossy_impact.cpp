@@ -6,7 +6,6 @@
 #include <limits>
 #include <numbers>
 
-#include "stoss/quasistatic/lossy_impact.hpp"
 #include "stoss/quasistatic/slow_impact.hpp"
 #include "support/refusal.hpp"
 
@@ -15,7 +14,7 @@ using namespace quasistatic;
 
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 TEST(LossyImpact, DiskLosesThePowerOfItsStiffness) {
   // (1 − ε²)/2 = (1/v²)∫η δ̇² (dF/dδ) dt = (2η/v²)∫√(v² − 2U) dF.

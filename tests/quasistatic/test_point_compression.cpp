@@ -16,7 +16,7 @@ using namespace quasistatic;
 
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 TEST(PointCompression, ConstantIsThatOfTheDigammaFormula) {
   // K₁ = D₀ + D₁ − g + r + α(1 − γ) − 2 Re[c₊ ψ(2 − n₊)], with complex digamma functions in 30 digits.

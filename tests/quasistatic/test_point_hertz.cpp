@@ -16,7 +16,7 @@ using namespace quasistatic;
 
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 TEST(PointHertz, IsHertzOfTwoBodies) {
   // A steel ball on glass in SI: Johnson, eqs. 4.22 to 4.24, as they stand.

@@ -11,9 +11,9 @@
 #include "quasistatic/point_pulse.hpp"
 #include "stoss/bodies/sphere.hpp"
 #include "stoss/bodies/sphere/modes.hpp"
-#include "stoss/quasistatic/point_quantities.hpp"
 #include "stoss/quasistatic/point_rayleigh.hpp"
 #include "stoss/quasistatic/point_slow_impact.hpp"
+#include "stoss/quasistatic/quantities.hpp"
 #include "stoss/restitution/restitution.hpp"
 #include "support/refusal.hpp"
 
@@ -23,7 +23,7 @@ using bodies::sphere::Mode;
 
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 TEST(PointSlowImpact, IsHertzInHisLimit) {
   const double ratio = 0.8 * boost::math::beta(0.4, 0.5);

@@ -12,8 +12,8 @@
 
 #include "quasistatic/lossy_motion.hpp"
 #include "stoss/quasistatic/point_lossy_impact.hpp"
-#include "stoss/quasistatic/point_quantities.hpp"
 #include "stoss/quasistatic/point_slow_impact.hpp"
+#include "stoss/quasistatic/quantities.hpp"
 #include "support/refusal.hpp"
 
 namespace stoss {

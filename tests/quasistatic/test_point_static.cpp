@@ -14,7 +14,7 @@ using namespace quasistatic;
 
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 TEST(PointStaticContact, TellsHowGoodTheLawsAre) {
   struct Deviation {

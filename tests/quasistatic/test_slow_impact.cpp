@@ -22,8 +22,8 @@ namespace {
 
 using Digits50 = boost::multiprecision::cpp_bin_float_50;
 
-constexpr std::array laws{CompressionLaw::center, CompressionLaw::diameter, CompressionLaw::printed};
-constexpr std::array poissons{-0.9, 0.0, 0.33, 0.9};
+constexpr std::array all_laws{CompressionLaw::center, CompressionLaw::diameter, CompressionLaw::printed};
+constexpr std::array some_poissons{-0.9, 0.0, 0.33, 0.9};
 
 /// δ = F (ln(s/F) − b), as the documentation has it.
 struct Law {
@@ -74,8 +74,8 @@ double relative(double value, const Digits50& reference) { return static_cast<do
 
 TEST(SlowImpact, AgreesWithQuadratureInFiftyDigits) {
   double worst = 0.0;
-  for (const CompressionLaw law : laws) {
-    for (const double poisson : poissons) {
+  for (const CompressionLaw law : all_laws) {
+    for (const double poisson : some_poissons) {
       const double limit = limit_speed(law, poisson);
       for (const double speed : {1e-12, 1e-6, 1e-3, 0.05, 0.99 * limit}) {
         const Law exact = law_of(law, poisson);
@@ -96,8 +96,8 @@ TEST(SlowImpact, AgreesWithQuadratureInFiftyDigits) {
 }
 
 TEST(SlowImpact, EndsWhereTheLawDoes) {
-  for (const CompressionLaw law : laws) {
-    for (const double poisson : poissons) {
+  for (const CompressionLaw law : all_laws) {
+    for (const double poisson : some_poissons) {
       const double limit = limit_speed(law, poisson);
       EXPECT_NEAR(0.5 * limit * limit / compression_energy(law, poisson, limit_force(law, poisson)), 1.0, 1e-14);
       const SlowImpact last = slow_impact(law, poisson, limit);
@@ -116,8 +116,8 @@ TEST(SlowImpact, EndsWhereTheLawDoes) {
 }
 
 TEST(SlowImpact, AgreesWithTheEquationOfMotion) {
-  for (const CompressionLaw law : laws) {
-    for (const double poisson : poissons) {
+  for (const CompressionLaw law : all_laws) {
+    for (const double poisson : some_poissons) {
       for (const double speed : {1e-12, 1e-6, 1e-3, 0.05}) {
         const SlowImpact impact = slow_impact(law, poisson, speed);
         constexpr int steps = 2000;  // short at both ends, where the force has an infinite second derivative
@@ -147,7 +147,7 @@ TEST(SlowImpact, AgreesWithTheEquationOfMotion) {
 }
 
 TEST(SlowImpact, HistoryObeysLawEnergyAndMomentum) {
-  for (const CompressionLaw law : laws) {
+  for (const CompressionLaw law : all_laws) {
     for (const double speed : {1e-12, 1e-3, 0.1}) {
       const double poisson = 0.33;
       const SlowImpact impact = slow_impact(law, poisson, speed);
@@ -185,7 +185,7 @@ TEST(SlowImpact, ApproachesItsAsymptotics) {
   const double log2 = std::numbers::ln2;
   const double third = (2.0 * log2 - log2 * log2 - std::numbers::pi * std::numbers::pi / 12.0) / 8.0;
   EXPECT_NEAR(third, 0.0104, 1e-4);
-  for (const CompressionLaw law : laws) {
+  for (const CompressionLaw law : all_laws) {
     double last_compression = 1.0;
     double last_time = 1.0;
     for (const double speed : {1e-3, 1e-6, 1e-12, 1e-25, 1e-50, 1e-100}) {

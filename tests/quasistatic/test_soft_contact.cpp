@@ -23,7 +23,7 @@ using namespace quasistatic;
 
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 struct Minimum {
   double force = 0.0, energy = 0.0;

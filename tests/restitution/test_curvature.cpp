@@ -8,7 +8,7 @@
 #include <ostream>
 #include <vector>
 
-#include "impact/refined_resolution.hpp"
+#include "impact/recommended.hpp"
 #include "stoss/bodies/disk.hpp"
 #include "stoss/restitution.hpp"
 #include "support/print.hpp"

@@ -40,7 +40,7 @@ TEST(Curve, IsThePointsOneByOne) {
   const auto curve = restitution_curve(body, {0.2, 0.01, 0.2}, {.each = {.tolerance = 3e-3}});
   ASSERT_EQ(curve.size(), 3U);
   for (const Restitution& point : curve) {
-    const Restitution alone = restitution(body, point.finest.speed, {.each = {.tolerance = 3e-3}});
+    const Restitution alone = restitution(body, point.finest.speed, {.tolerance = 3e-3});
     EXPECT_EQ(point.lost_fraction.value, alone.lost_fraction.value);
     EXPECT_TRUE(point.converged);
   }

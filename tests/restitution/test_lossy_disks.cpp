@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "stoss/bodies/disk.hpp"
-#include "stoss/quasistatic/lossy_impact.hpp"
+#include "stoss/quasistatic/slow_impact.hpp"
 #include "stoss/restitution/restitution.hpp"
 
 namespace stoss {

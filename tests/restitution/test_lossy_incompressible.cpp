@@ -18,7 +18,7 @@ namespace {
 
 /// A sphere or a disk in its own units, and its 1 − ε² from a single impact at the cutoff 226 (160 in the second last
 /// digits agree), steps of 0.3/226 and 1.6 times the nodes of `restitution` there.
-struct Case {
+struct Lossy {
   std::string name;
   BodyMaker body;
   double speed;
@@ -35,7 +35,7 @@ BodyMaker lossy_disk(double poisson, double loss_time) {
 }
 
 // Rubber of E = 2 MPa, ν = 0.49, ρ = 1100 kg/m³, Q = 10 at 500 Hz: η = 3.183e-5 s, c = 42.64 m/s.
-const std::vector<Case> cases{
+const std::vector<Lossy> cases{
     {"rubber of 5 cm at 0.3 m/s", lossy_sphere(0.49, 0.0271443), 0.00703561, 0.02861883, 6500},
     {"rubber of 2 cm at 0.3 m/s", lossy_sphere(0.49, 0.0678607), 0.00703561, 0.06605718, 4000},
     {"rubber of 2 cm at 0.8 m/s", lossy_sphere(0.49, 0.0678607), 0.0187616, 0.08716251, 3000},

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "stoss/contact/contact.hpp"
+#include "stoss/contact/grid.hpp"
 #include "stoss/impact/impact.hpp"
 #include "stoss/impact/resolution.hpp"
 #include "support/print.hpp"

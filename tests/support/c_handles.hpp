@@ -2,9 +2,14 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
+
 #include "stoss/stoss.h"
 
 namespace stoss::test {
+
+inline constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+inline constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /// Frees what it holds.
 template <typename Handle, void (*release)(Handle*)>

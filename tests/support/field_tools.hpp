@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "stoss/contact/contact.hpp"
+#include "stoss/contact/grid.hpp"
 
 namespace stoss::test {
 

@@ -19,7 +19,7 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 /// Knots at uneven distances whose values go up and down, with steps of equal values.
-std::vector<Knot> uneven(std::size_t count = 40) {
+std::vector<Knot> uneven_values(std::size_t count = 40) {
   std::mt19937_64 random(7);
   std::vector<Knot> knots;
   double logarithm = std::log(1e-4);
@@ -31,14 +31,16 @@ std::vector<Knot> uneven(std::size_t count = 40) {
   return knots;
 }
 
-RestitutionFunction with(Beyond beyond, const SlowLaw& law = {}) { return RestitutionFunction(uneven(), beyond, law); }
+RestitutionFunction with(Beyond beyond, const SlowLaw& law = {}) {
+  return RestitutionFunction(uneven_values(), beyond, law);
+}
 
 SlowLaw halves() {
   return [](double speed) { return Estimate{1.0 - speed, 0.5 * speed}; };
 }
 
 TEST(RestitutionFunction, IsTheMonotoneCubicOfBoost) {
-  const std::vector<Knot> knots = uneven();
+  const std::vector<Knot> knots = uneven_values();
   std::vector<double> x, y;
   for (const Knot& knot : knots) {
     x.push_back(std::log(knot.speed));
@@ -100,7 +102,7 @@ TEST(RestitutionFunction, KnowsTheErrorOfACubicThroughASmoothCurve) {
 }
 
 TEST(RestitutionFunction, DoesBeyondItsRangeWhatItsMakerChose) {
-  const std::vector<Knot> knots = uneven();
+  const std::vector<Knot> knots = uneven_values();
   const double slow = 0.9 * knots.front().speed, fast = 1.1 * knots.back().speed;
   const RestitutionFunction refusing = with(Beyond::error);
   for (const double speed : {slow, fast, 0.0, 1e300, 1e-300}) {
@@ -133,22 +135,22 @@ TEST(RestitutionFunction, RefusesWhatIsNoFunction) {
     test::expect_refusal([&] { (void)RestitutionFunction(knots); }, {what});
   };
   refuses({}, "knots");
-  refuses(uneven(4), "5");
+  refuses(uneven_values(4), "5");
   for (const double bad : {0.0, -1.0, nan, infinity, 1e-4}) {
-    std::vector<Knot> knots = uneven();
+    std::vector<Knot> knots = uneven_values();
     knots[7].speed = bad;
     refuses(knots, "speed");
   }
   for (const double bad : {nan, infinity}) {
-    std::vector<Knot> knots = uneven();
+    std::vector<Knot> knots = uneven_values();
     knots[7].restitution.value = bad;
     refuses(knots, "converged");
-    knots = uneven();
+    knots = uneven_values();
     knots[7].restitution.error = bad;
     refuses(knots, "converged");
   }
   const auto make = [](Beyond beyond, const SlowLaw& law, const std::vector<double>& error) {
-    return [=] { (void)RestitutionFunction(uneven(), beyond, law, error); };
+    return [=] { (void)RestitutionFunction(uneven_values(), beyond, law, error); };
   };
   test::expect_refusal(make(Beyond::law, {}, {}), {"beyond", "law"});
   const SlowLaw silent = [](double) { return Estimate{0.5, infinity}; };

@@ -14,16 +14,16 @@
 namespace stoss {
 namespace {
 
-struct Case {
+struct LawCase {
   std::string name;
   RefinableContact contact;
   SlowLaw law;
 };
 
-void PrintTo(const Case& each, std::ostream* stream) { *stream << each.name; }
+void PrintTo(const LawCase& each, std::ostream* stream) { *stream << each.name; }
 
-std::vector<Case> cases() {
-  std::vector<Case> all;
+std::vector<LawCase> cases() {
+  std::vector<LawCase> all;
   const auto named = [](const char* what, double poisson, double loss_time) {
     return std::string(what) + "_" + std::to_string(std::lround(100.0 * std::abs(poisson))) +
            (poisson < 0.0 ? "_below_0" : "") + "_lossy_" + std::to_string(std::lround(100.0 * loss_time));
@@ -52,7 +52,7 @@ std::vector<Case> cases() {
   return all;
 }
 
-class Laws : public testing::TestWithParam<Case> {};
+class Laws : public testing::TestWithParam<LawCase> {};
 
 TEST_P(Laws, HoldWithinTheirErrors) {
   const auto& [name, contact, law] = GetParam();

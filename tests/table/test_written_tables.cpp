@@ -11,8 +11,8 @@
 #include "stoss/table/c_source.hpp"
 #include "stoss/table/two_column.hpp"
 #include "support/refusal.hpp"
+#include "table/arguments.hpp"
 #include "table/c_text.hpp"
-#include "table/speed_range.hpp"
 
 namespace stoss {
 namespace {

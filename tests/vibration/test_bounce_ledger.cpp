@@ -15,7 +15,7 @@
 namespace stoss {
 namespace {
 
-constexpr Resolution all_energy_kept{.tail = Tail::quasistatic};
+constexpr Resolution quasistatic_tail{.tail = Tail::quasistatic};
 
 TEST(BounceLedger, AddsUpAtEveryImpact) {
   struct Case {
@@ -24,7 +24,7 @@ TEST(BounceLedger, AddsUpAtEveryImpact) {
   };
   const Vibration excited{{.order = 2, .index = 0, .energy = 0.3, .phase = 1.0}};
   const std::vector<Case> cases{
-      {contact(disk(0.33, 12.0)), {.count = 25, .flight_time = 31.4, .resolution = all_energy_kept}},
+      {contact(disk(0.33, 12.0)), {.count = 25, .flight_time = 31.4, .resolution = quasistatic_tail}},
       {contact(disk(0.33, 12.0)), {.count = 25, .flight_time = 0.1, .vibration = excited}},
       {contact(sphere(0.3, 12.0)), {.count = 25, .gravity = 0.01, .decay_time = 40.0, .vibration = excited}},
       {contact(sphere(Sphere{.poisson = 0.3, .loss_time = 0.05}, 12.0)), {.count = 10, .flight_time = 2.0}},
@@ -81,7 +81,7 @@ TEST(BounceFlight, UnderGravityIsBallistic) {
 TEST(BounceFlight, TooShortForTheVibrationIsSaid) {
   const Contact at_wall = contact(disk(0.33, 12.0));
   const auto second = [&](double flight) {
-    return bounce(at_wall, 0.2, {.count = 2, .flight_time = flight, .resolution = all_energy_kept})[1];
+    return bounce(at_wall, 0.2, {.count = 2, .flight_time = flight, .resolution = quasistatic_tail})[1];
   };
   EXPECT_TRUE(second(1e-3).short_flight);
   EXPECT_FALSE(second(50.0).short_flight);

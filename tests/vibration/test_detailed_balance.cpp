@@ -18,6 +18,7 @@
 #include "numeric/random.hpp"
 #include "stoss/bodies/disk.hpp"
 #include "stoss/bodies/sphere.hpp"
+#include "stoss/contact/grid.hpp"
 #include "stoss/impact/impact.hpp"
 #include "stoss/impact/vibration.hpp"
 #include "support/disk_pairs.hpp"

@@ -139,7 +139,7 @@ TEST(Distribution, HasTheStatisticalErrorOfItsScatter) {
   EXPECT_LT(squares / stated, 43.8);
 }
 
-TEST(Distribution, HasTheNumericalErrorOfItsSamples) {
+TEST(Distribution, HasTheNumericalErrorOfItsSamples_long) {
   DistributionOptions options{.samples = 40, .seed = 21, .error = 1e-2};
   const auto coarse = restitution_distribution(ball(), 0.05, warm(), options);
   options.error = 1e-5;

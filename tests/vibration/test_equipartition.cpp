@@ -15,7 +15,7 @@ namespace {
 constexpr std::size_t batches = 20;
 constexpr double student = 3.883;
 
-TEST(Equipartition, IsTheMeanOfALongSequence) {
+TEST(Equipartition, IsTheMeanOfALongSequence_long) {
   // Poincaré's section where the body touches has the invariant measure dQ dP at constant energy. In action and angle
   // it is uniform in the energies of the N modes, whose sum is at most the whole: translation has 1/(N + 1) of it in
   // the mean, and a share above x with the probability (1 − x)^N.

@@ -1,5 +1,5 @@
 // Chains of rods: what is conserved, and what is known exactly.
-#include "stoss/vibration/rod_chain.hpp"
+#include "stoss/vibration/rod_chain_run.hpp"
 
 #include <gtest/gtest.h>
 

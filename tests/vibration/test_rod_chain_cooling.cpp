@@ -6,12 +6,12 @@
 #include <vector>
 
 #include "numeric/random.hpp"
-#include "stoss/vibration/rod_chain.hpp"
+#include "stoss/vibration/rod_chain_run.hpp"
 
 namespace stoss {
 namespace {
 
-std::vector<Rod> random_rods(std::size_t count, double spread) {
+std::vector<Rod> rods_of(std::size_t count, double spread) {
   std::vector<Rod> rods;
   for (std::size_t k = 0; k < count; ++k) {
     rods.push_back({.length = 1.0 + spread * (2.0 * numeric::uniform(2, {static_cast<std::uint32_t>(k)})[0] - 1.0)});
@@ -19,7 +19,7 @@ std::vector<Rod> random_rods(std::size_t count, double spread) {
   return rods;
 }
 
-RodChain chain_of(const std::vector<Rod>& rods, const RodChainOptions& options, std::uint64_t seed) {
+RodChain cooling_chain(const std::vector<Rod>& rods, const RodChainOptions& options, std::uint64_t seed) {
   double length = 0.0;
   for (const Rod& rod : rods) length += rod.length;
   return {rods, 11.0 * length, thermal_velocities(rods, 1.0, seed), options};
@@ -39,8 +39,8 @@ Mean mean(const std::vector<double>& values) {
 
 // Microcanonical: translation has as many degrees of freedom as rods but one, every mode two.
 TEST(RodChainCooling, EnergyIsSharedByAllDegreesOfFreedomWithoutDamping) {
-  const std::vector<Rod> rods = random_rods(6, 0.1);
-  RodChain chain = chain_of(rods, {.modes = 2, .resolution = {.tail = Tail::quasistatic}}, 4);
+  const std::vector<Rod> rods = rods_of(6, 0.1);
+  RodChain chain = cooling_chain(rods, {.modes = 2, .resolution = {.tail = Tail::quasistatic}}, 4);
   const double total = chain.sample().translation;
   constexpr int batches = 20, each = 4000;
   for (int k = 0; k < each; ++k) chain.collide();
@@ -67,10 +67,10 @@ TEST(RodChainCooling, EnergyIsSharedByAllDegreesOfFreedomWithoutDamping) {
 // Haff: the rate of collisions goes with √E, what each takes with E, so E = E₀ (1 + t/τ)⁻²; from t = 1000 τ on, the 1
 // no longer shows.
 TEST(RodChainCooling, CompletelyDampedRodsCoolAsTheInverseSquareOfTime) {
-  const std::vector<Rod> rods = random_rods(10, 0.1);
+  const std::vector<Rod> rods = rods_of(10, 0.1);
   std::vector<double> exponents;
   for (std::uint64_t seed = 0; seed < 16; ++seed) {
-    RodChain chain = chain_of(rods, {.method = RodMethod::characteristics, .decay_time = 0.0}, seed);
+    RodChain chain = cooling_chain(rods, {.method = RodMethod::characteristics, .decay_time = 0.0}, seed);
     const double start = chain.sample().translation;
     RodChainSample from, to;
     while (chain.sample().translation > 1e-6 * start) chain.collide();
@@ -85,12 +85,12 @@ TEST(RodChainCooling, CompletelyDampedRodsCoolAsTheInverseSquareOfTime) {
 }
 
 TEST(RodChainCooling, BothMethodsCoolAlike) {
-  const std::vector<Rod> rods = random_rods(8, 0.2);
+  const std::vector<Rod> rods = rods_of(8, 0.2);
   std::vector<double> differences;
   for (std::uint64_t seed = 0; seed < 24; ++seed) {
     double cooled[2];
     for (const RodMethod method : {RodMethod::modes, RodMethod::characteristics}) {
-      RodChain chain = chain_of(rods, {.method = method, .modes = 20, .decay_time = 5.0}, seed);
+      RodChain chain = cooling_chain(rods, {.method = method, .modes = 20, .decay_time = 5.0}, seed);
       RodChainRecord record;
       run(chain, record, 1'000'000, 1000.0);
       cooled[method == RodMethod::modes ? 0 : 1] = std::log(record.samples.back().translation);

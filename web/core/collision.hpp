@@ -2,13 +2,12 @@
 
 #include <emscripten/val.h>
 
-#include <map>
-#include <optional>
+#include <memory>
 #include <vector>
 
-#include "block.hpp"
 #include "encounter.hpp"
-#include "inside.hpp"
+#include "stoss/contact/grid.hpp"
+#include "stoss/encounter/inside.hpp"
 #include "stoss/impact/replay.hpp"
 
 namespace stoss::web {
@@ -18,28 +17,25 @@ class Collision {
  public:
   /// @param cutoff of a converged ε, c/R of the first body
   /// @throws InvalidInput as impact; NotConverged where the impact does not end
-  Collision(const Encounter& encounter, double speed, double cutoff);
+  Collision(std::shared_ptr<const Meeting> meeting, double speed, double cutoff);
 
   /// Collision of the protocol.
   [[nodiscard]] emscripten::val series() const;
 
   /// Calls deliver(Frame, index) for each of the times, which ascend. @param below points of a half-space
-  void frames(const std::vector<double>& times, const Points& points, const bodies::half_space::PlaneGrid& below,
-              const emscripten::val& deliver);
+  void frames(const std::vector<double>& times, const bodies::PolarGrid& points,
+              const bodies::half_space::PlaneGrid& below, const emscripten::val& deliver);
 
  private:
-  [[nodiscard]] emscripten::val body_frame(const Frame& frame, int number);
-  [[nodiscard]] emscripten::val block_frame(const Frame& frame, const bodies::half_space::PlaneGrid& below);
   [[nodiscard]] emscripten::val bodies() const;
 
-  Encounter encounter_;
+  std::shared_ptr<const Meeting> meeting_;
   Contact contact_;
   Impact impact_;
   std::vector<Snapshot> snapshots_;
   ContactGrid grid_;
-  Points points_;                  ///< of the last frames
-  std::map<int, Inside> insides_;  ///< of the bodies, at these points
-  std::optional<Block> block_;     ///< a half-space, at its points
+  bodies::PolarGrid points_;     ///< of the last frames
+  std::vector<Inside> insides_;  ///< of what meets, at these points
 };
 
 }  // namespace stoss::web

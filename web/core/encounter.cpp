@@ -1,171 +1,107 @@
 #include "encounter.hpp"
 
 #include <algorithm>
-#include <array>
-#include <limits>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <variant>
 
-#include "stoss/bodies/disk.hpp"
-#include "stoss/bodies/half_space.hpp"
-#include "stoss/bodies/rod.hpp"
-#include "stoss/bodies/sphere.hpp"
-#include "stoss/errors.hpp"
-#include "stoss/quasistatic/yield.hpp"
-#include "text.hpp"
+#include "javascript.hpp"
+#include "stoss/encounter/document.hpp"
+#include "stoss/encounter/materials.hpp"
 
 namespace stoss::web {
 namespace {
 
 using emscripten::val;
+using Json = nlohmann::ordered_json;
 
-constexpr std::array<UnitSystem, 3> own_units{UnitSystem::disk, UnitSystem::sphere, UnitSystem::rod};
-constexpr std::array<UnitSystem, 3> si_units{UnitSystem::disk_si, UnitSystem::sphere_si, UnitSystem::rod_si};
-
-GivenBody given_body(const val& body) {
-  const auto number = [&](const char* name) { return body[name].as<double>(); };
-  const val strength = body["yieldStrength"];
-  return {number("poisson"),
-          number("radius"),
-          number("young"),
-          number("density"),
-          number("area"),
-          number("lossTime"),
-          strength.isUndefined() ? 0.0 : strength.as<double>()};
+/// @param unit that of the modulus
+val elastic(const Solid& solid, double unit) {
+  val made = val::object();
+  std::visit(
+      [&](const auto& its) {
+        made.set("young", its.young / unit);
+        if constexpr (requires { its.poisson; }) made.set("poisson", its.poisson);
+      },
+      solid);
+  return made;
 }
 
-BodyKind kind_of(const std::string& name) {
-  if (name == "sphere") return BodyKind::sphere;
-  return name == "rod" ? BodyKind::rod : BodyKind::disk;
+Json described(const Parameter& of) {
+  Json json{{"name", of.name}, {"unit", of.unit}, {"ofMaterial", of.of_material}, {"help", of.help}, {"low", of.low}};
+  json["lowIncluded"] = of.low_included;
+  if (std::isfinite(of.high)) json["high"] = of.high;
+  if (of.otherwise) json["otherwise"] = *of.otherwise;
+  return json;
 }
 
-Material material_of(const GivenBody& body) {
-  Material material{body.young, body.poisson, body.density};
-  if (body.yield_strength > 0.0) material.yield_strength = body.yield_strength;
-  return material;
-}
-
-/// What `make` returns; its refusals say that they are of what is met.
-template <typename Make>
-auto of_what_is_met(Make make) {
-  try {
-    return make();
-  } catch (const InvalidInput& error) {
-    throw InvalidInput(std::string("against ") + error.what());
+Json described(const Kind& kind) {
+  Json json{{"name", kind.name}, {"help", kind.help}, {"wall", kind.wall}, {"bounded", kind.bounded}};
+  json["canYield"] = kind.can_yield;
+  json["hasPlane"] = kind.has_plane;
+  json["length"] = unit_name(Dimension::length, kind.own);
+  json["parameters"] = Json::array();
+  for (const Parameter& each : kind.parameters) json["parameters"].push_back(described(each));
+  json["meets"] = Json::array();
+  for (const Kind& other : kinds()) {
+    if (!other.wall && meets(kind, other)) json["meets"].push_back(other.name);
   }
+  return json;
+}
+
+Json described(const NamedMaterial& named) {
+  const Material& its = named.material;
+  Json json{{"name", named.name}, {"young", its.young}, {"poisson", its.poisson}, {"density", its.density}};
+  json["loss_time"] = its.loss_time.value_or(0.0);
+  if (its.yield_strength) json["yield_strength"] = *its.yield_strength;
+  json["source"] = named.source;
+  return json;
 }
 
 }  // namespace
 
-Encounter::Encounter(const val& given)
-    : kind_(kind_of(given["kind"].as<std::string>())),
-      against_(given["against"]["kind"].as<std::string>()),
-      strain_(given["plane"].as<std::string>() == "strain"),
-      one_(given_body(given["first"])) {
-  const bool in_si = given["si"].as<bool>();
-  if (in_si) {
-    si_ = scales_of(one_);
-  } else {
-    // Its size and material are the units.
-    one_ = {one_.poisson, 1.0, 1.0, 1.0, 1.0, one_.loss_time, 0.0};
-  }
-  first_ = make(one_, 0);
-  if (against_ == "wall") {
-    refinable_.emplace(first_);
-    return;
-  }
-  if (against_ == "same") {
-    other_ = one_;
-    second_ = first_;
-  } else {
-    other_ = given_body(given["against"]["body"]);
-    second_ = of_what_is_met([&] { return against_half_space() ? make_half_space(other_) : make(other_, 1); });
-  }
-  refinable_.emplace(first_, second_);
+Meeting::Meeting(const std::string& document)
+    : encounter(encounter_from_json(document)),
+      first(first_solid(encounter)),
+      second(second_solid(encounter)),
+      si(si_scales(encounter)),
+      contact(refinable(encounter)) {}
+
+bool Meeting::against_half_space() const {
+  return second && (std::holds_alternative<HalfSpace>(*second) || std::holds_alternative<HalfPlane>(*second));
 }
 
-std::optional<Scales> Encounter::scales_of(const GivenBody& body) const {
-  switch (kind_) {
-    case BodyKind::disk:
-      return scales(Material{body.young, body.poisson, body.density}, plane(), body.radius);
-    case BodyKind::sphere:
-      return scales(Sphere{body.poisson, body.radius, body.young, body.density});
-    case BodyKind::rod:
-      return scales(Rod{body.radius, body.young, body.density, body.area});
-  }
-  return std::nullopt;
+std::string Meeting::unit_name(Dimension dimension) const {
+  return std::string(stoss::unit_name(dimension, unit_system(encounter)));
 }
 
-double Encounter::poisson(int body) const {
-  const GivenBody& of = body == 0 ? one_ : other_;
-  if (kind_ != BodyKind::disk || !si_) return of.poisson;
-  return plane_poisson(Material{of.young, of.poisson, of.density}, plane());
+std::string Meeting::own_unit_name(Dimension dimension) const {
+  return std::string(stoss::unit_name(dimension, kind(encounter.first.kind).own));
 }
 
-BodyMaker Encounter::make(const GivenBody& body, int number) const {
-  if (kind_ == BodyKind::rod) return rod(Rod{body.radius, body.young, body.density, body.area, body.loss_time});
-  const double loss_time = si_ ? body.loss_time / si_->time : body.loss_time;
-  if (kind_ == BodyKind::sphere) {
-    return sphere(Sphere{body.poisson, body.radius / one_.radius, body.young / one_.young, body.density / one_.density,
-                         loss_time});
-  }
-  Disk made{body.poisson, body.radius, body.young, body.density, loss_time};
-  if (si_) {
-    const Scales own = scales(Material{body.young, body.poisson, body.density}, plane(), body.radius);
-    const auto modulus = [](const Scales& of) { return of.force / of.length; };
-    made.poisson = plane_poisson(Material{body.young, body.poisson, body.density}, plane());
-    made.radius = number == 0 ? 1.0 : own.length / si_->length;
-    made.young = number == 0 ? 1.0 : modulus(own) / modulus(*si_);
-    made.density = body.density / one_.density;
-  }
-  return disk(made);
+val units(const Meeting& meeting) {
+  constexpr double fewest_modes = 4.0;  // cutoff, c/R
+  constexpr double quick = 0.5;         // c
+  using enum Dimension;
+  // The ratios of two bodies are checked where they meet; of the fewest modes that is soon done.
+  if (meeting.second) (void)contact_of(meeting.encounter, fewest_modes, quick);
+  // A rod in SI keeps its numbers.
+  const auto* rod = std::get_if<Rod>(&meeting.first);
+  const double modulus = rod != nullptr ? rod->young : 1.0;
+  val made = object({{"speed", val(meeting.unit(speed))},
+                     {"time", val(meeting.unit(time))},
+                     {"frequency", val(meeting.unit(frequency))},
+                     {"first", elastic(meeting.first, modulus)}});
+  if (meeting.si) made.set("modulus", meeting.encounter.first.material->density * std::pow(meeting.unit(speed), 2));
+  if (meeting.second) made.set("second", elastic(*meeting.second, modulus));
+  return made;
 }
 
-BodyMaker Encounter::make_half_space(const GivenBody& body) const {
-  if (kind_ == BodyKind::rod) {
-    throw InvalidInput("against: got half-space with a rod, allowed wall, same or another rod");
-  }
-  const double loss_time = si_ ? body.loss_time / si_->time : body.loss_time;
-  if (kind_ == BodyKind::sphere) {
-    return half_space({body.poisson, body.young / one_.young, body.density / one_.density, loss_time});
-  }
-  if (!si_) return half_plane({body.poisson, body.young, body.density, loss_time});
-  const Material material{body.young, body.poisson, body.density};
-  const Scales own = scales(material, plane(), si_->length);
-  const auto modulus = [](const Scales& of) { return of.force / of.length; };
-  return half_plane(
-      {plane_poisson(material, plane()), modulus(own) / modulus(*si_), body.density / one_.density, loss_time});
-}
-
-Contact Encounter::contact(double cutoff, double speed) const {
-  if (second_) return stoss::contact(first_, second_, cutoff, speed);
-  return stoss::contact(first_(cutoff, {}));
-}
-
-double Encounter::own_speed(double speed) const {
-  constexpr double slowest = 1e-8, fastest = 1.0;
-  const double scale = unit(Dimension::speed);
-  if (!(speed >= slowest * scale && speed <= fastest * scale)) {
-    throw InvalidInput("speed: got " + text(speed) + ", allowed " + text(slowest * scale) + " to " +
-                       text(fastest * scale) + " " + unit_name(Dimension::speed) + " (of approach)");
-  }
-  // The division may round beyond an end.
-  return std::clamp(speed / scale, slowest, fastest);
-}
-
-std::optional<double> Encounter::yield_speed() const {
-  if (!si_ || kind_ != BodyKind::sphere) return std::nullopt;
-  if (against_ == "wall") return quasistatic::yield_speed(material_of(one_), one_.radius);
-  const double radius = against_half_space() ? std::numeric_limits<double>::infinity() : other_.radius;
-  return quasistatic::yield_speed(material_of(one_), one_.radius, material_of(other_), radius);
-}
-
-double Encounter::unit(Dimension dimension) const { return si_ ? unit_in_si(dimension, *si_) : 1.0; }
-
-std::string Encounter::unit_name(Dimension dimension) const {
-  return std::string(stoss::unit_name(dimension, (si_ ? si_units : own_units).at(static_cast<std::size_t>(kind_))));
-}
-
-std::string Encounter::own_unit_name(Dimension dimension) const {
-  return std::string(stoss::unit_name(dimension, own_units.at(static_cast<std::size_t>(kind_))));
+std::string table_of_kinds() {
+  Json table{{"kinds", Json::array()}, {"materials", Json::array()}};
+  for (const Kind& each : kinds()) table["kinds"].push_back(described(each));
+  for (const NamedMaterial& each : named_materials()) table["materials"].push_back(described(each));
+  return table.dump(2);
 }
 
 }  // namespace stoss::web

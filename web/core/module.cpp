@@ -1,61 +1,64 @@
-// What the worker calls. Answers are those of web/src/core/protocol.ts; each may be { error } instead.
+// What the worker calls: one function for every question of web/src/core/protocol.ts.
 #include <emscripten/bind.h>
 
+#include <algorithm>
+#include <map>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "collision.hpp"
 #include "encounter.hpp"
+#include "javascript.hpp"
 #include "restitution.hpp"
-#include "shape.hpp"
-#include "stoss/version.hpp"
-#include "values.hpp"
+#include "stoss/encounter/document.hpp"
+#include "stoss/encounter/inside.hpp"
+#include "stoss/encounter/series.hpp"
+#include "stoss/errors.hpp"
 
 namespace stoss::web {
 namespace {
 
 using emscripten::val;
 
-/// { encounter }, to be deleted after use.
-val make_encounter(const val& given) {
-  return answered([&] {
-    val made = val::object();
-    made.set("encounter", std::make_shared<Encounter>(given));
-    return made;
-  });
+/// What a question is about, and who gets what comes one by one.
+struct Question {
+  val given, deliver;
+
+  [[nodiscard]] double number(const char* name) const { return given[name].as<double>(); }
+  [[nodiscard]] std::string text(const char* name) const { return given[name].as<std::string>(); }
+};
+
+/// The encounters of the last questions, with the modes of their bodies.
+std::shared_ptr<const Meeting> meeting(const Question& asked) {
+  constexpr std::size_t kept = 4;
+  static std::vector<std::pair<std::string, std::shared_ptr<const Meeting>>> known;
+  const std::string document = asked.text("document");
+  const auto found = std::find_if(known.begin(), known.end(), [&](const auto& each) { return each.first == document; });
+  auto its = found != known.end() ? found->second : std::make_shared<const Meeting>(document);
+  if (found != known.end()) known.erase(found);
+  known.emplace_back(document, its);
+  if (known.size() > kept) known.erase(known.begin());
+  return its;
 }
 
-val get_restitution(const Encounter& encounter, double speed, double tolerance) {
-  return answered([&] { return restitution(encounter, speed, tolerance); });
+/// The last collision.
+Collision& collision(const Question& asked) {
+  struct Last {
+    std::string document;
+    double speed, cutoff;
+    Collision its;
+  };
+  static std::unique_ptr<Last> last;
+  const std::string document = asked.text("document");
+  const double speed = asked.number("speed"), cutoff = asked.number("cutoff");
+  if (!last || last->document != document || last->speed != speed || last->cutoff != cutoff) {
+    last = std::make_unique<Last>(Last{document, speed, cutoff, Collision(meeting(asked), speed, cutoff)});
+  }
+  return last->its;
 }
 
-val get_curve(const Encounter& encounter, const val& speeds, double tolerance, const val& deliver) {
-  return answered([&] {
-    curve(encounter, numbers(speeds), tolerance, deliver);
-    return val::object();
-  });
-}
-
-val get_header(const Encounter& encounter, double slowest, double fastest, double error) {
-  return answered([&] {
-    val made = val::object();
-    made.set("text", header(encounter, slowest, fastest, error));
-    return made;
-  });
-}
-
-/// { collision, series }, the first to be deleted after use.
-val get_collision(const Encounter& encounter, double speed, double cutoff) {
-  return answered([&] {
-    auto collision = std::make_shared<Collision>(encounter, speed, cutoff);
-    val made = val::object();
-    made.set("series", collision->series());
-    made.set("collision", std::move(collision));
-    return made;
-  });
-}
-
-Points points(const val& grid) { return {numbers(grid["radius"]), numbers(grid["angle"])}; }
+bodies::PolarGrid points(const val& grid) { return {numbers(grid["radius"]), numbers(grid["angle"])}; }
 
 bodies::half_space::PlaneGrid below(const val& grid) {
   const val given = grid["below"];
@@ -63,31 +66,67 @@ bodies::half_space::PlaneGrid below(const val& grid) {
   return {numbers(given["distance"]), numbers(given["depth"])};
 }
 
-val get_frames(Collision& collision, const val& times, const val& grid, const val& deliver) {
-  return answered([&] {
-    collision.frames(numbers(times), points(grid), below(grid), deliver);
-    return val::object();
-  });
+val shape(const Question& asked) {
+  const std::shared_ptr<const Meeting> its = meeting(asked);
+  const int body = asked.given["body"].as<int>();
+  if (body == 1 && !its->second) throw InvalidInput("body: got the second, allowed the first");
+  const Interior made = mode_shape(its->solid(body), asked.given["order"].as<int>(), asked.given["index"].as<int>(),
+                                   points(asked.given["grid"]));
+  return object({{"radial", float32_array(made.radial)}, {"tangential", float32_array(made.tangential)}});
 }
 
-val get_shape(const Encounter& encounter, int body, int order, int index, const val& grid) {
-  return answered([&] { return shape(encounter, body, order, index, points(grid)); });
+const std::map<std::string, val (*)(const Question&)>& questions() {
+  static const std::map<std::string, val (*)(const Question&)> all{
+      {"kinds", [](const Question&) { return val(table_of_kinds()); }},
+      {"units", [](const Question& asked) { return units(Meeting(asked.text("document"))); }},
+      {"speed",
+       [](const Question& asked) {
+         return val(own_speed(encounter_from_json(asked.text("document")), asked.number("speed")));
+       }},
+      {"number", [](const Question& asked) { return val(parse_number(asked.text("name"), asked.text("text"))); }},
+      {"series",
+       [](const Question& asked) { return float64_array(parse_series(asked.text("name"), asked.text("text"))); }},
+      {"restitution",
+       [](const Question& asked) {
+         return restitution(*meeting(asked), asked.number("speed"), asked.number("tolerance"));
+       }},
+      {"curve",
+       [](const Question& asked) {
+         curve(*meeting(asked), numbers(asked.given["speeds"]), asked.number("tolerance"), asked.deliver);
+         return val::undefined();
+       }},
+      {"header",
+       [](const Question& asked) {
+         return val(header(*meeting(asked), asked.number("slowest"), asked.number("fastest"), asked.number("error")));
+       }},
+      {"collision", [](const Question& asked) { return collision(asked).series(); }},
+      {"frames",
+       [](const Question& asked) {
+         const val grid = asked.given["grid"];
+         collision(asked).frames(numbers(asked.given["times"]), points(grid), below(grid), asked.deliver);
+         return val::undefined();
+       }},
+      {"shape", shape},
+  };
+  return all;
+}
+
+/// { value } of the answer, or { error } with one line: no exception leaves for JavaScript, which cannot read those of
+/// C++.
+val ask(const std::string& question, const val& given, const val& deliver) {
+  std::string what;
+  try {
+    return object({{"value", questions().at(question)({given, deliver})}});
+  } catch (const std::bad_alloc&) {
+    what = "memory: the computation needs more than there is (a greater tolerance needs less)";
+  } catch (const std::exception& error) {
+    what = error.what();
+  }
+  return object({{"error", val(what)}});
 }
 
 }  // namespace
 
-EMSCRIPTEN_BINDINGS(stoss) {
-  emscripten::class_<Encounter>("Encounter")
-      .smart_ptr<std::shared_ptr<Encounter>>("EncounterPointer")
-      .function("restitution", &get_restitution)
-      .function("curve", &get_curve)
-      .function("header", &get_header)
-      .function("collision", &get_collision)
-      .function("shape", &get_shape);
-  emscripten::class_<Collision>("Collision")
-      .smart_ptr<std::shared_ptr<Collision>>("CollisionPointer")
-      .function("frames", &get_frames);
-  emscripten::function("makeEncounter", &make_encounter);
-}
+EMSCRIPTEN_BINDINGS(stoss) { emscripten::function("ask", &ask); }
 
 }  // namespace stoss::web

@@ -4,21 +4,26 @@ import { createCurveChart } from './charts/curve_chart';
 import { createModeBars } from './charts/mode_bars';
 import { createTimeCharts } from './charts/time_charts';
 import { createCore } from './core/client';
+import { find } from './drawing/dom';
 import { fromAddress } from './inputs/address';
 import { description } from './inputs/description';
 import { type Inputs, equal } from './inputs/inputs';
-import { onAxisOf } from './inputs/speeds';
+import { onAxisOf, usualSeries } from './inputs/speeds';
 import { createAddressBar } from './page/address_bar';
 import { createControls } from './page/controls';
 import { createCurves } from './page/curves';
-import { find } from './page/dom';
-import { createKeptView } from './page/kept_view';
+import { showKept } from './page/kept_view';
 import { createResults } from './page/results';
 import { createSession } from './page/session';
 import { createShare } from './page/share';
 import { createScene } from './scene/scene';
 
-const core = createCore();
+const core = await createCore().catch((error: unknown) => {
+  const notice = find('notice', HTMLElement);
+  notice.textContent = `The core could not be loaded: ${error instanceof Error ? error.message : String(error)}`;
+  notice.hidden = false;
+  throw error;
+});
 const start = fromAddress(location.search);
 let inputs = start.inputs;
 /** What is computed, or under way; undefined after a failure. */
@@ -26,14 +31,18 @@ let computed: Inputs | undefined;
 
 const results = createResults();
 const scene = createScene(find('scene', HTMLElement), core);
-const timeCharts = createTimeCharts(find('time-charts', HTMLElement));
-const curveChart = createCurveChart(find('curve-chart', HTMLElement));
+const timeCharts = createTimeCharts(find('time-charts', HTMLElement), (time) => scene.seek(time));
+const curveChart = createCurveChart(find('curve-chart', HTMLElement), (speed) => {
+  const next = { ...inputs, speed };
+  controls.show(next);
+  take(next, true);
+});
 const modeBars = createModeBars(find('mode-bars', HTMLElement), core);
 
-const pictures = { curve: curveChart, time: timeCharts, modes: modeBars, collision: scene };
+const pictures =
+  { curve: curveChart.picture, time: timeCharts.picture, modes: modeBars.picture, collision: scene.picture };
 const curves = createCurves(core, showCurves, (line) => results.say(line));
 const share = createShare(core, curves.of, pictures, inputs);
-const showKept = createKeptView((kept) => take({ ...inputs, kept }, true));
 const address = createAddressBar((next, problem) => {
   controls.show(next);
   results.say(problem);
@@ -85,7 +94,7 @@ function compute(next: Inputs): void {
   inputs = next;
   computed = next;
   share.show(inputs);
-  showKept(inputs);
+  showKept(inputs, (kept) => take({ ...inputs, kept }, true));
   if (before !== undefined && before.speed === next.speed && equal(before.encounter, next.encounter)) {
     results.stale('');
     if (before.kept !== next.kept) curves.want([next.encounter, ...next.kept]);
@@ -97,10 +106,13 @@ function compute(next: Inputs): void {
 
 function showPoint(result: { quantities: Record<string, { value: number; error?: number }>; speed: number }): void {
   const epsilon = result.quantities.restitution;
-  if (epsilon !== undefined) curveChart.setCurrent(result.speed, epsilon.value, epsilon.error ?? 0);
+  if (epsilon === undefined) return;
+  const { value, error = 0 } = epsilon;
+  curveChart.setCurrent({ speed: result.speed, restitution: value, error });
 }
 
 function showCurves(): void {
+  series.placeholder = usualSeries(inputs.encounter);
   const all = [inputs.encounter, ...inputs.kept.filter((other) => !equal(other, inputs.encounter))];
   curveChart.setCurves(all.map((encounter) => {
     const { points, planned } = curves.of(encounter);
@@ -114,13 +126,19 @@ function showCurves(): void {
   }));
 }
 
-curveChart.onPick((speed) => {
-  const next = { ...inputs, speed: Number(speed.toPrecision(4)) };
-  controls.show(next);
-  take(next, true);
+const series = find('series', HTMLInputElement);
+series.addEventListener('change', () => {
+  const problem = find('series-problem', HTMLElement);
+  problem.textContent = '';
+  try {
+    curves.at(series.value);
+  } catch (error) {
+    problem.textContent = error instanceof Error ? error.message : String(error);
+  }
+  problem.hidden = problem.textContent === '';
 });
+
 scene.onCursor((time) => timeCharts.setCursor(time));
-timeCharts.onCursor((time) => scene.seek(time));
 
 results.say(start.problem);
 compute(inputs);

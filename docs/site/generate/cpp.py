@@ -11,13 +11,6 @@ FACE = ROOT / "include/stoss"
 XML = ROOT / "build/docs-doxygen/xml"
 
 
-def offers() -> dict[str, str]:
-    """What docs/architecture.md says of each header."""
-    text = (ROOT / "docs/architecture.md").read_text(encoding="utf-8")
-    table = text.partition("### Public face")[2].partition("\n### ")[0]
-    return dict(re.findall(r"^\| `([\w/.]+)` \| (.*) \|$", table, re.MULTILINE))
-
-
 def heading(text: str, line: str) -> list[str]:
     return [text, line * len(text), ""]
 
@@ -62,6 +55,12 @@ def declared() -> dict[str, list[str]]:
     return {header: [shown for _, shown in sorted(entries)] for header, entries in found.items()}
 
 
+def offers(shown: list[str]) -> str:
+    """The names of what a header declares."""
+    names = [re.sub(r"^.*:: (?:[a-z_0-9]+::)*(\w+).*$", r"`\1`", directive.partition("\n")[0]) for directive in shown]
+    return ", ".join(dict.fromkeys(names))
+
+
 def page(title: str, introduction: str, headers: list[str], shown: dict[str, list[str]]) -> str:
     lines = [*heading(title, "="), introduction, ""]
     for header in headers:
@@ -83,7 +82,8 @@ def write(tree: Tree) -> None:
     pages["c"] = page("C", "The library in C; `stoss.f90` has the same for Fortran.", ["stoss.h"], shown)
     for name, text in pages.items():
         tree.write(f"reference/cpp/{name}.rst", text)
-    table = [f"| `stoss/{name}` | {text} |" for name, text in offers().items()]
+    headers = [*common, *(name for room in rooms.values() for name in headers_in(room)), "stoss.h"]
+    table = [f"| `stoss/{name}` | {offers(shown.get(f'stoss/{name}', []))} |" for name in headers]
     index = ["# C++ and C", "", "A page for each room of the library ([architecture](../../architecture.md)).", ""]
     index += ["```{toctree}", ":maxdepth: 1", "", *pages, "```", "", "| header | what it offers |", "|---|---|", *table]
     tree.write("reference/cpp/index.md", "\n".join(index) + "\n")

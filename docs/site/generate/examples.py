@@ -1,15 +1,9 @@
-"""The gallery: every program of examples/ is run, and shown with what it prints and draws.
-
-A program runs again only if it or the package has changed.
-"""
+"""The gallery: every program of examples/ is run, and shown with what it prints and draws."""
 
 import ast
 import concurrent.futures
-import hashlib
 import os
 import re
-import shutil
-import subprocess
 import sys
 import textwrap
 from pathlib import Path
@@ -17,30 +11,8 @@ from pathlib import Path
 import stoss
 from tree import ROOT, Tree
 
-KEPT = ROOT / "build/docs-examples"
-
-
-def package_state() -> bytes:
-    state = hashlib.sha256()
-    for file in sorted(Path(stoss.__path__[0]).rglob("*")):
-        if file.suffix in (".py", ".so", ".npz"):
-            state.update(file.read_bytes())
-    return state.digest()
-
-
-def run(program: Path, state: bytes) -> Path:
-    """The folder that a program has filled, its output in output.txt beside what it wrote."""
-    folder = KEPT / hashlib.sha256(state + program.read_bytes()).hexdigest()[:16]
-    if not (folder / "output.txt").exists():
-        shutil.rmtree(folder, ignore_errors=True)
-        folder.mkdir(parents=True)
-        command = [sys.executable, str(program), "out"]
-        environment = {**os.environ, "MPLBACKEND": "Agg"}
-        done = subprocess.run(command, cwd=folder, env=environment, capture_output=True, encoding="utf-8")
-        if done.returncode:
-            raise SystemExit(f"{program.name}: {done.stderr}")
-        (folder / "output.txt").write_text(done.stdout, encoding="utf-8")
-    return folder
+sys.path.insert(0, str(ROOT / "scripts"))
+from run_examples import run  # noqa: E402
 
 
 def described(text: str) -> tuple[str, list[str]]:
@@ -75,12 +47,9 @@ def page(tree: Tree, program: Path, folder: Path) -> tuple[str, str]:
 
 
 def write(tree: Tree) -> None:
-    state = package_state()
     programs = sorted((ROOT / "examples").glob("*.py"))
     with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
-        folders = list(pool.map(lambda program: run(program, state), programs))
-    for stale in set(KEPT.iterdir()) - set(folders):
-        shutil.rmtree(stale)
+        folders = list(pool.map(lambda program: run(program.stem), programs))
     lines = ["# Examples", "", "Short programs, in `examples/`, with what they print and draw. Each runs as it stands.", ""]
     for program, folder in zip(programs, folders):
         title, picture = page(tree, program, folder)

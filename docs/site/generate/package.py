@@ -31,7 +31,7 @@ MADE_BY_USERS = "Disk Sphere Rod HalfSpace HalfPlane HardWall ExponentialWall Ma
 
 def said_of(name: str) -> list[str]:
     """The docstring below a value in the module that defines it."""
-    for module in [module for module in sys.modules if module.startswith("stoss._")]:
+    for module in [module for module in sys.modules if module.startswith("stoss.")]:
         if module != "stoss._core":
             said = ModuleAnalyzer.for_module(module).find_attr_docs()
             if ("", name) in said:

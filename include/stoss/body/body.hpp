@@ -151,6 +151,9 @@ void validate(const Body& body);
 /// Whether the body extends to infinity: it has no translation, and its modes only carry waves away.
 [[nodiscard]] bool is_unbounded(const Body& body);
 
+/// Whether all of the body is there and bounded, so that it can vibrate before an impact.
+[[nodiscard]] bool is_whole(const Body& body);
+
 /// The same body without elasticity: it keeps mass and surface, and the units in which it is given. It meets elastic
 /// bodies. @throws InvalidInput for a half-space or half-plane
 [[nodiscard]] Body rigid(const Body& body);

@@ -10,12 +10,6 @@
 
 namespace stoss {
 
-/// The contact points of an impact, and what all bodies together are there, in units of the first.
-struct ContactGrid : Surface {
-  ContactPoints points;            ///< for the first body
-  std::vector<double> coordinate;  ///< arc length on the circle of the points, R; ascending
-};
-
 /// Who meets whom, as the one system that an impact needs.
 ///
 /// A body meets a rigid or an exponential wall, or a second body. A pair is a single system in relative motion: with
@@ -36,7 +30,7 @@ struct Contact {
   double stable_step = 0.0;            ///< as Body::stable_step, and half the loss time more
   std::vector<ModeGroup> groups;       ///< of the first, then of the second, every modal mass `mass`
   std::size_t first_groups = 0;        ///< how many of them are of the first
-  bool radiating = false;              ///< those of the second only carry waves away (half-space)
+  bool unbounded = false;              ///< the second is a half-space: its modes only carry waves away
   double radius = 1.0;                 ///< of the circle of the contact points
 };
 
@@ -56,11 +50,14 @@ struct Contact {
 /// Whether a single point on the axis represents the whole contact, as with flat ends.
 [[nodiscard]] bool has_single_point(const Contact& contact);
 
-/// Largest half-width that the contact points can cover, R; 0 for a single point.
-[[nodiscard]] double greatest_half_width(const Contact& contact);
+/// One of the bodies, 0: the first, 1: the second; null where there is none, as at a wall.
+[[nodiscard]] std::shared_ptr<const Body> body_of(const Contact& contact, int number);
 
 /// Number of kept modes.
 [[nodiscard]] std::size_t mode_count(const Contact& contact);
+
+/// Number of the groups whose modes keep their energy; those behind them only carry waves away.
+[[nodiscard]] std::size_t lasting_groups(const Contact& contact);
 
 /// Modal mass of the modes of a group by themselves: the mass of their body.
 [[nodiscard]] double modal_mass(const Contact& contact, std::size_t group);
@@ -84,27 +81,12 @@ struct Contact {
 /// Longest R/c of the bodies, or of the part that is there, in that of the first; with a half-space, time_scale.
 [[nodiscard]] double longest_time(const Contact& contact);
 
-/// Half-width of the contact that Hertz' theory expects of an impact at this speed, R; 0 for a single point.
-[[nodiscard]] double expected_half_width(const Contact& contact, double speed);
-
-/// How long Hertz' theory expects an impact on a growing contact to last, R/c.
-[[nodiscard]] double expected_duration(const Contact& contact, double speed);
-
-/// Points from the axis to at least half_width, and what the bodies are there.
-/// @throws InvalidInput for a half-width or a number of points that the contact cannot have
-[[nodiscard]] ContactGrid contact_grid(const Contact& contact, double half_width, int nodes);
-
-/// W of all bodies together: relative displacement of the bodies at point i per force on point j.
-[[nodiscard]] std::vector<double> residual_compliance(const Contact& contact, const ContactGrid& grid,
-                                                      const Poll& poll = {});
-
-/// V of all bodies together.
-[[nodiscard]] std::vector<double> residual_second_moment(const Contact& contact, const ContactGrid& grid,
-                                                         const Poll& poll = {});
-
 /// Share of the first body in the energy that the modes above the cutoff absorb: the force is common, and a plane wave
 /// takes f²/Z.
 [[nodiscard]] double unresolved_share(const Contact& contact);
+
+/// Time until the first echo from where a part of a body ends, R/c of the first; infinite where all are whole.
+[[nodiscard]] double echo_time(const Contact& contact);
 
 /// Time of a contact over R/c of the first body: both bodies as springs of stiffness mc²/R² under the reduced mass, a
 /// half-space as one of the size of the first; for flat ends, the shorter transit time. It is 1 at a wall, and the same

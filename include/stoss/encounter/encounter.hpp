@@ -8,8 +8,6 @@
 #include "stoss/impact/vibration.hpp"
 #include "stoss/material.hpp"
 #include "stoss/restitution/ladder.hpp"
-#include "stoss/table/adaptive_pairs.hpp"
-#include "stoss/table/slow_law.hpp"
 
 namespace stoss {
 
@@ -50,19 +48,15 @@ void validate(const Encounter& encounter);
 [[nodiscard]] BodyMaker first_maker(const Encounter& encounter);
 [[nodiscard]] BodyMaker second_maker(const Encounter& encounter);
 
+/// The wall that the first meets; a hard one for two bodies. @throws InvalidInput as validate
+[[nodiscard]] Wall wall_of(const Encounter& encounter);
+
 /// At any cutoff, for `restitution`; of an exponential wall, at the hard one. @throws InvalidInput as validate
 [[nodiscard]] RefinableContact refinable(const Encounter& encounter);
 
 /// At one cutoff, and for contacts as long as at this speed, both in units of the first body.
 /// @throws InvalidInput as validate and contact
 [[nodiscard]] Contact contact_of(const Encounter& encounter, double cutoff, double speed);
-
-/// Of any ratio of radii, for a table of pairs; that of the two does not count.
-/// @throws InvalidInput unless these are elastic disks or spheres
-[[nodiscard]] Mixture mixture(const Encounter& encounter);
-
-/// The law of its slow impacts. @throws InvalidInput for bodies of which there is none
-[[nodiscard]] SlowLaw slow_law(const Encounter& encounter);
 
 /// SI values of the units of the first body, where it has a material.
 [[nodiscard]] std::optional<Scales> si_scales(const Encounter& encounter);

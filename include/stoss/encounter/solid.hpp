@@ -1,6 +1,5 @@
 #pragma once
 
-#include <optional>
 #include <variant>
 
 #include "stoss/bodies/disk.hpp"
@@ -8,7 +7,6 @@
 #include "stoss/bodies/rod.hpp"
 #include "stoss/bodies/sphere.hpp"
 #include "stoss/body/body.hpp"
-#include "stoss/table/slow_law.hpp"
 
 namespace stoss {
 
@@ -17,9 +15,5 @@ using Solid = std::variant<Disk, Sphere, Rod, HalfSpace, HalfPlane>;
 
 /// Makes the body of a solid at any cutoff. @throws InvalidInput as the maker of its kind
 [[nodiscard]] BodyMaker maker(const Solid& solid);
-
-/// The law of slow impacts of a solid on another, or at a hard wall. @throws InvalidInput where there is none
-/// @param rigid whether the first is rigid
-[[nodiscard]] SlowLaw slow_law(const Solid& first, const std::optional<Solid>& second, bool rigid = false);
 
 }  // namespace stoss

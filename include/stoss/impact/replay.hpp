@@ -3,6 +3,7 @@
 #include <memory>
 #include <vector>
 
+#include "stoss/contact/grid.hpp"
 #include "stoss/impact/impact.hpp"
 #include "stoss/poll.hpp"
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "stoss/cxx20.hpp"
+#include "stoss/quasistatic/point_hertz.hpp"
 
 namespace stoss::quasistatic {
 
@@ -25,6 +25,9 @@ enum class PointLaw {
 /// Radius of the contact under a force, R: a³ = π(1 − ν²)F for both laws.
 /// @param force F in mc²/R, 0 … limit_force(law, poisson)
 [[nodiscard]] double contact_radius(PointLaw law, double poisson, double force);
+
+/// Hertz' contact of a sphere at a hard wall, in R and E of it. @param force as for contact_radius
+[[nodiscard]] PointHertz point_hertz_at_wall(double poisson, double force);
 
 /// Force at which a law ends, mc²/R: the contact has the radius R, or less where δ(F) has its maximum before.
 /// It means little from a tenth of it on.

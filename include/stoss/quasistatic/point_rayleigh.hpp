@@ -37,10 +37,10 @@ struct PointRayleighEstimate {
 /// @param modes of the same sphere, in any order. Those beyond a cutoff of 60 would add 2e-4 to 1e-3 of lost_fraction
 /// @throws InvalidInput as slow_impact, and for a frequency outside 0 … max_cutoff
 [[nodiscard]] PointRayleighEstimate rayleigh(PointLaw law, double poisson, double speed,
-                                             const std::vector<bodies::sphere::Mode>& modes, const Poll& poll = {});
+                                             const std::vector<bodies::Mode>& modes, const Poll& poll = {});
 
 /// c(ν) of the loss of a slow sphere, 1 − ε² → v c(ν) in the mean over the phases of its modes as v → 0:
 /// (2πE*²/m²) Σ U²/ω⁵ over the given modes; 0.158, 0.172, 0.199, 0.290 and 0.331 at ν = 0, 0.2, 0.3, 0.45 and 0.49.
-[[nodiscard]] double mean_loss_factor(double poisson, const std::vector<bodies::sphere::Mode>& modes);
+[[nodiscard]] double mean_loss_factor(double poisson, const std::vector<bodies::Mode>& modes);
 
 }  // namespace stoss::quasistatic

@@ -1,6 +1,10 @@
 #pragma once
 
 #include "stoss/quantity.hpp"
+#include "stoss/quasistatic/half_space_radiation.hpp"
+#include "stoss/quasistatic/point_lossy_impact.hpp"
+#include "stoss/quasistatic/point_rayleigh.hpp"
+#include "stoss/quasistatic/point_slow_impact.hpp"
 #include "stoss/quasistatic/rayleigh.hpp"
 #include "stoss/quasistatic/slow_impact.hpp"
 #include "stoss/quasistatic/soft_static_contact.hpp"
@@ -18,5 +22,17 @@ namespace stoss::quasistatic {
 
 /// Quantities of a static contact at an exponential wall.
 [[nodiscard]] const Quantities<SoftStaticContact>& soft_static_contact_quantities();
+
+/// Quantities of a slow impact of a sphere.
+[[nodiscard]] const Quantities<PointSlowImpact>& point_slow_impact_quantities();
+
+/// Quantities of Rayleigh's estimate for a sphere, those of the impact that drives the modes included.
+[[nodiscard]] const Quantities<PointRayleighEstimate>& point_rayleigh_quantities();
+
+/// Quantities of the loss of a slow ball to a half-space.
+[[nodiscard]] const Quantities<HalfSpaceRadiation>& half_space_radiation_quantities();
+
+/// Quantities of an impact of lossy round bodies.
+[[nodiscard]] const Quantities<LossyImpact>& lossy_impact_quantities();
 
 }  // namespace stoss::quasistatic

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "stoss/bodies/disk/modes.hpp"
+#include "stoss/poll.hpp"
 #include "stoss/quasistatic/slow_impact.hpp"
 
 /// Rayleigh's estimate of the loss: every mode is driven, at the point of contact φ = 0, by the force of a slow impact,
@@ -51,6 +52,6 @@ struct RayleighEstimate {
 ///              (v ≤ 0.01, ν = 0.33), which falls as 1/cutoff²
 /// @throws InvalidInput as slow_impact, and for a frequency outside 0 … max_cutoff
 [[nodiscard]] RayleighEstimate rayleigh(CompressionLaw law, double poisson, double speed,
-                                        const std::vector<bodies::disk::Mode>& modes, const Poll& poll = {});
+                                        const std::vector<bodies::Mode>& modes, const Poll& poll = {});
 
 }  // namespace stoss::quasistatic

@@ -8,6 +8,12 @@
 
 namespace stoss {
 
+/// Coefficient of restitution as `restitution` has it, or the best value that it reached: `converged` is false then,
+/// with a reason, and the values are NaN where no two impacts end.
+/// @throws InvalidInput as the options of one value do; what poll throws comes through
+[[nodiscard]] Restitution best_restitution(const RefinableContact& contact, double speed,
+                                           const RestitutionOptions& options);
+
 /// Receives the results of a curve in the order of its speeds, on the calling thread: each as soon
 /// as it and all before it are there. What it throws ends the curve.
 using CurveObserver = std::function<void(std::size_t index, const Restitution& result)>;

@@ -60,8 +60,8 @@ class PairTable {
   [[nodiscard]] double greatest_error() const;
 
  private:
-  struct Table;
-  std::shared_ptr<const Table> table_;
+  struct Data;
+  std::shared_ptr<const Data> data_;
 };
 
 }  // namespace stoss

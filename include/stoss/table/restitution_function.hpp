@@ -66,8 +66,8 @@ class RestitutionFunction {
   [[nodiscard]] const std::vector<double>& interpolation_errors() const;
 
  private:
-  struct Table;
-  std::shared_ptr<const Table> table_;
+  struct Data;
+  std::shared_ptr<const Data> data_;
 };
 
 }  // namespace stoss

@@ -11,7 +11,6 @@
 #include "stoss/impact/resolution.hpp"
 #include "stoss/impact/vibration.hpp"
 #include "stoss/poll.hpp"
-#include "stoss/quantity.hpp"
 
 namespace stoss {
 
@@ -85,8 +84,5 @@ void bounce(const Contact& contact, double speed, const BounceOptions& options, 
 
 /// Checks a sequence before it is computed. @throws InvalidInput as `bounce`
 void validate(const Contact& contact, double speed, const BounceOptions& options);
-
-/// Quantities of one impact of a sequence. Energies are shares of the initial energy of the first.
-[[nodiscard]] const Quantities<Bounce>& bounce_quantities();
 
 }  // namespace stoss

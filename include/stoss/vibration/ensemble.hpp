@@ -33,6 +33,10 @@ using Spectrum = std::vector<MeanEnergy>;
 [[nodiscard]] Spectrum thermal(const RefinableContact& contact, double temperature, double highest,
                                const Poll& poll = {});
 
+/// Frequency of each mode of a spectrum, c/R of the first body. @throws what the makers and poll throw
+[[nodiscard]] std::vector<double> frequencies(const RefinableContact& contact, const Spectrum& spectrum,
+                                              const Poll& poll = {});
+
 /// One sample of an ensemble: how the bodies vibrate before it.
 ///
 /// Q and P of each mode are independent normal numbers, as in thermal equilibrium, so its energy E is distributed like

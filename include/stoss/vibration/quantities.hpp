@@ -1,6 +1,7 @@
 #pragma once
 
 #include "stoss/quantity.hpp"
+#include "stoss/vibration/bounce.hpp"
 #include "stoss/vibration/distribution.hpp"
 
 namespace stoss {
@@ -10,5 +11,8 @@ namespace stoss {
 
 /// Quantities of the summary of an ensemble.
 [[nodiscard]] const Quantities<DistributionSummary>& distribution_quantities();
+
+/// Quantities of one impact of a sequence. Energies are shares of the initial energy of the first.
+[[nodiscard]] const Quantities<Bounce>& bounce_quantities();
 
 }  // namespace stoss

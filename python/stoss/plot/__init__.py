@@ -37,57 +37,19 @@ except ModuleNotFoundError as _missing:
     _hint = "pip install matplotlib, or apt install python3-matplotlib"
     raise ImportError(f"stoss.plot needs matplotlib: {_hint}") from None
 
-from stoss._bounce_result import Bounces
-from stoss._distribution_result import RestitutionDistribution
-from stoss._extrapolation import Extrapolation
-from stoss._field import DiskField, SphereField
-from stoss._function_result import RestitutionFunction
-from stoss._modes import Modes
-from stoss._rayleigh_result import PointRayleighEstimate, RayleighEstimate
-from stoss._restitution_result import Restitution
-from stoss._result import pictures
-from stoss._rod_chain_result import RodChain
-from stoss._slow_impact_result import PointSlowImpact, SlowImpact
-from stoss._static_contact import StaticContact
-from stoss._trajectory import Trajectory
-from stoss._wave import Wave
 from stoss.plot._animation import animate
-from stoss.plot._bounces import bounces
 from stoss.plot._disk import disk, sphere
-from stoss.plot._distribution import distribution
-from stoss.plot._extrapolation import extrapolation
-from stoss.plot._function import function
+from stoss.plot._functions import extrapolation, function, pair_table
 from stoss.plot._ledger import ledger
+from stoss.plot._many import bounces, cooling, distribution, restitution_histogram
 from stoss.plot._modes import mode_shape, spectrum
-from stoss.plot._pair_table import pair_table
 from stoss.plot._quasistatic import rayleigh, slow_impact, static_contact
 from stoss.plot._restitution import restitution
-from stoss.plot._rod_chain import cooling, restitution_histogram
 from stoss.plot._sequence import sequence
 from stoss.plot._stress import stress
+from stoss.plot._style import PICTURES as PICTURES
 from stoss.plot._trajectory import energies, force, half_width, velocity
 from stoss.plot._wave import wave
-
-pictures.update(
-    {
-        Bounces: bounces,
-        Extrapolation: extrapolation,
-        DiskField: stress,
-        Modes: spectrum,
-        PointRayleighEstimate: rayleigh,
-        PointSlowImpact: slow_impact,
-        RayleighEstimate: rayleigh,
-        Restitution: restitution,
-        RestitutionDistribution: distribution,
-        RestitutionFunction: function,
-        RodChain: cooling,
-        SphereField: stress,
-        SlowImpact: slow_impact,
-        StaticContact: static_contact,
-        Trajectory: force,
-        Wave: wave,
-    }
-)
 
 __all__ = [
     "animate",

@@ -20,9 +20,9 @@ from numpy.typing import NDArray
 from PIL import Image
 
 from stoss._arguments import instance, integer, number, refusal, require_memory
-from stoss._files import whole_file
-from stoss._impact_result import Impact
+from stoss.export._files import whole_file
 from stoss.plot import _disk, _ground, _sequence, _stress, _style
+from stoss.results._impact import Impact
 
 DPI = 100
 SUFFIXES = (".gif", ".mp4")

@@ -12,11 +12,11 @@ from matplotlib.ticker import MultipleLocator
 from numpy.typing import NDArray
 
 from stoss._arguments import instance, integer, refusal
-from stoss._bodies import BODIES
 from stoss._errors import InvalidInput
-from stoss._field import Field
-from stoss._impact_result import Impact
+from stoss.bodies._bodies import BODIES
 from stoss.plot import _ground, _style
+from stoss.results._field import Field
+from stoss.results._impact import Impact
 
 CIRCLES, SPOKES = 6, 24
 
@@ -110,10 +110,6 @@ def disk(
         Also the undeformed disk around the same centre of mass, in grey.
     color : color, optional
         Of the grid.
-
-    Returns
-    -------
-    Axes
 
     Examples
     --------

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import NamedTuple, Sequence
+from typing import Any, NamedTuple, Sequence
 
 import numpy as np
 from matplotlib.artist import Artist
@@ -10,15 +10,18 @@ from matplotlib.axes import Axes
 from matplotlib.lines import Line2D
 from numpy.typing import NDArray
 
-from stoss import _replay
-from stoss._field import Field
-from stoss._half_space import UNBOUNDED
-from stoss._impact_result import Impact
+from stoss.bodies._blocks import UNBOUNDED
 from stoss.plot import _style
+from stoss.results import _replay
+from stoss.results._field import Field
+from stoss.results._impact import Impact
 
 Array = NDArray[np.float64]
 
 WALL = 0.12  # thickness of what is drawn as the wall, R, and of a half-space below the deepest point
+
+
+LOOK: dict[str, Any] = {"facecolor": "0.8", "edgecolor": "none", "zorder": 1.0}
 
 
 class Surface(NamedTuple):
@@ -55,11 +58,11 @@ def draw(axes: Axes, impact: Impact, time: float, half: float, right: float) -> 
 
 def draw_wall(axes: Axes) -> Line2D:
     """The wall at x = 0, as high as the picture, and its face."""
-    axes.axvspan(0.0, WALL, facecolor="0.8", edgecolor="none", zorder=1.0)
+    axes.axvspan(0.0, WALL, **LOOK)
     return axes.axvline(0.0, color=_style.BLACK, linewidth=1.0, zorder=1.8)
 
 
 def draw_half_space(axes: Axes, y: Array, x: Array, depth: float) -> list[Artist]:
     """The half-space from its moved surface down to some depth."""
-    body = axes.fill_betweenx(y, x, depth, facecolor="0.8", edgecolor="none", zorder=1.0)
+    body = axes.fill_betweenx(y, x, depth, **LOOK)
     return [body, *axes.plot(x, y, color=_style.BLACK, linewidth=1.0, zorder=1.8)]

@@ -5,11 +5,11 @@ from __future__ import annotations
 import numpy as np
 from matplotlib.axes import Axes
 
-from stoss._arguments import instance, integer, refusal
-from stoss._bodies import Disk, Sphere
-from stoss._half_space import UNBOUNDED
-from stoss._impact_result import Impact
+from stoss._arguments import integer, refusal
+from stoss.bodies._blocks import UNBOUNDED
+from stoss.bodies._bodies import Disk, Sphere
 from stoss.plot import _style
+from stoss.results._impact import Impact
 
 LABELS = {"after": "energy after impact / initial", "average": "mean energy in contact / initial"}
 HATCHES = ("", "/////", "xxxxx", ".....", "\\\\\\\\\\", "-----", "+++++")
@@ -17,6 +17,7 @@ COLUMNS = 4  # of the legend
 DECADES = 8.0  # below the maximum bar; what is less is left out
 
 
+@_style.picture_of(Impact)
 def ledger(
     impact: Impact, ax: Axes | None = None, *, when: str = "after", orders: int = 8, indices: int = 4, of: int = 0
 ) -> Axes:
@@ -38,17 +39,12 @@ def ledger(
     of : {0, 1}, optional
         The modes of which body: the first, or the second.
 
-    Returns
-    -------
-    Axes
-
     Examples
     --------
     >>> ax = stoss.plot.ledger(stoss.impact(poisson=0.33, speed=0.1, cutoff=12.5))
     >>> ax.get_ylabel()
     'energy after impact / initial'
     """
-    instance("impact", impact, (Impact,))
     _style.choice("when", when, tuple(LABELS))
     for name, value, limit in (("orders", orders, 100), ("indices", indices, 20)):
         if not 1 <= integer(name, value) <= limit:
@@ -64,7 +60,8 @@ def ledger(
     modes = modes[(modes["order"] < orders) & (modes["index"] < indices) & (modes[when] > 0.0)]
     before = modes[(modes["before"] > 0.0) & (when == "after")]
 
-    with _style.canvas(ax, size=(_style.COLUMN, 2.7)) as axes:
+    look = {"xlabel": "degree n" if isinstance(impact.body, Sphere) else "angular order n", "ylabel": LABELS[when]}
+    with _style.canvas(ax, size=(_style.COLUMN, 2.7), **look) as axes:
         width = 0.84 / indices
         for index in range(indices):
             chosen = modes[modes["index"] == index]
@@ -98,6 +95,4 @@ def ledger(
             axes.set_ylim(10.0**low, 10.0 ** ((top - head * low) / (1.0 - head)))
             axes.set_xticks(places[:: -(-places.size // 12)] if places.size else [])
             _style.legend(axes, ncol=COLUMNS, loc="upper right", columnspacing=0.8, handlelength=1.2, handletextpad=0.5)
-        axes.set_xlabel("degree n" if isinstance(impact.body, Sphere) else "angular order n")
-        axes.set_ylabel(LABELS[when])
     return axes

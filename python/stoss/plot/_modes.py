@@ -2,16 +2,19 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import numpy as np
 from matplotlib.axes import Axes
 from numpy.typing import NDArray
 
-from stoss._arguments import instance, number, refusal
-from stoss._bodies import Sphere
-from stoss._modes import Modes
+from stoss._arguments import number, refusal
+from stoss.bodies._bodies import Sphere
 from stoss.plot import _disk, _style
+from stoss.results._modes import Modes
 
 
+@_style.picture_of(Modes, method="plot")
 def spectrum(modes: Modes, ax: Axes | None = None) -> Axes:
     """Eigenfrequencies ω against the order or degree n, radial and tangential modes told apart.
 
@@ -24,17 +27,12 @@ def spectrum(modes: Modes, ax: Axes | None = None) -> Axes:
     ax : Axes, optional
         Where to draw.
 
-    Returns
-    -------
-    Axes
-
     Examples
     --------
     >>> ax = stoss.plot.spectrum(stoss.modes(poisson=0.33, cutoff=10))
     >>> ax.get_ylabel()
     'frequency ω / (c/R)'
     """
-    instance("modes", modes, (Modes,))
     size = 3.5 if len(modes) < 150 else 2.5 if len(modes) < 600 else 1.5
     ball = isinstance(modes.body, Sphere)
     names = ("U > √(n(n+1)) |V|", "U ≤ √(n(n+1)) |V|") if ball else ("C > |S|", "C ≤ |S|")
@@ -43,18 +41,18 @@ def spectrum(modes: Modes, ax: Axes | None = None) -> Axes:
         (~modes.radial_family, f"tangential, {names[1]}",
          {"color": _style.VERMILION, "marker": "^", "fillstyle": "none"}),
     )  # fmt: skip
-    with _style.canvas(ax, size=(_style.COLUMN, 2.8)) as axes:
+    axis = {"xlabel": "degree n" if ball else "angular order n", "ylabel": "frequency ω / (c/R)"}
+    with _style.canvas(ax, size=(_style.COLUMN, 2.8), **axis) as axes:
         for where, name, style in kinds:
             look = {"linestyle": "none", "markersize": size, "markeredgewidth": 0.7} | style
             axes.plot(modes.order[where], modes.omega[where], label=name, **look)
         axes.xaxis.get_major_locator().set_params(integer=True)
         axes.set_ylim(bottom=0.0)
-        axes.set_xlabel("degree n" if ball else "angular order n")
-        axes.set_ylabel("frequency ω / (c/R)")
         _style.legend(axes, loc="lower right", handlelength=1.0)
     return axes
 
 
+@_style.picture_of(Modes)
 def mode_shape(modes: Modes, ax: Axes | None = None, *, order: int, index: int, amplitude: float = 0.15) -> Axes:
     """Shape of the mode (n, l): a deformed grid over the undeformed outline in grey.
 
@@ -70,17 +68,12 @@ def mode_shape(modes: Modes, ax: Axes | None = None, *, order: int, index: int, 
     amplitude : float, optional
         Maximum displacement in the picture, R, −1 to 1.
 
-    Returns
-    -------
-    Axes
-
     Examples
     --------
     >>> ax = stoss.plot.mode_shape(stoss.modes(poisson=0.33, cutoff=10), order=2, index=0)
     >>> ax.get_title()
     '(n, l) = (2, 0), ω = 1.439 c/R'
     """
-    instance("modes", modes, (Modes,))
     greatest = number("amplitude", amplitude)
     if not abs(greatest) <= 1.0:
         raise refusal("amplitude", amplitude, "-1 to 1 (R)")
@@ -108,10 +101,6 @@ def _around(modes: Modes, order: int, angle: NDArray[np.float64]) -> tuple[NDArr
     """How the two displacements of a mode vary with the angle: cos nφ and sin nφ, or P_n(cos θ) and its derivative."""
     if not isinstance(modes.body, Sphere):
         return np.cos(order * angle), np.sin(order * angle)
-    x = np.cos(angle)
-    before, value = np.zeros_like(x), np.ones_like(x)  # P_{k−1}, P_k
-    slope_before, slope = np.zeros_like(x), np.zeros_like(x)  # their derivatives with respect to x
-    for k in range(order):
-        slope_before, slope = slope, slope_before + (2 * k + 1) * value
-        before, value = value, ((2 * k + 1) * x * value - k * before) / (k + 1)
-    return value, -np.sin(angle) * slope
+    legendre: Any = np.polynomial.legendre
+    x, series = np.cos(angle), [0.0] * order + [1.0]
+    return legendre.legval(x, series), -np.sin(angle) * legendre.legval(x, legendre.legder(series))

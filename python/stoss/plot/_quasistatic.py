@@ -8,19 +8,17 @@ import numpy as np
 from matplotlib.axes import Axes
 from numpy.typing import NDArray
 
-from stoss._arguments import instance
-from stoss._hertz import hertz_pressure
-from stoss._rayleigh_result import PointRayleighEstimate, RayleighEstimate
-from stoss._slow_impact_result import PointSlowImpact, SlowImpact
-from stoss._static_contact import StaticContact
 from stoss.plot import _style
+from stoss.quasistatic._hertz import hertz_pressure
+from stoss.quasistatic._rayleigh import PointRayleighEstimate, RayleighEstimate
+from stoss.quasistatic._slow_impact import PointSlowImpact, SlowImpact
+from stoss.quasistatic._static_contact import StaticContact
 
 Slow = Union[SlowImpact, PointSlowImpact, RayleighEstimate, PointRayleighEstimate]
-SLOW = (SlowImpact, PointSlowImpact)
-ESTIMATES = (RayleighEstimate, PointRayleighEstimate)
 BEYOND = "beyond perturbation theory"
 
 
+@_style.picture_of(SlowImpact, PointSlowImpact, method="plot")
 def slow_impact(result: SlowImpact | PointSlowImpact, ax: Axes | None = None) -> Axes:
     """Contact time against speed, a curve for each Poisson's ratio.
 
@@ -32,26 +30,20 @@ def slow_impact(result: SlowImpact | PointSlowImpact, ax: Axes | None = None) ->
     ax : Axes, optional
         Where to draw; further calls with the same Axes add curves.
 
-    Returns
-    -------
-    Axes
-
     Examples
     --------
     >>> ax = stoss.plot.slow_impact(stoss.quasistatic.slow_impact(poisson=0.33, speed=np.geomspace(1e-8, 0.1, 30)))
     >>> ax.get_xlabel(), ax.get_ylabel()
     ('speed v / c', 'contact time τ / (R/c)')
     """
-    instance("result", result, SLOW)
-    with _style.canvas(ax) as axes:
-        _speed_axis(axes, result)
-        axes.set_ylabel("contact time τ / (R/c)")
+    with _style.canvas(ax, **_speed_axis(result), ylabel="contact time τ / (R/c)") as axes:
         for speed, where, look in _curves(result, axes):
             axes.plot(speed, np.ravel(result.contact_time)[where], **look)
         _style.legend(axes)
     return axes
 
 
+@_style.picture_of(RayleighEstimate, PointRayleighEstimate, method="plot")
 def rayleigh(result: RayleighEstimate | PointRayleighEstimate, ax: Axes | None = None) -> Axes:
     """Rayleigh's estimate of 1 − ε² against speed, with a band for its error.
 
@@ -64,21 +56,13 @@ def rayleigh(result: RayleighEstimate | PointRayleighEstimate, ax: Axes | None =
     ax : Axes, optional
         Where to draw; further calls with the same Axes add curves.
 
-    Returns
-    -------
-    Axes
-
     Examples
     --------
     >>> ax = stoss.plot.rayleigh(stoss.quasistatic.rayleigh(poisson=0.33, speed=np.geomspace(1e-8, 0.01, 30)))
     >>> ax.get_ylabel()
     'lost fraction 1 − ε²'
     """
-    instance("result", result, ESTIMATES)
-    with _style.canvas(ax) as axes:
-        _speed_axis(axes, result)
-        axes.set_yscale("log")
-        axes.set_ylabel("lost fraction 1 − ε²")
+    with _style.canvas(ax, **_speed_axis(result), yscale="log", ylabel="lost fraction 1 − ε²") as axes:
         lost, error = np.ravel(result.lost_fraction), np.ravel(result.lost_fraction_error)
         beyond = np.ravel(result.beyond_perturbation).astype(bool)
         for speed, where, look in _curves(result, axes):
@@ -96,6 +80,7 @@ def rayleigh(result: RayleighEstimate | PointRayleighEstimate, ax: Axes | None =
     return axes
 
 
+@_style.picture_of(StaticContact, method="plot")
 def static_contact(result: StaticContact, ax: Axes | None = None) -> Axes:
     """Pressure of a static contact along the edge, with that of Hertz' contact of the same force.
 
@@ -105,34 +90,26 @@ def static_contact(result: StaticContact, ax: Axes | None = None) -> Axes:
     ax : Axes, optional
         Where to draw.
 
-    Returns
-    -------
-    Axes
-
     Examples
     --------
     >>> ax = stoss.plot.static_contact(stoss.quasistatic.static_contact(poisson=0.33, compression=0.03))
     >>> ax.get_ylabel()
     'pressure p / E'
     """
-    instance("result", result, (StaticContact,))
     touching = slice(0, result.contact_nodes)
     y = np.concatenate((-result.position[touching][::-1], result.position[touching]))
     pressure = np.concatenate((result.pressure[touching][::-1], result.pressure[touching]))
-    with _style.canvas(ax) as axes:
+    with _style.canvas(ax, xlabel="position along the edge / R", ylabel="pressure p / E") as axes:
         axes.plot(y, pressure, color=_style.BLUE, label=f"δ = {_style.written(result.compression)} R")
         hertz = np.asarray(hertz_pressure(result.body, force=result.force, y=np.abs(y)))
         axes.plot(y, hertz, color=_style.BLACK, linestyle="--", label="Hertz")
         axes.set_ylim(bottom=0.0)
-        axes.set_xlabel("position along the edge / R")
-        axes.set_ylabel("pressure p / E")
         _style.legend(axes)
     return axes
 
 
-def _speed_axis(axes: Axes, result: Slow) -> None:
-    axes.set_xscale("log")
-    axes.set_xlabel("speed v / c" if result.material is None else "speed v / (m/s)")
+def _speed_axis(result: Slow) -> dict[str, Any]:
+    return {"xscale": "log", "xlabel": _style.speed_label(result.material)}
 
 
 def _curves(

@@ -10,10 +10,9 @@ from matplotlib.axes import Axes
 from matplotlib.container import ErrorbarContainer
 from numpy.typing import NDArray
 
-from stoss._arguments import instance
-from stoss._bodies import Rod
-from stoss._restitution_result import Restitution
+from stoss.bodies._bodies import Rod
 from stoss.plot import _style
+from stoss.results._restitution import Restitution
 
 LABELS = {"restitution": "restitution ε", "lost_fraction": "lost fraction 1 − ε²"}
 DOUBTFUL = "not converged"
@@ -29,6 +28,7 @@ class _Curve(NamedTuple):
     name: str
 
 
+@_style.picture_of(Restitution, method="plot")
 def restitution(
     result: Restitution,
     ax: Axes | None = None,
@@ -58,10 +58,6 @@ def restitution(
     **style
         Handed on to `matplotlib.axes.Axes.errorbar`: color, marker, linestyle, …
 
-    Returns
-    -------
-    Axes
-
     Examples
     --------
     >>> curve = stoss.restitution(poisson=[[0.0], [0.33]], speed=np.geomspace(1e-3, 0.3, 8))
@@ -69,7 +65,6 @@ def restitution(
     >>> ax.get_xlabel(), ax.get_ylabel()
     ('speed v / c', 'lost fraction 1 − ε²')
     """
-    instance("result", result, (Restitution,))
     _style.choice("quantity", quantity, tuple(LABELS))
     logarithmic = _style.choice("scale", scale, ("log", "linear")) == "log"
     over_poisson = np.unique(result.speed).size == 1 and np.unique(result.poisson).size > 1
@@ -80,7 +75,7 @@ def restitution(
             axes.set_xlabel("2-D Poisson's ratio ν")
         else:
             axes.set_xscale(scale)
-            axes.set_xlabel("speed v / c" if result.material is None else "speed v / (m/s)")
+            axes.set_xlabel(_style.speed_label(result.material))
         if logarithmic and quantity == "lost_fraction":
             axes.set_yscale("log")
         else:

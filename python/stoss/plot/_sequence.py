@@ -7,10 +7,10 @@ from matplotlib.axes import Axes
 from matplotlib.patches import Rectangle
 from numpy.typing import ArrayLike, NDArray
 
-from stoss._arguments import instance, integer, numbers, refusal
+from stoss._arguments import integer, numbers, refusal
 from stoss._errors import InvalidInput
-from stoss._impact_result import Impact
 from stoss.plot import _disk, _ground, _style
+from stoss.results._impact import Impact
 
 Array = NDArray[np.float64]
 
@@ -20,6 +20,7 @@ GAP = 0.3  # between two disks, R
 LINE = 0.62  # height of the line that says the time, R
 
 
+@_style.picture_of(Impact)
 def sequence(
     impact: Impact, ax: Axes | None = None, *, times: ArrayLike | None = None, count: int = 6, columns: int = 3
 ) -> Axes:
@@ -44,17 +45,12 @@ def sequence(
     columns : int, optional
         Disks in a row; up to 3 are legible in one column, 6 in two.
 
-    Returns
-    -------
-    Axes
-
     Examples
     --------
     >>> ax = stoss.plot.sequence(stoss.impact(poisson=0.33, speed=0.2, cutoff=12.5), count=3)
     >>> [text.get_text() for text in ax.texts]
     ['t = −0.80 R/c', '3.97', '8.74']
     """
-    instance("impact", impact, (Impact,))
     if not 2 <= integer("count", count) <= LARGEST:
         raise refusal("count", count, f"2 to {LARGEST}")
     if not 1 <= integer("columns", columns) <= LARGEST:
@@ -88,24 +84,18 @@ def sequence(
                 _disk.draw_outline(axes, x + along, y - toward, line)
                 _disk.draw_grid(axes, x + now.y, y - now.x, now.field.radius, now.field.angle, width=line)
             if moved is not None:
-                below = {"facecolor": "0.8", "edgecolor": "none", "zorder": 1.0}
-                axes.fill_between(x + moved.y, y - moved.x[k], y - ground, **below)
+                axes.fill_between(x + moved.y, y - moved.x[k], y - ground, **_ground.LOOK)
                 axes.plot(x + moved.y, y - moved.x[k], color=_style.BLACK, linewidth=line, zorder=1.8)
             axes.text(x, y - ground - 0.5 * LINE, names[k], ha="center", va="center")
         for row in range(rows if len(fields) == 1 and moved is None else 0):
             filled = min(columns, chosen.size - row * columns)
             corner = (-0.5 * pitch, -row * height - _ground.WALL)
-            look = {"facecolor": "0.8", "edgecolor": "none", "zorder": 1.0}
-            axes.add_patch(Rectangle(corner, filled * pitch, _ground.WALL, **look))
+            axes.add_patch(Rectangle(corner, filled * pitch, _ground.WALL, **_ground.LOOK))
             edge = (corner[0], corner[0] + filled * pitch)
             axes.plot(edge, (-row * height,) * 2, color=_style.BLACK, linewidth=1.0, zorder=1.8)
-        axes.set_aspect("equal")
-        axes.set_xlim(-0.5 * pitch, wide - 0.5 * pitch)
-        axes.set_ylim(height - high - ground - LINE, height - ground - LINE)
-        axes.set_xticks([])
-        axes.set_yticks([])
-        for spine in axes.spines.values():
-            spine.set_visible(False)
+        end = height - ground - LINE
+        axes.set(aspect="equal", xlim=(-0.5 * pitch, wide - 0.5 * pitch), ylim=(end - high, end))
+        _style.bare(axes)
     return axes
 
 

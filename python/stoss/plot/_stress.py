@@ -11,8 +11,8 @@ from matplotlib.lines import Line2D
 from numpy.typing import NDArray
 
 from stoss._arguments import number, refusal
-from stoss._field import Field
 from stoss.plot import _disk, _ground, _style
+from stoss.results._field import Field
 
 Array = NDArray[np.float64]
 
@@ -52,6 +52,7 @@ class Scale(NamedTuple):
         return light
 
 
+@_style.picture_of(Field, method="plot")
 def stress(
     field: Field,
     ax: Axes | None = None,
@@ -84,10 +85,6 @@ def stress(
         Where the colours end, E.
     frame : int, optional
         Which of the field's times, if it has several.
-
-    Returns
-    -------
-    Axes
 
     Examples
     --------

@@ -3,13 +3,15 @@
 from __future__ import annotations
 
 import contextlib
+import functools
+import inspect
 import weakref
-from typing import Any, Iterator
+from typing import Any, Callable, Iterator, TypeVar, cast
 
 import matplotlib
 from matplotlib.axes import Axes
 
-from stoss._arguments import choice as choice, refusal
+from stoss._arguments import choice as choice, instance, refusal
 
 COLUMN = 3.4  # inches, one column of a journal
 
@@ -37,12 +39,35 @@ PRINT: dict[str, Any] = {
     "figure.dpi": 200.0,
 }
 
+Picture = TypeVar("Picture", bound=Callable[..., Axes])
+
+PICTURES: dict[tuple[type, str], Callable[..., Axes]] = {}
+"""Draws the picture of each method of a result."""
+
 _made_here: weakref.WeakSet[Axes] = weakref.WeakSet()
 
 
+def picture_of(*kinds: type, method: str = "") -> Callable[[Picture], Picture]:
+    """Make a function refuse what is of none of these kinds, and draw what that method of them shows."""
+
+    def made(function: Picture) -> Picture:
+        name = next(iter(inspect.signature(function).parameters))
+
+        @functools.wraps(function)
+        def checked(*given: Any, **named: Any) -> Axes:
+            if given or name in named:
+                instance(name, given[0] if given else named[name], kinds)
+            return function(*given, **named)
+
+        PICTURES.update({(kind, method): checked for kind in kinds})
+        return cast(Picture, checked)
+
+    return made
+
+
 @contextlib.contextmanager
-def canvas(ax: Axes | None, *, size: tuple[float, float] = (COLUMN, 2.5)) -> Iterator[Axes]:
-    """The given Axes, or those of a new figure, which is closed again if drawing fails.
+def canvas(ax: Axes | None, *, size: tuple[float, float] = (COLUMN, 2.5), **look: Any) -> Iterator[Axes]:
+    """The given Axes, or those of a new figure, which is closed again if drawing fails; with this look.
 
     Whoever brings Axes has chosen their style; those made here keep their small print when more is
     drawn in them.
@@ -52,6 +77,7 @@ def canvas(ax: Axes | None, *, size: tuple[float, float] = (COLUMN, 2.5)) -> Ite
             hint = "one matplotlib Axes or None (pyplot.subplots gives an array of them: take one)"
             raise refusal("ax", ax, hint)
         with matplotlib.rc_context(PRINT if ax in _made_here else {}):
+            ax.set(**look)
             yield ax
         return
 
@@ -61,6 +87,7 @@ def canvas(ax: Axes | None, *, size: tuple[float, float] = (COLUMN, 2.5)) -> Ite
         figure, made = pyplot.subplots(figsize=size, layout="constrained")
         try:
             small_ticks(made)
+            made.set(**look)
             yield made
             _made_here.add(made)
         except BaseException:
@@ -73,6 +100,17 @@ def small_ticks(axes: Axes, labelsize: float = PRINT["xtick.labelsize"]) -> None
     axes.tick_params(which="both", width=0.6, labelsize=labelsize)
     axes.tick_params(which="major", length=2.5)
     axes.tick_params(which="minor", length=1.5)
+
+
+def bare(axes: Axes) -> None:
+    """Neither ticks nor a frame."""
+    axes.set(xticks=[], yticks=[])
+    axes.spines[:].set_visible(False)
+
+
+def speed_label(material: object, name: str = "speed v") -> str:
+    """What stands at an axis of speeds."""
+    return f"{name} / c" if material is None else f"{name} / (m/s)"
 
 
 def legend(axes: Axes, **options: Any) -> None:

@@ -2,49 +2,43 @@
 
 from __future__ import annotations
 
-from typing import Any
+from typing import Any, Callable, Protocol
 
 from matplotlib.axes import Axes
 from numpy.typing import NDArray
 
-from stoss._arguments import instance
-from stoss._bodies import PARTNERS, Disk, Sphere
-from stoss._trajectory import Trajectory
+from stoss.bodies._bodies import PARTNERS, Disk, Sphere
 from stoss.plot import _style
+from stoss.results._impact import Impact
+from stoss.results._motion import Trajectory
+
+TIME = "time t / (R/c)"
 
 
-def force(trajectory: Trajectory, ax: Axes | None = None, *, label: str | None = None, **style: Any) -> Axes:
-    """Force of the contact against time.
+class Curve(Protocol):
+    """Draws one column of a trajectory."""
 
-    Parameters
-    ----------
-    trajectory : Trajectory
-        From `Impact.trajectory`.
-    ax : Axes, optional
-        Where to draw.
-    label : str, optional
-        Name of the curve; if there is one, there is a legend.
-    **style
-        Handed on to `matplotlib.axes.Axes.plot`: color, linestyle, …
-
-    Returns
-    -------
-    Axes
-
-    Examples
-    --------
-    >>> path = stoss.impact(poisson=0.33, speed=0.1, cutoff=12.5).trajectory()
-    >>> ax = stoss.plot.force(path)
-    >>> ax.get_ylabel()
-    'force F / (πRE)'
-    """
-    instance("trajectory", trajectory, (Trajectory,))
-    named = "force F / (πRE)" if isinstance(trajectory.impact.body, Disk) else "force F / (mc²/R)"
-    return _against_time(trajectory, "force", named, ax, label, style)
+    def __call__(
+        self, trajectory: Trajectory, ax: Axes | None = None, *, label: str | None = None, **style: Any
+    ) -> Axes: ...
 
 
-def velocity(trajectory: Trajectory, ax: Axes | None = None, *, label: str | None = None, **style: Any) -> Axes:
-    """Velocity of the centre of mass towards the wall, or of approach of two bodies, against time.
+def _curve(name: str, column: str, label_of: Callable[[Impact], str], said: str, *, method: str = "") -> Curve:
+    """The function of that name, which draws a column against time."""
+
+    def drawn(trajectory: Trajectory, ax: Axes | None = None, *, label: str | None = None, **style: Any) -> Axes:
+        with _style.canvas(ax, xlabel=TIME, ylabel=label_of(trajectory.impact)) as axes:
+            n = sum(line.get_gid() == column for line in axes.lines) % len(_style.COLORS)
+            if column == "velocity" and n == 0:
+                axes.axhline(0.0, color=_style.GREY, linewidth=0.6)
+            look = {"color": _style.COLORS[n], "linestyle": _style.LINES[n], "gid": column}
+            axes.plot(trajectory.time, getattr(trajectory, column), label=label, **look | style)
+            if label is not None:
+                _style.legend(axes)
+        return axes
+
+    drawn.__name__ = drawn.__qualname__ = name
+    drawn.__doc__ = f"""{said}
 
     Parameters
     ----------
@@ -57,53 +51,31 @@ def velocity(trajectory: Trajectory, ax: Axes | None = None, *, label: str | Non
     **style
         Handed on to `matplotlib.axes.Axes.plot`: color, linestyle, …
 
-    Returns
-    -------
-    Axes
-
     Examples
     --------
     >>> path = stoss.impact(poisson=0.33, speed=0.1, cutoff=12.5).trajectory()
-    >>> ax = stoss.plot.velocity(path, color="black")
-    >>> ax.get_ylabel()
-    'velocity towards the wall / c'
+    >>> ax = stoss.plot.{name}(path, color="black")
     """
-    instance("trajectory", trajectory, (Trajectory,))
-    pair = isinstance(trajectory.impact.against, PARTNERS)
-    name = "velocity of approach / c" if pair else "velocity towards the wall / c"
-    return _against_time(trajectory, "velocity", name, ax, label, style, zero=True)
+    return _style.picture_of(Trajectory, method=method)(drawn)
 
 
-def half_width(trajectory: Trajectory, ax: Axes | None = None, *, label: str | None = None, **style: Any) -> Axes:
-    """Half-width of the contact, of spheres its radius, against time.
-
-    Parameters
-    ----------
-    trajectory : Trajectory
-        From `Impact.trajectory`.
-    ax : Axes, optional
-        Where to draw.
-    label : str, optional
-        Name of the curve; if there is one, there is a legend.
-    **style
-        Handed on to `matplotlib.axes.Axes.plot`: color, linestyle, …
-
-    Returns
-    -------
-    Axes
-
-    Examples
-    --------
-    >>> path = stoss.impact(poisson=0.33, speed=0.1, cutoff=12.5).trajectory()
-    >>> ax = stoss.plot.half_width(path)
-    >>> ax.get_ylabel()
-    'contact half-width / R'
-    """
-    instance("trajectory", trajectory, (Trajectory,))
-    named = "contact radius / R" if isinstance(trajectory.impact.body, Sphere) else "contact half-width / R"
-    return _against_time(trajectory, "contact_half_width", named, ax, label, style)
+force = _curve(
+    "force", "force", lambda impact: f"force F / ({'πRE' if isinstance(impact.body, Disk) else 'mc²/R'})",
+    "Force of the contact against time.", method="plot",
+)  # fmt: skip
+velocity = _curve(
+    "velocity", "velocity",
+    lambda impact: f"velocity {'of approach' if isinstance(impact.against, PARTNERS) else 'towards the wall'} / c",
+    "Velocity of the centre of mass towards the wall, or of approach of two bodies, against time.",
+)  # fmt: skip
+half_width = _curve(
+    "half_width", "contact_half_width",
+    lambda impact: f"contact {'radius' if isinstance(impact.body, Sphere) else 'half-width'} / R",
+    "Half-width of the contact, of spheres its radius, against time.",
+)  # fmt: skip
 
 
+@_style.picture_of(Trajectory)
 def energies(trajectory: Trajectory, ax: Axes | None = None) -> Axes:
     """Where the energy is against time, as shares of the initial energy, and their sum.
 
@@ -119,54 +91,21 @@ def energies(trajectory: Trajectory, ax: Axes | None = None) -> Axes:
     ax : Axes, optional
         Where to draw.
 
-    Returns
-    -------
-    Axes
-
     Examples
     --------
     >>> ax = stoss.plot.energies(stoss.impact(poisson=0.33, speed=0.1, cutoff=12.5).trajectory())
     >>> [line.get_label() for line in ax.lines]
     ['translation', 'vibration', 'stored', 'unresolved', 'sum']
     """
-    instance("trajectory", trajectory, (Trajectory,))
     lossy = ("dissipated",) if trajectory.dissipated.any() else ()
     names = ("translation", "vibration", "stored", *lossy, "unresolved")
     shares = {name: getattr(trajectory, name) for name in names}
-    with _style.canvas(ax, size=(_style.COLUMN, 2.7)) as axes:
+    look = {"xlabel": TIME, "ylabel": "energy / initial energy"}
+    with _style.canvas(ax, size=(_style.COLUMN, 2.7), **look) as axes:
         for k, (name, values) in enumerate(shares.items()):
             axes.plot(trajectory.time, values, color=_style.COLORS[k], linestyle=_style.LINES[k], label=name)
         total: NDArray[Any] = sum(shares.values(), start=0.0 * trajectory.time)
         axes.plot(trajectory.time, total, color=_style.BLACK, linewidth=0.8, label="sum")
         axes.set_ylim(-0.04, max(1.25, 1.05 * float(total.max())))
-        _label_time(axes)
-        axes.set_ylabel("energy / initial energy")
         _style.legend(axes, loc="upper center", ncol=3, columnspacing=1.0, handlelength=1.8)
     return axes
-
-
-def _against_time(
-    trajectory: Trajectory,
-    name: str,
-    named: str,
-    ax: Axes | None,
-    label: str | None,
-    style: dict[str, Any],
-    zero: bool = False,
-) -> Axes:
-    instance("trajectory", trajectory, (Trajectory,))
-    with _style.canvas(ax) as axes:
-        n = sum(line.get_gid() == name for line in axes.lines) % len(_style.COLORS)
-        if zero and n == 0:
-            axes.axhline(0.0, color=_style.GREY, linewidth=0.6)
-        look = {"color": _style.COLORS[n], "linestyle": _style.LINES[n], "gid": name}
-        axes.plot(trajectory.time, getattr(trajectory, name), label=label, **look | style)
-        _label_time(axes)
-        axes.set_ylabel(named)
-        if label is not None:
-            _style.legend(axes)
-    return axes
-
-
-def _label_time(axes: Axes) -> None:
-    axes.set_xlabel("time t / (R/c)")

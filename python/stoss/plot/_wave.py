@@ -7,12 +7,12 @@ from matplotlib.axes import Axes
 from matplotlib.colors import PowerNorm
 from numpy.typing import NDArray
 
-from stoss._arguments import instance, integer, number, refusal
-from stoss._bodies import is_rigid
+from stoss._arguments import integer, number, refusal
 from stoss._errors import InvalidInput
-from stoss._wave import Wave
+from stoss.bodies._solid import is_rigid
 from stoss.plot import _disk, _style
 from stoss.plot._sequence import LARGEST, spoken_times
+from stoss.results._motion import Wave
 
 Array = NDArray[np.float64]
 
@@ -21,6 +21,7 @@ GAP = 0.06  # between two pictures, of their width
 MARK = 0.55  # angle of the fronts' names from the axis
 
 
+@_style.picture_of(Wave, method="plot")
 def wave(wave: Wave, ax: Axes | None = None, *, columns: int = 2, limit: float | None = None) -> Axes:
     """Speed of the half-space below the body at each of the wave's times, with the fronts of its waves.
 
@@ -41,10 +42,6 @@ def wave(wave: Wave, ax: Axes | None = None, *, columns: int = 2, limit: float |
     limit : float, optional
         Where the colours end, in speeds of the impact.
 
-    Returns
-    -------
-    Axes
-
     Examples
     --------
     >>> hit = stoss.impact(stoss.Sphere(poisson=0.3), against=stoss.HalfSpace(), speed=0.1, cutoff=4)
@@ -52,7 +49,6 @@ def wave(wave: Wave, ax: Axes | None = None, *, columns: int = 2, limit: float |
     >>> ax.texts[0].get_text()
     't = 3.99 R/c'
     """
-    instance("wave", wave, (Wave,))
     if not 1 <= integer("columns", columns) <= LARGEST:
         raise refusal("columns", columns, f"1 to {LARGEST}")
     if limit is not None and not 0.0 < number("limit", limit) < np.inf:
@@ -101,13 +97,8 @@ def wave(wave: Wave, ax: Axes | None = None, *, columns: int = 2, limit: float |
             _draw_fronts(axes, wave, times[k], (x, y), named=k == times.size - 1)
             axes.text(x, y - depth - 0.5 * line, names[k], ha="center", va="center")
         _draw_scale(axes, -half, -depth - 0.5 * line, half)
-        axes.set_aspect("equal")
-        axes.set_xlim(-0.5 * pitch, wide - 0.5 * pitch)
-        axes.set_ylim(above - high, above)
-        axes.set_xticks([])
-        axes.set_yticks([])
-        for spine in axes.spines.values():
-            spine.set_visible(False)
+        axes.set(aspect="equal", xlim=(-0.5 * pitch, wide - 0.5 * pitch), ylim=(above - high, above))
+        _style.bare(axes)
         bar = axes.figure.colorbar(mesh, ax=axes, extend="max", shrink=0.8, pad=0.01, aspect=28)
         bar.set_label("speed / speed of the impact", size=axes.xaxis.label.get_size())
         _style.small_ticks(bar.ax)

@@ -13,7 +13,7 @@
 #include "bodies/disk/edge_points.hpp"
 #include "bodies/disk/mode_search.hpp"
 #include "bodies/disk/near_side.hpp"
-#include "bodies/disk/residual.hpp"
+#include "bodies/disk/order_sums.hpp"
 #include "bodies/round_body.hpp"
 #include "check.hpp"
 #include "stoss/bodies/disk/modes.hpp"

@@ -20,7 +20,7 @@ namespace stoss::bodies::disk {
 /// For n ≫ κ, κ′ (Rayleigh waves at small ν) these terms cancel almost wholly. The code therefore uses
 /// α = nβ − γ with γ = κ J_{n+1}(κ), in which the large parts drop out by algebra.
 struct EdgeProblem {
-  using Mode = disk::Mode;
+  using Mode = bodies::Mode;
   static constexpr auto bessel = numeric::BesselKind::cylindrical;
 
   int order;                     ///< n

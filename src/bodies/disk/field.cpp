@@ -27,24 +27,6 @@ namespace dense = numeric::dense;
 
 constexpr std::array<bool, OrderProfiles::components> with_cosine{true, false, true, true, false};
 
-void require_points(const PolarGrid& points) {
-  const auto radii = static_cast<long>(points.radius.size()), angles = static_cast<long>(points.angle.size());
-  require("radius count", radii, 1, 1'000'000, "radii of the points");
-  require("angle count", angles, 1, 1'000'000, "angles of the points");
-  require("point count", radii * angles, 1, 100'000'000, "radii times angles");
-  constexpr Range inside{0.0, 1.0, true, true, "0 to 1"};
-  for (const double radius : points.radius) require("radius", radius, inside, "in units of the radius of the disk");
-  require_finite("angle", points.angle, "radians from the direction of the wall");
-}
-
-void require_nodes(const ContactPoints& contact) {
-  require("contact nodes", static_cast<long>(contact.count), 1, 5'000'000, "of the grid of the impact");
-  require("contact radius", contact.radius, {0.0, 1.0, false, true, "above 0 to 1"},
-          "of the circle of the points, in R");
-  constexpr Range edge{2e-7, std::numbers::pi, true, true, "2e-7 to pi"};
-  require("contact spacing", contact.spacing, edge, "of the points on their circle, radians");
-}
-
 template <typename Measure>
 std::vector<double> map_stress(const Field& field, Measure measure) {
   std::vector<double> result(field.stress_rr.size());
@@ -67,8 +49,8 @@ DiskField::DiskField(double poisson, const Body& body, const ContactPoints& cont
                      const Poll& poll) {
   require_poisson(poisson);
   validate(body);
-  require_nodes(contact);
-  require_points(points);
+  require_nodes(contact, {0.0, 1.0, false, true, "above 0 to 1"}, "of the circle of the points, in R");
+  require_points(points, "disk");
   Eigen::ArrayXd angle(static_cast<Eigen::Index>(points.angle.size()));
   // Within one turn, so that multiples of the angle keep their digits.
   std::transform(points.angle.begin(), points.angle.end(), angle.begin(),
@@ -79,7 +61,7 @@ DiskField::DiskField(double poisson, const Body& body, const ContactPoints& cont
 
 Field DiskField::at(std::span<const double> coordinate, std::span<const double> node_force, const Poll& poll) const {
   const auto& [profiles, angle] = *parts_;
-  const auto modes = profiles.modes(), nodes = profiles.nodes();
+  const auto modes = profiles.modes(), nodes = profiles.points();
   require_length("coordinate", coordinate.size(), static_cast<std::size_t>(modes), "one for each kept mode");
   require_length("node_force", node_force.size(), static_cast<std::size_t>(nodes), "one for each node");
   require_finite("coordinate", coordinate, "Q of the kept modes, in R");
@@ -88,7 +70,7 @@ Field DiskField::at(std::span<const double> coordinate, std::span<const double> 
   const Eigen::ArrayXd force = Eigen::Map<const Eigen::ArrayXd>(node_force.data(), nodes);
 
   const std::vector<int>& orders = profiles.orders();
-  std::array<Harmonics::Table, OrderProfiles::components> sum;
+  std::array<OrderProfiles::Matrix, OrderProfiles::components> sum;
   for (auto& component : sum) component.setZero(static_cast<Eigen::Index>(orders.size()), angle.size());
   OrderProfiles::Profile profile;
   const int end = *std::max_element(orders.begin(), orders.end());
@@ -101,7 +83,7 @@ Field DiskField::at(std::span<const double> coordinate, std::span<const double> 
     const Eigen::Index row = top - orders.begin(), rows = bottom - top;
     const Harmonics at_points = harmonics(angle, first);
     for (std::size_t i = 0; i < sum.size(); ++i) {
-      const Harmonics::Table& harmonic = with_cosine[i] ? at_points.cosine : at_points.sine;
+      const Harmonics::Matrix& harmonic = with_cosine[i] ? at_points.cosine : at_points.sine;
       dense::by_columns(angle.size(), poll, [&](Eigen::Index at, Eigen::Index count) {
         sum[i].block(row, at, rows, count).noalias() +=
             profile[i].middleRows(row, rows) * harmonic.middleCols(at, count);

@@ -4,7 +4,7 @@ namespace stoss::bodies::disk {
 
 Harmonics harmonics(const Eigen::ArrayXd& angle, int first) {
   const Eigen::RowVectorXd cosine = angle.cos().transpose(), sine = angle.sin().transpose();
-  Harmonics table{Harmonics::Table(order_block, angle.size()), Harmonics::Table(order_block, angle.size())};
+  Harmonics table{Harmonics::Matrix(order_block, angle.size()), Harmonics::Matrix(order_block, angle.size())};
   table.cosine.row(0) = (first * angle).cos().transpose();
   table.sine.row(0) = (first * angle).sin().transpose();
   for (int k = 1; k < order_block; ++k) {

@@ -9,8 +9,8 @@ inline constexpr int order_block = 32;
 
 /// Cosines and sines of nφ for n = first … first + order_block − 1: orders × angles.
 struct Harmonics {
-  using Table = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
-  Table cosine, sine;
+  using Matrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+  Matrix cosine, sine;
 };
 
 [[nodiscard]] Harmonics harmonics(const Eigen::ArrayXd& angle, int first);

@@ -22,14 +22,6 @@ Ratio rescaled(const numeric::BesselPair& inside, const numeric::BesselPair& edg
   return {std::ldexp(inside.value, shift), std::ldexp(inside.next, shift)};
 }
 
-/// J_n(x) and x J_{n+1}(x), scaled to about 1: the norm of a vibration is of the fourth degree in them.
-numeric::BesselPair edge_pair(double x, std::vector<numeric::BesselPair>& pairs) {
-  numeric::bessel_pairs(x, pairs);
-  const numeric::BesselPair& pair = pairs.back();
-  const int shift = std::ilogb(std::hypot(pair.value, pair.next));
-  return {std::ldexp(pair.value, -shift), std::ldexp(pair.next, -shift), pair.exponent + shift};
-}
-
 }  // namespace
 
 std::vector<RadialField> mode_field(double poisson, const Mode& mode, std::span<const double> radii, const Poll& poll) {
@@ -45,8 +37,9 @@ std::vector<RadialField> mode_field(double poisson, const Mode& mode, std::span<
   const double m = n * (n - 1.0);
 
   std::vector<numeric::BesselPair> pairs(static_cast<std::size_t>(mode.order) + 1);
-  const numeric::BesselPair pressure = edge_pair(kappa, pairs);
-  const numeric::BesselPair shear = edge_pair(kappa_shear, pairs);
+  // Scaled to about 1: the norm of a vibration is of the fourth degree in them.
+  const numeric::BesselPair pressure = numeric::last_pair(kappa, pairs);
+  const numeric::BesselPair shear = numeric::last_pair(kappa_shear, pairs);
   double a = -mode.radial / pressure.next;  // n = 0: u_r = A κ J_0'(κr)
   double b = 0.0;
   if (mode.order > 0) {

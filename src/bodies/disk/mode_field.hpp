@@ -3,7 +3,7 @@
 #include <span>
 #include <vector>
 
-#include "bodies/disk/radial_field.hpp"
+#include "bodies/disk/static_field.hpp"
 #include "stoss/bodies/disk/modes.hpp"
 
 namespace stoss::bodies::disk {

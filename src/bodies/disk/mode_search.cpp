@@ -3,8 +3,10 @@
 
 #include <cmath>
 #include <cstddef>
+#include <numbers>
 
 #include "bodies/disk/edge_problem.hpp"
+#include "bodies/mode_checks.hpp"
 #include "bodies/mode_search.hpp"
 #include "numeric/bessel.hpp"
 
@@ -31,6 +33,11 @@ std::vector<Mode> radial_modes(double poisson, double cutoff) {
   return modes;
 }
 
+/// What the modes above the cutoff can carry, about (2/πω_c)(κ + κ′)/ω.
+double tail(double poisson, double cutoff) {
+  return 2.0 / (std::numbers::pi * cutoff) * (std::sqrt(1.0 - poisson * poisson) + std::sqrt(2.0 * (1.0 + poisson)));
+}
+
 }  // namespace
 
 std::vector<Mode> find_modes(double poisson, double cutoff, const Poll& poll) {
@@ -40,6 +47,17 @@ std::vector<Mode> find_modes(double poisson, double cutoff, const Poll& poll) {
   std::vector<Mode> modes = radial_modes(poisson, cutoff);
   for (const auto& found : modes_by_order<EdgeProblem>(wave, cutoff, orders, poll)) {
     modes.insert(modes.end(), found.begin(), found.end());
+  }
+  return modes;
+}
+
+std::vector<Mode> checked_modes(double poisson, double cutoff, const Poll& poll) {
+  auto modes = find_modes(poisson, cutoff, poll);
+  constexpr double rounding = 1e-12;
+  const KeptSums kept(modes);
+  for (int order = 0; order < kept.orders(); ++order) {
+    check_sum_rule(order, static_flexibility(poisson, order), kept.compliance(order), rounding, tail(poisson, cutoff),
+                   cutoff);
   }
   return modes;
 }

@@ -1,63 +1,15 @@
 #include "stoss/bodies/disk/modes.hpp"
 
-#include <algorithm>
 #include <cmath>
-#include <cstddef>
-#include <numbers>
-#include <sstream>
 #include <string>
 
 #include "bodies/disk/mode_field.hpp"
 #include "bodies/disk/mode_search.hpp"
 #include "bodies/disk/static_field.hpp"
+#include "bodies/mode_checks.hpp"
 #include "check.hpp"
-#include "stoss/errors.hpp"
 
 namespace stoss::bodies::disk {
-namespace {
-
-[[noreturn]] void refuse_low_cutoff(double poisson, double cutoff) {
-  const auto lowest = find_modes(poisson, 2.0, {});  // the lowest mode lies between 1.1 and 1.8 for every ν
-  const auto first =
-      std::min_element(lowest.begin(), lowest.end(), [](const Mode& a, const Mode& b) { return a.omega < b.omega; });
-  std::ostringstream line;
-  line.precision(6);
-  line << "cutoff: got " << cutoff << ", allowed " << first->omega << " to " << max_cutoff
-       << " (below the lowest mode nothing vibrates; 25 to 100 is usual)";
-  throw InvalidInput(line.str());
-}
-
-/// The static sum rules (docs/theory/modes.md): what the modes of one order leave of its flexibility must be positive
-/// semidefinite and no larger than the modes above the cutoff can carry, about (2/πω_c)(κ + κ′)/ω.
-void check_sum_rule(double poisson, double cutoff, int order, const Flexibility& kept) {
-  const Flexibility all = static_flexibility(poisson, order);
-  const double radial = all.radial - kept.radial;
-  const double mixed = all.mixed - kept.mixed;
-  const double tangential = all.tangential - kept.tangential;
-  const double lowest = 0.5 * (radial + tangential) - std::hypot(0.5 * (radial - tangential), mixed);
-  const double rounding = 1e-12 * (all.radial + all.tangential);
-  const double tail =
-      2.0 / (std::numbers::pi * cutoff) * (std::sqrt(1.0 - poisson * poisson) + std::sqrt(2.0 * (1.0 + poisson)));
-  if (lowest < -rounding || radial + tangential > 1.5 * tail + 4.0 / (cutoff * cutoff)) {
-    throw NotConverged("modes: the static sum rule of order " + std::to_string(order) + " is violated");
-  }
-}
-
-void check_sum_rules(double poisson, double cutoff, const std::vector<Mode>& modes) {
-  auto mode = modes.begin();
-  for (int order = 0; order <= modes.back().order; ++order) {
-    Flexibility kept;
-    for (; mode != modes.end() && mode->order == order; ++mode) {
-      const double compliance = 1.0 / (mode->omega * mode->omega);
-      kept.radial += mode->radial * mode->radial * compliance;
-      kept.mixed += mode->radial * mode->tangential * compliance;
-      kept.tangential += mode->tangential * mode->tangential * compliance;
-    }
-    check_sum_rule(poisson, cutoff, order, kept);
-  }
-}
-
-}  // namespace
 
 ModeFamily family(const Mode& mode) {
   return mode.radial > std::abs(mode.tangential) ? ModeFamily::radial : ModeFamily::tangential;
@@ -68,13 +20,8 @@ std::vector<Mode> modes(double poisson, double cutoff, const Poll& poll) {
   constexpr Range allowed{0.0, max_cutoff, false, true, "the lowest mode (about 1.4) to 1000"};
   require("cutoff", cutoff, allowed, "highest frequency in c/R; 25 to 100 is usual");
   auto modes = checked_modes(poisson, cutoff, poll);
-  if (modes.empty()) refuse_low_cutoff(poisson, cutoff);
-  return modes;
-}
-
-std::vector<Mode> checked_modes(double poisson, double cutoff, const Poll& poll) {
-  auto modes = find_modes(poisson, cutoff, poll);
-  if (!modes.empty()) check_sum_rules(poisson, cutoff, modes);
+  constexpr double above_the_lowest = 2.0;  // which lies between 1.1 and 1.8 for every ν
+  if (modes.empty()) refuse_low_cutoff(find_modes(poisson, above_the_lowest, {}), cutoff, max_cutoff);
   return modes;
 }
 
@@ -112,6 +59,18 @@ std::vector<Displacement> displacement(double poisson, const Mode& mode, const s
   field.reserve(radii.size());
   for (const RadialField& at : mode_field(poisson, mode, radii, poll)) field.push_back({at.radial, at.tangential});
   return field;
+}
+
+const Quantities<Mode>& mode_quantities() {
+  using enum Dimension;
+  const auto family_name = [](const Mode& mode) {
+    return std::string(family(mode) == ModeFamily::radial ? "radial" : "tangential");
+  };
+  static const Quantities<Mode> all{
+      {"order", none, &Mode::order},   {"index", none, &Mode::index},           {"omega", frequency, &Mode::omega},
+      {"radial", none, &Mode::radial}, {"tangential", none, &Mode::tangential}, {"family", none, family_name},
+  };
+  return all;
 }
 
 }  // namespace stoss::bodies::disk

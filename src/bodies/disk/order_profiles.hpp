@@ -2,14 +2,38 @@
 
 #include <Eigen/Core>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <vector>
 
+#include "bodies/disk/edge_points.hpp"
 #include "bodies/disk/harmonics.hpp"
-#include "bodies/disk/radial_field.hpp"
+#include "bodies/disk/mode_field.hpp"
+#include "bodies/kept_profiles.hpp"
 #include "stoss/body/body.hpp"
 
 namespace stoss::bodies::disk {
+
+/// What tells the profiles of a disk from those of other round bodies.
+struct ProfileShape {
+  static constexpr std::size_t components = 5;  // those of RadialField, in its order
+  static constexpr auto refusal = "a disk; with another number its modes would not leave the edge free";
+
+  static double angle(const ContactPoints& contact, std::size_t i) { return edge_angle(contact, i); }
+  static Mode mode(const ModeGroup& group, std::size_t l) {
+    return {group.order, static_cast<int>(l), group.omega[l], group.upper[l] + group.lower[l],
+            group.upper[l] - group.lower[l]};
+  }
+  static std::vector<RadialField> field(double poisson, const Mode& mode, const std::vector<double>& radius,
+                                        const Poll& poll) {
+    return mode_field(poisson, mode, radius, poll);
+  }
+  static std::array<double, components> values(const RadialField& field) {
+    return {field.radial, field.tangential, field.stress_rr, field.stress_pp, field.stress_rp};
+  }
+  static double shear(const RadialField& field) { return field.stress_rp; }
+  static double root(int /*order*/) { return 1.0; }
+};
 
 /// Displacement and stress of every angular order n of a disk at given radii,
 ///
@@ -21,52 +45,23 @@ namespace stoss::bodies::disk {
 ///
 /// p = g_C and t = g_S for n ≥ 1, p = ½ g_C for n = 0, and w_n = 1 below the Nyquist order π/h of the nodes, ½ at it
 /// and 0 beyond, as in Residual.
-class OrderProfiles {
+class OrderProfiles : public KeptProfiles<ProfileShape> {
  public:
-  static constexpr std::size_t components = 5;  // those of RadialField, in its order
-  using Profile = std::array<Harmonics::Table, components>;
-
-  /// @throws InvalidInput if the modes of the body are not those of a disk of this Poisson's ratio
   OrderProfiles(double poisson, const Body& body, const ContactPoints& contact, std::vector<double> radius,
                 const Poll& poll);
-
-  /// Number of kept modes, in the order of Body::groups.
-  [[nodiscard]] Eigen::Index modes() const { return modes_; }
-  [[nodiscard]] Eigen::Index nodes() const { return node_.size(); }
-
-  /// Number of orders that count at each radius; the others are smaller by 1e-20.
-  [[nodiscard]] const std::vector<int>& orders() const { return orders_; }
 
   /// Fills radii × order_block values of each component for the orders from `first`.
   void evaluate(const Eigen::VectorXd& coordinate, const Eigen::ArrayXd& node_force, int first, const Poll& poll,
                 Profile& profile) const;
 
  private:
-  /// The kept modes of one order: C/ω² and S/ω², and their fields in rows of components × radii.
-  struct KeptOrder {
-    int order;
-    Eigen::Index first;  // of its modes in the coordinates
-    Eigen::VectorXd radial, tangential;
-    Eigen::MatrixXd field;
-  };
-
   /// w_n p_n and w_n t_n of a block of orders.
   struct Loads {
     Eigen::VectorXd normal, shear;
   };
 
-  void keep(const Body& body, const ModeGroup& group, const Poll& poll);
   [[nodiscard]] Loads loads(const Eigen::ArrayXd& node_force, int first) const;
   void add_static(const Loads& loads, int first, const Poll& poll, Profile& profile) const;
-  void add_kept(const Eigen::VectorXd& coordinate, const Loads& loads, int first, Profile& profile) const;
-
-  double poisson_;
-  Eigen::ArrayXd node_;  // φ_i
-  int nyquist_;
-  std::vector<double> radius_;
-  std::vector<int> orders_;
-  std::vector<KeptOrder> kept_;
-  Eigen::Index modes_ = 0;
 };
 
 }  // namespace stoss::bodies::disk

@@ -1,12 +1,17 @@
 #pragma once
 
-#include "bodies/disk/radial_field.hpp"
+#include "bodies/radial_powers.hpp"
 
 namespace stoss::bodies::disk {
 
-/// r^{n−2} − r^n, r^{n−1}, r^n and r^{n+1}, with 0 for a negative power.
-struct RadialPowers {
-  double below, low, here, high;
+/// Displacement and stress of one angular order n at one radius, E = 1: `radial`, `stress_rr` and `stress_pp` are to be
+/// multiplied by cos nφ, `tangential` and `stress_rp` by sin nφ.
+struct RadialField {
+  double radial = 0.0;      ///< u_r
+  double tangential = 0.0;  ///< u_φ
+  double stress_rr = 0.0;   ///< σ_rr
+  double stress_pp = 0.0;   ///< σ_φφ
+  double stress_rp = 0.0;   ///< σ_rφ
 };
 
 /// Static field of a disk under the edge tractions σ_rr = p cos nφ and σ_rφ = t sin nφ (Michell's solution;

@@ -31,10 +31,7 @@ void require_points(const PlaneGrid& points, const ContactPoints& contact) {
   constexpr Range inside{0.0, 1e6, true, true, "0 to 1e6"};
   for (const double depth : points.depth) require("depth", depth, inside, "below the surface");
   for (const double distance : points.distance) require("distance", distance, inside, "from the axis");
-  require("contact nodes", static_cast<long>(contact.count), 1, 5'000'000, "of the grid of the impact");
-  require("contact radius", contact.radius, {0.0, 1e6, false, true, "above 0 to 1e6"}, "of the circle of the points");
-  constexpr Range circle{2e-7, std::numbers::pi, true, true, "2e-7 to pi"};
-  require("contact spacing", contact.spacing, circle, "of the points on their circle, radians");
+  require_nodes(contact, {0.0, 1e6, false, true, "above 0 to 1e6"}, "of the circle of the points");
 }
 
 /// kz at which e^{−kz} is below 1e-17.

@@ -12,7 +12,6 @@
 #include "bodies/half_space/residual.hpp"
 #include "bodies/half_space/surface_waves.hpp"
 #include "check.hpp"
-#include "digits.hpp"
 #include "stoss/errors.hpp"
 
 namespace stoss {

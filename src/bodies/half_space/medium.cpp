@@ -5,7 +5,7 @@
 
 #include "bodies/sphere/mode_search.hpp"
 #include "check.hpp"
-#include "numeric/bessel_j01.hpp"
+#include "numeric/special_functions.hpp"
 
 namespace stoss::bodies::half_space {
 

@@ -8,8 +8,8 @@
 #include <numbers>
 #include <utility>
 
-#include "numeric/cosine_integral.hpp"
 #include "numeric/gauss_legendre.hpp"
+#include "numeric/special_functions.hpp"
 
 namespace stoss::bodies::half_space {
 namespace {

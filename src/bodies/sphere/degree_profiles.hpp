@@ -2,13 +2,38 @@
 
 #include <Eigen/Core>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <vector>
 
-#include "bodies/sphere/radial_field.hpp"
+#include "bodies/kept_profiles.hpp"
+#include "bodies/sphere/mode_field.hpp"
+#include "bodies/sphere/surface_points.hpp"
 #include "stoss/body/body.hpp"
 
 namespace stoss::bodies::sphere {
+
+/// What tells the profiles of a sphere from those of other round bodies.
+struct ProfileShape {
+  static constexpr std::size_t components = 6;  // those of RadialField, in its order
+  static constexpr auto refusal = "a sphere; with another number its modes would not leave the surface free";
+
+  static double angle(const ContactPoints& contact, std::size_t i) { return ring_angle(contact, i); }
+  static Mode mode(const ModeGroup& group, std::size_t l) {
+    const double n = group.order, upper = group.upper[l], lower = group.lower[l];
+    return {group.order, static_cast<int>(l), group.omega[l], upper + lower,
+            group.order > 0 ? lower / n - upper / (n + 1.0) : 0.0};
+  }
+  static std::vector<RadialField> field(double poisson, const Mode& mode, const std::vector<double>& radius,
+                                        const Poll& poll) {
+    return mode_field(poisson, mode, radius, poll);
+  }
+  static std::array<double, components> values(const RadialField& field) {
+    return {field.radial, field.tangential, field.stress_rr, field.stress_rt, field.hoop, field.bend};
+  }
+  static double shear(const RadialField& field) { return field.stress_rt; }
+  static double root(int degree) { return std::sqrt(degree * (degree + 1.0)); }
+};
 
 /// Displacement and stress of every degree n of a sphere at given radii,
 ///
@@ -20,27 +45,17 @@ namespace stoss::bodies::sphere {
 ///
 /// p = (2n+1) g_U/3 and t = (2n+1) g_V/(3L), L = n(n+1), and w_n = 1 below the Nyquist degree π/h of the rings, ½ at it
 /// and 0 beyond, as in Residual.
-class DegreeProfiles {
+class DegreeProfiles : public KeptProfiles<ProfileShape> {
  public:
-  static constexpr std::size_t components = 6;  // those of RadialField, in its order
-  static constexpr int block = 32;              // of degrees
-  using Table = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
-  using Profile = std::array<Table, components>;  // radii × block
+  static constexpr int block = 32;  // of degrees
+
   /// w_n g_U and w_n g_V of all degrees up to Nyquist and of all kept ones.
   struct Loads {
     std::vector<double> radial, tangential;
   };
 
-  /// @throws InvalidInput if the modes of the body are not those of a sphere of this Poisson's ratio
   DegreeProfiles(double poisson, const Body& body, const ContactPoints& contact, std::vector<double> radius,
                  const Poll& poll);
-
-  /// Number of kept modes, in the order of Body::groups.
-  [[nodiscard]] Eigen::Index modes() const { return modes_; }
-  [[nodiscard]] Eigen::Index rings() const { return ring_.size(); }
-
-  /// Number of degrees that count at each radius; the others are smaller by 1e-20.
-  [[nodiscard]] const std::vector<int>& degrees() const { return degrees_; }
 
   [[nodiscard]] Loads loads(const Eigen::ArrayXd& ring_force, const Poll& poll) const;
 
@@ -49,25 +64,7 @@ class DegreeProfiles {
                 Profile& profile) const;
 
  private:
-  /// The kept modes of one degree: U/ω² and V/ω², and their fields in rows of components × radii.
-  struct KeptDegree {
-    int degree;
-    Eigen::Index first;  // of its modes in the coordinates
-    Eigen::VectorXd radial, tangential;
-    Eigen::MatrixXd field;
-  };
-
-  void keep(const Body& body, const ModeGroup& group, const Poll& poll);
   void add_static(const Loads& loads, int first, const Poll& poll, Profile& profile) const;
-  void add_kept(const Eigen::VectorXd& coordinate, const Loads& loads, int first, Profile& profile) const;
-
-  double poisson_;
-  Eigen::ArrayXd ring_;  // θ_i
-  int nyquist_;
-  std::vector<double> radius_;
-  std::vector<int> degrees_;
-  std::vector<KeptDegree> kept_;
-  Eigen::Index modes_ = 0;
 };
 
 }  // namespace stoss::bodies::sphere

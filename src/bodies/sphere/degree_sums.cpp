@@ -10,14 +10,14 @@
 #include "bodies/sphere/static_flexibility.hpp"
 #include "bodies/sphere/sum_quadrature.hpp"
 #include "bodies/sphere/surface_points.hpp"
-#include "numeric/cosine_integral.hpp"
+#include "numeric/special_functions.hpp"
 
 namespace stoss::bodies::sphere {
 namespace {
 
 using Matrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
-constexpr double mass = 4.0 * std::numbers::pi / 3.0;
+constexpr double sphere_mass = 4.0 * std::numbers::pi / 3.0;
 constexpr int block = 48;            // rows of a product of matrices at a time
 constexpr int rule_nodes = 24;       // of the quadrature of a sum
 constexpr double rule_phase = 18.0;  // by which its terms may turn to either side of the middle
@@ -74,7 +74,7 @@ class ShapeProducts {
   Eigen::Index rows_ = 0;
 };
 
-Flexibility coefficient(const DegreeSum& sum, long n) {
+Flexibility coefficient(const OrderSum& sum, long n) {
   Flexibility r;
   if (sum.with_static) r = static_flexibility(sum.poisson, static_cast<int>(n));
   if (static_cast<std::size_t>(n) < sum.coefficients.size()) {
@@ -87,7 +87,7 @@ Flexibility coefficient(const DegreeSum& sum, long n) {
 }
 
 /// The degrees 0 … last one by one; that of Nyquist with weight ½.
-void add_degrees(const DegreeSum& sum, const Eigen::ArrayXd& angle, long last, long nyquist, ShapeProducts& products) {
+void add_degrees(const OrderSum& sum, const Eigen::ArrayXd& angle, long last, long nyquist, ShapeProducts& products) {
   LegendreSequence sequence(angle);
   Eigen::ArrayXd below = Eigen::ArrayXd::Zero(angle.size()), here = sequence.value();
   for (long n = 0; n <= last; ++n) {
@@ -142,7 +142,7 @@ void resolve_each_pair(double poisson, const ContactPoints& points, const Eigen:
 
 }  // namespace
 
-std::vector<double> sum_over_degrees(const DegreeSum& sum, const ContactPoints& points, const Poll& poll) {
+std::vector<double> sum_over_degrees(const OrderSum& sum, const ContactPoints& points, const Poll& poll) {
   const auto rings = static_cast<Eigen::Index>(points.count);
   if (rings == 0) return {};
   Eigen::ArrayXd angle(rings);
@@ -168,7 +168,7 @@ std::vector<double> sum_over_degrees(const DegreeSum& sum, const ContactPoints& 
   Eigen::Map<Matrix> matrix(result.data(), rings, rings);
   matrix = half.triangularView<Eigen::Lower>();
   matrix.triangularView<Eigen::StrictlyUpper>() = half.transpose();
-  matrix /= mass;
+  matrix /= sphere_mass;
   return result;
 }
 

@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "bodies/residual.hpp"
 #include "stoss/bodies/sphere/modes.hpp"
 #include "stoss/body/body.hpp"
 #include "stoss/poll.hpp"
@@ -12,19 +13,26 @@ namespace stoss::bodies::sphere {
 ///
 ///   (1/m) Σ_n [R^UU a_i a_j − R^UV (a_i b_j + b_i a_j) + R^VV b_i b_j],   a = cos θ P_n,   b = sin θ dP_n/dθ,
 ///
-/// over those that the rings resolve, n ≤ N = π/h, the last with weight ½. R_n are the given coefficients and, where
-/// `with_static`, the static flexibilities of all degrees.
+/// over those that the rings resolve, n ≤ N = π/h, the last with weight ½: a matrix, rings × rings, symmetric.
 ///
 /// Low degrees are added up one by one. Where there are many more than rings, the higher ones go by Gauss quadrature of
 /// a sum over blocks of degrees, in which the products turn by at most 18 to either side: an error of 1e-14, and as
 /// many terms for any N.
-struct DegreeSum {
-  double poisson = 0.0;
-  bool with_static = false;
-  std::vector<Flexibility> coefficients;  ///< of n = 0, 1, 2, …
+[[nodiscard]] std::vector<double> sum_over_degrees(const OrderSum& sum, const ContactPoints& points, const Poll& poll);
+
+/// What tells the residual response of a sphere from that of other round bodies.
+struct ResidualShape {
+  /// Half of what a disk is allowed, because rings also feel V. Above 1.8 the edge of the contact chatters (ν = 0.49,
+  /// ω_c = 256).
+  static constexpr double stable_share = 0.9;
+
+  static Flexibility static_flexibility(double poisson, int n) { return sphere::static_flexibility(poisson, n); }
+  static Flexibility static_second_moment(double poisson, int n) { return sphere::static_second_moment(poisson, n); }
+  static std::vector<double> sum(const OrderSum& sum, const ContactPoints& points, const Poll& poll) {
+    return sum_over_degrees(sum, points, poll);
+  }
 };
 
-/// The matrix of the sum, rings × rings, symmetric.
-[[nodiscard]] std::vector<double> sum_over_degrees(const DegreeSum& sum, const ContactPoints& points, const Poll& poll);
+using Residual = bodies::Residual<ResidualShape>;
 
 }  // namespace stoss::bodies::sphere

@@ -20,7 +20,7 @@ namespace stoss::bodies::sphere {
 /// in which the terms of order n⁴ ββ′, which cancel for n ≫ κ, κ′, have dropped out by algebra
 /// (docs/theory/spheres.md).
 struct EdgeProblem {
-  using Mode = sphere::Mode;
+  using Mode = bodies::Mode;
   static constexpr auto bessel = numeric::BesselKind::spherical;
 
   int order;                     ///< n

@@ -21,26 +21,11 @@
 namespace stoss::bodies::sphere {
 namespace {
 
-using Table = DegreeProfiles::Table;
-
-void require_points(const PolarGrid& points, const ContactPoints& contact) {
-  const auto radii = static_cast<long>(points.radius.size()), angles = static_cast<long>(points.angle.size());
-  require("radius count", radii, 1, 1'000'000, "radii of the points");
-  require("angle count", angles, 1, 1'000'000, "angles of the points");
-  require("point count", radii * angles, 1, 100'000'000, "radii times angles");
-  constexpr Range inside{0.0, 1.0, true, true, "0 to 1"};
-  for (const double radius : points.radius) require("radius", radius, inside, "in units of the radius of the sphere");
-  require_finite("angle", points.angle, "radians from the direction of the wall");
-  require("contact nodes", static_cast<long>(contact.count), 1, 5'000'000, "of the grid of the impact");
-  require("contact radius", contact.radius, {0.0, 1.0, false, true, "above 0 to 1"},
-          "of the circle of the points, in R");
-  constexpr Range circle{2e-7, std::numbers::pi, true, true, "2e-7 to pi"};
-  require("contact spacing", contact.spacing, circle, "of the points on their circle, radians");
-}
+using Matrix = DegreeProfiles::Matrix;
 
 /// P, dP/dθ, H = P + cot θ dP/dθ and (L−2)P + H of a block of degrees: degrees × angles.
 struct Harmonics {
-  Table value, slope, across, along;
+  Matrix value, slope, across, along;
 
   explicit Harmonics(Eigen::Index angles)
       : value(DegreeProfiles::block, angles), slope(value), across(value), along(value) {}
@@ -82,7 +67,8 @@ SphereField::SphereField(double poisson, const Body& body, const ContactPoints& 
                          const Poll& poll) {
   require_poisson(poisson);
   validate(body);
-  require_points(points, contact);
+  require_points(points, "sphere");
+  require_nodes(contact, {0.0, 1.0, false, true, "above 0 to 1"}, "of the circle of the points, in R");
   Eigen::ArrayXd angle(static_cast<Eigen::Index>(points.angle.size()));
   std::transform(points.angle.begin(), points.angle.end(), angle.begin(),
                  [](double turned) { return std::remainder(turned, 2.0 * std::numbers::pi); });
@@ -92,7 +78,7 @@ SphereField::SphereField(double poisson, const Body& body, const ContactPoints& 
 
 Field SphereField::at(std::span<const double> coordinate, std::span<const double> node_force, const Poll& poll) const {
   const auto& [profiles, angle] = *parts_;
-  const auto modes = profiles.modes(), rings = profiles.rings();
+  const auto modes = profiles.modes(), rings = profiles.points();
   require_length("coordinate", coordinate.size(), static_cast<std::size_t>(modes), "one for each kept mode");
   require_length("node_force", node_force.size(), static_cast<std::size_t>(rings), "one for each ring");
   require_finite("coordinate", coordinate, "Q of the kept modes, in R");
@@ -100,9 +86,9 @@ Field SphereField::at(std::span<const double> coordinate, std::span<const double
   const Eigen::VectorXd q = Eigen::Map<const Eigen::VectorXd>(coordinate.data(), modes);
   const auto loads = profiles.loads(Eigen::Map<const Eigen::ArrayXd>(node_force.data(), rings), poll);
 
-  const std::vector<int>& degrees = profiles.degrees();
-  std::array<Table, 6> sum;  // in the order of Field
-  for (Table& component : sum) component.setZero(static_cast<Eigen::Index>(degrees.size()), angle.size());
+  const std::vector<int>& degrees = profiles.orders();
+  std::array<Matrix, 6> sum;  // in the order of Field
+  for (Matrix& component : sum) component.setZero(static_cast<Eigen::Index>(degrees.size()), angle.size());
   auto& [radial, tangential, stress_rr, stress_tt, stress_pp, stress_rt] = sum;
   DegreeProfiles::Profile profile;
   Harmonics harmonics(angle.size());
@@ -117,7 +103,7 @@ Field SphereField::at(std::span<const double> coordinate, std::span<const double
     const auto top = std::find_if(degrees.begin(), degrees.end(), counts);
     const auto bottom = std::find_if(degrees.rbegin(), degrees.rend(), counts).base();
     const Eigen::Index row = top - degrees.begin(), rows = bottom - top;
-    const auto add = [&](Table& to, const Table& from, const Table& with) {
+    const auto add = [&](Matrix& to, const Matrix& from, const Matrix& with) {
       to.middleRows(row, rows).noalias() += from.middleRows(row, rows) * with;
     };
     const auto& [of_radial, of_tangential, of_rr, of_rt, hoop, bend] = profile;
@@ -130,7 +116,7 @@ Field SphereField::at(std::span<const double> coordinate, std::span<const double
     add(stress_tt, hoop, harmonics.value);
     add(stress_tt, -bend, harmonics.along);
   }
-  const auto flat = [](const Table& table) { return std::vector<double>(table.data(), table.data() + table.size()); };
+  const auto flat = [](const Matrix& table) { return std::vector<double>(table.data(), table.data() + table.size()); };
   return {flat(radial), flat(tangential), flat(stress_rr), flat(stress_tt), flat(stress_pp), flat(stress_rt)};
 }
 

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "numeric/bessel_j01.hpp"
+#include "numeric/special_functions.hpp"
 
 namespace stoss::bodies::sphere {
 

@@ -26,14 +26,6 @@ Wave wave_inside(double x, double amplitude, const BesselPair& surface, std::vec
   return {amplitude * std::ldexp(inside.value, shift), amplitude * std::ldexp(inside.next, shift)};
 }
 
-/// The pair at the surface, scaled to about 1: the norm of a vibration is of the fourth degree in them.
-BesselPair surface_pair(double x, std::vector<BesselPair>& pairs) {
-  numeric::bessel_pairs(x, pairs, BesselKind::spherical);
-  const BesselPair& pair = pairs.back();
-  const int shift = std::ilogb(std::hypot(pair.value, pair.next));
-  return {std::ldexp(pair.value, -shift), std::ldexp(pair.next, -shift), pair.exponent + shift};
-}
-
 /// @param y κ′²r²/2
 RadialField field_of(double n, double poisson, double r, double y, const Wave& p, const Wave& s) {
   const double volume = poisson / (1.0 - poisson) * y * p.value;  // −λ/2μ r² div u
@@ -67,8 +59,9 @@ std::vector<RadialField> mode_field(double poisson, const Mode& mode, std::span<
   const double kappa = mode.omega / speed.pressure, kappa_shear = mode.omega / speed.shear;
 
   std::vector<BesselPair> pairs(static_cast<std::size_t>(mode.order) + 1);
-  const BesselPair pressure = surface_pair(kappa, pairs);
-  const BesselPair shear = surface_pair(kappa_shear, pairs);
+  // Scaled to about 1: the norm of a vibration is of the fourth degree in them.
+  const BesselPair pressure = numeric::last_pair(kappa, pairs, BesselKind::spherical);
+  const BesselPair shear = numeric::last_pair(kappa_shear, pairs, BesselKind::spherical);
   double a = -mode.radial / pressure.next;  // n = 0: u_r = A κ j_0'(κr)
   double b = 0.0;
   if (mode.order > 0) {

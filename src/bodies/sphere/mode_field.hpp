@@ -3,7 +3,7 @@
 #include <span>
 #include <vector>
 
-#include "bodies/sphere/radial_field.hpp"
+#include "bodies/sphere/static_field.hpp"
 #include "stoss/bodies/sphere/modes.hpp"
 
 namespace stoss::bodies::sphere {

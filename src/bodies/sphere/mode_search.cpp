@@ -3,7 +3,9 @@
 
 #include <cmath>
 #include <cstddef>
+#include <numbers>
 
+#include "bodies/mode_checks.hpp"
 #include "bodies/mode_search.hpp"
 #include "bodies/sphere/edge_problem.hpp"
 #include "check.hpp"
@@ -57,6 +59,20 @@ std::vector<Mode> find_modes(double poisson, double cutoff, const Poll& poll) {
   std::vector<Mode> modes = breathing_modes(poisson, cutoff);
   for (const auto& found : modes_by_order<EdgeProblem>(wave, cutoff, orders, poll)) {
     modes.insert(modes.end(), found.begin(), found.end());
+  }
+  return modes;
+}
+
+std::vector<Mode> checked_modes(double poisson, double cutoff, const Poll& poll) {
+  auto modes = find_modes(poisson, cutoff, poll);
+  constexpr double rounding = 1e-11;
+  const WaveSpeeds speed = wave_speeds(poisson);
+  const KeptSums kept(modes);
+  for (int order = 0; order < kept.orders(); ++order) {
+    // What the modes above the cutoff can carry, about (2n+1)/3 (2/πω_c)(1/c_p + 1/c_s).
+    const double tail =
+        (2.0 * order + 1.0) / 3.0 * 2.0 / (std::numbers::pi * cutoff) * (1.0 / speed.pressure + 1.0 / speed.shear);
+    check_sum_rule(order, static_flexibility(poisson, order), kept.compliance(order), rounding, tail, cutoff);
   }
   return modes;
 }

@@ -1,50 +1,14 @@
 #include "stoss/bodies/sphere/modes.hpp"
 
-#include <algorithm>
-#include <cmath>
-#include <cstddef>
-#include <numbers>
-#include <sstream>
-#include <string>
-
+#include "bodies/mode_checks.hpp"
 #include "bodies/sphere/mode_field.hpp"
 #include "bodies/sphere/mode_search.hpp"
 #include "bodies/sphere/static_field.hpp"
 #include "bodies/sphere/static_flexibility.hpp"
 #include "check.hpp"
-#include "stoss/errors.hpp"
 
 namespace stoss::bodies::sphere {
 namespace {
-
-[[noreturn]] void refuse_low_cutoff(double poisson, double cutoff) {
-  const auto lowest = find_modes(poisson, 3.0, {});  // the lowest mode lies between 1.3 and 1.9 for every ν
-  const auto first =
-      std::min_element(lowest.begin(), lowest.end(), [](const Mode& a, const Mode& b) { return a.omega < b.omega; });
-  std::ostringstream line;
-  line.precision(6);
-  line << "cutoff: got " << cutoff << ", allowed " << first->omega << " to " << max_cutoff
-       << " (below the lowest mode nothing vibrates; 25 to 100 is usual)";
-  throw InvalidInput(line.str());
-}
-
-/// The static sum rules (docs/theory/spheres.md): what the modes of one degree leave of its flexibility must be
-/// positive semidefinite and no larger than the modes above the cutoff can carry, about (2n+1)/3 (2/πω_c)(1/c_p +
-/// 1/c_s).
-void check_sum_rule(double poisson, double cutoff, int order, const Flexibility& kept) {
-  const Flexibility all = static_flexibility(poisson, order);
-  const double radial = all.radial - kept.radial;
-  const double mixed = all.mixed - kept.mixed;
-  const double tangential = all.tangential - kept.tangential;
-  const double lowest = 0.5 * (radial + tangential) - std::hypot(0.5 * (radial - tangential), mixed);
-  const double rounding = 1e-11 * (all.radial + all.tangential);
-  const WaveSpeeds speed = wave_speeds(poisson);
-  const double tail =
-      (2.0 * order + 1.0) / 3.0 * 2.0 / (std::numbers::pi * cutoff) * (1.0 / speed.pressure + 1.0 / speed.shear);
-  if (lowest < -rounding || radial + tangential > 1.5 * tail + 4.0 / (cutoff * cutoff)) {
-    throw NotConverged("modes: the static sum rule of degree " + std::to_string(order) + " is violated");
-  }
-}
 
 /// Products of the static fields of unit loads, ∫ r² (u_r u_r + L u_θ u_θ) dr.
 double product(double n, const StaticField& x, const StaticField& y) {
@@ -64,24 +28,8 @@ std::vector<Mode> modes(double poisson, double cutoff, const Poll& poll) {
   constexpr Range allowed{0.0, max_cutoff, false, true, "the lowest mode (about 1.6) to 1000"};
   require("cutoff", cutoff, allowed, "highest frequency in c/R; 25 to 100 is usual");
   auto modes = checked_modes(poisson, cutoff, poll);
-  if (modes.empty()) refuse_low_cutoff(poisson, cutoff);
-  return modes;
-}
-
-std::vector<Mode> checked_modes(double poisson, double cutoff, const Poll& poll) {
-  auto modes = find_modes(poisson, cutoff, poll);
-  if (modes.empty()) return modes;
-  auto mode = modes.cbegin();
-  for (int order = 0; order <= modes.back().order; ++order) {
-    Flexibility kept;
-    for (; mode != modes.cend() && mode->order == order; ++mode) {
-      const double compliance = 1.0 / (mode->omega * mode->omega);
-      kept.radial += mode->radial * mode->radial * compliance;
-      kept.mixed += mode->radial * mode->tangential * compliance;
-      kept.tangential += mode->tangential * mode->tangential * compliance;
-    }
-    check_sum_rule(poisson, cutoff, order, kept);
-  }
+  constexpr double above_the_lowest = 3.0;  // which lies between 1.3 and 1.9 for every ν
+  if (modes.empty()) refuse_low_cutoff(find_modes(poisson, above_the_lowest, {}), cutoff, max_cutoff);
   return modes;
 }
 
@@ -111,6 +59,15 @@ std::vector<Displacement> displacement(double poisson, const Mode& mode, const s
   field.reserve(radii.size());
   for (const RadialField& at : mode_field(poisson, mode, radii, poll)) field.push_back({at.radial, at.tangential});
   return field;
+}
+
+const Quantities<Mode>& mode_quantities() {
+  using enum Dimension;
+  static const Quantities<Mode> all{
+      {"order", none, &Mode::order},   {"index", none, &Mode::index},           {"omega", frequency, &Mode::omega},
+      {"radial", none, &Mode::radial}, {"tangential", none, &Mode::tangential},
+  };
+  return all;
 }
 
 }  // namespace stoss::bodies::sphere

@@ -11,9 +11,9 @@
 #include <string>
 
 #include "bodies/round_body.hpp"
+#include "bodies/sphere/degree_sums.hpp"
 #include "bodies/sphere/legendre.hpp"
 #include "bodies/sphere/mode_search.hpp"
-#include "bodies/sphere/residual.hpp"
 #include "bodies/sphere/surface_points.hpp"
 #include "check.hpp"
 #include "stoss/bodies/sphere/modes.hpp"

@@ -1,12 +1,21 @@
 #pragma once
 
-#include "bodies/sphere/radial_field.hpp"
+#include "bodies/radial_powers.hpp"
 
 namespace stoss::bodies::sphere {
 
-/// r^{n−2} − r^n, r^{n−1}, r^n and r^{n+1}, with 0 for a negative power.
-struct RadialPowers {
-  double below, low, here, high;
+/// Displacement and stress of one degree n at one radius, E = 1. With P = P_n(cos θ), P′ = dP/dθ, L = n(n+1) and
+/// H = P + cot θ P′ (0 for n = 1),
+///
+///   u_r = radial · P         σ_rr = stress_rr · P         σ_φφ = hoop · P + bend · H
+///   u_θ = tangential · P′    σ_rθ = stress_rt · P′        σ_θθ = hoop · P − bend · [(L−2) P + H]
+struct RadialField {
+  double radial = 0.0;
+  double tangential = 0.0;
+  double stress_rr = 0.0;
+  double stress_rt = 0.0;
+  double hoop = 0.0;  ///< λ div u + 2μ (u_r − u_θ)/r
+  double bend = 0.0;  ///< 2μ u_θ/r; 0 for n = 1, where H = 0
 };
 
 /// Static field of a sphere under the surface tractions σ_rr = p P_n and σ_rθ = t dP_n/dθ (docs/theory/spheres.md), for

@@ -1,141 +1,117 @@
 // The chart of ε against the speed on the page: points fill in, the current one moves, a reader picks a speed.
 
-import { valueAt } from '../drawing/scale';
+import { html, render } from 'lit-html';
+import { keyed } from '../drawing/dom';
+import type { Picture } from '../drawing/files';
+import { written } from '../drawing/numbers';
+import { type Drawn, stacked, WIDTH } from '../drawing/plot';
 import { onResize } from '../drawing/sized';
-import { pngOf } from '../drawing/svg';
 import { readTheme } from '../drawing/theme';
-import { written } from '../drawing/ticks';
 import { withError } from '../inputs/digits';
-import { nearestPoint, type Current, type Ordinate } from './curve_scales';
-import { curveBox, curveSpeeds, curveSvg, type Curve } from './curve_svg';
+import { drawCurves, speedsOf, type Curve, type CurveContent } from './curve_picture';
+import { nearestPoint, type Current } from './curve_scales';
 import './charts.css';
-
-export type { Curve } from './curve_svg';
 
 export interface CurveChart {
   setCurves(curves: Curve[]): void;
   /** Shows the point that the inputs stand for. */
-  setCurrent(speed: number, restitution: number, error: number): void;
-  /** Calls back with a speed that a reader has picked. */
-  onPick(callback: (speed: number) => void): void;
-  toPng(): Promise<Blob>;
-  toSvg(): string;
-  destroy(): void;
+  setCurrent(current: Current): void;
+  readonly picture: Picture;
 }
 
 const STEPS = 100; // of the keyboard along the axis
 
-/** Makes an empty chart in an element. */
-export function createCurveChart(host: HTMLElement): CurveChart {
-  const place = document.createElement('div');
-  place.className = 'chart curve-chart';
-  const options = document.createElement('div');
-  options.className = 'chart-options';
-  const label = document.createElement('label');
-  const loss = Object.assign(document.createElement('input'), { type: 'checkbox' });
-  label.append(loss, 'Show the loss 1 − ε², logarithmic');
-  options.append(label);
-  const area = document.createElement('div');
-  area.className = 'chart-area';
-  area.tabIndex = 0;
-  area.setAttribute('role', 'slider');
-  area.setAttribute('aria-label', 'Speed, picked on the chart of ε');
-  const note = Object.assign(document.createElement('p'), { className: 'chart-note' });
-  place.append(options, area, note);
-  host.append(place);
-  let curves: Curve[] = [];
-  let current: Current | undefined;
-  let callback: (speed: number) => void = () => undefined;
-  let asked = 0;
-  const stopWatching = onResize(area, draw);
-  loss.addEventListener('change', draw);
-  area.addEventListener('click', (event) => callback(rounded(speedAt(event.clientX))));
-  area.addEventListener('pointermove', (event) => tell(speedAt(event.clientX)));
-  area.addEventListener('pointerleave', () => tell());
-  area.addEventListener('keydown', onKey);
+/** Makes an empty chart in an element; `pick` gets a speed that a reader has picked. */
+export function createCurveChart(host: HTMLElement, pick: (speed: number) => void): CurveChart {
+  const content: CurveContent = { curves: [], current: undefined, ordinate: 'restitution' };
+  let chart: Drawn | undefined;
+  let shown: SVGSVGElement | undefined;
+  let pointed: number | undefined; // the speed that the pointer is at
+  const drawSoon = onResize(host, draw);
+  tell();
 
-  function content(): { curves: Curve[]; current: Current | undefined; ordinate: Ordinate } {
-    return { curves, current, ordinate: loss.checked ? 'loss' : 'restitution' };
+  function picture(width: number, ground?: string): SVGSVGElement {
+    const [all, legend] = drawCurves(content, width, readTheme(host));
+    if (!ground) chart = all;
+    return stacked([all, legend], 'ε against the speed', ground);
   }
 
   function draw(): void {
-    cancelAnimationFrame(asked);
-    const width = area.clientWidth;
-    if (!width) return;
-    area.innerHTML = curveSvg(content(), width, { ...readTheme(area), background: 'none' });
+    if (!host.clientWidth) return;
+    shown = picture(host.clientWidth);
     tell();
   }
 
-  function drawSoon(): void {
-    cancelAnimationFrame(asked);
-    asked = requestAnimationFrame(draw);
+  /** Brings all but the picture up to date. */
+  function tell(): void {
+    const { low, high } = speedsOf(content);
+    const choose = (event: Event): void => {
+      content.ordinate = (event.target as HTMLInputElement).checked ? 'loss' : 'restitution';
+      draw();
+    };
+    const point = (event?: MouseEvent): void => {
+      pointed = event && speedAt(event);
+      tell();
+    };
+    const now = content.current ? inWords(content.current) : '';
+    render(html`
+      <div class="chart curve-chart">
+        <div class="chart-options">
+          <label><input type="checkbox" @change=${choose} />Show the loss 1 − ε², logarithmic</label>
+        </div>
+        <div class="chart-area" tabindex="0" role="slider" aria-label="Speed, picked on the chart of ε"
+          aria-valuemin=${low} aria-valuemax=${high} aria-valuenow=${content.current?.speed ?? low}
+          aria-valuetext=${now || 'none'} @click=${(event: MouseEvent) => pick(rounded(speedAt(event)))}
+          @pointermove=${point} @pointerleave=${() => point()} @keydown=${onKey}>${shown}</div>
+        <p class="chart-note">
+          ${pointed === undefined ? [now, toCome()].filter(Boolean).join('; ') : nearTo(pointed)}
+        </p>
+      </div>`, host);
   }
 
-  function speedAt(clientX: number): number {
-    const box = curveBox(area.clientWidth);
-    const share = (clientX - area.getBoundingClientRect().left - box.left) / box.width;
-    return valueAt(curveSpeeds(content()), Math.min(1, Math.max(0, share)));
+  function inWords({ speed, restitution, error }: Current): string {
+    const unit = content.curves[0]?.encounter.si ? 'm/s' : 'c';
+    return `v = ${written(speed, 3)} ${unit}: ε = ${withError(restitution, error)}`;
   }
 
-  /** Says the points nearest to a speed, or the current one. */
-  function tell(speed?: number): void {
-    const unit = curves[0]?.encounter.si ? 'm/s' : 'c';
-    const at = (each: Current): string =>
-      `v = ${written(each.speed, 3)} ${unit}: ε = ${withError(each.restitution, each.error)}`;
-    const now = current ? at(current) : '';
-    area.setAttribute('aria-valuetext', now || 'none');
-    if (speed === undefined) {
-      const left = curves.reduce((sum, each) => sum + each.planned.length - each.points.length, 0);
-      const toCome = left > 0 ? `${left} ${left === 1 ? 'speed is' : 'speeds are'} still to come` : '';
-      note.textContent = [now, toCome].filter(Boolean).join('; ');
-      return;
-    }
-    const near = curves.flatMap((each) => {
-      const point = nearestPoint(each.points, speed);
-      return point ? [`${curves.length > 1 ? `${each.label}, ` : ''}${at(point)}`] : [];
-    });
-    note.textContent = near.join('; ');
+  function toCome(): string {
+    const left = content.curves.reduce((sum, { planned, points }) => sum + planned.length - points.length, 0);
+    return left > 0 ? `${left} ${left === 1 ? 'speed is' : 'speeds are'} still to come` : '';
+  }
+
+  /** The points nearest to a speed. */
+  function nearTo(speed: number): string {
+    const { curves } = content;
+    return curves.flatMap(({ label, points }) => {
+      const point = nearestPoint(points, speed);
+      return point ? [`${curves.length > 1 ? `${label}, ` : ''}${inWords(point)}`] : [];
+    }).join('; ');
+  }
+
+  function speedAt({ clientX, currentTarget }: MouseEvent): number {
+    const { low, high } = speedsOf(content);
+    const place = clientX - (currentTarget as HTMLElement).getBoundingClientRect().left;
+    return Math.min(high, Math.max(low, chart?.scale('x')?.invert?.(place) ?? low));
   }
 
   function onKey(event: KeyboardEvent): void {
-    const scale = curveSpeeds(content());
-    const step = (scale.high / scale.low) ** (1 / STEPS);
-    const from = current?.speed ?? Math.sqrt(scale.low * scale.high);
-    const places: Record<string, number> = {
-      ArrowRight: from * step, ArrowUp: from * step, ArrowLeft: from / step, ArrowDown: from / step,
-      PageUp: from * step ** 10, PageDown: from / step ** 10, Home: scale.low, End: scale.high,
-    };
-    const to = places[event.key];
-    if (to === undefined) return;
-    event.preventDefault();
-    callback(rounded(Math.min(scale.high, Math.max(scale.low, to))));
+    const { low, high } = speedsOf(content);
+    const [first, last] = [Math.log(low), Math.log(high)];
+    const at = content.current ? Math.log(content.current.speed) : 0.5 * (first + last);
+    const to = keyed(event, { at, first, last, step: (last - first) / STEPS });
+    if (to !== undefined) pick(rounded(Math.exp(to)));
   }
 
   return {
-    setCurves(next) {
-      curves = next;
-      const scale = curveSpeeds(content());
-      area.setAttribute('aria-valuemin', String(scale.low));
-      area.setAttribute('aria-valuemax', String(scale.high));
+    setCurves(curves) {
+      content.curves = curves;
       drawSoon();
     },
-    setCurrent(speed, restitution, error) {
-      current = { speed, restitution, error };
-      area.setAttribute('aria-valuenow', String(speed));
+    setCurrent(current) {
+      content.current = current;
       drawSoon();
     },
-    onPick(next) {
-      callback = next;
-    },
-    toPng() {
-      return pngOf(this.toSvg());
-    },
-    toSvg: () => curveSvg(content(), Math.max(480, area.clientWidth), readTheme(area)),
-    destroy() {
-      cancelAnimationFrame(asked);
-      stopWatching();
-      place.remove();
-    },
+    picture: { svg: () => picture(Math.max(WIDTH, host.clientWidth), readTheme(host).background) },
   };
 }
 

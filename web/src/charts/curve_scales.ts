@@ -1,7 +1,10 @@
 // The axes of a chart of ε against the speed, and what a point is on them.
 
 import type { CurvePoint } from '../core/protocol';
-import type { Scale } from '../drawing/scale';
+import type { Axis } from '../drawing/plot';
+
+/** An axis without its label. */
+export type Scale = Omit<Axis, 'label'>;
 
 /** What is drawn of a speed: ε, or the lost share of the energy 1 − ε². */
 export type Ordinate = 'restitution' | 'loss';

@@ -1,196 +1,179 @@
 // Energies of the modes on the page: each bar is a button that shows its mode.
 
+import { html, render } from 'lit-html';
+import { repeat } from 'lit-html/directives/repeat.js';
+import { unitsOf } from '../core/local';
 import type { Collision, Core, Encounter, Shape } from '../core/protocol';
-import { up } from '../drawing/axes';
-import { frequencyInWords } from '../drawing/si';
+import { choice, keyed } from '../drawing/dom';
+import type { Picture } from '../drawing/files';
+import { withUnit, written } from '../drawing/numbers';
+import { BESIDE, stacked, type Drawn, WIDTH } from '../drawing/plot';
 import { onResize } from '../drawing/sized';
-import { pngOf } from '../drawing/svg';
 import { readTheme } from '../drawing/theme';
-import { written } from '../drawing/ticks';
+import { kindNamed } from '../inputs/kinds';
 import { evenGrid } from '../scene/grid';
-import { placedBodies } from '../scene/view';
+import { partsOf } from '../scene/parts';
 import { energyOfWaves, layoutModes, type ModeBar, type ModeLayout, type When } from './mode_layout';
-import { createShapeView } from './mode_shape';
-import { energyScale, modeBox, modeSvg, MODE_LABELS } from './mode_svg';
+import { swingShape } from './mode_shape';
+import { drawModes, MODE_LABELS } from './mode_picture';
 import './charts.css';
 
 export interface ModeBars {
   show(encounter: Encounter, collision: Collision): void;
-  toPng(): Promise<Blob>;
-  toSvg(): string;
-  destroy(): void;
+  readonly picture: Picture;
 }
 
 const PITCH = 17; // pixels of a bar, at least
+const SMALLEST = 24; // height of what is pressed
 const MOST = 40;
 const SHAPE = 168;
 
-type Choice<T extends string> = [T, string][];
-
-function select<T extends string>(name: string, options: Choice<T>, changed: () => void):
-    { label: HTMLLabelElement; chosen: () => T; set: (value: T) => void } {
-  const label = document.createElement('label');
-  const box = document.createElement('select');
-  for (const [value, words] of options) box.add(new Option(words, value));
-  box.addEventListener('change', changed);
-  label.append(Object.assign(document.createElement('span'), { textContent: name }), box);
-  return { label, chosen: () => box.value as T, set: (value) => (box.value = value) };
-}
+const WHEN: [When, string][] = [['after', MODE_LABELS.after], ['average', MODE_LABELS.average]];
+const AXES: [boolean, string][] = [[true, 'logarithmic'], [false, 'linear']];
+const BODIES: [0 | 1, string][] = [[0, 'first'], [1, 'second']];
 
 /** Makes an empty chart in an element. */
 export function createModeBars(host: HTMLElement, core: Core): ModeBars {
-  const place = document.createElement('div');
-  place.className = 'chart';
-  const options = document.createElement('div');
-  options.className = 'chart-options';
-  const when = select<When>('Energy', [['after', MODE_LABELS.after], ['average', MODE_LABELS.average]], draw);
-  const axis = select<'log' | 'linear'>('Axis', [['log', 'logarithmic'], ['linear', 'linear']], draw);
-  const body = select<'0' | '1'>('Body', [['0', 'first'], ['1', 'second']], draw);
-  options.append(when.label, axis.label, body.label);
-  const both = Object.assign(document.createElement('div'), { className: 'mode-bars' });
-  const chart = Object.assign(document.createElement('div'), { className: 'mode-bars-chart' });
-  const picture = Object.assign(document.createElement('div'), { className: 'chart-area' });
-  picture.setAttribute('aria-hidden', 'true');
-  const buttons = document.createElement('div');
-  buttons.setAttribute('role', 'group');
-  buttons.setAttribute('aria-label', 'Modes with the most energy: arrows move between them');
-  const note = Object.assign(document.createElement('p'), { className: 'chart-note' });
-  chart.append(picture, buttons, note);
-  const figure = Object.assign(document.createElement('figure'), { className: 'mode-shape' });
-  const caption = document.createElement('figcaption');
-  caption.setAttribute('aria-live', 'polite');
-  const view = createShapeView(SHAPE, () => readTheme(place));
-  figure.append(view.canvas, caption);
-  both.append(chart, figure);
-  place.append(options, both);
-  host.append(place);
+  const chosen = { when: 'after' as When, log: true, body: 0 as 0 | 1 };
   let now: { encounter: Encounter; collision: Collision } | undefined;
-  let layout: ModeLayout | undefined;
-  let chosen = ''; // the mode whose shape is shown
+  let layout: ModeLayout = { bars: [], groups: [], omitted: 0, rest: 0 };
+  let drawn: Drawn | undefined;
+  let shown: SVGSVGElement | undefined;
+  let mode = ''; // the one whose shape is shown
+  let swinging = ''; // the one that the canvas shows, or will
   let shapes = new Map<string, Promise<Shape>>();
-  let asked = 0;
-  const stopWatching = onResize(chart, draw);
-  buttons.addEventListener('keydown', onKey);
+  let stop = (): void => undefined;
+  tell();
+  const chart = host.querySelector<HTMLElement>('.mode-bars-chart')!;
+  const canvas = host.querySelector('canvas')!;
+  onResize(chart, draw);
 
   function laidOut(width: number): ModeLayout {
-    const count = Math.max(6, Math.min(MOST, Math.floor(modeBox(width).width / PITCH)));
-    return layoutModes(now!.collision.modes, body.chosen() === '1' ? 1 : 0, when.chosen(), count);
+    const count = Math.max(6, Math.min(MOST, Math.floor((width - BESIDE) / PITCH)));
+    return layoutModes(now!.collision.modes, chosen.body, chosen.when, count);
   }
 
   function draw(): void {
     const width = chart.clientWidth;
     if (!now || !width) return;
     layout = laidOut(width);
-    const log = axis.chosen() === 'log';
-    picture.innerHTML = modeSvg(layout, log, when.chosen(), width, { ...readTheme(place), background: 'none' });
-    const box = modeBox(width);
-    const scale = energyScale(layout, log);
-    const focused = buttons.contains(document.activeElement);
-    buttons.replaceChildren(...layout.bars.map((bar) => {
-      const button = document.createElement('button');
-      button.type = 'button';
-      button.className = 'mode-bar';
-      button.dataset['mode'] = nameOf(bar);
-      button.setAttribute('aria-label', wordsOf(bar));
-      const top = Math.min(box.top + box.height - 24, up(box, scale, bar.energy) - 4);
-      Object.assign(button.style, {
-        left: `${box.left + bar.left * box.width}px`, width: `${bar.width * box.width}px`,
-        top: `${Math.max(box.top, top)}px`, height: `${box.top + box.height - Math.max(box.top, top)}px`,
-      });
-      button.addEventListener('click', () => choose(bar));
-      button.addEventListener('pointerenter', (event) => event.pointerType === 'mouse' && choose(bar));
-      button.addEventListener('focus', () => choose(bar));
-      return button;
-    }));
-    note.textContent = [
+    const parts = drawModes(layout, chosen.log, chosen.when, width, readTheme(host));
+    drawn = parts[0];
+    shown = stacked(parts, 'Energy of the modes');
+    swinging = '';
+    choose(bar() ?? [...layout.bars].sort((a, b) => b.energy - a.energy)[0]);
+  }
+
+  function bar(): ModeBar | undefined {
+    return layout.bars.find((each) => nameOf(each) === mode);
+  }
+
+  /** Brings all but the picture up to date. */
+  function tell(): void {
+    const set = (change: Partial<typeof chosen>): void => {
+      Object.assign(chosen, change);
+      draw();
+    };
+    const its = bar();
+    const pair = now?.collision.bodies[1] !== undefined && now.collision.bodies[1].kind !== 'half-space';
+    render(html`
+      <div class="chart">
+        <div class="chart-options">
+          ${choice('Energy', WHEN, chosen.when, (when) => set({ when }))}
+          ${choice('Axis', AXES, chosen.log, (log) => set({ log }))}
+          ${choice('Body', BODIES, chosen.body, (body) => set({ body }), !pair)}
+        </div>
+        <div class="mode-bars">
+          <div class="mode-bars-chart">
+            <div class="chart-area" aria-hidden="true">${shown}</div>
+            <div role="group" aria-label="Modes with the most energy: arrows move between them" @keydown=${onKey}>
+              ${repeat(layout.bars, nameOf, (each) => html`
+                <button type="button" class="mode-bar" aria-label=${wordsOf(each)} aria-pressed=${each === its}
+                  tabindex=${each === its ? 0 : -1} style=${boxOf(each)} @click=${() => choose(each)}
+                  @focus=${() => choose(each)}
+                  @pointerenter=${(event: PointerEvent) => event.pointerType === 'mouse' && choose(each)}></button>`)}
+            </div>
+            <p class="chart-note">${now && noteOf(now.collision)}</p>
+          </div>
+          <figure class="mode-shape" ?hidden=${!its}>
+            <canvas aria-hidden="true"></canvas>
+            <figcaption aria-live="polite">${its && wordsOf(its)}</figcaption>
+          </figure>
+        </div>
+      </div>`, host);
+  }
+
+  function boxOf({ left, width, energy }: ModeBar): string {
+    const [x, y] = [drawn!.scale('x')!, drawn!.scale('y')!];
+    const [ground = 0, ceiling = 0] = y.range as number[];
+    const top = Math.max(ceiling, Math.min(ground - SMALLEST, y.apply(energy) - 4));
+    const [from, to] = [x.apply(left), x.apply(left + width)];
+    return `left: ${from}px; top: ${top}px; width: ${to - from}px; height: ${ground - top}px`;
+  }
+
+  function noteOf(collision: Collision): string {
+    return [
       layout.bars.length ? '' : 'No mode of this body has energy.',
       layout.omitted ? `${layout.omitted} more modes hold ${percent(layout.rest)} together.` : '',
-      now.collision.bodies[1]?.kind === 'half-space' && when.chosen() === 'after'
-        ? `The waves in the body it meets hold ${percent(energyOfWaves(now.collision))}.` : '',
+      collision.bodies[1]?.kind === 'half-space' && chosen.when === 'after'
+        ? `The waves in the body it meets hold ${percent(energyOfWaves(collision))}.` : '',
     ].filter(Boolean).join(' ');
-    const bar = layout.bars.find((each) => nameOf(each) === chosen)
-      ?? [...layout.bars].sort((a, b) => b.energy - a.energy)[0];
-    figure.hidden = !bar;
-    if (bar) choose(bar, true);
-    if (focused) buttons.querySelector<HTMLElement>('[tabindex="0"]')?.focus();
   }
 
-  function choose(bar: ModeBar, again = false): void {
-    const name = nameOf(bar);
-    for (const each of buttons.querySelectorAll<HTMLElement>('.mode-bar')) {
-      const mine = each.dataset['mode'] === name;
-      each.setAttribute('aria-pressed', String(mine));
-      each.tabIndex = mine ? 0 : -1;
-    }
-    const words = wordsOf(bar);
-    if (caption.textContent !== words) caption.textContent = words;
-    if (name === chosen && !again) return;
-    chosen = name;
-    void swingMode(bar);
+  function choose(next: ModeBar | undefined): void {
+    mode = next ? nameOf(next) : '';
+    tell();
+    if (next && swinging !== mode) void swingMode(next);
   }
 
-  async function swingMode({ mode }: ModeBar): Promise<void> {
+  async function swingMode({ mode: its }: ModeBar): Promise<void> {
     const { encounter, collision } = now!;
-    const mine = ++asked;
+    const name = (swinging = mode);
     const grid = evenGrid(encounter.kind);
-    const name = `${mode.body} ${mode.order} ${mode.index}`;
     try {
-      const shape = shapes.get(name) ?? core.shape(encounter, mode.body, mode.order, mode.index, grid);
-      shapes.set(name, shape);
-      const bodies = collision.bodies.filter((each) => each.kind !== 'half-space');
-      const placed = placedBodies(encounter, bodies.map((each) => each.radius));
-      const shown = await shape;
-      view.canvas.hidden = false;
-      if (mine === asked && placed[mode.body]) view.show({ ...placed[mode.body]!, radius: 1 }, shown, grid);
+      const asked = shapes.get(name) ?? core('shape', encounter, { ...its, grid });
+      shapes.set(name, asked);
+      const shape = await asked;
+      if (swinging !== name) return;
+      const bodies = collision.bodies.slice(0, its.body + 1).map((each) => ({ ...each, radius: 1 }));
+      stop();
+      stop = swingShape(canvas, SHAPE, partsOf(encounter, { bodies }, grid)[its.body]!, shape, () => readTheme(host));
+      canvas.hidden = false;
     } catch {
       shapes.delete(name);
-      if (mine !== asked) return;
-      view.stop();
-      view.canvas.hidden = true;
+      if (swinging !== name) return;
+      stop();
+      canvas.hidden = true;
     }
   }
 
-  function wordsOf({ mode, energy }: ModeBar): string {
-    const { encounter } = now!;
-    const frequency = frequencyInWords(mode.omega, encounter);
-    return `Mode (n, l) = (${mode.order}, ${mode.index}), ${frequency}: ${percent(energy)} of the energy, ` +
-      `${MODE_LABELS[when.chosen()]}`;
+  function wordsOf({ mode: { order, index, omega }, energy }: ModeBar): string {
+    return `Mode (n, l) = (${order}, ${index}), ${frequencyInWords(omega, now!.encounter)}: ${percent(energy)} of the ` +
+      `energy, ${MODE_LABELS[chosen.when]}`;
   }
 
   function onKey(event: KeyboardEvent): void {
-    const all = Array.from(buttons.querySelectorAll<HTMLElement>('.mode-bar'));
-    const at = all.indexOf(document.activeElement as HTMLElement);
-    const places: Record<string, number> = {
-      ArrowRight: at + 1, ArrowDown: at + 1, ArrowLeft: at - 1, ArrowUp: at - 1, Home: 0, End: all.length - 1,
-    };
-    const to = places[event.key];
-    if (to === undefined) return;
-    event.preventDefault();
-    all[Math.min(all.length - 1, Math.max(0, to))]?.focus();
+    const all = host.querySelectorAll<HTMLElement>('.mode-bar');
+    const at = Array.from(all).indexOf(document.activeElement as HTMLElement);
+    const to = keyed(event, { at, first: 0, last: all.length - 1, step: 1 });
+    if (to !== undefined) all[to]?.focus();
   }
 
   return {
     show(encounter, collision) {
-      const same = now && JSON.stringify(now.encounter) === JSON.stringify(encounter);
-      if (!same) shapes = new Map();
+      if (JSON.stringify(now?.encounter) !== JSON.stringify(encounter)) shapes = new Map();
       now = { encounter, collision };
-      const pair = collision.bodies.length === 2 && collision.bodies[1]!.kind !== 'half-space';
-      body.label.hidden = !pair;
-      if (!pair) body.set('0');
+      if (collision.bodies[1] === undefined || collision.bodies[1].kind === 'half-space') chosen.body = 0;
       draw();
     },
-    toPng() {
-      return pngOf(this.toSvg());
-    },
-    toSvg() {
-      if (!now) throw new Error('there are no modes to draw yet');
-      const width = Math.max(480, chart.clientWidth);
-      return modeSvg(laidOut(width), axis.chosen() === 'log', when.chosen(), width, readTheme(place));
-    },
-    destroy() {
-      view.stop();
-      stopWatching();
-      place.remove();
+    picture: {
+      svg() {
+        if (!now) throw new Error('there are no modes to draw yet');
+        const width = Math.max(WIDTH, chart.clientWidth);
+        const theme = readTheme(host);
+        const parts = drawModes(laidOut(width), chosen.log, chosen.when, width, theme);
+        return stacked(parts, 'Energy of the modes', theme.background);
+      },
     },
   };
 }
@@ -201,4 +184,10 @@ function nameOf({ mode }: ModeBar): string {
 
 function percent(share: number): string {
   return `${written(100 * share, 3)} %`;
+}
+
+/** A frequency in words: ω in c/R, or in SI ω/2π in Hz. */
+export function frequencyInWords(omega: number, encounter: Encounter): string {
+  if (!encounter.si) return `ω = ${written(omega)} c/${kindNamed(encounter.kind).length}`;
+  return withUnit((omega * unitsOf(encounter).frequency) / (2 * Math.PI), 'Hz', 4);
 }

@@ -1,7 +1,10 @@
 // What the charts of one collision in time show.
 
+import * as Plot from '@observablehq/plot';
 import type { Collision } from '../core/protocol';
-import { unitInWords } from '../drawing/ticks';
+import { unitInWords } from '../drawing/numbers';
+import { type Drawn, draw } from '../drawing/plot';
+import { look, type Theme } from '../drawing/theme';
 
 export interface Series {
   label: string;
@@ -54,6 +57,26 @@ export function panelsOf(collision: Collision): Panel[] {
 /** The name of a panel with its unit, for its axis. */
 export function panelLabel({ name, unit }: Panel): string {
   return unit ? `${name} (${unitInWords(unit)})` : name;
+}
+
+/** Draws a panel. `lowest`: it has the axis of time. `named`: its name stands above it. */
+export function drawPanel(
+  { time, units }: Collision, panel: Panel, width: number, height: number, lowest: boolean, named: boolean,
+  theme: Theme,
+): Drawn {
+  const { low, high, series } = panel;
+  const label = `time since first contact (${unitInWords(units.time)})`;
+  return draw({
+    width, height, bottom: lowest, top: named,
+    x: { low: time[0] ?? 0, high: time[time.length - 1] ?? 1, log: false, label },
+    y: { low, high, log: false, label: panelLabel(panel) },
+    marks: series.map(({ values }, k) => {
+      const { color, dash } = look(k, theme);
+      const thin = thinned(time, values, width);
+      const style = { stroke: color, strokeWidth: 1.8, strokeDasharray: dash.join(' '), clip: true };
+      return Plot.line(thin.x, { x: thin.x, y: thin.y, ...style });
+    }),
+  }, theme);
 }
 
 /** A curve with at most two points for each of `columns` pieces of it, its least and its greatest. */

@@ -1,40 +1,23 @@
 // The core in workers: what is asked often does not wait for what takes long.
 import address from '@wasm/stoss.wasm?url';
-import { createLane, type Deliver, type Fellow, type Lane } from './lane';
-import type { Collision, Core, Restitution, Shape } from './protocol';
+import { createLane, type Fellow, type Lane } from './lane';
+import { setLocal } from './local';
+import type { Core, Questions } from './protocol';
 import { withWarmUp } from './warm_up';
+import { callOf, instantiate } from './wasm';
 import CoreWorker from './worker?worker&inline';
 
-/** The core of this page. Its workers need no network once this module and the core are loaded. */
-export function createCore(): Core {
-  const module = compile(address);
-  const spawn = (): Fellow => new CoreWorker();
-  // A value must be there at once, while films, curves and tables take their time.
-  return withWarmUp(coreOf(() => createLane(spawn, module)));
-}
-
-/** A core whose calls go along lanes of their own. */
-export function coreOf(lane: () => Lane): Core {
-  const value = lane();
+/** The core of this page, which needs no network once it is loaded. */
+export async function createCore(): Promise<Core> {
+  const module = await compile(address);
+  setLocal(await instantiate(module, () => {}));
+  const lane = (): Lane => createLane((): Fellow => new CoreWorker(), module);
   const film = lane();
-  const curve = lane();
-  const table = lane();
-  return {
-    restitution: (encounter, speed, tolerance, signal) =>
-      value({ name: 'restitution', arguments: [encounter, speed, tolerance] }, undefined, signal) as
-        Promise<Restitution>,
-    collision: (encounter, speed, cutoff, signal) =>
-      film({ name: 'collision', arguments: [encounter, speed, cutoff] }, undefined, signal) as Promise<Collision>,
-    frames: (encounter, speed, cutoff, times, grid, deliver, signal) =>
-      film({ name: 'frames', arguments: [encounter, speed, cutoff, times, grid] }, deliver as Deliver, signal) as
-        Promise<void>,
-    shape: (encounter, body, order, index, grid) =>
-      film({ name: 'shape', arguments: [encounter, body, order, index, grid] }) as Promise<Shape>,
-    curve: (encounter, speeds, tolerance, deliver, signal) =>
-      curve({ name: 'curve', arguments: [encounter, speeds, tolerance] }, deliver as Deliver, signal) as Promise<void>,
-    header: (encounter, slowest, fastest, error, signal) =>
-      table({ name: 'header', arguments: [encounter, slowest, fastest, error] }, undefined, signal) as Promise<string>,
-  };
+  // A value must be there at once, while films, curves and tables take their time.
+  const lanes: Record<keyof Questions, Lane> =
+    { restitution: lane(), collision: film, frames: film, shape: film, curve: lane(), header: lane() };
+  return withWarmUp((question, encounter, given, { deliver, signal } = {}) =>
+    lanes[question](callOf(question, encounter, given), deliver, signal) as Promise<never>);
 }
 
 async function compile(from: string): Promise<WebAssembly.Module> {

@@ -1,6 +1,19 @@
 // One worker with the calls that wait for it. A call that is aborted ends soon; a worker that dies is replaced.
-import type { Call, FromWorker, ToWorker } from './messages';
-import { CoreError } from './protocol';
+import { CoreError, type Deliver } from './protocol';
+import type { Call } from './wasm';
+
+/** The first message is the compiled core; then one call after another. */
+export type ToWorker = { module: WebAssembly.Module } | { call: Call };
+
+export type FromWorker =
+  | { kind: 'alive' }
+  /** one of many results of a call */
+  | { kind: 'delivered'; value: unknown; index: number }
+  | { kind: 'answer'; value: unknown }
+  /** one line: what the core cannot do */
+  | { kind: 'refusal'; line: string }
+  /** the worker is of no further use */
+  | { kind: 'broken'; line: string };
 
 /** What a lane needs of a Worker. */
 export interface Fellow {
@@ -9,8 +22,6 @@ export interface Fellow {
   onmessage: ((event: MessageEvent<FromWorker>) => void) | null;
   onerror: ((event: ErrorEvent) => void) | null;
 }
-
-export type Deliver = (value: never, index: number) => void;
 
 /** Computes a call: resolves with its answer, rejects with CoreError for what the core cannot do. */
 export type Lane = (call: Call, deliver?: Deliver, signal?: AbortSignal) => Promise<unknown>;
@@ -34,7 +45,7 @@ export const silence = 5;
 /** The same of a worker that starts. */
 const startup = 30;
 
-export function createLane(spawn: () => Fellow, module: Promise<WebAssembly.Module>): Lane {
+export function createLane(spawn: () => Fellow, module: WebAssembly.Module): Lane {
   const waiting: Task[] = [];
   let current: Task | undefined;
   let worker: Fellow | undefined;
@@ -54,9 +65,7 @@ export function createLane(spawn: () => Fellow, module: Promise<WebAssembly.Modu
     fresh.onerror = (event) => {
       if (worker === fresh) lose(event.message);
     };
-    module.then((compiled) => fresh.postMessage({ module: compiled }), (error: unknown) => {
-      if (worker === fresh) fail(new CoreError(`core: could not be loaded (${String(error)})`));
-    });
+    fresh.postMessage({ module });
     clearInterval(clock);
     clock = setInterval(() => {
       if (!current) silent = 0;
@@ -101,23 +110,11 @@ export function createLane(spawn: () => Fellow, module: Promise<WebAssembly.Modu
     next();
   }
 
-  /** Nothing can be computed here. */
-  function fail(error: CoreError): void {
-    stop();
-    for (const task of [...(current ? [current] : []), ...waiting.splice(0)]) task.reject(error);
-    current = undefined;
-  }
-
   function next(): void {
     if (current) return;
     current = waiting.shift();
     if (!current) return;
-    const fellow = worker ?? start();
-    const task = current;
-    // After the module, which is sent as soon as it is compiled.
-    module.then(() => {
-      if (worker === fellow && current === task) fellow.postMessage({ call: task.call });
-    }, () => {});
+    (worker ?? start()).postMessage({ call: current.call });
   }
 
   function abort(task: Task): void {

@@ -1,28 +1,18 @@
 // What the page asks of the core, which runs in a worker, and what it gets back.
 // Words are those of the command: docs/architecture.md, stoss --help.
 
-export type BodyKind = 'disk' | 'sphere' | 'rod';
+import type { BodyField, BodyKind } from '../inputs/kinds';
 
-/** A body as a user gives it: in SI (m, Pa, kg/m³, s), or in units of the first body, which are all 1. */
-export interface Body {
-  /** of the material; of a disk without a material the 2-D Poisson's ratio */
-  poisson: number;
-  /** of a rod its length */
-  radius: number;
-  young: number;
-  density: number;
-  /** of the cross-section of a rod */
-  area: number;
-  /** Kelvin–Voigt loss time η; 0: elastic */
-  lossTime: number;
-}
+/** A body as a user gives it: in SI, or in units of the first body, which are all 1. What its kind does not have is not
+ *  used. */
+export type Body = Record<BodyField, number>;
 
 export type Against =
   | { kind: 'wall' }
   | { kind: 'same' }
   /** of the same kind as the first */
   | { kind: 'body'; body: Body }
-  /** a half-space for a sphere, a half-plane for a disk; radius and area are not used */
+  /** a half-space for a sphere, a half-plane for a disk */
   | { kind: 'half-space'; body: Body };
 
 /** Who meets whom. */
@@ -34,6 +24,25 @@ export interface Encounter {
   si: boolean;
   /** of a disk in SI */
   plane: 'stress' | 'strain';
+}
+
+/** What an encounter's numbers are measured in. */
+export interface Units {
+  /** c, R/c and c/R of the first body: 1 or in SI */
+  speed: number;
+  time: number;
+  frequency: number;
+  /** E of the first body, of a disk in the plane: only in SI, Pa */
+  modulus?: number;
+  first: Elastic;
+  second?: Elastic;
+}
+
+/** Of a body that the core computes with; E in that of the first. */
+export interface Elastic {
+  young: number;
+  /** not of a rod */
+  poisson?: number;
 }
 
 /** A number as the core gives it, in `unit` ('' for a pure number); without `error` where there is none. An infinite
@@ -80,7 +89,7 @@ export interface Collision {
   /** first and last instant in contact, in units.time */
   begin: number;
   end: number;
-  /** bodies that frames show: 1 at a wall, 2 for a pair; a half-space is a body without a grid */
+  /** what frames show: 1 at a wall, 2 for a pair or a half-space */
   bodies: { kind: BodyKind | 'half-space'; radius: number }[];
 }
 
@@ -97,17 +106,21 @@ export interface ModeEnergy {
 }
 
 /** Points of a body at rest: every radius (0 … 1 of its own) with every angle; angle 0 points to what it meets. Of a
- *  rod `radius` is the place along it (0: the struck end) and `angle` is [0]. `below`: of a half-space, with which
- *  frames need it, every depth with every distance from the axis, in radii of the first; both begin with 0. */
+ *  rod `radius` is the place along it (0: the struck end), and all angles are alike. `below`: of a half-space, with
+ *  which frames need it, every depth with every distance from the axis, in radii of the first; both begin with 0. */
 export interface Grid {
   radius: Float32Array;
   angle: Float32Array;
   below?: { depth: Float32Array; distance: Float32Array };
 }
 
-/** What is inside a body at one instant, at the points of a grid: radii × angles, row-major. */
-export interface Inside {
-  /** displacement in units of its own radius: along the radius, and along the angle; of a rod towards what it meets */
+/** A body at one instant, at the points of a grid: radii × angles, of a half-space depths × distances, row-major. */
+export interface BodyFrame {
+  /** place of its centre, of a half-space of its surface, in radii of the first; at rest, bodies would first touch at
+   *  0 */
+  center: number;
+  /** displacement in units of its own radius: along the radius, and along the angle; of a rod towards what it meets; of
+   *  a half-space into it and away from the axis, in radii of the first */
   radial: Float32Array;
   tangential: Float32Array;
   /** von Mises stress and difference of the principal stresses in the plane, in units of the first body's modulus */
@@ -115,19 +128,12 @@ export interface Inside {
   fringes: Float32Array;
 }
 
-export interface BodyFrame extends Inside {
-  /** place of its centre, in radii of the first; at rest, bodies would first touch at 0 */
-  center: number;
-}
-
 /** What meets at one instant. x points from the first body to what it meets; the first body's centre is at x < 0. */
 export interface Frame {
   /** in units.time of the collision, from its start: that of the step nearest to what was asked for */
   time: number;
-  /** of the bodies that have a grid. Of one so large that only its near side is computed, as it is at rest */
+  /** those of the collision. Of one so large that only its near side is computed, as it is at rest */
   bodies: BodyFrame[];
-  /** a half-space: depths × distances; displacement into it (radial) and away from the axis, in radii of the first */
-  block?: Inside;
 }
 
 /** Shape of one mode of a body at the points of a grid, maximum displacement 1. */
@@ -146,25 +152,33 @@ export interface CurvePoint {
 /** What the core cannot do: one line for the user, with the name of the argument first where there is one. */
 export class CoreError extends Error {}
 
-/** The core, seen from the page. Each call answers from a worker; it rejects with CoreError for what the core cannot
- *  do, with another Error if its worker died twice. A call whose signal is aborted rejects with the
- *  signal's reason, and its work ends soon. */
-export interface Core {
+export type Deliver = (each: never, index: number) => void;
+
+/** What can be asked about an encounter. */
+export interface Questions {
   /** ε at one speed (c, or m/s with si), relative to 1 − ε² to `tolerance` where that can be reached. */
-  restitution(encounter: Encounter, speed: number, tolerance: number, signal?: AbortSignal): Promise<Restitution>;
+  restitution(given: { speed: number; tolerance: number }): Restitution;
   /** One impact in time, at a cutoff in c/R: that of a Restitution. */
-  collision(encounter: Encounter, speed: number, cutoff: number, signal?: AbortSignal): Promise<Collision>;
-  /** Frames of that collision at given times, which ascend, each delivered when it is there. */
-  frames(
-    encounter: Encounter, speed: number, cutoff: number, times: number[], grid: Grid,
-    deliver: (frame: Frame, index: number) => void, signal?: AbortSignal,
-  ): Promise<void>;
-  shape(encounter: Encounter, body: 0 | 1, order: number, index: number, grid: Grid): Promise<Shape>;
-  /** ε at many speeds, each delivered when it is there, from a worker of its own. */
-  curve(
-    encounter: Encounter, speeds: number[], tolerance: number,
-    deliver: (point: CurvePoint, index: number) => void, signal?: AbortSignal,
-  ): Promise<void>;
+  collision(given: { speed: number; cutoff: number }): Collision;
+  /** Frames of that collision at given times, which ascend. */
+  frames(given: { speed: number; cutoff: number; times: number[]; grid: Grid }, each: Frame): void;
+  shape(given: { body: 0 | 1; order: number; index: number; grid: Grid }): Shape;
+  /** ε at many speeds, from a worker of its own. */
+  curve(given: { speeds: number[]; tolerance: number }, each: CurvePoint): void;
   /** The C header that `stoss table --format c` writes. */
-  header(encounter: Encounter, slowest: number, fastest: number, error: number, signal?: AbortSignal): Promise<string>;
+  header(given: { slowest: number; fastest: number; error: number }): string;
 }
+
+export interface Asking<Each> {
+  /** gets each frame or point when it is there */
+  deliver?: (each: Each, index: number) => void;
+  signal?: AbortSignal;
+}
+
+/** The core, seen from the page. It answers from a worker; it rejects with CoreError for what the core cannot do, with
+ *  another Error if its worker died twice. A call whose signal is aborted rejects with the signal's reason, and its
+ *  work ends soon. */
+export type Core = <Name extends keyof Questions>(
+  question: Name, encounter: Encounter, given: Parameters<Questions[Name]>[0],
+  asking?: Asking<Parameters<Questions[Name]>[1] & {}>,
+) => Promise<ReturnType<Questions[Name]>>;

@@ -1,28 +1,22 @@
 // Browsers compile what has run often once more, for all workers of a module: a first value that takes long on a
 // fresh page takes half as long after another one like it, in any worker.
-import type { Body, Core, Encounter } from './protocol';
-
-const unit: Body = { poisson: 0.3, radius: 1, young: 1, density: 1, area: 1, lossTime: 0 };
+import { unitBody } from '../inputs/inputs';
+import type { Core, Encounter } from './protocol';
 
 /** Those whose values take the longest. */
 const encounters = (['sphere', 'disk'] as const).map((kind): Encounter =>
-  ({ kind, first: unit, against: { kind: 'half-space', body: unit }, si: false, plane: 'stress' }));
+  ({ kind, first: unitBody, against: { kind: 'half-space', body: unitBody }, si: false, plane: 'stress' }));
 
 /** The core, which computes values of its own, where curves are computed, as soon as it has answered the first. */
 export function withWarmUp(core: Core): Core {
   let cold = true;
-  function warm(): void {
-    if (!cold) return;
-    cold = false;
-    // Whatever fails here fails again where it is asked for.
-    for (const encounter of encounters) core.curve(encounter, [0.1], 1e-2, () => {}).catch(() => {});
-  }
-  return {
-    ...core,
-    async restitution(...given) {
-      const result = await core.restitution(...given);
-      warm();
-      return result;
-    },
+  return async (question, ...rest) => {
+    const result = await core(question, ...rest);
+    if (cold && question === 'restitution') {
+      cold = false;
+      // Whatever fails here fails again where it is asked for.
+      for (const encounter of encounters) core('curve', encounter, { speeds: [0.1], tolerance: 1e-2 }).catch(() => {});
+    }
+    return result;
   };
 }

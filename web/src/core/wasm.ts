@@ -1,34 +1,12 @@
-// The core as Emscripten makes it (web/core/module.cpp).
-import create from '@wasm/stoss.mjs';
-import type { Collision, CurvePoint, Encounter, Frame, Grid, Restitution, Shape } from './protocol';
+// The core as Emscripten makes it of what scripts/web.sh has compiled.
+import create, { type Wasm } from '@wasm/stoss.mjs';
+import { documentOf } from '../inputs/document';
+import { CoreError, type Deliver, type Encounter, type Questions } from './protocol';
 
-/** An answer, or one line that says why there is none. */
-export type Answered<T> = (T & { error?: undefined }) | { error: string };
-
-interface Deletable {
-  delete(): void;
-}
-
-export interface WasmCollision extends Deletable {
-  frames(times: number[], grid: Grid, deliver: (frame: Frame, index: number) => void): Answered<object>;
-}
-
-export interface WasmEncounter extends Deletable {
-  restitution(speed: number, tolerance: number): Answered<Restitution>;
-  collision(speed: number, cutoff: number): Answered<{ collision: WasmCollision; series: Collision }>;
-  shape(body: number, order: number, index: number, grid: Grid): Answered<Shape>;
-  curve(
-    speeds: number[], tolerance: number, deliver: (point: CurvePoint, index: number) => void,
-  ): Answered<object>;
-  header(slowest: number, fastest: number, error: number): Answered<{ text: string }>;
-}
-
-export interface WasmCore {
-  makeEncounter(encounter: Encounter): Answered<{ encounter: WasmEncounter }>;
-}
+export type { Wasm };
 
 /** Make the core from its compiled module. @param alive is called during long computations */
-export function instantiate(module: WebAssembly.Module, alive: () => void): Promise<WasmCore> {
+export function instantiate(module: WebAssembly.Module, alive: () => void): Promise<Wasm> {
   return create({
     alive,
     locateFile: (name: string) => name,
@@ -37,4 +15,21 @@ export function instantiate(module: WebAssembly.Module, alive: () => void): Prom
       return {};
     },
   });
+}
+
+/** A question to a worker. */
+export interface Call {
+  readonly question: keyof Questions;
+  readonly given: object;
+}
+
+export function callOf(question: keyof Questions, encounter: Encounter, given: object): Call {
+  return { question, given: { ...given, document: documentOf(encounter) } };
+}
+
+/** The answer to a question. Throws CoreError with one line for what the core cannot do. */
+export function answer(core: Wasm, question: string, given: object, deliver: Deliver | null = null): unknown {
+  const answered = core.ask(question, given, deliver);
+  if (answered.error !== undefined) throw new CoreError(answered.error);
+  return answered.value;
 }

@@ -1,18 +1,18 @@
 // A worker of the core: answers one call after another.
-import { createAnswer, type Answer } from './calls';
-import type { Call, FromWorker, ToWorker } from './messages';
+import type { FromWorker, ToWorker } from './lane';
 import { CoreError } from './protocol';
-import { instantiate } from './wasm';
+import { type Call, type Wasm, answer, instantiate } from './wasm';
 
-let answer: Promise<Answer> | undefined;
+let core: Promise<Wasm> | undefined;
 
 function post(message: FromWorker): void {
   postMessage(message);
 }
 
-async function take(call: Call): Promise<void> {
+async function take({ question, given }: Call): Promise<void> {
   try {
-    const value = (await answer!)(call, (each, index) => post({ kind: 'delivered', value: each, index }));
+    const value = answer(await core!, question, given,
+      (each, index) => post({ kind: 'delivered', value: each, index }));
     post({ kind: 'answer', value });
   } catch (error) {
     if (error instanceof CoreError) post({ kind: 'refusal', line: error.message });
@@ -23,11 +23,8 @@ async function take(call: Call): Promise<void> {
 addEventListener('message', (event: MessageEvent<ToWorker>) => {
   const message = event.data;
   if ('module' in message) {
-    answer = instantiate(message.module, () => post({ kind: 'alive' })).then((core) => {
-      post({ kind: 'alive' });
-      return createAnswer(core);
-    });
-    answer.catch((error: unknown) => post({ kind: 'broken', line: String(error) }));
+    core = instantiate(message.module, () => post({ kind: 'alive' }));
+    core.then(() => post({ kind: 'alive' }), (error: unknown) => post({ kind: 'broken', line: String(error) }));
   } else {
     void take(message.call);
   }

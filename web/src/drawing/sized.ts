@@ -1,27 +1,20 @@
 // Pictures follow the size of the element they stand in, and the reader's theme.
 
-import { onThemeChange } from './theme';
-
-/** Calls back with the width of an element whenever it or the theme changes, once a frame; returns what ends that. */
-export function onResize(host: HTMLElement, callback: (width: number) => void): () => void {
+/** Calls back whenever the width of an element or the theme changes, once a frame; returns what asks for it too. */
+export function onResize(host: HTMLElement, callback: () => void): () => void {
   let asked = 0;
   let width = -1;
   const ask = (): void => {
     cancelAnimationFrame(asked);
-    asked = requestAnimationFrame(() => callback(host.clientWidth));
+    asked = requestAnimationFrame(callback);
   };
-  const observer = new ResizeObserver(() => {
+  new ResizeObserver(() => {
     if (host.clientWidth === width) return; // a picture that sets its own height must not ask for itself again
     width = host.clientWidth;
     ask();
-  });
-  observer.observe(host);
-  const stop = onThemeChange(ask);
-  return () => {
-    observer.disconnect();
-    stop();
-    cancelAnimationFrame(asked);
-  };
+  }).observe(host);
+  matchMedia('(prefers-color-scheme: dark)').addEventListener('change', ask);
+  return ask;
 }
 
 /** Gives a canvas a size in CSS pixels and as many of the device's as that is; returns the latter for one. */

@@ -11,15 +11,6 @@ export interface Theme {
   dark: boolean;
 }
 
-const LIGHT: Theme = {
-  text: '#1a1d21', muted: '#5a636e', line: '#d5dae0', background: '#ffffff', panel: '#f5f7f9', accent: '#0072b2',
-  dark: false,
-};
-const DARK: Theme = {
-  text: '#e8eaed', muted: '#a3adb8', line: '#3a424c', background: '#14171a', panel: '#1d2126', accent: '#56b4e9',
-  dark: true,
-};
-
 /** How one of several curves looks: no two share a colour, a dash or a marker. */
 export interface Look {
   color: string;
@@ -27,10 +18,10 @@ export interface Look {
   marker: Marker;
 }
 
-export type Marker = 'circle' | 'square' | 'triangle' | 'diamond' | 'cross' | 'down';
+export type Marker = 'circle' | 'square' | 'triangle' | 'diamond' | 'star' | 'times';
 
 const DASHES: number[][] = [[], [6, 3], [2, 3], [8, 3, 2, 3], [12, 3], [4, 2, 1, 2, 1, 2]];
-const MARKERS: Marker[] = ['circle', 'square', 'triangle', 'diamond', 'down', 'cross'];
+const MARKERS: Marker[] = ['circle', 'square', 'triangle', 'diamond', 'star', 'times'];
 // Okabe and Ito's; the first two a little lighter on a dark ground, where they would have too little contrast.
 const ON_LIGHT = ['#0072b2', '#d55e00', '#009e73', '#b8608f', '#b37a00', '#2f8fc4'];
 const ON_DARK = ['#56b4e9', '#ff8a3d', '#2fc79b', '#e59fc4', '#e69f00', '#8fc7ff'];
@@ -45,28 +36,13 @@ export function look(index: number, theme: Theme): Look {
   };
 }
 
-/** The theme where an element stands: its custom properties, and ours where it has none. */
+/** The theme where an element stands: the custom properties of style.css. */
 export function readTheme(element: Element): Theme {
   const style = getComputedStyle(element);
-  const scheme = style.colorScheme;
-  const dark = scheme === 'dark' || (scheme !== 'light' && matchMedia('(prefers-color-scheme: dark)').matches);
-  const ours = dark ? DARK : LIGHT;
-  const read = (name: keyof Theme): string => style.getPropertyValue(`--${name}`).trim() || String(ours[name]);
+  const read = (name: string): string => style.getPropertyValue(`--${name}`).trim();
   return {
     text: read('text'), muted: read('muted'), line: read('line'), background: read('background'),
-    panel: read('panel'), accent: read('accent'), dark,
-  };
-}
-
-/** Calls back when the page becomes dark or light; returns what ends that. */
-export function onThemeChange(callback: () => void): () => void {
-  const query = matchMedia('(prefers-color-scheme: dark)');
-  query.addEventListener('change', callback);
-  const root = new MutationObserver(callback);
-  root.observe(document.documentElement, { attributes: true, attributeFilter: ['data-theme', 'class', 'style'] });
-  return () => {
-    query.removeEventListener('change', callback);
-    root.disconnect();
+    panel: read('panel'), accent: read('accent'), dark: matchMedia('(prefers-color-scheme: dark)').matches,
   };
 }
 

@@ -1,16 +1,17 @@
 // All inputs in the address of the page, in short readable keys: ?body=sphere&nu=0.3&v=0.01&against=half-space&nu2=0.2
 import type { Against, Body, Encounter } from '../core/protocol';
-import { problemsOf } from './check';
-import { type BodyField, type Field, bodyFields, fieldsOf, ofSecond, valueOf, withValue } from './fields';
-import { type Inputs, defaults, mostKept, unitBody, withSecond } from './inputs';
+import { repaired, speedProblem } from './check';
+import { type Side, fieldsOfBody, sidesOf } from './document';
+import { names } from './fields';
+import { type Inputs, ball, defaults, mostKept, siSpeed, unitBody, withSecond } from './inputs';
+import { type BodyField, type BodyKind, type Kind, blockOf, bodyKinds, kindNamed } from './kinds';
 import { parseNumber, shortest } from './number';
-import { ball, barSpeed, siSpeed } from './scales';
+import { barSpeed } from './units';
 
-const keys: Record<BodyField, string> = {
-  poisson: 'nu', young: 'E', density: 'rho', radius: 'R', area: 'A', lossTime: 'eta',
-};
-const known = new Set(['body', 'units', 'plane', 'v', ...Object.values(keys), 'against',
-  ...Object.values(keys).map((key) => `${key}2`), 'view']);
+const keyOf = (field: BodyField, second: boolean): string => names[field][2] + (second ? '2' : '');
+const fields = Object.keys(names) as BodyField[];
+const known = new Set(['body', 'units', 'plane', 'v', ...fields.map((field) => keyOf(field, false)), 'against',
+  ...fields.map((field) => keyOf(field, true)), 'view']);
 
 /** The inputs as text after ? in the address. */
 export function toAddress(inputs: Inputs): string {
@@ -27,15 +28,17 @@ export function fromAddress(text: string): { inputs: Inputs; problem: string } {
   const problems: string[] = [];
   const parts = body.split('&').filter((part) => part !== '');
   const reader = readerOf(parts.filter((part) => !part.startsWith('keep=')), '=', problems);
-  const encounter = encounterFrom(reader);
-  const speed = reader.number('v', normalSpeed(encounter));
+  const encounter = inRange(encounterFrom(reader), problems);
+  const typed = reader.number('v', normalSpeed(encounter));
+  const wrong = speedProblem(encounter, typed);
+  if (wrong !== '') problems.push(wrong);
+  const speed = wrong === '' ? typed : normalSpeed(encounter);
   const simple = reader.word('view', ['full', 'simple']) === 'simple';
   reader.finish();
-  const inputs = inRange({ encounter, speed, kept: [], simple }, problems);
   const kept = parts.filter((part) => part.startsWith('keep='));
   if (kept.length > mostKept) problems.push(`keep: got ${kept.length} curves, allowed ${mostKept}`);
   const others = kept.slice(0, mostKept).flatMap((part) => keptFrom(part.slice('keep='.length), problems));
-  return { inputs: { ...inputs, kept: others }, problem: lineOf(problems) };
+  return { inputs: { encounter, speed, kept: others, simple }, problem: lineOf(problems) };
 }
 
 /** Problems that are told; more of them do not help. */
@@ -54,28 +57,17 @@ function keptFrom(text: string, problems: string[]): Encounter[] {
   const reader = readerOf(decoded(text).split(','), ':', wrong);
   const encounter = encounterFrom(reader);
   reader.finish();
-  inRange({ encounter, speed: 1e-3 * barSpeed(encounter), kept: [], simple: false }, wrong);
+  inRange(encounter, wrong);
   if (wrong.length === 0) return [encounter];
   problems.push(`keep: ${wrong[0]}`);
   return [];
 }
 
-/** The same inputs with the default for every number that is out of its range; for all of a second body where a
- *  product of its numbers is. */
-function inRange(inputs: Inputs, problems: string[]): Inputs {
-  let { encounter, speed } = inputs;
-  const tried = new Set<Field>();
-  for (;;) {
-    const [first] = problemsOf({ ...inputs, encounter, speed });
-    if (first === undefined) return { ...inputs, encounter, speed };
-    const [field, problem] = first;
-    const normal = standard(encounter);
-    if (!tried.has(field)) problems.push(problem);
-    if (field === 'speed') speed = normalSpeed(encounter);
-    else if (tried.has(field)) encounter = { ...encounter, against: normal.against };
-    else encounter = withValue(encounter, field, valueOf(normal, 0, field));
-    tried.add(field);
-  }
+/** The same encounter with the default for what the core refuses. */
+function inRange(encounter: Encounter, problems: string[]): Encounter {
+  const right = repaired(encounter);
+  problems.push(...right.problems.values());
+  return right.encounter;
 }
 
 /** The default speed, which must be one that the material of a link allows. */
@@ -85,28 +77,20 @@ function normalSpeed(encounter: Encounter): number {
   return Number(Math.min(Math.max(siSpeed, 1e-7 * c), 0.1 * c).toPrecision(3));
 }
 
-/** The same encounter with default numbers; what it meets is an identical body. */
-function standard(encounter: Encounter): Encounter {
-  const body = encounter.si ? ball : unitBody;
-  return withSecond({ ...encounter, first: body }, () => (encounter.si ? encounter.first : unitBody));
-}
-
 function pairsOf(encounter: Encounter): [string, string][] {
-  const { kind, si, plane, against } = encounter;
-  const pairs: [string, string][] = [['body', kind]];
-  if (si) pairs.push(['units', 'SI']);
-  if (si && kind === 'disk' && plane === 'strain') pairs.push(['plane', plane]);
-  const fields = fieldsOf(encounter);
-  const add = (field: BodyField, second: boolean): void => {
-    const name = second ? ofSecond(field) : field;
-    const value = valueOf(encounter, 0, name);
-    if (!fields.includes(name) || (field === 'lossTime' && value === 0)) return;
-    pairs.push([second ? `${keys[field]}2` : keys[field], shortest(value)]);
-  };
-  for (const field of bodyFields) add(field, false);
-  if (against.kind !== 'wall') pairs.push(['against', against.kind]);
-  for (const field of bodyFields) add(field, true);
-  return pairs;
+  const { kind, si, against } = encounter;
+  const [first, second] = sidesOf(encounter);
+  const numbers = ({ body, fields: its, second: other }: Side): [string, string][] =>
+    its.filter((name) => name !== 'loss_time' || body[name] !== 0)
+      .map((name) => [keyOf(name, other), shortest(body[name])]);
+  return [
+    ['body', kind],
+    ...(si ? [['units', 'SI']] as [string, string][] : []),
+    ...(first.strain ? [['plane', 'strain']] as [string, string][] : []),
+    ...numbers(first),
+    ...(against.kind !== 'wall' ? [['against', against.kind]] as [string, string][] : []),
+    ...(second ? numbers(second) : []),
+  ];
 }
 
 /** Takes the values of an address by their keys; what is wrong with them goes to `problems`. */
@@ -160,25 +144,23 @@ function readerOf(parts: readonly string[], between: string, problems: string[])
 }
 
 function encounterFrom(reader: Reader): Encounter {
-  const kind = reader.word('body', ['disk', 'sphere', 'rod']);
+  const kind = reader.word('body', bodyKinds as [BodyKind, ...BodyKind[]]);
   const si = reader.word('units', ['c', 'SI']) === 'SI';
   const plane = reader.word('plane', ['stress', 'strain']);
   const others = ['wall', 'same', 'body'] as const;
-  const partner = reader.word('against', kind === 'rod' ? others : ([...others, 'half-space'] as const));
+  const partner = reader.word('against', blockOf(kind) ? ([...others, 'half-space'] as const) : others);
   const against: Against =
     partner === 'wall' || partner === 'same' ? { kind: partner } : { kind: partner, body: unitBody };
-  const encounter: Encounter = { kind, si, plane, first: unitBody, against };
-  const fields = fieldsOf(encounter);
-  const fill = (second: boolean, without: Body): Body => {
+  const fill = (of: Kind, second: boolean, without: Body): Body => {
     const body: Body = { ...unitBody };
-    for (const field of bodyFields) {
-      if (!fields.includes(second ? ofSecond(field) : field)) continue;
-      body[field] = reader.number(second ? `${keys[field]}2` : keys[field], field === 'lossTime' ? 0 : without[field]);
+    for (const field of fieldsOfBody(of, si, second)) {
+      body[field] = reader.number(keyOf(field, second), field === 'loss_time' ? 0 : without[field]);
     }
     return body;
   };
-  const first = fill(false, si ? ball : unitBody);
-  return withSecond({ ...encounter, first }, () => fill(true, si ? first : unitBody));
+  const first = fill(kindNamed(kind), false, si ? ball : unitBody);
+  const encounter: Encounter = { kind, si, plane, first, against };
+  return withSecond(encounter, () => fill(sidesOf(encounter)[1]!.kind, true, si ? first : unitBody));
 }
 
 function decoded(text: string): string {

@@ -1,12 +1,13 @@
-// Limits of the inputs: those of the command, said in its manner.
-import type { Body, Encounter } from '../core/protocol';
-import { type BodyField, type Field, fieldsOf, labelOf, ofSecond, owner, unitOf, valueOf, withValue } from './fields';
-import { type Inputs, secondBody } from './inputs';
-import { displayed, parseNumber } from './number';
-import { barSpeed, barTime, modulus } from './scales';
+// What was typed, checked: the core says what is wrong with a number, the page at which field.
+import { requireSpeed, unitsOf } from '../core/local';
+import { CoreError, type Encounter } from '../core/protocol';
 import { significant } from './digits';
+import { type Field, fieldsOf, nameOf, ofSecond, owner, valueOf, withValue } from './fields';
+import { type Inputs, ball, unitBody, withSecond } from './inputs';
+import { type BodyField, sizeOf } from './kinds';
+import { displayed, parseNumber } from './number';
 
-/** What was typed, checked: the new inputs, or for every wrong field one line that says what is wrong. */
+/** The new inputs, or for every wrong field one line that says what is wrong. */
 export type Checked = { inputs: Inputs } | { problems: Map<Field, string> };
 
 /** Read all fields that count; a field whose text is missing keeps its number. */
@@ -16,7 +17,7 @@ export function check(inputs: Inputs, texts: ReadonlyMap<Field, string>): Checke
   for (const field of fieldsOf(encounter)) {
     const text = texts.get(field);
     if (text === undefined || text === displayed(valueOf(encounter, speed, field))) continue;
-    const parsed = parseNumber(nameOf(encounter, field), text);
+    const parsed = parseNumber(fullName(encounter, field), text);
     if ('problem' in parsed) problems.set(field, parsed.problem);
     else if (field === 'speed') speed = parsed.value;
     else encounter = withValue(encounter, field, parsed.value);
@@ -26,86 +27,75 @@ export function check(inputs: Inputs, texts: ReadonlyMap<Field, string>): Checke
   return problems.size > 0 ? { problems } : { inputs: next };
 }
 
-/** The numbers out of range, by field. */
-export function problemsOf(inputs: Inputs): Map<Field, string> {
-  const { encounter, speed } = inputs;
+/** What the core refuses, by field. */
+export function problemsOf({ encounter, speed }: Inputs): Map<Field, string> {
+  const right = repaired(encounter);
+  // Of a material that is wrong, c is not known.
+  const line = right.problems.size === 0 || !encounter.si ? speedProblem(right.encounter, speed) : '';
+  return line === '' ? right.problems : right.problems.set('speed', line);
+}
+
+/** What is wrong with a speed; '' if nothing. */
+export function speedProblem(encounter: Encounter, speed: number): string {
+  const line = refusal(() => requireSpeed(encounter, speed));
+  return line && problemOf(encounter, 'speed', line);
+}
+
+/** An encounter that the core takes, and what of the given one it refuses, by field. It names one number at a time: the
+ *  next is found with a default in its place, or in place of all of a body whose numbers do not go together. */
+export function repaired(encounter: Encounter): { encounter: Encounter; problems: Map<Field, string> } {
   const problems = new Map<Field, string>();
-  const second = secondBody(encounter.against);
-  const kinds = fieldsOf(encounter);
-  const require = (field: Field, value: number, low: number, high: number, hint: string, unit = ''): void => {
-    if (!kinds.includes(field) || problems.has(field) || (value >= low && value <= high)) return;
-    const allowed = `${shown(low)} to ${shown(high)}${unit === '' ? '' : ` ${unit}`}`;
-    problems.set(field, `${nameOf(encounter, field)}: got ${shown(value)}, allowed ${allowed} (${hint})`);
-  };
-  requireBody(encounter, encounter.first, (name) => name, require);
-  if (second !== undefined) {
-    requireBody(encounter, second, ofSecond, require);
-    if (problems.size === 0) requireRatios(encounter, second, require);
+  const usual = standard(encounter);
+  let right = encounter;
+  for (let line = refusal(() => unitsOf(right)); line !== ''; line = refusal(() => unitsOf(right))) {
+    const field = fieldOf(right, line);
+    if (field === undefined || problems.has(field)) {
+      if (field === undefined) problems.set('speed', line);
+      right = right.against === usual.against ? usual : { ...right, against: usual.against };
+    } else {
+      problems.set(field, problemOf(right, field, line));
+      right = withValue(right, field, valueOf(usual, 0, field));
+    }
   }
-  const c = barSpeed(encounter);
-  if (problems.size === 0 || !encounter.si) {
-    const hint = encounter.si ? `1e-8 to 1 c; here c = ${significant(c, 4)} m/s` : 'in units of c = √(E/ρ)';
-    require('speed', speed, 1e-8 * c, c, hint, unitOf(encounter, 'speed'));
-  }
-  return problems;
+  return { encounter: right, problems };
 }
 
-type Require = (field: Field, value: number, low: number, high: number, hint: string, unit?: string) => void;
-
-function requireBody(encounter: Encounter, body: Body, named: (name: BodyField) => Field, require: Require): void {
-  const { kind, si, plane } = encounter;
-  if (kind === 'sphere') require(named('poisson'), body.poisson, -0.95, 0.4999, 'at 0.5 it would be incompressible');
-  else if (!si) require(named('poisson'), body.poisson, -0.95, 0.995, 'in plane strain ν/(1−ν) of the solid');
-  else if (plane === 'stress') require(named('poisson'), body.poisson, -0.95, 0.4999, 'of the solid; steel has 0.3');
-  else require(named('poisson'), body.poisson, -0.9999, 0.4987, 'of the solid; steel has 0.3');
-  const hints = {
-    young: 'steel has 2.1e11', density: 'steel has 7850', radius: 'a marble has 0.008', area: '1 cm² is 1e-4',
-  };
-  for (const name of ['young', 'density', 'radius', 'area'] as const) {
-    const hint = si ? hints[name] : 'in units of the first body';
-    require(named(name), body[name], 1e-30, 1e30, hint, unitOf(encounter, named(name)));
-  }
-  const own = si ? ownTime(encounter, body) : barTime(encounter);
-  const unit = unitOf(encounter, 'lossTime');
-  require(named('lossTime'), body.lossTime, 0, 1e5 * own, 'stress = (1 + η ∂/∂t) elastic stress; 0: no loss', unit);
+/** The same encounter with default numbers; what it meets is an identical body. */
+function standard(encounter: Encounter): Encounter {
+  const body = encounter.si ? ball : unitBody;
+  return withSecond({ ...encounter, first: body }, () => (encounter.si ? encounter.first : unitBody));
 }
 
-function requireRatios(encounter: Encounter, second: Body, require: Require): void {
-  const { first, kind, against } = encounter;
-  const young = modulus(encounter, second) / modulus(encounter, first);
-  const density = second.density / first.density;
-  const between = (field: Field, of: string, to: string, ratio: number, most: number): void =>
-    require(field, ratio, 1e-3 * (1 - 1e-9), most * (1 + 1e-9), `ratio of the ${of}, ${to}`);
-  if (against.kind === 'half-space') {
-    between('young2', 'moduli', 'half-space to body', young, 1e6);
-    between('density2', 'densities', 'half-space to body', density, 1e6);
-    return;
-  }
-  const length = second.radius / first.radius;
-  between('radius2', kind === 'rod' ? 'lengths' : 'radii', 'second to first', length, 1e3);
-  if (kind === 'rod') {
-    between('radius2', 'transit times', 'second to first', length * Math.sqrt(density / young), 1e3);
-    const impedance = (second.area / first.area) * Math.sqrt(density * young);
-    between('area2', 'impedances', 'second to first', impedance, 1e3);
-  } else {
-    between('young2', 'moduli', 'second to first', young, 1e3);
-    between('density2', 'densities', 'second to first', density, 1e3);
+function refusal(ask: () => unknown): string {
+  try {
+    ask();
+    return '';
+  } catch (error) {
+    if (error instanceof CoreError) return error.message;
+    throw error;
   }
 }
 
-function ownTime(encounter: Encounter, body: Body): number {
-  const density = body.density / (modulus(encounter, body) || 1);
-  const alone = encounter.against.kind === 'half-space' ? encounter.first.radius : body.radius;
-  return alone * Math.sqrt(density);
+/** What a refusal is about: the number that it names, or the size of a second body that does not go with the first. */
+function fieldOf(encounter: Encounter, line: string): Exclude<Field, 'speed'> | undefined {
+  const [, second, name] = /^(against )?(\w+)/.exec(line) ?? [];
+  const own = name === 'loss' ? 'loss_time' : name;
+  const size = sizeOf(encounter.kind);
+  const aliases: Record<string, BodyField> = { transit: size, impedance: 'area', against: size };
+  const field = aliases[own ?? ''] ?? (own as BodyField);
+  const ratio = /^[\w ]+ ratio:/.test(line) || line.startsWith('against');
+  const wanted = second || ratio ? ofSecond(field) : field;
+  return fieldsOf(encounter).includes(wanted) ? wanted : undefined;
 }
 
-/** A field's name in a message: without its symbol. */
-function nameOf(encounter: Encounter, field: Field): string {
-  const name = labelOf(encounter, field).replace(/ (ν|[EρRLAηv]|\S₂\S*)$/, '');
-  return owner(field)?.second === true ? `${name} of what it meets` : name;
+/** A refusal with the page's name for the number, and no more digits than a reader needs. */
+function problemOf(encounter: Encounter, field: Field, line: string): string {
+  const [subject = '', ...rest] = line.split(':');
+  const hint = subject.endsWith('ratio') ? `, ${subject}` : '';
+  const short = rest.join(':').replace(/\d+\.\d{6,}(e-?\d+)?|\d+e-0\d/g, (number) => significant(Number(number), 6));
+  return `${fullName(encounter, field)}${hint}:${short}`;
 }
 
-function shown(value: number): string {
-  return significant(value, 6);
+function fullName(encounter: Encounter, field: Field): string {
+  return `${nameOf(encounter, field)}${owner(field)?.second ? ' of what it meets' : ''}`;
 }
-

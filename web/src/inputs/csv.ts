@@ -1,17 +1,20 @@
 // A curve as CSV, as `stoss restitution --format csv` writes it: the columns the page knows, in its order.
+import { unitsOf } from '../core/local';
 import type { CurvePoint, Encounter } from '../core/protocol';
 import { commandArguments } from './command_line';
 import { shortest } from './number';
-import { barSpeed, planePoisson } from './scales';
-import { version } from './version';
+
+// The build takes it from CMakeLists.txt.
+declare const STOSS_VERSION: string;
+
+export const version = STOSS_VERSION;
 
 /** The text of the file: comments that say what it is, one line of columns, one row for each speed, slowest first. */
 export function curveCsv(encounter: Encounter, points: readonly CurvePoint[], tolerance = 1e-3): string {
   const sorted = [...points].sort((a, b) => a.speed - b.speed);
   const speeds = sorted.map((point) => shortest(point.speed)).join(',');
   const { kind, si } = encounter;
-  const poisson = shortest(planePoisson(encounter, encounter.first));
-  const c = barSpeed(encounter);
+  const { speed: c, first: { poisson } } = unitsOf(encounter);
   const head = [
     `# stoss ${version}: restitution`,
     `# command: stoss ${commandArguments(encounter, speeds, tolerance).join(' ')} --format csv`,
@@ -19,11 +22,11 @@ export function curveCsv(encounter: Encounter, points: readonly CurvePoint[], to
     `# tolerance: ${shortest(tolerance)}`,
   ];
   const columns = [
-    ...(kind === 'rod' ? [] : ['poisson']), 'speed[c]', ...(si ? ['speed_si[m/s]'] : []),
+    ...(poisson === undefined ? [] : ['poisson']), 'speed[c]', ...(si ? ['speed_si[m/s]'] : []),
     'restitution', 'restitution_error', 'converged',
   ];
   const rows = sorted.map((point) => [
-    ...(kind === 'rod' ? [] : [poisson]),
+    ...(poisson === undefined ? [] : [shortest(poisson)]),
     shortest(point.speed / c),
     ...(si ? [shortest(point.speed)] : []),
     shortest(point.restitution),

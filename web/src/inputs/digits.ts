@@ -1,5 +1,5 @@
 // Values with their errors, always with ±: the error has two digits, and the value ends where they end.
-import { powerOfTen } from '../drawing/ticks';
+import { powerOfTen } from '../drawing/numbers';
 
 export const unknownError = 'unknown';
 
@@ -44,17 +44,4 @@ export function significant(value: number, digits: number): string {
   const size = Math.abs(value);
   if (power === undefined && size < 1e-4) return value.toExponential(digits - 1).replace(/\.?0+e/, 'e');
   return power === undefined ? short : `${short}e${power.replace('+', '')}`;
-}
-
-const prefixes: readonly [number, string][] = [
-  [1e-12, 'p'], [1e-9, 'n'], [1e-6, 'µ'], [1e-3, 'm'], [1, ''], [1e3, 'k'], [1e6, 'M'], [1e9, 'G'],
-];
-
-/** The factor and the unit with the prefix that gives a value 1 to 1000: 5.2e-5 s is 52 µs. */
-export function prefixed(value: number, unit: string): { factor: number; unit: string } {
-  const size = Math.abs(value);
-  const known = /^(s|m|N|m\/s|N\/m|Pa)$/.test(unit);
-  const found = [...prefixes].reverse().find(([scale]) => size >= scale * 0.99999);
-  if (!known || found === undefined || size >= 1e12) return { factor: 1, unit };
-  return { factor: 1 / found[0], unit: found[1] + unit };
 }

@@ -1,24 +1,17 @@
 // The numbers a user types: which of them an encounter has, what they are called, and in what unit.
-import type { Body, Encounter } from '../core/protocol';
+import type { Encounter } from '../core/protocol';
+import { unitInWords } from '../drawing/numbers';
+import { sidesOf } from './document';
 import { secondBody, withSecond } from './inputs';
-
-export type BodyField = keyof Body;
+import { type BodyField, kindNamed } from './kinds';
 
 /** A number of the first body, of what it meets, or the speed. */
 export type Field = BodyField | `${BodyField}2` | 'speed';
 
-export const bodyFields: readonly BodyField[] = ['poisson', 'young', 'density', 'radius', 'area', 'lossTime'];
-
 /** The fields that count in an encounter, in the order of the page. */
 export function fieldsOf(encounter: Encounter): Field[] {
-  const { kind, si, against } = encounter;
-  const material: BodyField[] = kind === 'rod' ? ['young', 'density'] : ['poisson', 'young', 'density'];
-  const size: BodyField[] = kind === 'rod' ? ['radius', 'area'] : ['radius'];
-  const first: BodyField[] = si ? [...material, ...size] : kind === 'rod' ? [] : ['poisson'];
-  const fields: Field[] = [...first, 'lossTime'];
-  if (against.kind === 'body') fields.push(...[...material, ...size, 'lossTime' as const].map(ofSecond));
-  if (against.kind === 'half-space') fields.push(...[...material, 'lossTime' as const].map(ofSecond));
-  return [...fields, 'speed'];
+  return [...sidesOf(encounter).flatMap((side) =>
+    side!.fields.map((name): Field => (side!.second ? ofSecond(name) : name))), 'speed'];
 }
 
 export function ofSecond(field: BodyField): `${BodyField}2` {
@@ -42,41 +35,46 @@ export function valueOf(encounter: Encounter, speed: number, field: Field): numb
 
 /** The encounter with another number in one field of a body. */
 export function withValue(encounter: Encounter, field: Exclude<Field, 'speed'>, value: number): Encounter {
+  const { second, name } = owner(field)!;
+  if (!second) return { ...encounter, first: { ...encounter.first, [name]: value } };
+  return withSecond(encounter, (body) => ({ ...body, [name]: value }));
+}
+
+/** What the page calls a number of a body: in words, by a symbol, and in the address. */
+export const names: Record<BodyField, [words: string, symbol: string, key: string]> = {
+  poisson: ['Poisson’s ratio', 'ν', 'nu'], young: ['Young’s modulus', 'E', 'E'], density: ['Density', 'ρ', 'rho'],
+  radius: ['Radius', 'R', 'R'], length: ['Length', 'L', 'R'], area: ['Cross-section', 'A', 'A'],
+  loss_time: ['Loss time', 'η', 'eta'],
+};
+
+/** The name of a field, without its symbol. */
+export function nameOf({ kind, si }: Encounter, field: Field): string {
   const place = owner(field);
-  if (place === undefined) return encounter;
-  if (!place.second) return { ...encounter, first: { ...encounter.first, [place.name]: value } };
-  return withSecond(encounter, (body) => ({ ...body, [place.name]: value }));
+  if (place === undefined) return 'Speed of approach';
+  const { name, second } = place;
+  if (name === 'poisson' && kindNamed(kind).hasPlane && !si) return '2‑D Poisson’s ratio';
+  return name === 'young' && second && !si ? 'Modulus' : names[name][0];
 }
 
 /** The name of a field next to its number. */
 export function labelOf(encounter: Encounter, field: Field): string {
   const place = owner(field);
-  if (place === undefined) return 'Speed of approach v';
-  const { name, second } = place;
-  const ratio = second && !encounter.si;
-  const plane = encounter.kind === 'disk' && !encounter.si;
-  const symbol = (letter: string): string => (ratio ? `${letter}₂/${letter}₁` : letter);
-  const rod = encounter.kind === 'rod';
-  const labels: Record<BodyField, string> = {
-    poisson: plane ? '2‑D Poisson’s ratio ν' : 'Poisson’s ratio ν',
-    young: `${ratio ? 'Modulus' : 'Young’s modulus'} ${symbol('E')}`,
-    density: `Density ${symbol('ρ')}`,
-    radius: rod ? `Length ${symbol('L')}` : `Radius ${symbol('R')}`,
-    area: `Cross-section ${symbol('A')}`,
-    lossTime: 'Loss time η',
-  };
-  return labels[name];
+  const symbol = place ? names[place.name][1] : 'v';
+  const ratio = place?.second && !encounter.si && !['ν', 'η'].includes(symbol);
+  return `${nameOf(encounter, field)} ${ratio ? `${symbol}₂/${symbol}₁` : symbol}`;
+}
+
+/** What a field is, in the words of the core; '' for the speed. */
+export function helpOf({ kind }: Encounter, field: Field): string {
+  const name = owner(field)?.name;
+  return kindNamed(kind).parameters.find((each) => each.name === name)?.help ?? '';
 }
 
 /** The unit behind a field; '' for a pure number. */
-export function unitOf(encounter: Encounter, field: Field): string {
-  const place = owner(field);
-  const { si } = encounter;
-  if (place === undefined) return si ? 'm/s' : 'c';
-  const size = encounter.kind === 'rod' ? 'L' : 'R';
-  const inSi: Record<BodyField, string> = {
-    poisson: '', young: 'Pa', density: 'kg/m³', radius: 'm', area: 'm²', lossTime: 's',
-  };
-  if (si) return inSi[place.name];
-  return place.name === 'lossTime' ? `${size}/c` : '';
+export function unitOf({ kind, si }: Encounter, field: Field): string {
+  const name = owner(field)?.name;
+  if (name === undefined) return si ? 'm/s' : 'c';
+  const { length, parameters } = kindNamed(kind);
+  if (si) return unitInWords(parameters.find((each) => each.name === name)?.unit ?? '');
+  return name === 'loss_time' ? `${length}/c` : '';
 }

@@ -1,5 +1,7 @@
 // What the user has chosen, as one value that is never changed in place.
-import type { Against, Body, BodyKind, Encounter } from '../core/protocol';
+import type { Against, Body, Encounter } from '../core/protocol';
+import { documentOf } from './document';
+import { type BodyKind, blockOf, kindNamed, materialNamed, sizeOf } from './kinds';
 
 /** All that the address holds: who meets whom, how fast, and whose curves stay for comparison. */
 export interface Inputs {
@@ -12,7 +14,8 @@ export interface Inputs {
 }
 
 /** A body that is its own unit and loses nothing. */
-export const unitBody: Body = { poisson: 0.33, radius: 1, young: 1, density: 1, area: 1, lossTime: 0 };
+export const unitBody: Body =
+  { poisson: 0.33, young: 1, density: 1, radius: 1, length: 1, area: 1, loss_time: 0 };
 
 export const defaults: Inputs = {
   encounter: { kind: 'disk', first: unitBody, against: { kind: 'wall' }, si: false, plane: 'stress' },
@@ -20,6 +23,12 @@ export const defaults: Inputs = {
   kept: [],
   simple: false,
 };
+
+const { young, poisson, density, loss_time } = materialNamed('bearing steel');
+
+/** What SI begins with: a ball of a bearing of 1 cm, at the speed of a fall from 5 cm. */
+export const ball: Body = { young, poisson, density, loss_time, radius: 0.01, length: 0.01, area: 1e-4 };
+export const siSpeed = 1;
 
 /** More curves than these cannot be told apart: there are as many colours, and one is for the current one. */
 export const mostKept = 5;
@@ -31,18 +40,19 @@ export function secondBody(against: Against): Body | undefined {
 
 /** Another kind of body of the same material and size; what only the old kind can meet becomes the wall. */
 export function withKind(encounter: Encounter, kind: BodyKind): Encounter {
-  const solid = (body: Body): Body => (kind === 'sphere' && body.poisson > 0.4999 ? { ...body, poisson: 0.33 } : body);
-  const rodAtHalfSpace = kind === 'rod' && encounter.against.kind === 'half-space';
-  return withSecond(
-    {
-      ...encounter,
-      kind,
-      plane: kind === 'disk' ? encounter.plane : 'stress',
-      first: solid(encounter.first),
-      against: rodAtHalfSpace ? { kind: 'wall' } : encounter.against,
-    },
-    solid,
-  );
+  const [old, size] = [sizeOf(encounter.kind), sizeOf(kind)];
+  // A disk without a material may have a 2-D Poisson's ratio that no solid has.
+  const made = (body: Body): Body => ({
+    ...body, [size]: body[old], poisson: kind === 'sphere' && body.poisson > 0.4999 ? 0.33 : body.poisson,
+  });
+  const { against } = encounter;
+  return withSecond({
+    ...encounter,
+    kind,
+    plane: kindNamed(kind).hasPlane ? encounter.plane : 'stress',
+    first: made(encounter.first),
+    against: against.kind === 'half-space' && !blockOf(kind) ? { kind: 'wall' } : against,
+  }, made);
 }
 
 /** Something else to meet; a second body starts as the first's like. */
@@ -61,26 +71,5 @@ export function withSecond(encounter: Encounter, change: (body: Body) => Body): 
 
 /** Whether two encounters give the same results: what is not used does not count. */
 export function equal(a: Encounter, b: Encounter): boolean {
-  return JSON.stringify(used(a)) === JSON.stringify(used(b));
-}
-
-/** The numbers that count, by the names of the fields, in a fixed order. */
-export function used(encounter: Encounter): Record<string, unknown> {
-  const { kind, si, plane, first, against } = encounter;
-  const pick = (body: Body, sized: boolean, own: boolean): Partial<Body> => ({
-    ...(kind === 'rod' ? {} : { poisson: body.poisson }),
-    ...(own ? { young: body.young, density: body.density } : {}),
-    ...(own && sized ? { radius: body.radius } : {}),
-    ...(own && kind === 'rod' ? { area: body.area } : {}),
-    lossTime: body.lossTime,
-  });
-  const second = secondBody(against);
-  return {
-    kind,
-    si,
-    plane: kind === 'disk' && si ? plane : 'stress',
-    first: pick(first, true, si),
-    against: against.kind,
-    second: second === undefined ? null : pick(second, against.kind === 'body', true),
-  };
+  return documentOf(a) === documentOf(b);
 }

@@ -1,26 +1,23 @@
-// Numbers as people type them.
+// Numbers as people type them, and as they are shown in a field.
+import { numberOf } from '../core/local';
+import { CoreError } from '../core/protocol';
 
 /** A number, or in one line what is wrong with the text. */
 export type Parsed = { value: number } | { problem: string };
 
-const decimal = /^[+-]?(\d+\.?\d*|\.\d+)(e[+-]?\d+)?$/i;
-
 /** Read one decimal number, as in 0.33 or 1e-4; everything else gives a reason. */
 export function parseNumber(name: string, text: string): Parsed {
-  const trimmed = text.trim().replace(/^\u2212/, '-').replace(/e\u2212/i, 'e-');
-  const refuse = (reason: string): Parsed => ({ problem: `${name}: ${reason}` });
-  if (trimmed === '') return refuse('a number is missing (one decimal number, as in 0.33 or 1e-4)');
-  const got = `got “${trimmed.length > 24 ? `${trimmed.slice(0, 24)}…` : trimmed}”`;
-  if (/^[+-]?\d*,\d+(e[+-]?\d+)?$/i.test(trimmed)) {
-    return refuse(`${got}, write it with a point: ${trimmed.replace(',', '.')}`);
+  const typed = text.trim().replaceAll('\u2212', '-');
+  if (/^[+-]?\d*,\d+(e[+-]?\d+)?$/i.test(typed)) {
+    return { problem: `${name}: got “${typed}”, write it with a point: ${typed.replace(',', '.')}` };
   }
-  if (!decimal.test(trimmed)) return refuse(`${got}, not a decimal number (allowed: one such as 0.33 or 1e-4)`);
-  const value = Number(trimmed);
-  const zero = !/[1-9]/.test(trimmed.split(/e/i)[0] ?? '');
-  if (!Number.isFinite(value) || (value === 0 && !zero)) {
-    return refuse(`${got}, beyond double precision, about 1e-308 to 1e308`);
+  try {
+    const value = numberOf(name, typed);
+    return { value: value === 0 ? 0 : value };
+  } catch (error) {
+    if (error instanceof CoreError) return { problem: error.message };
+    throw error;
   }
-  return { value: value === 0 ? 0 : value };
 }
 
 /** The text of a number in a field: short enough to be read there. Typed again unchanged, it is that very number. */

@@ -1,7 +1,8 @@
 // Impacts that a class can see for itself, each with all of its inputs.
 import type { Body, Encounter } from '../core/protocol';
+import { madeOf } from './document';
 import { type Inputs, defaults, equal, unitBody } from './inputs';
-import { madeOf, materialNamed } from './materials';
+import { materialNamed } from './kinds';
 
 export interface Preset {
   readonly name: string;

@@ -1,73 +1,39 @@
 // The lines of Python that give the same numbers.
-import type { Body, Encounter } from '../core/protocol';
-import { lossTimeOf, materialOf } from './materials';
+import type { Encounter } from '../core/protocol';
+import { type Side, poissonOf, sidesOf } from './document';
 import { shortest } from './number';
-
-const classes = { disk: 'Disk', sphere: 'Sphere', rod: 'Rod' } as const;
 
 /** A short program that prints ε at one speed. */
 export function pythonLines(encounter: Encounter, speed: number, tolerance = 1e-3): string {
-  const name: string = encounter.kind;
-  const lines = ['import stoss', '', `${name} = ${bodyCall(encounter, encounter.first)}`];
-  const args = [name];
-  const { against } = encounter;
-  if (against.kind === 'same') args.push('against="same"');
-  if (against.kind === 'body') {
-    lines.push(`other = ${bodyCall(encounter, against.body, true)}`);
-    args.push('against=other');
-  }
-  if (against.kind === 'half-space') {
-    lines.push(`block = ${halfSpaceCall(encounter, against.body)}`);
-    args.push('against=block');
-  }
-  args.push(`speed=${shortest(speed)}`);
-  if (tolerance !== 1e-3) args.push(`tolerance=${shortest(tolerance)}`);
-  return [...lines, `print(stoss.restitution(${args.join(', ')}))`, ''].join('\n');
-}
-
-function bodyCall(encounter: Encounter, body: Body, second = false): string {
-  const { kind, si } = encounter;
-  const size = kind === 'rod' ? 'length' : 'radius';
-  const args: string[] = [];
-  if (si) {
-    args.push(`${size}=${shortest(body.radius)}`);
-    if (kind === 'rod') args.push(`area=${shortest(body.area)}`);
-    args.push(...materialArguments(encounter, body));
-  } else {
-    if (kind !== 'rod') args.push(`poisson=${shortest(body.poisson)}`);
-    if (second) {
-      args.push(`${size}=${shortest(body.radius)}`);
-      args.push(`young=${shortest(body.young)}`, `density=${shortest(body.density)}`);
-      if (kind === 'rod') args.push(`area=${shortest(body.area)}`);
-    }
-    if (body.lossTime !== 0) args.push(`loss_time=${shortest(body.lossTime)}`);
-  }
-  return `stoss.${classes[kind]}(${args.join(', ')})`;
-}
-
-function halfSpaceCall(encounter: Encounter, body: Body): string {
-  const name = encounter.kind === 'disk' ? 'HalfPlane' : 'HalfSpace';
-  const ratios = [
-    `poisson=${shortest(body.poisson)}`,
-    `young=${shortest(body.young)}`,
-    `density=${shortest(body.density)}`,
-    ...(body.lossTime === 0 ? [] : [`loss_time=${shortest(body.lossTime)}`]),
+  const { kind, against, si } = encounter;
+  const [first, second] = sidesOf(encounter);
+  const name = second?.kind.bounded ? 'other' : 'block';
+  const args = [
+    kind,
+    ...(second ? [`against=${name}`] : against.kind === 'same' ? ['against="same"'] : []),
+    `speed=${shortest(speed)}`,
+    ...(tolerance === 1e-3 ? [] : [`tolerance=${shortest(tolerance)}`]),
   ];
-  return `stoss.${name}(${(encounter.si ? materialArguments(encounter, body) : ratios).join(', ')})`;
+  return [
+    'import stoss', '', `${kind} = ${call(first, si)}`, ...(second ? [`${name} = ${call(second, si)}`] : []),
+    `print(stoss.restitution(${args.join(', ')}))`, '',
+  ].join('\n');
 }
 
-function materialArguments(encounter: Encounter, body: Body): string[] {
-  const material = materialOf(body, encounter.kind);
-  const args: string[] = [];
-  if (material !== undefined) {
-    args.push(`material=stoss.materials["${material.name}"]`);
-    if (lossTimeOf(material) !== body.lossTime) args.push(`loss_time=${shortest(body.lossTime)}`);
-  } else {
-    const poisson = encounter.kind === 'rod' ? 0.3 : body.poisson;
-    const numbers = `young=${shortest(body.young)}, poisson=${shortest(poisson)}, density=${shortest(body.density)}`;
-    args.push(`material=stoss.Material(${numbers})`);
-    if (body.lossTime !== 0) args.push(`loss_time=${shortest(body.lossTime)}`);
-  }
-  if (encounter.kind === 'disk' && encounter.plane === 'strain') args.push('plane="strain"');
-  return args;
+function call(side: Side, si: boolean): string {
+  const { kind, body, fields, material, strain } = side;
+  const args = kind.parameters // in the order of Python
+    .filter(({ name, ofMaterial }) => fields.includes(name) && name !== 'loss_time' && !(si && ofMaterial))
+    .map(({ name }) => `${name}=${shortest(body[name])}`);
+  if (si) args.push(`material=${material ? `stoss.materials["${material.name}"]` : ownMaterial(side)}`);
+  if ((material?.loss_time ?? 0) !== body.loss_time) args.push(`loss_time=${shortest(body.loss_time)}`);
+  if (strain) args.push('plane="strain"');
+  const name = kind.name.split('-').map((word) => word.charAt(0).toUpperCase() + word.slice(1)).join('');
+  return `stoss.${name}(${args.join(', ')})`;
+}
+
+function ownMaterial(side: Side): string {
+  const { young, density } = side.body;
+  const numbers = { young, poisson: poissonOf(side), density };
+  return `stoss.Material(${Object.entries(numbers).map(([name, value]) => `${name}=${shortest(value)}`).join(', ')})`;
 }

@@ -1,6 +1,8 @@
 // The speeds of the slider and of the curve: logarithmic, up to where linear elasticity loses its meaning.
-import type { Body, Encounter } from '../core/protocol';
-import { barSpeed, modulus } from './scales';
+import { seriesOf, unitsOf } from '../core/local';
+import type { Elastic, Encounter } from '../core/protocol';
+import { shortest } from './number';
+import { barSpeed } from './units';
 
 /** In c of the first body. */
 export const slowest = 1e-6;
@@ -8,13 +10,13 @@ export const slowest = 1e-6;
 /** In c of the first body: half of the wave speed, for a soft half-space of its own, which is pressed in the faster the
  *  more of the compression is its. */
 export function fastest(encounter: Encounter): number {
-  const { first, against, kind } = encounter;
+  const { against, kind } = encounter;
   const half = 0.5;
-  if (against.kind !== 'half-space') return half;
-  const stiff = (body: Body): number => modulus(encounter, body) / (kind === 'sphere' ? 1 - body.poisson ** 2 : 1);
-  const share = stiff(first) / (stiff(first) + stiff(against.body));
-  const slower = Math.sqrt((modulus(encounter, first) * against.body.density) /
-    (modulus(encounter, against.body) * first.density));
+  const { first, second } = unitsOf(encounter);
+  if (against.kind !== 'half-space' || !second) return half;
+  const stiff = ({ young, poisson = 0 }: Elastic): number => young / (kind === 'sphere' ? 1 - poisson ** 2 : 1);
+  const share = stiff(first) / (stiff(first) + stiff(second));
+  const slower = Math.sqrt(against.body.density / (encounter.si ? encounter.first.density : 1) / second.young);
   return half / Math.max(1, share * slower);
 }
 
@@ -33,17 +35,28 @@ export function placeOf(encounter: Encounter, speed: number): number {
   return Math.round(Math.min(Math.max(share, 0), 1) * steps);
 }
 
-/** Speeds of the curve, in an order that fills the range ever more densely. */
-export function curveSpeeds(encounter: Encounter, count = 49): number[] {
-  const speeds = Array.from({ length: count }, (_, index) => {
-    const speed = barSpeed(encounter) * slowest * (fastest(encounter) / slowest) ** (index / (count - 1));
-    return Number(speed.toPrecision(4));
-  });
-  const order: number[] = [];
-  for (let stride = 2 ** Math.ceil(Math.log2(count)); stride >= 1; stride /= 2) {
-    for (let index = 0; index < count; index += stride) if (!order.includes(index)) order.push(index);
+/** The ends of a curve, as the page gives speeds. */
+export function endsOf(encounter: Encounter): [number, number] {
+  const c = barSpeed(encounter);
+  return [slowest, fastest(encounter)].map((speed) => Number((speed * c).toPrecision(4))) as [number, number];
+}
+
+/** The series of a curve that nobody has typed. */
+export function usualSeries(encounter: Encounter, count = 49): string {
+  return `log:${endsOf(encounter).map(shortest).join(':')}:${count}`;
+}
+
+/** Speeds of the curve, those of a series, in an order that fills the range ever more densely. Throws CoreError for a
+ *  text that is none. */
+export function curveSpeeds(encounter: Encounter, series = ''): number[] {
+  const usual = series.trim() === '';
+  const speeds = seriesOf(usual ? usualSeries(encounter) : series)
+    .map((speed) => (usual ? Number(speed.toPrecision(4)) : speed));
+  const order = new Set<number>();
+  for (let stride = 2 ** Math.ceil(Math.log2(speeds.length)); stride >= 1; stride /= 2) {
+    for (let index = 0; index < speeds.length; index += stride) order.add(index);
   }
-  return order.map((index) => speeds[index] ?? 0);
+  return [...new Set([...order].map((index) => speeds[index]!))];
 }
 
 /** A speed of one encounter on the axis of another: as it is if both are in SI or neither, else the same share of c. */

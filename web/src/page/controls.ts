@@ -1,16 +1,18 @@
 // The form: it shows the inputs, and tells what the user makes of them.
-import type { Against, Body, BodyKind } from '../core/protocol';
+import { html, render } from 'lit-html';
+import type { Against, Body } from '../core/protocol';
+import { find, optionsOf } from '../drawing/dom';
 import { check } from '../inputs/check';
 import { description } from '../inputs/description';
-import { type Field, fieldsOf, owner } from '../inputs/fields';
-import { type Inputs, secondBody, withAgainst, withKind, withSecond } from '../inputs/inputs';
-import { madeOf, materialOf, materials } from '../inputs/materials';
-import { presetOf, presets } from '../inputs/presets';
-import { barSpeed, withSi, withoutSi } from '../inputs/scales';
 import { significant } from '../inputs/digits';
+import { madeOf, sidesOf } from '../inputs/document';
+import { type Field, fieldsOf } from '../inputs/fields';
+import { type Inputs, withAgainst, withKind, withSecond } from '../inputs/inputs';
+import { type BodyKind, blockOf, bodyKinds, kindNamed, materials, sizeOf } from '../inputs/kinds';
+import { presetOf, presets } from '../inputs/presets';
 import { placeOf, speedAt, steps } from '../inputs/speeds';
-import { find, make } from './dom';
-import { type FieldView, makeField, showField, showProblem } from './fields_view';
+import { barSpeed, withSi, withoutSi } from '../inputs/units';
+import { showFields, showNumbers, textOf } from './fields_view';
 
 export interface Controls {
   /** Show inputs that come from elsewhere: the address, the curve. */
@@ -36,12 +38,14 @@ export function createControls(initial: Inputs, listener: Listener): Controls {
   const selects = { first: find('material', HTMLSelectElement), second: find('material2', HTMLSelectElement) };
   const preset = find('preset', HTMLSelectElement);
   const simple = find('simple', HTMLInputElement);
-  const views = new Map<Field, FieldView>();
   slider.max = String(steps);
-  preset.append(...[own, ...presets.map(({ name }) => name)].map((name) => make('option', { value: name }, name)));
-  for (const select of [selects.first, selects.second]) {
-    select.append(...[own, ...materials.map(({ name }) => name)].map((name) => make('option', { value: name }, name)));
-  }
+  render(bodyKinds.map((kind) => html`<label title=${kindNamed(kind).help}>
+    <input type="radio" name="body" value=${kind} /><span>${kind.charAt(0).toUpperCase() + kind.slice(1)}</span>
+  </label>`), find('bodies', HTMLElement));
+  const named = (all: readonly { name: string }[]): unknown =>
+    optionsOf([own, ...all.map(({ name }) => name)].map((name) => [name, name]));
+  render(named(presets), preset);
+  for (const select of Object.values(selects)) render(named(materials), select);
 
   function show(next: Inputs): void {
     inputs = next;
@@ -52,19 +56,14 @@ export function createControls(initial: Inputs, listener: Listener): Controls {
     choose('plane', encounter.plane);
     simple.checked = inputs.simple;
     document.body.dataset.view = inputs.simple ? 'simple' : 'full';
-    find('plane-row', HTMLElement).hidden = !(si && kind === 'disk');
+    find('plane-row', HTMLElement).hidden = !(si && kindNamed(kind).hasPlane);
     find('material-row', HTMLElement).hidden = !si;
-    const second = secondBody(against);
-    find('material2-row', HTMLElement).hidden = !si || second === undefined;
+    find('material2-row', HTMLElement).hidden = !si || sidesOf(encounter)[1] === undefined;
     showPartners(kind, against.kind);
     showNames();
     find('units-note', HTMLElement).textContent = note();
-    const fields = fieldsOf(encounter);
-    for (const field of fields) showField(viewOf(field), field, inputs);
-    for (const [field, view] of views) {
-      view.row.hidden = !fields.includes(field);
-      showProblem(view, '');
-    }
+    showFields(inputs, new Map());
+    showNumbers(inputs);
     showSlider();
   }
 
@@ -74,33 +73,22 @@ export function createControls(initial: Inputs, listener: Listener): Controls {
   }
 
   function showNames(): void {
-    const { first, kind, against } = inputs.encounter;
+    const { encounter } = inputs;
     preset.value = presetOf(inputs)?.name ?? own;
-    find('who', HTMLElement).textContent = description(inputs.encounter);
-    const second = secondBody(against);
-    selects.first.value = materialOf(first, kind)?.name ?? own;
-    selects.second.value = (second && materialOf(second, kind)?.name) ?? own;
+    find('who', HTMLElement).textContent = description(encounter);
+    const [first, second] = sidesOf(encounter);
+    for (const [select, side] of [[selects.first, first], [selects.second, second]] as const) {
+      select.value = side?.material?.name ?? own;
+      select.title = side?.material?.source ?? '';
+    }
   }
 
   function note(): string {
     const { si, kind } = inputs.encounter;
-    const size = kind === 'rod' ? 'length' : 'radius';
+    const size = sizeOf(kind);
     return si
       ? `c = √(E/ρ) = ${significant(barSpeed(inputs.encounter), 4)} m/s`
       : `Units: ${size}, bar speed c = √(E/ρ) and mass of the first body`;
-  }
-
-  function viewOf(field: Field): FieldView {
-    const known = views.get(field);
-    if (known !== undefined) return known;
-    const view = makeField(field);
-    const place = owner(field);
-    const home = place === undefined ? 'speed-field' : place.second ? 'second-fields' : 'first-fields';
-    const order = ['poisson', 'young', 'density', 'radius', 'area', 'lossTime'];
-    view.row.style.order = place === undefined ? '0' : String(order.indexOf(place.name));
-    find(home, HTMLElement).append(view.row);
-    views.set(field, view);
-    return view;
   }
 
   /** Take over inputs that a choice or a slider made; they are in range unless a field already was not. */
@@ -111,10 +99,10 @@ export function createControls(initial: Inputs, listener: Listener): Controls {
 
   /** Check all fields, and report. */
   function read(settled: boolean): void {
-    const texts = new Map(fieldsOf(inputs.encounter).map((field) => [field, viewOf(field).input.value]));
+    const texts = new Map(fieldsOf(inputs.encounter).map((field) => [field, textOf(field)]));
     const result = check(inputs, texts);
     const problems = 'problems' in result ? result.problems : new Map<Field, string>();
-    for (const [field, view] of views) showProblem(view, problems.get(field) ?? '');
+    showFields(inputs, problems);
     if ('problems' in result) {
       listener.wrong();
       return;
@@ -170,20 +158,18 @@ export function createControls(initial: Inputs, listener: Listener): Controls {
   }
 
   function showPartners(kind: BodyKind, chosen: Against['kind']): void {
-    const names: [Against['kind'], string][] = [
+    const names: [string, string][] = [
       ['wall', 'a rigid wall'], ['same', 'an identical body'], ['body', `another ${kind}`],
     ];
-    if (kind !== 'rod') names.push(['half-space', kind === 'disk' ? 'an elastic half-plane' : 'an elastic half-space']);
-    if (partner.dataset.kind !== kind) {
-      partner.replaceChildren(...names.map(([value, text]) => make('option', { value }, text)));
-      partner.dataset.kind = kind;
-    }
+    const block = blockOf(kind);
+    if (block) names.push(['half-space', `an elastic ${block.name}`]);
+    render(optionsOf(names), partner);
     partner.value = chosen;
   }
 
   show(inputs);
   return {
     show,
-    refuse: (field, problem) => showProblem(viewOf(field), problem),
+    refuse: (field, problem) => showFields(inputs, new Map([[field, problem]])),
   };
 }

@@ -1,7 +1,8 @@
 // ε(v) of the current encounter and of those kept for comparison: computed one after the other, and remembered.
+import { seriesOf } from '../core/local';
 import type { Core, CurvePoint, Encounter } from '../core/protocol';
 import { description } from '../inputs/description';
-import { used } from '../inputs/inputs';
+import { documentOf } from '../inputs/document';
 import { curveSpeeds } from '../inputs/speeds';
 import { fine } from './session';
 
@@ -15,6 +16,9 @@ export interface Curve {
 export interface Curves {
   /** Compute these curves, the first of which is the current one; what is not among them is no longer computed. */
   want(encounters: readonly Encounter[]): void;
+  /** Compute at the speeds of a series; those of '' are the usual ones. They are in the units of the current encounter,
+   *  and those in others have the usual ones. Throws CoreError for a text that is none. */
+  at(series: string): void;
   /** The curve of an encounter as far as it is known. */
   of(encounter: Encounter): Curve;
 }
@@ -27,21 +31,23 @@ export function createCurves(core: Core, changed: () => void, failed: (line: str
   const known = new Map<string, Curve>();
   let current = new AbortController();
   let wanted: readonly Encounter[] = [];
+  let series = '';
 
-  const keyOf = (encounter: Encounter): string => JSON.stringify(used(encounter));
+  const seriesFor = (encounter: Encounter): string => (wanted[0]?.si === encounter.si ? series : '');
+  const keyOf = (encounter: Encounter): string => `${documentOf(encounter)} ${seriesFor(encounter)}`;
 
   function of(encounter: Encounter): Curve {
     const key = keyOf(encounter);
     const found = known.get(key);
     if (found !== undefined) return { ...found, encounter };
-    return { encounter, points: [], planned: curveSpeeds(encounter) };
+    return { encounter, points: [], planned: curveSpeeds(encounter, seriesFor(encounter)) };
   }
 
   async function compute(encounter: Encounter, signal: AbortSignal): Promise<void> {
     const begun = of(encounter);
     const missing = begun.planned.filter((speed) => !begun.points.some((point) => point.speed === speed));
     if (missing.length === 0) return;
-    await core.curve(encounter, missing, fine, (point) => {
+    const deliver = (point: CurvePoint): void => {
       if (signal.aborted) return;
       const before = of(encounter);
       const key = keyOf(encounter);
@@ -49,7 +55,8 @@ export function createCurves(core: Core, changed: () => void, failed: (line: str
       known.set(key, { ...before, points: [...before.points, point] });
       for (const oldest of known.keys()) if (known.size > most) known.delete(oldest);
       changed();
-    }, signal);
+    };
+    await core('curve', encounter, { speeds: missing, tolerance: fine }, { deliver, signal });
   }
 
   async function computeAll(signal: AbortSignal): Promise<void> {
@@ -63,15 +70,24 @@ export function createCurves(core: Core, changed: () => void, failed: (line: str
     }
   }
 
+  function begin(): void {
+    current.abort();
+    current = new AbortController();
+    changed();
+    void computeAll(current.signal);
+  }
+
   return {
     of,
     want(encounters) {
-      if (JSON.stringify(encounters.map(used)) === JSON.stringify(wanted.map(used))) return;
+      if (encounters.map(documentOf).join() === wanted.map(documentOf).join()) return;
       wanted = encounters;
-      current.abort();
-      current = new AbortController();
-      changed();
-      void computeAll(current.signal);
+      begin();
+    },
+    at(text) {
+      if (text.trim() !== '') seriesOf(text);
+      series = text.trim();
+      begin();
     },
   };
 }

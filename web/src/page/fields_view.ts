@@ -1,47 +1,53 @@
 // The number fields of the form: label, text field, unit, and the line that says what is wrong.
-import { type Field, labelOf, owner, unitOf, valueOf } from '../inputs/fields';
+import { html, nothing, render } from 'lit-html';
+import { repeat } from 'lit-html/directives/repeat.js';
+import { find } from '../drawing/dom';
+import { type Field, fieldsOf, helpOf, labelOf, owner, unitOf, valueOf } from '../inputs/fields';
 import type { Inputs } from '../inputs/inputs';
 import { displayed } from '../inputs/number';
-import { make } from './dom';
 
-export interface FieldView {
-  readonly row: HTMLElement;
-  readonly input: HTMLInputElement;
-  readonly label: HTMLElement;
-  readonly unit: HTMLElement;
-  readonly problem: HTMLElement;
-}
+const homes = ['first-fields', 'second-fields', 'speed-field'] as const;
 
-/** A field with its label; screen readers hear the unit and the problem with it. */
-export function makeField(field: Field): FieldView {
-  const id = `field-${field}`;
-  const input = make('input', {
-    id, type: 'text', inputmode: 'decimal', autocomplete: 'off', spellcheck: 'false', 'data-field': field,
-    'aria-describedby': `${id}-unit ${id}-problem`,
-  });
-  const label = make('label', { for: id });
-  const unit = make('span', { id: `${id}-unit`, class: 'unit' });
-  const problem = make('p', { id: `${id}-problem`, class: 'problem', hidden: '' });
-  const row = make('div', { class: 'field' }, label, input, unit, problem);
-  return { row, input, label, unit, problem };
-}
-
-/** Bring label, unit and number of a field up to date; a number just being typed stays as it is. */
-export function showField(view: FieldView, field: Field, inputs: Inputs): void {
-  const label = labelOf(inputs.encounter, field);
-  if (view.label.textContent !== label) view.label.textContent = label;
-  view.unit.textContent = unitOf(inputs.encounter, field);
-  const value = valueOf(inputs.encounter, inputs.speed, field);
-  const { value: text } = view.input;
-  if (text.trim() === '' || (Number(text) !== value && text !== displayed(value))) view.input.value = displayed(value);
+function homeOf(field: Field): (typeof homes)[number] {
   const place = owner(field);
-  if (place?.second === true) view.input.setAttribute('aria-label', `${label}, of what it meets`);
+  return place === undefined ? 'speed-field' : place.second ? 'second-fields' : 'first-fields';
 }
 
-/** Show, or with '' take away, the line that says what is wrong with a field. */
-export function showProblem(view: FieldView, problem: string): void {
-  view.problem.textContent = problem;
-  view.problem.hidden = problem === '';
-  if (problem === '') view.input.removeAttribute('aria-invalid');
-  else view.input.setAttribute('aria-invalid', 'true');
+function inputOf(field: Field): HTMLInputElement {
+  return find(`field-${field}`, HTMLInputElement);
+}
+
+/** The text of a field that is shown. */
+export function textOf(field: Field): string {
+  return inputOf(field).value;
+}
+
+/** Show the fields of inputs with what is wrong: screen readers hear the unit and the problem with a field. */
+export function showFields({ encounter }: Inputs, problems: ReadonlyMap<Field, string>): void {
+  const rowOf = (field: Field): unknown => {
+    const [id, label, problem] = [`field-${field}`, labelOf(encounter, field), problems.get(field) ?? ''];
+    return html`
+      <div class="field" title=${helpOf(encounter, field)}>
+        <label for=${id}>${label}</label>
+        <input id=${id} type="text" inputmode="decimal" autocomplete="off" spellcheck="false" data-field=${field}
+          aria-describedby="${id}-unit ${id}-problem" aria-invalid=${problem === '' ? nothing : 'true'}
+          aria-label=${owner(field)?.second ? `${label}, of what it meets` : nothing} />
+        <span id="${id}-unit" class="unit">${unitOf(encounter, field)}</span>
+        <p id="${id}-problem" class="problem" ?hidden=${problem === ''}>${problem}</p>
+      </div>`;
+  };
+  for (const home of homes) {
+    const fields = fieldsOf(encounter).filter((field) => homeOf(field) === home);
+    render(repeat(fields, (field) => field, rowOf), find(home, HTMLElement));
+  }
+}
+
+/** Bring the numbers up to date; one just being typed stays as it is. */
+export function showNumbers({ encounter, speed }: Inputs): void {
+  for (const field of fieldsOf(encounter)) {
+    const value = valueOf(encounter, speed, field);
+    const input = inputOf(field);
+    const typed = input.value.trim() !== '' && (Number(input.value) === value || input.value === displayed(value));
+    if (!typed) input.value = displayed(value);
+  }
 }

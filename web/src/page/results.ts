@@ -1,8 +1,9 @@
 // ε and what belongs to it, as text.
 import type { Encounter, Quantity, Restitution } from '../core/protocol';
-import { prefixed, significant, withError } from '../inputs/digits';
+import { prefixFor } from '../drawing/numbers';
+import { significant, withError } from '../inputs/digits';
 import { reboundOf } from '../inputs/rebound';
-import { find } from './dom';
+import { find } from '../drawing/dom';
 
 export type Stage = 'first' | 'final';
 
@@ -15,12 +16,10 @@ export interface Results {
   say(line: string): void;
 }
 
-const units: Record<string, string> = { piRE: 'πRE', 'mc^2/R': 'mc²/R' };
-
 /** A quantity with a readable unit and the digits that its error allows, or some others. */
 function shown(quantity: Quantity, digits = shownNumber): string {
-  const { factor, unit } = prefixed(quantity.value, quantity.unit);
-  return `${digits(quantity, factor)}${unit === '' ? '' : `\u00a0${units[unit] ?? unit}`}`;
+  const { size, unit } = prefixFor(quantity.value, quantity.unit);
+  return `${digits(quantity, 1 / size)}${unit === '' ? '' : `\u00a0${unit}`}`;
 }
 
 /** A quantity of a result, in SI where it is known. */
@@ -75,37 +74,35 @@ const noticeable = 200;
 /** Wire the results of index.html. */
 export function createResults(): Results {
   const section = find('result', HTMLElement);
-  const value = find('epsilon', HTMLElement);
   const spoken = find('spoken', HTMLOutputElement);
   const state = find('result-state', HTMLElement);
   let reached = '';
   let timer: number | undefined;
   let soon: number | undefined;
 
-  const showRebound = (encounter: Encounter, result: Restitution): void => {
-    const { full, short } = reboundInWords(encounter, result);
-    find('rebound-row', HTMLElement).hidden = full === '';
-    find('rebound-name', HTMLElement).textContent = `Height of rebound ε²h${encounter.si ? ', h = v²/2g' : ''}`;
-    find('rebound', HTMLElement).textContent = full;
-    find('rebound-short', HTMLElement).textContent = short;
-  };
-  const showYield = (encounter: Encounter, result: Restitution): void => {
-    const line = find('yield', HTMLElement);
-    line.textContent = yieldInWords(encounter, result);
-    line.classList.toggle('problem', result.speed > (result.yieldSpeed ?? Infinity));
+  const spokenOf = (id: string): string => find(id, HTMLElement).textContent?.replace('±', 'plus or minus') ?? '';
+  const put = (texts: Record<string, string>): void => {
+    for (const [id, text] of Object.entries(texts)) find(id, HTMLElement).textContent = text;
   };
 
   return {
     show(encounter, result, stage) {
       const epsilon = result.quantities.restitution ?? { value: NaN, unit: '' };
-      value.textContent = withError(epsilon.value, epsilon.error ?? 0);
-      find('epsilon-short', HTMLElement).textContent = threeDigits(epsilon);
+      const { full, short } = reboundInWords(encounter, result);
+      put({
+        epsilon: withError(epsilon.value, epsilon.error ?? 0),
+        'epsilon-short': threeDigits(epsilon),
+        ...Object.fromEntries(quantities.map(([id, name]) => [id, shownQuantity(result, name)])),
+        'rebound-name': `Height of rebound ε²h${encounter.si ? ', h = v²/2g' : ''}`,
+        rebound: full,
+        'rebound-short': short,
+        yield: yieldInWords(encounter, result),
+      });
+      find('rebound-row', HTMLElement).hidden = full === '';
+      find('force-note', HTMLElement).hidden = encounter.kind !== 'rod';
+      find('yield', HTMLElement).classList.toggle('problem', result.speed > (result.yieldSpeed ?? Infinity));
       section.dataset.stage = stage;
       if (section.dataset.stale !== 'wrong') delete section.dataset.stale;
-      for (const [id, name] of quantities) find(id, HTMLElement).textContent = shownQuantity(result, name);
-      find('force-note', HTMLElement).hidden = encounter.kind !== 'rod';
-      showRebound(encounter, result);
-      showYield(encounter, result);
       clearTimeout(soon);
       delete section.dataset.slow;
       const aim = 'accurate to 10⁻³ of 1 − ε², or to 10⁻⁶';
@@ -118,8 +115,7 @@ export function createResults(): Results {
       const speed = `${significant(result.speed, 4)} ${encounter.si ? 'metres per second' : 'c'}`;
       timer = window.setTimeout(() => {
         spoken.textContent = [
-          `Restitution ${value.textContent?.replace('±', 'plus or minus') ?? ''} at ${speed}.`,
-          `Lost share ${find('lost', HTMLElement).textContent?.replace('±', 'plus or minus') ?? ''}.`, ...lines,
+          `Restitution ${spokenOf('epsilon')} at ${speed}.`, `Lost share ${spokenOf('lost')}.`, ...lines,
         ].join(' ');
       }, 800);
     },

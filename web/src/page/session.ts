@@ -34,16 +34,16 @@ export function createSession(core: Core, audience: Audience): (encounter: Encou
 
   async function compute(job: Job, signal: AbortSignal): Promise<void> {
     const { encounter, speed } = job;
-    const first = await core.restitution(encounter, speed, coarse, signal);
+    const first = await core('restitution', encounter, { speed, tolerance: coarse }, { signal });
     audience.first(encounter, first);
     if (waiting !== undefined) return;
     refining = true;
     await pause(settle, signal);
-    const final = await core.restitution(encounter, speed, fine, signal);
+    const final = await core('restitution', encounter, { speed, tolerance: fine }, { signal });
     signal.throwIfAborted();
     audience.final(encounter, final);
     if (final.cutoff === 0) throw new CoreError(final.reason);
-    const collision = await core.collision(encounter, speed, final.cutoff, signal);
+    const collision = await core('collision', encounter, { speed, cutoff: final.cutoff }, { signal });
     signal.throwIfAborted();
     audience.collision(encounter, speed, final.cutoff, collision);
   }

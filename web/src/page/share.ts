@@ -5,16 +5,10 @@ import { commandLine } from '../inputs/command_line';
 import { curveCsv } from '../inputs/csv';
 import type { Inputs } from '../inputs/inputs';
 import { pythonLines } from '../inputs/python_lines';
-import { barSpeed } from '../inputs/scales';
-import { fastest, slowest } from '../inputs/speeds';
+import { endsOf } from '../inputs/speeds';
 import type { Curve } from './curves';
-import { download, find } from './dom';
-
-/** A chart that can leave the page. */
-export interface Picture {
-  toPng(): Promise<Blob>;
-  toSvg?(): string;
-}
+import { find } from '../drawing/dom';
+import { type Picture, download, pngOf, textOf } from '../drawing/files';
 
 export interface Share {
   /** Show the lines for new inputs. */
@@ -62,12 +56,11 @@ export function createShare(
   on('download-header', async () => {
     const button = find('download-header', HTMLButtonElement);
     const { encounter } = inputs;
-    const c = barSpeed(encounter);
     button.disabled = true;
     say('Computing the table of the C header.');
     try {
-      const [low, high] = [slowest, fastest(encounter)].map((speed) => Number((speed * c).toPrecision(4)));
-      const text = await core.header(encounter, low ?? 0, high ?? 0, headerError);
+      const [slowest, fastest] = endsOf(encounter);
+      const text = await core('header', encounter, { slowest, fastest, error: headerError });
       download('restitution.h', text, 'text/x-c');
       return `C header downloaded: ε(v) to an error of ${headerError}.`;
     } finally {
@@ -82,17 +75,17 @@ export function createShare(
   };
   on('download-png', async () => {
     const [name, picture] = chosen();
-    download(`stoss-${name}.png`, await picture.toPng());
+    download(`stoss-${name}.png`, await pngOf(picture));
     return 'PNG downloaded.';
   });
   on('download-svg', () => {
     const [name, picture] = chosen();
-    if (picture.toSvg === undefined) throw new Error('This picture is there as PNG only.');
-    download(`stoss-${name}.svg`, picture.toSvg(), 'image/svg+xml');
+    if (!('svg' in picture)) throw new Error('This picture is there as PNG only.');
+    download(`stoss-${name}.svg`, textOf(picture.svg()), 'image/svg+xml');
     return 'SVG downloaded.';
   });
   find('picture', HTMLSelectElement).addEventListener('change', () => {
-    find('download-svg', HTMLButtonElement).disabled = chosen()[1].toSvg === undefined;
+    find('download-svg', HTMLButtonElement).disabled = !('svg' in chosen()[1]);
   });
 
   const show = (next: Inputs): void => {

@@ -1,10 +1,10 @@
 // Draws the bodies of one frame: their stress, their edges, and what a single one meets.
 
-import type { Encounter, Frame, Grid } from '../core/protocol';
+import type { Encounter, Frame } from '../core/protocol';
 import type { Theme } from '../drawing/theme';
 import type { Shade } from './colors';
-import { between, faceOf, type Edge } from './interface';
-import { blockMesh, edgeOf, magnifiedCenter, meshOf, surfaceOf, type Mesh, type Placed } from './mesh';
+import { between, faceOf } from './interface';
+import { edgeOf, meshOf, type Line, type Mesh, type Part } from './parts';
 import { paintMesh, type Pixels } from './raster';
 import type { Layout } from './view';
 
@@ -21,7 +21,7 @@ export interface Drawing {
 export interface Scratch {
   canvas: HTMLCanvasElement;
   image: ImageData | undefined;
-  meshes: (Mesh | undefined)[];
+  meshes: Mesh[];
 }
 
 export function newScratch(): Scratch {
@@ -30,47 +30,30 @@ export function newScratch(): Scratch {
 
 /** Draws one frame. */
 export function drawBodies(
-  to: Drawing, frame: Frame, placed: Placed[], grid: Grid, magnification: number, against: Encounter['against']['kind'],
+  to: Drawing, { bodies }: Frame, parts: Part[], magnification: number, against: Encounter['against']['kind'],
   scratch: Scratch,
 ): void {
-  const meshes = placed.map((body, n) =>
-    (scratch.meshes[n] = meshOf(body, frame.bodies[n]!, grid, magnification, scratch.meshes[n])));
-  const edges: Edge[] = placed.map((body, n) => edgeOf(body, meshes[n]!));
-  const curvatures = placed.map((body) => (body.kind === 'rod' ? 0 : 1 / body.radius));
-  const block = frame.block && grid.below &&
-    (scratch.meshes[placed.length] = blockMesh(frame.block, grid.below, magnification, scratch.meshes[placed.length]));
-  if (block) {
-    edges.push(surfaceOf(block));
-    curvatures.push(0);
-  }
-  const seam = edges.length === 2 ? seamOf(edges as [Edge, Edge], curvatures as [number, number]) : undefined;
-  placed.forEach((body, n) => beside(to, seam, n === 0, () => {
-    strokeRest(to, body, magnifiedCenter(body, frame.bodies[n]!.center, magnification));
-    paint(to, meshes[n]!, frame.bodies[n]![to.shade.quantity], scratch);
-    strokeEdge(to, edges[n]!, true);
-  }));
+  const meshes = parts.map((part, n) =>
+    (scratch.meshes[n] = meshOf(part, bodies[n]!, magnification, scratch.meshes[n])));
+  const edges = parts.map((part, n) => edgeOf(part, meshes[n]!));
+  const seam = parts.length === 2
+    ? seamOf(edges as [Line, Line], parts.map(({ curvature }) => curvature) as [number, number]) : undefined;
+  parts.forEach((part, n) => {
+    to.context.save();
+    if (seam) clipBeside(to, seam, n === 0);
+    if (part.open) clipDeep(to);
+    else strokeEdge(to, edgeOf(part, part, magnification * (bodies[n]!.center - part.center)), true, true);
+    paint(to, meshes[n]!, bodies[n]![to.shade.quantity], scratch);
+    strokeEdge(to, edges[n]!, !part.open);
+    to.context.restore();
+  });
   if (against === 'wall') drawWall(to);
-  if (block) {
-    beside(to, seam, false, () => {
-      clipDeep(to);
-      paint(to, block, frame.block![to.shade.quantity], scratch);
-      strokeEdge(to, edges[1]!, false);
-    });
-  }
 }
 
 /** The line where two edges meet, at the heights of the points of the lower face. */
-function seamOf(edges: [Edge, Edge], curvatures: [number, number]): Edge {
+function seamOf(edges: [Line, Line], curvatures: [number, number]): Line {
   const [first, second] = edges.map((edge) => Array.from(faceOf(edge).y)) as [number[], number[]];
   return between(...edges, curvatures, first.at(-1)! <= second.at(-1)! ? first : second);
-}
-
-/** Draws left, or right, of the seam, if there is one. */
-function beside(to: Drawing, seam: Edge | undefined, left: boolean, draw: () => void): void {
-  to.context.save();
-  if (seam) clipBeside(to, seam, left);
-  draw();
-  to.context.restore();
 }
 
 /** Keeps what is shown of a half-space, which has no end. */
@@ -81,7 +64,7 @@ function clipDeep({ context, layout }: Drawing): void {
 }
 
 /** Keeps what is left, or right, of the seam; above and below it everything. */
-function clipBeside({ context, layout, width }: Drawing, seam: Edge, left: boolean): void {
+function clipBeside({ context, layout, width }: Drawing, seam: Line, left: boolean): void {
   const x = (value: number): number => layout.x + layout.scale * value;
   const y = (value: number): number => layout.y + layout.scale * value;
   const far = left ? -8 : width + 8;
@@ -123,8 +106,8 @@ function paint(to: Drawing, mesh: Mesh, stress: Float32Array, scratch: Scratch):
   context.restore();
 }
 
-/** An edge and its mirror image: around a body, or along an open surface. */
-function strokeEdge({ context, layout, theme }: Drawing, edge: Edge, closed: boolean): void {
+/** An edge and its mirror image: around a body, or along an open surface. @param rest where it would be at rest */
+function strokeEdge({ context, layout, theme }: Drawing, edge: Line, closed: boolean, rest = false): void {
   context.beginPath();
   for (const sign of closed ? [1, -1] : [-1, 1]) {
     for (let k = 0; k < edge.x.length; ++k) {
@@ -133,60 +116,39 @@ function strokeEdge({ context, layout, theme }: Drawing, edge: Edge, closed: boo
     }
   }
   if (closed) context.closePath();
-  context.lineWidth = 1.6;
+  context.lineWidth = rest ? 1 : 1.6;
   context.lineJoin = 'round';
-  context.strokeStyle = theme.text;
+  context.setLineDash(rest ? [4, 4] : []);
+  context.strokeStyle = rest ? theme.muted : theme.text;
   context.stroke();
 }
 
-/** The edge the body would have here if it were at rest. */
-function strokeRest({ context, layout, theme }: Drawing, body: Placed, center: number): void {
-  const { x, y, scale } = layout;
-  context.beginPath();
-  if (body.kind === 'rod') {
-    const [long, high] = [scale * body.radius, scale * body.halfHeight];
-    context.rect(x + scale * center - 0.5 * long, y - high, long, 2 * high);
-  } else {
-    context.arc(x + scale * center, y, scale * body.radius, 0, 2 * Math.PI);
-  }
-  context.setLineDash([4, 4]);
-  context.lineWidth = 1;
-  context.strokeStyle = theme.muted;
-  context.stroke();
-  context.setLineDash([]);
-}
+const WALL = 0.26; // thickness, in radii
 
-function hatched({ context, layout, theme }: Drawing, face: Path2D, shape: Path2D, right: number): void {
-  const height = layout.height;
+function drawWall({ context, layout, theme }: Drawing): void {
+  const { x, y, scale, height } = layout;
+  const thick = Math.min(WALL * scale, 60);
+  const top = 2 * y - height + 4;
   context.save();
+  context.beginPath();
+  context.rect(x, top, thick, height - top);
   context.fillStyle = theme.panel;
-  context.fill(shape);
-  context.clip(shape);
+  context.fill();
+  context.clip();
   context.strokeStyle = theme.muted;
   context.globalAlpha = 0.55;
   context.lineWidth = 1;
   context.beginPath();
-  for (let at = layout.x - 2 * height; at < right + height; at += 9) {
+  for (let at = x - 2 * height; at < x + thick + height; at += 9) {
     context.moveTo(at, height);
     context.lineTo(at + height, 0);
   }
   context.stroke();
   context.restore();
+  context.beginPath();
+  context.moveTo(x, top);
+  context.lineTo(x, height);
   context.strokeStyle = theme.text;
   context.lineWidth = 1.6;
-  context.stroke(face);
-}
-
-const WALL = 0.26; // thickness, in radii
-
-function drawWall(to: Drawing): void {
-  const { x, scale, height, y } = to.layout;
-  const thick = Math.min(WALL * scale, 60);
-  const top = 2 * y - height + 4;
-  const shape = new Path2D();
-  shape.rect(x, top, thick, height - top);
-  const face = new Path2D();
-  face.moveTo(x, top);
-  face.lineTo(x, height);
-  hatched(to, face, shape, x + thick);
+  context.stroke();
 }

@@ -1,7 +1,7 @@
 // The frames of a film that are there already, and what is between two of them.
 
-import type { BodyFrame, Frame, Inside } from '../core/protocol';
-import { lastNotAbove } from '../drawing/scale';
+import type { BodyFrame, Frame } from '../core/protocol';
+import { lastNotAbove } from '../drawing/samples';
 
 /** Frames in the order of their times. */
 export interface Film {
@@ -17,23 +17,17 @@ export function insertFrame(film: Film, frame: Frame): void {
   film.frames.splice(same ? k : k + 1, same ? 1 : 0, frame);
 }
 
-function mixed(a: Float32Array, b: Float32Array, share: number, into?: Float32Array): Float32Array {
-  const out = into?.length === a.length ? into : new Float32Array(a.length);
-  for (let k = 0; k < a.length; ++k) out[k] = a[k]! + share * (b[k]! - a[k]!);
-  return out;
-}
-
-function mixedInside(a: Inside, b: Inside, share: number, into?: Inside): Inside {
-  return {
-    radial: mixed(a.radial, b.radial, share, into?.radial),
-    tangential: mixed(a.tangential, b.tangential, share, into?.tangential),
-    vonMises: mixed(a.vonMises, b.vonMises, share, into?.vonMises),
-    fringes: mixed(a.fringes, b.fringes, share, into?.fringes),
+function mixed(a: BodyFrame, b: BodyFrame, share: number, into?: BodyFrame): BodyFrame {
+  const between = (name: 'radial' | 'tangential' | 'vonMises' | 'fringes'): Float32Array => {
+    const [from, to] = [a[name], b[name]];
+    const out = into?.[name].length === from.length ? into[name] : new Float32Array(from.length);
+    for (let k = 0; k < from.length; ++k) out[k] = from[k]! + share * (to[k]! - from[k]!);
+    return out;
   };
-}
-
-function mixedBody(a: BodyFrame, b: BodyFrame, share: number, into?: BodyFrame): BodyFrame {
-  return { center: a.center + share * (b.center - a.center), ...mixedInside(a, b, share, into) };
+  return {
+    center: a.center + share * (b.center - a.center), radial: between('radial'), tangential: between('tangential'),
+    vonMises: between('vonMises'), fringes: between('fringes'),
+  };
 }
 
 /** The frame of a film at any time: between two of its frames both, mixed by their distance. `into`, an earlier
@@ -44,10 +38,5 @@ export function frameAt(film: Film, time: number, into?: Frame): Frame | undefin
   const [a, b] = [film.frames[k]!, film.frames[k + 1]!];
   const share = (time - a.time) / (b.time - a.time);
   const spare = into && !film.frames.includes(into) ? into : undefined;
-  const frame: Frame = {
-    time,
-    bodies: a.bodies.map((each, n) => mixedBody(each, b.bodies[n]!, share, spare?.bodies[n])),
-  };
-  if (a.block && b.block) frame.block = mixedInside(a.block, b.block, share, spare?.block);
-  return frame;
+  return { time, bodies: a.bodies.map((each, n) => mixed(each, b.bodies[n]!, share, spare?.bodies[n])) };
 }

@@ -1,6 +1,7 @@
 // The points of a body at which frames are asked for: dense where it is struck.
 
-import type { BodyKind, Grid } from '../core/protocol';
+import type { Grid } from '../core/protocol';
+import type { BodyKind } from '../inputs/kinds';
 
 const RADII = 44;
 const ANGLES = 112;
@@ -27,10 +28,11 @@ export function gradedPlaces(count: number, first: number): number[] {
   return [...places, 1]; // rounding must not carry the last beyond its end
 }
 
-/** The grid of a body whose contact has some maximum half width, in its own radius: one half, the other mirrors it. */
+/** The grid of a body whose contact has some maximum half width, in its own radius: one half, the other mirrors it. Of
+ *  a rod `angle` goes from its middle to its side, which move alike. */
 export function gridFor(kind: BodyKind, halfWidth: number): Grid {
   if (kind === 'rod') {
-    return { radius: Float32Array.from({ length: ALONG + 1 }, (_, k) => k / ALONG), angle: new Float32Array(1) };
+    return { radius: Float32Array.from({ length: ALONG + 1 }, (_, k) => k / ALONG), angle: Float32Array.of(0, 1) };
   }
   const first = Math.max(1e-4, halfWidth / PER_HALF_WIDTH);
   const depths = gradedPlaces(RADII, first);

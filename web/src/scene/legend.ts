@@ -1,7 +1,7 @@
 // What the colours of a film mean.
 
-import { prefixFor, withUnit } from '../drawing/prefix';
-import { linearTicks } from '../drawing/ticks';
+import { scaleLinear } from 'd3-scale';
+import { prefixFor, withUnit, written } from '../drawing/numbers';
 import type { Theme } from '../drawing/theme';
 import { cssOf, pixelOf, type Shade } from './colors';
 
@@ -37,9 +37,8 @@ export function drawLegend(
   context.textAlign = 'center';
   const { size, unit } = prefixFor(end * (modulus ?? 1), modulus === undefined ? 'E' : 'Pa');
   const last = fringes ? ORDERS : (end * (modulus ?? 1)) / size;
-  for (const tick of linearTicks(0, last, 5)) {
-    context.fillText(tick.label, start + (wide * tick.value) / last, top + 23);
-  }
+  const scale = scaleLinear([0, last], [start, start + wide]);
+  for (const tick of scale.ticks(5)) context.fillText(written(tick), scale(tick), top + 23);
   context.fillStyle = theme.text;
   const words = fringes
     ? `fringe order, one every σ₁ − σ₂ = ${stressInWords(shade.unit, modulus)}`

@@ -1,9 +1,8 @@
 // What a collision does at one time, in words.
 
 import type { Collision } from '../core/protocol';
-import { interpolate } from '../drawing/scale';
-import { withUnit } from '../drawing/prefix';
-import { unitInWords, written } from '../drawing/ticks';
+import { interpolate } from '../drawing/samples';
+import { withUnit, unitInWords, written } from '../drawing/numbers';
 
 export type Phase = 'approach' | 'compression' | 'restitution' | 'apart';
 

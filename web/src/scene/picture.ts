@@ -1,24 +1,14 @@
 // One picture of a film: bodies, what it says about itself, and its legend.
 
+import { unitsOf } from '../core/local';
 import type { Frame } from '../core/protocol';
-import { modulus } from '../drawing/si';
 import type { Theme } from '../drawing/theme';
 import { drawBodies, type Scratch } from './bodies';
-import { shadeOf, type Quantity, type Shade } from './colors';
+import { shadeOf, type Quantity } from './colors';
 import { drawLegend, LEGEND } from './legend';
 import { phaseAt, timeInWords } from './phases';
 import type { Show } from './show';
 import { HEAD, layoutOf } from './view';
-
-const shades = new Map<string, Shade>();
-
-function sharedShade(quantity: Quantity, unit: number, dark: boolean): Shade {
-  const name = `${quantity} ${unit} ${dark}`;
-  const known = shades.get(name) ?? shadeOf(quantity, unit, dark);
-  if (shades.size > 16) shades.clear();
-  shades.set(name, known);
-  return known;
-}
 
 /** Height of a picture of some width, in CSS pixels. */
 export function pictureHeight(show: Show, width: number): number {
@@ -34,7 +24,7 @@ export function drawPicture(
   const layout = layoutOf(show.view, width, density);
   const rods = show.encounter.kind === 'rod';
   const shown = rods ? 'vonMises' : quantity; // bands tell little of a stress that is the same across a rod
-  const shade = sharedShade(shown, show.units[shown], theme.dark);
+  const shade = shadeOf(shown, show.units[shown], theme.dark);
   context.setTransform(density, 0, 0, density, 0, 0);
   context.fillStyle = theme.background;
   context.fillRect(0, 0, width, layout.height + LEGEND);
@@ -43,7 +33,7 @@ export function drawPicture(
   context.rect(0, HEAD - 4, width, layout.height - HEAD + 4);
   context.clip();
   const to = { context, layout, density, width, theme, shade };
-  drawBodies(to, frame, show.placed, show.grid, show.magnification, show.encounter.against.kind, scratch);
+  drawBodies(to, frame, show.parts, show.magnification, show.encounter.against.kind, scratch);
   context.restore();
   context.fillStyle = theme.text;
   context.font = '13px system-ui, sans-serif';
@@ -53,6 +43,6 @@ export function drawPicture(
   context.fillStyle = theme.muted;
   const { magnification } = show;
   context.fillText(magnification === 1 ? 'true displacements' : `displacements × ${magnification}`, width - 4, 16);
-  drawLegend(context, 8, layout.height + 2, width - 16, theme, shade, modulus(show.encounter),
+  drawLegend(context, 8, layout.height + 2, width - 16, theme, shade, unitsOf(show.encounter).modulus,
     rods ? 'stress |σ|' : 'von Mises stress');
 }

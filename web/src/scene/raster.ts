@@ -1,7 +1,7 @@
 // A mesh with stress at its points becomes pixels.
 
 import { contrast, pixelOf, type Shade } from './colors';
-import type { Mesh } from './mesh';
+import type { Mesh } from './parts';
 
 /** Pixels of the upper half of a picture: row 0 lies on the line of impact, rows go up. */
 export interface Pixels {
@@ -19,19 +19,13 @@ export interface Transform {
 /** Paints every cell of a mesh, in the colours of the stress at its points. */
 export function paintMesh(pixels: Pixels, mesh: Mesh, stress: Float32Array, to: Transform, shade: Shade): void {
   const { rows, columns, x, y } = mesh;
-  const across = stress.length === x.length ? columns : 1; // a rod's stress is the same across it
+  const triangle = (a: number, b: number, c: number): void => paintTriangle(pixels,
+    to.origin + to.scale * x[a]!, to.scale * y[a]!, stress[a]!, to.origin + to.scale * x[b]!, to.scale * y[b]!,
+    stress[b]!, to.origin + to.scale * x[c]!, to.scale * y[c]!, stress[c]!, shade);
   for (let i = 0; i + 1 < rows; ++i) {
-    for (let j = 0; j + 1 < columns; ++j) {
-      const a = i * columns + j;
-      const c = a + columns;
-      const s = across === 1 ? i : a;
-      const t = across === 1 ? i + 1 : c;
-      const right = across === 1 ? 0 : 1;
-      const [sa, sb, sc, sd] = [stress[s]!, stress[s + right]!, stress[t]!, stress[t + right]!];
-      const xa = to.origin + to.scale * x[a]!, ya = to.scale * y[a]!;
-      const xd = to.origin + to.scale * x[c + 1]!, yd = to.scale * y[c + 1]!;
-      paintTriangle(pixels, xa, ya, sa, to.origin + to.scale * x[a + 1]!, to.scale * y[a + 1]!, sb, xd, yd, sd, shade);
-      paintTriangle(pixels, xa, ya, sa, to.origin + to.scale * x[c]!, to.scale * y[c]!, sc, xd, yd, sd, shade);
+    for (let j = 0, k = i * columns; j + 1 < columns; ++j, ++k) {
+      triangle(k, k + 1, k + columns + 1);
+      triangle(k, k + columns, k + columns + 1);
     }
   }
 }

@@ -1,38 +1,68 @@
-// The scale of colours of a film, from the stress in some of its frames.
+// Scales that all frames of a film share: how much displacements are magnified, and what its colours stand for.
 
-import type { Frame, Grid } from '../core/protocol';
-import { roundUp } from '../drawing/ticks';
+import type { BodyFrame, Frame } from '../core/protocol';
+import { roundDown, roundUp } from '../drawing/numbers';
 import type { Quantity } from './colors';
+import { cross, displacementOf, sidesOf, type Part } from './parts';
+
+const VISIBLE = 0.18; // maximum displacement in the picture, in radii of the body
+const LEAST_AREA = 0.12; // of a magnified cell, of what it is at rest
+
+/** The maximum magnification at which every piece of a part keeps its orientation and some of its area. */
+export function unfoldedUpTo(part: Part, now: BodyFrame): number {
+  const displacement = displacementOf(part, now);
+  return part.cells.reduce((least, { corners, sides: [down, across], area }) => {
+    const [moreDown, moreAcross] = sidesOf(displacement, corners);
+    const linear = cross(moreDown, across) + cross(down, moreAcross);
+    return Math.min(least, firstBelow(linear / area, cross(moreDown, moreAcross) / area));
+  }, Infinity);
+}
+
+/** The least m > 0 with 1 + linear m + square m² = LEAST_AREA. */
+function firstBelow(linear: number, square: number): number {
+  const left = 1 - LEAST_AREA;
+  if (Math.abs(square) < 1e-14) return linear < 0 ? -left / linear : Infinity;
+  const discriminant = linear * linear - 4 * square * left;
+  if (discriminant < 0) return Infinity;
+  const root = Math.sqrt(discriminant);
+  const both = [(-linear - root) / (2 * square), (-linear + root) / (2 * square)];
+  return Math.min(...both.map((each) => (each > 0 ? each : Infinity)));
+}
+
+/** The magnification of a film, 1, 2, 5, 10, …: the same for all its frames and parts. */
+export function magnificationOf(frames: Frame[], parts: Part[]): number {
+  let limit = Infinity;
+  let displaced = 0;
+  for (const { bodies } of frames) {
+    bodies.forEach((now, n) => {
+      for (const values of [now.radial, now.tangential]) {
+        for (const each of values) displaced = Math.max(displaced, Math.abs(each));
+      }
+      limit = Math.min(limit, unfoldedUpTo(parts[n]!, now));
+    });
+  }
+  const wanted = Math.min(limit, VISIBLE / displaced);
+  return wanted > 1 && Number.isFinite(wanted) ? roundDown(wanted) : 1;
+}
 
 const COVERED = 0.99; // of a body's area is within the scale, in every frame
 const ORDERS = 6; // fringes, at most, in that share
 
-/** The stress that is not exceeded in a share of the area of a body. */
-export function coveringStress(values: Float32Array, grid: Grid, covered = COVERED): number {
-  const columns = grid.angle.length;
-  const width = (places: Float32Array, k: number): number =>
-    places.length === 1 ? 1 : (places[Math.min(k + 1, places.length - 1)]! - places[Math.max(k - 1, 0)]!) / 2;
-  const turns = Array.from(grid.angle, (_, j) => width(grid.angle, j));
-  const weight = Float64Array.from(values, (_, k) => {
-    const i = Math.floor(k / columns);
-    return (columns === 1 ? 1 : grid.radius[i]!) * width(grid.radius, i) * turns[k % columns]!;
-  });
-  const order = Array.from(values.keys()).sort((a, b) => values[a]! - values[b]!);
-  const whole = weight.reduce((sum, each) => sum + each, 0);
+/** The stress that is not exceeded in a share of the area of a part. */
+export function coveringStress(part: Part, values: Float32Array, covered = COVERED): number {
+  const cells = part.cells.map(({ corners, area }) => ({
+    area: Math.abs(area), stress: 0.25 * corners.reduce((sum, k) => sum + values[k]!, 0),
+  })).sort((a, b) => a.stress - b.stress);
+  const whole = cells.reduce((sum, { area }) => sum + area, 0);
   let sum = 0;
-  for (const k of order) {
-    sum += weight[k]!;
-    if (sum >= covered * whole) return values[k]!;
-  }
-  return values[order[order.length - 1]!] ?? 0;
+  return cells.find(({ area }) => (sum += area) >= covered * whole)?.stress ?? cells.at(-1)!.stress;
 }
 
-/** Stress of the last colour, or from fringe to fringe: a round number, in the modulus of the first body. */
-export function stressUnit(quantity: Quantity, frames: Frame[], grid: Grid): number {
-  let greatest = 0;
-  for (const frame of frames) {
-    for (const body of frame.bodies) greatest = Math.max(greatest, coveringStress(body[quantity], grid));
-  }
+/** Stress of the last colour, or from fringe to fringe, in the modulus of the first body: a round number that suits the
+ *  bodies, for a half-space has no end. */
+export function stressUnit(quantity: Quantity, frames: Frame[], parts: Part[]): number {
+  const greatest = Math.max(0, ...frames.flatMap(({ bodies }) => bodies.flatMap((now, n) =>
+    (parts[n]!.open ? [] : [coveringStress(parts[n]!, now[quantity])]))));
   if (!(greatest > 0)) return 1;
   return roundUp(quantity === 'fringes' ? greatest / ORDERS : greatest);
 }

@@ -1,23 +1,22 @@
 // What a film of one collision needs: its frames, and the scales that all of them share.
 
 import type { Collision, Core, Encounter, Frame, Grid } from '../core/protocol';
+import { sizeOf } from '../inputs/kinds';
 import type { Quantity } from './colors';
 import { insertFrame, type Film } from './frames';
 import { gridBelow, gridFor } from './grid';
-import { magnificationOf } from './magnify';
-import type { Placed } from './mesh';
-import { stressUnit } from './scales';
+import { partsOf, type Part } from './parts';
+import { magnificationOf, stressUnit } from './scales';
 import { coarseToFine, filmSpan } from './schedule';
-import { placedBodies, viewOf, type View } from './view';
+import { viewOf, type View } from './view';
 
 export interface Show {
   encounter: Encounter;
   collision: Collision;
-  grid: Grid;
   film: Film;
   from: number;
   to: number;
-  placed: Placed[];
+  parts: Part[];
   magnification: number;
   view: View;
   units: Record<Quantity, number>;
@@ -46,28 +45,29 @@ export async function produce(
   const { from, to } = filmSpan(collision.begin, collision.end);
   const [first, ...rest] = coarseToFine(from, to, FIRST, LEVELS);
   const film: Film = { times: [], frames: [] };
-  const add = (frame: Frame): void => insertFrame(film, frame);
-  await core.frames(encounter, speed, cutoff, first!, grid, add, signal);
+  const ask = (times: number[]): Promise<void> => core('frames', encounter, { speed, cutoff, times, grid },
+    { deliver: (frame) => insertFrame(film, frame), signal });
+  await ask(first!);
   signal.throwIfAborted();
   if (!film.frames.length) return;
-  const bodies = collision.bodies.filter((each) => each.kind !== 'half-space');
-  const placed = placedBodies(encounter, bodies.map((each) => each.radius));
-  const magnification = magnificationOf(film.frames, grid);
+  const { frames } = film;
+  const parts = partsOf(encounter, collision, grid);
+  const magnification = magnificationOf(frames, parts);
   ready({
-    encounter, collision, grid, film, from, to, placed, magnification,
-    view: viewOf(film.frames, placed, grid, magnification, encounter.against.kind),
-    units: { fringes: stressUnit('fringes', film.frames, grid), vonMises: stressUnit('vonMises', film.frames, grid) },
-    secondAtRest: secondIsAtRest(film.frames),
+    encounter, collision, film, from, to, parts, magnification,
+    view: viewOf(frames, parts, magnification, encounter.against.kind),
+    units: { fringes: stressUnit('fringes', frames, parts), vonMises: stressUnit('vonMises', frames, parts) },
+    secondAtRest: secondIsAtRest(frames),
   });
   for (const times of rest) {
-    await core.frames(encounter, speed, cutoff, times, grid, add, signal);
+    await ask(times);
     signal.throwIfAborted();
     finer();
   }
 }
 
 /** Maximum half width of the contact in radii of the larger body, whose smallest part it is. */
-function relativeHalfWidth({ si, first }: Encounter, { bodies, halfWidth }: Collision): number {
-  const greatest = halfWidth.reduce((most, each) => Math.max(most, each), 0) / (si ? first.radius : 1);
-  return greatest / Math.max(...bodies.filter((each) => each.kind !== 'half-space').map((each) => each.radius));
+function relativeHalfWidth({ kind, si, first }: Encounter, { bodies, halfWidth }: Collision): number {
+  const greatest = halfWidth.reduce((most, each) => Math.max(most, each), 0) / (si ? first[sizeOf(kind)] : 1);
+  return greatest / Math.max(...bodies.map(({ radius }) => radius));
 }

@@ -1,8 +1,8 @@
 // What part of the plane a film shows, and how large.
 
-import type { Encounter, Frame, Grid } from '../core/protocol';
+import type { Encounter, Frame } from '../core/protocol';
 import { DEEP } from './grid';
-import { edgeOf, meshOf, type Placed } from './mesh';
+import { edgeOf, meshOf, type Part } from './parts';
 
 /** In radii of the first body; the line of impact is y = 0. */
 export interface View {
@@ -11,43 +11,30 @@ export interface View {
   half: number;
 }
 
-const ROD = 0.1; // half the thickness of the first rod, in its lengths
 const ZOOM = 4.6; // a body is shown as far as this many radii of the smaller one
 const GROUND = 0.3; // a wall's thickness
 const MARGIN = 0.08;
 
-/** The bodies of a collision in the picture; a half-space is none of them. */
-export function placedBodies(encounter: Encounter, radii: number[]): Placed[] {
-  const second = encounter.against.kind === 'body' ? encounter.against.body : encounter.first;
-  return radii.map((radius, n) => ({
-    kind: encounter.kind,
-    radius: radius / radii[0]!,
-    facing: n === 0 ? 1 : -1,
-    halfHeight: n === 0 ? ROD : Math.min(0.4, Math.max(0.03, ROD * Math.sqrt(second.area / encounter.first.area))),
-  }));
-}
-
 /** The view in which all frames fit, as far as the smaller body lets the larger one be seen. */
 export function viewOf(
-  frames: Frame[], placed: Placed[], grid: Grid, magnification: number, against: Encounter['against']['kind'],
+  frames: Frame[], parts: Part[], magnification: number, against: Encounter['against']['kind'],
 ): View {
   const view: View = { left: 0, right: 0, half: 0 };
+  const bounded = parts.filter(({ open }) => !open);
   for (const frame of frames) {
-    placed.forEach((body, n) => {
-      const edge = edgeOf(body, meshOf(body, frame.bodies[n]!, grid, magnification));
-      for (const x of edge.x) {
-        view.left = Math.min(view.left, x);
-        view.right = Math.max(view.right, x);
-      }
-      for (const y of edge.y) view.half = Math.max(view.half, y);
+    bounded.forEach((part, n) => {
+      const edge = edgeOf(part, meshOf(part, frame.bodies[n]!, magnification));
+      view.left = Math.min(view.left, ...Array.from(edge.x));
+      view.right = Math.max(view.right, ...Array.from(edge.x));
+      view.half = Math.max(view.half, ...Array.from(edge.y));
     });
   }
-  const small = Math.min(...placed.map((each) => each.radius));
+  const small = Math.min(...bounded.map(({ size }) => size));
   const reach = ZOOM * small;
   view.left = Math.max(view.left - MARGIN * small, -reach);
   view.right = Math.min(view.right + MARGIN * small, reach);
   view.half = Math.min(view.half + MARGIN * small, 0.5 * reach);
-  if (against === 'wall') view.right = GROUND * (placed[0]!.kind === 'rod' ? 0.3 : 1);
+  if (against === 'wall') view.right = GROUND * (parts[0]!.curvature === 0 ? 0.3 : 1);
   if (against === 'half-space') view.right = Math.max(view.right, DEEP);
   return view;
 }

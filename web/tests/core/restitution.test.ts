@@ -1,11 +1,12 @@
 // ε of the page's core, and all that comes with it, are those of the native command.
 import { describe, expect, it } from 'vitest';
-import type { Body, CurvePoint, Encounter, Restitution } from '../../src/core/protocol';
-import { madeOf, materialNamed } from '../../src/inputs/materials';
+import type { Body, Encounter } from '../../src/core/protocol';
+import { madeOf } from '../../src/inputs/document';
+import { materialNamed } from '../../src/inputs/kinds';
 import { curveSpeeds } from '../../src/inputs/speeds';
 import { cases } from '../unit/cases';
 import { hasCommand, restitution } from './native';
-import { ask, hasCore } from './wasm';
+import { ask } from './wasm';
 
 const one = cases[0]!.encounter;
 const ball = cases[4]!.encounter;
@@ -26,11 +27,11 @@ const sameError = 1e-10;
 const rounding = 1e-14;
 const shares = ['lost_fraction', 'lost_to_first', 'lost_to_second', 'dissipated'];
 
-describe.skipIf(!hasCore || !hasCommand)('restitution', { timeout: 60_000 }, () => {
+describe.skipIf(!hasCommand)('restitution', { timeout: 60_000 }, () => {
   it.each(all.map((each, index) => [index, ...each] as const))('of case %i is that of the command',
     (_, encounter, speed, tolerance) => {
       const row = restitution(encounter, speed, tolerance);
-      const ours = ask('restitution', encounter, speed, tolerance).value as Restitution;
+      const ours = ask('restitution', encounter, { speed, tolerance }).value;
       expect(ours.converged).toBe(row.converged);
       let compared = 0;
       for (const [name, { value, error }] of Object.entries(ours.quantities)) {
@@ -59,7 +60,7 @@ describe.skipIf(!hasCore || !hasCommand)('restitution', { timeout: 60_000 }, () 
       [{ ...steel, first: made('glass', 0.005), against: { kind: 'half-space', body: met } }, true],
       [{ ...steel, first: made('glass', 0.005) }, false], [{ ...steel, kind: 'disk' }, false],
     ] as [Encounter, boolean][]) {
-      const { yieldSpeed } = ask('restitution', encounter, 0.1, 1e-2).value as Restitution;
+      const { yieldSpeed } = ask('restitution', encounter, { speed: 0.1, tolerance: 1e-2 }).value;
       const theirs = restitution(encounter, 0.1, 1e-2).yield_speed_si as number | undefined;
       expect([yieldSpeed !== undefined, theirs !== undefined]).toEqual([known, known]);
       if (known) expect(Math.abs(yieldSpeed! / theirs! - 1)).toBeLessThan(1e-12);
@@ -70,17 +71,17 @@ describe.skipIf(!hasCore || !hasCommand)('restitution', { timeout: 60_000 }, () 
     for (const kind of ['disk', 'sphere'] as const) {
       const soft: Encounter = { ...one, kind, against: { kind: 'half-space', body: { ...one.first, young: 0.02 } } };
       const speeds = [Math.max(...curveSpeeds(soft))];
-      expect((ask('curve', soft, speeds, 1e-2).all as CurvePoint[])[0]!.restitution).toBeGreaterThan(0);
-      expect(() => ask('curve', soft, [0.5], 1e-2)).toThrow('at a soft half-space');
+      expect(ask('curve', soft, { speeds, tolerance: 1e-2 }).all[0]!.restitution).toBeGreaterThan(0);
+      expect(() => ask('curve', soft, { speeds: [0.5], tolerance: 1e-2 })).toThrow('at a soft half-space');
     }
   });
 
   it('at many speeds is that at each', () => {
     const speeds = [0.2, 0.01, 0.05];
-    const points = ask('curve', one, speeds, 1e-3).all as CurvePoint[];
+    const points = ask('curve', one, { speeds, tolerance: 1e-3 }).all;
     expect(points.map((point) => point.speed)).toEqual(speeds);
     for (const point of points) {
-      const alone = ask('restitution', one, point.speed, 1e-3).value as Restitution;
+      const alone = ask('restitution', one, { speed: point.speed, tolerance: 1e-3 }).value;
       expect(point.restitution).toBe(alone.quantities.restitution!.value);
       expect(point.error).toBe(alone.quantities.restitution!.error);
       expect(point.converged).toBe(true);
@@ -88,7 +89,7 @@ describe.skipIf(!hasCore || !hasCommand)('restitution', { timeout: 60_000 }, () 
   });
 });
 
-describe.skipIf(!hasCore)('what is wrong', () => {
+describe('what is wrong', () => {
   it.each([
     [{ ...one, first: { ...one.first, poisson: 7 } }, 0.1, 'poisson: got 7'],
     [one, 2, 'speed: got 2, allowed 1e-08 to 1 c'],
@@ -96,9 +97,9 @@ describe.skipIf(!hasCore)('what is wrong', () => {
     [{ ...one, against: { kind: 'body', body: { ...one.first, radius: -1 } } }, 0.1, 'against radius: got -1'],
     [{ ...one, kind: 'rod', against: { kind: 'half-space', body: one.first } }, 0.1, 'against: got half-space'],
   ] as [Encounter, number, string][])('is refused with one line: case %#', (encounter, speed, line) => {
-    expect(() => ask('restitution', encounter, speed, 1e-2)).toThrow(line);
+    expect(() => ask('restitution', encounter, { speed, tolerance: 1e-2 })).toThrow(line);
   });
   it('leaves the core as it was', () => {
-    expect((ask('restitution', one, 0.1, 1e-2).value as Restitution).converged).toBe(true);
+    expect((ask('restitution', one, { speed: 0.1, tolerance: 1e-2 }).value).converged).toBe(true);
   });
 });

@@ -1,22 +1,19 @@
 // The core of the page in Node.js.
-import { existsSync, readFileSync } from 'node:fs';
+import { readFileSync } from 'node:fs';
 import { fileURLToPath } from 'node:url';
-import { createAnswer } from '../../src/core/calls';
-import type { Calls } from '../../src/core/messages';
+import type { Encounter, Questions } from '../../src/core/protocol';
+import { answer, callOf, instantiate } from '../../src/core/wasm';
 
 const path = fileURLToPath(new URL('../../../build/wasm/stoss.wasm', import.meta.url));
 
-/** Whether the core is compiled. */
-export const hasCore = existsSync(path);
+export const core = await instantiate(new WebAssembly.Module(Uint8Array.from(readFileSync(path))), () => {});
 
-const answer = hasCore
-  ? createAnswer(await (await import('../../src/core/wasm')).instantiate(
-      new WebAssembly.Module(Uint8Array.from(readFileSync(path))), () => {}))
-  : (): never => { throw new Error('the core is not compiled'); };
-
-/** The answer to a call, and what it delivered. */
-export function ask<Name extends keyof Calls>(name: Name, ...given: Calls[Name]): { value: unknown; all: unknown[] } {
-  const all: unknown[] = [];
-  const value = answer({ name, arguments: given } as never, (each, index) => { all[index] = each; });
-  return { value, all };
+/** The answer to a question, and what it delivered. */
+export function ask<Name extends keyof Questions>(
+  question: Name, encounter: Encounter, given: Parameters<Questions[Name]>[0],
+): { value: ReturnType<Questions[Name]>; all: (Parameters<Questions[Name]>[1] & {})[] } {
+  const all: (Parameters<Questions[Name]>[1] & {})[] = [];
+  const value = answer(core, question, callOf(question, encounter, given).given,
+    (each, index) => void (all[index] = each));
+  return { value: value as ReturnType<Questions[Name]>, all };
 }

@@ -1,7 +1,8 @@
 // A core that invents numbers at once: to develop the page without WebAssembly. It is never shipped.
-import type { BodyFrame, Collision, Core, CurvePoint, Encounter, Frame, Restitution } from '../../src/core/protocol';
+import type { Asking, BodyFrame, Collision, Core, Encounter, Questions, Restitution } from '../../src/core/protocol';
 import { CoreError } from '../../src/core/protocol';
-import { barSpeed } from '../../src/inputs/scales';
+import { setLocal } from '../../src/core/local';
+import { barSpeed } from '../../src/inputs/units';
 
 const wait = (time: number, signal?: AbortSignal): Promise<void> =>
   new Promise((resolve, reject) => {
@@ -78,47 +79,82 @@ function bodyFrame(time: number, radius: Float32Array, angle: Float32Array): Bod
   };
 }
 
-/** The core of the tests; it refuses the speed 0.777. */
-export function createCore(): Core {
-  return {
-    async restitution(encounter, speed, tolerance, signal) {
-      await wait(tolerance > 5e-3 ? 15 : 200, signal);
-      if (speed === 0.777) throw new CoreError('speed: got 0.777, allowed up to 0.5 (the wave speed there)');
-      return restitution(encounter, speed, tolerance);
-    },
-    async collision(encounter, speed, _cutoff, signal) {
-      await wait(50, signal);
-      return collision(encounter, speed);
-    },
-    async frames(_encounter, _speed, _cutoff, times, grid, deliver, signal) {
-      for (const [index, time] of times.entries()) {
-        await wait(4, signal);
-        const frame: Frame = { time, bodies: [bodyFrame(time, grid.radius, grid.angle)] };
-        deliver(frame, index);
+/** Units of steel for all that has a material; it takes every encounter and speed. */
+const local: Record<string, (given: Record<string, string>) => unknown> = {
+  units({ document = '' }) {
+    const si = document.includes('material');
+    const elastic = { young: 1, poisson: 0.3 };
+    const units = { speed: si ? 5185 : 1, time: si ? 1.9e-6 : 1, frequency: si ? 5.2e5 : 1, first: elastic };
+    return { ...units, second: elastic, ...(si ? { modulus: 2.1e11 } : {}) };
+  },
+  speed: ({ speed }) => speed,
+  number({ name, text }) {
+    if (!Number.isFinite(Number(text))) throw new CoreError(`${name}: got '${text}'`);
+    return Number(text);
+  },
+  series({ text = '' }) {
+    const [low = 1e-6, high = 0.5, count = 49] = text.split(':').slice(1).map(Number);
+    const step = (high / low) ** (1 / (count - 1));
+    return Float64Array.from({ length: count }, (_, k) => low * step ** k);
+  },
+};
+
+type Answers = {
+  [Name in keyof Questions]: (encounter: Encounter, given: Parameters<Questions[Name]>[0],
+    asking: Asking<Parameters<Questions[Name]>[1] & {}>) => Promise<ReturnType<Questions[Name]>>;
+};
+
+/** It refuses the speed 0.777. */
+const answers: Answers = {
+  async restitution(encounter, { speed, tolerance }, { signal }) {
+    await wait(tolerance > 5e-3 ? 15 : 200, signal);
+    if (speed === 0.777) throw new CoreError('speed: got 0.777, allowed up to 0.5 (the wave speed there)');
+    return restitution(encounter, speed, tolerance);
+  },
+  async collision(encounter, { speed }, { signal }) {
+    await wait(50, signal);
+    return collision(encounter, speed);
+  },
+  async frames(_encounter, { times, grid }, { deliver, signal }) {
+    for (const [index, time] of times.entries()) {
+      await wait(4, signal);
+      deliver?.({ time, bodies: [bodyFrame(time, grid.radius, grid.angle)] }, index);
+    }
+  },
+  async shape(_encounter, { order, grid }) {
+    await wait(5);
+    const size = grid.radius.length * grid.angle.length;
+    const angle = (i: number): number => grid.angle[i % grid.angle.length]!;
+    const radius = (i: number): number => grid.radius[Math.floor(i / grid.angle.length)]!;
+    return {
+      radial: Float32Array.from({ length: size }, (_, i) => radius(i) * Math.cos(order * angle(i))),
+      tangential: Float32Array.from({ length: size }, (_, i) => -0.5 * radius(i) * Math.sin(order * angle(i))),
+    };
+  },
+  async curve(encounter, { speeds, tolerance }, { deliver, signal }) {
+    for (const [index, speed] of speeds.entries()) {
+      await wait(30, signal);
+      const { value, error = 0 } = restitution(encounter, speed, tolerance).quantities.restitution!;
+      deliver?.({ speed, restitution: value, error, converged: true }, index);
+    }
+  },
+  async header(_encounter, { slowest, fastest, error }, { signal }) {
+    await wait(100, signal);
+    return `/* ${slowest} ${fastest} ${error} */\n`;
+  },
+};
+
+/** The core of the tests. */
+export async function createCore(): Promise<Core> {
+  setLocal({
+    ask(question, given) {
+      try {
+        return { value: local[question]!(given as Record<string, string>) };
+      } catch (error) {
+        return { error: (error as Error).message };
       }
     },
-    async shape(_encounter, _body, order, _index, grid) {
-      await wait(5);
-      const size = grid.radius.length * grid.angle.length;
-      const angle = (i: number): number => grid.angle[i % grid.angle.length]!;
-      const radius = (i: number): number => grid.radius[Math.floor(i / grid.angle.length)]!;
-      return {
-        radial: Float32Array.from({ length: size }, (_, i) => radius(i) * Math.cos(order * angle(i))),
-        tangential: Float32Array.from({ length: size }, (_, i) => -0.5 * radius(i) * Math.sin(order * angle(i))),
-      };
-    },
-    async curve(encounter, speeds, tolerance, deliver, signal) {
-      for (const [index, speed] of speeds.entries()) {
-        await wait(30, signal);
-        const value = restitution(encounter, speed, tolerance);
-        const { value: e, error = 0 } = value.quantities.restitution!;
-        const point: CurvePoint = { speed, restitution: e, error, converged: true };
-        deliver(point, index);
-      }
-    },
-    async header(_encounter, slowest, fastest, error, signal) {
-      await wait(100, signal);
-      return `/* ${slowest} ${fastest} ${error} */\n`;
-    },
-  };
+  });
+  return ((question: keyof Questions, encounter: Encounter, given: never, asking: never = {} as never) =>
+    answers[question](encounter, given, asking)) as Core;
 }

@@ -3,10 +3,10 @@ import { execFileSync } from 'node:child_process';
 import { describe, expect, it } from 'vitest';
 import { commandArguments, commandLine } from '../../src/inputs/command_line';
 import { curveCsv } from '../../src/inputs/csv';
-import { lossTimeOf, materials } from '../../src/inputs/materials';
+import { materials } from '../../src/inputs/kinds';
 import { shortest } from '../../src/inputs/number';
 import { pythonLines } from '../../src/inputs/python_lines';
-import { barSpeed } from '../../src/inputs/scales';
+import { barSpeed } from '../../src/inputs/units';
 import { withError } from '../../src/inputs/digits';
 import { cases } from '../unit/cases';
 import { command, python } from './build';
@@ -95,7 +95,7 @@ describe.skipIf(python === undefined)('the materials', () => {
     const values = '[k, m.young, m.poisson, m.density, m.loss_time or 0.0, m.yield_strength]';
     const program = `import json, stoss\nprint(json.dumps([${values} for k, m in stoss.materials.items()]))`;
     const theirs = JSON.parse(run(python!, ['-'], program)) as unknown;
-    expect(materials.map((m) => [m.name, m.young, m.poisson, m.density, lossTimeOf(m),
-      m.yieldStrength ?? null])).toEqual(theirs);
+    expect(materials.map((m) => [m.name, m.young, m.poisson, m.density, m.loss_time,
+      m.yield_strength ?? null])).toEqual(theirs);
   });
 });

@@ -26,7 +26,7 @@ describe.skipIf(missing !== '')(`the inputs of the page${missing && ` (${missing
     expect(await page.isChecked('input[name=body][value=sphere]')).toBe(true);
     expect(await page.isChecked('input[name=units][value=SI]')).toBe(true);
     expect(await page.inputValue('#field-young')).toBe('2.1e11');
-    expect(await page.inputValue('#field-lossTime2')).toBe('1e-8');
+    expect(await page.inputValue('#field-loss_time2')).toBe('1e-8');
     expect(await page.inputValue('#against')).toBe('half-space');
     expect(await page.inputValue('#field-speed')).toBe('1');
     expect(await page.locator('#kept li').count()).toBe(1);
@@ -110,7 +110,7 @@ describe.skipIf(missing !== '')(`the inputs of the page${missing && ` (${missing
     expect(await page.isVisible('#field-speed-problem')).toBe(false);
     await page.selectOption('#material', 'rubber');
     expect(await page.inputValue('#field-speed')).toBe('50');
-    expect(await page.textContent('#field-speed-problem')).toContain('here c = 42.64 m/s');
+    expect(await page.textContent('#field-speed-problem')).toMatch(/ to 42\.64\d* m\/s /);
     await page.selectOption('#material', 'ice');
     expect(await page.inputValue('#field-speed')).toBe('50');
     await settled(page);

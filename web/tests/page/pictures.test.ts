@@ -28,7 +28,7 @@ describe.skipIf(missing !== '')(`the pictures of the page${missing && ` (${missi
     expect(await time(page)).not.toBe(before);
     await page.waitForFunction((text) => document.getElementById('time-charts')!.innerText !== text, shown);
     const stepped = await time(page);
-    const box = (await page.locator('#time-charts .u-over').first().boundingBox())!;
+    const box = (await page.locator('#time-charts .chart-time').first().boundingBox())!;
     await page.mouse.click(box.x + 0.25 * box.width, box.y + 0.5 * box.height);
     await page.waitForFunction(
       (text) => document.querySelector('.scene-time')!.getAttribute('aria-valuetext') !== text, stepped);

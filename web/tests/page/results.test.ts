@@ -55,6 +55,15 @@ describe.skipIf(missing !== '')(`the results of the page${missing && ` (${missin
     await rod.context().close();
   });
 
+  it('have numbers on a logarithmic axis of less than a decade', async () => {
+    const page = await site.open('?body=rod&v=0.1&against=body&E2=1&rho2=1&R2=2.5&A2=1&eta=0.01');
+    await settled(page);
+    await page.check('#curve-chart input');
+    await page.waitForFunction(() => [...document.querySelectorAll('#curve-chart g text')]
+      .filter((each) => /^0\.[89]\d*$/.test(each.textContent ?? '')).length > 2);
+    await page.context().close();
+  });
+
   it('can be copied as lines and as a link', async () => {
     const page = await site.open('?body=disk&nu=0.4&v=0.2');
     const python = 'import stoss\n\ndisk = stoss.Disk(poisson=0.4)\nprint(stoss.restitution(disk, speed=0.2))';
@@ -80,6 +89,11 @@ describe.skipIf(missing !== '')(`the results of the page${missing && ` (${missin
     expect(csv.content.toString()).toContain('\npoisson,speed[c],restitution,restitution_error,converged\n0.33,');
     const header = await downloaded(page, '#download-header');
     expect(header.name).toBe('restitution.h');
+    const words: Record<string, string[]> = {
+      curve: ['speed of the impact v (c)', 'coefficient of restitution ε', 'disk ν 0.33'],
+      time: ['Force (πRE)', 'Velocity (c)', 'time since first contact (R/c)', 'translation'],
+      modes: ['order n', 'share of the energy, after the impact', 'l = 0'],
+    };
     for (const picture of ['curve', 'time', 'modes', 'collision']) {
       await page.selectOption('#picture', picture);
       const png = await downloaded(page, '#download-png');
@@ -87,8 +101,25 @@ describe.skipIf(missing !== '')(`the results of the page${missing && ` (${missin
       if (picture === 'collision') continue;
       const svg = await downloaded(page, '#download-svg');
       expect(svg.content.toString(), picture).toMatch(/^<svg[\s\S]*<\/svg>\s*$/);
+      expect(svg.content.toString(), picture).not.toMatch(/NaN|Infinity|undefined/);
+      for (const each of words[picture]!) expect(svg.content.toString(), picture).toContain(each);
     }
     expect(await page.isDisabled('#download-svg')).toBe(true);
+    await page.context().close();
+  });
+
+  it('are at the speeds that are typed, as the command reads them', async () => {
+    const page = await site.open();
+    await settled(page);
+    await page.fill('#series', 'lin:0.1:0.3:nine');
+    await page.press('#series', 'Tab');
+    expect(await page.textContent('#series-problem')).toContain("speeds: got 'lin:0.1:0.3:nine'");
+    await page.fill('#series', 'lin:0.1:0.3:9');
+    await page.press('#series', 'Tab');
+    expect(await page.isVisible('#series-problem')).toBe(false);
+    const rows = rowsOf(await wholeCurve(page));
+    expect(rows.map((row) => row['speed[c]'])).toEqual(
+      ['0.1', '0.125', '0.15', '0.175', '0.2', '0.225', '0.25', '0.275', '0.3']);
     await page.context().close();
   });
 

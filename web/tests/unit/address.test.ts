@@ -38,12 +38,12 @@ describe('the address', () => {
     ['body=disk&nu=0.4&v=0.2&R=3', 'body=disk&nu=0.4&v=0.2', 'R: got a key that this encounter does not have'],
     ['body=disk&nu=0.3&nu=0.4&v=0.2', 'body=disk&nu=0.3&v=0.2', 'nu: got twice, allowed once'],
     ['nu=0.4&v', 'body=disk&nu=0.4&v=0.1', 'v: got no value'],
-    ['nu=0.4&v=__proto__', 'body=disk&nu=0.4&v=0.1', 'v: got “__proto__”, not a decimal number'],
+    ['nu=0.4&v=__proto__', 'body=disk&nu=0.4&v=0.1', 'v: got \'__proto__\', it is not a decimal number'],
     ['nu=0.4&v=0.2&%E0%A4%A=1', 'body=disk&nu=0.4&v=0.2', '%E0%A4%A: got an unknown key'],
     ['<script>', 'body=disk&nu=0.33&v=0.1', '<script>: got no value'],
     ['body=rod&v=0.2&against=half-space', 'body=rod&v=0.2', 'against: got “half-space”, allowed wall, same, body'],
     ['body=rod&v=0.2&against=body&E2=1e9&rho2=1&R2=2&A2=3', 'body=rod&against=body&E2=1&rho2=1&R2=1&A2=1&v=0.2',
-      'Length of what it meets: got 6.32456e-5, allowed 0.001 to 1000 (ratio of the transit times'],
+      'Length of what it meets, transit time ratio: got 6.32456e-5, allowed 0.001 to 1000 (of the second'],
     ['nu=0.4&v=0.2&keep=body:cube,nu:0.3&keep=body:disk,nu:0.5', 'body=disk&nu=0.4&v=0.2&keep=body:disk,nu:0.5',
       'keep: body: got “cube”'],
     ['nu=0.4&v=0.2&keep=body:disk,nu:7', 'body=disk&nu=0.4&v=0.2', 'keep: 2‑D Poisson’s ratio: got 7'],
@@ -53,6 +53,8 @@ describe('the address', () => {
       'R: got none, allowed a number'],
     ['body=sphere&units=SI&nu=0.3&E=1&rho=7850&R=1&v=5', 'body=sphere&units=SI&nu=0.3&E=1&rho=7850&R=1&v=0.00113',
       'Speed of approach: got 5'],
+    ['body=sphere&units=SI&nu=0.3&E=0&rho=7850&R=1', 'body=sphere&units=SI&nu=0.3&E=2.1e11&rho=7850&R=1&v=1',
+      'Young’s modulus: got 0, allowed a positive finite number'],
     ['nu=0.4&v=0.2&view=none', 'body=disk&nu=0.4&v=0.2', 'view: got “none”, allowed full, simple'],
   ])('keeps what is right of %s, and says in one line what is not', (text, right, line) => {
     const { inputs, problem } = fromAddress(text);

@@ -1,24 +1,25 @@
 // A half-space in the film: its mesh, and how much of its displacement a picture can magnify.
 import { describe, expect, it } from 'vitest';
-import type { Frame, Inside } from '../../src/core/protocol';
+import type { BodyFrame, Frame } from '../../src/core/protocol';
 import { frameAt } from '../../src/scene/frames';
 import { evenGrid, gridBelow } from '../../src/scene/grid';
-import { blockUnfoldedUpTo, magnificationOf } from '../../src/scene/magnify';
-import { blockMesh, surfaceOf } from '../../src/scene/mesh';
-import { field } from './disk_frame';
+import { blockPart, edgeOf, meshOf } from '../../src/scene/parts';
+import { magnificationOf, unfoldedUpTo } from '../../src/scene/scales';
+import { diskOf, field } from './disk_frame';
 
 const below = gridBelow(0.05);
+const part = blockPart(below);
 
 /** The displacement of a half-space by functions of the depth and the distance. */
-function block(radial: (z: number, r: number) => number, tangential: (z: number, r: number) => number): Inside {
+function block(radial: (z: number, r: number) => number, tangential: (z: number, r: number) => number): BodyFrame {
   const all = (value: (z: number, r: number) => number): Float32Array =>
     Float32Array.from([...below.depth].flatMap((z) => [...below.distance].map((r) => value(z, r))));
   const none = all(() => 0);
-  return { radial: all(radial), tangential: all(tangential), vonMises: none, fringes: none };
+  return { center: 0, radial: all(radial), tangential: all(tangential), vonMises: none, fringes: none };
 }
 
 /** The dent under a ball, about as wide as its contact. */
-const dent = (size: number): Inside => block((z, r) => (size * 0.05) / Math.hypot(z + 0.05, r), () => 0);
+const dent = (size: number): BodyFrame => block((z, r) => (size * 0.05) / Math.hypot(z + 0.05, r), () => 0);
 
 describe('a half-space', () => {
   it('has its points where it is struck, and goes on beyond the picture', () => {
@@ -29,24 +30,25 @@ describe('a half-space', () => {
     expect([below.depth.at(-1), below.distance.at(-1)]).toEqual([Math.fround(0.9), Math.fround(1.7)]);
   });
   it('has its surface at x = 0, and moves into x > 0 and away from the axis', () => {
-    const still = surfaceOf(blockMesh(block(() => 0, () => 0), below, 10));
-    expect(Math.max(...still.x)).toBe(0);
-    const moved = surfaceOf(blockMesh(block(() => 0.01, () => 0.02), below, 10));
-    moved.x.forEach((each) => expect(each).toBeCloseTo(0.1, 6));
-    moved.y.forEach((each, k) => expect(each - below.distance[k]!).toBeCloseTo(0.2, 6));
+    const still = edgeOf(part, meshOf(part, block(() => 0, () => 0), 10));
+    expect(Math.max(...Array.from(still.x))).toBe(0);
+    const moved = edgeOf(part, meshOf(part, block(() => 0.01, () => 0.02), 10));
+    Array.from(moved.x).forEach((each) => expect(each).toBeCloseTo(0.1, 6));
+    Array.from(moved.y).forEach((each, k) => expect(each - below.distance[k]!).toBeCloseTo(0.2, 6));
   });
   it('is magnified as far as it does not fold: a dent does not become a spike', () => {
-    expect(blockUnfoldedUpTo(block((z) => -0.01 * (z - 1), () => 0), below)).toBeCloseTo(0.88 / 0.01, 2);
-    const limit = blockUnfoldedUpTo(dent(1e-3), below);
+    expect(unfoldedUpTo(part, block((z) => -0.01 * (z - 1), () => 0))).toBeCloseTo(0.88 / 0.01, 2);
+    const limit = unfoldedUpTo(part, dent(1e-3));
     expect(limit).toBeLessThan(60);
     const grid = evenGrid('disk', 2, 8);
-    const frame: Frame = { time: 0, bodies: [field(grid, () => 0, () => 0)], block: dent(1e-3) };
-    expect(magnificationOf([frame], grid)).toBe(1); // of the body alone, which is at rest
-    expect(magnificationOf([frame], { ...grid, below })).toBe(50);
+    const still = field(grid, () => 0, () => 0);
+    const frame: Frame = { time: 0, bodies: [still, dent(1e-3)] };
+    expect(magnificationOf([{ time: 0, bodies: [still] }], [diskOf(grid)])).toBe(1); // of the body alone, at rest
+    expect(magnificationOf([frame], [diskOf(grid), part])).toBe(50);
   });
   it('is between two frames both of them', () => {
-    const at = (time: number): Frame => ({ time, bodies: [], block: block(() => time, () => 2 * time) });
-    const between = frameAt({ times: [0, 4], frames: [at(0), at(4)] }, 1)!.block!;
+    const at = (time: number): Frame => ({ time, bodies: [block(() => time, () => 2 * time)] });
+    const between = frameAt({ times: [0, 4], frames: [at(0), at(4)] }, 1)!.bodies[0]!;
     expect([between.radial[3], between.tangential[3]]).toEqual([1, 2]);
   });
 });

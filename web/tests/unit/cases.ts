@@ -1,32 +1,30 @@
 // A dozen encounters, of every kind and in both systems of units.
 import type { Body, Encounter } from '../../src/core/protocol';
 import { type Inputs, unitBody } from '../../src/inputs/inputs';
-import { madeOf, materials } from '../../src/inputs/materials';
+import { madeOf } from '../../src/inputs/document';
+import { materialNamed } from '../../src/inputs/kinds';
 
 const disk: Encounter = { kind: 'disk', first: unitBody, against: { kind: 'wall' }, si: false, plane: 'stress' };
 const sphere: Encounter = { ...disk, kind: 'sphere', first: { ...unitBody, poisson: 0.3 } };
 const rod: Encounter = { ...disk, kind: 'rod' };
 
-function made(name: string, radius: number): Body {
-  const material = materials.find((item) => item.name === name);
-  if (material === undefined) throw new Error(name);
-  return madeOf(material, { ...unitBody, radius, area: 1e-4 });
-}
+const made = (name: string, size: number): Body =>
+  madeOf(materialNamed(name), { ...unitBody, radius: size, length: size, area: 1e-4 });
 const ratios = (numbers: Partial<Body>): Body => ({ ...unitBody, ...numbers });
 const ball = made('bearing steel', 0.005);
-const own: Body = { poisson: 0.25, young: 1.5e11, density: 5000, radius: 0.004, area: 2e-4, lossTime: 1e-9 };
+const own: Body = { poisson: 0.25, young: 1.5e11, density: 5000, radius: 0.004, length: 0.004, area: 2e-4, loss_time: 1e-9 };
 
 const of = (encounter: Encounter, speed: number, kept: Encounter[] = []): Inputs =>
   ({ encounter, speed, kept, simple: false });
 
 export const cases: readonly Inputs[] = [
   of(disk, 0.1),
-  of({ ...disk, first: ratios({ poisson: -0.5, lossTime: 0.01 }), against: { kind: 'same' } }, 0.02, [disk, sphere]),
+  of({ ...disk, first: ratios({ poisson: -0.5, loss_time: 0.01 }), against: { kind: 'same' } }, 0.02, [disk, sphere]),
   of({ ...disk, against: { kind: 'body', body: ratios({ poisson: 0.2, radius: 0.5, young: 2, density: 3 }) } }, 0.1),
-  of({ ...disk, against: { kind: 'half-space', body: ratios({ poisson: 0.2, young: 0.5, lossTime: 0.02 }) } }, 0.05),
+  of({ ...disk, against: { kind: 'half-space', body: ratios({ poisson: 0.2, young: 0.5, loss_time: 0.02 }) } }, 0.05),
   of(sphere, 0.01),
-  of({ ...sphere, against: { kind: 'body', body: { ...unitBody, poisson: 0.4, radius: 2, lossTime: 0.1 } } }, 0.01),
-  of({ ...rod, against: { kind: 'body', body: { ...unitBody, radius: 2.5, density: 3, area: 0.5 } } }, 0.1),
+  of({ ...sphere, against: { kind: 'body', body: { ...unitBody, poisson: 0.4, radius: 2, loss_time: 0.1 } } }, 0.01),
+  of({ ...rod, against: { kind: 'body', body: { ...unitBody, length: 2.5, density: 3, area: 0.5 } } }, 0.1),
   of({ ...disk, si: true, plane: 'strain', first: made('steel', 0.01) }, 5),
   of({ ...disk, si: true, first: own, against: { kind: 'body', body: made('brass', 0.02) } }, 3),
   of({ ...disk, si: true, first: made('PMMA', 0.03), plane: 'strain', against: { kind: 'half-space', body: own } }, 1),

@@ -1,5 +1,6 @@
 import { describe, expect, it } from 'vitest';
-import { prefixed, significant, withError } from '../../src/inputs/digits';
+import { prefixFor } from '../../src/drawing/numbers';
+import { significant, withError } from '../../src/inputs/digits';
 
 describe('digits', () => {
   it.each([
@@ -31,9 +32,9 @@ describe('digits', () => {
       .toEqual(['0.1', '5172', '1e-8', '2.1e11', '0', '1.933e-6', '100', '1e6']);
   });
   it('prefixes keep values between 1 and 1000', () => {
-    expect(prefixed(5.168e-5, 's')).toEqual({ factor: 1 / 1e-6, unit: 'µs' });
-    expect(prefixed(2352, 'N').unit).toBe('kN');
-    expect(prefixed(0.05, 'piRE')).toEqual({ factor: 1, unit: 'piRE' });
-    expect(prefixed(0, 's')).toEqual({ factor: 1, unit: 's' });
+    expect(prefixFor(5.168e-5, 's')).toEqual({ size: 1e-6, unit: 'µs' });
+    expect(prefixFor(2352, 'N').unit).toBe('kN');
+    expect(prefixFor(0.05, 'piRE')).toEqual({ size: 1, unit: 'πRE' });
+    expect(prefixFor(0, 's')).toEqual({ size: 1, unit: 's' });
   });
 });

@@ -1,8 +1,8 @@
 import type { BodyFrame, Grid } from '../../src/core/protocol';
-import type { Placed } from '../../src/scene/mesh';
+import { bodyPart, type Part } from '../../src/scene/parts';
 
 /** A disk before a wall. */
-export const DISK: Placed = { kind: 'disk', radius: 1, facing: 1, halfHeight: 0.1 };
+export const diskOf = (grid: Grid): Part => bodyPart('disk', 1, 1, 0.1, grid);
 
 /** A frame of a body by the displacement of its points; its fringes are their distance from the centre. */
 export function field(grid: Grid, radial: (r: number, a: number) => number, tangential: (r: number, a: number) => number):

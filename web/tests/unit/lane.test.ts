@@ -1,12 +1,12 @@
 // A lane ends what is aborted, and replaces a worker that dies.
 import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest';
-import { createLane, type Fellow, type Lane, patience, silence } from '../../src/core/lane';
-import type { Call, FromWorker, ToWorker } from '../../src/core/messages';
+import { createLane, type Fellow, type FromWorker, type Lane, patience, silence, type ToWorker }
+  from '../../src/core/lane';
+import type { Call } from '../../src/core/wasm';
 import { CoreError } from '../../src/core/protocol';
-import { cases } from './cases';
 
 const module = {} as WebAssembly.Module;
-const call = (speed: number): Call => ({ name: 'restitution', arguments: [cases[0]!.encounter, speed, 1e-2] });
+const call = (speed: number): Call => ({ question: 'restitution', given: { speed } });
 
 /** A worker that answers when the test says so. */
 class Fake implements Fellow {
@@ -36,7 +36,7 @@ beforeEach(() => {
   lane = createLane(() => {
     workers.push(new Fake());
     return last();
-  }, Promise.resolve(module));
+  }, module);
 });
 afterEach(() => void vi.useRealTimers());
 
@@ -156,10 +156,5 @@ describe('a lane', () => {
     expect(await answer).toBe(1);
     await vi.advanceTimersByTimeAsync(60_000);
     expect(workers.length).toBe(1);
-  });
-
-  it('rejects all if the core cannot be loaded', async () => {
-    const broken = createLane(() => new Fake(), Promise.reject(new Error('404')));
-    await expect(broken(call(1))).rejects.toThrow('core: could not be loaded (Error: 404)');
   });
 });

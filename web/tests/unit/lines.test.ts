@@ -1,8 +1,7 @@
 import { describe, expect, it } from 'vitest';
 import { commandLine } from '../../src/inputs/command_line';
-import { curveCsv } from '../../src/inputs/csv';
+import { curveCsv, version } from '../../src/inputs/csv';
 import { pythonLines } from '../../src/inputs/python_lines';
-import { version } from '../../src/inputs/version';
 import { cases } from './cases';
 
 const lines = cases.map(({ encounter, speed }) => commandLine(encounter, speed));

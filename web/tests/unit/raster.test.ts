@@ -1,9 +1,9 @@
 import { describe, expect, it } from 'vitest';
 import { shadeOf } from '../../src/scene/colors';
 import { evenGrid } from '../../src/scene/grid';
-import { meshOf } from '../../src/scene/mesh';
+import { meshOf } from '../../src/scene/parts';
 import { paintMesh, paintTriangle, type Pixels } from '../../src/scene/raster';
-import { DISK, field } from './disk_frame';
+import { diskOf, field } from './disk_frame';
 
 describe('raster', () => {
   const blank = (): Pixels => ({ width: 40, height: 30, data: new Uint32Array(1200) });
@@ -39,7 +39,7 @@ describe('raster', () => {
   it('covers half a disk without holes', () => {
     const grid = evenGrid('disk', 10, 60);
     const pixels = blank();
-    paintMesh(pixels, meshOf(DISK, field(grid, () => 0, () => 0), grid, 1), field(grid, () => 0, () => 0).fringes,
+    paintMesh(pixels, meshOf(diskOf(grid), field(grid, () => 0, () => 0), 1), field(grid, () => 0, () => 0).fringes,
       { origin: 35, scale: 15 }, shade);
     for (let row = 0; row < 30; ++row) {
       for (let k = 0; k < 40; ++k) {

@@ -5,13 +5,12 @@ import { colorTable, components, contrast, pixelOf, shadeOf } from '../../src/sc
 import { frameAt, insertFrame, type Film } from '../../src/scene/frames';
 import { evenGrid, gradedPlaces, gridFor } from '../../src/scene/grid';
 import { between, faceOf } from '../../src/scene/interface';
-import { magnificationOf, rodUnfoldedUpTo, unfoldedUpTo } from '../../src/scene/magnify';
-import { edgeOf, magnifiedCenter, meshOf } from '../../src/scene/mesh';
-import { coveringStress, stressUnit } from '../../src/scene/scales';
+import { bodyPart, edgeOf, meshOf } from '../../src/scene/parts';
+import { coveringStress, magnificationOf, stressUnit, unfoldedUpTo } from '../../src/scene/scales';
 import { coarseToFine, filmSpan } from '../../src/scene/schedule';
 import { secondIsAtRest } from '../../src/scene/show';
 import { layoutOf, viewOf } from '../../src/scene/view';
-import { DISK, field } from './disk_frame';
+import { diskOf, field } from './disk_frame';
 
 describe('grid', () => {
   it('grows from the contact and ends where it must', () => {
@@ -26,7 +25,7 @@ describe('grid', () => {
     expect([grid.radius[0], grid.radius[grid.radius.length - 1]]).toEqual([0, 1]);
     expect([grid.angle[0], grid.angle[grid.angle.length - 1]]).toEqual([0, Math.fround(Math.PI)]);
     expect(1 - grid.radius[grid.radius.length - 2]!).toBeLessThan(0.02);
-    expect([...gridFor('rod', 1).angle]).toEqual([0]);
+    expect([...gridFor('rod', 1).angle]).toEqual([0, 1]);
   });
 });
 
@@ -85,20 +84,22 @@ describe('a second body', () => {
 
 describe('mesh', () => {
   const grid = evenGrid('disk', 4, 32);
+  const disk = diskOf(grid);
   it('is round at rest, and touches x = 0', () => {
-    const mesh = meshOf(DISK, field(grid, () => 0, () => 0), grid, 20);
-    const edge = edgeOf(DISK, mesh);
+    const edge = edgeOf(disk, meshOf(disk, field(grid, () => 0, () => 0), 20));
     for (let k = 0; k < edge.x.length; ++k) expect(Math.hypot(edge.x[k]! + 1, edge.y[k]!)).toBeCloseTo(1, 6);
     expect(edge.x[0]).toBeCloseTo(0, 6);
   });
   it('magnifies movement and displacement alike: a face at the wall stays there', () => {
     const frame = { ...field(grid, () => -0.01, () => 0), center: -0.99 };
-    for (const magnification of [1, 7]) expect(meshOf(DISK, frame, grid, magnification).x[4 * 33]).toBeCloseTo(0, 6);
-    expect(magnifiedCenter({ ...DISK, facing: -1 }, 1.02, 10)).toBeCloseTo(1.2);
+    for (const magnification of [1, 7]) expect(meshOf(disk, frame, magnification).x[4 * 33]).toBeCloseTo(0, 6);
+    const other = bodyPart('disk', 1, -1, 0.1, grid);
+    const far = meshOf(other, { ...field(grid, () => 0, () => 0), center: 1.02 }, 10);
+    expect(far.x[0]).toBeCloseTo(1.2); // its centre
   });
   it('moves every point sideways by a rigid displacement', () => {
     const frame = field(grid, (_, a) => 0.1 * Math.cos(a), (_, a) => -0.1 * Math.sin(a));
-    const [moved, still] = [meshOf(DISK, frame, grid, 1), meshOf(DISK, field(grid, () => 0, () => 0), grid, 1)];
+    const [moved, still] = [meshOf(disk, frame, 1), meshOf(disk, field(grid, () => 0, () => 0), 1)];
     moved.x.forEach((each, k) => expect(each - still.x[k]!).toBeCloseTo(0.1, 6));
     moved.y.forEach((each, k) => expect(each - still.y[k]!).toBeCloseTo(0, 6));
   });
@@ -106,22 +107,23 @@ describe('mesh', () => {
 
 describe('magnification', () => {
   const grid = evenGrid('disk', 8, 64);
+  const disk = diskOf(grid);
   it('stops where an even compression leaves too little area', () => {
-    const limit = unfoldedUpTo(field(grid, (r) => -0.1 * r, () => 0), grid);
+    const limit = unfoldedUpTo(disk, field(grid, (r) => -0.1 * r, () => 0));
     expect((1 - 0.1 * limit) ** 2).toBeCloseTo(0.12, 3);
   });
   it('has no limit for a rigid displacement, nor an even expansion', () => {
     const rigid = field(grid, (_, a) => 0.1 * Math.cos(a), (_, a) => -0.1 * Math.sin(a));
-    expect(unfoldedUpTo(rigid, grid)).toBeGreaterThan(200);
-    expect(unfoldedUpTo(field(grid, (r) => 0.1 * r, () => 0), grid)).toBe(Infinity);
+    expect(unfoldedUpTo(disk, rigid)).toBeGreaterThan(200);
+    expect(unfoldedUpTo(disk, field(grid, (r) => 0.1 * r, () => 0))).toBe(Infinity);
   });
   it('of a rod ends where points would change places', () => {
     const rod = gridFor('rod', 1);
-    expect(rodUnfoldedUpTo(field(rod, (r) => -0.02 * (1 - r), () => 0), rod)).toBeCloseTo(0.88 / 0.02, 2);
+    expect(unfoldedUpTo(bodyPart('rod', 1, 1, 0.1, rod), field(rod, (r) => -0.02 * (1 - r), () => 0))).toBeCloseTo(0.88 / 0.02, 2);
   });
   it('is a round number, and 1 for large deformations and bodies at rest', () => {
     const of = (size: number): number =>
-      magnificationOf([{ time: 0, bodies: [field(grid, (r, a) => size * r * Math.cos(2 * a), () => 0)] }], grid);
+      magnificationOf([{ time: 0, bodies: [field(grid, (r, a) => size * r * Math.cos(2 * a), () => 0)] }], [disk]);
     expect([of(0.001), of(0.2), of(0)]).toEqual([100, 1, 1]);
   });
 });
@@ -148,9 +150,9 @@ describe('colours', () => {
   it('have a scale that covers most of the area', () => {
     const grid = evenGrid('disk', 40, 40);
     const frame = field(grid, () => 0, () => 0); // its fringes are r: the area below r is r²
-    expect(coveringStress(frame.fringes, grid, 0.25)).toBeCloseTo(0.5, 1);
-    expect(stressUnit('fringes', [{ time: 0, bodies: [frame] }], grid)).toBeCloseTo(0.2);
-    expect(stressUnit('vonMises', [{ time: 0, bodies: [frame] }], grid)).toBe(1);
+    expect(coveringStress(diskOf(grid), frame.fringes, 0.25)).toBeCloseTo(0.5, 1);
+    expect(stressUnit('fringes', [{ time: 0, bodies: [frame] }], [diskOf(grid)])).toBeCloseTo(0.2);
+    expect(stressUnit('vonMises', [{ time: 0, bodies: [frame] }], [diskOf(grid)])).toBe(1);
   });
 });
 
@@ -182,11 +184,12 @@ describe('clock', () => {
 describe('layout', () => {
   it('shows a half-space as deep as it is pressed in', () => {
     const grid = evenGrid('disk');
+    const disk = diskOf(grid);
     const at = (center: number): Frame =>
       ({ time: 0, bodies: [{ ...field(grid, () => 0, () => 0), center }] });
     const deepest = (center: number): number =>
-      Math.max(...edgeOf(DISK, meshOf(DISK, at(center).bodies[0]!, grid, 2)).x);
-    const right = (center: number): number => viewOf([at(-1.5), at(center)], [DISK], grid, 2, 'half-space').right;
+      Math.max(...Array.from(edgeOf(disk, meshOf(disk, at(center).bodies[0]!, 2)).x));
+    const right = (center: number): number => viewOf([at(-1.5), at(center)], [disk], 2, 'half-space').right;
     expect(right(-1)).toBe(0.9);
     expect(deepest(-0.4)).toBeGreaterThan(0.9);
     expect(right(-0.4)).toBeGreaterThan(deepest(-0.4));

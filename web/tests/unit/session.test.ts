@@ -1,11 +1,18 @@
 import { describe, expect, it, vi } from 'vitest';
-import { type Collision, type Core, CoreError, type Encounter, type Restitution } from '../../src/core/protocol';
+import { type Asking, type Collision, type Core, CoreError, type Encounter, type Restitution } from '../../src/core/protocol';
 import { createCurves } from '../../src/page/curves';
 import { createSession } from '../../src/page/session';
 import { defaults } from '../../src/inputs/inputs';
 
 const { encounter } = defaults;
 const hopeless = 0.9;
+
+interface Given {
+  speed: number;
+  tolerance: number;
+  cutoff: number;
+  speeds: number[];
+}
 
 /** A core whose answers come after a time, and which notes what it was asked. */
 function core(time: number, log: string[], refuse = NaN): Core {
@@ -21,27 +28,26 @@ function core(time: number, log: string[], refuse = NaN): Core {
     }, time);
     signal?.addEventListener('abort', abort);
   });
-  return {
-    async restitution(_encounter: Encounter, speed: number, tolerance: number, signal?: AbortSignal) {
+  const answers: Record<string, (given: Given, asking: Asking<never>) => Promise<unknown>> = {
+    async restitution({ speed, tolerance }, { signal }) {
       log.push(`${speed} ${tolerance}`);
       if (speed === refuse) throw new CoreError('speed: got 7');
       return later({ speed, cutoff: speed === hopeless ? 0 : 45, reason: 'no impact ends' } as Restitution, signal);
     },
-    async collision(_encounter: Encounter, speed: number, cutoff: number, signal?: AbortSignal) {
+    async collision({ speed, cutoff }, { signal }) {
       log.push(`collision ${speed} ${cutoff}`);
       return later({} as Collision, signal);
     },
-    async curve(
-      _encounter: Encounter, speeds: number[], _tolerance: number, deliver: (point: never, index: number) => void,
-      signal?: AbortSignal,
-    ) {
+    async curve({ speeds }, { deliver, signal }) {
       log.push(`curve of ${speeds.length}`);
       for (const [index, speed] of speeds.entries()) {
         await later(null, signal);
-        deliver({ speed, restitution: 1, error: 0, converged: true } as never, index);
+        deliver?.({ speed, restitution: 1, error: 0, converged: true } as never, index);
       }
     },
-  } as unknown as Core;
+  };
+  return ((question: string, _: Encounter, given: Given, asking: Asking<never> = {}) =>
+    answers[question]!(given, asking)) as unknown as Core;
 }
 
 function audience(log: string[]) {

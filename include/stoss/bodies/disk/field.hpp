@@ -4,16 +4,13 @@
 #include <span>
 #include <vector>
 
+#include "stoss/bodies/round.hpp"
 #include "stoss/body/body.hpp"
 #include "stoss/poll.hpp"
 
 namespace stoss::bodies::disk {
 
-/// Points inside a disk: every radius with every angle. φ = 0 points to the wall, φ = π away from it.
-struct PolarGrid {
-  std::vector<double> radius;  ///< 0 … 1, R
-  std::vector<double> angle;   ///< radians
-};
+using bodies::PolarGrid;
 
 /// Displacement relative to the moving centre of mass, and stress, at the points of a PolarGrid. Arrays are
 /// radii × angles, row-major.

@@ -2,7 +2,9 @@
 
 #include <vector>
 
+#include "stoss/bodies/round.hpp"
 #include "stoss/poll.hpp"
+#include "stoss/quantity.hpp"
 
 namespace stoss::bodies::disk {
 
@@ -13,17 +15,14 @@ inline constexpr double max_poisson = 0.995;
 /// Highest cutoff that `modes` accepts, in c/R (about 450 000 modes at ν = 0.33).
 inline constexpr double max_cutoff = 1000.0;
 
-/// One symmetric in-plane vibration of a free disk, in units R = c = ρ = 1.
+/// One symmetric in-plane vibration of a free disk.
 ///
 /// Inside the disk u = (u_r(r) cos nφ, u_φ(r) sin nφ), normalised to ∫ r (u_r² + u_φ²) dr = 1 for n ≥ 1
-/// and ½ for n = 0 (paper eq. (25)), so that its modal mass is the mass of the disk.
-struct Mode {
-  int order;          ///< n, angular order
-  int index;          ///< l, number of the root for this order, from 0
-  double omega;       ///< ω, eigenfrequency in c/R; relative error ≤ 1e-12
-  double radial;      ///< C = u_r(R) ≥ 0; error ≤ 1e-10 max(|C|, |S|)
-  double tangential;  ///< S = u_φ(R); error as for C
-};
+/// and ½ for n = 0 (paper eq. (25)), so that its modal mass is the mass of the disk. The amplitudes at the edge,
+/// `radial` C and `tangential` S, have an error of at most 1e-10 max(|C|, |S|).
+using bodies::Displacement;
+using bodies::Flexibility;
+using bodies::Mode;
 
 /// Which displacement dominates at the edge (paper, figure of the mode frequencies).
 enum class ModeFamily { radial, tangential };
@@ -41,23 +40,10 @@ enum class ModeFamily { radial, tangential };
 /// @throws InvalidInput outside these ranges; NotConverged if the list fails its own check
 [[nodiscard]] std::vector<Mode> modes(double poisson, double cutoff, const Poll& poll = {});
 
-/// Displacement of a mode, in units of its normalisation.
-struct Displacement {
-  double radial;      ///< u_r(r), to be multiplied by cos nφ
-  double tangential;  ///< u_φ(r), to be multiplied by sin nφ
-};
-
 /// Displacement (u_r, u_φ) of a mode inside the disk at radii 0 ≤ r ≤ 1 (paper eq. (19)).
 /// @throws InvalidInput for a radius or a Poisson's ratio out of range
 [[nodiscard]] std::vector<Displacement> displacement(double poisson, const Mode& mode, const std::vector<double>& radii,
                                                      const Poll& poll = {});
-
-/// Response of the edge to a static load of one order: Σ_l (C,S)(C,S)ᵀ/ω² over all its modes.
-struct Flexibility {
-  double radial = 0.0;      ///< F^CC
-  double mixed = 0.0;       ///< F^CS
-  double tangential = 0.0;  ///< F^SS
-};
 
 /// Static flexibility of a disk in closed form, with inertia relief for n = 1
 /// (docs/theory/modes.md).
@@ -68,5 +54,8 @@ struct Flexibility {
 /// The response of the edge to a slowly varying load is static_flexibility − d²/dt²
 /// static_second_moment.
 [[nodiscard]] Flexibility static_second_moment(double poisson, int order);
+
+/// Quantities of one vibration of a free disk.
+[[nodiscard]] const Quantities<Mode>& mode_quantities();
 
 }  // namespace stoss::bodies::disk

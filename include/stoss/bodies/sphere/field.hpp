@@ -4,17 +4,13 @@
 #include <span>
 #include <vector>
 
+#include "stoss/bodies/round.hpp"
 #include "stoss/body/body.hpp"
 #include "stoss/poll.hpp"
 
 namespace stoss::bodies::sphere {
 
-/// Points on a meridian plane of a sphere: every radius with every angle. θ = 0 points to the wall, θ = π away from it;
-/// negative angles are the other half of the plane.
-struct PolarGrid {
-  std::vector<double> radius;  ///< 0 … 1, R
-  std::vector<double> angle;   ///< radians
-};
+using bodies::PolarGrid;
 
 /// Displacement relative to the moving centre of mass, and stress, at the points of a PolarGrid. Arrays are
 /// radii × angles, row-major.

@@ -2,7 +2,9 @@
 
 #include <vector>
 
+#include "stoss/bodies/round.hpp"
 #include "stoss/poll.hpp"
+#include "stoss/quantity.hpp"
 
 namespace stoss::bodies::sphere {
 
@@ -13,18 +15,16 @@ inline constexpr double max_poisson = 0.4999;
 /// Highest cutoff that `modes` accepts, in c/R (about 420 000 modes at ν = 0.3).
 inline constexpr double max_cutoff = 1000.0;
 
-/// One axisymmetric spheroidal vibration of a free sphere, in units R = c = ρ = 1.
+/// One axisymmetric spheroidal vibration of a free sphere.
 ///
 /// Inside the sphere u = (u_r(r) P_n(cos θ), u_θ(r) dP_n(cos θ)/dθ), normalised to
-/// ∫ r² (u_r² + n(n+1) u_θ²) dr = (2n+1)/3, so that its modal mass is the mass of the sphere, 4π/3. Torsional
-/// vibrations do not couple to a frictionless central impact and are left out (docs/theory/spheres.md).
-struct Mode {
-  int order;          ///< n, degree
-  int index;          ///< l, number of the root for this degree, from 0
-  double omega;       ///< ω, eigenfrequency in c/R; relative error ≤ 1e-12
-  double radial;      ///< U = u_r(R) ≥ 0; error ≤ 1e-10 max(|U|, √L |V|), L = n(n+1)
-  double tangential;  ///< V = u_θ(R); error of √L V as for U
-};
+/// ∫ r² (u_r² + n(n+1) u_θ²) dr = (2n+1)/3, so that its modal mass is the mass of the sphere, 4π/3. The amplitudes at
+/// the surface are `radial` U, with an error of at most 1e-10 max(|U|, √L |V|), L = n(n+1), and `tangential` V, of
+/// which √L V is as good. Torsional vibrations do not couple to a frictionless central impact and are left out
+/// (docs/theory/spheres.md).
+using bodies::Displacement;
+using bodies::Flexibility;
+using bodies::Mode;
 
 /// All spheroidal axisymmetric modes of a free sphere with 0 < ω ≤ cutoff, sorted by degree, then by frequency.
 ///
@@ -36,31 +36,21 @@ struct Mode {
 /// @throws InvalidInput outside these ranges; NotConverged if the list fails its own check
 [[nodiscard]] std::vector<Mode> modes(double poisson, double cutoff, const Poll& poll = {});
 
-/// Displacement of a mode, in units of its normalisation.
-struct Displacement {
-  double radial;      ///< u_r(r), to be multiplied by P_n(cos θ)
-  double tangential;  ///< u_θ(r), to be multiplied by dP_n(cos θ)/dθ
-};
-
 /// Displacement (u_r, u_θ) of a mode inside the sphere at radii 0 ≤ r ≤ 1.
 /// @throws InvalidInput for a radius or a Poisson's ratio out of range
 [[nodiscard]] std::vector<Displacement> displacement(double poisson, const Mode& mode, const std::vector<double>& radii,
                                                      const Poll& poll = {});
 
-/// Response of the surface to a static load of one degree: Σ_l (U,V)(U,V)ᵀ/ω² over all its modes. The load
+/// Static flexibility of a sphere in closed form, with inertia relief for n = 1 (docs/theory/spheres.md). The load
 /// σ_rr = p P_n, σ_rθ = t dP_n/dθ moves the surface by (u_r, u_θ) = 3/(2n+1) · F (p, L t), L = n(n+1).
-struct Flexibility {
-  double radial = 0.0;      ///< F^UU
-  double mixed = 0.0;       ///< F^UV
-  double tangential = 0.0;  ///< F^VV
-};
-
-/// Static flexibility of a sphere in closed form, with inertia relief for n = 1 (docs/theory/spheres.md).
 [[nodiscard]] Flexibility static_flexibility(double poisson, int order);
 
 /// Second moment Σ_l (U,V)(U,V)ᵀ/ω⁴ over all modes of one degree, in closed form: the mass integrals of the static
 /// solutions, whose coordinates are their projections on the modes (docs/theory/spheres.md). The response of the
 /// surface to a slowly varying load is static_flexibility − d²/dt² static_second_moment.
 [[nodiscard]] Flexibility static_second_moment(double poisson, int order);
+
+/// Quantities of one vibration of a free sphere.
+[[nodiscard]] const Quantities<Mode>& mode_quantities();
 
 }  // namespace stoss::bodies::sphere

@@ -1,0 +1,144 @@
+// stoss bounce: one body that comes back to what it meets, again and again.
+#include "stoss/vibration/bounce.hpp"
+
+#include <fmt/format.h>
+
+#include "app.hpp"
+#include "input/encounter.hpp"
+#include "output/output_options.hpp"
+#include "process/process.hpp"
+#include "stoss/errors.hpp"
+#include "stoss/vibration/quantities.hpp"
+
+namespace stoss::cli {
+namespace {
+
+struct BounceArguments {
+  EncounterOptions who;
+  std::string speed;
+  int count = 100;
+  std::optional<double> flight_time, gravity, decay_time;
+  std::string tail = "radiating";
+  double cutoff = 20.0;
+  OutputOptions output;
+  CLI::App* command = nullptr;
+};
+
+/// As the core takes them; with a material they are in s and m/s².
+BounceOptions make_options(const BounceArguments& arguments, const Encounter& encounter, const Units& units) {
+  const auto in = [](const std::optional<double>& value, double unit) {
+    return value ? std::optional(*value / unit) : std::nullopt;
+  };
+  const double time = units.si ? units.si->time : 1.0, acceleration = units.si ? units.si->speed / time : 1.0;
+  return {.count = arguments.count,
+          .flight_time = in(arguments.flight_time, time),
+          .gravity = in(arguments.gravity, acceleration),
+          .decay_time = in(arguments.decay_time, time),
+          .resolution = {.tail = arguments.tail == "static" ? Tail::quasistatic : Tail::radiating},
+          .vibration = encounter.vibration,
+          .poll = heed_interrupts};
+}
+
+Provenance describe(const BounceArguments& arguments, const Encounter& encounter, double speed) {
+  Provenance provenance{"bounce", command_line(), {}};
+  auto& inputs = provenance.inputs;
+  const bool si = units_of(encounter).si.has_value();
+  cli::describe(encounter, inputs);
+  inputs["speed"] = speed;
+  if (arguments.flight_time) inputs[si ? "flight_time[s]" : "flight_time"] = *arguments.flight_time;
+  if (arguments.gravity) inputs[si ? "gravity[m/s^2]" : "gravity"] = *arguments.gravity;
+  if (arguments.decay_time) inputs[si ? "decay_time[s]" : "decay_time"] = *arguments.decay_time;
+  inputs["cutoff"] = arguments.cutoff;
+  if (!is_soft(encounter)) inputs["tail"] = arguments.tail;
+  return provenance;
+}
+
+Fields<Bounce> bounce_fields(const Units& units) {
+  const Shown shown{.width = 13, .si_width = 13};
+  return Fields<Bounce>(bounce_quantities(), units,
+                        {{"number", {.width = 8}},
+                         {"speed", shown},
+                         {"restitution", shown},
+                         {"translation", shown},
+                         {"vibration", shown},
+                         {"dissipated", shown},
+                         {"unresolved", shown},
+                         {"flight_time", {.width = 13, .si_width = 16}}});
+}
+
+void run(const BounceArguments& arguments) {
+  const Encounter encounter = arguments.who.encounter();
+  refuse_tail(*arguments.command, encounter);
+  const Units units = units_of(encounter);
+  const double first = parse_speed(arguments.speed, units, "that of the first impact");
+  const Contact contact = contact_of(encounter, arguments.cutoff, slowest_bounce(first));
+  const BounceOptions options = make_options(arguments, encounter, units);
+  validate(contact, first, options);
+
+  const Fields<Bounce> its = bounce_fields(units);
+  const Yielding yielding = cli::yielding(encounter);
+  Columns columns = its.columns();
+  append(columns, yielding.columns());
+  bool beyond_yield = false, beyond_small_strain = false;
+  long short_flights = 0;
+  catch_interrupts();
+  const OutputOptions& output = arguments.output;
+  Writer writer = output.writer(describe(arguments, encounter, first), columns);
+  writer.finish_after([&] {
+    bounce(contact, first, options, [&](const Bounce& bounce, const Impact&) {
+      Row row = its.row(bounce);
+      append(row, yielding.row(bounce.speed));
+      writer.add(row);
+      beyond_yield = beyond_yield || yielding.is_below(bounce.speed);
+      beyond_small_strain = beyond_small_strain || bounce.beyond_small_strain;
+      short_flights += bounce.short_flight ? 1 : 0;
+    });
+  });
+  if (beyond_small_strain) output.warn_of_strain();
+  if (short_flights > 0) {
+    output.warn(
+        fmt::format("{} flights too short for the vibration to keep clear of the wall (short_flight)", short_flights));
+  }
+  if (beyond_yield) output.warn(yield_warning(*yielding.speed));
+}
+
+void add_flight(CLI::App& command, BounceArguments& arguments) {
+  const std::string group = "Flight (one of flight-time, gravity)";
+  add(command, "--count", arguments.count, "Impacts, 1 or more (default: 100)", "N", group);
+  add(command, "--flight-time", arguments.flight_time,
+      "Time between leaving the wall and touching it, in R/c (with a\nmaterial: s)", "T", group);
+  add(command, "--gravity", arguments.gravity, "Acceleration g in c^2/R (with a material: m/s^2): a flight lasts 2v/g",
+      "G", group);
+  add(command, "--decay-time", arguments.decay_time,
+      "In flight vibrational energies fall as exp(-t/TAU); in R/c (with a\n"
+      "material: s), 0: at once (default: no decay)",
+      "TAU", group);
+}
+
+}  // namespace
+
+void add_bounce(CLI::App& app) {
+  auto& arguments = add_subcommand<BounceArguments>(
+      app, "bounce", "Impacts of a body that comes back with the vibration it has kept", run,
+      "Examples:\n"
+      "  stoss bounce --body sphere --poisson 0.3 --speed 0.05 --count 200 --flight-time 30\n"
+      "  stoss bounce --poisson 0.33 --speed 0.2 --count 5000 --flight-time 31.4 --tail static --cutoff 4\n"
+      "  stoss bounce --body sphere --poisson 0.3 --speed 0.05 --flight-time 30 --decay-time 100\n"
+      "  stoss bounce --body sphere --poisson 0.3 --young 2.1e11 --density 7850 --radius 0.01 --speed 1\n"
+      "      --gravity 9.81 --loss-time 1e-9 --count 20");
+  CLI::App& command = *arguments.command;
+  arguments.who.first.add_poisson_to(command);
+  add(command, "--speed", arguments.speed,
+      "Speed of the first impact, 1e-8 to 1 in c of the body (with a\nmaterial: m/s)", "V", "Body")
+      ->required();
+  arguments.who.add_to(command, true, "\nA second body that is free does not come back: it is refused");
+  add_modes_to(command, arguments.who.modes);
+  add_flight(command, arguments);
+  add_choice(command, "--tail", arguments.tail, {"radiating", "static"},
+             "How modes above the cutoff answer (default: radiating); static keeps\nall energy", "TAIL", "Resolution");
+  add(command, "--cutoff", arguments.cutoff, "Modes up to this frequency in c/R are kept (default: 20)", "OMEGA",
+      "Resolution");
+  arguments.output.add_to(command);
+}
+
+}  // namespace stoss::cli

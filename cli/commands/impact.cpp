@@ -1,0 +1,187 @@
+// stoss impact: one collision at a fixed resolution.
+#include "stoss/impact/impact.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "app.hpp"
+#include "input/encounter.hpp"
+#include "output/output_options.hpp"
+#include "process/process.hpp"
+#include "stoss/errors.hpp"
+#include "stoss/impact/quantities.hpp"
+
+namespace stoss::cli {
+namespace {
+
+struct ImpactArguments {
+  EncounterOptions who;
+  std::string speed;
+  std::string tail = "radiating";
+  double cutoff = 50.0;
+  Resolution resolution;
+  std::string trajectory;
+  int every = 1;
+  OutputOptions output;
+  CLI::App* command = nullptr;
+};
+
+Provenance describe(const ImpactArguments& arguments, const Encounter& encounter) {
+  Provenance provenance{"impact", command_line(), {}};
+  cli::describe(encounter, provenance.inputs);
+  if (!is_soft(encounter)) provenance.inputs["tail"] = arguments.tail;
+  return provenance;
+}
+
+/// The one row of the result, and its columns.
+std::pair<Columns, Row> make_row(const Impact& impact, const Encounter& encounter) {
+  const Units units = units_of(encounter);
+  Quantities<Impact> quantities = impact_quantities();
+  std::erase_if(quantities, [](const auto& quantity) { return quantity.name == "half_width"; });
+  const Fields<Impact> fields(quantities, units, {{"cutoff", {.in_si = false}}, {"step", {.in_si = false}}});
+  const Yielding yielding = cli::yielding(encounter);
+  Columns columns;
+  Row row;
+  if (const auto poisson = poisson_of(encounter)) {
+    columns.push_back({"poisson"});
+    row.emplace_back(*poisson);
+  }
+  append(columns, speed_columns(units), fields.columns(), yielding.columns());
+  append(row, speed_row(units, impact.speed), fields.row(impact), yielding.row(impact.speed));
+  return {columns, row};
+}
+
+/// @param pair     whether modes of two bodies are told apart
+/// @param vibrates whether modes have energy before the impact
+void write_table(Output output, const Columns& columns, const Row& row, std::vector<ModeEnergy> modes, bool pair,
+                 bool vibrates) {
+  for (std::size_t i = 0; i < row.size(); ++i) {
+    const auto* number = std::get_if<double>(&row[i]);
+    const std::string value = number != nullptr ? fmt::format("{:.8g}", *number) : full_precision(row[i]);
+    const std::string unit = columns[i].unit.empty() ? "" : "  " + columns[i].unit;
+    output.write(fmt::format("{:<22}{:>16}{}\n", columns[i].name, value, unit));
+  }
+  constexpr std::size_t shown = 10;
+  const std::size_t count = std::min(shown, modes.size());
+  std::partial_sort(modes.begin(), modes.begin() + static_cast<std::ptrdiff_t>(count), modes.end(),
+                    [](const ModeEnergy& a, const ModeEnergy& b) { return a.average > b.average; });
+  if (count == 0) return output.close();
+  output.write("\nmost energetic modes (shares of the initial energy)\n");
+  const auto body = [&](const std::string& text) { return pair ? fmt::format("{:>8}", text) : ""; };
+  const auto before = [&](const std::string& text) { return vibrates ? fmt::format("{:>14}", text) : ""; };
+  output.write(fmt::format("{}{:>5}{:>5}{:>12}{}{:>14}{:>14}\n", body("body"), "n", "l", "omega", before("before"),
+                           "average", "after"));
+  for (std::size_t i = 0; i < count; ++i) {
+    const ModeEnergy& mode = modes[i];
+    output.write(fmt::format("{}{:>5}{:>5}{:>12.6f}{}{:>14.7f}{:>14.7f}\n", body(mode.body == 0 ? "first" : "second"),
+                             mode.order, mode.index, mode.omega, before(fmt::format("{:.7f}", mode.before)),
+                             mode.average, mode.after));
+  }
+  output.close();
+}
+
+void check_trajectory(const ImpactArguments& arguments) {
+  if (!arguments.trajectory.empty() && same_output(arguments.trajectory, arguments.output.path)) {
+    throw InvalidInput(
+        "trajectory: got the file of --output or stdout, allowed another one (one would overwrite the other)");
+  }
+  if (arguments.every < 1) {
+    throw InvalidInput(
+        fmt::format("every: got {}, allowed 1 or more (steps between two rows of the trajectory)", arguments.every));
+  }
+  if (given(*arguments.command, "--every") && arguments.trajectory.empty()) {
+    throw InvalidInput("every: got --every without --trajectory, allowed only with it (it thins out its rows)");
+  }
+}
+
+/// The impact, with its instants as CSV if they are asked for. A refused impact leaves their file alone.
+Impact compute(const ImpactArguments& arguments, const Encounter& encounter, const Contact& contact, double speed,
+               const ImpactOptions& options) {
+  if (arguments.trajectory.empty()) return impact(contact, speed, options);
+  Provenance provenance = describe(arguments, encounter);
+  provenance.schema = "trajectory";
+  provenance.inputs["speed"] = speed;
+  provenance.inputs["cutoff"] = arguments.cutoff;
+  const Fields<Snapshot> fields(snapshot_quantities(), Units{.own = units_of(encounter).own});
+  Writer writer(Output(arguments.trajectory, Output::Use::rows), Format::csv, provenance, fields.columns());
+  catch_interrupts();
+  Impact result;
+  writer.finish_after([&] {
+    const ImpactObserver observer = [&](const Snapshot& now) {
+      heed_interrupts();
+      writer.add(fields.row(now));
+    };
+    result = impact(contact, speed, options, {.observer = observer, .every = arguments.every});
+  });
+  return result;
+}
+
+void run(const ImpactArguments& arguments) {
+  const Encounter encounter = arguments.who.encounter();
+  refuse_tail(*arguments.command, encounter);
+  check_trajectory(arguments);
+  const double speed = parse_speed(arguments.speed, units_of(encounter), "stoss restitution takes lists");
+  ImpactOptions options{.resolution = arguments.resolution};
+  options.resolution.tail = arguments.tail == "static" ? Tail::quasistatic : Tail::radiating;
+  const Contact contact = contact_of(encounter, arguments.cutoff, speed);
+  const Vibration& vibration = encounter.vibration;
+  if (!vibration.empty()) options.start = approach(contact, speed, vibration);
+  const OutputOptions& asked = arguments.output;
+  Output output(asked.path);
+  const Impact result = compute(arguments, encounter, contact, speed, options);
+  if (result.beyond_small_strain) asked.warn_of_strain("here");
+  if (const Yielding its = yielding(encounter); its.is_below(result.speed)) asked.warn(yield_warning(*its.speed));
+
+  const auto [columns, row] = make_row(result, encounter);
+  if (asked.chosen_format() == Format::table) {
+    const Kind& against = kind(encounter.against.kind);
+    const bool unbounded = !against.wall && !against.bounded;
+    std::vector<ModeEnergy> modes = result.energy.modes;
+    // The waves of a half-space are a continuum: single ones say little.
+    if (unbounded) std::erase_if(modes, [](const ModeEnergy& mode) { return mode.body == 1; });
+    const bool pair = against.name == "same" || (!against.wall && !unbounded);
+    return write_table(std::move(output), columns, row, std::move(modes), pair, !vibration.empty());
+  }
+  Writer writer(std::move(output), asked.chosen_format(), describe(arguments, encounter), columns);
+  writer.add(row);
+  if (asked.chosen_format() == Format::json) {
+    writer.attach("modes", to_json(mode_energy_quantities(), result.energy.modes));
+  }
+  writer.finish();
+}
+
+}  // namespace
+
+void add_impact(CLI::App& app) {
+  auto& arguments = add_subcommand<ImpactArguments>(
+      app, "impact", "One impact at a fixed resolution, with its energy ledger", run,
+      "Examples:\n"
+      "  stoss impact --poisson 0.33 --speed 0.1 --trajectory t.csv --every 4\n"
+      "  stoss impact --poisson 0.33 --speed 0.2 --against disk,radius=2\n"
+      "  stoss impact --poisson 0.33 --speed 0.1 --against exponential,hardness=300\n"
+      "  stoss impact --body sphere --poisson 0.3 --speed 0.1 --against sphere,radius=2,young=4\n"
+      "  stoss impact --body sphere --poisson 0.3 --speed 0.1 --against half-space --cutoff 12\n"
+      "  stoss impact --body sphere --poisson 0.3 --speed 0.01 --mode 2,0,energy=0.1,phase=2");
+  CLI::App& command = *arguments.command;
+  arguments.who.first.add_poisson_to(command);
+  add(command, "--speed", arguments.speed, "Speed of approach, 1e-8 to 1 in c of the body (with a material: m/s)", "V",
+      "Body")
+      ->required();
+  arguments.who.add_to(command, true);
+  add_modes_to(command, arguments.who.modes);
+  add_choice(command, "--tail", arguments.tail, {"radiating", "static"},
+             "How modes above the cutoff answer (default: radiating)", "TAIL", "Against");
+  add(command, "--cutoff", arguments.cutoff, "Modes up to this frequency in c/R are kept (default: 50)", "OMEGA",
+      "Resolution");
+  add(command, "--step", arguments.resolution.step, "Time step in R/c (default: recommended)", "DT", "Resolution");
+  add(command, "--nodes", arguments.resolution.nodes, "Contact nodes, 16 to 4096 (default: recommended)", "N",
+      "Resolution");
+  add(command, "--trajectory", arguments.trajectory, "Write time, center, force, energies as CSV to FILE", "FILE",
+      "Output");
+  add(command, "--every", arguments.every, "Trajectory: every so many steps (default: 1)", "K", "Output");
+  arguments.output.add_to(command);
+}
+
+}  // namespace stoss::cli

@@ -1,0 +1,233 @@
+// stoss quasistatic: slow impacts and static compression, in closed form where there is one.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <variant>
+
+#include "app.hpp"
+#include "commands/quasistatic.hpp"
+#include "input/encounter.hpp"
+#include "output/output_options.hpp"
+#include "output/progress.hpp"
+#include "process/process.hpp"
+#include "stoss/errors.hpp"
+#include "stoss/quasistatic/quantities.hpp"
+#include "stoss/restitution/restitution.hpp"
+
+namespace stoss::cli {
+namespace {
+
+using namespace quasistatic;
+
+struct QuasistaticArguments {
+  BodyOptions body;
+  std::string speeds;
+  std::string compressions;
+  std::string law = "center";
+  double cutoff = 60.0;
+  OutputOptions output;
+  CLI::App* command = nullptr;
+};
+
+/// A body that is pressed to a wall: by the law of compression, and as the exact static contact has it.
+struct Compressed {
+  double compression = 0.0;
+  double force = 0.0;
+  double energy = 0.0;
+  double half_width = 0.0;
+  StaticContact contact;
+};
+
+template <typename Of>
+Fields<Compressed> compressed_fields(const Units& units) {
+  using C = Compressed;
+  using enum Dimension;
+  const auto static_force = [](const C& c) { return Estimate{c.contact.force, c.contact.force_error}; };
+  const Quantities<C> quantities{
+      {"compression", length, &C::compression},  //
+      {"force", force, &C::force},               //
+      {"energy", energy, &C::energy},            //
+      {Of::size, length, &C::half_width},        //
+      {"static_force", force, static_force},
+  };
+  return Fields<C>(quantities, units,
+                   {{"compression", {.width = 13, .si_width = 16}},
+                    {"force", {.width = 13, .si_width = 13}},
+                    {"energy", {.width = 13, .si_width = 13}},
+                    {Of::size, {.width = Of::width, .si_width = Of::width + 3}},
+                    {"static_force", {.width = 25, .si_width = 17, .with_error = true}}});
+}
+
+template <typename Made>
+Fields<Made> estimate_fields(const Quantities<Made>& quantities, const Units& units) {
+  return Fields<Made>(quantities, units,
+                      {{"lost_fraction", {.width = 24, .with_error = true, .mark = {{"beyond_perturbation", true}}}},
+                       {"contact_time", {.width = 14, .si_width = 17}},
+                       {"max_compression", {.width = 17, .si_width = 20}},
+                       {"max_force", {.width = 13}}});
+}
+
+/// A number of rows that are written one by one, until Ctrl-C.
+void write_rows(const OutputOptions& output, Writer& writer, std::size_t count,
+                const std::function<Row(std::size_t)>& make) {
+  Progress progress(output, count);
+  writer.finish_after([&] {
+    for (std::size_t i = 0; i < count; ++i) {
+      heed_interrupts();
+      writer.add(make(i));
+      progress.show(i + 1);
+    }
+  });
+}
+
+template <typename Of>
+void impacts(const QuasistaticArguments& arguments, const Of& of, const Yielding& yielding, Provenance provenance) {
+  const Units& units = yielding.units;
+  const OutputOptions& output = arguments.output;
+  const Allowed allowed{of.slowest, limit_speed(of.law, of.poisson),
+                        fmt::format("of the centre of mass, {} to where the static law ends", of.slowest_text)};
+  const std::vector<double> speeds = parse_series_in("speed", arguments.speeds, Dimension::speed, units, allowed);
+  const auto modes = of.modes(arguments.cutoff);
+  provenance.inputs["cutoff"] = arguments.cutoff;
+  catch_interrupts();
+  const auto fields = estimate_fields(of.quantities(), units);
+  Columns columns{{"poisson"}};
+  append(columns, speed_columns(units), fields.columns(), yielding.columns());
+  Writer writer = output.writer(provenance, columns);
+  std::size_t beyond = 0;
+  write_rows(output, writer, speeds.size(), [&](std::size_t i) {
+    const auto its = rayleigh(of.law, of.poisson, speeds[i], modes, heed_interrupts);
+    beyond += its.beyond_perturbation ? 1 : 0;
+    if (speeds.size() == 1 && output.chosen_format() == Format::json) {
+      writer.attach("modes", to_json(driven_mode_quantities(), its.modes));
+    }
+    Row row{of.poisson};
+    append(row, speed_row(units, speeds[i]), fields.row(its), yielding.row(speeds[i]));
+    return row;
+  });
+  if (beyond > 0) {
+    output.warn(
+        fmt::format("{} of {} rows beyond perturbation theory (marked): lost_fraction is no estimate there, but far "
+                    "too large (see stoss restitution)",
+                    beyond, speeds.size()));
+  }
+  const double fastest = *std::max_element(speeds.begin(), speeds.end());
+  if (yielding.is_below(fastest)) output.warn(yield_warning(*yielding.speed));
+}
+
+template <typename Of>
+void compressions(const QuasistaticArguments& arguments, const Of& of, const Yielding& yielding,
+                  const Provenance& provenance) {
+  if (given(*arguments.command, "--cutoff")) {
+    throw InvalidInput("cutoff: got --cutoff with --compression, allowed only with --speed (here all modes count)");
+  }
+  if (yielding.speed) {
+    throw InvalidInput(
+        "yield: got --yield with --compression, allowed only with --speed (give the speed, not the compression)");
+  }
+  const OutputOptions& output = arguments.output;
+  constexpr double least = 1e-12, greatest = 0.5;  // of a static contact, R
+  const Allowed allowed{least, std::min(compression(of.law, of.poisson, of.last_force), greatest),
+                        "R + x0; beyond them a law or a contact ends"};
+  const std::vector<double> values =
+      parse_series_in("compression", arguments.compressions, Dimension::length, yielding.units, allowed);
+  catch_interrupts();
+  const auto fields = compressed_fields<Of>(yielding.units);
+  Columns columns{{"poisson"}};
+  append(columns, fields.columns());
+  Writer writer = output.writer(provenance, columns);
+  write_rows(output, writer, values.size(), [&](std::size_t i) {
+    // The rounding of the inversion must not lead beyond the last force.
+    const double force = std::min(compression_force(of.law, of.poisson, values[i]), of.last_force);
+    const double energy = compression_energy(of.law, of.poisson, force);
+    Row row{of.poisson};
+    append(row, fields.row({values[i], force, energy, of.half_width(force), of.exact(values[i])}));
+    return row;
+  });
+  constexpr double great_compression = 0.1;  // beyond it small strains mean little
+  const auto great = std::count_if(values.begin(), values.end(), [](double v) { return v > great_compression; });
+  if (great > 0) {
+    output.warn(fmt::format("{} of {} compressions above {} R: linear elasticity means little there", great,
+                            values.size(), great_compression));
+  }
+}
+
+CompressionLaw line_law(const std::string& law) {
+  if (law == "center") return CompressionLaw::center;
+  if (law == "diameter") return CompressionLaw::diameter;
+  if (law == "printed") return CompressionLaw::printed;
+  throw InvalidInput(fmt::format("law: got {} with --body disk, allowed center, diameter or printed", law));
+}
+
+PointLaw point_law(const std::string& law) {
+  if (law == "center") return PointLaw::center;
+  if (law == "hertz") return PointLaw::hertz;
+  throw InvalidInput(fmt::format("law: got {} with --body sphere, allowed center or hertz", law));
+}
+
+std::variant<LineContact, PointContact> contact_of(const Solid& solid, const std::string& law) {
+  if (const auto* sphere = std::get_if<Sphere>(&solid)) return PointContact{point_law(law), sphere->poisson};
+  return LineContact{line_law(law), std::get<Disk>(solid).poisson};
+}
+
+void run(const QuasistaticArguments& arguments) {
+  const bool speeds = given(*arguments.command, "--speed");
+  if (!speeds && !given(*arguments.command, "--compression")) throw CLI::RequiredError("--speed or --compression");
+  Provenance provenance{"quasistatic", command_line(), {}};
+  const Encounter encounter{.first = arguments.body.body()};
+  validate(encounter);
+  describe_first(encounter, provenance.inputs);
+  const auto contact = contact_of(first_solid(encounter), arguments.law);
+  provenance.inputs["law"] = arguments.law;
+  const auto write = [&](const auto& of) {
+    if (speeds) {
+      impacts(arguments, of, yielding(encounter), provenance);
+    } else {
+      compressions(arguments, of, yielding(encounter), provenance);
+    }
+  };
+  std::visit(write, contact);
+}
+
+}  // namespace
+
+void add_quasistatic(CLI::App& app) {
+  auto& arguments = add_subcommand<QuasistaticArguments>(
+      app, "quasistatic", "Slow impacts with an estimate of the loss, or static compression", run,
+      "Examples:\n"
+      "  stoss quasistatic --poisson 0.33 --speed log:1e-6:0.1:50\n"
+      "  stoss quasistatic --poisson 0.33 --speed 1e-12 --format json\n"
+      "  stoss quasistatic --poisson 0.33 --compression lin:0.001:0.03:20\n"
+      "  stoss quasistatic --body sphere --poisson 0.3 --speed log:1e-9:0.01:50\n"
+      "Two equal bodies that each move at SPEED towards each other are the same problem.");
+  CLI::App& command = *arguments.command;
+  arguments.body.add_kind_to(command, {"disk", "sphere"});
+  arguments.body.add_poisson_to(command);
+  arguments.body.add_material_to(command, true);
+  auto* speed = add(command, "--speed", arguments.speeds,
+                    "Slow impacts at these speeds, in c (m/s with a material): a number,\n"
+                    "a,b,c, log:a:b:n or lin:a:b:n; 1e-100 c (of a sphere 1e-12 c) to\n"
+                    "0.14 c or more, where the law ends",
+                    "SPEEDS", "Body");
+  add(command, "--compression", arguments.compressions,
+      "In place of --speed: static contacts at these compressions, in R\n"
+      "(m with a material): a number, a,b,c, log:a:b:n or lin:a:b:n; 1e-12\n"
+      "to 0.2 or more, where the law or the contact ends (at most 0.5 R).\n"
+      "Gives force, energy and half-width or radius of the contact by the\n"
+      "law, and the force of the exact static contact with its error",
+      "DELTAS", "Body")
+      ->excludes(speed);
+  add_choice(command, "--law", arguments.law, {"center", "diameter", "printed", "hertz"},
+             "Force against compression (default: center)\n"
+             "  center:   approach of the centre of mass to the wall\n"
+             "  diameter: of a disk, shortening of the diameter between two walls\n"
+             "  printed:  of a disk, as Gerl and Zippelius print it\n"
+             "  hertz:    of a sphere, two half-spaces",
+             "LAW", "Body");
+  add(command, "--cutoff", arguments.cutoff,
+      "With --speed: highest frequency in Rayleigh's estimate, in c/R,\nup to 1000 (default: 60)", "OMEGA",
+      "Resolution");
+  arguments.output.add_to(command);
+}
+
+}  // namespace stoss::cli

@@ -1,0 +1,53 @@
+#pragma once
+
+#include <algorithm>
+
+#include "process/process.hpp"
+#include "stoss/quasistatic.hpp"
+#include "stoss/quasistatic/quantities.hpp"
+
+/// What `stoss quasistatic` needs of a body at a wall: law, modes, half-width under a force, exact static contact, and
+/// how its values are shown. Speeds are in c, lengths in R.
+namespace stoss::cli {
+
+/// A disk, which touches the wall along a line.
+struct LineContact {
+  static constexpr const char* size = "half_width";
+  static constexpr const char* slowest_text = "1e-100 c";
+  static constexpr double slowest = quasistatic::min_slow_speed;
+  static constexpr int width = 12;  // of the half-width
+
+  quasistatic::CompressionLaw law;
+  double poisson;
+  double last_force = std::min(limit_force(law, poisson), quasistatic::max_hertz_force);
+
+  [[nodiscard]] static const auto& quantities() { return quasistatic::rayleigh_quantities(); }
+  [[nodiscard]] auto modes(double cutoff) const { return bodies::disk::modes(poisson, cutoff); }
+  [[nodiscard]] static double half_width(double force) { return quasistatic::hertz_half_width(force); }
+  [[nodiscard]] quasistatic::StaticContact exact(double compression) const {
+    return quasistatic::static_contact(poisson, compression, {.poll = heed_interrupts});
+  }
+};
+
+/// A sphere, which touches it at a point; its half-width is the radius of the contact.
+struct PointContact {
+  static constexpr const char* size = "contact_radius";
+  static constexpr const char* slowest_text = "1e-12 c";
+  static constexpr double slowest = quasistatic::min_point_speed;
+  static constexpr int width = 16;
+
+  quasistatic::PointLaw law;
+  double poisson;
+  double last_force = limit_force(law, poisson);
+
+  [[nodiscard]] static const auto& quantities() { return quasistatic::point_rayleigh_quantities(); }
+  [[nodiscard]] auto modes(double cutoff) const { return bodies::sphere::modes(poisson, cutoff); }
+  [[nodiscard]] double half_width(double force) const { return contact_radius(law, poisson, force); }
+  [[nodiscard]] quasistatic::StaticContact exact(double compression) const {
+    constexpr int nodes = 80;  // a row takes 0.1 s, its force is good to 1e-4
+    return quasistatic::static_contact(Sphere{.poisson = poisson}, compression,
+                                       quasistatic::StaticContactOptions{nodes, heed_interrupts});
+  }
+};
+
+}  // namespace stoss::cli

@@ -1,0 +1,250 @@
+// stoss restitution: the coefficient of restitution against speed and Poisson's ratio, with errors.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "app.hpp"
+#include "commands/job.hpp"
+#include "input/encounter.hpp"
+#include "process/process.hpp"
+#include "stoss/encounter/series.hpp"
+#include "stoss/errors.hpp"
+#include "stoss/impact/quantities.hpp"
+#include "stoss/restitution/curve.hpp"
+#include "stoss/restitution/quantities.hpp"
+
+namespace stoss::cli {
+namespace {
+
+struct RestitutionArguments {
+  EncounterOptions who;
+  std::string poissons;
+  std::string speeds;
+  std::string method = "converge";
+  double tolerance = 1e-3;
+  double absolute = 1e-6;
+  int threads = 0;
+  RowOptions rows;
+  CLI::App* command = nullptr;
+
+  [[nodiscard]] bool converges() const { return method == "converge"; }
+};
+
+void check_method(const RestitutionArguments& arguments) {
+  for (const std::string name : {"tolerance", "absolute", "threads", "loss-time", "mode"}) {
+    if (!arguments.converges() && given(*arguments.command, "--" + name)) {
+      throw InvalidInput(
+          fmt::format("{0}: got --{0} with --method extrapolate, allowed only with --method converge", name));
+    }
+  }
+}
+
+void check_against(const RestitutionArguments& arguments, const Encounter& encounter) {
+  refuse_soft(encounter, " (stoss impact meets an exponential wall)");
+  const std::string& kind = encounter.against.kind;
+  if (!arguments.converges() && (kind != "wall" || encounter.first.kind != "disk")) {
+    throw InvalidInput(
+        fmt::format("against: got --body {} --against {} with --method extrapolate, allowed a disk at a wall",
+                    encounter.first.kind, kind));
+  }
+}
+
+Job make_job(RestitutionArguments& arguments) {
+  std::vector<double> poissons{0.0};  // of what has none
+  if (given(*arguments.command, "--poisson")) {
+    poissons = parse_series("poisson", arguments.poissons);
+    arguments.who.first.set_poisson(poissons.front());
+  }
+  Job job{arguments.who.encounter(), std::move(poissons), {}};
+  check_against(arguments, job.encounter);
+  if (job.units.si && job.poissons.size() > 1) {
+    throw InvalidInput(fmt::format("poisson: got {} numbers with a material, allowed one (a material has only one)",
+                                   job.poissons.size()));
+  }
+  if (job.units.si) job.poissons = {poisson_of(job.encounter).value_or(0.0)};
+  job.speeds = parse_speeds(arguments.speeds, job.units);
+  if (job.size() > longest_series) {
+    throw InvalidInput(fmt::format("speed: got {} speeds for each of {} Poisson's ratios, {} values, allowed up to {}",
+                                   job.speeds.size(), job.poissons.size(), job.size(), longest_series));
+  }
+  return job;
+}
+
+/// Numbers as typed: one as a number, more than one as text.
+nlohmann::ordered_json as_typed(const std::string& text) {
+  const std::vector<double> values = parse_series("", text);
+  if (values.size() == 1) return values.front();
+  std::string typed = text;
+  std::erase(typed, ' ');
+  return typed;
+}
+
+Provenance describe(const RestitutionArguments& arguments, const Job& job) {
+  Provenance provenance{arguments.converges() ? "restitution" : "extrapolation", command_line(), {}};
+  auto& inputs = provenance.inputs;
+  cli::describe(job.encounter, inputs);
+  if (!job.units.si && has_poisson(job.encounter.first)) inputs["poisson"] = as_typed(arguments.poissons);
+  inputs[job.units.si ? "speed[m/s]" : "speed"] = as_typed(arguments.speeds);
+  inputs["method"] = arguments.method;
+  if (arguments.converges()) {
+    inputs["tolerance"] = arguments.tolerance;
+    inputs["absolute"] = arguments.absolute;
+  }
+  return provenance;
+}
+
+Fields<Restitution> restitution_fields(const Units& units) {
+  return Fields<Restitution>(restitution_quantities(), units,
+                             {{"restitution", {.width = 22, .with_error = true}},
+                              {"lost_fraction", {.width = 25, .with_error = true, .mark = {{"converged", false}}}},
+                              {"contact_time", {.width = 13, .si_width = 17}},
+                              {"cutoff", {.in_si = false}}});
+}
+
+nlohmann::ordered_json details(const Restitution& r) {
+  nlohmann::ordered_json object{{"runs", to_json(run_quantities(), r.runs)}};
+  if (!r.runs.empty()) object["ledger"] = to_json(ledger_quantities(), std::vector{r.finest.energy}).front();
+  if (!r.converged) object["reason"] = r.reason;
+  return object;
+}
+
+std::string describe(const Attempt& attempt) {
+  const Estimate& lost = attempt.lost_fraction;
+  const std::string error = lost.error > 0.0 ? fmt::format("{:.1e}", lost.error / lost.value) : "unknown";
+  return fmt::format("cutoff {:.0f}, relative error of 1-eps^2 so far {}", attempt.cutoff, error);
+}
+
+/// @throws InvalidInput for what the core does not accept, before anything is computed
+void check(const Job& job, const CurveOptions& asked) {
+  validate(job.speeds, asked);
+  const double slowest = *std::min_element(job.speeds.begin(), job.speeds.end());
+  for (const double poisson : job.poissons) {
+    const RefinableContact contact = job.contact(poisson);
+    if (!asked.each.vibration.empty()) validate(contact, slowest, asked.each.vibration, heed_interrupts);
+  }
+}
+
+/// The speeds of one Poisson's ratio that the run does not have yet.
+void compute(const Job& job, RowRun& run, CurveOptions options, const Fields<Restitution>& fields) {
+  const auto first = static_cast<std::ptrdiff_t>(run.done() % job.speeds.size());
+  const std::vector<double> speeds(job.speeds.begin() + first, job.speeds.end());
+  std::string state = "begins";
+  options.each.poll = [&] {
+    heed_interrupts();
+    run.wait(state);
+  };
+  options.each.attempt_observer = [&state](const Attempt& attempt) { state = describe(attempt); };
+  restitution_curve(job.contact(job.poisson(run.done())), speeds, options, [&](std::size_t, const Restitution& result) {
+    heed_interrupts();
+    run.add(job.row(run.done(), fields, result), details(result), result.converged ? "" : result.reason);
+  });
+}
+
+/// The cutoff is raised until the error is small enough. The job must outlive the method.
+/// @param asked tolerances, threads and vibration
+Method converging(const Job& job, const CurveOptions& asked) {
+  check(job, asked);
+  const Fields<Restitution> its = restitution_fields(job.units);
+  return {job.plan(its.columns()), [&job, asked, its](RowRun& run) { compute(job, run, asked, its); }};
+}
+
+void run(const RestitutionArguments& asked) {
+  RestitutionArguments arguments = asked;
+  check_method(arguments);
+  arguments.rows.redirect();
+  const Job job = make_job(arguments);
+  const CurveOptions options{
+      .each = {.tolerance = arguments.tolerance, .absolute = arguments.absolute, .vibration = job.encounter.vibration},
+      .threads = arguments.threads};
+  const Method method = arguments.converges() ? converging(job, options) : extrapolating(job);
+  RowRun run(method.plan, arguments.rows);
+  run.write(describe(arguments, job), [&] {
+    while (run.done() < job.size()) method.compute(run);
+  });
+  run.conclude();
+}
+
+void add_resolution(CLI::App& command, RestitutionArguments& arguments) {
+  add_choice(command, "--method", arguments.method, {"converge", "extrapolate"},
+             "How to reach the value (default: converge)\n"
+             "  converge:    refine until tolerance or absolute error is met\n"
+             "  extrapolate: regressions over exponential walls, as Gerl and\n"
+             "               Zippelius do; 1e-3 to 0.5 c",
+             "METHOD", "Resolution");
+  add(command, "--tolerance", arguments.tolerance, "Relative error of 1-eps^2 to reach, 1e-15 to 0.5 (default: 0.001)",
+      "TOL", "Resolution");
+  add(command, "--absolute", arguments.absolute,
+      "Error of 1-eps^2 that is small enough in any case, 0 to 0.5\n(default: 1e-6; 0: only the tolerance counts)",
+      "ERROR", "Resolution");
+  add_threads(command, arguments.threads);
+}
+
+}  // namespace
+
+RefinableContact Job::contact(double poisson) const {
+  Encounter its = encounter;
+  if (!units.si && has_poisson(its.first)) its.first.values["poisson"] = poisson;
+  return refinable(its);
+}
+
+Row Job::key(std::size_t row) const {
+  Row key;
+  if (has_poisson(encounter.first)) key.emplace_back(poisson(row));
+  append(key, speed_row(units, speed(row)));
+  return key;
+}
+
+RowPlan Job::plan(const Columns& results) const {
+  Columns columns;
+  if (has_poisson(encounter.first)) columns.push_back({"poisson", "", units.si ? 0 : 8});
+  append(columns, speed_columns(units), results, yielding(encounter).columns());
+  const auto name = [this](std::size_t row) {
+    const std::string body = has_poisson(encounter.first) ? fmt::format("poisson {}, ", poisson(row)) : "";
+    return fmt::format("{}speed {:.6g} c", body, speed(row));
+  };
+  return {.size = size(),
+          .columns = columns,
+          .key = [this](std::size_t row) { return key(row); },
+          .name = name,
+          .yield_speed = yield_speed(encounter)};
+}
+
+void add_restitution(CLI::App& app) {
+  auto& arguments = add_subcommand<RestitutionArguments>(
+      app, "restitution", "Coefficient of restitution at a wall, a half-space or of two bodies", run,
+      "Examples:\n"
+      "  stoss restitution --poisson 0.33 --speed log:1e-4:0.3:40 --format csv -o curve.csv\n"
+      "  stoss restitution --poisson lin:-0.9:0.9:7 --speed 0.01,0.1 --resume map.csv\n"
+      "  stoss restitution --poisson 0.33 --speed 0.1 --tolerance 1e-5 --format json\n"
+      "  stoss restitution --poisson 0.33 --speed 0.1 --method extrapolate\n"
+      "  stoss restitution --poisson 0.3 --young 2.1e11 --density 7850 --radius 0.01 --speed 1,5,10\n"
+      "  stoss restitution --poisson 0.33 --speed 0.1 --against disk,poisson=0.2,radius=0.5,young=2\n"
+      "  stoss restitution --body sphere --poisson 0.3 --speed log:1e-5:0.3:40\n"
+      "  stoss restitution --body sphere --poisson 0.3 --young 2.1e11 --density 7850 --radius 0.01\n"
+      "      --yield 1e9 --speed 0.1,1 --against sphere,young=7e10,density=2500,radius=0.02\n"
+      "  stoss restitution --body sphere --poisson 0.3 --loss-time 0.1 --speed log:1e-4:0.1:7\n"
+      "  stoss restitution --body sphere --poisson 0.3 --speed log:1e-5:0.1:20 --against half-space\n"
+      "  stoss restitution --body sphere --poisson 0.3 --speed 0.01,0.1 --mode 2,0,energy=0.1,phase=2\n"
+      "  stoss restitution --body sphere --poisson 0.3 --young 2.1e11 --density 7850 --radius 0.005\n"
+      "      --speed 0.1,1 --against half-space,poisson=0.23,young=7e10,density=2500\n"
+      "  stoss restitution --body rod --speed 0.1 --against rod,length=2.5,density=3\n"
+      "  stoss restitution --body rod --young 2.1e11 --density 7850 --length 0.5 --area 1e-4 --speed 1\n"
+      "      --against rod,young=7e10,density=2700,length=1,area=2e-4");
+  CLI::App& command = *arguments.command;
+  add(command, "--poisson", arguments.poissons,
+      "Poisson's ratios, -0.95 to 0.995 of a disk, to 0.4999 of a sphere: a\n"
+      "number, a,b,c, log:a:b:n or lin:a:b:n. With a material: the one of\n"
+      "the solid",
+      "NUS", "Body");
+  add(command, "--speed", arguments.speeds,
+      "Speeds of approach, 1e-8 to 1 in c of the body (m/s with a material):\n"
+      "a number, a,b,c, log:a:b:n or lin:a:b:n",
+      "SPEEDS", "Body")
+      ->required();
+  arguments.who.add_to(command);
+  add_modes_to(command, arguments.who.modes);
+  add_resolution(command, arguments);
+  arguments.rows.add_to(command);
+}
+
+}  // namespace stoss::cli

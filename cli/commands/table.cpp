@@ -1,0 +1,238 @@
+// stoss table: the coefficient of restitution as a function of the speed, for other programs.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include "app.hpp"
+#include "input/encounter.hpp"
+#include "output/output_options.hpp"
+#include "process/process.hpp"
+#include "process/text.hpp"
+#include "stoss/encounter/laws.hpp"
+#include "stoss/errors.hpp"
+#include "stoss/table/adaptive.hpp"
+#include "stoss/table/adaptive_pairs.hpp"
+#include "stoss/table/c_source.hpp"
+#include "stoss/table/two_column.hpp"
+
+namespace stoss::cli {
+namespace {
+
+struct TableArguments {
+  EncounterOptions who;
+  std::string speed;
+  std::string ratio;  // of a table of pairs
+  double error = 1e-3;
+  int threads = 0;
+  std::string format = "c";
+  std::string name = "stoss";
+  std::string beyond = "clamp";
+  OutputOptions output;  // but for its format
+  CLI::App* command = nullptr;
+};
+
+struct TableJob {
+  Encounter encounter;
+  std::vector<double> typed;   ///< ends of the range, m/s with a material
+  std::vector<double> speeds;  ///< the same in c
+  bool si = units_of(encounter).si.has_value();
+  double unit = speed_unit(encounter);  ///< m/s, or 1
+  std::string unit_name = si ? "m/s" : "c";
+};
+
+void check_format(const TableArguments& arguments) {
+  const std::string& format = arguments.format;
+  const auto require = [&](const std::string& option, bool goes_with, const std::string& allowed) {
+    if (goes_with || !given(*arguments.command, "--" + option)) return;
+    throw InvalidInput(fmt::format("{0}: got --{0} with --format {1}, allowed only with {2}", option, format, allowed));
+  };
+  require("name", format == "c", "--format c");
+  require("ratio", format != "two-column", "c and json");
+  require("beyond", format != "two-column", "c and json (who reads the columns decides)");
+}
+
+TableJob make_job(const TableArguments& arguments) {
+  Encounter encounter = arguments.who.encounter();
+  refuse_soft(encounter);
+  const std::vector<std::string> ends = split(arguments.speed, ':');
+  if (ends.size() != 2) {
+    throw InvalidInput(fmt::format("speed: got '{}', allowed SLOWEST:FASTEST, as in 1e-4:0.3", arguments.speed));
+  }
+  const std::string both = ends[0] + "," + ends[1];
+  const std::vector<double> typed = parse_series("speed", both), speeds = parse_speeds(both, units_of(encounter));
+  if (speeds.size() != 2 || speeds[0] >= speeds[1]) {
+    throw InvalidInput(fmt::format("speed: got '{}', allowed a slowest speed below the fastest", arguments.speed));
+  }
+  return {std::move(encounter), typed, speeds};
+}
+
+Beyond beyond(const TableArguments& arguments) { return arguments.beyond == "clamp" ? Beyond::clamp : Beyond::error; }
+
+Provenance describe(const TableArguments& arguments, const TableJob& job) {
+  Provenance provenance{"table", command_line(), {}};
+  auto& inputs = provenance.inputs;
+  cli::describe(job.encounter, inputs);
+  inputs[job.si ? "speed[m/s]" : "speed"] = arguments.speed;
+  if (!arguments.ratio.empty()) inputs["ratio"] = arguments.ratio;
+  inputs["error"] = arguments.error;
+  inputs["beyond"] = arguments.beyond;
+  return provenance;
+}
+
+TableLabel label(const TableArguments& arguments, const TableJob& job) {
+  std::vector<std::string> lines;
+  // The lines of CSV without the mark of a comment.
+  for (const std::string& line : split(csv_header(describe(arguments, job)), '\n')) {
+    lines.push_back(line.substr(std::min<std::size_t>(2, line.size())));
+  }
+  return {.name = arguments.name, .unit = job.unit_name, .scale = job.unit, .provenance = std::move(lines)};
+}
+
+/// What both kinds of table have besides their records. @param between how values between the knots are to be had
+template <typename Function>
+nlohmann::ordered_json json_of(const TableArguments& arguments, const TableJob& job, const Function& function,
+                               const std::string& between) {
+  auto document = json_document(describe(arguments, job));
+  document["units"]["speed"] = job.unit_name;
+  document["interpolation"] = "cubic Hermite in " + between;
+  document["greatest_error"] = function.greatest_error();
+  return document;
+}
+
+std::string as_json(const TableArguments& arguments, const TableJob& job, const RestitutionFunction& function) {
+  auto document = json_of(arguments, job, function, "ln(speed)");
+  const auto& knots = function.knots();
+  const std::size_t last = knots.size() - 1;
+  for (std::size_t k = 0; k <= last; ++k) {
+    const double speed = k == 0 ? job.typed[0] : k == last ? job.typed[1] : knots[k].speed * job.unit;
+    nlohmann::ordered_json record{{"speed", speed},
+                                  {"restitution", knots[k].restitution.value},
+                                  {"restitution_error", knots[k].restitution.error},
+                                  {"slope", function.slopes()[k]}};
+    if (k < last) record["error_to_next"] = function.errors()[k];
+    document["records"].push_back(std::move(record));
+  }
+  document["complete"] = true;
+  return json_text(document);
+}
+
+std::string as_json(const TableArguments& arguments, const TableJob& job, const PairTable& table) {
+  auto document = json_of(arguments, job, table, "ln(speed) and in s = (ratio - 1)/(ratio + 1)");
+  const PairValues& values = table.values();
+  document["inverse_is_same"] = values.alike;
+  document["ratio"] = values.ratios;
+  const std::size_t columns = values.ratios.size();
+  for (std::size_t k = 0; k < values.speeds.size(); ++k) {
+    nlohmann::ordered_json record{{"speed", values.speeds[k] * job.unit}};
+    for (std::size_t j = 0; j < columns; ++j) {
+      const PairTable::Node& node = table.nodes()[k * columns + j];
+      record["restitution"].push_back(node.value);
+      record["restitution_error"].push_back(values.restitution[k * columns + j].error);
+      record["slope_of_speed"].push_back(node.by_speed);
+      record["slope_of_ratio"].push_back(node.by_ratio);
+      record["slope_of_both"].push_back(node.by_both);
+      if (k + 1 < values.speeds.size() && j + 1 < columns) {
+        record["error_to_next"].push_back(table.errors()[k * (columns - 1) + j]);
+      }
+    }
+    document["records"].push_back(std::move(record));
+  }
+  document["complete"] = true;
+  return json_text(document);
+}
+
+std::string text_of_function(const TableArguments& arguments, const TableJob& job) {
+  // Half of the error is for the straight lines between the rows.
+  const double share = arguments.format == "two-column" ? 0.5 : 1.0;
+  const RestitutionFunction function = restitution_function(refinable(job.encounter), job.speeds[0], job.speeds[1],
+                                                            {.error = share * arguments.error,
+                                                             .beyond = beyond(arguments),
+                                                             .threads = arguments.threads,
+                                                             .poll = heed_interrupts});
+  if (arguments.format == "json") return as_json(arguments, job, function);
+  if (arguments.format == "c") return c_header(function, label(arguments, job));
+  return two_column(function, arguments.error, job.unit);
+}
+
+std::string text_of_pairs(const TableArguments& arguments, const TableJob& job) {
+  const std::string& ratio = arguments.ratio;
+  const std::vector<std::string> ends = split(ratio, ':');
+  if (ends.size() != 2) throw InvalidInput(fmt::format("ratio: got '{}', allowed SMALLEST:GREATEST, as in 1:3", ratio));
+  const PairTable table = pair_table(
+      mixture(job.encounter), job.speeds[0], job.speeds[1], parse_number("ratio", ends[0]),
+      parse_number("ratio", ends[1]),
+      {.error = arguments.error, .beyond = beyond(arguments), .threads = arguments.threads, .poll = heed_interrupts});
+  return arguments.format == "c" ? c_header(table, label(arguments, job)) : as_json(arguments, job, table);
+}
+
+void warn(const TableArguments& arguments, const TableJob& job) {
+  if (job.speeds[1] > 0.5) {
+    arguments.output.warn("speed above 0.5 c: linear elasticity has lost its meaning there");
+  }
+  if (const Yielding its = yielding(job.encounter); its.is_below(job.speeds[1])) {
+    arguments.output.warn(yield_warning(*its.speed));
+  }
+}
+
+void run(const TableArguments& arguments) {
+  check_format(arguments);
+  const TableJob job = make_job(arguments);
+  Output output(arguments.output.path);
+  catch_interrupts();
+  const std::string text = arguments.ratio.empty() ? text_of_function(arguments, job) : text_of_pairs(arguments, job);
+  heed_interrupts();
+  output.write(text);
+  output.close();
+  warn(arguments, job);
+}
+
+void add_form(CLI::App& command, TableArguments& arguments) {
+  add(command, "--error", arguments.error,
+      "Maximum error of eps at any speed, interpolation included, 1e-7 to\n0.1 (default: 0.001)", "ERROR",
+      "Resolution");
+  add_threads(command, arguments.threads);
+  add_choice(command, "--format", arguments.format, {"c", "two-column", "json"},
+             "Form of the table (default: c)\n"
+             "  c:          a header in C89 and C++, of plain functions\n"
+             "  two-column: speed and eps, to be interpolated linearly in the speed\n"
+             "  json:       computed values, slopes and errors",
+             "FORM", "Output");
+  add(command, "--name", arguments.name, "Prefix of the names in C (default: stoss)", "NAME", "Output");
+  add_choice(command, "--beyond", arguments.beyond, {"clamp", "error"},
+             "What the table gives beyond its range (default: clamp)\n"
+             "  clamp: the value at the nearer end, with an infinite error\n"
+             "  error: not a number, with an infinite error",
+             "BEYOND", "Output");
+  arguments.output.add_place_to(command);
+}
+
+}  // namespace
+
+void add_table(CLI::App& app) {
+  auto& arguments = add_subcommand<TableArguments>(
+      app, "table", "Coefficient of restitution as a function, for other programs", run,
+      "Examples:\n"
+      "  stoss table --poisson 0.33 --speed 1e-4:0.3 -o restitution.h\n"
+      "  stoss table --body sphere --poisson 0.3 --speed 1e-5:0.1 --against same --error 1e-4 --format json\n"
+      "  stoss table --body sphere --poisson 0.3 --young 2.1e11 --density 7850 --radius 0.005 --speed 0.01:10\n"
+      "      --against half-space,poisson=0.23,young=7e10,density=2500 --format two-column -o steel_on_glass.txt\n"
+      "  stoss table --poisson 0.33 --speed 1e-4:0.3 --against same --ratio 1:3 -o pairs.h\n"
+      "  stoss table --body rod --speed 0.001:0.1 --against rod,length=2.5 --error 0.01 --name rods -o rods.h");
+  CLI::App& command = *arguments.command;
+  arguments.who.first.add_poisson_to(command);
+  add(command, "--speed", arguments.speed,
+      "Range of the speed of approach, SLOWEST:FASTEST, within 1e-8 to 1 in c\nof the body (with a material: m/s)",
+      "RANGE", "Body")
+      ->required();
+  add(command, "--ratio", arguments.ratio,
+      "Range of the ratio of radii, SMALLEST:GREATEST, second body over first,\nwithin 1e-3 to 1e3: a table of pairs "
+      "of "
+      "disks or of spheres, --against\nsame or a body, whose radius does not count",
+      "RANGE", "Body");
+  arguments.who.add_to(command);
+  add_form(command, arguments);
+}
+
+}  // namespace stoss::cli

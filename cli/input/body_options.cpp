@@ -1,0 +1,164 @@
+#include "input/encounter.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cctype>
+#include <iterator>
+
+#include "app.hpp"
+#include "stoss/encounter/materials.hpp"
+#include "stoss/errors.hpp"
+
+namespace stoss::cli {
+namespace {
+
+std::vector<std::string> sizes_of(const Kind& its) {
+  std::vector<std::string> names;
+  for (const Parameter& each : its.parameters) {
+    if (!each.of_material && each.name != "loss_time") names.emplace_back(each.name);
+  }
+  return names;
+}
+
+/// The sizes of kinds, those with the same sizes together.
+std::string heading(const std::vector<std::string>& kinds) {
+  std::vector<std::string> said;
+  for (std::size_t k = 0; k < kinds.size();) {
+    const auto sizes = sizes_of(kind(kinds[k]));
+    std::vector<std::string> alike;
+    for (; k < kinds.size() && sizes_of(kind(kinds[k])) == sizes; ++k) alike.push_back(kinds[k]);
+    said.push_back(fmt::format("{} ({})", fmt::join(sizes, ", "), fmt::join(alike, ", ")));
+  }
+  return fmt::format("Material in SI (all or none of young, density and {})", fmt::join(said, " or "));
+}
+
+/// The unit as a placeholder: PA, KG/M^3.
+std::string upper(std::string_view unit) {
+  std::string text(unit);
+  for (char& c : text) c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
+  return text;
+}
+
+}  // namespace
+
+void BodyOptions::add_poisson_to(CLI::App& command) {
+  add(command, "--poisson", numbers_["poisson"],
+      "Poisson's ratio, -0.95 to 0.995 of a disk, to 0.4999 of a sphere; with\na material: of the solid", "NU", "Body");
+}
+
+void BodyOptions::add_kind_to(CLI::App& command, const std::vector<std::string>& kinds) {
+  kinds_ = kinds;
+  std::string help = "Kind of body (default: disk)";
+  for (const std::string& name : kinds) {
+    if (parameter(kind(name), "poisson") == nullptr) help += "; a " + name + " has no Poisson's ratio";
+  }
+  add_choice(command, "--body", kind_, kinds, help, "BODY", "Body");
+}
+
+void BodyOptions::add_dynamics_to(CLI::App& command) {
+  command
+      .add_flag("--rigid-body", rigid_,
+                "The body is rigid: it keeps its mass, and its modulus and density\n"
+                "remain the units; what it meets must deform")
+      ->group("Body");
+  add(command, "--loss-time", numbers_["loss_time"],
+      "Loss time eta of the body: stress = (1 + eta d/dt) elastic stress\n(default: 0, or that of --material); "
+      "in R/c, with a material in s",
+      "ETA", "Body");
+}
+
+void BodyOptions::add_material_to(CLI::App& command, bool yield) {
+  const std::string group = heading(kinds_);
+  add(command, "--material", material_,
+      "A material of the list in place of --young, --density, --poisson:\nsteel, glass, ice, ... (stoss materials)",
+      "NAME", group);
+  std::vector<std::string> added{"poisson", "loss_time"};
+  for (const std::string& owner : kinds_) {
+    for (const Parameter& each : kind(owner).parameters) {
+      const std::string name(each.name);
+      if (std::find(added.begin(), added.end(), name) != added.end()) continue;
+      added.push_back(name);
+      const std::string more = name == "young" ? "; makes speeds m/s and adds SI values" : "";
+      add(command, "--" + name, numbers_[name], fmt::format("{} in {}{}", each.help, each.unit, more), upper(each.unit),
+          group);
+    }
+  }
+  add_choice(command, "--plane", plane_, {"stress", "strain"},
+             "Of a disk: thin (stress) or a long cylinder (strain); default: stress", "PLANE", group);
+  if (!yield) return;
+  add(command, "--yield", yield_,
+      "Yield strength of a sphere in Pa; adds the speed at which it begins\nto yield, and flags values beyond it", "PA",
+      group);
+}
+
+/// Refuses options that belong to other kinds.
+void BodyOptions::require_own(const Kind& its) const {
+  const auto require = [&](const std::string& option, bool is_given, const auto& has) {
+    if (!is_given || has(its)) return;
+    std::vector<std::string> owners = kinds_;
+    std::erase_if(owners, [&](const std::string& name) { return !has(kind(name)); });
+    throw InvalidInput(fmt::format("{0}: got --{0} with --body {1}, allowed only with --body {2}", option, its.name,
+                                   fmt::join(owners, " or ")));
+  };
+  for (const auto& [name, value] : numbers_) {
+    const std::string& of = name;
+    require(name, value.has_value(), [&of](const Kind& each) { return parameter(each, of) != nullptr; });
+  }
+  require("plane", !plane_.empty(), [](const Kind& each) { return each.has_plane; });
+  require("yield", yield_.has_value(), [](const Kind& each) { return each.can_yield; });
+  require("rigid-body", rigid_, [](const Kind& each) { return each.can_be_rigid; });
+}
+
+/// Whether there is something that only a body with a material has.
+bool BodyOptions::in_si() const {
+  return !material_.empty() || !plane_.empty() || yield_ || std::any_of(numbers_.begin(), numbers_.end(), [](auto& of) {
+    return of.second && of.first != "poisson" && of.first != "loss_time";
+  });
+}
+
+Participant BodyOptions::body() const {
+  const Kind& its = kind(kind_);
+  require_own(its);
+  Participant body{.kind = kind_, .material_name = material_, .rigid = rigid_};
+  if (plane_ == "strain") body.plane = Plane::strain;
+  for (const auto& [name, value] : numbers_) {
+    if (value) body.values[name] = *value;
+  }
+  if (has_poisson(body) && !body.values.contains("poisson") && material_.empty()) {
+    throw CLI::RequiredError("--poisson");
+  }
+  if (rigid_ && yield_) {
+    throw InvalidInput("yield: got --yield with --rigid-body, allowed only without (the second may have yield=)");
+  }
+  if (in_si()) set_material(body, yield_, 0.0, "material");
+  return body;
+}
+
+void set_material(Participant& of, std::optional<double> yield, double poisson, const std::string& option) {
+  if (!of.material_name.empty()) {
+    of.material = named_material(of.material_name);
+  } else {
+    const bool young = of.values.contains("young"), density = of.values.contains("density");
+    if (yield && !young && !density) {
+      throw InvalidInput(fmt::format(
+          "{}: got yield without a material, allowed only with young, density and radius, or with a named material",
+          option == "material" ? "yield" : option));
+    }
+    if (!young || !density) {
+      throw InvalidInput(
+          fmt::format("{}: got {} without {}, allowed young, density and sizes together, in SI, or a "
+                      "named material (which sizes and plane need)",
+                      option, of.kind, young ? "density" : "young"));
+    }
+    of.material = Material{of.values.at("young"), poisson, of.values.at("density")};
+    if (const auto own = of.values.find("poisson"); own != of.values.end()) of.material->poisson = own->second;
+    for (const char* own : {"young", "poisson", "density"}) of.values.erase(own);
+  }
+  if (!yield) return;
+  of.material->yield_strength = yield;
+  of.material_name.clear();
+}
+
+}  // namespace stoss::cli

@@ -1,0 +1,135 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "output/fields.hpp"
+#include "stoss/encounter/encounter.hpp"
+#include "stoss/vibration/ensemble.hpp"
+
+namespace stoss::cli {
+
+/// The options that give the first body, from the table of kinds: its kind, its numbers, its material in SI.
+class BodyOptions {
+ public:
+  /// --poisson, which commands place before their own.
+  void add_poisson_to(CLI::App& command);
+
+  /// --body. @param kinds that it takes
+  void add_kind_to(CLI::App& command, const std::vector<std::string>& kinds);
+
+  /// --rigid-body and --loss-time.
+  void add_dynamics_to(CLI::App& command);
+
+  /// Sizes and material in SI. @param yield whether --yield is one of them
+  void add_material_to(CLI::App& command, bool yield);
+
+  /// Poisson's ratio, for a command that has an option of its own for it.
+  void set_poisson(double value) { numbers_["poisson"] = value; }
+
+  /// The body, without a check of its numbers.
+  /// @throws CLI::RequiredError for a body without its Poisson's ratio, InvalidInput for options that do not go
+  /// together
+  [[nodiscard]] Participant body() const;
+
+ private:
+  [[nodiscard]] bool in_si() const;
+  void require_own(const Kind& its) const;
+
+  std::vector<std::string> kinds_;
+  std::string kind_ = "disk";
+  std::map<std::string, std::optional<double>> numbers_;  // by parameter
+  std::optional<double> yield_;
+  std::string material_, plane_;
+  bool rigid_ = false;
+};
+
+/// Gives a body in SI the material of its name or, in place of them, of its numbers. Sizes that are missing, and
+/// numbers beside a named material, are for validate.
+/// @param poisson of a material without its own
+/// @param option  named by refusals
+/// @throws InvalidInput for a name that is not known, and for a material that is not whole
+void set_material(Participant& of, std::optional<double> yield, double poisson, const std::string& option);
+
+/// The options that say who meets whom, but for --poisson.
+struct EncounterOptions {
+  BodyOptions first;
+  std::string against = "wall";
+  std::vector<std::string> modes{};
+
+  /// @param exponential whether the soft wall can be met
+  /// @param note        to the help of --against
+  void add_to(CLI::App& to, bool exponential = false, const std::string& note = {});
+
+  /// @throws CLI::RequiredError for a body without its Poisson's ratio, InvalidInput for options that do not go
+  /// together, and as validate
+  [[nodiscard]] Encounter encounter() const;
+};
+
+/// Adds the first body, or who meets whom, to the inputs of a result.
+void describe_first(const Encounter& encounter, nlohmann::ordered_json& inputs);
+void describe(const Encounter& encounter, nlohmann::ordered_json& inputs);
+
+/// Whether bodies of its kind have a Poisson's ratio.
+[[nodiscard]] inline bool has_poisson(const Participant& of) { return parameter(kind(of.kind), "poisson") != nullptr; }
+
+/// That of the first body as the core computes with it; nothing where it has none.
+[[nodiscard]] std::optional<double> poisson_of(const Encounter& encounter);
+
+/// @throws InvalidInput for --tail of an exponential wall
+void refuse_tail(const CLI::App& command, const Encounter& encounter);
+
+/// @throws InvalidInput for an exponential wall, of which only single impacts are computed. @param hint who takes it
+void refuse_soft(const Encounter& encounter, const std::string& hint = {});
+
+[[nodiscard]] inline bool is_soft(const Encounter& encounter) { return encounter.against.kind == "exponential"; }
+
+/// The range of a number, in units of the first body, and what a refusal says of it.
+struct Allowed {
+  double least, greatest;
+  std::string hint;
+};
+
+/// A series of lengths or speeds as typed, in units of the first body or, with a material, in SI; the result is in
+/// units of the body. @throws InvalidInput unless all are in the range
+[[nodiscard]] std::vector<double> parse_series_in(const std::string& name, const std::string& text, Dimension dimension,
+                                                  const Units& units, const Allowed& allowed);
+
+/// Speeds of approach, in c. @throws InvalidInput
+[[nodiscard]] std::vector<double> parse_speeds(const std::string& text, const Units& units);
+
+/// The same of one speed. @param note why only one
+[[nodiscard]] double parse_speed(const std::string& text, const Units& units, const std::string& note = {});
+
+/// --mode, as often as there are modes: how the bodies vibrate before the impact.
+void add_modes_to(CLI::App& command, std::vector<std::string>& modes);
+
+/// @throws InvalidInput for what is no mode
+[[nodiscard]] Vibration vibration_of(const std::vector<std::string>& modes);
+
+/// Adds the modes to the inputs of a result, if there are any.
+void describe(const Vibration& modes, nlohmann::ordered_json& inputs);
+
+/// How the bodies of an ensemble vibrate on average: --temperature and --highest, or --spectrum.
+struct SpectrumArguments {
+  std::optional<double> temperature;
+  std::optional<double> highest;
+  std::vector<std::string> modes;
+
+  void add_to(CLI::App& command);
+
+  /// @throws InvalidInput unless one of the two ways is chosen, and as the core
+  [[nodiscard]] Spectrum spectrum(const RefinableContact& contact, const Poll& poll) const;
+
+  /// Adds what was chosen to the inputs of a result.
+  void describe(nlohmann::ordered_json& inputs) const;
+
+ private:
+  [[nodiscard]] Vibration means() const;
+};
+
+}  // namespace stoss::cli

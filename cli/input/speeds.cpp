@@ -1,0 +1,55 @@
+#include "input/encounter.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "stoss/encounter/series.hpp"
+#include "stoss/errors.hpp"
+
+namespace stoss::cli {
+namespace {
+
+/// An end of a range to six digits, rounded towards its inside, so that what is shown is allowed.
+/// @param inside 1: upwards, -1: downwards
+std::string shown_end(double value, double inside) {
+  const std::string text = fmt::format("{:.6g}", value);
+  if ((std::stod(text) - value) * inside >= 0.0) return text;
+  const double digit = std::pow(10.0, std::floor(std::log10(std::abs(value))) - 5.0);
+  return fmt::format("{:.6g}", value + inside * digit);
+}
+
+}  // namespace
+
+std::vector<double> parse_series_in(const std::string& name, const std::string& text, Dimension dimension,
+                                    const Units& units, const Allowed& allowed) {
+  std::vector<double> values = parse_series(name, text);
+  const double unit = units.si ? unit_in_si(dimension, *units.si) : 1.0;
+  const double least = allowed.least * unit, greatest = allowed.greatest * unit;
+  for (double& value : values) {
+    if (!(value >= least && value <= greatest)) {
+      throw InvalidInput(fmt::format("{}: got {}, allowed {} to {} {} ({})", name, value, shown_end(least, 1.0),
+                                     shown_end(greatest, -1.0),
+                                     unit_name(dimension, units.si ? units.in_si : units.own), allowed.hint));
+    }
+    // The division may round beyond an end.
+    value = std::clamp(value / unit, allowed.least, allowed.greatest);
+  }
+  return values;
+}
+
+std::vector<double> parse_speeds(const std::string& text, const Units& units) {
+  return parse_series_in("speed", text, Dimension::speed, units, {1e-8, 1.0, "speed of approach, 1e-8 to 1 c"});
+}
+
+double parse_speed(const std::string& text, const Units& units, const std::string& note) {
+  const std::vector<double> speeds = parse_speeds(text, units);
+  if (speeds.size() != 1) {
+    throw InvalidInput(fmt::format("speed: got {} speeds, allowed one{}", speeds.size(),
+                                   note.empty() ? "" : fmt::format(" ({})", note)));
+  }
+  return speeds.front();
+}
+
+}  // namespace stoss::cli

@@ -1,0 +1,119 @@
+#include "input/encounter.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <optional>
+
+#include "app.hpp"
+#include "input/words.hpp"
+#include "process/text.hpp"
+#include "stoss/encounter/series.hpp"
+#include "stoss/errors.hpp"
+
+namespace stoss::cli {
+namespace {
+
+const std::vector<std::string> bodies{"first", "second"};
+constexpr double usual_highest = 10.0;
+
+/// Of --mode or --spectrum. @param keys that may stand behind order and index
+Oscillation parse_mode(const std::string& option, const std::vector<std::string>& keys, const std::string& text) {
+  const std::vector<std::string> parts = split(text, ',');
+  const std::string allowed =
+      fmt::format("allowed ORDER,INDEX,energy=SHARE, also with {}", fmt::join(keys.begin() + 1, keys.end(), ", "));
+  if (parts.size() < 3) throw InvalidInput(fmt::format("{}: got '{}', {}", option, shortened(text), allowed));
+  Oscillation mode{.order = parse_integer(option, parts[0]), .index = parse_integer(option, parts[1])};
+  std::optional<double> energy;
+  for (const auto& [key, value] : parse_keys(option, parts, 2, keys)) {
+    if (key == "energy") energy = parse_number(option + " energy", value);
+    if (key == "phase") mode.phase = parse_number(option + " phase", value);
+    if (key != "of") continue;
+    const std::string body = without_spaces(value);
+    if (body != bodies[0] && body != bodies[1]) refuse_word(option + " of", body, bodies);
+    mode.body = body == bodies[0] ? 0 : 1;
+  }
+  if (!energy) throw InvalidInput(fmt::format("{}: got '{}' without energy, {}", option, shortened(text), allowed));
+  mode.energy = *energy;
+  return mode;
+}
+
+Vibration parse_modes(const std::string& option, const std::vector<std::string>& keys,
+                      const std::vector<std::string>& texts) {
+  Vibration modes;
+  for (const std::string& text : texts) modes.push_back(parse_mode(option, keys, text));
+  return modes;
+}
+
+nlohmann::ordered_json described(const Vibration& modes, bool with_phase) {
+  auto list = nlohmann::ordered_json::array();
+  for (const Oscillation& mode : modes) {
+    list.push_back({{"body", bodies[static_cast<std::size_t>(mode.body)]},
+                    {"order", mode.order},
+                    {"index", mode.index},
+                    {"energy", mode.energy}});
+    if (with_phase) list.back()["phase"] = mode.phase;
+  }
+  return list;
+}
+
+}  // namespace
+
+void add_modes_to(CLI::App& command, std::vector<std::string>& modes) {
+  add(command, "--mode", modes,
+      "A mode that vibrates before the impact, once for each: order n and\n"
+      "index l as stoss modes has them; its energy, as a share of the\n"
+      "translational one; its phase in radians when unexcited bodies\n"
+      "would touch (default: 0); of the second body with of=second",
+      "N,L,energy=SHARE[,phase=PHI][,of=second]", "Vibration");
+}
+
+Vibration vibration_of(const std::vector<std::string>& modes) {
+  return parse_modes("mode", {"energy", "phase", "of"}, modes);
+}
+
+void describe(const Vibration& modes, nlohmann::ordered_json& inputs) {
+  if (!modes.empty()) inputs["modes"] = described(modes, true);
+}
+
+Vibration SpectrumArguments::means() const { return parse_modes("spectrum", {"energy", "of"}, modes); }
+
+void SpectrumArguments::add_to(CLI::App& command) {
+  add(command, "--temperature", temperature,
+      "Mean energy of each mode up to --highest, as a share of the\n"
+      "translational one, 0 to 1e6 (this or --spectrum)",
+      "SHARE", "Vibration");
+  add(command, "--highest", highest,
+      "With --temperature: modes up to this frequency in c/R of the first\nbody vibrate (default: 10)", "OMEGA",
+      "Vibration");
+  add(command, "--spectrum", modes,
+      "A mode that vibrates, once for each: order n and index l as stoss\n"
+      "modes has them; its mean energy, as a share of the translational\n"
+      "one, 0 to 1e6; of the second body with of=second",
+      "N,L,energy=SHARE[,of=second]", "Vibration");
+}
+
+Spectrum SpectrumArguments::spectrum(const RefinableContact& contact, const Poll& poll) const {
+  if (temperature.has_value() != modes.empty()) {
+    throw InvalidInput(fmt::format("temperature: got {} --temperature and --spectrum, allowed one of the two",
+                                   temperature ? "both" : "neither"));
+  }
+  if (highest && !temperature) {
+    throw InvalidInput("highest: got --highest with --spectrum, allowed only with --temperature");
+  }
+  if (temperature) return thermal(contact, *temperature, highest.value_or(usual_highest), poll);
+  Spectrum spectrum;
+  for (const Oscillation& mean : means()) spectrum.push_back({mean.body, mean.order, mean.index, mean.energy});
+  return spectrum;
+}
+
+void SpectrumArguments::describe(nlohmann::ordered_json& inputs) const {
+  if (temperature) {
+    inputs["temperature"] = *temperature;
+    inputs["highest"] = highest.value_or(usual_highest);
+  } else {
+    inputs["spectrum"] = described(means(), false);
+  }
+}
+
+}  // namespace stoss::cli

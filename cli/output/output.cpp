@@ -1,0 +1,59 @@
+#include "output/output.hpp"
+
+#include <cerrno>
+#include <filesystem>
+#include <utility>
+
+#include "process/process.hpp"
+
+namespace stoss::cli {
+namespace {
+
+[[noreturn]] void fail(const std::string& path) {
+  const int reason = errno;
+  if (reason == EINTR) heed_interrupts();  // while a pipe waited for its reader
+  cannot_write(path, reason);
+}
+
+}  // namespace
+
+Output::Output(const std::string& path, Use use) : path_(path == "-" ? "" : path), use_(use) {
+  if (path_.empty()) return;
+  target_ = std::make_unique<Target>(path_);
+  if (use != Use::whole) target_->make();
+}
+
+void Output::put(bool grows) {
+  const std::string text = std::exchange(pending_, {});
+  const bool begun = std::exchange(begun_, true);
+  if (!target_) {
+    if (std::fwrite(text.data(), 1, text.size(), stdout) != text.size() || std::fflush(stdout) != 0) fail(path_);
+  } else if (begun) {
+    target_->add(text);
+  } else if (use_ == Use::resume || (grows && target_->is_empty())) {
+    target_->extend(kept_, text);
+  } else {
+    target_->replace(text);
+  }
+}
+
+void Output::end_row() {
+  if (use_ != Use::whole || !target_) put(true);
+}
+
+void Output::close() {
+  if (!begun_ || !pending_.empty()) put(false);
+  if (target_) target_->close();
+}
+
+bool same_output(const std::string& a, const std::string& b) {
+  const auto resolved = [](const std::string& path) {
+    return behind_links(path.empty() || path == "-" ? "/dev/stdout" : path);
+  };
+  const auto first = resolved(a), second = resolved(b);
+  std::error_code ignored;  // what cannot be looked at cannot be opened either, which is reported then
+  if (std::filesystem::is_regular_file(first, ignored)) return std::filesystem::equivalent(first, second, ignored);
+  return std::filesystem::weakly_canonical(first, ignored) == std::filesystem::weakly_canonical(second, ignored);
+}
+
+}  // namespace stoss::cli

@@ -1,0 +1,62 @@
+#include "output/output_options.hpp"
+
+#include <fmt/format.h>
+
+#include "app.hpp"
+#include "process/text.hpp"
+#include "stoss/errors.hpp"
+
+namespace stoss::cli {
+
+void OutputOptions::add_to(CLI::App& command) {
+  add_choice(command, "--format", format, {"table", "csv", "json"}, "Output format (default: table)", "FORMAT",
+             "Output");
+  add_place_to(command);
+}
+
+void OutputOptions::add_place_to(CLI::App& command) {
+  add(command, "-o,--output", path, "Write to FILE instead of stdout", "FILE", "Output");
+  command.add_flag("--quiet", quiet, "No warnings and no progress on stderr")->group("Output");
+}
+
+Format OutputOptions::chosen_format() const {
+  if (format == "csv") return Format::csv;
+  return format == "json" ? Format::json : Format::table;
+}
+
+Writer OutputOptions::writer(const Provenance& provenance, const Columns& columns, Output::Use use) const {
+  return {Output(path, use), chosen_format(), provenance, columns};
+}
+
+void OutputOptions::warn(const std::string& text) const {
+  if (!quiet) say("stoss: warning: " + text);
+}
+
+void OutputOptions::warn_of_strain(const std::string& where) const {
+  warn("speed above 0.5 c or compression above 0.5 R: linear elasticity has lost its meaning " + where);
+}
+
+void RowOptions::add_to(CLI::App& to) {
+  command = &to;
+  output.add_to(to);
+  add(to, "--resume", resume,
+      "Continue an interrupted run: keep the rows of the CSV file FILE,\n"
+      "add the missing ones; without FILE begin it",
+      "FILE", "Output");
+}
+
+void RowOptions::redirect() {
+  if (!given(*command, "--resume")) return;
+  if (resume == "-") throw InvalidInput("resume: got '-', allowed the name of a file");
+  if (given(*command, "--format") && output.format != "csv") {
+    throw InvalidInput(fmt::format("resume: got --format {}, allowed csv (which --resume implies)", output.format));
+  }
+  if (given(*command, "--output") && !same_output(output.path, resume)) {
+    throw InvalidInput(
+        fmt::format("resume: got another file as --output, allowed '{}' (all rows go there)", shortened(resume)));
+  }
+  output.format = "csv";
+  output.path = resume;
+}
+
+}  // namespace stoss::cli

@@ -1,0 +1,76 @@
+#include "output/row_run.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "app.hpp"
+#include "output/fields.hpp"
+#include "process/process.hpp"
+#include "stoss/errors.hpp"
+
+namespace stoss::cli {
+
+RowRun::RowRun(RowPlan plan, const RowOptions& options)
+    : plan_(std::move(plan)), options_(options), progress_(options.output, plan_.size) {}
+
+Writer RowRun::open(const Provenance& provenance) {
+  if (options_.resume.empty()) return options_.output.writer(provenance, plan_.columns);
+  Output file(options_.resume, Output::Use::resume);  // locked from before the first row is read
+  const auto size = read_earlier(file, provenance, plan_.columns, [this](const Row& row) { take(row); });
+  if (size > 0) return {std::move(file), size};
+  return {std::move(file), Format::csv, provenance, plan_.columns};
+}
+
+void RowRun::write(const Provenance& provenance, const std::function<void()>& compute) {
+  catch_interrupts();
+  writer_.emplace(open(provenance));
+  writer_->finish_after(compute);
+}
+
+void RowRun::count(const Row& row) {
+  const Value* value = find(plan_.columns, row, "restitution");
+  if (has(plan_.columns, row, "converged", false) || std::isnan(number(*value))) ++marked_;
+  if (has(plan_.columns, row, "beyond_small_strain", true)) beyond_small_strain_ = true;
+  if (has(plan_.columns, row, "beyond_yield", true)) beyond_yield_ = true;
+  if (plan_.observer) plan_.observer(row);
+  ++done_;
+}
+
+/// Takes note of a row of an earlier run. @throws InvalidInput unless it is the next one
+void RowRun::take(const Row& row) {
+  if (done_ == plan_.size) {
+    throw InvalidInput(
+        fmt::format("resume: got a row {} in the file, allowed {} (mend it, or write another file)", done_ + 1, done_));
+  }
+  const Row key = plan_.key(done_);
+  const auto same = [](const Value& a, const Value& b) { return number(a) == number(b); };
+  if (!std::equal(key.begin(), key.end(), row.begin(), same)) {
+    const auto width = static_cast<std::ptrdiff_t>(key.size());
+    const Columns columns(plan_.columns.begin(), plan_.columns.begin() + width);
+    throw InvalidInput(
+        fmt::format("resume: got {} {} in row {} of the file, allowed {} (mend it, or write another file)",
+                    csv_columns(columns), csv_row({row.begin(), row.begin() + width}), done_ + 1, csv_row(key)));
+  }
+  count(row);
+}
+
+void RowRun::add(const Row& row, const nlohmann::ordered_json& details, const std::string& trouble) {
+  progress_.hide();
+  writer_->add(row, details);
+  if (!trouble.empty()) options_.output.warn(fmt::format("{}: {}", plan_.name(done_), trouble));
+  count(row);
+  progress_.show(done_);
+}
+
+void RowRun::conclude() const {
+  if (beyond_small_strain_) options_.output.warn_of_strain();
+  if (beyond_yield_) options_.output.warn(yield_warning(*plan_.yield_speed));
+  if (marked_ == 0) return;
+  options_.output.warn(fmt::format("{} of {} values not as accurate as asked for (marked)", marked_, done_));
+  throw NotAsAsked{};
+}
+
+}  // namespace stoss::cli

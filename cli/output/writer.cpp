@@ -1,0 +1,128 @@
+#include "output/writer.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "output/fields.hpp"
+#include "stoss/version.hpp"
+
+namespace stoss::cli {
+namespace {
+
+/// To the six digits that fit a table.
+std::string for_reading(const Value& value) {
+  if (const auto* number = std::get_if<double>(&value)) return fmt::format("{:.6g}", *number);
+  if (const auto* flag = std::get_if<bool>(&value)) return *flag ? "yes" : "no";
+  return full_precision(value);
+}
+
+/// Pads on the left to a width in characters (UTF-8 continuation bytes do not count).
+std::string right_aligned(const std::string& text, int width) {
+  int length = 0;
+  for (const char c : text) length += (static_cast<unsigned char>(c) & 0xC0) != 0x80 ? 1 : 0;
+  return std::string(static_cast<std::size_t>(std::max(width - length, 0)), ' ') + text;
+}
+
+std::string table_head(const Columns& columns) {
+  std::string names, units;
+  for (const Column& column : columns) {
+    if (column.width == 0) continue;
+    names += right_aligned(column.name, column.width);
+    units += right_aligned(column.unit, column.width);
+  }
+  units.erase(units.find_last_not_of(' ') + 1);
+  return names + "\n" + units + "\n";
+}
+
+std::string table_row(const Columns& columns, const Row& row) {
+  std::string text;
+  for (std::size_t i = 0; i < row.size(); ++i) {
+    const Column& column = columns[i];
+    if (column.width == 0) continue;
+    std::string cell = for_reading(row[i]);
+    if (column.with_error) {
+      cell = with_error(number(row[i]), number(row[i + 1]));
+    } else if (i + 1 < row.size() && columns[i + 1].name == column.name + "_error" &&
+               row[i + 1] == Value(std::string(unknown))) {
+      cell = unknown;
+    }
+    if (column.mark) cell += has(columns, row, column.mark->first, column.mark->second) ? " !" : "  ";
+    text += right_aligned(cell, column.width);
+  }
+  return text;
+}
+
+}  // namespace
+
+nlohmann::ordered_json json_document(Provenance provenance) {
+  nlohmann::ordered_json document;
+  document["schema"] = fmt::format("stoss/{}/2", provenance.schema);
+  document["version"] = version();
+  document["command"] = std::move(provenance.command);
+  document["inputs"] = std::move(provenance.inputs);
+  document["units"] = nlohmann::ordered_json::object();
+  document["records"] = nlohmann::ordered_json::array();
+  return document;
+}
+
+std::string json_text(const nlohmann::ordered_json& document) {
+  return document.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
+}
+
+Writer::Writer(Output output, Format format, Provenance provenance, Columns columns)
+    : format_(format), columns_(std::move(columns)), output_(std::move(output)) {
+  if (format_ == Format::csv) output_.write(csv_header(provenance));
+  if (format_ == Format::json) document_ = json_document(std::move(provenance));
+}
+
+Writer::Writer(Output output, std::uintmax_t size) : format_(Format::csv), begun_(true), output_(std::move(output)) {
+  output_.keep(size);
+}
+
+void Writer::begin() {
+  begun_ = true;
+  if (format_ == Format::csv) output_.write(csv_columns(columns_) + "\n");
+  if (format_ == Format::table) output_.write(table_head(columns_));
+  if (format_ != Format::json) return;
+  for (const Column& column : columns_) {
+    if (!column.unit.empty()) document_["units"][column.name] = column.unit;
+  }
+}
+
+void Writer::add(const Row& row, const nlohmann::ordered_json& details) {
+  if (!begun_) begin();
+  if (format_ == Format::json) {
+    nlohmann::ordered_json object = to_json(columns_, row);
+    object.update(details);
+    document_["records"].push_back(std::move(object));
+    return;
+  }
+  output_.write((format_ == Format::csv ? csv_row(row) : table_row(columns_, row)) + "\n");
+  output_.end_row();
+}
+
+void Writer::finish(bool complete) {
+  if (!complete && !begun_) return;
+  if (format_ == Format::json) {
+    document_["complete"] = complete;
+    output_.write(json_text(document_));
+  } else if (!complete) {
+    output_.write(fmt::format("{}\n", csv_interrupted));
+  }
+  output_.close();
+}
+
+void Writer::finish_after(const std::function<void()>& add_all) {
+  try {
+    add_all();
+  } catch (const OutputError&) {
+    throw;
+  } catch (...) {
+    finish(false);
+    throw;
+  }
+  finish();
+}
+
+}  // namespace stoss::cli

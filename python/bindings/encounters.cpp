@@ -1,0 +1,159 @@
+// Who meets whom: kinds, materials, modes, encounters and the contacts that are made of them.
+#include "stoss/bodies/disk/modes.hpp"
+#include "stoss/bodies/sphere/modes.hpp"
+#include "stoss/encounter/document.hpp"
+#include "stoss/encounter/laws.hpp"
+#include "stoss/encounter/materials.hpp"
+#include "stoss/encounter/series.hpp"
+#include "stoss/encounter/waves.hpp"
+#include "stoss/restitution/ladder.hpp"
+#include "support.hpp"
+
+namespace stoss::python {
+namespace {
+
+py::list all_kinds() {
+  py::list all;
+  for (const Kind& each : kinds()) {
+    py::list numbers;
+    for (const auto& [name, unit, otherwise, low, high, low_included, of_material, help] : each.parameters) {
+      numbers.append(py::make_tuple(name, unit, otherwise, low, high, low_included, of_material));
+    }
+    all.append(py::make_tuple(each.name, each.wall, each.bounded, each.can_be_rigid, each.has_plane, numbers));
+  }
+  return all;
+}
+
+py::list all_materials() {
+  py::list all;
+  for (const auto& [name, its, quality, frequency, source] : named_materials()) {
+    all.append(py::make_tuple(name, its.young, its.poisson, its.density, its.yield_strength, its.loss_time));
+  }
+  return all;
+}
+
+/// Names of the units by dimension, of results of which such a body is the first.
+py::dict units(const std::string& of, bool si) {
+  py::dict names;
+  using enum Dimension;
+  const UnitSystem system = si ? kind(of).si : kind(of).own;
+  for (const Dimension each : {none, length, inverse_length, time, speed, frequency, force, energy}) {
+    names[py::str(std::string(dimension_name(each)))] = unit_name(each, system);
+  }
+  return names;
+}
+
+/// At one cutoff, with some or all of the modes of a body at a wall.
+Contact contact_at(const Encounter& encounter, double cutoff, double slowest) {
+  return computed([&](const Poll& poll) {
+    const BodyMaker second = second_maker(encounter);
+    if (second) return contact(first_maker(encounter), second, cutoff, slowest, poll);
+    return contact(first_maker(encounter)(cutoff, poll), wall_of(encounter));
+  });
+}
+
+py::tuple to_tuple(const Scales& si) { return py::make_tuple(si.length, si.speed, si.time, si.frequency, si.force); }
+
+/// The modes of a kind of body, and the displacement of one of them.
+template <typename Mode, typename Displacement>
+void bind_modes(py::module_& module, const std::string& body, std::vector<Mode> (*modes)(double, double, const Poll&),
+                std::vector<Displacement> (*displacement)(double, const Mode&, const std::vector<double>&,
+                                                          const Poll&)) {
+  module.def((body + "_modes").c_str(),
+             [modes](double poisson, double cutoff) {
+               return take(computed([&](const Poll& poll) { return modes(poisson, cutoff, poll); }));
+             },
+             py::arg("poisson"), py::arg("cutoff"), "structured array of order, index, omega, radial, tangential");
+  module.def(
+      (body + "_displacement").c_str(),
+      [displacement](double poisson, int order, double omega, double radial, double tangential, const Doubles& radii) {
+        const std::vector<double> at = to_vector(radii);
+        return take(computed([&](const Poll& poll) {
+          return displacement(poisson, {order, 0, omega, radial, tangential}, at, poll);
+        }));
+      },
+      py::arg("poisson"), py::arg("order"), py::arg("omega"), py::arg("radial"), py::arg("tangential"),
+      py::arg("radii"), "structured array of radial, tangential");
+}
+
+void bind_contacts(py::module_& module) {
+  py::class_<SlowLaw> law(module, "SlowLaw", "What the restitution is below the range of a function.");
+  py::class_<Contact> contact(module, "Contact", "What meets what, with its kept modes.");
+  py::class_<RefinableContact> refinable(module, "RefinableContact", "What meets what, at any of a ladder of cutoffs.");
+  seal(law);
+  seal(contact);
+  seal(refinable);
+  contact.def_readonly("mass", &Contact::mass)
+      .def(
+          "with_modes",
+          [](const Contact& all, const py::array_t<bool, py::array::c_style>& keep) {
+            const std::vector<bool> kept(keep.data(), keep.data() + keep.size());
+            return stoss::contact(with_modes(*all.first, kept), all.wall);
+          },
+          py::arg("keep"), "some of the modes of a body at a wall");
+  module.def("no_law", [] { return SlowLaw(); });
+}
+
+}  // namespace
+
+void bind_encounters(py::module_& module) {
+  bind_contacts(module);
+  module.def(
+      "kinds", &all_kinds,
+      "(name, wall, bounded, can_be_rigid, has_plane, numbers) of each, with numbers (name, unit, default or None, "
+      "low, high, low_included, of_material)");
+  module.def(
+      "meets", [](const std::string& first, const std::string& against) { return meets(kind(first), kind(against)); },
+      py::arg("first"), py::arg("against"));
+  module.def(
+      "series", [](const std::string& name, const std::string& text) { return parse_series(name, text); },
+      py::arg("name"), py::arg("text"));
+  module.def("who_meets_whom", &who_meets_whom);
+  module.def("units", &units, py::arg("kind"), py::arg("si"), "names by dimension");
+  module.def(
+      "check_solid", [](const std::string& of, const Values& numbers) { (void)maker(kind(of).solid(numbers)); },
+      py::arg("kind"), py::arg("numbers"));
+  module.def(
+      "check_wall",
+      [](double hardness, double strength) {
+        validate(Wall(ExponentialWall{hardness, strength}));
+      },
+      py::arg("hardness"), py::arg("strength"));
+  py::class_<Encounter> handle(module, "Encounter", "Who meets whom, by its JSON document.");
+  seal(handle);
+  module.def(
+      "encounter", [](const std::string& document) { return encounter_from_json(document); }, py::arg("document"));
+  handle.def("to_json", [](const Encounter& self) { return to_json(self); })
+      .def("contact", &contact_at, py::arg("cutoff"), py::arg("slowest"))
+      .def("refinable", [](const Encounter& self) { return refinable(self); })
+      .def("slow_law", [](const Encounter& self) { return slow_law(self); })
+      .def(
+          "yield_speed", [](const Encounter& self) { return yield_speed(self); }, "m/s, or None")
+      .def(
+          "scales", [](const Encounter& self) { return to_tuple(si_scales(self).value()); },
+          "(length, speed, time, frequency, force), of a first body with a material")
+      .def(
+          "wave_speeds",
+          [](const Encounter& self) {
+            const auto [pressure, shear, rayleigh] = wave_speeds(self);
+            return py::make_tuple(pressure, shear, rayleigh);
+          },
+          "of pressure, shear and Rayleigh waves of the half-space that is met, in c of the first body");
+  module.def("named_materials", &all_materials,
+             "(name, young, poisson, density, yield strength or None, loss time or None) of each");
+  module.def("loss_time_of_quality", &loss_time_of_quality, py::arg("quality"), py::arg("frequency"));
+  module.def(
+      "plane_poisson",
+      [](double young, double poisson, double density, bool strain) {
+        return plane_poisson({young, poisson, density}, strain ? Plane::strain : Plane::stress);
+      },
+      py::arg("young"), py::arg("poisson"), py::arg("density"), py::arg("strain"));
+  PYBIND11_NUMPY_DTYPE(bodies::Mode, order, index, omega, radial, tangential);
+  PYBIND11_NUMPY_DTYPE(bodies::Displacement, radial, tangential);
+  bind_modes<bodies::disk::Mode, bodies::disk::Displacement>(module, "disk", &bodies::disk::modes,
+                                                             &bodies::disk::displacement);
+  bind_modes<bodies::sphere::Mode, bodies::sphere::Displacement>(module, "sphere", &bodies::sphere::modes,
+                                                                 &bodies::sphere::displacement);
+}
+
+}  // namespace stoss::python

@@ -1,0 +1,233 @@
+#pragma once
+
+#include <pybind11/numpy.h>
+#include <pybind11/pybind11.h>
+#include <pybind11/stl.h>
+
+#include <cstdint>
+#include <cstring>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "stoss/impact/resolution.hpp"
+#include "stoss/impact/vibration.hpp"
+#include "stoss/poll.hpp"
+#include "stoss/quantity.hpp"
+
+/// What the module stoss._core is made of. The package in python/stoss checks types, broadcasts and documents; here
+/// nothing is computed.
+namespace stoss::python {
+
+namespace py = pybind11;
+
+void bind_encounters(py::module_& module);
+void bind_impacts(py::module_& module);
+void bind_restitution(py::module_& module);
+void bind_tables(py::module_& module);
+void bind_quasistatic(py::module_& module);
+
+using Doubles = py::array_t<double, py::array::c_style>;
+
+/// Lets other Python threads run while the core computes. A daemon thread that comes back when the interpreter has
+/// ended is ended by Python with a forced unwinding, which must be able to leave the destructor; pybind11's own guard
+/// would abort the process.
+class Released {
+ public:
+  Released() : state_(PyEval_SaveThread()) {}
+  ~Released() noexcept(false) { PyEval_RestoreThread(state_); }
+  Released(const Released&) = delete;
+  Released& operator=(const Released&) = delete;
+
+ private:
+  PyThreadState* state_;
+};
+
+/// For the core's `poll`: throws KeyboardInterrupt if Ctrl-C was pressed. It asks for the interpreter every 50 ms, and
+/// on the main thread only, which alone receives signals; elsewhere it is empty. To be made with the interpreter.
+[[nodiscard]] Poll signal_poll();
+
+/// For classes whose objects only the core makes: from Python no empty one can be made, by __new__ or by pickle.
+template <typename Class>
+void seal(Class& handle) {
+  auto* type = reinterpret_cast<PyTypeObject*>(handle.ptr());
+  type->tp_new = nullptr;
+  PyType_Modified(type);
+  handle.def("__reduce_ex__", [](const py::object& self, int) -> py::object {
+    throw py::type_error("cannot pickle '" + std::string(py::str(py::type::of(self))) + "'");
+  });
+}
+
+/// A read-only numpy array on the memory of a vector, which it takes over: nothing is copied.
+template <typename T>
+py::array_t<T> take(std::vector<T>&& values, const std::vector<py::ssize_t>& shape) {
+  auto* owned = new std::vector<T>(std::move(values));
+  const py::capsule owner(owned, [](void* memory) { delete static_cast<std::vector<T>*>(memory); });
+  py::array_t<T> array(shape, owned->data(), owner);
+  array.attr("flags").attr("writeable") = false;
+  return array;
+}
+
+template <typename T>
+py::array_t<T> take(std::vector<T>&& values) {
+  const auto size = static_cast<py::ssize_t>(values.size());
+  return take(std::move(values), {size});
+}
+
+/// A read-only numpy array on the memory of a vector that belongs to a Python object, which it keeps alive.
+template <typename T>
+py::array_t<T> view(const std::vector<T>& values, const py::object& owner) {
+  py::array_t<T> array({static_cast<py::ssize_t>(values.size())}, values.data(), owner);
+  array.attr("flags").attr("writeable") = false;
+  return array;
+}
+
+/// The numbers of an array of doubles, which the core takes as a vector.
+inline std::vector<double> to_vector(const Doubles& array) { return {array.data(), array.data() + array.size()}; }
+
+/// A structured array of the type stoss._core.oscillation.
+using Oscillations = py::array_t<Oscillation, py::array::c_style>;
+
+/// How bodies vibrate before an impact, as the core takes it.
+inline Vibration to_vibration(const Oscillations& array) { return {array.data(), array.data() + array.size()}; }
+
+/// How the modes above the cutoff answer, by its name.
+inline Tail to_tail(const std::string& name) {
+  if (name == "radiating") return Tail::radiating;
+  if (name == "static") return Tail::quasistatic;
+  throw std::invalid_argument("tail: radiating or static");
+}
+
+/// What the core makes of arguments, with the interpreter free for others meanwhile and Ctrl-C heeded.
+template <typename Make>
+auto computed(const Make& make) {
+  const Poll poll = signal_poll();
+  const Released released;
+  return make(poll);
+}
+
+/// The quantities of one result as a dict, errors as name_error.
+template <typename Result>
+py::dict to_dict(const Quantities<Result>& quantities, const Result& result) {
+  py::dict dict;
+  for (const auto& [name, dimension, value, error] : quantities) {
+    dict[py::str(name)] = value(result);
+    if (error) dict[py::str(name + "_error")] = error(result);
+  }
+  return dict;
+}
+
+/// The numbers and flags of several results, as a structured array has them: one after the other, eight bytes for each,
+/// errors after their values. Filled without the interpreter.
+template <typename Result>
+class Rows {
+ public:
+  static constexpr std::size_t cell = 8;
+
+  /// @param quantities without names
+  explicit Rows(const Quantities<Result>& quantities) : quantities_(&quantities) {
+    for (const auto& [name, dimension, value, error] : quantities) width_ += (error ? 2 : 1) * cell;
+  }
+
+  [[nodiscard]] std::size_t width() const { return width_; }
+
+  /// Writes the row of a result.
+  void write(const Result& result, std::byte* to) const {
+    const auto put = [&to](const auto& number) {
+      std::memcpy(to, &number, sizeof(number));
+      to += cell;
+    };
+    for (const auto& [name, dimension, value, error] : *quantities_) {
+      const Value found = value(result);
+      if (const auto* number = std::get_if<double>(&found)) {
+        put(*number);
+      } else if (const auto* whole = std::get_if<long>(&found)) {
+        put(static_cast<std::int64_t>(*whole));
+      } else {
+        put(std::get<bool>(found));
+      }
+      if (error) put(error(result));
+    }
+  }
+
+  /// Adds the row of a result to those that take() returns.
+  void add(const Result& result) {
+    made_.resize(made_.size() + width_);
+    write(result, made_.data() + made_.size() - width_);
+  }
+
+  [[nodiscard]] py::dtype type() const {
+    py::list names, formats, offsets;
+    const auto field = [&](const std::string& name, const char* format) {
+      offsets.append(cell * names.size());
+      names.append(name);
+      formats.append(format);
+    };
+    for (const auto& [name, dimension, value, error] : *quantities_) {
+      const Value found = value(Result{});
+      field(name, std::holds_alternative<double>(found) ? "f8" : std::holds_alternative<long>(found) ? "i8" : "?");
+      if (error) field(name + "_error", "f8");
+    }
+    return {names, formats, offsets, static_cast<py::ssize_t>(width_)};
+  }
+
+  /// The rows that were added as a read-only array, which takes them over.
+  [[nodiscard]] py::array take() {
+    const auto count = static_cast<py::ssize_t>(made_.size() / width_);
+    auto* owned = new std::vector<std::byte>(std::move(made_));
+    const py::capsule owner(owned, [](void* memory) { delete static_cast<std::vector<std::byte>*>(memory); });
+    py::array array(type(), {count}, {static_cast<py::ssize_t>(width_)}, owned->data(), owner);
+    array.attr("flags").attr("writeable") = false;
+    return array;
+  }
+
+ private:
+  const Quantities<Result>* quantities_;
+  std::size_t width_ = 0;
+  std::vector<std::byte> made_;
+};
+
+/// An array of function(i), which is computed without the interpreter, for arrays of one size.
+template <typename Function, typename... Arrays>
+auto over(const Function& function, const Doubles& first, const Arrays&... others) {
+  const auto size = static_cast<std::size_t>(first.size());
+  if ((... || (others.size() != first.size()))) throw std::invalid_argument("arrays: all of one size");
+  std::vector<decltype(function(size))> values(size);
+  const Poll poll = signal_poll();
+  {
+    const Released released;
+    for (std::size_t i = 0; i < size; ++i) {
+      if (poll) poll();
+      values[i] = function(i);
+    }
+  }
+  return take(std::move(values));
+}
+
+/// The law of compression of a name, of lines or of points. @throws std::invalid_argument for another name
+template <typename Law>
+Law to_law(const std::string& name);
+
+/// A function of law, Poisson's ratio and another number, over arrays of both.
+template <typename Law>
+auto over_law(double (*function)(Law, double, double)) {
+  return [function](const std::string& law, const Doubles& poisson, const Doubles& argument) {
+    const Law chosen = to_law<Law>(law);
+    const double *nu = poisson.data(), *x = argument.data();
+    return over([&](std::size_t i) { return function(chosen, nu[i], x[i]); }, poisson, argument);
+  };
+}
+
+/// The same of law and Poisson's ratio alone.
+template <typename Law>
+auto over_law(double (*function)(Law, double)) {
+  return [function](const std::string& law, const Doubles& poisson) {
+    const Law chosen = to_law<Law>(law);
+    const double* nu = poisson.data();
+    return over([&](std::size_t i) { return function(chosen, nu[i]); }, poisson);
+  };
+}
+
+}  // namespace stoss::python

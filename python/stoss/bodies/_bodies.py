@@ -1,0 +1,187 @@
+"""Bodies."""
+
+from __future__ import annotations
+
+import contextlib
+import dataclasses
+from typing import Iterator, Union
+
+from stoss._errors import InvalidInput
+from stoss.bodies._blocks import UNBOUNDED, Unbounded
+from stoss.bodies._material import Material
+from stoss.bodies._solid import LEFT_OUT, Solid
+
+
+@dataclasses.dataclass(frozen=True, kw_only=True, repr=False)
+class Disk(Solid):
+    """An elastic disk: its 2-D Poisson's ratio, and its size and material relative to other bodies.
+
+    Without a material all sizes are ratios in any consistent units; at a rigid wall only `poisson`
+    counts. With a material, the radius and all speeds are in SI. Modes are computed when they are
+    needed and kept for the next call.
+
+    Parameters
+    ----------
+    poisson : float
+        2-D Poisson's ratio ν, −0.95 to 0.995.
+    radius : float
+        Radius R; 1, or with a material to be given in m.
+    young, density : float, optional
+        Young's modulus E and density ρ.
+    loss_time : float, optional
+        Loss time η, stress = (1 + η ∂/∂t) elastic stress: R/c of the first body, or with a material
+        s. Default: 0, or that of the material.
+    material : Material
+        In place of `poisson`, `young` and `density`: then these attributes are ν, E and ρ in plane
+        stress, ν/(1−ν), E/(1−ν²) and ρ in plane strain.
+    plane : {'stress', 'strain'}
+        With a material: a thin plate, or a slice of a long cylinder.
+    rigid : bool, optional
+        Young's modulus is infinite. The disk keeps its mass, and the given modulus remains a unit.
+        It meets elastic bodies: disks and half-planes.
+
+    Examples
+    --------
+    >>> stoss.impact(stoss.Disk(poisson=0.33), speed=0.1, cutoff=25).contacts
+    1
+    >>> stoss.Disk(radius=5e-3, material=stoss.materials["steel"], plane="strain").poisson
+    0.4285714285714286
+    """
+
+    _kind = "disk"
+
+    poisson: float = LEFT_OUT
+    radius: float = LEFT_OUT
+    young: float = LEFT_OUT
+    density: float = LEFT_OUT
+    loss_time: float = LEFT_OUT
+    material: Material | None = None
+    plane: str | None = None
+    rigid: bool = False
+
+
+@dataclasses.dataclass(frozen=True, kw_only=True, repr=False)
+class Sphere(Solid):
+    """An elastic sphere: its Poisson's ratio, and its size and material relative to other bodies.
+
+    Without a material all sizes are ratios in any consistent units; at a rigid wall only `poisson`
+    counts. With a material, the radius and all speeds are in SI. Spheres meet walls and each other
+    centrally and without friction. Units are the radius R, the bar speed c = √(E/ρ) and the mass;
+    forces are in mc²/R = (4π/3)R²E.
+
+    Parameters
+    ----------
+    poisson : float
+        Poisson's ratio ν, −0.95 to 0.4999.
+    radius : float
+        Radius R; 1, or with a material to be given in m.
+    young, density : float, optional
+        Young's modulus E and density ρ.
+    loss_time : float, optional
+        Loss time η, stress = (1 + η ∂/∂t) elastic stress: R/c of the first body, or with a material
+        s. Default: 0, or that of the material.
+    material : Material
+        In place of `poisson`, `young` and `density`.
+    rigid : bool, optional
+        Young's modulus is infinite. The sphere keeps its mass, and the given modulus remains a
+        unit. It meets elastic bodies: spheres and half-spaces.
+
+    Examples
+    --------
+    >>> stoss.impact(stoss.Sphere(poisson=0.3), speed=0.1, cutoff=25).contacts
+    1
+    >>> ball = stoss.Sphere(radius=5e-3, material=stoss.materials["steel"])
+    >>> round(ball.scales.speed), round(ball.scales.time * 1e6, 3)
+    (5172, 0.967)
+    >>> lossy = stoss.restitution(stoss.Sphere(poisson=0.3, loss_time=0.3), speed=0.01)
+    >>> round(lossy.restitution, 3), round(lossy.dissipated, 3)
+    (0.866, 0.25)
+    """
+
+    _kind = "sphere"
+
+    poisson: float = LEFT_OUT
+    radius: float = LEFT_OUT
+    young: float = LEFT_OUT
+    density: float = LEFT_OUT
+    loss_time: float = LEFT_OUT
+    material: Material | None = None
+    rigid: bool = False
+
+
+@dataclasses.dataclass(frozen=True, kw_only=True, repr=False)
+class Rod(Solid):
+    """A thin elastic rod that meets a wall or another rod with one end.
+
+    Units are its length L, bar speed c and mass. At a wall it has an exact answer, restitution 1
+    and contact time 2L/c: a check of everything else.
+
+    Parameters
+    ----------
+    length : float
+        Length L; 1, or with a material to be given in m.
+    young, density : float, optional
+        Young's modulus E and density ρ.
+    area : float
+        Of the cross-section, A; 1, or with a material to be given in m².
+    loss_time : float, optional
+        Loss time η, stress = (1 + η ∂/∂t) elastic stress: L/c of the first body, or with a material
+        s. Default: 0, or that of the material.
+    material : Material
+        In place of `young` and `density`.
+
+    Examples
+    --------
+    >>> bounce = stoss.impact(stoss.Rod(), speed=0.1, cutoff=1000)
+    >>> round(bounce.restitution, 2), round(bounce.contact_time, 2)
+    (1.0, 2.0)
+    """
+
+    _kind = "rod"
+
+    length: float = LEFT_OUT
+    young: float = LEFT_OUT
+    density: float = LEFT_OUT
+    area: float = LEFT_OUT
+    loss_time: float = LEFT_OUT
+    material: Material | None = None
+
+
+Body = Union[Disk, Rod, Sphere]
+"""Any body: a disk, a rod or a sphere."""
+
+BODIES = (Disk, Rod, Sphere)
+"""The classes of bodies, for isinstance."""
+
+PARTNERS = (*BODIES, *UNBOUNDED)
+"""The classes of what a body can meet that is no wall."""
+
+
+def shown(body: Body | Unbounded, against: object = None) -> str:
+    """The body, and what it meets if that is no wall, in the line that says what a result is."""
+    if isinstance(against, PARTNERS):
+        return f"{shown(body)} against {shown(against)}"
+    if body.material is None:
+        return repr(body)
+    if isinstance(body, UNBOUNDED):
+        return f"{type(body).__name__}(poisson={body.poisson:.6g})"
+    if isinstance(body, Rod):
+        return f"Rod(length={body.length:g} m)"
+    rigid = ", rigid" if body.rigid else ""
+    return f"{type(body).__name__}(poisson={body.poisson:.6g}, radius={body.radius:g} m{rigid})"
+
+
+def speed_unit(body: Body | None) -> float:
+    """What a speed that a user gives is divided by."""
+    return 1.0 if body is None or body.material is None else body.scales.speed
+
+
+@contextlib.contextmanager
+def speeds_in_si(body: Body | None) -> Iterator[None]:
+    """Says to a user who thinks in m/s what the core's refusal of a speed means."""
+    try:
+        yield
+    except InvalidInput as error:
+        if body is None or body.material is None or not str(error).startswith("speed"):
+            raise
+        raise InvalidInput(f"{error}; with this material c is {body.scales.speed:.6g} m/s") from None

@@ -1,0 +1,123 @@
+"""Who meets whom."""
+
+from __future__ import annotations
+
+import functools
+import json
+from typing import Any, Union
+
+import numpy as np
+from numpy.typing import NDArray
+
+from stoss import _core
+from stoss._arguments import choice, instance, refusal
+from stoss._errors import InvalidInput
+from stoss.bodies._blocks import UNBOUNDED, Unbounded
+from stoss.bodies._bodies import BODIES, PARTNERS, Body, Disk, Sphere
+from stoss.bodies._solid import Solid, is_rigid
+from stoss.bodies._walls import HardWall, Wall
+
+Against = Union[Wall, Body, Unbounded]
+
+
+def choose_body(body: Any, poisson: Any, *, rigid: bool = False) -> Body:
+    """The body that was meant: exactly one of the two must be given. Only where that may be, it is a `rigid` one."""
+    if (body is None) == (poisson is None):
+        got = "neither" if body is None else "body and poisson"
+        raise InvalidInput(f"body: got {got}, allowed one of body and poisson")
+    chosen: Body = Disk(poisson=poisson) if body is None else instance("body", body, BODIES)
+    if is_rigid(chosen) and not rigid:
+        raise refusal("body", chosen, "an elastic body (a rigid one only meets others)")
+    return chosen
+
+
+def choose_bodies(given: Any) -> tuple[list[Body], NDArray[np.float64]]:
+    """Each of several bodies once, and an array of the shape in which they were given of their numbers among these."""
+    try:
+        array = np.array(given, dtype=object)
+    except Exception:  # whatever a foreign object raises when it is asked for its elements
+        array = np.empty(0, dtype=object)
+    found: dict[Body, int] = {}
+    for each in array.flat:
+        instance("body", each, (Disk, Sphere))
+        if found and type(each) is not type(next(iter(found))):
+            raise refusal("body", each, "one kind of bodies in a list")
+        if each.material is not None:
+            raise refusal("body", each, "bodies without a material in a list (their units would differ)")
+        found.setdefault(each, len(found))
+    if not found:
+        raise refusal("body", given, "one body, or a list or an array of them")
+    return list(found), np.array([found[each] for each in array.flat], dtype=np.float64).reshape(array.shape)
+
+
+def choose_against(body: Body, against: Any, walls: tuple[type, ...]) -> Against:
+    """What the body meets: one of these walls, an identical body, or another body."""
+    if against is None:
+        against = HardWall()
+    if isinstance(against, str) and against == "same":
+        against = body
+    if not isinstance(against, (*walls, *PARTNERS)):
+        kinds = ", ".join(f"a stoss.{kind.__name__}" for kind in (*walls, *PARTNERS[:-1]))
+        raise refusal("against", against, f"None, 'same', {kinds} or a stoss.{PARTNERS[-1].__name__}")
+    if is_rigid(body) and (not isinstance(against, PARTNERS) or is_rigid(against)):
+        raise refusal("against", against, "a body that deforms, as this one is rigid")
+    if isinstance(against, PARTNERS):
+        if not _core.meets(body._kind, against._kind):
+            solids: tuple[type[Solid], ...] = (*BODIES, *UNBOUNDED)
+            allowed = (each.__name__ for each in solids if _core.meets(body._kind, each._kind))
+            raise refusal("against", against, f"a stoss.{' or a stoss.'.join(allowed)} ({_core.who_meets_whom()})")
+        if (against.material is None) != (body.material is None):
+            raise refusal("against", against, "two bodies with a material, or two without")
+        plane = getattr(body, "plane", None)
+        if getattr(against, "plane", None) != plane:
+            raise refusal("against", against, f"the same plane as that of the first, {plane!r}")
+        if isinstance(against, UNBOUNDED):
+            return against._beside(body)
+    return against  # type: ignore[no-any-return]
+
+
+def choose_tail(tail: Any) -> str:
+    """How the modes above the cutoff answer a hard contact."""
+    return choice("tail", tail, ("radiating", "static"))
+
+
+def encounter(body: Body, against: Against) -> _core.Encounter:
+    """Both by their numbers, in the units in which they are given."""
+    return _encounter(_document(body, against))
+
+
+def _document(body: Body, against: Against) -> str:
+    if isinstance(against, PARTNERS):
+        return json.dumps({"first": body._numbers(), "against": against._numbers()})
+    return json.dumps({"first": body._numbers_at_wall(), "against": against._document()})
+
+
+# Contacts are made once for each resolution. One with 1000 modes takes 0.1 MB, a refined one 10 MB.
+@functools.lru_cache(maxsize=64)
+def _encounter(document: str) -> _core.Encounter:
+    return _core.encounter(document)
+
+
+@functools.lru_cache(maxsize=32)
+def _contact(document: str, cutoff: float, slowest: float) -> _core.Contact:
+    return _encounter(document).contact(cutoff, slowest)
+
+
+@functools.lru_cache(maxsize=16)
+def _refinable(document: str) -> _core.RefinableContact:
+    return _encounter(document).refinable()
+
+
+def contact(
+    body: Body, against: Against, cutoff: float, speed: float, keep: NDArray[np.bool_] | None = None
+) -> _core.Contact:
+    """A body with its modes up to the cutoff, or with some of them, at what it meets at this speed."""
+    # Only a half-space is made for contacts that last so long.
+    slowest = speed if isinstance(against, UNBOUNDED) else 1.0
+    every = _contact(_document(body, against), cutoff, slowest)
+    return every if keep is None else every.with_modes(keep)
+
+
+def refinable(body: Body, against: Against) -> _core.RefinableContact:
+    """The same at any cutoff, at a rigid wall or at a body."""
+    return _refinable(_document(body, against))

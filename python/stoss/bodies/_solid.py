@@ -1,0 +1,155 @@
+"""What all bodies and blocks have in common: the numbers that the core's table of kinds asks for."""
+
+from __future__ import annotations
+
+import dataclasses
+import functools
+import json
+from types import MappingProxyType
+from typing import Any, ClassVar, Mapping, NamedTuple
+
+from stoss import _core
+from stoss._arguments import boolean, brief, instance, number, refusal
+from stoss._errors import InvalidInput
+from stoss.bodies._material import Material, Scales
+
+Specification = dict[str, Any]
+"""A body, a block or a wall in plain types, as an encounter's JSON document has it."""
+
+
+LEFT_OUT: Any = None
+"""A number that was not given: the material has it, or the core a usual one."""
+
+
+class Parameter(NamedTuple):
+    """A number that makes something of a kind, as the core has it."""
+
+    name: str
+    unit: str
+    otherwise: float | None
+    low: float
+    high: float
+    low_included: bool
+    of_material: bool
+
+
+class Kind(NamedTuple):
+    """What can meet, as the core has it."""
+
+    name: str
+    wall: bool
+    bounded: bool
+    can_be_rigid: bool
+    has_plane: bool
+    parameters: tuple[Parameter, ...]
+
+
+KINDS: Mapping[str, Kind] = MappingProxyType(
+    {each[0]: Kind(*each[:-1], tuple(Parameter(*number) for number in each[-1])) for each in _core.kinds()}
+)
+
+
+class Solid:
+    """A body or a block: its numbers, given or those of a material."""
+
+    _kind: ClassVar[str]
+
+    poisson: float | None
+    young: float
+    density: float
+    loss_time: float
+    material: Material | None
+
+    def __post_init__(self) -> None:
+        """Set all fields to what was given, what is made of the material, or what the core takes for usual."""
+        kind, given = KINDS[self._kind], dict(vars(self))
+        material, plane, rigid = (given.get(name) for name in ("material", "plane", "rigid"))
+        made: dict[str, Any] = {each.name: each.otherwise for each in kind.parameters}
+        if material is not None:
+            instance("material", material, (Material,))
+            plane = "stress" if plane is None and kind.has_plane else plane
+            made |= dict.fromkeys(made) | material._constants(plane) | {"loss_time": material.loss_time or 0.0}
+        elif plane is not None:
+            raise refusal("plane", plane, "none without a material (`poisson` is the 2-D Poisson's ratio)")
+        fields: dict[str, Any] = {"material": material}
+        if kind.has_plane:
+            fields["plane"] = plane
+        if kind.can_be_rigid:
+            fields["rigid"] = boolean("rigid", rigid)
+        if fields.get("rigid"):
+            made["loss_time"] = 0.0
+        for each in kind.parameters:
+            fields[each.name] = self._chosen(each, given[each.name], made[each.name], material)
+        if fields.get("rigid") and fields["loss_time"] != 0.0:
+            raise refusal("loss_time", given["loss_time"], "0 of a rigid body, which loses nothing")
+        for name, value in fields.items():
+            object.__setattr__(self, name, value)
+        numbers = {each.name: fields[each.name] for each in kind.parameters}
+        _core.check_solid(self._kind, numbers if numbers.get("poisson", 0.0) is not None else numbers | {"poisson": 0.0})
+        if material is not None and kind.bounded:
+            _ = self.scales  # refuses what is out of range
+
+    def _chosen(self, asked: Parameter, given: Any, made: float | None, material: Material | None) -> float | None:
+        """The value of a parameter; with a material never one that it makes otherwise."""
+        if given is None:
+            if made is None and material is not None:
+                raise InvalidInput(f"{asked.name}: got none, allowed a number in SI (the body has a material)")
+            if made is None and KINDS[self._kind].bounded:  # a block has the Poisson's ratio of what it meets
+                raise InvalidInput(f"{asked.name}: got none, allowed a number, or a material instead")
+            return made
+        value = number(asked.name, given)
+        if material is not None and asked.of_material and value != made:
+            raise refusal(asked.name, given, f"none with a material, which makes it {made:.6g}")
+        return value
+
+    def __repr__(self) -> str:
+        """The call that makes it, without what is usual."""
+        kind, fields = KINDS[self._kind], {each.name: getattr(self, each.name) for each in dataclasses.fields(self)}
+        usual: dict[str, Any] = {"plane": "stress", "rigid": False, "poisson": None, "loss_time": 0.0}
+        if self.material is None:
+            usual |= {each.name: each.otherwise for each in kind.parameters} | {"material": None, "plane": None}
+        else:
+            usual |= {each.name: fields[each.name] for each in kind.parameters if each.of_material}
+            usual["loss_time"] = 0.0 if fields.get("rigid") else self.material.loss_time or 0.0
+        said = ", ".join(f"{name}={brief(value)}" for name, value in fields.items() if usual.get(name) != value)
+        return f"{type(self).__name__}({said})"
+
+    @property
+    def scales(self) -> Scales:
+        """SI values of the units of all results of which this is the first body."""
+        if self.material is None:
+            raise AttributeError(f"scales: {self!r} has no material (make it with material=stoss.Material(...))")
+        return _scales(self)
+
+    def _numbers(self) -> Specification:
+        """It in plain types by its numbers, as an encounter of bodies without a material has it."""
+        numbers = {each.name: getattr(self, each.name) for each in KINDS[self._kind].parameters}
+        return {"kind": self._kind, **numbers, **({"rigid": True} if is_rigid(self) else {})}
+
+    def _numbers_at_wall(self) -> Specification:
+        """The same in units of its own: at a wall all sizes are one, and share what is made for it."""
+        size: float = getattr(self, "radius", None) or getattr(self, "length")
+        loss_time = float(self.loss_time * (self.young / self.density) ** 0.5 / size)
+        poisson = {"poisson": self.poisson} if hasattr(self, "poisson") else {}
+        return {"kind": self._kind, **poisson, "loss_time": loss_time}
+
+
+def describe(solid: Solid) -> Specification:
+    """All that makes it, in plain types; with a material in SI."""
+    given = {field.name: getattr(solid, field.name) for field in dataclasses.fields(solid)}
+    if solid.material is not None:
+        given = {name: value for name, value in given.items() if name not in ("poisson", "young", "density")}
+        given["material"] = {name: value for name, value in vars(solid.material).items() if value is not None}
+    usual = {name: value for name, value in given.items() if value is not None and value is not False}
+    return {"kind": solid._kind, **usual}
+
+
+@functools.lru_cache(maxsize=64)
+def _scales(solid: Solid) -> Scales:
+    elastic = {name: value for name, value in describe(solid).items() if name != "rigid"}
+    return Scales(*_core.encounter(json.dumps({"first": elastic})).scales())
+
+
+def is_rigid(solid: Any) -> bool:
+    """Whether it is a body that does not deform."""
+    return bool(getattr(solid, "rigid", False))

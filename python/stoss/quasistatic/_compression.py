@@ -1,0 +1,167 @@
+"""Force against compression of a disk or a sphere that is pressed slowly against a wall."""
+
+from __future__ import annotations
+
+from typing import Any, Mapping
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from stoss import _core
+from stoss._arguments import arranged, broadcast, choice, instance, numbers
+from stoss.bodies._bodies import Disk, Sphere
+from stoss.bodies._encounter import choose_body
+from stoss.results._result import Number
+
+LAWS: Mapping[type, tuple[str, ...]] = {Disk: ("center", "diameter", "printed"), Sphere: ("center", "hertz")}
+"""Laws of compression of the bodies that have some."""
+
+
+def choose_law(body: Any, law: Any) -> str:
+    """One of the laws of a body; without one, of disks."""
+    return choice("law", law, LAWS[Sphere if isinstance(body, Sphere) else Disk])
+
+
+def poissons_of(body: Any, poisson: Any) -> NDArray[np.float64]:
+    """The Poisson's ratio of a disk or a sphere, or those that were given of disks."""
+    if body is None and poisson is not None:
+        return numbers("poisson", poisson)
+    found: Disk | Sphere = instance("body", choose_body(body, poisson), (Disk, Sphere))
+    return np.array(found.poisson)
+
+
+def by_law(name: str, body: Any, poisson: Any, law: Any, **given: Any) -> Number:
+    """What the core's function of that name has of a law, a Poisson's ratio and what else is given, over arrays."""
+    nu = poissons_of(body, poisson)
+    chosen = choose_law(body, law)
+    arrays = broadcast(poisson=nu, **{name: numbers(name, value) for name, value in given.items()})
+    function = getattr(_core, f"point_{name}" if isinstance(body, Sphere) else name)
+    values = function(chosen, *(each.ravel() for each in arrays))
+    return arranged(values, arrays[0].shape)  # type: ignore[no-any-return]
+
+
+def compression(
+    body: Disk | Sphere | None = None, *, force: ArrayLike, poisson: ArrayLike | None = None, law: str = "center"
+) -> Number:
+    """Compression δ(F) by a law of compression, R.
+
+    The next order is smaller by about F, of a sphere by about F^(1/3).
+
+    Parameters
+    ----------
+    body : Disk or Sphere
+    force : array_like
+        F, 0 to `limit_force`, mc²/R; broadcasts with `poisson`.
+    poisson : array_like
+        In place of `body`: 2-D Poisson's ratio of disks, −0.95 to 0.995.
+    law : {'center', 'diameter', 'printed', 'hertz'}, optional
+        See `stoss.quasistatic`.
+
+    Examples
+    --------
+    >>> round(stoss.quasistatic.compression(force=0.001, poisson=0.33), 6)
+    0.006575
+    >>> round(stoss.quasistatic.compression(stoss.Sphere(poisson=0.3), force=0.001), 6)
+    0.018322
+    """
+    return by_law("compression", body, poisson, law, force=force)
+
+
+def compression_force(
+    body: Disk | Sphere | None = None, *, compression: ArrayLike, poisson: ArrayLike | None = None, law: str = "center"
+) -> Number:
+    """Force F(δ) by a law of compression, mc²/R: the inverse of `compression`.
+
+    Its relative error is 1e-14.
+
+    Parameters
+    ----------
+    compression : array_like
+        δ from 0 to that of `limit_force`, R; broadcasts with `poisson`.
+    body, poisson, law
+        As for `compression`.
+
+    Examples
+    --------
+    >>> stoss.quasistatic.compression_force(compression=[0.01, 0.02], poisson=0.33).round(6)
+    array([0.001645, 0.003821])
+    """
+    return by_law("compression_force", body, poisson, law, compression=compression)
+
+
+def compression_energy(
+    body: Disk | Sphere | None = None, *, force: ArrayLike, poisson: ArrayLike | None = None, law: str = "center"
+) -> Number:
+    """Energy ∫F dδ from no contact to the force F, mc²; of a disk F² [½ ln(s/F) − ½b − ¼].
+
+    Parameters
+    ----------
+    body, force, poisson, law
+        As for `compression`.
+
+    Examples
+    --------
+    >>> impact = stoss.quasistatic.slow_impact(poisson=0.33, speed=0.01)
+    >>> energy = stoss.quasistatic.compression_energy(force=impact.max_force, poisson=0.33)
+    >>> round(energy / (0.5 * 0.01**2), 12)
+    1.0
+    """
+    return by_law("compression_energy", body, poisson, law, force=force)
+
+
+def contact_radius(body: Sphere, *, force: ArrayLike) -> Number:
+    """Radius a = (π(1 − ν²)F)^{1/3} of the contact of a sphere, R: the same for both laws.
+
+    Parameters
+    ----------
+    body : Sphere
+    force : array_like
+        F, up to where a is R, mc²/R.
+
+    Examples
+    --------
+    >>> round(stoss.quasistatic.contact_radius(stoss.Sphere(poisson=0.3), force=0.001), 6)
+    0.141927
+    """
+    ball: Sphere = instance("body", body, (Sphere,))
+    nu, forces = broadcast(poisson=numbers("poisson", ball.poisson), force=numbers("force", force))
+    return arranged(_core.contact_radius("hertz", nu.ravel(), forces.ravel()), nu.shape)  # type: ignore[no-any-return]
+
+
+def limit_force(
+    body: Disk | Sphere | None = None, *, poisson: ArrayLike | None = None, law: str = "center"
+) -> Number:
+    """Force where δ(F) has its maximum and the law ends, mc²/R; of a disk s e^{−1−b}.
+
+    That of a sphere ends at a contact of the radius R at the latest. A law means little from a
+    tenth of this force on.
+
+    Parameters
+    ----------
+    body, poisson, law
+        As for `compression`.
+
+    Examples
+    --------
+    >>> round(stoss.quasistatic.limit_force(poisson=0.33), 4)
+    0.2638
+    """
+    return by_law("limit_force", body, poisson, law)
+
+
+def limit_speed(
+    body: Disk | Sphere | None = None, *, poisson: ArrayLike | None = None, law: str = "center"
+) -> Number:
+    """Highest speed of a slow impact, at which it reaches `limit_force`, c; of a disk `limit_force`/√2.
+
+    Parameters
+    ----------
+    body, poisson, law
+        As for `compression`.
+
+    Examples
+    --------
+    >>> round(stoss.quasistatic.limit_speed(poisson=0.33), 4)
+    0.1865
+    """
+    return by_law("limit_speed", body, poisson, law)

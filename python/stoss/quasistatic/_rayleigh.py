@@ -1,0 +1,224 @@
+"""Rayleigh's estimate of what a slow impact loses to vibration."""
+
+from __future__ import annotations
+
+import dataclasses
+import warnings
+from typing import Any, ClassVar, overload
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from stoss import _core
+from stoss._arguments import arranged, number
+from stoss._errors import StossWarning
+from stoss.bodies._bodies import Disk, Sphere, speeds_in_si
+from stoss.export._text import span, with_error
+from stoss.quasistatic._slow_impact import SlowOfABody, slow_inputs
+from stoss.results._restitution import Flag, Integer
+from stoss.results._result import Number, columns, picture
+from stoss.results._si import Si, warn_of_yielding
+
+
+class EstimateOfABody(SlowOfABody):
+    """What the estimates of disks and spheres have in common."""
+
+    plot = picture("1 − ε² against v. See `stoss.plot.rayleigh`.")
+    _name: ClassVar[str] = "rayleigh"
+    _told = ("law", "cutoff", "body")
+
+    lost_fraction: Number
+    lost_fraction_error: Number
+    beyond_perturbation: Flag
+
+    def __repr__(self) -> str:
+        of = f"poisson={span(self.poisson)}, speed={span(self.speed)} c"
+        if isinstance(self.lost_fraction, float):
+            value = with_error(self.lost_fraction, float(self.lost_fraction_error))
+            doubt = ", beyond perturbation theory" if self.beyond_perturbation else ""
+            return f"{type(self).__name__}({of}: lost fraction {value}{doubt})"
+        beyond = np.count_nonzero(self.beyond_perturbation)
+        value = f"lost fraction {span(self.lost_fraction)}, {beyond} beyond perturbation theory"
+        return f"{type(self).__name__}({np.size(self.speed)} values, {of}: {value})"
+
+
+@dataclasses.dataclass(frozen=True, eq=False, repr=False)
+class RayleighEstimate(EstimateOfABody):
+    """What slow impacts lose to vibration, to first order of a perturbation theory.
+
+    Numbers if all inputs were numbers, otherwise arrays of the shape to which `poisson` and `speed`
+    broadcast.
+
+    Attributes
+    ----------
+    law : str
+        Of compression.
+    cutoff : float
+        Modes up to this frequency are driven, c/R.
+    poisson, speed, contact_time, max_compression, max_force : float or ndarray
+        Of the impact that drives the modes, as in `SlowImpact`.
+    lost_fraction : float or ndarray
+        1 − ε². May exceed 1 where it means nothing.
+    lost_fraction_error : float or ndarray
+        By how much the full solution may differ from it, from `kinetic_share`.
+    kinetic_share : float or ndarray
+        Maximum kinetic energy of the modes as they follow the force, as a share of ½mv²: the
+        theory's small number.
+    beyond_perturbation : bool or ndarray
+        Whether it is above 0.04: `lost_fraction` is then no estimate, but 1.8 to 19 times too
+        large.
+    modes : int or ndarray
+        Number of modes.
+    mode_energies : ndarray or None
+        For a single speed, a structured array with the fields order, index, omega, amplitude (∫F
+        cos ωt dt / v, with t from the turning point) and after (energy after the impact, as a share
+        of ½mv²).
+    body : Disk or None
+        What it was made with, if it was one.
+    material : Material or None
+        Of the body. With one there are SI values, `speed_si` and so on.
+    """
+
+    _kind = "rayleigh"
+
+    law: str
+    cutoff: float
+    poisson: Number
+    speed: Number
+    lost_fraction: Number
+    lost_fraction_error: Number
+    contact_time: Number
+    max_compression: Number
+    max_force: Number
+    kinetic_share: Number
+    beyond_perturbation: Flag
+    modes: Integer
+    mode_energies: NDArray[Any] | None
+    body: Disk | None
+
+
+@dataclasses.dataclass(frozen=True, eq=False, repr=False)
+class PointRayleighEstimate(EstimateOfABody):
+    """What slow impacts of a sphere lose to vibration, to first order of a perturbation theory.
+
+    Numbers, or arrays of the shape of `speed`.
+
+    Attributes
+    ----------
+    law, cutoff, lost_fraction, lost_fraction_error, kinetic_share, beyond_perturbation, modes : float or ndarray, …
+        As of a `RayleighEstimate`.
+    poisson, speed, contact_time, max_compression, max_force, max_radius : float or ndarray
+        Of the impact that drives the modes, as in `PointSlowImpact`.
+    mean_lost_fraction : float or ndarray
+        The law of v → 0 averaged over the phases of the modes, c(ν) v.
+    mode_energies : ndarray or None
+        For a single speed, a structured array with the fields order, index, omega, amplitude (∫F
+        cos(ωt + φ) dt / v, with t from the turning point and the phase φ that a mode gains from the
+        stiffness of the contact) and after (energy after the impact, as a share of ½mv²).
+    body : Sphere
+    material : Material or None
+        Of the body. With one there are SI values, `speed_si` and so on, and of a sphere with a yield
+        strength `yield_speed`, `yield_speed_si` and `beyond_yield`.
+    """
+
+    _kind = "point rayleigh"
+    max_radius_si = Si("Maximum radius of the contact, m.")
+
+    law: str
+    cutoff: float
+    poisson: Number
+    speed: Number
+    lost_fraction: Number
+    lost_fraction_error: Number
+    mean_lost_fraction: Number
+    contact_time: Number
+    max_compression: Number
+    max_force: Number
+    max_radius: Number
+    kinetic_share: Number
+    beyond_perturbation: Flag
+    modes: Integer
+    mode_energies: NDArray[Any] | None
+    body: Sphere
+
+
+@overload
+def rayleigh(
+    body: Sphere, *, speed: ArrayLike, poisson: None = None, law: str = "center", cutoff: float = 60.0
+) -> PointRayleighEstimate: ...
+
+
+@overload
+def rayleigh(
+    body: Disk | None = None,
+    *,
+    speed: ArrayLike,
+    poisson: ArrayLike | None = None,
+    law: str = "center",
+    cutoff: float = 60.0,
+) -> RayleighEstimate: ...
+
+
+def rayleigh(
+    body: Disk | Sphere | None = None,
+    *,
+    speed: ArrayLike,
+    poisson: ArrayLike | None = None,
+    law: str = "center",
+    cutoff: float = 60.0,
+) -> RayleighEstimate | PointRayleighEstimate:
+    """Rayleigh's estimate of the energy that slow impacts leave in vibration, with its error.
+
+    The force F(t) of a `slow_impact` drives every mode at the point of contact, Q̈ + ω²Q = −C F/m,
+    which leaves it the share C² (∫F cos ωt dt / v)² of the energy. The stiffness of a sphere's
+    contact turns the phases of its modes besides. For a value that is as exact as you ask use
+    `stoss.restitution`.
+
+    Parameters
+    ----------
+    body : Disk or Sphere
+    speed : array_like
+        Of the centre of mass towards the wall, 1e-100 (of a sphere 1e-12) to `limit_speed`, c (with
+        a material: m/s). Two equal bodies that each move at `speed` towards each other are the same
+        problem.
+    poisson : array_like
+        In place of `body`: 2-D Poisson's ratio of disks, −0.95 to 0.995; broadcasts with `speed`.
+    law : {'center', 'diameter', 'printed', 'hertz'}, optional
+        Of compression, see `stoss.quasistatic`.
+    cutoff : float, optional
+        Highest frequency of the modes, up to 1000, c/R.
+
+    Warns
+    -----
+    StossWarning
+        If there are values beyond perturbation theory, of a disk at ν = 0.33 from v = 0.024 c on,
+        of a sphere at ν = 0.3 from 0.039 c on; or beyond the speed at which a sphere begins to
+        yield.
+
+    Examples
+    --------
+    >>> stoss.quasistatic.rayleigh(poisson=0.33, speed=1e-6)
+    RayleighEstimate(poisson=0.33, speed=1e-06 c: lost fraction 0.0061 ± 0.0039)
+    >>> stoss.quasistatic.rayleigh(stoss.Sphere(poisson=0.3), speed=1e-6)
+    PointRayleighEstimate(poisson=0.3, speed=1e-06 c: lost fraction 0.000000337 ± 0.000000011)
+    """
+    chosen, poissons, speeds = slow_inputs(body, speed, poisson, law)
+    highest = number("cutoff", cutoff)
+    function, row = _core.rayleigh, _core.rayleigh_row
+    if isinstance(body, Sphere):
+        function, row = _core.point_rayleigh, _core.point_rayleigh_row
+    table, energies = np.zeros(speeds.size, dtype=row), None
+    with speeds_in_si(body):
+        for nu in np.unique(poissons):
+            where = np.flatnonzero(poissons == nu)
+            table[where], energies = function(chosen, float(nu), speeds.ravel()[where], highest)
+    values = {"poisson": poissons, "speed": speeds, **columns(table)}
+    shaped = {name: arranged(column, speeds.shape) for name, column in values.items()}
+    if beyond := np.count_nonzero(table["beyond_perturbation"]):
+        text = f"{beyond} of {speeds.size} values beyond perturbation theory: their lost_fraction is far too great"
+        warnings.warn(text, StossWarning, stacklevel=2)
+    shaped |= {"law": chosen, "cutoff": highest, "mode_energies": energies if speeds.ndim == 0 else None}
+    made = PointRayleighEstimate if isinstance(body, Sphere) else RayleighEstimate
+    result: RayleighEstimate | PointRayleighEstimate = made(body=body, **shaped)
+    warn_of_yielding(result, 2)
+    return result

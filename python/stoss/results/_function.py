@@ -1,0 +1,217 @@
+"""ε(v) as a function."""
+
+from __future__ import annotations
+
+import dataclasses
+import functools
+import os
+from typing import Any, ClassVar
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from stoss import _core
+from stoss._arguments import choice, number, numbers, refusal
+from stoss.bodies._bodies import Body, shown, speed_unit, speeds_in_si
+from stoss.bodies._encounter import Against, encounter
+from stoss.export._files import write_lines
+from stoss.export._text import brief_range
+from stoss.results._result import Column, picture
+from stoss.results._si import SpeedInSi
+
+BEYOND = ("error", "clamp", "law")
+
+
+@dataclasses.dataclass(frozen=True, eq=False, repr=False)
+class RestitutionFunction(SpeedInSi):
+    """ε as a function of the speed: call it with speeds, get values.
+
+    Between computed values it is a cubic in ln v that rises and falls only as they do. Speeds are
+    those of approach, in c or, of a body with a material, in m/s; their sign does not count. Made
+    by `restitution_function`, or by `Restitution.function`; ``len()`` is the number of computed
+    values.
+
+    Attributes
+    ----------
+    body : Disk, Sphere or Rod
+        The first.
+    against : HardWall, Disk, Sphere, Rod, HalfSpace or HalfPlane
+    beyond : {'error', 'clamp', 'law'}
+        What it does beyond its range.
+    state : ndarray or None
+        How the bodies vibrated before, if they did.
+    speed : ndarray
+        Of the computed values, rising, c.
+    restitution, restitution_error : ndarray
+        ε and its error there.
+    interpolation_error : ndarray
+        Error of the interpolation from each computed value to the next; one element less.
+
+    Examples
+    --------
+    >>> epsilon = stoss.restitution_function(stoss.Sphere(poisson=0.3), speed=(0.001, 0.3))
+    >>> round(epsilon(0.1), 3), epsilon.error(0.1) < 1e-3
+    (0.991, True)
+    >>> epsilon([0.01, -0.2]).round(2)
+    array([1.  , 0.96])
+    """
+
+    plot = picture("The curve with its error, and the computed values. See `stoss.plot.function`.")
+    _name: ClassVar[str] = "function"
+    _given = {"speed": "speed"}
+    _axis: ClassVar[str] = "speed"
+    _told = ("body", "against", "beyond", "state")
+
+    body: Body
+    against: Against
+    beyond: str
+    state: NDArray[Any] | None
+    speed: NDArray[np.float64]
+    restitution: NDArray[np.float64]
+    restitution_error: NDArray[np.float64]
+    interpolation_error: NDArray[np.float64]
+
+    def __call__(self, speed: ArrayLike) -> Any:
+        """ε: a float for a number, otherwise an array of the shape of `speed`.
+
+        Raises
+        ------
+        InvalidInput
+            For speeds that are not finite, and beyond the range unless that was to be answered.
+        """
+        return self._of(speed, self._core.values)
+
+    def error(self, speed: ArrayLike) -> Any:
+        """Error of ε, interpolation included; infinite where it is unknown."""
+        return self._of(speed, self._core.errors)
+
+    def __len__(self) -> int:
+        return len(self.speed)
+
+    def __repr__(self) -> str:
+        unit = "c" if self.body.material is None else "m/s"
+        beyond = "" if self.beyond == "error" else f", beyond={self.beyond!r}"
+        return (
+            f"RestitutionFunction({shown(self.body, self.against)}, speed={brief_range(*self.range)} {unit}{beyond}: "
+            f"{len(self)} speeds computed, error below {self.greatest_error:.2g})"
+        )
+
+    @property
+    def range(self) -> tuple[float, float]:
+        """Slowest and fastest speed, in the unit in which it is called."""
+        unit = speed_unit(self.body)
+        return float(self.speed[0] * unit), float(self.speed[-1] * unit)
+
+    @property
+    def knots(self) -> NDArray[Any]:
+        """The computed values: a structured array of speed (in the unit of the call), restitution
+        and error."""
+        names = ["speed", "restitution", "error"]
+        table = np.zeros(len(self), dtype=[(name, np.float64) for name in names])
+        table["speed"] = self.speed * speed_unit(self.body)
+        table["restitution"], table["error"] = self.restitution, self.restitution_error
+        table.flags.writeable = False
+        return table
+
+    @property
+    def greatest_error(self) -> float:
+        """Of ε at any speed of the range."""
+        return self._core.greatest_error()
+
+    def to_c(self, path: str | os.PathLike[str], *, name: str = "stoss") -> None:
+        """Write the function as a header in C, which C++ takes too.
+
+        It defines ``static double stoss_restitution(double speed)`` and
+        ``stoss_restitution_error``, in C89 and with <math.h> only, and the ends of the range,
+        STOSS_SLOWEST and STOSS_FASTEST. Speeds are in the unit in which the function is called.
+        Beyond the range the error is HUGE_VAL, and ε that at the nearer end (``beyond="clamp"``) or
+        not a number (``"error"``). The file appears whole or not at all.
+
+        Parameters
+        ----------
+        path : str or path
+            Where to; an existing file is replaced.
+        name : str, optional
+            Prefix of the names in C.
+
+        Raises
+        ------
+        InvalidInput
+            For a name that C cannot have, and a function that follows a law beyond its range.
+        OSError
+            If the file cannot be written.
+
+        Examples
+        --------
+        >>> stoss.restitution_function(poisson=0.33, speed=(1e-3, 0.3), beyond="clamp").to_c("restitution.h")
+        """
+        provenance = [line[2:].rstrip("\n") for line in self._lines() if line.startswith("# ")]
+        unit = "c" if self.body.material is None else "m/s"
+        if not isinstance(name, str):
+            raise refusal("name", name, "a str")
+        write_lines(path, [self._core.c_header(name, unit, speed_unit(self.body), provenance)])
+
+    def to_two_column(self, path: str | os.PathLike[str], *, error: float | None = None) -> None:
+        """Write the function as lines of two numbers, speed and ε, for linear interpolation in the
+        speed.
+
+        There are as many lines as this takes for `error`, and there is no head. Speeds are in the
+        unit in which the function is called. The file appears whole or not at all.
+
+        Parameters
+        ----------
+        path : str or path
+            Where to; an existing file is replaced.
+        error : float, optional
+            Maximum error of ε, linear interpolation included, 1.01 of `greatest_error` or more; by
+            default twice that.
+
+        Raises
+        ------
+        InvalidInput
+            For a smaller error.
+        OSError
+            If the file cannot be written.
+
+        Examples
+        --------
+        >>> stoss.restitution_function(poisson=0.33, speed=(1e-3, 0.3)).to_two_column("disk.txt", error=2e-3)
+        """
+        limit = 2.0 * self.greatest_error if error is None else number("error", error)
+        write_lines(path, [self._core.two_column(limit, speed_unit(self.body))])
+
+    @functools.cached_property
+    def _core(self) -> _core.RestitutionFunction:
+        law = slow_law(self.body, self.against) if self.beyond == "law" else _core.no_law()
+        return _core.make_function(
+            self.speed, self.restitution, self.restitution_error, self.interpolation_error, self.beyond, law
+        )
+
+    def __getstate__(self) -> dict[str, Any]:
+        return {field.name: getattr(self, field.name) for field in dataclasses.fields(self)}
+
+    def _of(self, speed: ArrayLike, function: Any) -> Any:
+        given = numbers("speed", speed)
+        with speeds_in_si(self.body):
+            values = function(given.ravel() / speed_unit(self.body)).reshape(given.shape)
+        return values if given.ndim else float(values)
+
+    def _table(self) -> dict[str, Column]:
+        names = ("speed", "restitution", "restitution_error")
+        padded = np.append(self.interpolation_error, 0.0)  # of the interval that begins there
+        return {name: getattr(self, name) for name in names} | {"interpolation_error": padded}
+
+
+def slow_law(body: Body, against: Against) -> _core.SlowLaw:
+    """The law of slow impacts of these bodies."""
+    return encounter(body, against).slow_law()
+
+
+def choose_beyond(beyond: Any, body: Body, against: Against, state: NDArray[Any] | None) -> str:
+    """What a function is to do beyond its range; a law is refused before anything is computed."""
+    chosen = choice("beyond", beyond, BEYOND)
+    if chosen == "law":
+        slow_law(body, against)
+        if state is not None and state.size:
+            choice("beyond", beyond, BEYOND[:2])  # the laws are those of unexcited bodies
+    return chosen

@@ -1,0 +1,130 @@
+"""SI values of results of bodies that have a material."""
+
+from __future__ import annotations
+
+import re
+import warnings
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from stoss._errors import StossWarning
+from stoss.bodies._material import Material
+from stoss.bodies._yielding import yield_speed_of
+from stoss.results._result import Number, Result
+
+
+def si_name(name: str) -> str:
+    """Name of the SI value of a column: contact_time_error is contact_time_si_error."""
+    own = name.removesuffix("_error")
+    return f"{own}_si{name[len(own):]}"
+
+
+class Si(property):
+    """A column of a result in SI, by its dimension: `x_si = Si("What it is, unit.")` is that of `x`."""
+
+    def __init__(self, said: str) -> None:
+        super().__init__(doc=said)
+
+    def __set_name__(self, owner: type, name: str) -> None:
+        self._column = re.sub(r"_si(?=$|_error$)", "", name)
+
+    def __get__(self, result: Any, owner: type | None = None, /) -> Number:
+        return self if result is None else result._in_si(self._column)  # type: ignore[return-value]
+
+
+class InSi(Result):
+    """A result whose first body may have a material."""
+
+    body: Any
+
+    @property
+    def material(self) -> Material | None:
+        """What the first body is made of, if that is known."""
+        material: Material | None = None if self.body is None else self.body.material
+        return material
+
+    def _in_si(self, name: str) -> Number:
+        """What a column is in SI."""
+        if self.material is None:
+            raise AttributeError(f"{si_name(name)}: this result has no material (make its body with one)")
+        return getattr(self, name) * getattr(self.body.scales, self._dimensions()[name])  # type: ignore[no-any-return]
+
+    def _kind_of_body(self) -> str:
+        return "disk" if self.body is None else str(self.body._kind)
+
+    def _derived(self) -> dict[str, Any]:
+        if self.material is None:
+            return {}
+        names = [si_name(name) for name in self._dimensions() if hasattr(type(self), si_name(name))]
+        return {name: getattr(self, name) for name in names}
+
+
+class SpeedInSi(InSi):
+    """Values at speeds of approach."""
+
+    speed: Any
+    speed_si = Si("Speed of approach, m/s.")
+
+
+class MayYield(InSi):
+    """Impacts that may be so fast that a sphere, or what it meets, begins to yield."""
+
+    _units = {"yield_speed": "c", "yield_speed_si": "m/s"}
+
+    speed: Any
+    contact_time: Any
+    speed_si = Si("Speed before the impact, m/s.")
+    contact_time_si = Si("Contact time, s.")
+
+    @property
+    def yield_speed_si(self) -> Number:
+        """Speed at which the sphere, or the weaker of two, begins to yield, m/s, once for each value."""
+        found = self._yield_speed()
+        if found is None:
+            raise AttributeError("yield_speed_si: no sphere of this result has a yield strength (see stoss.Material)")
+        return found if isinstance(self.speed, float) else np.full(np.shape(self.speed), found)
+
+    @property
+    def yield_speed(self) -> Number:
+        """The same in c."""
+        return self.yield_speed_si / self.body.scales.speed  # type: ignore[no-any-return]
+
+    @property
+    def beyond_yield(self) -> bool | NDArray[np.bool_]:
+        """Whether the impact is faster: the elastic results are then bounds."""
+        return self.yield_speed_si < self.speed_si
+
+    def _yield_speed(self) -> float | None:
+        return yield_speed_of(self.body, getattr(self, "against", None))
+
+    def _derived(self) -> dict[str, Any]:
+        names = ("yield_speed", "yield_speed_si", "beyond_yield")
+        yielding = {} if self._yield_speed() is None else {name: getattr(self, name) for name in names}
+        return super()._derived() | yielding
+
+
+class ImpactsInSi(MayYield):
+    """Impacts with their maxima."""
+
+    max_force: Any
+    max_compression: Any
+    max_force_si = Si("Maximum force: of a disk per thickness, N/m; of a sphere or a rod, N.")
+    max_compression_si = Si("Maximum compression, m.")
+
+
+def warn_of_yielding(result: MayYield, stacklevel: int) -> None:
+    """A warning, as from that many calls above, if impacts are faster than the speed at which yielding begins."""
+    found = result._yield_speed()
+    if found is not None and np.any(result.beyond_yield):
+        hint = "see .beyond_yield: elastic values are bounds there"
+        text = f"speed above {found:.4g} m/s, where yielding begins ({hint})"
+        warnings.warn(text, StossWarning, stacklevel=stacklevel + 1)
+
+
+def warn_of_large_strain(result: Any, stacklevel: int) -> None:
+    """A warning, as from that many calls above, of impacts that no linear elasticity describes."""
+    if np.any(result.beyond_small_strain):
+        text = "speed above 0.5 c or compression above 0.5 R: linear elasticity has lost its meaning there"
+        warnings.warn(text, StossWarning, stacklevel=stacklevel + 1)

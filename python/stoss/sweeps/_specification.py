@@ -1,0 +1,157 @@
+"""Bodies and walls as plain mappings, which files hold and other processes take, and what they are called there."""
+
+from __future__ import annotations
+
+import dataclasses
+import itertools
+from typing import Any, Iterator, List, Mapping, Sequence, Tuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from stoss import _core
+from stoss._arguments import brief, refusal
+from stoss.bodies._blocks import HalfPlane, HalfSpace
+from stoss.bodies._bodies import PARTNERS, Body, Disk, Rod, Sphere
+from stoss.bodies._material import Material, materials
+from stoss.bodies._solid import Solid, Specification, describe
+from stoss.bodies._walls import HardWall
+
+SOLIDS: tuple[type[Solid], ...] = (Disk, Sphere, Rod, HalfSpace, HalfPlane)
+CLASSES: Mapping[str, Any] = {made._kind: made for made in SOLIDS}
+WALLS = ("wall", "same")
+
+Choices = List[List[Tuple[str, Any]]]
+"""Of each key of a mapping all values that it is to have."""
+
+
+def make(name: str, given: Specification) -> Any:
+    """The body that a mapping describes."""
+    words = dict(given)
+    kind = words.pop("kind", None)
+    if not isinstance(kind, str) or kind not in CLASSES:
+        raise refusal(f"{name}: kind", kind, ", ".join(CLASSES))
+    known = {field.name for field in dataclasses.fields(CLASSES[kind])}
+    for each in words:
+        if each not in known:
+            raise refusal(name, each, f"{', '.join(sorted(known))} of a {kind}")
+    if "material" in words:
+        words["material"] = _material(name, words["material"])
+    return CLASSES[kind](**words)
+
+
+def _material(name: str, given: Any) -> Material:
+    """By its name in stoss.materials, or of its constants."""
+    if isinstance(given, Material):
+        return given
+    if isinstance(given, str) and given in materials:
+        return materials[given]
+    known = {"young", "poisson", "density", "yield_strength", "loss_time", "quality"}
+    if not isinstance(given, Mapping) or not {"young", "poisson", "density"} <= set(given) <= known:
+        raise refusal(f"{name}: material", given, f"one of {', '.join(materials)}, or young, poisson and density")
+    return Material(**given)
+
+
+def beside(given: Specification, body: Body) -> Any:
+    """What a mapping describes where it meets this body: what it leaves out is the body's."""
+    kind = given["kind"]
+    if kind == "wall":
+        return HardWall()
+    if kind == "same":
+        return body
+    words = dict(given)
+    if kind in ("disk", "sphere") and "material" not in words and "poisson" in vars(body):
+        words.setdefault("poisson", body.poisson)
+    if kind in ("disk", "half-plane") and "material" in words and getattr(body, "plane", None):
+        words.setdefault("plane", body.plane)  # type: ignore[union-attr]
+    return make("against", words)
+
+
+def choices(name: str, given: Any) -> Choices:
+    """What the lists and series in a mapping leave to choose; of an object or a word nothing."""
+    if not isinstance(given, Mapping) or _is_wall(name, given):
+        return []
+    return [[(key, each) for each in _choices(f"{name}: {key}", key, value)] for key, value in given.items()]
+
+
+def expanded(name: str, given: Any, left: Choices) -> Iterator[Specification]:
+    """The mappings of an object, a word, or a mapping for which all combinations of its choices are
+    left."""
+    if isinstance(given, HardWall):
+        given = "wall"
+    if name == "against" and isinstance(given, str) and given in WALLS:
+        yield {"kind": given}
+    elif isinstance(given, PARTNERS):
+        yield describe(given)
+    elif isinstance(given, Mapping):
+        if _is_wall(name, given):
+            if len(given) > 1:
+                raise refusal(name, next(each for each in given if each != "kind"), f"nothing besides {given['kind']}")
+            yield dict(given)
+            return
+        for chosen in itertools.product(*left):
+            one = dict(chosen)
+            made = make(name, {"poisson": 0.0, **one} if name == "against" and _borrows(one) else one)
+            # What a partner leaves out stays open until it is known whom it meets.
+            yield {**one, **_plain_material(made, one)} if name == "against" else describe(made)
+    else:
+        walls = "'wall', 'same', " if name == "against" else ""
+        raise refusal(name, given, f"{walls}a body, or a mapping with its kind")
+
+
+def _is_wall(name: str, words: Mapping[str, Any]) -> bool:
+    return name == "against" and isinstance(words.get("kind"), str) and words["kind"] in WALLS
+
+
+def _borrows(words: Specification) -> bool:
+    return words.get("kind") in ("disk", "sphere") and "material" not in words
+
+
+def _plain_material(made: Any, words: Specification) -> Specification:
+    return {"material": describe(made)["material"]} if "material" in words else {}
+
+
+def _choices(name: str, key: str, value: Any) -> list[Any]:
+    if key in ("kind", "plane", "rigid", "material"):
+        return list(value) if isinstance(value, (list, tuple)) else [value]
+    if isinstance(value, str):
+        return list(_core.series(name, value))
+    if hasattr(value, "tolist"):  # of NumPy
+        value = value.tolist()
+    return [_number(name, each) for each in value] if isinstance(value, (list, tuple)) else [_number(name, value)]
+
+
+def _number(name: str, value: Any) -> float:
+    allowed = "a number, a list of numbers, or a series"
+    if isinstance(value, bool) or not isinstance(value, (int, float)):
+        raise refusal(name, value, allowed)
+    try:
+        return float(value)
+    except OverflowError:
+        raise refusal(name, value, allowed) from None
+
+
+SI = {"radius": "m", "length": "m", "area": "m2", "young": "Pa", "density": "kg/m3", "loss_time": "s"}
+"""Units of the numbers of bodies with a material."""
+
+
+def label(words: Specification) -> str:
+    """What a body or a partner is, in the manner of --against."""
+    usual = {"loss_time": 0.0, **({} if "material" in words else dict.fromkeys(SI, 1.0) | {"loss_time": 0.0})}
+    numbers = {name: value for name, value in words.items() if name != "kind" and usual.get(name) != value}
+    numbers |= {f"material_{name}": value for name, value in numbers.pop("material", {}).items()}
+    return ",".join((words["kind"], *(f"{name}={brief(value)}" for name, value in numbers.items())))
+
+
+def numbers_of_bodies(bodies: Sequence[Body]) -> dict[str, NDArray[np.float64]]:
+    """Poisson's ratio, radius and so on of the first bodies; NaN of a body that has none."""
+    names = {field.name for each in bodies for field in dataclasses.fields(each)}
+    return {
+        name: np.array([getattr(each, name, np.nan) for each in bodies], dtype=np.float64)
+        for name in sorted(names - {"material", "plane", "rigid"})
+    }
+
+
+def unit_of_body(name: str, in_si: bool) -> str:
+    """Unit of one of these numbers; "" of a pure one."""
+    return SI.get(name, "") if in_si else ""

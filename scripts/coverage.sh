@@ -1,0 +1,13 @@
+#!/usr/bin/env bash
+# Builds the library and the command for gcov, each file by itself, runs the fast tests, and prints the share of lines
+# of each folder that they ran.
+set -euo pipefail
+jobs=${1:-2}
+tree=build/coverage
+mkdir -p $tree
+cmake --preset coverage >$tree/configure.log 2>&1 || { cat $tree/configure.log; exit 1; }
+cmake --build --preset coverage -j "$jobs"
+find $tree -name '*.gcda' -delete
+ctest --preset coverage -j "$jobs"
+find $tree -name '*.gcda' | xargs -P "$jobs" -n 20 gcov --json-format --stdout 2>$tree/gcov.log >$tree/lines.json
+/usr/bin/python3 scripts/coverage.py $tree/lines.json

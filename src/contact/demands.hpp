@@ -1,0 +1,25 @@
+#pragma once
+
+#include "stoss/contact/contact.hpp"
+
+/// What the law of a contact asks of an impact before it is computed. Lengths are in R, times in R/c.
+namespace stoss {
+
+/// Time step that follows it.
+[[nodiscard]] double following_step(const Contact& contact, Tail tail, double speed);
+
+/// Gap up to which points push that have not touched; 0 at a hard contact.
+[[nodiscard]] double pushing_gap(const Contact& contact);
+
+/// Contact points within a half-width that it needs, besides those for the modes.
+[[nodiscard]] double needed_nodes(const Contact& contact, double half_width);
+
+/// Distance from first touch at which bodies that vibrate feel nothing of each other.
+/// @param reach      of the vibration
+/// @param half_width of the contact that is expected
+[[nodiscard]] double unfelt_distance(const Contact& contact, double reach, double speed, double half_width);
+
+/// Time after which a contact that has not ended will not.
+[[nodiscard]] double longest_duration(const Contact& contact);
+
+}  // namespace stoss

@@ -1,0 +1,182 @@
+#include "contact/edge/edge_contact.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "stoss/errors.hpp"
+
+namespace stoss {
+
+EdgeContact::EdgeContact(std::vector<double> matrix, EdgeLaw law, std::size_t size, const Poll& poll)
+    : compliance_(std::move(matrix), size, poll), law_(std::move(law)), poll_(poll), inner_(size), closure_(size) {}
+
+double EdgeContact::half_width() const {
+  // By as much the closures of a zone exceed, on average over its place, what lies within the edge.
+  constexpr double excess = 0.18;
+  double sum = 0.0;
+  for (std::size_t i = 0; i < extent_; ++i) sum += std::clamp(closure_[i], 0.0, 1.0);
+  return std::max(0.0, sum - excess);
+}
+
+double EdgeContact::energy(const std::vector<double>& force, const std::vector<double>& displacement) const {
+  double sum = 0.0;
+  for (std::size_t i = 0; i < extent_; ++i) {
+    sum += 0.5 * force[i] * displacement[i];
+    if (!law_.gap.empty()) sum += law_.energy_at(i, closure_[i]) - force[i] * law_.gap_at(i, closure_[i]);
+  }
+  return sum;
+}
+
+double EdgeContact::law_energy(const std::vector<double>& force) const {
+  double sum = 0.0;
+  for (std::size_t i = 0; i < extent_ && !law_.gap.empty(); ++i) {
+    sum += law_.energy_at(i, closure_[i]) - force[i] * law_.gap_at(i, closure_[i]);
+  }
+  return sum;
+}
+
+void EdgeContact::follow(double before, double now, double step) {
+  if (law_.loss_time == 0.0) return;
+  // Half-widths go with the root of the compression, nearly so along a line; the last node to leave has one of ½.
+  constexpr double least = 1e-6;
+  const double left = std::max(now, least * std::abs(before));
+  law_.recede(now < before ? 0.5 * std::max(half_width(), 0.5) * (before - now) / (left * step) : 0.0);
+}
+
+void EdgeContact::solve(const std::vector<double>& q, std::vector<double>& force, std::vector<double>& displacement) {
+  double scale = 0.0;
+  bool near = false;
+  for (std::size_t i = 0; i < q.size(); ++i) {
+    if (!std::isfinite(q[i])) {
+      throw NotConverged("contact: the position of a node is not a finite number (use a smaller step)");
+    }
+    const double gap = law_.gap.empty() ? 0.0 : law_.opening * law_.gap[i];
+    near = near || q[i] > -gap;
+    if (q[i] > -gap) scale = std::max({scale, q[i], gap});
+  }
+  if (!near) {
+    std::fill(force.begin(), force.end(), 0.0);
+    std::fill(displacement.begin(), displacement.end(), 0.0);
+    extent_ = rigid_ = 0;
+    return;
+  }
+  if (law_.gap.empty()) {
+    solve_point(q, force, displacement);
+  } else if (constexpr double rounding = 1e-13; !solve_edge(q, rounding * scale, force, displacement)) {
+    solve_generally(q, scale, force, displacement);
+  }
+}
+
+void EdgeContact::solve_point(const std::vector<double>& q, std::vector<double>& force,
+                              std::vector<double>& displacement) {
+  force[0] = q[0] / compliance_.matrix()(0, 0);
+  displacement[0] = q[0];
+  closure_[0] = 1.0;
+  extent_ = 1;
+}
+
+void EdgeContact::find_zone(std::size_t rigid) {
+  zone_.first = rigid;
+  zone_.count = std::min<std::size_t>(3, compliance_.size() - rigid);
+  for (std::size_t a = 0; a < zone_.count; ++a) {
+    zone_.position[a] = 0.0;
+    for (std::size_t c = 0; c <= a; ++c) {
+      zone_.position[a] += compliance_.lower(rigid + a, rigid + c) * inner_[rigid + c];
+    }
+    for (std::size_t b = 0; b <= a; ++b) {
+      double sum = 0.0;
+      for (std::size_t c = 0; c <= b; ++c) {
+        sum += compliance_.lower(rigid + a, rigid + c) * compliance_.lower(rigid + b, rigid + c);
+      }
+      zone_.compliance[a][b] = zone_.compliance[b][a] = sum;
+    }
+  }
+}
+
+bool EdgeContact::solve_edge(const std::vector<double>& q, double tolerance, std::vector<double>& force,
+                             std::vector<double>& displacement) {
+  constexpr int max_trials = 12;
+  const std::size_t size = compliance_.size();
+  std::size_t rigid = std::min(rigid_, size);
+  for (int trial = 0; trial < max_trials; ++trial) {
+    const std::size_t count = std::min(rigid + 3, size);
+    compliance_.forward(count, q, inner_);
+    find_zone(rigid);
+    if (!solve_zone(law_, zone_)) return false;
+    // On nodes without force behind the zone Lᵀ f vanishes, and on the zone it is L_zzᵀ f_z.
+    for (std::size_t a = 0; a < zone_.count; ++a) {
+      double sum = 0.0;
+      for (std::size_t b = a; b < zone_.count; ++b) {
+        sum += compliance_.lower(rigid + b, rigid + a) * law_.force_at(rigid + b, zone_.closure[b]);
+      }
+      inner_[rigid + a] = sum;
+    }
+    compliance_.backward(count, inner_, force);
+    std::size_t keep = rigid;
+    while (keep > 0 && force[keep - 1] < law_.force[keep - 1]) --keep;
+    for (std::size_t i = 0; i < keep; ++i) {
+      if (force[i] < law_.force[i]) return false;
+    }
+    if (keep < rigid) {
+      rigid = keep;
+      continue;
+    }
+    compliance_.multiply(count, count, force, displacement);
+    std::size_t grown = count;
+    while (grown < size && displacement[grown] - q[grown] < law_.opening * law_.gap[grown] - tolerance) ++grown;
+    for (std::size_t i = grown; i < size; ++i) {
+      if (displacement[i] - q[i] < law_.opening * law_.gap[i] - tolerance) return false;
+    }
+    if (grown > count) {
+      // What is closed in front of the zone's end becomes rigid; if nothing is, the zone is wider than three nodes.
+      std::size_t closed = 0;
+      while (closed < zone_.count && zone_.closure[closed] >= 1.0) ++closed;
+      if (closed == 0) return false;
+      rigid += closed;
+      continue;
+    }
+    std::copy_n(q.begin(), rigid, displacement.begin());
+    std::fill_n(closure_.begin(), rigid, 1.0);
+    extent_ = rigid_ = rigid;
+    for (std::size_t a = 0; a < zone_.count; ++a) {
+      const std::size_t i = rigid + a;
+      closure_[i] = zone_.closure[a];
+      force[i] = law_.force_at(i, closure_[i]);
+      if (closure_[i] > 0.0) extent_ = i + 1;
+      if (closure_[i] >= 1.0 && rigid_ == i) ++rigid_;
+      displacement[i] = q[i] + law_.gap_at(i, closure_[i]);
+    }
+    std::fill(force.begin() + static_cast<std::ptrdiff_t>(count), force.end(), 0.0);
+    return true;
+  }
+  return false;
+}
+
+/// As if each node carried about half of what makes it rigid, if it is not clear of the law by itself.
+void EdgeContact::begin_anew(const std::vector<double>& q) {
+  for (std::size_t i = 0; i < q.size(); ++i) {
+    closure_[i] = std::min(0.5, 1.0 - std::sqrt(std::max(0.0, -q[i]) / (law_.opening * law_.gap[i])));
+  }
+}
+
+void EdgeContact::solve_generally(const std::vector<double>& q, double scale, std::vector<double>& force,
+                                  std::vector<double>& displacement) {
+  const std::size_t size = compliance_.size();
+  // From the last solution, whose far nodes may never have been asked for.
+  for (std::size_t i = extent_; i < size; ++i)
+    closure_[i] = 1.0 - std::sqrt(std::max(0.0, -q[i]) / (law_.opening * law_.gap[i]));
+  const auto solved = [&] { return solve_all(compliance_, law_, q, scale, poll_, closure_); };
+  if (!solved() && !(begin_anew(q), solved())) {
+    throw NotConverged("contact: no forces at the nodes obey the law of contact (use another number of nodes)");
+  }
+  extent_ = rigid_ = 0;
+  for (std::size_t i = 0; i < size; ++i) {
+    force[i] = law_.force_at(i, closure_[i]);
+    if (force[i] > 0.0) extent_ = i + 1;
+    if (closure_[i] >= 1.0 && rigid_ == i) ++rigid_;
+  }
+  compliance_.multiply(0, extent_, force, displacement);
+}
+
+}  // namespace stoss

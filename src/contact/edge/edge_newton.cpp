@@ -1,0 +1,177 @@
+#include "contact/edge/edge_newton.hpp"
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+namespace stoss {
+namespace {
+
+using Eigen::Index;
+using Eigen::VectorXd;
+
+constexpr double rounding = 1e-14;
+
+/// Solves the small system a x = b in place, with pivots. @return whether it is regular
+bool eliminate(std::array<std::array<double, 3>, 3>& a, std::array<double, 3>& b, std::size_t n) {
+  for (std::size_t k = 0; k < n; ++k) {
+    std::size_t pivot = k;
+    for (std::size_t i = k + 1; i < n; ++i) {
+      if (std::abs(a[i][k]) > std::abs(a[pivot][k])) pivot = i;
+    }
+    if (!(std::abs(a[pivot][k]) > 0.0)) return false;
+    std::swap(a[k], a[pivot]);
+    std::swap(b[k], b[pivot]);
+    for (std::size_t i = k + 1; i < n; ++i) {
+      const double factor = a[i][k] / a[k][k];
+      for (std::size_t j = k; j < n; ++j) a[i][j] -= factor * a[k][j];
+      b[i] -= factor * b[k];
+    }
+  }
+  for (std::size_t k = n; k-- > 0;) {
+    for (std::size_t j = k + 1; j < n; ++j) b[k] -= a[k][j] * b[j];
+    b[k] /= a[k][k];
+  }
+  return true;
+}
+
+double slope_of_force(const EdgeLaw& law, std::size_t i, double closure) {
+  return closure > 0.0 ? 2.0 * law.force[i] * closure : 0.0;
+}
+
+double slope_of_gap(const EdgeLaw& law, std::size_t i, double closure) {  // downhill
+  return closure < 1.0 ? 2.0 * law.opening * law.gap[i] * (1.0 - closure) : 0.0;
+}
+
+/// Residual of each node over what rounding is measured by there: far from the contact the nodes are far behind.
+double norm(const VectorXd& rest, const std::vector<double>& q, double scale) {
+  double sum = 0.0;
+  for (std::size_t i = 0; i < q.size(); ++i) {
+    const double relative = rest(static_cast<Index>(i)) / (scale + std::abs(q[i]));
+    sum += relative * relative;
+  }
+  return std::sqrt(sum / static_cast<double>(q.size()));
+}
+
+/// W f(t) − q − g(t) on all nodes.
+VectorXd residual(const FactoredCompliance& compliance, const EdgeLaw& law, const std::vector<double>& q,
+                  const std::vector<double>& closure) {
+  const std::size_t n = q.size();
+  std::vector<double> force(n), result(n);
+  for (std::size_t i = 0; i < n; ++i) force[i] = law.force_at(i, closure[i]);
+  compliance.multiply(0, n, force, result);
+  VectorXd rest(static_cast<Index>(n));
+  for (std::size_t i = 0; i < n; ++i) {
+    rest(static_cast<Index>(i)) = result[i] - q[i] - law.gap_at(i, closure[i]);
+  }
+  return rest;
+}
+
+/// The Newton step. Nodes with t ≤ 0 carry no force and follow the others, so only those in contact are coupled; with
+/// their changes of force for unknowns the matrix is W and a diagonal, positive definite. Empty if it is not.
+std::vector<double> step(const FactoredCompliance& compliance, const EdgeLaw& law, const std::vector<double>& closure,
+                         const VectorXd& rest) {
+  const std::size_t n = closure.size();
+  const auto w = compliance.matrix();
+  std::vector<Index> active;
+  for (std::size_t i = 0; i < n; ++i) {
+    if (closure[i] > 0.0) active.push_back(static_cast<Index>(i));
+  }
+  const auto m = static_cast<Index>(active.size());
+  Eigen::MatrixXd matrix(m, m);
+  VectorXd change(m);  // of the forces
+  for (Index b = 0; b < m; ++b) {
+    const Index j = active[static_cast<std::size_t>(b)];
+    const auto node = static_cast<std::size_t>(j);
+    for (Index a = b; a < m; ++a) matrix(a, b) = w(active[static_cast<std::size_t>(a)], j);
+    matrix(b, b) += slope_of_gap(law, node, closure[node]) / slope_of_force(law, node, closure[node]);
+    change(b) = -rest(j);
+  }
+  if (m > 0) {
+    const Eigen::LLT<Eigen::Ref<Eigen::MatrixXd>> factored(matrix);
+    if (factored.info() != Eigen::Success) return {};
+    factored.solveInPlace(change);
+  }
+  std::vector<double> result(n);
+  for (Index a = 0; a < m; ++a) {
+    const auto node = static_cast<std::size_t>(active[static_cast<std::size_t>(a)]);
+    result[node] = change(a) / slope_of_force(law, node, closure[node]);
+  }
+  for (std::size_t i = 0; i < n; ++i) {
+    if (closure[i] > 0.0) continue;
+    double left = rest(static_cast<Index>(i));
+    for (Index a = 0; a < m; ++a) left += w(static_cast<Index>(i), active[static_cast<std::size_t>(a)]) * change(a);
+    result[i] = -left / slope_of_gap(law, i, closure[i]);
+  }
+  return result;
+}
+
+}  // namespace
+
+bool solve_zone(const EdgeLaw& law, EdgeZone& zone) {
+  constexpr int most = 40;
+  zone.closure.fill(0.5);
+  for (int iteration = 0; iteration < most; ++iteration) {
+    std::array<std::array<double, 3>, 3> jacobian{};
+    std::array<double, 3> rest{}, force{}, slope{};
+    for (std::size_t b = 0; b < zone.count; ++b) {
+      force[b] = law.force_at(zone.first + b, zone.closure[b]);
+      slope[b] = slope_of_force(law, zone.first + b, zone.closure[b]);
+    }
+    for (std::size_t a = 0; a < zone.count; ++a) {
+      rest[a] = zone.position[a] + law.gap_at(zone.first + a, zone.closure[a]);
+      for (std::size_t b = 0; b < zone.count; ++b) {
+        rest[a] -= zone.compliance[a][b] * force[b];
+        jacobian[a][b] = zone.compliance[a][b] * slope[b];
+      }
+      jacobian[a][a] += slope_of_gap(law, zone.first + a, zone.closure[a]);
+    }
+    if (!eliminate(jacobian, rest, zone.count)) return false;
+    double largest = 0.0;
+    for (std::size_t a = 0; a < zone.count; ++a) {
+      const double longest = 0.5 * (1.0 + std::abs(zone.closure[a]));  // t grows by half of itself at most
+      zone.closure[a] += std::clamp(rest[a], -longest, longest);
+      largest = std::max(largest, std::abs(rest[a]) / (1.0 + std::abs(zone.closure[a])));
+    }
+    if (largest < 1e-9) return true;  // converges quadratically: what is left is rounding
+  }
+  return false;
+}
+
+bool solve_all(const FactoredCompliance& compliance, const EdgeLaw& law, const std::vector<double>& q, double scale,
+               const Poll& poll, std::vector<double>& closure) {
+  constexpr int most = 200;
+  VectorXd rest = residual(compliance, law, q, closure);
+  for (int iteration = 0; iteration < most; ++iteration) {
+    if (poll) poll();
+    const double size = norm(rest, q, scale);
+    if (size <= rounding) return true;
+    std::vector<double> change = step(compliance, law, closure, rest);
+    if (change.empty()) return false;
+    std::vector<double> next(closure.size());
+    VectorXd left;
+    const auto shortened = [&](const std::vector<double>& along) {
+      for (double share = 1.0; share > 1e-12; share *= 0.5) {
+        for (std::size_t i = 0; i < next.size(); ++i) next[i] = closure[i] + share * along[i];
+        left = residual(compliance, law, q, next);
+        if (norm(left, q, scale) < size) return true;
+      }
+      return false;
+    };
+    if (!shortened(change)) {
+      // A node that is about to carry force has hardly any slope, and its t would have to leap.
+      for (std::size_t i = 0; i < next.size(); ++i) {
+        const double longest = 0.5 * (1.0 + std::abs(closure[i]));
+        change[i] = std::clamp(change[i], -longest, longest);
+      }
+      // No step helps: the residual is rounding, or the method has failed.
+      if (!shortened(change)) return size <= 100.0 * rounding;
+    }
+    closure = next;
+    rest = left;
+  }
+  return false;
+}
+
+}  // namespace stoss

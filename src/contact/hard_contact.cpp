@@ -1,0 +1,52 @@
+#include "contact/hard_contact.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "contact/touch.hpp"
+
+namespace stoss {
+namespace {
+
+/// Where a force that starts like t^p is best caught by kicks: the time of the first kick after its start, in steps,
+/// at which the sum of the kicks has no error of order p + 1, the zero of Hurwitz' ζ(−p, x). A jump (p = 0) at a single
+/// point, a kink (p = 1) where a line of contact begins to grow, t^{3/2} where a circle does.
+double first_kick(const Contact& contact) {
+  constexpr double jump = 0.5;
+  constexpr double kink = 0.7886751345948129;  // (3 + √3)/6
+  constexpr double bend = 0.9018628666552377;
+  if (has_single_point(contact)) return jump;
+  return touch(contact).circle ? bend : kink;
+}
+
+}  // namespace
+
+HardContact::HardContact(const Contact& contact, const ContactGrid& grid, ResidualMotion::Inertia inertia, double speed,
+                         double step, const Poll& poll)
+    : step_(step),
+      residuals_(contact, grid, inertia, step, poll),
+      contact_(residuals_.compliance(), edge_law(contact, grid, speed), grid.recess.size(), poll),
+      lossy_(longest_loss_time(contact) > 0.0),
+      first_share_(loss_share(contact)),
+      position_(grid.recess.size()),
+      gap_(grid.recess.size()),
+      displacement_(grid.recess.size()),
+      force_(grid.recess.size()),
+      old_force_(grid.recess.size()),
+      range_(contact_.range(grid.recess)),
+      touch_(touch_compression(contact, grid)),
+      first_kick_(first_kick(contact)) {}
+
+double HardContact::start(double stride) const {
+  const double phase = 1.0 - first_kick_;  // of the touch, after a kick
+  const double steps = std::max(0.0, std::ceil((range_ + touch_) / stride - phase));
+  return touch_ - (steps + phase) * stride;
+}
+
+double HardContact::largest_displacement() const {
+  double largest = 0.0;
+  for (const double displacement : displacement_) largest = std::max(largest, std::abs(displacement));
+  return largest;
+}
+
+}  // namespace stoss

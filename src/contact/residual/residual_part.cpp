@@ -1,0 +1,60 @@
+#include "contact/residual/residual_part.hpp"
+
+#include <functional>
+#include <utility>
+
+#include "contact/unit_ratios.hpp"
+#include "stoss/errors.hpp"
+
+namespace stoss {
+namespace {
+
+std::vector<double> times(double scale, std::vector<double> values) {
+  for (double& each : values) each *= scale;
+  return values;
+}
+
+ResidualPart first_part(const Contact& contact, const ContactGrid& grid, const Poll& poll) {
+  const Body& body = *contact.first;
+  return {residual_of(contact, grid, 0, &Body::residual_compliance, poll),
+          [&contact, &grid, poll] { return residual_of(contact, grid, 0, &Body::residual_second_moment, poll); },
+          body.surface(grid.points).impedance, kept_cutoff(body), body.loss_time};
+}
+
+ResidualPart second_part(const Contact& contact, const ContactGrid& grid, const Poll& poll) {
+  const Body& body = *contact.second;
+  const UnitRatios units = units_of(contact, 1);
+  return {times(units.compliance, residual_of(contact, grid, 1, &Body::residual_compliance, poll)),
+          [&contact, &grid, poll, units] {
+            return times(units.second_moment, residual_of(contact, grid, 1, &Body::residual_second_moment, poll));
+          },
+          times(units.impedance, body.surface(seen_by(grid.points, units)).impedance),
+          kept_cutoff(body) / units.time,
+          body.loss_time * units.time,
+          1};
+}
+
+}  // namespace
+
+std::vector<double> residual_of(const Contact& contact, const ContactGrid& grid, int number, Residual residual,
+                                const Poll& poll) {
+  const Body& body = *body_of(contact, number);
+  const ContactPoints points = seen_by(grid.points, units_of(contact, number));
+  std::vector<double> matrix = (body.*residual)(points, poll);
+  if (matrix.size() == points.count * points.count) return matrix;
+  throw InvalidInput("body: got a residual of '" + body.name + "' of another size, allowed points x points values");
+}
+
+std::vector<ResidualPart> residual_parts(const Contact& contact, const ContactGrid& grid, const Poll& poll) {
+  const double loss_time = longest_loss_time(contact);
+  if (body_of(contact, 1) != nullptr && loss_time > 0.0) {
+    if (contact.first->softness == 0.0) return {second_part(contact, grid, poll)};
+    if (contact.second->softness == 0.0) return {first_part(contact, grid, poll)};
+    return {first_part(contact, grid, poll), second_part(contact, grid, poll)};
+  }
+  return {{residual_compliance(contact, grid, poll),
+           [&contact, &grid, poll] { return residual_second_moment(contact, grid, poll); }, grid.impedance,
+           kept_cutoff(contact.cutoff, loss_time), loss_time}};
+}
+
+}  // namespace stoss

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <vector>
+
+#include "stoss/contact/contact.hpp"
+#include "stoss/contact/grid.hpp"
+
+namespace stoss {
+
+/// The modes that are not kept of one body, or of all bodies together, at the points of a contact, in units of the
+/// first body.
+struct ResidualPart {
+  std::vector<double> compliance;                      ///< W, points × points
+  std::function<std::vector<double>()> second_moment;  ///< V, points × points; refers to the contact and its grid
+  std::vector<double> impedance;                       ///< Z of each point
+  double cutoff = 0.0;                                 ///< of the kept modes
+  double loss_time = 0.0;                              ///< η
+  std::size_t body = 0;                                ///< 0: of the first or of all, 1: of the second
+};
+
+/// One of the two residual matrices of a body: of its compliance, or of its second moment.
+using Residual = std::function<std::vector<double>(const ContactPoints&, const Poll&)> Body::*;
+
+/// That matrix of one body at the points of a contact, in its own units. @param number 0: of the first, 1: of the
+/// second
+/// @throws InvalidInput for a matrix of another size
+[[nodiscard]] std::vector<double> residual_of(const Contact& contact, const ContactGrid& grid, int number,
+                                              Residual residual, const Poll& poll);
+
+/// The parts that yield to one force, in series: all bodies together while they lose nothing, else each body, as each
+/// has a loss time, and a part of what the materials take; a rigid one has no part.
+[[nodiscard]] std::vector<ResidualPart> residual_parts(const Contact& contact, const ContactGrid& grid,
+                                                       const Poll& poll);
+
+}  // namespace stoss

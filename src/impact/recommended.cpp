@@ -1,0 +1,64 @@
+#include "impact/recommended.hpp"
+#include "stoss/contact/grid.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "contact/demands.hpp"
+
+namespace stoss {
+namespace {
+
+double asked(const Sampling& sampling, double cutoff, double half_width) {
+  return std::max(sampling.points * std::pow(cutoff / sampling.cutoff, sampling.power),
+                  sampling.along_edge * cutoff * std::sqrt(half_width));
+}
+
+int fewest_nodes(const Contact& contact) {
+  const int first = contact.first->sampling.fewest;
+  return contact.second == nullptr ? first : std::max(first, contact.second->sampling.fewest);
+}
+
+}  // namespace
+
+double initial_half_width(const Contact& contact, double speed) {
+  constexpr double margin = 1.25;
+  const double touching = margin * expected_half_width(contact, speed);
+  return std::min(std::sqrt(touching * touching + 2.0 * pushing_gap(contact)), greatest_half_width(contact));
+}
+
+int nyquist_nodes(const Contact& contact, double half_width) {
+  return static_cast<int>(std::ceil(half_width * highest_wave_number(contact) / std::numbers::pi));
+}
+
+double sampled_nodes(const Contact& contact, double half_width) {
+  const double cutoff = contact.cutoff * time_scale(contact), width = half_width / contact.radius;
+  const double first = asked(contact.first->sampling, cutoff, width);
+  return contact.second == nullptr ? first : std::max(first, asked(contact.second->sampling, cutoff, width));
+}
+
+int nodes_within(const Contact& contact, double half_width) {
+  if (has_single_point(contact)) return 1;
+  const double nodes = std::max(
+      {1.0 * fewest_nodes(contact), 1.5 * nyquist_nodes(contact, half_width), needed_nodes(contact, half_width)});
+  return static_cast<int>(std::ceil(std::min<double>(nodes, most_nodes)));
+}
+
+Resolution refined_resolution(const Contact& contact, double speed, double half_width) {
+  Resolution resolution;
+  resolution.step = std::min(0.5 / contact.cutoff, contact.stable_step);
+  if (has_single_point(contact)) return resolution;
+  // A coarser run shows how far the contact spreads. The edge law needs room beyond it: most of two spacings.
+  constexpr double margin = 1.06, spacings = 2.0;
+  constexpr int fewest = 16;
+  const double width = half_width > 0.0 ? half_width : initial_half_width(contact, speed);
+  const double wanted = std::max<double>(sampled_nodes(contact, width), fewest);
+  resolution.half_width = std::min(width * std::max(margin, 1.0 + spacings / wanted), greatest_half_width(contact));
+  const double nodes = std::max(wanted, 1.02 * nyquist_nodes(contact, *resolution.half_width));
+  constexpr double vector = 8.0;
+  resolution.nodes = static_cast<int>(std::min<double>(vector * std::ceil(nodes / vector), most_nodes));
+  return resolution;
+}
+
+}  // namespace stoss

@@ -1,0 +1,89 @@
+#include "numeric/special_functions.hpp"
+
+#include <array>
+#include <boost/math/special_functions/bessel.hpp>
+#include <cmath>
+#include <cstddef>
+#include <numbers>
+
+namespace stoss::numeric {
+namespace {
+
+constexpr boost::math::policies::policy<boost::math::policies::promote_double<false>> in_double{};
+
+/// From here on Hankel's expansion is good to rounding.
+constexpr double far = 25.0;
+
+/// P = Σ even/x^2k and Q = Σ odd/x^(2k+1) of Hankel's expansion (DLMF 10.17.3), J_n = √(2/πx) (P cos χ − Q sin χ), χ =
+/// x − (2n + 1)π/4.
+struct Hankel {
+  std::array<double, 9> even{}, odd{};
+
+  constexpr explicit Hankel(int order) {
+    double term = 1.0;  // a_k with the sign of its place in P or Q
+    for (std::size_t k = 0; k < 2 * even.size(); ++k) {
+      (k % 2 == 0 ? even : odd)[k / 2] = k / 2 % 2 == 0 ? term : -term;
+      const double next = 2.0 * static_cast<double>(k) + 1.0;
+      term *= (4.0 * order * order - next * next) / (8.0 * (static_cast<double>(k) + 1.0));
+    }
+  }
+};
+
+constexpr Hankel zeroth(0), first(1);
+
+double sum(const std::array<double, 9>& coefficients, double x) {
+  double value = 0.0;
+  for (std::size_t k = coefficients.size(); k-- > 0;) value = value * x + coefficients[k];
+  return value;
+}
+
+/// √(πx) J_n by √2 cos χ and √2 sin χ.
+double far_value(const Hankel& expansion, double x, double cosine, double sine) {
+  const double inverse = 1.0 / (x * x);
+  return sum(expansion.even, inverse) * cosine - sum(expansion.odd, inverse) / x * sine;
+}
+
+/// γ + ln x + Σ_k (−x²)^k/(2k (2k)!)  (Abramowitz and Stegun 5.2.16).
+double by_series(double x) {
+  double sum = std::numbers::egamma + std::log(x), term = 1.0;
+  for (int k = 2; k < 60; k += 2) {
+    term *= -x * x / (k * (k - 1.0));
+    sum += term / k;
+    if (std::abs(term) < 1e-17) break;
+  }
+  return sum;
+}
+
+/// −Re E₁(ix), by the continued fraction for e^z E₁(z) (Abramowitz and Stegun 5.1.22), from the term on that no longer
+/// matters where x ≥ 3.
+double by_fraction(double x) {
+  const int terms = 5 + static_cast<int>(180.0 / x);
+  double rest_real = 0.0, rest_imaginary = 0.0;  // of 1²/(z + 3 − 2²/(z + 5 − …)), z = ix
+  for (int k = terms; k > 0; --k) {
+    const double real = 2.0 * k + 1.0 - rest_real, imaginary = x - rest_imaginary;
+    const double share = static_cast<double>(k) * k / (real * real + imaginary * imaginary);
+    rest_real = share * real;
+    rest_imaginary = -share * imaginary;
+  }
+  const double real = 1.0 - rest_real, imaginary = x - rest_imaginary;
+  return (std::sin(x) * imaginary - std::cos(x) * real) / (real * real + imaginary * imaginary);
+}
+
+}  // namespace
+
+BesselJ01 bessel_j01(double x) {
+  if (x < far) return {bessel_j0(x), boost::math::cyl_bessel_j(1, x, in_double)};
+  const double sine = std::sin(x), cosine = std::cos(x), scale = 1.0 / std::sqrt(std::numbers::pi * x);
+  return {scale * far_value(zeroth, x, cosine + sine, sine - cosine),
+          scale * far_value(first, x, sine - cosine, -(sine + cosine))};
+}
+
+double bessel_j0(double x) {
+  if (x < far) return boost::math::cyl_bessel_j(0, x, in_double);
+  const double sine = std::sin(x), cosine = std::cos(x);
+  return 1.0 / std::sqrt(std::numbers::pi * x) * far_value(zeroth, x, cosine + sine, sine - cosine);
+}
+
+double cosine_integral(double x) { return x < 3.0 ? by_series(x) : by_fraction(x); }
+
+}  // namespace stoss::numeric

@@ -1,0 +1,98 @@
+#include "table/arguments.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <locale>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "check.hpp"
+#include "stoss/errors.hpp"
+
+namespace stoss {
+namespace {
+
+void require_rising(const char* name, const std::vector<double>& list, std::size_t fewest) {
+  double before = 0.0;
+  for (const double each : list) {
+    if (!(each > before) || !std::isfinite(each)) {
+      throw InvalidInput(std::string(name) + ": got " + shown(each) + " after " + shown(before) +
+                         ", allowed positive finite ones that rise (sort them)");
+    }
+    before = each;
+  }
+  if (list.size() < fewest) {
+    throw InvalidInput(std::string(name) + ": got " + std::to_string(list.size()) + ", allowed " +
+                       std::to_string(fewest) + " or more");
+  }
+}
+
+void require_count(const char* name, std::size_t got, std::size_t allowed) {
+  if (got != allowed) {
+    throw InvalidInput(std::string(name) + ": got " + std::to_string(got) + " values, allowed " +
+                       std::to_string(allowed) + " (speeds in turn, for all ratios)");
+  }
+}
+
+bool bad(double error) { return !(error >= 0.0) || !std::isfinite(error); }
+
+}  // namespace
+
+void require_values(const PairValues& values) {
+  require_rising("speeds", values.speeds, 2);
+  require_rising("ratios", values.ratios, 3);
+  if (values.alike && values.ratios.front() < 1.0) {
+    throw InvalidInput("ratios: got " + shown(values.ratios.front()) +
+                       ", allowed 1 or more for bodies that are alike (their inverses are the same pairs)");
+  }
+  const std::size_t cells = (values.speeds.size() - 1) * (values.ratios.size() - 1);
+  require_count("restitution", values.restitution.size(), values.speeds.size() * values.ratios.size());
+  require_count("interpolation_error", values.interpolation_error.size(), cells);
+  for (const Estimate& each : values.restitution) {
+    if (!std::isfinite(each.value) || bad(each.error)) {
+      throw InvalidInput("restitution: got " + shown(each.value) + " with the error " + shown(each.error) +
+                         ", allowed values with known errors");
+    }
+  }
+  if (std::any_of(values.interpolation_error.begin(), values.interpolation_error.end(), bad)) {
+    throw InvalidInput("interpolation_error: got one that is negative or not finite, allowed 0 or more");
+  }
+}
+
+void require_beyond(Beyond beyond) {
+  if (beyond == Beyond::law) {
+    throw InvalidInput("beyond: got law, allowed error or clamp (there is no law of slow impacts of unequal bodies)");
+  }
+}
+
+}  // namespace stoss
+
+namespace stoss::table {
+namespace {
+
+double to_fifteen_digits(double value) {
+  std::stringstream text;
+  text.imbue(std::locale::classic());
+  text.precision(std::numeric_limits<double>::digits10);
+  text << value;
+  text >> value;
+  return value;
+}
+
+}  // namespace
+
+std::pair<double, double> speed_range(const RestitutionFunction& function, double scale) {
+  return speed_range(function.slowest(), function.fastest(), scale);
+}
+
+std::pair<double, double> speed_range(double slowest, double fastest, double scale) {
+  require("scale", scale, {0.0, 1e100, false, true, "above 0 to 1e100"},
+          "speed of the table over that of the function");
+  const double low = slowest * scale, high = fastest * scale;
+  return {std::min(low, to_fifteen_digits(low)), std::max(high, to_fifteen_digits(high))};
+}
+
+}  // namespace stoss::table

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <utility>
+
+#include "stoss/table/pair_table.hpp"
+#include "stoss/table/restitution_function.hpp"
+
+namespace stoss {
+
+/// Throws InvalidInput for what a PairTable cannot be made of.
+void require_values(const PairValues& values);
+
+/// Throws InvalidInput for what a PairTable does not do beyond its range.
+void require_beyond(Beyond beyond);
+
+}  // namespace stoss
+
+namespace stoss::table {
+
+/// Slowest and fastest speed of a function in another unit. They are rounded outwards to 15 digits where that is the
+/// same number but for rounding: what was typed in that unit is then what is written.
+/// @throws InvalidInput for a scale that is not positive and finite
+[[nodiscard]] std::pair<double, double> speed_range(const RestitutionFunction& function, double scale);
+[[nodiscard]] std::pair<double, double> speed_range(double slowest, double fastest, double scale);
+
+}  // namespace stoss::table

@@ -1,0 +1,229 @@
+"""The programs in examples/ run as a user runs them; what they print and write agrees with direct
+calls of stoss."""
+
+import csv
+import importlib.util
+import itertools
+import re
+from pathlib import Path
+
+import matplotlib.pyplot as plt
+import numpy as np
+import pytest
+
+import stoss
+
+EXAMPLES = Path(__file__).parents[3] / "examples"
+FILES = {
+    "01_first_curve": ["first_curve.csv", "first_curve.png"],
+    "02_modes": ["modes.csv", "modes.png"],
+    "03_anatomy": ["anatomy.csv", "anatomy.png"],
+    "04_material": ["steel.png", "steel_plane_strain.csv", "steel_plane_stress.csv"],
+    "05_event_driven": ["event_driven.png"],
+    "06_two_disks": ["two_disks.png"],
+    "07_balls": ["balls.csv", "balls.png"],
+    "08_drop_test": ["drop_test.csv", "drop_test.png"],
+    "09_vibrating_ball": ["vibrating_ball.csv", "vibrating_ball.png"],
+    "10_rod_chain": ["rod_chain.png"],
+}
+NUMBER = re.compile(r"(?<![\w.])[-+]?\d+(?:\.\d+)?(?:e[-+]?\d+)?(?![\w.])")
+
+
+class Run:
+    """What an example printed, and the folder that it filled."""
+
+    def __init__(self, folder):
+        self.folder = folder / "out"
+        self.text = (folder / "output.txt").read_text(encoding="utf-8")
+
+    def numbers(self, start):
+        """All numbers of the lines that start so, a list for each line."""
+        lines = [line.strip() for line in self.text.splitlines() if line.strip().startswith(start)]
+        assert lines, f"no line starts with {start!r} in\n{self.text}"
+        return [[float(number) for number in NUMBER.findall(line)] for line in lines]
+
+    def table(self, columns):
+        """The rows that hold that many numbers and no words."""
+        lines = [line for line in self.text.splitlines() if not re.search(r"[a-zA-Zε]", NUMBER.sub("", line))]
+        rows = [[float(number) for number in NUMBER.findall(line)] for line in lines]
+        return np.array([row for row in rows if len(row) == columns])
+
+    def csv(self, name):
+        lines = (self.folder / name).read_text(encoding="utf-8").splitlines()
+        return list(csv.DictReader(line for line in lines if not line.startswith("#")))
+
+
+@pytest.fixture
+def example(example_folder):
+    return lambda name: Run(example_folder(name))
+
+
+def load(name):
+    spec = importlib.util.spec_from_file_location(name[3:], EXAMPLES / f"{name}.py")
+    module = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(module)
+    return module
+
+
+def test_all_examples_are_tested():
+    assert sorted(path.stem for path in EXAMPLES.glob("*.py")) == sorted(FILES)
+
+
+@pytest.mark.parametrize("name", FILES)
+def test_files(name, example):
+    folder = example(name).folder
+    assert sorted(path.name for path in folder.iterdir()) == FILES[name]
+    for picture in folder.glob("*.png"):
+        pixels = plt.imread(picture)[..., :3]
+        assert min(pixels.shape[:2]) > 400
+        assert 0.01 < np.mean(np.any(pixels < 0.95, axis=-1)) < 0.6, f"{picture.name}: blank, or all ink"
+        for half in itertools.chain(np.array_split(pixels, 2), np.array_split(pixels, 2, axis=1)):
+            assert np.any(half < 0.5), f"{picture.name}: half of it is empty"
+
+
+@pytest.mark.parametrize("name", FILES)
+def test_says_how_to_run_it(name):
+    text = load(name).__doc__
+    assert "mkdir(parents=True" in (EXAMPLES / f"{name}.py").read_text(encoding="utf-8")
+    assert f"python examples/{name}.py" in text and "Expect:" in text and "out/" in text
+
+
+def test_first_curve(example):
+    run = example("01_first_curve")
+    rows = run.table(5)
+    assert len(rows) == 14
+    poisson, speed, value, error, time = rows.T
+    direct = stoss.restitution(poisson=poisson, speed=np.tile(np.geomspace(1e-4, 0.3, 43)[::7], 2))
+    np.testing.assert_allclose(speed, direct.speed, rtol=1e-3)
+    np.testing.assert_allclose(value, direct.restitution, atol=6e-7, rtol=0)
+    np.testing.assert_allclose(error, direct.restitution_error, atol=6e-7, rtol=0)
+    np.testing.assert_allclose(time, direct.contact_time, atol=6e-4, rtol=0)
+    table = run.csv("first_curve.csv")
+    assert len(table) == 86 and float(table[42]["restitution"]) == direct.restitution[6]
+
+
+def test_modes(example):
+    run = example("02_modes")
+    rows = run.table(5)
+    assert len(rows) == 6
+    modes = stoss.modes(poisson=0.33, cutoff=30)
+    lowest = np.argsort(modes.omega)[:6]
+    for row, k in zip(rows, lowest):
+        expected = [modes.order[k], modes.index[k], modes.omega[k], modes.radial[k], modes.tangential[k]]
+        np.testing.assert_allclose(row, expected, atol=6e-7)
+    ((_, summed, count, exact),) = run.numbers("compliance of order 2")
+    two = modes.order == 2
+    assert count == two.sum() and exact == pytest.approx((4 - 0.67) / 3, abs=6e-5)
+    assert summed == pytest.approx(((modes.radial / modes.omega)[two] ** 2).sum(), abs=6e-5)
+    assert len(run.csv("modes.csv")) == len(modes) == 421
+
+
+def test_anatomy(example):
+    run = example("03_anatomy")
+    hit = stoss.impact(poisson=0.33, speed=0.1)
+    assert run.text.splitlines()[0] == str(hit)
+    assert run.numbers("maximum force") == [[round(hit.max_force, 5)]]
+    assert run.numbers("maximum compression") == [[round(hit.max_compression, 5)]]
+    # The force falls fastest as the pressure wave comes back, as the picture says.
+    ((echo,),) = run.numbers("pressure wave")
+    path = hit.trajectory()
+    middle = (path.time > 1.0) & (path.time < 5.0)
+    fall = path.time[middle][np.argmin(np.gradient(path.force, path.time)[middle])]
+    assert echo - 0.1 < fall < echo
+    # Momentum: what the wall gave is what the centre of mass changed by.
+    impulse, _, change = run.numbers("impulse")[0]
+    assert change == pytest.approx(1 + hit.restitution, abs=6e-6)
+    assert impulse == pytest.approx(change, abs=2e-5)
+    for name in ("translation", "vibration", "unresolved", "energy_error"):
+        assert run.numbers(name)[0][-1] == pytest.approx(getattr(hit, name), abs=6e-7)
+    strongest = np.sort(hit.mode_energies["after"])[:-5:-1]
+    found = [float(each) for each in re.findall(r"mode \(\d,\d\) +(\S+)", run.text)]
+    np.testing.assert_allclose(found, strongest, atol=6e-7)
+    assert len(run.csv("anatomy.csv")) == len(hit.trajectory())
+
+
+def test_material(example):
+    run = example("04_material")
+    rows = run.table(5)
+    assert len(rows) == 8
+    for plane, part in (("stress", rows[:4]), ("strain", rows[4:])):
+        steel = stoss.Disk(radius=0.01, material=stoss.materials["steel"], loss_time=0, plane=plane)
+        direct = stoss.restitution(steel, speed=np.geomspace(0.01, 10, 37)[::12])
+        speed, value, error, time, force = part.T
+        np.testing.assert_allclose(speed, [0.01, 0.1, 1, 10], rtol=1e-9)
+        np.testing.assert_allclose(value, direct.restitution, atol=6e-7, rtol=0)
+        np.testing.assert_allclose(error, direct.restitution_error, atol=6e-7, rtol=0)
+        np.testing.assert_allclose(time, direct.contact_time * 0.01 / steel.scales.speed * 1e6, atol=6e-4, rtol=0)
+        np.testing.assert_allclose(force, direct.max_force * steel.scales.force / 1000, atol=6e-4, rtol=0)
+        assert f"c = {np.sqrt(2.1e11 / 7850 / (1 if plane == 'stress' else 0.91)):.0f} m/s" in run.text
+        assert len(run.csv(f"steel_plane_{plane}.csv")) == 37
+
+
+RUBBER = stoss.Disk(radius=0.01, material=stoss.materials["rubber"], loss_time=0)
+
+
+def test_event_driven_prints_what_the_wall_gives_at_half_the_speed(example):
+    rows = example("05_event_driven").numbers("speed of approach")
+    assert len(rows) == 4
+    for approach, value, error in rows:
+        # Two disks that approach at v are each a disk that meets a wall at v/2.
+        direct = stoss.restitution(RUBBER, speed=approach / 2, tolerance=1e-4)
+        assert abs(value - direct.restitution) <= error + 1e-6
+        assert 1e-6 < error < 1e-3
+
+
+def test_gas(example):
+    run = example("05_event_driven")
+    (left, *_), (*_, left_constant, _, _) = run.numbers("gas with ε(v)")[0], run.numbers("gas with ε =")[0]
+    assert 1e-3 < left < 1e-1 and 200 < left / left_constant < 1000
+
+    cool = load("05_event_driven").cool
+    law = stoss.restitution_function(RUBBER, against="same", speed=(0.002, 30.0), error=1e-2, beyond="law")
+    time, energy = cool(law, 200, 5.0)
+    assert np.all(np.diff(time) >= 0) and np.all(np.diff(energy) < 0)
+    again = cool(law, 200, 5.0)
+    assert np.array_equal(time, again[0]) and np.array_equal(energy, again[1])
+    # Elastic disks keep their energy; sticking ones lose what is relative.
+    assert cool(lambda v: 1.0, 200, 5.0)[1] == pytest.approx(1.0, abs=1e-12)
+    assert cool(lambda v: 0.0, 1, 5.0, count=2)[1][-1] == pytest.approx(0.0, abs=1e-12)
+
+
+def test_two_disks(example):
+    rows = example("06_two_disks").numbers("1 :")
+    assert len(rows) == 7
+    steel = stoss.materials["steel"]
+    small = stoss.Disk(radius=5e-3, material=steel, loss_time=0)
+    for _, ratio, value, error, *lost in (rows[0], rows[3]):
+        direct = stoss.restitution(small, against=stoss.Disk(radius=5e-3 * ratio, material=steel, loss_time=0), speed=1.0)
+        assert abs(value - direct.restitution) < 1e-6 and abs(error - direct.restitution_error) < 1e-6
+        assert lost == pytest.approx([direct.lost_to_first, direct.lost_to_second], abs=1e-6)
+    assert rows[0][4] == rows[0][5] and rows[-1][4] < 0.01 * rows[-1][5]
+
+
+def test_vibrating_ball(example):
+    run = example("09_vibrating_ball")
+    ball = stoss.Sphere(poisson=0.3)
+    rows = run.table(4)
+    assert len(rows) == 9
+    for phase, value, error, law in rows[:-1]:
+        state = stoss.Oscillation(order=2, index=0, energy=0.05, phase=phase)
+        direct = stoss.restitution(ball, speed=0.01, absolute=1e-5, state=state)
+        assert abs(value - direct.restitution) < 1e-6 and abs(error - direct.restitution_error) < 1e-6
+        assert abs(value - law) < 0.06 * 0.0105  # of the amplitude: what is of higher order
+    values = [float(row["restitution"]) for row in run.csv("vibrating_ball.csv")]
+    assert len(values) == 33 and 0.4 < np.mean(np.array(values) > 1) < 0.5
+    warm = run.table(6)
+    assert list(warm[:, 0]) == [1e-4, 1e-3, 1e-2]
+    for _, mean, error, spread, law, _ in warm:
+        assert spread == pytest.approx(law, rel=0.1)  # 300 samples: 4 %
+        assert abs(mean - 0.99861) < 3 * error + 1e-5
+
+
+def test_rod_chain(example):
+    run = example("10_rod_chain")
+    ((*_, left_none, mean_none, spread, above),) = run.numbers("no ")
+    ((*_, left_complete, mean_complete, spread_complete, above_complete),) = run.numbers("complete")
+    # 40 rods with 50 and 55 modes each, and what 40 velocities hold of it.
+    assert left_none == pytest.approx(19.5 / (19.5 + 2100), rel=0.5) and left_complete < 1e-9
+    assert spread > 0.2 and 0.3 < above < 0.6 and mean_none == pytest.approx(1, abs=0.1)
+    assert mean_complete == pytest.approx(0.9, abs=0.005) and spread_complete < 1e-3 and above_complete == 0

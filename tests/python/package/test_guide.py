@@ -1,0 +1,180 @@
+"""The Python in the pages of docs/ and README.md that have some runs as it stands, and prints what
+they say.
+
+All ```python blocks of a page run in order in one namespace. What they print is compared with a
+```text block that follows at once, or with a comment `# → …` at the end of a statement. Words must
+agree, and numbers to what is shown of them: x ± e within e, others to two units of their last
+digit. An … stands for anything.
+"""
+
+import ast
+import contextlib
+import importlib.util
+import io
+import math
+import re
+from pathlib import Path
+
+import matplotlib.pyplot as plt
+import numpy as np
+import pytest
+import stoss
+
+ROOT = Path(__file__).parents[3]
+PAGES = ("docs/python.md", "docs/vibrating_bodies.md", "README.md", "docs/index.md", "docs/programs.md", "docs/sweeps.md")
+# Pictures that a page draws and shows.
+PICTURES = {
+    "docs/vibrating_bodies.md": [f"vibrating_{name}.png" for name in ("phase", "warm", "bounces", "rods")],
+    "docs/index.md": ["restitution.png"],
+}
+FENCED = re.compile(r"^```(\w*)\n(.*?)^```$\n?", re.MULTILINE | re.DOTALL)
+NUMBER = re.compile(r"(?<![\w.])[-+]?\d+(?:\.\d*)?(?:[eE][-+]?\d+)?(?![\w.]*\d)")
+
+
+def last_digit(number):
+    """The value of one unit of the last digit that is shown."""
+    mantissa, _, exponent = number.lower().partition("e")
+    return 10.0 ** (int(exponent or 0) - len(mantissa.partition(".")[2]))
+
+
+def same_number(got, shown):
+    whole = "." not in shown and "e" not in shown.lower()
+    if whole and "." not in got:
+        return int(got) == int(shown)
+    allowed = min(2.0 * last_digit(shown), 0.3 * abs(float(shown)) or math.inf)
+    return abs(float(got) - float(shown)) <= allowed * (1 + 1e-9)
+
+
+def tokens(text):
+    return re.findall(rf"{NUMBER.pattern}|\w+|[^\w\s]", text)
+
+
+def all_agree(got, shown):
+    if len(got) != len(shown):
+        return False
+    for k, (mine, theirs) in enumerate(zip(got, shown)):
+        if not NUMBER.fullmatch(theirs):
+            right = mine == theirs
+        elif not NUMBER.fullmatch(mine):
+            right = False
+        elif shown[k + 1 : k + 2] == ["±"] and k + 2 < len(got):  # a value with its error
+            right = abs(float(mine) - float(theirs)) <= float(got[k + 2])
+        elif shown[k - 1 : k] == ["±"]:
+            right = 0.4 <= float(mine) / float(theirs) <= 2.5
+        else:
+            right = same_number(mine, theirs)
+        if not right:
+            return False
+    return True
+
+
+def agrees(got, shown):
+    got, shown = tokens(got), tokens(shown)
+    if "…" not in shown:
+        return all_agree(got, shown)
+    k = shown.index("…")
+    head, tail = shown[:k], shown[k + 1 :]
+    rest = len(got) - len(tail)
+    return rest >= k and all_agree(got[:k], head) and all_agree(got[rest:], tail)
+
+
+def blocks(page):
+    """(first line, code, text that follows or None) of each block of Python."""
+    text = (ROOT / page).read_text(encoding="utf-8")
+    found = list(FENCED.finditer(text))
+    for this, following in zip(found, found[1:] + [None]):
+        if this.group(1) != "python":
+            continue
+        at_once = following and following.group(1) == "text" and not text[this.end() : following.start()].strip()
+        yield text[: this.start(2)].count("\n") + 1, this.group(2), following.group(2) if at_once else None
+
+
+def run(code, first_line, names):
+    """Runs the statements one by one; yields (line, what the statement printed or is, its comment
+    or None)."""
+    lines = code.splitlines()
+    for statement in ast.parse(code).body:
+        printed = io.StringIO()
+        value = None
+        with contextlib.redirect_stdout(printed):
+            if isinstance(statement, ast.Expr):
+                value = eval(compile(ast.Expression(statement.value), "<page>", "eval"), names)
+            else:
+                exec(compile(ast.Module([statement], []), "<page>", "exec"), names)
+        _, arrow, comment = lines[statement.end_lineno - 1].partition("# → ")
+        said = printed.getvalue() or ("" if value is None else repr(value))
+        yield first_line + statement.end_lineno - 1, printed.getvalue(), said, comment if arrow else None
+
+
+@pytest.mark.parametrize("page", PAGES)
+def test_page(page, tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    monkeypatch.setattr(plt, "show", lambda *_, **__: None)
+    plt.switch_backend("Agg")
+    names = {"__name__": "__page__"}
+    compared, wrong = 0, []
+    for first_line, code, text in blocks(page):
+        output = ""
+        for line, printed, said, comment in run(code, first_line, names):
+            output += printed
+            if comment is not None:
+                compared += 1
+                if not agrees(said, comment):
+                    wrong.append(f"{page}:{line}: got {said.strip()!r}, the page says {comment!r}")
+        if text is not None:
+            compared += 1
+            if not agrees(output, text):
+                wrong.append(f"{page}:{first_line}: got\n{output}the page says\n{text}")
+    plt.close("all")
+    assert not wrong, "\n" + "\n".join(wrong)
+    assert compared > (20 if page == PAGES[0] else 0)
+    for name in PICTURES.get(page, ()):
+        assert_same_picture(tmp_path / name, ROOT / "docs/images" / name)
+
+
+def assert_same_picture(*places):
+    drawn, shown = map(plt.imread, places)
+    assert drawn.shape == shown.shape
+    assert np.mean(np.abs(drawn - shown).max(axis=-1) > 0.1) < 0.005  # rounding at the edges of lines
+
+
+def test_picture_of_the_readme_is_what_its_program_draws_and_its_caption_says(tmp_path):
+    spec = importlib.util.spec_from_file_location("ball_on_block", ROOT / "studies/half_space/ball_on_block.py")
+    program = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(program)
+    plt.switch_backend("Agg")
+    program.draw().savefig(tmp_path / "drawn.png")
+    plt.close("all")
+    assert_same_picture(tmp_path / "drawn.png", ROOT / "docs/images/ball_on_block.png")
+    r = stoss.restitution(program.BALL, against=program.BLOCK, speed=program.SPEED)
+    steel = stoss.Sphere(radius=1.0, material=stoss.materials["steel"]).scales.speed
+    speed = f"v = {program.SPEED:g} c (in steel, {round(program.SPEED * steel, -1):.0f} m/s)"
+    caption = f"{speed}, deformations in their true size: {100 * r.lost_to_second:.0f} % of its energy"
+    caption += f" leaves as waves, {100 * r.lost_to_first:.1f} % stays"
+    assert caption in " ".join((ROOT / "README.md").read_text(encoding="utf-8").split())
+
+
+@pytest.mark.parametrize(
+    "got, shown, answer",
+    [
+        ("0.947044 ± 0.000046", "0.94704 ± 0.00005", True),
+        ("0.947044 ± 0.000046", "0.94714 ± 0.00005", False),
+        ("0.947044 ± 0.000046", "0.94704 ± 0.00050", False),
+        ("421 modes, omega 1.43853", "421 modes, omega 1.4385", True),
+        ("421 modes, omega 1.43853", "421 modes, omega 1.3383", False),
+        ("421 modes", "422 modes", False),
+        ("421 modes", "421 roots", False),
+        ("(50,)", "(50,)", True),
+        ("(50,)", "(5,)", False),
+        ("a b 3 c 2.5 d", "a … 2.5 d", True),
+        ("a b 3 c 2.5 d", "a … 2.9 d", False),
+        ("f(a=1, b=2: c 0.9470 ± 0.0003)", "f(… c 0.9471 ± 0.0003)", True),
+        ("f(a=1, b=2: c 0.9470 ± 0.0003)", "f(… c 0.9475 ± 0.0003)", False),
+        ("-0.5", "0.5", False),
+        ("1e-05", "1e-4", False),
+        ("array([0.1, 0.25])", "array([0.1, 0.2])", True),
+        ("array([0.1, 0.25])", "array([0.1])", False),
+    ],
+)
+def test_comparison(got, shown, answer):
+    assert agrees(got, shown) is answer

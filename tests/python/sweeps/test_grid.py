@@ -1,0 +1,119 @@
+"""What no grid may be, grids that are too large, and the fair shares of shards."""
+
+import re
+import time
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import stoss
+from stoss.sweeps._command import sample
+
+BALLS = {"kind": "sphere", "poisson": [0.1, 0.3]}
+PAGE = Path(__file__).parents[3] / "docs/sweeps.md"
+SIZES = {"kind": "sphere", "poisson": 0.3, "radius": "lin:1:2:10000", "density": "lin:1:2:10"}
+
+
+def grid(**changed):
+    return stoss.Grid(**{"bodies": BALLS, "speed": [0.01, 0.03, 0.1], **changed})
+
+
+@pytest.mark.parametrize("name", ["tolerance", "absolute"])
+@pytest.mark.parametrize(
+    "value", [np.nan, np.inf, -1.0, 10**400, 10**5000, "x", True, [1e-3]], ids=lambda value: str(type(value))
+)
+def test_accuracies_are_refused_by_name(name, value):
+    with pytest.raises(stoss.InvalidInput, match=f"^{name}: got .*, allowed [^\n]*$"):
+        grid(**{name: value})
+
+
+@pytest.mark.parametrize(
+    "changed, message",
+    [
+        ({"speed": "log:.1:.2:1000000000"}, "speed: got 'log:.1:.2:1000000000', n is 1000000000, not"),
+        ({"bodies": {**BALLS, "radius": "lin:1:2:1000001"}}, "bodies: radius: got 'lin:1:2:1000001'"),
+        ({"speed": "log:.1:.2:" + "9" * 5000}, "speed: got 'log:"),
+        ({"speed": "log:1e-999999:1e999999:3"}, "speed: got 'log:"),
+        ({"speed": "lin:0.1:1e400:3"}, "speed: got 'lin:"),
+        ({"speed": [0.1, 10**5000]}, "speed: got"),
+        ({"bodies": {**BALLS, "radius": 10**5000}}, "bodies: radius: got"),
+        ({"bodies": {**BALLS, "radius": [1, 10**400]}}, "bodies: radius: got"),
+        ({"bodies": {"kind": [["sphere"]]}}, "bodies: kind: got ['sphere'], allowed disk"),
+        ({"bodies": {"kind": {"a": 1}}}, "bodies: kind: got"),
+        ({"against": {"kind": {"a": 1}}}, "against: kind: got"),
+        (
+            {"bodies": SIZES, "against": SIZES},
+            "grid: got 10000000000 cases (100000 bodies, 100000 partners, 3 speeds), allowed 100000",
+        ),
+        (
+            {"bodies": {**SIZES, "radius": [1, 2]}, "speed": np.linspace(0.1, 0.2, 50_001)},
+            "grid: got 1000020 values (20 bodies, 1 partners, 50001 speeds), allowed 1000000",
+        ),
+    ],
+    ids=range(13),
+)
+def test_what_would_never_end_is_refused_at_once(changed, message):
+    begin = time.process_time()
+    with pytest.raises(stoss.InvalidInput) as error:
+        grid(**changed)
+    assert str(error.value).startswith(message) and "\n" not in str(error.value) and len(str(error.value)) < 300
+    assert time.process_time() - begin < 1.0
+
+
+@pytest.mark.parametrize("text", [f"speed = {'9' * 5000}", f"speed = {'[' * 5000}", "speed = \ud800", "[[bodies]", ""])
+def test_toml_that_is_no_grid_is_refused_in_one_line(text, tmp_path):
+    path = tmp_path / "grid.toml"
+    path.write_bytes(text.encode("utf-8", "surrogatepass"))
+    with pytest.raises(stoss.InvalidInput, match="^grid: got [^\n]*, allowed [^\n]*$"):
+        stoss.Grid.from_toml(path)
+
+
+@pytest.mark.parametrize("key", ["bodies", "against", "speed", "tolerance", "absolute", "radius", "kind", "material"])
+@pytest.mark.parametrize("value", ["nan", "inf", "-1", '"x"', "{}", "[[]]", "{a = 1}", "1979-05-27", "false", '["", 1]'])
+def test_any_wrong_value_in_toml_is_one_line(key, value, tmp_path):
+    path = tmp_path / "grid.toml"
+    usual = {"speed": "0.1", "bodies": '{kind = "sphere", radius = 1, material = "steel"}'}
+    body = {"kind": '"sphere"', "radius": "1", "material": '"steel"', key: value}
+    changed = {key: value} if key in "bodies against speed tolerance absolute" else {
+        "bodies": f"{{{', '.join(f'{name} = {each}' for name, each in body.items())}}}"
+    }  # fmt: skip
+    path.write_text("\n".join(f"{name} = {each}" for name, each in {**usual, **changed}.items()))
+    with pytest.raises(stoss.InvalidInput, match="^[^\n]*got [^\n]*allowed[^\n]*$"):
+        stoss.Grid.from_toml(path)
+
+
+def test_every_shard_has_its_share_of_each_body_and_partner():
+    blocks = [{"kind": "half-space", "density": float(k)} for k in range(1, 4)]
+    cases = grid(bodies={"kind": "sphere", "poisson": "lin:0:0.4:16"}, against=["wall", *blocks])
+    keys = {case.key for case in cases.cases()}
+    for shards in (1, 2, 3, 4, 7, 8, 100):
+        parts = [sample(cases, shard, shards) for shard in range(1, shards + 1)]
+        assert {case.key for part in parts for case in part} == keys and sum(map(len, parts)) == len(keys)
+        assert max(map(len, parts)) - min(map(len, parts)) <= 1
+        for part in parts:
+            partners = np.bincount([case.place[1] for case in part], minlength=4)
+            assert shards > 8 or partners.max() - partners.min() <= 2
+            assert shards > 8 or partners.min() > 0
+
+
+@pytest.fixture(scope="module")
+def documented(tmp_path_factory):
+    path = tmp_path_factory.mktemp("page") / "grid.toml"
+    path.write_text(re.search(r"```toml\n(.*?)```", PAGE.read_text(encoding="utf-8"), re.S)[1], encoding="utf-8")
+    return stoss.Grid.from_toml(path)
+
+
+def test_two_shards_of_the_documented_grid_have_the_same_number_of_each_partner(documented):
+    assert documented.shape == (4, 2, 20)
+    for shards in (2, 4):
+        for shard in range(1, shards + 1):
+            places = np.array([case.place for case in sample(documented, shard, shards)])
+            assert np.bincount(places[:, 1]).tolist() == [4 // shards] * 2
+            assert shards > 2 or sorted(places[:, 0]) == [0, 1, 2, 3]
+
+
+def test_the_hardest_value_of_the_documented_grid_converges(documented):
+    small, block = stoss.Sphere(radius=0.005, material=stoss.materials["glass"]), documented.cases()[1].against
+    assert small in documented.bodies and isinstance(block, stoss.HalfSpace)
+    assert stoss.restitution(small, against=block, speed=documented.speed[0]).converged

@@ -1,0 +1,78 @@
+// The core's table of kinds and its named materials, as the page asks them: what can meet, and of which numbers.
+import { kinds, materials as named } from '../generated/kinds';
+
+type Row = (typeof kinds)[number];
+
+/** What can be the first body. */
+export type BodyKind = Extract<Row, { bounded: true }>['name'];
+
+/** A number that makes a body. */
+export type BodyField = Extract<Row, { bounded: true }>['parameters'][number]['name'];
+
+export interface Parameter {
+  readonly name: BodyField;
+  /** in SI; '' for a pure number */
+  readonly unit: string;
+  readonly ofMaterial: boolean;
+  /** without a material, where it is not given */
+  readonly otherwise?: number;
+  readonly help: string;
+}
+
+export interface Kind {
+  readonly name: string;
+  readonly help: string;
+  readonly bounded: boolean;
+  readonly canYield: boolean;
+  readonly hasPlane: boolean;
+  /** its unit of length, R or L */
+  readonly length: string;
+  readonly parameters: readonly Parameter[];
+  /** kinds of bodies and blocks that it meets */
+  readonly meets: readonly string[];
+}
+
+const table = kinds as unknown as readonly Kind[];
+
+export const bodyKinds = table.filter(({ bounded }) => bounded).map(({ name }) => name as BodyKind);
+
+export function kindNamed(name: string): Kind {
+  return table.find((kind) => kind.name === name)!;
+}
+
+/** The kind of the half-space that a body meets; undefined where it meets none. */
+export function blockOf(kind: BodyKind): Kind | undefined {
+  return kindNamed(kind).meets.map(kindNamed).find(({ bounded }) => !bounded);
+}
+
+/** Numbers of a kind, in the order of the page: the material, the size, the loss. */
+export function parametersOf(kind: Kind): Parameter[] {
+  const rank = ({ ofMaterial, name }: Parameter): number =>
+    (name === 'poisson' ? 0 : ofMaterial ? 1 : name === 'loss_time' ? 3 : 2);
+  return [...kind.parameters].sort((a, b) => rank(a) - rank(b));
+}
+
+/** The name of the size of a body: radius, or length. */
+export function sizeOf(kind: string): BodyField {
+  return kindNamed(kind).parameters.find(({ unit }) => unit === 'm')!.name;
+}
+
+export interface Material {
+  readonly name: string;
+  readonly young: number;
+  readonly poisson: number;
+  readonly density: number;
+  /** 0: not known well enough */
+  readonly loss_time: number;
+  /** without it the material is brittle, or it is not known well enough */
+  readonly yield_strength?: number;
+  readonly source: string;
+}
+
+export const materials: readonly Material[] = named;
+
+export function materialNamed(name: string): Material {
+  const found = materials.find((material) => material.name === name);
+  if (found === undefined) throw new Error(`there is no material “${name}”`);
+  return found;
+}

@@ -1,0 +1,156 @@
+// What is seen of a collision: bodies and half-spaces alike as meshes in the plane of the picture, of the half above
+// the line of impact, which the other mirrors. Places are in radii of the first body, y ≥ 0.
+
+import type { BodyFrame, Collision, Encounter, Grid } from '../core/protocol';
+import type { BodyKind } from '../inputs/kinds';
+
+/** One of what meets. Its points stand in rows and columns, row-major, as the numbers of frames do. */
+export interface Part {
+  rows: number;
+  columns: number;
+  /** at rest, where it would first touch */
+  x: Float32Array;
+  y: Float32Array;
+  /** displacement in the picture of a radial and of a tangential one */
+  radial: { x: Float32Array; y: Float32Array };
+  tangential: { x: Float32Array; y: Float32Array };
+  /** what is between four neighbours of them */
+  cells: Cell[];
+  /** place of its centre there, and its radius or length */
+  center: number;
+  size: number;
+  /** points of its edge, from the line of impact where it is struck */
+  edge: number[];
+  /** 1/R of its face at rest */
+  curvature: number;
+  /** a half-space goes on beyond the picture */
+  open: boolean;
+}
+
+type Point = Record<'x' | 'y', number>;
+
+export interface Cell {
+  corners: [number, number, number, number];
+  /** sides from its first corner, of its mean parallelogram, and the area between them, with a sign */
+  sides: [Point, Point];
+  area: number;
+}
+
+export interface Line {
+  x: ArrayLike<number>;
+  y: ArrayLike<number>;
+}
+
+/** A part at one instant. */
+export interface Mesh {
+  rows: number;
+  columns: number;
+  x: Float32Array;
+  y: Float32Array;
+}
+
+const range = (count: number, first = 0): number[] => Array.from({ length: count }, (_, k) => first + k);
+
+/** @param at what is at a row and a column */
+function partOf(
+  rows: ArrayLike<number>, columns: ArrayLike<number>,
+  at: (row: number, column: number) => { rest: Point; radial: Point; tangential: Point },
+  more: Pick<Part, 'center' | 'size' | 'edge' | 'curvature' | 'open'>,
+): Part {
+  const points = Array.from(rows).flatMap((row) => Array.from(columns, (column) => at(row, column)));
+  const of = (name: 'rest' | 'radial' | 'tangential'): { x: Float32Array; y: Float32Array } =>
+    ({ x: Float32Array.from(points, (each) => each[name].x), y: Float32Array.from(points, (each) => each[name].y) });
+  const rest = of('rest');
+  const [count, step] = [rows.length, columns.length];
+  const cells = range(count - 1).flatMap((i) => range(step - 1, i * step)).map((k): Cell => {
+    const corners: Cell['corners'] = [k, k + 1, k + step, k + step + 1];
+    const sides = sidesOf(rest, corners);
+    return { corners, sides, area: cross(...sides) };
+  });
+  return { rows: count, columns: step, ...rest, radial: of('radial'), tangential: of('tangential'), cells, ...more };
+}
+
+const nowhere: Point = { x: 0, y: 0 };
+
+/** A disk, a sphere or a rod. @param facing 1: what it meets is to the right; −1: to the left
+ *  @param size radius, or length @param halfHeight of a rod */
+export function bodyPart(kind: BodyKind, size: number, facing: 1 | -1, halfHeight: number, grid: Grid): Part {
+  const [rows, columns] = [grid.radius.length, grid.angle.length];
+  if (kind === 'rod') {
+    return partOf(grid.radius, grid.angle, (place, side) => ({
+      rest: { x: -facing * size * place, y: halfHeight * side },
+      radial: { x: facing * size, y: 0 }, tangential: nowhere,
+    }), {
+      center: -facing * 0.5 * size, size, edge: [0, columns - 1, columns * rows - 1, columns * (rows - 1)],
+      curvature: 0, open: false,
+    });
+  }
+  return partOf(grid.radius, grid.angle, (r, angle) => {
+    const [cosine, sine] = [Math.cos(angle), Math.sin(angle)];
+    return {
+      rest: { x: facing * size * (r * cosine - 1), y: size * r * sine },
+      radial: { x: facing * size * cosine, y: size * sine },
+      tangential: { x: -facing * size * sine, y: size * cosine },
+    };
+  }, {
+    center: -facing * size, size, edge: range(columns, (rows - 1) * columns), curvature: 1 / size, open: false,
+  });
+}
+
+/** A half-space, or a half-plane, on the right: depths × distances. */
+export function blockPart({ depth, distance }: NonNullable<Grid['below']>): Part {
+  return partOf(depth, distance, (x, y) => ({ rest: { x, y }, radial: { x: 1, y: 0 }, tangential: { x: 0, y: 1 } }),
+    { center: 0, size: Infinity, edge: range(distance.length), curvature: 0, open: true });
+}
+
+const ROD = 0.1; // half the thickness of the first rod, in its lengths
+
+/** What meets in a collision. */
+export function partsOf({ kind, first, against }: Encounter, { bodies }: Pick<Collision, 'bodies'>, grid: Grid):
+    Part[] {
+  const second = against.kind === 'body' ? against.body : first;
+  const thick = Math.min(0.4, Math.max(0.03, ROD * Math.sqrt(second.area / first.area)));
+  return bodies.map(({ kind: its, radius }, n) => (its === 'half-space' ? blockPart(grid.below!)
+    : bodyPart(kind, radius / bodies[0]!.radius, n === 0 ? 1 : -1, n === 0 ? ROD : thick, grid)));
+}
+
+/** How the points of a part are displaced, apart from its movement as a whole. `into` is written over. */
+export function displacementOf({ rows, columns, radial, tangential }: Part, now: BodyFrame, into?: Mesh): Mesh {
+  const moved = into?.rows === rows && into.columns === columns ? into
+    : { rows, columns, x: new Float32Array(rows * columns), y: new Float32Array(rows * columns) };
+  for (let k = 0; k < moved.x.length; ++k) {
+    const [out, along] = [now.radial[k]!, now.tangential[k]!];
+    moved.x[k] = out * radial.x[k]! + along * tangential.x[k]!;
+    moved.y[k] = out * radial.y[k]! + along * tangential.y[k]!;
+  }
+  return moved;
+}
+
+/** Where they are when all movement from where the part touches is magnified. */
+export function meshOf(part: Part, now: BodyFrame, magnification: number, into?: Mesh): Mesh {
+  const mesh = displacementOf(part, now, into);
+  const shift = now.center - part.center;
+  for (let k = 0; k < mesh.x.length; ++k) {
+    mesh.x[k] = part.x[k]! + magnification * (shift + mesh.x[k]!);
+    mesh.y[k] = part.y[k]! + magnification * mesh.y[k]!;
+  }
+  return mesh;
+}
+
+/** The edge of a part: as it is, or at rest in some place. */
+export function edgeOf({ edge }: Part, { x, y }: Line, shift = 0): Line {
+  return { x: edge.map((k) => x[k]! + shift), y: edge.map((k) => y[k]!) };
+}
+
+/** The sides of a cell of a mesh, or of displacements. */
+export function sidesOf({ x, y }: Line, [a, b, c, d]: Cell['corners']): [Point, Point] {
+  return [
+    { x: 0.5 * (x[c]! + x[d]! - x[a]! - x[b]!), y: 0.5 * (y[c]! + y[d]! - y[a]! - y[b]!) },
+    { x: 0.5 * (x[b]! + x[d]! - x[a]! - x[c]!), y: 0.5 * (y[b]! + y[d]! - y[a]! - y[c]!) },
+  ];
+}
+
+/** The area between two sides. */
+export function cross(one: Point, other: Point): number {
+  return one.x * other.y - one.y * other.x;
+}
