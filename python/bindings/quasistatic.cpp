@@ -133,6 +133,38 @@ void bind_hertz(py::module_& module) {
       py::arg("poisson"), py::arg("force"), "structured array of depth, shear");
 }
 
+/// A function of one number, over an array.
+void bind_over(py::module_& module, const char* name, double (*function)(double), const char* argument) {
+  module.def(
+      name,
+      [function](const Doubles& values) {
+        const double* x = values.data();
+        return over([&](std::size_t i) { return function(x[i]); }, values);
+      },
+      py::arg(argument));
+}
+
+void bind_oblique(py::module_& module) {
+  module.def(
+      "maw",
+      [](const Doubles& psi1, const Doubles& chi, double tolerance) {
+        const double *psi = psi1.data(), *at = chi.data();
+        return over([&](std::size_t i) { return maw(psi[i], at[i], tolerance); }, psi1, chi);
+      },
+      py::arg("psi1"), py::arg("chi"), py::arg("tolerance"), "structured array of what Maw's impact leaves");
+  bind_over(module, "mindlin_ratio", &mindlin_ratio, "poisson");
+  bind_over(module, "mindlin_force", &mindlin_force, "displacement");
+  bind_over(module, "mindlin_displacement", &mindlin_displacement, "tangential");
+  bind_over(module, "mindlin_stick_radius", &mindlin_stick_radius, "tangential");
+  module.def(
+      "mindlin_traction",
+      [](const Doubles& tangential, const Doubles& distance) {
+        const double *t = tangential.data(), *r = distance.data();
+        return over([&](std::size_t i) { return mindlin_traction(t[i], r[i]); }, tangential, distance);
+      },
+      py::arg("tangential"), py::arg("distance"));
+}
+
 void bind_stresses(py::module_& module) {
   module.def(
       "hertz_pressure",
@@ -165,6 +197,8 @@ void bind_quasistatic(py::module_& module) {
   PYBIND11_NUMPY_DTYPE(PlaneStress, xx, yy, xy);
   PYBIND11_NUMPY_DTYPE(AxisymmetricStress, radial, hoop, axial, shear);
   PYBIND11_NUMPY_DTYPE(GreatestShear, depth, shear);
+  PYBIND11_NUMPY_DTYPE(MawImpact, psi2, psi2_error, impulse, impulse_error, friction_loss, sliding, sticking, slipping,
+                       reversed);
   module.attr("rayleigh_row") = Rows<RayleighEstimate>(rayleigh_quantities()).type();
   module.attr("point_rayleigh_row") = Rows<PointRayleighEstimate>(point_rayleigh_quantities()).type();
   const auto law = py::arg("law"), poisson = py::arg("poisson"), speeds = py::arg("speeds");
@@ -189,6 +223,7 @@ void bind_quasistatic(py::module_& module) {
   module.def("soft_static_contact", &soft_static_contact_numbers, py::arg("contact"), py::arg("compression"),
              py::arg("nodes"));
   bind_hertz(module);
+  bind_oblique(module);
   bind_stresses(module);
 }
 

@@ -11,10 +11,10 @@
 namespace stoss::quasistatic {
 namespace {
 
-constexpr double largest = std::numeric_limits<double>::max();
+constexpr double any_finite = std::numeric_limits<double>::max();
 
-void require_force(double force) {
-  require("force", force, {-1.0, 1.0, true, true, "-1 to 1"}, "T/(mu N); beyond, the contact slides");
+void require_tangential(double tangential) {
+  require("tangential", tangential, {-1.0, 1.0, true, true, "-1 to 1"}, "T/(mu N); beyond, the contact slides");
 }
 
 /// 1 − (1 − |x|)^power with the sign of x.
@@ -35,25 +35,25 @@ double mindlin_ratio(double poisson) {
 }
 
 double mindlin_force(double displacement) {
-  require("displacement", displacement, {-largest, largest, true, true, "any finite number"},
+  require("displacement", displacement, {-any_finite, any_finite, true, true, "any finite number"},
           "over that at which the contact slides");
   return complement(displacement, 1.5);
 }
 
-double mindlin_displacement(double force) {
-  require_force(force);
-  return complement(force, 2.0 / 3.0);
+double mindlin_displacement(double tangential) {
+  require_tangential(tangential);
+  return complement(tangential, 2.0 / 3.0);
 }
 
-double mindlin_stick_radius(double force) {
-  require_force(force);
-  return std::cbrt(1.0 - std::abs(force));
+double mindlin_stick_radius(double tangential) {
+  require_tangential(tangential);
+  return std::cbrt(1.0 - std::abs(tangential));
 }
 
-double mindlin_traction(double force, double distance) {
-  const double stick = mindlin_stick_radius(force);
-  require("distance", distance, {0.0, largest, true, true, "0 or more"}, "from the axis, over the radius");
-  return std::copysign(half_ellipse(1.0, distance) - half_ellipse(stick, distance), force);
+double mindlin_traction(double tangential, double distance) {
+  const double stick = mindlin_stick_radius(tangential);
+  require("distance", distance, {0.0, any_finite, true, true, "0 or more"}, "from the axis, over the radius");
+  return std::copysign(half_ellipse(1.0, distance) - half_ellipse(stick, distance), tangential);
 }
 
 }  // namespace stoss::quasistatic

@@ -60,9 +60,9 @@ TEST(Mindlin, RefusesWhatHasNoMeaning) {
   test::expect_refusal([] { (void)mindlin_ratio(0.5); }, {"poisson"});
   test::expect_refusal([] { (void)mindlin_force(nan); }, {"displacement: got nan", "finite"});
   for (const double wrong : {1.001, -1.001, nan}) {
-    test::expect_refusal([&] { (void)mindlin_displacement(wrong); }, {"force", "-1 to 1"});
-    test::expect_refusal([&] { (void)mindlin_stick_radius(wrong); }, {"force", "-1 to 1"});
-    test::expect_refusal([&] { (void)mindlin_traction(wrong, 0.5); }, {"force", "-1 to 1"});
+    test::expect_refusal([&] { (void)mindlin_displacement(wrong); }, {"tangential", "-1 to 1"});
+    test::expect_refusal([&] { (void)mindlin_stick_radius(wrong); }, {"tangential", "-1 to 1"});
+    test::expect_refusal([&] { (void)mindlin_traction(wrong, 0.5); }, {"tangential", "-1 to 1"});
   }
   test::expect_refusal([] { (void)mindlin_traction(0.5, -0.1); }, {"distance", "-0.1", "0 or more"});
 }

@@ -23,18 +23,18 @@ namespace stoss::quasistatic {
 /// @throws InvalidInput for a displacement that is not finite
 [[nodiscard]] double mindlin_force(double displacement);
 
-/// δ/δ_max of a force, to 1e-15. @param force T/μN, −1 … 1
+/// δ/δ_max of a force, to 1e-15. @param tangential T/μN, −1 … 1
 /// @throws InvalidInput outside that range
-[[nodiscard]] double mindlin_displacement(double force);
+[[nodiscard]] double mindlin_displacement(double tangential);
 
-/// c/a, the radius of the circle that sticks. @param force T/μN, −1 … 1
+/// c/a, the radius of the circle that sticks. @param tangential T/μN, −1 … 1
 /// @throws InvalidInput outside that range
-[[nodiscard]] double mindlin_stick_radius(double force);
+[[nodiscard]] double mindlin_stick_radius(double tangential);
 
 /// Tangential traction over μp₀: √(1 − r²/a²) − (c/a) √(1 − r²/c²), the second term only inside of c.
-/// @param force    T/μN, −1 … 1
-/// @param distance r/a ≥ 0 from the axis
+/// @param tangential T/μN, −1 … 1
+/// @param distance   r/a ≥ 0 from the axis
 /// @throws InvalidInput outside these ranges
-[[nodiscard]] double mindlin_traction(double force, double distance);
+[[nodiscard]] double mindlin_traction(double tangential, double distance);
 
 }  // namespace stoss::quasistatic

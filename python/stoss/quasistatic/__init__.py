@@ -13,6 +13,10 @@ and (4π/3)R²E of a sphere, lengths in R, stresses in E, speeds in c (with a ma
 `static_contact`, `soft_static_contact`                 a body held against a wall
 `hertz_pressure`, `hertz_stress`, `heavy_disk_stress`   stress under a contact or in a heavy disk
 `greatest_shear`, `yield_speed`                         of a sphere: where and when it yields
+`maw`                                                   of a sphere: oblique impact with friction
+`mindlin_force`, `mindlin_displacement`,                a contact that is pushed along the wall
+`mindlin_stick_radius`, `mindlin_traction`,
+`mindlin_ratio`
 ======================================================  ============================================
 
 Laws of compression of a disk, δ = F (ln(s/F) − b):
@@ -49,6 +53,15 @@ from stoss.quasistatic._hertz import (
     hertz_stress,
 )
 from stoss.bodies._yielding import yield_speed
+from stoss.quasistatic._oblique import (
+    MawImpact,
+    maw,
+    mindlin_displacement,
+    mindlin_force,
+    mindlin_ratio,
+    mindlin_stick_radius,
+    mindlin_traction,
+)
 from stoss.quasistatic._rayleigh import PointRayleighEstimate, RayleighEstimate, rayleigh
 from stoss.quasistatic._slow_impact import PointSlowImpact, SlowImpact, slow_impact
 from stoss.quasistatic._static_contact import SoftStaticContact, StaticContact, soft_static_contact, static_contact
@@ -56,6 +69,7 @@ from stoss.quasistatic._static_contact import SoftStaticContact, StaticContact, 
 __all__ = [
     "AxisymmetricStress",
     "GreatestShear",
+    "MawImpact",
     "PlaneStress",
     "PointRayleighEstimate",
     "PointSlowImpact",
@@ -73,6 +87,12 @@ __all__ = [
     "hertz_stress",
     "limit_force",
     "limit_speed",
+    "maw",
+    "mindlin_displacement",
+    "mindlin_force",
+    "mindlin_ratio",
+    "mindlin_stick_radius",
+    "mindlin_traction",
     "rayleigh",
     "slow_impact",
     "soft_static_contact",

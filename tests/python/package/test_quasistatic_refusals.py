@@ -15,6 +15,7 @@ from stoss import quasistatic
 nan, inf = math.nan, math.inf
 USUAL = {
     "poisson": 0.33, "speed": 0.01, "force": 0.01, "compression": 0.01, "depth": 0.1, "x": 1.0, "y": 0.1, "cutoff": 6,
+    "psi1": 2.0, "chi": 1.4, "displacement": 0.2, "tangential": 0.3, "distance": 0.5,
 }  # fmt: skip
 BALL = stoss.Sphere(poisson=0.3)
 HARD = stoss.Sphere(radius=0.01, material=stoss.Material(young=2e11, poisson=0.3, density=8e3, yield_strength=1e9))
@@ -27,6 +28,12 @@ BAD = {
     "depth": [-1e-9, nan, inf, "x"],
     "y": [nan, inf, "x", np.True_],
     "x": [-0.01, 2.1, nan, "x"],
+    "psi1": [2e6, nan, inf, "x"],
+    "chi": [0, -1, 1001, nan, "x", [1, 0]],
+    "tolerance": [0, 1e-9, 0.2, nan, "x", [1e-3]],
+    "displacement": [nan, inf, "x"],
+    "tangential": [-1.1, 1.1, nan, "x"],
+    "distance": [-0.1, nan, inf, "x"],
     "cutoff": [0, -1, 1001, nan, "x", [6, 7]],
     "nodes": [0, 15, 5000, 16.0, "16", True],
     "law": ["", "Center", 1, ["center"]],
