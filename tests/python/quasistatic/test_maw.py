@@ -18,7 +18,7 @@ def test_sliding_and_sticking_throughout():
     assert fast.psi2 == pytest.approx(np.array([5, 50]) - 4 * chi, rel=1e-15)
     assert (fast.sliding == 1).all() and (fast.psi2_error == 0).all()
     stuck = quasistatic.maw(psi1=0.7, chi=0.5)
-    assert stuck.psi2 == pytest.approx(-0.7, abs=1e-4) and stuck.sticking == 1 and type(stuck.psi2) is float
+    assert stuck.psi2 == pytest.approx(-0.7, abs=1e-4) and stuck.friction_loss < 1e-4 and type(stuck.psi2) is float
 
 
 def test_arrays_broadcast():
