@@ -31,6 +31,7 @@ void validate(const Body& body) {
   require(body, positive(body.mass) && positive(body.cutoff), "a positive finite mass and cutoff");
   require(body, not_negative(body.extent) && not_negative(body.curvature) && not_negative(body.softness),
           "a finite extent, curvature and softness, none below 0");
+  require(body, not_negative(body.inertia) && body.components > 0, "a finite inertia of 0 or more, and components");
   require(body, body.highest_cutoff >= body.cutoff, "a cutoff up to its highest");
   require(body, std::isfinite(body.loss_time) && body.loss_time >= 0.0, "a loss_time of 0 or more");
   require(body, body.stable_step > 0.0, "a positive stable_step");
@@ -87,9 +88,17 @@ Body rigid(const Body& body) {
     same.shape.clear();
     return same;
   };
-  result.residual_compliance = result.residual_second_moment = [](const ContactPoints& points, const Poll&) {
-    return std::vector<double>(points.count * points.count);
-  };
+  result.residual_compliance =
+      result.residual_second_moment = [values = body.components](const ContactPoints& points, const Poll&) {
+        return std::vector<double>(values * points.count * values * points.count);
+      };
+  if (body.along) {
+    result.along = [along = body.along](const Poll& poll) {
+      std::vector<Body> bodies;
+      for (const Body& each : along(poll)) bodies.push_back(rigid(each));
+      return bodies;
+    };
+  }
   return result;
 }
 

@@ -46,16 +46,21 @@ void require_surface(const Body& body, const Surface& surface, std::size_t point
 
 Surface surface_of(const Body& body, const ContactPoints& points) {
   Surface surface = body.surface(points);
-  require_surface(body, surface, points.count);
+  require_surface(body, surface, body.components * points.count);
   return surface;
 }
 
 /// Joins the second body's surface to that of the first, in its units: recesses add, impedances are in series.
-void join(const Surface& second, const UnitRatios& units, std::size_t first_rows, Surface& surface) {
-  const std::size_t points = surface.recess.size();
-  surface.shape.resize(first_rows * points);
+/// @param points of the contact; values of a second component are those of a body that is turned around
+void join(const Surface& second, const UnitRatios& units, std::size_t first_rows, std::size_t points,
+          Surface& surface) {
+  const std::size_t values = surface.recess.size();
+  surface.shape.resize(first_rows * values);
   surface.shape.insert(surface.shape.end(), second.shape.begin(), second.shape.end());
-  for (std::size_t i = 0; i < points; ++i) {
+  for (std::size_t k = first_rows * values; k < surface.shape.size(); ++k) {
+    if (k % values >= points) surface.shape[k] = -surface.shape[k];
+  }
+  for (std::size_t i = 0; i < values; ++i) {
     surface.recess[i] += second.recess[i] * units.length;
     surface.impedance[i] = 1.0 / (1.0 / surface.impedance[i] + 1.0 / (second.impedance[i] * units.impedance));
   }
@@ -105,15 +110,19 @@ double expected_duration(const Contact& contact, double speed) {
 }
 
 ContactGrid contact_grid(const Contact& contact, double half_width, int nodes) {
+  if (has_single_point(contact)) return contact_grid(contact, ContactPoints{});
+  return contact_grid(contact, {contact.radius, std::numbers::pi / spacings(contact, half_width, nodes),
+                                static_cast<std::size_t>(nodes)});
+}
+
+ContactGrid contact_grid(const Contact& contact, const ContactPoints& points) {
   ContactGrid grid;
-  if (!has_single_point(contact)) {
-    grid.points = {contact.radius, std::numbers::pi / spacings(contact, half_width, nodes),
-                   static_cast<std::size_t>(nodes)};
-  }
+  grid.points = points;
   static_cast<Surface&>(grid) = surface_of(*contact.first, grid.points);
   if (contact.second != nullptr) {
     const UnitRatios units = units_of(contact, 1);
-    join(surface_of(*contact.second, seen_by(grid.points, units)), units, shape_rows(*contact.first), grid);
+    join(surface_of(*contact.second, seen_by(grid.points, units)), units, shape_rows(*contact.first), points.count,
+         grid);
   }
   for (std::size_t i = 0; i < grid.points.count; ++i) {
     grid.coordinate.push_back(grid.points.angle(i) * grid.points.radius);

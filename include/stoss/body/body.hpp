@@ -96,6 +96,7 @@ struct Body {
   double extent = 0.0;     ///< distance from the centre of mass to the foremost point
   double curvature = 1.0;  ///< of its surface near the foremost point, 1/R
   double softness = 1.0;   ///< 1/E* near its end, in 1/E: 1 in plane stress, 1 − ν² in plane strain, 0 if rigid
+  double inertia = 0.0;    ///< moment about the centre of mass, mass × R²; 0: it does not turn
   double loss_time = 0.0;  ///< η of a lossy material, R/c: stress = (1 + η ∂/∂t) elastic stress
   double cutoff = 0.0;     ///< all modes with ω ≤ kept_cutoff(body) are in `groups` (but see with_modes)
   double highest_cutoff = std::numeric_limits<double>::infinity();  ///< that such a body can be made with
@@ -119,6 +120,18 @@ struct Body {
   /// Makes the near side of the body, a part of size 0 < `size` ≤ 1, in the units of the whole; of a half-space, one
   /// for contacts of duration `size`. Empty for bodies that have none, or are one.
   std::function<Body(double size, double cutoff, const Poll& poll)> near_side{};
+
+  /// The same body against forces along its surface, which move it by the same rows with other weights
+  /// (docs/theory/oblique.md): bodies with the mass, scale, contour, cutoff and loss time of this one whose modes,
+  /// surface and residual functions are those along the surface and whose softness is that along it. A ball has one,
+  /// whose points move along y. A disk has two, in which directions mix: of forces even in y, normal and odd tangential
+  /// ones (0) and tangential and odd normal ones (1). Empty for bodies that have none, as rods.
+  std::function<std::vector<Body>(const Poll& poll)> along{};
+
+  /// Displacements at each point: all arrays of Surface, and the residual matrices, are those of the first component at
+  /// every point, then of the second. Only bodies that `along` makes have more than one. What meets as the second body
+  /// is turned around, which changes the sign of its second component.
+  std::size_t components = 1;
 };
 
 /// Makes a body with all modes up to a cutoff.

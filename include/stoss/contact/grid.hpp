@@ -28,6 +28,9 @@ struct ContactGrid : Surface {
 /// @throws InvalidInput for a half-width or a number of points that the contact cannot have
 [[nodiscard]] ContactGrid contact_grid(const Contact& contact, double half_width, int nodes);
 
+/// What the bodies are at given points.
+[[nodiscard]] ContactGrid contact_grid(const Contact& contact, const ContactPoints& points);
+
 /// W of all bodies together: relative displacement of the bodies at point i per force on point j.
 [[nodiscard]] std::vector<double> residual_compliance(const Contact& contact, const ContactGrid& grid,
                                                       const Poll& poll = {});

@@ -14,6 +14,15 @@ std::vector<double> times(double scale, std::vector<double> values) {
   return values;
 }
 
+/// Changes the sign of the second component, where there is one.
+void turn_around(std::size_t points, std::size_t values, std::vector<double>& matrix) {
+  for (std::size_t i = 0; i < values; ++i) {
+    for (std::size_t j = 0; j < values; ++j) {
+      if ((i < points) != (j < points)) matrix[i * values + j] = -matrix[i * values + j];
+    }
+  }
+}
+
 ResidualPart first_part(const Contact& contact, const ContactGrid& grid, const Poll& poll) {
   const Body& body = *contact.first;
   return {residual_of(contact, grid, 0, &Body::residual_compliance, poll),
@@ -41,7 +50,11 @@ std::vector<double> residual_of(const Contact& contact, const ContactGrid& grid,
   const Body& body = *body_of(contact, number);
   const ContactPoints points = seen_by(grid.points, units_of(contact, number));
   std::vector<double> matrix = (body.*residual)(points, poll);
-  if (matrix.size() == points.count * points.count) return matrix;
+  const std::size_t values = body.components * points.count;
+  if (matrix.size() == values * values) {
+    if (number == 1) turn_around(points.count, values, matrix);
+    return matrix;
+  }
   throw InvalidInput("body: got a residual of '" + body.name + "' of another size, allowed points x points values");
 }
 
