@@ -5,7 +5,6 @@
 #include <cmath>
 #include <cstdio>
 #include <limits>
-#include <numbers>
 #include <optional>
 #include <utility>
 
@@ -14,6 +13,7 @@
 #include "impact/whole_bodies.hpp"
 #include "restitution/curvature.hpp"
 #include "restitution/error_bar.hpp"
+#include "restitution/lasting.hpp"
 
 namespace stoss {
 namespace {
@@ -21,10 +21,9 @@ namespace {
 constexpr int first_runs = 3;  // two that agree by chance say nothing
 constexpr std::array first_rungs{4, 2};
 constexpr std::array first_rungs_with_half_space{2, 2};  // of which few waves are enough
-constexpr int most_rungs = 4;         // a run far above all others would find the differences from them without weight
-constexpr double aim = 0.9;           // of the tolerance: one run too fine costs less than another run
-constexpr double room_to_last = 1.5;  // of a half-space, over what is expected of the contact
-constexpr double affordable = 2e8;    // of `work`, less than a second: what a run without hope may cost
+constexpr int most_rungs = 4;       // a run far above all others would find the differences from them without weight
+constexpr double aim = 0.9;         // of the tolerance: one run too fine costs less than another run
+constexpr double affordable = 2e8;  // of `work`, less than a second: what a run without hope may cost
 
 /// @param energy initial energy of an impact, over that of the translation
 Run summary(const Impact& impact, double energy) {
@@ -39,24 +38,6 @@ Run summary(const Impact& impact, double energy) {
           .max_compression = impact.max_compression,
           .energy_error = impact.energy_error,
           .steps = impact.steps};
-}
-
-/// An impact, with a half-space made anew for a longer time where the contact outlasts it.
-/// @param half_width of the contact in a coarser run, or 0
-/// @param stretch    of the half-space (RefinableContact::stretch); becomes greater
-Impact impact_to_its_end(const RefinableContact& contact, double cutoff, double speed, const Vibration& vibration,
-                         double half_width, double& stretch, const Poll& poll) {
-  const double longest = room_to_last * stretch / std::numbers::sqrt2;
-  for (;; stretch *= std::numbers::sqrt2) {
-    const Contact& resolved = contact.at(cutoff, stretch, poll);
-    ImpactOptions options{.resolution = refined_resolution(resolved, speed, half_width), .poll = poll};
-    if (!vibration.empty()) options.start = approach(resolved, speed, vibration);
-    try {
-      return impact(resolved, speed, options);
-    } catch (const Outlasted&) {
-      if (!resolved.unbounded || stretch > longest) throw;
-    }
-  }
 }
 
 /// The first level at which all modes of a vibration are kept.
@@ -175,9 +156,13 @@ Restitution restitution(const RefinableContact& contact, double speed, const Res
   for (int level = lowest; level <= highest && next.worthwhile; level += next.rungs) {
     if (options.attempt_observer) options.attempt_observer({contact.cutoff(level), result.lost_fraction});
     try {
-      const double width = result.finest.max_half_width;
-      result.finest =
-          impact_to_its_end(contact, contact.cutoff(level), speed, options.vibration, width, stretch, options.poll);
+      const auto compute = [&](const Contact& resolved) {
+        const Resolution resolution = refined_resolution(resolved, speed, result.finest.max_half_width);
+        ImpactOptions of_one{.resolution = resolution, .poll = options.poll};
+        if (!options.vibration.empty()) of_one.start = approach(resolved, speed, options.vibration);
+        return impact(resolved, speed, of_one);
+      };
+      result.finest = to_its_end(contact, contact.cutoff(level), stretch, options.poll, compute);
       correct(correction, contact.at(level, options.poll), result.finest);
     } catch (const NotConverged& error) {  // too coarse, perhaps
       trouble = error.what();

@@ -1,0 +1,72 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "stoss/impact/oblique.hpp"
+#include "stoss/restitution/restitution.hpp"
+
+namespace stoss {
+
+/// One oblique impact on the way to a converged value.
+struct ObliqueRun {
+  double cutoff = 0.0;
+  FixedResolution resolution;
+  double restitution = 0.0;
+  double sliding_after = 0.0;
+  double tangential_after = 0.0;
+  double spin_after = 0.0;
+  double second_spin_after = 0.0;
+  double friction_loss = 0.0;
+  double vibration = 0.0;
+  double unresolved = 0.0;
+  double energy_error = 0.0;
+  long steps = 0;
+};
+
+/// The collision rule of two bodies at one normal speed and obliquity, with its errors and the runs that led to it.
+/// Units and signs as in ObliqueImpact. An infinite error means that it is unknown.
+struct ObliqueRestitution {
+  double speed = 0.0;  ///< v_n, c
+  Obliquity before;
+  double sliding = 0.0;             ///< s
+  Estimate restitution;             ///< ε_n
+  Estimate tangential_restitution;  ///< ε_t = −s′/s; where s = 0 it is 0 with an infinite error: s′ says what happens
+  Estimate sliding_after;           ///< s′
+  Estimate tangential_after;        ///< v_t′
+  Estimate spin_after;              ///< Ω₁′
+  Estimate second_spin_after;       ///< Ω₂′
+  Estimate friction_loss;           ///< share of the initial energy that became heat of friction
+  Estimate vibration;               ///< share of it with which the bodies vibrate
+  double tolerance = 0.0;
+  bool converged = false;        ///< whether the error of s′ is at most tolerance × the greater of |s| and μ v_n
+  std::string reason;            ///< why not
+  std::vector<ObliqueRun> runs;  ///< from coarse to fine
+  ObliqueImpact finest;          ///< the last of them
+  long steps = 0;                ///< of all runs
+};
+
+struct ObliqueOptions {
+  double tolerance = 1e-2;  ///< error of s′ over the greater of |s| and μ v_n, 1e-6 … 0.5
+  Poll poll{};
+  Vibration vibration{};  ///< of the bodies before the impact
+};
+
+/// Collision rules at one normal speed, for many angles, spins and frictions, from impacts at rising cutoffs. Of bodies
+/// in which both directions do not act on each other one normal impact at each cutoff serves them all, and ε_n is that
+/// of `restitution`, bit by bit.
+///
+/// The error of s′, and of what follows from it, is three times the maximum difference from a coarser run, scaled by
+/// the order at which such differences fall, 1.4 in the cutoff, and of coupled directions 1; and at least that of the
+/// rings, μ v_n/(κ n²) with n of them. A rule that misses the tolerance has converged false, with a reason.
+/// @param speed of approach along the normal, 1e-8 … 1, in c
+/// @throws InvalidInput as oblique_impact and for options out of range; NotConverged if no two impacts end
+[[nodiscard]] std::vector<ObliqueRestitution> oblique_restitution(const RefinableContact& contact, double speed,
+                                                                  const std::vector<Obliquity>& obliquities,
+                                                                  const ObliqueOptions& options = {});
+
+/// The rule at one obliquity.
+[[nodiscard]] ObliqueRestitution oblique_restitution(const RefinableContact& contact, double speed,
+                                                     const Obliquity& obliquity, const ObliqueOptions& options = {});
+
+}  // namespace stoss
