@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "contact/response.hpp"
+#include "impact/contact_history.hpp"
 #include "impact/kept_modes.hpp"
-#include "impact/peak.hpp"
 #include "stoss/contact/grid.hpp"
 #include "stoss/impact/impact.hpp"
 
@@ -60,7 +60,6 @@ class Collision {
   void respond();
   void record();
   [[nodiscard]] double since_touch() const;  // in steps, at the first notice of a contact
-  [[nodiscard]] double impulse_time() const;
   [[nodiscard]] double half_width() const;
   [[nodiscard]] double velocity() const;  // synchronous with the position
   [[nodiscard]] double translation() const;
@@ -84,17 +83,7 @@ class Collision {
   double initial_energy_;
   std::vector<double> energy_before_;  // of each mode, if any moves
   double initial_velocity_;
-  long steps_ = 0;
-
-  bool in_contact_ = false;
-  int contacts_ = 0;
-  double first_contact_ = 0.0;  // times
-  double last_contact_ = 0.0;
-  long contact_steps_ = 0;
-  long samples_ = 0;  // of the modes' energies during contact
-  double impulse_ = 0.0;
-  std::vector<double> impulse_history_;  // after each step since the first force
-  Peak force_peak_, compression_peak_, half_width_peak_;
+  ContactHistory history_;
   bool lossy_;
   double reach_ = -1.0;  // of the free vibration; < 0: not known
 };
