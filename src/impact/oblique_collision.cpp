@@ -1,7 +1,6 @@
 #include "impact/oblique_collision.hpp"
 
 #include <cmath>
-#include <limits>
 
 #include "contact/hard_contact.hpp"
 #include "contact/touch.hpp"
@@ -45,15 +44,13 @@ ObliqueCollision::ObliqueCollision(const Contact& contact, const std::vector<Con
       law_(edge_law(contact, grid, energy_speed(contact, speed, start))),
       nodes_(sided_compliance(even_.residuals.compliance(), odd_.residuals.compliance(), points_.count), law_,
              obliquity.friction, touch(along[0]).softness / touch(contact).softness, poll),
-      history_(resolution.step),
+      rigid_(contact, points_, step_, speed, obliquity),
+      history_(step_),
       recess_(on_both_sides(grid.recess, points_.count)),
       range_(law_.range(grid.recess)),
       touch_(touch_compression(contact, grid)),
       lossy_(longest_loss_time(contact) > 0.0),
       first_share_(loss_share(contact)),
-      velocity_(speed),
-      tangential_(obliquity.tangential),
-      turning_{turning_of(0, obliquity.spin), turning_of(1, obliquity.second_spin)},
       moved_x_(VectorXd::Zero(recess_.size())),
       moved_y_(moved_x_),
       force_(moved_x_),
@@ -62,56 +59,27 @@ ObliqueCollision::ObliqueCollision(const Contact& contact, const std::vector<Con
     even_.modes.set(start->coordinate, start->momentum);
     energy_before_ = even_.modes.energies();
   }
-  compression_ =
-      start ? contact_.extent + start->center : start_before(first_kick(contact), range_, touch_, speed_ * step_);
+  rigid_.start(start ? contact_.extent + start->center
+                     : start_before(first_kick(contact), range_, touch_, speed_ * step_));
   respond();
-  if (normal_force_ > 0.0) {
+  if (rigid_.force() > 0.0) {
     throw InvalidInput("start: the body already touches the wall (move its center back)");
   }
   even_.modes.begin();
   odd_.modes.begin();
-  initial_velocity_ = velocity();
-  const double motion = velocity() * velocity() + tangential() * tangential();
-  initial_energy_ = 0.5 * contact_.mass * motion + rotation(0) + rotation(1) + even_.modes.energy();
+  initial_velocity_ = rigid_.velocity();
+  initial_energy_ = motion() + even_.modes.energy();
 }
 
-ObliqueCollision::Turning ObliqueCollision::turning_of(int body, double rate) const {
-  Turning turning;
-  const auto its = body_of(contact_, body);
-  if (its == nullptr || its->inertia == 0.0) return turning;
-  const UnitRatios units = units_of(contact_, body);
-  const VectorXd recess = on_both_sides(its->surface(seen_by(points_, units)).recess, points_.count);
-  turning.inertia = its->inertia * units.mass * units.length * units.length;
-  turning.radius = its->extent * units.length;
-  turning.arm = units.length * (its->extent - recess.array());
-  turning.rate = rate;
-  return turning;
-}
-
-double ObliqueCollision::rate(std::size_t body) const {
-  const Turning& its = turning_[body];
-  return its.inertia > 0.0 ? its.rate - 0.5 * its.moment * step_ / its.inertia : 0.0;
-}
-
-double ObliqueCollision::rotation(std::size_t body) const {
-  return 0.5 * turning_[body].inertia * rate(body) * rate(body);
-}
-
-void ObliqueCollision::kick(double share) {
-  velocity_ -= share * normal_force_ * step_ / contact_.mass;
-  tangential_ -= share * friction_ * step_ / contact_.mass;
-  for (Turning& each : turning_) {
-    if (each.inertia > 0.0) each.rate -= share * each.moment * step_ / each.inertia;
-  }
+double ObliqueCollision::motion() const {
+  return rigid_.energy_along_normal() + rigid_.energy_across() + rigid_.energy_of_rotation(0) +
+         rigid_.energy_of_rotation(1);
 }
 
 void ObliqueCollision::respond() {
   const VectorXd old_x = x_, old_moved_x = moved_x_, old_moved_y = moved_y_, old_place = place_;
-  x_ = compression_ - recess_.array();
-  y_ = VectorXd::Constant(recess_.size(), shift_);
-  for (const Turning& each : turning_) {
-    if (each.inertia > 0.0) y_ += each.angle * each.arm;
-  }
+  x_ = rigid_.compression() - recess_.array();
+  y_ = rigid_.along(recess_.size());
   add_block(even_.place(), x_, y_);
   add_block(odd_.place(), y_, x_);
   const auto points = static_cast<Index>(points_.count);
@@ -153,41 +121,29 @@ void ObliqueCollision::answer() {
     block->residuals.move(block->displacement, block->force, block->force.size());
     block->load();
   }
-  normal_force_ = force_.sum();
-  friction_ = rub_.sum();
-  for (Turning& each : turning_) {
-    if (each.inertia > 0.0) each.moment = rub_.dot(each.arm);
-  }
+  rigid_.load(force_, rub_);
 }
 
 void ObliqueCollision::advance() {
-  const double force_before = normal_force_, friction_before = friction_;
-  const std::array<double, 2> moment_before{turning_[0].moment, turning_[1].moment};
-  kick(begun_ && history_.steps() == 0 ? 0.5 : 1.0);
-  compression_ += velocity_ * step_;
-  shift_ += tangential_ * step_;
-  for (Turning& each : turning_) each.angle += each.rate * step_;
+  const double force_before = rigid_.force();
+  rigid_.advance();
   even_.modes.advance();
   odd_.modes.advance();
   respond();
-  history_.add_force(0.5 * (force_before + normal_force_));
-  tangential_impulse_ += 0.5 * (friction_before + friction_) * step_;
-  for (std::size_t k = 0; k < turning_.size(); ++k) {
-    turning_[k].impulse += 0.5 * (moment_before[k] + turning_[k].moment) * step_;
-  }
+  history_.add_force(0.5 * (force_before + rigid_.force()));
   record();
 }
 
 void ObliqueCollision::record() {
   // As Collision: the foremost point has moved uniformly from its last position out of contact.
   const double touching = touch_ - recess_(0), moved = foremost_ - foremost_before_;
-  history_.add(normal_force_ > 0.0, moved > 0.0 ? std::min(1.0, (foremost_ - touching) / moved) : 0.5);
+  history_.add(rigid_.force() > 0.0, moved > 0.0 ? std::min(1.0, (foremost_ - touching) / moved) : 0.5);
   if (!history_.in_contact()) return;
   if (history_.samples_energy()) {
     even_.modes.accumulate_energy();
     odd_.modes.accumulate_energy();
   }
-  history_.add_extent(compression_ - touch_, nodes_.half_width() * points_.spacing * points_.radius);
+  history_.add_extent(rigid_.compression() - touch_, nodes_.half_width() * points_.spacing * points_.radius);
   reach_ = -1.0;
 }
 
@@ -196,15 +152,15 @@ double ObliqueCollision::reach() const {
 }
 
 bool ObliqueCollision::over() {
-  if (history_.in_contact() || velocity() >= 0.0) return false;
+  if (history_.in_contact() || rigid_.velocity() >= 0.0) return false;
   if (reach_ < 0.0 || (lossy_ && history_.steps() % ContactHistory::sampling == 0)) reach_ = reach();
-  return compression_ + reach_ + moved_x_.cwiseAbs().maxCoeff() < -range_;
+  return rigid_.compression() + reach_ + moved_x_.cwiseAbs().maxCoeff() < -range_;
 }
 
 double ObliqueCollision::steps_to_leave() const {
   const double vibration = even_.modes.energy() + odd_.modes.energy();
-  if (velocity() >= 0.0 || vibration < 0.5 * contact_.mass * velocity() * velocity()) return 0.0;
-  return std::max(0.0, (compression_ + clearance()) / (-velocity() * step_));
+  if (rigid_.velocity() >= 0.0 || vibration < rigid_.energy_along_normal()) return 0.0;
+  return std::max(0.0, (rigid_.compression() + clearance()) / (-rigid_.velocity() * step_));
 }
 
 double ObliqueCollision::dissipated(int body) const {
@@ -216,32 +172,13 @@ ObliqueImpact ObliqueCollision::result() const {
   ObliqueImpact result;
   Impact& impact = result.normal;
   impact.speed = speed_;
-  impact.restitution = -velocity() / initial_velocity_;
+  impact.restitution = -rigid_.velocity() / initial_velocity_;
   impact.lost_fraction = 1.0 - impact.restitution * impact.restitution;
-  history_.show(contact_, initial_velocity_, velocity(), impact);
-  impact.final_state = {compression_ - contact_.extent, velocity(), even_.modes.coordinate(), even_.modes.momentum()};
-  const auto sliding = [this](double along, double first, double second) {
-    return along + first * turning_[0].radius + second * turning_[1].radius;
-  };
-  result.before = obliquity_;
+  history_.show(contact_, initial_velocity_, rigid_.velocity(), impact);
+  impact.final_state = {rigid_.compression() - contact_.extent, rigid_.velocity(), even_.modes.coordinate(),
+                        even_.modes.momentum()};
   result.restitution = impact.restitution;
-  result.tangential_after = tangential();
-  result.spin_after = rate(0);
-  result.second_spin_after = rate(1);
-  result.sliding = sliding(obliquity_.tangential, obliquity_.spin, obliquity_.second_spin);
-  result.sliding_after = sliding(result.tangential_after, result.spin_after, result.second_spin_after);
-  result.tangential_restitution =
-      result.sliding != 0.0 ? -result.sliding_after / result.sliding : std::numeric_limits<double>::quiet_NaN();
-  result.impulse = tangential_impulse_ / contact_.mass;
-  const double fastest = speed_ + std::abs(result.sliding);
-  result.momentum_error = std::abs(result.impulse + result.tangential_after - obliquity_.tangential) / fastest;
-  const std::array<double, 2> before{obliquity_.spin, obliquity_.second_spin};
-  for (std::size_t k = 0; k < turning_.size(); ++k) {
-    const Turning& its = turning_[k];
-    if (its.inertia == 0.0) continue;
-    const double missing = std::abs(its.impulse / its.inertia + rate(k) - before[k]) * its.radius;
-    result.angular_momentum_error = std::max(result.angular_momentum_error, missing / fastest);
-  }
+  rigid_.show(obliquity_, result);
   show_ledgers(result);
   return result;
 }
@@ -253,10 +190,10 @@ void ObliqueCollision::show_ledgers(ObliqueImpact& impact) const {
   const double taken = work_ - stored() - even_.residuals.dissipated()[0] - even_.residuals.dissipated()[1] -
                        odd_.residuals.dissipated()[0] - odd_.residuals.dissipated()[1] - (lossy_ ? edge_work_ : 0.0);
   ObliqueLedger& energy = impact.energy;
-  energy.translation = share(0.5 * contact_.mass * velocity() * velocity());
-  energy.across = share(0.5 * contact_.mass * tangential() * tangential());
-  energy.rotation = share(rotation(0));
-  energy.second_rotation = share(rotation(1));
+  energy.translation = share(rigid_.energy_along_normal());
+  energy.across = share(rigid_.energy_across());
+  energy.rotation = share(rigid_.energy_of_rotation(0));
+  energy.second_rotation = share(rigid_.energy_of_rotation(1));
   energy.vibration = share(even_.vibration(0) + odd_.vibration(0));
   energy.second_vibration = share(even_.vibration(1) + odd_.vibration(1));
   energy.dissipated = share(first + second);

@@ -2,7 +2,6 @@
 
 #include <Eigen/Core>
 #include <algorithm>
-#include <array>
 #include <cstddef>
 #include <optional>
 #include <vector>
@@ -11,19 +10,16 @@
 #include "contact/sided/sided_contact.hpp"
 #include "impact/contact_history.hpp"
 #include "impact/parity_block.hpp"
+#include "impact/rigid_motion.hpp"
 #include "stoss/contact/grid.hpp"
 #include "stoss/impact/oblique.hpp"
 
 namespace stoss {
 
-/// The relative motion of two bodies that press and rub each other at points on both sides of the axis, in which each
-/// direction moves the other: with the forces f_i and the friction q_i,
-///
-///   μ Ẍ = −Σ f_i,   μ Ÿ = −Σ q_i,   I_k Θ̈_k = −Σ q_i R_k cos φ_i,
-///
-/// and the modes of both parities, by kick–rotate–kick as Collision. In a step the points move by what the modes above
-/// the cutoff answer; SidedContact finds f and q. Turning moves points along y only (linear kinematics,
-/// docs/theory/oblique.md).
+/// The motion of two bodies that press and rub each other at points on both sides of the axis, in which each direction
+/// moves the other: as rigid ones (RigidMotion), and by the modes of both parities, by kick–rotate–kick as Collision.
+/// In a step the points move by what the modes above the cutoff answer; SidedContact finds the forces. Turning moves
+/// points along y only (linear kinematics, docs/theory/oblique.md).
 class ObliqueCollision {
  public:
   /// Starts as Collision, with nothing stuck.
@@ -45,7 +41,7 @@ class ObliqueCollision {
   [[nodiscard]] double clearance() const { return reach() + std::max(range_, 0.0); }
 
   /// Distance of the foremost points, below 0 where they do not reach each other.
-  [[nodiscard]] double compression() const { return compression_; }
+  [[nodiscard]] double compression() const { return rigid_.compression(); }
 
   /// Steps in which bodies that vibrate, and part so slowly that they are not clear of each other, will have done so.
   [[nodiscard]] double steps_to_leave() const;
@@ -54,28 +50,11 @@ class ObliqueCollision {
   [[nodiscard]] ObliqueImpact result() const;
 
  private:
-  /// How a body turns.
-  struct Turning {
-    double inertia = 0.0;  // in units of the first body; 0: not at all
-    double radius = 0.0;   // of the foremost point
-    Eigen::VectorXd arm;   // of each point
-    double rate = 0.0;     // before the kick that is due
-    double angle = 0.0;
-    double moment = 0.0;   // of the friction
-    double impulse = 0.0;  // ∫ moment dt
-  };
-
-  [[nodiscard]] Turning turning_of(int body, double rate) const;
-  void kick(double share);
   void respond();
   void answer();
   void record();
   [[nodiscard]] double reach() const;
-  // Synchronous with the positions.
-  [[nodiscard]] double velocity() const { return velocity_ - 0.5 * normal_force_ * step_ / contact_.mass; }
-  [[nodiscard]] double tangential() const { return tangential_ - 0.5 * friction_ * step_ / contact_.mass; }
-  [[nodiscard]] double rate(std::size_t body) const;
-  [[nodiscard]] double rotation(std::size_t body) const;  // its energy
+  [[nodiscard]] double motion() const;  // its energy, without vibration
   [[nodiscard]] double dissipated(int body) const;
   [[nodiscard]] double stored() const { return even_.residuals.stored() + odd_.residuals.stored(); }
   void show_ledgers(ObliqueImpact& impact) const;
@@ -87,16 +66,12 @@ class ObliqueCollision {
   ParityBlock even_, odd_;  // of normal forces that are even in y, and of friction that is
   EdgeLaw law_;             // of the points of one side
   SidedContact nodes_;
+  RigidMotion rigid_;
   ContactHistory history_;
   Eigen::VectorXd recess_;  // of the points on both sides
   double range_, touch_;
   bool lossy_;
   double first_share_;  // of the first body in what the edge law takes
-
-  double compression_ = 0.0, shift_ = 0.0;  // X and Y
-  double velocity_, tangential_;            // before the kick that is due
-  std::array<Turning, 2> turning_;
-  double normal_force_ = 0.0, friction_ = 0.0;  // totals
 
   bool begun_ = false;
   Eigen::VectorXd x_, y_;              // where the modes put the points
@@ -107,7 +82,6 @@ class ObliqueCollision {
 
   double initial_velocity_ = 0.0, initial_energy_ = 0.0;
   std::vector<double> energy_before_;  // of each even mode, if any moves
-  double tangential_impulse_ = 0.0;
   double work_ = 0.0, edge_work_ = 0.0, heat_ = 0.0;
   double reach_ = -1.0;  // of the free vibration; < 0: not known
 };

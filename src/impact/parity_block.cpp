@@ -20,11 +20,6 @@ ParityBlock::ParityBlock(const Contact& along, const ContactGrid& grid, const Fi
       displacement(grid.recess.size()),
       moved_(grid.recess.size()) {}
 
-const std::vector<double>& ParityBlock::advance() {
-  modes.advance();
-  return place();
-}
-
 const std::vector<double>& ParityBlock::place() {
   std::fill(moved_.begin(), moved_.end(), 0.0);
   modes.add_displacement(moved_);

@@ -14,10 +14,7 @@ namespace stoss {
 struct ParityBlock {
   ParityBlock(const Contact& along, const ContactPoints& points, const FixedResolution& resolution, const Poll& poll);
 
-  /// Moves the modes by a step, and tells where they put the points.
-  const std::vector<double>& advance();
-
-  /// The same without moving them.
+  /// Where the modes put the points.
   const std::vector<double>& place();
 
   /// Makes `force` that of the kick that is due.

@@ -95,7 +95,9 @@ void SidedContact::solve(const VectorXd& x, const VectorXd& y) {
   }
   if (gap_.size() == 0) gap_ = -x;
   if (!alternate(x, y, Sliding::with_force) && !alternate(x, y, Sliding::apart)) {
-    throw NotConverged("friction: no forces at the nodes obey the laws of contact and of friction (use less friction)");
+    throw NotConverged(
+        "friction: no forces at the nodes obey the laws of contact and of friction (Coulomb's law is ill-posed for so "
+        "much of it between unlike bodies)");
   }
   force_ = new_force_;
   friction_ = new_friction_;
