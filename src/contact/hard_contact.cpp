@@ -43,6 +43,10 @@ double HardContact::start(double stride) const {
   return touch_ - (steps + phase) * stride;
 }
 
+double HardContact::gap(std::size_t node) const {
+  return node < contact_.extent() ? contact_.gap(node) : displacement_[node] - position_[node];
+}
+
 double HardContact::largest_displacement() const {
   double largest = 0.0;
   for (const double displacement : displacement_) largest = std::max(largest, std::abs(displacement));
