@@ -20,6 +20,7 @@ void Pressures::add(const std::vector<double>& force, const ContactResponse& res
     force_before_[i] = now;
     gap_before_[i] = gap;
   }
+  if (kept) extent_.push_back(response.extent());
   if (pushes) last_ = steps();
 }
 

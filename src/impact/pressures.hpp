@@ -16,12 +16,15 @@ class Pressures {
   void add(const std::vector<double>& force, const ContactResponse& response);
 
   /// Forgets the steps behind the last force.
-  void end_with_contact() { force_.resize(last_ * nodes_), give_.resize(last_ * nodes_); }
+  void end_with_contact() { force_.resize(last_ * nodes_), give_.resize(last_ * nodes_), extent_.resize(last_); }
 
-  [[nodiscard]] std::size_t steps() const { return nodes_ == 0 ? 0 : force_.size() / nodes_; }
+  [[nodiscard]] std::size_t steps() const { return extent_.size(); }
 
   /// Of all nodes in a step.
   [[nodiscard]] const double* force(std::size_t step) const { return &force_[step * nodes_]; }
+
+  /// Number of leading nodes beyond which the forces of a step vanish.
+  [[nodiscard]] std::size_t extent(std::size_t step) const { return extent_[step]; }
 
   /// D of all nodes in a step, where both directions are equally soft (landing_give).
   [[nodiscard]] const double* give(std::size_t step) const { return &give_[step * nodes_]; }
@@ -30,6 +33,7 @@ class Pressures {
   std::size_t nodes_ = 0;
   std::size_t last_ = 0;  // steps up to the last force
   std::vector<double> force_, give_;
+  std::vector<std::size_t> extent_;
   std::vector<double> force_before_, gap_before_;  // of each node in the step before
 };
 

@@ -16,6 +16,7 @@
 #include "impact/kept_modes.hpp"
 #include "impact/oblique_frame.hpp"
 #include "impact/pressures.hpp"
+#include "numeric/kernels.hpp"
 #include "stoss/contact/grid.hpp"
 #include "stoss/errors.hpp"
 #include "stoss/impact/oblique.hpp"
@@ -112,7 +113,8 @@ class Slide {
         place_(nodes()),
         give_(nodes()),
         free_(nodes()),
-        displacement_(nodes()) {}
+        displacement_(nodes()),
+        moved_(nodes()) {}
 
   void advance(std::size_t step) {
     kick();
@@ -127,19 +129,21 @@ class Slide {
       give_[i] = parts_.ratio * give[i];
     }
     force_before_ = force_;
+    const std::size_t touching = parts_.pressures.extent(step);
     friction_.solve(parts_.compliance, give_, free_, parts_.pressures.force(step), force_);
+    numeric::kernels::multiply_transposed(parts_.compliance.data(), nodes(), touching, 0, nodes(), force_.data(),
+                                          moved_.data());
     for (std::size_t i = 0; i < nodes(); ++i) {
-      double moved = rest[i];
-      for (std::size_t j = 0; j < nodes(); ++j) moved += parts_.compliance[i * nodes() + j] * force_[j];
+      moved_[i] += rest[i];
+      place[i] -= moved_[i];
       const double mean = 0.5 * (force_before_[i] + force_[i]);
-      work_ += mean * (moved - displacement_[i]);
-      displacement_[i] = moved;
-      place[i] -= moved;
+      work_ += mean * (moved_[i] - displacement_[i]);
       heat_ += mean * (place[i] - place_[i]);
     }
-    residuals_.move(displacement_, force_, nodes());
+    displacement_.swap(moved_);
+    residuals_.move(displacement_, force_, touching);
     place_.swap(place);
-    modes_.load(force_, nodes());
+    modes_.load(force_, touching);
     kick();
   }
 
@@ -195,7 +199,8 @@ class Slide {
   std::array<double, 2> turned_{}, spin_;  // angle and spin of each body
   Values force_, force_before_;            // q
   Values place_;                           // of each node along y
-  Values give_, free_, displacement_;      // D; slip without friction; u
+  Values give_, free_;                     // D; slip without friction
+  Values displacement_, moved_;            // u; the next one
   double work_ = 0.0, heat_ = 0.0;         // ∫ q du, ∫ q dy
   double impulse_ = 0.0;
   std::array<double, 2> moment_{};
