@@ -38,6 +38,10 @@ HardContact::HardContact(const Contact& contact, const ContactGrid& grid, Residu
 
 double HardContact::start(double stride) const { return start_before(first_kick_, range_, touch_, stride); }
 
+double HardContact::gap(std::size_t node) const {
+  return node < contact_.extent() ? contact_.gap(node) : displacement_[node] - position_[node];
+}
+
 double HardContact::largest_displacement() const {
   double largest = 0.0;
   for (const double displacement : displacement_) largest = std::max(largest, std::abs(displacement));

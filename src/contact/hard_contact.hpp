@@ -23,6 +23,7 @@ namespace stoss {
 class HardContact : public ContactResponse {
  public:
   [[nodiscard]] std::size_t extent() const override { return contact_.extent(); }
+  [[nodiscard]] double gap(std::size_t node) const override;
   [[nodiscard]] double half_width() const override { return contact_.half_width(); }
   [[nodiscard]] bool overflows() const override { return contact_.extent() == force_.size(); }
   [[nodiscard]] double range() const override { return range_; }

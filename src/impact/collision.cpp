@@ -9,12 +9,13 @@
 
 namespace stoss {
 Collision::Collision(const Contact& contact, const FixedResolution& resolution, const ContactGrid& grid, double speed,
-                     const std::optional<State>& start, const Poll& poll)
+                     const std::optional<State>& start, const Poll& poll, Pressures* pressures)
     : contact_(contact),
       grid_(grid),
       speed_(speed),
       step_(resolution.step),
       modes_(contact, grid, resolution.step, follows_at_once(contact, resolution.tail) ? Kicks::weaker : Kicks::whole),
+      pressures_(pressures),
       position_(grid.recess.size()),
       velocity_(speed),
       history_(resolution.step),
@@ -51,6 +52,7 @@ void Collision::respond() {
   force_ = 0.0;
   for (std::size_t i = 0; i < response_->extent(); ++i) force_ += force[i];
   modes_.load(force, response_->extent());
+  if (pressures_ != nullptr) pressures_->add(force, *response_);
 }
 
 void Collision::advance() {

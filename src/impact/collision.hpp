@@ -8,6 +8,7 @@
 #include "contact/response.hpp"
 #include "impact/contact_history.hpp"
 #include "impact/kept_modes.hpp"
+#include "impact/pressures.hpp"
 #include "stoss/contact/grid.hpp"
 #include "stoss/impact/impact.hpp"
 
@@ -27,8 +28,9 @@ class Collision {
  public:
   /// Starts just out of reach of what is met, at a hard contact with the first touch at the best phase within a step;
   /// or from `start`.
+  /// @param pressures receives what the nodes feel in every step; null: nothing does
   Collision(const Contact& contact, const FixedResolution& resolution, const ContactGrid& grid, double speed,
-            const std::optional<State>& start, const Poll& poll);
+            const std::optional<State>& start, const Poll& poll, Pressures* pressures = nullptr);
 
   /// Moves on by one step.
   void advance();
@@ -71,6 +73,7 @@ class Collision {
   double step_;
   KeptModes modes_;
   std::unique_ptr<ContactResponse> response_;
+  Pressures* pressures_;
   std::vector<double> position_;  // x_dyn of the nodes
   double foremost_ = 0.0;         // largest of them
   double foremost_before_ = 0.0;

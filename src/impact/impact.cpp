@@ -26,10 +26,11 @@ double steps_to_leave(const Contact& contact, const Collision& collision, double
 
 /// One run; empty if the contact outgrew the grid.
 std::optional<Impact> run(const Contact& contact, double speed, const FixedResolution& resolution,
-                          const ImpactOptions& options, const Observation& observation) {
+                          const ImpactOptions& options, const Observation& observation, Pressures* pressures) {
   if (options.poll) options.poll();
+  if (pressures != nullptr) *pressures = {};
   const ContactGrid grid = contact_grid(contact, resolution.half_width, resolution.nodes);
-  Collision collision(contact, resolution, grid, speed, options.start, options.poll);
+  Collision collision(contact, resolution, grid, speed, options.start, options.poll, pressures);
   const WholeBodies whole(contact, collision.snapshot());
   const double flight = std::max(0.0, -(collision.snapshot().center + contact.extent)) + 4.0 * collision.clearance();
   double steps = (longest_duration(contact) + flight / speed) / resolution.step;
@@ -78,17 +79,22 @@ std::optional<Impact> run(const Contact& contact, double speed, const FixedResol
 }  // namespace
 
 Impact impact(const Contact& contact, double speed, const ImpactOptions& options, const Observation& observation) {
+  return impact(contact, speed, options, observation, nullptr);
+}
+
+Impact impact(const Contact& contact, double speed, const ImpactOptions& options, const Observation& observation,
+              Pressures* pressures) {
   FixedResolution resolution = fixed_resolution(contact, speed, options.resolution);
   if (options.start) require_start(*options.start, speed);
   require("every", static_cast<long>(observation.every), 1, 1'000'000'000, "steps between two calls of the observer");
-  std::optional<Impact> result = run(contact, speed, resolution, options, {});
+  std::optional<Impact> result = run(contact, speed, resolution, options, {}, pressures);
   while (!result) {
     resolution = widened(contact, resolution);
-    result = run(contact, speed, resolution, options, {});
+    result = run(contact, speed, resolution, options, {}, pressures);
   }
   require_resolved(result->energy_error);
   // The observer must see one impact only, so it watches a repetition on the grid that is known to suffice.
-  if (observation.observer) result = run(contact, speed, resolution, options, observation);
+  if (observation.observer) result = run(contact, speed, resolution, options, observation, pressures);
 
   show_inputs(contact, speed, resolution, options, *result);
   return std::move(*result);

@@ -1,6 +1,7 @@
 #include "impact/oblique_collision.hpp"
 
 #include <cmath>
+#include <utility>
 
 #include "contact/hard_contact.hpp"
 #include "contact/touch.hpp"
@@ -21,30 +22,23 @@ VectorXd on_both_sides(const std::vector<double>& values, std::size_t count) {
   return both;
 }
 
-/// Speed of an impact with all energy along the normal.
-double energy_speed(const Contact& contact, double speed, const std::optional<State>& start) {
-  if (!start) return speed;
-  double vibration = 0.0;
-  for (const double energy : mode_energies(contact, *start)) vibration += energy;
-  return std::sqrt(speed * speed + 2.0 * vibration / contact.mass);
-}
-
 }  // namespace
 
 ObliqueCollision::ObliqueCollision(const Contact& contact, const std::vector<Contact>& along,
-                                   const FixedResolution& resolution, const ContactGrid& grid, double speed,
-                                   const Obliquity& obliquity, const std::optional<State>& start, const Poll& poll)
+                                   const FixedResolution& resolution, const ContactGrid& grid,
+                                   const ObliqueFrame& frame, const Obliquity& obliquity,
+                                   const std::optional<State>& start, const Poll& poll)
     : contact_(contact),
       obliquity_(obliquity),
-      speed_(speed),
+      frame_(frame),
       step_(resolution.step),
       points_(grid.points),
       even_(along[0], points_, resolution, poll),
       odd_(along[1], points_, resolution, poll),
-      law_(edge_law(contact, grid, energy_speed(contact, speed, start))),
+      law_(edge_law(contact, grid, std::sqrt(2.0 * frame.normal_energy / frame.mass))),
       nodes_(sided_compliance(even_.residuals.compliance(), odd_.residuals.compliance(), points_.count), law_,
              obliquity.friction, touch(along[0]).softness / touch(contact).softness, poll),
-      rigid_(contact, points_, step_, speed, obliquity),
+      rigid_(contact, points_, step_, frame, obliquity),
       history_(step_),
       recess_(on_both_sides(grid.recess, points_.count)),
       range_(law_.range(grid.recess)),
@@ -60,26 +54,19 @@ ObliqueCollision::ObliqueCollision(const Contact& contact, const std::vector<Con
     energy_before_ = even_.modes.energies();
   }
   rigid_.start(start ? contact_.extent + start->center
-                     : start_before(first_kick(contact), range_, touch_, speed_ * step_));
+                     : start_before(first_kick(contact), range_, touch_, frame_.speed * step_));
   respond();
   if (rigid_.force() > 0.0) {
     throw InvalidInput("start: the body already touches the wall (move its center back)");
   }
   even_.modes.begin();
   odd_.modes.begin();
-  initial_velocity_ = rigid_.velocity();
-  initial_energy_ = motion() + even_.modes.energy();
-}
-
-double ObliqueCollision::motion() const {
-  return rigid_.energy_along_normal() + rigid_.energy_across() + rigid_.energy_of_rotation(0) +
-         rigid_.energy_of_rotation(1);
 }
 
 void ObliqueCollision::respond() {
   const VectorXd old_x = x_, old_moved_x = moved_x_, old_moved_y = moved_y_, old_place = place_;
   x_ = rigid_.compression() - recess_.array();
-  y_ = rigid_.along(recess_.size());
+  y_ = rigid_.along();
   add_block(even_.place(), x_, y_);
   add_block(odd_.place(), y_, x_);
   const auto points = static_cast<Index>(points_.count);
@@ -159,7 +146,7 @@ bool ObliqueCollision::over() {
 
 double ObliqueCollision::steps_to_leave() const {
   const double vibration = even_.modes.energy() + odd_.modes.energy();
-  if (rigid_.velocity() >= 0.0 || vibration < rigid_.energy_along_normal()) return 0.0;
+  if (rigid_.velocity() >= 0.0 || vibration < normal_motion()) return 0.0;
   return std::max(0.0, (rigid_.compression() + clearance()) / (-rigid_.velocity() * step_));
 }
 
@@ -169,52 +156,47 @@ double ObliqueCollision::dissipated(int body) const {
 }
 
 ObliqueImpact ObliqueCollision::result() const {
-  ObliqueImpact result;
-  Impact& impact = result.normal;
-  impact.speed = speed_;
-  impact.restitution = -rigid_.velocity() / initial_velocity_;
-  impact.lost_fraction = 1.0 - impact.restitution * impact.restitution;
-  history_.show(contact_, initial_velocity_, rigid_.velocity(), impact);
-  impact.final_state = {rigid_.compression() - contact_.extent, rigid_.velocity(), even_.modes.coordinate(),
+  Impact normal;
+  normal.speed = frame_.speed;
+  normal.restitution = -rigid_.velocity() / frame_.speed;
+  normal.lost_fraction = 1.0 - normal.restitution * normal.restitution;
+  history_.show(contact_, frame_.speed, rigid_.velocity(), normal);
+  normal.final_state = {rigid_.compression() - contact_.extent, rigid_.velocity(), even_.modes.coordinate(),
                         even_.modes.momentum()};
-  result.restitution = impact.restitution;
-  rigid_.show(obliquity_, result);
-  show_ledgers(result);
+  normal.energy.translation = normal_motion() / frame_.normal_energy;
+
+  AlongOutcome outcome = rigid_.outcome();
+  for (int body = 0; body < 2; ++body) {
+    outcome.vibration[static_cast<std::size_t>(body)] = even_.vibration(body) + odd_.vibration(body);
+  }
+  outcome.dissipated = dissipated(0) + dissipated(1);
+  outcome.friction = heat_;
+  outcome.stored = stored();
+  // As RadiatingTail counts it, by what the modes that are kept do to the others.
+  outcome.unresolved = work_ - outcome.stored - (lossy_ ? edge_work_ : 0.0);
+  for (const ParityBlock* block : {&even_, &odd_}) {
+    for (const double lost : block->residuals.dissipated()) outcome.unresolved -= lost;
+  }
+  ObliqueImpact result = frame_.joined(std::move(normal), obliquity_, outcome);
+  show_ledger(result);
   return result;
 }
 
-void ObliqueCollision::show_ledgers(ObliqueImpact& impact) const {
-  const auto share = [this](double energy) { return energy / initial_energy_; };
-  const double first = dissipated(0), second = dissipated(1);
-  // As RadiatingTail counts it, by what the modes that are kept do to the others.
-  const double taken = work_ - stored() - even_.residuals.dissipated()[0] - even_.residuals.dissipated()[1] -
-                       odd_.residuals.dissipated()[0] - odd_.residuals.dissipated()[1] - (lossy_ ? edge_work_ : 0.0);
-  ObliqueLedger& energy = impact.energy;
-  energy.translation = share(rigid_.energy_along_normal());
-  energy.across = share(rigid_.energy_across());
-  energy.rotation = share(rigid_.energy_of_rotation(0));
-  energy.second_rotation = share(rigid_.energy_of_rotation(1));
-  energy.vibration = share(even_.vibration(0) + odd_.vibration(0));
-  energy.second_vibration = share(even_.vibration(1) + odd_.vibration(1));
-  energy.dissipated = share(first + second);
-  energy.friction = share(heat_);
-  energy.unresolved = share(taken);
-  energy.stored = share(stored());
-  impact.energy_error = 1.0 - energy.translation - energy.across - energy.rotation - energy.second_rotation -
-                        energy.vibration - energy.second_vibration - energy.dissipated - energy.friction -
-                        energy.unresolved - energy.stored;
-
+/// Of the motion along the normal, which has no ledger of its own, that of both.
+void ObliqueCollision::show_ledger(ObliqueImpact& impact) const {
+  const ObliqueLedger& energy = impact.energy;
   EnergyLedger& ledger = impact.normal.energy;
+  const double initial = frame_.initial_energy(obliquity_);
   ledger.translation = energy.translation;
   ledger.vibration = energy.vibration + energy.second_vibration;
   ledger.dissipated = energy.dissipated;
   ledger.unresolved = energy.unresolved;
   ledger.stored = energy.stored;
-  const double relaxing = lossy_ ? energy.stored : 0.0, of_first = loss_share(contact_);
-  const double unresolved = unresolved_share(contact_);
-  ledger.lost_to_first = energy.vibration + share(first) + of_first * relaxing + unresolved * energy.unresolved;
-  ledger.lost_to_second =
-      energy.second_vibration + share(second) + (1.0 - of_first) * relaxing + (1.0 - unresolved) * energy.unresolved;
+  const double relaxing = lossy_ ? energy.stored : 0.0, unresolved = unresolved_share(contact_);
+  ledger.lost_to_first =
+      energy.vibration + dissipated(0) / initial + first_share_ * relaxing + unresolved * energy.unresolved;
+  ledger.lost_to_second = energy.second_vibration + dissipated(1) / initial + (1.0 - first_share_) * relaxing +
+                          (1.0 - unresolved) * energy.unresolved;
   for (const ParityBlock* block : {&even_, &odd_}) {
     const std::vector<double> after = block->modes.energies(), during = block->modes.accumulated_energy();
     for (std::size_t g = 0, k = 0; g < block->contact.groups.size(); ++g) {
@@ -222,7 +204,8 @@ void ObliqueCollision::show_ledgers(ObliqueImpact& impact) const {
       for (std::size_t l = 0; l < group.omega.size(); ++l, ++k) {
         const double before = block == &even_ && !energy_before_.empty() ? energy_before_[k] : 0.0;
         ledger.modes.push_back({g < block->contact.first_groups ? 0 : 1, group.order, static_cast<int>(l),
-                                group.omega[l], share(before), share(after[k]), share(during[k] / history_.samples())});
+                                group.omega[l], before / initial, after[k] / initial,
+                                during[k] / (history_.samples() * initial)});
       }
     }
   }

@@ -9,6 +9,7 @@
 #include "contact/edge/edge_law.hpp"
 #include "contact/sided/sided_contact.hpp"
 #include "impact/contact_history.hpp"
+#include "impact/oblique_frame.hpp"
 #include "impact/parity_block.hpp"
 #include "impact/rigid_motion.hpp"
 #include "stoss/contact/grid.hpp"
@@ -25,8 +26,8 @@ class ObliqueCollision {
   /// Starts as Collision, with nothing stuck.
   /// @param along the contact against forces along the surface, of both parities (contacts_along)
   ObliqueCollision(const Contact& contact, const std::vector<Contact>& along, const FixedResolution& resolution,
-                   const ContactGrid& grid, double speed, const Obliquity& obliquity, const std::optional<State>& start,
-                   const Poll& poll);
+                   const ContactGrid& grid, const ObliqueFrame& frame, const Obliquity& obliquity,
+                   const std::optional<State>& start, const Poll& poll);
 
   /// Moves on by one step.
   void advance();
@@ -54,14 +55,15 @@ class ObliqueCollision {
   void answer();
   void record();
   [[nodiscard]] double reach() const;
-  [[nodiscard]] double motion() const;  // its energy, without vibration
+  [[nodiscard]] double normal_motion() const { return 0.5 * contact_.mass * rigid_.velocity() * rigid_.velocity(); }
   [[nodiscard]] double dissipated(int body) const;
   [[nodiscard]] double stored() const { return even_.residuals.stored() + odd_.residuals.stored(); }
-  void show_ledgers(ObliqueImpact& impact) const;
+  void show_ledger(ObliqueImpact& impact) const;
 
   const Contact& contact_;
   Obliquity obliquity_;
-  double speed_, step_;
+  ObliqueFrame frame_;
+  double step_;
   ContactPoints points_;
   ParityBlock even_, odd_;  // of normal forces that are even in y, and of friction that is
   EdgeLaw law_;             // of the points of one side
@@ -80,7 +82,6 @@ class ObliqueCollision {
   Eigen::VectorXd force_, rub_;        // f and q
   double foremost_ = 0.0, foremost_before_ = 0.0;
 
-  double initial_velocity_ = 0.0, initial_energy_ = 0.0;
   std::vector<double> energy_before_;  // of each even mode, if any moves
   double work_ = 0.0, edge_work_ = 0.0, heat_ = 0.0;
   double reach_ = -1.0;  // of the free vibration; < 0: not known

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 
+#include "impact/oblique_frame.hpp"
 #include "stoss/contact/contact.hpp"
 #include "stoss/contact/grid.hpp"
 #include "stoss/impact/oblique.hpp"
@@ -19,7 +20,7 @@ namespace stoss {
 /// one step and begin the next. All that is read out has half of it.
 class RigidMotion {
  public:
-  RigidMotion(const Contact& contact, const ContactPoints& points, double step, double speed,
+  RigidMotion(const Contact& contact, const ContactPoints& points, double step, const ObliqueFrame& frame,
               const Obliquity& obliquity);
 
   /// The positions at the start.
@@ -32,44 +33,26 @@ class RigidMotion {
   void load(const Eigen::VectorXd& force, const Eigen::VectorXd& friction);
 
   /// Where a point moves along the surface by Y and the rotations.
-  [[nodiscard]] Eigen::VectorXd along(Eigen::Index points) const;
+  [[nodiscard]] Eigen::VectorXd along() const;
 
   [[nodiscard]] double compression() const { return compression_; }
   [[nodiscard]] double force() const { return force_; }
 
-  [[nodiscard]] double velocity() const { return velocity_ - 0.5 * force_ * step_ / mass_; }
-  [[nodiscard]] double tangential() const { return tangential_ - 0.5 * friction_ * step_ / mass_; }
-  [[nodiscard]] double spin(std::size_t body) const;
+  [[nodiscard]] double velocity() const { return velocity_ - 0.5 * force_ * step_ / frame_.mass; }
 
-  /// v_t + Ω₁R₁ + Ω₂R₂
-  [[nodiscard]] double sliding() const;
-
-  /// Energies of translation along and across the normal, and of a body's rotation.
-  [[nodiscard]] double energy_along_normal() const { return 0.5 * mass_ * velocity() * velocity(); }
-  [[nodiscard]] double energy_across() const { return 0.5 * mass_ * tangential() * tangential(); }
-  [[nodiscard]] double energy_of_rotation(std::size_t body) const;
-
-  /// Fills what the motion is like, and by how much impulses and momenta differ.
-  void show(const Obliquity& before, ObliqueImpact& impact) const;
+  /// Velocities and impulses of the motion along the surface.
+  [[nodiscard]] AlongOutcome outcome() const;
 
  private:
-  struct Turning {
-    double inertia = 0.0;  // 0: it does not turn
-    double radius = 0.0;   // of the foremost point
-    Eigen::VectorXd arm;   // of each point
-    double rate = 0.0;
-    double angle = 0.0;
-    double moment = 0.0;   // of the friction
-    double impulse = 0.0;  // ∫ moment dt
-  };
-  [[nodiscard]] static Turning turning(const Contact& contact, const ContactPoints& points, int body, double rate);
-
-  double mass_, step_, speed_;
-  double compression_ = 0.0, shift_ = 0.0;
+  ObliqueFrame frame_;
+  double step_;
+  double compression_ = 0.0, shift_ = 0.0;  // X and Y
   double velocity_, tangential_;
-  double force_ = 0.0, friction_ = 0.0;
-  double friction_impulse_ = 0.0;
-  std::array<Turning, 2> turning_;
+  double force_ = 0.0, friction_ = 0.0;         // Σ f and Σ q
+  double impulse_ = 0.0;                        // ∫ Σq dt
+  std::array<double, 2> spin_, angle_{};        // of each body
+  std::array<Eigen::VectorXd, 2> arm_;          // of each point; 0 of a body that does not turn
+  std::array<double, 2> moment_{}, moments_{};  // Σ q arm, and its integral
 };
 
 }  // namespace stoss
