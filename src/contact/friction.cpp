@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "numeric/kernels.hpp"
 #include "stoss/errors.hpp"
 
 namespace stoss {
@@ -60,15 +61,13 @@ void Friction::hold_stuck(const std::vector<double>& compliance, const std::vect
   for (Index a = 0; a < size; ++a) trial_[stuck_[static_cast<std::size_t>(a)]] = held(a);
 }
 
-/// Slips of the nodes that slide.
+/// Slips of the nodes that touch.
 void Friction::move_sliding(const std::vector<double>& compliance, const std::vector<double>& give) {
-  for (const std::size_t i : touching_) {
-    if (sliding_[i] == 0) continue;
-    const double* row = &compliance[i * sliding_.size()];
-    double sum = start_[i] - give[i] * trial_[i];
-    for (const std::size_t j : touching_) sum -= row[j] * trial_[j];
-    slip_[i] = sum;
-  }
+  if (touching_.size() == stuck_.size()) return;
+  const std::size_t count = touching_.back() + 1;
+  numeric::kernels::multiply_transposed(compliance.data(), sliding_.size(), count, 0, count, trial_.data(),
+                                        slip_.data());
+  for (const std::size_t i : touching_) slip_[i] = start_[i] - give[i] * trial_[i] - slip_[i];
 }
 
 /// Frees stuck nodes beyond their limit, and holds sliding ones that would slip against their friction.

@@ -6,11 +6,6 @@
 #include "contact/touch.hpp"
 
 namespace stoss {
-namespace {
-
-/// Where a force that starts like t^p is best caught by kicks: the time of the first kick after its start, in steps,
-/// at which the sum of the kicks has no error of order p + 1, the zero of Hurwitz' ζ(−p, x). A jump (p = 0) at a single
-/// point, a kink (p = 1) where a line of contact begins to grow, t^{3/2} where a circle does.
 double first_kick(const Contact& contact) {
   constexpr double jump = 0.5;
   constexpr double kink = 0.7886751345948129;  // (3 + √3)/6
@@ -19,7 +14,11 @@ double first_kick(const Contact& contact) {
   return touch(contact).circle ? bend : kink;
 }
 
-}  // namespace
+double start_before(double kick, double range, double touch, double stride) {
+  const double phase = 1.0 - kick;  // of the touch, after a kick
+  const double steps = std::max(0.0, std::ceil((range + touch) / stride - phase));
+  return touch - (steps + phase) * stride;
+}
 
 HardContact::HardContact(const Contact& contact, const ContactGrid& grid, ResidualMotion::Inertia inertia, double speed,
                          double step, const Poll& poll)
@@ -37,10 +36,10 @@ HardContact::HardContact(const Contact& contact, const ContactGrid& grid, Residu
       touch_(touch_compression(contact, grid)),
       first_kick_(first_kick(contact)) {}
 
-double HardContact::start(double stride) const {
-  const double phase = 1.0 - first_kick_;  // of the touch, after a kick
-  const double steps = std::max(0.0, std::ceil((range_ + touch_) / stride - phase));
-  return touch_ - (steps + phase) * stride;
+double HardContact::start(double stride) const { return start_before(first_kick_, range_, touch_, stride); }
+
+double HardContact::gap(std::size_t node) const {
+  return node < contact_.extent() ? contact_.gap(node) : displacement_[node] - position_[node];
 }
 
 double HardContact::largest_displacement() const {

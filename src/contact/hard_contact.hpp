@@ -8,10 +8,22 @@
 
 namespace stoss {
 
+/// Where a force that starts like t^p is best caught by kicks: the time of the first kick after its start, in steps,
+/// at which the sum of the kicks has no error of order p + 1, the zero of Hurwitz' ζ(−p, x). A jump (p = 0) at a single
+/// point, a kink (p = 1) where a line of contact begins to grow, t^{3/2} where a circle does.
+[[nodiscard]] double first_kick(const Contact& contact);
+
+/// Compression at which an unexcited body starts so that the first kick after the touch is the best one.
+/// @param range  of the edge law (EdgeLaw::range)
+/// @param touch  compression at which it begins to push
+/// @param stride by which it moves in a step
+[[nodiscard]] double start_before(double kick, double range, double touch, double stride);
+
 /// A contact that no point passes, by the edge law, whatever the tail of the modes that are not kept.
 class HardContact : public ContactResponse {
  public:
   [[nodiscard]] std::size_t extent() const override { return contact_.extent(); }
+  [[nodiscard]] double gap(std::size_t node) const override;
   [[nodiscard]] double half_width() const override { return contact_.half_width(); }
   [[nodiscard]] bool overflows() const override { return contact_.extent() == force_.size(); }
   [[nodiscard]] double range() const override { return range_; }

@@ -16,6 +16,7 @@ QuasistaticTail::QuasistaticTail(const Contact& contact, const ContactGrid& grid
 const std::vector<double>& QuasistaticTail::advance(const std::vector<double>& position) {
   if (!lossy_) {
     contact_.solve(position, force_, displacement_);
+    position_ = position;
     return force_;
   }
   const std::vector<double>& free = residuals_.predict();

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <memory>
 #include <vector>
 
@@ -20,6 +21,10 @@ class ContactResponse {
 
   /// Number of leading nodes beyond which the last force vanishes.
   [[nodiscard]] virtual std::size_t extent() const = 0;
+
+  /// Gap of a node at the last positions: exactly 0 where it is rigid, and as far as it is open where nothing touches.
+  /// Hard contacts have one.
+  [[nodiscard]] virtual double gap(std::size_t /*node*/) const { return 0.0; }
 
   /// Half-width of the contact in spacings of the nodes; with a soft wall, of the nodes with a noticeable share of the
   /// force.

@@ -8,26 +8,17 @@
 #include "stoss/errors.hpp"
 
 namespace stoss {
-namespace {
-
-/// The modes' energies change slowly between steps: every fourth step is enough for their mean, and for what is left of
-/// a vibration that decays.
-constexpr long sampling = 4;
-
-/// Share of the impulse before the beginning and after the end of impulse_time.
-constexpr double tail_of_impulse = 0.01;
-
-}  // namespace
-
 Collision::Collision(const Contact& contact, const FixedResolution& resolution, const ContactGrid& grid, double speed,
-                     const std::optional<State>& start, const Poll& poll)
+                     const std::optional<State>& start, const Poll& poll, Pressures* pressures)
     : contact_(contact),
       grid_(grid),
       speed_(speed),
       step_(resolution.step),
       modes_(contact, grid, resolution.step, follows_at_once(contact, resolution.tail) ? Kicks::weaker : Kicks::whole),
+      pressures_(pressures),
       position_(grid.recess.size()),
       velocity_(speed),
+      history_(resolution.step),
       lossy_(longest_loss_time(contact) > 0.0) {
   if (start) modes_.set(start->coordinate, start->momentum);
   // The same before and after an impact, so that it can be reversed.
@@ -61,6 +52,7 @@ void Collision::respond() {
   force_ = 0.0;
   for (std::size_t i = 0; i < response_->extent(); ++i) force_ += force[i];
   modes_.load(force, response_->extent());
+  if (pressures_ != nullptr) pressures_->add(force, *response_);
 }
 
 void Collision::advance() {
@@ -68,31 +60,17 @@ void Collision::advance() {
   velocity_ -= force_ * step_ / contact_.mass;
   compression_ += velocity_ * step_;
   modes_.advance();
-  ++steps_;
   respond();
-  const double mean_force = 0.5 * (force_before + force_);
-  impulse_ += mean_force * step_;
-  force_peak_.add(mean_force);
-  if (impulse_ > 0.0) impulse_history_.push_back(impulse_);
+  history_.add_force(0.5 * (force_before + force_));
   record();
 }
 
 void Collision::record() {
-  const double time = static_cast<double>(steps_) * step_;
-  const bool touching = force_ > response_->contact_threshold();
-  if (touching) {
-    // A contact ends, on average, half a step after it is noticed last.
-    if (!in_contact_ && contacts_++ == 0) first_contact_ = time - since_touch() * step_;
-    last_contact_ = time + 0.5 * step_;
-    if (contact_steps_++ % sampling == 0) {
-      modes_.accumulate_energy();
-      ++samples_;
-    }
-    compression_peak_.add(compression_ - touch_);
-    half_width_peak_.add(half_width());
-    reach_ = -1.0;
-  }
-  in_contact_ = touching;
+  history_.add(force_ > response_->contact_threshold(), since_touch());
+  if (!history_.in_contact()) return;
+  if (history_.samples_energy()) modes_.accumulate_energy();
+  history_.add_extent(compression_ - touch_, half_width());
+  reach_ = -1.0;
 }
 
 double Collision::since_touch() const {
@@ -103,22 +81,12 @@ double Collision::since_touch() const {
   return std::min(1.0, (foremost_ - touching) / (foremost_ - foremost_before_));
 }
 
-double Collision::impulse_time() const {
-  const auto reached = [this](double share) {
-    const double wanted = share * impulse_;
-    const auto after = std::lower_bound(impulse_history_.begin(), impulse_history_.end(), wanted);
-    const double before = after == impulse_history_.begin() ? 0.0 : *(after - 1);
-    return static_cast<double>(after - impulse_history_.begin()) + (wanted - before) / (*after - before);
-  };
-  return impulse_ > 0.0 ? (reached(1.0 - tail_of_impulse) - reached(tail_of_impulse)) * step_ : 0.0;
-}
-
 double Collision::half_width() const { return response_->half_width() * grid_.points.spacing * grid_.points.radius; }
 
 bool Collision::over() {
-  if (in_contact_ || velocity() >= 0.0) return false;
+  if (history_.in_contact() || velocity() >= 0.0) return false;
   const auto clear = [this] { return compression_ + reach_ + response_->protrusion() < -response_->range(); };
-  if (reach_ < 0.0 || (lossy_ && steps_ % sampling == 0)) reach_ = modes_.reach();
+  if (reach_ < 0.0 || (lossy_ && history_.steps() % ContactHistory::sampling == 0)) reach_ = modes_.reach();
   if (!clear()) return false;
   reach_ = modes_.reach();  // a soft wall has pushed on, below its threshold of contact
   return clear();
@@ -126,7 +94,7 @@ bool Collision::over() {
 
 Snapshot Collision::snapshot() const {
   Snapshot now;
-  now.time = static_cast<double>(steps_) * step_;
+  now.time = history_.time();
   now.center = compression_ - contact_.extent;
   now.velocity = velocity();
   now.force = force_ / contact_.first->mass;
@@ -136,7 +104,7 @@ Snapshot Collision::snapshot() const {
   const auto [first, second] = dissipated();
   now.dissipated = (first + second) / initial_energy_;
   now.unresolved = response_->unresolved_energy() / initial_energy_;
-  now.contact_half_width = in_contact_ ? half_width() : 0.0;
+  now.contact_half_width = history_.in_contact() ? half_width() : 0.0;
   return now;
 }
 
@@ -162,15 +130,7 @@ Impact Collision::result() const {
   impact.speed = speed_;
   impact.restitution = -velocity() / initial_velocity_;
   impact.lost_fraction = 1.0 - impact.restitution * impact.restitution;
-  impact.contact_time = contacts_ > 0 ? last_contact_ - first_contact_ : 0.0;
-  impact.contacts = contacts_;
-  impact.impulse_time = impulse_time();
-  impact.max_force = force_peak_.value(0.0) / contact_.first->mass;
-  impact.max_compression = compression_peak_.value(0.0);
-  impact.max_half_width = half_width_peak_.value(0.0);
-  const double momentum_change = contact_.mass * (initial_velocity_ - velocity());
-  impact.momentum_error = std::abs(impulse_ - momentum_change) / (contact_.mass * std::abs(initial_velocity_));
-  impact.steps = steps_;
+  history_.show(contact_, initial_velocity_, velocity(), impact);
   impact.final_state = state();
 
   EnergyLedger& ledger = impact.energy;
@@ -179,7 +139,7 @@ Impact Collision::result() const {
   ledger.stored = response_->stored_energy() / initial_energy_;
   const std::vector<double> after = modes_.energies();
   const std::vector<double> during = modes_.accumulated_energy();
-  const double samples = static_cast<double>(std::max(samples_, 1L));
+  const double samples = history_.samples();
   ledger.modes.reserve(after.size());
   for (std::size_t g = 0, k = 0; g < contact_.groups.size(); ++g) {
     const ModeGroup& group = contact_.groups[g];

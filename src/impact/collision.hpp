@@ -6,8 +6,9 @@
 #include <vector>
 
 #include "contact/response.hpp"
+#include "impact/contact_history.hpp"
 #include "impact/kept_modes.hpp"
-#include "impact/peak.hpp"
+#include "impact/pressures.hpp"
 #include "stoss/contact/grid.hpp"
 #include "stoss/impact/impact.hpp"
 
@@ -27,8 +28,9 @@ class Collision {
  public:
   /// Starts just out of reach of what is met, at a hard contact with the first touch at the best phase within a step;
   /// or from `start`.
+  /// @param pressures receives what the nodes feel in every step; null: nothing does
   Collision(const Contact& contact, const FixedResolution& resolution, const ContactGrid& grid, double speed,
-            const std::optional<State>& start, const Poll& poll);
+            const std::optional<State>& start, const Poll& poll, Pressures* pressures = nullptr);
 
   /// Moves on by one step.
   void advance();
@@ -60,7 +62,6 @@ class Collision {
   void respond();
   void record();
   [[nodiscard]] double since_touch() const;  // in steps, at the first notice of a contact
-  [[nodiscard]] double impulse_time() const;
   [[nodiscard]] double half_width() const;
   [[nodiscard]] double velocity() const;  // synchronous with the position
   [[nodiscard]] double translation() const;
@@ -72,6 +73,7 @@ class Collision {
   double step_;
   KeptModes modes_;
   std::unique_ptr<ContactResponse> response_;
+  Pressures* pressures_;
   std::vector<double> position_;  // x_dyn of the nodes
   double foremost_ = 0.0;         // largest of them
   double foremost_before_ = 0.0;
@@ -84,17 +86,7 @@ class Collision {
   double initial_energy_;
   std::vector<double> energy_before_;  // of each mode, if any moves
   double initial_velocity_;
-  long steps_ = 0;
-
-  bool in_contact_ = false;
-  int contacts_ = 0;
-  double first_contact_ = 0.0;  // times
-  double last_contact_ = 0.0;
-  long contact_steps_ = 0;
-  long samples_ = 0;  // of the modes' energies during contact
-  double impulse_ = 0.0;
-  std::vector<double> impulse_history_;  // after each step since the first force
-  Peak force_peak_, compression_peak_, half_width_peak_;
+  ContactHistory history_;
   bool lossy_;
   double reach_ = -1.0;  // of the free vibration; < 0: not known
 };

@@ -188,10 +188,10 @@ double KeptModes::half_power(std::size_t group) const {
   return sum;
 }
 
-double KeptModes::reach() const {
-  const auto greatest = [this](std::size_t row) {
+double KeptModes::reach(std::size_t begin, std::size_t end) const {
+  const auto greatest = [this, begin, end](std::size_t row) {
     double result = 0.0;
-    for (std::size_t i = 0; i < nodes_; ++i) result = std::max(result, std::abs(shapes_[row * nodes_ + i]));
+    for (std::size_t i = begin; i < end; ++i) result = std::max(result, std::abs(shapes_[row * nodes_ + i]));
     return result;
   };
   double sum = 0.0;

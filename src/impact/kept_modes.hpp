@@ -50,7 +50,10 @@ class KeptModes {
   [[nodiscard]] double dissipated(std::size_t begin, std::size_t end) const;
 
   /// Upper bound of the displacement of any node in free vibration, but for waves that run away.
-  [[nodiscard]] double reach() const;
+  [[nodiscard]] double reach() const { return reach(0, nodes_); }
+
+  /// The same of the nodes begin … end − 1, where those of other directions follow.
+  [[nodiscard]] double reach(std::size_t begin, std::size_t end) const;
 
   [[nodiscard]] std::vector<double> coordinate() const;
   [[nodiscard]] std::vector<double> momentum() const;

@@ -61,4 +61,14 @@ Resolution refined_resolution(const Contact& contact, double speed, double half_
   return resolution;
 }
 
+FixedResolution widened(const Contact& contact, const FixedResolution& resolution) {
+  constexpr double growth = 1.4;
+  const double half_width = std::min(growth * resolution.half_width, greatest_half_width(contact));
+  const double nodes = std::ceil(resolution.nodes * half_width / resolution.half_width);
+  FixedResolution wider = resolution;
+  wider.half_width = half_width;
+  wider.nodes = static_cast<int>(std::min<double>(nodes, most_nodes));
+  return wider;
+}
+
 }  // namespace stoss

@@ -24,4 +24,7 @@ inline constexpr int most_nodes = 4096;
 /// @param half_width maximum of the contact in a coarser run, or 0 if there was none
 [[nodiscard]] Resolution refined_resolution(const Contact& contact, double speed, double half_width);
 
+/// A wider grid of the same node spacing, at most as wide as the edge that can touch.
+[[nodiscard]] FixedResolution widened(const Contact& contact, const FixedResolution& resolution);
+
 }  // namespace stoss

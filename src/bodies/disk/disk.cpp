@@ -14,6 +14,7 @@
 #include "bodies/disk/mode_search.hpp"
 #include "bodies/disk/near_side.hpp"
 #include "bodies/disk/order_sums.hpp"
+#include "bodies/disk/parity/bodies_along.hpp"
 #include "bodies/round_body.hpp"
 #include "check.hpp"
 #include "stoss/bodies/disk/modes.hpp"
@@ -85,18 +86,21 @@ Body disk(const Disk& disk, double cutoff, const Poll& poll) {
   constexpr Range allowed{0.0, max_cutoff, false, true, "above 0 to 1000"};
   require("cutoff", cutoff, allowed, "highest frequency in c/R of this disk; 25 to 100 is usual");
   const double loss_time = bodies::own_loss_time(disk), highest = kept_cutoff(cutoff, loss_time);
-  const std::vector<Mode> modes =
-      highest <= no_mode_below ? std::vector<Mode>{} : checked_modes(poisson, highest, poll);
+  const auto kept = std::make_shared<const std::vector<Mode>>(
+      highest <= no_mode_below ? std::vector<Mode>{} : checked_modes(poisson, highest, poll));
+  const std::vector<Mode>& modes = *kept;
   Body body;
   body.name = bodies::name_of("disk", disk);
   body.scale = {disk.radius, bodies::wave_speed(disk), std::numbers::pi * disk.density * disk.radius * disk.radius};
   body.contour = Contour::cylinder;
   body.mass = std::numbers::pi;
   body.extent = 1.0;
+  body.inertia = 0.5 * body.mass;
   body.loss_time = loss_time;
   body.cutoff = cutoff;
   body.highest_cutoff = max_cutoff;
   body.sampling = sampling;
+  body.along = [like = body, poisson, kept](const Poll& heed) { return bodies_along(like, poisson, kept, heed); };
   body.groups = group_by_order(modes);
   const std::size_t rows = modes.empty() ? 0 : static_cast<std::size_t>(modes.back().order) + 2;
   body.surface = [poisson, rows](const ContactPoints& points) { return make_surface(poisson, rows, points); };

@@ -25,8 +25,8 @@ ContactPoints seen_by_part(const ContactPoints& points, double size) {
 
 /// Surface of the part in units of the whole, with the contour of the whole.
 Surface whole_surface(Surface surface, const ContactPoints& points, double size) {
-  for (std::size_t i = 0; i < points.count; ++i) {
-    const double sine = std::sin(0.5 * bodies::disk::edge_angle(points, i));
+  for (std::size_t i = 0; i < surface.recess.size(); ++i) {  // of one or both components
+    const double sine = std::sin(0.5 * bodies::disk::edge_angle(points, i % points.count));
     surface.recess[i] = 2.0 * sine * sine;
     surface.measure[i] *= size;
     surface.impedance[i] *= size;
@@ -34,18 +34,13 @@ Surface whole_surface(Surface surface, const ContactPoints& points, double size)
   return surface;
 }
 
-}  // namespace
-
-Body near_side(const Disk& disk, double size, double cutoff, const Poll& poll) {
-  require("size", size, {0.0, 1.0, false, true, "above 0 to 1"}, "of the near side of a disk, in its radius");
-  Disk like = disk;
-  like.loss_time /= size;
-  const auto part = std::make_shared<const Body>(stoss::disk(like, cutoff * size, poll));
-  const double whole_mass = part->mass;
+/// The part as a body in the units of the whole.
+Body part_of_whole(const std::shared_ptr<const Body>& part, double size, double cutoff, double echo) {
   Body body = *part;
-  body.mass = whole_mass * size * size;
+  body.mass = part->mass * size * size;
   body.scale.mass *= size * size;
-  body.part = {size, whole_mass - body.mass, 4.0 * size * std::sqrt(1.0 - disk.poisson * disk.poisson)};
+  body.part = {size, part->mass - body.mass, echo};
+  body.inertia *= size * size * size * size;
   body.cutoff = cutoff;
   body.loss_time *= size;
   body.highest_cutoff = part->highest_cutoff / size;
@@ -66,6 +61,25 @@ Body near_side(const Disk& disk, double size, double cutoff, const Poll& poll) {
     return moment;
   };
   body.near_side = nullptr;
+  return body;
+}
+
+}  // namespace
+
+Body near_side(const Disk& disk, double size, double cutoff, const Poll& poll) {
+  require("size", size, {0.0, 1.0, false, true, "above 0 to 1"}, "of the near side of a disk, in its radius");
+  Disk like = disk;
+  like.loss_time /= size;
+  const auto part = std::make_shared<const Body>(stoss::disk(like, cutoff * size, poll));
+  const double echo = 4.0 * size * std::sqrt(1.0 - disk.poisson * disk.poisson);
+  Body body = part_of_whole(part, size, cutoff, echo);
+  body.along = [part, size, cutoff, echo](const Poll& heed) {
+    std::vector<Body> bodies;
+    for (Body& each : part->along(heed)) {
+      bodies.push_back(part_of_whole(std::make_shared<const Body>(std::move(each)), size, cutoff, echo));
+    }
+    return bodies;
+  };
   return body;
 }
 

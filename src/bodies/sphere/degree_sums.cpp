@@ -10,6 +10,7 @@
 #include "bodies/sphere/static_flexibility.hpp"
 #include "bodies/sphere/sum_quadrature.hpp"
 #include "bodies/sphere/surface_points.hpp"
+#include "bodies/sphere/toroidal.hpp"
 #include "numeric/special_functions.hpp"
 
 namespace stoss::bodies::sphere {
@@ -18,14 +19,14 @@ namespace {
 using Matrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
 constexpr double sphere_mass = 4.0 * std::numbers::pi / 3.0;
-constexpr int block = 48;            // rows of a product of matrices at a time
+constexpr int block = 48;            // half of the rows of a product of matrices at a time, a multiple of 3
 constexpr int rule_nodes = 24;       // of the quadrature of a sum
 constexpr double rule_phase = 18.0;  // by which its terms may turn to either side of the middle
 constexpr long lowest_start = 64;    // of the quadrature: the expansion of P_ν needs a high degree
 
-/// Coefficients between the two shapes P_{n+1} and P_{n−1} of a degree.
+/// Coefficients between the two shapes P_{n+1} and P_{n−1} of a degree, and along y that of P_n.
 struct Pair {
-  double upper = 0.0, mixed = 0.0, lower = 0.0;
+  double upper = 0.0, mixed = 0.0, lower = 0.0, middle = 0.0;
 
   Pair(double n, const Flexibility& r, double weight) {
     const double up = (n + 1.0) / (2.0 * n + 1.0), down = n / (2.0 * n + 1.0);
@@ -33,9 +34,19 @@ struct Pair {
     mixed = weight * up * down * (r.radial + r.mixed - n * (n + 1.0) * r.tangential);
     lower = weight * down * down * (r.radial + 2.0 * (n + 1.0) * r.mixed + (n + 1.0) * (n + 1.0) * r.tangential);
   }
+
+  /// Turns it into that along y, for n ≥ 1.
+  void turn(double n, double toroidal, double weight) {
+    const AlongShare share = along_share(n);
+    upper *= share.upper * share.upper;
+    mixed *= share.upper * share.lower;
+    lower *= share.lower * share.lower;
+    middle = weight * 0.5 * n * (n + 1.0) * toroidal;
+  }
 };
 
-/// Σ (upper x xᵀ + mixed (x yᵀ + y xᵀ) + lower y yᵀ) over rows x = P_{n+1}, y = P_{n−1}, some rows at a time.
+/// Σ (upper x xᵀ + mixed (x yᵀ + y xᵀ) + lower y yᵀ + middle z zᵀ) over rows x = P_{n+1}, y = P_{n−1} and z = P_n, some
+/// rows at a time.
 class ShapeProducts {
  public:
   ShapeProducts(Eigen::Index rings, const Poll& poll)
@@ -48,6 +59,12 @@ class ShapeProducts {
     load_.row(rows_ + 1) = (pair.mixed * upper + pair.lower * lower).matrix().transpose();
     rows_ += 2;
     if (rows_ == shape_.rows()) flush();
+  }
+
+  void add(double middle, const Eigen::ArrayXd& row) {
+    shape_.row(rows_) = row.matrix().transpose();
+    load_.row(rows_) = (middle * row).matrix().transpose();
+    if (++rows_ == shape_.rows()) flush();
   }
 
   [[nodiscard]] const Matrix& sum() {
@@ -74,7 +91,7 @@ class ShapeProducts {
   Eigen::Index rows_ = 0;
 };
 
-Flexibility coefficient(const OrderSum& sum, long n) {
+Flexibility coefficient(const DegreeSum& sum, long n) {
   Flexibility r;
   if (sum.with_static) r = static_flexibility(sum.poisson, static_cast<int>(n));
   if (static_cast<std::size_t>(n) < sum.coefficients.size()) {
@@ -86,24 +103,43 @@ Flexibility coefficient(const OrderSum& sum, long n) {
   return r;
 }
 
+double toroidal_coefficient(const DegreeSum& sum, long n) {
+  double r = sum.with_static ? toroidal_flexibility(sum.poisson, static_cast<double>(n)) : 0.0;
+  if (static_cast<std::size_t>(n) < sum.toroidal.size()) r += sum.toroidal[static_cast<std::size_t>(n)];
+  return r;
+}
+
 /// The degrees 0 … last one by one; that of Nyquist with weight ½.
-void add_degrees(const OrderSum& sum, const Eigen::ArrayXd& angle, long last, long nyquist, ShapeProducts& products) {
+void add_degrees(const DegreeSum& sum, const Eigen::ArrayXd& angle, long last, long nyquist, ShapeProducts& products) {
   LegendreSequence sequence(angle);
   Eigen::ArrayXd below = Eigen::ArrayXd::Zero(angle.size()), here = sequence.value();
   for (long n = 0; n <= last; ++n) {
     sequence.advance();
     const auto degree = static_cast<double>(n);
-    products.add(Pair(degree, coefficient(sum, n), n == nyquist ? 0.5 : 1.0), sequence.value(), below);
+    const double weight = n == nyquist ? 0.5 : 1.0;
+    Pair pair(degree, coefficient(sum, n), weight);
+    if (!sum.along) {
+      products.add(pair, sequence.value(), below);
+    } else if (n > 0) {
+      pair.turn(degree, toroidal_coefficient(sum, n), weight);
+      products.add(pair, sequence.value(), below);
+      products.add(pair.middle, here);
+    }
     below = here;
     here = sequence.value();
   }
 }
 
 /// The static flexibilities of the degrees first … nyquist by quadrature.
-void add_blocks(double poisson, const Eigen::ArrayXd& angle, long first, long nyquist, ShapeProducts& products) {
+void add_blocks(const DegreeSum& sum, const Eigen::ArrayXd& angle, long first, long nyquist, ShapeProducts& products) {
   const LegendreOfRealDegree legendre(angle);
   const auto add = [&](double n, double weight) {
-    products.add(Pair(n, flexibility_of_degree(poisson, n), weight), legendre(n + 1.0), legendre(n - 1.0));
+    Pair pair(n, flexibility_of_degree(sum.poisson, n), weight);
+    if (sum.along) {
+      pair.turn(n, toroidal_flexibility(sum.poisson, n), weight);
+      products.add(pair.middle, legendre(n));
+    }
+    products.add(pair, legendre(n + 1.0), legendre(n - 1.0));
   };
   const auto most = static_cast<long>(rule_phase / angle.maxCoeff());
   SumRule rule;
@@ -121,10 +157,10 @@ void add_blocks(double poisson, const Eigen::ArrayXd& angle, long first, long ny
 /// On the circle of a smaller partner, rings lie closer to each other on this sphere the further out they are, and a
 /// sum to one degree N for all leaves too little of the shortest waves there: W would not stay positive definite. Each
 /// pair of rings has the degrees that its own distance resolves instead. High degrees add C cos nΔθ/n, C =
-/// 4(1−ν²)/(3π√(sin θ_i sin θ_j)), so the change is C [Ci(π|i−j|) − Ci(NΔθ)].
-void resolve_each_pair(double poisson, const ContactPoints& points, const Eigen::ArrayXd& angle, double nyquist,
+/// 4D/(3π√(sin θ_i sin θ_j)) with D the softness, so the change is C [Ci(π|i−j|) − Ci(NΔθ)].
+void resolve_each_pair(double softness, const ContactPoints& points, const Eigen::ArrayXd& angle, double nyquist,
                        Matrix& lower) {
-  const double strength = 4.0 * (1.0 - poisson * poisson) / (3.0 * std::numbers::pi);
+  const double strength = 4.0 * softness / (3.0 * std::numbers::pi);
   std::vector<double> wanted{0.0};
   for (std::size_t k = 1; k < points.count; ++k) {
     wanted.push_back(numeric::cosine_integral(std::numbers::pi * static_cast<double>(k)));
@@ -142,7 +178,7 @@ void resolve_each_pair(double poisson, const ContactPoints& points, const Eigen:
 
 }  // namespace
 
-std::vector<double> sum_over_degrees(const OrderSum& sum, const ContactPoints& points, const Poll& poll) {
+std::vector<double> sum_over_degrees(const DegreeSum& sum, const ContactPoints& points, const Poll& poll) {
   const auto rings = static_cast<Eigen::Index>(points.count);
   if (rings == 0) return {};
   Eigen::ArrayXd angle(rings);
@@ -158,11 +194,12 @@ std::vector<double> sum_over_degrees(const OrderSum& sum, const ContactPoints& p
     add_degrees(sum, angle, nyquist, nyquist, products);
   } else {
     add_degrees(sum, angle, start - 1, nyquist, products);
-    add_blocks(sum.poisson, angle, start, nyquist, products);
+    add_blocks(sum, angle, start, nyquist, products);
   }
   Matrix half = products.sum();
   if (sum.with_static && points.radius != 1.0) {
-    resolve_each_pair(sum.poisson, points, angle, static_cast<double>(nyquist), half);
+    const double softness = sum.along ? softness_along(sum.poisson) : 1.0 - sum.poisson * sum.poisson;
+    resolve_each_pair(softness, points, angle, static_cast<double>(nyquist), half);
   }
   std::vector<double> result(points.count * points.count);
   Eigen::Map<Matrix> matrix(result.data(), rings, rings);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <vector>
 
 #include "bodies/residual.hpp"
@@ -8,6 +9,13 @@
 #include "stoss/poll.hpp"
 
 namespace stoss::bodies::sphere {
+
+/// What is summed over the degrees of a sphere: along its axis, or along y with the coefficients R^WW of toroidal
+/// modes.
+struct DegreeSum : OrderSum {
+  bool along = false;
+  std::vector<double> toroidal{};  ///< as `coefficients`
+};
 
 /// A response between rings as a sum over the degrees,
 ///
@@ -18,7 +26,22 @@ namespace stoss::bodies::sphere {
 /// Low degrees are added up one by one. Where there are many more than rings, the higher ones go by Gauss quadrature of
 /// a sum over blocks of degrees, in which the products turn by at most 18 to either side: an error of 1e-14, and as
 /// many terms for any N.
-[[nodiscard]] std::vector<double> sum_over_degrees(const OrderSum& sum, const ContactPoints& points, const Poll& poll);
+///
+/// Along y the rows are the means over rings of what moves along y: −√(L/2)/(2n+1) (P_{n+1} − P_{n−1}) for a,
+/// −√(L/2)/(2n+1) [n P_{n+1} + (n+1) P_{n−1}] for b and √(L/2) P_n for R^WW; n = 0 has none.
+[[nodiscard]] std::vector<double> sum_over_degrees(const DegreeSum& sum, const ContactPoints& points, const Poll& poll);
+
+/// Weights of a degree n ≥ 1 on the rows P_{n+1} and P_{n−1} where rings move along y, over those along the axis.
+struct AlongShare {
+  double upper, lower;
+};
+[[nodiscard]] inline AlongShare along_share(double n) {
+  return {-std::sqrt(n / (2.0 * (n + 1.0))), std::sqrt((n + 1.0) / (2.0 * n))};
+}
+
+/// Softness of the surface along itself, (1+ν)(2−ν)/2, against 1 − ν² along the normal: of forces along y on rings,
+/// the mean over the ring (Cerruti).
+[[nodiscard]] inline double softness_along(double poisson) { return 0.5 * (1.0 + poisson) * (2.0 - poisson); }
 
 /// What tells the residual response of a sphere from that of other round bodies.
 struct ResidualShape {
@@ -29,7 +52,7 @@ struct ResidualShape {
   static Flexibility static_flexibility(double poisson, int n) { return sphere::static_flexibility(poisson, n); }
   static Flexibility static_second_moment(double poisson, int n) { return sphere::static_second_moment(poisson, n); }
   static std::vector<double> sum(const OrderSum& sum, const ContactPoints& points, const Poll& poll) {
-    return sum_over_degrees(sum, points, poll);
+    return sum_over_degrees({sum}, points, poll);
   }
 };
 

@@ -9,8 +9,11 @@
 #include <memory>
 #include <numbers>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "bodies/round_body.hpp"
+#include "bodies/sphere/along.hpp"
 #include "bodies/sphere/degree_sums.hpp"
 #include "bodies/sphere/legendre.hpp"
 #include "bodies/sphere/mode_search.hpp"
@@ -27,25 +30,6 @@ using namespace bodies::sphere;
 constexpr double no_mode_below = 1.0;
 constexpr double highest_lowest_mode = 2.0;
 constexpr double mass = 4.0 * std::numbers::pi / 3.0;
-
-Surface make_surface(double poisson, std::size_t rows, const ContactPoints& points) {
-  const WaveSpeeds speed = wave_speeds(poisson);
-  Surface surface;
-  Eigen::ArrayXd angle(static_cast<Eigen::Index>(points.count));
-  for (std::size_t i = 0; i < points.count; ++i) {
-    const double theta = ring_angle(points, i);
-    angle(static_cast<Eigen::Index>(i)) = theta;
-    const double area = ring_area(points, i), cosine = std::cos(theta), sine = std::sin(theta);
-    surface.recess.push_back(2.0 * std::sin(0.5 * theta) * std::sin(0.5 * theta));
-    surface.measure.push_back(area);
-    surface.impedance.push_back(area / (cosine * cosine / speed.pressure + sine * sine / speed.shear));
-  }
-  LegendreSequence sequence(angle);
-  for (std::size_t n = 0; n < rows; ++n, sequence.advance()) {
-    surface.shape.insert(surface.shape.end(), sequence.value().begin(), sequence.value().end());
-  }
-  return surface;
-}
 
 std::vector<ModeGroup> group_by_degree(const std::vector<Mode>& modes) {
   std::vector<ModeGroup> groups;
@@ -73,7 +57,52 @@ constexpr Sampling sampling{.points = 40.0, .cutoff = 32.0, .power = 0.7, .along
 /// What a lossy sphere loses is as accurate as its modes with twice the rings.
 constexpr Sampling sampling_of_losses{.points = 80.0, .cutoff = 32.0, .power = 0.7, .along_edge = 0.0, .fewest = 64};
 
+/// The sphere of which these are the modes.
+Body made(const Sphere& sphere, double cutoff, const std::shared_ptr<const std::vector<Mode>>& modes) {
+  const double poisson = sphere.poisson, loss_time = bodies::own_loss_time(sphere);
+  Body body;
+  body.name = bodies::name_of("sphere", sphere);
+  body.scale = {sphere.radius, bodies::wave_speed(sphere),
+                mass * sphere.density * sphere.radius * sphere.radius * sphere.radius};
+  body.contour = Contour::ball;
+  body.mass = mass;
+  body.extent = 1.0;
+  body.softness = 1.0 - poisson * poisson;
+  body.inertia = 0.4 * mass;
+  body.loss_time = loss_time;
+  body.cutoff = cutoff;
+  body.highest_cutoff = max_cutoff;
+  body.sampling = loss_time > 0.0 ? sampling_of_losses : sampling;
+  body.groups = group_by_degree(*modes);
+  const std::size_t rows = modes->empty() ? 0 : static_cast<std::size_t>(modes->back().order) + 2;
+  body.surface = [poisson, rows](const ContactPoints& points) { return axial_surface(poisson, rows, points); };
+  bodies::set_residual(body, std::make_shared<const Residual>(poisson, cutoff, *modes));
+  body.along = [sphere, cutoff, modes](const Poll& poll) {
+    return std::vector<Body>{along(made(sphere, cutoff, modes), sphere.poisson, *modes, poll)};
+  };
+  return body;
+}
+
 }  // namespace
+
+Surface bodies::sphere::axial_surface(double poisson, std::size_t rows, const ContactPoints& points) {
+  const WaveSpeeds speed = wave_speeds(poisson);
+  Surface surface;
+  Eigen::ArrayXd angle(static_cast<Eigen::Index>(points.count));
+  for (std::size_t i = 0; i < points.count; ++i) {
+    const double theta = ring_angle(points, i);
+    angle(static_cast<Eigen::Index>(i)) = theta;
+    const double area = ring_area(points, i), cosine = std::cos(theta), sine = std::sin(theta);
+    surface.recess.push_back(2.0 * std::sin(0.5 * theta) * std::sin(0.5 * theta));
+    surface.measure.push_back(area);
+    surface.impedance.push_back(area / (cosine * cosine / speed.pressure + sine * sine / speed.shear));
+  }
+  LegendreSequence sequence(angle);
+  for (std::size_t n = 0; n < rows; ++n, sequence.advance()) {
+    surface.shape.insert(surface.shape.end(), sequence.value().begin(), sequence.value().end());
+  }
+  return surface;
+}
 
 Scales scales(const Sphere& sphere) {
   require_sphere(sphere);
@@ -88,25 +117,8 @@ Body sphere(const Sphere& sphere, double cutoff, const Poll& poll) {
   constexpr Range allowed{0.0, max_cutoff, false, true, "above 0 to 1000"};
   require("cutoff", cutoff, allowed, "highest frequency in c/R of this sphere; 25 to 100 is usual");
   const double loss_time = bodies::own_loss_time(sphere), highest = kept_cutoff(cutoff, loss_time);
-  const std::vector<Mode> modes =
-      highest <= no_mode_below ? std::vector<Mode>{} : checked_modes(poisson, highest, poll);
-  Body body;
-  body.name = bodies::name_of("sphere", sphere);
-  body.scale = {sphere.radius, bodies::wave_speed(sphere),
-                mass * sphere.density * sphere.radius * sphere.radius * sphere.radius};
-  body.contour = Contour::ball;
-  body.mass = mass;
-  body.extent = 1.0;
-  body.softness = 1.0 - poisson * poisson;
-  body.loss_time = loss_time;
-  body.cutoff = cutoff;
-  body.highest_cutoff = max_cutoff;
-  body.sampling = loss_time > 0.0 ? sampling_of_losses : sampling;
-  body.groups = group_by_degree(modes);
-  const std::size_t rows = modes.empty() ? 0 : static_cast<std::size_t>(modes.back().order) + 2;
-  body.surface = [poisson, rows](const ContactPoints& points) { return make_surface(poisson, rows, points); };
-  bodies::set_residual(body, std::make_shared<const Residual>(poisson, cutoff, modes));
-  return body;
+  std::vector<Mode> modes = highest <= no_mode_below ? std::vector<Mode>{} : checked_modes(poisson, highest, poll);
+  return made(sphere, cutoff, std::make_shared<const std::vector<Mode>>(std::move(modes)));
 }
 
 Body sphere(double poisson, double cutoff, const Poll& poll) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 
 #include "stoss/body/body.hpp"
 
@@ -24,5 +25,8 @@ namespace stoss::bodies::sphere {
   const double outer = polar_angle(points, static_cast<double>(i + 1) * points.spacing);
   return four_pi * std::sin(0.5 * (inner + outer)) * std::sin(0.5 * (outer - inner));
 }
+
+/// The surface of a sphere along its axis, with the rows P_0 … P_{rows−1}.
+[[nodiscard]] Surface axial_surface(double poisson, std::size_t rows, const ContactPoints& points);
 
 }  // namespace stoss::bodies::sphere

@@ -156,7 +156,7 @@ bool EdgeContact::solve_edge(const std::vector<double>& q, double tolerance, std
 /// As if each node carried about half of what makes it rigid, if it is not clear of the law by itself.
 void EdgeContact::begin_anew(const std::vector<double>& q) {
   for (std::size_t i = 0; i < q.size(); ++i) {
-    closure_[i] = std::min(0.5, 1.0 - std::sqrt(std::max(0.0, -q[i]) / (law_.opening * law_.gap[i])));
+    closure_[i] = std::min(0.5, law_.free_closure(i, -q[i]));
   }
 }
 
@@ -164,8 +164,7 @@ void EdgeContact::solve_generally(const std::vector<double>& q, double scale, st
                                   std::vector<double>& displacement) {
   const std::size_t size = compliance_.size();
   // From the last solution, whose far nodes may never have been asked for.
-  for (std::size_t i = extent_; i < size; ++i)
-    closure_[i] = 1.0 - std::sqrt(std::max(0.0, -q[i]) / (law_.opening * law_.gap[i]));
+  for (std::size_t i = extent_; i < size; ++i) closure_[i] = law_.free_closure(i, -q[i]);
   const auto solved = [&] { return solve_all(compliance_, law_, q, scale, poll_, closure_); };
   if (!solved() && !(begin_anew(q), solved())) {
     throw NotConverged("contact: no forces at the nodes obey the law of contact (use another number of nodes)");

@@ -30,6 +30,9 @@ class EdgeContact {
   /// Number of leading nodes beyond which the last force vanishes.
   [[nodiscard]] std::size_t extent() const { return extent_; }
 
+  /// Gap of a node within the extent, as the law has it.
+  [[nodiscard]] double gap(std::size_t i) const { return law_.gap.empty() ? 0.0 : law_.gap_at(i, closure_[i]); }
+
   /// Half-width of the last contact in spacings: nodes count as far as they are closed.
   [[nodiscard]] double half_width() const;
 

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <vector>
 
@@ -29,6 +31,21 @@ struct EdgeLaw {
   /// g for any closure: 0 from 1 on.
   [[nodiscard]] double gap_at(std::size_t i, double closure) const {
     return closure < 1.0 ? opening * gap[i] * (1.0 - closure) * (1.0 - closure) : 0.0;
+  }
+
+  /// df/dt of a node.
+  [[nodiscard]] double force_slope(std::size_t i, double closure) const {
+    return closure > 0.0 ? 2.0 * force[i] * closure : 0.0;
+  }
+
+  /// −dg/dt of a node.
+  [[nodiscard]] double gap_slope(std::size_t i, double closure) const {
+    return closure < 1.0 ? 2.0 * opening * gap[i] * (1.0 - closure) : 0.0;
+  }
+
+  /// t of a node that has no force, and lies behind by a distance.
+  [[nodiscard]] double free_closure(std::size_t i, double behind) const {
+    return 1.0 - std::sqrt(std::max(0.0, behind) / (opening * gap[i]));
   }
 
   /// Makes the gaps those of a contact that spreads (0), or shrinks by `rate` spacings per R/c. Where a lossy contact

@@ -1,6 +1,7 @@
 #include "contact/edge/edge_newton.hpp"
 
 #include <Eigen/Cholesky>
+#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -9,6 +10,7 @@ namespace stoss {
 namespace {
 
 using Eigen::Index;
+using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 constexpr double rounding = 1e-14;
@@ -36,12 +38,34 @@ bool eliminate(std::array<std::array<double, 3>, 3>& a, std::array<double, 3>& b
   return true;
 }
 
-double slope_of_force(const EdgeLaw& law, std::size_t i, double closure) {
-  return closure > 0.0 ? 2.0 * law.force[i] * closure : 0.0;
+// What Newton's method asks of a compliance that is symmetric and factored, or neither.
+
+auto entries(const FactoredCompliance& compliance) { return compliance.matrix(); }
+const MatrixXd& entries(const MatrixXd& compliance) { return compliance; }
+
+void multiply(const FactoredCompliance& compliance, const std::vector<double>& force, std::vector<double>& result) {
+  compliance.multiply(0, force.size(), force, result);
 }
 
-double slope_of_gap(const EdgeLaw& law, std::size_t i, double closure) {  // downhill
-  return closure < 1.0 ? 2.0 * law.opening * law.gap[i] * (1.0 - closure) : 0.0;
+void multiply(const MatrixXd& compliance, const std::vector<double>& force, std::vector<double>& result) {
+  VectorXd::Map(result.data(), compliance.rows()).setZero();
+  for (std::size_t j = 0; j < force.size(); ++j) {
+    if (force[j] == 0.0) continue;
+    VectorXd::Map(result.data(), compliance.rows()) += compliance.col(static_cast<Index>(j)) * force[j];
+  }
+}
+
+/// Solves for a block of it and a diagonal, in place. @return whether that is regular
+bool solve(const FactoredCompliance& /*whose*/, MatrixXd& block, VectorXd& x) {
+  const Eigen::LLT<Eigen::Ref<MatrixXd>> factored(block);
+  if (factored.info() != Eigen::Success) return false;
+  factored.solveInPlace(x);
+  return true;
+}
+
+bool solve(const MatrixXd& /*whose*/, MatrixXd& block, VectorXd& x) {
+  x = Eigen::PartialPivLU<Eigen::Ref<MatrixXd>>(block).solve(x).eval();
+  return x.allFinite();
 }
 
 /// Residual of each node over what rounding is measured by there: far from the contact the nodes are far behind.
@@ -55,12 +79,13 @@ double norm(const VectorXd& rest, const std::vector<double>& q, double scale) {
 }
 
 /// W f(t) − q − g(t) on all nodes.
-VectorXd residual(const FactoredCompliance& compliance, const EdgeLaw& law, const std::vector<double>& q,
+template <typename Compliance>
+VectorXd residual(const Compliance& compliance, const EdgeLaw& law, const std::vector<double>& q,
                   const std::vector<double>& closure) {
   const std::size_t n = q.size();
   std::vector<double> force(n), result(n);
   for (std::size_t i = 0; i < n; ++i) force[i] = law.force_at(i, closure[i]);
-  compliance.multiply(0, n, force, result);
+  multiply(compliance, force, result);
   VectorXd rest(static_cast<Index>(n));
   for (std::size_t i = 0; i < n; ++i) {
     rest(static_cast<Index>(i)) = result[i] - q[i] - law.gap_at(i, closure[i]);
@@ -69,78 +94,45 @@ VectorXd residual(const FactoredCompliance& compliance, const EdgeLaw& law, cons
 }
 
 /// The Newton step. Nodes with t ≤ 0 carry no force and follow the others, so only those in contact are coupled; with
-/// their changes of force for unknowns the matrix is W and a diagonal, positive definite. Empty if it is not.
-std::vector<double> step(const FactoredCompliance& compliance, const EdgeLaw& law, const std::vector<double>& closure,
+/// their changes of force for unknowns the matrix is W and a diagonal, positive definite. Empty if it is singular.
+template <typename Compliance>
+std::vector<double> step(const Compliance& compliance, const EdgeLaw& law, const std::vector<double>& closure,
                          const VectorXd& rest) {
   const std::size_t n = closure.size();
-  const auto w = compliance.matrix();
+  const auto& w = entries(compliance);
   std::vector<Index> active;
   for (std::size_t i = 0; i < n; ++i) {
     if (closure[i] > 0.0) active.push_back(static_cast<Index>(i));
   }
   const auto m = static_cast<Index>(active.size());
-  Eigen::MatrixXd matrix(m, m);
+  MatrixXd matrix(m, m);
   VectorXd change(m);  // of the forces
   for (Index b = 0; b < m; ++b) {
     const Index j = active[static_cast<std::size_t>(b)];
     const auto node = static_cast<std::size_t>(j);
-    for (Index a = b; a < m; ++a) matrix(a, b) = w(active[static_cast<std::size_t>(a)], j);
-    matrix(b, b) += slope_of_gap(law, node, closure[node]) / slope_of_force(law, node, closure[node]);
+    for (Index a = 0; a < m; ++a) matrix(a, b) = w(active[static_cast<std::size_t>(a)], j);
+    matrix(b, b) += law.gap_slope(node, closure[node]) / law.force_slope(node, closure[node]);
     change(b) = -rest(j);
   }
-  if (m > 0) {
-    const Eigen::LLT<Eigen::Ref<Eigen::MatrixXd>> factored(matrix);
-    if (factored.info() != Eigen::Success) return {};
-    factored.solveInPlace(change);
-  }
+  if (m > 0 && !solve(compliance, matrix, change)) return {};
   std::vector<double> result(n);
   for (Index a = 0; a < m; ++a) {
     const auto node = static_cast<std::size_t>(active[static_cast<std::size_t>(a)]);
-    result[node] = change(a) / slope_of_force(law, node, closure[node]);
+    result[node] = change(a) / law.force_slope(node, closure[node]);
   }
   for (std::size_t i = 0; i < n; ++i) {
     if (closure[i] > 0.0) continue;
     double left = rest(static_cast<Index>(i));
     for (Index a = 0; a < m; ++a) left += w(static_cast<Index>(i), active[static_cast<std::size_t>(a)]) * change(a);
-    result[i] = -left / slope_of_gap(law, i, closure[i]);
+    result[i] = -left / law.gap_slope(i, closure[i]);
   }
   return result;
 }
 
-}  // namespace
-
-bool solve_zone(const EdgeLaw& law, EdgeZone& zone) {
-  constexpr int most = 40;
-  zone.closure.fill(0.5);
-  for (int iteration = 0; iteration < most; ++iteration) {
-    std::array<std::array<double, 3>, 3> jacobian{};
-    std::array<double, 3> rest{}, force{}, slope{};
-    for (std::size_t b = 0; b < zone.count; ++b) {
-      force[b] = law.force_at(zone.first + b, zone.closure[b]);
-      slope[b] = slope_of_force(law, zone.first + b, zone.closure[b]);
-    }
-    for (std::size_t a = 0; a < zone.count; ++a) {
-      rest[a] = zone.position[a] + law.gap_at(zone.first + a, zone.closure[a]);
-      for (std::size_t b = 0; b < zone.count; ++b) {
-        rest[a] -= zone.compliance[a][b] * force[b];
-        jacobian[a][b] = zone.compliance[a][b] * slope[b];
-      }
-      jacobian[a][a] += slope_of_gap(law, zone.first + a, zone.closure[a]);
-    }
-    if (!eliminate(jacobian, rest, zone.count)) return false;
-    double largest = 0.0;
-    for (std::size_t a = 0; a < zone.count; ++a) {
-      const double longest = 0.5 * (1.0 + std::abs(zone.closure[a]));  // t grows by half of itself at most
-      zone.closure[a] += std::clamp(rest[a], -longest, longest);
-      largest = std::max(largest, std::abs(rest[a]) / (1.0 + std::abs(zone.closure[a])));
-    }
-    if (largest < 1e-9) return true;  // converges quadratically: what is left is rounding
-  }
-  return false;
-}
-
-bool solve_all(const FactoredCompliance& compliance, const EdgeLaw& law, const std::vector<double>& q, double scale,
-               const Poll& poll, std::vector<double>& closure) {
+/// Newton's method with steps halved while the residual does not fall.
+template <typename Compliance>
+bool find_closures(const Compliance& compliance, const EdgeLaw& law, const std::vector<double>& q, double scale,
+                   const Poll& poll, std::vector<double>& closure) {
   constexpr int most = 200;
   VectorXd rest = residual(compliance, law, q, closure);
   for (int iteration = 0; iteration < most; ++iteration) {
@@ -172,6 +164,48 @@ bool solve_all(const FactoredCompliance& compliance, const EdgeLaw& law, const s
     rest = left;
   }
   return false;
+}
+
+}  // namespace
+
+bool solve_zone(const EdgeLaw& law, EdgeZone& zone) {
+  constexpr int most = 40;
+  zone.closure.fill(0.5);
+  for (int iteration = 0; iteration < most; ++iteration) {
+    std::array<std::array<double, 3>, 3> jacobian{};
+    std::array<double, 3> rest{}, force{}, slope{};
+    for (std::size_t b = 0; b < zone.count; ++b) {
+      force[b] = law.force_at(zone.first + b, zone.closure[b]);
+      slope[b] = law.force_slope(zone.first + b, zone.closure[b]);
+    }
+    for (std::size_t a = 0; a < zone.count; ++a) {
+      rest[a] = zone.position[a] + law.gap_at(zone.first + a, zone.closure[a]);
+      for (std::size_t b = 0; b < zone.count; ++b) {
+        rest[a] -= zone.compliance[a][b] * force[b];
+        jacobian[a][b] = zone.compliance[a][b] * slope[b];
+      }
+      jacobian[a][a] += law.gap_slope(zone.first + a, zone.closure[a]);
+    }
+    if (!eliminate(jacobian, rest, zone.count)) return false;
+    double largest = 0.0;
+    for (std::size_t a = 0; a < zone.count; ++a) {
+      const double longest = 0.5 * (1.0 + std::abs(zone.closure[a]));  // t grows by half of itself at most
+      zone.closure[a] += std::clamp(rest[a], -longest, longest);
+      largest = std::max(largest, std::abs(rest[a]) / (1.0 + std::abs(zone.closure[a])));
+    }
+    if (largest < 1e-9) return true;  // converges quadratically: what is left is rounding
+  }
+  return false;
+}
+
+bool solve_all(const FactoredCompliance& compliance, const EdgeLaw& law, const std::vector<double>& q, double scale,
+               const Poll& poll, std::vector<double>& closure) {
+  return find_closures(compliance, law, q, scale, poll, closure);
+}
+
+bool solve_all(const MatrixXd& compliance, const EdgeLaw& law, const std::vector<double>& q, double scale,
+               const Poll& poll, std::vector<double>& closure) {
+  return find_closures(compliance, law, q, scale, poll, closure);
 }
 
 }  // namespace stoss

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <Eigen/Core>
 #include <array>
 #include <vector>
 
@@ -26,6 +27,11 @@ struct EdgeZone {
 /// @param scale of the positions, to whose rounding the solution is found
 /// @return whether it converged
 [[nodiscard]] bool solve_all(const FactoredCompliance& compliance, const EdgeLaw& law, const std::vector<double>& q,
+                             double scale, const Poll& poll, std::vector<double>& closure);
+
+/// The same for a compliance that need not be symmetric, as where friction that slides moves what it slides on. Where
+/// its symmetric part is not positive definite, there need not be a solution, nor only one.
+[[nodiscard]] bool solve_all(const Eigen::MatrixXd& compliance, const EdgeLaw& law, const std::vector<double>& q,
                              double scale, const Poll& poll, std::vector<double>& closure);
 
 }  // namespace stoss

@@ -1,0 +1,117 @@
+#include "bodies/sphere/along.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <memory>
+#include <utility>
+
+#include "bodies/kept_sums.hpp"
+#include "bodies/sphere/degree_sums.hpp"
+#include "bodies/sphere/mode_search.hpp"
+#include "bodies/sphere/surface_points.hpp"
+#include "bodies/sphere/toroidal.hpp"
+#include "contact/unit_ratios.hpp"
+
+namespace stoss::bodies::sphere {
+namespace {
+
+/// The same rows P_n as along the axis. A wave that runs out from a ring meets it, on average over its direction, with
+/// ½ of its displacement along the meridian and ½ across, where only shear waves go.
+Surface surface_along(double poisson, std::size_t rows, const ContactPoints& points) {
+  const WaveSpeeds speed = wave_speeds(poisson);
+  Surface surface = axial_surface(poisson, rows, points);
+  for (std::size_t i = 0; i < points.count; ++i) {
+    const double theta = ring_angle(points, i), cosine = std::cos(theta), sine = std::sin(theta);
+    const double slowness = sine * sine / speed.pressure + (cosine * cosine + 1.0) / speed.shear;
+    surface.impedance[i] = surface.measure[i] / (0.5 * slowness);
+  }
+  return surface;
+}
+
+std::vector<ModeGroup> groups_along(const std::vector<ModeGroup>& axial, const std::vector<ToroidalMode>& toroidal) {
+  std::vector<ModeGroup> groups;
+  for (ModeGroup group : axial) {
+    if (group.order == 0) continue;
+    const AlongShare share = along_share(group.order);
+    for (double& weight : group.upper) weight *= share.upper;
+    for (double& weight : group.lower) weight *= share.lower;
+    groups.push_back(std::move(group));
+  }
+  for (const ToroidalMode& mode : toroidal) {
+    const double n = mode.order;
+    const auto row = static_cast<std::size_t>(mode.order);
+    if (mode.index == 0) {
+      groups.push_back({mode.order, {}, {}, {}, row, row, {}, n});
+    }
+    groups.back().omega.push_back(mode.omega);
+    groups.back().upper.push_back(mode.amplitude * std::sqrt(0.5 * n * (n + 1.0)));
+    groups.back().lower.push_back(0.0);
+  }
+  return groups;
+}
+
+/// W and V along the surface of the modes that are not kept.
+class ResidualAlong {
+ public:
+  ResidualAlong(double poisson, double cutoff, const std::vector<Mode>& kept, const std::vector<ToroidalMode>& toroidal)
+      : poisson_(poisson), highest_degree_(static_cast<int>(std::lround(8.0 * cutoff))), kept_(kept) {
+    for (const ToroidalMode& mode : toroidal) {
+      const auto n = static_cast<std::size_t>(mode.order);
+      compliance_.resize(n + 1);
+      second_moment_.resize(n + 1);
+      const double square = mode.amplitude / mode.omega;
+      compliance_[n] += square * square;
+      second_moment_[n] += square * square / (mode.omega * mode.omega);
+    }
+  }
+
+  [[nodiscard]] std::vector<double> compliance(const ContactPoints& points, const Poll& poll) const {
+    std::vector<double> toroidal;
+    for (const double kept : compliance_) toroidal.push_back(-kept);
+    return sum_over_degrees({{poisson_, true, kept_.missing_compliance()}, true, std::move(toroidal)}, points, poll);
+  }
+
+  [[nodiscard]] std::vector<double> second_moment(const ContactPoints& points, const Poll& poll) const {
+    const auto whole = [this](int n) { return static_second_moment(poisson_, n); };
+    std::vector<double> toroidal{0.0};
+    for (int n = 1; n <= highest_degree_; ++n) toroidal.push_back(toroidal_second_moment(poisson_, n));
+    for (std::size_t n = 1; n < std::min(toroidal.size(), second_moment_.size()); ++n) {
+      toroidal[n] -= second_moment_[n];
+    }
+    return sum_over_degrees(
+        {{poisson_, false, kept_.remaining_second_moment(highest_degree_, whole)}, true, std::move(toroidal)}, points,
+        poll);
+  }
+
+ private:
+  double poisson_;
+  int highest_degree_;  // in the second moment
+  KeptSums kept_;
+  std::vector<double> compliance_, second_moment_;  // of the kept toroidal modes, by degree
+};
+
+}  // namespace
+
+Body along(const Body& body, double poisson, const std::vector<Mode>& modes, const Poll& poll) {
+  const std::vector<ToroidalMode> toroidal = toroidal_modes(poisson, kept_cutoff(body), poll);
+  Body twin = body;
+  twin.softness = softness_along(poisson);
+  twin.stable_step = std::numeric_limits<double>::infinity();  // that of the body is smaller
+  twin.groups = groups_along(body.groups, toroidal);
+  const auto residual = std::make_shared<const ResidualAlong>(poisson, body.cutoff, modes, toroidal);
+  twin.surface = [poisson, rows = shape_rows(twin)](const ContactPoints& points) {
+    return surface_along(poisson, rows, points);
+  };
+  twin.residual_compliance = [residual](const ContactPoints& points, const Poll& heed) {
+    return residual->compliance(points, heed);
+  };
+  twin.residual_second_moment = [residual](const ContactPoints& points, const Poll& heed) {
+    return residual->second_moment(points, heed);
+  };
+  twin.along = nullptr;
+  return twin;
+}
+
+}  // namespace stoss::bodies::sphere

@@ -1,0 +1,173 @@
+#include "contact/sided/sided_contact.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "contact/edge/edge_newton.hpp"
+#include "contact/landing.hpp"
+#include "stoss/errors.hpp"
+
+namespace stoss {
+
+using Eigen::Index;
+using Eigen::VectorXd;
+
+namespace {
+
+constexpr std::size_t remembered = 6;
+
+/// The law of both sides, each with half of the force.
+EdgeLaw of_both_sides(EdgeLaw law) {
+  for (double& each : law.force) each *= 0.5;
+  for (auto* array : {&law.force, &law.gap}) {
+    const std::vector<double> side = *array;
+    array->insert(array->end(), side.begin(), side.end());
+  }
+  return law;
+}
+
+std::vector<double> values(const Eigen::MatrixXd& matrix) { return {matrix.data(), matrix.data() + matrix.size()}; }
+
+Index at(std::size_t i) { return static_cast<Index>(i); }
+
+}  // namespace
+
+SidedContact::SidedContact(SidedCompliance compliance, const EdgeLaw& law, double friction, double ratio,
+                           const Poll& poll)
+    : compliance_(std::move(compliance)),
+      along_(values(compliance_.yy)),
+      law_(of_both_sides(law)),
+      coefficient_(friction),
+      ratio_(ratio),
+      poll_(poll),
+      coulomb_(law_.gap.size()),
+      anderson_(remembered),
+      force_(VectorXd::Zero(compliance_.xx.rows())),
+      friction_(force_),
+      closure_(law_.gap.size()),
+      give_(law_.gap.size()),
+      free_(law_.gap.size()),
+      limit_(law_.gap.size()),
+      q_(law_.gap.size()) {}
+
+std::size_t SidedContact::extent() const {
+  const std::size_t points = closure_.size() / 2;
+  std::size_t end = points;
+  while (end > 0 && force_(at(end - 1)) == 0.0 && force_(at(points + end - 1)) == 0.0) --end;
+  return end;
+}
+
+double SidedContact::half_width() const {
+  constexpr double excess = 0.18;  // as EdgeContact has it
+  double sum = 0.0;
+  for (const double closure : closure_) sum += 0.5 * std::clamp(closure, 0.0, 1.0);
+  return std::max(0.0, sum - excess);
+}
+
+void SidedContact::follow(double before, double now, double step) {
+  if (law_.loss_time == 0.0) return;
+  constexpr double least = 1e-6;
+  const double left = std::max(now, least * std::abs(before));
+  law_.recede(now < before ? 0.5 * std::max(half_width(), 0.5) * (before - now) / (left * step) : 0.0);
+}
+
+/// Largest position or gap of the nodes that feel the law; 0 if none does.
+double SidedContact::reached(const VectorXd& x) const {
+  double scale = 0.0;
+  for (std::size_t i = 0; i < closure_.size(); ++i) {
+    const double gap = law_.opening * law_.gap[i];
+    if (x(at(i)) > -gap) scale = std::max({scale, x(at(i)), gap});
+  }
+  return scale;
+}
+
+void SidedContact::solve(const VectorXd& x, const VectorXd& y) {
+  if (!x.allFinite() || !y.allFinite()) {
+    throw NotConverged("contact: the position of a node is not a finite number (use a smaller step)");
+  }
+  if (reached(x) == 0.0) {
+    force_.setZero();
+    friction_.setZero();
+    gap_ = -x;
+    for (std::size_t i = 0; i < closure_.size(); ++i) closure_[i] = law_.free_closure(i, -x(at(i)));
+    return;
+  }
+  if (gap_.size() == 0) gap_ = -x;
+  if (!alternate(x, y, Sliding::with_force) && !alternate(x, y, Sliding::apart)) {
+    throw NotConverged(
+        "friction: no forces at the nodes obey the laws of contact and of friction (Coulomb's law is ill-posed for so "
+        "much of it between unlike bodies)");
+  }
+  force_ = new_force_;
+  friction_ = new_friction_;
+  gap_ = new_gap_;
+  closure_ = new_closure_;
+}
+
+/// Solves the normal problem with the friction that is tried.
+bool SidedContact::press(const VectorXd& x, double scale) {
+  const VectorXd position = x - compliance_.xy * held_;
+  const std::vector<double> q(position.data(), position.data() + position.size());
+  for (std::size_t i = 0; i < q.size(); ++i) {
+    if (!(new_closure_[i] > 0.0)) new_closure_[i] = law_.free_closure(i, -q[i]);
+  }
+  if (solve_all(matrix_, law_, q, scale, poll_, new_closure_)) return true;
+  for (std::size_t i = 0; i < q.size(); ++i) new_closure_[i] = std::min(0.5, law_.free_closure(i, -q[i]));
+  return solve_all(matrix_, law_, q, scale, poll_, new_closure_);
+}
+
+/// Solves Coulomb's law under the forces.
+void SidedContact::rub(const VectorXd& x, const VectorXd& y) {
+  new_gap_ = compliance_.xx * new_force_ + compliance_.xy * used_ - x;
+  for (std::size_t i = 0; i < closure_.size(); ++i) {
+    const Index k = at(i);
+    if (new_closure_[i] > 0.0) new_gap_(k) = law_.gap_at(i, new_closure_[i]);
+    give_[i] = landing_give(ratio_, new_gap_(k), gap_(k), new_force_(k), force_(k));
+    limit_[i] = coefficient_ * new_force_(k);
+    q_[i] = friction_(k);
+  }
+  VectorXd::Map(free_.data(), y.size()) = y - compliance_.xy.transpose() * new_force_;
+  coulomb_.solve(along_, give_, free_, limit_.data(), q_);
+  new_friction_ = VectorXd::Map(q_.data(), y.size());
+}
+
+bool SidedContact::alternate(const VectorXd& x, const VectorXd& y, Sliding sliding) {
+  constexpr double tolerance = 1e-10;
+  const int most = sliding == Sliding::with_force ? 120 : 300;
+  const double share = sliding == Sliding::with_force ? 1.0 : 0.5;
+  const double scale = reached(x);
+  new_closure_ = closure_;
+  std::vector<int> states = coulomb_.sliding();
+  VectorXd trial = friction_;
+  anderson_.forget();
+  for (int round = 0; round < most; ++round) {
+    held_ = trial;
+    matrix_ = compliance_.xx;
+    if (sliding == Sliding::with_force) {
+      for (std::size_t j = 0; j < states.size(); ++j) {
+        if (states[j] == 0) continue;
+        held_(at(j)) = 0.0;
+        matrix_.col(at(j)) += coefficient_ * states[j] * compliance_.xy.col(at(j));
+      }
+    }
+    if (!press(x, scale)) return false;
+    new_force_.resize(x.size());
+    for (std::size_t i = 0; i < states.size(); ++i) new_force_(at(i)) = law_.force_at(i, new_closure_[i]);
+    used_ = held_;
+    if (sliding == Sliding::with_force) {
+      for (std::size_t j = 0; j < states.size(); ++j) {
+        if (states[j] != 0) used_(at(j)) = coefficient_ * states[j] * new_force_(at(j));
+      }
+    }
+    rub(x, y);
+    const VectorXd miss = new_friction_ - used_;
+    if (miss.cwiseAbs().maxCoeff() <= tolerance * coefficient_ * new_force_.maxCoeff()) return true;
+    if (sliding == Sliding::with_force && coulomb_.sliding() != states) anderson_.forget();
+    states = coulomb_.sliding();
+    trial = anderson_.next(used_, miss, share);
+  }
+  return false;
+}
+
+}  // namespace stoss

@@ -1,0 +1,80 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <cstddef>
+#include <vector>
+
+#include "contact/edge/edge_law.hpp"
+#include "contact/friction.hpp"
+#include "contact/sided/anderson.hpp"
+#include "contact/sided/sided_compliance.hpp"
+#include "stoss/poll.hpp"
+
+namespace stoss {
+
+/// The contact problem of a step for surfaces in which normal force and friction each move the other's direction, with
+/// points on both sides of the axis: forces f ≥ 0 and friction q such that
+///
+///   g = xx f + xy q − x                              obey the edge law with f,
+///   r = y − yy q − xyᵀ f − D (q − q_before)          Coulomb's law with |q| ≤ μ f (Friction).
+///
+/// One is solved after the other till nothing changes. The friction of sliding nodes, ±μ f, is taken into the matrix of
+/// the normal problem: Newton's method for it exists at any μ while all slide to one side, and the iteration is over at
+/// once. What the stuck nodes carry is accelerated (Anderson). Where μ times the coupling exceeds about 1 there may be
+/// no solution, or more than one: Coulomb's law is then ill-posed.
+class SidedContact {
+ public:
+  /// @param law   of the points of one side, of a force that both sides share
+  /// @param ratio local softness along the surface over that along the normal
+  SidedContact(SidedCompliance compliance, const EdgeLaw& law, double friction, double ratio, const Poll& poll);
+
+  /// Solves one step, from the last one.
+  /// @param x positions beyond the plane of contact without the forces of this step
+  /// @param y slips without its friction
+  /// @throws NotConverged if no forces are found that obey both laws
+  void solve(const Eigen::VectorXd& x, const Eigen::VectorXd& y);
+
+  /// Tells the law of a lossy contact how the foremost points have moved in a step, before it is solved.
+  void follow(double before, double now, double step);
+
+  [[nodiscard]] const Eigen::VectorXd& force() const { return force_; }
+  [[nodiscard]] const Eigen::VectorXd& friction() const { return friction_; }
+
+  /// Number of leading points of a side beyond which the last forces of both vanish.
+  [[nodiscard]] std::size_t extent() const;
+
+  /// Half-width of the last contact in spacings, the mean of both sides.
+  [[nodiscard]] double half_width() const;
+
+  [[nodiscard]] const Eigen::MatrixXd& xx() const { return compliance_.xx; }
+
+  /// Displacements that the last forces make.
+  [[nodiscard]] Eigen::VectorXd moved_x() const { return compliance_.xx * force_ + compliance_.xy * friction_; }
+  [[nodiscard]] Eigen::VectorXd moved_y() const {
+    return compliance_.xy.transpose() * force_ + compliance_.yy * friction_;
+  }
+
+ private:
+  /// Where the friction of sliding nodes is.
+  enum class Sliding { with_force, apart };
+  [[nodiscard]] bool alternate(const Eigen::VectorXd& x, const Eigen::VectorXd& y, Sliding sliding);
+  [[nodiscard]] bool press(const Eigen::VectorXd& x, double scale);
+  void rub(const Eigen::VectorXd& x, const Eigen::VectorXd& y);
+  [[nodiscard]] double reached(const Eigen::VectorXd& x) const;
+
+  SidedCompliance compliance_;
+  std::vector<double> along_;  // yy, by rows
+  EdgeLaw law_;
+  double coefficient_, ratio_;
+  Poll poll_;
+  Friction coulomb_;
+  Anderson anderson_;
+  Eigen::VectorXd force_, friction_, gap_;  // of the last step
+  std::vector<double> closure_;
+  Eigen::MatrixXd matrix_;                              // of the normal problem
+  Eigen::VectorXd held_, used_;                         // friction that is tried: of stuck nodes; of all
+  Eigen::VectorXd new_force_, new_friction_, new_gap_;  // of this step
+  std::vector<double> new_closure_, give_, free_, limit_, q_;
+};
+
+}  // namespace stoss

@@ -1,0 +1,64 @@
+#include "impact/coupled_impact.hpp"
+
+#include <algorithm>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "contact/demands.hpp"
+#include "impact/inputs.hpp"
+#include "impact/oblique_collision.hpp"
+#include "impact/recommended.hpp"
+#include "stoss/contact/grid.hpp"
+#include "stoss/errors.hpp"
+
+namespace stoss {
+namespace {
+
+/// One run; empty if the contact outgrew the grid.
+std::optional<ObliqueImpact> run_coupled(const Contact& contact, const std::vector<Contact>& along,
+                                         const ObliqueFrame& frame, const Obliquity& obliquity,
+                                         const FixedResolution& resolution, const ImpactOptions& options) {
+  const ContactGrid grid = contact_grid(contact, resolution.half_width, resolution.nodes);
+  ObliqueCollision collision(contact, along, resolution, grid, frame, obliquity, options.start, options.poll);
+  const double flight = std::max(0.0, -collision.compression()) + 4.0 * collision.clearance();
+  double steps = (longest_duration(contact) + flight / frame.speed) / resolution.step;
+  for (long step = 1; !collision.over(); ++step) {
+    if (static_cast<double>(step) > steps) steps += collision.steps_to_leave();
+    if (static_cast<double>(step) > std::min(steps, most_steps)) {
+      throw NotConverged("impact: the contact has not ended after " + std::to_string(step) + " steps");
+    }
+    if (options.poll) options.poll();
+    collision.advance();
+    if (!collision.overflows()) continue;
+    if (resolution.half_width < greatest_half_width(contact)) return std::nullopt;
+    throw NotConverged("impact: the contact spreads over the whole body (speed too high for this model)");
+  }
+  return collision.result();
+}
+
+}  // namespace
+
+ObliqueImpact coupled_impact(const Contact& contact, const std::vector<Contact>& along, double speed,
+                             const Obliquity& obliquity, const ImpactOptions& options) {
+  FixedResolution resolution = fixed_resolution(contact, speed, options.resolution);
+  if (contact.mass != contact.whole_mass) {
+    throw InvalidInput("friction: got '" + name(contact) +
+                       "', allowed bodies that are there as a whole (what is beyond a near side would turn, too)");
+  }
+  if (resolution.tail != Tail::radiating) {
+    throw InvalidInput("tail: got the static one with friction, allowed the radiating one (friction flutters on it)");
+  }
+  if (options.start) require_start(*options.start, speed);
+  const ObliqueFrame frame(contact, speed, options);
+  std::optional<ObliqueImpact> result = run_coupled(contact, along, frame, obliquity, resolution, options);
+  while (!result) {
+    resolution = widened(contact, resolution);
+    result = run_coupled(contact, along, frame, obliquity, resolution, options);
+  }
+  require_resolved(result->energy_error);
+  show_inputs(contact, speed, resolution, options, result->normal);
+  return std::move(*result);
+}
+
+}  // namespace stoss

@@ -1,0 +1,19 @@
+#pragma once
+
+#include "stoss/impact/impact.hpp"
+
+namespace stoss {
+
+inline constexpr double most_steps = 5e7;  ///< of an impact
+
+/// @throws InvalidInput for a start that is not of this speed, or not finite
+void require_start(const State& start, double speed);
+
+/// @throws NotConverged for an error of the energy with which the motion is not resolved in time and means nothing
+void require_resolved(double energy_error);
+
+/// Fills what an impact is told by, and whether it is beyond small strain.
+void show_inputs(const Contact& contact, double speed, const FixedResolution& resolution, const ImpactOptions& options,
+                 Impact& impact);
+
+}  // namespace stoss

@@ -1,0 +1,106 @@
+#include "impact/oblique_frame.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "check.hpp"
+#include "contact/unit_ratios.hpp"
+#include "stoss/errors.hpp"
+
+namespace stoss {
+
+ObliqueFrame::ObliqueFrame(const Contact& contact, double speed_towards, const ImpactOptions& options)
+    : speed(speed_towards), mass(contact.mass), normal_energy(0.5 * mass * speed * speed) {
+  for (int number = 0; number < 2; ++number) {
+    const auto body = body_of(contact, number);
+    if (body == nullptr) break;
+    const UnitRatios units = units_of(contact, number);
+    const auto k = static_cast<std::size_t>(number);
+    radius[k] = body->extent * units.length;
+    inertia[k] = body->inertia * units.mass * units.length * units.length;
+  }
+  if (!options.start) return;
+  const std::vector<double> energies = mode_energies(contact, *options.start);
+  normal_energy = std::accumulate(energies.begin(), energies.end(), normal_energy);
+}
+
+void ObliqueFrame::require(const Obliquity& obliquity) const {
+  constexpr Range along{-1.0, 1.0, true, true, "-1 to 1"};
+  stoss::require("tangential", obliquity.tangential, along, "velocity along the surface in c");
+  stoss::require("friction", obliquity.friction, {0.0, most_friction, true, true, "0 to 5"},
+                 "coefficient of Coulomb's law");
+  const std::array spins{std::pair{"spin", obliquity.spin}, std::pair{"second_spin", obliquity.second_spin}};
+  for (std::size_t k = 0; k < spins.size(); ++k) {
+    const auto& [name, spin] = spins[k];
+    if (inertia[k] > 0.0) {
+      stoss::require(name, spin * radius[k], along, "of the body, times its radius in that of the first, in c");
+    } else if (spin != 0.0) {
+      throw InvalidInput(std::string(name) + ": got " + shown(spin) +
+                         ", allowed only 0 (there is no such body, or it does not turn)");
+    }
+  }
+}
+
+double ObliqueFrame::initial_energy(const Obliquity& before) const {
+  return normal_energy + 0.5 * mass * before.tangential * before.tangential +
+         0.5 * inertia[0] * before.spin * before.spin + 0.5 * inertia[1] * before.second_spin * before.second_spin;
+}
+
+AlongOutcome ObliqueFrame::unchanged(const Obliquity& obliquity) {
+  AlongOutcome same;
+  same.tangential = obliquity.tangential;
+  same.spin = {obliquity.spin, obliquity.second_spin};
+  return same;
+}
+
+ObliqueImpact ObliqueFrame::joined(Impact normal, const Obliquity& before, const AlongOutcome& after) const {
+  ObliqueImpact result;
+  result.before = before;
+  result.restitution = normal.restitution;
+  result.sliding = sliding(before.tangential, before.spin, before.second_spin);
+  result.sliding_after = sliding(after.tangential, after.spin[0], after.spin[1]);
+  result.tangential_restitution =
+      result.sliding != 0.0 ? -result.sliding_after / result.sliding : std::numeric_limits<double>::quiet_NaN();
+  result.tangential_after = after.tangential;
+  result.spin_after = after.spin[0];
+  result.second_spin_after = after.spin[1];
+  result.impulse = after.impulse / mass;
+
+  const std::array spin{before.spin, before.second_spin};
+  const auto rotation = [&](std::size_t k, double at) { return 0.5 * inertia[k] * at * at; };
+  const double initial = initial_energy(before);
+  const double scale = speed + std::abs(result.sliding);
+  result.momentum_error = std::abs(after.impulse + mass * (after.tangential - before.tangential)) / (mass * scale);
+  for (std::size_t k = 0; k < spin.size() && inertia[k] > 0.0; ++k) {
+    const double left = std::abs(after.moment[k] + inertia[k] * (after.spin[k] - spin[k]));
+    result.angular_momentum_error = std::max(result.angular_momentum_error, left * radius[k] / (inertia[k] * scale));
+  }
+
+  const EnergyLedger& own = normal.energy;
+  const double share = normal_energy / initial;
+  double second = 0.0;
+  for (const ModeEnergy& mode : own.modes) second += mode.body == 1 ? mode.after : 0.0;
+  ObliqueLedger& ledger = result.energy;
+  ledger.translation = share * own.translation;
+  ledger.across = 0.5 * mass * after.tangential * after.tangential / initial;
+  ledger.rotation = rotation(0, after.spin[0]) / initial;
+  ledger.second_rotation = rotation(1, after.spin[1]) / initial;
+  ledger.vibration = share * (own.vibration - second) + after.vibration[0] / initial;
+  ledger.second_vibration = share * second + after.vibration[1] / initial;
+  ledger.dissipated = share * own.dissipated + after.dissipated / initial;
+  ledger.friction = after.friction / initial;
+  ledger.unresolved = share * own.unresolved + after.unresolved / initial;
+  ledger.stored = share * own.stored + after.stored / initial;
+  result.energy_error = 1.0 - ledger.translation - ledger.across - ledger.rotation - ledger.second_rotation -
+                        ledger.vibration - ledger.second_vibration - ledger.dissipated - ledger.friction -
+                        ledger.unresolved - ledger.stored;
+  result.normal = std::move(normal);
+  return result;
+}
+
+}  // namespace stoss

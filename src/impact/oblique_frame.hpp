@@ -1,0 +1,49 @@
+#pragma once
+
+#include <array>
+
+#include "stoss/contact/contact.hpp"
+#include "stoss/impact/oblique.hpp"
+
+namespace stoss {
+
+/// What the motion along the surface has come to, in units of the first body.
+struct AlongOutcome {
+  double tangential = 0.0;         ///< v_t′
+  std::array<double, 2> spin{};    ///< Ω′ of each body
+  double impulse = 0.0;            ///< ∫ Σq dt
+  std::array<double, 2> moment{};  ///< ∫ Σq arm dt about the centre of each body
+  // Energies.
+  std::array<double, 2> vibration{};
+  double dissipated = 0.0, friction = 0.0, unresolved = 0.0, stored = 0.0;
+};
+
+/// What moves along the surface besides the modes, in units of the first body.
+struct ObliqueFrame {
+  double speed;                     ///< v_n
+  double mass;                      ///< μ_r
+  std::array<double, 2> inertia{};  ///< I of each body; 0: it does not turn
+  std::array<double, 2> radius{};   ///< R of each body
+  double normal_energy;             ///< at the start, of the motion along the normal and of the vibration
+
+  ObliqueFrame(const Contact& contact, double speed, const ImpactOptions& options);
+
+  /// @throws InvalidInput for a motion along the surface, or a friction, out of range
+  void require(const Obliquity& obliquity) const;
+
+  /// s
+  [[nodiscard]] double sliding(double tangential, double spin, double second_spin) const {
+    return tangential + spin * radius[0] + second_spin * radius[1];
+  }
+
+  /// Of all motion and of the vibration.
+  [[nodiscard]] double initial_energy(const Obliquity& before) const;
+
+  /// The motion along the surface as it was, as without friction.
+  [[nodiscard]] static AlongOutcome unchanged(const Obliquity& obliquity);
+
+  /// Both motions as one impact, where they do not act on each other.
+  [[nodiscard]] ObliqueImpact joined(Impact normal, const Obliquity& before, const AlongOutcome& after) const;
+};
+
+}  // namespace stoss

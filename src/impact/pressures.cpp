@@ -1,0 +1,27 @@
+#include "impact/pressures.hpp"
+
+#include "contact/landing.hpp"
+
+namespace stoss {
+
+void Pressures::add(const std::vector<double>& force, const ContactResponse& response) {
+  const bool first = force_before_.empty();
+  nodes_ = force.size();
+  force_before_.resize(nodes_);
+  gap_before_.resize(nodes_);
+  const bool pushes = response.extent() > 0;
+  const bool kept = pushes || steps() > 0;
+  for (std::size_t i = 0; i < nodes_; ++i) {
+    const double now = i < response.extent() ? force[i] : 0.0, gap = response.gap(i);
+    if (kept) {
+      force_.push_back(now);
+      give_.push_back(first ? 0.0 : landing_give(1.0, gap, gap_before_[i], now, force_before_[i]));
+    }
+    force_before_[i] = now;
+    gap_before_[i] = gap;
+  }
+  if (kept) extent_.push_back(response.extent());
+  if (pushes) last_ = steps();
+}
+
+}  // namespace stoss

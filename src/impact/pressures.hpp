@@ -1,0 +1,44 @@
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "contact/response.hpp"
+#include "stoss/impact/impact.hpp"
+
+namespace stoss {
+
+/// What the nodes of a contact feel along the normal, step by step from the first force on: the limit of their friction
+/// and the share that the edge law has in their motion along the surface.
+class Pressures {
+ public:
+  /// Adds a step. @param force of each node
+  void add(const std::vector<double>& force, const ContactResponse& response);
+
+  /// Forgets the steps behind the last force.
+  void end_with_contact() { force_.resize(last_ * nodes_), give_.resize(last_ * nodes_), extent_.resize(last_); }
+
+  [[nodiscard]] std::size_t steps() const { return extent_.size(); }
+
+  /// Of all nodes in a step.
+  [[nodiscard]] const double* force(std::size_t step) const { return &force_[step * nodes_]; }
+
+  /// Number of leading nodes beyond which the forces of a step vanish.
+  [[nodiscard]] std::size_t extent(std::size_t step) const { return extent_[step]; }
+
+  /// D of all nodes in a step, where both directions are equally soft (landing_give).
+  [[nodiscard]] const double* give(std::size_t step) const { return &give_[step * nodes_]; }
+
+ private:
+  std::size_t nodes_ = 0;
+  std::size_t last_ = 0;  // steps up to the last force
+  std::vector<double> force_, give_;
+  std::vector<std::size_t> extent_;
+  std::vector<double> force_before_, gap_before_;  // of each node in the step before
+};
+
+/// As the public one. @param pressures receives what the nodes feel; null: nothing does
+[[nodiscard]] Impact impact(const Contact& contact, double speed, const ImpactOptions& options,
+                            const Observation& observation, Pressures* pressures);
+
+}  // namespace stoss

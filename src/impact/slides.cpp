@@ -1,0 +1,244 @@
+// The motion along the surface under the pressures of a normal impact, by the same kick–rotate–kick. All of it is
+// divided by the coefficient of friction, so that the pressures themselves are the limits of friction.
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <numeric>
+#include <utility>
+#include <vector>
+
+#include "contact/along.hpp"
+#include "contact/friction.hpp"
+#include "contact/residual/residuals.hpp"
+#include "contact/response.hpp"
+#include "contact/touch.hpp"
+#include "contact/unit_ratios.hpp"
+#include "impact/kept_modes.hpp"
+#include "impact/oblique_frame.hpp"
+#include "impact/pressures.hpp"
+#include "numeric/kernels.hpp"
+#include "stoss/contact/grid.hpp"
+#include "stoss/errors.hpp"
+#include "stoss/impact/oblique.hpp"
+
+namespace stoss {
+namespace {
+
+using Values = std::vector<double>;
+
+Contact contact_along(const Contact& contact, const Poll& poll) {
+  std::vector<Contact> along = contacts_along(contact, poll);
+  if (along.size() == 1) return std::move(along.front());
+  throw InvalidInput("slides: got '" + name(contact) +
+                     "', allowed bodies whose motions along the normal and along the surface do not act on each other, "
+                     "as spheres (compute each oblique impact by itself)");
+}
+
+ResidualMotion::Inertia inertia_of(Tail tail) {
+  return tail == Tail::radiating ? ResidualMotion::Inertia::all : ResidualMotion::Inertia::none;
+}
+
+Kicks kicks_of(const Contact& contact, Tail tail) {
+  return follows_at_once(contact, tail) ? Kicks::weaker : Kicks::whole;
+}
+
+}  // namespace
+
+struct Slides::Parts {
+  Impact normal;
+  ObliqueFrame frame;
+  Pressures pressures;
+  double step;
+  Contact along;
+  std::array<Values, 2> arm;  // of friction at each node about the centre of each body that turns
+  double ratio;               // of softness along the surface to that along the normal
+  // At rest.
+  KeptModes modes;
+  Residuals residuals;
+  Values compliance;
+
+  static Parts of(const Contact& contact, double speed, const ImpactOptions& options) {
+    // Refuse at once what has no answer along its surface.
+    Contact along = contact_along(contact, options.poll);
+    Pressures pressures;
+    Impact normal = impact(contact, speed, options, {}, &pressures);
+    if (longest_loss_time(contact) == 0.0) pressures.end_with_contact();
+    const FixedResolution& resolution = normal.resolution;
+    const ContactGrid across = contact_grid(contact, resolution.half_width, resolution.nodes);
+    const ContactGrid grid = contact_grid(along, across.points);
+    const double step = resolution.step, ratio = touch(along).softness / touch(contact).softness;
+    const Residuals residuals(along, grid, inertia_of(resolution.tail), step, options.poll);
+    return {std::move(normal),
+            ObliqueFrame(contact, speed, options),
+            std::move(pressures),
+            step,
+            along,
+            arms(contact, across.points),
+            ratio,
+            KeptModes(along, grid, step, kicks_of(along, resolution.tail)),
+            residuals,
+            residuals.compliance()};
+  }
+
+  static std::array<Values, 2> arms(const Contact& contact, const ContactPoints& points) {
+    std::array<Values, 2> arms;
+    for (int number = 0; number < 2; ++number) {
+      const auto body = body_of(contact, number);
+      Values& arm = arms[static_cast<std::size_t>(number)];
+      arm.resize(points.count);
+      if (body == nullptr || body->inertia == 0.0) continue;
+      const UnitRatios units = units_of(contact, number);
+      const Surface surface = body->surface(seen_by(points, units));
+      for (std::size_t i = 0; i < arm.size(); ++i) arm[i] = (body->extent - surface.recess[i]) * units.length;
+    }
+    return arms;
+  }
+};
+
+namespace {
+
+/// One motion along the surface.
+template <typename Parts>
+class Slide {
+ public:
+  Slide(const Parts& parts, const AlongOutcome& start)
+      : parts_(parts),
+        modes_(parts.modes),
+        residuals_(parts.residuals),
+        friction_(nodes()),
+        tangential_(start.tangential),
+        spin_(start.spin),
+        force_(nodes()),
+        force_before_(nodes()),
+        place_(nodes()),
+        give_(nodes()),
+        free_(nodes()),
+        displacement_(nodes()),
+        moved_(nodes()) {}
+
+  void advance(std::size_t step) {
+    kick();
+    centre_ += tangential_ * parts_.step;
+    for (std::size_t k = 0; k < 2; ++k) turned_[k] += spin_[k] * parts_.step;
+    modes_.advance();
+    Values place = kept_place();
+    const Values& rest = residuals_.predict();
+    const double* give = parts_.pressures.give(step);
+    for (std::size_t i = 0; i < nodes(); ++i) {
+      free_[i] = place[i] - rest[i] - place_[i];
+      give_[i] = parts_.ratio * give[i];
+    }
+    force_before_ = force_;
+    const std::size_t touching = parts_.pressures.extent(step);
+    friction_.solve(parts_.compliance, give_, free_, parts_.pressures.force(step), force_);
+    numeric::kernels::multiply_transposed(parts_.compliance.data(), nodes(), touching, 0, nodes(), force_.data(),
+                                          moved_.data());
+    for (std::size_t i = 0; i < nodes(); ++i) {
+      moved_[i] += rest[i];
+      place[i] -= moved_[i];
+      const double mean = 0.5 * (force_before_[i] + force_[i]);
+      work_ += mean * (moved_[i] - displacement_[i]);
+      heat_ += mean * (place[i] - place_[i]);
+    }
+    displacement_.swap(moved_);
+    residuals_.move(displacement_, force_, touching);
+    place_.swap(place);
+    modes_.load(force_, touching);
+    kick();
+  }
+
+  [[nodiscard]] AlongOutcome outcome() const {
+    AlongOutcome after;
+    after.tangential = tangential_;
+    after.spin = spin_;
+    after.impulse = impulse_;
+    after.moment = moment_;
+    const Values energies = modes_.energies();
+    const auto second = energies.begin() + static_cast<std::ptrdiff_t>(mode_count(*parts_.along.first));
+    after.vibration = {std::accumulate(energies.begin(), second, 0.0), std::accumulate(second, energies.end(), 0.0)};
+    const auto [first_lost, second_lost] = residuals_.dissipated();
+    after.stored = residuals_.stored();
+    after.dissipated = modes_.dissipated(0, parts_.along.groups.size()) + first_lost + second_lost;
+    after.friction = heat_;
+    after.unresolved = work_ - first_lost - second_lost - after.stored;
+    return after;
+  }
+
+ private:
+  [[nodiscard]] std::size_t nodes() const { return parts_.arm[0].size(); }
+
+  /// Half a kick of the rigid motion.
+  void kick() {
+    const double half = 0.5 * parts_.step;
+    const double impulse = half * std::accumulate(force_.begin(), force_.end(), 0.0);
+    impulse_ += impulse;
+    tangential_ -= impulse / parts_.frame.mass;
+    for (std::size_t k = 0; k < 2; ++k) {
+      if (parts_.frame.inertia[k] == 0.0) continue;
+      const double moment = half * std::inner_product(force_.begin(), force_.end(), parts_.arm[k].begin(), 0.0);
+      moment_[k] += moment;
+      spin_[k] -= moment / parts_.frame.inertia[k];
+    }
+  }
+
+  /// Where the nodes would be without what is not kept.
+  Values kept_place() {
+    Values place(nodes());
+    for (std::size_t i = 0; i < nodes(); ++i) {
+      place[i] = centre_ + turned_[0] * parts_.arm[0][i] + turned_[1] * parts_.arm[1][i];
+    }
+    modes_.add_displacement(place);
+    return place;
+  }
+
+  const Parts& parts_;
+  KeptModes modes_;
+  Residuals residuals_;
+  Friction friction_;
+  double centre_ = 0.0, tangential_;       // place and velocity along y of the centres
+  std::array<double, 2> turned_{}, spin_;  // angle and spin of each body
+  Values force_, force_before_;            // q
+  Values place_;                           // of each node along y
+  Values give_, free_;                     // D; slip without friction
+  Values displacement_, moved_;            // u; the next one
+  double work_ = 0.0, heat_ = 0.0;         // ∫ q du, ∫ q dy
+  double impulse_ = 0.0;
+  std::array<double, 2> moment_{};
+};
+
+/// All but spins and velocities by one factor, those by its root.
+AlongOutcome times(double friction, AlongOutcome outcome) {
+  const double square = friction * friction;
+  for (double* each : {&outcome.tangential, &outcome.spin[0], &outcome.spin[1], &outcome.impulse, &outcome.moment[0],
+                       &outcome.moment[1]}) {
+    *each *= friction;
+  }
+  for (double* each : {&outcome.vibration[0], &outcome.vibration[1], &outcome.dissipated, &outcome.friction,
+                       &outcome.unresolved, &outcome.stored}) {
+    *each *= square;
+  }
+  return outcome;
+}
+
+}  // namespace
+
+Slides::Slides(const Contact& contact, double speed, const ImpactOptions& options)
+    : parts_(std::make_shared<const Parts>(Parts::of(contact, speed, options))) {}
+
+const Impact& Slides::normal() const { return parts_->normal; }
+
+ObliqueImpact Slides::after(const Obliquity& obliquity, const Poll& poll) const {
+  const Parts& parts = *parts_;
+  parts.frame.require(obliquity);
+  const AlongOutcome start = ObliqueFrame::unchanged(obliquity);
+  const double friction = obliquity.friction;
+  if (friction == 0.0) return parts.frame.joined(parts.normal, obliquity, start);
+  Slide slide(parts, times(1.0 / friction, start));
+  for (std::size_t step = 0; step < parts.pressures.steps(); ++step) {
+    if (poll) poll();
+    slide.advance(step);
+  }
+  return parts.frame.joined(parts.normal, obliquity, times(friction, slide.outcome()));
+}
+
+}  // namespace stoss
