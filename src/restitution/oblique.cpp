@@ -17,7 +17,7 @@
 namespace stoss {
 namespace {
 
-constexpr double unknown = std::numeric_limits<double>::infinity();
+constexpr double no_estimate = std::numeric_limits<double>::infinity();
 
 /// How runs refine, and what their differences mean.
 struct Plan {
@@ -93,20 +93,20 @@ void conclude(const Doubt& doubt, ObliqueRestitution& result) {
   const double of_nodes = friction * doubt.softness / (nodes * nodes);
   const auto estimate = [&](double ObliqueRun::*quantity, double before) {
     const double value = runs.back().*quantity;
-    if (runs.size() < 2) return Estimate{value, unknown};
+    if (runs.size() < 2) return Estimate{value, no_estimate};
     const double share = change == 0.0 ? 0.0 : std::abs((value - before) / change);
     return Estimate{value, std::max(spread(runs, doubt.plan.order, quantity), share * of_nodes)};
   };
   const Obliquity& before = result.before;
   result.restitution = {last.restitution,
-                        runs.size() < 2 ? unknown : spread(runs, doubt.plan.order, &ObliqueRun::restitution)};
+                        runs.size() < 2 ? no_estimate : spread(runs, doubt.plan.order, &ObliqueRun::restitution)};
   result.sliding_after = estimate(&ObliqueRun::sliding_after, last.sliding);
   result.tangential_after = estimate(&ObliqueRun::tangential_after, before.tangential);
   result.spin_after = estimate(&ObliqueRun::spin_after, before.spin);
   result.second_spin_after = estimate(&ObliqueRun::second_spin_after, before.second_spin);
   const auto share_of_energy = [&](double ObliqueRun::*quantity) {
     const double value = runs.back().*quantity;
-    if (runs.size() < 2) return Estimate{value, unknown};
+    if (runs.size() < 2) return Estimate{value, no_estimate};
     return Estimate{value, spread(runs, doubt.plan.order, quantity) + std::abs(runs.back().energy_error)};
   };
   result.friction_loss = share_of_energy(&ObliqueRun::friction_loss);
@@ -115,7 +115,7 @@ void conclude(const Doubt& doubt, ObliqueRestitution& result) {
     result.tangential_restitution = {-result.sliding_after.value / result.sliding,
                                      result.sliding_after.error / std::abs(result.sliding)};
   } else {
-    result.tangential_restitution = {0.0, unknown};
+    result.tangential_restitution = {0.0, no_estimate};
   }
   result.converged = runs.size() >= fewest_runs && result.sliding_after.error <= result.tolerance * scale_of(result);
 }
