@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "stoss/bodies/disk.hpp"
+#include "stoss/bodies/half_space.hpp"
 #include "stoss/bodies/rod.hpp"
 #include "stoss/bodies/sphere.hpp"
 #include "stoss/errors.hpp"
@@ -277,6 +278,32 @@ TEST(ObliqueSphere, MayVibrateBefore) {
   EXPECT_LT(its.momentum_error, 1e-13);
   EXPECT_LT(std::abs(its.energy_error), 1e-3);
   EXPECT_GT(its.energy.friction, 0.0);
+}
+
+TEST(ObliqueSphere, MeetsAHalfSpaceOfItsMaterialAsThePrototypeDoes) {
+  struct Case {
+    double speed, cutoff;
+    int nodes;
+    double duration, restitution;
+    std::array<double, 4> after;  // of ψ = 0.5, 1, 2, 3
+  };
+  for (const Case& its : {Case{1e-3, 4.0, 24, 40.0, 0.990571, {-0.0083, -0.1665, -0.9456, -1.4685}},
+                          Case{0.1, 8.0, 24, 11.0, 0.834804, {-0.1666, -0.4375, -1.1920, -1.4699}}}) {
+    const Body plane = half_space(HalfSpace{0.3}, its.cutoff, its.duration);
+    const Slides slides(contact(sphere(0.3, its.cutoff), plane), its.speed, rings(its.nodes, 0.5 / its.cutoff));
+    EXPECT_NEAR(slides.normal().restitution, its.restitution, 2e-6);
+    constexpr std::array before{0.5, 1.0, 2.0, 3.0};
+    for (std::size_t k = 0; k < before.size(); ++k) {
+      EXPECT_NEAR(psi_after(slides, 0.3, before[k]), its.after[k], 6e-5) << its.speed << ' ' << before[k];
+    }
+    const ObliqueImpact one = slides.after({its.speed, -its.speed, 0.0, 0.2});
+    EXPECT_LT(one.momentum_error, 1e-13);
+    EXPECT_LT(one.angular_momentum_error, 1e-13);
+    EXPECT_LT(std::abs(one.energy_error), 2e-4);
+    EXPECT_EQ(one.second_spin_after, 0.0);
+    EXPECT_GT(one.energy.second_vibration, 0.0);
+    test::expect_refusal([&] { (void)slides.after({0.0, 0.0, 0.01, 0.2}); }, {"second_spin"});
+  }
 }
 
 TEST(ObliqueImpact, RefusesWhatItCannotCompute) {
