@@ -6,6 +6,7 @@
 #include "stoss/bodies/disk.hpp"
 #include "stoss/bodies/rod.hpp"
 #include "stoss/bodies/sphere.hpp"
+#include "stoss/errors.hpp"
 #include "stoss/impact/oblique.hpp"
 #include "stoss/impact/vibration.hpp"
 #include "support/refusal.hpp"
@@ -199,6 +200,16 @@ TEST(ObliqueSphere, MayVibrateBefore) {
   EXPECT_LT(its.momentum_error, 1e-13);
   EXPECT_LT(std::abs(its.energy_error), 1e-3);
   EXPECT_GT(its.energy.friction, 0.0);
+}
+
+TEST(ObliqueImpact, RefusesStepsThatDoNotResolveTheContact) {
+  // A few steps in the contact with a sphere that is much smaller.
+  constexpr double cutoff = 3.25, radius = 0.036;
+  const Contact pair = contact(sphere(Sphere{0.0}, cutoff), sphere(Sphere{0.0, radius}, cutoff * radius));
+  const ImpactOptions coarse = rings(45, 0.5 / cutoff);
+  (void)impact(pair, 0.1, coarse);
+  EXPECT_THROW((void)oblique_impact(pair, 0.1, {0.0008, 0.0008, 0.05, 0.02}, coarse), NotConverged);
+  EXPECT_NO_THROW((void)oblique_impact(pair, 0.1, {0.0008, 0.0008, 0.05, 0.02}, rings(45, 0.005)));
 }
 
 TEST(ObliqueImpact, RefusesWhatItCannotCompute) {
