@@ -8,6 +8,7 @@
 #include "stoss/bodies/half_space.hpp"
 #include "stoss/bodies/sphere.hpp"
 #include "stoss/impact/oblique.hpp"
+#include "stoss/restitution/ladder.hpp"
 #include "support/refusal.hpp"
 #include "support/rings.hpp"
 
@@ -109,6 +110,19 @@ TEST(ObliqueSphere, MeetsAHalfSpaceOfItsMaterialAsThePrototypeDoes) {
     EXPECT_GT(one.energy.second_vibration, 0.0);
     test::expect_refusal([&] { (void)slides.after({0.0, 0.0, 0.01, 0.2}); }, {"second_spin"});
   }
+}
+
+TEST(ObliqueSphere, MeetsTheNearSideOfAHalfSpaceRigidOrNot) {
+  const BodyMaker ball = sphere(0.3), plane = half_space(HalfSpace{0.3});
+  const Contact slow = contact(ball, plane, 4.0, 1e-4);  // made for contacts that last so long
+  const ObliqueImpact elastic = oblique_impact(slow, 1e-4, {5e-5, 0.0, 0.0, 0.3});
+  const ObliqueImpact rigid =
+      oblique_impact(contact(stoss::rigid(ball), plane, 4.0, 1e-4), 1e-4, {5e-5, 0.0, 0.0, 0.3});
+  EXPECT_LT(std::abs(elastic.energy_error), 1e-4);
+  EXPECT_LT(std::abs(rigid.energy_error), 1e-4);
+  EXPECT_LT(rigid.restitution, elastic.restitution);
+  EXPECT_EQ(rigid.energy.vibration, 0.0);
+  EXPECT_GT(rigid.energy.second_vibration, elastic.energy.second_vibration);
 }
 
 }  // namespace
