@@ -4,14 +4,6 @@
 
 #include <algorithm>
 
-namespace {
-
-EM_JS(void, call_alive, (), {
-  if (Module["alive"]) Module["alive"]();
-});
-
-}  // namespace
-
 namespace stoss::web {
 
 using emscripten::typed_memory_view;
@@ -34,10 +26,7 @@ val float32_array(const std::vector<double>& values, double factor) {
   return val::global("Float32Array").new_(typed_memory_view(rounded.size(), rounded.data()));
 }
 
-std::vector<double> numbers(const val& array) {
-  if (array.isUndefined()) return {};
-  return emscripten::convertJSArrayToNumberVector<double>(array);
-}
+std::vector<double> numbers(const val& array) { return emscripten::convertJSArrayToNumberVector<double>(array); }
 
 void say_alive() {
   constexpr double pause = 250.0;  // ms
@@ -45,7 +34,7 @@ void say_alive() {
   const double now = emscripten_get_now();
   if (now - last < pause) return;
   last = now;
-  call_alive();
+  if (const val alive = val::module_property("alive"); !alive.isUndefined()) alive();
 }
 
 }  // namespace stoss::web

@@ -18,7 +18,7 @@ namespace stoss::web {
 /// A copy as Float32Array, each value times a factor.
 [[nodiscard]] emscripten::val float32_array(const std::vector<double>& values, double factor = 1.0);
 
-/// The numbers of an array or a typed array; none of what is undefined.
+/// The numbers of an array or a typed array.
 [[nodiscard]] std::vector<double> numbers(const emscripten::val& array);
 
 /// Tells the worker, some four times a second, that a long computation goes on: calls Module.alive, where it is.

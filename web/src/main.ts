@@ -4,10 +4,11 @@ import { createCurveChart } from './charts/curve_chart';
 import { createModeBars } from './charts/mode_bars';
 import { createTimeCharts } from './charts/time_charts';
 import { createCore } from './core/client';
-import { find } from './drawing/dom';
+import { find, messageOf } from './drawing/dom';
 import { fromAddress } from './inputs/address';
-import { description } from './inputs/description';
-import { type Inputs, equal } from './inputs/inputs';
+import { description } from './inputs/lines';
+import { equal } from './inputs/document';
+import type { Inputs } from './inputs/inputs';
 import { onAxisOf, usualSeries } from './inputs/speeds';
 import { createAddressBar } from './page/address_bar';
 import { createControls } from './page/controls';
@@ -20,7 +21,7 @@ import { createScene } from './scene/scene';
 
 const core = await createCore().catch((error: unknown) => {
   const notice = find('notice', HTMLElement);
-  notice.textContent = `The core could not be loaded: ${error instanceof Error ? error.message : String(error)}`;
+  notice.textContent = `The core could not be loaded: ${messageOf(error)}`;
   notice.hidden = false;
   throw error;
 });
@@ -133,7 +134,7 @@ series.addEventListener('change', () => {
   try {
     curves.at(series.value);
   } catch (error) {
-    problem.textContent = error instanceof Error ? error.message : String(error);
+    problem.textContent = messageOf(error);
   }
   problem.hidden = problem.textContent === '';
 });

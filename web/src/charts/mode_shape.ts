@@ -1,7 +1,7 @@
 // The shape of one mode, swinging.
 
 import type { Shape } from '../core/protocol';
-import { fitCanvas } from '../drawing/sized';
+import { fitCanvas } from '../drawing/dom';
 import { motionIsReduced, type Theme } from '../drawing/theme';
 import { edgeOf, meshOf, type Line, type Part } from '../scene/parts';
 

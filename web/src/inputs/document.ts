@@ -1,6 +1,5 @@
 // The document of an encounter, as the core reads it, and the numbers that it names.
 import type { Body, Encounter } from '../core/protocol';
-import { secondBody } from './inputs';
 import { type BodyField, type Kind, type Material, blockOf, kindNamed, materials, parametersOf } from './kinds';
 
 /** The numbers that say what a body is, in the order of the page; in SI some are of its material. Without SI the first
@@ -12,7 +11,7 @@ export function fieldsOfBody(kind: Kind, si: boolean, second: boolean): BodyFiel
 }
 
 /** The material that has the elastic constants and the density of a body in SI. */
-export function solidOf(body: Body, kind: Kind): Material | undefined {
+function solidOf(body: Body, kind: Kind): Material | undefined {
   const used = kind.parameters.filter(({ ofMaterial }) => ofMaterial).map(({ name }) => name);
   return materials.find((material) => used.every((name) => material[name as keyof Material] === body[name]));
 }
@@ -44,15 +43,20 @@ export interface Side {
 }
 
 /** The first body, and what it meets where that is a body or a half-space of its own. */
-export function sidesOf({ kind, si, plane, first, against }: Encounter): [Side, Side?] {
-  const side = (its: Kind, body: Body, second: boolean): Side => ({
-    kind: its, body, second, fields: fieldsOfBody(its, si, second), strain: si && its.hasPlane && plane === 'strain',
+export function sidesOf({ kind, si, plane, first, against, second }: Encounter): [Side, Side?] {
+  const side = (its: Kind, body: Body, other: boolean): Side => ({
+    kind: its, body, second: other, fields: fieldsOfBody(its, si, other),
+    strain: si && its.hasPlane && plane === 'strain',
     solid: si ? solidOf(body, its) : undefined, material: si ? materialOf(body, its) : undefined,
   });
   const one = side(kindNamed(kind), first, false);
-  const other = secondBody(against);
-  if (other === undefined) return [one];
-  return [one, side(against.kind === 'body' ? one.kind : (blockOf(kind) ?? kindNamed('half-space')), other, true)];
+  if (!hasSecond(against)) return [one];
+  return [one, side(against === 'body' ? one.kind : (blockOf(kind) ?? kindNamed('half-space')), second, true)];
+}
+
+/** Whether what the first body meets has numbers of its own. */
+export function hasSecond(against: Encounter['against']): boolean {
+  return against === 'body' || against === 'half-space';
 }
 
 /** Poisson's ratio of a solid; of a rod, which does without, any. */
@@ -77,6 +81,11 @@ export function documentOf(encounter: Encounter): string {
   const [first, second] = sidesOf(encounter);
   return JSON.stringify({
     first: participant(first, encounter),
-    against: second ? participant(second, encounter) : encounter.against.kind,
+    against: second ? participant(second, encounter) : encounter.against,
   });
+}
+
+/** Whether two encounters give the same results: what is not used does not count. */
+export function equal(a: Encounter, b: Encounter): boolean {
+  return documentOf(a) === documentOf(b);
 }

@@ -2,7 +2,6 @@
 import type { Encounter } from '../core/protocol';
 import { unitInWords } from '../drawing/numbers';
 import { sidesOf } from './document';
-import { secondBody, withSecond } from './inputs';
 import { type BodyField, kindNamed } from './kinds';
 
 /** A number of the first body, of what it meets, or the speed. */
@@ -28,16 +27,14 @@ export function owner(field: Field): { second: boolean; name: BodyField } | unde
 /** The number of a field in the inputs. */
 export function valueOf(encounter: Encounter, speed: number, field: Field): number {
   const place = owner(field);
-  if (place === undefined) return speed;
-  const body = place.second ? secondBody(encounter.against) : encounter.first;
-  return (body ?? encounter.first)[place.name];
+  return place === undefined ? speed : encounter[place.second ? 'second' : 'first'][place.name];
 }
 
 /** The encounter with another number in one field of a body. */
 export function withValue(encounter: Encounter, field: Exclude<Field, 'speed'>, value: number): Encounter {
   const { second, name } = owner(field)!;
-  if (!second) return { ...encounter, first: { ...encounter.first, [name]: value } };
-  return withSecond(encounter, (body) => ({ ...body, [name]: value }));
+  const side = second ? 'second' : 'first';
+  return { ...encounter, [side]: { ...encounter[side], [name]: value } };
 }
 
 /** What the page calls a number of a body: in words, by a symbol, and in the address. */

@@ -13,7 +13,7 @@ export interface Rebound {
 
 /** The rebound of a body from what rests; undefined for one that meets another body, which moves too. */
 export function reboundOf({ si, against }: Encounter, speed: number, restitution: Quantity): Rebound | undefined {
-  if (against.kind === 'same' || against.kind === 'body') return undefined;
+  if (against === 'same' || against === 'body') return undefined;
   const { value, error } = restitution;
   const drop = si ? speed ** 2 / (2 * gravity) : undefined;
   const unit = drop ?? 1;

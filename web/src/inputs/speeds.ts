@@ -1,7 +1,7 @@
 // The speeds of the slider and of the curve: logarithmic, up to where linear elasticity loses its meaning.
 import { seriesOf, unitsOf } from '../core/local';
 import type { Elastic, Encounter } from '../core/protocol';
-import { shortest } from './number';
+import { rounded, shortest } from '../drawing/numbers';
 import { barSpeed } from './units';
 
 /** In c of the first body. */
@@ -10,13 +10,12 @@ export const slowest = 1e-6;
 /** In c of the first body: half of the wave speed, for a soft half-space of its own, which is pressed in the faster the
  *  more of the compression is its. */
 export function fastest(encounter: Encounter): number {
-  const { against, kind } = encounter;
   const half = 0.5;
   const { first, second } = unitsOf(encounter);
-  if (against.kind !== 'half-space' || !second) return half;
-  const stiff = ({ young, poisson = 0 }: Elastic): number => young / (kind === 'sphere' ? 1 - poisson ** 2 : 1);
+  if (encounter.against !== 'half-space' || !second) return half;
+  const stiff = ({ young, poisson = 0 }: Elastic): number => young / (encounter.kind === 'sphere' ? 1 - poisson ** 2 : 1);
   const share = stiff(first) / (stiff(first) + stiff(second));
-  const slower = Math.sqrt(against.body.density / (encounter.si ? encounter.first.density : 1) / second.young);
+  const slower = Math.sqrt(encounter.second.density / (encounter.si ? encounter.first.density : 1) / second.young);
   return half / Math.max(1, share * slower);
 }
 
@@ -26,7 +25,7 @@ export const steps = 1000;
 /** The speed at a place 0 … steps of the slider, to three digits. */
 export function speedAt(encounter: Encounter, place: number): number {
   const speed = barSpeed(encounter) * slowest * (fastest(encounter) / slowest) ** (place / steps);
-  return Number(speed.toPrecision(3));
+  return rounded(speed, 3);
 }
 
 /** The nearest place of the slider to a speed; its end for one beyond. */
@@ -38,7 +37,7 @@ export function placeOf(encounter: Encounter, speed: number): number {
 /** The ends of a curve, as the page gives speeds. */
 export function endsOf(encounter: Encounter): [number, number] {
   const c = barSpeed(encounter);
-  return [slowest, fastest(encounter)].map((speed) => Number((speed * c).toPrecision(4))) as [number, number];
+  return [slowest, fastest(encounter)].map((speed) => rounded(speed * c, 4)) as [number, number];
 }
 
 /** The series of a curve that nobody has typed. */
@@ -51,7 +50,7 @@ export function usualSeries(encounter: Encounter, count = 49): string {
 export function curveSpeeds(encounter: Encounter, series = ''): number[] {
   const usual = series.trim() === '';
   const speeds = seriesOf(usual ? usualSeries(encounter) : series)
-    .map((speed) => (usual ? Number(speed.toPrecision(4)) : speed));
+    .map((speed) => (usual ? rounded(speed, 4) : speed));
   const order = new Set<number>();
   for (let stride = 2 ** Math.ceil(Math.log2(speeds.length)); stride >= 1; stride /= 2) {
     for (let index = 0; index < speeds.length; index += stride) order.add(index);

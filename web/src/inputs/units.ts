@@ -1,35 +1,38 @@
 // The same encounter in other units: what they are, the core says.
 import { unitsOf } from '../core/local';
 import type { Body, Elastic, Encounter } from '../core/protocol';
-import { type Inputs, ball, siSpeed, withSecond } from './inputs';
-import { sizeOf } from './kinds';
+import { rounded } from '../drawing/numbers';
+import { type Inputs, ball, siSpeed } from './inputs';
+import type { BodyField } from './kinds';
 
 /** c of the first body: 1 without SI, else m/s. */
 export function barSpeed(encounter: Encounter): number {
   return unitsOf(encounter).speed;
 }
 
+/** The numbers of a body changed by a function, to six digits, so that a field stays readable. */
+function changed(body: Body, change: (value: number, name: BodyField) => number): Body {
+  return Object.fromEntries(Object.entries(body).map(([name, value]) =>
+    [name, rounded(change(value, name as BodyField), 6)])) as Body;
+}
+
 /** The same impact in units of the first body: ε stays what it is. */
 export function withoutSi(inputs: Inputs): Inputs {
   const { encounter } = inputs;
   if (!encounter.si) return inputs;
-  const { first } = encounter;
+  const { first, second } = encounter;
   const units = unitsOf(encounter);
-  const ratios = (body: Body, { young, poisson = body.poisson }: Elastic): Body => ({
-    young: rounded(young),
-    poisson: rounded(poisson),
-    density: rounded(body.density / first.density),
-    radius: rounded(body.radius / first.radius),
-    length: rounded(body.length / first.length),
-    area: rounded(body.area / first.area),
-    loss_time: rounded(body.loss_time / units.time),
-  });
-  const next = withSecond({ ...encounter, first: ratios(first, units.first) },
-    (body) => ratios(body, units.second ?? units.first));
+  const ratios = (body: Body, { young, poisson = body.poisson }: Elastic): Body => {
+    const own: Partial<Body> = { young, poisson, loss_time: body.loss_time / units.time };
+    return changed(body, (value, name) => own[name] ?? value / first[name]);
+  };
   return {
     ...inputs,
-    encounter: { ...next, si: false, plane: 'stress' },
-    speed: rounded(inputs.speed / units.speed),
+    encounter: {
+      ...encounter, si: false, plane: 'stress', first: ratios(first, units.first),
+      second: ratios(second, units.second ?? units.first),
+    },
+    speed: rounded(inputs.speed / units.speed, 6),
   };
 }
 
@@ -37,25 +40,12 @@ export function withoutSi(inputs: Inputs): Inputs {
 export function withSi(inputs: Inputs): Inputs {
   const { encounter } = inputs;
   if (encounter.si) return inputs;
+  const { poisson, loss_time } = ball;
   const inSi: Encounter = { ...encounter, si: true, plane: 'stress', first: ball };
-  const { time } = unitsOf({ ...inSi, against: { kind: 'wall' } });
-  const values = (body: Body): Body => {
-    const size = sizeOf(encounter.kind);
-    const sizes = { [size]: rounded(body[size] * ball[size]), area: rounded(body.area * ball.area) };
-    if (body.young === 1 && body.density === 1) return { ...ball, ...sizes };
-    return {
-      ...ball,
-      ...sizes,
-      poisson: Math.min(body.poisson, ball.poisson),
-      young: rounded(body.young * ball.young),
-      density: rounded(body.density * ball.density),
-      loss_time: rounded(body.loss_time * time),
-    };
-  };
-  return { ...inputs, encounter: withSecond(inSi, values), speed: siSpeed };
-}
-
-/** To six digits, so that a field stays readable. */
-function rounded(value: number): number {
-  return Number(value.toPrecision(6));
+  const { time } = unitsOf({ ...inSi, against: 'wall' });
+  const { second } = encounter;
+  const loss = second.young === 1 && second.density === 1 ? { poisson, loss_time }
+    : { poisson: Math.min(second.poisson, poisson), loss_time: rounded(second.loss_time * time, 6) };
+  const values = { ...changed(second, (value, name) => value * ball[name]), ...loss };
+  return { ...inputs, encounter: { ...inSi, second: values }, speed: siSpeed };
 }

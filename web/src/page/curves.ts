@@ -1,7 +1,8 @@
 // ε(v) of the current encounter and of those kept for comparison: computed one after the other, and remembered.
 import { seriesOf } from '../core/local';
 import type { Core, CurvePoint, Encounter } from '../core/protocol';
-import { description } from '../inputs/description';
+import { messageOf } from '../drawing/dom';
+import { description } from '../inputs/lines';
 import { documentOf } from '../inputs/document';
 import { curveSpeeds } from '../inputs/speeds';
 import { fine } from './session';
@@ -65,7 +66,7 @@ export function createCurves(core: Core, changed: () => void, failed: (line: str
         await compute(encounter, signal);
       } catch (error) {
         if (signal.aborted) return;
-        failed(`Curve of ${description(encounter)}: ${error instanceof Error ? error.message : String(error)}`);
+        failed(`Curve of ${description(encounter)}: ${messageOf(error)}`);
       }
     }
   }

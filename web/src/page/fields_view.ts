@@ -4,7 +4,7 @@ import { repeat } from 'lit-html/directives/repeat.js';
 import { find } from '../drawing/dom';
 import { type Field, fieldsOf, helpOf, labelOf, owner, unitOf, valueOf } from '../inputs/fields';
 import type { Inputs } from '../inputs/inputs';
-import { displayed } from '../inputs/number';
+import { displayed } from '../drawing/numbers';
 
 const homes = ['first-fields', 'second-fields', 'speed-field'] as const;
 

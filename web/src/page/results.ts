@@ -1,7 +1,6 @@
 // ε and what belongs to it, as text.
 import type { Encounter, Quantity, Restitution } from '../core/protocol';
-import { prefixFor } from '../drawing/numbers';
-import { significant, withError } from '../inputs/digits';
+import { prefixFor, significant, withError } from '../drawing/numbers';
 import { reboundOf } from '../inputs/rebound';
 import { find } from '../drawing/dom';
 

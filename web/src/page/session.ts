@@ -1,4 +1,5 @@
 // What is computed when the inputs change: a first value at once, then the accurate one, then the impact in time.
+import { messageOf } from '../drawing/dom';
 import { type Collision, type Core, CoreError, type Encounter, type Restitution } from '../core/protocol';
 
 export const coarse = 1e-2;
@@ -56,7 +57,7 @@ export function createSession(core: Core, audience: Audience): (encounter: Encou
       await compute(job, signal);
     } catch (error) {
       if (signal.aborted) return;
-      audience.failed(error instanceof Error ? error.message : String(error), error instanceof CoreError);
+      audience.failed(messageOf(error), error instanceof CoreError);
     }
   }
 

@@ -1,14 +1,12 @@
 // Lines to copy and files to download.
 import type { Core, Encounter } from '../core/protocol';
+import { find, messageOf } from '../drawing/dom';
+import { type Picture, download, pngOf, textOf } from '../drawing/files';
 import { toAddress } from '../inputs/address';
-import { commandLine } from '../inputs/command_line';
-import { curveCsv } from '../inputs/csv';
 import type { Inputs } from '../inputs/inputs';
-import { pythonLines } from '../inputs/python_lines';
+import { commandLine, curveCsv, pythonLines } from '../inputs/lines';
 import { endsOf } from '../inputs/speeds';
 import type { Curve } from './curves';
-import { find } from '../drawing/dom';
-import { type Picture, download, pngOf, textOf } from '../drawing/files';
 
 export interface Share {
   /** Show the lines for new inputs. */
@@ -28,18 +26,14 @@ export function createShare(
   const done = find('done', HTMLElement);
   const say = (text: string): void => void (done.textContent = text);
 
-  const on = (id: string, act: () => Promise<string> | string): void => {
-    const button = find(id, HTMLButtonElement);
-    button.addEventListener('click', () => {
-      void (async () => {
-        try {
-          say(await act());
-        } catch (error) {
-          say(error instanceof Error ? error.message : String(error));
-        }
-      })();
+  const on = (id: string, act: () => Promise<string> | string): void =>
+    find(id, HTMLButtonElement).addEventListener('click', async () => {
+      try {
+        say(await act());
+      } catch (error) {
+        say(messageOf(error));
+      }
     });
-  };
 
   on('copy-command', () => copy(line, 'Command line copied.'));
   on('copy-python', () => copy(python, 'Python lines copied.'));

@@ -30,7 +30,7 @@ export function newScratch(): Scratch {
 
 /** Draws one frame. */
 export function drawBodies(
-  to: Drawing, { bodies }: Frame, parts: Part[], magnification: number, against: Encounter['against']['kind'],
+  to: Drawing, { bodies }: Frame, parts: Part[], magnification: number, against: Encounter['against'],
   scratch: Scratch,
 ): void {
   const meshes = parts.map((part, n) =>

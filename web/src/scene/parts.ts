@@ -106,10 +106,10 @@ export function blockPart({ depth, distance }: NonNullable<Grid['below']>): Part
 const ROD = 0.1; // half the thickness of the first rod, in its lengths
 
 /** What meets in a collision. */
-export function partsOf({ kind, first, against }: Encounter, { bodies }: Pick<Collision, 'bodies'>, grid: Grid):
-    Part[] {
-  const second = against.kind === 'body' ? against.body : first;
-  const thick = Math.min(0.4, Math.max(0.03, ROD * Math.sqrt(second.area / first.area)));
+export function partsOf(
+  { kind, first, against, second }: Encounter, { bodies }: Pick<Collision, 'bodies'>, grid: Grid,
+): Part[] {
+  const thick = Math.min(0.4, Math.max(0.03, ROD * Math.sqrt((against === 'body' ? second : first).area / first.area)));
   return bodies.map(({ kind: its, radius }, n) => (its === 'half-space' ? blockPart(grid.below!)
     : bodyPart(kind, radius / bodies[0]!.radius, n === 0 ? 1 : -1, n === 0 ? ROD : thick, grid)));
 }

@@ -2,7 +2,7 @@
 
 import type { Collision } from '../core/protocol';
 import { interpolate } from '../drawing/samples';
-import { withUnit, unitInWords, written } from '../drawing/numbers';
+import { unitInWords, withUnit, written } from '../drawing/numbers';
 
 export type Phase = 'approach' | 'compression' | 'restitution' | 'apart';
 

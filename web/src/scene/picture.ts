@@ -33,7 +33,7 @@ export function drawPicture(
   context.rect(0, HEAD - 4, width, layout.height - HEAD + 4);
   context.clip();
   const to = { context, layout, density, width, theme, shade };
-  drawBodies(to, frame, show.parts, show.magnification, show.encounter.against.kind, scratch);
+  drawBodies(to, frame, show.parts, show.magnification, show.encounter.against, scratch);
   context.restore();
   context.fillStyle = theme.text;
   context.font = '13px system-ui, sans-serif';

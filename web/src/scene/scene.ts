@@ -4,7 +4,7 @@ import { html, render } from 'lit-html';
 import type { Collision, Core, Encounter, Frame } from '../core/protocol';
 import { keyed } from '../drawing/dom';
 import type { Picture } from '../drawing/files';
-import { fitCanvas, onResize } from '../drawing/sized';
+import { fitCanvas, onResize } from '../drawing/dom';
 import { motionIsReduced, readTheme } from '../drawing/theme';
 import { newScratch } from './bodies';
 import { advance, LENGTH, type Clock } from './clock';

@@ -40,7 +40,7 @@ export async function produce(
   ready: (show: Show) => void, finer: () => void,
 ): Promise<void> {
   const halfWidth = relativeHalfWidth(encounter, collision);
-  const block = encounter.against.kind === 'half-space';
+  const block = encounter.against === 'half-space';
   const grid: Grid = { ...gridFor(encounter.kind, halfWidth), ...(block && { below: gridBelow(halfWidth) }) };
   const { from, to } = filmSpan(collision.begin, collision.end);
   const [first, ...rest] = coarseToFine(from, to, FIRST, LEVELS);
@@ -55,7 +55,7 @@ export async function produce(
   const magnification = magnificationOf(frames, parts);
   ready({
     encounter, collision, film, from, to, parts, magnification,
-    view: viewOf(frames, parts, magnification, encounter.against.kind),
+    view: viewOf(frames, parts, magnification, encounter.against),
     units: { fringes: stressUnit('fringes', frames, parts), vonMises: stressUnit('vonMises', frames, parts) },
     secondAtRest: secondIsAtRest(frames),
   });

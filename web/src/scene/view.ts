@@ -17,7 +17,7 @@ const MARGIN = 0.08;
 
 /** The view in which all frames fit, as far as the smaller body lets the larger one be seen. */
 export function viewOf(
-  frames: Frame[], parts: Part[], magnification: number, against: Encounter['against']['kind'],
+  frames: Frame[], parts: Part[], magnification: number, against: Encounter['against'],
 ): View {
   const view: View = { left: 0, right: 0, half: 0 };
   const bounded = parts.filter(({ open }) => !open);

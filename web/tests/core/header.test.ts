@@ -1,6 +1,6 @@
 // The header in C is that of `stoss table`, but for the comment that says who made it.
 import { describe, expect, it } from 'vitest';
-import { encounterArguments } from '../../src/inputs/command_line';
+import { encounterArguments } from '../../src/inputs/lines';
 import { cases } from '../unit/cases';
 import { hasCommand, run } from './native';
 import { ask } from './wasm';

@@ -1,10 +1,8 @@
 import { describe, expect, it } from 'vitest';
-import { barOf, nearestPoint, ordinateScale, speedScale } from '../../src/charts/curve_scales';
-import { energyOfWaves, layoutModes } from '../../src/charts/mode_layout';
+import { barOf, ordinateScale, speedScale } from '../../src/charts/curve_picture';
+import { energyOfWaves, energyScale, layoutModes } from '../../src/charts/mode_picture';
 import { frequencyInWords } from '../../src/charts/mode_bars';
-import { energyScale } from '../../src/charts/mode_picture';
-import { panelsOf, thinned } from '../../src/charts/series';
-import { cursorWords, readable, summaryOf } from '../../src/charts/words';
+import { cursorWords, panelsOf, readable, summaryOf, thinned } from '../../src/charts/series';
 import type { Collision, CurvePoint, Encounter, ModeEnergy } from '../../src/core/protocol';
 import { unitsOf } from '../../src/core/local';
 import { defaults, unitBody } from '../../src/inputs/inputs';
@@ -104,10 +102,6 @@ describe('ε against the speed', () => {
     expect(ordinateScale('loss', []).low).toBeGreaterThan(0);
     expect(speedScale([]).low).toBeGreaterThan(0);
     expect(speedScale([0.1]).high).toBeGreaterThan(0.1);
-  });
-  it('finds the nearest point by the logarithm', () => {
-    expect(nearestPoint([point(0.01, 1), point(0.1, 1)], 0.03)!.speed).toBe(0.01);
-    expect(nearestPoint([], 0.03)).toBeUndefined();
   });
 });
 

@@ -7,7 +7,7 @@ import { cases } from './cases';
 it('computes values of half-spaces after the first answer, once', async () => {
   const log: string[] = [];
   const core = withWarmUp((async (question: string, { kind, against }: Encounter) => {
-    log.push(question === 'curve' ? `${kind} ${against.kind}` : question);
+    log.push(question === 'curve' ? `${kind} ${against}` : question);
     if (question === 'curve') throw new Error('no worker');
   }) as unknown as Core);
   expect(log).toEqual([]);
