@@ -1,4 +1,5 @@
 // From stress to colour: viridis for the von Mises stress, light and dark bands for photoelastic fringes.
+import { scaleLinear } from 'd3-scale';
 
 const VIRIDIS = [
   '#440154', '#482475', '#414487', '#355f8d', '#2a788e', '#21918c', '#22a884', '#44bf70', '#7ad151', '#bddf26',
@@ -13,19 +14,11 @@ const PHASES = 1024;
 /** Light behind crossed polarisers against the fringe order, one order. */
 const WAVE = Float32Array.from({ length: PHASES }, (_, k) => 0.5 - 0.5 * Math.cos((2 * Math.PI * (k + 0.5)) / PHASES));
 
-/** Red, green and blue of a colour '#rrggbb'. */
-export function components(color: string): [number, number, number] {
-  return [1, 3, 5].map((at) => parseInt(color.slice(at, at + 2), 16)) as [number, number, number];
-}
-
 /** Colours between evenly spaced ones, as opaque pixels of an ImageData. */
 export function colorTable(stops: string[]): Uint32Array {
-  const parts = stops.map(components);
+  const color = scaleLinear(stops.map((_, k) => k / (stops.length - 1)), stops);
   return Uint32Array.from({ length: TABLE }, (_, k) => {
-    const place = (k / (TABLE - 1)) * (stops.length - 1);
-    const at = Math.min(stops.length - 2, Math.floor(place));
-    const [r, g, b] = [0, 1, 2].map((c) =>
-      Math.round(parts[at]![c]! + (place - at) * (parts[at + 1]![c]! - parts[at]![c]!))) as [number, number, number];
+    const [r, g, b] = color(k / (TABLE - 1)).match(/\d+/g)!.map(Number) as [number, number, number];
     return ((255 << 24) | (b << 16) | (g << 8) | r) >>> 0;
   });
 }

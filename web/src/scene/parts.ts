@@ -1,6 +1,7 @@
 // What is seen of a collision: bodies and half-spaces alike as meshes in the plane of the picture, of the half above
 // the line of impact, which the other mirrors. Places are in radii of the first body, y ≥ 0.
 
+import { range } from 'd3-array';
 import type { BodyFrame, Collision, Encounter, Grid } from '../core/protocol';
 import type { BodyKind } from '../inputs/kinds';
 
@@ -42,14 +43,7 @@ export interface Line {
 }
 
 /** A part at one instant. */
-export interface Mesh {
-  rows: number;
-  columns: number;
-  x: Float32Array;
-  y: Float32Array;
-}
-
-const range = (count: number, first = 0): number[] => Array.from({ length: count }, (_, k) => first + k);
+export type Mesh = Pick<Part, 'rows' | 'columns' | 'x' | 'y'>;
 
 /** @param at what is at a row and a column */
 function partOf(
@@ -62,7 +56,7 @@ function partOf(
     ({ x: Float32Array.from(points, (each) => each[name].x), y: Float32Array.from(points, (each) => each[name].y) });
   const rest = of('rest');
   const [count, step] = [rows.length, columns.length];
-  const cells = range(count - 1).flatMap((i) => range(step - 1, i * step)).map((k): Cell => {
+  const cells = range(count - 1).flatMap((i) => range(i * step, (i + 1) * step - 1)).map((k): Cell => {
     const corners: Cell['corners'] = [k, k + 1, k + step, k + step + 1];
     const sides = sidesOf(rest, corners);
     return { corners, sides, area: cross(...sides) };
@@ -93,7 +87,7 @@ export function bodyPart(kind: BodyKind, size: number, facing: 1 | -1, halfHeigh
       tangential: { x: -facing * size * sine, y: size * cosine },
     };
   }, {
-    center: -facing * size, size, edge: range(columns, (rows - 1) * columns), curvature: 1 / size, open: false,
+    center: -facing * size, size, edge: range((rows - 1) * columns, rows * columns), curvature: 1 / size, open: false,
   });
 }
 
@@ -138,7 +132,7 @@ export function meshOf(part: Part, now: BodyFrame, magnification: number, into?:
 }
 
 /** The edge of a part: as it is, or at rest in some place. */
-export function edgeOf({ edge }: Part, { x, y }: Line, shift = 0): Line {
+export function edgeOf({ edge }: Part, { x, y }: Line, shift = 0): { x: number[]; y: number[] } {
   return { x: edge.map((k) => x[k]! + shift), y: edge.map((k) => y[k]!) };
 }
 

@@ -1,13 +1,13 @@
 // What a film of one collision needs: its frames, and the scales that all of them share.
 
+import { max } from 'd3-array';
 import type { Collision, Core, Encounter, Frame, Grid } from '../core/protocol';
 import { sizeOf } from '../inputs/kinds';
 import type { Quantity } from './colors';
-import { insertFrame, type Film } from './frames';
+import { coarseToFine, filmSpan, insertFrame, type Film } from './film';
 import { gridBelow, gridFor } from './grid';
 import { partsOf, type Part } from './parts';
 import { magnificationOf, stressUnit } from './scales';
-import { coarseToFine, filmSpan } from './schedule';
 import { viewOf, type View } from './view';
 
 export interface Show {
@@ -68,6 +68,5 @@ export async function produce(
 
 /** Maximum half width of the contact in radii of the larger body, whose smallest part it is. */
 function relativeHalfWidth({ kind, si, first }: Encounter, { bodies, halfWidth }: Collision): number {
-  const greatest = halfWidth.reduce((most, each) => Math.max(most, each), 0) / (si ? first[sizeOf(kind)] : 1);
-  return greatest / Math.max(...bodies.map(({ radius }) => radius));
+  return max(halfWidth)! / (si ? first[sizeOf(kind)] : 1) / max(bodies, ({ radius }) => radius)!;
 }

@@ -23,10 +23,10 @@ export function viewOf(
   const bounded = parts.filter(({ open }) => !open);
   for (const frame of frames) {
     bounded.forEach((part, n) => {
-      const edge = edgeOf(part, meshOf(part, frame.bodies[n]!, magnification));
-      view.left = Math.min(view.left, ...Array.from(edge.x));
-      view.right = Math.max(view.right, ...Array.from(edge.x));
-      view.half = Math.max(view.half, ...Array.from(edge.y));
+      const { x, y } = edgeOf(part, meshOf(part, frame.bodies[n]!, magnification));
+      view.left = Math.min(view.left, ...x);
+      view.right = Math.max(view.right, ...x);
+      view.half = Math.max(view.half, ...y);
     });
   }
   const small = Math.min(...bounded.map(({ size }) => size));

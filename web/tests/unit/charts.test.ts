@@ -7,7 +7,7 @@ import type { Collision, CurvePoint, Encounter, ModeEnergy } from '../../src/cor
 import { unitsOf } from '../../src/core/local';
 import { defaults, unitBody } from '../../src/inputs/inputs';
 import { describe as describeTime, phaseAt, slowness } from '../../src/scene/phases';
-import { stressInWords } from '../../src/scene/legend';
+import { stressInWords } from '../../src/scene/picture';
 import { withUnit } from '../../src/drawing/numbers';
 import { swing } from '../../src/charts/mode_shape';
 

@@ -1,13 +1,11 @@
 import { describe, expect, it } from 'vitest';
 import type { Frame } from '../../src/core/protocol';
-import { advance, LENGTH, REST } from '../../src/scene/clock';
-import { colorTable, components, contrast, pixelOf, shadeOf } from '../../src/scene/colors';
-import { frameAt, insertFrame, type Film } from '../../src/scene/frames';
+import { colorTable, contrast, pixelOf, shadeOf } from '../../src/scene/colors';
+import { advance, coarseToFine, type Film, filmSpan, frameAt, insertFrame, LENGTH, REST } from '../../src/scene/film';
 import { evenGrid, gradedPlaces, gridFor } from '../../src/scene/grid';
-import { between, faceOf } from '../../src/scene/interface';
+import { faceOf, seamOf } from '../../src/scene/bodies';
 import { bodyPart, edgeOf, meshOf } from '../../src/scene/parts';
 import { coveringStress, magnificationOf, stressUnit, unfoldedUpTo } from '../../src/scene/scales';
-import { coarseToFine, filmSpan } from '../../src/scene/schedule';
 import { secondIsAtRest } from '../../src/scene/show';
 import { layoutOf, viewOf } from '../../src/scene/view';
 import { diskOf, field } from './disk_frame';
@@ -133,7 +131,6 @@ describe('colours', () => {
     const table = colorTable(['#000000', '#ff8000']);
     expect(table[0]).toBe(0xff000000);
     expect(table[255]).toBe(0xff0080ff);
-    expect(components('#0a10ff')).toEqual([10, 16, 255]);
   });
   it('of fringes repeat with every order and fade when they are too fine', () => {
     const shade = shadeOf('fringes', 0.1, true);
@@ -160,12 +157,12 @@ describe('interface of two bodies', () => {
   const y = [0, 0.1, 0.2, 0.3];
   it('is in the middle of equal ones, and where a plane is', () => {
     const [left, right] = [{ x: [0.02, 0.02, 0.01, -0.1], y }, { x: [-0.02, -0.02, -0.01, 0.1], y }];
-    expect(Array.from(between(left, right, [1, 1], y).x, (each) => Math.abs(each))).toEqual([0, 0, 0, 0]);
-    expect(between(left, right, [1, 0], y).x[0]).toBeCloseTo(-0.02);
-    expect(between(left, right, [0, 1], y).x[0]).toBeCloseTo(0.02);
+    expect(Array.from(seamOf([left, right], [1, 1]).x, (each) => Math.abs(each))).toEqual([0, 0, 0, 0]);
+    expect(seamOf([left, right], [1, 0]).x[0]).toBeCloseTo(-0.02);
+    expect(seamOf([left, right], [0, 1]).x[0]).toBeCloseTo(0.02);
   });
   it('goes as far up as both faces', () => {
-    expect(between({ x: [0, 0], y: [0, 0.15] }, { x: [0, 0, 0, 0], y }, [1, 1], y).y).toEqual([0, 0.1]);
+    expect(seamOf([{ x: [0, 0], y: [0, 0.15] }, { x: [0, 0, 0, 0], y }], [1, 1]).y).toEqual([0, 0.15]);
     expect(faceOf({ x: [0, 1, 2, 1], y: [0, 1, 2, 1.5] }).y).toEqual([0, 1, 2]);
   });
 });
