@@ -1,6 +1,6 @@
 // Charts that Observable Plot draws: one description for the page and for the file that leaves it.
 import * as Plot from '@observablehq/plot';
-import { sum } from 'd3-array';
+import { max, sum } from 'd3-array';
 import { scaleLinear, scaleLog } from 'd3-scale';
 import { powerOfTen, written } from './numbers';
 import type { Look, Theme } from './theme';
@@ -120,10 +120,10 @@ export function placed(labels: string[], width: number): { x: number; y: number;
 /** Draws a legend. */
 export function drawLegend(entries: Entry[], width: number, theme: Theme): Drawn {
   const places = placed(entries.map(({ label }) => label), width);
-  const { y: last = 0, rows: lines = 0 } = places.at(-1) ?? {};
+  const height = 6 + (max(places, ({ y, rows }) => y + ROW * (rows - 0.5)) ?? 0);
   return Plot.plot({
-    width, height: last + ROW * (lines - 0.5) + 6, margin: 0, axis: null, x: { type: 'identity' },
-    y: { type: 'identity' }, style: { background: 'none', color: theme.text, fontSize: '12px' },
+    width, height, margin: 0, axis: null, x: { type: 'identity' }, y: { type: 'identity' },
+    style: { background: 'none', color: theme.text, fontSize: '12px' },
     marks: entries.flatMap(({ label, look: { color, dash, marker: symbol }, line, marker }, k) => {
       const { x, y, letters } = places[k]!;
       return [
@@ -132,7 +132,7 @@ export function drawLegend(entries: Entry[], width: number, theme: Theme): Drawn
         }) : null,
         marker ? Plot.dot([y], { x: x + 13, y: [y], symbol, r: 4, fill: color, stroke: color }) : null,
         Plot.text([label], {
-          x: x + KEY, y: [y], textAnchor: 'start', lineAnchor: 'top', dy: -6, lineHeight: ROW / 12,
+          x: x + KEY, y: [y], textAnchor: 'start', lineAnchor: 'top', dy: -7, lineHeight: ROW / 12,
           lineWidth: (letters * LETTER) / 12 + 1,
         }),
       ];

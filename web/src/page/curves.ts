@@ -1,5 +1,6 @@
 // ε(v) of the current encounter and of those kept for comparison: computed one after the other, and remembered.
-import { seriesOf } from '../core/local';
+import { difference } from 'd3-array';
+import { remember, seriesOf } from '../core/local';
 import type { Core, CurvePoint, Encounter } from '../core/protocol';
 import { messageOf } from '../drawing/dom';
 import { description } from '../inputs/lines';
@@ -38,26 +39,22 @@ export function createCurves(core: Core, changed: () => void, failed: (line: str
   const keyOf = (encounter: Encounter): string => `${documentOf(encounter)} ${seriesFor(encounter)}`;
 
   function of(encounter: Encounter): Curve {
-    const key = keyOf(encounter);
-    const found = known.get(key);
-    if (found !== undefined) return { ...found, encounter };
-    return { encounter, points: [], planned: curveSpeeds(encounter, seriesFor(encounter)) };
+    const found = known.get(keyOf(encounter)) ??
+      { points: [], planned: curveSpeeds(encounter, seriesFor(encounter)) };
+    return { ...found, encounter };
   }
 
   async function compute(encounter: Encounter, signal: AbortSignal): Promise<void> {
     const begun = of(encounter);
-    const missing = begun.planned.filter((speed) => !begun.points.some((point) => point.speed === speed));
-    if (missing.length === 0) return;
+    const missing = difference(begun.planned, begun.points.map(({ speed }) => speed));
+    if (missing.size === 0) return;
     const deliver = (point: CurvePoint): void => {
       if (signal.aborted) return;
       const before = of(encounter);
-      const key = keyOf(encounter);
-      known.delete(key);
-      known.set(key, { ...before, points: [...before.points, point] });
-      for (const oldest of known.keys()) if (known.size > most) known.delete(oldest);
+      remember(known, keyOf(encounter), { ...before, points: [...before.points, point] }, most);
       changed();
     };
-    await core('curve', encounter, { speeds: missing, tolerance: fine }, { deliver, signal });
+    await core('curve', encounter, { speeds: [...missing], tolerance: fine }, { deliver, signal });
   }
 
   async function computeAll(signal: AbortSignal): Promise<void> {

@@ -56,15 +56,14 @@ export function yieldInWords({ si }: Encounter, { speed, yieldSpeed }: Restituti
 }
 
 /** What a reader should know about a result, one line each. */
-export function flags(result: Restitution): string[] {
-  const lines: string[] = [];
+export function flags({ reason, converged, beyondSmallStrain }: Restitution): string[] {
   // The core's advice is about a tolerance, which is no input here.
-  const reason = result.reason.replace(/ \(use a larger tolerance[^()]*\)$/, '') || 'tolerance not reached';
-  if (!result.converged) lines.push(`Not as accurate as asked for: ${reason}.`);
-  if (result.beyondSmallStrain) {
-    lines.push('Beyond small strain: above 0.5 c or a compression of 0.5 R linear elasticity has lost its meaning.');
-  }
-  return lines;
+  const why = reason.replace(/ \(use a larger tolerance[^()]*\)$/, '') || 'tolerance not reached';
+  return [
+    converged ? '' : `Not as accurate as asked for: ${why}.`,
+    beyondSmallStrain
+      ? 'Beyond small strain: above 0.5 c or a compression of 0.5 R linear elasticity has lost its meaning.' : '',
+  ].filter(Boolean);
 }
 
 /** A computation shorter than this, in ms, is not announced. */
@@ -84,6 +83,16 @@ export function createResults(): Results {
     for (const [id, text] of Object.entries(texts)) find(id, HTMLElement).textContent = text;
   };
 
+  /** What is shown belongs to earlier inputs, or ('') to these. */
+  const mark = (why: '' | 'wrong' | 'computing'): void => {
+    if (why === '') delete section.dataset.stale;
+    else section.dataset.stale = why;
+    clearTimeout(soon);
+    clearTimeout(timer);
+    delete section.dataset.slow;
+    if (why === '') state.textContent = reached;
+  };
+
   return {
     show(encounter, result, stage) {
       const epsilon = result.quantities.restitution ?? { value: NaN, unit: '' };
@@ -91,7 +100,10 @@ export function createResults(): Results {
       put({
         epsilon: withError(epsilon.value, epsilon.error ?? 0),
         'epsilon-short': threeDigits(epsilon),
-        ...Object.fromEntries(quantities.map(([id, name]) => [id, shownQuantity(result, name)])),
+        lost: shownQuantity(result, 'lost_fraction'),
+        'contact-time': shownQuantity(result, 'contact_time'),
+        'max-force': shownQuantity(result, 'max_force'),
+        'max-compression': shownQuantity(result, 'max_compression'),
         'rebound-name': `Height of rebound ε²h${encounter.si ? ', h = v²/2g' : ''}`,
         rebound: full,
         'rebound-short': short,
@@ -101,15 +113,11 @@ export function createResults(): Results {
       find('force-note', HTMLElement).hidden = encounter.kind !== 'rod';
       find('yield', HTMLElement).classList.toggle('problem', result.speed > (result.yieldSpeed ?? Infinity));
       section.dataset.stage = stage;
-      if (section.dataset.stale !== 'wrong') delete section.dataset.stale;
-      clearTimeout(soon);
-      delete section.dataset.slow;
       const aim = 'accurate to 10⁻³ of 1 − ε², or to 10⁻⁶';
       reached = stage === 'first' ? 'first value, refining' : `${result.converged ? '' : 'not '}${aim}`;
-      if (section.dataset.stale !== 'wrong') state.textContent = reached;
+      mark(section.dataset.stale === 'wrong' ? 'wrong' : '');
       const lines = flags(result);
       find('flags', HTMLElement).replaceChildren(...lines.flatMap((line) => [line, document.createElement('br')]));
-      clearTimeout(timer);
       if (stage === 'first') return;
       const speed = `${significant(result.speed, 4)} ${encounter.si ? 'metres per second' : 'c'}`;
       timer = window.setTimeout(() => {
@@ -119,17 +127,12 @@ export function createResults(): Results {
       }, 800);
     },
     stale(why) {
-      if (why === '') delete section.dataset.stale;
-      else section.dataset.stale = why;
-      clearTimeout(soon);
-      delete section.dataset.slow;
-      if (why === '') state.textContent = reached;
+      mark(why);
       if (why === 'wrong') state.textContent = reached === '' ? 'no result yet' : 'of the last inputs in range';
       if (why === 'computing') soon = window.setTimeout(() => {
         state.textContent = reached === '' ? 'computing' : 'computing; this is the last value';
         section.dataset.slow = '';
       }, noticeable);
-      clearTimeout(timer);
     },
     say(line) {
       const notice = find('notice', HTMLElement);
@@ -138,10 +141,3 @@ export function createResults(): Results {
     },
   };
 }
-
-const quantities: readonly [string, string][] = [
-  ['lost', 'lost_fraction'],
-  ['contact-time', 'contact_time'],
-  ['max-force', 'max_force'],
-  ['max-compression', 'max_compression'],
-];
