@@ -43,8 +43,35 @@ class Collision {
     return float64_array(values);
   }
 
-  [[nodiscard]] val modes() const;
-  [[nodiscard]] val bodies() const;
+  /// Of the bodies, without the waves of a half-space.
+  [[nodiscard]] val modes() const {
+    val list = val::array();
+    for (const ModeEnergy& mode : impact_.energy.modes) {
+      if (meeting_->against_half_space() && mode.body == 1) continue;
+      list.call<void>("push", object({{"body", val(mode.body)},
+                                      {"order", val(mode.order)},
+                                      {"index", val(mode.index)},
+                                      {"omega", val(mode.omega)},
+                                      {"after", val(mode.after)},
+                                      {"average", val(mode.average)}}));
+    }
+    return list;
+  }
+
+  [[nodiscard]] val bodies() const {
+    val list = val::array();
+    const auto add = [&](const std::string& kind, double radius) {
+      list.call<void>("push", object({{"kind", val(kind)}, {"radius", val(radius)}}));
+    };
+    const std::string& kind = meeting_->encounter.first.kind;
+    add(kind, 1.0);
+    if (meeting_->against_half_space()) {
+      add("half-space", 1.0);
+    } else if (contact_.second) {
+      add(kind, contact_.second->scale.length / contact_.first->scale.length);
+    }
+    return list;
+  }
 
   std::shared_ptr<const Meeting> meeting_;
   Contact contact_;
@@ -54,36 +81,6 @@ class Collision {
   bodies::PolarGrid points_;     ///< of the last frames
   std::vector<Inside> insides_;  ///< of what meets, at these points
 };
-
-/// Of the bodies, without the waves of a half-space.
-val Collision::modes() const {
-  val list = val::array();
-  for (const ModeEnergy& mode : impact_.energy.modes) {
-    if (meeting_->against_half_space() && mode.body == 1) continue;
-    list.call<void>("push", object({{"body", val(mode.body)},
-                                    {"order", val(mode.order)},
-                                    {"index", val(mode.index)},
-                                    {"omega", val(mode.omega)},
-                                    {"after", val(mode.after)},
-                                    {"average", val(mode.average)}}));
-  }
-  return list;
-}
-
-val Collision::bodies() const {
-  val list = val::array();
-  const auto add = [&](const std::string& kind, double radius) {
-    list.call<void>("push", object({{"kind", val(kind)}, {"radius", val(radius)}}));
-  };
-  const std::string& kind = meeting_->encounter.first.kind;
-  add(kind, 1.0);
-  if (meeting_->against_half_space()) {
-    add("half-space", 1.0);
-  } else if (contact_.second) {
-    add(kind, contact_.second->scale.length / contact_.first->scale.length);
-  }
-  return list;
-}
 
 val Collision::series() const {
   using enum Dimension;

@@ -20,24 +20,11 @@ export interface Drawing {
 /** Where x = y = 0 is, and how large 1 is. */
 type Place = Pick<Layout, 'x' | 'y' | 'scale'>;
 
-/** Memory that frames share. */
-export interface Scratch {
-  canvas: HTMLCanvasElement;
-  image: ImageData | undefined;
-  meshes: Mesh[];
-}
-
-export function newScratch(): Scratch {
-  return { canvas: document.createElement('canvas'), image: undefined, meshes: [] };
-}
-
 /** Draws one frame. */
 export function drawBodies(
   to: Drawing, { bodies }: Frame, parts: Part[], magnification: number, against: Encounter['against'],
-  scratch: Scratch,
 ): void {
-  const meshes = parts.map((part, n) =>
-    (scratch.meshes[n] = meshOf(part, bodies[n]!, magnification, scratch.meshes[n])));
+  const meshes = parts.map((part, n) => meshOf(part, bodies[n]!, magnification));
   const edges = parts.map((part, n) => edgeOf(part, meshes[n]!));
   const [first, second] = edges;
   const seam = first && second && seamOf([first, second], [parts[0]!.curvature, parts[1]!.curvature]);
@@ -46,7 +33,7 @@ export function drawBodies(
     if (seam) clipBeside(to, seam, n === 0);
     if (part.open) clipDeep(to);
     else strokeEdge(to, edgeOf(part, part, magnification * (bodies[n]!.center - part.center)), true, true);
-    paint(to, meshes[n]!, bodies[n]![to.shade.quantity], scratch);
+    paint(to, meshes[n]!, bodies[n]![to.shade.quantity]);
     strokeEdge(to, edges[n]!, !part.open);
     to.context.restore();
   });
@@ -106,20 +93,21 @@ function clipBeside({ context, layout, width }: Drawing, seam: Line, left: boole
   context.clip();
 }
 
-function paint(to: Drawing, mesh: Mesh, stress: Float32Array, scratch: Scratch): void {
-  const { context, layout, density, shade } = to;
-  const width = context.canvas.width;
+/** Memory that pictures share. */
+let memory: { canvas: HTMLCanvasElement; image: ImageData } | undefined;
+
+function paint({ context, layout, density, shade }: Drawing, mesh: Mesh, stress: Float32Array): void {
+  const { width } = context.canvas;
   const height = Math.ceil(layout.y * density);
-  const { canvas } = scratch;
-  if (canvas.width !== width || canvas.height !== height || !scratch.image) {
-    canvas.width = width;
-    canvas.height = height;
-    scratch.image = new ImageData(width, height);
+  if (memory?.image.width !== width || memory.image.height !== height) {
+    const canvas = Object.assign(document.createElement('canvas'), { width, height });
+    memory = { canvas, image: new ImageData(width, height) };
   }
-  const pixels: Pixels = { width, height, data: new Uint32Array(scratch.image.data.buffer) };
+  const { canvas, image } = memory;
+  const pixels: Pixels = { width, height, data: new Uint32Array(image.data.buffer) };
   pixels.data.fill(0);
   paintMesh(pixels, mesh, stress, { origin: layout.x * density, scale: layout.scale * density }, shade);
-  canvas.getContext('2d')!.putImageData(scratch.image, 0, 0);
+  canvas.getContext('2d')!.putImageData(image, 0, 0);
   const line = Math.round(layout.y * density);
   context.save();
   context.setTransform(1, 0, 0, 1, 0, 0);

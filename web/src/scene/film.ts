@@ -34,28 +34,22 @@ export function insertFrame(film: Film, frame: Frame): void {
   film.frames.splice(k - same, same, frame);
 }
 
-function mixed(a: BodyFrame, b: BodyFrame, share: number, into?: BodyFrame): BodyFrame {
-  const between = (name: 'radial' | 'tangential' | 'vonMises' | 'fringes'): Float32Array => {
-    const [from, to] = [a[name], b[name]];
-    const out = into?.[name].length === from.length ? into[name] : new Float32Array(from.length);
-    for (let k = 0; k < from.length; ++k) out[k] = from[k]! + share * (to[k]! - from[k]!);
-    return out;
-  };
+function mixed(a: BodyFrame, b: BodyFrame, share: number): BodyFrame {
+  const between = (name: 'radial' | 'tangential' | 'vonMises' | 'fringes'): Float32Array =>
+    a[name].map((from, k) => from + share * (b[name][k]! - from));
   return {
     center: a.center + share * (b.center - a.center), radial: between('radial'), tangential: between('tangential'),
     vonMises: between('vonMises'), fringes: between('fringes'),
   };
 }
 
-/** The frame of a film at any time: between two of its frames both, mixed by their distance. `into`, an earlier
- *  result that is no longer needed, is written over; a frame of the film never is. */
-export function frameAt({ times, frames }: Film, time: number, into?: Frame): Frame | undefined {
+/** The frame of a film at any time: between two of its frames both, mixed by their distance. */
+export function frameAt({ times, frames }: Film, time: number): Frame | undefined {
   const k = bisectRight(times, time);
   const [a, b] = [frames[k - 1], frames[k]];
   if (!a || !b) return a ?? b;
   const share = (time - a.time) / (b.time - a.time);
-  const spare = into && !frames.includes(into) ? into : undefined;
-  return { time, bodies: a.bodies.map((each, n) => mixed(each, b.bodies[n]!, share, spare?.bodies[n])) };
+  return { time, bodies: a.bodies.map((each, n) => mixed(each, b.bodies[n]!, share)) };
 }
 
 /** At the end a film rests this long, s, then it begins again. */

@@ -108,27 +108,21 @@ export function partsOf(
     : bodyPart(kind, radius / bodies[0]!.radius, n === 0 ? 1 : -1, n === 0 ? ROD : thick, grid)));
 }
 
-/** How the points of a part are displaced, apart from its movement as a whole. `into` is written over. */
-export function displacementOf({ rows, columns, radial, tangential }: Part, now: BodyFrame, into?: Mesh): Mesh {
-  const moved = into?.rows === rows && into.columns === columns ? into
-    : { rows, columns, x: new Float32Array(rows * columns), y: new Float32Array(rows * columns) };
-  for (let k = 0; k < moved.x.length; ++k) {
-    const [out, along] = [now.radial[k]!, now.tangential[k]!];
-    moved.x[k] = out * radial.x[k]! + along * tangential.x[k]!;
-    moved.y[k] = out * radial.y[k]! + along * tangential.y[k]!;
-  }
-  return moved;
+/** How the points of a part are displaced, apart from its movement as a whole. */
+export function displacementOf({ rows, columns, radial, tangential }: Part, now: BodyFrame): Mesh {
+  const of = (along: 'x' | 'y'): Float32Array => now.radial.map((out, k) =>
+    out * radial[along][k]! + now.tangential[k]! * tangential[along][k]!);
+  return { rows, columns, x: of('x'), y: of('y') };
 }
 
 /** Where they are when all movement from where the part touches is magnified. */
-export function meshOf(part: Part, now: BodyFrame, magnification: number, into?: Mesh): Mesh {
-  const mesh = displacementOf(part, now, into);
+export function meshOf(part: Part, now: BodyFrame, magnification: number): Mesh {
+  const { x, y, ...mesh } = displacementOf(part, now);
   const shift = now.center - part.center;
-  for (let k = 0; k < mesh.x.length; ++k) {
-    mesh.x[k] = part.x[k]! + magnification * (shift + mesh.x[k]!);
-    mesh.y[k] = part.y[k]! + magnification * mesh.y[k]!;
-  }
-  return mesh;
+  return {
+    ...mesh, x: x.map((each, k) => part.x[k]! + magnification * (shift + each)),
+    y: y.map((each, k) => part.y[k]! + magnification * each),
+  };
 }
 
 /** The edge of a part: as it is, or at rest in some place. */

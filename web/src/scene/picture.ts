@@ -5,7 +5,7 @@ import { unitsOf } from '../core/local';
 import type { Frame } from '../core/protocol';
 import { prefixFor, withUnit, written } from '../drawing/numbers';
 import type { Theme } from '../drawing/theme';
-import { drawBodies, type Scratch } from './bodies';
+import { drawBodies } from './bodies';
 import { cssOf, pixelOf, shadeOf, type Quantity, type Shade } from './colors';
 import { phaseAt, timeInWords } from './phases';
 import type { Show } from './show';
@@ -22,7 +22,7 @@ export function pictureHeight(show: Show, width: number): number {
 /** Draws a picture. */
 export function drawPicture(
   canvas: HTMLCanvasElement, width: number, density: number, show: Show, frame: Frame, time: number,
-  quantity: Quantity, theme: Theme, scratch: Scratch,
+  quantity: Quantity, theme: Theme,
 ): void {
   const context = canvas.getContext('2d')!;
   const layout = layoutOf(show.view, width, density);
@@ -37,7 +37,7 @@ export function drawPicture(
   context.rect(0, HEAD - 4, width, layout.height - HEAD + 4);
   context.clip();
   const to = { context, layout, density, width, theme, shade };
-  drawBodies(to, frame, show.parts, show.magnification, show.encounter.against, scratch);
+  drawBodies(to, frame, show.parts, show.magnification, show.encounter.against);
   context.restore();
   context.fillStyle = theme.text;
   context.font = '13px system-ui, sans-serif';

@@ -1,11 +1,10 @@
 // The film of a collision, with its controls.
 
 import { html, render, type TemplateResult } from 'lit-html';
-import type { Collision, Core, Encounter, Frame } from '../core/protocol';
+import type { Collision, Core, Encounter } from '../core/protocol';
 import { choice, fitCanvas, keyed, messageOf, onResize } from '../drawing/dom';
 import type { Picture } from '../drawing/files';
 import { motionIsReduced, readTheme } from '../drawing/theme';
-import { newScratch, type Scratch } from './bodies';
 import type { Quantity } from './colors';
 import { advance, frameAt, LENGTH, type Clock } from './film';
 import { describe, phaseAt, slowness, timeInWords } from './phases';
@@ -37,7 +36,6 @@ const NEXT = 'M4 2.5v11L11 8zM11.2 2.5H13v11h-1.8z';
 
 /** Makes an empty scene in an element. */
 export function createScene(host: HTMLElement, core: Core): Scene {
-  const scratch = newScratch();
   let show: Show | undefined;
   let asked: AbortController | undefined;
   let clock: Clock = { time: 0, rested: 0 };
@@ -45,7 +43,6 @@ export function createScene(host: HTMLElement, core: Core): Scene {
   let [note, words] = ['', ''];
   let begun = false; // whether a film has ever played by itself
   let quantity: Quantity = 'fringes';
-  let spare: Frame | undefined;
   let cursor: (time: number) => void = () => undefined;
 
   tell();
@@ -162,23 +159,20 @@ export function createScene(host: HTMLElement, core: Core): Scene {
 
   function draw(): void {
     tell();
-    if (show && place.clientWidth) spare = drawOn(canvas, place.clientWidth, show, scratch, spare);
+    if (show && place.clientWidth) drawOn(canvas, place.clientWidth, show);
   }
 
-  /** Draws the film at its time, and returns what it shows. */
-  function drawOn(
-    to: HTMLCanvasElement, width: number, its: Show, memory: Scratch, into?: Frame, least = 1,
-  ): Frame | undefined {
+  /** Draws the film at its time, with at least so many pixels of the device for one. */
+  function drawOn(to: HTMLCanvasElement, width: number, its: Show, least = 1): void {
+    const frame = frameAt(its.film, clock.time);
+    if (!frame) return;
     const density = fitCanvas(to, width, pictureHeight(its, width), least);
-    const frame = frameAt(its.film, clock.time, into);
-    if (frame) drawPicture(to, width, density, its, frame, clock.time, quantity, readTheme(place), memory);
-    return frame;
+    drawPicture(to, width, density, its, frame, clock.time, quantity, readTheme(place));
   }
 
   function start(next: Show): void {
     const share = shareOf();
     show = next;
-    spare = undefined;
     clock = { time: next.from + share * (next.to - next.from), rested: 0 };
     tellSpeed();
     draw();
@@ -207,10 +201,9 @@ export function createScene(host: HTMLElement, core: Core): Scene {
     },
     picture: {
       canvas() {
+        if (!show) throw new Error('there is no film to draw yet');
         const copy = document.createElement('canvas');
-        if (!show || !drawOn(copy, place.clientWidth || PRINT, show, newScratch(), undefined, 2)) {
-          throw new Error('there is no film to draw yet');
-        }
+        drawOn(copy, place.clientWidth || PRINT, show, 2);
         return copy;
       },
     },
