@@ -4,6 +4,7 @@ import { createCurveChart } from './charts/curve_chart';
 import { createModeBars } from './charts/mode_bars';
 import { createTimeCharts } from './charts/time_charts';
 import { createCore } from './core/client';
+import type { Restitution } from './core/protocol';
 import { find, messageOf } from './drawing/dom';
 import { fromAddress } from './inputs/address';
 import { description } from './inputs/lines';
@@ -31,7 +32,7 @@ let inputs = start.inputs;
 let computed: Inputs | undefined;
 
 const results = createResults();
-const scene = createScene(find('scene', HTMLElement), core);
+const scene = createScene(find('scene', HTMLElement), core, (time) => timeCharts.setCursor(time));
 const timeCharts = createTimeCharts(find('time-charts', HTMLElement), (time) => scene.seek(time));
 const curveChart = createCurveChart(find('curve-chart', HTMLElement), (speed) => {
   const next = { ...inputs, speed };
@@ -43,8 +44,8 @@ const modeBars = createModeBars(find('mode-bars', HTMLElement), core);
 const pictures =
   { curve: curveChart.picture, time: timeCharts.picture, modes: modeBars.picture, collision: scene.picture };
 const curves = createCurves(core, showCurves, (line) => results.say(line));
-const share = createShare(core, curves.of, pictures, inputs);
-const address = createAddressBar((next, problem) => {
+const share = createShare(core, curves.of, pictures);
+const writeAddress = createAddressBar((next, problem) => {
   controls.show(next);
   results.say(problem);
   compute(next);
@@ -84,7 +85,7 @@ const run = createSession(core, {
 
 /** New inputs from the form, the curve or the list of kept curves. */
 function take(next: Inputs, settled: boolean): void {
-  address.write(next, settled);
+  writeAddress(next, settled);
   results.say('');
   compute(next);
 }
@@ -94,7 +95,7 @@ function compute(next: Inputs): void {
   const before = computed;
   inputs = next;
   computed = next;
-  share.show(inputs);
+  share(inputs);
   showKept(inputs, (kept) => take({ ...inputs, kept }, true));
   if (before !== undefined && before.speed === next.speed && equal(before.encounter, next.encounter)) {
     results.stale('');
@@ -105,11 +106,8 @@ function compute(next: Inputs): void {
   run(next.encounter, next.speed);
 }
 
-function showPoint(result: { quantities: Record<string, { value: number; error?: number }>; speed: number }): void {
-  const epsilon = result.quantities.restitution;
-  if (epsilon === undefined) return;
-  const { value, error = 0 } = epsilon;
-  curveChart.setCurrent({ speed: result.speed, restitution: value, error });
+function showPoint({ quantities: { restitution }, speed }: Restitution): void {
+  if (restitution) curveChart.setCurrent({ speed, restitution: restitution.value, error: restitution.error ?? 0 });
 }
 
 function showCurves(): void {
@@ -118,12 +116,8 @@ function showCurves(): void {
   curveChart.setCurves(all.map((encounter) => {
     const { points, planned } = curves.of(encounter);
     const place = (speed: number): number => onAxisOf(inputs.encounter, encounter, speed);
-    return {
-      label: description(encounter),
-      encounter,
-      points: points.map((point) => ({ ...point, speed: place(point.speed) })),
-      planned: planned.map(place),
-    };
+    const placed = points.map((point) => ({ ...point, speed: place(point.speed) }));
+    return { label: description(encounter), encounter, points: placed, planned: planned.map(place) };
   }));
 }
 
@@ -138,8 +132,6 @@ series.addEventListener('change', () => {
   }
   problem.hidden = problem.textContent === '';
 });
-
-scene.onCursor((time) => timeCharts.setCursor(time));
 
 results.say(start.problem);
 compute(inputs);

@@ -3,27 +3,20 @@
 import { least } from 'd3-array';
 import { html, render } from 'lit-html';
 import { keyed, onResize } from '../drawing/dom';
-import { type Picture, pictureOf } from '../drawing/files';
+import { pictureOf } from '../drawing/files';
 import { rounded, withError, written } from '../drawing/numbers';
 import { type Drawn, stacked } from '../drawing/plot';
-import { type Theme, readTheme } from '../drawing/theme';
+import { readTheme } from '../drawing/theme';
 import { drawCurves, speedsOf, type Curve, type CurveContent } from './curve_picture';
 import './charts.css';
 
 type Current = NonNullable<CurveContent['current']>;
 
-export interface CurveChart {
-  setCurves(curves: Curve[]): void;
-  /** Shows the point that the inputs stand for. */
-  setCurrent(current: Current): void;
-  readonly picture: Picture;
-}
-
 const STEPS = 100; // of the keyboard along the axis
 const TITLE = 'ε against the speed';
 
 /** Makes an empty chart in an element; `pick` gets a speed that a reader has picked. */
-export function createCurveChart(host: HTMLElement, pick: (speed: number) => void): CurveChart {
+export function createCurveChart(host: HTMLElement, pick: (speed: number) => void) {
   const content: CurveContent = { curves: [], current: undefined, ordinate: 'restitution' };
   let chart: Drawn | undefined;
   let shown: SVGSVGElement | undefined;
@@ -101,14 +94,15 @@ export function createCurveChart(host: HTMLElement, pick: (speed: number) => voi
   }
 
   return {
-    setCurves(curves) {
+    setCurves(curves: Curve[]): void {
       content.curves = curves;
       drawSoon();
     },
-    setCurrent(current) {
+    /** Shows the point that the inputs stand for. */
+    setCurrent(current: Current): void {
       content.current = current;
       drawSoon();
     },
-    picture: pictureOf(host, TITLE, (width: number, theme: Theme) => drawCurves(content, width, theme)),
+    picture: pictureOf(host, TITLE, (width, theme) => drawCurves(content, width, theme)),
   };
 }

@@ -6,7 +6,7 @@ import { repeat } from 'lit-html/directives/repeat.js';
 import { unitsOf } from '../core/local';
 import type { Collision, Core, Encounter, Shape } from '../core/protocol';
 import { choice, keyed, onResize } from '../drawing/dom';
-import { type Picture, pictureOf } from '../drawing/files';
+import { pictureOf } from '../drawing/files';
 import { withUnit, written } from '../drawing/numbers';
 import { BESIDE, stacked, type Drawn } from '../drawing/plot';
 import { readTheme, type Theme } from '../drawing/theme';
@@ -20,11 +20,6 @@ import {
 import { swingShape } from './mode_shape';
 import './charts.css';
 
-export interface ModeBars {
-  show(encounter: Encounter, collision: Collision): void;
-  readonly picture: Picture;
-}
-
 const PITCH = 17; // pixels of a bar, at least
 const SMALLEST = 24; // height of what is pressed
 const MOST = 40;
@@ -36,7 +31,7 @@ const AXES: [boolean, string][] = [[true, 'logarithmic'], [false, 'linear']];
 const BODIES: [0 | 1, string][] = [[0, 'first'], [1, 'second']];
 
 /** Makes an empty chart in an element. */
-export function createModeBars(host: HTMLElement, core: Core): ModeBars {
+export function createModeBars(host: HTMLElement, core: Core) {
   const chosen = { when: 'after' as When, log: true, body: 0 as 0 | 1 };
   let now: { encounter: Encounter; collision: Collision } | undefined;
   let layout: ModeLayout = { bars: [], groups: [], omitted: 0, rest: 0 };
@@ -171,7 +166,7 @@ export function createModeBars(host: HTMLElement, core: Core): ModeBars {
   }
 
   return {
-    show(encounter, collision) {
+    show(encounter: Encounter, collision: Collision): void {
       if (!now || !equal(now.encounter, encounter)) shapes = new Map();
       now = { encounter, collision };
       if (!isPair()) chosen.body = 0;

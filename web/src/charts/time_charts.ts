@@ -3,7 +3,7 @@
 import { html, nothing, render, type TemplateResult } from 'lit-html';
 import type { Collision } from '../core/protocol';
 import { keyed, onResize } from '../drawing/dom';
-import { type Picture, pictureOf } from '../drawing/files';
+import { pictureOf } from '../drawing/files';
 import { type Drawn, drawLegend } from '../drawing/plot';
 import { look, readTheme, type Theme } from '../drawing/theme';
 import {
@@ -11,18 +11,11 @@ import {
 } from './series';
 import './charts.css';
 
-export interface TimeCharts {
-  show(collision: Collision): void;
-  /** Puts the cursor to a time, in the collision's units. */
-  setCursor(time: number): void;
-  readonly picture: Picture;
-}
-
 const HEIGHTS = [90, 90, 160];
 const STEPS = 100;
 
 /** Makes empty charts in an element; `choose` gets a time to which a reader moves the cursor. */
-export function createTimeCharts(host: HTMLElement, choose: (time: number) => void): TimeCharts {
+export function createTimeCharts(host: HTMLElement, choose: (time: number) => void) {
   let collision: Collision | undefined;
   let panels: Panel[] = [];
   let charts: Drawn[] = [];
@@ -103,14 +96,15 @@ export function createTimeCharts(host: HTMLElement, choose: (time: number) => vo
   }
 
   return {
-    show(next) {
+    show(next: Collision): void {
       const shown = readable(next);
       cursor *= second / shown.second;
       ({ second, collision } = shown);
       panels = panelsOf(collision);
       draw();
     },
-    setCursor(time) {
+    /** Puts the cursor to a time, in the collision's units. */
+    setCursor(time: number): void {
       cursor = time / second;
       tell();
     },

@@ -13,13 +13,6 @@ import { placeOf, speedAt, steps } from '../inputs/speeds';
 import { barSpeed, withSi, withoutSi } from '../inputs/units';
 import { showFields, showNumbers, textOf } from './fields_view';
 
-export interface Controls {
-  /** Show inputs that come from elsewhere: the address, the curve. */
-  show(inputs: Inputs): void;
-  /** What the core says is wrong with a field. */
-  refuse(field: Field, problem: string): void;
-}
-
 /** What the form reports: inputs that hold, while a drag or typing goes on or at its end; or that some are wrong. */
 export interface Listener {
   changed(inputs: Inputs, settled: boolean): void;
@@ -29,7 +22,7 @@ export interface Listener {
 const own = 'own numbers';
 
 /** Wire the form of index.html. */
-export function createControls(initial: Inputs, listener: Listener): Controls {
+export function createControls(initial: Inputs, listener: Listener) {
   let inputs = initial;
   const form = find('inputs', HTMLFormElement);
   const slider = find('speed-slider', HTMLInputElement);
@@ -152,7 +145,9 @@ export function createControls(initial: Inputs, listener: Listener): Controls {
 
   show(inputs);
   return {
+    /** Show inputs that come from elsewhere: the address, the curve. */
     show,
-    refuse: (field, problem) => showFields(inputs, new Map([[field, problem]])),
+    /** What the core says is wrong with a field. */
+    refuse: (field: Field, problem: string): void => showFields(inputs, new Map([[field, problem]])),
   };
 }

@@ -15,21 +15,11 @@ export interface Curve {
   readonly planned: readonly number[];
 }
 
-export interface Curves {
-  /** Compute these curves, the first of which is the current one; what is not among them is no longer computed. */
-  want(encounters: readonly Encounter[]): void;
-  /** Compute at the speeds of a series; those of '' are the usual ones. They are in the units of the current encounter,
-   *  and those in others have the usual ones. Throws CoreError for a text that is none. */
-  at(series: string): void;
-  /** The curve of an encounter as far as it is known. */
-  of(encounter: Encounter): Curve;
-}
-
 /** Remembered curves beyond this number are forgotten, oldest first. */
 const most = 40;
 
 /** Compute curves in the background; `changed` is called when there is a new point, `failed` with one line. */
-export function createCurves(core: Core, changed: () => void, failed: (line: string) => void): Curves {
+export function createCurves(core: Core, changed: () => void, failed: (line: string) => void) {
   const known = new Map<string, Curve>();
   let current = new AbortController();
   let wanted: readonly Encounter[] = [];
@@ -38,6 +28,7 @@ export function createCurves(core: Core, changed: () => void, failed: (line: str
   const seriesFor = (encounter: Encounter): string => (wanted[0]?.si === encounter.si ? series : '');
   const keyOf = (encounter: Encounter): string => `${documentOf(encounter)} ${seriesFor(encounter)}`;
 
+  /** The curve of an encounter as far as it is known. */
   function of(encounter: Encounter): Curve {
     const found = known.get(keyOf(encounter)) ??
       { points: [], planned: curveSpeeds(encounter, seriesFor(encounter)) };
@@ -77,12 +68,15 @@ export function createCurves(core: Core, changed: () => void, failed: (line: str
 
   return {
     of,
-    want(encounters) {
+    /** Compute these curves, the first of which is the current one; what is not among them is no longer computed. */
+    want(encounters: readonly Encounter[]): void {
       if (encounters.map(documentOf).join() === wanted.map(documentOf).join()) return;
       wanted = encounters;
       begin();
     },
-    at(text) {
+    /** Compute at the speeds of a series; those of '' are the usual ones. They are in the units of the current encounter,
+     *  and those in others have the usual ones. Throws CoreError for a text that is none. */
+    at(text: string): void {
       if (text.trim() !== '') seriesOf(text);
       series = text.trim();
       begin();

@@ -6,14 +6,8 @@ import { find } from '../drawing/dom';
 
 export type Stage = 'first' | 'final';
 
-export interface Results {
-  /** Show a result; of the final one screen readers are told, once it stays. */
-  show(encounter: Encounter, result: Restitution, stage: Stage): void;
-  /** Say that what is shown belongs to earlier inputs: because some are wrong, or because new ones are computed. */
-  stale(why: '' | 'wrong' | 'computing'): void;
-  /** One line that is not about a field; '' takes it away. */
-  say(line: string): void;
-}
+/** Whether what is shown belongs to the inputs (''), or why not. */
+type Age = '' | 'wrong' | 'computing';
 
 /** A quantity with a readable unit and the digits that its error allows, or some others. */
 function shown(quantity: Quantity, digits = shownNumber): string {
@@ -70,7 +64,7 @@ export function flags({ reason, converged, beyondSmallStrain }: Restitution): st
 const noticeable = 200;
 
 /** Wire the results of index.html. */
-export function createResults(): Results {
+export function createResults() {
   const section = find('result', HTMLElement);
   const spoken = find('spoken', HTMLOutputElement);
   const state = find('result-state', HTMLElement);
@@ -83,8 +77,7 @@ export function createResults(): Results {
     for (const [id, text] of Object.entries(texts)) find(id, HTMLElement).textContent = text;
   };
 
-  /** What is shown belongs to earlier inputs, or ('') to these. */
-  const mark = (why: '' | 'wrong' | 'computing'): void => {
+  const mark = (why: Age): void => {
     if (why === '') delete section.dataset.stale;
     else section.dataset.stale = why;
     clearTimeout(soon);
@@ -94,7 +87,8 @@ export function createResults(): Results {
   };
 
   return {
-    show(encounter, result, stage) {
+    /** Show a result; of the final one screen readers are told, once it stays. */
+    show(encounter: Encounter, result: Restitution, stage: Stage): void {
       const epsilon = result.quantities.restitution ?? { value: NaN, unit: '' };
       const { full, short } = reboundInWords(encounter, result);
       put({
@@ -126,7 +120,8 @@ export function createResults(): Results {
         ].join(' ');
       }, 800);
     },
-    stale(why) {
+    /** Say that what is shown belongs to earlier inputs: because some are wrong, or because new ones are computed. */
+    stale(why: Age): void {
       mark(why);
       if (why === 'wrong') state.textContent = reached === '' ? 'no result yet' : 'of the last inputs in range';
       if (why === 'computing') soon = window.setTimeout(() => {
@@ -134,7 +129,8 @@ export function createResults(): Results {
         section.dataset.slow = '';
       }, noticeable);
     },
-    say(line) {
+    /** One line that is not about a field; '' takes it away. */
+    say(line: string): void {
       const notice = find('notice', HTMLElement);
       notice.textContent = line;
       notice.hidden = line === '';

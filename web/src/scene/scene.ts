@@ -3,7 +3,6 @@
 import { html, render, type TemplateResult } from 'lit-html';
 import type { Collision, Core, Encounter } from '../core/protocol';
 import { choice, fitCanvas, keyed, messageOf, onResize } from '../drawing/dom';
-import type { Picture } from '../drawing/files';
 import { motionIsReduced, readTheme } from '../drawing/theme';
 import type { Quantity } from './colors';
 import { advance, frameAt, LENGTH, type Clock } from './film';
@@ -11,16 +10,6 @@ import { describe, phaseAt, slowness, timeInWords } from './phases';
 import { drawPicture, pictureHeight } from './picture';
 import { produce, type Show } from './show';
 import './scene.css';
-
-export interface Scene {
-  /** Shows a collision; what was shown before stays until the first frames of the new one are there. */
-  show(encounter: Encounter, speed: number, cutoff: number, collision: Collision): void;
-  /** Stops, and goes to a time, in the collision's units. */
-  seek(time: number): void;
-  /** Calls back whenever the film's time changes by itself or by its controls. */
-  onCursor(callback: (time: number) => void): void;
-  readonly picture: Picture;
-}
 
 const STEPS = 64; // of the film
 const PIECES = 400; // of the scrubber
@@ -34,8 +23,9 @@ const PAUSE = 'M3.5 2.5h3v11h-3zM9.5 2.5h3v11h-3z';
 const BACK = 'M12 2.5v11L5 8zM3 2.5h1.8v11H3z';
 const NEXT = 'M4 2.5v11L11 8zM11.2 2.5H13v11h-1.8z';
 
-/** Makes an empty scene in an element. */
-export function createScene(host: HTMLElement, core: Core): Scene {
+/** Makes an empty scene in an element. `cursor` is called whenever the film's time changes by itself or by its
+ *  controls. */
+export function createScene(host: HTMLElement, core: Core, cursor: (time: number) => void) {
   let show: Show | undefined;
   let asked: AbortController | undefined;
   let clock: Clock = { time: 0, rested: 0 };
@@ -43,7 +33,6 @@ export function createScene(host: HTMLElement, core: Core): Scene {
   let [note, words] = ['', ''];
   let begun = false; // whether a film has ever played by itself
   let quantity: Quantity = 'fringes';
-  let cursor: (time: number) => void = () => undefined;
 
   tell();
   const place = host.querySelector<HTMLElement>('.scene')!;
@@ -183,7 +172,8 @@ export function createScene(host: HTMLElement, core: Core): Scene {
   }
 
   return {
-    show(encounter, at, cutoff, collision) {
+    /** Shows a collision; what was shown before stays until the first frames of the new one are there. */
+    show(encounter: Encounter, at: number, cutoff: number, collision: Collision): void {
       asked?.abort();
       const mine = (asked = new AbortController());
       note = 'Computing the film …';
@@ -195,12 +185,10 @@ export function createScene(host: HTMLElement, core: Core): Scene {
         tell();
       });
     },
-    seek: (time) => go(time, false),
-    onCursor(callback) {
-      cursor = callback;
-    },
+    /** Stops, and goes to a time, in the collision's units. */
+    seek: (time: number): void => go(time, false),
     picture: {
-      canvas() {
+      canvas(): HTMLCanvasElement {
         if (!show) throw new Error('there is no film to draw yet');
         const copy = document.createElement('canvas');
         drawOn(copy, place.clientWidth || PRINT, show, 2);
