@@ -10,7 +10,7 @@ import { fromAddress } from './inputs/address';
 import { description } from './inputs/lines';
 import { equal } from './inputs/document';
 import type { Inputs } from './inputs/inputs';
-import { onAxisOf, usualSeries } from './inputs/speeds';
+import { onAxisOf, usualSeries } from './inputs/units';
 import { createAddressBar } from './page/address_bar';
 import { createControls } from './page/controls';
 import { createCurves } from './page/curves';

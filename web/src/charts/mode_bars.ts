@@ -155,7 +155,8 @@ export function createModeBars(host: HTMLElement, core: Core) {
 
   function wordsOf({ mode: { order, index, omega }, energy }: ModeBar): string {
     const frequency = frequencyInWords(omega, now!.encounter);
-    return `Mode (n, l) = (${order}, ${index}), ${frequency}: ${percent(energy)} of the energy, ${MODE_LABELS[chosen.when]}`;
+    const share = `${percent(energy)} of the energy, ${MODE_LABELS[chosen.when]}`;
+    return `Mode (n, l) = (${order}, ${index}), ${frequency}: ${share}`;
   }
 
   function onKey(event: KeyboardEvent): void {

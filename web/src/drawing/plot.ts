@@ -1,6 +1,6 @@
 // Charts that Observable Plot draws: one description for the page and for the file that leaves it.
 import * as Plot from '@observablehq/plot';
-import { max, sum } from 'd3-array';
+import { cumsum, max } from 'd3-array';
 import { scaleLinear, scaleLog } from 'd3-scale';
 import { powerOfTen, written } from './numbers';
 import type { Look, Theme } from './theme';
@@ -53,7 +53,7 @@ export function ticksOf({ low, high, log }: Scale, length: number, pitch: number
     const scale = scaleLinear([low, high], [0, 1]);
     const usual = scale.tickFormat(count);
     const plain = Math.max(Math.abs(low), Math.abs(high)) < 1e5 && high - low > 1e-3;
-    return { places: scale.ticks(count), words: plain ? (each) => (each === 0 ? '0' : usual(each)) : (each) => written(each) };
+    return { places: scale.ticks(count), words: (each) => (plain && each !== 0 ? usual(each) : written(each)) };
   }
   const decades = Math.log10(high / low);
   const leads = 3 * decades <= count ? [1, 2, 5] : [1];
@@ -143,24 +143,18 @@ export function drawLegend(entries: Entry[], width: number, theme: Theme): Drawn
 /** Charts below each other as one picture with a title, on a ground of its own where it leaves the page. */
 export function stacked(parts: SVGSVGElement[], title: string, ground?: string): SVGSVGElement {
   const whole = parts[0]!.cloneNode(false) as SVGSVGElement;
-  const add = (name: string, attributes: Record<string, string | number>, inside: Iterable<Node | string> = []): void => {
-    const element = document.createElementNS('http://www.w3.org/2000/svg', name);
-    set(element, attributes);
-    element.append(...inside);
-    whole.append(element);
-  };
-  const set = (element: Element, attributes: Record<string, string | number>): void => {
-    for (const [key, value] of Object.entries(attributes)) element.setAttribute(key, String(value));
-  };
   const width = parts[0]!.width.baseVal.value;
-  const height = sum(parts, (part) => part.height.baseVal.value);
+  const bottoms = cumsum(parts, (part) => part.height.baseVal.value);
+  const height = bottoms.at(-1)!;
+  const set = <Made extends Element>(made: Made, attributes: Record<string, string | number>): Made => {
+    for (const [key, value] of Object.entries(attributes)) made.setAttribute(key, String(value));
+    return made;
+  };
+  const add = (name: string, attributes: Record<string, string | number>, inside: Iterable<Node | string> = []): void =>
+    whole.appendChild(set(document.createElementNS('http://www.w3.org/2000/svg', name), attributes)).append(...inside);
   set(whole, { height, viewBox: `0 0 ${width} ${height}`, role: 'img', 'aria-label': title });
   add('title', {}, [title]);
   if (ground) add('rect', { width, height, fill: ground, stroke: 'none' });
-  let top = 0;
-  for (const part of parts) {
-    add('g', { transform: `translate(0,${top})` }, [...part.childNodes]);
-    top += part.height.baseVal.value;
-  }
+  parts.forEach((part, n) => add('g', { transform: `translate(0,${bottoms[n - 1] ?? 0})` }, [...part.childNodes]));
   return whole;
 }

@@ -2,7 +2,7 @@
 import { numberOf, requireSpeed, unitsOf } from '../core/local';
 import { CoreError, type Encounter } from '../core/protocol';
 import { displayed, significant } from '../drawing/numbers';
-import { type Field, fieldsOf, nameOf, ofSecond, owner, valueOf, withValue } from './fields';
+import { type Field, fieldsOf, ofSecond, owner, valueOf, withValue, wordsOf } from './fields';
 import { type Inputs, ball, unitBody } from './inputs';
 import { type BodyField, sizeOf } from './kinds';
 
@@ -111,5 +111,5 @@ function problemOf(encounter: Encounter, field: Field, line: string): string {
 }
 
 function fullName(encounter: Encounter, field: Field): string {
-  return `${nameOf(encounter, field)}${owner(field)?.second ? ' of what it meets' : ''}`;
+  return `${wordsOf(encounter, field).name}${owner(field)?.second ? ' of what it meets' : ''}`;
 }

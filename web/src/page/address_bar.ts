@@ -5,8 +5,8 @@ import type { Inputs } from '../inputs/inputs';
 /** Browsers refuse to change the address more often than some 100 times in 30 s. */
 const pause = 300;
 
-/** Keep the address up to date; `go` gets the inputs of an entry that the user goes back or forward to. The result writes
- *  inputs into the address, soon; `settled` ends a drag or typing. */
+/** Keep the address up to date; `go` gets the inputs of an entry that the user goes back or forward to. The result
+ *  writes inputs into the address, soon; `settled` ends a drag or typing. */
 export function createAddressBar(
   go: (inputs: Inputs, problem: string) => void,
 ): (inputs: Inputs, settled: boolean) => void {

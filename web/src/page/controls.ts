@@ -9,8 +9,7 @@ import { type Field, fieldsOf } from '../inputs/fields';
 import { type Inputs, presetOf, presets, withAgainst, withKind, withSecond } from '../inputs/inputs';
 import { type BodyKind, blockOf, bodyKinds, kindNamed, materials, sizeOf } from '../inputs/kinds';
 import { description } from '../inputs/lines';
-import { placeOf, speedAt, steps } from '../inputs/speeds';
-import { barSpeed, withSi, withoutSi } from '../inputs/units';
+import { barSpeed, placeOf, speedAt, steps, withoutSi, withSi } from '../inputs/units';
 import { showFields, showNumbers, textOf } from './fields_view';
 
 /** What the form reports: inputs that hold, while a drag or typing goes on or at its end; or that some are wrong. */
@@ -104,7 +103,8 @@ export function createControls(initial: Inputs, listener: Listener) {
     const material = materials.find((each) => each.name === name);
     return material === undefined ? body : madeOf(material, body);
   };
-  const meeting = (change: Partial<Encounter>): Inputs => ({ ...inputs, encounter: { ...inputs.encounter, ...change } });
+  const meeting = (change: Partial<Encounter>): Inputs =>
+    ({ ...inputs, encounter: { ...inputs.encounter, ...change } });
   /** What a choice makes of the inputs, by the ids and names of index.html. */
   const choices: Record<string, (value: string) => Inputs> = {
     preset: (value) => {

@@ -5,7 +5,7 @@ import type { Core, CurvePoint, Encounter } from '../core/protocol';
 import { messageOf } from '../drawing/dom';
 import { description } from '../inputs/lines';
 import { documentOf } from '../inputs/document';
-import { curveSpeeds } from '../inputs/speeds';
+import { curveSpeeds } from '../inputs/units';
 import { fine } from './session';
 
 export interface Curve {
@@ -74,8 +74,8 @@ export function createCurves(core: Core, changed: () => void, failed: (line: str
       wanted = encounters;
       begin();
     },
-    /** Compute at the speeds of a series; those of '' are the usual ones. They are in the units of the current encounter,
-     *  and those in others have the usual ones. Throws CoreError for a text that is none. */
+    /** Compute at the speeds of a series; those of '' are the usual ones. They are in the units of the current
+     *  encounter, and those in others have the usual ones. Throws CoreError for a text that is none. */
     at(text: string): void {
       if (text.trim() !== '') seriesOf(text);
       series = text.trim();

@@ -1,7 +1,6 @@
 // ε and what belongs to it, as text.
 import type { Encounter, Quantity, Restitution } from '../core/protocol';
 import { prefixFor, significant, withError } from '../drawing/numbers';
-import { reboundOf } from '../inputs/rebound';
 import { find } from '../drawing/dom';
 
 export type Stage = 'first' | 'final';
@@ -28,6 +27,27 @@ function shownNumber({ value, error }: Quantity, factor: number): string {
 /** As far as a class needs it. */
 function threeDigits({ value }: Quantity, factor = 1): string {
   return (value * factor).toPrecision(3);
+}
+
+/** Standard gravity, m/s². */
+const gravity = 9.80665;
+
+export interface Rebound {
+  /** m; undefined without SI */
+  readonly drop: number | undefined;
+  /** m, or without SI in units of the drop */
+  readonly height: Quantity;
+}
+
+/** The rebound of a body from what rests; undefined for one that meets another body, which moves too. */
+export function reboundOf({ si, against }: Encounter, speed: number, restitution: Quantity): Rebound | undefined {
+  if (against === 'same' || against === 'body') return undefined;
+  const { value, error } = restitution;
+  const drop = si ? speed ** 2 / (2 * gravity) : undefined;
+  const unit = drop ?? 1;
+  const height: Quantity = { value: value ** 2 * unit, unit: si ? 'm' : '' };
+  if (error !== undefined) height.error = 2 * value * error * unit;
+  return { drop, height };
 }
 
 /** The height of rebound, whole and in three digits, of that of the fall; '' for what meets another body. */

@@ -5,14 +5,13 @@ import { type Picture, download, pngOf, textOf } from '../drawing/files';
 import { toAddress } from '../inputs/address';
 import { type Inputs, defaults } from '../inputs/inputs';
 import { commandLine, curveCsv, pythonLines } from '../inputs/lines';
-import { endsOf } from '../inputs/speeds';
+import { endsOf } from '../inputs/units';
 import type { Curve } from './curves';
 
 /** Maximum error of ε that the C header may have. */
 const headerError = 1e-3;
 
-/** Wire the buttons of index.html; `pictures` by the values of the select. Shows the lines for the inputs that the result
- *  gets. */
+/** Wire the buttons of index.html; `pictures` by the values of the select. The result shows the lines of inputs. */
 export function createShare(
   core: Core, curveOf: (encounter: Encounter) => Curve, pictures: Readonly<Record<string, Picture>>,
 ): (inputs: Inputs) => void {

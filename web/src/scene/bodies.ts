@@ -3,9 +3,8 @@
 import { interpolate } from '../drawing/samples';
 import type { Encounter, Frame } from '../core/protocol';
 import type { Theme } from '../drawing/theme';
-import type { Shade } from './colors';
+import { paintMesh, type Pixels, type Shade } from './raster';
 import { edgeOf, meshOf, type Line, type Mesh, type Part } from './parts';
-import { paintMesh, type Pixels } from './raster';
 import type { Layout } from './view';
 
 export interface Drawing {

@@ -6,7 +6,7 @@ import type { Frame } from '../core/protocol';
 import { prefixFor, withUnit, written } from '../drawing/numbers';
 import type { Theme } from '../drawing/theme';
 import { drawBodies } from './bodies';
-import { cssOf, pixelOf, shadeOf, type Quantity, type Shade } from './colors';
+import { cssOf, pixelOf, shadeOf, type Quantity, type Shade } from './raster';
 import { phaseAt, timeInWords } from './phases';
 import type { Show } from './show';
 import { HEAD, layoutOf } from './view';
@@ -76,8 +76,8 @@ function drawLegend(
   const scale = scaleLinear([0, last], [start, start + wide]);
   for (const tick of scale.ticks(5)) context.fillText(written(tick), scale(tick), top + 23);
   context.fillStyle = theme.text;
-  const words = fringes ? `fringe order, one every σ₁ − σ₂ = ${stressInWords(shade.unit, modulus)}` : `${name} / ${unit}`;
-  context.fillText(words, start + wide / 2, top + 39);
+  const every = `fringe order, one every σ₁ − σ₂ = ${stressInWords(shade.unit, modulus)}`;
+  context.fillText(fringes ? every : `${name} / ${unit}`, start + wide / 2, top + 39);
 }
 
 /** A stress in words: in SI with a prefix, else in the modulus of the first body. */

@@ -3,7 +3,7 @@
 import { bisectLeft, cumsum, max, mean, min } from 'd3-array';
 import type { BodyFrame, Frame } from '../core/protocol';
 import { roundDown, roundUp } from '../drawing/numbers';
-import type { Quantity } from './colors';
+import type { Quantity } from './raster';
 import { cross, displacementOf, sidesOf, type Part } from './parts';
 
 const VISIBLE = 0.18; // maximum displacement in the picture, in radii of the body

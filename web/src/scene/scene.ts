@@ -4,7 +4,7 @@ import { html, render, type TemplateResult } from 'lit-html';
 import type { Collision, Core, Encounter } from '../core/protocol';
 import { choice, fitCanvas, keyed, messageOf, onResize } from '../drawing/dom';
 import { motionIsReduced, readTheme } from '../drawing/theme';
-import type { Quantity } from './colors';
+import type { Quantity } from './raster';
 import { advance, frameAt, LENGTH, type Clock } from './film';
 import { describe, phaseAt, slowness, timeInWords } from './phases';
 import { drawPicture, pictureHeight } from './picture';

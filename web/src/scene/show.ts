@@ -3,7 +3,7 @@
 import { max } from 'd3-array';
 import type { Collision, Core, Encounter, Frame, Grid } from '../core/protocol';
 import { sizeOf } from '../inputs/kinds';
-import type { Quantity } from './colors';
+import type { Quantity } from './raster';
 import { coarseToFine, filmSpan, insertFrame, type Film } from './film';
 import { gridBelow, gridFor } from './grid';
 import { partsOf, type Part } from './parts';

@@ -50,7 +50,8 @@ describe.skipIf(!hasCommand)('a collision', { timeout: 60_000 }, () => {
       if (!encounter.si || energy) expect(unit === 0 ? 1 : unit, name).toBeCloseTo(1, 10);
       if (encounter.si && name === 'velocity') expect(unit / barSpeed(encounter)).toBeCloseTo(1, 10);
       theirs.forEach((value, k) => {
-        expect(Math.abs(values[k]! - unit * value), `${name} ${k}`).toBeLessThanOrEqual(1e-10 * (energy ? 1 : greatest));
+        const size = energy ? 1 : greatest;
+        expect(Math.abs(values[k]! - unit * value), `${name} ${k}`).toBeLessThanOrEqual(1e-10 * size);
       });
     }
   });

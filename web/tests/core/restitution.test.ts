@@ -3,7 +3,7 @@ import { describe, expect, it } from 'vitest';
 import type { Body, Encounter } from '../../src/core/protocol';
 import { madeOf } from '../../src/inputs/document';
 import { materialNamed } from '../../src/inputs/kinds';
-import { curveSpeeds } from '../../src/inputs/speeds';
+import { curveSpeeds } from '../../src/inputs/units';
 import { cases } from '../unit/cases';
 import { hasCommand, restitution } from './native';
 import { ask } from './wasm';
@@ -11,7 +11,8 @@ import { ask } from './wasm';
 const one = cases[0]!.encounter;
 const ball = cases[4]!.encounter;
 const more: [Encounter, number, number][] = [
-  [one, 0.01, 1e-3], [one, 0.3, 1e-3], [one, 1e-5, 1e-2], [{ ...one, first: { ...one.first, poisson: 0.9 } }, 0.3, 1e-3],
+  [one, 0.01, 1e-3], [one, 0.3, 1e-3], [one, 1e-5, 1e-2],
+  [{ ...one, first: { ...one.first, poisson: 0.9 } }, 0.3, 1e-3],
   [ball, 0.1, 1e-3], [ball, 1e-6, 1e-2], [{ ...ball, against: 'same' }, 0.05, 1e-3],
   [{ ...ball, against: 'half-space', second: ball.first }, 0.1, 1e-2],
 ];

@@ -135,7 +135,8 @@ describe('bars of modes', () => {
     expect(energyScale(layoutModes(modes, 0, 'average', 20), true).low).toBeGreaterThan(0);
   });
   it('say frequencies in c/R or Hz', () => {
-    const steel: Encounter = { ...ENCOUNTER, si: true, first: { ...ENCOUNTER.first, radius: 0.01, young: 2.1e11, density: 7850 } };
+    const first = { ...ENCOUNTER.first, radius: 0.01, young: 2.1e11, density: 7850 };
+    const steel: Encounter = { ...ENCOUNTER, si: true, first };
     expect(frequencyInWords(2, ENCOUNTER)).toBe('ω = 2 c/R');
     expect(frequencyInWords(2 * Math.PI, steel)).toBe('517.2 kHz');
     expect(unitsOf({ ...steel, plane: 'strain' }).modulus! / (2.1e11 / 0.91)).toBeCloseTo(1, 12);

@@ -5,7 +5,9 @@ import { bodyPart, type Part } from '../../src/scene/parts';
 export const diskOf = (grid: Grid): Part => bodyPart('disk', 1, 1, 0.1, grid);
 
 /** A frame of a body by the displacement of its points; its fringes are their distance from the centre. */
-export function field(grid: Grid, radial: (r: number, a: number) => number, tangential: (r: number, a: number) => number):
+type At = (r: number, a: number) => number;
+
+export function field(grid: Grid, radial: At, tangential: At):
     BodyFrame {
   const all = (value: (r: number, a: number) => number): Float32Array =>
     Float32Array.from([...grid.radius].flatMap((r) => [...grid.angle].map((a) => value(r, a))));

@@ -5,8 +5,9 @@ import { type Inputs, defaults, unitBody, withAgainst, withKind } from '../../sr
 import { displayed, shortest } from '../../src/drawing/numbers';
 import { equal, materialOf } from '../../src/inputs/document';
 import { kindNamed } from '../../src/inputs/kinds';
-import { barSpeed, withSi, withoutSi } from '../../src/inputs/units';
-import { curveSpeeds, fastest, onAxisOf, placeOf, slowest, speedAt, steps } from '../../src/inputs/speeds';
+import {
+  barSpeed, curveSpeeds, fastest, onAxisOf, placeOf, slowest, speedAt, steps, withoutSi, withSi,
+} from '../../src/inputs/units';
 import { description } from '../../src/inputs/lines';
 import { cases } from './cases';
 

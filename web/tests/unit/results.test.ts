@@ -1,9 +1,8 @@
 // What the page shows of a result besides ε: how high it bounces, at what speed it yields.
 import { describe, expect, it } from 'vitest';
 import type { Encounter, Quantity, Restitution } from '../../src/core/protocol';
-import { reboundOf } from '../../src/inputs/rebound';
+import { reboundInWords, reboundOf, shownQuantity, yieldInWords } from '../../src/page/results';
 import { presets } from '../../src/inputs/inputs';
-import { reboundInWords, shownQuantity, yieldInWords } from '../../src/page/results';
 
 const ball = presets[1]!.encounter;
 const plain: Encounter = { ...ball, si: false, against: 'wall' };

@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest';
 import type { Frame } from '../../src/core/protocol';
-import { colorTable, contrast, pixelOf, shadeOf } from '../../src/scene/colors';
+import { colorTable, contrast, pixelOf, shadeOf } from '../../src/scene/raster';
 import { advance, coarseToFine, type Film, filmSpan, frameAt, insertFrame, LENGTH, REST } from '../../src/scene/film';
 import { evenGrid, gradedPlaces, gridFor } from '../../src/scene/grid';
 import { faceOf, seamOf } from '../../src/scene/bodies';
@@ -113,7 +113,8 @@ describe('magnification', () => {
   });
   it('of a rod ends where points would change places', () => {
     const rod = gridFor('rod', 1);
-    expect(unfoldedUpTo(bodyPart('rod', 1, 1, 0.1, rod), field(rod, (r) => -0.02 * (1 - r), () => 0))).toBeCloseTo(0.88 / 0.02, 2);
+    const limit = unfoldedUpTo(bodyPart('rod', 1, 1, 0.1, rod), field(rod, (r) => -0.02 * (1 - r), () => 0));
+    expect(limit).toBeCloseTo(0.88 / 0.02, 2);
   });
   it('is a round number, and 1 for large deformations and bodies at rest', () => {
     const of = (size: number): number =>

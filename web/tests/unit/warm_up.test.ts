@@ -11,6 +11,8 @@ it('computes values of half-spaces after the first answer, once', async () => {
     if (question === 'curve') throw new Error('no worker');
   }) as unknown as Core);
   expect(log).toEqual([]);
-  for (const { encounter, speed } of cases.slice(0, 2)) await core('restitution', encounter, { speed, tolerance: 1e-2 });
+  for (const { encounter, speed } of cases.slice(0, 2)) {
+    await core('restitution', encounter, { speed, tolerance: 1e-2 });
+  }
   expect(log).toEqual(['restitution', 'sphere half-space', 'disk half-space', 'restitution']);
 });
