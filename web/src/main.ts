@@ -7,9 +7,9 @@ import { createCore } from './core/client';
 import type { Restitution } from './core/protocol';
 import { find, messageOf } from './drawing/dom';
 import { fromAddress } from './inputs/address';
-import { description } from './inputs/lines';
 import { equal } from './inputs/document';
 import type { Inputs } from './inputs/inputs';
+import { description } from './inputs/lines';
 import { onAxisOf, usualSeries } from './inputs/units';
 import { createAddressBar } from './page/address_bar';
 import { createControls } from './page/controls';
@@ -20,10 +20,9 @@ import { createSession } from './page/session';
 import { createShare } from './page/share';
 import { createScene } from './scene/scene';
 
+const results = createResults();
 const core = await createCore().catch((error: unknown) => {
-  const notice = find('notice', HTMLElement);
-  notice.textContent = `The core could not be loaded: ${messageOf(error)}`;
-  notice.hidden = false;
+  results.say(`The core could not be loaded: ${messageOf(error)}`);
   throw error;
 });
 const start = fromAddress(location.search);
@@ -31,7 +30,6 @@ let inputs = start.inputs;
 /** What is computed, or under way; undefined after a failure. */
 let computed: Inputs | undefined;
 
-const results = createResults();
 const scene = createScene(find('scene', HTMLElement), core, (time) => timeCharts.setCursor(time));
 const timeCharts = createTimeCharts(find('time-charts', HTMLElement), (time) => scene.seek(time));
 const curveChart = createCurveChart(find('curve-chart', HTMLElement), (speed) => {

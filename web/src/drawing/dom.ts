@@ -29,16 +29,10 @@ export function choice<Value>(
     html`<option .selected=${value === chosen}>${words}</option>`)}</select></label>`;
 }
 
-/** A scale along which keys move, in its own numbers. */
-export interface KeyScale {
-  at: number;
-  first: number;
-  last: number;
-  step: number;
-}
-
-/** Where a key leads along a scale; undefined for a key that does not. */
-export function keyed(event: KeyboardEvent, { at, first, last, step }: KeyScale): number | undefined {
+/** Where a key leads along a scale, in its own numbers; undefined for a key that does not. */
+export function keyed(
+  event: KeyboardEvent, { at, first, last, step }: Record<'at' | 'first' | 'last' | 'step', number>,
+): number | undefined {
   const places: Record<string, number> = {
     ArrowRight: at + step, ArrowUp: at + step, ArrowLeft: at - step, ArrowDown: at - step,
     PageUp: at + 10 * step, PageDown: at - 10 * step, Home: first, End: last,

@@ -2,27 +2,6 @@
 import type { Body, Encounter } from '../core/protocol';
 import { type BodyField, type Kind, type Material, blockOf, kindNamed, materials, parametersOf } from './kinds';
 
-/** The numbers that say what a body is, in the order of the page; in SI some are of its material. Without SI the first
- *  has as its units what would have a default. */
-export function fieldsOfBody(kind: Kind, si: boolean, second: boolean): BodyField[] {
-  return parametersOf(kind)
-    .filter(({ name, otherwise }) => si || second || otherwise === undefined || name === 'loss_time')
-    .map(({ name }) => name);
-}
-
-/** The material that has the elastic constants and the density of a body in SI. */
-function solidOf(body: Body, kind: Kind): Material | undefined {
-  const used = kind.parameters.filter(({ ofMaterial }) => ofMaterial).map(({ name }) => name);
-  return materials.find((material) => used.every((name) => material[name as keyof Material] === body[name]));
-}
-
-/** The same with its loss; undefined for numbers of one's own. */
-export function materialOf(body: Body, kind: Kind): Material | undefined {
-  const solid = solidOf(body, kind);
-  const lossy = solid && Math.abs(solid.loss_time - body.loss_time) <= 1e-9 * body.loss_time;
-  return lossy ? solid : undefined;
-}
-
 /** The body made of a material, of the same size. */
 export function madeOf({ young, poisson, density, loss_time }: Material, body: Body): Body {
   return { ...body, young, poisson, density, loss_time };
@@ -42,16 +21,23 @@ export interface Side {
   readonly material: Material | undefined;
 }
 
-/** The first body, and what it meets where that is a body or a half-space of its own. */
-export function sidesOf({ kind, si, plane, first, against, second }: Encounter): [Side, Side?] {
-  const side = (its: Kind, body: Body, other: boolean): Side => ({
-    kind: its, body, second: other, fields: fieldsOfBody(its, si, other),
-    strain: si && its.hasPlane && plane === 'strain',
-    solid: si ? solidOf(body, its) : undefined, material: si ? materialOf(body, its) : undefined,
-  });
-  const one = side(kindNamed(kind), first, false);
+/** The first body, and what it meets where that is a body or a half-space of its own. In SI some of their numbers are of
+ *  a material. Without SI the first has as its units what would have a default. */
+export function sidesOf({ kind: name, si, plane, first, against, second: other }: Encounter): [Side, Side?] {
+  const side = (kind: Kind, body: Body, second: boolean): Side => {
+    const fields = parametersOf(kind)
+      .filter((its) => si || second || its.otherwise === undefined || its.name === 'loss_time');
+    const used = kind.parameters.filter(({ ofMaterial }) => ofMaterial);
+    const solid = materials.find((its) => si && used.every((each) => its[each.name as keyof Material] === body[each.name]));
+    const lossy = solid && Math.abs(solid.loss_time - body.loss_time) <= 1e-9 * body.loss_time;
+    return {
+      kind, body, second, fields: fields.map((its) => its.name), strain: si && kind.hasPlane && plane === 'strain',
+      solid, material: lossy ? solid : undefined,
+    };
+  };
+  const one = side(kindNamed(name), first, false);
   if (!hasSecond(against)) return [one];
-  return [one, side(against === 'body' ? one.kind : (blockOf(kind) ?? kindNamed('half-space')), second, true)];
+  return [one, side(against === 'body' ? one.kind : (blockOf(name) ?? kindNamed('half-space')), other, true)];
 }
 
 /** Whether what the first body meets has numbers of its own. */

@@ -31,11 +31,6 @@ export const siSpeed = 1;
 /** More curves than these cannot be told apart: there are as many colours, and one is for the current one. */
 export const mostKept = 5;
 
-/** The same encounter with its second body changed by a function. */
-export function withSecond(encounter: Encounter, change: (body: Body) => Body): Encounter {
-  return { ...encounter, second: change(encounter.second) };
-}
-
 /** Another kind of body of the same material and size; what only the old kind can meet becomes the wall. */
 export function withKind(encounter: Encounter, kind: BodyKind): Encounter {
   const [old, size] = [sizeOf(encounter.kind), sizeOf(kind)];

@@ -6,7 +6,7 @@ import { significant } from '../drawing/numbers';
 import { check } from '../inputs/check';
 import { madeOf, sidesOf } from '../inputs/document';
 import { type Field, fieldsOf } from '../inputs/fields';
-import { type Inputs, presetOf, presets, withAgainst, withKind, withSecond } from '../inputs/inputs';
+import { type Inputs, presetOf, presets, withAgainst, withKind } from '../inputs/inputs';
 import { type BodyKind, blockOf, bodyKinds, kindNamed, materials, sizeOf } from '../inputs/kinds';
 import { description } from '../inputs/lines';
 import { barSpeed, placeOf, speedAt, steps, withoutSi, withSi } from '../inputs/units';
@@ -99,7 +99,7 @@ export function createControls(initial: Inputs, listener: Listener) {
     listener.changed(inputs, settled);
   }
 
-  const withMaterial = (name: string) => (body: Body): Body => {
+  const withMaterial = (name: string, body: Body): Body => {
     const material = materials.find((each) => each.name === name);
     return material === undefined ? body : madeOf(material, body);
   };
@@ -112,8 +112,8 @@ export function createControls(initial: Inputs, listener: Listener) {
       return { ...inputs, encounter, speed };
     },
     against: (value) => meeting(withAgainst(inputs.encounter, value as Encounter['against'])),
-    material: (value) => meeting({ first: withMaterial(value)(inputs.encounter.first) }),
-    material2: (value) => meeting(withSecond(inputs.encounter, withMaterial(value))),
+    material: (value) => meeting({ first: withMaterial(value, inputs.encounter.first) }),
+    material2: (value) => meeting({ second: withMaterial(value, inputs.encounter.second) }),
     body: (value) => meeting(withKind(inputs.encounter, value as BodyKind)),
     units: (value) => (value === 'SI' ? withSi(inputs) : withoutSi(inputs)),
     plane: (value) => meeting({ plane: value as Encounter['plane'] }),

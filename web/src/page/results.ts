@@ -32,15 +32,9 @@ function threeDigits({ value }: Quantity, factor = 1): string {
 /** Standard gravity, m/s². */
 const gravity = 9.80665;
 
-export interface Rebound {
-  /** m; undefined without SI */
-  readonly drop: number | undefined;
-  /** m, or without SI in units of the drop */
-  readonly height: Quantity;
-}
-
-/** The rebound of a body from what rests; undefined for one that meets another body, which moves too. */
-export function reboundOf({ si, against }: Encounter, speed: number, restitution: Quantity): Rebound | undefined {
+/** How high a body bounces that falls on what rests: ε²h, from the height h = v²/2g of its drop, both in m; without SI
+ *  in units of the drop. Undefined for one that meets another body, which moves too. */
+export function reboundOf({ si, against }: Encounter, speed: number, restitution: Quantity) {
   if (against === 'same' || against === 'body') return undefined;
   const { value, error } = restitution;
   const drop = si ? speed ** 2 / (2 * gravity) : undefined;

@@ -3,8 +3,7 @@ import { check, parseNumber, problemsOf } from '../../src/inputs/check';
 import { type Field, fieldsOf, valueOf, withValue } from '../../src/inputs/fields';
 import { type Inputs, defaults, unitBody, withAgainst, withKind } from '../../src/inputs/inputs';
 import { displayed, shortest } from '../../src/drawing/numbers';
-import { equal, materialOf } from '../../src/inputs/document';
-import { kindNamed } from '../../src/inputs/kinds';
+import { equal, sidesOf } from '../../src/inputs/document';
 import {
   barSpeed, curveSpeeds, fastest, onAxisOf, placeOf, slowest, speedAt, steps, withoutSi, withSi,
 } from '../../src/inputs/units';
@@ -94,7 +93,7 @@ describe('a change of units', () => {
   it('begins in SI with a known material of a known strength, at a round speed', () => {
     const si = withSi(defaults);
     expect(si.speed).toBe(1);
-    expect(materialOf(si.encounter.first, kindNamed('disk'))?.name).toBe('bearing steel');
+    expect(sidesOf(si.encounter)[0].material?.name).toBe('bearing steel');
     expect(withSi(si)).toBe(si);
   });
   it('keeps the impact when it leaves SI', () => {
@@ -119,7 +118,7 @@ describe('a change of units', () => {
   });
   it('makes what is of the same material the same material', () => {
     const block = withSi({ ...defaults, encounter: withAgainst(defaults.encounter, 'half-space') });
-    expect(materialOf(block.encounter.second, kindNamed('disk'))?.name).toBe('bearing steel');
+    expect(sidesOf(block.encounter)[1]!.material?.name).toBe('bearing steel');
   });
   it('nothing is changed in place', () => {
     const frozen = JSON.stringify(defaults);
