@@ -1,5 +1,6 @@
 // The page: inputs on one side, what is computed from them on the other.
 import 'katex/dist/katex.min.css';
+import './drawing/pictures.css';
 import { createCurveChart } from './charts/curve_chart';
 import { createModeBars } from './charts/mode_bars';
 import { createTimeCharts } from './charts/time_charts';

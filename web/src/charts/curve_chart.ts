@@ -8,7 +8,6 @@ import { rounded, withError, written } from '../drawing/numbers';
 import { type Drawn, stacked } from '../drawing/plot';
 import { readTheme } from '../drawing/theme';
 import { drawCurves, speedsOf, type Curve, type CurveContent } from './curve_picture';
-import './charts.css';
 
 type Current = NonNullable<CurveContent['current']>;
 

@@ -18,7 +18,6 @@ import {
   drawModes, energyOfWaves, layoutModes, MODE_LABELS, type ModeBar, type ModeLayout, type When,
 } from './mode_picture';
 import { swingShape } from './mode_shape';
-import './charts.css';
 
 const PITCH = 17; // pixels of a bar, at least
 const SMALLEST = 24; // height of what is pressed

@@ -9,7 +9,6 @@ import { look, readTheme, type Theme } from '../drawing/theme';
 import {
   cursorWords, drawPanel, panelLabel, panelsOf, readable, summaryOf, valueWords, type Panel,
 } from './series';
-import './charts.css';
 
 const HEIGHTS = [90, 90, 160];
 const STEPS = 100;

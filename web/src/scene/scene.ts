@@ -9,7 +9,6 @@ import { advance, frameAt, LENGTH, type Clock } from './film';
 import { describe, phaseAt, slowness, timeInWords } from './phases';
 import { drawPicture, pictureHeight } from './picture';
 import { produce, type Show } from './show';
-import './scene.css';
 
 const STEPS = 64; // of the film
 const PIECES = 400; // of the scrubber
