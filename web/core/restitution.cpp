@@ -14,7 +14,7 @@ namespace {
 
 using emscripten::val;
 
-/// A number for a message.
+/// A number for what a header says of itself.
 std::string text(double value) {
   std::array<char, 32> buffer{};
   std::snprintf(buffer.data(), buffer.size(), "%.6g", value);

@@ -125,7 +125,7 @@ export function drawLegend(entries: Entry[], width: number, theme: Theme): Drawn
     width, height, margin: 0, axis: null, x: { type: 'identity' }, y: { type: 'identity' },
     style: { background: 'none', color: theme.text, fontSize: '12px' },
     marks: entries.flatMap(({ label, look: { color, dash, marker: symbol }, line, marker }, k) => {
-      const { x, y, letters } = places[k]!;
+      const { x, y, rows, letters } = places[k]!;
       return [
         line ? Plot.ruleY([y], {
           x1: x, x2: x + 26, stroke: color, strokeWidth: 2, strokeDasharray: dash.join(' '),
@@ -133,7 +133,7 @@ export function drawLegend(entries: Entry[], width: number, theme: Theme): Drawn
         marker ? Plot.dot([y], { x: x + 13, y: [y], symbol, r: 4, fill: color, stroke: color }) : null,
         Plot.text([label], {
           x: x + KEY, y: [y], textAnchor: 'start', lineAnchor: 'top', dy: -7, lineHeight: ROW / 12,
-          lineWidth: (letters * LETTER) / 12 + 1,
+          lineWidth: rows > 1 ? letters / 2 : Infinity, // in ems; some fonts are wider than Plot takes them for
         }),
       ];
     }),

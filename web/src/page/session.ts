@@ -49,23 +49,16 @@ export function createSession(core: Core, audience: Audience): (encounter: Encou
     audience.collision(encounter, speed, final.cutoff, collision);
   }
 
-  async function attempt(job: Job): Promise<void> {
-    control = new AbortController();
-    refining = false;
-    const { signal } = control;
-    try {
-      await compute(job, signal);
-    } catch (error) {
-      if (signal.aborted) return;
-      audience.failed(messageOf(error), error instanceof CoreError);
-    }
-  }
-
   async function work(): Promise<void> {
     running = true;
     for (let job = waiting; job !== undefined; job = waiting) {
       waiting = undefined;
-      await attempt(job);
+      control = new AbortController();
+      refining = false;
+      const { signal } = control;
+      await compute(job, signal).catch((error: unknown) => {
+        if (!signal.aborted) audience.failed(messageOf(error), error instanceof CoreError);
+      });
     }
     running = false;
   }
