@@ -20,6 +20,7 @@ from numpy.typing import NDArray
 from PIL import Image
 
 from stoss._arguments import instance, integer, number, refusal, require_memory
+from stoss._documentation import documented
 from stoss.export._files import whole_file
 from stoss.plot import _disk, _ground, _sequence, _stress, _style
 from stoss.results._impact import Impact
@@ -28,6 +29,7 @@ DPI = 100
 SUFFIXES = (".gif", ".mp4")
 
 
+@documented
 def animate(
     impact: Impact,
     path: str | os.PathLike[str],
@@ -45,8 +47,6 @@ def animate(
 
     Parameters
     ----------
-    impact : Impact
-        Of a disk or a sphere.
     path : str or path
         Where to; an existing file is replaced. Its suffix, .gif or .mp4, says what is written; the
         latter needs ffmpeg.
@@ -60,8 +60,6 @@ def animate(
     quantity : {'von_mises', 'principal_difference', 'fringes'}, optional
         Colours, on one scale for all frames (see `stoss.plot.stress`); default: a grid of radii and
         circles.
-    fringe : float, optional
-        As in `stoss.plot.stress`.
 
     Returns
     -------

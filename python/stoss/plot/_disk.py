@@ -12,6 +12,7 @@ from matplotlib.ticker import MultipleLocator
 from numpy.typing import NDArray
 
 from stoss._arguments import instance, integer, refusal
+from stoss._documentation import documented
 from stoss._errors import InvalidInput
 from stoss.bodies._bodies import BODIES
 from stoss.plot import _ground, _style
@@ -81,6 +82,7 @@ def all_fields(impact: Impact, times: Array, **points: Array) -> list[Field]:
     return [impact.field(time=times, of=of, **points) for of in range(1 + isinstance(impact.against, BODIES))]
 
 
+@documented
 def disk(
     field: Field,
     ax: Axes | None = None,
@@ -100,10 +102,6 @@ def disk(
     ----------
     field : Field
         From `Impact.field`, with any radii and angles: the nearest to even ones are drawn.
-    ax : Axes, optional
-        Where to draw.
-    frame : int, optional
-        Which of the field's times, if it has several.
     circles, spokes : int, optional
         Number of circles and of radii.
     outline : bool, optional

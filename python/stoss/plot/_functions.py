@@ -22,16 +22,6 @@ FINE = 12  # points of the curve between computed values
 def function(result: RestitutionFunction, ax: Axes | None = None, *, label: str | None = None, **style: Any) -> Axes:
     """ε against speed as a curve in a band of its error, with the computed values and their bars.
 
-    Parameters
-    ----------
-    result : RestitutionFunction
-    ax : Axes, optional
-        Where to draw; further calls with the same Axes add curves.
-    label : str, optional
-        Name of the curve.
-    **style
-        Handed on to `matplotlib.axes.Axes.plot`: color, linestyle, …
-
     Examples
     --------
     >>> epsilon = stoss.restitution_function(poisson=0.33, speed=(0.01, 0.3), error=1e-2)
@@ -72,13 +62,8 @@ def pair_table(table: PairTable, ax: Axes | None = None, *, ratio: ArrayLike | N
 
     Parameters
     ----------
-    table : PairTable
-    ax : Axes, optional
-        Where to draw; further calls with the same Axes add curves.
     ratio : array_like, optional
         Default: five, evenly in (r − 1)/(r + 1) over the range.
-    **style
-        Handed on to `matplotlib.axes.Axes.plot`: color, linestyle, …
 
     Examples
     --------
@@ -113,12 +98,6 @@ def extrapolation(result: Extrapolation, ax: Axes | None = None) -> Axes:
 
     At 1/α = 0 stand the values that the lines reach, with the errors of the regressions, and a star
     for the limit of all modes.
-
-    Parameters
-    ----------
-    result : Extrapolation
-    ax : Axes, optional
-        Where to draw.
 
     Examples
     --------

@@ -29,15 +29,10 @@ def ledger(
 
     Parameters
     ----------
-    impact : Impact
-    ax : Axes, optional
-        Where to draw.
     when : {'after', 'average'}
         After the impact, or the mean during contact.
     orders, indices : int, optional
         How many n and l from 0 on, 1 to 100 and 1 to 20; modes above the cutoff have no bars.
-    of : {0, 1}, optional
-        The modes of which body: the first, or the second.
 
     Examples
     --------

@@ -39,7 +39,6 @@ def bounces(result: Bounces, ax: Axes | None = None) -> Axes:
 
     Parameters
     ----------
-    result : Bounces
     ax : Axes, optional
         Where to draw, of `matplotlib.pyplot.subplots`; its lower half becomes an Axes of its own.
 
@@ -103,9 +102,6 @@ def distribution(result: RestitutionDistribution, ax: Axes | None = None, *, bin
 
     Parameters
     ----------
-    result : RestitutionDistribution
-    ax : Axes, optional
-        Where to draw.
     bins : optional
         As `numpy.histogram` has them.
 
@@ -153,12 +149,6 @@ def cooling(chain: RodChain, ax: Axes | None = None) -> Axes:
     at the next collision. The dotted line is the law of late times; there is none while translation
     has more than a hundredth of its energy.
 
-    Parameters
-    ----------
-    chain : RodChain
-    ax : Axes, optional
-        Where to draw.
-
     Examples
     --------
     >>> rods = [stoss.Rod(length=length) for length in (1.0, 1.1, 0.9, 1.05)]
@@ -192,12 +182,6 @@ def restitution_histogram(chain: RodChain, ax: Axes | None = None) -> Axes:
 
     The rare values above the 99.8th percentile are left out. A line marks ε = 1, and the dotted
     one the mean of all.
-
-    Parameters
-    ----------
-    chain : RodChain
-    ax : Axes, optional
-        Where to draw.
 
     Examples
     --------

@@ -21,12 +21,6 @@ def spectrum(modes: Modes, ax: Axes | None = None) -> Axes:
     Radial are those whose surface moves mostly along the radius, ``C > |S|``, of a sphere
     ``U > √(n(n+1)) |V|``.
 
-    Parameters
-    ----------
-    modes : Modes
-    ax : Axes, optional
-        Where to draw.
-
     Examples
     --------
     >>> ax = stoss.plot.spectrum(stoss.modes(poisson=0.33, cutoff=10))
@@ -60,11 +54,6 @@ def mode_shape(modes: Modes, ax: Axes | None = None, *, order: int, index: int, 
 
     Parameters
     ----------
-    modes : Modes
-    ax : Axes, optional
-        Where to draw.
-    order, index : int
-        n and l.
     amplitude : float, optional
         Maximum displacement in the picture, R, −1 to 1.
 

@@ -24,12 +24,6 @@ def slow_impact(result: SlowImpact | PointSlowImpact, ax: Axes | None = None) ->
 
     Speeds are in c, or in m/s if the result has a material.
 
-    Parameters
-    ----------
-    result : SlowImpact or PointSlowImpact
-    ax : Axes, optional
-        Where to draw; further calls with the same Axes add curves.
-
     Examples
     --------
     >>> ax = stoss.plot.slow_impact(stoss.quasistatic.slow_impact(poisson=0.33, speed=np.geomspace(1e-8, 0.1, 30)))
@@ -49,12 +43,6 @@ def rayleigh(result: RayleighEstimate | PointRayleighEstimate, ax: Axes | None =
 
     Speeds are in c, or in m/s if the result has a material. Values beyond perturbation theory are
     hollow circles without a band.
-
-    Parameters
-    ----------
-    result : RayleighEstimate or PointRayleighEstimate
-    ax : Axes, optional
-        Where to draw; further calls with the same Axes add curves.
 
     Examples
     --------
@@ -83,12 +71,6 @@ def rayleigh(result: RayleighEstimate | PointRayleighEstimate, ax: Axes | None =
 @_style.picture_of(StaticContact, method="plot")
 def static_contact(result: StaticContact, ax: Axes | None = None) -> Axes:
     """Pressure of a static contact along the edge, with that of Hertz' contact of the same force.
-
-    Parameters
-    ----------
-    result : StaticContact
-    ax : Axes, optional
-        Where to draw.
 
     Examples
     --------

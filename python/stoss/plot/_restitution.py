@@ -47,14 +47,9 @@ def restitution(
 
     Parameters
     ----------
-    result : Restitution
-    ax : Axes, optional
-        Where to draw; further calls with the same Axes add curves.
     quantity : {'restitution', 'lost_fraction'}
     scale : {'log', 'linear'}
         Of the speed, and of the lost fraction with it; ε has a linear axis.
-    label : str, optional
-        Name of the curve; default: its Poisson's ratio.
     **style
         Handed on to `matplotlib.axes.Axes.errorbar`: color, marker, linestyle, …
 

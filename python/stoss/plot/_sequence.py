@@ -33,10 +33,6 @@ def sequence(
 
     Parameters
     ----------
-    impact : Impact
-        Of a disk or a sphere.
-    ax : Axes, optional
-        Where to draw.
     times : array_like, optional
         R/c from the start of the impact, 1 to 64 of them; default: `count` even ones from just
         before contact until the disk has flown for some time, vibrating.

@@ -70,8 +70,6 @@ def stress(
 
     Parameters
     ----------
-    field : Field
-        From `Impact.field`.
     ax : Axes, optional
         Where to draw; the colour bar takes some of its space.
     quantity : {'von_mises', 'principal_difference', 'fringes'}
@@ -83,8 +81,6 @@ def stress(
         angles.
     limit : float, optional
         Where the colours end, E.
-    frame : int, optional
-        Which of the field's times, if it has several.
 
     Examples
     --------

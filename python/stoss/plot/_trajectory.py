@@ -84,13 +84,6 @@ def energies(trajectory: Trajectory, ax: Axes | None = None) -> Axes:
     material and *unresolved* what the modes above the cutoff have taken. The sum differs from 1 by
     the numerical error.
 
-    Parameters
-    ----------
-    trajectory : Trajectory
-        From `Impact.trajectory`.
-    ax : Axes, optional
-        Where to draw.
-
     Examples
     --------
     >>> ax = stoss.plot.energies(stoss.impact(poisson=0.33, speed=0.1, cutoff=12.5).trajectory())

@@ -37,8 +37,6 @@ def wave(wave: Wave, ax: Axes | None = None, *, columns: int = 2, limit: float |
         From `Impact.wave`, at 1 to 64 times.
     ax : Axes, optional
         Where to draw; the colour bar takes some of its space.
-    columns : int, optional
-        Pictures in a row.
     limit : float, optional
         Where the colours end, in speeds of the impact.
 

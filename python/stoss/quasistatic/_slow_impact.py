@@ -10,6 +10,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from stoss import _core
 from stoss._arguments import arranged, broadcast, numbers
+from stoss._documentation import documented
 from stoss.bodies._bodies import Disk, Sphere, speed_unit, speeds_in_si
 from stoss.export._text import span
 from stoss.quasistatic._compression import choose_law, poissons_of
@@ -18,7 +19,15 @@ from stoss.results._si import ImpactsInSi, Si, warn_of_yielding
 
 
 class SlowOfABody(ImpactsInSi):
-    """What slow impacts and their estimates have in common."""
+    """What slow impacts and their estimates have in common.
+
+    Attributes
+    ----------
+    speed : float or ndarray
+        Of the centre of mass towards the wall, c.
+    body : Disk, Sphere or None
+        What it was made with, if it was one.
+    """
 
     _given = {"poisson": "", "speed": "speed"}
     _told: ClassVar[tuple[str, ...]] = ("law", "body")
@@ -27,11 +36,19 @@ class SlowOfABody(ImpactsInSi):
     poisson: Number
 
 
+@dataclasses.dataclass(frozen=True, eq=False, repr=False)
 class SlowImpactOfABody(SlowOfABody):
     """What slow impacts of disks and spheres have in common."""
 
     plot = picture("Contact time against speed. See `stoss.plot.slow_impact`.")
     _name: ClassVar[str] = "slow impact"
+
+    law: str
+    poisson: Number
+    speed: Number
+    contact_time: Number
+    max_compression: Number
+    max_force: Number
 
     def __repr__(self) -> str:
         count = "" if isinstance(self.speed, float) else f"{np.size(self.speed)} values, "
@@ -47,35 +64,10 @@ class SlowImpact(SlowImpactOfABody):
 
     Numbers if all inputs were numbers, otherwise arrays of the shape to which `poisson` and `speed`
     broadcast. Relative errors, as solutions of their equation, are below 1e-14.
-
-    Attributes
-    ----------
-    law : str
-        Of compression.
-    poisson : float or ndarray
-        2-D Poisson's ratio.
-    speed : float or ndarray
-        Of the centre of mass towards the wall, c.
-    contact_time : float or ndarray
-        From first to last contact, R/c.
-    max_compression : float or ndarray
-        In R.
-    max_force : float or ndarray
-        πRE = mc²/R.
-    body : Disk or None
-        What it was made with, if it was one.
-    material : Material or None
-        Of the body. With one there are SI values, `speed_si` and so on.
     """
 
     _kind = "slow impact"
 
-    law: str
-    poisson: Number
-    speed: Number
-    contact_time: Number
-    max_compression: Number
-    max_force: Number
     body: Disk | None
 
 
@@ -84,30 +76,11 @@ class PointSlowImpact(SlowImpactOfABody):
     """Slow impacts of a sphere, by conservation of energy: nothing is lost.
 
     Numbers, or arrays of the shape of `speed`. Relative errors are below 1e-13.
-
-    Attributes
-    ----------
-    law, poisson, speed, contact_time, max_compression : str, float or ndarray
-        As of a `SlowImpact`.
-    max_force : float or ndarray
-        mc²/R = (4π/3)R²E.
-    max_radius : float or ndarray
-        Maximum radius of the contact, R.
-    body : Sphere
-    material : Material or None
-        Of the body. With one there are SI values, `speed_si` and so on, and of a sphere with a yield
-        strength `yield_speed`, `yield_speed_si` and `beyond_yield`.
     """
 
     _kind = "point slow impact"
     max_radius_si = Si("Maximum radius of the contact, m.")
 
-    law: str
-    poisson: Number
-    speed: Number
-    contact_time: Number
-    max_compression: Number
-    max_force: Number
     max_radius: Number
     body: Sphere
 
@@ -132,6 +105,7 @@ def slow_impact(
 ) -> SlowImpact: ...
 
 
+@documented
 def slow_impact(
     body: Disk | Sphere | None = None, *, speed: ArrayLike, poisson: ArrayLike | None = None, law: str = "center"
 ) -> SlowImpact | PointSlowImpact:
@@ -139,15 +113,10 @@ def slow_impact(
 
     Parameters
     ----------
-    body : Disk or Sphere
     speed : array_like
         Of the centre of mass towards the wall, 1e-100 (of a sphere 1e-12) to `limit_speed`, c (with
         a material: m/s). Two equal bodies that each move at `speed` towards each other are the same
         problem.
-    poisson : array_like
-        In place of `body`: 2-D Poisson's ratio of disks, −0.95 to 0.995; broadcasts with `speed`.
-    law : {'center', 'diameter', 'printed', 'hertz'}, optional
-        Of compression, see `stoss.quasistatic`.
 
     Warns
     -----

@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 
 from stoss import _core
 from stoss._arguments import brief, instance, integer, number
+from stoss._documentation import documented
 from stoss.bodies._bodies import Disk, Sphere
 from stoss.bodies._encounter import choose_body, contact
 from stoss.bodies._walls import ExponentialWall
@@ -22,15 +23,10 @@ class StaticContact(Result):
 
     Attributes
     ----------
-    body : Disk or Sphere
-    poisson : float
-        Poisson's ratio, of a disk the 2-D one.
     compression : float
         δ = R + x₀, R.
     force, force_error : float
         F, mc²/R: πRE of a disk, (4π/3)R²E of a sphere; and its estimated error.
-    half_width : float
-        Of the contact, along the undeformed edge, R; of a sphere the radius of the contact.
     energy : float
         Stored in the body, mc²; its derivative by δ is F.
     contact_nodes : int
@@ -77,6 +73,7 @@ class StaticContact(Result):
         return {"position": self.position, "pressure": self.pressure}
 
 
+@documented
 def static_contact(
     body: Disk | Sphere | None = None, *, compression: float, poisson: float | None = None, nodes: int = 160
 ) -> StaticContact:
@@ -87,11 +84,8 @@ def static_contact(
 
     Parameters
     ----------
-    body : Disk or Sphere
     compression : float
         δ, 1e-12 to 0.5, R (also with a material).
-    poisson : float
-        In place of `body`: 2-D Poisson's ratio of a disk, −0.95 to 0.995.
     nodes : int, optional
         On half of the contact, 16 to 1024; the force converges with their square. A sphere takes
         0.3 s with 160 for δ below 1e-3, 0.1 s with 80.
@@ -123,13 +117,10 @@ class SoftStaticContact(Result):
 
     Attributes
     ----------
-    poisson : float
-        2-D Poisson's ratio.
     compression : float
         δ beyond the plane where V₀e^{αx} = 1, R.
     cutoff : float
         Highest frequency of the modes that deform, c/R.
-    against : ExponentialWall
     force : float
         F, πRE = mc²/R.
     energy, wall_energy : float
@@ -161,6 +152,7 @@ class SoftStaticContact(Result):
         )
 
 
+@documented
 def soft_static_contact(
     *,
     poisson: float,
@@ -177,13 +169,10 @@ def soft_static_contact(
 
     Parameters
     ----------
-    poisson : float
-        2-D Poisson's ratio, −0.95 to 0.995.
     compression : float
         δ, −0.5 to 0.5, R.
     cutoff : float, optional
         Highest frequency of the modes, c/R; those above it are left out.
-    against : ExponentialWall, optional
     nodes : int, optional
         Of the contact grid, 64 to 2048; default: as many as wall and modes need.
 

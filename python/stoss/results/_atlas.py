@@ -16,6 +16,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from stoss._arguments import arranged, numbers, refusal
+from stoss._documentation import documented
 from stoss.bodies._blocks import UNBOUNDED, Unbounded
 from stoss.bodies._bodies import Body, Disk, Sphere, speed_unit
 from stoss.bodies._encounter import Against, choose_against, choose_body
@@ -35,10 +36,6 @@ class AtlasValue(SpeedInSi):
 
     Attributes
     ----------
-    body : Disk or Sphere
-        The first.
-    against : HardWall, Disk, Sphere, HalfSpace or HalfPlane
-        What it meets.
     speed : float or ndarray
         Of approach, c. With a material `speed_si` is in m/s.
     restitution : float or ndarray
@@ -71,6 +68,7 @@ class AtlasValue(SpeedInSi):
         return self._columns(), ("speed",) if dimensions == 1 else tuple(f"axis_{k}" for k in range(dimensions))
 
 
+@documented
 def atlas(
     body: Body | None = None,
     *,
@@ -91,10 +89,6 @@ def atlas(
         The first body.
     speed : array_like
         Of approach, c (with a material: m/s).
-    against : optional
-        As of `stoss.restitution`.
-    poisson : float
-        In place of `body`: 2-D Poisson's ratio of a disk.
 
     Raises
     ------

@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 
 from stoss import _core
 from stoss._arguments import integer, number, optional_number
+from stoss._documentation import documented
 from stoss._errors import Interrupted, NotConverged, StossWarning
 from stoss.bodies._blocks import UNBOUNDED
 from stoss.bodies._bodies import Body, shown, speed_unit, speeds_in_si
@@ -31,23 +32,12 @@ class Bounces(MayYield, RowResult):
 
     Attributes
     ----------
-    body : Disk, Sphere or Rod
-        All units are its own.
-    against : HardWall, ExponentialWall, HalfSpace or HalfPlane
-    cutoff : float
-        Modes up to this frequency are kept, c/R.
-    tail : {'radiating', 'static'}
-        How the modes above the cutoff answered.
     gravity, decay_time : float or None
         As they were given, c²/R and R/c.
-    state : ndarray or None
-        How the body vibrated before the first impact, as `impact` has it.
     number : ndarray
         1, 2, …
     speed : ndarray
         Before the impact, c.
-    restitution : ndarray
-        ε = −v_f/v_i.
     translation_before, vibration_before, dissipated_before, unresolved_before : ndarray
         Energy when the impact begins: of the translation; of the kept modes; lost to the material
         and in flight so far; taken so far by the modes above the cutoff, and by the waves of a
@@ -56,18 +46,11 @@ class Bounces(MayYield, RowResult):
         The same when it is over. The sum is 1 but for `energy_error`.
     energy_error : ndarray
         What is missing, of all impacts so far.
-    contact_time : ndarray
-        R/c.
     flight_time : ndarray
         After the impact, R/c.
     short_flight : ndarray
         Whether the flight before the impact was too short for the vibration to keep clear of the
         wall. The body then comes as from afar, with the phases of the nominal time.
-    beyond_small_strain : ndarray
-        Speed above 0.5 c or compression above 0.5 R, where linear elasticity has lost its meaning.
-    material : Material or None
-        Of the body. With one there are SI values, `speed_si` and so on, and of a sphere with a yield
-        strength `yield_speed`, `yield_speed_si` and `beyond_yield`.
     """
 
     plot = picture("ε of each impact, and where the energy is. See `stoss.plot.bounces`.")
@@ -111,6 +94,7 @@ class Bounces(MayYield, RowResult):
         )
 
 
+@documented
 def bounce(
     body: Body | None = None,
     *,
@@ -136,15 +120,11 @@ def bounce(
 
     Parameters
     ----------
-    body : Disk, Sphere or Rod
-        In whose units all results are.
     speed : float
         Of the first impact, 1e-8 to 1, c (with a material: m/s).
     against : HardWall, ExponentialWall, HalfSpace or HalfPlane, optional
         What the body meets. Default: a rigid wall. The waves of a half-space have left before
         the next impact. Another body, which does not come back, is refused.
-    poisson : float
-        In place of `body`: ``Disk(poisson=poisson)``.
     count : int, optional
         Impacts.
     flight_time : float
@@ -155,10 +135,6 @@ def bounce(
     decay_time : float, optional
         Of vibrational energies in flight, R/c (with a material: s); 0: they are gone at once, and
         every impact is that of `impact`. Default: no decay but that of a lossy material.
-    cutoff : float, optional
-        Highest frequency of the modes that are kept, c/R.
-    tail : {'radiating', 'static'}, optional
-        How the modes above the cutoff answer, as for `impact`.
     state : Oscillation, sequence of them or ndarray, optional
         How the body vibrates before the first impact, as for `impact`. Default: it is unexcited.
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 from numpy.typing import ArrayLike
 
 from stoss._arguments import flags, integer, number, optional_number
+from stoss._documentation import documented
 from stoss._errors import InvalidInput
 from stoss.bodies._bodies import Body, speed_unit, speeds_in_si
 from stoss.bodies._encounter import Against, choose_against, choose_body, choose_tail
@@ -13,6 +14,7 @@ from stoss.bodies._walls import ExponentialWall, HardWall
 from stoss.results._impact import Impact
 
 
+@documented
 def impact(
     body: Body | None = None,
     *,
@@ -34,35 +36,19 @@ def impact(
 
     Parameters
     ----------
-    body : Disk, Sphere or Rod
-        The first body, in whose units all results are.
-    speed : float
-        Of approach of the centres of mass, or towards the wall, 1e-8 to 1, c (with a material:
-        m/s). Two equal bodies at twice the speed are one of them at a rigid wall.
     against : HardWall, ExponentialWall, 'same', Disk, Sphere, Rod, HalfSpace or HalfPlane, optional
         What the body meets: a wall, an identical body, another of its kind, or, for a sphere, a
         half-space, for a disk a half-plane. Default: a rigid wall.
-    poisson : float
-        In place of `body`: ``Disk(poisson=poisson)``.
-    cutoff : float, optional
-        Highest frequency of the modes that are kept, c/R.
     step : float, optional
         Time step, R/c.
     nodes : int, optional
         Of the contact grid.
     half_width : float, optional
         Of the contact grid, R.
-    tail : {'radiating', 'static'}, optional
-        How the modes above the cutoff answer a hard contact: with static compliance at low and
-        plane-wave impedance at high frequency, or with static compliance only.
     keep : array_like of bool, optional
         Which of the modes with ω ≤ `cutoff` are kept, in the order of `Impact.mode_energies`; only
         with an `ExponentialWall`, because a hard contact needs the compliance of the others.
         Default: all.
-    state : Oscillation, sequence of them or ndarray, optional
-        How the bodies vibrate before the impact: modes up to `cutoff`, or an array as
-        `Impact.state_after` gives it. Default: they are unexcited. Then ε cannot exceed 1;
-        with a state it may.
 
     Raises
     ------

@@ -10,6 +10,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from stoss import _core
 from stoss._arguments import arranged, boolean, broadcast, integer, number, numbers
+from stoss._documentation import documented
 from stoss._errors import Interrupted, NotConverged, StossWarning
 from stoss.bodies._blocks import UNBOUNDED, Unbounded
 from stoss.bodies._bodies import Body, Disk, speed_unit, speeds_in_si
@@ -31,6 +32,7 @@ def empty_rows(shape: int | tuple[int, ...]) -> NDArray[Any]:
     return rows
 
 
+@documented
 def restitution(
     body: Body | Sequence[Body] | NDArray[np.object_] | None = None,
     *,
@@ -57,9 +59,6 @@ def restitution(
     speed : array_like
         Of approach of the centres of mass, or towards the wall, 1e-8 to 1, c (with a material:
         m/s). Two equal bodies at twice the speed are one of them at a rigid wall.
-    against : HardWall, 'same', Disk, Sphere, Rod, HalfSpace or HalfPlane, optional
-        What the body meets: a rigid wall (default), an identical body, another of its kind, or, for a
-        sphere, a half-space, for a disk a half-plane.
     poisson : array_like
         In place of `body`: 2-D Poisson's ratio of disks, −0.95 to 0.995; broadcasts with `speed`.
     tolerance : float, optional
@@ -69,10 +68,6 @@ def restitution(
     state : Oscillation, sequence of them or ndarray, optional
         How the bodies vibrate before the impact, with the same shares of energy and phases at every
         speed; ε may then exceed 1. Default: they are unexcited.
-    threads : int, optional
-        0: as many as the machine has. Results do not depend on it.
-    progress : bool, optional
-        Show a bar on stderr.
 
     Raises
     ------

@@ -26,11 +26,6 @@ class RestitutionDistribution(InSi, RowResult):
 
     Attributes
     ----------
-    body : Disk, Sphere or Rod
-        The first; all units are its own.
-    against : HardWall, Disk, Sphere, Rod, HalfSpace or HalfPlane
-    speed : float
-        Of approach of the centres of mass, or towards the wall, c.
     temperature : float or None
         Mean energy of each mode, as a share of the translational energy before the impact.
     highest : float or None
@@ -38,8 +33,6 @@ class RestitutionDistribution(InSi, RowResult):
     spectrum : ndarray
         The modes that vibrate: a structured array with the fields body (0 of the first, 1 of the
         second), order, index and energy, which is the mean, as a share of the translational one.
-    seed : int
-        Of the ensemble.
     error : float
         Of 1 − ε², asked for.
     mean, mean_error, numerical_error : float
@@ -53,22 +46,6 @@ class RestitutionDistribution(InSi, RowResult):
         Number of the sample, from 0.
     vibration : ndarray
         Energy of all modes before the impact, as a share of the translational one.
-    restitution, restitution_error : ndarray
-        ε = −v_f/v_i of the relative motion, and its estimated error.
-    lost_fraction, lost_fraction_error : ndarray
-        1 − ε², negative where vibration is given back.
-    contact_time, contact_time_error : ndarray
-        From first to last contact, R/c.
-    contacts : ndarray of int
-        Separate periods of contact.
-    steps : ndarray of int
-        Time steps of all impacts that led to the value.
-    converged : ndarray of bool
-        Whether the error is that asked for, or less.
-    beyond_small_strain : ndarray of bool
-        Speed above 0.5 c or compression above 0.5 R, where linear elasticity has lost its meaning.
-    reason : ndarray of str
-        Why it is not converged; empty where it is.
     """
 
     plot = picture("Histogram of ε. See `stoss.plot.distribution`.")

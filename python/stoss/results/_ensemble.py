@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 
 from stoss import _core
 from stoss._arguments import boolean, integer, number, refusal
+from stoss._documentation import documented
 from stoss._errors import Interrupted, InvalidInput, StossWarning
 from stoss.bodies._blocks import Unbounded
 from stoss.bodies._bodies import Body, speed_unit, speeds_in_si
@@ -25,6 +26,7 @@ from stoss.results._si import warn_of_large_strain
 Spectrum = Union[Callable[[float], float], Oscillation, Sequence[Oscillation], NDArray[Any]]
 
 
+@documented
 def restitution_distribution(
     body: Body | None = None,
     *,
@@ -47,14 +49,6 @@ def restitution_distribution(
 
     Parameters
     ----------
-    body : Disk, Sphere or Rod
-        The first body, in whose units all results are.
-    speed : float
-        Of approach of the centres of mass, or towards the wall, 1e-8 to 1, c (with a material: m/s).
-    against : HardWall, 'same', Disk, Sphere, Rod, HalfSpace or HalfPlane, optional
-        What the body meets. Default: a rigid wall.
-    poisson : float
-        In place of `body`: ``Disk(poisson=poisson)``.
     temperature : float
         Mean energy ⟨E⟩ of each mode with ω ≤ `highest`, of both bodies, as a share of the
         translational energy before the impact, 0 to 1e6.
@@ -70,10 +64,6 @@ def restitution_distribution(
         Each seed gives another ensemble. Sample k depends only on the seed, k and the modes.
     error : float, optional
         Error of 1 − ε² of each impact to reach, 1e-9 to 0.5.
-    threads : int, optional
-        0: as many as the machine has. Results do not depend on it.
-    progress : bool, optional
-        Show a bar on stderr.
 
     Raises
     ------

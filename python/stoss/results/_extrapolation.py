@@ -28,8 +28,6 @@ class Extrapolation(Result):
     impacts : ndarray
         1 − ε² of each impact, a structured array with the fields cutoff, modes, hardness,
         lost_fraction and steps.
-    steps : int
-        Time steps of all impacts.
     """
 
     plot = picture("1 − ε² against 1/α with the regressions. See `stoss.plot.extrapolation`.")

@@ -106,10 +106,6 @@ class DiskField(Field):
         √(σ₁² − σ₁σ₂ + σ₂²) of plane stress, E.
     principal_difference : ndarray
         ``|σ₁ − σ₂|``, E: what photoelastic fringes count.
-
-    See Also
-    --------
-    Field : what it has in common with the field of a sphere.
     """
 
     _values = ("x", "y", "stress_rr", "stress_pp", "stress_rp", "von_mises", "principal_difference")
@@ -134,10 +130,6 @@ class SphereField(Field):
     principal_difference : ndarray
         ``|σ₁ − σ₂|`` of the principal stresses in the plane, E: what a thin slice would show as
         photoelastic fringes.
-
-    See Also
-    --------
-    Field : what it has in common with the field of a disk.
     """
 
     _values = ("x", "y", "stress_rr", "stress_tt", "stress_pp", "stress_rt", "von_mises", "principal_difference")

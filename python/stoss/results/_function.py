@@ -12,6 +12,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from stoss import _core
 from stoss._arguments import choice, number, numbers, refusal
+from stoss._documentation import documented
 from stoss.bodies._bodies import Body, shown, speed_unit, speeds_in_si
 from stoss.bodies._encounter import Against, encounter
 from stoss.export._files import write_lines
@@ -33,13 +34,6 @@ class RestitutionFunction(SpeedInSi):
 
     Attributes
     ----------
-    body : Disk, Sphere or Rod
-        The first.
-    against : HardWall, Disk, Sphere, Rod, HalfSpace or HalfPlane
-    beyond : {'error', 'clamp', 'law'}
-        What it does beyond its range.
-    state : ndarray or None
-        How the bodies vibrated before, if they did.
     speed : ndarray
         Of the computed values, rising, c.
     restitution, restitution_error : ndarray
@@ -118,6 +112,7 @@ class RestitutionFunction(SpeedInSi):
         """Of ε at any speed of the range."""
         return self._core.greatest_error()
 
+    @documented
     def to_c(self, path: str | os.PathLike[str], *, name: str = "stoss") -> None:
         """Write the function as a header in C, which C++ takes too.
 
@@ -129,8 +124,6 @@ class RestitutionFunction(SpeedInSi):
 
         Parameters
         ----------
-        path : str or path
-            Where to; an existing file is replaced.
         name : str, optional
             Prefix of the names in C.
 
@@ -151,6 +144,7 @@ class RestitutionFunction(SpeedInSi):
             raise refusal("name", name, "a str")
         write_lines(path, [self._core.c_header(name, unit, speed_unit(self.body), provenance)])
 
+    @documented
     def to_two_column(self, path: str | os.PathLike[str], *, error: float | None = None) -> None:
         """Write the function as lines of two numbers, speed and ε, for linear interpolation in the
         speed.
@@ -160,8 +154,6 @@ class RestitutionFunction(SpeedInSi):
 
         Parameters
         ----------
-        path : str or path
-            Where to; an existing file is replaced.
         error : float, optional
             Maximum error of ε, linear interpolation included, 1.01 of `greatest_error` or more; by
             default twice that.

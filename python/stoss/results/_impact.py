@@ -25,61 +25,21 @@ class Impact(ImpactsInSi):
 
     Attributes
     ----------
-    body : Disk, Sphere or Rod
-        The first; all units are its own.
-    against : HardWall, ExponentialWall, Disk, Sphere, Rod, HalfSpace or HalfPlane
-    speed : float
-        Of approach of the centres of mass, or towards the wall, c.
-    restitution : float
-        ε = −v_f/v_i of the relative motion; above 1 where vibration is given back.
-    lost_fraction : float
-        1 − ε², negative where ε > 1.
     translation, vibration, dissipated, unresolved : float
         Energy after the impact: of the (relative) translation; of the kept modes; lost to the
         material; of the modes above the cutoff. The sum is 1 but for `energy_error`.
     lost_to_first, lost_to_second : float
         Vibration and dissipation of each body after the impact, `unresolved` included; what the
         waves of a half-space carry away.
-    contact_time : float
-        From first to last contact, R/c.
-    impulse_time : float
-        From 1 % to 99 % of the impulse, R/c.
-    contacts : int
-        Separate periods of contact.
-    max_force : float
-        Maximum mean over one step of the force, mc²/R: πRE of a disk, (4π/3)R²E of a sphere.
-    max_compression : float
-        In R.
-    max_half_width : float
-        Maximum half-width of the contact, R; of spheres its radius.
-    cutoff : float
-        Modes up to this frequency are kept, c/R.
     modes, steps : int
         Numbers of kept modes and of time steps.
-    step : float
-        Time step, R/c.
     nodes, half_width : int, float
         Of the contact grid; R.
-    tail : {'radiating', 'static'}
-        How the modes above the cutoff answered.
-    energy_error, momentum_error : float
-        What is missing, as shares of the initial energy and momentum.
-    beyond_small_strain : bool
-        Speed, also of the vibration before, above 0.5 c or compression above 0.5 R, where linear
-        elasticity has lost its meaning.
     mode_energies : ndarray
         Energy of each kept mode, a structured array with the fields body (0 of the first, 1 of
         the second), order, index, omega, before and after (the impact) and average (during
         contact). Those of a half-space are samples of a continuum, and their order counts wave
         numbers.
-    keep : ndarray or None
-        Which modes up to the cutoff were kept, if not all: those of `mode_energies`.
-    state : ndarray or None
-        How the bodies vibrated before, if they did: a structured array with the fields body, order,
-        index, energy (as a share of the translational one) and phase.
-    material : Material or None
-        Of the body. With one there are SI values, `speed_si` and so on, and of a sphere with a yield
-        strength `yield_speed`, `yield_speed_si` and `beyond_yield`.
     """
 
     _name: ClassVar[str] = "impact"

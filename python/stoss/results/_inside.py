@@ -9,6 +9,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from stoss import _core
 from stoss._arguments import integer, numbers, refusal, require_memory
+from stoss._documentation import documented
 from stoss._errors import InvalidInput
 from stoss.bodies._blocks import UNBOUNDED
 from stoss.bodies._bodies import BODIES, Disk, Sphere
@@ -23,6 +24,7 @@ if TYPE_CHECKING:
     from stoss.results._impact import Impact
 
 
+@documented
 def field(
     self: Impact, *, time: ArrayLike, radius: ArrayLike | None = None, angle: ArrayLike | None = None, of: int = 0
 ) -> Field:
@@ -41,8 +43,6 @@ def field(
     angle : array_like, optional
         Angles φ, radians, 0 towards the contact, where the default 181 are denser. In a sphere
         polar angles θ on a plane through the axis; negative ones are its other half.
-    of : {0, 1}, optional
-        Inside which body: the first, or the second.
 
     Returns
     -------

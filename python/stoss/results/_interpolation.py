@@ -11,6 +11,7 @@ from numpy.typing import ArrayLike
 
 from stoss import _core
 from stoss._arguments import integer, number, numbers, refusal
+from stoss._documentation import documented
 from stoss._errors import InvalidInput, StossWarning
 from stoss.bodies._blocks import Unbounded
 from stoss.bodies._bodies import Body, speed_unit, speeds_in_si
@@ -20,6 +21,7 @@ from stoss.bodies._yielding import yield_speed_of
 from stoss.results._function import RestitutionFunction, choose_beyond
 
 
+@documented
 def restitution_function(
     body: Body | None = None,
     *,
@@ -38,23 +40,13 @@ def restitution_function(
 
     Parameters
     ----------
-    body : Disk, Sphere or Rod
-        The first body.
     speed : tuple of two float
         Slowest and fastest speed of approach, 1e-8 to 1, c (with a material: m/s).
-    against : HardWall, 'same', Disk, Sphere, Rod, HalfSpace or HalfPlane, optional
-        What the body meets, as of `restitution`.
-    poisson : float, optional
-        In place of `body`: 2-D Poisson's ratio of a disk.
-    error : float, optional
-        Maximum error of ε, interpolation included, 1e-7 to 0.1.
     beyond : {'error', 'clamp', 'law'}, optional
         What the function does beyond the range: refuse; give the value at the nearer end, with an
         infinite error; below it, follow the law of slow impacts with its error, and refuse above.
         There is a law for disks and spheres at a wall or in equal pairs, and for elastic spheres on
         elastic half-spaces.
-    threads : int, optional
-        0: as many as the machine has. Results do not depend on it.
 
     Raises
     ------

@@ -10,6 +10,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from stoss import _core
 from stoss._arguments import brief, instance, integer, number, numbers
+from stoss._documentation import documented
 from stoss._errors import InvalidInput
 from stoss.bodies._bodies import Disk, Sphere
 from stoss.bodies._encounter import choose_body
@@ -29,17 +30,8 @@ class Modes(RowResult):
 
     Attributes
     ----------
-    body : Disk or Sphere
-    poisson : float
-        Poisson's ratio, of a disk the 2-D one.
     cutoff : float
         Highest frequency, c/R.
-    order : ndarray of int
-        Angular order n of a disk, degree n of a sphere.
-    index : ndarray of int
-        Number l of the root for this order, from 0.
-    omega : ndarray
-        Eigenfrequency ω, c/R.
     radial, tangential : ndarray
         Amplitudes at the surface: C = u_r and S = u_φ, of a sphere U = u_r and V = u_θ; C, U ≥ 0.
     """
@@ -86,6 +78,7 @@ class Modes(RowResult):
             raise InvalidInput(f"mode: got (n, l) = ({order}, {index}), allowed those up to the cutoff {self.cutoff:g}")
         return int(found[0])
 
+    @documented
     def displacement(
         self, *, order: int, index: int, radius: ArrayLike
     ) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
@@ -93,8 +86,6 @@ class Modes(RowResult):
 
         Parameters
         ----------
-        order, index : int
-            n and l.
         radius : array_like
             Radii r, 0 to 1, R.
 
@@ -123,6 +114,7 @@ class Modes(RowResult):
         return self.body._kind
 
 
+@documented
 def modes(body: Disk | Sphere | None = None, *, cutoff: float, poisson: float | None = None) -> Modes:
     """All symmetric in-plane modes of a free disk, or axisymmetric spheroidal ones of a sphere, up
     to a cutoff.
@@ -135,8 +127,6 @@ def modes(body: Disk | Sphere | None = None, *, cutoff: float, poisson: float | 
     body : Disk or Sphere
     cutoff : float
         Highest frequency, c/R, up to 1000.
-    poisson : float
-        In place of `body`: 2-D Poisson's ratio ν, −0.95 to 0.995.
 
     Examples
     --------

@@ -22,21 +22,15 @@ class Trajectory(RowResult):
 
     Attributes
     ----------
-    time : ndarray
-        From the start of the impact, R/c.
     center : ndarray
         Position x₀ of the centre of mass, R; the wall is at 0 and the body at x < 0. Of two bodies,
         that of the first seen from the second.
     velocity : ndarray
         Of the centre of mass, towards what it meets, c.
-    force : ndarray
-        Force F of the contact, mc²/R (of a disk πRE).
     translation, vibration, stored, dissipated, unresolved : ndarray
         Shares of the initial energy: in the motion of the centre of mass; in the kept modes; in the
         wall's potential or the static tail; lost to the material; taken by the modes above the
         cutoff.
-    contact_half_width : ndarray
-        R, in steps of the nodes' spacing; of spheres the radius of the contact.
     """
 
     plot = picture("Force against time. See `stoss.plot.force`.")

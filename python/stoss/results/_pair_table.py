@@ -11,6 +11,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from stoss import _core
 from stoss._arguments import choice, integer, number, numbers, refusal
+from stoss._documentation import documented
 from stoss._errors import InvalidInput
 from stoss.bodies._bodies import Body, Disk, Sphere, shown, speed_unit, speeds_in_si
 from stoss.bodies._encounter import choose_against, choose_body, encounter
@@ -32,8 +33,6 @@ class PairTable(SpeedInSi):
     ----------
     body, against : Disk or Sphere
         The two; their radii do not count.
-    beyond : {'error', 'clamp'}
-        What it does beyond its range.
     alike : bool
         Whether they are of one material: a ratio and its inverse are then the same pair.
     speed, ratio : ndarray
@@ -126,6 +125,7 @@ class PairTable(SpeedInSi):
         return values if values.ndim else float(values)
 
 
+@documented
 def pair_table(
     body: Body | None = None,
     *,
@@ -154,15 +154,11 @@ def pair_table(
         to some 50.
     against : 'same', Disk or Sphere, optional
         The second. Default: of the same material; a ratio and its inverse are then the same.
-    poisson : float, optional
-        In place of `body`: 2-D Poisson's ratio of disks.
     error : float, optional
         Maximum error of ε, interpolation included, 1e-6 to 0.1.
     beyond : {'error', 'clamp'}, optional
         What the table does beyond the range: refuse, or give the value at the nearest edge, with an
         infinite error.
-    threads : int, optional
-        0: as many as the machine has. Results do not depend on it.
 
     Raises
     ------

@@ -40,51 +40,13 @@ class Restitution(ImpactsInSi):
         All first bodies, each once.
     against : HardWall, Disk, Sphere, Rod, HalfSpace, HalfPlane or 'same'
         What it meets; 'same' for several Poisson's ratios, each meeting an identical disk.
-    poisson : float or ndarray
-        Poisson's ratio, of a disk the 2-D one; NaN for a rod.
-    speed : float or ndarray
-        Of approach of the centres of mass, or towards the wall, c.
-    restitution, restitution_error : float or ndarray
-        ε = −v_f/v_i of the relative motion, and its estimated error; above 1 where vibration is
-        given back.
-    lost_fraction, lost_fraction_error : float or ndarray
-        1 − ε², negative where ε > 1.
-    contact_time, contact_time_error : float or ndarray
-        From first to last contact, R/c.
-    impulse_time, impulse_time_error : float or ndarray
-        From 1 % to 99 % of the impulse, R/c: a last grazing contact hardly changes it.
-    max_compression, max_compression_error : float or ndarray
-        In R.
-    max_force, max_force_error : float or ndarray
-        mc²/R: πRE of a disk, (4π/3)R²E of a sphere.
     lost_to_first, lost_to_second : float or ndarray
         Vibration of each body after the impact and what its material absorbed, as shares of the
         initial energy; of a half-space what its waves carry away; 0 of a wall. Of bodies that were
         unexcited, their sum is `lost_fraction`.
-    dissipated : float or ndarray
-        What the material of both absorbed.
     cutoff, energy_error, modes : float, int or ndarray
         Of the finest impact: c/R; what is missing, as a share of the initial energy; number of kept
         modes.
-    runs, steps : int or ndarray
-        Impacts computed, and their time steps.
-    converged : bool or ndarray
-        Whether the tolerance is met.
-    beyond_small_strain : bool or ndarray
-        Speed, also of the vibration before, above 0.5 c or compression above 0.5 R, where linear
-        elasticity has lost its meaning.
-    reason : str or ndarray of str
-        Why it is not converged; empty where it is.
-    tolerance : float
-        Asked for: error of 1 − ε² over 1 − ε².
-    absolute : float
-        Or error of 1 − ε².
-    state : ndarray or None
-        How the bodies vibrated before, if they did: a structured array with the fields body, order,
-        index, energy (as a share of the translational one) and phase.
-    material : Material or None
-        Of the body. With one there are SI values, `speed_si` and so on, and of a sphere with a yield
-        strength `yield_speed`, `yield_speed_si` and `beyond_yield`.
     """
 
     plot = picture("ε against v with error bars. See `stoss.plot.restitution`.")

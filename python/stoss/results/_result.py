@@ -13,6 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from stoss import _core
+from stoss._documentation import documented, with_fields
 from stoss.bodies._state import shown_state
 from stoss.export import _tables
 from stoss.export._files import write_lines
@@ -63,6 +64,9 @@ class Result:
     _told: ClassVar[tuple[str, ...]] = ()  # what made it, for the head of the CSV; what is None is left out
     _draw: ClassVar[Callable[[Any, Any, str], Any]]  # set by the package: results know no pictures
 
+    def __init_subclass__(cls) -> None:
+        with_fields(cls)
+
     def to_dict(self) -> dict[str, Any]:
         """Return all that the result holds in plain Python types, ready for json.
 
@@ -71,21 +75,12 @@ class Result:
         values: dict[str, Any] = plain(self) | plain(self._derived())
         return values
 
+    @documented
     def to_csv(self, path: str | os.PathLike[str]) -> None:
         """Write the result as CSV with all digits.
 
         Column names carry the units, and lines that start with # say what made the result. An error
         that is unknown is the word "unknown". The file appears whole or not at all.
-
-        Parameters
-        ----------
-        path : str or path
-            Where to; an existing file is replaced.
-
-        Raises
-        ------
-        OSError
-            If the file cannot be written.
         """
         write_lines(path, self._lines())
 

@@ -41,7 +41,11 @@ class InSi(Result):
 
     @property
     def material(self) -> Material | None:
-        """What the first body is made of, if that is known."""
+        """What the first body is made of, if that is known.
+
+        With a material there are SI values, `speed_si` and so on, and of a sphere with a yield strength `yield_speed`,
+        `yield_speed_si` and `beyond_yield`.
+        """
         material: Material | None = None if self.body is None else self.body.material
         return material
 

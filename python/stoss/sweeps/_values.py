@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 
 from stoss import _core
 from stoss._arguments import boolean
+from stoss._documentation import documented
 from stoss.bodies._solid import describe
 from stoss.results._curves import empty_rows
 from stoss.results._result import QUANTITIES, Column, Result
@@ -71,16 +72,12 @@ class Sweep(Result):
         """
         return {"grid": self.grid.to_dict()} | super().to_dict()
 
+    @documented
     def to_netcdf(self, path: str | os.PathLike[str]) -> None:
         """Write all values to a NetCDF-4 file with units and provenance, which xarray opens.
 
         Dimensions are body, against and speed. What is missing has fill values. The file appears
         whole or not at all. Needs the package netCDF4.
-
-        Parameters
-        ----------
-        path : str or path
-            Where to; an existing file is replaced.
         """
         from stoss.export._netcdf import write
 
@@ -123,13 +120,12 @@ class Sweep(Result):
         return {body._kind for body in self.grid.bodies}
 
 
+@documented
 def open_sweep(store: str | os.PathLike[str], *, mix: bool = False) -> Sweep:
     """Read what the store of a sweep has so far, also while workers write to it.
 
     Parameters
     ----------
-    store : path
-        Directory of the store.
     mix : bool, optional
         Take values of other versions of stoss too, where this one has none, and leave out those of
         other grids. Without it such a store is refused.
@@ -167,17 +163,9 @@ def open_sweep(store: str | os.PathLike[str], *, mix: bool = False) -> Sweep:
     return Sweep(grid, computed, tuple(sorted(versions)), rows)
 
 
+@documented
 def merge(store: str | os.PathLike[str], path: str | os.PathLike[str], *, mix: bool = False) -> Sweep:
     """Write what the store of a sweep has to one NetCDF-4 file.
-
-    Parameters
-    ----------
-    store : path
-        Directory of the store.
-    path : str or path
-        Where to; an existing file is replaced.
-    mix : bool, optional
-        As of `open_sweep`.
 
     Returns
     -------

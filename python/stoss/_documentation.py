@@ -1,0 +1,171 @@
+"""What docstrings have in common, said once: the words of parameters and of fields by their names.
+
+A docstring explains what is its own. `documented` adds the usual words of a function's other
+parameters, `with_fields` those of a result's other fields, so that help() and the site have all.
+"""
+
+from __future__ import annotations
+
+import inspect
+import re
+from typing import Any, Callable, Iterable, Mapping, TypeVar
+
+Function = TypeVar("Function", bound=Callable[..., Any])
+
+PARAMETERS = """
+body : Disk, Sphere or Rod
+    The first body, in whose units all results are.
+speed : float
+    Of approach of the centres of mass, or towards the wall, 1e-8 to 1, c (with a material: m/s). Two equal bodies at
+    twice the speed are one of them at a rigid wall.
+against : HardWall, 'same', Disk, Sphere, Rod, HalfSpace or HalfPlane, optional
+    What the body meets: a rigid wall (default), an identical body, another of its kind, or, for a sphere, a
+    half-space, for a disk a half-plane.
+poisson : float
+    In place of `body`: ``Disk(poisson=poisson)``, −0.95 to 0.995.
+cutoff : float, optional
+    Highest frequency of the modes that are kept, c/R.
+tail : {'radiating', 'static'}, optional
+    How the modes above the cutoff answer a hard contact: with static compliance at low and plane-wave impedance at
+    high frequency, or with static compliance only.
+state : Oscillation, sequence of them or ndarray, optional
+    How the bodies vibrate before the impact: modes up to `cutoff`, or an array as `Impact.state_after` gives it.
+    Default: they are unexcited. Then ε cannot exceed 1; with a state it may.
+error : float, optional
+    Maximum error of ε, interpolation included, 1e-7 to 0.1.
+seed : int, optional
+    Each seed gives another ensemble.
+threads : int, optional
+    0: as many as the machine has. Results do not depend on it.
+progress : bool, optional
+    Show a bar on stderr.
+law : {'center', 'diameter', 'printed', 'hertz'}, optional
+    Of compression, see `stoss.quasistatic`.
+force : array_like
+    F, mc²/R; broadcasts with the other arrays.
+path : str or path
+    Where to; an existing file is replaced.
+store : path
+    Directory of the values of a sweep.
+of : {0, 1}, optional
+    Of which body: the first, or the second.
+order, index : int
+    n and l of a mode.
+frame : int, optional
+    Which of the field's times, if it has several.
+columns : int, optional
+    Pictures in a row.
+ax : Axes, optional
+    Where to draw; further calls with the same Axes add to it. Default: a new figure.
+label : str, optional
+    Name of the curve in the legend.
+**style
+    Handed on to `matplotlib.axes.Axes.plot`: color, linestyle, …
+"""
+
+FIELDS = {
+    "body": "The first; all units are its own.",
+    "against": "What it meets.",
+    "poisson": "Poisson's ratio, of a disk the 2-D one.",
+    "speed": "Of approach of the centres of mass, or towards the wall, c.",
+    "restitution": "ε = −v_f/v_i of the relative motion; above 1 where vibration is given back.",
+    "lost_fraction": "1 − ε², negative where ε > 1.",
+    "contact_time": "From first to last contact, R/c.",
+    "impulse_time": "From 1 % to 99 % of the impulse, R/c: a last grazing contact hardly changes it.",
+    "contacts": "Separate periods of contact.",
+    "max_force": "Maximum force, mc²/R: πRE of a disk, (4π/3)R²E of a sphere.",
+    "max_compression": "In R.",
+    "max_half_width": "Maximum half-width of the contact, R; of spheres its radius.",
+    "max_radius": "Maximum radius of the contact, R.",
+    "contact_half_width": "Half-width of the contact, R, in steps of the nodes' spacing; of spheres its radius.",
+    "half_width": "Of the contact, along the undeformed edge, R; of a sphere its radius.",
+    "dissipated": "Energy lost to the material, as a share of the initial one.",
+    "lost_to_first": "Vibration of the first body after the impact and what its material absorbed.",
+    "lost_to_second": "The same of the second; what the waves of a half-space carry away; 0 of a wall.",
+    "cutoff": "Modes up to this frequency are kept, c/R.",
+    "modes": "Number of kept modes.",
+    "nodes": "Number of nodes of the contact grid.",
+    "runs": "Impacts computed.",
+    "step": "Time step, R/c.",
+    "steps": "Time steps of all impacts.",
+    "tail": "How the modes above the cutoff answered: 'radiating' or 'static'.",
+    "energy_error": "What is missing, as a share of the initial energy.",
+    "momentum_error": "What is missing, as a share of the initial momentum.",
+    "converged": "Whether it is as accurate as asked for.",
+    "reason": "Why it is not converged; empty where it is.",
+    "beyond_small_strain": "Speed, also of the vibration before, above 0.5 c or compression above 0.5 R, where linear"
+    " elasticity has lost its meaning.",
+    "keep": "Which modes up to the cutoff were kept, if not all.",
+    "state": "How the bodies vibrated before, if they did: a structured array with the fields body, order, index,"
+    " energy (as a share of the translational one) and phase.",
+    "beyond": "What it does beyond its range: 'error', 'clamp' or 'law'.",
+    "tolerance": "Asked for: error of 1 − ε² over 1 − ε².",
+    "absolute": "Or error of 1 − ε².",
+    "decay_time": "As it was given.",
+    "seed": "Of the ensemble.",
+    "law": "Of compression.",
+    "impact": "Of which it is a part.",
+    "time": "From the start of the impact, R/c.",
+    "center": "Position of the first body's centre of mass, R; the wall is at 0 and the body at x < 0.",
+    "force": "Force F of the contact, mc²/R: πRE of a disk, (4π/3)R²E of a sphere.",
+    "compression": "δ, R.",
+    "order": "Angular order n of a disk, degree n of a sphere.",
+    "index": "Number l of the root for this order, from 0.",
+    "omega": "Eigenfrequency ω, c/R.",
+}
+
+TYPES = {"Number": "float or ndarray", "Integer": "int or ndarray", "Flag": "bool or ndarray", "Body":
+         "Disk, Sphere or Rod", "Against": "HardWall, ExponentialWall, Disk, Sphere, Rod, HalfSpace or HalfPlane"}
+
+
+def documented(function: Function, **usual: str) -> Function:
+    """Add these or the usual words of all parameters that a docstring does not explain."""
+    if function.__doc__:
+        names = inspect.signature(function).parameters
+        function.__doc__ = _completed(function.__doc__, "Parameters", names, _entries(PARAMETERS) | usual)
+    return function
+
+
+def with_fields(result: type) -> None:
+    """Add the words of a base or the usual ones of all fields that the docstring of a result does not explain."""
+    fields, usual = vars(result).get("__annotations__", {}), dict[str, str]()
+    for name in [name for name, kind in fields.items() if name in FIELDS and kind != "Any"]:
+        error = f"{name}_error" if f"{name}_error" in fields else ""
+        named = f"{name}, {error}" if error else name
+        said = f"{FIELDS[name].rstrip('.')}; and its estimated error." if error else FIELDS[name]
+        usual[name] = f"{named} : {_type(fields[name])}\n    {said}"
+    for base in reversed(result.__mro__[1:]):
+        usual |= _own(base.__doc__ or "", "Attributes")
+    if result.__doc__:
+        result.__doc__ = _completed(result.__doc__, "Attributes", [*fields, *usual], usual)
+
+
+def _type(annotation: str) -> str:
+    kinds = re.sub(r"NDArray\[[\w.]*\]", "ndarray", annotation).split(" | ")
+    return " or ".join(TYPES.get(each, each) for each in kinds)
+
+
+def _entries(section: str) -> dict[str, str]:
+    """The entries of a section by the names that each explains."""
+    entries = [each for each in re.split(r"\n(?=\S)", section.strip("\n")) if each]
+    return {name.lstrip("*"): each for each in entries for name in re.split(r" : |\n", each)[0].split(", ")}
+
+
+def _sections(said: str) -> list[str]:
+    """What a docstring begins with, and its sections."""
+    return re.split(r"\n\n(?=[A-Z][A-Za-z ]+\n-{3,}\n)", inspect.cleandoc(said))
+
+
+def _own(said: str, title: str) -> dict[str, str]:
+    """The entries of the section with this title, if there is one."""
+    section = next((each for each in _sections(said) if each.startswith(f"{title}\n---")), "")
+    return _entries("\n".join(section.split("\n")[2:]))
+
+
+def _completed(said: str, title: str, names: Iterable[str], usual: Mapping[str, str]) -> str:
+    """The docstring, where a section explains these names in their order: as it does itself, or by the usual words."""
+    own = _own(said, title)
+    entries = dict.fromkeys([*(own.get(name) or usual.get(name, "") for name in names), *own.values()])
+    section = "\n".join([title, "-" * len(title), *filter(None, entries)])
+    before, *others = (each for each in _sections(said) if not each.startswith(f"{title}\n---"))
+    return "\n\n".join([before, *([section] if any(entries) else []), *others])
