@@ -7,9 +7,9 @@ import dataclasses
 from typing import Iterator, Union
 
 from stoss._errors import InvalidInput
-from stoss.bodies._blocks import UNBOUNDED, Unbounded
 from stoss.bodies._material import Material
 from stoss.bodies._solid import LEFT_OUT, Solid
+from stoss.bodies._walls import UNBOUNDED, Unbounded
 
 
 @dataclasses.dataclass(frozen=True, kw_only=True, repr=False)

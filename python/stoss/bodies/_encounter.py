@@ -12,10 +12,9 @@ from numpy.typing import NDArray
 from stoss import _core
 from stoss._arguments import choice, instance, refusal
 from stoss._errors import InvalidInput
-from stoss.bodies._blocks import UNBOUNDED, Unbounded
 from stoss.bodies._bodies import BODIES, PARTNERS, Body, Disk, Sphere
 from stoss.bodies._solid import Solid, is_rigid
-from stoss.bodies._walls import HardWall, Wall
+from stoss.bodies._walls import UNBOUNDED, HardWall, Unbounded, Wall
 
 Against = Union[Wall, Body, Unbounded]
 

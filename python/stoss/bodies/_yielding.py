@@ -8,9 +8,9 @@ from typing import Any
 
 from stoss import _core
 from stoss._arguments import instance, refusal
-from stoss.bodies._blocks import HalfSpace
 from stoss.bodies._bodies import Sphere
 from stoss.bodies._solid import describe, is_rigid
+from stoss.bodies._walls import HalfSpace
 
 
 def yield_speed(body: Sphere, *, against: Sphere | HalfSpace | str | None = None) -> float | None:

@@ -9,7 +9,6 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from stoss import _core
-
 from stoss.bodies._solid import describe
 from stoss.export._files import whole_file
 from stoss.results._result import QUANTITIES, unit

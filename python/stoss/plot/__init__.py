@@ -40,7 +40,7 @@ except ModuleNotFoundError as _missing:
 from stoss.plot._animation import animate
 from stoss.plot._disk import disk, sphere
 from stoss.plot._functions import extrapolation, function, pair_table
-from stoss.plot._ledger import ledger
+from stoss.plot._modes import ledger
 from stoss.plot._many import bounces, cooling, distribution, restitution_histogram
 from stoss.plot._modes import mode_shape, spectrum
 from stoss.plot._quasistatic import rayleigh, slow_impact, static_contact
@@ -52,28 +52,8 @@ from stoss.plot._trajectory import energies, force, half_width, velocity
 from stoss.plot._wave import wave
 
 __all__ = [
-    "animate",
-    "bounces",
-    "cooling",
-    "disk",
-    "distribution",
-    "energies",
-    "extrapolation",
-    "force",
-    "function",
-    "half_width",
-    "ledger",
-    "mode_shape",
-    "pair_table",
-    "rayleigh",
-    "restitution",
-    "restitution_histogram",
-    "sequence",
-    "slow_impact",
-    "spectrum",
-    "sphere",
-    "static_contact",
-    "stress",
-    "velocity",
-    "wave",
-]
+    "animate", "bounces", "cooling", "disk", "distribution", "energies", "extrapolation", "force",
+    "function", "half_width", "ledger", "mode_shape", "pair_table", "rayleigh", "restitution",
+    "restitution_histogram", "sequence", "slow_impact", "spectrum", "sphere", "static_contact",
+    "stress", "velocity", "wave",
+]  # fmt: skip

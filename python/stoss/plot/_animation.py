@@ -8,7 +8,7 @@ import subprocess
 import tempfile
 from typing import Any, Iterator
 
-import numpy as np
+from PIL import Image
 from matplotlib import colormaps, rc_context
 from matplotlib.animation import FFMpegWriter
 from matplotlib.artist import Artist
@@ -16,8 +16,8 @@ from matplotlib.axes import Axes
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.colors import LinearSegmentedColormap
 from matplotlib.figure import Figure
+import numpy as np
 from numpy.typing import NDArray
-from PIL import Image
 
 from stoss._arguments import instance, integer, number, refusal, require_memory
 from stoss._documentation import documented

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from typing import Any, Iterator, Union
 
-import numpy as np
 from matplotlib.axes import Axes
+import numpy as np
 from numpy.typing import NDArray
 
 from stoss.plot import _style

@@ -5,9 +5,9 @@ from __future__ import annotations
 from typing import Any, NamedTuple
 
 import matplotlib
-import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.container import ErrorbarContainer
+import numpy as np
 from numpy.typing import NDArray
 
 from stoss.bodies._bodies import Rod

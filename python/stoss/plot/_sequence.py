@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.patches import Rectangle
+import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from stoss._arguments import integer, numbers, refusal

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from typing import NamedTuple, Sequence
 
-import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.collections import QuadMesh
 from matplotlib.lines import Line2D
+import numpy as np
 from numpy.typing import NDArray
 
 from stoss._arguments import number, refusal

@@ -9,8 +9,8 @@ from numpy.typing import NDArray
 
 from stoss.bodies._bodies import PARTNERS, Disk, Sphere
 from stoss.plot import _style
+from stoss.results._field import Trajectory
 from stoss.results._impact import Impact
-from stoss.results._motion import Trajectory
 
 TIME = "time t / (R/c)"
 

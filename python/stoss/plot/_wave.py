@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.colors import PowerNorm
+import numpy as np
 from numpy.typing import NDArray
 
 from stoss._arguments import integer, number, refusal
@@ -12,7 +12,7 @@ from stoss._errors import InvalidInput
 from stoss.bodies._solid import is_rigid
 from stoss.plot import _disk, _style
 from stoss.plot._sequence import LARGEST, spoken_times
-from stoss.results._motion import Wave
+from stoss.results._field import Wave
 
 Array = NDArray[np.float64]
 

@@ -17,10 +17,9 @@ from numpy.typing import ArrayLike, NDArray
 
 from stoss._arguments import arranged, numbers, refusal
 from stoss._documentation import documented
-from stoss.bodies._blocks import UNBOUNDED, Unbounded
 from stoss.bodies._bodies import Body, Disk, Sphere, speed_unit
 from stoss.bodies._encounter import Against, choose_against, choose_body
-from stoss.bodies._walls import HardWall
+from stoss.bodies._walls import UNBOUNDED, HardWall, Unbounded
 from stoss.export._text import span, with_error
 from stoss.results._result import Column, Number
 from stoss.results._si import SpeedInSi

@@ -13,11 +13,10 @@ from stoss import _core
 from stoss._arguments import integer, number, optional_number
 from stoss._documentation import documented
 from stoss._errors import Interrupted, NotConverged, StossWarning
-from stoss.bodies._blocks import UNBOUNDED
 from stoss.bodies._bodies import Body, shown, speed_unit, speeds_in_si
 from stoss.bodies._encounter import Against, choose_against, choose_body, choose_tail, contact
 from stoss.bodies._state import State, choose_state
-from stoss.bodies._walls import ExponentialWall, HardWall
+from stoss.bodies._walls import UNBOUNDED, ExponentialWall, HardWall
 from stoss.export._text import span
 from stoss.results._result import RowResult, columns, picture
 from stoss.results._si import MayYield, Si, warn_of_large_strain, warn_of_yielding

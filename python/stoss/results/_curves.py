@@ -12,11 +12,10 @@ from stoss import _core
 from stoss._arguments import arranged, boolean, broadcast, integer, number, numbers
 from stoss._documentation import documented
 from stoss._errors import Interrupted, NotConverged, StossWarning
-from stoss.bodies._blocks import UNBOUNDED, Unbounded
 from stoss.bodies._bodies import Body, Disk, speed_unit, speeds_in_si
 from stoss.bodies._encounter import choose_against, choose_bodies, choose_body, refinable
 from stoss.bodies._state import State, choose_state
-from stoss.bodies._walls import HardWall
+from stoss.bodies._walls import UNBOUNDED, HardWall, Unbounded
 from stoss.results._progress import bar
 from stoss.results._restitution import Restitution
 from stoss.results._result import columns

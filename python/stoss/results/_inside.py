@@ -11,13 +11,12 @@ from stoss import _core
 from stoss._arguments import integer, numbers, refusal, require_memory
 from stoss._documentation import documented
 from stoss._errors import InvalidInput
-from stoss.bodies._blocks import UNBOUNDED
 from stoss.bodies._bodies import BODIES, Disk, Sphere
 from stoss.bodies._encounter import encounter
 from stoss.bodies._solid import is_rigid
 from stoss.bodies._state import choose_state
-from stoss.results._field import DiskField, Field, SphereField
-from stoss.results._motion import Wave
+from stoss.bodies._walls import UNBOUNDED
+from stoss.results._field import DiskField, Field, SphereField, Wave
 from stoss.results._replay import Rising, require_replay
 
 if TYPE_CHECKING:

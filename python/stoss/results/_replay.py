@@ -10,7 +10,7 @@ from numpy.typing import ArrayLike, NDArray
 from stoss import _core
 from stoss._arguments import arranged, integer, number, numbers, require_memory
 from stoss._errors import InvalidInput
-from stoss.results._motion import Trajectory
+from stoss.results._field import Trajectory
 from stoss.results._result import columns
 
 if TYPE_CHECKING:

@@ -9,9 +9,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from stoss._arguments import arranged
-from stoss.bodies._blocks import UNBOUNDED
 from stoss.bodies._bodies import PARTNERS, Body, Disk, Rod, Sphere, shown
 from stoss.bodies._encounter import Against, choose_against
+from stoss.bodies._walls import UNBOUNDED
 from stoss.export import _tables
 from stoss.export._text import span, with_error
 from stoss.results._function import RestitutionFunction

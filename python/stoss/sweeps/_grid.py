@@ -15,11 +15,10 @@ from numpy.typing import ArrayLike, NDArray
 from stoss import _core
 from stoss._arguments import number, numbers, refusal
 from stoss._errors import InvalidInput
-from stoss.bodies._blocks import Unbounded
 from stoss.bodies._bodies import Body, speed_unit, speeds_in_si
 from stoss.bodies._encounter import Against, choose_against, choose_body, refinable
 from stoss.bodies._solid import Solid, Specification, describe
-from stoss.bodies._walls import HardWall
+from stoss.bodies._walls import HardWall, Unbounded
 from stoss.sweeps._specification import Choices, beside, choices, expanded, make
 
 MOST_CASES = 100_000  # bodies times partners

@@ -11,11 +11,10 @@ from numpy.typing import NDArray
 
 from stoss import _core
 from stoss._arguments import brief, refusal
-from stoss.bodies._blocks import HalfPlane, HalfSpace
 from stoss.bodies._bodies import PARTNERS, Body, Disk, Rod, Sphere
 from stoss.bodies._material import Material, materials
 from stoss.bodies._solid import Solid, Specification, describe
-from stoss.bodies._walls import HardWall
+from stoss.bodies._walls import HalfPlane, HalfSpace, HardWall
 
 SOLIDS: tuple[type[Solid], ...] = (Disk, Sphere, Rod, HalfSpace, HalfPlane)
 CLASSES: Mapping[str, Any] = {made._kind: made for made in SOLIDS}
