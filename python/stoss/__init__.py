@@ -9,6 +9,10 @@ A body comes first, all other arguments are named; those out of range are refuse
 `InvalidInput` before anything is computed. Units are those of the first body: radius R, bar
 speed c = √(E/ρ), mass m; of bodies with a `Material`, speeds are in m/s.
 
+What cannot meet its own conditions raises `NotConverged`, and Ctrl-C `Interrupted`: what is done is
+their attribute `best`. Files appear whole or not at all; OSError says that one cannot be read or
+written.
+
 ================================  ==================================================================
 `restitution`                     ε(v) with errors, for numbers and arrays, at a wall or of two
                                   bodies

@@ -126,8 +126,8 @@ def documented(function: Function, **usual: str) -> Function:
     return function
 
 
-def with_fields(result: type) -> None:
-    """Add the words of a base or the usual ones of all fields that the docstring of a result does not explain."""
+def with_fields(result: type, title: str = "Attributes") -> None:
+    """Add the words of a base or the usual ones of all fields that the docstring of a class does not explain."""
     fields, usual = vars(result).get("__annotations__", {}), dict[str, str]()
     for name in [name for name, kind in fields.items() if name in FIELDS and kind != "Any"]:
         error = f"{name}_error" if f"{name}_error" in fields else ""
@@ -135,9 +135,10 @@ def with_fields(result: type) -> None:
         said = f"{FIELDS[name].rstrip('.')}; and its estimated error." if error else FIELDS[name]
         usual[name] = f"{named} : {_type(fields[name])}\n    {said}"
     for base in reversed(result.__mro__[1:]):
-        usual |= _own(base.__doc__ or "", "Attributes")
+        usual |= _own(base.__doc__ or "", title)
     if result.__doc__:
-        result.__doc__ = _completed(result.__doc__, "Attributes", [*fields, *usual], usual)
+        names = [name for each in result.__mro__ for name in vars(each).get("__annotations__", {})]
+        result.__doc__ = _completed(result.__doc__, title, names, usual)
 
 
 def _type(annotation: str) -> str:

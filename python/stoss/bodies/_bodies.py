@@ -24,21 +24,11 @@ class Disk(Solid):
     ----------
     poisson : float
         2-D Poisson's ratio ν, −0.95 to 0.995.
-    radius : float
-        Radius R; 1, or with a material to be given in m.
-    young, density : float, optional
-        Young's modulus E and density ρ.
-    loss_time : float, optional
-        Loss time η, stress = (1 + η ∂/∂t) elastic stress: R/c of the first body, or with a material
-        s. Default: 0, or that of the material.
     material : Material
         In place of `poisson`, `young` and `density`: then these attributes are ν, E and ρ in plane
         stress, ν/(1−ν), E/(1−ν²) and ρ in plane strain.
     plane : {'stress', 'strain'}
         With a material: a thin plate, or a slice of a long cylinder.
-    rigid : bool, optional
-        Young's modulus is infinite. The disk keeps its mass, and the given modulus remains a unit.
-        It meets elastic bodies: disks and half-planes.
 
     Examples
     --------
@@ -73,18 +63,6 @@ class Sphere(Solid):
     ----------
     poisson : float
         Poisson's ratio ν, −0.95 to 0.4999.
-    radius : float
-        Radius R; 1, or with a material to be given in m.
-    young, density : float, optional
-        Young's modulus E and density ρ.
-    loss_time : float, optional
-        Loss time η, stress = (1 + η ∂/∂t) elastic stress: R/c of the first body, or with a material
-        s. Default: 0, or that of the material.
-    material : Material
-        In place of `poisson`, `young` and `density`.
-    rigid : bool, optional
-        Young's modulus is infinite. The sphere keeps its mass, and the given modulus remains a
-        unit. It meets elastic bodies: spheres and half-spaces.
 
     Examples
     --------
@@ -120,13 +98,8 @@ class Rod(Solid):
     ----------
     length : float
         Length L; 1, or with a material to be given in m.
-    young, density : float, optional
-        Young's modulus E and density ρ.
     area : float
         Of the cross-section, A; 1, or with a material to be given in m².
-    loss_time : float, optional
-        Loss time η, stress = (1 + η ∂/∂t) elastic stress: L/c of the first body, or with a material
-        s. Default: 0, or that of the material.
     material : Material
         In place of `young` and `density`.
 

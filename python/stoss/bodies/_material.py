@@ -62,11 +62,6 @@ class Material:
         over the contact time for an impact: η = 1/(Qω). With the same η a slower impact, of lower
         frequency, has a higher quality; a constant Q is matched at ω only.
 
-    Raises
-    ------
-    InvalidInput
-        Unless all constants are positive and ν in its range.
-
     Examples
     --------
     >>> steel = stoss.Material(young=2.1e11, poisson=0.3, density=7850)

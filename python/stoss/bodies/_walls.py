@@ -57,8 +57,15 @@ Block = TypeVar("Block", bound="_Unbounded")
 
 
 class _Unbounded(Solid):
-    """What a half-space and a half-plane have in common: no size, and a Poisson's ratio that may be
-    the first's."""
+    """What a half-space and a half-plane have in common: no size, and a Poisson's ratio that may be the first's.
+
+    Parameters
+    ----------
+    loss_time : float, optional
+        Loss time η of a Kelvin–Voigt material, stress = (1 + η ∂/∂t) elastic stress; 0, or
+        that of the material. In R/c of the first body; with a material in s. Its loss is in
+        `lost_to_second` and in `dissipated`.
+    """
 
     def _beside(self: Block, body: Any) -> Block:
         """The same, with the Poisson's ratio of the first body where it has none."""
@@ -81,12 +88,6 @@ class HalfSpace(_Unbounded):
         Poisson's ratio ν, −0.95 to 0.4999; default: that of the sphere.
     young, density : float, optional
         Young's modulus E and density ρ, 1e-3 to 1e6 of those of the sphere; default 1.
-    loss_time : float, optional
-        Loss time η of a Kelvin–Voigt material, stress = (1 + η ∂/∂t) elastic stress; 0, or
-        that of the material. In R/c of the sphere; with a material in s. Its loss is in
-        `lost_to_second` and in `dissipated`.
-    material : Material
-        In place of `poisson`, `young` and `density`, for a sphere that has one.
 
     Examples
     --------
@@ -118,10 +119,6 @@ class HalfPlane(_Unbounded):
         2-D Poisson's ratio ν, −0.95 to 0.995; default: that of the disk.
     young, density : float, optional
         2-D Young's modulus E and density ρ, 1e-3 to 1e6 of those of the disk; default 1.
-    loss_time : float, optional
-        Loss time η, as of a half-space.
-    material : Material
-        In place of `poisson`, `young` and `density`, for a disk that has one.
     plane : {'stress', 'strain'}
         With a material: that of the disk.
 

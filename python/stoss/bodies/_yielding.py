@@ -18,7 +18,8 @@ def yield_speed(body: Sphere, *, against: Sphere | HalfSpace | str | None = None
 
     The maximum pressure p₀ of Hertz' contact is then 1.6 times the yield strength Y of the
     material: v² = (16/15)(E*R³/m)(πp₀/2E*)⁵ (K. L. Johnson, Contact Mechanics, eqs. 11.31 to
-    11.35). At a wall it does not depend on the radius; an equal sphere takes twice that speed.
+    11.35). At a wall it does not depend on the radius; an equal sphere takes twice that speed. A
+    material without a yield strength is taken not to yield: None where neither has one.
 
     Parameters
     ----------
@@ -26,16 +27,6 @@ def yield_speed(body: Sphere, *, against: Sphere | HalfSpace | str | None = None
         With a material.
     against : 'same', Sphere or HalfSpace, optional
         An equal sphere, another one, or a half-space with a material; a rigid wall if it is left out.
-
-    Returns
-    -------
-    float or None
-        None where no material has a yield strength; one that has none is taken not to yield.
-
-    Raises
-    ------
-    InvalidInput
-        For a body without a material, and where none deforms.
 
     Examples
     --------

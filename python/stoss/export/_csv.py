@@ -100,13 +100,6 @@ class Table(Mapping[str, NDArray[Any]]):
 def read_csv(path: str | os.PathLike[str]) -> Table:
     """Read a CSV that `to_csv` of a result or the command has written.
 
-    Raises
-    ------
-    InvalidInput
-        For a damaged file, and one that stoss did not write.
-    OSError
-        If the file cannot be read.
-
     Examples
     --------
     >>> stoss.restitution(poisson=0.33, speed=[0.01, 0.1]).to_csv("curve.csv")

@@ -43,7 +43,7 @@ def animate(
     """Write the impact as a GIF or MP4.
 
     It goes from just before contact until the body, or two, have flown for some time, vibrating.
-    The file appears whole or not at all.
+    The file appears whole or not at all. `path` is returned. RuntimeError says that ffmpeg failed.
 
     Parameters
     ----------
@@ -60,20 +60,6 @@ def animate(
     quantity : {'von_mises', 'principal_difference', 'fringes'}, optional
         Colours, on one scale for all frames (see `stoss.plot.stress`); default: a grid of radii and
         circles.
-
-    Returns
-    -------
-    str or path
-        `path`.
-
-    Raises
-    ------
-    InvalidInput
-        For arguments out of range and other suffixes.
-    RuntimeError
-        If an MP4 is asked for and ffmpeg is missing or fails.
-    OSError
-        If the file cannot be written.
 
     Examples
     --------

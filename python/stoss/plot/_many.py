@@ -40,12 +40,8 @@ def bounces(result: Bounces, ax: Axes | None = None) -> Axes:
     Parameters
     ----------
     ax : Axes, optional
-        Where to draw, of `matplotlib.pyplot.subplots`; its lower half becomes an Axes of its own.
-
-    Returns
-    -------
-    Axes
-        The upper one. The lower one is the last of its figure.
+        Where to draw, of `matplotlib.pyplot.subplots`; its lower half becomes an Axes of its own, the last of its
+        figure.
 
     Examples
     --------

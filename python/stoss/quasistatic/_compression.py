@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import functools
 from typing import Any, Mapping
 
 import numpy as np
@@ -9,12 +10,18 @@ from numpy.typing import ArrayLike, NDArray
 
 from stoss import _core
 from stoss._arguments import arranged, broadcast, choice, instance, numbers
+from stoss._documentation import documented
 from stoss.bodies._bodies import Disk, Sphere
 from stoss.bodies._encounter import choose_body
 from stoss.results._result import Number
 
 LAWS: Mapping[type, tuple[str, ...]] = {Disk: ("center", "diameter", "printed"), Sphere: ("center", "hertz")}
 """Laws of compression of the bodies that have some."""
+
+_of_a_law = functools.partial(
+    documented, body="body : Disk or Sphere",
+    force="force : array_like\n    F, 0 to `limit_force`, mc²/R; broadcasts with `poisson`.",
+)  # fmt: skip
 
 
 def choose_law(body: Any, law: Any) -> str:
@@ -40,22 +47,13 @@ def by_law(name: str, body: Any, poisson: Any, law: Any, **given: Any) -> Number
     return arranged(values, arrays[0].shape)  # type: ignore[no-any-return]
 
 
+@_of_a_law
 def compression(
     body: Disk | Sphere | None = None, *, force: ArrayLike, poisson: ArrayLike | None = None, law: str = "center"
 ) -> Number:
     """Compression δ(F) by a law of compression, R.
 
     The next order is smaller by about F, of a sphere by about F^(1/3).
-
-    Parameters
-    ----------
-    body : Disk or Sphere
-    force : array_like
-        F, 0 to `limit_force`, mc²/R; broadcasts with `poisson`.
-    poisson : array_like
-        In place of `body`: 2-D Poisson's ratio of disks, −0.95 to 0.995.
-    law : {'center', 'diameter', 'printed', 'hertz'}, optional
-        See `stoss.quasistatic`.
 
     Examples
     --------
@@ -67,6 +65,7 @@ def compression(
     return by_law("compression", body, poisson, law, force=force)
 
 
+@_of_a_law
 def compression_force(
     body: Disk | Sphere | None = None, *, compression: ArrayLike, poisson: ArrayLike | None = None, law: str = "center"
 ) -> Number:
@@ -78,8 +77,6 @@ def compression_force(
     ----------
     compression : array_like
         δ from 0 to that of `limit_force`, R; broadcasts with `poisson`.
-    body, poisson, law
-        As for `compression`.
 
     Examples
     --------
@@ -89,15 +86,11 @@ def compression_force(
     return by_law("compression_force", body, poisson, law, compression=compression)
 
 
+@_of_a_law
 def compression_energy(
     body: Disk | Sphere | None = None, *, force: ArrayLike, poisson: ArrayLike | None = None, law: str = "center"
 ) -> Number:
     """Energy ∫F dδ from no contact to the force F, mc²; of a disk F² [½ ln(s/F) − ½b − ¼].
-
-    Parameters
-    ----------
-    body, force, poisson, law
-        As for `compression`.
 
     Examples
     --------
@@ -128,6 +121,7 @@ def contact_radius(body: Sphere, *, force: ArrayLike) -> Number:
     return arranged(_core.contact_radius("hertz", nu.ravel(), forces.ravel()), nu.shape)  # type: ignore[no-any-return]
 
 
+@_of_a_law
 def limit_force(
     body: Disk | Sphere | None = None, *, poisson: ArrayLike | None = None, law: str = "center"
 ) -> Number:
@@ -135,11 +129,6 @@ def limit_force(
 
     That of a sphere ends at a contact of the radius R at the latest. A law means little from a
     tenth of this force on.
-
-    Parameters
-    ----------
-    body, poisson, law
-        As for `compression`.
 
     Examples
     --------
@@ -149,15 +138,11 @@ def limit_force(
     return by_law("limit_force", body, poisson, law)
 
 
+@_of_a_law
 def limit_speed(
     body: Disk | Sphere | None = None, *, poisson: ArrayLike | None = None, law: str = "center"
 ) -> Number:
     """Highest speed of a slow impact, at which it reaches `limit_force`, c; of a disk `limit_force`/√2.
-
-    Parameters
-    ----------
-    body, poisson, law
-        As for `compression`.
 
     Examples
     --------

@@ -117,8 +117,8 @@ def hertz_stress(
 ) -> PlaneStress | AxisymmetricStress:
     """Stress under Hertz' contact in the half-plane or half-space that stands for the body, E.
 
-    The relative error of a disk's is 1e-14 (Gerl & Zippelius, section V). Of a sphere they are
-    Huber's (1904) closed forms.
+    The relative error of a disk's `PlaneStress` is 1e-14 (Gerl & Zippelius, section V). The
+    `AxisymmetricStress` of a sphere is Huber's (1904) closed form.
 
     Parameters
     ----------
@@ -131,11 +131,6 @@ def hertz_stress(
     y : array_like
         Along the wall from the middle of the contact, R; of a sphere the distance y ≥ 0 from the
         axis. All three broadcast.
-
-    Returns
-    -------
-    PlaneStress, or of a sphere AxisymmetricStress
-        The named tuple (xx, yy, xy), or (radial, hoop, axial, shear).
 
     Examples
     --------
@@ -154,7 +149,7 @@ def hertz_stress(
 
 
 def greatest_shear(body: Sphere, *, force: ArrayLike) -> GreatestShear:
-    """The maximum shear stress ½(σ_rr − σ_zz) on the axis below Hertz' contact of a sphere with a wall.
+    """The maximum shear stress ½(σ_rr − σ_zz) on the axis below Hertz' contact of a sphere with a wall, and its depth.
 
     At ν = 0.3 it is 0.310 p₀ at the depth 0.481 a: where the sphere begins to yield.
 
@@ -163,11 +158,6 @@ def greatest_shear(body: Sphere, *, force: ArrayLike) -> GreatestShear:
     body : Sphere
     force : array_like
         F, as for `hertz_pressure`, mc²/R.
-
-    Returns
-    -------
-    GreatestShear
-        The named tuple (depth, shear).
 
     Examples
     --------
@@ -182,7 +172,7 @@ def greatest_shear(body: Sphere, *, force: ArrayLike) -> GreatestShear:
 
 
 def heavy_disk_stress(*, force: ArrayLike, x: ArrayLike, y: ArrayLike, contact: str = "point") -> PlaneStress:
-    """Stress in a disk that stands on a wall under its weight F = ρgR/E, E.
+    """Stress in a disk that stands on a wall under its weight F = ρgR/E, E, as a `PlaneStress`.
 
     A disk that the same force accelerates has the same stress.
 
@@ -196,16 +186,6 @@ def heavy_disk_stress(*, force: ArrayLike, x: ArrayLike, y: ArrayLike, contact: 
     contact : {'point', 'hertz'}, optional
         On one point, which is exact (Michell), or on a Hertz contact, the superposition of Gerl &
         Zippelius for small F.
-
-    Returns
-    -------
-    PlaneStress
-        The named tuple (xx, yy, xy).
-
-    Raises
-    ------
-    InvalidInput
-        For points outside the disk or, with 'point', in the point of contact.
 
     Examples
     --------

@@ -156,7 +156,8 @@ def rayleigh(
     The force F(t) of a `slow_impact` drives every mode at the point of contact, Q̈ + ω²Q = −C F/m,
     which leaves it the share C² (∫F cos ωt dt / v)² of the energy. The stiffness of a sphere's
     contact turns the phases of its modes besides. For a value that is as exact as you ask use
-    `stoss.restitution`.
+    `stoss.restitution`. A `StossWarning` tells of values beyond perturbation theory, of a disk at
+    ν = 0.33 from v = 0.024 c on, of a sphere at ν = 0.3 from 0.039 c on, and of yielding.
 
     Parameters
     ----------
@@ -166,13 +167,6 @@ def rayleigh(
         problem.
     cutoff : float, optional
         Highest frequency of the modes, up to 1000, c/R.
-
-    Warns
-    -----
-    StossWarning
-        If there are values beyond perturbation theory, of a disk at ν = 0.33 from v = 0.024 c on,
-        of a sphere at ν = 0.3 from 0.039 c on; or beyond the speed at which a sphere begins to
-        yield.
 
     Examples
     --------

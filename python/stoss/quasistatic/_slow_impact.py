@@ -111,17 +111,14 @@ def slow_impact(
 ) -> SlowImpact | PointSlowImpact:
     """Impacts that are so slow that the body follows the wall's force statically: δ̈ = −F(δ).
 
+    A `StossWarning` says that a sphere of that material yields at such a speed.
+
     Parameters
     ----------
     speed : array_like
         Of the centre of mass towards the wall, 1e-100 (of a sphere 1e-12) to `limit_speed`, c (with
         a material: m/s). Two equal bodies that each move at `speed` towards each other are the same
         problem.
-
-    Warns
-    -----
-    StossWarning
-        If there are values beyond the speed at which a sphere begins to yield.
 
     Examples
     --------

@@ -90,11 +90,6 @@ def static_contact(
         On half of the contact, 16 to 1024; the force converges with their square. A sphere takes
         0.3 s with 160 for δ below 1e-3, 0.1 s with 80.
 
-    Raises
-    ------
-    NotConverged
-        If the contact cannot be solved.
-
     Examples
     --------
     >>> contact = stoss.quasistatic.static_contact(poisson=0.33, compression=0.01)
@@ -175,11 +170,6 @@ def soft_static_contact(
         Highest frequency of the modes, c/R; those above it are left out.
     nodes : int, optional
         Of the contact grid, 64 to 2048; default: as many as wall and modes need.
-
-    Raises
-    ------
-    NotConverged
-        If the minimum is not found.
 
     Examples
     --------

@@ -89,11 +89,6 @@ def atlas(
     speed : array_like
         Of approach, c (with a material: m/s).
 
-    Raises
-    ------
-    InvalidInput
-        For what is not in the atlas.
-
     Examples
     --------
     >>> value = stoss.atlas(stoss.Sphere(poisson=0.3), speed=0.1)

@@ -115,7 +115,7 @@ def bounce(
     small differences grow, and of a long sequence only means converge. With
     ``tail="static"`` all energy is kept, and translation has in the mean as
     much before an impact as each of the modes; otherwise the modes above the cutoff absorb energy for
-    good.
+    good. A sequence whose speed leaves 1e-8 to 1 c has not converged.
 
     Parameters
     ----------
@@ -136,16 +136,6 @@ def bounce(
         every impact is that of `impact`. Default: no decay but that of a lossy material.
     state : Oscillation, sequence of them or ndarray, optional
         How the body vibrates before the first impact, as for `impact`. Default: it is unexcited.
-
-    Raises
-    ------
-    InvalidInput
-        For arguments out of range, and another body as `against`.
-    NotConverged
-        If an impact cannot be computed, or the speed leaves 1e-8 to 1 c; the impacts before are its
-        attribute `best`.
-    Interrupted
-        After Ctrl-C; the impacts so far are its attribute `best`.
 
     Examples
     --------

@@ -47,8 +47,9 @@ def restitution(
     """Compute the coefficient of restitution ε = −v_f/v_i of a body at a wall or of two bodies.
 
     Cutoff, time step and contact grid are refined together until the estimated error of 1 − ε² is
-    below ``tolerance * (1 − ε²)`` or below ``absolute``. A value of a
-    disk takes 2 ms in the median, 20 ms or more in one case of a hundred.
+    below ``tolerance * (1 − ε²)`` or below ``absolute``. If that cannot be met, a single value raises
+    `NotConverged`; in arrays such values are marked, and a `StossWarning` says how many there are.
+    A value of a disk takes 2 ms in the median, 20 ms or more in one case of a hundred.
 
     Parameters
     ----------
@@ -67,15 +68,6 @@ def restitution(
     state : Oscillation, sequence of them or ndarray, optional
         How the bodies vibrate before the impact, with the same shares of energy and phases at every
         speed; ε may then exceed 1. Default: they are unexcited.
-
-    Raises
-    ------
-    NotConverged
-        If all inputs are numbers and the tolerance cannot be met; the best value is its
-        attribute `best`. In arrays such values are marked, and a `StossWarning` says how many there
-        are.
-    Interrupted
-        After Ctrl-C; what is done is its attribute `best`.
 
     Examples
     --------

@@ -105,17 +105,7 @@ class RestitutionDistribution(InSi, RowResult):
         )
 
     def histogram(self, bins: Any = "auto", range: ArrayLike | None = None) -> tuple[NDArray[Any], NDArray[Any]]:
-        """How many samples have ε in which interval.
-
-        Parameters
-        ----------
-        bins, range
-            As `numpy.histogram` has them.
-
-        Returns
-        -------
-        count, edges : ndarray
-            The latter has one element more.
+        """How many samples have ε in which interval, and the ends of the intervals, as `numpy.histogram` has them.
 
         Examples
         --------
@@ -188,11 +178,6 @@ def restitution_distribution(
         Each seed gives another ensemble. Sample k depends only on the seed, k and the modes.
     error : float, optional
         Error of 1 − ε² of each impact to reach, 1e-9 to 0.5.
-
-    Raises
-    ------
-    Interrupted
-        After Ctrl-C; the samples that are done are its attribute `best`.
 
     Examples
     --------

@@ -72,11 +72,6 @@ def extrapolated_restitution(
     hardnesses : array_like, optional
         αR, at least three, ascending; default: αv/c = 25, 33, 50 and 100.
 
-    Raises
-    ------
-    NotConverged
-        If an impact does not end.
-
     Examples
     --------
     >>> stoss.extrapolated_restitution(poisson=0.33, speed=0.1)

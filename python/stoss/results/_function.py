@@ -66,13 +66,7 @@ class RestitutionFunction(SpeedInSi):
     interpolation_error: NDArray[np.float64]
 
     def __call__(self, speed: ArrayLike) -> Any:
-        """ε: a float for a number, otherwise an array of the shape of `speed`.
-
-        Raises
-        ------
-        InvalidInput
-            For speeds that are not finite, and beyond the range unless that was to be answered.
-        """
+        """ε: a float for a number, otherwise an array of the shape of `speed`; refused beyond the range as `beyond` says."""
         return self._of(speed, self._core.values)
 
     def error(self, speed: ArrayLike) -> Any:
@@ -127,13 +121,6 @@ class RestitutionFunction(SpeedInSi):
         name : str, optional
             Prefix of the names in C.
 
-        Raises
-        ------
-        InvalidInput
-            For a name that C cannot have, and a function that follows a law beyond its range.
-        OSError
-            If the file cannot be written.
-
         Examples
         --------
         >>> stoss.restitution_function(poisson=0.33, speed=(1e-3, 0.3), beyond="clamp").to_c("restitution.h")
@@ -157,13 +144,6 @@ class RestitutionFunction(SpeedInSi):
         error : float, optional
             Maximum error of ε, linear interpolation included, 1.01 of `greatest_error` or more; by
             default twice that.
-
-        Raises
-        ------
-        InvalidInput
-            For a smaller error.
-        OSError
-            If the file cannot be written.
 
         Examples
         --------

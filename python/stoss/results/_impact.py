@@ -171,11 +171,6 @@ def impact(
         with an `ExponentialWall`, because a hard contact needs the compliance of the others.
         Default: all.
 
-    Raises
-    ------
-    NotConverged
-        If the contact cannot be solved or does not end.
-
     Examples
     --------
     >>> hit = stoss.impact(poisson=0.33, speed=0.1)

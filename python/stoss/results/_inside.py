@@ -30,7 +30,8 @@ def field(
     """A deformed disk or sphere and the stress inside it at some times.
 
     The kept modes are as they move; all others are in static equilibrium with the force of
-    contact.
+    contact. Arrays, of 2 GB at most, are times × radii × angles, without the first axis if `time` is
+    one number.
 
     Parameters
     ----------
@@ -42,16 +43,6 @@ def field(
     angle : array_like, optional
         Angles φ, radians, 0 towards the contact, where the default 181 are denser. In a sphere
         polar angles θ on a plane through the axis; negative ones are its other half.
-
-    Returns
-    -------
-    DiskField or SphereField
-        Arrays of times × radii × angles, without the first axis if `time` is one number.
-
-    Raises
-    ------
-    InvalidInput
-        If the body is a rod, for points outside it, and for more than 2 GB of values.
 
     Examples
     --------
@@ -110,7 +101,9 @@ def wave(
 
     The impact is repeated with a half-space that is good for as long as the waves need to reach
     the farthest point, which has many more of them. A cutoff of 80 over the contact time in R/c
-    is enough. It takes some seconds at 0.1 c, and 40 s at 2e-4 c.
+    is enough. It takes some seconds at 0.1 c, and 40 s at 2e-4 c; more than 2·10⁶ waves are refused.
+    Arrays, of 2 GB at most, are times × depths × distances, without the first axis if `time` is one
+    number.
 
     Parameters
     ----------
@@ -120,17 +113,6 @@ def wave(
     distance, depth : array_like, optional
         Distances from the axis and depths below the surface, R; default 121 of them, as far as
         the pressure wave comes.
-
-    Returns
-    -------
-    Wave
-        Arrays of times × depths × distances, without the first axis if `time` is one number.
-
-    Raises
-    ------
-    InvalidInput
-        If what is met is no half-space, for points outside it, for more than 2 GB of values,
-        and where the half-space would have more than 2·10⁶ waves.
 
     Examples
     --------

@@ -35,7 +35,7 @@ def restitution_function(
 
     It begins with six speeds per decade, and halves every interval until the value computed in its
     middle is the interpolated one within a quarter of the error. Most functions take 40 to 100
-    values.
+    values; one that needs more than 2000 has not converged.
 
     Parameters
     ----------
@@ -46,13 +46,6 @@ def restitution_function(
         infinite error; below it, follow the law of slow impacts with its error, and refuse above.
         There is a law for disks and spheres at a wall or in equal pairs, and for elastic spheres on
         elastic half-spaces.
-
-    Raises
-    ------
-    InvalidInput
-        For arguments out of range, and an unknown law.
-    NotConverged
-        If a value cannot be computed as accurately as that, or more than 2000 would be needed.
 
     Examples
     --------

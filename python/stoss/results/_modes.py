@@ -65,13 +65,7 @@ class Modes(RowResult):
         return np.asarray(self.radial > along)
 
     def find(self, order: int, index: int) -> int:
-        """Position of the mode (n, l) in the arrays.
-
-        Raises
-        ------
-        InvalidInput
-            If there is no such mode below the cutoff.
-        """
+        """Position of the mode (n, l) in the arrays."""
         order, index = integer("order", order), integer("index", index)
         found = np.flatnonzero((self.order == order) & (self.index == index))
         if found.size == 0:

@@ -67,13 +67,7 @@ class PairTable(SpeedInSi):
     interpolation_error: NDArray[np.float64]
 
     def __call__(self, speed: ArrayLike, ratio: ArrayLike) -> Any:
-        """ε: a float for two numbers, otherwise an array of the shape to which they broadcast.
-
-        Raises
-        ------
-        InvalidInput
-            For speeds and ratios that are not finite, and beyond the range unless it clamps.
-        """
+        """ε: a float for two numbers, otherwise an array of the shape to which they broadcast."""
         return self._of(speed, ratio, self._core.values)
 
     def error(self, speed: ArrayLike, ratio: ArrayLike) -> Any:
@@ -141,7 +135,7 @@ def pair_table(
 
     For mixtures: of elastic disks or spheres of given materials ε depends on v/c and on the ratio
     of the radii alone. Speeds and ratios are added where the values computed so far do not predict
-    those between them. A table for ratios of 1 to 3 takes seconds.
+    those between them. A table for ratios of 1 to 3 takes seconds. Lossy and rigid bodies are refused.
 
     Parameters
     ----------
@@ -159,13 +153,6 @@ def pair_table(
     beyond : {'error', 'clamp'}, optional
         What the table does beyond the range: refuse, or give the value at the nearest edge, with an
         infinite error.
-
-    Raises
-    ------
-    InvalidInput
-        For arguments out of range, and lossy or rigid bodies.
-    NotConverged
-        If a value cannot be computed as accurately as that.
 
     Examples
     --------

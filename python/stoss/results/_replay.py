@@ -103,11 +103,6 @@ def state_after(self: Impact, *, flight: float) -> NDArray[Any]:
         Bodies with a loss time vibrate less by then, and the waves of a half-space have run
         away.
 
-    Raises
-    ------
-    InvalidInput
-        If the flight is negative, and if the bodies do not part.
-
     Examples
     --------
     >>> hit = stoss.impact(stoss.Sphere(poisson=0.3), speed=0.1, cutoff=25)

@@ -145,11 +145,6 @@ class Restitution(ImpactsInSi):
         beyond : {'error', 'clamp', 'law'}, optional
             What the function does beyond these speeds, as of `stoss.restitution_function`.
 
-        Raises
-        ------
-        InvalidInput
-            For several bodies, too few speeds or one twice, and values that have not converged.
-
         Examples
         --------
         >>> curve = stoss.restitution(poisson=0.33, speed=np.geomspace(1e-3, 0.3, 50))

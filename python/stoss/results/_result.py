@@ -85,13 +85,7 @@ class Result:
         write_lines(path, self._lines())
 
     def to_dataframe(self) -> Any:
-        """Return the columns of `to_csv` as a table of pandas, with units and inputs in its attrs.
-
-        Raises
-        ------
-        ImportError
-            Without pandas.
-        """
+        """Return the columns of `to_csv` as a table of pandas, with units and inputs in its attrs."""
         columns = self._columns()
         return _tables.dataframe(columns, self._units_of(columns), self._inputs())
 
@@ -100,11 +94,6 @@ class Result:
 
         Its dimension is what the result runs along: speed, mode, time, …; of `restitution` with
         Poisson's ratios down and speeds across there are two.
-
-        Raises
-        ------
-        ImportError
-            Without xarray.
         """
         columns, dimensions = self._arranged_columns()
         return _tables.dataset(columns, dimensions, self._units_of(columns), self._inputs())

@@ -134,7 +134,8 @@ def rod_chain(
     Rods fly freely between collisions, and each keeps its vibration: the one-dimensional granular
     gas of Giese and Zippelius, PRE 54, 4828 (1996). All numbers are in the units in which the rods
     are given, with materials in SI. A collision of 50 modes each takes 0.5 ms, one of
-    characteristics 0.2 ms or less.
+    characteristics 0.2 ms or less. Collisions that accumulate at one time (inelastic collapse) raise
+    `NotConverged`.
 
     Parameters
     ----------
@@ -162,14 +163,6 @@ def rod_chain(
         With characteristics: most of the wave in a rod; beyond them pieces are merged.
     tail : {'radiating', 'static'}
         With modes: those above the cutoff take energy for good, or none.
-
-    Raises
-    ------
-    NotConverged
-        If collisions accumulate at one time (inelastic collapse); what is done is its attribute
-        `best`.
-    Interrupted
-        After Ctrl-C; what is done is its attribute `best`.
 
     Examples
     --------

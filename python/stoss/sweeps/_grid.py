@@ -139,13 +139,6 @@ class Grid:
     def from_toml(cls, path: str | os.PathLike[str]) -> Grid:
         """Read a grid from a TOML file, whose keys are the arguments of this class
         (docs/sweeps.md).
-
-        Raises
-        ------
-        InvalidInput
-            If the file is no grid.
-        OSError
-            If it cannot be read.
         """
         import tomllib  # Python 3.11
 

@@ -35,7 +35,7 @@ def sweep(
     A task is one body with what it meets, at all speeds, for which its modes are computed once.
     Each worker appends each value to its own file in the store when it is done: nothing that was
     finished is lost, whoever is killed, and the same call again computes the rest, with any
-    executor. Results do not depend on the executor.
+    executor. Results do not depend on the executor. A store of another grid or version is refused.
 
     Parameters
     ----------
@@ -47,15 +47,6 @@ def sweep(
         its workers must see the store under the same name.
     store : path
         Directory, made where it is not there yet.
-
-    Raises
-    ------
-    InvalidInput
-        For a grid that is out of range, and for a store of another grid or version.
-    Interrupted
-        After Ctrl-C; what is done is its attribute `best`.
-    OSError
-        If the store cannot be written.
 
     Examples
     --------

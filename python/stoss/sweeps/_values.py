@@ -122,18 +122,13 @@ class Sweep(Result):
 
 @documented
 def open_sweep(store: str | os.PathLike[str], *, mix: bool = False) -> Sweep:
-    """Read what the store of a sweep has so far, also while workers write to it.
+    """Read what the store of a sweep has so far, also while workers write to it; a damaged store is refused.
 
     Parameters
     ----------
     mix : bool, optional
         Take values of other versions of stoss too, where this one has none, and leave out those of
         other grids. Without it such a store is refused.
-
-    Raises
-    ------
-    InvalidInput
-        If it is no store, is damaged, or has rows of another version or grid.
 
     Examples
     --------
@@ -165,12 +160,7 @@ def open_sweep(store: str | os.PathLike[str], *, mix: bool = False) -> Sweep:
 
 @documented
 def merge(store: str | os.PathLike[str], path: str | os.PathLike[str], *, mix: bool = False) -> Sweep:
-    """Write what the store of a sweep has to one NetCDF-4 file.
-
-    Returns
-    -------
-    Sweep
-        What was written; its `complete` says whether anything is missing.
+    """Write what the store of a sweep has to one NetCDF-4 file, and return it; `Sweep.complete` says whether it is all.
 
     Examples
     --------
