@@ -1,67 +1,50 @@
-"""What docstrings have in common, said once: the words of parameters and of fields by their names.
+"""What docstrings have in common, said once: the words of parameters and of fields, by their names.
 
 A docstring explains what is its own. `documented` adds the usual words of a function's other
-parameters, `with_fields` those of a result's other fields, so that help() and the site have all.
+parameters, `with_fields` those of a class's other fields, so that help() and the site have all.
 """
 
 from __future__ import annotations
 
 import inspect
 import re
+import textwrap
 from typing import Any, Callable, Iterable, Mapping, TypeVar
 
 Function = TypeVar("Function", bound=Callable[..., Any])
 
-PARAMETERS = """
-body : Disk, Sphere or Rod
-    The first body, in whose units all results are.
-speed : float
-    Of approach of the centres of mass, or towards the wall, 1e-8 to 1, c (with a material: m/s). Two equal bodies at
-    twice the speed are one of them at a rigid wall.
-against : HardWall, 'same', Disk, Sphere, Rod, HalfSpace or HalfPlane, optional
-    What the body meets: a rigid wall (default), an identical body, another of its kind, or, for a sphere, a
-    half-space, for a disk a half-plane.
-poisson : float
-    In place of `body`: ``Disk(poisson=poisson)``, −0.95 to 0.995.
-cutoff : float, optional
-    Highest frequency of the modes that are kept, c/R.
-tail : {'radiating', 'static'}, optional
-    How the modes above the cutoff answer a hard contact: with static compliance at low and plane-wave impedance at
-    high frequency, or with static compliance only.
-state : Oscillation, sequence of them or ndarray, optional
-    How the bodies vibrate before the impact: modes up to `cutoff`, or an array as `Impact.state_after` gives it.
-    Default: they are unexcited. Then ε cannot exceed 1; with a state it may.
-error : float, optional
-    Maximum error of ε, interpolation included, 1e-7 to 0.1.
-seed : int, optional
-    Each seed gives another ensemble.
-threads : int, optional
-    0: as many as the machine has. Results do not depend on it.
-progress : bool, optional
-    Show a bar on stderr.
-law : {'center', 'diameter', 'printed', 'hertz'}, optional
-    Of compression, see `stoss.quasistatic`.
-force : array_like
-    F, mc²/R; broadcasts with the other arrays.
-path : str or path
-    Where to; an existing file is replaced.
-store : path
-    Directory of the values of a sweep.
-of : {0, 1}, optional
-    Of which body: the first, or the second.
-order, index : int
-    n and l of a mode.
-frame : int, optional
-    Which of the field's times, if it has several.
-columns : int, optional
-    Pictures in a row.
-ax : Axes, optional
-    Where to draw; further calls with the same Axes add to it. Default: a new figure.
-label : str, optional
-    Name of the curve in the legend.
-**style
-    Handed on to `matplotlib.axes.Axes.plot`: color, linestyle, …
-"""
+PARAMETERS = {
+    "body": "The first body, in whose units all results are.",
+    "speed": "Of approach of the centres of mass, or towards the wall, 1e-8 to 1, c (with a material: m/s). Two equal"
+    " bodies at twice the speed are one of them at a rigid wall.",
+    "against": "What the body meets: a rigid wall (default), another wall, an identical body ('same'), another of its"
+    " kind, or, for a sphere, a half-space, for a disk a half-plane.",
+    "poisson": "In place of `body`: 2-D Poisson's ratio of a disk, −0.95 to 0.995; an array broadcasts.",
+    "cutoff": "Highest frequency of the modes that are kept, c/R.",
+    "tail": "How the modes above the cutoff answer a hard contact: 'radiating', with static compliance at low and"
+    " plane-wave impedance at high frequency, or 'static', with static compliance only.",
+    "state": "How the bodies vibrate before the impact: modes up to `cutoff`, or an array as `Impact.state_after` gives"
+    " it. Default: they are unexcited. Then ε cannot exceed 1; with a state it may.",
+    "error": "Maximum error of ε, interpolation included, 1e-7 to 0.1.",
+    "tolerance": "Relative error of 1 − ε², 1e-15 to 0.5.",
+    "absolute": "Error of 1 − ε² that is small enough in any case, 0 to 0.5: a slow sphere loses little.",
+    "seed": "Each seed gives another ensemble.",
+    "threads": "0: as many as the machine has. Results do not depend on it.",
+    "progress": "Show a bar on stderr.",
+    "law": "Of compression: 'center', 'diameter', 'printed' or 'hertz', see `stoss.quasistatic`.",
+    "force": "F, mc²/R; broadcasts with the other arrays.",
+    "time": "R/c from the start of the impact, any order; during the impact the nearest step is taken.",
+    "path": "Where to; an existing file is replaced.",
+    "store": "Directory of the values of a sweep.",
+    "of": "Of which body: 0 the first, 1 the second.",
+    "order": "Angular order n of a disk, degree n of a sphere; of a rod 0.",
+    "index": "Number l of the mode among those of its order, from 0.",
+    "frame": "Which of the field's times, if it has several.",
+    "columns": "Pictures in a row.",
+    "ax": "Where to draw; further calls with the same Axes add to it. Default: a new figure.",
+    "label": "Name of the curve in the legend.",
+    "style": "Handed on to `matplotlib.axes.Axes.plot`: color, linestyle, …",
+}
 
 FIELDS = {
     "body": "The first; all units are its own.",
@@ -114,42 +97,51 @@ FIELDS = {
     "omega": "Eigenfrequency ω, c/R.",
 }
 
-TYPES = {"Number": "float or ndarray", "Integer": "int or ndarray", "Flag": "bool or ndarray", "Body":
-         "Disk, Sphere or Rod", "Against": "HardWall, ExponentialWall, Disk, Sphere, Rod, HalfSpace or HalfPlane"}
+TYPES = {
+    "Number": "float | ndarray",
+    "Integer": "int | ndarray",
+    "Flag": "bool | ndarray",
+    "ArrayLike": "array_like",
+    "Body": "Disk | Sphere | Rod",
+    "Unbounded": "HalfSpace | HalfPlane",
+    "Against": "HardWall | ExponentialWall | Disk | Sphere | Rod | HalfSpace | HalfPlane",
+    "State": "Oscillation | sequence of them | ndarray",
+    "os.PathLike[str]": "path",
+}
 
 
-def documented(function: Function, **usual: str) -> Function:
+def documented(function: Function, **own: str) -> Function:
     """Add these or the usual words of all parameters that a docstring does not explain."""
     if function.__doc__:
-        names = inspect.signature(function).parameters
-        function.__doc__ = _completed(function.__doc__, "Parameters", names, _entries(PARAMETERS) | usual)
+        given = inspect.signature(function).parameters
+        usual = {name: _entry(str(given[name]).partition(":")[0], each.annotation, words, each.default)
+                 for name, words in (PARAMETERS | own).items() if (each := given.get(name))}  # fmt: skip
+        function.__doc__ = _completed(function.__doc__, "Parameters", given, usual)
     return function
 
 
-def with_fields(result: type, title: str = "Attributes") -> None:
+def with_fields(made: type, title: str = "Attributes") -> None:
     """Add the words of a base or the usual ones of all fields that the docstring of a class does not explain."""
-    fields, usual = vars(result).get("__annotations__", {}), dict[str, str]()
+    fields, usual = vars(made).get("__annotations__", {}), dict[str, str]()
     for name in [name for name, kind in fields.items() if name in FIELDS and kind != "Any"]:
         error = f"{name}_error" if f"{name}_error" in fields else ""
-        named = f"{name}, {error}" if error else name
         said = f"{FIELDS[name].rstrip('.')}; and its estimated error." if error else FIELDS[name]
-        usual[name] = f"{named} : {_type(fields[name])}\n    {said}"
-    for base in reversed(result.__mro__[1:]):
+        usual[name] = _entry(f"{name}, {error}" if error else name, fields[name], said)
+    for base in reversed(made.__mro__[1:]):
         usual |= _own(base.__doc__ or "", title)
-    if result.__doc__:
-        names = [name for each in result.__mro__ for name in vars(each).get("__annotations__", {})]
-        result.__doc__ = _completed(result.__doc__, title, names, usual)
+    if made.__doc__:
+        names = [name for each in made.__mro__ for name in vars(each).get("__annotations__", {})]
+        made.__doc__ = _completed(made.__doc__, title, names, usual)
 
 
-def _type(annotation: str) -> str:
-    kinds = re.sub(r"NDArray\[[\w.]*\]", "ndarray", annotation).split(" | ")
-    return " or ".join(TYPES.get(each, each) for each in kinds)
-
-
-def _entries(section: str) -> dict[str, str]:
-    """The entries of a section by the names that each explains."""
-    entries = [each for each in re.split(r"\n(?=\S)", section.strip("\n")) if each]
-    return {name.lstrip("*"): each for each in entries for name in re.split(r" : |\n", each)[0].split(", ")}
+def _entry(name: str, annotation: str, words: str, default: Any = inspect.Parameter.empty) -> str:
+    """The lines that explain a name; where there is a default it is optional."""
+    written = re.sub(r"NDArray\[[\w.]*\]", "ndarray", annotation.removesuffix(" | None" if default is None else ""))
+    kinds = [kind for each in written.split(" | ") for kind in TYPES.get(each, each).split(" | ")]
+    kind = " or ".join(filter(None, [", ".join(kinds[:-1]), kinds[-1]]))
+    optional = "" if default is inspect.Parameter.empty else ", optional"
+    said = textwrap.fill(words, 100, initial_indent="    ", subsequent_indent="    ", break_on_hyphens=False)
+    return "\n".join(filter(None, [f"{name} : {kind}{optional}" if kind != "Any" else name, said]))
 
 
 def _sections(said: str) -> list[str]:
@@ -158,9 +150,10 @@ def _sections(said: str) -> list[str]:
 
 
 def _own(said: str, title: str) -> dict[str, str]:
-    """The entries of the section with this title, if there is one."""
+    """The entries of the section with this title, if there is one, by the names that each explains."""
     section = next((each for each in _sections(said) if each.startswith(f"{title}\n---")), "")
-    return _entries("\n".join(section.split("\n")[2:]))
+    entries = re.split(r"\n(?=\S)", section)[2:]
+    return {name.lstrip("*"): each for each in entries for name in re.split(r" : |\n", each)[0].split(", ")}
 
 
 def _completed(said: str, title: str, names: Iterable[str], usual: Mapping[str, str]) -> str:

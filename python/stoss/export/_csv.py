@@ -13,7 +13,6 @@ from typing import Any, Iterator, Mapping
 import numpy as np
 from numpy.typing import NDArray
 
-from stoss._documentation import documented
 from stoss._errors import InvalidInput
 from stoss.export import _tables
 from stoss.export._text import UNKNOWN, with_error
@@ -96,7 +95,6 @@ class Table(Mapping[str, NDArray[Any]]):
         return _tables.dataset(self.columns, (AXES.get(self.kind, "row"),), self.units, self.inputs)
 
 
-@documented
 def read_csv(path: str | os.PathLike[str]) -> Table:
     """Read a CSV that `to_csv` of a result or the command has written.
 

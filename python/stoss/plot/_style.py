@@ -53,7 +53,7 @@ def picture_of(*kinds: type, method: str = "") -> Callable[[Picture], Picture]:
 
     def made(function: Picture) -> Picture:
         name = next(iter(inspect.signature(function).parameters))
-        documented(function, **{name: f"{name} : {' or '.join(kind.__name__ for kind in kinds)}"})
+        documented(function, **{name: ""})
 
         @functools.wraps(function)
         def checked(*given: Any, **named: Any) -> Axes:

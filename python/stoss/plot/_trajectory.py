@@ -40,17 +40,6 @@ def _curve(name: str, column: str, label_of: Callable[[Impact], str], said: str,
     drawn.__name__ = drawn.__qualname__ = name
     drawn.__doc__ = f"""{said}
 
-    Parameters
-    ----------
-    trajectory : Trajectory
-        From `Impact.trajectory`.
-    ax : Axes, optional
-        Where to draw.
-    label : str, optional
-        Name of the curve; if there is one, there is a legend.
-    **style
-        Handed on to `matplotlib.axes.Axes.plot`: color, linestyle, …
-
     Examples
     --------
     >>> path = stoss.impact(poisson=0.33, speed=0.1, cutoff=12.5).trajectory()

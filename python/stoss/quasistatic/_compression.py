@@ -18,10 +18,7 @@ from stoss.results._result import Number
 LAWS: Mapping[type, tuple[str, ...]] = {Disk: ("center", "diameter", "printed"), Sphere: ("center", "hertz")}
 """Laws of compression of the bodies that have some."""
 
-_of_a_law = functools.partial(
-    documented, body="body : Disk or Sphere",
-    force="force : array_like\n    F, 0 to `limit_force`, mc²/R; broadcasts with `poisson`.",
-)  # fmt: skip
+_of_a_law = functools.partial(documented, body="", force="F, 0 to `limit_force`, mc²/R; broadcasts with `poisson`.")
 
 
 def choose_law(body: Any, law: Any) -> str:

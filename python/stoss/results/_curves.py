@@ -56,15 +56,6 @@ def restitution(
     body : Disk, Sphere or Rod, or a list or an array of disks or of spheres
         The first body, in whose units all results are. Several broadcast with `speed`, and have no
         material.
-    speed : array_like
-        Of approach of the centres of mass, or towards the wall, 1e-8 to 1, c (with a material:
-        m/s). Two equal bodies at twice the speed are one of them at a rigid wall.
-    poisson : array_like
-        In place of `body`: 2-D Poisson's ratio of disks, −0.95 to 0.995; broadcasts with `speed`.
-    tolerance : float, optional
-        Relative error of 1 − ε², 1e-15 to 0.5.
-    absolute : float, optional
-        Error of 1 − ε² that is small enough in any case, 0 to 0.5: a slow sphere loses little.
     state : Oscillation, sequence of them or ndarray, optional
         How the bodies vibrate before the impact, with the same shares of energy and phases at every
         speed; ε may then exceed 1. Default: they are unexcited.

@@ -157,9 +157,6 @@ def impact(
 
     Parameters
     ----------
-    against : HardWall, ExponentialWall, 'same', Disk, Sphere, Rod, HalfSpace or HalfPlane, optional
-        What the body meets: a wall, an identical body, another of its kind, or, for a sphere, a
-        half-space, for a disk a half-plane. Default: a rigid wall.
     step : float, optional
         Time step, R/c.
     nodes : int, optional

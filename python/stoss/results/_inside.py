@@ -29,15 +29,12 @@ def field(
 ) -> Field:
     """A deformed disk or sphere and the stress inside it at some times.
 
-    The kept modes are as they move; all others are in static equilibrium with the force of
+    The kept modes are as they move, freely before and after the impact; all others are in static equilibrium with the force of
     contact. Arrays, of 2 GB at most, are times × radii × angles, without the first axis if `time` is
     one number.
 
     Parameters
     ----------
-    time : array_like
-        R/c from the start of the impact, any order; during the impact the nearest step is
-        taken, before and after it the body flies freely.
     radius : array_like, optional
         Radii r, 0 to 1, in radii of the body; default 41 of them.
     angle : array_like, optional

@@ -9,6 +9,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from stoss import _core
 from stoss._arguments import arranged, integer, number, numbers, require_memory
+from stoss._documentation import documented
 from stoss._errors import InvalidInput
 from stoss.results._field import Trajectory
 from stoss.results._result import columns
@@ -55,14 +56,9 @@ def trajectory(self: Impact, *, every: int = 1) -> Trajectory:
     return Trajectory(impact=self, **columns(self._handle.trajectory(self._contact(), rows)))
 
 
+@documented
 def energies_at(self: Impact, *, time: ArrayLike) -> NDArray[Any]:
-    """Energy of each kept mode at some times, by repeating the impact bit by bit.
-
-    Parameters
-    ----------
-    time : array_like
-        R/c from the start of the impact, any order; during the impact the nearest step is
-        taken, before and after it the energies stay.
+    """Energy of each kept mode at some times, by repeating the impact bit by bit; before and after it they stay.
 
     Returns
     -------
