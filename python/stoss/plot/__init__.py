@@ -1,7 +1,7 @@
 """Pictures of results, for print: one column wide (3.4 in) and told apart without colour.
 
 Every function takes a result and ``ax``, the Axes to draw in (None: a new figure), and returns the
-Axes. New figures have small print that fits one column; in your own Axes the text follows your
+Axes. Most results draw their own: ``result.plot(ax)``. New figures have small print that fits one column; in your own Axes the text follows your
 settings. Nothing global is changed.
 
 ================================================  ==================================================

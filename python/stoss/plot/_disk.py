@@ -113,8 +113,6 @@ def disk(
     --------
     >>> hit = stoss.impact(poisson=0.33, speed=0.2, cutoff=12.5)
     >>> ax = stoss.plot.disk(hit.field(time=hit.contact_time / 2))
-    >>> ax.get_xlabel()
-    'x / R'
     """
     bodies = instants(field, frame)
     for name, value in (("circles", circles), ("spokes", spokes)):

@@ -20,15 +20,7 @@ FINE = 12  # points of the curve between computed values
 
 @_style.picture_of(RestitutionFunction, method="plot")
 def function(result: RestitutionFunction, ax: Axes | None = None, *, label: str | None = None, **style: Any) -> Axes:
-    """ε against speed as a curve in a band of its error, with the computed values and their bars.
-
-    Examples
-    --------
-    >>> epsilon = stoss.restitution_function(poisson=0.33, speed=(0.01, 0.3), error=1e-2)
-    >>> ax = stoss.plot.function(epsilon)
-    >>> ax.get_xlabel(), ax.get_ylabel()
-    ('speed of approach v / c', 'restitution ε')
-    """
+    """ε against speed as a curve in a band of its error, with the computed values and their bars."""
     knots = result.knots
     between = [np.geomspace(low, high, FINE, endpoint=False) for low, high in zip(knots["speed"], knots["speed"][1:])]
     speed = np.clip(np.append(np.concatenate(between), knots["speed"][-1]), *result.range)
@@ -69,8 +61,6 @@ def pair_table(table: PairTable, ax: Axes | None = None, *, ratio: ArrayLike | N
     --------
     >>> table = stoss.pair_table(poisson=0.33, ratio=(1, 1.5), speed=(0.02, 0.3), error=2e-2)
     >>> ax = stoss.plot.pair_table(table, ratio=[1, 1.5])
-    >>> [text.get_text() for text in ax.get_legend().get_texts()]
-    ['ratio 1', 'ratio 1.5']
     """
     ends = (table.ratio[[0, -1]] - 1) / (table.ratio[[0, -1]] + 1)
     places = np.linspace(float(ends[0]), float(ends[1]), USUAL)
@@ -98,13 +88,6 @@ def extrapolation(result: Extrapolation, ax: Axes | None = None) -> Axes:
 
     At 1/α = 0 stand the values that the lines reach, with the errors of the regressions, and a star
     for the limit of all modes.
-
-    Examples
-    --------
-    >>> found = stoss.extrapolated_restitution(poisson=0.33, speed=0.1, cutoffs=[12, 15, 19])
-    >>> ax = stoss.plot.extrapolation(found)
-    >>> ax.get_xlabel()
-    'inverse hardness 1/(αR)'
     """
     cutoffs = np.unique(result.impacts["cutoff"])
     look = {"xlabel": "inverse hardness 1/(αR)", "ylabel": "lost fraction 1 − ε²"}

@@ -57,8 +57,6 @@ def restitution(
     --------
     >>> curve = stoss.restitution(poisson=[[0.0], [0.33]], speed=np.geomspace(1e-3, 0.3, 8))
     >>> ax = stoss.plot.restitution(curve, quantity="lost_fraction")
-    >>> ax.get_xlabel(), ax.get_ylabel()
-    ('speed v / c', 'lost fraction 1 − ε²')
     """
     _style.choice("quantity", quantity, tuple(LABELS))
     logarithmic = _style.choice("scale", scale, ("log", "linear")) == "log"

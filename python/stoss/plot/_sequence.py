@@ -44,8 +44,6 @@ def sequence(
     Examples
     --------
     >>> ax = stoss.plot.sequence(stoss.impact(poisson=0.33, speed=0.2, cutoff=12.5), count=3)
-    >>> [text.get_text() for text in ax.texts]
-    ['t = −0.80 R/c', '3.97', '8.74']
     """
     if not 2 <= integer("count", count) <= LARGEST:
         raise refusal("count", count, f"2 to {LARGEST}")

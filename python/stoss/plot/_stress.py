@@ -86,8 +86,6 @@ def stress(
     --------
     >>> hit = stoss.impact(poisson=0.33, speed=0.1, cutoff=12.5)
     >>> ax = stoss.plot.stress(hit.field(time=hit.contact_time / 2), quantity="fringes", fringe=0.03)
-    >>> ax.figure.axes[-1].get_ylabel()
-    'intensity sin²(π (σ₁ − σ₂)/f), f = 0.03 E'
     """
     bodies = _disk.instants(field, frame)
     scale = scale_of(bodies, quantity, fringe, limit)
