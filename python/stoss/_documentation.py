@@ -91,7 +91,7 @@ FIELDS = {
     "time": "From the start of the impact, R/c.",
     "center": "Position of the first body's centre of mass, R; the wall is at 0 and the body at x < 0.",
     "force": "Force F of the contact, mc²/R: πRE of a disk, (4π/3)R²E of a sphere.",
-    "compression": "δ, R.",
+    "compression": "δ = R + x₀, R.",
     "order": "Angular order n of a disk, degree n of a sphere.",
     "index": "Number l of the root for this order, from 0.",
     "omega": "Eigenfrequency ω, c/R.",

@@ -34,9 +34,8 @@ class Oscillation:
 
     Examples
     --------
-    >>> ball = stoss.Sphere(poisson=0.3)
     >>> ringing = stoss.Oscillation(order=2, index=0, energy=0.1, phase=2.0)
-    >>> stoss.impact(ball, speed=0.01, cutoff=25, state=ringing).restitution > 1
+    >>> stoss.impact(stoss.Sphere(poisson=0.3), speed=0.01, cutoff=25, state=ringing).restitution > 1
     True
     """
 

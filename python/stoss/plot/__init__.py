@@ -39,7 +39,7 @@ except ModuleNotFoundError as _missing:
 
 from stoss.plot._animation import animate
 from stoss.plot._disk import disk, sphere
-from stoss.plot._functions import extrapolation, function, pair_table
+from stoss.plot._restitution import extrapolation, function, pair_table
 from stoss.plot._modes import ledger
 from stoss.plot._many import bounces, cooling, distribution, restitution_histogram
 from stoss.plot._modes import mode_shape, spectrum

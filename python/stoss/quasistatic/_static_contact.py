@@ -23,10 +23,6 @@ class StaticContact(Result):
 
     Attributes
     ----------
-    compression : float
-        δ = R + x₀, R.
-    force, force_error : float
-        F, mc²/R: πRE of a disk, (4π/3)R²E of a sphere; and its estimated error.
     energy : float
         Stored in the body, mc²; its derivative by δ is F.
     contact_nodes : int
@@ -116,8 +112,6 @@ class SoftStaticContact(Result):
         δ beyond the plane where V₀e^{αx} = 1, R.
     cutoff : float
         Highest frequency of the modes that deform, c/R.
-    force : float
-        F, πRE = mc²/R.
     energy, wall_energy : float
         Of modes and wall, and the wall's share in it, mc².
     modes, nodes, newton_steps : int

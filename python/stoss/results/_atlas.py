@@ -31,16 +31,8 @@ Array = NDArray[np.float64]
 class AtlasValue(SpeedInSi):
     """Coefficients of restitution of the atlas.
 
-    Numbers, or arrays of the shape of `speed`.
-
-    Attributes
-    ----------
-    speed : float or ndarray
-        Of approach, c. With a material `speed_si` is in m/s.
-    restitution : float or ndarray
-        ε.
-    restitution_error : float or ndarray
-        Error of ε: of the values of the atlas, and of their interpolation.
+    Numbers, or arrays of the shape of `speed`. The error is that of the values of the atlas and of their
+    interpolation.
     """
 
     _name: ClassVar[str] = "atlas"

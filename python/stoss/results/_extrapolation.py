@@ -15,14 +15,10 @@ from stoss.results._result import Column, Result, columns, picture
 
 @dataclasses.dataclass(frozen=True, eq=False, repr=False)
 class Extrapolation(Result):
-    """ε by the two limits of the paper, with the errors of its regressions.
+    """ε and 1 − ε² by the two limits of the paper, α → ∞ and N → ∞, with the errors of its regressions.
 
     Attributes
     ----------
-    poisson, speed : float
-        2-D Poisson's ratio; speed of the centre of mass, c.
-    restitution, restitution_error, lost_fraction, lost_fraction_error : float
-        ε and 1 − ε² for α → ∞ and N → ∞.
     hard_wall : ndarray
         1 − ε² for α → ∞ at each cutoff, a structured array with the fields value and error.
     impacts : ndarray

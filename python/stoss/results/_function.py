@@ -36,18 +36,8 @@ class RestitutionFunction(SpeedInSi):
     ----------
     speed : ndarray
         Of the computed values, rising, c.
-    restitution, restitution_error : ndarray
-        ε and its error there.
     interpolation_error : ndarray
         Error of the interpolation from each computed value to the next; one element less.
-
-    Examples
-    --------
-    >>> epsilon = stoss.restitution_function(stoss.Sphere(poisson=0.3), speed=(0.001, 0.3))
-    >>> round(epsilon(0.1), 3), epsilon.error(0.1) < 1e-3
-    (0.991, True)
-    >>> epsilon([0.01, -0.2]).round(2)
-    array([1.  , 0.96])
     """
 
     plot = picture("The curve with its error, and the computed values. See `stoss.plot.function`.")

@@ -34,10 +34,6 @@ class Impact(ImpactsInSi):
     lost_to_first, lost_to_second : float
         Vibration and dissipation of each body after the impact, `unresolved` included; what the
         waves of a half-space carry away.
-    modes, steps : int
-        Numbers of kept modes and of time steps.
-    nodes, half_width : int, float
-        Of the contact grid; R.
     mode_energies : ndarray
         Energy of each kept mode, a structured array with the fields body (0 of the first, 1 of
         the second), order, index, omega, before and after (the impact) and average (during

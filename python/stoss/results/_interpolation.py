@@ -52,8 +52,8 @@ def restitution_function(
     >>> epsilon = stoss.restitution_function(poisson=0.33, speed=(1e-3, 0.3), beyond="law")
     >>> epsilon
     RestitutionFunction(Disk(poisson=0.33), speed=0.001 to 0.3 c, beyond='law': ... speeds computed, error below ...)
-    >>> bool(abs(epsilon(0.1) - 0.94706) < 1e-3)
-    True
+    >>> round(epsilon(0.1), 3), epsilon.error(0.1) < 1e-3, epsilon([0.01, -0.1]).round(2)
+    (0.947, True, array([0.98, 0.95]))
     >>> steel = stoss.Sphere(radius=5e-3, material=stoss.materials["steel"])
     >>> block = stoss.HalfSpace(material=steel.material)
     >>> drop = stoss.restitution_function(steel, against=block, speed=(0.01, 0.5))  # m/s

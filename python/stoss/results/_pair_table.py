@@ -37,18 +37,8 @@ class PairTable(SpeedInSi):
         Whether they are of one material: a ratio and its inverse are then the same pair.
     speed, ratio : ndarray
         Of the computed values, rising; speeds in c.
-    restitution, restitution_error : ndarray
-        ε and its error there, of the shape (speeds, ratios).
     interpolation_error : ndarray
         Error of the interpolation between them; one element less each way.
-
-    Examples
-    --------
-    >>> epsilon = stoss.pair_table(poisson=0.33, ratio=(1, 1.5), speed=(0.01, 0.2), error=1e-2)
-    >>> round(epsilon(0.1, 1.2), 2), epsilon.error(0.1, 1.2) < 1e-2
-    (0.96, True)
-    >>> epsilon([[0.02], [0.1]], [1.1, 1 / 1.1]).round(3).shape
-    (2, 2)
     """
 
     plot = picture("ε against speed for some ratios. See `stoss.plot.pair_table`.")
@@ -157,8 +147,8 @@ def pair_table(
     Examples
     --------
     >>> epsilon = stoss.pair_table(stoss.Disk(poisson=0.33), ratio=(1, 2), speed=(0.01, 0.3), error=5e-3)
-    >>> bool(abs(epsilon(0.1, 2.0) - 0.852) < 5e-3)
-    True
+    >>> round(epsilon(0.1, 2.0), 2), epsilon.error(0.1, 2.0) < 5e-3, epsilon([[0.02], [0.1]], [1.1, 1 / 1.1]).shape
+    (0.85, True, (2, 2))
     """
     chosen = choose_body(body, poisson)
     met = choose_against(chosen, against, ())
