@@ -56,8 +56,7 @@ State = Union[Oscillation, Sequence[Oscillation], NDArray[Any], None]
 
 
 def choose_state(given: Any, name: str = "state") -> NDArray[Any]:
-    """The modes that vibrate, as the core takes them, read-only; without any where the bodies are
-    unexcited."""
+    """The modes that vibrate, as the core takes them, read-only; without any where the bodies are unexcited."""
     if given is None:
         modes: Any = []
     elif isinstance(given, Oscillation):

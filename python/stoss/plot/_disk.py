@@ -159,8 +159,7 @@ def draw_grid(
 
 
 def _nearest(values: Array, wanted: Array) -> NDArray[np.intp]:
-    nearest: NDArray[np.intp] = np.unique(np.abs(values[:, None] - wanted).argmin(axis=0))
-    return nearest
+    return np.unique(np.abs(values[:, None] - wanted).argmin(axis=0))  # type: ignore[no-any-return]
 
 
 def circle(center: float = 0.0, size: float = 1.0) -> tuple[Array, Array]:

@@ -100,8 +100,7 @@ def default_times(impact: Impact, count: int) -> Array:
     touching = path.time[path.contact_half_width > 0.0]
     first, last = (touching[0], touching[-1]) if touching.size else (0.0, impact.contact_time)
     span = last - first
-    times: Array = np.linspace(first - BEFORE * span, last + AFTER * span, count)
-    return times
+    return np.linspace(first - BEFORE * span, last + AFTER * span, count)  # type: ignore[no-any-return]
 
 
 def spoken_times(times: Array) -> list[str]:

@@ -48,8 +48,7 @@ class Scale(NamedTuple):
         """What is coloured: the stress, or the light that a polariscope lets through."""
         if self.quantity != "fringes":
             return stress
-        light: Array = np.sin(np.pi * stress / self.fringe) ** 2
-        return light
+        return np.asarray(np.sin(np.pi * stress / self.fringe) ** 2)
 
 
 @_style.picture_of(Field, method="plot")

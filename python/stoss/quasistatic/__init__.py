@@ -31,7 +31,7 @@ Those of a sphere, with the radius a of the contact, a³ = π(1 − ν²)F:
 SlowImpact(poisson=0.33, speed=0.0001 c: contact time 10.0392 R/c, compression 0.000324499 R)
 """
 
-from stoss.bodies._yielding import yield_speed
+from stoss.bodies._encounter import yield_speed
 from stoss.quasistatic._compression import (
     compression, compression_energy, compression_force, contact_radius, limit_force, limit_speed,
 )

@@ -130,8 +130,7 @@ def _what(body: Sphere | Disk, met: Any) -> tuple[str, float]:
 
 
 def _places(name: str, nodes: Array, at: Array, scale: Callable[[Array], Array]) -> tuple[Array, int]:
-    """Where the numbers lie among the nodes, which are equally spaced on that scale, and how many
-    nodes there are."""
+    """Where the numbers lie among the nodes, which are equally spaced on that scale, and how many nodes there are."""
     outside = at[~((at >= nodes[0] * (1 - 1e-12)) & (at <= nodes[-1] * (1 + 1e-12)))]
     if outside.size:
         allowed = f"{nodes[0]:.6g} to {nodes[-1]:.6g} in the atlas (use stoss.restitution)"
@@ -141,8 +140,7 @@ def _places(name: str, nodes: Array, at: Array, scale: Callable[[Array], Array])
 
 
 def stencil(place: Array, count: int) -> tuple[NDArray[np.intp], Array]:
-    """The first of the four of `count` nodes around each place, and Lagrange's weights of the cubic
-    through them."""
+    """The first of the four of `count` nodes around each place, and Lagrange's weights of the cubic through them."""
     first = np.clip(np.floor(place).astype(np.intp) - 1, 0, count - 4)
     s = place - first
     weights = [-(s - 1) * (s - 2) * (s - 3) / 6, s * (s - 2) * (s - 3) / 2, -s * (s - 1) * (s - 3) / 2]

@@ -174,14 +174,9 @@ def bounce(
         raise Interrupted(f"bounce: interrupted after {len(result)} of {times} impacts (they are in .best)", result)
     if reason:
         raise NotConverged(reason, result)
-    _warn(result)
-    return result
-
-
-def _warn(result: Bounces) -> None:
-    warn_of_large_strain(result, 3)
-    short = int(np.count_nonzero(result.short_flight))
-    if short:
+    warn_of_large_strain(result, 2)
+    if short := int(np.count_nonzero(result.short_flight)):
         text = f"{short} flights too short for the vibration to keep clear of the wall (see .short_flight)"
-        warnings.warn(text, StossWarning, stacklevel=3)
-    warn_of_yielding(result, 3)
+        warnings.warn(text, StossWarning, stacklevel=2)
+    warn_of_yielding(result, 2)
+    return result

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import warnings
 from typing import Any, Sequence
 
 import numpy as np
@@ -11,7 +10,7 @@ from numpy.typing import ArrayLike, NDArray
 from stoss import _core
 from stoss._arguments import arranged, boolean, broadcast, integer, number, numbers
 from stoss._documentation import documented
-from stoss._errors import Interrupted, NotConverged, StossWarning
+from stoss._errors import Interrupted, NotConverged
 from stoss.bodies._bodies import Body, Disk, speed_unit, speeds_in_si
 from stoss.bodies._encounter import choose_against, choose_bodies, choose_body, refinable
 from stoss.bodies._state import State, choose_state
@@ -19,7 +18,7 @@ from stoss.bodies._walls import UNBOUNDED, HardWall, Unbounded
 from stoss.results._progress import bar
 from stoss.results._restitution import Restitution
 from stoss.results._result import columns
-from stoss.results._si import warn_of_large_strain, warn_of_yielding
+from stoss.results._si import warn_of_doubt, warn_of_large_strain, warn_of_yielding
 
 
 def empty_rows(shape: int | tuple[int, ...]) -> NDArray[Any]:
@@ -117,24 +116,14 @@ def restitution(
     values = {"poisson": poissons, "speed": speeds, "reason": reasons, **columns(table)}
     shaped = {name: arranged(column, speeds.shape) for name, column in values.items()}
     state_before = modes if modes.size else None
-    result = Restitution(
-        one, tuple(bodies), shared, tolerance=limit, absolute=enough, state=state_before, **shaped
-    )
+    result = Restitution(one, tuple(bodies), shared, tolerance=limit, absolute=enough, state=state_before, **shaped)
     if stopped:
         raise Interrupted(f"restitution: interrupted after {done} of {speeds.size} values (they are in .best)", result)
-    _judge(result)
-    return result
-
-
-def _judge(result: Restitution) -> None:
-    """Raises for one value, warns for several."""
-    if isinstance(result.reason, str):
+    if isinstance(result.reason, str):  # one value
         if not result.converged:
             raise NotConverged(f"restitution: {result.reason}", result)
-    elif not np.all(result.converged):
-        count = np.size(result.converged)
-        doubtful = count - np.count_nonzero(result.converged)
-        text = f"{doubtful} of {count} values not as accurate as asked for (see .converged, .reason)"
-        warnings.warn(text, StossWarning, stacklevel=3)
-    warn_of_large_strain(result, 3)
-    warn_of_yielding(result, 3)
+    else:
+        warn_of_doubt(result.converged, "values", 2)
+    warn_of_large_strain(result, 2)
+    warn_of_yielding(result, 2)
+    return result

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import dataclasses
-import warnings
 from typing import Any, Callable, ClassVar, Sequence, Union
 
 import numpy as np
@@ -12,7 +11,7 @@ from numpy.typing import ArrayLike, NDArray
 from stoss import _core
 from stoss._arguments import boolean, integer, number, refusal
 from stoss._documentation import documented
-from stoss._errors import Interrupted, InvalidInput, StossWarning
+from stoss._errors import Interrupted, InvalidInput
 from stoss.bodies._bodies import Body, shown, speed_unit, speeds_in_si
 from stoss.bodies._encounter import Against, choose_against, choose_body, refinable
 from stoss.bodies._state import Oscillation, choose_state
@@ -20,7 +19,7 @@ from stoss.bodies._walls import HardWall, Unbounded
 from stoss.export._text import span, with_error
 from stoss.results._progress import bar
 from stoss.results._result import RowResult, columns, picture
-from stoss.results._si import InSi, Si, warn_of_large_strain
+from stoss.results._si import InSi, Si, warn_of_doubt, warn_of_large_strain
 
 
 @dataclasses.dataclass(frozen=True, eq=False, repr=False)
@@ -90,8 +89,7 @@ class RestitutionDistribution(InSi, RowResult):
     reason: NDArray[np.object_]
 
     def __getitem__(self, key: Any) -> Any:
-        """A sample as a dict, or for a slice, an array of indices or of flags, these samples,
-        summed up anew."""
+        """A sample as a dict, or for a slice, an array of indices or of flags, these samples, summed up anew."""
         part = super().__getitem__(key)
         if isinstance(part, dict):
             return part
@@ -221,7 +219,8 @@ def restitution_distribution(
     if stopped:
         text = f"restitution_distribution: interrupted after {len(reasons)} of {count} samples (they are in .best)"
         raise Interrupted(text, result)
-    _judge(result)
+    warn_of_doubt(result.converged, "samples", 2)
+    warn_of_large_strain(result, 2)
     return result
 
 
@@ -243,12 +242,3 @@ def _choose_spectrum(
         means["energy"] = [number("spectrum", spectrum(float(omega))) for omega in _core.frequencies(contact, modes)]
     means.flags.writeable = False
     return means
-
-
-def _judge(result: RestitutionDistribution) -> None:
-    """Warns of samples without the value that was asked for."""
-    doubtful = len(result) - int(np.count_nonzero(result.converged))
-    if doubtful:
-        text = f"{doubtful} of {len(result)} samples not as accurate as asked for (see .converged, .reason)"
-        warnings.warn(text, StossWarning, stacklevel=3)
-    warn_of_large_strain(result, 3)

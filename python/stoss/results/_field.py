@@ -141,8 +141,7 @@ class SphereField(Field):
 
 @dataclasses.dataclass(frozen=True, eq=False, repr=False)
 class Trajectory(RowResult):
-    """An impact in time. All arrays have one element for each row; an index gives one row, a slice
-    the rows.
+    """An impact in time. All arrays have one element for each row; an index gives one row, a slice the rows.
 
     Attributes
     ----------

@@ -82,8 +82,7 @@ class RestitutionFunction(SpeedInSi):
 
     @property
     def knots(self) -> NDArray[Any]:
-        """The computed values: a structured array of speed (in the unit of the call), restitution
-        and error."""
+        """The computed values: a structured array of speed (in the unit of the call), restitution and error."""
         names = ["speed", "restitution", "error"]
         table = np.zeros(len(self), dtype=[(name, np.float64) for name in names])
         table["speed"] = self.speed * speed_unit(self.body)
@@ -123,8 +122,7 @@ class RestitutionFunction(SpeedInSi):
 
     @documented
     def to_two_column(self, path: str | os.PathLike[str], *, error: float | None = None) -> None:
-        """Write the function as lines of two numbers, speed and ε, for linear interpolation in the
-        speed.
+        """Write the function as lines of two numbers, speed and ε, for linear interpolation in the speed.
 
         There are as many lines as this takes for `error`, and there is no head. Speeds are in the
         unit in which the function is called. The file appears whole or not at all.

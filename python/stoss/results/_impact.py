@@ -101,16 +101,10 @@ class Impact(ImpactsInSi):
 
     @classmethod
     def _made(
-        cls,
-        body: Body,
-        against: Against,
-        speed: float,
-        cutoff: float,
+        cls, body: Body, against: Against, speed: float, cutoff: float, tail: str = "radiating",
         resolution: tuple[float | None, int | None, float | None] = (None, None, None),
-        tail: str = "radiating",
-        keep: NDArray[np.bool_] | None = None,
-        state: Any = None,
-    ) -> Impact:
+        keep: NDArray[np.bool_] | None = None, state: Any = None,
+    ) -> Impact:  # fmt: skip
         """The impact with these inputs, checked before; a resolution is step, nodes and half-width."""
         modes = choose_state(state)
         handle = _core.impact(contact(body, against, cutoff, speed, keep), tail, speed, *resolution, modes)
@@ -123,8 +117,8 @@ class Impact(ImpactsInSi):
         # Repeated, which gives the same bits, rather than written.
         width = None if isinstance(self.body, Rod) else self.half_width
         resolution = (self.step, self.nodes, width)
-        made_with = (self.body, self.against, self.speed, self.cutoff, resolution, self.tail, self.keep, self.state)
-        return Impact._made, made_with
+        given = (self.body, self.against, self.speed, self.cutoff, self.tail)
+        return Impact._made, (*given, resolution, self.keep, self.state)
 
     def _inputs(self) -> dict[str, Any]:
         kept = {} if self.keep is None else {"keep": f"{self.modes} of {self.keep.size} modes"}
@@ -209,4 +203,4 @@ def impact(
         got = f"a selection of modes and {met!r}"
         raise InvalidInput(f"keep: got {got}, allowed only with a stoss.ExponentialWall ({hint})")
     with speeds_in_si(chosen):
-        return Impact._made(chosen, met, initial, at, resolution, answer, kept, state)
+        return Impact._made(chosen, met, initial, at, answer, resolution, kept, state)

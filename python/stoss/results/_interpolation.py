@@ -14,9 +14,8 @@ from stoss._arguments import integer, number, numbers, refusal
 from stoss._documentation import documented
 from stoss._errors import InvalidInput, StossWarning
 from stoss.bodies._bodies import Body, speed_unit, speeds_in_si
-from stoss.bodies._encounter import choose_against, choose_body, refinable
+from stoss.bodies._encounter import choose_against, choose_body, refinable, yield_speed_of
 from stoss.bodies._walls import HardWall, Unbounded
-from stoss.bodies._yielding import yield_speed_of
 from stoss.results._function import RestitutionFunction, choose_beyond
 
 

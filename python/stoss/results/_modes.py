@@ -57,8 +57,7 @@ class Modes(RowResult):
 
     @property
     def radial_family(self) -> NDArray[np.bool_]:
-        """Whether the surface moves mostly along the radius, ``C > |S|``; of a sphere
-        ``U > √(n(n+1)) |V|``."""
+        """Whether the surface moves mostly along the radius, ``C > |S|``; of a sphere ``U > √(n(n+1)) |V|``."""
         along = np.abs(self.tangential)
         if isinstance(self.body, Sphere):
             along = along * np.sqrt(self.order * (self.order + 1.0))
@@ -110,8 +109,7 @@ class Modes(RowResult):
 
 @documented
 def modes(body: Disk | Sphere | None = None, *, cutoff: float, poisson: float | None = None) -> Modes:
-    """All symmetric in-plane modes of a free disk, or axisymmetric spheroidal ones of a sphere, up
-    to a cutoff.
+    """All symmetric in-plane modes of a free disk, or axisymmetric spheroidal ones of a sphere, up to a cutoff.
 
     The frequencies are the roots of D_n(ω) = 0, the free surface's determinant. None
     is missed: they are counted exactly.

@@ -77,13 +77,11 @@ def energies_at(self: Impact, *, time: ArrayLike) -> NDArray[Any]:
     times = numbers("time", time)
     require_replay(self, "energies", times.size, 3.0 * self.modes, 0.0, f" x {self.modes} modes")
     rising = Rising(times)
-    energies: NDArray[Any] = rising.placed(_core.energies_at(self._contact(), self._handle, rising.times))
-    return energies
+    return rising.placed(_core.energies_at(self._contact(), self._handle, rising.times))  # type: ignore[no-any-return]
 
 
 def state_after(self: Impact, *, flight: float) -> NDArray[Any]:
-    """How the bodies vibrate when they meet again at the speed of their parting, `restitution`
-    × `speed`.
+    """How the bodies vibrate when they meet again at the speed of their parting, `restitution` × `speed`.
 
     Parameters
     ----------
@@ -110,8 +108,7 @@ def state_after(self: Impact, *, flight: float) -> NDArray[Any]:
 
 
 def surface(impact: Impact, time: Any, reach: float) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-    """Where the surface of a half-space is at some times: places y, −reach to reach, and times ×
-    places x, in R.
+    """Where the surface of a half-space is at some times: places y, −reach to reach, and times × places x, in R.
 
     It is moved by the kept modes alone.
     """

@@ -119,8 +119,7 @@ class Restitution(ImpactsInSi):
         return True
 
     def __getitem__(self, key: Any) -> Restitution:
-        """The values at an index, a slice or flags, as numpy has them; bodies that are none of
-        these leave."""
+        """The values at an index, a slice or flags, as numpy has them; bodies that are none of these leave."""
         len(self)  # refuses a single value
         shape = np.shape(self.restitution)
         fields = {field.name: getattr(self, field.name) for field in dataclasses.fields(self)}

@@ -1,5 +1,4 @@
-"""What all results have in common: to_dict, to_csv and the other formats, and a line that says the
-essential."""
+"""What all results have in common: to_dict, to_csv and the other formats, and a line that says the essential."""
 
 from __future__ import annotations
 
@@ -72,8 +71,7 @@ class Result:
 
         An error that is unknown is the word "unknown"; in the arrays it is infinite.
         """
-        values: dict[str, Any] = plain(self) | plain(self._derived())
-        return values
+        return {**plain(self), **plain(self._derived())}
 
     @documented
     def to_csv(self, path: str | os.PathLike[str]) -> None:
@@ -164,15 +162,13 @@ class Result:
 
 
 class RowResult(Result):
-    """A result whose fields are columns of one length: `len()` is their number, an index one
-    row."""
+    """A result whose fields are columns of one length: `len()` is their number, an index one row."""
 
     def __len__(self) -> int:
         return len(getattr(self, self._axis_column()))
 
     def __getitem__(self, key: Any) -> Any:
-        """A row as a dict, or for a slice, an array of indices or of flags, the result with these
-        rows alone."""
+        """A row as a dict, or for a slice, an array of indices or of flags, the result with these rows alone."""
         names = [field.name for field in dataclasses.fields(self) if self._is_column(getattr(self, field.name))]
         parts = _tables.rows({name: getattr(self, name) for name in names}, key, len(self))
         if any(np.ndim(part) == 0 for part in parts.values()):

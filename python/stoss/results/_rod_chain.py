@@ -89,18 +89,15 @@ class RodChain(Result):
 
     @property
     def speed(self) -> NDArray[np.float64]:
-        speed: NDArray[np.float64] = self.impacts["speed"]
-        return speed
+        return self.impacts["speed"]
 
     @property
     def restitution(self) -> NDArray[np.float64]:
-        restitution: NDArray[np.float64] = self.impacts["restitution"]
-        return restitution
+        return self.impacts["restitution"]
 
     @property
     def pair(self) -> NDArray[np.uint64]:
-        pair: NDArray[np.uint64] = self.impacts["pair"]
-        return pair
+        return self.impacts["pair"]
 
     def _unit(self, name: str) -> str:
         return SI.get(name, "") if self.rods[0].material is not None else ""
@@ -171,11 +168,9 @@ def rod_chain(
     >>> chain.restitution.max() < 1
     True
     """
-    if isinstance(rods, Rod) or not isinstance(rods, (list, tuple, np.ndarray)):
-        raise refusal("rods", rods, "a list of stoss.Rod")
-    for each in rods:
-        if not isinstance(each, Rod):
-            raise refusal("rods", each, "a list of stoss.Rod")
+    several: Sequence[Any] = rods if isinstance(rods, (list, tuple, np.ndarray)) else [None]
+    if wrong := [each for each in several if not isinstance(each, Rod)]:
+        raise refusal("rods", wrong[0] if several is rods else rods, "a list of stoss.Rod")
     if len({each.material is None for each in rods}) > 1:
         raise InvalidInput("rods: got some with and some without a material, allowed all with one or none")
     if collisions is None and time is None:

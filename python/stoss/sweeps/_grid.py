@@ -137,8 +137,7 @@ class Grid:
 
     @classmethod
     def from_toml(cls, path: str | os.PathLike[str]) -> Grid:
-        """Read a grid from a TOML file, whose keys are the arguments of this class
-        (docs/sweeps.md).
+        """Read a grid from a TOML file, whose keys are the arguments of this class (docs/sweeps.md).
         """
         import tomllib  # Python 3.11
 

@@ -74,8 +74,7 @@ def choices(name: str, given: Any) -> Choices:
 
 
 def expanded(name: str, given: Any, left: Choices) -> Iterator[Specification]:
-    """The mappings of an object, a word, or a mapping for which all combinations of its choices are
-    left."""
+    """The mappings of an object, a word, or a mapping for which all combinations of its choices are left."""
     if isinstance(given, HardWall):
         given = "wall"
     if name == "against" and isinstance(given, str) and given in WALLS:

@@ -29,8 +29,7 @@ def sweep(
     *,
     store: str | os.PathLike[str],
 ) -> Sweep:
-    """Compute the coefficient of restitution of all cases of a grid that the store does not have
-    yet.
+    """Compute the coefficient of restitution of all cases of a grid that the store does not have yet.
 
     A task is one body with what it meets, at all speeds, for which its modes are computed once.
     Each worker appends each value to its own file in the store when it is done: nothing that was
@@ -105,8 +104,7 @@ def missing(grid: Grid, path: Path, cases: Sequence[Case], threads: int = 0) -> 
 def compute(
     store: str, inputs: dict[str, Any], key: str, speeds: list[float], threads: int = 1, name: str | None = None
 ) -> int:
-    """Compute one body with what it meets at some speeds and append the values to the file of this
-    worker."""
+    """Compute one body with what it meets at some speeds and append the values to the file of this worker."""
     tolerance, absolute = inputs["tolerance"], inputs["absolute"]
     alone = Grid(
         bodies=inputs["body"], against=inputs["against"], speed=speeds, tolerance=tolerance, absolute=absolute

@@ -55,8 +55,7 @@ class Sweep(Result):
     def __getattr__(self, name: str) -> NDArray[Any]:
         if name.startswith("_") or name not in (_core.restitution_row.names or ()):
             raise AttributeError(f"'Sweep' object has no attribute {name!r}")
-        column: NDArray[Any] = self.rows[name]
-        return column
+        return self.rows[name]
 
     def __repr__(self) -> str:
         return f"Sweep({self.grid!r}: {np.count_nonzero(self.computed)} of {self.computed.size} values)"
@@ -98,15 +97,20 @@ class Sweep(Result):
         return quantities
 
     def _columns(self) -> dict[str, Column]:
-        names = np.array([label(describe(body)) for body in self.grid.bodies], dtype=object)
-        partners = np.array([label(each) for each in self.grid.against], dtype=object)
-        columns = {name: each[:, np.newaxis, np.newaxis] for name, each in self._of_bodies().items()}
-        columns = {"body": names[:, np.newaxis, np.newaxis], **columns, "against": partners[:, np.newaxis]}
-        columns |= {"speed": self.grid.speed, **self._derived(), "computed": self.computed}
+        labels = self._labels()
+        of_bodies = {"body": labels["body"]} | self._of_bodies()
+        columns = {name: each[:, np.newaxis, np.newaxis] for name, each in of_bodies.items()}
+        columns |= {"against": labels["against"][:, np.newaxis], "speed": self.grid.speed}
+        columns |= {**self._derived(), "computed": self.computed}
         return {name: np.broadcast_to(each, self.grid.shape) for name, each in columns.items()}
 
     def _arranged_columns(self) -> tuple[dict[str, Column], tuple[str, ...]]:
         return self._columns() | self._of_bodies(), ("body", "against", "speed")
+
+    def _labels(self) -> dict[str, Column]:
+        """What the bodies are called, and what they meet."""
+        called = {"body": map(describe, self.grid.bodies), "against": self.grid.against}
+        return {name: np.array([label(each) for each in several], dtype=object) for name, several in called.items()}
 
     def _of_bodies(self) -> dict[str, Column]:
         return {f"body_{name}": each for name, each in numbers_of_bodies(self.grid.bodies).items()}
