@@ -53,13 +53,11 @@ from stoss.export._csv import Table, read_csv
 from stoss.export._text import with_error
 from stoss.results._atlas import AtlasValue, atlas
 from stoss.results._bounce import Bounces, bounce
-from stoss.results._curves import restitution
+from stoss.results._curves import Extrapolation, extrapolated_restitution, restitution
 from stoss.results._distribution import RestitutionDistribution, restitution_distribution
-from stoss.results._extrapolation import Extrapolation, extrapolated_restitution
 from stoss.results._field import DiskField, Field, SphereField, Trajectory, Wave
-from stoss.results._function import RestitutionFunction
+from stoss.results._function import RestitutionFunction, restitution_function
 from stoss.results._impact import Impact, impact
-from stoss.results._interpolation import restitution_function
 from stoss.results._modes import Modes, modes
 from stoss.results._pair_table import PairTable, pair_table
 from stoss.results._restitution import Restitution

@@ -167,9 +167,7 @@ def _draw_frame(axes: Axes, bodies: list[_disk.Instant], scale: _stress.Scale | 
     if scale is not None:
         return [artist for now in bodies for artist in _stress.draw_stress(axes, now, scale, smooth=False)]
     edges = [_disk.draw_outline(axes, *edge) for edge in _disk.undeformed(bodies)]
-    return edges + [
-        _disk.draw_grid(axes, now.x, now.y, now.field.radius, now.field.angle, width=1.2) for now in bodies
-    ]
+    return edges + [_disk.draw_grid(axes, now.x, now.y, now.field.radius, now.field.angle, width=1.2) for now in bodies]
 
 
 def _write_gif(pictures: Iterator[NDArray[np.uint8]], rate: float, colors: str | None, path: str) -> None:

@@ -147,9 +147,7 @@ def ledger(
         if before.size:
             place = before["order"] + (before["index"] - 0.5 * (indices - 1)) * width
             half = 0.6 * width
-            axes.hlines(
-                before["before"], place - half, place + half, color=_style.BLACK, linewidth=1.5, label="before"
-            )
+            axes.hlines(before["before"], place - half, place + half, color=_style.BLACK, linewidth=1.5, label="before")
         axes.set_yscale("log")
         places, bars = np.unique(modes["order"]), np.append(modes[when], before["before"])
         name = "half-plane" if isinstance(impact.body, Disk) else "half-space"

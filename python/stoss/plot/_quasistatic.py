@@ -75,9 +75,7 @@ def _speed_axis(result: Slow) -> dict[str, Any]:
     return {"xscale": "log", "xlabel": _style.speed_label(result.material)}
 
 
-def _curves(
-    result: Slow, axes: Axes
-) -> Iterator[tuple[NDArray[np.float64], NDArray[np.intp], dict[str, Any]]]:
+def _curves(result: Slow, axes: Axes) -> Iterator[tuple[NDArray[np.float64], NDArray[np.intp], dict[str, Any]]]:
     """For each Poisson's ratio: sorted speeds, where they are in the flat result, and a look."""
     poisson = np.ravel(result.poisson)
     speed = np.ravel(result.speed if result.material is None else result.speed_si)

@@ -13,7 +13,7 @@ from numpy.typing import ArrayLike, NDArray
 from stoss._arguments import numbers
 from stoss.bodies._bodies import Body, Rod, speed_unit
 from stoss.plot import _style
-from stoss.results._extrapolation import Extrapolation
+from stoss.results._curves import Extrapolation
 from stoss.results._function import RestitutionFunction
 from stoss.results._pair_table import PairTable
 from stoss.results._restitution import Restitution

@@ -117,9 +117,7 @@ def scale_of(
     return Scale(quantity, top, covering / FRINGES if fringe is None else float(fringe), clipped)
 
 
-def draw_stress(
-    axes: Axes, now: _disk.Instant, scale: Scale, *, smooth: bool = True
-) -> tuple[QuadMesh, Line2D]:
+def draw_stress(axes: Axes, now: _disk.Instant, scale: Scale, *, smooth: bool = True) -> tuple[QuadMesh, Line2D]:
     """The coloured disk and its edge; if not `smooth`, in pieces of one colour, twice as fast."""
     x, y, values = now.x, now.y, _stress_of(now.field, scale.quantity)[now.where]
     if scale.quantity == "fringes" or not smooth:

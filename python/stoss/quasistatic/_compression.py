@@ -119,9 +119,7 @@ def contact_radius(body: Sphere, *, force: ArrayLike) -> Number:
 
 
 @_of_a_law
-def limit_force(
-    body: Disk | Sphere | None = None, *, poisson: ArrayLike | None = None, law: str = "center"
-) -> Number:
+def limit_force(body: Disk | Sphere | None = None, *, poisson: ArrayLike | None = None, law: str = "center") -> Number:
     """Force where δ(F) has its maximum and the law ends, mc²/R; of a disk s e^{−1−b}.
 
     That of a sphere ends at a contact of the radius R at the latest. A law means little from a
@@ -136,9 +134,7 @@ def limit_force(
 
 
 @_of_a_law
-def limit_speed(
-    body: Disk | Sphere | None = None, *, poisson: ArrayLike | None = None, law: str = "center"
-) -> Number:
+def limit_speed(body: Disk | Sphere | None = None, *, poisson: ArrayLike | None = None, law: str = "center") -> Number:
     """Highest speed of a slow impact, at which it reaches `limit_force`, c; of a disk `limit_force`/√2.
 
     Examples

@@ -85,9 +85,7 @@ class PointSlowImpact(SlowImpactOfABody):
     body: Sphere
 
 
-def slow_inputs(
-    body: Any, speed: Any, poisson: Any, law: Any
-) -> tuple[str, NDArray[np.float64], NDArray[np.float64]]:
+def slow_inputs(body: Any, speed: Any, poisson: Any, law: Any) -> tuple[str, NDArray[np.float64], NDArray[np.float64]]:
     """The law, and Poisson's ratios and speeds in c of one shape."""
     poissons = poissons_of(body, poisson)
     chosen = choose_law(body, law)

@@ -16,7 +16,7 @@ from stoss.bodies._bodies import Body, Rod, shown, speed_unit, speeds_in_si
 from stoss.bodies._encounter import Against, choose_against, choose_body, choose_tail, contact
 from stoss.bodies._state import State, choose_state
 from stoss.bodies._walls import ExponentialWall, HardWall
-from stoss.results import _inside, _replay
+from stoss.results import _replay
 from stoss.results._si import ImpactsInSi, Si
 
 
@@ -49,8 +49,8 @@ class Impact(ImpactsInSi):
     impulse_time_si = Si("Time between 1 % and 99 % of the impulse, s.")
 
     trajectory = _replay.trajectory
-    field = _inside.field
-    wave = _inside.wave
+    field = _replay.field
+    wave = _replay.wave
     energies_at = _replay.energies_at
     state_after = _replay.state_after
 

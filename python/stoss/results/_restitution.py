@@ -9,13 +9,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from stoss._arguments import arranged
+from stoss._errors import InvalidInput
 from stoss.bodies._bodies import PARTNERS, Body, Disk, Rod, Sphere, shown
 from stoss.bodies._encounter import Against, choose_against
 from stoss.bodies._walls import UNBOUNDED
 from stoss.export import _tables
 from stoss.export._text import span, with_error
-from stoss.results._function import RestitutionFunction
-from stoss.results._interpolation import of_curve
+from stoss.results._function import RestitutionFunction, choose_beyond, function_of
 from stoss.results._result import Column, Number, picture
 from stoss.results._si import ImpactsInSi, Si
 
@@ -144,7 +144,20 @@ class Restitution(ImpactsInSi):
         beyond : {'error', 'clamp', 'law'}, optional
             What the function does beyond these speeds, as of `stoss.restitution_function`.
         """
-        return of_curve(self, beyond)
+        body, against = self.body, self.against
+        if body is None and np.unique(self.poisson).size == 1 and len(self.bodies) == 1:
+            body = self.bodies[0]
+        if body is None or isinstance(against, str):
+            raise InvalidInput(f"function: got {len(self.bodies)} bodies, allowed one (take a part of the result, [0])")
+        doubtful = int(np.size(self.converged) - np.count_nonzero(self.converged))
+        if doubtful:
+            hint = "allowed those that have (see .converged, .reason; or take a part, curve[curve.converged])"
+            got = f"{doubtful} of {np.size(self.speed)} values that have not converged"
+            raise InvalidInput(f"function: got {got}, {hint}")
+        order = np.argsort(np.ravel(self.speed), kind="stable")
+        curve = (np.ravel(each)[order] for each in (self.speed, self.restitution, self.restitution_error))
+        outside = choose_beyond(beyond, body, against, self.state)
+        return function_of(body, against, outside, self.state, *curve, np.empty(0))
 
     def _arranged_columns(self) -> tuple[dict[str, Column], tuple[str, ...]]:
         table, shape = self._columns(), np.shape(self.restitution)

@@ -19,8 +19,8 @@ from stoss.bodies._encounter import refinable
 from stoss.bodies._state import choose_state
 from stoss.sweeps import _store
 from stoss.sweeps._grid import Case, Grid
+from stoss.sweeps._store import Worker
 from stoss.sweeps._values import Sweep, open_sweep
-from stoss.sweeps._worker import Worker
 
 
 def sweep(
@@ -106,9 +106,7 @@ def compute(
 ) -> int:
     """Compute one body with what it meets at some speeds and append the values to the file of this worker."""
     tolerance, absolute = inputs["tolerance"], inputs["absolute"]
-    alone = Grid(
-        bodies=inputs["body"], against=inputs["against"], speed=speeds, tolerance=tolerance, absolute=absolute
-    )  # fmt: skip
+    alone = Grid(bodies=inputs["body"], against=inputs["against"], speed=speeds, tolerance=tolerance, absolute=absolute)
     (case,) = alone.cases()
     if case.key != key:
         raise InvalidInput(f"grid: got case {case.key} of a worker, allowed {key} (all must have the same stoss)")
@@ -124,9 +122,7 @@ def compute(
 
         contact = refinable(case.body, case.against)
         try:
-            _core.restitution_curve(
-                contact, own, tolerance, absolute, threads, choose_state(None), rows, [], keep
-            )  # fmt: skip
+            _core.restitution_curve(contact, own, tolerance, absolute, threads, choose_state(None), rows, [], keep)
         finally:
             worker.flush()
     return done
