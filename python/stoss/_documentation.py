@@ -1,7 +1,8 @@
 """What docstrings have in common, said once: the words of parameters and of fields, by their names.
 
 A docstring explains what is its own. `documented` adds the usual words of a function's other
-parameters, `with_fields` those of a class's other fields, so that help() and the site have all.
+parameters, `with_fields` those of a class's other fields, and types from their annotations, so that
+help() and the site have all.
 """
 
 from __future__ import annotations
@@ -9,7 +10,7 @@ from __future__ import annotations
 import inspect
 import re
 import textwrap
-from typing import Any, Callable, Iterable, Mapping, TypeVar
+from typing import Any, Callable, Mapping, TypeVar
 
 Function = TypeVar("Function", bound=Callable[..., Any])
 
@@ -43,8 +44,9 @@ PARAMETERS = {
     "columns": "Pictures in a row.",
     "ax": "Where to draw; further calls with the same Axes add to it. Default: a new figure.",
     "label": "Name of the curve in the legend.",
-    "style": "Handed on to `matplotlib.axes.Axes.plot`: color, linestyle, …",
 }
+
+STYLE = "**style: Handed on to `matplotlib.axes.Axes.plot`: color, linestyle, …"
 
 FIELDS = {
     "body": "The first; all units are its own.",
@@ -61,7 +63,6 @@ FIELDS = {
     "max_half_width": "Maximum half-width of the contact, R; of spheres its radius.",
     "max_radius": "Maximum radius of the contact, R.",
     "contact_half_width": "Half-width of the contact, R, in steps of the nodes' spacing; of spheres its radius.",
-    "half_width": "Of the contact, along the undeformed edge, R; of a sphere its radius.",
     "dissipated": "Energy lost to the material, as a share of the initial one.",
     "lost_to_first": "Vibration of the first body after the impact and what its material absorbed.",
     "lost_to_second": "The same of the second; what the waves of a half-space carry away; 0 of a wall.",
@@ -111,55 +112,68 @@ TYPES = {
 
 
 def documented(function: Function, **own: str) -> Function:
-    """Add these or the usual words of all parameters that a docstring does not explain."""
+    """Add types, and these or the usual words of all parameters that a docstring does not explain."""
     if function.__doc__:
         given = inspect.signature(function).parameters
-        usual = {name: _entry(str(given[name]).partition(":")[0], each.annotation, words, each.default)
-                 for name, words in (PARAMETERS | own).items() if (each := given.get(name))}  # fmt: skip
-        function.__doc__ = _completed(function.__doc__, "Parameters", given, usual)
+        typed = {name: each for name, each in given.items() if each.annotation is not each.empty}
+        types = {name: _type(each.annotation, each.default) for name, each in typed.items()}
+        words = {name: f"{name}: {said}" for name, said in (PARAMETERS | own).items()} | {"style": STYLE}
+        function.__doc__ = _completed(function.__doc__, "Parameters", types, words)
     return function
 
 
 def with_fields(made: type, title: str = "Attributes") -> None:
-    """Add the words of a base or the usual ones of all fields that the docstring of a class does not explain."""
-    fields, usual = vars(made).get("__annotations__", {}), dict[str, str]()
+    """Add types, and the words of a base or the usual ones of all fields that a docstring does not explain."""
+    fields, words = vars(made).get("__annotations__", {}), dict[str, str]()
     for name in [name for name, kind in fields.items() if name in FIELDS and kind != "Any"]:
-        error = f"{name}_error" if f"{name}_error" in fields else ""
-        said = f"{FIELDS[name].rstrip('.')}; and its estimated error." if error else FIELDS[name]
-        usual[name] = _entry(f"{name}, {error}" if error else name, fields[name], said)
+        words[name] = f"{name}: {FIELDS[name]}"
+        if f"{name}_error" in fields:
+            words[name] = f"{name}, {name}_error: {FIELDS[name][:-1]}; and its estimated error."
     for base in reversed(made.__mro__[1:]):
-        usual |= _own(base.__doc__ or "", title)
+        words |= _own(base.__doc__ or "", title)
     if made.__doc__:
-        names = [name for each in made.__mro__ for name in vars(each).get("__annotations__", {})]
-        made.__doc__ = _completed(made.__doc__, title, names, usual)
+        kinds = dict(fields)
+        for base in made.__mro__[1:]:
+            kinds |= {name: kind for name, kind in vars(base).get("__annotations__", {}).items() if name not in kinds}
+        types = {name: _type(kind) for name, kind in kinds.items()}
+        made.__doc__ = _completed(made.__doc__, title, types, words)
 
 
-def _entry(name: str, annotation: str, words: str, default: Any = inspect.Parameter.empty) -> str:
-    """The lines that explain a name; where there is a default it is optional."""
+def _type(annotation: str, default: Any = inspect.Parameter.empty) -> str:
+    """What an annotation says, in words; where there is a default it is optional."""
     written = re.sub(r"NDArray\[[\w.]*\]", "ndarray", annotation.removesuffix(" | None" if default is None else ""))
     kinds = [kind for each in written.split(" | ") for kind in TYPES.get(each, each).split(" | ")]
     kind = " or ".join(filter(None, [", ".join(kinds[:-1]), kinds[-1]]))
-    optional = "" if default is inspect.Parameter.empty else ", optional"
-    said = textwrap.fill(words, 100, initial_indent="    ", subsequent_indent="    ", break_on_hyphens=False)
-    return "\n".join(filter(None, [f"{name} : {kind}{optional}" if kind != "Any" else name, said]))
+    return kind if default is inspect.Parameter.empty else f"{kind}, optional"
 
 
 def _sections(said: str) -> list[str]:
     """What a docstring begins with, and its sections."""
-    return re.split(r"\n\n(?=[A-Z][A-Za-z ]+\n-{3,}\n)", inspect.cleandoc(said))
+    return re.split(r"\n\n(?=(?:Attributes|Examples|Parameters|Raises|Returns):\n)", inspect.cleandoc(said))
 
 
 def _own(said: str, title: str) -> dict[str, str]:
     """The entries of the section with this title, if there is one, by the names that each explains."""
-    section = next((each for each in _sections(said) if each.startswith(f"{title}\n---")), "")
-    entries = re.split(r"\n(?=\S)", section)[2:]
-    return {name.lstrip("*"): each for each in entries for name in re.split(r" : |\n", each)[0].split(", ")}
+    section = next((each for each in _sections(said) if each.startswith(f"{title}:\n")), "")
+    entries = re.split(r"\n(?=\S)", textwrap.dedent(section.partition("\n")[2]))
+    return {name: each for each in entries for name in re.split(r"[:(]", each)[0].strip(" *").split(", ") if name}
 
 
-def _completed(said: str, title: str, names: Iterable[str], usual: Mapping[str, str]) -> str:
+def _completed(said: str, title: str, types: Mapping[str, str], words: Mapping[str, str]) -> str:
     """The docstring, where a section explains these names in their order: as it does itself, or by the usual words."""
     own = _own(said, title)
-    entries = dict.fromkeys([*(own.get(name) or usual.get(name, "") for name in names), *own.values()])
-    section = "\n".join([title, "-" * len(title), *filter(None, entries)])
-    before, *others = (each for each in _sections(said) if not each.startswith(f"{title}\n---"))
-    return "\n\n".join([before, *([section] if any(entries) else []), *others])
+    entries: dict[str, str] = {}
+    for name, kind in {**types, **{name: types.get(name, "") for name in own}}.items():
+        if each := own.get(name) or words.get(name, ""):
+            entries.setdefault(each, kind)
+    lines = [_line(each, kind) for each, kind in entries.items()]
+    before, *others = (each for each in _sections(said) if not each.startswith(f"{title}:\n"))
+    return "\n\n".join([before, *(["\n".join([f"{title}:", *lines])] if lines else []), *others])
+
+
+def _line(entry: str, kind: str) -> str:
+    """An entry with its type, unless it says one."""
+    names, colon, said = entry.partition(":")
+    typed = names if "(" in names or not kind or kind == "Any" else f"{names} ({kind})"
+    text = " ".join(f"{typed}{colon}{said}".split())
+    return textwrap.fill(text, 100, initial_indent=" " * 4, subsequent_indent=" " * 8, break_on_hyphens=False)

@@ -131,21 +131,18 @@ def yield_speed(body: Sphere, *, against: Sphere | HalfSpace | str | None = None
     11.35). At a wall it does not depend on the radius; an equal sphere takes twice that speed. A
     material without a yield strength is taken not to yield: None where neither has one.
 
-    Parameters
-    ----------
-    body : Sphere
-        With a material.
-    against : 'same', Sphere or HalfSpace, optional
-        An equal sphere, another one, or a half-space with a material; a rigid wall if it is left out.
+    Parameters:
+        body (Sphere): With a material.
+        against ('same', Sphere or HalfSpace, optional): An equal sphere, another one, or a
+            half-space with a material; a rigid wall if it is left out.
 
-    Examples
-    --------
-    >>> hard = stoss.Material(young=2.1e11, poisson=0.3, density=7850, yield_strength=1e9)
-    >>> round(stoss.quasistatic.yield_speed(stoss.Sphere(radius=0.01, material=hard)), 4)
-    0.0339
-    >>> ball, block = stoss.Sphere(radius=0.01, material=hard), stoss.HalfSpace(material=hard)
-    >>> round(stoss.quasistatic.yield_speed(ball, against=block), 4)
-    0.1355
+    Examples:
+        >>> hard = stoss.Material(young=2.1e11, poisson=0.3, density=7850, yield_strength=1e9)
+        >>> round(stoss.quasistatic.yield_speed(stoss.Sphere(radius=0.01, material=hard)), 4)
+        0.0339
+        >>> ball, block = stoss.Sphere(radius=0.01, material=hard), stoss.HalfSpace(material=hard)
+        >>> round(stoss.quasistatic.yield_speed(ball, against=block), 4)
+        0.1355
     """
     first: Sphere = instance("body", body, (Sphere,))
     second: Sphere | HalfSpace | None = None

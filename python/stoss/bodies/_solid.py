@@ -53,20 +53,15 @@ KINDS: Mapping[str, Kind] = MappingProxyType(
 class Solid:
     """A body or a block: its numbers, given or those of a material.
 
-    Parameters
-    ----------
-    radius : float
-        Radius R; 1, or with a material to be given in m.
-    young, density : float, optional
-        Young's modulus E and density ρ.
-    loss_time : float, optional
-        Loss time η, stress = (1 + η ∂/∂t) elastic stress: R/c (of a rod L/c) of the first body, or with a
-        material s. Default: 0, or that of the material.
-    material : Material
-        In place of `poisson`, `young` and `density`; for what meets a body that has one.
-    rigid : bool, optional
-        Young's modulus is infinite. The body keeps its mass, and the given modulus remains a unit. It
-        meets elastic ones.
+    Parameters:
+        radius (float): Radius R; 1, or with a material to be given in m.
+        young, density (float, optional): Young's modulus E and density ρ.
+        loss_time (float, optional): Loss time η, stress = (1 + η ∂/∂t) elastic stress: R/c (of a
+            rod L/c) of the first body, or with a material s. Default: 0, or that of the material.
+        material (Material): In place of `poisson`, `young` and `density`; for what meets a body
+            that has one.
+        rigid (bool, optional): Young's modulus is infinite. The body keeps its mass, and the given
+            modulus remains a unit. It meets elastic ones.
     """
 
     _kind: ClassVar[str]

@@ -22,11 +22,10 @@ settings. Nothing global is changed.
 `animate`                                         the same as GIF or MP4
 ================================================  ==================================================
 
-Examples
---------
->>> hit = stoss.impact(poisson=0.33, speed=0.1, cutoff=12.5)
->>> ax = stoss.plot.sequence(hit)
->>> ax.figure.savefig("sequence.pdf")
+Examples:
+    >>> hit = stoss.impact(poisson=0.33, speed=0.1, cutoff=12.5)
+    >>> ax = stoss.plot.sequence(hit)
+    >>> ax.figure.savefig("sequence.pdf")
 """
 
 try:

@@ -45,27 +45,20 @@ def animate(
     It goes from just before contact until the body, or two, have flown for some time, vibrating.
     The file appears whole or not at all. `path` is returned. RuntimeError says that ffmpeg failed.
 
-    Parameters
-    ----------
-    path : str or path
-        Where to; an existing file is replaced. Its suffix, .gif or .mp4, says what is written; the
-        latter needs ffmpeg.
-    frames : int, optional
-        Number of frames, 2 to 2000.
-    fps : float, optional
-        Frames per second, 1 to 50. A GIF counts time in 1/100 s.
-    size : (int, int), optional
-        Width and height, 100 to 4000 pixels; those of an MP4 are made even. Default: 400 wide, with
-        colours 480.
-    quantity : {'von_mises', 'principal_difference', 'fringes'}, optional
-        Colours, on one scale for all frames (see `stoss.plot.stress`); default: a grid of radii and
-        circles.
+    Parameters:
+        path: Where to; an existing file is replaced. Its suffix, .gif or .mp4, says what is
+            written; the latter needs ffmpeg.
+        frames: Number of frames, 2 to 2000.
+        fps: Frames per second, 1 to 50. A GIF counts time in 1/100 s.
+        size ((int, int), optional): Width and height, 100 to 4000 pixels; those of an MP4 are made
+            even. Default: 400 wide, with colours 480.
+        quantity ({'von_mises', 'principal_difference', 'fringes'}, optional): Colours, on one scale
+            for all frames (see `stoss.plot.stress`); default: a grid of radii and circles.
 
-    Examples
-    --------
-    >>> hit = stoss.impact(poisson=0.33, speed=0.2, cutoff=12.5)
-    >>> stoss.animate(hit, "impact.gif", frames=10)
-    'impact.gif'
+    Examples:
+        >>> hit = stoss.impact(poisson=0.33, speed=0.2, cutoff=12.5)
+        >>> stoss.animate(hit, "impact.gif", frames=10)
+        'impact.gif'
     """
     instance("impact", impact, (Impact,))
     suffix = _suffix(path)

@@ -98,21 +98,15 @@ def disk(
     Deformations have their true size. Of two disks both are drawn. `sphere` is the same function:
     of a sphere it draws the plane through the axis.
 
-    Parameters
-    ----------
-    field : Field
-        From `Impact.field`, with any radii and angles: the nearest to even ones are drawn.
-    circles, spokes : int, optional
-        Number of circles and of radii.
-    outline : bool, optional
-        Also the undeformed disk around the same centre of mass, in grey.
-    color : color, optional
-        Of the grid.
+    Parameters:
+        field: From `Impact.field`, with any radii and angles: the nearest to even ones are drawn.
+        circles, spokes: Number of circles and of radii.
+        outline: Also the undeformed disk around the same centre of mass, in grey.
+        color (color, optional): Of the grid.
 
-    Examples
-    --------
-    >>> hit = stoss.impact(poisson=0.33, speed=0.2, cutoff=12.5)
-    >>> ax = stoss.plot.disk(hit.field(time=hit.contact_time / 2))
+    Examples:
+        >>> hit = stoss.impact(poisson=0.33, speed=0.2, cutoff=12.5)
+        >>> ax = stoss.plot.disk(hit.field(time=hit.contact_time / 2))
     """
     bodies = instants(field, frame)
     for name, value in (("circles", circles), ("spokes", spokes)):

@@ -37,11 +37,9 @@ def bounces(result: Bounces, ax: Axes | None = None) -> Axes:
     translation, vibration, dissipated, and what the modes above the cutoff or a half-space have
     taken.
 
-    Parameters
-    ----------
-    ax : Axes, optional
-        Where to draw, of `matplotlib.pyplot.subplots`; its lower half becomes an Axes of its own, the last of its
-        figure.
+    Parameters:
+        ax: Where to draw, of `matplotlib.pyplot.subplots`; its lower half becomes an Axes of its
+            own, the last of its figure.
     """
     if len(result) == 0:
         raise refusal("result", result, "a sequence of at least one impact")
@@ -90,10 +88,8 @@ def distribution(result: RestitutionDistribution, ax: Axes | None = None, *, bin
 
     The latter is computed for the picture.
 
-    Parameters
-    ----------
-    bins : optional
-        As `numpy.histogram` has them.
+    Parameters:
+        bins (optional): As `numpy.histogram` has them.
     """
     count, edges = result.histogram(bins)
     at_rest = _at_rest(result)

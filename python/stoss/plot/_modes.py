@@ -48,14 +48,11 @@ def mode_shape(modes: Modes, ax: Axes | None = None, *, order: int, index: int, 
 
     Of a sphere it is the plane through the axis, which is horizontal.
 
-    Parameters
-    ----------
-    amplitude : float, optional
-        Maximum displacement in the picture, R, −1 to 1.
+    Parameters:
+        amplitude: Maximum displacement in the picture, R, −1 to 1.
 
-    Examples
-    --------
-    >>> ax = stoss.plot.mode_shape(stoss.modes(poisson=0.33, cutoff=10), order=2, index=0)
+    Examples:
+        >>> ax = stoss.plot.mode_shape(stoss.modes(poisson=0.33, cutoff=10), order=2, index=0)
     """
     greatest = number("amplitude", amplitude)
     if not abs(greatest) <= 1.0:
@@ -105,16 +102,13 @@ def ledger(
     mode has given what the bar lacks, and taken what is beyond. The waves of a half-space are a continuum: one bar is what they hold together. Another, after
     the impact, is what lossy materials have taken.
 
-    Parameters
-    ----------
-    when : {'after', 'average'}
-        After the impact, or the mean during contact.
-    orders, indices : int, optional
-        How many n and l from 0 on, 1 to 100 and 1 to 20; modes above the cutoff have no bars.
+    Parameters:
+        when ({'after', 'average'}): After the impact, or the mean during contact.
+        orders, indices: How many n and l from 0 on, 1 to 100 and 1 to 20; modes above the cutoff
+            have no bars.
 
-    Examples
-    --------
-    >>> ax = stoss.plot.ledger(stoss.impact(poisson=0.33, speed=0.1, cutoff=12.5))
+    Examples:
+        >>> ax = stoss.plot.ledger(stoss.impact(poisson=0.33, speed=0.1, cutoff=12.5))
     """
     _style.choice("when", when, tuple(LABELS))
     for name, value, limit in (("orders", orders, 100), ("indices", indices, 20)):

@@ -50,18 +50,15 @@ def restitution(
     no bar, missing ones (NaN) are left out.
     If there is only one speed but several Poisson's ratios, they are the horizontal axis.
 
-    Parameters
-    ----------
-    quantity : {'restitution', 'lost_fraction'}
-    scale : {'log', 'linear'}
-        Of the speed, and of the lost fraction with it; ε has a linear axis.
-    **style
-        Handed on to `matplotlib.axes.Axes.errorbar`: color, marker, linestyle, …
+    Parameters:
+        quantity ({'restitution', 'lost_fraction'}):
+        scale ({'log', 'linear'}): Of the speed, and of the lost fraction with it; ε has a linear
+            axis.
+        **style: Handed on to `matplotlib.axes.Axes.errorbar`: color, marker, linestyle, …
 
-    Examples
-    --------
-    >>> curve = stoss.restitution(poisson=[[0.0], [0.33]], speed=np.geomspace(1e-3, 0.3, 8))
-    >>> ax = stoss.plot.restitution(curve, quantity="lost_fraction")
+    Examples:
+        >>> curve = stoss.restitution(poisson=[[0.0], [0.33]], speed=np.geomspace(1e-3, 0.3, 8))
+        >>> ax = stoss.plot.restitution(curve, quantity="lost_fraction")
     """
     _style.choice("quantity", quantity, tuple(LABELS))
     logarithmic = _style.choice("scale", scale, ("log", "linear")) == "log"
@@ -183,15 +180,12 @@ USUAL = 5  # ratios that are drawn if none are named
 def pair_table(table: PairTable, ax: Axes | None = None, *, ratio: ArrayLike | None = None, **style: Any) -> Axes:
     """ε against speed for several ratios of radii, each in a band of its error.
 
-    Parameters
-    ----------
-    ratio : array_like, optional
-        Default: five, evenly in (r − 1)/(r + 1) over the range.
+    Parameters:
+        ratio: Default: five, evenly in (r − 1)/(r + 1) over the range.
 
-    Examples
-    --------
-    >>> table = stoss.pair_table(poisson=0.33, ratio=(1, 1.5), speed=(0.02, 0.3), error=2e-2)
-    >>> ax = stoss.plot.pair_table(table, ratio=[1, 1.5])
+    Examples:
+        >>> table = stoss.pair_table(poisson=0.33, ratio=(1, 1.5), speed=(0.02, 0.3), error=2e-2)
+        >>> ax = stoss.plot.pair_table(table, ratio=[1, 1.5])
     """
     ends = (table.ratio[[0, -1]] - 1) / (table.ratio[[0, -1]] + 1)
     places = np.linspace(float(ends[0]), float(ends[1]), USUAL)

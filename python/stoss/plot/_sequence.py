@@ -31,19 +31,14 @@ def sequence(
     and distances have their true size. The grey circles are the undeformed disks around the same
     centre of mass: what differs from them is deformation.
 
-    Parameters
-    ----------
-    times : array_like, optional
-        R/c from the start of the impact, 1 to 64 of them; default: `count` even ones from just
-        before contact until the disk has flown for some time, vibrating.
-    count : int, optional
-        Number of default times, 2 to 64.
-    columns : int, optional
-        Disks in a row; up to 3 are legible in one column, 6 in two.
+    Parameters:
+        times: R/c from the start of the impact, 1 to 64 of them; default: `count` even ones from
+            just before contact until the disk has flown for some time, vibrating.
+        count: Number of default times, 2 to 64.
+        columns: Disks in a row; up to 3 are legible in one column, 6 in two.
 
-    Examples
-    --------
-    >>> ax = stoss.plot.sequence(stoss.impact(poisson=0.33, speed=0.2, cutoff=12.5), count=3)
+    Examples:
+        >>> ax = stoss.plot.sequence(stoss.impact(poisson=0.33, speed=0.2, cutoff=12.5), count=3)
     """
     if not 2 <= integer("count", count) <= LARGEST:
         raise refusal("count", count, f"2 to {LARGEST}")

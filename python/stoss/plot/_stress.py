@@ -67,24 +67,19 @@ def stress(
     the colours end where 99 % of the picture's area is covered; what is above has the last colour,
     and the colour bar a point. Give the maximum stress as `limit` to see the peak instead.
 
-    Parameters
-    ----------
-    ax : Axes, optional
-        Where to draw; the colour bar takes some of its space.
-    quantity : {'von_mises', 'principal_difference', 'fringes'}
-        Von Mises stress; ``|σ₁ − σ₂|``, of a sphere that in the plane; or what a polariscope shows
-        in a dark field, sin²(π (σ₁ − σ₂)/fringe).
-    fringe : float, optional
-        σ₁ − σ₂ from one dark fringe to the next, E; default: a sixth of the default colour range of
-        ``|σ₁ − σ₂|``. Fringes closer than the field's points cannot be seen: use finer radii and
-        angles.
-    limit : float, optional
-        Where the colours end, E.
+    Parameters:
+        ax: Where to draw; the colour bar takes some of its space.
+        quantity ({'von_mises', 'principal_difference', 'fringes'}): Von Mises stress; ``|σ₁ −
+            σ₂|``, of a sphere that in the plane; or what a polariscope shows in a dark field,
+            sin²(π (σ₁ − σ₂)/fringe).
+        fringe: σ₁ − σ₂ from one dark fringe to the next, E; default: a sixth of the default colour
+            range of ``|σ₁ − σ₂|``. Fringes closer than the field's points cannot be seen: use finer
+            radii and angles.
+        limit: Where the colours end, E.
 
-    Examples
-    --------
-    >>> hit = stoss.impact(poisson=0.33, speed=0.1, cutoff=12.5)
-    >>> ax = stoss.plot.stress(hit.field(time=hit.contact_time / 2), quantity="fringes", fringe=0.03)
+    Examples:
+        >>> hit = stoss.impact(poisson=0.33, speed=0.1, cutoff=12.5)
+        >>> ax = stoss.plot.stress(hit.field(time=hit.contact_time / 2), quantity="fringes", fringe=0.03)
     """
     bodies = _disk.instants(field, frame)
     scale = scale_of(bodies, quantity, fringe, limit)

@@ -53,7 +53,7 @@ def picture_of(*kinds: type, method: str = "") -> Callable[[Picture], Picture]:
 
     def made(function: Picture) -> Picture:
         name = next(iter(inspect.signature(function).parameters))
-        documented(function, **{name: ""})
+        documented(function, **{name: "What is drawn."})
 
         @functools.wraps(function)
         def checked(*given: Any, **named: Any) -> Axes:

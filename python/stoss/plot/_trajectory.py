@@ -40,10 +40,9 @@ def _curve(name: str, column: str, label_of: Callable[[Impact], str], said: str,
     drawn.__name__ = drawn.__qualname__ = name
     drawn.__doc__ = f"""{said}
 
-    Examples
-    --------
-    >>> path = stoss.impact(poisson=0.33, speed=0.1, cutoff=12.5).trajectory()
-    >>> ax = stoss.plot.{name}(path, color="black")
+    Examples:
+        >>> path = stoss.impact(poisson=0.33, speed=0.1, cutoff=12.5).trajectory()
+        >>> ax = stoss.plot.{name}(path, color="black")
     """
     return _style.picture_of(Trajectory, method=method)(drawn)
 

@@ -31,19 +31,14 @@ def wave(wave: Wave, ax: Axes | None = None, *, columns: int = 2, limit: float |
     the Rayleigh wave would be that leaves at once. Deformations have their true size, and a bar has
     a round number of radii.
 
-    Parameters
-    ----------
-    wave : Wave
-        From `Impact.wave`, at 1 to 64 times.
-    ax : Axes, optional
-        Where to draw; the colour bar takes some of its space.
-    limit : float, optional
-        Where the colours end, in speeds of the impact.
+    Parameters:
+        wave (Wave): From `Impact.wave`, at 1 to 64 times.
+        ax: Where to draw; the colour bar takes some of its space.
+        limit: Where the colours end, in speeds of the impact.
 
-    Examples
-    --------
-    >>> hit = stoss.impact(stoss.Sphere(poisson=0.3), against=stoss.HalfSpace(), speed=0.1, cutoff=4)
-    >>> ax = stoss.plot.wave(hit.wave(time=[4, 8], distance=np.linspace(0, 9, 28), depth=np.linspace(0, 9, 28)))
+    Examples:
+        >>> hit = stoss.impact(stoss.Sphere(poisson=0.3), against=stoss.HalfSpace(), speed=0.1, cutoff=4)
+        >>> ax = stoss.plot.wave(hit.wave(time=[4, 8], distance=np.linspace(0, 9, 28), depth=np.linspace(0, 9, 28)))
     """
     if not 1 <= integer("columns", columns) <= LARGEST:
         raise refusal("columns", columns, f"1 to {LARGEST}")

@@ -18,7 +18,7 @@ from stoss.results._result import Number
 LAWS: Mapping[type, tuple[str, ...]] = {Disk: ("center", "diameter", "printed"), Sphere: ("center", "hertz")}
 """Laws of compression of the bodies that have some."""
 
-_of_a_law = functools.partial(documented, body="", force="F, 0 to `limit_force`, mc²/R; broadcasts with `poisson`.")
+_of_a_law = functools.partial(documented, body="What is pressed.", force="F, 0 to `limit_force`, mc²/R; broadcasts with `poisson`.")
 
 
 def choose_law(body: Any, law: Any) -> str:
@@ -52,12 +52,11 @@ def compression(
 
     The next order is smaller by about F, of a sphere by about F^(1/3).
 
-    Examples
-    --------
-    >>> round(stoss.quasistatic.compression(force=0.001, poisson=0.33), 6)
-    0.006575
-    >>> round(stoss.quasistatic.compression(stoss.Sphere(poisson=0.3), force=0.001), 6)
-    0.018322
+    Examples:
+        >>> round(stoss.quasistatic.compression(force=0.001, poisson=0.33), 6)
+        0.006575
+        >>> round(stoss.quasistatic.compression(stoss.Sphere(poisson=0.3), force=0.001), 6)
+        0.018322
     """
     return by_law("compression", body, poisson, law, force=force)
 
@@ -70,15 +69,12 @@ def compression_force(
 
     Its relative error is 1e-14.
 
-    Parameters
-    ----------
-    compression : array_like
-        δ from 0 to that of `limit_force`, R; broadcasts with `poisson`.
+    Parameters:
+        compression: δ from 0 to that of `limit_force`, R; broadcasts with `poisson`.
 
-    Examples
-    --------
-    >>> stoss.quasistatic.compression_force(compression=[0.01, 0.02], poisson=0.33).round(6)
-    array([0.001645, 0.003821])
+    Examples:
+        >>> stoss.quasistatic.compression_force(compression=[0.01, 0.02], poisson=0.33).round(6)
+        array([0.001645, 0.003821])
     """
     return by_law("compression_force", body, poisson, law, compression=compression)
 
@@ -89,12 +85,11 @@ def compression_energy(
 ) -> Number:
     """Energy ∫F dδ from no contact to the force F, mc²; of a disk F² [½ ln(s/F) − ½b − ¼].
 
-    Examples
-    --------
-    >>> impact = stoss.quasistatic.slow_impact(poisson=0.33, speed=0.01)
-    >>> energy = stoss.quasistatic.compression_energy(force=impact.max_force, poisson=0.33)
-    >>> round(energy / (0.5 * 0.01**2), 12)
-    1.0
+    Examples:
+        >>> impact = stoss.quasistatic.slow_impact(poisson=0.33, speed=0.01)
+        >>> energy = stoss.quasistatic.compression_energy(force=impact.max_force, poisson=0.33)
+        >>> round(energy / (0.5 * 0.01**2), 12)
+        1.0
     """
     return by_law("compression_energy", body, poisson, law, force=force)
 
@@ -102,16 +97,13 @@ def compression_energy(
 def contact_radius(body: Sphere, *, force: ArrayLike) -> Number:
     """Radius a = (π(1 − ν²)F)^{1/3} of the contact of a sphere, R: the same for both laws.
 
-    Parameters
-    ----------
-    body : Sphere
-    force : array_like
-        F, up to where a is R, mc²/R.
+    Parameters:
+        body (Sphere):
+        force (array_like): F, up to where a is R, mc²/R.
 
-    Examples
-    --------
-    >>> round(stoss.quasistatic.contact_radius(stoss.Sphere(poisson=0.3), force=0.001), 6)
-    0.141927
+    Examples:
+        >>> round(stoss.quasistatic.contact_radius(stoss.Sphere(poisson=0.3), force=0.001), 6)
+        0.141927
     """
     ball: Sphere = instance("body", body, (Sphere,))
     nu, forces = broadcast(poisson=numbers("poisson", ball.poisson), force=numbers("force", force))
@@ -125,10 +117,9 @@ def limit_force(body: Disk | Sphere | None = None, *, poisson: ArrayLike | None 
     That of a sphere ends at a contact of the radius R at the latest. A law means little from a
     tenth of this force on.
 
-    Examples
-    --------
-    >>> round(stoss.quasistatic.limit_force(poisson=0.33), 4)
-    0.2638
+    Examples:
+        >>> round(stoss.quasistatic.limit_force(poisson=0.33), 4)
+        0.2638
     """
     return by_law("limit_force", body, poisson, law)
 
@@ -137,9 +128,8 @@ def limit_force(body: Disk | Sphere | None = None, *, poisson: ArrayLike | None 
 def limit_speed(body: Disk | Sphere | None = None, *, poisson: ArrayLike | None = None, law: str = "center") -> Number:
     """Highest speed of a slow impact, at which it reaches `limit_force`, c; of a disk `limit_force`/√2.
 
-    Examples
-    --------
-    >>> round(stoss.quasistatic.limit_speed(poisson=0.33), 4)
-    0.1865
+    Examples:
+        >>> round(stoss.quasistatic.limit_speed(poisson=0.33), 4)
+        0.1865
     """
     return by_law("limit_speed", body, poisson, law)

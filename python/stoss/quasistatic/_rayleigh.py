@@ -24,27 +24,20 @@ from stoss.results._si import Si, warn_of_yielding
 class EstimateOfABody(SlowOfABody):
     """What the estimates of disks and spheres have in common.
 
-    Attributes
-    ----------
-    cutoff : float
-        Modes up to this frequency are driven, c/R.
-    poisson, speed, contact_time, max_compression, max_force : float or ndarray
-        Of the impact that drives the modes, as in `SlowImpact`.
-    lost_fraction : float or ndarray
-        1 − ε². May exceed 1 where it means nothing.
-    lost_fraction_error : float or ndarray
-        By how much the full solution may differ from it, from `kinetic_share`.
-    kinetic_share : float or ndarray
-        Maximum kinetic energy of the modes as they follow the force, as a share of ½mv²: the
-        theory's small number.
-    beyond_perturbation : bool or ndarray
-        Whether it is above 0.04: `lost_fraction` is then no estimate, but 1.8 to 19 times too
-        large.
-    mode_energies : ndarray or None
-        For a single speed, a structured array with the fields order, index, omega, amplitude (∫F
-        cos(ωt + φ) dt / v, with t from the turning point and the phase φ that a mode gains from the
-        stiffness of the contact of a sphere; 0 of a disk) and after (energy after the impact, as a
-        share of ½mv²).
+    Attributes:
+        cutoff: Modes up to this frequency are driven, c/R.
+        poisson, speed, contact_time, max_compression, max_force: Of the impact that drives the
+            modes, as in `SlowImpact`.
+        lost_fraction: 1 − ε². May exceed 1 where it means nothing.
+        lost_fraction_error: By how much the full solution may differ from it, from `kinetic_share`.
+        kinetic_share: Maximum kinetic energy of the modes as they follow the force, as a share of
+            ½mv²: the theory's small number.
+        beyond_perturbation: Whether it is above 0.04: `lost_fraction` is then no estimate, but 1.8
+            to 19 times too large.
+        mode_energies: For a single speed, a structured array with the fields order, index, omega,
+            amplitude (∫F cos(ωt + φ) dt / v, with t from the turning point and the phase φ that a
+            mode gains from the stiffness of the contact of a sphere; 0 of a disk) and after (energy
+            after the impact, as a share of ½mv²).
     """
 
     plot = picture("1 − ε² against v. See `stoss.plot.rayleigh`.")
@@ -98,10 +91,8 @@ class PointRayleighEstimate(EstimateOfABody):
 
     Numbers, or arrays of the shape of `speed`.
 
-    Attributes
-    ----------
-    mean_lost_fraction : float or ndarray
-        The law of v → 0 averaged over the phases of the modes, c(ν) v.
+    Attributes:
+        mean_lost_fraction: The law of v → 0 averaged over the phases of the modes, c(ν) v.
     """
 
     _kind = "point rayleigh"
@@ -159,21 +150,17 @@ def rayleigh(
     `stoss.restitution`. A `StossWarning` tells of values beyond perturbation theory, of a disk at
     ν = 0.33 from v = 0.024 c on, of a sphere at ν = 0.3 from 0.039 c on, and of yielding.
 
-    Parameters
-    ----------
-    speed : array_like
-        Of the centre of mass towards the wall, 1e-100 (of a sphere 1e-12) to `limit_speed`, c (with
-        a material: m/s). Two equal bodies that each move at `speed` towards each other are the same
-        problem.
-    cutoff : float, optional
-        Highest frequency of the modes, up to 1000, c/R.
+    Parameters:
+        speed: Of the centre of mass towards the wall, 1e-100 (of a sphere 1e-12) to `limit_speed`,
+            c (with a material: m/s). Two equal bodies that each move at `speed` towards each other
+            are the same problem.
+        cutoff: Highest frequency of the modes, up to 1000, c/R.
 
-    Examples
-    --------
-    >>> stoss.quasistatic.rayleigh(poisson=0.33, speed=1e-6)
-    RayleighEstimate(poisson=0.33, speed=1e-06 c: lost fraction 0.0061 ± 0.0039)
-    >>> stoss.quasistatic.rayleigh(stoss.Sphere(poisson=0.3), speed=1e-6)
-    PointRayleighEstimate(poisson=0.3, speed=1e-06 c: lost fraction 0.000000337 ± 0.000000011)
+    Examples:
+        >>> stoss.quasistatic.rayleigh(poisson=0.33, speed=1e-6)
+        RayleighEstimate(poisson=0.33, speed=1e-06 c: lost fraction 0.0061 ± 0.0039)
+        >>> stoss.quasistatic.rayleigh(stoss.Sphere(poisson=0.3), speed=1e-6)
+        PointRayleighEstimate(poisson=0.3, speed=1e-06 c: lost fraction 0.000000337 ± 0.000000011)
     """
     chosen, poissons, speeds = slow_inputs(body, speed, poisson, law)
     highest = number("cutoff", cutoff)

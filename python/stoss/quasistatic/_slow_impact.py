@@ -21,12 +21,9 @@ from stoss.results._si import ImpactsInSi, Si, warn_of_yielding
 class SlowOfABody(ImpactsInSi):
     """What slow impacts and their estimates have in common.
 
-    Attributes
-    ----------
-    speed : float or ndarray
-        Of the centre of mass towards the wall, c.
-    body : Disk, Sphere or None
-        What it was made with, if it was one.
+    Attributes:
+        speed: Of the centre of mass towards the wall, c.
+        body (Disk, Sphere or None): What it was made with, if it was one.
     """
 
     _given = {"poisson": "", "speed": "speed"}
@@ -111,20 +108,17 @@ def slow_impact(
 
     A `StossWarning` says that a sphere of that material yields at such a speed.
 
-    Parameters
-    ----------
-    speed : array_like
-        Of the centre of mass towards the wall, 1e-100 (of a sphere 1e-12) to `limit_speed`, c (with
-        a material: m/s). Two equal bodies that each move at `speed` towards each other are the same
-        problem.
+    Parameters:
+        speed: Of the centre of mass towards the wall, 1e-100 (of a sphere 1e-12) to `limit_speed`,
+            c (with a material: m/s). Two equal bodies that each move at `speed` towards each other
+            are the same problem.
 
-    Examples
-    --------
-    >>> slow = stoss.quasistatic.slow_impact(poisson=0.33, speed=[1e-12, 1e-6, 1e-3])
-    >>> slow.contact_time.round(3)
-    array([16.968, 12.174,  8.754])
-    >>> stoss.quasistatic.slow_impact(stoss.Sphere(poisson=0.3), speed=1e-4)
-    PointSlowImpact(poisson=0.3, speed=0.0001 c: contact time 30.5867 R/c, compression 0.00104057 R)
+    Examples:
+        >>> slow = stoss.quasistatic.slow_impact(poisson=0.33, speed=[1e-12, 1e-6, 1e-3])
+        >>> slow.contact_time.round(3)
+        array([16.968, 12.174,  8.754])
+        >>> stoss.quasistatic.slow_impact(stoss.Sphere(poisson=0.3), speed=1e-4)
+        PointSlowImpact(poisson=0.3, speed=0.0001 c: contact time 30.5867 R/c, compression 0.00104057 R)
     """
     chosen, poissons, speeds = slow_inputs(body, speed, poisson, law)
     with speeds_in_si(body):

@@ -74,19 +74,15 @@ def atlas(
     material with radii up to 1:10, at speeds of approach from 1e-4 to 0.3 c. Everything else is
     refused: `stoss.restitution` computes it.
 
-    Parameters
-    ----------
-    body : Sphere or Disk
-        The first body.
-    speed : array_like
-        Of approach, c (with a material: m/s).
+    Parameters:
+        body (Sphere or Disk): The first body.
+        speed: Of approach, c (with a material: m/s).
 
-    Examples
-    --------
-    >>> value = stoss.atlas(stoss.Sphere(poisson=0.3), speed=0.1)
-    >>> exact = stoss.restitution(stoss.Sphere(poisson=0.3), speed=0.1)
-    >>> abs(value.restitution - exact.restitution) < value.restitution_error
-    True
+    Examples:
+        >>> value = stoss.atlas(stoss.Sphere(poisson=0.3), speed=0.1)
+        >>> exact = stoss.restitution(stoss.Sphere(poisson=0.3), speed=0.1)
+        >>> abs(value.restitution - exact.restitution) < value.restitution_error
+        True
     """
     chosen = choose_body(body, poisson)
     if not isinstance(chosen, (Sphere, Disk)) or chosen.loss_time != 0.0:

@@ -29,27 +29,20 @@ class Bounces(MayYield, RowResult):
 
     Energies are shares of the initial energy of the first impact.
 
-    Attributes
-    ----------
-    gravity, decay_time : float or None
-        As they were given, c²/R and R/c.
-    number : ndarray
-        1, 2, …
-    speed : ndarray
-        Before the impact, c.
-    translation_before, vibration_before, dissipated_before, unresolved_before : ndarray
-        Energy when the impact begins: of the translation; of the kept modes; lost to the material
-        and in flight so far; taken so far by the modes above the cutoff, and by the waves of a
-        half-space.
-    translation, vibration, dissipated, unresolved : ndarray
-        The same when it is over. The sum is 1 but for `energy_error`.
-    energy_error : ndarray
-        What is missing, of all impacts so far.
-    flight_time : ndarray
-        After the impact, R/c.
-    short_flight : ndarray
-        Whether the flight before the impact was too short for the vibration to keep clear of the
-        wall. The body then comes as from afar, with the phases of the nominal time.
+    Attributes:
+        gravity, decay_time: As they were given, c²/R and R/c.
+        number: 1, 2, …
+        speed: Before the impact, c.
+        translation_before, vibration_before, dissipated_before, unresolved_before: Energy when the
+            impact begins: of the translation; of the kept modes; lost to the material and in flight
+            so far; taken so far by the modes above the cutoff, and by the waves of a half-space.
+        translation, vibration, dissipated, unresolved: The same when it is over. The sum is 1 but
+            for `energy_error`.
+        energy_error: What is missing, of all impacts so far.
+        flight_time: After the impact, R/c.
+        short_flight: Whether the flight before the impact was too short for the vibration to keep
+            clear of the wall. The body then comes as from afar, with the phases of the nominal
+            time.
     """
 
     plot = picture("ε of each impact, and where the energy is. See `stoss.plot.bounces`.")
@@ -117,34 +110,28 @@ def bounce(
     much before an impact as each of the modes; otherwise the modes above the cutoff absorb energy for
     good. A sequence whose speed leaves 1e-8 to 1 c has not converged.
 
-    Parameters
-    ----------
-    speed : float
-        Of the first impact, 1e-8 to 1, c (with a material: m/s).
-    against : HardWall, ExponentialWall, HalfSpace or HalfPlane, optional
-        What the body meets. Default: a rigid wall. The waves of a half-space have left before
-        the next impact. Another body, which does not come back, is refused.
-    count : int, optional
-        Impacts.
-    flight_time : float
-        From leaving the wall to touching it again, of an unexcited body, R/c (with a material:
-        s).
-    gravity : float
-        In place of `flight_time`: g, c²/R (with a material: m/s²); a flight lasts 2v/g.
-    decay_time : float, optional
-        Of vibrational energies in flight, R/c (with a material: s); 0: they are gone at once, and
-        every impact is that of `impact`. Default: no decay but that of a lossy material.
-    state : Oscillation, sequence of them or ndarray, optional
-        How the body vibrates before the first impact, as for `impact`. Default: it is unexcited.
+    Parameters:
+        speed: Of the first impact, 1e-8 to 1, c (with a material: m/s).
+        against (HardWall, ExponentialWall, HalfSpace or HalfPlane, optional): What the body meets.
+            Default: a rigid wall. The waves of a half-space have left before the next impact.
+            Another body, which does not come back, is refused.
+        count: Impacts.
+        flight_time: From leaving the wall to touching it again, of an unexcited body, R/c (with a
+            material: s).
+        gravity: In place of `flight_time`: g, c²/R (with a material: m/s²); a flight lasts 2v/g.
+        decay_time: Of vibrational energies in flight, R/c (with a material: s); 0: they are gone at
+            once, and every impact is that of `impact`. Default: no decay but that of a lossy
+            material.
+        state (Oscillation, sequence of them or ndarray, optional): How the body vibrates before the
+            first impact, as for `impact`. Default: it is unexcited.
 
-    Examples
-    --------
-    >>> ball = stoss.Sphere(poisson=0.3)
-    >>> stoss.bounce(ball, speed=0.05, count=50, flight_time=30)
-    Bounces(50 impacts, Sphere(poisson=0.3), speed=0.05 c: restitution 0.942245 to 1.0263, translation 0.4069 in the end)
-    >>> forgetful = stoss.bounce(ball, speed=0.05, count=3, flight_time=30, decay_time=0)
-    >>> float(forgetful.restitution[1]) == stoss.impact(ball, speed=forgetful.speed[1], cutoff=20).restitution
-    True
+    Examples:
+        >>> ball = stoss.Sphere(poisson=0.3)
+        >>> stoss.bounce(ball, speed=0.05, count=50, flight_time=30)
+        Bounces(50 impacts, Sphere(poisson=0.3), speed=0.05 c: restitution 0.942245 to 1.0263, translation 0.4069 in the end)
+        >>> forgetful = stoss.bounce(ball, speed=0.05, count=3, flight_time=30, decay_time=0)
+        >>> float(forgetful.restitution[1]) == stoss.impact(ball, speed=forgetful.speed[1], cutoff=20).restitution
+        True
     """
     chosen = choose_body(body, poisson, rigid=True)
     first = number("speed", speed) / speed_unit(chosen)

@@ -52,29 +52,26 @@ def restitution(
     `NotConverged`; in arrays such values are marked, and a `StossWarning` says how many there are.
     A value of a disk takes 2 ms in the median, 20 ms or more in one case of a hundred.
 
-    Parameters
-    ----------
-    body : Disk, Sphere or Rod, or a list or an array of disks or of spheres
-        The first body, in whose units all results are. Several broadcast with `speed`, and have no
-        material.
-    state : Oscillation, sequence of them or ndarray, optional
-        How the bodies vibrate before the impact, with the same shares of energy and phases at every
-        speed; ε may then exceed 1. Default: they are unexcited.
+    Parameters:
+        body (Disk, Sphere or Rod, or a list or an array of disks or of spheres): The first body, in
+            whose units all results are. Several broadcast with `speed`, and have no material.
+        state (Oscillation, sequence of them or ndarray, optional): How the bodies vibrate before
+            the impact, with the same shares of energy and phases at every speed; ε may then exceed
+            1. Default: they are unexcited.
 
-    Examples
-    --------
-    >>> stoss.restitution(poisson=0.33, speed=0.1)
-    Restitution(poisson=0.33, speed=0.1 c: restitution 0.947060 ± 0.000031)
-    >>> curve = stoss.restitution(poisson=0.33, speed=np.geomspace(1e-4, 0.3, 50))
-    >>> curve.restitution.max().round(4)
-    0.9974
-    >>> balls = [[stoss.Sphere(poisson=nu)] for nu in (0.0, 0.3)]
-    >>> stoss.restitution(balls, speed=[0.01, 0.1]).lost_fraction.round(4)
-    array([[0.0014, 0.0234],
-           [0.0028, 0.0173]])
-    >>> disk = stoss.Disk(poisson=0.33)
-    >>> stoss.restitution(disk, against=stoss.Disk(poisson=0.33, radius=2), speed=0.2)
-    Restitution(Disk(poisson=0.33) against Disk(poisson=0.33, radius=2), speed=0.2 c: restitution 0.79480 ± 0.00016)
+    Examples:
+        >>> stoss.restitution(poisson=0.33, speed=0.1)
+        Restitution(poisson=0.33, speed=0.1 c: restitution 0.947060 ± 0.000031)
+        >>> curve = stoss.restitution(poisson=0.33, speed=np.geomspace(1e-4, 0.3, 50))
+        >>> curve.restitution.max().round(4)
+        0.9974
+        >>> balls = [[stoss.Sphere(poisson=nu)] for nu in (0.0, 0.3)]
+        >>> stoss.restitution(balls, speed=[0.01, 0.1]).lost_fraction.round(4)
+        array([[0.0014, 0.0234],
+               [0.0028, 0.0173]])
+        >>> disk = stoss.Disk(poisson=0.33)
+        >>> stoss.restitution(disk, against=stoss.Disk(poisson=0.33, radius=2), speed=0.2)
+        Restitution(Disk(poisson=0.33) against Disk(poisson=0.33, radius=2), speed=0.2 c: restitution 0.79480 ± 0.00016)
     """
     speeds = numbers("speed", speed)
     if body is None and poisson is not None:
@@ -135,13 +132,11 @@ def restitution(
 class Extrapolation(Result):
     """ε and 1 − ε² by the two limits of the paper, α → ∞ and N → ∞, with the errors of its regressions.
 
-    Attributes
-    ----------
-    hard_wall : ndarray
-        1 − ε² for α → ∞ at each cutoff, a structured array with the fields value and error.
-    impacts : ndarray
-        1 − ε² of each impact, a structured array with the fields cutoff, modes, hardness,
-        lost_fraction and steps.
+    Attributes:
+        hard_wall: 1 − ε² for α → ∞ at each cutoff, a structured array with the fields value and
+            error.
+        impacts: 1 − ε² of each impact, a structured array with the fields cutoff, modes, hardness,
+            lost_fraction and steps.
     """
 
     plot = picture("1 − ε² against 1/α with the regressions. See `stoss.plot.extrapolation`.")
@@ -175,21 +170,17 @@ def extrapolated_restitution(
     1 − ε² is extrapolated in 1/α, then in 1/√N. This shows that their method agrees with
     `restitution`, and what it costs.
 
-    Parameters
-    ----------
-    poisson : float
-        2-D Poisson's ratio, −0.95 to 0.995.
-    speed : float
-        Of the centre of mass, 1e-3 to 0.5, c.
-    cutoffs : array_like, optional
-        At least three, ascending, c/R; default: those that keep 300, 400, 600 and 940 modes.
-    hardnesses : array_like, optional
-        αR, at least three, ascending; default: αv/c = 25, 33, 50 and 100.
+    Parameters:
+        poisson (float): 2-D Poisson's ratio, −0.95 to 0.995.
+        speed (float): Of the centre of mass, 1e-3 to 0.5, c.
+        cutoffs (array_like, optional): At least three, ascending, c/R; default: those that keep
+            300, 400, 600 and 940 modes.
+        hardnesses (array_like, optional): αR, at least three, ascending; default: αv/c = 25, 33, 50
+            and 100.
 
-    Examples
-    --------
-    >>> stoss.extrapolated_restitution(poisson=0.33, speed=0.1)
-    Extrapolation(poisson=0.33, speed=0.1 c: restitution 0.9467 ± 0.0010)
+    Examples:
+        >>> stoss.extrapolated_restitution(poisson=0.33, speed=0.1)
+        Extrapolation(poisson=0.33, speed=0.1 c: restitution 0.9467 ± 0.0010)
     """
     nu, v = number("poisson", poisson), number("speed", speed)
     series = (numbers("cutoffs", cutoffs).ravel(), numbers("hardnesses", hardnesses).ravel())

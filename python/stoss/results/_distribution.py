@@ -30,28 +30,20 @@ class RestitutionDistribution(InSi, RowResult):
     a slice the samples among them. In the mean, samples without
     a value (NaN) do not count.
 
-    Attributes
-    ----------
-    temperature : float or None
-        Mean energy of each mode, as a share of the translational energy before the impact.
-    highest : float or None
-        Modes up to this frequency vibrate, c/R.
-    spectrum : ndarray
-        The modes that vibrate: a structured array with the fields body (0 of the first, 1 of the
-        second), order, index and energy, which is the mean, as a share of the translational one.
-    error : float
-        Of 1 − ε², asked for.
-    mean, mean_error, numerical_error : float
-        ⟨ε⟩; its statistical error, infinite for one sample; its numerical one, the mean of
-        `restitution_error`.
-    spread : float
-        Standard deviation of ε, infinite for one sample.
-    above_one : float
-        Share of the samples with ε > 1.
-    sample : ndarray of int
-        Number of the sample, from 0.
-    vibration : ndarray
-        Energy of all modes before the impact, as a share of the translational one.
+    Attributes:
+        temperature: Mean energy of each mode, as a share of the translational energy before the
+            impact.
+        highest: Modes up to this frequency vibrate, c/R.
+        spectrum: The modes that vibrate: a structured array with the fields body (0 of the first, 1
+            of the second), order, index and energy, which is the mean, as a share of the
+            translational one.
+        error: Of 1 − ε², asked for.
+        mean, mean_error, numerical_error: ⟨ε⟩; its statistical error, infinite for one sample; its
+            numerical one, the mean of `restitution_error`.
+        spread: Standard deviation of ε, infinite for one sample.
+        above_one: Share of the samples with ε > 1.
+        sample: Number of the sample, from 0.
+        vibration: Energy of all modes before the impact, as a share of the translational one.
     """
 
     plot = picture("Histogram of ε. See `stoss.plot.distribution`.")
@@ -105,12 +97,11 @@ class RestitutionDistribution(InSi, RowResult):
     def histogram(self, bins: Any = "auto", range: ArrayLike | None = None) -> tuple[NDArray[Any], NDArray[Any]]:
         """How many samples have ε in which interval, and the ends of the intervals, as `numpy.histogram` has them.
 
-        Examples
-        --------
-        >>> warm = stoss.restitution_distribution(poisson=0.33, speed=0.1, temperature=0.02, samples=20)
-        >>> count, edges = warm.histogram(bins=5)
-        >>> int(count.sum()), edges.size
-        (20, 6)
+        Examples:
+            >>> warm = stoss.restitution_distribution(poisson=0.33, speed=0.1, temperature=0.02, samples=20)
+            >>> count, edges = warm.histogram(bins=5)
+            >>> int(count.sum()), edges.size
+            (20, 6)
         """
         return np.histogram(self.restitution[np.isfinite(self.restitution)], bins, range)  # type: ignore[arg-type]
 
@@ -159,31 +150,24 @@ def restitution_distribution(
     Before each impact every mode has an energy E that is drawn like exp(−E/⟨E⟩), and any phase.
     Only modes that are symmetric about the line of impact count, and half-spaces rest.
 
-    Parameters
-    ----------
-    temperature : float
-        Mean energy ⟨E⟩ of each mode with ω ≤ `highest`, of both bodies, as a share of the
-        translational energy before the impact, 0 to 1e6.
-    spectrum : callable, Oscillation, sequence of them or ndarray
-        In place of `temperature`: the mean energies, 0 to 1e6, of the same modes as a function of ω
-        in c/R of the first body; or modes with their mean energies, whose phases do not count.
-    highest : float, optional
-        Modes up to this frequency vibrate, c/R of the first body; at a wall to 128. Without a limit
-        a warm classical body would have no finite energy.
-    samples : int, optional
-        How many impacts, 1 to 10⁶.
-    seed : int, optional
-        Each seed gives another ensemble. Sample k depends only on the seed, k and the modes.
-    error : float, optional
-        Error of 1 − ε² of each impact to reach, 1e-9 to 0.5.
+    Parameters:
+        temperature: Mean energy ⟨E⟩ of each mode with ω ≤ `highest`, of both bodies, as a share of
+            the translational energy before the impact, 0 to 1e6.
+        spectrum (callable, Oscillation, sequence of them or ndarray): In place of `temperature`:
+            the mean energies, 0 to 1e6, of the same modes as a function of ω in c/R of the first
+            body; or modes with their mean energies, whose phases do not count.
+        highest: Modes up to this frequency vibrate, c/R of the first body; at a wall to 128.
+            Without a limit a warm classical body would have no finite energy.
+        samples: How many impacts, 1 to 10⁶.
+        seed: Each seed gives another ensemble. Sample k depends only on the seed, k and the modes.
+        error: Error of 1 − ε² of each impact to reach, 1e-9 to 0.5.
 
-    Examples
-    --------
-    >>> warm = stoss.restitution_distribution(stoss.Sphere(poisson=0.3), speed=0.01, temperature=0.01, samples=100)
-    >>> warm
-    RestitutionDistribution(Sphere(poisson=0.3), speed=0.01 c, temperature 0.01: 100 samples, mean 0.99887 ± 0.00033, restitution 0.990652 to 1.00777)
-    >>> bool(warm.above_one > 0)
-    True
+    Examples:
+        >>> warm = stoss.restitution_distribution(stoss.Sphere(poisson=0.3), speed=0.01, temperature=0.01, samples=100)
+        >>> warm
+        RestitutionDistribution(Sphere(poisson=0.3), speed=0.01 c, temperature 0.01: 100 samples, mean 0.99887 ± 0.00033, restitution 0.990652 to 1.00777)
+        >>> bool(warm.above_one > 0)
+        True
     """
     chosen = choose_body(body, poisson, rigid=True)
     initial = number("speed", speed) / speed_unit(chosen)

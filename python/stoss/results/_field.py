@@ -50,23 +50,18 @@ class Field(OfAnImpact):
 
     Arrays are times × radii × angles, or radii × angles for one time.
 
-    Attributes
-    ----------
-    of : int
-        Inside which body: 0 the first, 1 the second. Units are those of the first.
-    size : float
-        Radius of the body, R.
-    time, center, force, contact_half_width : float or ndarray
-        Of each instant: R/c; x of the body's centre in R; F in mc²/R (of disks πRE); R.
-    radius, angle : ndarray
-        Of the points in the undeformed body: in its own radius; radians, 0 towards the contact.
-    x, y : ndarray
-        Where the points are now, R. The wall is at x = 0 and the body at x < 0. Of two bodies the
-        first is at x < 0: they first touch at x = 0, and their common centre of mass is at rest.
-    stress_rr : ndarray
-        σ_rr, E; tension is positive.
-    von_mises, principal_difference : ndarray
-        In E.
+    Attributes:
+        of: Inside which body: 0 the first, 1 the second. Units are those of the first.
+        size: Radius of the body, R.
+        time, center, force, contact_half_width: Of each instant: R/c; x of the body's centre in R;
+            F in mc²/R (of disks πRE); R.
+        radius, angle: Of the points in the undeformed body: in its own radius; radians, 0 towards
+            the contact.
+        x, y: Where the points are now, R. The wall is at x = 0 and the body at x < 0. Of two bodies
+            the first is at x < 0: they first touch at x = 0, and their common centre of mass is at
+            rest.
+        stress_rr: σ_rr, E; tension is positive.
+        von_mises, principal_difference: In E.
     """
 
     plot = picture("Stress inside the body. See `stoss.plot.stress`.")
@@ -98,14 +93,10 @@ class Field(OfAnImpact):
 class DiskField(Field):
     """The deformed disk and the stress inside it.
 
-    Attributes
-    ----------
-    stress_rr, stress_pp, stress_rp : ndarray
-        σ_rr, σ_φφ and σ_rφ, E; tension is positive.
-    von_mises : ndarray
-        √(σ₁² − σ₁σ₂ + σ₂²) of plane stress, E.
-    principal_difference : ndarray
-        ``|σ₁ − σ₂|``, E: what photoelastic fringes count.
+    Attributes:
+        stress_rr, stress_pp, stress_rp: σ_rr, σ_φφ and σ_rφ, E; tension is positive.
+        von_mises: √(σ₁² − σ₁σ₂ + σ₂²) of plane stress, E.
+        principal_difference: ``|σ₁ − σ₂|``, E: what photoelastic fringes count.
     """
 
     _values = ("x", "y", "stress_rr", "stress_pp", "stress_rp", "von_mises", "principal_difference")
@@ -121,15 +112,12 @@ class SphereField(Field):
     Angles are polar angles θ from the contact; negative ones are the other half of the plane, the
     mirror image of the first.
 
-    Attributes
-    ----------
-    stress_rr, stress_tt, stress_pp, stress_rt : ndarray
-        σ_rr, σ_θθ, σ_φφ (across the plane) and σ_rθ, E; tension is positive.
-    von_mises : ndarray
-        √(½[(σ₁−σ₂)² + (σ₂−σ₃)² + (σ₃−σ₁)²]), E.
-    principal_difference : ndarray
-        ``|σ₁ − σ₂|`` of the principal stresses in the plane, E: what a thin slice would show as
-        photoelastic fringes.
+    Attributes:
+        stress_rr, stress_tt, stress_pp, stress_rt: σ_rr, σ_θθ, σ_φφ (across the plane) and σ_rθ, E;
+            tension is positive.
+        von_mises: √(½[(σ₁−σ₂)² + (σ₂−σ₃)² + (σ₃−σ₁)²]), E.
+        principal_difference: ``|σ₁ − σ₂|`` of the principal stresses in the plane, E: what a thin
+            slice would show as photoelastic fringes.
     """
 
     _values = ("x", "y", "stress_rr", "stress_tt", "stress_pp", "stress_rt", "von_mises", "principal_difference")
@@ -143,17 +131,13 @@ class SphereField(Field):
 class Trajectory(RowResult):
     """An impact in time. All arrays have one element for each row; an index gives one row, a slice the rows.
 
-    Attributes
-    ----------
-    center : ndarray
-        Position x₀ of the centre of mass, R; the wall is at 0 and the body at x < 0. Of two bodies,
-        that of the first seen from the second.
-    velocity : ndarray
-        Of the centre of mass, towards what it meets, c.
-    translation, vibration, stored, dissipated, unresolved : ndarray
-        Shares of the initial energy: in the motion of the centre of mass; in the kept modes; in the
-        wall's potential or the static tail; lost to the material; taken by the modes above the
-        cutoff.
+    Attributes:
+        center: Position x₀ of the centre of mass, R; the wall is at 0 and the body at x < 0. Of two
+            bodies, that of the first seen from the second.
+        velocity: Of the centre of mass, towards what it meets, c.
+        translation, vibration, stored, dissipated, unresolved: Shares of the initial energy: in the
+            motion of the centre of mass; in the kept modes; in the wall's potential or the static
+            tail; lost to the material; taken by the modes above the cutoff.
     """
 
     plot = picture("Force against time. See `stoss.plot.force`.")
@@ -190,19 +174,14 @@ class Wave(OfAnImpact):
     Arrays are times × depths × distances, or depths × distances for one time. The plane goes
     through the axis of the impact; the other side is its mirror image.
 
-    Attributes
-    ----------
-    time, center, force : float or ndarray
-        Of each instant: R/c; x of the first body's centre in R, where the undeformed surface is at
-        x = 0 and the body at x < 0; F in mc²/R (of disks πRE).
-    depth, distance : ndarray
-        Of the points: below the surface, and from the axis, R.
-    lateral, normal : ndarray
-        Displacement away from the axis, and into the half-space, R.
-    lateral_velocity, normal_velocity : ndarray
-        Their rates of change, c.
-    pressure_speed, shear_speed, rayleigh_speed : float
-        c_p, c_s and c_R of the half-space, in c of the first body.
+    Attributes:
+        time, center, force: Of each instant: R/c; x of the first body's centre in R, where the
+            undeformed surface is at x = 0 and the body at x < 0; F in mc²/R (of disks πRE).
+        depth, distance: Of the points: below the surface, and from the axis, R.
+        lateral, normal: Displacement away from the axis, and into the half-space, R.
+        lateral_velocity, normal_velocity: Their rates of change, c.
+        pressure_speed, shear_speed, rayleigh_speed: c_p, c_s and c_R of the half-space, in c of the
+            first body.
     """
 
     plot = picture("Speed below the surface. See `stoss.plot.wave`.")

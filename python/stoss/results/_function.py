@@ -35,12 +35,10 @@ class RestitutionFunction(SpeedInSi):
     by `restitution_function`, or by `Restitution.function`; ``len()`` is the number of computed
     values.
 
-    Attributes
-    ----------
-    speed : ndarray
-        Of the computed values, rising, c.
-    interpolation_error : ndarray
-        Error of the interpolation from each computed value to the next; one element less.
+    Attributes:
+        speed: Of the computed values, rising, c.
+        interpolation_error: Error of the interpolation from each computed value to the next; one
+            element less.
     """
 
     plot = picture("The curve with its error, and the computed values. See `stoss.plot.function`.")
@@ -108,14 +106,11 @@ class RestitutionFunction(SpeedInSi):
         Beyond the range the error is HUGE_VAL, and ε that at the nearer end (``beyond="clamp"``) or
         not a number (``"error"``). The file appears whole or not at all.
 
-        Parameters
-        ----------
-        name : str, optional
-            Prefix of the names in C.
+        Parameters:
+            name: Prefix of the names in C.
 
-        Examples
-        --------
-        >>> stoss.restitution_function(poisson=0.33, speed=(1e-3, 0.3), beyond="clamp").to_c("restitution.h")
+        Examples:
+            >>> stoss.restitution_function(poisson=0.33, speed=(1e-3, 0.3), beyond="clamp").to_c("restitution.h")
         """
         provenance = [line[2:].rstrip("\n") for line in self._lines() if line.startswith("# ")]
         unit = "c" if self.body.material is None else "m/s"
@@ -130,15 +125,12 @@ class RestitutionFunction(SpeedInSi):
         There are as many lines as this takes for `error`, and there is no head. Speeds are in the
         unit in which the function is called. The file appears whole or not at all.
 
-        Parameters
-        ----------
-        error : float, optional
-            Maximum error of ε, linear interpolation included, 1.01 of `greatest_error` or more; by
-            default twice that.
+        Parameters:
+            error: Maximum error of ε, linear interpolation included, 1.01 of `greatest_error` or
+                more; by default twice that.
 
-        Examples
-        --------
-        >>> stoss.restitution_function(poisson=0.33, speed=(1e-3, 0.3)).to_two_column("disk.txt", error=2e-3)
+        Examples:
+            >>> stoss.restitution_function(poisson=0.33, speed=(1e-3, 0.3)).to_two_column("disk.txt", error=2e-3)
         """
         limit = 2.0 * self.greatest_error if error is None else number("error", error)
         write_lines(path, [self._core.two_column(limit, speed_unit(self.body))])
@@ -197,29 +189,26 @@ def restitution_function(
     middle is the interpolated one within a quarter of the error. Most functions take 40 to 100
     values; one that needs more than 2000 has not converged.
 
-    Parameters
-    ----------
-    speed : tuple of two float
-        Slowest and fastest speed of approach, 1e-8 to 1, c (with a material: m/s).
-    beyond : {'error', 'clamp', 'law'}, optional
-        What the function does beyond the range: refuse; give the value at the nearer end, with an
-        infinite error; below it, follow the law of slow impacts with its error, and refuse above.
-        There is a law for disks and spheres at a wall or in equal pairs, and for elastic spheres on
-        elastic half-spaces.
+    Parameters:
+        speed (tuple of two float): Slowest and fastest speed of approach, 1e-8 to 1, c (with a
+            material: m/s).
+        beyond ({'error', 'clamp', 'law'}, optional): What the function does beyond the range:
+            refuse; give the value at the nearer end, with an infinite error; below it, follow the
+            law of slow impacts with its error, and refuse above. There is a law for disks and
+            spheres at a wall or in equal pairs, and for elastic spheres on elastic half-spaces.
 
-    Examples
-    --------
-    >>> epsilon = stoss.restitution_function(poisson=0.33, speed=(1e-3, 0.3), beyond="law")
-    >>> epsilon
-    RestitutionFunction(Disk(poisson=0.33), speed=0.001 to 0.3 c, beyond='law': ... speeds computed, error below ...)
-    >>> round(epsilon(0.1), 3), epsilon.error(0.1) < 1e-3, epsilon([0.01, -0.1]).round(2)
-    (0.947, True, array([0.98, 0.95]))
-    >>> steel = stoss.Sphere(radius=5e-3, material=stoss.materials["steel"])
-    >>> block = stoss.HalfSpace(material=steel.material)
-    >>> drop = stoss.restitution_function(steel, against=block, speed=(0.01, 0.5))  # m/s
-    >>> direct = stoss.restitution(steel, against=block, speed=0.2)
-    >>> bool(abs(drop(0.2) - direct.restitution) < 1e-3)
-    True
+    Examples:
+        >>> epsilon = stoss.restitution_function(poisson=0.33, speed=(1e-3, 0.3), beyond="law")
+        >>> epsilon
+        RestitutionFunction(Disk(poisson=0.33), speed=0.001 to 0.3 c, beyond='law': ... speeds computed, error below ...)
+        >>> round(epsilon(0.1), 3), epsilon.error(0.1) < 1e-3, epsilon([0.01, -0.1]).round(2)
+        (0.947, True, array([0.98, 0.95]))
+        >>> steel = stoss.Sphere(radius=5e-3, material=stoss.materials["steel"])
+        >>> block = stoss.HalfSpace(material=steel.material)
+        >>> drop = stoss.restitution_function(steel, against=block, speed=(0.01, 0.5))  # m/s
+        >>> direct = stoss.restitution(steel, against=block, speed=0.2)
+        >>> bool(abs(drop(0.2) - direct.restitution) < 1e-3)
+        True
     """
     chosen = choose_body(body, poisson, rigid=True)
     met = choose_against(chosen, against, (HardWall,))

@@ -26,19 +26,18 @@ class Impact(ImpactsInSi):
 
     Energies are shares of the initial energy, that of translation and vibration.
 
-    Attributes
-    ----------
-    translation, vibration, dissipated, unresolved : float
-        Energy after the impact: of the (relative) translation; of the kept modes; lost to the
-        material; of the modes above the cutoff. The sum is 1 but for `energy_error`.
-    lost_to_first, lost_to_second : float
-        Vibration and dissipation of each body after the impact, `unresolved` included; what the
-        waves of a half-space carry away.
-    mode_energies : ndarray
-        Energy of each kept mode, a structured array with the fields body (0 of the first, 1 of
-        the second), order, index, omega, before and after (the impact) and average (during
-        contact). Those of a half-space are samples of a continuum, and their order counts wave
-        numbers.
+    Attributes:
+        translation, vibration, dissipated, unresolved: Energy after the impact: of the (relative)
+            translation; of the kept modes; lost to the material; of the modes above the cutoff. The
+            sum is 1 but for `energy_error`.
+        lost_to_first, lost_to_second: Vibration and dissipation of each body after the impact,
+            `unresolved` included; what the waves of a half-space carry away.
+        max_force: Maximum mean over one step of the force, mc²/R: πRE of a disk, (4π/3)R²E of a sphere.
+        half_width: Of the contact grid, R.
+        mode_energies: Energy of each kept mode, a structured array with the fields body (0 of the
+            first, 1 of the second), order, index, omega, before and after (the impact) and average
+            (during contact). Those of a half-space are samples of a continuum, and their order
+            counts wave numbers.
     """
 
     _name: ClassVar[str] = "impact"
@@ -145,51 +144,45 @@ def impact(
     The modes with ω ≤ `cutoff` move by m Q̈ = −m ω² Q − F·(their amplitude at the contact); all
     others answer together. For a value with an error bar use `restitution`.
 
-    Parameters
-    ----------
-    step : float, optional
-        Time step, R/c.
-    nodes : int, optional
-        Of the contact grid.
-    half_width : float, optional
-        Of the contact grid, R.
-    keep : array_like of bool, optional
-        Which of the modes with ω ≤ `cutoff` are kept, in the order of `Impact.mode_energies`; only
-        with an `ExponentialWall`, because a hard contact needs the compliance of the others.
-        Default: all.
+    Parameters:
+        step: Time step, R/c.
+        nodes: Of the contact grid.
+        half_width: Of the contact grid, R.
+        keep (array_like of bool, optional): Which of the modes with ω ≤ `cutoff` are kept, in the
+            order of `Impact.mode_energies`; only with an `ExponentialWall`, because a hard contact
+            needs the compliance of the others. Default: all.
 
-    Examples
-    --------
-    >>> hit = stoss.impact(poisson=0.33, speed=0.1)
-    >>> hit
-    Impact(Disk(poisson=0.33), speed=0.1 c: restitution 0.94705, contact time 5.897 R/c, 1146 modes)
-    >>> round(hit.translation + hit.vibration + hit.unresolved, 3)
-    1.0
+    Examples:
+        >>> hit = stoss.impact(poisson=0.33, speed=0.1)
+        >>> hit
+        Impact(Disk(poisson=0.33), speed=0.1 c: restitution 0.94705, contact time 5.897 R/c, 1146 modes)
+        >>> round(hit.translation + hit.vibration + hit.unresolved, 3)
+        1.0
 
-    With a soft wall the modes may be chosen, for example those that a first run finds to be the
-    most energetic.
+        With a soft wall the modes may be chosen, for example those that a first run finds to be the
+        most energetic.
 
-    >>> soft = stoss.ExponentialWall(hardness=500)
-    >>> average = stoss.impact(poisson=0.33, speed=0.1, against=soft).mode_energies["average"]
-    >>> stoss.impact(poisson=0.33, speed=0.1, against=soft, keep=average >= np.sort(average)[-300]).modes
-    300
+        >>> soft = stoss.ExponentialWall(hardness=500)
+        >>> average = stoss.impact(poisson=0.33, speed=0.1, against=soft).mode_energies["average"]
+        >>> stoss.impact(poisson=0.33, speed=0.1, against=soft, keep=average >= np.sort(average)[-300]).modes
+        300
 
-    Two disks of unequal size, and which absorbs more.
+        Two disks of unequal size, and which absorbs more.
 
-    >>> pair = stoss.impact(stoss.Disk(poisson=0.33), against=stoss.Disk(poisson=0.33, radius=2), speed=0.2)
-    >>> round(pair.lost_to_first, 2), round(pair.lost_to_second, 2)
-    (0.03, 0.33)
+        >>> pair = stoss.impact(stoss.Disk(poisson=0.33), against=stoss.Disk(poisson=0.33, radius=2), speed=0.2)
+        >>> round(pair.lost_to_first, 2), round(pair.lost_to_second, 2)
+        (0.03, 0.33)
 
-    What an impact leaves in the modes makes the next one faster or slower, as the phases have it.
+        What an impact leaves in the modes makes the next one faster or slower, as the phases have it.
 
-    >>> ball = stoss.Sphere(poisson=0.3)
-    >>> first = stoss.impact(ball, speed=0.1, cutoff=25)
-    >>> for flight in (21.0, 22.0):
-    ...     state = first.state_after(flight=flight)
-    ...     again = stoss.impact(ball, speed=0.1 * first.restitution, cutoff=25, state=state)
-    ...     print(round(again.restitution, 4))
-    0.9917
-    0.989
+        >>> ball = stoss.Sphere(poisson=0.3)
+        >>> first = stoss.impact(ball, speed=0.1, cutoff=25)
+        >>> for flight in (21.0, 22.0):
+        ...     state = first.state_after(flight=flight)
+        ...     again = stoss.impact(ball, speed=0.1 * first.restitution, cutoff=25, state=state)
+        ...     print(round(again.restitution, 4))
+        0.9917
+        0.989
     """
     chosen = choose_body(body, poisson, rigid=True)
     initial = number("speed", speed) / speed_unit(chosen)

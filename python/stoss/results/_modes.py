@@ -28,12 +28,10 @@ class Modes(RowResult):
     ``len()`` is their number,
     an index gives one mode, a slice or flags the modes among them.
 
-    Attributes
-    ----------
-    cutoff : float
-        Highest frequency, c/R.
-    radial, tangential : ndarray
-        Amplitudes at the surface: C = u_r and S = u_φ, of a sphere U = u_r and V = u_θ; C, U ≥ 0.
+    Attributes:
+        cutoff: Highest frequency, c/R.
+        radial, tangential: Amplitudes at the surface: C = u_r and S = u_φ, of a sphere U = u_r and
+            V = u_θ; C, U ≥ 0.
     """
 
     plot = picture("Spectrum, ω against n. See `stoss.plot.spectrum`.")
@@ -77,22 +75,17 @@ class Modes(RowResult):
     ) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
         """Displacement of the mode (n, l) inside the body.
 
-        Parameters
-        ----------
-        radius : array_like
-            Radii r, 0 to 1, R.
+        Parameters:
+            radius: Radii r, 0 to 1, R.
 
-        Returns
-        -------
-        u_r, u_phi : ndarray
-            Of the shape of `radius`, to be multiplied by cos nφ and sin nφ; of a sphere u_r and
-            u_θ, by P_n(cos θ) and dP_n(cos θ)/dθ.
+        Returns:
+            u_r, u_phi : ndarray: Of the shape of `radius`, to be multiplied by cos nφ and sin nφ;
+                of a sphere u_r and u_θ, by P_n(cos θ) and dP_n(cos θ)/dθ.
 
-        Examples
-        --------
-        >>> u_r, u_phi = stoss.modes(poisson=0.33, cutoff=5).displacement(order=2, index=0, radius=[0.0, 1.0])
-        >>> u_r.round(6)
-        array([0.      , 1.388815])
+        Examples:
+            >>> u_r, u_phi = stoss.modes(poisson=0.33, cutoff=5).displacement(order=2, index=0, radius=[0.0, 1.0])
+            >>> u_r.round(6)
+            array([0.      , 1.388815])
         """
         k = self.find(order, index)
         radii = numbers("radius", radius)
@@ -114,21 +107,18 @@ def modes(body: Disk | Sphere | None = None, *, cutoff: float, poisson: float | 
     The frequencies are the roots of D_n(ω) = 0, the free surface's determinant. None
     is missed: they are counted exactly.
 
-    Parameters
-    ----------
-    body : Disk or Sphere
-    cutoff : float
-        Highest frequency, c/R, up to 1000.
+    Parameters:
+        body:
+        cutoff: Highest frequency, c/R, up to 1000.
 
-    Examples
-    --------
-    >>> modes = stoss.modes(poisson=0.33, cutoff=30)
-    >>> modes
-    Modes(poisson=0.33, cutoff=30: 421 modes, omega 1.43853 to 29.9516)
-    >>> modes.omega[modes.find(2, 0)].round(5)
-    1.43853
-    >>> stoss.modes(stoss.Sphere(poisson=0.3), cutoff=12.5)
-    Modes(Sphere(poisson=0.3), cutoff=12.5: 69 modes, omega 1.64111 to 12.4994)
+    Examples:
+        >>> modes = stoss.modes(poisson=0.33, cutoff=30)
+        >>> modes
+        Modes(poisson=0.33, cutoff=30: 421 modes, omega 1.43853 to 29.9516)
+        >>> modes.omega[modes.find(2, 0)].round(5)
+        1.43853
+        >>> stoss.modes(stoss.Sphere(poisson=0.3), cutoff=12.5)
+        Modes(Sphere(poisson=0.3), cutoff=12.5: 69 modes, omega 1.64111 to 12.4994)
     """
     free: Disk | Sphere = instance("body", choose_body(body, poisson), (Disk, Sphere))
     highest = number("cutoff", cutoff)

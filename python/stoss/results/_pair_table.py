@@ -29,16 +29,11 @@ class PairTable(SpeedInSi):
     approach, in c of the first body or, with a material, in m/s; their sign does not count. Made by
     `pair_table`.
 
-    Attributes
-    ----------
-    body, against : Disk or Sphere
-        The two; their radii do not count.
-    alike : bool
-        Whether they are of one material: a ratio and its inverse are then the same pair.
-    speed, ratio : ndarray
-        Of the computed values, rising; speeds in c.
-    interpolation_error : ndarray
-        Error of the interpolation between them; one element less each way.
+    Attributes:
+        body, against: The two; their radii do not count.
+        alike: Whether they are of one material: a ratio and its inverse are then the same pair.
+        speed, ratio: Of the computed values, rising; speeds in c.
+        interpolation_error: Error of the interpolation between them; one element less each way.
     """
 
     plot = picture("ε against speed for some ratios. See `stoss.plot.pair_table`.")
@@ -127,28 +122,22 @@ def pair_table(
     of the radii alone. Speeds and ratios are added where the values computed so far do not predict
     those between them. A table for ratios of 1 to 3 takes seconds. Lossy and rigid bodies are refused.
 
-    Parameters
-    ----------
-    body : Disk or Sphere
-        The first, elastic; its radius does not count.
-    speed : tuple of two float
-        Slowest and fastest speed of approach, 1e-8 to 1, c (with a material: m/s).
-    ratio : tuple of two float
-        Smallest and largest radius of the second over that of the first, 1e-3 to 1e3; of spheres
-        to some 50.
-    against : 'same', Disk or Sphere, optional
-        The second. Default: of the same material; a ratio and its inverse are then the same.
-    error : float, optional
-        Maximum error of ε, interpolation included, 1e-6 to 0.1.
-    beyond : {'error', 'clamp'}, optional
-        What the table does beyond the range: refuse, or give the value at the nearest edge, with an
-        infinite error.
+    Parameters:
+        body: The first, elastic; its radius does not count.
+        speed (tuple of two float): Slowest and fastest speed of approach, 1e-8 to 1, c (with a
+            material: m/s).
+        ratio (tuple of two float): Smallest and largest radius of the second over that of the
+            first, 1e-3 to 1e3; of spheres to some 50.
+        against ('same', Disk or Sphere, optional): The second. Default: of the same material; a
+            ratio and its inverse are then the same.
+        error: Maximum error of ε, interpolation included, 1e-6 to 0.1.
+        beyond ({'error', 'clamp'}, optional): What the table does beyond the range: refuse, or give
+            the value at the nearest edge, with an infinite error.
 
-    Examples
-    --------
-    >>> epsilon = stoss.pair_table(stoss.Disk(poisson=0.33), ratio=(1, 2), speed=(0.01, 0.3), error=5e-3)
-    >>> round(epsilon(0.1, 2.0), 2), epsilon.error(0.1, 2.0) < 5e-3, epsilon([[0.02], [0.1]], [1.1, 1 / 1.1]).shape
-    (0.85, True, (2, 2))
+    Examples:
+        >>> epsilon = stoss.pair_table(stoss.Disk(poisson=0.33), ratio=(1, 2), speed=(0.01, 0.3), error=5e-3)
+        >>> round(epsilon(0.1, 2.0), 2), epsilon.error(0.1, 2.0) < 5e-3, epsilon([[0.02], [0.1]], [1.1, 1 / 1.1]).shape
+        (0.85, True, (2, 2))
     """
     chosen = choose_body(body, poisson)
     met = choose_against(chosen, against, ())

@@ -41,17 +41,14 @@ class Rising:
 def trajectory(self: Impact, *, every: int = 1) -> Trajectory:
     """The impact in time, by repeating it bit by bit.
 
-    Parameters
-    ----------
-    every : int
-        Steps between two rows.
+    Parameters:
+        every (int): Steps between two rows.
 
-    Examples
-    --------
-    >>> path = stoss.impact(poisson=0.33, speed=0.1, cutoff=25).trajectory()
-    >>> energy = path.translation + path.vibration + path.unresolved
-    >>> bool(abs(energy - 1).max() < 2e-3)
-    True
+    Examples:
+        >>> path = stoss.impact(poisson=0.33, speed=0.1, cutoff=25).trajectory()
+        >>> energy = path.translation + path.vibration + path.unresolved
+        >>> bool(abs(energy - 1).max() < 2e-3)
+        True
     """
     rows = integer("every", every)
     if rows < 1:
@@ -65,19 +62,16 @@ def trajectory(self: Impact, *, every: int = 1) -> Trajectory:
 def energies_at(self: Impact, *, time: ArrayLike) -> NDArray[Any]:
     """Energy of each kept mode at some times, by repeating the impact bit by bit; before and after it they stay.
 
-    Returns
-    -------
-    ndarray
-        Times × modes, without the first axis if `time` is one number: a structured array with
-        the fields body, order, index, omega and energy, as a share of the initial one, in the
-        order of `mode_energies`.
+    Returns:
+        ndarray: Times × modes, without the first axis if `time` is one number: a structured array
+            with the fields body, order, index, omega and energy, as a share of the initial one, in
+            the order of `mode_energies`.
 
-    Examples
-    --------
-    >>> hit = stoss.impact(poisson=0.33, speed=0.1, cutoff=25)
-    >>> energies = hit.energies_at(time=[0, hit.contact_time / 2])
-    >>> energies["energy"].sum(axis=1).round(2)
-    array([0.  , 0.96])
+    Examples:
+        >>> hit = stoss.impact(poisson=0.33, speed=0.1, cutoff=25)
+        >>> energies = hit.energies_at(time=[0, hit.contact_time / 2])
+        >>> energies["energy"].sum(axis=1).round(2)
+        array([0.  , 0.96])
     """
     times = numbers("time", time)
     require_replay(self, "energies", times.size, 3.0 * self.modes, 0.0, f" x {self.modes} modes")
@@ -88,26 +82,21 @@ def energies_at(self: Impact, *, time: ArrayLike) -> NDArray[Any]:
 def state_after(self: Impact, *, flight: float) -> NDArray[Any]:
     """How the bodies vibrate when they meet again at the speed of their parting, `restitution` × `speed`.
 
-    Parameters
-    ----------
-    flight : float
-        Time between the two impacts, R/c: from where the bodies would part if they were unexcited
-        to where they would touch.
+    Parameters:
+        flight (float): Time between the two impacts, R/c: from where the bodies would part if they
+            were unexcited to where they would touch.
 
-    Returns
-    -------
-    ndarray
-        The `state` of the next `impact`: a structured array with the fields body, order, index,
-        energy (as a share of the translational one before that impact) and phase, radians.
-        Bodies with a loss time vibrate less by then, and the waves of a half-space have run
-        away.
+    Returns:
+        ndarray: The `state` of the next `impact`: a structured array with the fields body, order,
+            index, energy (as a share of the translational one before that impact) and phase,
+            radians. Bodies with a loss time vibrate less by then, and the waves of a half-space
+            have run away.
 
-    Examples
-    --------
-    >>> hit = stoss.impact(stoss.Sphere(poisson=0.3), speed=0.1, cutoff=25)
-    >>> state = hit.state_after(flight=20)
-    >>> bool(abs(state["energy"].sum() - hit.vibration / hit.translation) < 1e-12)
-    True
+    Examples:
+        >>> hit = stoss.impact(stoss.Sphere(poisson=0.3), speed=0.1, cutoff=25)
+        >>> state = hit.state_after(flight=20)
+        >>> bool(abs(state["energy"].sum() - hit.vibration / hit.translation) < 1e-12)
+        True
     """
     return self._handle.vibration_after(self._contact(), number("flight", flight))
 
@@ -140,20 +129,16 @@ def field(
     contact. Arrays, of 2 GB at most, are times × radii × angles, without the first axis if `time` is
     one number.
 
-    Parameters
-    ----------
-    radius : array_like, optional
-        Radii r, 0 to 1, in radii of the body; default 41 of them.
-    angle : array_like, optional
-        Angles φ, radians, 0 towards the contact, where the default 181 are denser. In a sphere
-        polar angles θ on a plane through the axis; negative ones are its other half.
+    Parameters:
+        radius: Radii r, 0 to 1, in radii of the body; default 41 of them.
+        angle: Angles φ, radians, 0 towards the contact, where the default 181 are denser. In a
+            sphere polar angles θ on a plane through the axis; negative ones are its other half.
 
-    Examples
-    --------
-    >>> hit = stoss.impact(poisson=0.33, speed=0.1, cutoff=25)
-    >>> field = hit.field(time=hit.contact_time / 2)
-    >>> bool(field.x.max() < 1e-3)  # nothing is beyond the wall
-    True
+    Examples:
+        >>> hit = stoss.impact(poisson=0.33, speed=0.1, cutoff=25)
+        >>> field = hit.field(time=hit.contact_time / 2)
+        >>> bool(field.x.max() < 1e-3)  # nothing is beyond the wall
+        True
     """
     if not isinstance(self.body, (Disk, Sphere)):
         hint = "a stoss.Disk or a stoss.Sphere (a rod has no field)"
@@ -209,21 +194,18 @@ def wave(
     Arrays, of 2 GB at most, are times × depths × distances, without the first axis if `time` is one
     number.
 
-    Parameters
-    ----------
-    time : array_like, optional
-        R/c from the start of the impact, any order; during the impact the nearest step is
-        taken, after it the waves run freely. Default: 0.4, 0.8, 1.2 and 1.6 contact times.
-    distance, depth : array_like, optional
-        Distances from the axis and depths below the surface, R; default 121 of them, as far as
-        the pressure wave comes.
+    Parameters:
+        time (array_like, optional): R/c from the start of the impact, any order; during the impact
+            the nearest step is taken, after it the waves run freely. Default: 0.4, 0.8, 1.2 and 1.6
+            contact times.
+        distance, depth (array_like, optional): Distances from the axis and depths below the
+            surface, R; default 121 of them, as far as the pressure wave comes.
 
-    Examples
-    --------
-    >>> hit = stoss.impact(stoss.Sphere(poisson=0.3), against=stoss.HalfSpace(), speed=0.1, cutoff=4)
-    >>> wave = hit.wave(time=5, distance=np.linspace(0, 8, 17), depth=np.linspace(0, 8, 17))
-    >>> bool(abs(wave.normal[16]).max() < 0.01 * wave.normal.max())  # the waves are not there yet
-    True
+    Examples:
+        >>> hit = stoss.impact(stoss.Sphere(poisson=0.3), against=stoss.HalfSpace(), speed=0.1, cutoff=4)
+        >>> wave = hit.wave(time=5, distance=np.linspace(0, 8, 17), depth=np.linspace(0, 8, 17))
+        >>> bool(abs(wave.normal[16]).max() < 0.01 * wave.normal.max())  # the waves are not there yet
+        True
     """
     if not isinstance(self.against, UNBOUNDED):
         raise InvalidInput(f"against: got {self.against!r}, allowed a stoss.HalfSpace or a stoss.HalfPlane")

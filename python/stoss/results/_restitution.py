@@ -32,21 +32,17 @@ class Restitution(ImpactsInSi):
     estimated errors are bounds: in the validation 97 % or more of the true errors are within them,
     for fast disks (above 0.1 c) 91 %.
 
-    Attributes
-    ----------
-    body : Disk, Sphere, Rod or None
-        The first; all units are its own. None if there are several.
-    bodies : tuple
-        All first bodies, each once.
-    against : HardWall, Disk, Sphere, Rod, HalfSpace, HalfPlane or 'same'
-        What it meets; 'same' for several Poisson's ratios, each meeting an identical disk.
-    lost_to_first, lost_to_second : float or ndarray
-        Vibration of each body after the impact and what its material absorbed, as shares of the
-        initial energy; of a half-space what its waves carry away; 0 of a wall. Of bodies that were
-        unexcited, their sum is `lost_fraction`.
-    cutoff, energy_error, modes : float, int or ndarray
-        Of the finest impact: c/R; what is missing, as a share of the initial energy; number of kept
-        modes.
+    Attributes:
+        body (Disk, Sphere, Rod or None): The first; all units are its own. None if there are
+            several.
+        bodies: All first bodies, each once.
+        against (HardWall, Disk, Sphere, Rod, HalfSpace, HalfPlane or 'same'): What it meets; 'same'
+            for several Poisson's ratios, each meeting an identical disk.
+        lost_to_first, lost_to_second: Vibration of each body after the impact and what its material
+            absorbed, as shares of the initial energy; of a half-space what its waves carry away; 0
+            of a wall. Of bodies that were unexcited, their sum is `lost_fraction`.
+        cutoff, energy_error, modes (float, int or ndarray): Of the finest impact: c/R; what is
+            missing, as a share of the initial energy; number of kept modes.
     """
 
     plot = picture("ε against v with error bars. See `stoss.plot.restitution`.")
@@ -139,10 +135,9 @@ class Restitution(ImpactsInSi):
         The error of the interpolation is estimated from how well values are met by their
         neighbours; `stoss.restitution_function` keeps to an error that is asked for.
 
-        Parameters
-        ----------
-        beyond : {'error', 'clamp', 'law'}, optional
-            What the function does beyond these speeds, as of `stoss.restitution_function`.
+        Parameters:
+            beyond ({'error', 'clamp', 'law'}, optional): What the function does beyond these
+                speeds, as of `stoss.restitution_function`.
         """
         body, against = self.body, self.against
         if body is None and np.unique(self.poisson).size == 1 and len(self.bodies) == 1:

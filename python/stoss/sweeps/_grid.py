@@ -40,35 +40,31 @@ class Case(NamedTuple):
 class Grid:
     """The cases of a sweep: each of the bodies meets each of the partners at each of the speeds.
 
-    Parameters
-    ----------
-    bodies : Disk, Sphere or Rod, mapping, or a sequence of them
-        The first bodies, all with a material or all without. A mapping has the `kind` ``'disk'``,
-        ``'sphere'`` or ``'rod'`` and the arguments of that class; where an argument is a list or a
-        series as ``'lin:0:0.4:5'``, it stands for a body of each number.
-    against : 'wall', 'same', HardWall, a body, HalfSpace or HalfPlane, mapping, or a sequence, optional
-        What they meet. A mapping that names no Poisson's ratio takes that of the first body.
-    speed : array_like
-        Of approach, c of the first body (with materials: m/s); or a series as
-        ``'log:1e-4:0.1:30'``.
-    tolerance, absolute : float, optional
-        As of `stoss.restitution`.
+    Parameters:
+        bodies (Disk, Sphere or Rod, mapping, or a sequence of them): The first bodies, all with a
+            material or all without. A mapping has the `kind` ``'disk'``, ``'sphere'`` or ``'rod'``
+            and the arguments of that class; where an argument is a list or a series as
+            ``'lin:0:0.4:5'``, it stands for a body of each number.
+        against ('wall', 'same', HardWall, a body, HalfSpace or HalfPlane, mapping, or a sequence,
+            optional): What they meet. A mapping that names no Poisson's ratio takes that of the
+            first body.
+        speed (array_like): Of approach, c of the first body (with materials: m/s); or a series as
+            ``'log:1e-4:0.1:30'``.
+        tolerance, absolute (float, optional): As of `stoss.restitution`.
 
-    Raises
-    ------
-    InvalidInput
-        For an empty grid, one of more than 100 000 cases or 1 000 000 values, for bodies that cannot
-        meet, for a case or a speed that comes twice, and for numbers out of range.
+    Raises:
+        InvalidInput: For an empty grid, one of more than 100 000 cases or 1 000 000 values, for
+            bodies that cannot meet, for a case or a speed that comes twice, and for numbers out of
+            range.
 
-    Examples
-    --------
-    >>> grid = stoss.Grid(
-    ...     bodies={"kind": "sphere", "poisson": [0.2, 0.3]},
-    ...     against=["wall", {"kind": "sphere", "radius": [1, 2]}],
-    ...     speed="log:1e-3:1e-1:5",
-    ... )
-    >>> grid.shape
-    (2, 3, 5)
+    Examples:
+        >>> grid = stoss.Grid(
+        ...     bodies={"kind": "sphere", "poisson": [0.2, 0.3]},
+        ...     against=["wall", {"kind": "sphere", "radius": [1, 2]}],
+        ...     speed="log:1e-3:1e-1:5",
+        ... )
+        >>> grid.shape
+        (2, 3, 5)
     """
 
     def __init__(

@@ -36,26 +36,23 @@ def sweep(
     finished is lost, whoever is killed, and the same call again computes the rest, with any
     executor. Results do not depend on the executor. A store of another grid or version is refused.
 
-    Parameters
-    ----------
-    grid : Grid, mapping or path
-        What to compute; a mapping of the arguments of `Grid`, or the name of a TOML file.
-    executor : None, int or concurrent.futures.Executor, optional
-        None: this process, on all cores. A number: so many processes of this machine. Else whatever
-        computes the tasks: an `mpi4py.futures.MPIPoolExecutor`, the executor of a Dask client, …;
-        its workers must see the store under the same name.
-    store : path
-        Directory, made where it is not there yet.
+    Parameters:
+        grid (Grid, mapping or path): What to compute; a mapping of the arguments of `Grid`, or the
+            name of a TOML file.
+        executor (None, int or concurrent.futures.Executor, optional): None: this process, on all
+            cores. A number: so many processes of this machine. Else whatever computes the tasks: an
+            `mpi4py.futures.MPIPoolExecutor`, the executor of a Dask client, …; its workers must see
+            the store under the same name.
+        store (path): Directory, made where it is not there yet.
 
-    Examples
-    --------
-    >>> import tempfile
-    >>> grid = stoss.Grid(bodies={"kind": "sphere", "poisson": [0.1, 0.3]}, speed=[0.01, 0.1])
-    >>> with tempfile.TemporaryDirectory() as folder:
-    ...     result = stoss.sweep(grid, store=folder)
-    >>> result.restitution[:, 0].round(4)
-    array([[0.9991, 0.9904],
-           [0.9986, 0.9913]])
+    Examples:
+        >>> import tempfile
+        >>> grid = stoss.Grid(bodies={"kind": "sphere", "poisson": [0.1, 0.3]}, speed=[0.01, 0.1])
+        >>> with tempfile.TemporaryDirectory() as folder:
+        ...     result = stoss.sweep(grid, store=folder)
+        >>> result.restitution[:, 0].round(4)
+        array([[0.9991, 0.9904],
+               [0.9986, 0.9913]])
     """
     chosen = as_grid(grid)
     path = _store.create(store, chosen).resolve()

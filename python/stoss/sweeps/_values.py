@@ -33,14 +33,10 @@ class Sweep(Result):
     a row for each value, with the names of the body and of what it meets; data sets of xarray have
     the dimensions body, against and speed, as the file of `to_netcdf`.
 
-    Attributes
-    ----------
-    grid : Grid
-        What was asked for.
-    computed : ndarray of bool
-        Which values are there.
-    versions : tuple of str
-        Versions of stoss that computed them.
+    Attributes:
+        grid (Grid): What was asked for.
+        computed: Which values are there.
+        versions (tuple of str): Versions of stoss that computed them.
     """
 
     _name: ClassVar[str] = "sweep"
@@ -128,20 +124,17 @@ class Sweep(Result):
 def open_sweep(store: str | os.PathLike[str], *, mix: bool = False) -> Sweep:
     """Read what the store of a sweep has so far, also while workers write to it; a damaged store is refused.
 
-    Parameters
-    ----------
-    mix : bool, optional
-        Take values of other versions of stoss too, where this one has none, and leave out those of
-        other grids. Without it such a store is refused.
+    Parameters:
+        mix: Take values of other versions of stoss too, where this one has none, and leave out
+            those of other grids. Without it such a store is refused.
 
-    Examples
-    --------
-    >>> import tempfile
-    >>> grid = stoss.Grid(bodies={"kind": "disk", "poisson": 0.33}, speed=[0.1, 0.2])
-    >>> with tempfile.TemporaryDirectory() as folder:
-    ...     _ = stoss.sweep(grid, store=folder)
-    ...     stoss.open_sweep(folder).complete
-    True
+    Examples:
+        >>> import tempfile
+        >>> grid = stoss.Grid(bodies={"kind": "disk", "poisson": 0.33}, speed=[0.1, 0.2])
+        >>> with tempfile.TemporaryDirectory() as folder:
+        ...     _ = stoss.sweep(grid, store=folder)
+        ...     stoss.open_sweep(folder).complete
+        True
     """
     path = Path(store)
     grid = _store.read_grid(path)
@@ -166,15 +159,14 @@ def open_sweep(store: str | os.PathLike[str], *, mix: bool = False) -> Sweep:
 def merge(store: str | os.PathLike[str], path: str | os.PathLike[str], *, mix: bool = False) -> Sweep:
     """Write what the store of a sweep has to one NetCDF-4 file, and return it; `Sweep.complete` says whether it is all.
 
-    Examples
-    --------
-    >>> import os, tempfile
-    >>> grid = stoss.Grid(bodies={"kind": "disk", "poisson": 0.33}, speed=[0.1, 0.2])
-    >>> with tempfile.TemporaryDirectory() as folder:
-    ...     _ = stoss.sweep(grid, store=folder)
-    ...     _ = stoss.merge(folder, os.path.join(folder, "values.nc"))
-    ...     os.path.exists(os.path.join(folder, "values.nc"))
-    True
+    Examples:
+        >>> import os, tempfile
+        >>> grid = stoss.Grid(bodies={"kind": "disk", "poisson": 0.33}, speed=[0.1, 0.2])
+        >>> with tempfile.TemporaryDirectory() as folder:
+        ...     _ = stoss.sweep(grid, store=folder)
+        ...     _ = stoss.merge(folder, os.path.join(folder, "values.nc"))
+        ...     os.path.exists(os.path.join(folder, "values.nc"))
+        True
     """
     result = open_sweep(store, mix=mix)
     result.to_netcdf(path)
