@@ -37,6 +37,8 @@ PARAMETERS = {
     "time": "R/c from the start of the impact, any order; during the impact the nearest step is taken.",
     "path": "Where to; an existing file is replaced.",
     "store": "Directory of the values of a sweep.",
+    "mix": "Take values of other versions of stoss too, where this one has none, and leave out those of other grids."
+    " Without it such a store is refused.",
     "of": "Of which body: 0 the first, 1 the second.",
     "order": "Angular order n of a disk, degree n of a sphere; of a rod 0.",
     "index": "Number l of the mode among those of its order, from 0.",
@@ -82,7 +84,7 @@ FIELDS = {
     "keep": "Which modes up to the cutoff were kept, if not all.",
     "state": "How the bodies vibrated before, if they did: a structured array with the fields body, order, index,"
     " energy (as a share of the translational one) and phase.",
-    "beyond": "What it does beyond its range: 'error', 'clamp' or 'law'.",
+    "beyond": "What it does beyond its range: 'error', 'clamp' or, where there is one, 'law'.",
     "tolerance": "Asked for: error of 1 − ε² over 1 − ε².",
     "absolute": "Or error of 1 − ε².",
     "decay_time": "As it was given.",

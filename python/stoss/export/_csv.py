@@ -92,6 +92,9 @@ class Table(Mapping[str, NDArray[Any]]):
 def read_csv(path: str | os.PathLike[str]) -> Table:
     """Read a CSV that `to_csv` of a result or the command has written.
 
+    Parameters:
+        path (str or path): Of the file; one that is damaged, or of another origin, is refused.
+
     Examples:
         >>> stoss.restitution(poisson=0.33, speed=[0.01, 0.1]).to_csv("curve.csv")
         >>> table = stoss.read_csv("curve.csv")

@@ -1,8 +1,8 @@
 """Pictures of results, for print: one column wide (3.4 in) and told apart without colour.
 
 Every function takes a result and ``ax``, the Axes to draw in (None: a new figure), and returns the
-Axes. Most results draw their own: ``result.plot(ax)``. New figures have small print that fits one column; in your own Axes the text follows your
-settings. Nothing global is changed.
+Axes. Most results draw their own: ``result.plot(ax)``. New figures have small print that fits one
+column; in your own Axes the text follows your settings. Nothing global is changed.
 
 ================================================  ==================================================
 `restitution`, `extrapolation`                    ε or 1 − ε² against speed; Gerl and Zippelius' two

@@ -46,14 +46,16 @@ def animate(
     The file appears whole or not at all. `path` is returned. RuntimeError says that ffmpeg failed.
 
     Parameters:
+        impact: Of a disk or a sphere.
         path: Where to; an existing file is replaced. Its suffix, .gif or .mp4, says what is
             written; the latter needs ffmpeg.
         frames: Number of frames, 2 to 2000.
         fps: Frames per second, 1 to 50. A GIF counts time in 1/100 s.
-        size ((int, int), optional): Width and height, 100 to 4000 pixels; those of an MP4 are made
+        size: Width and height, 100 to 4000 pixels; those of an MP4 are made
             even. Default: 400 wide, with colours 480.
         quantity ({'von_mises', 'principal_difference', 'fringes'}, optional): Colours, on one scale
             for all frames (see `stoss.plot.stress`); default: a grid of radii and circles.
+        fringe: As in `stoss.plot.stress`.
 
     Examples:
         >>> hit = stoss.impact(poisson=0.33, speed=0.2, cutoff=12.5)

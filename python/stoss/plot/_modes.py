@@ -99,8 +99,9 @@ def ledger(
     """Energy of the modes (n, l), as bars in a group for each n on a logarithmic axis.
 
     Where the bodies vibrated before the impact, a line over a bar says with how much energy: the
-    mode has given what the bar lacks, and taken what is beyond. The waves of a half-space are a continuum: one bar is what they hold together. Another, after
-    the impact, is what lossy materials have taken.
+    mode has given what the bar lacks, and taken what is beyond. The waves of a half-space are a
+    continuum: one bar is what they hold together. Another, after the impact, is what lossy materials
+    have taken.
 
     Parameters:
         when ({'after', 'average'}): After the impact, or the mean during contact.

@@ -18,7 +18,8 @@ from stoss.results._result import Number
 LAWS: Mapping[type, tuple[str, ...]] = {Disk: ("center", "diameter", "printed"), Sphere: ("center", "hertz")}
 """Laws of compression of the bodies that have some."""
 
-_of_a_law = functools.partial(documented, body="What is pressed.", force="F, 0 to `limit_force`, mc²/R; broadcasts with `poisson`.")
+_force = "F, 0 to `limit_force`, mc²/R; broadcasts with `poisson`."
+_of_a_law = functools.partial(documented, body="What is pressed.", force=_force)
 
 
 def choose_law(body: Any, law: Any) -> str:

@@ -57,7 +57,7 @@ class RestitutionFunction(SpeedInSi):
     interpolation_error: NDArray[np.float64]
 
     def __call__(self, speed: ArrayLike) -> Any:
-        """ε: a float for a number, otherwise an array of the shape of `speed`; refused beyond the range as `beyond` says."""
+        """ε: a float for a number, otherwise an array of the shape of `speed`."""
         return self._of(speed, self._core.values)
 
     def error(self, speed: ArrayLike) -> Any:

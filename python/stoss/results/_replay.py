@@ -125,9 +125,9 @@ def field(
 ) -> Field:
     """A deformed disk or sphere and the stress inside it at some times.
 
-    The kept modes are as they move, freely before and after the impact; all others are in static equilibrium with the force of
-    contact. Arrays, of 2 GB at most, are times × radii × angles, without the first axis if `time` is
-    one number.
+    The kept modes are as they move, freely before and after the impact; all others are in static
+    equilibrium with the force of contact. Arrays, of 2 GB at most, are times × radii × angles,
+    without the first axis if `time` is one number.
 
     Parameters:
         radius: Radii r, 0 to 1, in radii of the body; default 41 of them.

@@ -45,9 +45,9 @@ class Grid:
             material or all without. A mapping has the `kind` ``'disk'``, ``'sphere'`` or ``'rod'``
             and the arguments of that class; where an argument is a list or a series as
             ``'lin:0:0.4:5'``, it stands for a body of each number.
-        against ('wall', 'same', HardWall, a body, HalfSpace or HalfPlane, mapping, or a sequence,
-            optional): What they meet. A mapping that names no Poisson's ratio takes that of the
-            first body.
+        against (like bodies, optional): What they meet: 'wall', 'same', a HardWall, a body, a HalfSpace
+            or HalfPlane, a mapping, or a sequence of them. A mapping that names no Poisson's ratio takes
+            that of the first body.
         speed (array_like): Of approach, c of the first body (with materials: m/s); or a series as
             ``'log:1e-4:0.1:30'``.
         tolerance, absolute (float, optional): As of `stoss.restitution`.

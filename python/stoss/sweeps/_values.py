@@ -124,10 +124,6 @@ class Sweep(Result):
 def open_sweep(store: str | os.PathLike[str], *, mix: bool = False) -> Sweep:
     """Read what the store of a sweep has so far, also while workers write to it; a damaged store is refused.
 
-    Parameters:
-        mix: Take values of other versions of stoss too, where this one has none, and leave out
-            those of other grids. Without it such a store is refused.
-
     Examples:
         >>> import tempfile
         >>> grid = stoss.Grid(bodies={"kind": "disk", "poisson": 0.33}, speed=[0.1, 0.2])
