@@ -1,7 +1,7 @@
 // stoss schema: the JSON Schema of who meets whom.
+#include "stoss/encounter/schema.hpp"
 #include "app.hpp"
 #include "output/output_options.hpp"
-#include "stoss/encounter/document.hpp"
 
 namespace stoss::cli {
 namespace {

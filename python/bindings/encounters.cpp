@@ -5,7 +5,7 @@
 #include "stoss/encounter/laws.hpp"
 #include "stoss/encounter/materials.hpp"
 #include "stoss/encounter/series.hpp"
-#include "stoss/encounter/views.hpp"
+#include "stoss/encounter/waves.hpp"
 #include "stoss/restitution/ladder.hpp"
 #include "support.hpp"
 

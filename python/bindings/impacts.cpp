@@ -1,7 +1,8 @@
 // One impact, and what is seen of it when it is repeated.
 #include <optional>
 
-#include "stoss/encounter/views.hpp"
+#include "stoss/encounter/inner_fields.hpp"
+#include "stoss/encounter/waves.hpp"
 #include "stoss/impact/quantities.hpp"
 #include "stoss/impact/replay.hpp"
 #include "support.hpp"

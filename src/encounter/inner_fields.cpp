@@ -1,10 +1,11 @@
+#include "stoss/encounter/inner_fields.hpp"
+
 #include <array>
 #include <variant>
 
 #include "stoss/bodies/disk/field.hpp"
 #include "stoss/bodies/sphere/field.hpp"
 #include "stoss/contact/grid.hpp"
-#include "stoss/encounter/views.hpp"
 #include "stoss/errors.hpp"
 
 namespace stoss {

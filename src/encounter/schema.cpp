@@ -1,8 +1,9 @@
-// The JSON Schema of encounters, from the table of kinds.
+#include "stoss/encounter/schema.hpp"
+
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "stoss/encounter/document.hpp"
+#include "stoss/encounter/kinds.hpp"
 #include "stoss/encounter/materials.hpp"
 
 namespace stoss {

@@ -1,10 +1,11 @@
+#include "stoss/encounter/waves.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
 #include <variant>
 
 #include "stoss/contact/grid.hpp"
-#include "stoss/encounter/views.hpp"
 #include "stoss/errors.hpp"
 
 namespace stoss {

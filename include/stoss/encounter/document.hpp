@@ -20,7 +20,4 @@ namespace stoss {
 /// Writes a document that reads back as the same encounter, on one line.
 [[nodiscard]] std::string to_json(const Encounter& encounter);
 
-/// The JSON Schema (draft 2020-12) of these documents.
-[[nodiscard]] std::string encounter_schema();
-
 }  // namespace stoss

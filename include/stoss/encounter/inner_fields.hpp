@@ -4,12 +4,11 @@
 #include <utility>
 #include <vector>
 
-#include "stoss/bodies/half_space/field.hpp"
 #include "stoss/encounter/encounter.hpp"
 #include "stoss/impact/replay.hpp"
 #include "stoss/poll.hpp"
 
-/// What is seen of an impact that is repeated: inside a body, below the surface of a half-space.
+/// What is seen inside the bodies when an impact is repeated.
 namespace stoss {
 
 /// A field by its name: instants, one after another, and for each the points.
@@ -31,23 +30,6 @@ struct InnerFields {
                                        const std::vector<double>& radius, const std::vector<double>& angle,
                                        const Poll& poll = {});
 
-/// Below the surface of a half-space at several instants, in units of the first body: displacements and their rates of
-/// change, on depths × distances.
-struct Waves {
-  std::vector<double> time, force, center, lateral, normal, lateral_velocity, normal_velocity;
-};
-
-/// The impact again, with a half-space that is good for as long as its waves are looked at.
-/// @param times  ascending, R/c of the first body
-/// @param points in R of the first body
-/// @throws InvalidInput unless the second is a half-space or a half-plane
-[[nodiscard]] Waves waves(const Encounter& encounter, const Impact& impact, const Vibration& vibration,
-                          const std::vector<double>& times, bodies::half_space::PlaneGrid points,
-                          const Poll& poll = {});
-
-/// Speeds of the waves of the half-space that is met, in c of the first body. @throws as waves
-[[nodiscard]] bodies::half_space::WaveSpeeds wave_speeds(const Encounter& encounter);
-
 /// Energy of a mode at some time, as a share of the initial energy.
 struct ModeShare {
   int body = 0;  ///< 0: of the first, 1: of the second
@@ -60,14 +42,5 @@ struct ModeShare {
 /// Those of all kept modes at some times: times × modes. @param times ascending, R/c
 [[nodiscard]] std::vector<ModeShare> mode_shares(const Contact& contact, const Impact& impact,
                                                  const std::vector<double>& times, const Poll& poll = {});
-
-/// Places of the surface of the second body, a half-space, in R of the first: instants × lateral distances.
-struct Surfaces {
-  std::vector<double> lateral, place;
-};
-
-/// @param reach the largest lateral distance, R; @param count of them
-[[nodiscard]] Surfaces surfaces(const Contact& contact, const Impact& impact, const std::vector<Frame>& frames,
-                                double reach, std::size_t count, const Poll& poll = {});
 
 }  // namespace stoss

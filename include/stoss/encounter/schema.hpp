@@ -1,0 +1,11 @@
+#pragma once
+
+#include <string>
+
+namespace stoss {
+
+/// The JSON Schema (draft 2020-12) of the documents of encounters (document.hpp), made of the table of kinds: their
+/// parameters with ranges, units and help, and the named materials.
+[[nodiscard]] std::string encounter_schema();
+
+}  // namespace stoss
