@@ -125,8 +125,7 @@ def _rows(file: Path, mix: bool) -> Iterator[tuple[str, float, Stored]]:
         raise InvalidInput(
             f"store: got '{file}' of stoss {version}, allowed {_core.version} (another version needs another store)"
         )
-    cases: set[str] = set()
-    names: list[str] = []
+    cases, names = set[str](), list[str]()
     for number, line in enumerate(lines[1:], start=2):
         try:
             text = line.decode("ascii")
@@ -150,8 +149,7 @@ def _rows(file: Path, mix: bool) -> Iterator[tuple[str, float, Stored]]:
 
 
 def _damaged(file: Path, number: int, line: bytes) -> InvalidInput:
-    got = line[:40].decode("ascii", "replace")
-    got = "".join(c if c.isprintable() else "?" for c in got)
+    got = "".join(c if c.isprintable() else "?" for c in line[:40].decode("ascii", "replace"))
     return InvalidInput(f"store: got '{got}' as line {number} of '{file}', allowed a row of a sweep (mend or delete it)")
 
 
@@ -208,8 +206,7 @@ class Worker:
         try:
             fcntl.flock(self._descriptor, fcntl.LOCK_EX | fcntl.LOCK_NB)
         except BlockingIOError:
-            text = "another process is writing it"
-            raise BlockingIOError(errno.EAGAIN, text, str(self.file)) from None
+            raise BlockingIOError(errno.EAGAIN, "another process is writing it", str(self.file)) from None
         except OSError:
             pass  # where files cannot be locked
 
