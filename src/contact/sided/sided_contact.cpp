@@ -105,6 +105,17 @@ void SidedContact::solve(const VectorXd& x, const VectorXd& y) {
   closure_ = new_closure_;
 }
 
+/// Makes the friction of sliding nodes move with their forces, and that of the others not.
+void SidedContact::take_into_matrix(const std::vector<int>& sliding) {
+  if (sliding == in_matrix_) return;
+  in_matrix_ = sliding;
+  Eigen::MatrixXd matrix = compliance_.xx;
+  for (std::size_t j = 0; j < sliding.size(); ++j) {
+    if (sliding[j] != 0) matrix.col(at(j)) += coefficient_ * sliding[j] * compliance_.xy.col(at(j));
+  }
+  matrix_.assign(std::move(matrix));
+}
+
 /// Solves the normal problem with the friction that is tried.
 bool SidedContact::press(const VectorXd& x, double scale) {
   const VectorXd position = x - compliance_.xy * held_;
@@ -140,25 +151,19 @@ bool SidedContact::alternate(const VectorXd& x, const VectorXd& y, Sliding slidi
   new_closure_ = closure_;
   std::vector<int> states = coulomb_.sliding();
   VectorXd trial = friction_;
+  new_force_.resize(x.size());
   anderson_.forget();
   for (int round = 0; round < most; ++round) {
+    take_into_matrix(sliding == Sliding::with_force ? states : std::vector<int>(states.size()));
     held_ = trial;
-    matrix_ = compliance_.xx;
-    if (sliding == Sliding::with_force) {
-      for (std::size_t j = 0; j < states.size(); ++j) {
-        if (states[j] == 0) continue;
-        held_(at(j)) = 0.0;
-        matrix_.col(at(j)) += coefficient_ * states[j] * compliance_.xy.col(at(j));
-      }
+    for (std::size_t j = 0; j < states.size(); ++j) {
+      if (in_matrix_[j] != 0) held_(at(j)) = 0.0;
     }
     if (!press(x, scale)) return false;
-    new_force_.resize(x.size());
-    for (std::size_t i = 0; i < states.size(); ++i) new_force_(at(i)) = law_.force_at(i, new_closure_[i]);
     used_ = held_;
-    if (sliding == Sliding::with_force) {
-      for (std::size_t j = 0; j < states.size(); ++j) {
-        if (states[j] != 0) used_(at(j)) = coefficient_ * states[j] * new_force_(at(j));
-      }
+    for (std::size_t j = 0; j < states.size(); ++j) {
+      new_force_(at(j)) = law_.force_at(j, new_closure_[j]);
+      if (in_matrix_[j] != 0) used_(at(j)) = coefficient_ * in_matrix_[j] * new_force_(at(j));
     }
     rub(x, y);
     const VectorXd miss = new_friction_ - used_;

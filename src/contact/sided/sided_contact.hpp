@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "contact/edge/edge_law.hpp"
+#include "contact/edge/varying_compliance.hpp"
 #include "contact/friction.hpp"
 #include "contact/sided/anderson.hpp"
 #include "contact/sided/sided_compliance.hpp"
@@ -46,8 +47,6 @@ class SidedContact {
   /// Half-width of the last contact in spacings, the mean of both sides.
   [[nodiscard]] double half_width() const;
 
-  [[nodiscard]] const Eigen::MatrixXd& xx() const { return compliance_.xx; }
-
   /// Displacements that the last forces make.
   [[nodiscard]] Eigen::VectorXd moved_x() const { return compliance_.xx * force_ + compliance_.xy * friction_; }
   [[nodiscard]] Eigen::VectorXd moved_y() const {
@@ -58,6 +57,7 @@ class SidedContact {
   /// Where the friction of sliding nodes is.
   enum class Sliding { with_force, apart };
   [[nodiscard]] bool alternate(const Eigen::VectorXd& x, const Eigen::VectorXd& y, Sliding sliding);
+  void take_into_matrix(const std::vector<int>& sliding);
   [[nodiscard]] bool press(const Eigen::VectorXd& x, double scale);
   void rub(const Eigen::VectorXd& x, const Eigen::VectorXd& y);
   [[nodiscard]] double reached(const Eigen::VectorXd& x) const;
@@ -71,7 +71,8 @@ class SidedContact {
   Anderson anderson_;
   Eigen::VectorXd force_, friction_, gap_;  // of the last step
   std::vector<double> closure_;
-  Eigen::MatrixXd matrix_;                              // of the normal problem
+  VaryingCompliance matrix_;                            // of the normal problem
+  std::vector<int> in_matrix_;                          // states of the nodes whose friction it has
   Eigen::VectorXd held_, used_;                         // friction that is tried: of stuck nodes; of all
   Eigen::VectorXd new_force_, new_friction_, new_gap_;  // of this step
   std::vector<double> new_closure_, give_, free_, limit_, q_;
