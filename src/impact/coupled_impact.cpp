@@ -9,6 +9,7 @@
 #include "impact/inputs.hpp"
 #include "impact/oblique_collision.hpp"
 #include "impact/recommended.hpp"
+#include "impact/whole_bodies.hpp"
 #include "stoss/contact/grid.hpp"
 #include "stoss/errors.hpp"
 
@@ -24,7 +25,10 @@ std::optional<ObliqueImpact> run_coupled(const Contact& contact, const std::vect
   const double flight = std::max(0.0, -collision.compression()) + 4.0 * collision.clearance();
   double steps = (longest_duration(contact) + flight / frame.speed) / resolution.step;
   for (long step = 1; !collision.over(); ++step) {
-    if (static_cast<double>(step) > steps) steps += collision.steps_to_leave();
+    if (static_cast<double>(step) > steps) {
+      if (contact.unbounded) throw Outlasted(static_cast<double>(step) * resolution.step, echo_time(contact));
+      steps += collision.steps_to_leave();
+    }
     if (static_cast<double>(step) > std::min(steps, most_steps)) {
       throw NotConverged("impact: the contact has not ended after " + std::to_string(step) + " steps");
     }
@@ -57,6 +61,9 @@ ObliqueImpact coupled_impact(const Contact& contact, const std::vector<Contact>&
     result = run_coupled(contact, along, frame, obliquity, resolution, options);
   }
   require_resolved(result->energy_error);
+  if (result->normal.contact_time > echo_time(contact)) {
+    throw Outlasted(result->normal.contact_time, echo_time(contact));
+  }
   show_inputs(contact, speed, resolution, options, result->normal);
   return std::move(*result);
 }

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "stoss/bodies/disk.hpp"
+#include "stoss/bodies/half_space.hpp"
 #include "stoss/bodies/rod.hpp"
 #include "stoss/errors.hpp"
 #include "stoss/impact/oblique.hpp"
@@ -181,6 +182,43 @@ TEST_F(ObliqueDisks, AreTheSameWhoeverIsFirst) {
     EXPECT_LT(one.angular_momentum_error, 1e-13);
     EXPECT_LT(std::abs(one.energy_error), 4e-4);
   }
+}
+
+// Until waves are back a great disk is a half-plane, but for its curvature: both are computed in quite different ways.
+TEST_F(ObliqueDisks, MeetAHalfPlaneAsAGreatDisk) {
+  constexpr double cutoff = 6.0, poisson = 0.1, young = 2.0;
+  const double unit = std::sqrt(young);
+  struct Outcome {
+    double normal, along;  // impulses
+  };
+  const auto outcome = [&](const Body& second) {
+    const Contact pair = contact(disk(0.33, cutoff), second);
+    ImpactOptions options = resolved(pair, 24, 0.25);
+    options.resolution.half_width = 0.36;
+    const ObliqueImpact impact = oblique_impact(pair, 0.05, {0.003, 0.0, 0.0, 0.1}, options);
+    EXPECT_LT(std::abs(impact.energy_error), 1e-4);
+    EXPECT_LT(impact.angular_momentum_error, 1e-13);
+    return Outcome{(1.0 + impact.restitution) * pair.mass, impact.impulse * pair.mass};
+  };
+  const Outcome plane = outcome(half_plane(HalfPlane{poisson, young}, cutoff / unit, 14.0 * unit));
+  double last_normal = 1.0, last_along = 1.0;
+  for (const double radius : {6.0, 12.0, 24.0}) {
+    const Outcome great = outcome(disk(Disk{poisson, radius, young}, cutoff / unit * radius));
+    const double normal = std::abs(great.normal / plane.normal - 1.0),
+                 along = std::abs(great.along / plane.along - 1.0);
+    EXPECT_LT(normal, 0.5 * last_normal);
+    EXPECT_LT(along, 0.5 * last_along);
+    last_normal = normal;
+    last_along = along;
+  }
+  EXPECT_LT(last_normal, 5e-4);
+  EXPECT_LT(last_along, 1e-2);
+}
+
+TEST_F(ObliqueDisks, DoNotOutlastAHalfPlane) {
+  const Contact pair = contact(disk(0.33, 8.0), half_plane(HalfPlane{0.33}, 8.0, 5.0));
+  EXPECT_THROW((void)oblique_impact(pair, 0.05, {0.01, 0.0, 0.0, 0.3}, resolved(pair, 16)), NotConverged);
+  test::expect_refusal([&] { (void)oblique_impact(pair, 0.05, {0.01, 0.0, 0.01, 0.3}); }, {"second_spin"});
 }
 
 // Of an independent program, which lets plane waves of one direction carry motion of the other, too.
