@@ -21,8 +21,8 @@ namespace stoss {
 ///
 /// One is solved after the other till nothing changes. The friction of sliding nodes, ±μ f, is taken into the matrix of
 /// the normal problem: Newton's method for it exists at any μ while all slide to one side, and the iteration is over at
-/// once. What the stuck nodes carry is accelerated (Anderson). Where μ times the coupling exceeds about 1 there may be
-/// no solution, or more than one: Coulomb's law is then ill-posed.
+/// once. What the stuck nodes carry is accelerated (Anderson); where that leads nowhere, other ways are tried. Where μ
+/// times the coupling exceeds about 1 there may be no solution, or more than one: Coulomb's law is then ill-posed.
 class SidedContact {
  public:
   /// @param law   of the points of one side, of a force that both sides share
@@ -54,9 +54,15 @@ class SidedContact {
   }
 
  private:
-  /// Where the friction of sliding nodes is.
-  enum class Sliding { with_force, apart };
-  [[nodiscard]] bool alternate(const Eigen::VectorXd& x, const Eigen::VectorXd& y, Sliding sliding);
+  /// A way to find the forces of a step.
+  struct Attempt {
+    bool with_force;     // the friction of sliding nodes moves with their force, else all of it is held
+    bool all_slide;      // at first, each as it would slip; else those that slid in the step before
+    bool accelerated;    // what is held
+    double share = 1.0;  // of what is missed by which it moves, while that is not accelerated
+    int most = 120;      // rounds
+  };
+  [[nodiscard]] bool solved(const Attempt& attempt, const Eigen::VectorXd& x, const Eigen::VectorXd& y);
   void take_into_matrix(const std::vector<int>& sliding);
   [[nodiscard]] bool press(const Eigen::VectorXd& x, double scale);
   void rub(const Eigen::VectorXd& x, const Eigen::VectorXd& y);
