@@ -46,10 +46,6 @@ std::optional<ObliqueImpact> run_coupled(const Contact& contact, const std::vect
 ObliqueImpact coupled_impact(const Contact& contact, const std::vector<Contact>& along, double speed,
                              const Obliquity& obliquity, const ImpactOptions& options) {
   FixedResolution resolution = fixed_resolution(contact, speed, options.resolution);
-  if (contact.mass != contact.whole_mass) {
-    throw InvalidInput("friction: got '" + name(contact) +
-                       "', allowed bodies that are there as a whole (what is beyond a near side would turn, too)");
-  }
   if (resolution.tail != Tail::radiating) {
     throw InvalidInput("tail: got the static one with friction, allowed the radiating one (friction flutters on it)");
   }
