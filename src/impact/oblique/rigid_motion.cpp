@@ -1,4 +1,4 @@
-#include "impact/rigid_motion.hpp"
+#include "impact/oblique/rigid_motion.hpp"
 
 #include <vector>
 

@@ -1,4 +1,4 @@
-#include "impact/oblique_collision.hpp"
+#include "impact/oblique/oblique_collision.hpp"
 
 #include <cmath>
 #include <utility>
