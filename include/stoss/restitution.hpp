@@ -5,4 +5,5 @@
 #include "stoss/restitution/curve.hpp"
 #include "stoss/restitution/extrapolation.hpp"
 #include "stoss/restitution/ladder.hpp"
+#include "stoss/restitution/oblique_restitution.hpp"
 #include "stoss/restitution/restitution.hpp"
