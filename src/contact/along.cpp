@@ -1,8 +1,11 @@
 #include "contact/along.hpp"
 
+#include <cmath>
+#include <limits>
 #include <utility>
 #include <variant>
 
+#include "contact/unit_ratios.hpp"
 #include "stoss/errors.hpp"
 
 namespace stoss {
@@ -15,7 +18,31 @@ std::vector<Body> bodies_along(const Body& body, const Poll& poll) {
                      "friction out, or take 0)");
 }
 
+/// (c_s/c_p)² of a body that mixes directions, from the impedances of its foremost point.
+double mixing_of(const Body& body, double radius) {
+  constexpr double short_arc = 1e-3;
+  const std::vector<double> impedance = body.surface({radius, short_arc, 1}).impedance;
+  return impedance[1] * impedance[1] / (impedance[0] * impedance[0]);
+}
+
 }  // namespace
+
+double mixing(const std::vector<Contact>& along) {
+  const Contact& contact = along.front();
+  if (contact.first->components == 1) return 0.0;
+  const double first = contact.first->softness, one = first * mixing_of(*contact.first, contact.radius);
+  if (contact.second == nullptr) return one / first;
+  const UnitRatios units = units_of(contact, 1);
+  const double second = contact.second->softness * units.softness;
+  const double other = second * mixing_of(*contact.second, contact.radius / units.length);
+  return std::abs(one - other) / (first + second);
+}
+
+double stable_friction(const std::vector<Contact>& along) {
+  constexpr double rounding = 1e-12;
+  const double beta = mixing(along);
+  return beta > rounding ? 0.5 / std::sqrt(beta * (1.0 - beta)) : std::numeric_limits<double>::infinity();
+}
 
 std::vector<Contact> contacts_along(const Contact& contact, const Poll& poll) {
   if (!std::holds_alternative<HardWall>(contact.wall)) {

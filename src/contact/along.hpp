@@ -10,4 +10,13 @@ namespace stoss {
 /// @throws InvalidInput where a body has none, and at a wall that is not hard
 [[nodiscard]] std::vector<Contact> contacts_along(const Contact& contact, const Poll& poll);
 
+/// Dundurs' constant β of the bodies of such contacts: how much pressure moves one along the other. It is
+/// (1 − ν)/2 = (c_s/c_p)² of a disk at a wall, and 0 for bodies of one kind and where directions do not mix.
+[[nodiscard]] double mixing(const std::vector<Contact>& along);
+
+/// Friction above which waves of any length grow while a half-plane slides on a rigid wall, 1/(2√(β(1 − β))), so that
+/// nothing has a limit as they are resolved; infinite for bodies of one kind. Between two elastic bodies, and in
+/// contacts that end, some grow below it too.
+[[nodiscard]] double stable_friction(const std::vector<Contact>& along);
+
 }  // namespace stoss
