@@ -136,9 +136,9 @@ TEST(SidedContact, TurnsWithTheSignOfTheSlip) {
   const SidedCompliance compliance = sided_compliance(problem.normal_even, problem.along_even, points);
   SidedContact one(compliance, problem.law, 0.5, 1.0, {}), other(compliance, problem.law, 0.5, 1.0, {});
   const VectorXd x = random_vector(random), y = random_vector(random);
-  const auto half = static_cast<Index>(points);
-  const auto mirrored = [half](const VectorXd& v, double sign) {
-    VectorXd result(2 * half);
+  const auto mirrored = [](const VectorXd& v, double sign) {
+    const Index half = v.size() / 2;
+    VectorXd result(v.size());
     result << sign * v.tail(half), sign * v.head(half);
     return result;
   };

@@ -260,6 +260,38 @@ TEST_F(ObliqueDisks, OfTwoKindsAreThoseOfAnotherProgram) {
   EXPECT_NEAR(impact.second_spin_after, -0.033129, 1e-5);
 }
 
+// The same, at a wall: its mixed impedance is about 1e-3 of ε_t.
+TEST_F(ObliqueDisks, OfOtherKindsAreThoseOfAnotherProgram) {
+  struct Outcome {
+    double poisson, speed, friction, tangential, restitution, tangential_restitution;
+  };
+  for (const Outcome& its : {Outcome{0.0, 0.05, 0.5, 0.05, 0.967546, 0.436893},
+                             {0.7, 0.02, 0.2, 0.012, 0.977038, 0.535752},
+                             {-0.5, 0.03, 0.3, 0.0135, 0.964735, 0.110646},
+                             {0.33, 1e-3, 0.3, 3e-4, 0.983287, 0.227298},
+                             {0.33, 0.3, 0.3, 0.09, 0.844359, 0.575603}}) {
+    const Contact other = contact(disk(its.poisson, 16.0));
+    const ObliqueImpact impact =
+        oblique_impact(other, its.speed, {its.tangential, 0.0, 0.0, its.friction}, resolved(other, 28));
+    EXPECT_NEAR(impact.restitution, its.restitution, 1e-4) << its.poisson;
+    EXPECT_NEAR(impact.tangential_restitution, its.tangential_restitution, 3e-3) << its.poisson;
+  }
+}
+
+// A small contact cannot tell a spin from a velocity: what differs goes with the square of its width.
+TEST_F(ObliqueDisks, HardlyTellSpinFromSlidingWhereTheyAreSlow) {
+  double last = 1.0;
+  for (const double speed : {1e-2, 1e-3, 1e-4}) {
+    const ImpactOptions options = resolved(wall, 24);
+    const ObliqueImpact moved = oblique_impact(wall, speed, {speed, 0.0, 0.0, 0.5}, options);
+    const ObliqueImpact spun = oblique_impact(wall, speed, {0.0, speed, 0.0, 0.5}, options);
+    const double away = std::abs(moved.tangential_restitution - spun.tangential_restitution);
+    EXPECT_LT(away, 0.2 * last);
+    last = away;
+  }
+  EXPECT_LT(last, 1e-4);
+}
+
 // A wide contact rolls less well than it slides: points beside the foremost one move less.
 TEST_F(ObliqueDisks, TellSpinFromSliding) {
   const ObliqueImpact spun = oblique_impact(wall, 0.1, {0.0, 0.1, 0.0, 0.3}, resolved(wall, 32));

@@ -8,8 +8,7 @@
 #include <numbers>
 #include <utility>
 
-#include "numeric/gauss_legendre.hpp"
-#include "numeric/special_functions.hpp"
+#include "bodies/half_space/wave_sums.hpp"
 
 namespace stoss::bodies::half_space {
 namespace {
@@ -41,17 +40,8 @@ class ShapeProducts {
   /// Adds ∫ weight(k) s sᵀ dk, for a weight that is smooth over factors of 2.
   template <typename Weight>
   void add_range(double begin, double end, Weight weight) {
-    constexpr double phase = 16.0;  // by which a product of two shapes turns in a panel
-    const auto& rule = numeric::gauss_legendre(16);
-    const double widest = 0.5 * phase / distance_.back();
-    for (double from = begin; from < end;) {
-      const double to = std::min({end, 2.0 * from, from + widest});
-      for (std::size_t i = 0; i < rule.node.size(); ++i) {
-        const double k = 0.5 * (from + to) + 0.5 * (to - from) * rule.node[i];
-        add(k, weight(k) * 0.5 * (to - from) * rule.weight[i]);
-      }
-      from = to;
-    }
+    for_wave_numbers(begin, end, distance_.back(),
+                     [&](double k, double length, double share) { add(k, weight(k) * 0.5 * length * share); });
   }
 
   [[nodiscard]] Matrix& sum() {
@@ -78,30 +68,17 @@ class ShapeProducts {
 
 std::vector<double> values(const Matrix& matrix) { return {matrix.data(), matrix.data() + matrix.size()}; }
 
-/// Points that are equally spaced in angle lie closer to each other the further out they are: each pair has the wave
-/// numbers that its own distance resolves. High ones add C cos(kΔr)/k, so the change from the common end K is
-/// C [Ci(π|i−j|) − Ci(KΔr)].
 void resolve_each_pair(const Medium& medium, const ContactPoints& points, double highest, Matrix& sum) {
-  std::vector<double> wanted{0.0};
-  for (std::size_t k = 1; k < points.count; ++k) {
-    wanted.push_back(numeric::cosine_integral(std::numbers::pi * static_cast<double>(k)));
-  }
-  const auto strength = [&](double first, double second) {
+  const auto strength = [&](std::size_t i, std::size_t j) {
     const double line = medium.softness / std::numbers::pi;
-    return medium.contour == Contour::ball ? line / (std::numbers::pi * std::sqrt(first * second)) : line;
+    if (medium.contour == Contour::cylinder) return line;
+    return line / (std::numbers::pi * std::sqrt(lateral_distance(points, i) * lateral_distance(points, j)));
   };
-  for (std::size_t i = 0; i < points.count; ++i) {
-    const double here = lateral_distance(points, i);
-    const auto row = static_cast<Index>(i);
-    sum(row, row) -= strength(here, here) * std::log(std::cos(points.angle(i)));
-    for (std::size_t j = 0; j < i; ++j) {
-      const double there = lateral_distance(points, j);
-      const auto column = static_cast<Index>(j);
-      const double change = wanted[i - j] - numeric::cosine_integral(highest * (here - there));
-      sum(row, column) += strength(here, there) * change;
-      sum(column, row) = sum(row, column);
-    }
-  }
+  for_pairs_beyond(points, highest, [&](std::size_t i, std::size_t j, double change) {
+    const auto row = static_cast<Index>(i), column = static_cast<Index>(j);
+    sum(row, column) += strength(i, j) * change;
+    sum(column, row) = sum(row, column);
+  });
 }
 
 }  // namespace

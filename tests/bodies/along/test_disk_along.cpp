@@ -191,7 +191,7 @@ TEST_P(DiskAlong, AnswersNormalForcesAsTheDiskDoes) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Every, DiskAlong, ::testing::ValuesIn(poissons),
-                         [](const auto& info) { return "number" + std::to_string(info.index); });
+                         [](const auto& its) { return "number" + std::to_string(its.index); });
 
 // As the whole with size 1; half the size, half the time and a quarter of the mass.
 TEST(DiskAlongNearSide, IsThatOfASmallerDisk) {

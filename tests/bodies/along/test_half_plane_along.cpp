@@ -105,7 +105,7 @@ TEST_P(HalfPlaneAlong, AnswersSlowForcesAsAStaticSurface) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Every, HalfPlaneAlong, ::testing::ValuesIn(poissons),
-                         [](const auto& info) { return "number" + std::to_string(info.index); });
+                         [](const auto& its) { return "number" + std::to_string(its.index); });
 
 }  // namespace
 }  // namespace half_plane_along

@@ -1,15 +1,13 @@
 #include "bodies/half_space/plane/residual.hpp"
 
 #include <Eigen/Core>
-#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <numbers>
 #include <utility>
 
 #include "bodies/half_space/residual.hpp"
-#include "numeric/gauss_legendre.hpp"
-#include "numeric/special_functions.hpp"
+#include "bodies/half_space/wave_sums.hpp"
 
 namespace stoss::bodies::half_space {
 namespace {
@@ -52,19 +50,11 @@ class PlaneProducts {
   /// Adds ∫ response(k) dk, which is smooth over factors of 2.
   template <typename Response>
   void add_range(double begin, double end, Response response) {
-    constexpr double phase = 16.0;  // by which a product of two shapes turns in a panel
-    const auto& rule = numeric::gauss_legendre(16);
-    const double widest = 0.5 * phase / distance_.back();
-    for (double from = begin; from < end;) {
-      const double to = std::min({end, 2.0 * from, from + widest});
-      for (std::size_t i = 0; i < rule.node.size(); ++i) {
-        const double k = 0.5 * (from + to) + 0.5 * (to - from) * rule.node[i];
-        const double weight = 0.5 * (to - from) * rule.weight[i];
-        const Flexibility at = response(k);
-        add(k, {weight * at.radial, weight * at.mixed, weight * at.tangential});
-      }
-      from = to;
-    }
+    for_wave_numbers(begin, end, distance_.back(), [&](double k, double length, double share) {
+      const double weight = 0.5 * length * share;
+      const Flexibility at = response(k);
+      add(k, {weight * at.radial, weight * at.mixed, weight * at.tangential});
+    });
   }
 
   [[nodiscard]] Block& sum() {
@@ -91,27 +81,16 @@ class PlaneProducts {
 
 std::vector<double> values_of(const Block& matrix) { return {matrix.data(), matrix.data() + matrix.size()}; }
 
-/// As for one direction (Residual): each pair of points has the wave numbers that its own distance resolves. High ones
-/// add cos(kΔr)/πk to both directions by themselves; what they add to the mixed response, sin(kΔr)/πk, hardly changes.
+/// High wave numbers add cos(kΔr)/πk to both directions by themselves; what they add to the mixed response,
+/// sin(kΔr)/πk, hardly changes.
 void resolve_each_pair(const ContactPoints& points, double highest, Block& sum) {
-  const auto count = static_cast<Index>(points.count);
-  const auto add = [&](Index i, Index j, double change) {
-    for (const Index component : {Index{0}, count}) {
-      sum(component + i, component + j) += change / std::numbers::pi;
-      if (i != j) sum(component + j, component + i) = sum(component + i, component + j);
+  for_pairs_beyond(points, highest, [&](std::size_t i, std::size_t j, double change) {
+    for (const std::size_t component : {std::size_t{0}, points.count}) {
+      const auto row = static_cast<Index>(component + i), column = static_cast<Index>(component + j);
+      sum(row, column) += change / std::numbers::pi;
+      sum(column, row) = sum(row, column);
     }
-  };
-  for (Index i = 0; i < count; ++i) {
-    const auto node = static_cast<std::size_t>(i);
-    const double here = lateral_distance(points, node);
-    add(i, i, -std::log(std::cos(points.angle(node))));
-    for (Index j = 0; j < i; ++j) {
-      const double apart = here - lateral_distance(points, static_cast<std::size_t>(j));
-      add(i, j,
-          numeric::cosine_integral(std::numbers::pi * static_cast<double>(i - j)) -
-              numeric::cosine_integral(highest * apart));
-    }
-  }
+  });
 }
 
 }  // namespace
