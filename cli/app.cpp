@@ -42,6 +42,7 @@ void declare(CLI::App& app) {
   add_impact(app);
   add_bounce(app);
   add_restitution(app);
+  add_oblique(app);
   add_distribution(app);
   add_quasistatic(app);
   add_table(app);

@@ -26,6 +26,7 @@ void add_modes(CLI::App& app);
 void add_impact(CLI::App& app);
 void add_bounce(CLI::App& app);
 void add_restitution(CLI::App& app);
+void add_oblique(CLI::App& app);
 void add_distribution(CLI::App& app);
 void add_quasistatic(CLI::App& app);
 void add_table(CLI::App& app);

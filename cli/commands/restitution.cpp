@@ -70,15 +70,6 @@ Job make_job(RestitutionArguments& arguments) {
   return job;
 }
 
-/// Numbers as typed: one as a number, more than one as text.
-nlohmann::ordered_json as_typed(const std::string& text) {
-  const std::vector<double> values = parse_series("", text);
-  if (values.size() == 1) return values.front();
-  std::string typed = text;
-  std::erase(typed, ' ');
-  return typed;
-}
-
 Provenance describe(const RestitutionArguments& arguments, const Job& job) {
   Provenance provenance{arguments.converges() ? "restitution" : "extrapolation", command_line(), {}};
   auto& inputs = provenance.inputs;

@@ -99,6 +99,9 @@ struct Allowed {
 [[nodiscard]] std::vector<double> parse_series_in(const std::string& name, const std::string& text, Dimension dimension,
                                                   const Units& units, const Allowed& allowed);
 
+/// Numbers as typed, for the inputs of a result: one as a number, more than one as text.
+[[nodiscard]] nlohmann::ordered_json as_typed(const std::string& text);
+
 /// Speeds of approach, in c. @throws InvalidInput
 [[nodiscard]] std::vector<double> parse_speeds(const std::string& text, const Units& units);
 

@@ -52,4 +52,12 @@ double parse_speed(const std::string& text, const Units& units, const std::strin
   return speeds.front();
 }
 
+nlohmann::ordered_json as_typed(const std::string& text) {
+  const std::vector<double> values = parse_series("", text);
+  if (values.size() == 1) return values.front();
+  std::string typed = text;
+  std::erase(typed, ' ');
+  return typed;
+}
+
 }  // namespace stoss::cli

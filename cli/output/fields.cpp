@@ -9,16 +9,19 @@ Units units_of(const Encounter& encounter) {
   return {first.own, first.si, si_scales(encounter)};
 }
 
-Columns speed_columns(const Units& units) {
-  constexpr int width = 12;
-  if (!units.si) return {{"speed", units.own_name(Dimension::speed), width}};
-  return {{"speed", units.own_name(Dimension::speed)}, {"speed_si", "m/s", width}};
+Columns input_columns(const std::string& name, Dimension dimension, const Units& units, int width) {
+  if (!units.si) return {{name, units.own_name(dimension), width}};
+  return {{name, units.own_name(dimension)}, {name + "_si", std::string(unit_name(dimension, units.in_si)), width}};
 }
 
-Row speed_row(const Units& units, double speed) {
-  if (!units.si) return {speed};
-  return {speed, speed * units.si->speed};
+Row input_row(double value, Dimension dimension, const Units& units) {
+  if (!units.si) return {value};
+  return {value, value * unit_in_si(dimension, *units.si)};
 }
+
+Columns speed_columns(const Units& units) { return input_columns("speed", Dimension::speed, units, 12); }
+
+Row speed_row(const Units& units, double speed) { return input_row(speed, Dimension::speed, units); }
 
 nlohmann::ordered_json to_json(const Columns& columns, const Row& row) {
   auto object = nlohmann::ordered_json::object();

@@ -27,7 +27,12 @@ struct Units {
 /// The units of results of an encounter.
 [[nodiscard]] Units units_of(const Encounter& encounter);
 
-/// The columns of the speed of approach, with a material in SI too, and what a row has there of one in c.
+/// The columns of an input, with a material in SI too, and what a row has there of one in units of the first body.
+/// @param width in the printed table
+[[nodiscard]] Columns input_columns(const std::string& name, Dimension dimension, const Units& units, int width);
+[[nodiscard]] Row input_row(double value, Dimension dimension, const Units& units);
+
+/// Those of the speed of approach.
 [[nodiscard]] Columns speed_columns(const Units& units);
 [[nodiscard]] Row speed_row(const Units& units, double speed);
 

@@ -5,4 +5,6 @@
 #include "stoss/restitution/curve.hpp"
 #include "stoss/restitution/extrapolation.hpp"
 #include "stoss/restitution/ladder.hpp"
+#include "stoss/restitution/oblique.hpp"
+#include "stoss/restitution/oblique_curve.hpp"
 #include "stoss/restitution/restitution.hpp"

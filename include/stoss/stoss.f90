@@ -7,7 +7,8 @@ module stoss
   integer(c_int), parameter :: stoss_ok = 0, stoss_invalid_input = 1, stoss_not_converged = 2, &
     stoss_out_of_memory = 3, stoss_interrupted = 4, stoss_failed = 5
   integer(c_int), parameter :: stoss_beyond_error = 0, stoss_beyond_clamp = 1, stoss_beyond_law = 2
-  real(c_double), parameter :: stoss_tolerance = 1e-3_c_double, stoss_absolute = 1e-6_c_double
+  real(c_double), parameter :: stoss_tolerance = 1e-3_c_double, stoss_absolute = 1e-6_c_double, &
+    stoss_oblique_tolerance = 1e-2_c_double
 
   ! Handles are of type(c_ptr).
   type, bind(c) :: stoss_control
@@ -25,6 +26,18 @@ module stoss
     type(stoss_estimate) :: restitution, lost_fraction, contact_time, max_force, max_compression
     integer(c_int) :: converged
   end type stoss_result
+
+  type, bind(c) :: stoss_obliquity
+    real(c_double) :: speed, tangential = 0, spin = 0, second_spin = 0, friction = 0
+  end type stoss_obliquity
+
+  type, bind(c) :: stoss_oblique_result
+    type(stoss_obliquity) :: before
+    real(c_double) :: sliding
+    type(stoss_estimate) :: restitution, tangential_restitution, sliding_after, tangential_after, spin_after, &
+      second_spin_after, friction_loss, vibration
+    integer(c_int) :: converged
+  end type stoss_oblique_result
 
   interface
     integer(c_int) function stoss_disk_make(poisson, radius, young, density, loss_time, body) bind(c)
@@ -92,6 +105,11 @@ module stoss
       type(c_ptr), value :: contact
     end function stoss_speed_unit
 
+    real(c_double) function stoss_friction(contact) bind(c)
+      import
+      type(c_ptr), value :: contact
+    end function stoss_friction
+
     subroutine stoss_contact_free(contact) bind(c)
       import
       type(c_ptr), value :: contact
@@ -106,6 +124,16 @@ module stoss
       type(stoss_control), intent(in) :: control
       type(stoss_result), intent(inout) :: results(count)
     end function stoss_curve
+
+    integer(c_int) function stoss_oblique(contact, obliquities, count, tolerance, control, results) bind(c)
+      import
+      type(c_ptr), value :: contact
+      integer(c_size_t), value :: count
+      type(stoss_obliquity), intent(in) :: obliquities(count)
+      real(c_double), value :: tolerance
+      type(stoss_control), intent(in) :: control
+      type(stoss_oblique_result), intent(inout) :: results(count)
+    end function stoss_oblique
 
     integer(c_int) function stoss_function_make(contact, slowest, fastest, error, beyond, control, handle) bind(c)
       import

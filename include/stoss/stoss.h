@@ -3,7 +3,8 @@
 
 /**
  * @file
- * The C interface of the library: bodies, contacts, the coefficient of restitution and the function of the speed.
+ * The C interface of the library: bodies, contacts, the coefficient of restitution, the function of the speed, and
+ * oblique impacts with friction.
  *
  * It is C89, and C++ and bind(C) of Fortran (stoss.f90) can use it. Link it with `pkg-config --libs stoss`.
  *
@@ -87,6 +88,9 @@ int stoss_open(const char* json, stoss_contact** contact);
 /** c of the first body in m/s if it has a material, otherwise 1. */
 double stoss_speed_unit(const stoss_contact* contact);
 
+/** The friction that the document of a contact gives, for stoss_obliquity; 0 where it gives none. */
+double stoss_friction(const stoss_contact* contact);
+
 /** Frees a contact; NULL is none. */
 void stoss_contact_free(stoss_contact* contact);
 
@@ -134,6 +138,43 @@ typedef struct stoss_result {
  */
 int stoss_curve(const stoss_contact* contact, const double* speeds, size_t count, double tolerance, double absolute,
                 const stoss_control* control, stoss_result* results);
+
+/** How two surfaces meet that move along each other: along y, with x along the normal from the first body. */
+typedef struct stoss_obliquity {
+  double speed;       /**< of approach along the normal, 1e-8 to 1 c */
+  double tangential;  /**< velocity of the centre of the first body along y relative to the second, -1 to 1 c */
+  double spin;        /**< of the first body, c/R: positive moves its foremost point along +y */
+  double second_spin; /**< of the second body, c/R of the first: positive moves its foremost point along -y */
+  double friction;    /**< coefficient of Coulomb's law, 0 to 5 */
+} stoss_obliquity;
+
+/** A collision rule at one obliquity, in units of the first body. */
+typedef struct stoss_oblique_result {
+  stoss_obliquity before;
+  double sliding;                        /**< s = tangential + spin R + second_spin R2, at which the surfaces slide */
+  stoss_estimate restitution;            /**< of the velocity along the normal */
+  stoss_estimate tangential_restitution; /**< -s'/s; where s is 0 it is 0, with an infinite error */
+  stoss_estimate sliding_after;          /**< s' */
+  stoss_estimate tangential_after;       /**< c */
+  stoss_estimate spin_after;             /**< c/R */
+  stoss_estimate second_spin_after;      /**< c/R */
+  stoss_estimate friction_loss;          /**< share of the initial energy that became heat of friction */
+  stoss_estimate vibration;              /**< share of it with which the bodies vibrate */
+  int converged;                         /**< 1, or 0 where the tolerance is not met */
+} stoss_oblique_result;
+
+/** A tolerance of oblique impacts that is good for most purposes. */
+#define STOSS_OBLIQUE_TOLERANCE 1e-2
+
+/**
+ * Computes the collision rule at each of `count` obliquities, as stoss_curve does. Of spheres, those that follow one
+ * another at one speed share most of the work. Rods, and exponential walls, take no friction.
+ * @param tolerance error of s' over |s| or, if larger, the friction times the speed, 1e-6 to 0.5
+ * @param control   or NULL
+ * @param results   `count` of them
+ */
+int stoss_oblique(const stoss_contact* contact, const stoss_obliquity* obliquities, size_t count, double tolerance,
+                  const stoss_control* control, stoss_oblique_result* results);
 
 /** The coefficient of restitution as a function of the speed. */
 typedef struct stoss_function stoss_function;

@@ -1,6 +1,7 @@
 // One impact, and what is seen of it when it is repeated.
 #include <optional>
 
+#include "rows.hpp"
 #include "stoss/encounter/inner_fields.hpp"
 #include "stoss/encounter/waves.hpp"
 #include "stoss/impact/quantities.hpp"

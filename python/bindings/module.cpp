@@ -61,6 +61,7 @@ py::dict quantities() {
   all["mode energy"] = listed(mode_energy_quantities());
   all["snapshot"] = listed(snapshot_quantities());
   all["restitution"] = listed(restitution_quantities());
+  all["oblique"] = listed(oblique_quantities());
   all["bounce"] = listed(bounce_quantities());
   all["sample"] = listed(sample_quantities());
   all["extrapolation"] = listed(extrapolation_quantities());
@@ -87,6 +88,7 @@ PYBIND11_MODULE(_core, module) {
   stoss::python::bind_encounters(module);
   stoss::python::bind_impacts(module);
   stoss::python::bind_restitution(module);
+  stoss::python::bind_oblique_impacts(module);
   stoss::python::bind_tables(module);
   stoss::python::bind_quasistatic(module);
 }

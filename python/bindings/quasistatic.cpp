@@ -3,6 +3,7 @@
 
 #include <optional>
 
+#include "rows.hpp"
 #include "stoss/quasistatic/quantities.hpp"
 #include "support.hpp"
 

@@ -2,6 +2,7 @@
 #include <array>
 #include <optional>
 
+#include "rows.hpp"
 #include "stoss/restitution/curve.hpp"
 #include "stoss/restitution/quantities.hpp"
 #include "stoss/restitution/restitution.hpp"
@@ -14,36 +15,16 @@
 namespace stoss::python {
 namespace {
 
-/// Fills rows as the values come, and `reasons` at the end, so that what is done is there if Ctrl-C ends the curve.
-/// Only where there is a `tick` is the interpreter asked for after each value.
 void curve(const RefinableContact& contact, const Doubles& speeds, double tolerance, double absolute, int threads,
            const Oscillations& state, py::array& rows, py::list reasons, const std::optional<py::function>& tick) {
+  if (rows.size() != speeds.size()) throw std::invalid_argument("rows: one restitution_row for each speed");
   const std::vector<double> at = to_vector(speeds);
-  const Rows<Restitution> layout(restitution_quantities());
-  const bool fits = rows.ndim() == 1 && (rows.flags() & py::array::c_style) != 0 && rows.dtype().equal(layout.type());
-  if (!fits || rows.size() != speeds.size()) throw std::invalid_argument("rows: one restitution_row for each speed");
-  auto* const row = static_cast<std::byte*>(rows.mutable_data());
   const CurveOptions options{
       .each = {.tolerance = tolerance, .absolute = absolute, .poll = signal_poll(), .vibration = to_vibration(state)},
       .threads = threads};
-  std::vector<std::string> why;
-  const auto hand_over = [&] {
-    for (const std::string& reason : why) reasons.append(reason);
-  };
-  try {
-    const Released released;
-    restitution_curve(contact, at, options, [&](std::size_t i, const Restitution& result) {
-      layout.write(result, row + i * layout.width());
-      why.push_back(result.reason);
-      if (!tick) return;
-      const py::gil_scoped_acquire interpreter;
-      (*tick)();
-    });
-  } catch (const py::error_already_set&) {
-    hand_over();
-    throw;
-  }
-  hand_over();
+  fill(restitution_quantities(), rows, reasons, tick, [&](const auto& put) {
+    restitution_curve(contact, at, options, [&](std::size_t, const Restitution& result) { put(result); });
+  });
 }
 
 using Means = py::array_t<MeanEnergy, py::array::c_style>;
@@ -62,32 +43,11 @@ struct Asked {
   }
 };
 
-/// Fills rows as the samples come, and `reasons` at the end, so that what is done is there if Ctrl-C ends them.
 void distribution(const RefinableContact& contact, double speed, const Spectrum& spectrum, const Asked& asked,
                   py::array& rows, py::list reasons, const std::optional<py::function>& tick) {
-  const Rows<Sample> layout(sample_quantities());
-  const bool fits = rows.ndim() == 1 && (rows.flags() & py::array::c_style) != 0 && rows.dtype().equal(layout.type());
-  if (!fits || rows.size() != asked.samples) throw std::invalid_argument("rows: one sample_row for each sample");
-  auto* const row = static_cast<std::byte*>(rows.mutable_data());
-  std::vector<std::string> why;
-  const auto hand_over = [&] {
-    for (const std::string& reason : why) reasons.append(reason);
-  };
   const DistributionOptions options = asked.options();
-  try {
-    const Released released;
-    restitution_distribution(contact, speed, spectrum, options, [&](const Sample& sample) {
-      layout.write(sample, row + why.size() * layout.width());
-      why.push_back(sample.reason);
-      if (!tick) return;
-      const py::gil_scoped_acquire interpreter;
-      (*tick)();
-    });
-  } catch (const py::error_already_set&) {
-    hand_over();
-    throw;
-  }
-  hand_over();
+  fill(sample_quantities(), rows, reasons, tick,
+       [&](const auto& put) { restitution_distribution(contact, speed, spectrum, options, put); });
 }
 
 py::dict summarize(const Doubles& restitution, const Doubles& error) {

@@ -4,12 +4,9 @@
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
 
-#include <cstdint>
-#include <cstring>
 #include <stdexcept>
 #include <string>
 #include <utility>
-#include <variant>
 #include <vector>
 
 #include "stoss/impact/resolution.hpp"
@@ -26,6 +23,7 @@ namespace py = pybind11;
 void bind_encounters(py::module_& module);
 void bind_impacts(py::module_& module);
 void bind_restitution(py::module_& module);
+void bind_oblique_impacts(py::module_& module);
 void bind_tables(py::module_& module);
 void bind_quasistatic(py::module_& module);
 
@@ -118,76 +116,6 @@ py::dict to_dict(const Quantities<Result>& quantities, const Result& result) {
   }
   return dict;
 }
-
-/// The numbers and flags of several results, as a structured array has them: one after the other, eight bytes for each,
-/// errors after their values. Filled without the interpreter.
-template <typename Result>
-class Rows {
- public:
-  static constexpr std::size_t cell = 8;
-
-  /// @param quantities without names
-  explicit Rows(const Quantities<Result>& quantities) : quantities_(&quantities) {
-    for (const auto& [name, dimension, value, error] : quantities) width_ += (error ? 2 : 1) * cell;
-  }
-
-  [[nodiscard]] std::size_t width() const { return width_; }
-
-  /// Writes the row of a result.
-  void write(const Result& result, std::byte* to) const {
-    const auto put = [&to](const auto& number) {
-      std::memcpy(to, &number, sizeof(number));
-      to += cell;
-    };
-    for (const auto& [name, dimension, value, error] : *quantities_) {
-      const Value found = value(result);
-      if (const auto* number = std::get_if<double>(&found)) {
-        put(*number);
-      } else if (const auto* whole = std::get_if<long>(&found)) {
-        put(static_cast<std::int64_t>(*whole));
-      } else {
-        put(std::get<bool>(found));
-      }
-      if (error) put(error(result));
-    }
-  }
-
-  /// Adds the row of a result to those that take() returns.
-  void add(const Result& result) {
-    made_.resize(made_.size() + width_);
-    write(result, made_.data() + made_.size() - width_);
-  }
-
-  [[nodiscard]] py::dtype type() const {
-    py::list names, formats, offsets;
-    const auto field = [&](const std::string& name, const char* format) {
-      offsets.append(cell * names.size());
-      names.append(name);
-      formats.append(format);
-    };
-    for (const auto& [name, dimension, value, error] : *quantities_) {
-      const Value found = value(Result{});
-      field(name, std::holds_alternative<double>(found) ? "f8" : std::holds_alternative<long>(found) ? "i8" : "?");
-      if (error) field(name + "_error", "f8");
-    }
-    return {names, formats, offsets, static_cast<py::ssize_t>(width_)};
-  }
-
-  /// The rows that were added as a read-only array, which takes them over.
-  [[nodiscard]] py::array take() {
-    const auto count = static_cast<py::ssize_t>(made_.size() / width_);
-    auto* owned = new std::vector<std::byte>(std::move(made_));
-    const py::capsule owner(owned, [](void* memory) { delete static_cast<std::vector<std::byte>*>(memory); });
-    py::array array(type(), {count}, {static_cast<py::ssize_t>(width_)}, owned->data(), owner);
-    array.attr("flags").attr("writeable") = false;
-    return array;
-  }
-
- private:
-  const Quantities<Result>* quantities_;
-  std::size_t width_ = 0;
-  std::vector<std::byte> made_;
-};
 
 /// An array of function(i), which is computed without the interpreter, for arrays of one size.
 template <typename Function, typename... Arrays>

@@ -14,6 +14,7 @@ rayleigh_row: np.dtype[Any]
 point_rayleigh_row: np.dtype[Any]
 restitution_row: np.dtype[Any]
 sample_row: np.dtype[Any]
+oblique_row: np.dtype[Any]
 
 class Encounter:
     def to_json(self) -> str: ...
@@ -95,6 +96,14 @@ def restitution_curve(
     contact: RefinableContact, speeds: _Array, tolerance: float, absolute: float, threads: int, state: _Table,
     rows: _Table, reasons: list[str], tick: Callable[[], None] | None,
 ) -> None: ...  # fmt: skip
+def check_oblique(
+    contact: RefinableContact, cases: _Array, tolerance: float, threads: int, state: _Table
+) -> None: ...
+def oblique_curve(
+    contact: RefinableContact, cases: _Array, tolerance: float, threads: int, state: _Table, rows: _Table,
+    reasons: list[str], tick: Callable[[], None] | None,
+) -> None: ...  # fmt: skip
+def tangential_at(angle: _Array, speed: _Array) -> _Array: ...
 def no_law() -> SlowLaw: ...
 def make_function(
     speed: _Array, restitution: _Array, restitution_error: _Array, interpolation_error: _Array, beyond: str,

@@ -11,6 +11,7 @@
 #include "stoss/encounter/document.hpp"
 #include "stoss/errors.hpp"
 #include "stoss/restitution/curve.hpp"
+#include "stoss/restitution/oblique_curve.hpp"
 
 namespace {
 
@@ -26,6 +27,21 @@ stoss_result in_c(double speed, const stoss::Restitution& result) {
           in_c(result.contact_time),
           in_c(result.max_force),
           in_c(result.max_compression),
+          result.converged ? 1 : 0};
+}
+
+stoss_oblique_result in_c(const stoss::ObliqueRestitution& result) {
+  const stoss::Obliquity& before = result.before;
+  return {{result.speed, before.tangential, before.spin, before.second_spin, before.friction},
+          result.sliding,
+          in_c(result.restitution),
+          in_c(result.tangential_restitution),
+          in_c(result.sliding_after),
+          in_c(result.tangential_after),
+          in_c(result.spin_after),
+          in_c(result.second_spin_after),
+          in_c(result.friction_loss),
+          in_c(result.vibration),
           result.converged ? 1 : 0};
 }
 
@@ -67,11 +83,14 @@ int stoss_open(const char* json, stoss_contact** contact) {
     }
     made.vibration = given.vibration;
     made.speed_unit = stoss::speed_unit(given);
+    made.friction = given.friction;
     *contact = new stoss_contact(std::move(made));
   });
 }
 
 double stoss_speed_unit(const stoss_contact* contact) { return contact == nullptr ? 1.0 : contact->speed_unit; }
+
+double stoss_friction(const stoss_contact* contact) { return contact == nullptr ? 0.0 : contact->friction; }
 
 void stoss_contact_free(stoss_contact* contact) { delete contact; }
 
@@ -92,6 +111,33 @@ int stoss_curve(const stoss_contact* contact, const double* speeds, size_t count
     stoss::restitution_curve(contact->contact, at, options, [&](std::size_t i, const stoss::Restitution& result) {
       found.push_back(in_c(at[i], result));
       if (!result.converged && reason.empty()) reason = "speed " + std::to_string(i) + ": " + result.reason;
+    });
+    std::copy(found.begin(), found.end(), results);
+    if (!reason.empty()) throw stoss::NotConverged(reason);
+  });
+}
+
+int stoss_oblique(const stoss_contact* contact, const stoss_obliquity* obliquities, size_t count, double tolerance,
+                  const stoss_control* control, stoss_oblique_result* results) {
+  return guarded([&] {
+    require_given(contact, "contact");
+    require_given(obliquities, "obliquities");
+    require_given(results, "results");
+    std::vector<stoss::ObliqueCase> cases;
+    for (std::size_t i = 0; i < count; ++i) {
+      const stoss_obliquity& its = obliquities[i];
+      cases.push_back({its.speed, {its.tangential, its.spin, its.second_spin, its.friction}});
+    }
+    std::vector<stoss_oblique_result> found;
+    std::string reason;
+    const stoss::ObliqueCurveOptions options{
+        .each = {.tolerance = tolerance, .poll = stoss::c::poll_of(control), .vibration = contact->vibration},
+        .threads = stoss::c::threads_of(control)};
+    stoss::oblique_curve(contact->contact, cases, options, [&](std::size_t i, const stoss::ObliqueRestitution& result) {
+      found.push_back(in_c(result));
+      if (!result.converged && reason.empty()) {
+        reason = "obliquity " + std::to_string(i) + ": " + result.reason;
+      }
     });
     std::copy(found.begin(), found.end(), results);
     if (!reason.empty()) throw stoss::NotConverged(reason);

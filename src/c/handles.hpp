@@ -20,6 +20,7 @@ struct stoss_contact {
   std::optional<stoss_body> second{};  ///< otherwise a wall
   stoss::Vibration vibration{};
   double speed_unit = 1.0;  ///< m/s where the encounter is in SI
+  double friction = 0.0;    ///< that of the encounter
 };
 
 struct stoss_function {

@@ -179,8 +179,10 @@ Encounter encounter_from_json(std::string_view text) {
       for (const Json& each : value) encounter.vibration.push_back(oscillation("vibration", each));
     } else if (name == "vibration") {
       refuse(name, value, "a list of modes");
+    } else if (name == "friction") {
+      encounter.friction = number(name, value);
     } else {
-      refuse("encounter", name, "first, against, vibration");
+      refuse("encounter", name, "first, against, vibration, friction");
     }
   }
   validate(encounter);
@@ -196,6 +198,7 @@ std::string to_json(const Encounter& encounter) {
                                      {"energy", mode.energy},
                                      {"phase", mode.phase}});
   }
+  if (encounter.friction != 0.0) document["friction"] = encounter.friction;
   return document.dump();
 }
 

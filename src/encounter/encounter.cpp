@@ -6,6 +6,7 @@
 
 #include "check.hpp"
 #include "encounter/participant.hpp"
+#include "stoss/impact/oblique.hpp"
 #include "stoss/quasistatic/yield.hpp"
 
 namespace stoss {
@@ -120,6 +121,7 @@ void validate(const Encounter& encounter) {
   of_what_is_met([&] { validate(wall_of(encounter)); });
   (void)second_maker(encounter);
   (void)yield_speed(encounter);
+  require("friction", encounter.friction, {0.0, most_friction, true, true, "0 to 5"}, "coefficient of Coulomb's law");
 }
 
 std::optional<Scales> si_scales(const Encounter& encounter) {

@@ -5,6 +5,7 @@
 
 #include "stoss/encounter/kinds.hpp"
 #include "stoss/encounter/materials.hpp"
+#include "stoss/impact/oblique.hpp"
 
 namespace stoss {
 namespace {
@@ -94,7 +95,13 @@ std::string encounter_schema() {
                     {"properties",
                      {{"first", {{"oneOf", first}}},
                       {"against", {{"oneOf", against}, {"default", "wall"}}},
-                      {"vibration", vibration()}}},
+                      {"vibration", vibration()},
+                      {"friction",
+                       {{"type", "number"},
+                        {"description", "coefficient of Coulomb's law, of oblique impacts"},
+                        {"minimum", 0},
+                        {"maximum", most_friction},
+                        {"default", 0}}}}},
                     {"required", {"first"}},
                     {"additionalProperties", false},
                     {"$defs", {{"material", materials()}}}};

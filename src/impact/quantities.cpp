@@ -43,6 +43,18 @@ const Quantities<EnergyLedger>& ledger_quantities() {
   return all;
 }
 
+const Quantities<ObliqueLedger>& oblique_ledger_quantities() {
+  using L = ObliqueLedger;
+  static const Quantities<L> all{
+      {"translation", none, &L::translation}, {"across", none, &L::across},
+      {"rotation", none, &L::rotation},       {"second_rotation", none, &L::second_rotation},
+      {"vibration", none, &L::vibration},     {"second_vibration", none, &L::second_vibration},
+      {"dissipated", none, &L::dissipated},   {"friction", none, &L::friction},
+      {"unresolved", none, &L::unresolved},   {"stored", none, &L::stored},
+  };
+  return all;
+}
+
 const Quantities<ModeEnergy>& mode_energy_quantities() {
   using M = ModeEnergy;
   static const Quantities<M> all{

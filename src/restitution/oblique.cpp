@@ -2,7 +2,9 @@
 #include "stoss/restitution/oblique.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdio>
 #include <limits>
 #include <utility>
 
@@ -129,13 +131,21 @@ void add(const Doubt& doubt, ObliqueImpact&& impact, ObliqueRestitution& result)
   conclude(doubt, result);
 }
 
+/// With two digits.
+std::string rounded_up(double x) {
+  const double digit = std::pow(10.0, std::floor(std::log10(x)) - 1.0);
+  std::array<char, 32> text{};
+  (void)std::snprintf(text.data(), text.size(), "%.2g", std::ceil(x / digit) * digit);
+  return text.data();
+}
+
 /// Says why a result has not converged; without two impacts there are no values.
 void give_up(ObliqueRestitution& result) {
   if (result.runs.size() >= 2) {
     if (result.reason.empty()) {
       result.reason = "the tolerance asks for a higher cutoff than " +
                       std::to_string(std::lround(result.runs.back().cutoff)) + " (use a larger tolerance, from " +
-                      shown(result.sliding_after.error / scale_of(result)) + ")";
+                      rounded_up(result.sliding_after.error / scale_of(result)) + ")";
     }
     return;
   }
@@ -203,16 +213,21 @@ std::vector<ObliqueRestitution> oblique_restitution(const RefinableContact& cont
   if (results.empty()) return results;
   const Contact& probe = contact.at(0, options.poll);
   const bool separate = touch(probe).circle;
-  const Doubt doubt{separate ? uncoupled : coupled, softness_along(probe, options.poll)};
+  const auto rough = [](const Obliquity& each) { return each.friction > 0.0; };
+  const bool any_friction = std::any_of(obliquities.begin(), obliquities.end(), rough);
+  const Doubt doubt{separate ? uncoupled : coupled, any_friction ? softness_along(probe, options.poll) : 1.0};
   std::vector<ObliqueRestitution*> all;
   for (ObliqueRestitution& each : results) {
     all.push_back(&each);
     if (!separate) refine(contact, doubt, separate, options, {&each});
   }
-  if (!separate) return results;
-  refine(contact, doubt, separate, options, all);
+  if (separate) refine(contact, doubt, separate, options, all);
+  const auto like_central = [&](const ObliqueRestitution& each) { return separate || !rough(each.before); };
+  if (std::none_of(results.begin(), results.end(), like_central)) return results;
   const Restitution central = best_restitution(contact, speed, {.poll = options.poll, .vibration = options.vibration});
-  for (ObliqueRestitution& each : results) each.restitution = central.restitution;
+  for (ObliqueRestitution& each : results) {
+    if (like_central(each)) each.restitution = central.restitution;
+  }
   return results;
 }
 

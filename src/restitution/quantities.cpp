@@ -6,7 +6,8 @@ namespace stoss {
 namespace {
 
 /// Of the finest impact, if there is one.
-double finest(const Restitution& r, double value) {
+template <typename Result>
+double finest(const Result& r, double value) {
   return r.runs.empty() ? std::numeric_limits<double>::quiet_NaN() : value;
 }
 
@@ -56,6 +57,49 @@ const Quantities<Run>& run_quantities() {
       {"max_compression", length, &Run::max_compression},
       {"energy_error", none, &Run::energy_error},
       {"steps", none, &Run::steps},
+  };
+  return all;
+}
+
+const Quantities<ObliqueRestitution>& oblique_quantities() {
+  using O = ObliqueRestitution;
+  static const Quantities<O> all{
+      {"restitution", none, &O::restitution},
+      {"tangential_restitution", none, &O::tangential_restitution},
+      {"sliding", speed, &O::sliding},
+      {"sliding_after", speed, &O::sliding_after},
+      {"tangential_after", speed, &O::tangential_after},
+      {"spin_after", frequency, &O::spin_after},
+      {"second_spin_after", frequency, &O::second_spin_after},
+      {"friction_loss", none, &O::friction_loss},
+      {"vibration", none, &O::vibration},
+      {"contact_time", time, [](const O& o) { return finest(o, o.finest.normal.contact_time); }},
+      {"cutoff", frequency, [](const O& o) { return finest(o, o.finest.normal.cutoff); }},
+      {"runs", none, [](const O& o) { return count(o.runs); }},
+      {"steps", none, &O::steps},
+      {"energy_error", none, [](const O& o) { return finest(o, o.finest.energy_error); }},
+      {"converged", none, &O::converged},
+      {"beyond_small_strain", none, [](const O& o) { return o.finest.normal.beyond_small_strain; }},
+  };
+  return all;
+}
+
+const Quantities<ObliqueRun>& oblique_run_quantities() {
+  using R = ObliqueRun;
+  static const Quantities<R> all{
+      {"cutoff", frequency, &R::cutoff},
+      {"step", time, [](const R& run) { return run.resolution.step; }},
+      {"nodes", none, [](const R& run) { return run.resolution.nodes; }},
+      {"restitution", none, &R::restitution},
+      {"sliding_after", speed, &R::sliding_after},
+      {"tangential_after", speed, &R::tangential_after},
+      {"spin_after", frequency, &R::spin_after},
+      {"second_spin_after", frequency, &R::second_spin_after},
+      {"friction_loss", none, &R::friction_loss},
+      {"vibration", none, &R::vibration},
+      {"unresolved", none, &R::unresolved},
+      {"energy_error", none, &R::energy_error},
+      {"steps", none, &R::steps},
   };
   return all;
 }

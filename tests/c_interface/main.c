@@ -63,6 +63,23 @@ static int in_si(void) {
   return 0;
 }
 
+/* A rough ball that slides all the time: friction takes 3.5 mu (1 + eps) of the speed from s. */
+static int oblique(void) {
+  stoss_contact* contact = NULL;
+  stoss_obliquity asked;
+  stoss_oblique_result result;
+  REQUIRE(stoss_open("{\"first\": {\"kind\": \"sphere\", \"poisson\": 0.3}, \"friction\": 0.1}", &contact) == STOSS_OK);
+  asked.speed = 0.01;
+  asked.tangential = 0.03;
+  asked.spin = asked.second_spin = 0.0;
+  asked.friction = stoss_friction(contact);
+  REQUIRE(stoss_oblique(contact, &asked, 1, STOSS_OBLIQUE_TOLERANCE, NULL, &result) == STOSS_OK);
+  REQUIRE(result.converged && result.sliding == 0.03 && result.before.friction == 0.1);
+  REQUIRE(fabs(result.sliding_after.value - (0.03 - 0.0035 * (1.0 + result.restitution.value))) < 5e-5);
+  stoss_contact_free(contact);
+  return 0;
+}
+
 static int interrupted(void) {
   int calls = 0;
   stoss_body* sphere = NULL;
@@ -87,7 +104,7 @@ int main(void) {
   REQUIRE(stoss_sphere_make(0.5, 1.0, 1.0, 1.0, 0.0, &body) == STOSS_INVALID_INPUT);
   REQUIRE(body == NULL && strncmp(stoss_message(), "poisson: got 0.5, allowed ", 26) == 0);
   REQUIRE(stoss_disk_make(0.33, 1.0, 1.0, 1.0, 0.0, NULL) == STOSS_INVALID_INPUT);
-  if (one_speed() != 0 || in_si() != 0 || interrupted() != 0) return 1;
+  if (one_speed() != 0 || in_si() != 0 || oblique() != 0 || interrupted() != 0) return 1;
   printf("stoss %s in C\n", stoss_version());
   return 0;
 }

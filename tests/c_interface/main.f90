@@ -8,6 +8,8 @@ program main
   type(c_ptr) :: disk, contact, handle
   type(stoss_control) :: control
   type(stoss_result) :: results(2)
+  type(stoss_obliquity) :: obliquities(1)
+  type(stoss_oblique_result) :: rules(1)
   real(c_double) :: speeds(2) = [0.1_c_double, 0.05_c_double], values(2), errors(2), slowest, fastest, greatest
 
   call require(stoss_disk_make(0.33_c_double, 1.0_c_double, 1.0_c_double, 1.0_c_double, 0.0_c_double, disk) == stoss_ok, 1)
@@ -33,6 +35,14 @@ program main
   call require(stoss_function_make(contact, 0.02_c_double, 0.2_c_double, 1e-5_c_double, stoss_beyond_clamp, control, &
     handle) == stoss_interrupted, 13)
   call require(calls == 1, 14)
+  call stoss_contact_free(contact)
+
+  call require(stoss_open('{"first": {"kind": "sphere", "poisson": 0.3}, "friction": 0.1}'//c_null_char, contact) &
+    == stoss_ok, 15)
+  obliquities(1) = stoss_obliquity(speed=0.01_c_double, tangential=0.03_c_double, friction=stoss_friction(contact))
+  control = stoss_control()
+  call require(stoss_oblique(contact, obliquities, 1_c_size_t, stoss_oblique_tolerance, control, rules) == stoss_ok, 16)
+  call require(rules(1)%converged == 1 .and. abs(rules(1)%sliding_after%value - 0.023_c_double) < 5e-5_c_double, 17)
   call stoss_contact_free(contact)
   print '(a)', 'stoss in Fortran'
 

@@ -28,6 +28,7 @@ def schema(stoss):
         {"first": {"kind": "disk", "radius": 1, "material": "glass", "plane": "strain"}, "against": "same"},
         {"first": {"kind": "rod"}, "against": {"kind": "rod", "length": 2, "area": 0.5}},
         {"first": BALL, "vibration": [{"order": 2, "index": 0, "energy": 0.1, "body": "first"}]},
+        {"first": BALL, "friction": 0.3},
     ],
 )
 def test_schema_takes(schema, encounter):
@@ -48,6 +49,8 @@ def test_schema_takes(schema, encounter):
         {"first": {"kind": "sphere", "radius": 1, "material": "steal"}},
         {"first": {"kind": "sphere", "radius": 1, "material": {"young": 1e9}}},
         {"first": BALL, "vibration": [{"order": 2, "index": 0}]},
+        {"first": BALL, "friction": 5.1},
+        {"first": BALL, "friction": "much"},
         {"first": BALL, "speed": 1},
     ],
 )

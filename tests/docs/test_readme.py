@@ -61,7 +61,7 @@ def test_times_are_those_of_the_validation():
 def test_page_of_the_library_quotes_its_examples():
     page = (ROOT / "docs/cpp.md").read_text(encoding="utf-8")
     folder = ROOT / "examples/library"
-    for name in ("impact.cpp", "pairs.cpp", "CMakeLists.txt"):
+    for name in ("impact.cpp", "pairs.cpp", "oblique.cpp", "CMakeLists.txt"):
         assert f"```{'cmake' if name == 'CMakeLists.txt' else 'cpp'}\n{(folder / name).read_text()}```" in page, name
     assert page.count("```cpp") == len(list(folder.glob("*.cpp")))
 
@@ -69,5 +69,6 @@ def test_page_of_the_library_quotes_its_examples():
 def test_page_of_the_library_shows_what_they_print():
     page = (ROOT / "docs/cpp.md").read_text(encoding="utf-8")
     shown = re.findall(r"```text\n(.*?)```", page, re.DOTALL)
-    expected = [(ROOT / f"tests/downstream/{name}.txt").read_text(encoding="utf-8") for name in ("impact", "pairs")]
+    names = ("impact", "pairs", "oblique")
+    expected = [(ROOT / f"tests/downstream/{name}.txt").read_text(encoding="utf-8") for name in names]
     assert shown == expected

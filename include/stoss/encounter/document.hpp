@@ -9,9 +9,10 @@
 ///
 ///   {"first": {"kind": "sphere", "radius": 0.005, "material": "steel"},
 ///    "against": {"kind": "half-space", "material": {"young": 7e10, "poisson": 0.22, "density": 2500}},
-///    "vibration": [{"body": "first", "order": 2, "index": 0, "energy": 0.1, "phase": 0}]}
+///    "vibration": [{"body": "first", "order": 2, "index": 0, "energy": 0.1, "phase": 0}],
+///    "friction": 0.3}
 ///
-/// `against` may be the name of a kind without numbers, as "wall" or "same"; it and `vibration` may be left out.
+/// `against` may be the name of a kind without numbers, as "wall" or "same"; all but `first` may be left out.
 namespace stoss {
 
 /// Reads a document. @throws InvalidInput with one line: what is wrong where, and what is allowed

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "stoss/impact/impact.hpp"
+#include "stoss/impact/oblique.hpp"
 #include "stoss/quantity.hpp"
 
 namespace stoss {
@@ -10,6 +11,9 @@ namespace stoss {
 
 /// Where the energy is after an impact.
 [[nodiscard]] const Quantities<EnergyLedger>& ledger_quantities();
+
+/// Where the energy is after an oblique impact.
+[[nodiscard]] const Quantities<ObliqueLedger>& oblique_ledger_quantities();
 
 /// Quantities of one kept mode after an impact.
 [[nodiscard]] const Quantities<ModeEnergy>& mode_energy_quantities();

@@ -53,8 +53,8 @@ struct ObliqueOptions {
 };
 
 /// Collision rules at one normal speed, for many angles, spins and frictions, from impacts at rising cutoffs. Of bodies
-/// in which both directions do not act on each other one normal impact at each cutoff serves them all, and ε_n is that
-/// of `restitution`, bit by bit.
+/// in which both directions do not act on each other one normal impact at each cutoff serves them all. Of these, and
+/// without friction, ε_n is that of `restitution`, bit by bit.
 ///
 /// The error of s′, and of what follows from it, is three times the maximum difference from a coarser run, scaled by
 /// the order at which such differences fall, 1.4 in the cutoff, and of coupled directions 1; and at least that of the

@@ -2,6 +2,7 @@
 
 #include "stoss/quantity.hpp"
 #include "stoss/restitution/extrapolation.hpp"
+#include "stoss/restitution/oblique.hpp"
 #include "stoss/restitution/restitution.hpp"
 
 namespace stoss {
@@ -11,6 +12,12 @@ namespace stoss {
 
 /// Quantities of one impact on the way to it.
 [[nodiscard]] const Quantities<Run>& run_quantities();
+
+/// Quantities of an oblique collision rule; of its finest impact as above.
+[[nodiscard]] const Quantities<ObliqueRestitution>& oblique_quantities();
+
+/// Quantities of one impact on the way to it.
+[[nodiscard]] const Quantities<ObliqueRun>& oblique_run_quantities();
 
 /// Quantities of a coefficient of restitution by the paper's two limits.
 [[nodiscard]] const Quantities<ExtrapolatedRestitution>& extrapolation_quantities();

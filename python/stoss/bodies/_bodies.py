@@ -50,9 +50,8 @@ class Sphere(Solid):
     """An elastic sphere: its Poisson's ratio, and its size and material relative to other bodies.
 
     Without a material all sizes are ratios in any consistent units; at a rigid wall only `poisson`
-    counts. With a material, the radius and all speeds are in SI. Spheres meet walls and each other
-    centrally and without friction. Units are the radius R, the bar speed c = √(E/ρ) and the mass;
-    forces are in mc²/R = (4π/3)R²E.
+    counts. With a material, the radius and all speeds are in SI. Units are the radius
+    R, the bar speed c = √(E/ρ) and the mass; forces are in mc²/R = (4π/3)R²E.
 
     Parameters:
         poisson: Poisson's ratio ν, −0.95 to 0.4999.
@@ -138,10 +137,13 @@ def speed_unit(body: Body | None) -> float:
 
 @contextlib.contextmanager
 def speeds_in_si(body: Body | None) -> Iterator[None]:
-    """Says to a user who thinks in m/s what the core's refusal of a speed means."""
+    """Says to a user who thinks in SI what the core's refusal of a speed or a spin means."""
     try:
         yield
     except InvalidInput as error:
-        if body is None or body.material is None or not str(error).startswith("speed"):
+        units = {"speed": "c is {speed:.6g} m/s", "tangential": "c is {speed:.6g} m/s"}
+        units |= {"spin": "c/R is {frequency:.6g} rad/s", "second_spin": "c/R is {frequency:.6g} rad/s"}
+        name = str(error).partition(":")[0]
+        if body is None or body.material is None or name not in units:
             raise
-        raise InvalidInput(f"{error}; with this material c is {body.scales.speed:.6g} m/s") from None
+        raise InvalidInput(f"{error}; with this material {units[name].format(**body.scales._asdict())}") from None

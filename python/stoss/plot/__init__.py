@@ -8,6 +8,7 @@ column; in your own Axes the text follows your settings. Nothing global is chang
 `restitution`, `extrapolation`                    ε or 1 − ε² against speed; Gerl and Zippelius' two
                                                   limits
 `function`                                        ε(v) as a function, with its error
+`oblique`                                         ε_t and ε_n against the angle of incidence
 `pair_table`                                      ε(v) of pairs of several ratios of radii
 `distribution`                                    ε of many bodies that vibrate
 `slow_impact`, `rayleigh`, `static_contact`       quasi-static: contact time, lost fraction,
@@ -42,6 +43,7 @@ from stoss.plot._restitution import extrapolation, function, pair_table
 from stoss.plot._modes import ledger
 from stoss.plot._many import bounces, cooling, distribution, restitution_histogram
 from stoss.plot._modes import mode_shape, spectrum
+from stoss.plot._oblique import oblique
 from stoss.plot._quasistatic import rayleigh, slow_impact, static_contact
 from stoss.plot._restitution import restitution
 from stoss.plot._sequence import sequence
@@ -52,7 +54,7 @@ from stoss.plot._wave import wave
 
 __all__ = [
     "animate", "bounces", "cooling", "disk", "distribution", "energies", "extrapolation", "force",
-    "function", "half_width", "ledger", "mode_shape", "pair_table", "rayleigh", "restitution",
-    "restitution_histogram", "sequence", "slow_impact", "spectrum", "sphere", "static_contact",
-    "stress", "velocity", "wave",
+    "function", "half_width", "ledger", "mode_shape", "oblique", "pair_table", "rayleigh",
+    "restitution", "restitution_histogram", "sequence", "slow_impact", "spectrum", "sphere",
+    "static_contact", "stress", "velocity", "wave",
 ]  # fmt: skip

@@ -23,9 +23,9 @@ from stoss.results._result import Column, Result, columns, picture
 from stoss.results._si import warn_of_doubt, warn_of_large_strain, warn_of_yielding
 
 
-def empty_rows(shape: int | tuple[int, ...]) -> NDArray[Any]:
+def empty_rows(shape: int | tuple[int, ...], kind_of_row: np.dtype[Any] = _core.restitution_row) -> NDArray[Any]:
     """Rows of curves that nothing has been computed of: NaN, 0 and False."""
-    rows = np.zeros(shape, dtype=_core.restitution_row)
+    rows = np.zeros(shape, dtype=kind_of_row)
     for name, (kind, *_) in (rows.dtype.fields or {}).items():
         if kind.kind == "f":
             rows[name] = np.nan

@@ -30,7 +30,7 @@ class PlainBar:
         print(f"\r[{'#' * full}{'.' * (30 - full)}] {self._done}/{self._total}", end="", file=sys.stderr, flush=True)
 
 
-def bar(total: int, wanted: bool) -> Any:
+def bar(total: int, wanted: bool, name: str = "restitution") -> Any:
     """A context with a bar, tqdm's if it is there; with None unless wanted."""
     if not wanted or sys.stderr is None:  # as under pythonw, or with a closed stderr
         return contextlib.nullcontext()
@@ -38,4 +38,4 @@ def bar(total: int, wanted: bool) -> Any:
         from tqdm import tqdm
     except ImportError:
         return PlainBar(total)
-    return tqdm(total=total, desc="restitution", unit="value")
+    return tqdm(total=total, desc=name, unit="value")

@@ -8,7 +8,6 @@ from typing import Any, ClassVar, Union
 import numpy as np
 from numpy.typing import NDArray
 
-from stoss._arguments import arranged
 from stoss._errors import InvalidInput
 from stoss.bodies._bodies import PARTNERS, Body, Disk, Rod, Sphere, shown
 from stoss.bodies._encounter import Against, choose_against
@@ -117,11 +116,7 @@ class Restitution(ImpactsInSi):
     def __getitem__(self, key: Any) -> Restitution:
         """The values at an index, a slice or flags, as numpy has them; bodies that are none of these leave."""
         len(self)  # refuses a single value
-        shape = np.shape(self.restitution)
-        fields = {field.name: getattr(self, field.name) for field in dataclasses.fields(self)}
-        arrays = {name: each for name, each in fields.items() if isinstance(each, np.ndarray) and name != "state"}
-        parts = {name: np.array(np.broadcast_to(each, shape)[key]) for name, each in arrays.items()}
-        values: dict[str, Any] = {name: arranged(part, part.shape) for name, part in parts.items()}
+        values = self._selected(key, np.shape(self.restitution))
         if self.body is None:
             left = tuple(each for each in self.bodies if np.any(values["poisson"] == getattr(each, "poisson")))
             values |= {"bodies": left, "body": left[0] if len(left) == 1 else None}

@@ -12,6 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from stoss import _core
+from stoss._arguments import arranged
 from stoss._documentation import documented, with_fields
 from stoss.bodies._state import shown_state
 from stoss.export import _tables
@@ -154,6 +155,13 @@ class Result:
         if told.get("state") is not None:
             told["state"] = shown_state(told["state"])
         return {name: value for name, value in told.items() if value is not None}
+
+    def _selected(self, key: Any, shape: tuple[int, ...]) -> dict[str, Any]:
+        """The fields that are arrays of this shape, at an index, a slice or flags."""
+        fields = {field.name: getattr(self, field.name) for field in dataclasses.fields(self)}
+        arrays = {name: each for name, each in fields.items() if isinstance(each, np.ndarray) and name != "state"}
+        parts = {name: np.array(np.broadcast_to(each, shape)[key]) for name, each in arrays.items()}
+        return {name: arranged(part, part.shape) for name, part in parts.items()}
 
     def _table(self) -> dict[str, Column]:
         """Columns of one length."""

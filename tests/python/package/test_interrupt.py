@@ -19,6 +19,7 @@ LONG = {
     "curve, one thread": CURVE.format(nu=0.33, threads=1),
     "map": "stoss.restitution(poisson=np.linspace(-0.9, 0.9, 400), speed=0.1, tolerance=1e-4)",
     "progress": CURVE.format(nu=0.33, threads=2)[:-1] + ", progress=True)",
+    "oblique": "stoss.oblique(stoss.Disk(poisson=0.33), speed=0.01, angle=np.linspace(1, 80, 400), friction=0.3)",
     "impact": "stoss.impact(poisson=0.33, speed=0.1, cutoff=20, step=5e-6)",
     "pairs": "stoss.restitution(stoss.Disk(poisson=0.33), against=stoss.Disk(poisson=0.2, radius=3),"
     " speed=np.geomspace(1e-3, 0.3, 300), tolerance=1e-4)",
@@ -93,7 +94,7 @@ def test_ctrl_c_stops_within_the_promised_time(interpreter, what, record_propert
     record_property("seconds", took)
     print(f"{what}: {', '.join(f'{each * 1000:.1f}' for each in took)} ms")
     assert sorted(took)[1] < PROMISED and max(took) < CEILING
-    keeps = any(f"stoss.{name}(" in LONG[what] for name in ("restitution", "bounce", "rod_chain"))
+    keeps = any(f"stoss.{name}(" in LONG[what] for name in ("restitution", "oblique", "bounce", "rod_chain"))
     assert names == {"Interrupted" if keeps else "KeyboardInterrupt"}
 
 

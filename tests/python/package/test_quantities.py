@@ -21,6 +21,8 @@ RESULTS = [
     ("impact", stoss.Impact, set(), {"body", "against", "speed", "tail", "mode_energies", "keep", "state", "_handle"}),
     ("restitution", stoss.Restitution, set(),
      {"body", "bodies", "against", "poisson", "speed", "reason", "tolerance", "absolute", "state"}),
+    ("oblique", stoss.ObliqueRestitution, set(),
+     {"body", "against", "speed", "tangential", "spin", "second_spin", "friction", "reason", "tolerance", "state"}),
     ("bounce", stoss.Bounces, set(), {"body", "against", "cutoff", "tail", "gravity", "decay_time", "state"}),
     ("sample", stoss.RestitutionDistribution, set(),
      {"body", "against", "speed", "temperature", "highest", "spectrum", "seed", "error", "mean", "mean_error",
@@ -93,6 +95,8 @@ def test_rods_have_their_own_units_at_every_instant(tmp_path):
          lambda: stoss.restitution(stoss.Rod(), speed=0.1, tolerance=0.01, against=stoss.Rod(length=2.5))),
         ("restitution --body sphere --poisson 0.3 --speed 0.1",
          lambda: stoss.restitution(stoss.Sphere(poisson=0.3), speed=0.1)),
+        ("oblique --poisson 0.33 --speed 0.1 --tangential 0.1 --friction 0.3 --tolerance 0.1",
+         lambda: stoss.oblique(stoss.Disk(poisson=0.33), speed=0.1, tangential=0.1, friction=0.3, tolerance=0.1)),
         ("quasistatic --poisson 0.33 --speed 1e-3", lambda: Q.rayleigh(poisson=0.33, speed=1e-3)),
         ("quasistatic --body sphere --poisson 0.3 --speed 1e-3",
          lambda: Q.rayleigh(stoss.Sphere(poisson=0.3), speed=1e-3)),
@@ -101,7 +105,7 @@ def test_rods_have_their_own_units_at_every_instant(tmp_path):
         (f"quasistatic --body sphere --poisson 0.3 --radius 0.01 --yield 1e9 --speed 0.01 {STEEL}",
          lambda: Q.rayleigh(stoss.Sphere(radius=0.01, material=HARD), speed=0.01)),
     ],
-    ids=["disk", "rod", "sphere", "rayleigh", "rayleigh-sphere", "bounce", "rayleigh-sphere-si"],
+    ids=["disk", "rod", "sphere", "oblique", "rayleigh", "rayleigh-sphere", "bounce", "rayleigh-sphere-si"],
 )  # fmt: skip
 def test_order_and_units_are_those_of_the_command(command, tmp_path, arguments, result):
     document = command(arguments)

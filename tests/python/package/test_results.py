@@ -32,6 +32,8 @@ def results(hit, curve, steel):
         "rod": stoss.impact(stoss.Rod(), speed=0.1, cutoff=50),
         "pair": stoss.impact(steel, against="same", speed=50, cutoff=4),
         "pairs": stoss.restitution(poisson=[0.3, 0.4], against="same", speed=0.1, tolerance=1e-2),
+        "oblique": stoss.oblique(stoss.Sphere(poisson=0.3), speed=0.1, tangential=0.1, friction=0.1),
+        "oblique steel": stoss.oblique(steel, speed=50, angle=[30, 60], friction=0.1, tolerance=0.1),
         "trajectory": hit.trajectory(every=10),
         "field": hit.field(time=[2, 1], radius=[0.0, 0.5, 1.0], angle=[0.0, 3.0]),
         "frame": hit.field(time=2, radius=[0.0, 1.0], angle=[0.0, 3.0]),
@@ -42,8 +44,8 @@ def results(hit, curve, steel):
 
 
 SERIES = {"cutoffs": [5, 6, 7], "hardnesses": [50, 80, 99]}
-KINDS = ("number", "curve", "empty", "steel", "impact", "soft impact", "rod", "trajectory", "field", "frame", "modes",
-         "steel modes", "extrapolation")  # fmt: skip
+KINDS = ("number", "curve", "empty", "steel", "impact", "soft impact", "rod", "oblique", "oblique steel", "trajectory",
+         "field", "frame", "modes", "steel modes", "extrapolation")  # fmt: skip
 
 
 @pytest.fixture(params=KINDS)

@@ -1,0 +1,253 @@
+"""Oblique impacts with friction: what becomes of the motion along the surface, and of the spins."""
+
+from __future__ import annotations
+
+import dataclasses
+from typing import Any, ClassVar
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from stoss import _core
+from stoss._arguments import arranged, boolean, broadcast, integer, number, numbers
+from stoss._documentation import documented
+from stoss._errors import Interrupted, InvalidInput, NotConverged
+from stoss.bodies._bodies import Body, shown, speeds_in_si
+from stoss.bodies._encounter import Against, choose_against, choose_body, refinable
+from stoss.bodies._state import State, choose_state
+from stoss.bodies._walls import HardWall, Unbounded
+from stoss.export import _tables
+from stoss.export._text import span, with_error
+from stoss.results._curves import empty_rows
+from stoss.results._progress import bar
+from stoss.results._restitution import Flag, Integer
+from stoss.results._result import Column, Number, columns, picture
+from stoss.results._si import MayYield, Si, warn_of_doubt, warn_of_large_strain, warn_of_yielding
+
+MOTION = ("speed", "tangential", "spin", "second_spin", "friction")
+
+
+@dataclasses.dataclass(frozen=True, eq=False, repr=False)
+class ObliqueRestitution(MayYield):
+    """The collision rule of bodies that meet at an angle, with spin and friction.
+
+    Numbers if all inputs were numbers, otherwise arrays of the shape to which they broadcast: then
+    ``len()`` is the length of the first axis, and indices select as in numpy. x points along the
+    normal, from the first body to what it meets, and y along the surface. The point of the first
+    body that touches slides at s = v_t + Ω₁R₁ + Ω₂R₂.
+
+    Attributes:
+        speed: v_n, of approach along the normal, c.
+        tangential, tangential_after: v_t, velocity of the centre of the first body along y relative
+            to the second, before and after, c.
+        spin, spin_after: Ω₁ of the first body, c/R; positive moves its foremost point along +y.
+        second_spin, second_spin_after: Ω₂ of the second, c/R of the first; positive moves its
+            foremost point along −y.
+        friction: Coefficient μ of Coulomb's law.
+        restitution, restitution_error: ε_n = −v_n′/v_n, and its estimated error.
+        tangential_restitution, tangential_restitution_error: ε_t = −s′/s: −1 without friction, 1 of
+            a perfect superball. Where s = 0 it is 0 with an infinite error, and s′ says what
+            happens.
+        sliding, sliding_after: s before and s′ after, c.
+        sliding_after_error, tangential_after_error, spin_after_error, second_spin_after_error:
+            Estimated errors of these.
+        friction_loss, friction_loss_error: Share of the initial energy that became heat of
+            friction.
+        vibration, vibration_error: Share of it with which the bodies vibrate afterwards.
+        cutoff, energy_error: Of the finest impact: c/R; what is missing, as a share of the initial
+            energy.
+        tolerance: Asked for: error of s′ over the larger of |s| and μv_n.
+    """
+
+    plot = picture("ε_t and ε_n against the angle of incidence. See `stoss.plot.oblique`.")
+    _name: ClassVar[str] = "oblique"
+    _kind = "oblique"
+    _told = ("body", "against", "tolerance", "state")
+    _given = {"speed": "speed", "tangential": "speed", "spin": "frequency", "second_spin": "frequency", "friction": ""}
+    tangential_si = Si("Velocity along the surface before, m/s.")
+    spin_si = Si("Spin of the first body before, rad/s.")
+    second_spin_si = Si("Spin of the second body before, rad/s.")
+    sliding_si = Si("Sliding speed before, m/s.")
+    sliding_after_si = Si("Sliding speed after, m/s.")
+    sliding_after_si_error = Si("Its error, m/s.")
+    tangential_after_si = Si("Velocity along the surface after, m/s.")
+    tangential_after_si_error = Si("Its error, m/s.")
+    spin_after_si = Si("Spin of the first body after, rad/s.")
+    spin_after_si_error = Si("Its error, rad/s.")
+    second_spin_after_si = Si("Spin of the second body after, rad/s.")
+    second_spin_after_si_error = Si("Its error, rad/s.")
+
+    body: Body
+    against: Against
+    speed: Number
+    tangential: Number
+    spin: Number
+    second_spin: Number
+    friction: Number
+    restitution: Number
+    restitution_error: Number
+    tangential_restitution: Number
+    tangential_restitution_error: Number
+    sliding: Number
+    sliding_after: Number
+    sliding_after_error: Number
+    tangential_after: Number
+    tangential_after_error: Number
+    spin_after: Number
+    spin_after_error: Number
+    second_spin_after: Number
+    second_spin_after_error: Number
+    friction_loss: Number
+    friction_loss_error: Number
+    vibration: Number
+    vibration_error: Number
+    contact_time: Number
+    cutoff: Number
+    runs: Integer
+    steps: Integer
+    energy_error: Number
+    converged: Flag
+    beyond_small_strain: Flag
+    reason: str | NDArray[np.object_]
+    tolerance: float
+    state: NDArray[Any] | None
+
+    @property
+    def angle(self) -> Number:
+        """Angle between the velocity of the centre and the normal before, degrees."""
+        angles = np.array(np.degrees(np.arctan2(self.tangential, self.speed)))
+        return arranged(angles, angles.shape)  # type: ignore[no-any-return]
+
+    def __repr__(self) -> str:
+        of = f"{shown(self.body, self.against)}, speed={span(self.speed)} c"
+        friction = f"friction={span(self.friction)}"
+        if isinstance(self.restitution, float):
+            spin = f", spin={span(self.spin)} c/R" if self.spin else ""
+            of += f", tangential={span(self.tangential)} c{spin}, {friction}"
+            normal = with_error(self.restitution, float(self.restitution_error))
+            along = with_error(float(self.tangential_restitution), float(self.tangential_restitution_error))
+            state = "" if self.converged else ", not converged"
+            return f"ObliqueRestitution({of}: restitution {normal}, tangential {along}{state})"
+        doubtful = int(np.size(self.converged) - np.count_nonzero(self.converged))
+        state = "all converged" if doubtful == 0 else f"{doubtful} not converged"
+        found = f"tangential restitution {span(self.tangential_restitution)}, {state}"
+        return f"ObliqueRestitution({np.size(self.speed)} values, {of}, {friction}: {found})"
+
+    def __len__(self) -> int:
+        return _tables.sized(self.restitution)
+
+    def __bool__(self) -> bool:
+        return True
+
+    def __getitem__(self, key: Any) -> ObliqueRestitution:
+        """The values at an index, a slice or flags, as numpy has them."""
+        len(self)  # refuses a single value
+        return dataclasses.replace(self, **self._selected(key, np.shape(self.restitution)))
+
+    def _arranged_columns(self) -> tuple[dict[str, Column], tuple[str, ...]]:
+        table, shape = self._columns(), np.shape(self.restitution)
+        if len(shape) != 1:
+            return table, tuple(f"axis_{k}" for k in range(len(shape)))
+        varied = [name for name in MOTION if np.unique(table[name]).size > 1]
+        return table, (varied[0] if len(varied) == 1 else "row",)
+
+
+def _along(tangential: Any, angle: Any, speeds: NDArray[np.float64], unit: float) -> NDArray[np.float64]:
+    """v_t in c, of which at most one way to give it was used."""
+    if angle is None:
+        return numbers("tangential", 0.0 if tangential is None else tangential) / unit
+    if tangential is not None:
+        raise InvalidInput("angle: got tangential and angle, allowed one of them")
+    angles, at = broadcast(angle=numbers("angle", angle), speed=speeds)
+    return _core.tangential_at(angles.ravel(), at.ravel()).reshape(angles.shape)
+
+
+@documented
+def oblique(
+    body: Body,
+    *,
+    speed: ArrayLike,
+    tangential: ArrayLike | None = None,
+    angle: ArrayLike | None = None,
+    friction: ArrayLike,
+    spin: ArrayLike = 0.0,
+    second_spin: ArrayLike = 0.0,
+    against: HardWall | Body | Unbounded | str | None = None,
+    tolerance: float = 1e-2,
+    state: State = None,
+    threads: int = 0,
+    progress: bool = False,
+) -> ObliqueRestitution:
+    """Compute oblique impacts with friction: ε_n, ε_t, and motion and spins afterwards.
+
+    Friction acts node by node, |q| ≤ μp: a node sticks, or slips against q where |q| = μp. Bodies
+    turn, but what is elastic in them keeps its directions (linear kinematics). Of spheres pressure
+    and friction are taken not to change each other, which is exact for equal ones; one normal impact
+    then serves all angles, spins and frictions at its speed, each in a millisecond or so. A value of
+    a disk takes 0.1 s. All numbers of the motion broadcast. A single value that misses its tolerance
+    raises `NotConverged`; in arrays such values are marked, and a `StossWarning` says how many there
+    are.
+
+    Parameters:
+        body (Disk or Sphere): The first body, in whose units all results are.
+        speed: Of approach along the normal, 1e-8 to 1, c (with a material: m/s).
+        tangential: Velocity of the centre of the body along the surface, relative to what it meets,
+            −1 to 1, c (with a material: m/s). Default: 0.
+        angle: In its place, the angle between the velocity of the centre and the normal, above −90
+            and below 90 degrees.
+        friction: Coefficient of Coulomb's law, 0 to 5.
+        spin: Of the body, −1 to 1, c/R (with a material: rad/s); positive moves its foremost point
+            as a positive `tangential` does.
+        second_spin: Of the second body, in the same units and with the same sign of sliding.
+        tolerance: Error of the sliding speed s′ afterwards, over |s| or, if larger, μ times
+            `speed`, 1e-6 to 0.5.
+
+    Examples:
+        >>> ball = stoss.Sphere(poisson=0.3)
+        >>> stoss.oblique(ball, speed=0.01, tangential=0.005, friction=0.3)
+        ObliqueRestitution(Sphere(poisson=0.3), speed=0.01 c, tangential=0.005 c, friction=0.3:
+        restitution 0.99860969 ± 0.00000096, tangential 0.5242 ± 0.0017)
+        >>> fan = stoss.oblique(ball, speed=0.01, angle=[5, 30, 60, 85], friction=0.1)
+        >>> fan.tangential_restitution.round(3)
+        array([ 0.372,  0.205, -0.598, -0.939])
+    """
+    chosen = choose_body(body, None, rigid=True)
+    met = choose_against(chosen, against, (HardWall,))
+    in_si = chosen.material is not None
+    c, turn = (chosen.scales.speed, chosen.scales.frequency) if in_si else (1.0, 1.0)
+    speeds = numbers("speed", speed) / c
+    motion = broadcast(
+        30, speed=speeds, tangential=_along(tangential, angle, speeds, c), spin=numbers("spin", spin) / turn,
+        second_spin=numbers("second_spin", second_spin) / turn, friction=numbers("friction", friction),
+    )  # fmt: skip
+    shape = motion[0].shape
+    # Those of one speed after one another share their impacts along the normal.
+    order = np.argsort(motion[0].ravel(), kind="stable")
+    cases = np.stack([each.ravel()[order] for each in motion], axis=1)
+    limit, count, modes = number("tolerance", tolerance), integer("threads", threads), choose_state(state)
+    contact = refinable(chosen, met)
+    with speeds_in_si(chosen):
+        _core.check_oblique(contact, cases, limit, count, modes)
+
+    rows, why, stopped = empty_rows(order.size, _core.oblique_row), list[str](), False
+    with bar(order.size, boolean("progress", progress), "oblique") as seen:
+        tick = None if seen is None else seen.update
+        try:
+            _core.oblique_curve(contact, cases, limit, count, modes, rows, why, tick)
+        except KeyboardInterrupt:
+            stopped = True
+    table, reasons = np.empty_like(rows), np.full(order.size, "interrupted", dtype=object)
+    table[order], reasons[order[: len(why)]] = rows, why
+    values = {**dict(zip(MOTION, motion)), "reason": reasons, **columns(table)}
+    shaped = {name: arranged(column, shape) for name, column in values.items()}
+    result = ObliqueRestitution(chosen, met, tolerance=limit, state=modes if modes.size else None, **shaped)
+    if stopped:
+        raise Interrupted(f"oblique: interrupted after {len(why)} of {order.size} values (they are in .best)", result)
+    if isinstance(result.reason, str):  # one value
+        if not result.converged:
+            raise NotConverged(f"oblique: {result.reason}", result)
+    else:
+        warn_of_doubt(result.converged, "values", 2)
+    warn_of_large_strain(result, 2)
+    warn_of_yielding(result, 2)
+    return result

@@ -1,0 +1,97 @@
+// Oblique impacts through the C interface are those of C++.
+#include <gtest/gtest.h>
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include "stoss/bodies/rod.hpp"
+#include "stoss/bodies/sphere.hpp"
+#include "stoss/restitution/oblique_curve.hpp"
+#include "stoss/stoss.h"
+#include "support/c_handles.hpp"
+
+namespace stoss {
+using namespace test;
+
+namespace {
+
+const std::string rough_balls =
+    R"({"first": {"kind": "sphere", "poisson": 0.3}, "against": {"kind": "sphere", "radius": 2}, "friction": 0.2})";
+
+void expect_same(const stoss_estimate& in_c, const Estimate& expected) {
+  EXPECT_EQ(in_c.value, expected.value);
+  EXPECT_EQ(in_c.error, expected.error);
+}
+
+TEST(COblique, IsThatOfCpp) {
+  CContact contact;
+  ASSERT_EQ(stoss_open(rough_balls.c_str(), &contact), STOSS_OK) << stoss_message();
+  EXPECT_EQ(stoss_friction(contact), 0.2);
+  EXPECT_EQ(stoss_friction(nullptr), 0.0);
+  const double friction = stoss_friction(contact);
+  const std::array<stoss_obliquity, 3> asked{
+      {{0.05, 0.02, 0.0, 0.01, friction}, {0.05, 0.0, 0.1, 0.0, friction}, {0.1, 0.0, 0.0, 0.0, friction}}};
+  std::array<stoss_oblique_result, 3> results{};
+  ASSERT_EQ(stoss_oblique(contact, asked.data(), asked.size(), STOSS_OBLIQUE_TOLERANCE, nullptr, results.data()),
+            STOSS_OK)
+      << stoss_message();
+  std::vector<ObliqueCase> cases;
+  for (const stoss_obliquity& each : asked) {
+    cases.push_back({each.speed, {each.tangential, each.spin, each.second_spin, each.friction}});
+  }
+  const auto expected = oblique_curve({sphere(0.3), sphere(Sphere{.poisson = 0.3, .radius = 2.0})}, cases);
+  for (std::size_t i = 0; i < results.size(); ++i) {
+    EXPECT_EQ(results[i].before.speed, asked[i].speed);
+    EXPECT_EQ(results[i].before.tangential, asked[i].tangential);
+    EXPECT_EQ(results[i].before.spin, asked[i].spin);
+    EXPECT_EQ(results[i].before.second_spin, asked[i].second_spin);
+    EXPECT_EQ(results[i].before.friction, 0.2);
+    EXPECT_EQ(results[i].sliding, expected[i].sliding);
+    expect_same(results[i].restitution, expected[i].restitution);
+    expect_same(results[i].tangential_restitution, expected[i].tangential_restitution);
+    expect_same(results[i].sliding_after, expected[i].sliding_after);
+    expect_same(results[i].tangential_after, expected[i].tangential_after);
+    expect_same(results[i].spin_after, expected[i].spin_after);
+    expect_same(results[i].second_spin_after, expected[i].second_spin_after);
+    expect_same(results[i].friction_loss, expected[i].friction_loss);
+    expect_same(results[i].vibration, expected[i].vibration);
+    EXPECT_EQ(results[i].converged, 1);
+  }
+  EXPECT_EQ(results[2].tangential_restitution.error, infinity);  // nothing slides
+}
+
+TEST(COblique, KeepsWhatMissesTheTolerance) {
+  CContact contact;
+  ASSERT_EQ(stoss_open(R"({"first": {"kind": "sphere", "poisson": 0.3}})", &contact), STOSS_OK);
+  EXPECT_EQ(stoss_friction(contact), 0.0);
+  const std::array<stoss_obliquity, 2> asked{{{0.05, 0.5, 0.0, 0.0, 0.1}, {0.05, 0.005, 0.0, 0.0, 0.1}}};
+  std::array<stoss_oblique_result, 2> results{};
+  EXPECT_EQ(stoss_oblique(contact, asked.data(), 2, 1e-5, nullptr, results.data()), STOSS_NOT_CONVERGED);
+  EXPECT_EQ(std::string(stoss_message()).rfind("obliquity 1: the tolerance asks for", 0), 0U) << stoss_message();
+  EXPECT_EQ(results[0].converged, 1);
+  EXPECT_EQ(results[1].converged, 0);
+  EXPECT_GT(results[1].sliding_after.error, 0.0);
+}
+
+TEST(COblique, RefusesAndStops) {
+  CContact bar, ball;
+  ASSERT_EQ(stoss_open(R"({"first": {"kind": "rod"}, "friction": 0.1})", &bar), STOSS_OK);
+  ASSERT_EQ(stoss_open(R"({"first": {"kind": "sphere", "poisson": 0.3}})", &ball), STOSS_OK);
+  const stoss_obliquity asked{0.05, 0.02, 0.0, 0.0, 0.1}, steep{0.05, 2.0, 0.0, 0.0, 0.1};
+  stoss_oblique_result result{};
+  const auto said = [&](const stoss_contact* contact, const stoss_obliquity* obliquity) {
+    EXPECT_EQ(stoss_oblique(contact, obliquity, 1, 1e-2, nullptr, &result), STOSS_INVALID_INPUT);
+    return std::string(stoss_message());
+  };
+  EXPECT_EQ(said(bar, &asked).rfind("friction: got 'rod", 0), 0U);
+  EXPECT_EQ(said(ball, &steep).rfind("tangential: got 2", 0), 0U);
+  EXPECT_EQ(said(nullptr, &asked), "contact: got NULL, allowed a pointer to it");
+  EXPECT_EQ(said(ball, nullptr), "obliquities: got NULL, allowed a pointer to it");
+  const stoss_control control{1, [](void*) { return 1; }, nullptr};
+  EXPECT_EQ(stoss_oblique(ball, &asked, 1, 1e-2, &control, &result), STOSS_INTERRUPTED);
+  EXPECT_EQ(result.before.speed, 0.0);  // as it was
+}
+
+}  // namespace
+}  // namespace stoss
