@@ -39,8 +39,10 @@ struct ObliqueRestitution {
   Estimate friction_loss;           ///< share of the initial energy that became heat of friction
   Estimate vibration;               ///< share of it with which the bodies vibrate
   double tolerance = 0.0;
-  bool converged = false;        ///< whether the error of s′ is at most tolerance × the greater of |s| and μ v_n
-  std::string reason;            ///< why not
+  bool converged = false;  ///< whether the error of s′ is at most tolerance × the greater of |s| and μ v_n
+  std::string reason;      ///< why not
+  bool unstable = false;   ///< friction between unlike bodies so high that waves of any length grow while all slides:
+                           ///< nothing has a limit then, and all errors are unknown
   std::vector<ObliqueRun> runs;  ///< from coarse to fine
   ObliqueImpact finest;          ///< the last of them
   long steps = 0;                ///< of all runs
@@ -56,9 +58,11 @@ struct ObliqueOptions {
 /// in which both directions do not act on each other one normal impact at each cutoff serves them all. Of these, and
 /// without friction, ε_n is that of `restitution`, bit by bit.
 ///
-/// The error of s′, and of what follows from it, is three times the maximum difference from a coarser run, scaled by
-/// the order at which such differences fall, 1.4 in the cutoff, and of coupled directions 1; and at least that of the
-/// rings, μ v_n/(κ n²) with n of them. A rule that misses the tolerance has converged false, with a reason.
+/// The error of s′, and of what follows from it, is three times the maximum difference from the two runs before the
+/// last, scaled by the order at which such differences fall with the cutoff, 1.4, and of coupled directions 1; and at
+/// least what n contact points leave open, μ v_n/(κ n²), and of coupled directions 0.8 μ v_n n^{−3/2}
+/// (docs/theory/oblique.md). Much larger bodies take part as a whole. A rule that misses the tolerance has converged
+/// false, with a reason.
 /// @param speed of approach along the normal, 1e-8 … 1, in c
 /// @throws InvalidInput as oblique_impact and for options out of range; NotConverged if no two impacts end
 [[nodiscard]] std::vector<ObliqueRestitution> oblique_restitution(const RefinableContact& contact, double speed,

@@ -1,0 +1,146 @@
+#include "restitution/oblique_errors.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <limits>
+#include <string>
+#include <utility>
+
+#include "impact/recommended.hpp"
+
+namespace stoss {
+namespace {
+
+constexpr double no_estimate = std::numeric_limits<double>::infinity();
+constexpr std::size_t three_runs = 3;  // two that agree by chance say nothing
+
+/// What a number of points across the contact leaves open of s′/μv.
+double error_of_points(const ObliquePlan& plan, double points) {
+  return plan.mixing ? 0.8 / (points * std::sqrt(points)) : plan.softness / (points * points);
+}
+
+/// Points that leave less open than is allowed.
+double needed_points(const ObliquePlan& plan) {
+  constexpr double share = 0.9, most = 96.0;
+  const double error = share * plan.allowed;
+  return std::min(plan.mixing ? std::pow(0.8 / error, 2.0 / 3.0) : std::sqrt(plan.softness / error), most);
+}
+
+ObliqueRun summary(const ObliqueImpact& impact) {
+  return {.cutoff = impact.normal.cutoff,
+          .resolution = impact.normal.resolution,
+          .restitution = impact.restitution,
+          .sliding_after = impact.sliding_after,
+          .tangential_after = impact.tangential_after,
+          .spin_after = impact.spin_after,
+          .second_spin_after = impact.second_spin_after,
+          .friction_loss = impact.energy.friction,
+          .vibration = impact.energy.vibration + impact.energy.second_vibration,
+          .unresolved = impact.energy.unresolved,
+          .energy_error = impact.energy_error,
+          .steps = impact.normal.steps};
+}
+
+/// Error of the last run by its differences from the two before it, each scaled to what is left of it.
+double spread(const ObliquePlan& plan, const std::vector<ObliqueRun>& runs, double ObliqueRun::*quantity) {
+  if (plan.unstable || runs.size() < 2) return no_estimate;
+  const double order = plan.mixing ? 1.0 : 1.4;
+  const ObliqueRun& last = runs.back();
+  double greatest = 0.0;
+  for (std::size_t k = runs.size() - std::min(runs.size(), three_runs); k < runs.size(); ++k) {
+    const double left = std::pow(runs[k].cutoff / last.cutoff, order) * std::abs(runs[k].*quantity - last.*quantity);
+    greatest = std::max(greatest, left);
+  }
+  return (runs.size() > three_runs ? 3.0 : 5.0) * greatest;
+}
+
+/// Of the error of s′.
+double scale_of(const ObliqueRestitution& result) {
+  return std::max(std::abs(result.sliding), result.before.friction * result.speed);
+}
+
+/// With two digits.
+std::string rounded_up(double x) {
+  const double digit = std::pow(10.0, std::floor(std::log10(x)) - 1.0);
+  std::array<char, 32> text{};
+  (void)std::snprintf(text.data(), text.size(), "%.2g", std::ceil(x / digit) * digit);
+  return text.data();
+}
+
+}  // namespace
+
+Resolution ObliquePlan::resolution(const Contact& contact, double speed, double half_width, int level) const {
+  Resolution resolution = refined_resolution(contact, speed, half_width);
+  if (mixing) resolution.step = 0.5 * *resolution.step;
+  const double cutoff = contact.cutoff * time_scale(contact);
+  const double usual = mixing ? 7.0 * std::sqrt(cutoff) : 40.0 * std::pow(cutoff / 32.0, 0.7);
+  const double nyquist = 1.02 * nyquist_nodes(contact, *resolution.half_width);
+  resolution.nodes =
+      static_cast<int>(std::lround(std::max({usual, needed_points(*this) + level, 16.0 + level, nyquist})));
+  return resolution;
+}
+
+void add_run(const ObliquePlan& plan, ObliqueImpact&& impact, ObliqueRestitution& result) {
+  result.finest = std::move(impact);
+  const ObliqueImpact& last = result.finest;
+  result.sliding = last.sliding;
+  result.unstable = plan.unstable;
+  result.runs.push_back(summary(last));
+  result.steps += last.normal.steps;
+  result.reason.clear();
+
+  const double width = last.normal.resolution.half_width;
+  const double points = last.normal.resolution.nodes * (width > 0.0 ? last.normal.max_half_width / width : 1.0);
+  const double open = result.before.friction * result.speed * error_of_points(plan, points);
+  const double change = last.sliding_after - last.sliding;
+  const auto estimate = [&](double ObliqueRun::*quantity, double before) {
+    const double value = result.runs.back().*quantity;
+    const double share = change == 0.0 ? 0.0 : std::abs((value - before) / change);
+    return Estimate{value, std::max(spread(plan, result.runs, quantity), share * open)};
+  };
+  const Obliquity& before = result.before;
+  result.restitution = {last.restitution, spread(plan, result.runs, &ObliqueRun::restitution)};
+  result.sliding_after = estimate(&ObliqueRun::sliding_after, last.sliding);
+  result.tangential_after = estimate(&ObliqueRun::tangential_after, before.tangential);
+  result.spin_after = estimate(&ObliqueRun::spin_after, before.spin);
+  result.second_spin_after = estimate(&ObliqueRun::second_spin_after, before.second_spin);
+  const auto share_of_energy = [&](double ObliqueRun::*quantity) {
+    const ObliqueRun& run = result.runs.back();
+    return Estimate{run.*quantity, spread(plan, result.runs, quantity) + std::abs(run.energy_error)};
+  };
+  result.friction_loss = share_of_energy(&ObliqueRun::friction_loss);
+  result.vibration = share_of_energy(&ObliqueRun::vibration);
+  result.tangential_restitution = {0.0, no_estimate};
+  if (result.sliding != 0.0) {
+    result.tangential_restitution = {-result.sliding_after.value / result.sliding,
+                                     result.sliding_after.error / std::abs(result.sliding)};
+  }
+  result.converged =
+      result.runs.size() >= three_runs && result.sliding_after.error <= result.tolerance * scale_of(result);
+}
+
+void give_up(const ObliquePlan& plan, ObliqueRestitution& result) {
+  if (result.runs.size() >= 2) {
+    if (plan.unstable) {
+      result.reason =
+          "at such friction between unlike bodies waves of any length grow, and nothing has a limit (the "
+          "values are those of the finest run)";
+    } else if (result.reason.empty()) {
+      result.reason = "the tolerance asks for a higher cutoff than " +
+                      std::to_string(std::lround(result.runs.back().cutoff)) + " (use a larger tolerance, from " +
+                      rounded_up(result.sliding_after.error / scale_of(result)) + ")";
+    }
+    return;
+  }
+  constexpr double none = std::numeric_limits<double>::quiet_NaN();
+  for (const auto member :
+       {&ObliqueRestitution::restitution, &ObliqueRestitution::tangential_restitution,
+        &ObliqueRestitution::sliding_after, &ObliqueRestitution::tangential_after, &ObliqueRestitution::spin_after,
+        &ObliqueRestitution::second_spin_after, &ObliqueRestitution::friction_loss, &ObliqueRestitution::vibration}) {
+    result.*member = {none, none};
+  }
+}
+
+}  // namespace stoss

@@ -1,0 +1,26 @@
+#pragma once
+
+#include "stoss/contact/contact.hpp"
+#include "stoss/restitution/oblique.hpp"
+
+namespace stoss {
+
+/// What the runs of an oblique impact must resolve, and what their differences mean.
+struct ObliquePlan {
+  bool mixing = false;    ///< both directions act on each other
+  double softness = 1.0;  ///< 1/κ, along the surface over that along the normal
+  double allowed = 1.0;   ///< error of s′/μv that is wanted
+  bool unstable = false;  ///< friction above stable_friction
+
+  /// Cutoff, step and points, refined together. The number of points differs in every run, so that two runs do not err
+  /// alike. @param half_width of the contact in a coarser run, or 0
+  [[nodiscard]] Resolution resolution(const Contact& contact, double speed, double half_width, int level) const;
+};
+
+/// Adds a run to a result, and fills what follows from all of them.
+void add_run(const ObliquePlan& plan, ObliqueImpact&& impact, ObliqueRestitution& result);
+
+/// Says why a result has not converged; without two impacts there are no values.
+void give_up(const ObliquePlan& plan, ObliqueRestitution& result);
+
+}  // namespace stoss
