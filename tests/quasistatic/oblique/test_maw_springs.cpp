@@ -15,7 +15,7 @@ using namespace quasistatic;
 
 namespace {
 
-const double sphere = 1.75 * mindlin_ratio(0.3);  // χ
+const double chi_of_springs = 1.75 * mindlin_ratio(0.3);  // χ
 
 /// An impact by plain steps of equal angle √d = sin θ.
 struct Springs {
@@ -68,7 +68,7 @@ Springs by_springs(double psi1, double chi, bool with_friction) {
 }
 
 TEST(MawSprings, HaveItsMomentumAndEnergy) {
-  for (const double chi : {0.3, 1.0, sphere, 6.0}) {
+  for (const double chi : {0.3, 1.0, chi_of_springs, 6.0}) {
     for (const double share : {0.05, 0.3, 0.7, 0.95}) {
       const double psi1 = share * sliding_limit(chi);
       const MawImpact impact = maw(psi1, chi);
@@ -86,12 +86,12 @@ TEST(MawSprings, HaveItsMomentumAndEnergy) {
 
 TEST(MawSprings, AreLinearWhereNothingSlips) {
   // ψ₁ → 0: springs stick from where they touch to where they leave, and take their energy with them.
-  for (const double chi : {0.3, 0.7, sphere, 4.0}) {
+  for (const double chi : {0.3, 0.7, chi_of_springs, 4.0}) {
     const double slope = maw(1e-6, chi).psi2 / 1e-6;
     EXPECT_NEAR(slope, by_springs(1.0, chi, false).psi2, 2e-4) << chi;
     EXPECT_NEAR(maw(1e-150, chi).psi2 / 1e-150, slope, 1e-5) << chi;
   }
-  EXPECT_EQ(maw(0.0, sphere).psi2, 0.0);
+  EXPECT_EQ(maw(0.0, chi_of_springs).psi2, 0.0);
 }
 
 }  // namespace
