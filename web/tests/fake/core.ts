@@ -147,14 +147,12 @@ const answers: Answers = {
 
 /** The core of the tests. */
 export async function createCore(): Promise<Core> {
-  setLocal({
-    ask(question, given) {
-      try {
-        return { value: local[question]!(given as Record<string, string>) };
-      } catch (error) {
-        return { error: (error as Error).message };
-      }
-    },
+  setLocal((question, given) => {
+    try {
+      return local[question]!(given as Record<string, string>);
+    } catch (error) {
+      throw new CoreError((error as Error).message);
+    }
   });
   return ((question: keyof Questions, encounter: Encounter, given: never, asking: never = {} as never) =>
     answers[question](encounter, given, asking)) as Core;
