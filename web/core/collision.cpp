@@ -10,6 +10,7 @@
 #include "stoss/contact/grid.hpp"
 #include "stoss/encounter/inside.hpp"
 #include "stoss/errors.hpp"
+#include "stoss/impact/quantities.hpp"
 #include "stoss/impact/replay.hpp"
 
 namespace stoss::web {
@@ -35,14 +36,6 @@ class Collision {
               const bodies::half_space::PlaneGrid& below, const val& deliver);
 
  private:
-  /// One quantity of all instants, in what the page is given.
-  [[nodiscard]] val all(double Snapshot::*quantity, Dimension dimension = Dimension::none) const {
-    const double unit = meeting_->unit(dimension);
-    std::vector<double> values;
-    for (const Snapshot& now : snapshots_) values.push_back(unit * (now.*quantity));
-    return float64_array(values);
-  }
-
   /// Of the bodies, without the waves of a half-space.
   [[nodiscard]] val modes() const {
     val list = val::array();
@@ -83,29 +76,23 @@ class Collision {
 };
 
 val Collision::series() const {
-  using enum Dimension;
   const auto touches = [](const Snapshot& now) { return now.force > 0.0; };
   const auto begin = std::find_if(snapshots_.begin(), snapshots_.end(), touches);
   const auto end = std::find_if(snapshots_.rbegin(), snapshots_.rend(), touches);
-  const double second = meeting_->unit(time);
-  const auto unit_of = [&](Dimension dimension) { return val(meeting_->unit_name(dimension)); };
-  return object({{"units", object({{"time", unit_of(time)},
-                                   {"length", unit_of(length)},
-                                   {"speed", unit_of(speed)},
-                                   {"force", unit_of(force)}})},
-                 {"time", all(&Snapshot::time, time)},
-                 {"velocity", all(&Snapshot::velocity, speed)},
-                 {"force", all(&Snapshot::force, force)},
-                 {"halfWidth", all(&Snapshot::contact_half_width, length)},
-                 {"translation", all(&Snapshot::translation)},
-                 {"vibration", all(&Snapshot::vibration)},
-                 {"stored", all(&Snapshot::stored)},
-                 {"dissipated", all(&Snapshot::dissipated)},
-                 {"unresolved", all(&Snapshot::unresolved)},
-                 {"modes", modes()},
-                 {"begin", val(begin == snapshots_.end() ? 0.0 : begin->time * second)},
-                 {"end", val(end == snapshots_.rend() ? 0.0 : end->time * second)},
-                 {"bodies", bodies()}});
+  const double second = meeting_->unit(Dimension::time);
+  val units = val::object();
+  val made = object({{"units", units},
+                     {"modes", modes()},
+                     {"begin", val(begin == snapshots_.end() ? 0.0 : begin->time * second)},
+                     {"end", val(end == snapshots_.rend() ? 0.0 : end->time * second)},
+                     {"bodies", bodies()}});
+  for (const auto& each : snapshot_quantities()) {
+    std::vector<double> values;
+    for (const Snapshot& now : snapshots_) values.push_back(std::get<double>(each.value(now)));
+    made.set(each.name, float64_array(values, meeting_->unit(each.dimension)));
+    units.set(each.name, meeting_->unit_name(each.dimension));
+  }
+  return made;
 }
 
 void Collision::frames(const std::vector<double>& times, const bodies::PolarGrid& points,

@@ -74,10 +74,6 @@ std::string Meeting::unit_name(Dimension dimension) const {
   return std::string(stoss::unit_name(dimension, unit_system(encounter)));
 }
 
-std::string Meeting::own_unit_name(Dimension dimension) const {
-  return std::string(stoss::unit_name(dimension, kind(encounter.first.kind).own));
-}
-
 std::shared_ptr<const Meeting> Question::meeting() const {
   constexpr std::size_t kept = 4;
   static std::vector<std::pair<std::string, std::shared_ptr<const Meeting>>> known;

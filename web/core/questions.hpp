@@ -24,9 +24,8 @@ struct Meeting {
   /// Value of a unit of the first body in what the page is given: 1, or in SI.
   [[nodiscard]] double unit(Dimension dimension) const { return si ? unit_in_si(dimension, *si) : 1.0; }
 
-  /// Name of what the page is given, as R/c or s; and of a unit of the first body.
+  /// Name of what the page is given, as R/c or s.
   [[nodiscard]] std::string unit_name(Dimension dimension) const;
-  [[nodiscard]] std::string own_unit_name(Dimension dimension) const;
 
   Encounter encounter;
   Solid first;

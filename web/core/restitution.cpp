@@ -21,12 +21,6 @@ std::string text(double value) {
   return buffer.data();
 }
 
-val quantity(double value, const double* error, const std::string& unit, double scale) {
-  val made = object({{"value", val(value * scale)}, {"unit", val(unit)}});
-  if (error != nullptr) made.set("error", *error * scale);
-  return made;
-}
-
 /// What is a number, by the names of the command: with a material in units of the first body and in SI.
 val quantities(const Meeting& meeting, const Restitution& result) {
   val all = val::object();
@@ -36,12 +30,14 @@ val quantities(const Meeting& meeting, const Restitution& result) {
     const auto* count = std::get_if<long>(&value);
     if (real == nullptr && count == nullptr) continue;
     const double number = real != nullptr ? *real : static_cast<double>(*count);
-    const double error = each.error ? each.error(result) : 0.0;
-    const double* const its_error = each.error ? &error : nullptr;
-    all.set(each.name, quantity(number, its_error, meeting.own_unit_name(each.dimension), 1.0));
+    const auto add = [&](const std::string& name, UnitSystem system, double unit) {
+      val made = object({{"value", val(number * unit)}, {"unit", val(std::string(unit_name(each.dimension, system)))}});
+      if (each.error) made.set("error", each.error(result) * unit);
+      all.set(name, made);
+    };
+    add(each.name, kind(meeting.encounter.first.kind).own, 1.0);
     if (!meeting.si || each.dimension == Dimension::none || each.dimension == Dimension::frequency) continue;
-    all.set(each.name + "_si",
-            quantity(number, its_error, meeting.unit_name(each.dimension), meeting.unit(each.dimension)));
+    add(each.name + "_si", unit_system(meeting.encounter), meeting.unit(each.dimension));
   }
   return all;
 }

@@ -43,7 +43,7 @@ export function panelsOf(collision: Collision): Panel[] {
   ];
   return [
     panel('Force', units.force, [{ label: 'force', values: collision.force }]),
-    panel('Velocity', units.speed, [{ label: 'velocity', values: collision.velocity }]),
+    panel('Velocity', units.velocity, [{ label: 'velocity', values: collision.velocity }]),
     panel('Share of the energy', '',
       energies.filter(({ values }, n) => n === 0 || values.some((each) => Math.abs(each) > NOTHING))),
   ];
@@ -107,8 +107,8 @@ export function summaryOf(collision: Collision): string {
   const energy = (name: string, values: Float64Array): string => `${written(100 * values.at(-1)!, 3)} % ${name}`;
   return `The force is at its maximum, ${withUnit(force[most]!, units.force)}, ` +
     `${withUnit(time[most]!, units.time)} after first contact; the last contact is after ` +
-    `${withUnit(collision.end, units.time)}. The velocity goes from ${withUnit(velocity[0]!, units.speed)} to ` +
-    `${withUnit(velocity.at(-1)!, units.speed)}. At the end the energy is ${energy('translation', translation)}, ` +
+    `${withUnit(collision.end, units.time)}. The velocity goes from ${withUnit(velocity[0]!, units.velocity)} to ` +
+    `${withUnit(velocity.at(-1)!, units.velocity)}. At the end the energy is ${energy('translation', translation)}, ` +
     `${energy('vibration', vibration)}${dissipated.at(-1)! > 0 ? `, ${energy('dissipated', dissipated)}` : ''}.`;
 }
 

@@ -67,20 +67,14 @@ export interface Restitution {
   yieldSpeed?: number;
 }
 
+/** What a collision has for every instant; energies are shares of the initial one. */
+type Instants = 'time' | 'velocity' | 'force' | 'contact_half_width'
+  | 'translation' | 'vibration' | 'stored' | 'dissipated' | 'unresolved';
+
 /** One impact in time, at a cutoff: `stoss impact --cutoff` computes the same. Times are in
  *  `units.time`, from the start of the impact, just out of contact. */
-export interface Collision {
-  units: { time: string; length: string; speed: string; force: string };
-  time: Float64Array;
-  velocity: Float64Array;
-  force: Float64Array;
-  halfWidth: Float64Array;
-  /** shares of the initial energy */
-  translation: Float64Array;
-  vibration: Float64Array;
-  stored: Float64Array;
-  dissipated: Float64Array;
-  unresolved: Float64Array;
+export interface Collision extends Record<Instants, Float64Array> {
+  units: Record<'time' | 'velocity' | 'force', string>;
   /** of the bodies; the waves of a half-space are none of them */
   modes: ModeEnergy[];
   /** first and last instant in contact, in units.time */

@@ -16,7 +16,8 @@ addEventListener('message', async ({ data }: MessageEvent<ToWorker>) => {
     } else {
       const { question, given } = data.call;
       const ask = await core!;
-      post({ kind: 'answer', value: ask(question, given, (value, index) => post({ kind: 'delivered', value, index })) });
+      const deliver = (value: never, index: number): void => post({ kind: 'delivered', value, index });
+      post({ kind: 'answer', value: ask(question, given, deliver) });
     }
   } catch (error) {
     if (error instanceof CoreError) post({ kind: 'refusal', line: error.message });

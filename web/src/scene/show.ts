@@ -67,6 +67,6 @@ export async function produce(
 }
 
 /** Maximum half width of the contact in radii of the larger body, whose smallest part it is. */
-function relativeHalfWidth({ kind, si, first }: Encounter, { bodies, halfWidth }: Collision): number {
-  return max(halfWidth)! / (si ? first[sizeOf(kind)] : 1) / max(bodies, ({ radius }) => radius)!;
+function relativeHalfWidth({ kind, si, first }: Encounter, { bodies, contact_half_width: width }: Collision): number {
+  return max(width)! / (si ? first[sizeOf(kind)] : 1) / max(bodies, ({ radius }) => radius)!;
 }

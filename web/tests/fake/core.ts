@@ -47,11 +47,11 @@ function collision(encounter: Encounter, speed: number): Collision {
   const at = (f: (s: number) => number): Float64Array => x.map((t) => f(Math.min(Math.max(t / 5.9, 0), 1)));
   const value = epsilon(encounter, speed);
   return {
-    units: { time: 'R/c', length: 'R', speed: 'c', force: 'piRE' },
+    units: { time: 'R/c', velocity: 'c', force: 'piRE' },
     time: x,
     velocity: at((s) => speed * Math.cos(Math.PI * s) * (s > 0.5 ? value : 1)),
     force: at((s) => 0.05 * Math.sin(Math.PI * s) * (1 + 0.2 * Math.sin(20 * s))),
-    halfWidth: at((s) => 0.3 * Math.sqrt(Math.sin(Math.PI * s))),
+    contact_half_width: at((s) => 0.3 * Math.sqrt(Math.sin(Math.PI * s))),
     translation: at((s) => Math.cos(Math.PI * s) ** 2 * (s > 0.5 ? value ** 2 : 1)),
     vibration: at((s) => (1 - value ** 2) * s),
     stored: at((s) => 0.8 * Math.sin(Math.PI * s)),

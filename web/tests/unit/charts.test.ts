@@ -14,10 +14,10 @@ import { swing } from '../../src/charts/mode_shape';
 const time = Float64Array.from({ length: 1001 }, (_, k) => k / 125);
 const zero = new Float64Array(1001);
 const COLLISION: Collision = {
-  units: { time: 'R/c', length: 'R', speed: 'c', force: 'mc^2/R' }, time,
+  units: { time: 'R/c', velocity: 'c', force: 'mc^2/R' }, time,
   velocity: time.map((t) => 0.1 * Math.cos((Math.PI * t) / 8)),
   force: time.map((t) => 0.05 * Math.sin((Math.PI * t) / 8)),
-  halfWidth: zero, translation: time.map((t) => Math.cos((Math.PI * t) / 8) ** 2), vibration: zero,
+  contact_half_width: zero, translation: time.map((t) => Math.cos((Math.PI * t) / 8) ** 2), vibration: zero,
   stored: time.map((t) => Math.sin((Math.PI * t) / 8) ** 2), dissipated: zero, unresolved: zero,
   modes: [], begin: 0, end: 8,
   bodies: [{ kind: 'disk', radius: 1 }],
@@ -43,7 +43,7 @@ describe('a collision in words', () => {
 
 describe('a collision in SI', () => {
   const si: Collision = {
-    ...COLLISION, units: { time: 's', length: 'm', speed: 'm/s', force: 'N' }, end: 8e-5,
+    ...COLLISION, units: { time: 's', velocity: 'm/s', force: 'N' }, end: 8e-5,
     time: time.map((t) => 1e-5 * t),
     force: COLLISION.force.map((f) => 1e6 * f),
   };
