@@ -3,9 +3,8 @@
 import * as Plot from '@observablehq/plot';
 import { extent, max, maxIndex, minIndex, range } from 'd3-array';
 import type { Collision } from '../core/protocol';
-import { prefixFor, unitInWords, withUnit, written } from '../drawing/numbers';
+import { interpolate, prefixFor, unitInWords, withUnit, written } from '../drawing/numbers';
 import { type Drawn, draw } from '../drawing/plot';
-import { interpolate } from '../drawing/samples';
 import { look, type Theme } from '../drawing/theme';
 
 export interface Series {

@@ -7,8 +7,7 @@ import type { Quantity } from './raster';
 import { coarseToFine, filmSpan, insertFrame, type Film } from './film';
 import { gridBelow, gridFor } from './grid';
 import { partsOf, type Part } from './parts';
-import { magnificationOf, stressUnit } from './scales';
-import { viewOf, type View } from './view';
+import { magnificationOf, stressUnit, viewOf, type View } from './view';
 
 export interface Show {
   encounter: Encounter;

@@ -4,7 +4,7 @@ import type { BodyFrame, Frame } from '../../src/core/protocol';
 import { frameAt } from '../../src/scene/film';
 import { evenGrid, gridBelow } from '../../src/scene/grid';
 import { blockPart, edgeOf, meshOf } from '../../src/scene/parts';
-import { magnificationOf, unfoldedUpTo } from '../../src/scene/scales';
+import { magnificationOf, unfoldedUpTo } from '../../src/scene/view';
 import { diskOf, field } from './disk_frame';
 
 const below = gridBelow(0.05);

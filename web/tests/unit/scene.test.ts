@@ -5,9 +5,8 @@ import { advance, coarseToFine, type Film, filmSpan, frameAt, insertFrame, LENGT
 import { evenGrid, gradedPlaces, gridFor } from '../../src/scene/grid';
 import { faceOf, seamOf } from '../../src/scene/bodies';
 import { bodyPart, edgeOf, meshOf } from '../../src/scene/parts';
-import { coveringStress, magnificationOf, stressUnit, unfoldedUpTo } from '../../src/scene/scales';
 import { secondIsAtRest } from '../../src/scene/show';
-import { layoutOf, viewOf } from '../../src/scene/view';
+import { coveringStress, layoutOf, magnificationOf, stressUnit, unfoldedUpTo, viewOf } from '../../src/scene/view';
 import { diskOf, field } from './disk_frame';
 
 describe('grid', () => {
