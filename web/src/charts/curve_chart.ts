@@ -7,6 +7,7 @@ import { pictureOf } from '../drawing/files';
 import { rounded, withError, written } from '../drawing/numbers';
 import { type Drawn, stacked } from '../drawing/plot';
 import { readTheme } from '../drawing/theme';
+import { description } from '../inputs/lines';
 import { drawCurves, speedsOf, type Curve, type CurveContent } from './curve_picture';
 
 type Current = NonNullable<CurveContent['current']>;
@@ -71,9 +72,9 @@ export function createCurveChart(host: HTMLElement, pick: (speed: number) => voi
   /** The points nearest to a speed, by the logarithm. */
   function nearTo(speed: number): string {
     const { curves } = content;
-    return curves.flatMap(({ label, points }) => {
+    return curves.flatMap(({ encounter, points }) => {
       const point = least(points, (each) => Math.abs(Math.log(each.speed / speed)));
-      return point ? [`${curves.length > 1 ? `${label}, ` : ''}${inWords(point)}`] : [];
+      return point ? [`${curves.length > 1 ? `${description(encounter)}, ` : ''}${inWords(point)}`] : [];
     }).join('; ');
   }
 

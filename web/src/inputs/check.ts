@@ -80,7 +80,7 @@ function standard(encounter: Encounter): Encounter {
 }
 
 /** The line with which the core refuses what it is asked; '' if it does not. */
-function refusal(ask: () => unknown): string {
+export function refusal(ask: () => unknown): string {
   try {
     ask();
     return '';

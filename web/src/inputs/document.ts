@@ -21,14 +21,15 @@ export interface Side {
   readonly material: Material | undefined;
 }
 
-/** The first body, and what it meets where that is a body or a half-space of its own. In SI some of their numbers are of
- *  a material. Without SI the first has as its units what would have a default. */
+/** The first body, and what it meets where that is a body or a half-space of its own. In SI some of their numbers are
+ *  of a material. Without SI the first has as its units what would have a default. */
 export function sidesOf({ kind: name, si, plane, first, against, second: other }: Encounter): [Side, Side?] {
   const side = (kind: Kind, body: Body, second: boolean): Side => {
     const fields = parametersOf(kind)
       .filter((its) => si || second || its.otherwise === undefined || its.name === 'loss_time');
     const used = kind.parameters.filter(({ ofMaterial }) => ofMaterial);
-    const solid = materials.find((its) => si && used.every((each) => its[each.name as keyof Material] === body[each.name]));
+    const solid = materials.find((its) =>
+      si && used.every(({ name }) => its[name as keyof Material] === body[name]));
     const lossy = solid && Math.abs(solid.loss_time - body.loss_time) <= 1e-9 * body.loss_time;
     return {
       kind, body, second, fields: fields.map((its) => its.name), strain: si && kind.hasPlane && plane === 'strain',

@@ -36,8 +36,8 @@ describe.skipIf(!hasCommand)('a collision', { timeout: 60_000 }, () => {
     const native = trajectory(encounter, speed, cutoff);
     const ours = ask('collision', encounter, { speed, cutoff }).value;
     expect(ours.time.length).toBe(native.time!.length);
-    const names = ['time', 'velocity', 'force', 'contact_half_width', 'translation', 'vibration', 'stored', 'dissipated',
-      'unresolved'] as const;
+    const names = ['time', 'velocity', 'force', 'contact_half_width', 'translation', 'vibration', 'stored',
+      'dissipated', 'unresolved'] as const;
     for (const name of names) {
       const values = ours[name];
       const theirs = native[name]!;
