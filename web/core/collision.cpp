@@ -5,7 +5,6 @@
 #include <utility>
 #include <vector>
 
-#include "javascript.hpp"
 #include "questions.hpp"
 #include "stoss/contact/grid.hpp"
 #include "stoss/encounter/inside.hpp"
@@ -137,12 +136,11 @@ Collision& collision_of(const Question& asked) {
 
 bodies::PolarGrid points_of(const val& grid) { return {numbers(grid["radius"]), numbers(grid["angle"])}; }
 
-}  // namespace
-
-namespace answer {
-
+/// One impact in time, as `stoss impact --cutoff` computes it.
+/// @throws InvalidInput as impact; NotConverged where it does not end
 val collision(const Question& asked) { return collision_of(asked).series(); }
 
+/// Frames of it, one by one.
 val frames(const Question& asked) {
   const val grid = asked.given["grid"], under = grid["below"];
   bodies::half_space::PlaneGrid below;
@@ -151,6 +149,7 @@ val frames(const Question& asked) {
   return val::undefined();
 }
 
+/// The shape of a mode of a body.
 val shape(const Question& asked) {
   const auto meeting = asked.meeting();
   const int body = asked.given["body"].as<int>();
@@ -160,5 +159,12 @@ val shape(const Question& asked) {
   return object({{"radial", float32_array(made.radial)}, {"tangential", float32_array(made.tangential)}});
 }
 
-}  // namespace answer
+}  // namespace
+
+EMSCRIPTEN_BINDINGS(collision) {
+  emscripten::function("collision", &answered<collision>);
+  emscripten::function("frames", &answered<frames>);
+  emscripten::function("shape", &answered<shape>);
+}
+
 }  // namespace stoss::web

@@ -3,7 +3,6 @@
 #include <nlohmann/json.hpp>
 #include <variant>
 
-#include "javascript.hpp"
 #include "questions.hpp"
 #include "stoss/encounter/document.hpp"
 #include "stoss/encounter/materials.hpp"
@@ -41,24 +40,6 @@ static void to_json(Json& json, const NamedMaterial& named) {
 }
 
 namespace web {
-namespace {
-
-using emscripten::val;
-
-/// @param unit that of the modulus
-val elastic(const Solid& solid, double unit) {
-  val made = val::object();
-  std::visit(
-      [&](const auto& its) {
-        made.set("young", its.young / unit);
-        if constexpr (requires { its.poisson; }) made.set("poisson", its.poisson);
-      },
-      solid);
-  return made;
-}
-
-}  // namespace
-
 Meeting::Meeting(const std::string& document)
     : encounter(encounter_from_json(document)),
       first(first_solid(encounter)),
@@ -86,10 +67,26 @@ std::shared_ptr<const Meeting> Question::meeting() const {
   return its;
 }
 
-namespace answer {
+namespace {
 
+using emscripten::val;
+
+/// @param unit that of the modulus
+val elastic(const Solid& solid, double unit) {
+  val made = val::object();
+  std::visit(
+      [&](const auto& its) {
+        made.set("young", its.young / unit);
+        if constexpr (requires { its.poisson; }) made.set("poisson", its.poisson);
+      },
+      solid);
+  return made;
+}
+
+/// The table of kinds and the named materials, as JSON: web/plugins/kinds.mjs writes them for the page.
 val kinds(const Question&) { return val(Json{{"kinds", stoss::kinds()}, {"materials", named_materials()}}.dump()); }
 
+/// Units of the first body, and the elastic numbers of both in these. @throws InvalidInput for what cannot meet
 val units(const Question& asked) {
   constexpr double fewest_modes = 4.0;  // cutoff, c/R
   constexpr double quick = 0.5;         // c
@@ -109,14 +106,25 @@ val units(const Question& asked) {
   return made;
 }
 
+/// A speed in c of the first body. @throws InvalidInput for one out of range
 val speed(const Question& asked) {
   return val(own_speed(encounter_from_json(asked.text("document")), asked.number("speed")));
 }
 
+/// What a text stands for, as the command reads it. @throws InvalidInput with its name
 val number(const Question& asked) { return val(parse_number(asked.text("name"), asked.text("text"))); }
 
 val series(const Question& asked) { return float64_array(parse_series(asked.text("name"), asked.text("text"))); }
 
-}  // namespace answer
+}  // namespace
+
+EMSCRIPTEN_BINDINGS(encounter) {
+  emscripten::function("kinds", &answered<kinds>);
+  emscripten::function("units", &answered<units>);
+  emscripten::function("speed", &answered<speed>);
+  emscripten::function("number", &answered<number>);
+  emscripten::function("series", &answered<series>);
+}
+
 }  // namespace web
 }  // namespace stoss

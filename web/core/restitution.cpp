@@ -1,7 +1,6 @@
 #include <array>
 #include <cstdio>
 
-#include "javascript.hpp"
 #include "questions.hpp"
 #include "stoss/restitution/curve.hpp"
 #include "stoss/restitution/quantities.hpp"
@@ -46,10 +45,7 @@ CurveOptions options(const Question& asked) {
   return {.each = {.tolerance = asked.number("tolerance"), .poll = say_alive}, .threads = 1};
 }
 
-}  // namespace
-
-namespace answer {
-
+/// ε at one speed.
 val restitution(const Question& asked) {
   const auto meeting = asked.meeting();
   const double speed = asked.number("speed");
@@ -65,6 +61,7 @@ val restitution(const Question& asked) {
   return made;
 }
 
+/// ε at many speeds, one by one.
 val curve(const Question& asked) {
   const auto meeting = asked.meeting();
   const std::vector<double> speeds = numbers(asked.given["speeds"]);
@@ -80,6 +77,7 @@ val curve(const Question& asked) {
   return val::undefined();
 }
 
+/// The header in C of ε between two speeds, as `stoss table --format c` writes it but for its provenance.
 val header(const Question& asked) {
   const auto meeting = asked.meeting();
   const double slowest = asked.number("slowest"), fastest = asked.number("fastest"), error = asked.number("error");
@@ -92,5 +90,12 @@ val header(const Question& asked) {
   return val(c_header(function, label));
 }
 
-}  // namespace answer
+}  // namespace
+
+EMSCRIPTEN_BINDINGS(restitution) {
+  emscripten::function("restitution", &answered<restitution>);
+  emscripten::function("curve", &answered<curve>);
+  emscripten::function("header", &answered<header>);
+}
+
 }  // namespace stoss::web

@@ -23,7 +23,7 @@ export async function instantiate(module: WebAssembly.Module, alive: () => void)
     },
   });
   return (question, given, deliver = () => {}) => {
-    const { value, error } = core.ask(question, given, deliver);
+    const { value, error } = core[question]!(given, deliver);
     if (error !== undefined) throw new CoreError(error);
     return value;
   };
