@@ -17,6 +17,8 @@ namespace {
 
 using emscripten::val;
 
+bodies::PolarGrid points_of(const val& grid) { return {numbers(grid["radius"]), numbers(grid["angle"])}; }
+
 /// One impact in time, with what its frames have in common.
 class Collision {
  public:
@@ -28,11 +30,55 @@ class Collision {
   }
 
   /// Collision of the protocol.
-  [[nodiscard]] val series() const;
+  [[nodiscard]] val series() const {
+    const auto touches = [](const Snapshot& now) { return now.force > 0.0; };
+    const auto begin = std::find_if(snapshots_.begin(), snapshots_.end(), touches);
+    const auto end = std::find_if(snapshots_.rbegin(), snapshots_.rend(), touches);
+    const double second = meeting_->unit(Dimension::time);
+    val units = val::object();
+    val made = object({{"units", units},
+                       {"modes", modes()},
+                       {"begin", val(begin == snapshots_.end() ? 0.0 : begin->time * second)},
+                       {"end", val(end == snapshots_.rend() ? 0.0 : end->time * second)},
+                       {"bodies", bodies()}});
+    for (const auto& each : snapshot_quantities()) {
+      std::vector<double> values;
+      for (const Snapshot& now : snapshots_) values.push_back(std::get<double>(each.value(now)));
+      made.set(each.name, float64_array(values, meeting_->unit(each.dimension)));
+      units.set(each.name, meeting_->unit_name(each.dimension));
+    }
+    return made;
+  }
 
-  /// Calls deliver(Frame, index) for each of the times, which ascend. @param below points of a half-space
-  void frames(const std::vector<double>& times, const bodies::PolarGrid& points,
-              const bodies::half_space::PlaneGrid& below, const val& deliver);
+  /// Delivers the frames at some times, which ascend.
+  void frames(const Question& asked) {
+    const val grid = asked.given["grid"], under = grid["below"];
+    const bodies::PolarGrid points = points_of(grid);
+    bodies::half_space::PlaneGrid below;
+    if (!under.isUndefined()) below = {numbers(under["distance"]), numbers(under["depth"])};
+    if (points.radius != points_.radius || points.angle != points_.angle) insides_.clear();
+    points_ = points;
+    const double unit = meeting_->unit(Dimension::time);
+    std::vector<double> own;
+    for (const double each : numbers(asked.given["times"])) own.push_back(each / unit);
+    const std::vector<Frame> instants = motion(contact_, impact_, own, say_alive);
+    for (std::size_t i = 0; i < instants.size(); ++i) {
+      val seen = val::array();
+      for (std::size_t n = 0; n < (contact_.second ? 2 : 1); ++n) {
+        const BodyFrame its = seen_by(contact_, grid_, instants[i], static_cast<int>(n));
+        if (insides_.size() == n) {
+          insides_.push_back(inside(meeting_->solid(static_cast<int>(n)), its, points, below, say_alive));
+        }
+        const Interior now = insides_[n](its);
+        seen.call<void>("push", object({{"center", val(its.center)},
+                                        {"radial", float32_array(now.radial)},
+                                        {"tangential", float32_array(now.tangential)},
+                                        {"vonMises", float32_array(now.von_mises, its.stress)},
+                                        {"fringes", float32_array(now.principal_difference, its.stress)}}));
+      }
+      asked.deliver(object({{"time", val(instants[i].time * unit)}, {"bodies", seen}}), i);
+    }
+  }
 
  private:
   /// Of the bodies, without the waves of a half-space.
@@ -74,52 +120,6 @@ class Collision {
   std::vector<Inside> insides_;  ///< of what meets, at these points
 };
 
-val Collision::series() const {
-  const auto touches = [](const Snapshot& now) { return now.force > 0.0; };
-  const auto begin = std::find_if(snapshots_.begin(), snapshots_.end(), touches);
-  const auto end = std::find_if(snapshots_.rbegin(), snapshots_.rend(), touches);
-  const double second = meeting_->unit(Dimension::time);
-  val units = val::object();
-  val made = object({{"units", units},
-                     {"modes", modes()},
-                     {"begin", val(begin == snapshots_.end() ? 0.0 : begin->time * second)},
-                     {"end", val(end == snapshots_.rend() ? 0.0 : end->time * second)},
-                     {"bodies", bodies()}});
-  for (const auto& each : snapshot_quantities()) {
-    std::vector<double> values;
-    for (const Snapshot& now : snapshots_) values.push_back(std::get<double>(each.value(now)));
-    made.set(each.name, float64_array(values, meeting_->unit(each.dimension)));
-    units.set(each.name, meeting_->unit_name(each.dimension));
-  }
-  return made;
-}
-
-void Collision::frames(const std::vector<double>& times, const bodies::PolarGrid& points,
-                       const bodies::half_space::PlaneGrid& below, const val& deliver) {
-  if (points.radius != points_.radius || points.angle != points_.angle) insides_.clear();
-  points_ = points;
-  const double unit = meeting_->unit(Dimension::time);
-  std::vector<double> own;
-  for (const double each : times) own.push_back(each / unit);
-  const std::vector<Frame> instants = motion(contact_, impact_, own, say_alive);
-  for (std::size_t i = 0; i < instants.size(); ++i) {
-    val seen = val::array();
-    for (std::size_t n = 0; n < (contact_.second ? 2 : 1); ++n) {
-      const BodyFrame its = seen_by(contact_, grid_, instants[i], static_cast<int>(n));
-      if (insides_.size() == n) {
-        insides_.push_back(inside(meeting_->solid(static_cast<int>(n)), its, points, below, say_alive));
-      }
-      const Interior now = insides_[n](its);
-      seen.call<void>("push", object({{"center", val(its.center)},
-                                      {"radial", float32_array(now.radial)},
-                                      {"tangential", float32_array(now.tangential)},
-                                      {"vonMises", float32_array(now.von_mises, its.stress)},
-                                      {"fringes", float32_array(now.principal_difference, its.stress)}}));
-    }
-    deliver(object({{"time", val(instants[i].time * unit)}, {"bodies", seen}}), i);
-  }
-}
-
 /// That of a question; the last one is kept.
 Collision& collision_of(const Question& asked) {
   static std::tuple<std::string, double, double> last;
@@ -134,18 +134,13 @@ Collision& collision_of(const Question& asked) {
   return *its;
 }
 
-bodies::PolarGrid points_of(const val& grid) { return {numbers(grid["radius"]), numbers(grid["angle"])}; }
-
 /// One impact in time, as `stoss impact --cutoff` computes it.
 /// @throws InvalidInput as impact; NotConverged where it does not end
 val collision(const Question& asked) { return collision_of(asked).series(); }
 
 /// Frames of it, one by one.
 val frames(const Question& asked) {
-  const val grid = asked.given["grid"], under = grid["below"];
-  bodies::half_space::PlaneGrid below;
-  if (!under.isUndefined()) below = {numbers(under["distance"]), numbers(under["depth"])};
-  collision_of(asked).frames(numbers(asked.given["times"]), points_of(grid), below, asked.deliver);
+  collision_of(asked).frames(asked);
   return val::undefined();
 }
 
