@@ -2,10 +2,10 @@
 
 import { html, nothing, render, type TemplateResult } from 'lit-html';
 import type { Collision } from '../core/protocol';
-import { keyed, onResize } from '../drawing/dom';
-import { pictureOf } from '../drawing/files';
+import { keyed } from '../drawing/dom';
+import { chartIn } from '../drawing/files';
 import { type Drawn, drawLegend } from '../drawing/plot';
-import { look, readTheme, type Theme } from '../drawing/theme';
+import { look, readTheme } from '../drawing/theme';
 import {
   cursorWords, drawPanel, panelLabel, panelsOf, readable, summaryOf, valueWords, type Panel,
 } from './series';
@@ -20,22 +20,21 @@ export function createTimeCharts(host: HTMLElement, choose: (time: number) => vo
   let charts: Drawn[] = [];
   let cursor = 0; // in the readable unit, as all times inside
   let second = 1;
-  onResize(host, draw);
+  const { update, picture } = chartIn(host, 'Force, velocity and energies in time', (width, theme, leaving) => {
+    if (!collision) return [];
+    const drawn = panels.map((panel, n) =>
+      drawPanel(collision!, panel, width, HEIGHTS[n]!, n === panels.length - 1, leaving, theme));
+    const entries = panels.at(-1)!.series.map(({ label }, k) =>
+      ({ label, look: look(k, theme), line: true, marker: false }));
+    return leaving ? [...drawn, drawLegend(entries, width, theme)] : drawn;
+  }, (parts) => {
+    charts = parts;
+    tell();
+  });
 
   function ends(): { first: number; last: number } {
     const { time } = collision!;
     return { first: time[0]!, last: time.at(-1)! };
-  }
-
-  function panelsAs(width: number, named: boolean, theme: Theme): Drawn[] {
-    return panels.map((panel, n) =>
-      drawPanel(collision!, panel, width, HEIGHTS[n]!, n === panels.length - 1, named, theme));
-  }
-
-  function draw(): void {
-    if (!collision || !host.clientWidth) return;
-    charts = panelsAs(host.clientWidth, false, readTheme(host));
-    tell();
   }
 
   /** Brings all but the curves up to date. */
@@ -100,18 +99,13 @@ export function createTimeCharts(host: HTMLElement, choose: (time: number) => vo
       cursor *= second / shown.second;
       ({ second, collision } = shown);
       panels = panelsOf(collision);
-      draw();
+      update();
     },
     /** Puts the cursor to a time, in the collision's units. */
     setCursor(time: number): void {
       cursor = time / second;
       tell();
     },
-    picture: pictureOf(host, 'Force, velocity and energies in time', (width, theme) => {
-      if (!collision) throw new Error('there is no collision to draw yet');
-      const entries = panels.at(-1)!.series.map(({ label }, k) =>
-        ({ label, look: look(k, theme), line: true, marker: false }));
-      return [...panelsAs(width, true, theme), drawLegend(entries, width, theme)];
-    }),
+    picture,
   };
 }
