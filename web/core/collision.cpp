@@ -39,8 +39,7 @@ class Collision {
     val made = object({{"units", units},
                        {"modes", modes()},
                        {"begin", val(begin == snapshots_.end() ? 0.0 : begin->time * second)},
-                       {"end", val(end == snapshots_.rend() ? 0.0 : end->time * second)},
-                       {"bodies", bodies()}});
+                       {"end", val(end == snapshots_.rend() ? 0.0 : end->time * second)}});
     for (const auto& each : snapshot_quantities()) {
       std::vector<double> values;
       for (const Snapshot& now : snapshots_) values.push_back(std::get<double>(each.value(now)));
@@ -92,21 +91,6 @@ class Collision {
                                       {"omega", val(mode.omega)},
                                       {"after", val(mode.after)},
                                       {"average", val(mode.average)}}));
-    }
-    return list;
-  }
-
-  [[nodiscard]] val bodies() const {
-    val list = val::array();
-    const auto add = [&](const std::string& kind, double radius) {
-      list.call<void>("push", object({{"kind", val(kind)}, {"radius", val(radius)}}));
-    };
-    const std::string& kind = meeting_->encounter.first.kind;
-    add(kind, 1.0);
-    if (meeting_->against_half_space()) {
-      add("half-space", 1.0);
-    } else if (contact_.second) {
-      add(kind, contact_.second->scale.length / contact_.first->scale.length);
     }
     return list;
   }

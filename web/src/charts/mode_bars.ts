@@ -57,7 +57,7 @@ export function createModeBars(host: HTMLElement, core: Core) {
   });
 
   function isPair(): boolean {
-    return (now?.collision.bodies[1]?.kind ?? 'half-space') !== 'half-space';
+    return now?.encounter.against === 'same' || now?.encounter.against === 'body';
   }
 
   function bar(): ModeBar | undefined {
@@ -88,7 +88,7 @@ export function createModeBars(host: HTMLElement, core: Core) {
                   @focus=${() => choose(each)}
                   @pointerenter=${(event: PointerEvent) => event.pointerType === 'mouse' && choose(each)}></button>`)}
             </div>
-            <p class="chart-note">${now && noteOf(now.collision)}</p>
+            <p class="chart-note">${now && noteOf(now)}</p>
           </div>
           <figure class="mode-shape" ?hidden=${!its}>
             <canvas aria-hidden="true"></canvas>
@@ -106,11 +106,11 @@ export function createModeBars(host: HTMLElement, core: Core) {
     return `left: ${from}px; top: ${top}px; width: ${to - from}px; height: ${ground - top}px`;
   }
 
-  function noteOf(collision: Collision): string {
+  function noteOf({ encounter, collision }: NonNullable<typeof now>): string {
     return [
       layout.bars.length ? '' : 'No mode of this body has energy.',
       layout.omitted ? `${layout.omitted} more modes hold ${percent(layout.rest)} together.` : '',
-      collision.bodies[1]?.kind === 'half-space' && chosen.when === 'after'
+      encounter.against === 'half-space' && chosen.when === 'after'
         ? `The waves in the body it meets hold ${percent(energyOfWaves(collision))}.` : '',
     ].filter(Boolean).join(' ');
   }
@@ -122,7 +122,7 @@ export function createModeBars(host: HTMLElement, core: Core) {
   }
 
   async function swingMode({ mode: its }: ModeBar): Promise<void> {
-    const { encounter, collision } = now!;
+    const { encounter } = now!;
     const name = (swinging = mode);
     const grid = evenGrid(encounter.kind);
     try {
@@ -130,9 +130,9 @@ export function createModeBars(host: HTMLElement, core: Core) {
       shapes.set(name, asked);
       const shape = await asked;
       if (swinging !== name) return;
-      const bodies = collision.bodies.slice(0, its.body + 1).map((each) => ({ ...each, radius: 1 }));
       stop();
-      stop = swingShape(canvas, SHAPE, partsOf(encounter, { bodies }, grid)[its.body]!, shape, () => readTheme(host));
+      const part = partsOf(encounter, [1, 1].slice(0, its.body + 1), grid)[its.body]!;
+      stop = swingShape(canvas, SHAPE, part, shape, () => readTheme(host));
       canvas.hidden = false;
     } catch {
       shapes.delete(name);

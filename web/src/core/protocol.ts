@@ -80,8 +80,6 @@ export interface Collision extends Record<Instants, Float64Array> {
   /** first and last instant in contact, in units.time */
   begin: number;
   end: number;
-  /** what frames show: 1 at a wall, 2 for a pair or a half-space */
-  bodies: { kind: BodyKind | 'half-space'; radius: number }[];
 }
 
 export interface ModeEnergy {
@@ -123,7 +121,7 @@ export interface BodyFrame {
 export interface Frame {
   /** in units.time of the collision, from its start: that of the step nearest to what was asked for */
   time: number;
-  /** those of the collision. Of one so large that only its near side is computed, as it is at rest */
+  /** 1 at a wall, 2 for a pair or a half-space. Of one so large that only its near side is computed, as it is at rest */
   bodies: BodyFrame[];
 }
 

@@ -1,6 +1,6 @@
 // The document of an encounter, as the core reads it, and the numbers that it names.
 import type { Body, Encounter } from '../core/protocol';
-import { type BodyField, type Kind, type Material, blockOf, kindNamed, materials, parametersOf } from './kinds';
+import { type BodyField, type Kind, type Material, blockOf, kindNamed, materials, parametersOf, sizeOf } from './kinds';
 
 /** The body made of a material, of the same size. */
 export function madeOf({ young, poisson, density, loss_time }: Material, body: Body): Body {
@@ -44,6 +44,13 @@ export function sidesOf({ kind: name, si, plane, first, against, second: other }
 /** Whether what the first body meets has numbers of its own. */
 export function hasSecond(against: Encounter['against']): boolean {
   return against === 'body' || against === 'half-space';
+}
+
+/** Sizes of what meets, in that of the first: 1 of a half-space too, and none of a wall. */
+export function sizesOf({ kind, si, first, against, second }: Encounter): number[] {
+  const size = sizeOf(kind);
+  const ratio = against === 'body' ? second[size] / (si ? first[size] : 1) : 1;
+  return against === 'wall' ? [1] : [1, ratio];
 }
 
 /** Poisson's ratio of a solid; of a rod, which does without, any. */

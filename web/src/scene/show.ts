@@ -2,6 +2,7 @@
 
 import { max } from 'd3-array';
 import type { Collision, Core, Encounter, Frame, Grid } from '../core/protocol';
+import { sizesOf } from '../inputs/document';
 import { sizeOf } from '../inputs/kinds';
 import type { Quantity } from './raster';
 import { coarseToFine, filmSpan, insertFrame, type Film } from './film';
@@ -38,19 +39,22 @@ export async function produce(
   core: Core, encounter: Encounter, speed: number, cutoff: number, collision: Collision, signal: AbortSignal,
   ready: (show: Show) => void, finer: () => void,
 ): Promise<void> {
-  const halfWidth = relativeHalfWidth(encounter, collision);
+  const sizes = sizesOf(encounter);
+  // That of the contact in radii of the larger body, whose smallest part it is.
+  const first = encounter.si ? encounter.first[sizeOf(encounter.kind)] : 1;
+  const halfWidth = max(collision.contact_half_width)! / first / max(sizes)!;
   const block = encounter.against === 'half-space';
   const grid: Grid = { ...gridFor(encounter.kind, halfWidth), ...(block && { below: gridBelow(halfWidth) }) };
   const { from, to } = filmSpan(collision.begin, collision.end);
-  const [first, ...rest] = coarseToFine(from, to, FIRST, LEVELS);
+  const [few, ...rest] = coarseToFine(from, to, FIRST, LEVELS);
   const film: Film = { times: [], frames: [] };
   const ask = (times: number[]): Promise<void> => core('frames', encounter, { speed, cutoff, times, grid },
     { deliver: (frame) => insertFrame(film, frame), signal });
-  await ask(first!);
+  await ask(few!);
   signal.throwIfAborted();
   if (!film.frames.length) return;
   const { frames } = film;
-  const parts = partsOf(encounter, collision, grid);
+  const parts = partsOf(encounter, sizes, grid);
   const magnification = magnificationOf(frames, parts);
   ready({
     encounter, collision, film, from, to, parts, magnification,
@@ -63,9 +67,4 @@ export async function produce(
     signal.throwIfAborted();
     finer();
   }
-}
-
-/** Maximum half width of the contact in radii of the larger body, whose smallest part it is. */
-function relativeHalfWidth({ kind, si, first }: Encounter, { bodies, contact_half_width: width }: Collision): number {
-  return max(width)! / (si ? first[sizeOf(kind)] : 1) / max(bodies, ({ radius }) => radius)!;
 }

@@ -62,7 +62,6 @@ function collision(encounter: Encounter, speed: number): Collision {
     })),
     begin: 0,
     end: 5.9,
-    bodies: [{ kind: encounter.kind, radius: 1 }],
   };
 }
 

@@ -20,7 +20,6 @@ const COLLISION: Collision = {
   contact_half_width: zero, translation: time.map((t) => Math.cos((Math.PI * t) / 8) ** 2), vibration: zero,
   stored: time.map((t) => Math.sin((Math.PI * t) / 8) ** 2), dissipated: zero, unresolved: zero,
   modes: [], begin: 0, end: 8,
-  bodies: [{ kind: 'disk', radius: 1 }],
 };
 const ENCOUNTER: Encounter = { ...defaults.encounter, first: { ...unitBody, poisson: 0.3 } };
 
