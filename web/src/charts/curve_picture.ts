@@ -93,8 +93,7 @@ export function drawCurves(content: CurveContent, width: number, theme: Theme): 
       ...(current ? currentMarks(current, y, ordinate, theme) : []),
     ],
   }, theme);
-  const entries = curves.map(({ encounter }, n) =>
-    ({ label: description(encounter), look: look(n, theme), line: true, marker: true }));
+  const entries = curves.map(({ encounter }, n) => ({ label: description(encounter), ...look(n, theme) }));
   return [chart, drawLegend(entries, width, theme)];
 }
 

@@ -24,8 +24,10 @@ export function createTimeCharts(host: HTMLElement, choose: (time: number) => vo
     if (!collision) return [];
     const drawn = panels.map((panel, n) =>
       drawPanel(collision!, panel, width, HEIGHTS[n]!, n === panels.length - 1, leaving, theme));
-    const entries = panels.at(-1)!.series.map(({ label }, k) =>
-      ({ label, look: look(k, theme), line: true, marker: false }));
+    const entries = panels.at(-1)!.series.map(({ label }, k) => {
+      const { color, dash } = look(k, theme);
+      return { label, color, dash };
+    });
     return leaving ? [...drawn, drawLegend(entries, width, theme)] : drawn;
   }, (parts) => {
     charts = parts;

@@ -93,12 +93,8 @@ export function draw({ width, height, x, y, ticks, bottom = true, top = true, ma
   }) as Drawn;
 }
 
-export interface Entry {
-  label: string;
-  look: Look;
-  line: boolean;
-  marker: boolean;
-}
+/** What is drawn has a colour; a line has a dash, and points have a marker. */
+type Entry = { label: string } & Pick<Look, 'color'> & Partial<Look>;
 
 const KEY = 32; // pixels of a line or marker before its label
 const LETTER = 6.7;
@@ -124,13 +120,13 @@ export function drawLegend(entries: Entry[], width: number, theme: Theme): Drawn
   return Plot.plot({
     width, height, margin: 0, axis: null, x: { type: 'identity' }, y: { type: 'identity' },
     style: { background: 'none', color: theme.text, fontSize: '12px' },
-    marks: entries.flatMap(({ label, look: { color, dash, marker: symbol }, line, marker }, k) => {
+    marks: entries.flatMap(({ label, color, dash, marker: symbol }, k) => {
       const { x, y, rows, letters } = places[k]!;
       return [
-        line ? Plot.ruleY([y], {
+        dash ? Plot.ruleY([y], {
           x1: x, x2: x + 26, stroke: color, strokeWidth: 2, strokeDasharray: dash.join(' '),
         }) : null,
-        marker ? Plot.dot([y], { x: x + 13, y: [y], symbol, r: 4, fill: color, stroke: color }) : null,
+        symbol ? Plot.dot([y], { x: x + 13, y: [y], symbol, r: 4, fill: color, stroke: color }) : null,
         Plot.text([label], {
           x: x + KEY, y: [y], textAnchor: 'start', lineAnchor: 'top', dy: -7, lineHeight: ROW / 12,
           lineWidth: rows > 1 ? letters / 2 : Infinity, // in ems; some fonts are wider than Plot takes them for
