@@ -69,7 +69,7 @@ const run = createSession(core, {
     curves.want([encounter, ...inputs.kept]);
   },
   collision(encounter, speed, cutoff, collision) {
-    scene.show(encounter, speed, cutoff, collision);
+    void scene.show(encounter, speed, cutoff, collision);
     timeCharts.show(collision);
     modeBars.show(encounter, collision);
     document.body.dataset.impact = 'current';

@@ -121,7 +121,7 @@ export interface BodyFrame {
 export interface Frame {
   /** in units.time of the collision, from its start: that of the step nearest to what was asked for */
   time: number;
-  /** 1 at a wall, 2 for a pair or a half-space. Of one so large that only its near side is computed, as it is at rest */
+  /** 1 at a wall, 2 for a pair or a half-space; as it is at rest, where only the near side of a large one is computed */
   bodies: BodyFrame[];
 }
 

@@ -48,7 +48,7 @@ describe('a half-space', () => {
   });
   it('is between two frames both of them', () => {
     const at = (time: number): Frame => ({ time, bodies: [block(() => time, () => 2 * time)] });
-    const between = frameAt({ times: [0, 4], frames: [at(0), at(4)] }, 1)!.bodies[0]!;
+    const between = frameAt([at(0), at(4)], 1)!.bodies[0]!;
     expect([between.radial[3], between.tangential[3]]).toEqual([1, 2]);
   });
 });
