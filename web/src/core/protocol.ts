@@ -121,7 +121,7 @@ export interface BodyFrame {
 export interface Frame {
   /** in units.time of the collision, from its start: that of the step nearest to what was asked for */
   time: number;
-  /** 1 at a wall, 2 for a pair or a half-space; as it is at rest, where only the near side of a large one is computed */
+  /** 1 at a wall, 2 for a pair or a half-space. Of a large one only the near side is computed: it is as at rest */
   bodies: BodyFrame[];
 }
 
