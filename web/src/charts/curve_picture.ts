@@ -86,7 +86,7 @@ export function drawCurves(content: CurveContent, width: number, theme: Theme): 
   const height = Math.min(340, Math.max(220, 0.5 * width));
   const chart = draw({
     width, height,
-    x: { ...x, label: `speed of the impact v (${unit})` },
+    x: { ...x, label: 'speed of the impact v', unit },
     y: { ...y, label: ordinate === 'restitution' ? 'coefficient of restitution ε' : 'lost share of energy 1 − ε²' },
     marks: [
       ...curves.flatMap((curve, n) => marksOf(curve, look(n, theme), y, ordinate, theme, height)),

@@ -2,13 +2,14 @@ import { describe, expect, it } from 'vitest';
 import { barOf, ordinateScale, speedScale } from '../../src/charts/curve_picture';
 import { energyOfWaves, energyScale, layoutModes } from '../../src/charts/mode_picture';
 import { frequencyInWords } from '../../src/charts/mode_bars';
-import { cursorWords, panelsOf, readable, summaryOf, thinned } from '../../src/charts/series';
+import { cursorWords, panelsOf, summaryOf, thinned } from '../../src/charts/series';
 import type { Collision, CurvePoint, Encounter, ModeEnergy } from '../../src/core/protocol';
 import { unitsOf } from '../../src/core/local';
 import { defaults, unitBody } from '../../src/inputs/inputs';
 import { describe as describeTime, phaseAt, slowness } from '../../src/scene/phases';
 import { stressInWords } from '../../src/scene/picture';
 import { withUnit } from '../../src/drawing/numbers';
+import { labelOf } from '../../src/drawing/plot';
 import { swing } from '../../src/charts/mode_shape';
 
 const time = Float64Array.from({ length: 1001 }, (_, k) => k / 125);
@@ -47,17 +48,14 @@ describe('a collision in SI', () => {
     force: COLLISION.force.map((f) => 1e6 * f),
   };
   it('has prefixes that suit its numbers', () => {
-    const { collision, second } = readable(si);
-    expect([second, collision.units.time, collision.units.force]).toEqual([1e-6, 'µs', 'kN']);
-    expect(collision.time[1000]).toBeCloseTo(80, 9);
-    expect(collision.force[500]).toBeCloseTo(50, 9);
-    expect(collision.end).toBeCloseTo(80, 9);
+    const panels = panelsOf(si);
+    expect(panels.map(labelOf)).toEqual(['Force (kN)', 'Velocity (m/s)', 'Share of the energy']);
+    expect(cursorWords(si, panels, si.time[500]!)).toContain('time 40 µs: force 50 kN, velocity ');
     expect(describeTime(si, 4.004e-5)).toBe('restitution, time 40 µs, force 50 kN, 100 % of the maximum');
     expect(describeTime(si, 1e-9)).toContain('time 0.001 µs');
   });
   it('stays as it is in units of the body', () => {
-    expect(readable(COLLISION).second).toBe(1);
-    expect(readable(COLLISION).collision.units.force).toBe('mc²/R');
+    expect(labelOf(panelsOf(COLLISION)[0]!)).toBe('Force (mc²/R)');
     expect([withUnit(0, 's'), withUnit(2e-4, 'R/c'), withUnit(0.25, 'm/s'), withUnit(2e-12, 's')]).toEqual(
       ['0 s', '2×10⁻⁴ R/c', '0.25 m/s', '2 ps']);
   });
