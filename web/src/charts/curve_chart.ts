@@ -3,7 +3,7 @@
 import { least } from 'd3-array';
 import { html, render } from 'lit-html';
 import { keyed } from '../drawing/dom';
-import { chartIn } from '../drawing/files';
+import { chartIn } from '../drawing/pictures';
 import { rounded, withError, written } from '../drawing/numbers';
 import { type Drawn, stacked } from '../drawing/plot';
 import type { Theme } from '../drawing/theme';

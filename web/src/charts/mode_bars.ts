@@ -6,7 +6,7 @@ import { repeat } from 'lit-html/directives/repeat.js';
 import { unitsOf } from '../core/local';
 import type { Collision, Core, Encounter, Shape } from '../core/protocol';
 import { choice, keyed } from '../drawing/dom';
-import { chartIn } from '../drawing/files';
+import { chartIn } from '../drawing/pictures';
 import { withUnit, written } from '../drawing/numbers';
 import { BESIDE, stacked, type Drawn } from '../drawing/plot';
 import { readTheme } from '../drawing/theme';

@@ -3,7 +3,7 @@
 import { html, nothing, render, type TemplateResult } from 'lit-html';
 import type { Collision } from '../core/protocol';
 import { keyed } from '../drawing/dom';
-import { chartIn } from '../drawing/files';
+import { chartIn } from '../drawing/pictures';
 import { type Drawn, drawLegend, labelOf } from '../drawing/plot';
 import { look, readTheme } from '../drawing/theme';
 import { cursorWords, drawPanel, panelsOf, summaryOf, valueWords, type Panel } from './series';

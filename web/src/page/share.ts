@@ -2,7 +2,7 @@
 import type { Curve } from '../charts/curve_picture';
 import type { Core, Encounter } from '../core/protocol';
 import { find, messageOf } from '../drawing/dom';
-import { type Picture, download, pngOf, textOf } from '../drawing/files';
+import { type Picture, download, pngOf, textOf } from '../drawing/pictures';
 import { toAddress } from '../inputs/address';
 import { type Inputs, defaults } from '../inputs/inputs';
 import { commandLine, curveCsv, pythonLines } from '../inputs/lines';

@@ -1,4 +1,4 @@
-// Charts and pictures as they stand on the page, and as files.
+// Pictures: charts as they stand on the page and leave it, and files.
 import { onResize } from './dom';
 import { type Drawn, stacked } from './plot';
 import { readTheme, type Theme } from './theme';
