@@ -5,17 +5,19 @@
 #include <utility>
 #include <vector>
 
-#include "javascript.hpp"
 #include "questions.hpp"
 #include "stoss/contact/grid.hpp"
 #include "stoss/encounter/inside.hpp"
 #include "stoss/errors.hpp"
+#include "stoss/impact/quantities.hpp"
 #include "stoss/impact/replay.hpp"
 
 namespace stoss::web {
 namespace {
 
 using emscripten::val;
+
+bodies::PolarGrid points_of(const val& grid) { return {numbers(grid["radius"]), numbers(grid["angle"])}; }
 
 /// One impact in time, with what its frames have in common.
 class Collision {
@@ -28,21 +30,56 @@ class Collision {
   }
 
   /// Collision of the protocol.
-  [[nodiscard]] val series() const;
-
-  /// Calls deliver(Frame, index) for each of the times, which ascend. @param below points of a half-space
-  void frames(const std::vector<double>& times, const bodies::PolarGrid& points,
-              const bodies::half_space::PlaneGrid& below, const val& deliver);
-
- private:
-  /// One quantity of all instants, in what the page is given.
-  [[nodiscard]] val all(double Snapshot::*quantity, Dimension dimension = Dimension::none) const {
-    const double unit = meeting_->unit(dimension);
-    std::vector<double> values;
-    for (const Snapshot& now : snapshots_) values.push_back(unit * (now.*quantity));
-    return float64_array(values);
+  [[nodiscard]] val series() const {
+    const auto touches = [](const Snapshot& now) { return now.force > 0.0; };
+    const auto begin = std::find_if(snapshots_.begin(), snapshots_.end(), touches);
+    const auto end = std::find_if(snapshots_.rbegin(), snapshots_.rend(), touches);
+    const double second = meeting_->unit(Dimension::time);
+    val units = val::object();
+    val made = object({{"units", units},
+                       {"modes", modes()},
+                       {"begin", val(begin == snapshots_.end() ? 0.0 : begin->time * second)},
+                       {"end", val(end == snapshots_.rend() ? 0.0 : end->time * second)}});
+    for (const auto& each : snapshot_quantities()) {
+      std::vector<double> values;
+      for (const Snapshot& now : snapshots_) values.push_back(std::get<double>(each.value(now)));
+      made.set(each.name, float64_array(values, meeting_->unit(each.dimension)));
+      units.set(each.name, meeting_->unit_name(each.dimension));
+    }
+    return made;
   }
 
+  /// Delivers the frames at some times, which ascend.
+  void frames(const Question& asked) {
+    const val grid = asked.given["grid"], under = grid["below"];
+    const bodies::PolarGrid points = points_of(grid);
+    bodies::half_space::PlaneGrid below;
+    if (!under.isUndefined()) below = {numbers(under["distance"]), numbers(under["depth"])};
+    if (points.radius != points_.radius || points.angle != points_.angle) insides_.clear();
+    points_ = points;
+    const double unit = meeting_->unit(Dimension::time);
+    std::vector<double> own;
+    for (const double each : numbers(asked.given["times"])) own.push_back(each / unit);
+    const std::vector<Frame> instants = motion(contact_, impact_, own, say_alive);
+    for (std::size_t i = 0; i < instants.size(); ++i) {
+      val seen = val::array();
+      for (std::size_t n = 0; n < (contact_.second ? 2 : 1); ++n) {
+        const BodyFrame its = seen_by(contact_, grid_, instants[i], static_cast<int>(n));
+        if (insides_.size() == n) {
+          insides_.push_back(inside(meeting_->solid(static_cast<int>(n)), its, points, below, say_alive));
+        }
+        const Interior now = insides_[n](its);
+        seen.call<void>("push", object({{"center", val(its.center)},
+                                        {"radial", float32_array(now.radial)},
+                                        {"tangential", float32_array(now.tangential)},
+                                        {"vonMises", float32_array(now.von_mises, its.stress)},
+                                        {"fringes", float32_array(now.principal_difference, its.stress)}}));
+      }
+      asked.deliver(object({{"time", val(instants[i].time * unit)}, {"bodies", seen}}), i);
+    }
+  }
+
+ private:
   /// Of the bodies, without the waves of a half-space.
   [[nodiscard]] val modes() const {
     val list = val::array();
@@ -58,21 +95,6 @@ class Collision {
     return list;
   }
 
-  [[nodiscard]] val bodies() const {
-    val list = val::array();
-    const auto add = [&](const std::string& kind, double radius) {
-      list.call<void>("push", object({{"kind", val(kind)}, {"radius", val(radius)}}));
-    };
-    const std::string& kind = meeting_->encounter.first.kind;
-    add(kind, 1.0);
-    if (meeting_->against_half_space()) {
-      add("half-space", 1.0);
-    } else if (contact_.second) {
-      add(kind, contact_.second->scale.length / contact_.first->scale.length);
-    }
-    return list;
-  }
-
   std::shared_ptr<const Meeting> meeting_;
   Contact contact_;
   Impact impact_;
@@ -81,58 +103,6 @@ class Collision {
   bodies::PolarGrid points_;     ///< of the last frames
   std::vector<Inside> insides_;  ///< of what meets, at these points
 };
-
-val Collision::series() const {
-  using enum Dimension;
-  const auto touches = [](const Snapshot& now) { return now.force > 0.0; };
-  const auto begin = std::find_if(snapshots_.begin(), snapshots_.end(), touches);
-  const auto end = std::find_if(snapshots_.rbegin(), snapshots_.rend(), touches);
-  const double second = meeting_->unit(time);
-  const auto unit_of = [&](Dimension dimension) { return val(meeting_->unit_name(dimension)); };
-  return object({{"units", object({{"time", unit_of(time)},
-                                   {"length", unit_of(length)},
-                                   {"speed", unit_of(speed)},
-                                   {"force", unit_of(force)}})},
-                 {"time", all(&Snapshot::time, time)},
-                 {"velocity", all(&Snapshot::velocity, speed)},
-                 {"force", all(&Snapshot::force, force)},
-                 {"halfWidth", all(&Snapshot::contact_half_width, length)},
-                 {"translation", all(&Snapshot::translation)},
-                 {"vibration", all(&Snapshot::vibration)},
-                 {"stored", all(&Snapshot::stored)},
-                 {"dissipated", all(&Snapshot::dissipated)},
-                 {"unresolved", all(&Snapshot::unresolved)},
-                 {"modes", modes()},
-                 {"begin", val(begin == snapshots_.end() ? 0.0 : begin->time * second)},
-                 {"end", val(end == snapshots_.rend() ? 0.0 : end->time * second)},
-                 {"bodies", bodies()}});
-}
-
-void Collision::frames(const std::vector<double>& times, const bodies::PolarGrid& points,
-                       const bodies::half_space::PlaneGrid& below, const val& deliver) {
-  if (points.radius != points_.radius || points.angle != points_.angle) insides_.clear();
-  points_ = points;
-  const double unit = meeting_->unit(Dimension::time);
-  std::vector<double> own;
-  for (const double each : times) own.push_back(each / unit);
-  const std::vector<Frame> instants = motion(contact_, impact_, own, say_alive);
-  for (std::size_t i = 0; i < instants.size(); ++i) {
-    val seen = val::array();
-    for (std::size_t n = 0; n < (contact_.second ? 2 : 1); ++n) {
-      const BodyFrame its = seen_by(contact_, grid_, instants[i], static_cast<int>(n));
-      if (insides_.size() == n) {
-        insides_.push_back(inside(meeting_->solid(static_cast<int>(n)), its, points, below, say_alive));
-      }
-      const Interior now = insides_[n](its);
-      seen.call<void>("push", object({{"center", val(its.center)},
-                                      {"radial", float32_array(now.radial)},
-                                      {"tangential", float32_array(now.tangential)},
-                                      {"vonMises", float32_array(now.von_mises, its.stress)},
-                                      {"fringes", float32_array(now.principal_difference, its.stress)}}));
-    }
-    deliver(object({{"time", val(instants[i].time * unit)}, {"bodies", seen}}), i);
-  }
-}
 
 /// That of a question; the last one is kept.
 Collision& collision_of(const Question& asked) {
@@ -148,22 +118,17 @@ Collision& collision_of(const Question& asked) {
   return *its;
 }
 
-bodies::PolarGrid points_of(const val& grid) { return {numbers(grid["radius"]), numbers(grid["angle"])}; }
-
-}  // namespace
-
-namespace answer {
-
+/// One impact in time, as `stoss impact --cutoff` computes it.
+/// @throws InvalidInput as impact; NotConverged where it does not end
 val collision(const Question& asked) { return collision_of(asked).series(); }
 
+/// Frames of it, one by one.
 val frames(const Question& asked) {
-  const val grid = asked.given["grid"], under = grid["below"];
-  bodies::half_space::PlaneGrid below;
-  if (!under.isUndefined()) below = {numbers(under["distance"]), numbers(under["depth"])};
-  collision_of(asked).frames(numbers(asked.given["times"]), points_of(grid), below, asked.deliver);
+  collision_of(asked).frames(asked);
   return val::undefined();
 }
 
+/// The shape of a mode of a body.
 val shape(const Question& asked) {
   const auto meeting = asked.meeting();
   const int body = asked.given["body"].as<int>();
@@ -173,5 +138,12 @@ val shape(const Question& asked) {
   return object({{"radial", float32_array(made.radial)}, {"tangential", float32_array(made.tangential)}});
 }
 
-}  // namespace answer
+}  // namespace
+
+EMSCRIPTEN_BINDINGS(collision) {
+  emscripten::function("collision", &answered<collision>);
+  emscripten::function("frames", &answered<frames>);
+  emscripten::function("shape", &answered<shape>);
+}
+
 }  // namespace stoss::web

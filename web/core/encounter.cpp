@@ -3,7 +3,6 @@
 #include <nlohmann/json.hpp>
 #include <variant>
 
-#include "javascript.hpp"
 #include "questions.hpp"
 #include "stoss/encounter/document.hpp"
 #include "stoss/encounter/materials.hpp"
@@ -41,6 +40,33 @@ static void to_json(Json& json, const NamedMaterial& named) {
 }
 
 namespace web {
+Meeting::Meeting(const std::string& document)
+    : encounter(encounter_from_json(document)),
+      first(first_solid(encounter)),
+      second(second_solid(encounter)),
+      si(si_scales(encounter)),
+      contact(refinable(encounter)) {}
+
+bool Meeting::against_half_space() const {
+  return second && (std::holds_alternative<HalfSpace>(*second) || std::holds_alternative<HalfPlane>(*second));
+}
+
+std::string Meeting::unit_name(Dimension dimension) const {
+  return std::string(stoss::unit_name(dimension, unit_system(encounter)));
+}
+
+std::shared_ptr<const Meeting> Question::meeting() const {
+  constexpr std::size_t kept = 4;
+  static std::vector<std::pair<std::string, std::shared_ptr<const Meeting>>> known;
+  const std::string document = text("document");
+  const auto found = std::find_if(known.begin(), known.end(), [&](const auto& each) { return each.first == document; });
+  auto its = found != known.end() ? found->second : std::make_shared<const Meeting>(document);
+  if (found != known.end()) known.erase(found);
+  known.emplace_back(document, its);
+  if (known.size() > kept) known.erase(known.begin());
+  return its;
+}
+
 namespace {
 
 using emscripten::val;
@@ -57,43 +83,10 @@ val elastic(const Solid& solid, double unit) {
   return made;
 }
 
-}  // namespace
-
-Meeting::Meeting(const std::string& document)
-    : encounter(encounter_from_json(document)),
-      first(first_solid(encounter)),
-      second(second_solid(encounter)),
-      si(si_scales(encounter)),
-      contact(refinable(encounter)) {}
-
-bool Meeting::against_half_space() const {
-  return second && (std::holds_alternative<HalfSpace>(*second) || std::holds_alternative<HalfPlane>(*second));
-}
-
-std::string Meeting::unit_name(Dimension dimension) const {
-  return std::string(stoss::unit_name(dimension, unit_system(encounter)));
-}
-
-std::string Meeting::own_unit_name(Dimension dimension) const {
-  return std::string(stoss::unit_name(dimension, kind(encounter.first.kind).own));
-}
-
-std::shared_ptr<const Meeting> Question::meeting() const {
-  constexpr std::size_t kept = 4;
-  static std::vector<std::pair<std::string, std::shared_ptr<const Meeting>>> known;
-  const std::string document = text("document");
-  const auto found = std::find_if(known.begin(), known.end(), [&](const auto& each) { return each.first == document; });
-  auto its = found != known.end() ? found->second : std::make_shared<const Meeting>(document);
-  if (found != known.end()) known.erase(found);
-  known.emplace_back(document, its);
-  if (known.size() > kept) known.erase(known.begin());
-  return its;
-}
-
-namespace answer {
-
+/// The table of kinds and the named materials, as JSON: web/plugins/kinds.mjs writes them for the page.
 val kinds(const Question&) { return val(Json{{"kinds", stoss::kinds()}, {"materials", named_materials()}}.dump()); }
 
+/// Units of the first body, and the elastic numbers of both in these. @throws InvalidInput for what cannot meet
 val units(const Question& asked) {
   constexpr double fewest_modes = 4.0;  // cutoff, c/R
   constexpr double quick = 0.5;         // c
@@ -113,14 +106,25 @@ val units(const Question& asked) {
   return made;
 }
 
+/// A speed in c of the first body. @throws InvalidInput for one out of range
 val speed(const Question& asked) {
   return val(own_speed(encounter_from_json(asked.text("document")), asked.number("speed")));
 }
 
+/// What a text stands for, as the command reads it. @throws InvalidInput with its name
 val number(const Question& asked) { return val(parse_number(asked.text("name"), asked.text("text"))); }
 
 val series(const Question& asked) { return float64_array(parse_series(asked.text("name"), asked.text("text"))); }
 
-}  // namespace answer
+}  // namespace
+
+EMSCRIPTEN_BINDINGS(encounter) {
+  emscripten::function("kinds", &answered<kinds>);
+  emscripten::function("units", &answered<units>);
+  emscripten::function("speed", &answered<speed>);
+  emscripten::function("number", &answered<number>);
+  emscripten::function("series", &answered<series>);
+}
+
 }  // namespace web
 }  // namespace stoss

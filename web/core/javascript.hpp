@@ -17,16 +17,13 @@ namespace stoss::web {
   return made;
 }
 
-/// A copy as Float64Array.
-[[nodiscard]] inline emscripten::val float64_array(const std::vector<double>& values) {
+/// A copy as Float64Array, or as Float32Array, each value times a factor.
+[[nodiscard]] inline emscripten::val float64_array(std::vector<double> values, double factor = 1.0) {
+  for (double& value : values) value *= factor;
   return emscripten::val::global("Float64Array").new_(emscripten::typed_memory_view(values.size(), values.data()));
 }
-
-/// A copy as Float32Array, each value times a factor.
 [[nodiscard]] inline emscripten::val float32_array(const std::vector<double>& values, double factor = 1.0) {
-  std::vector<float> rounded;
-  for (const double value : values) rounded.push_back(static_cast<float>(factor * value));
-  return emscripten::val::global("Float32Array").new_(emscripten::typed_memory_view(rounded.size(), rounded.data()));
+  return emscripten::val::global("Float32Array").new_(float64_array(values, factor));
 }
 
 /// The numbers of an array or a typed array.

@@ -1,14 +1,17 @@
 #pragma once
 
-#include <emscripten/val.h>
+#include <emscripten/bind.h>
 
 #include <memory>
+#include <new>
 #include <optional>
 #include <string>
 
+#include "javascript.hpp"
 #include "stoss/encounter/encounter.hpp"
 
-/// The questions of web/src/core/protocol.ts and local.ts, each with its answer.
+/// The questions of web/src/core/protocol.ts and local.ts: each is a function of JavaScript, bound where it is
+/// answered.
 namespace stoss::web {
 
 /// Who meets whom, with the contacts that are made of it.
@@ -24,9 +27,8 @@ struct Meeting {
   /// Value of a unit of the first body in what the page is given: 1, or in SI.
   [[nodiscard]] double unit(Dimension dimension) const { return si ? unit_in_si(dimension, *si) : 1.0; }
 
-  /// Name of what the page is given, as R/c or s; and of a unit of the first body.
+  /// Name of what the page is given, as R/c or s.
   [[nodiscard]] std::string unit_name(Dimension dimension) const;
-  [[nodiscard]] std::string own_unit_name(Dimension dimension) const;
 
   Encounter encounter;
   Solid first;
@@ -46,35 +48,19 @@ struct Question {
   [[nodiscard]] std::shared_ptr<const Meeting> meeting() const;
 };
 
-namespace answer {
+/// What JavaScript gets of a function that answers a question: { value }, or { error } with one line; no exception
+/// leaves for JavaScript, which cannot read those of C++.
+template <emscripten::val (*answer)(const Question&)>
+emscripten::val answered(const emscripten::val& given, const emscripten::val& deliver) {
+  std::string what;
+  try {
+    return object({{"value", answer({given, deliver})}});
+  } catch (const std::bad_alloc&) {
+    what = "memory: the computation needs more than there is (a greater tolerance needs less)";
+  } catch (const std::exception& error) {
+    what = error.what();
+  }
+  return object({{"error", emscripten::val(what)}});
+}
 
-/// The table of kinds and the named materials, as JSON: web/plugins/kinds.mjs writes them for the page.
-[[nodiscard]] emscripten::val kinds(const Question& asked);
-
-/// Units of the first body, and the elastic numbers of both in these. @throws InvalidInput for what cannot meet
-[[nodiscard]] emscripten::val units(const Question& asked);
-
-/// A speed in c of the first body. @throws InvalidInput for one out of range
-[[nodiscard]] emscripten::val speed(const Question& asked);
-
-/// What a text stands for, as the command reads it. @throws InvalidInput with its name
-[[nodiscard]] emscripten::val number(const Question& asked);
-[[nodiscard]] emscripten::val series(const Question& asked);
-
-/// ε at one speed, or at many of them, one by one.
-[[nodiscard]] emscripten::val restitution(const Question& asked);
-[[nodiscard]] emscripten::val curve(const Question& asked);
-
-/// The header in C of ε between two speeds, as `stoss table --format c` writes it but for its provenance.
-[[nodiscard]] emscripten::val header(const Question& asked);
-
-/// One impact in time, as `stoss impact --cutoff` computes it, and frames of it, one by one.
-/// @throws InvalidInput as impact; NotConverged where it does not end
-[[nodiscard]] emscripten::val collision(const Question& asked);
-[[nodiscard]] emscripten::val frames(const Question& asked);
-
-/// The shape of a mode of a body.
-[[nodiscard]] emscripten::val shape(const Question& asked);
-
-}  // namespace answer
 }  // namespace stoss::web

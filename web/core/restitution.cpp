@@ -1,7 +1,6 @@
 #include <array>
 #include <cstdio>
 
-#include "javascript.hpp"
 #include "questions.hpp"
 #include "stoss/restitution/curve.hpp"
 #include "stoss/restitution/quantities.hpp"
@@ -21,12 +20,6 @@ std::string text(double value) {
   return buffer.data();
 }
 
-val quantity(double value, const double* error, const std::string& unit, double scale) {
-  val made = object({{"value", val(value * scale)}, {"unit", val(unit)}});
-  if (error != nullptr) made.set("error", *error * scale);
-  return made;
-}
-
 /// What is a number, by the names of the command: with a material in units of the first body and in SI.
 val quantities(const Meeting& meeting, const Restitution& result) {
   val all = val::object();
@@ -36,12 +29,14 @@ val quantities(const Meeting& meeting, const Restitution& result) {
     const auto* count = std::get_if<long>(&value);
     if (real == nullptr && count == nullptr) continue;
     const double number = real != nullptr ? *real : static_cast<double>(*count);
-    const double error = each.error ? each.error(result) : 0.0;
-    const double* const its_error = each.error ? &error : nullptr;
-    all.set(each.name, quantity(number, its_error, meeting.own_unit_name(each.dimension), 1.0));
+    const auto add = [&](const std::string& name, UnitSystem system, double unit) {
+      val made = object({{"value", val(number * unit)}, {"unit", val(std::string(unit_name(each.dimension, system)))}});
+      if (each.error) made.set("error", each.error(result) * unit);
+      all.set(name, made);
+    };
+    add(each.name, kind(meeting.encounter.first.kind).own, 1.0);
     if (!meeting.si || each.dimension == Dimension::none || each.dimension == Dimension::frequency) continue;
-    all.set(each.name + "_si",
-            quantity(number, its_error, meeting.unit_name(each.dimension), meeting.unit(each.dimension)));
+    add(each.name + "_si", unit_system(meeting.encounter), meeting.unit(each.dimension));
   }
   return all;
 }
@@ -50,10 +45,7 @@ CurveOptions options(const Question& asked) {
   return {.each = {.tolerance = asked.number("tolerance"), .poll = say_alive}, .threads = 1};
 }
 
-}  // namespace
-
-namespace answer {
-
+/// ε at one speed.
 val restitution(const Question& asked) {
   const auto meeting = asked.meeting();
   const double speed = asked.number("speed");
@@ -69,6 +61,7 @@ val restitution(const Question& asked) {
   return made;
 }
 
+/// ε at many speeds, one by one.
 val curve(const Question& asked) {
   const auto meeting = asked.meeting();
   const std::vector<double> speeds = numbers(asked.given["speeds"]);
@@ -84,6 +77,7 @@ val curve(const Question& asked) {
   return val::undefined();
 }
 
+/// The header in C of ε between two speeds, as `stoss table --format c` writes it but for its provenance.
 val header(const Question& asked) {
   const auto meeting = asked.meeting();
   const double slowest = asked.number("slowest"), fastest = asked.number("fastest"), error = asked.number("error");
@@ -96,5 +90,12 @@ val header(const Question& asked) {
   return val(c_header(function, label));
 }
 
-}  // namespace answer
+}  // namespace
+
+EMSCRIPTEN_BINDINGS(restitution) {
+  emscripten::function("restitution", &answered<restitution>);
+  emscripten::function("curve", &answered<curve>);
+  emscripten::function("header", &answered<header>);
+}
+
 }  // namespace stoss::web

@@ -3,7 +3,7 @@ import { mkdirSync, readFileSync, writeFileSync } from 'node:fs';
 import create from '../../build/wasm/stoss.mjs';
 
 const wasmBinary = readFileSync(new URL('../../build/wasm/stoss.wasm', import.meta.url));
-const { kinds, materials } = JSON.parse((await create({ wasmBinary })).ask('kinds', {}, null).value);
+const { kinds, materials } = JSON.parse((await create({ wasmBinary })).kinds({}, null).value);
 const folder = new URL('../src/generated/', import.meta.url);
 mkdirSync(folder, { recursive: true });
 const constant = (name, value) => `export const ${name} = ${JSON.stringify(value, null, 2)} as const;\n`;

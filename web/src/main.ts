@@ -8,9 +8,9 @@ import { createCore } from './core/client';
 import type { Restitution } from './core/protocol';
 import { find, messageOf } from './drawing/dom';
 import { fromAddress } from './inputs/address';
+import { refusal } from './inputs/check';
 import { equal } from './inputs/document';
 import type { Inputs } from './inputs/inputs';
-import { description } from './inputs/lines';
 import { onAxisOf, usualSeries } from './inputs/units';
 import { createAddressBar } from './page/address_bar';
 import { createControls } from './page/controls';
@@ -69,7 +69,7 @@ const run = createSession(core, {
     curves.want([encounter, ...inputs.kept]);
   },
   collision(encounter, speed, cutoff, collision) {
-    scene.show(encounter, speed, cutoff, collision);
+    void scene.show(encounter, speed, cutoff, collision);
     timeCharts.show(collision);
     modeBars.show(encounter, collision);
     document.body.dataset.impact = 'current';
@@ -116,19 +116,14 @@ function showCurves(): void {
     const { points, planned } = curves.of(encounter);
     const place = (speed: number): number => onAxisOf(inputs.encounter, encounter, speed);
     const placed = points.map((point) => ({ ...point, speed: place(point.speed) }));
-    return { label: description(encounter), encounter, points: placed, planned: planned.map(place) };
+    return { encounter, points: placed, planned: planned.map(place) };
   }));
 }
 
 const series = find('series', HTMLInputElement);
 series.addEventListener('change', () => {
   const problem = find('series-problem', HTMLElement);
-  problem.textContent = '';
-  try {
-    curves.at(series.value);
-  } catch (error) {
-    problem.textContent = messageOf(error);
-  }
+  problem.textContent = refusal(() => curves.at(series.value));
   problem.hidden = problem.textContent === '';
 });
 

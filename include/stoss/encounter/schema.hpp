@@ -2,6 +2,8 @@
 
 #include <string>
 
+#include "stoss/cxx20.hpp"
+
 namespace stoss {
 
 /// The JSON Schema (draft 2020-12) of the documents of encounters (document.hpp), made of the table of kinds: their

@@ -2,11 +2,12 @@
 
 import { least } from 'd3-array';
 import { html, render } from 'lit-html';
-import { keyed, onResize } from '../drawing/dom';
-import { pictureOf } from '../drawing/files';
+import { keyed } from '../drawing/dom';
+import { chartIn } from '../drawing/pictures';
 import { rounded, withError, written } from '../drawing/numbers';
 import { type Drawn, stacked } from '../drawing/plot';
-import { readTheme } from '../drawing/theme';
+import type { Theme } from '../drawing/theme';
+import { description } from '../inputs/lines';
 import { drawCurves, speedsOf, type Curve, type CurveContent } from './curve_picture';
 
 type Current = NonNullable<CurveContent['current']>;
@@ -20,23 +21,20 @@ export function createCurveChart(host: HTMLElement, pick: (speed: number) => voi
   let chart: Drawn | undefined;
   let shown: SVGSVGElement | undefined;
   let pointed: number | undefined; // the speed that the pointer is at
-  const drawSoon = onResize(host, draw);
-  tell();
-
-  function draw(): void {
-    if (!host.clientWidth) return;
-    const parts = drawCurves(content, host.clientWidth, readTheme(host));
+  const draw = (width: number, theme: Theme): Drawn[] => drawCurves(content, width, theme);
+  const { update, updateSoon, picture } = chartIn(host, TITLE, draw, (parts) => {
     chart = parts[0];
     shown = stacked(parts, TITLE);
     tell();
-  }
+  });
+  tell();
 
   /** Brings all but the picture up to date. */
   function tell(): void {
     const { low, high } = speedsOf(content);
     const choose = (event: Event): void => {
       content.ordinate = (event.target as HTMLInputElement).checked ? 'loss' : 'restitution';
-      draw();
+      update();
     };
     const point = (event?: MouseEvent): void => {
       pointed = event && speedAt(event);
@@ -71,9 +69,9 @@ export function createCurveChart(host: HTMLElement, pick: (speed: number) => voi
   /** The points nearest to a speed, by the logarithm. */
   function nearTo(speed: number): string {
     const { curves } = content;
-    return curves.flatMap(({ label, points }) => {
+    return curves.flatMap(({ encounter, points }) => {
       const point = least(points, (each) => Math.abs(Math.log(each.speed / speed)));
-      return point ? [`${curves.length > 1 ? `${label}, ` : ''}${inWords(point)}`] : [];
+      return point ? [`${curves.length > 1 ? `${description(encounter)}, ` : ''}${inWords(point)}`] : [];
     }).join('; ');
   }
 
@@ -95,13 +93,13 @@ export function createCurveChart(host: HTMLElement, pick: (speed: number) => voi
   return {
     setCurves(curves: Curve[]): void {
       content.curves = curves;
-      drawSoon();
+      updateSoon();
     },
     /** Shows the point that the inputs stand for. */
     setCurrent(current: Current): void {
       content.current = current;
-      drawSoon();
+      updateSoon();
     },
-    picture: pictureOf(host, TITLE, (width, theme) => drawCurves(content, width, theme)),
+    picture,
   };
 }

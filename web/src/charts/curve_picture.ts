@@ -3,6 +3,7 @@ import * as Plot from '@observablehq/plot';
 import { extent } from 'd3-array';
 import type { CurvePoint, Encounter } from '../core/protocol';
 import { type Drawn, type Scale, draw, drawLegend } from '../drawing/plot';
+import { description } from '../inputs/lines';
 import { look, type Look, type Theme } from '../drawing/theme';
 
 /** What is drawn of a speed: ε, or the lost share of the energy 1 − ε². */
@@ -52,12 +53,13 @@ export function ordinateScale(ordinate: Ordinate, all: { restitution: number; er
   return { low: Math.max(Math.min(low, 0), low - pad), high: top, log };
 }
 
+/** ε of an encounter against the speed, as far as it is known. */
 export interface Curve {
-  label: string;
-  encounter: Encounter;
-  points: CurvePoint[];
+  readonly encounter: Encounter;
+  /** in the order in which they are computed */
+  readonly points: readonly CurvePoint[];
   /** speeds that are or will be computed */
-  planned: number[];
+  readonly planned: readonly number[];
 }
 
 export interface CurveContent {
@@ -84,14 +86,14 @@ export function drawCurves(content: CurveContent, width: number, theme: Theme): 
   const height = Math.min(340, Math.max(220, 0.5 * width));
   const chart = draw({
     width, height,
-    x: { ...x, label: `speed of the impact v (${unit})` },
+    x: { ...x, label: 'speed of the impact v', unit },
     y: { ...y, label: ordinate === 'restitution' ? 'coefficient of restitution ε' : 'lost share of energy 1 − ε²' },
     marks: [
       ...curves.flatMap((curve, n) => marksOf(curve, look(n, theme), y, ordinate, theme, height)),
       ...(current ? currentMarks(current, y, ordinate, theme) : []),
     ],
   }, theme);
-  const entries = curves.map(({ label }, n) => ({ label, look: look(n, theme), line: true, marker: true }));
+  const entries = curves.map(({ encounter }, n) => ({ label: description(encounter), ...look(n, theme) }));
   return [chart, drawLegend(entries, width, theme)];
 }
 

@@ -5,11 +5,11 @@ import { html, render } from 'lit-html';
 import { repeat } from 'lit-html/directives/repeat.js';
 import { unitsOf } from '../core/local';
 import type { Collision, Core, Encounter, Shape } from '../core/protocol';
-import { choice, keyed, onResize } from '../drawing/dom';
-import { pictureOf } from '../drawing/files';
+import { choice, keyed } from '../drawing/dom';
+import { chartIn } from '../drawing/pictures';
 import { withUnit, written } from '../drawing/numbers';
 import { BESIDE, stacked, type Drawn } from '../drawing/plot';
-import { readTheme, type Theme } from '../drawing/theme';
+import { readTheme } from '../drawing/theme';
 import { equal } from '../inputs/document';
 import { kindNamed } from '../inputs/kinds';
 import { evenGrid } from '../scene/grid';
@@ -43,31 +43,21 @@ export function createModeBars(host: HTMLElement, core: Core) {
   tell();
   const chart = host.querySelector<HTMLElement>('.mode-bars-chart')!;
   const canvas = host.querySelector('canvas')!;
-  onResize(chart, draw);
-
-  function laidOut(width: number): ModeLayout {
-    if (!now) throw new Error('there are no modes to draw yet');
+  const { update, picture } = chartIn(chart, TITLE, (width, theme, leaving) => {
+    if (!now) return [];
     const count = Math.max(6, Math.min(MOST, Math.floor((width - BESIDE) / PITCH)));
-    return layoutModes(now.collision.modes, chosen.body, chosen.when, count);
-  }
-
-  function drawn(modes: ModeLayout, width: number, theme: Theme): Drawn[] {
-    return drawModes(modes, chosen.log, chosen.when, width, theme);
-  }
-
-  function draw(): void {
-    const width = chart.clientWidth;
-    if (!now || !width) return;
-    layout = laidOut(width);
-    const parts = drawn(layout, width, readTheme(host));
+    const its = layoutModes(now.collision.modes, chosen.body, chosen.when, count);
+    if (!leaving) layout = its;
+    return drawModes(its, chosen.log, chosen.when, width, theme);
+  }, (parts) => {
     axes = parts[0];
     shown = stacked(parts, TITLE);
     swinging = '';
     choose(bar() ?? greatest(layout.bars, (each) => each.energy));
-  }
+  });
 
   function isPair(): boolean {
-    return (now?.collision.bodies[1]?.kind ?? 'half-space') !== 'half-space';
+    return now?.encounter.against === 'same' || now?.encounter.against === 'body';
   }
 
   function bar(): ModeBar | undefined {
@@ -78,7 +68,7 @@ export function createModeBars(host: HTMLElement, core: Core) {
   function tell(): void {
     const set = (change: Partial<typeof chosen>): void => {
       Object.assign(chosen, change);
-      draw();
+      update();
     };
     const its = bar();
     render(html`
@@ -98,7 +88,7 @@ export function createModeBars(host: HTMLElement, core: Core) {
                   @focus=${() => choose(each)}
                   @pointerenter=${(event: PointerEvent) => event.pointerType === 'mouse' && choose(each)}></button>`)}
             </div>
-            <p class="chart-note">${now && noteOf(now.collision)}</p>
+            <p class="chart-note">${now && noteOf(now)}</p>
           </div>
           <figure class="mode-shape" ?hidden=${!its}>
             <canvas aria-hidden="true"></canvas>
@@ -116,11 +106,11 @@ export function createModeBars(host: HTMLElement, core: Core) {
     return `left: ${from}px; top: ${top}px; width: ${to - from}px; height: ${ground - top}px`;
   }
 
-  function noteOf(collision: Collision): string {
+  function noteOf({ encounter, collision }: NonNullable<typeof now>): string {
     return [
       layout.bars.length ? '' : 'No mode of this body has energy.',
       layout.omitted ? `${layout.omitted} more modes hold ${percent(layout.rest)} together.` : '',
-      collision.bodies[1]?.kind === 'half-space' && chosen.when === 'after'
+      encounter.against === 'half-space' && chosen.when === 'after'
         ? `The waves in the body it meets hold ${percent(energyOfWaves(collision))}.` : '',
     ].filter(Boolean).join(' ');
   }
@@ -132,7 +122,7 @@ export function createModeBars(host: HTMLElement, core: Core) {
   }
 
   async function swingMode({ mode: its }: ModeBar): Promise<void> {
-    const { encounter, collision } = now!;
+    const { encounter } = now!;
     const name = (swinging = mode);
     const grid = evenGrid(encounter.kind);
     try {
@@ -140,9 +130,9 @@ export function createModeBars(host: HTMLElement, core: Core) {
       shapes.set(name, asked);
       const shape = await asked;
       if (swinging !== name) return;
-      const bodies = collision.bodies.slice(0, its.body + 1).map((each) => ({ ...each, radius: 1 }));
       stop();
-      stop = swingShape(canvas, SHAPE, partsOf(encounter, { bodies }, grid)[its.body]!, shape, () => readTheme(host));
+      const part = partsOf(encounter, [1, 1].slice(0, its.body + 1), grid)[its.body]!;
+      stop = swingShape(canvas, SHAPE, part, shape, () => readTheme(host));
       canvas.hidden = false;
     } catch {
       shapes.delete(name);
@@ -170,9 +160,9 @@ export function createModeBars(host: HTMLElement, core: Core) {
       if (!now || !equal(now.encounter, encounter)) shapes = new Map();
       now = { encounter, collision };
       if (!isPair()) chosen.body = 0;
-      draw();
+      update();
     },
-    picture: pictureOf(chart, TITLE, (width, theme) => drawn(laidOut(width), width, theme)),
+    picture,
   };
 }
 

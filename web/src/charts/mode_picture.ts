@@ -94,10 +94,8 @@ export function drawModes(layout: ModeLayout, log: boolean, when: When, width: n
     })],
   }, theme);
   const there = new Set(layout.bars.map((each) => Math.min(each.mode.index, COLORED)));
-  const entries = alone ? [] : range(COLORED + 1).filter((l) => there.has(l)).map((l) => ({
-    label: l < COLORED ? `l = ${l}` : `l ≥ ${COLORED}`,
-    look: { color: color(l), dash: [], marker: 'square' as const }, line: false, marker: true,
-  }));
+  const entries = alone ? [] : range(COLORED + 1).filter((l) => there.has(l)).map((l) =>
+    ({ label: l < COLORED ? `l = ${l}` : `l ≥ ${COLORED}`, color: color(l), marker: 'square' as const }));
   return [chart, drawLegend(entries, width, theme)];
 }
 

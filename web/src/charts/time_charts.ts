@@ -2,13 +2,11 @@
 
 import { html, nothing, render, type TemplateResult } from 'lit-html';
 import type { Collision } from '../core/protocol';
-import { keyed, onResize } from '../drawing/dom';
-import { pictureOf } from '../drawing/files';
-import { type Drawn, drawLegend } from '../drawing/plot';
-import { look, readTheme, type Theme } from '../drawing/theme';
-import {
-  cursorWords, drawPanel, panelLabel, panelsOf, readable, summaryOf, valueWords, type Panel,
-} from './series';
+import { keyed } from '../drawing/dom';
+import { chartIn } from '../drawing/pictures';
+import { type Drawn, drawLegend, labelOf } from '../drawing/plot';
+import { look, readTheme } from '../drawing/theme';
+import { cursorWords, drawPanel, panelsOf, summaryOf, valueWords, type Panel } from './series';
 
 const HEIGHTS = [90, 90, 160];
 const STEPS = 100;
@@ -18,24 +16,24 @@ export function createTimeCharts(host: HTMLElement, choose: (time: number) => vo
   let collision: Collision | undefined;
   let panels: Panel[] = [];
   let charts: Drawn[] = [];
-  let cursor = 0; // in the readable unit, as all times inside
-  let second = 1;
-  onResize(host, draw);
+  let cursor = 0;
+  const { update, picture } = chartIn(host, 'Force, velocity and energies in time', (width, theme, leaving) => {
+    if (!collision) return [];
+    const drawn = panels.map((panel, n) =>
+      drawPanel(collision!, panel, width, HEIGHTS[n]!, n === panels.length - 1, leaving, theme));
+    const entries = panels.at(-1)!.series.map(({ label }, k) => {
+      const { color, dash } = look(k, theme);
+      return { label, color, dash };
+    });
+    return leaving ? [...drawn, drawLegend(entries, width, theme)] : drawn;
+  }, (parts) => {
+    charts = parts;
+    tell();
+  });
 
   function ends(): { first: number; last: number } {
     const { time } = collision!;
     return { first: time[0]!, last: time.at(-1)! };
-  }
-
-  function panelsAs(width: number, named: boolean, theme: Theme): Drawn[] {
-    return panels.map((panel, n) =>
-      drawPanel(collision!, panel, width, HEIGHTS[n]!, n === panels.length - 1, named, theme));
-  }
-
-  function draw(): void {
-    if (!collision || !host.clientWidth) return;
-    charts = panelsAs(host.clientWidth, false, readTheme(host));
-    tell();
   }
 
   /** Brings all but the curves up to date. */
@@ -58,7 +56,7 @@ export function createTimeCharts(host: HTMLElement, choose: (time: number) => vo
 
   function headOf(panel: Panel): TemplateResult {
     const theme = readTheme(host);
-    return html`<div class="chart-head" aria-hidden="true"><b>${panelLabel(panel)}</b>${panel.series.map((each, k) => {
+    return html`<div class="chart-head" aria-hidden="true"><b>${labelOf(panel)}</b>${panel.series.map((each, k) => {
       const { color, dash } = look(k, theme);
       const key = html`<svg width="26" height="8"><line y1="4" x2="26" y2="4" stroke=${color} stroke-width="2"
         stroke-dasharray=${dash.join(' ')}></line></svg>${each.label} `;
@@ -85,7 +83,7 @@ export function createTimeCharts(host: HTMLElement, choose: (time: number) => vo
   function go(time: number): void {
     cursor = time;
     tell();
-    choose(time * second);
+    choose(time);
   }
 
   function onKey(event: KeyboardEvent): void {
@@ -96,22 +94,15 @@ export function createTimeCharts(host: HTMLElement, choose: (time: number) => vo
 
   return {
     show(next: Collision): void {
-      const shown = readable(next);
-      cursor *= second / shown.second;
-      ({ second, collision } = shown);
+      collision = next;
       panels = panelsOf(collision);
-      draw();
+      update();
     },
     /** Puts the cursor to a time, in the collision's units. */
     setCursor(time: number): void {
-      cursor = time / second;
+      cursor = time;
       tell();
     },
-    picture: pictureOf(host, 'Force, velocity and energies in time', (width, theme) => {
-      if (!collision) throw new Error('there is no collision to draw yet');
-      const entries = panels.at(-1)!.series.map(({ label }, k) =>
-        ({ label, look: look(k, theme), line: true, marker: false }));
-      return [...panelsAs(width, true, theme), drawLegend(entries, width, theme)];
-    }),
+    picture,
   };
 }

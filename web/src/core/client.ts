@@ -1,10 +1,11 @@
 // The core in workers: what is asked often does not wait for what takes long.
 import address from '@wasm/stoss.wasm?url';
+import { documentOf } from '../inputs/document';
 import { createLane, type Fellow, type Lane } from './lane';
 import { setLocal } from './local';
 import type { Core, Questions } from './protocol';
 import { withWarmUp } from './warm_up';
-import { callOf, instantiate } from './wasm';
+import { instantiate } from './wasm';
 import CoreWorker from './worker?worker&inline';
 
 /** The core of this page, which needs no network once it is loaded. */
@@ -17,7 +18,8 @@ export async function createCore(): Promise<Core> {
   const lanes: Record<keyof Questions, Lane> =
     { restitution: lane(), collision: film, frames: film, shape: film, curve: lane(), header: lane() };
   return withWarmUp((question, encounter, given, { deliver, signal } = {}) =>
-    lanes[question](callOf(question, encounter, given), deliver, signal) as Promise<never>);
+    lanes[question]({ question, given: { ...given, document: documentOf(encounter) } }, deliver, signal) as
+      Promise<never>);
 }
 
 async function compile(from: string): Promise<WebAssembly.Module> {

@@ -67,27 +67,19 @@ export interface Restitution {
   yieldSpeed?: number;
 }
 
+/** What a collision has for every instant; energies are shares of the initial one. */
+type Instants = 'time' | 'velocity' | 'force' | 'contact_half_width'
+  | 'translation' | 'vibration' | 'stored' | 'dissipated' | 'unresolved';
+
 /** One impact in time, at a cutoff: `stoss impact --cutoff` computes the same. Times are in
  *  `units.time`, from the start of the impact, just out of contact. */
-export interface Collision {
-  units: { time: string; length: string; speed: string; force: string };
-  time: Float64Array;
-  velocity: Float64Array;
-  force: Float64Array;
-  halfWidth: Float64Array;
-  /** shares of the initial energy */
-  translation: Float64Array;
-  vibration: Float64Array;
-  stored: Float64Array;
-  dissipated: Float64Array;
-  unresolved: Float64Array;
+export interface Collision extends Record<Instants, Float64Array> {
+  units: Record<'time' | 'velocity' | 'force', string>;
   /** of the bodies; the waves of a half-space are none of them */
   modes: ModeEnergy[];
   /** first and last instant in contact, in units.time */
   begin: number;
   end: number;
-  /** what frames show: 1 at a wall, 2 for a pair or a half-space */
-  bodies: { kind: BodyKind | 'half-space'; radius: number }[];
 }
 
 export interface ModeEnergy {
@@ -129,7 +121,7 @@ export interface BodyFrame {
 export interface Frame {
   /** in units.time of the collision, from its start: that of the step nearest to what was asked for */
   time: number;
-  /** those of the collision. Of one so large that only its near side is computed, as it is at rest */
+  /** 1 at a wall, 2 for a pair or a half-space. Of a large one only the near side is computed: it is as at rest */
   bodies: BodyFrame[];
 }
 

@@ -1,13 +1,20 @@
 // The core as Emscripten makes it of what scripts/web.sh has compiled.
-import create, { type Wasm } from '@wasm/stoss.mjs';
-import { documentOf } from '../inputs/document';
-import { CoreError, type Deliver, type Encounter, type Questions } from './protocol';
+import create from '@wasm/stoss.mjs';
+import { CoreError, type Deliver, type Questions } from './protocol';
 
-export type { Wasm };
+/** A question with all that the core needs for it. */
+export interface Call {
+  readonly question: keyof Questions;
+  readonly given: object;
+}
+
+/** Answers a question; `deliver` gets what comes one by one. Throws CoreError with one line for what the core cannot
+ *  do. */
+export type Ask = (question: string, given: object, deliver?: Deliver) => unknown;
 
 /** Make the core from its compiled module. @param alive is called during long computations */
-export function instantiate(module: WebAssembly.Module, alive: () => void): Promise<Wasm> {
-  return create({
+export async function instantiate(module: WebAssembly.Module, alive: () => void): Promise<Ask> {
+  const core = await create({
     alive,
     locateFile: (name: string) => name,
     instantiateWasm(imports: WebAssembly.Imports, receive: (instance: WebAssembly.Instance) => void) {
@@ -15,27 +22,9 @@ export function instantiate(module: WebAssembly.Module, alive: () => void): Prom
       return {};
     },
   });
-}
-
-/** A question to a worker. */
-export interface Call {
-  readonly question: keyof Questions;
-  readonly given: object;
-}
-
-export function callOf(question: keyof Questions, encounter: Encounter, given: object): Call {
-  return { question, given: { ...given, document: documentOf(encounter) } };
-}
-
-export type Answer = ReturnType<Wasm['ask']>;
-
-/** What an answer says. Throws CoreError with one line for what the core cannot do. */
-export function valueOf(answer: Answer): unknown {
-  if (answer.error !== undefined) throw new CoreError(answer.error);
-  return answer.value;
-}
-
-/** The answer to a question, or that error. */
-export function answer(core: Wasm, question: string, given: object, deliver: Deliver | null = null): unknown {
-  return valueOf(core.ask(question, given, deliver));
+  return (question, given, deliver = () => {}) => {
+    const { value, error } = core[question]!(given, deliver);
+    if (error !== undefined) throw new CoreError(error);
+    return value;
+  };
 }

@@ -1,4 +1,5 @@
-// Numbers, with their errors and units, as readers know them.
+// Numbers, with their errors and units, as readers know them; and between those of a sampled function.
+import { bisectRight } from 'd3-array';
 
 const RAISED = '⁰¹²³⁴⁵⁶⁷⁸⁹';
 
@@ -113,4 +114,13 @@ export function prefixFor(greatest: number, unit: string): { size: number; unit:
 export function withUnit(value: number, unit: string, digits = 3, greatest = value): string {
   const prefix = prefixFor(greatest, unit);
   return `${written(value / prefix.size, digits)} ${prefix.unit}`.trimEnd();
+}
+
+/** A sampled function at a place between its samples, by lines; beyond them its first or last value. */
+export function interpolate(places: ArrayLike<number>, values: ArrayLike<number>, place: number): number {
+  const k = bisectRight(places, place) - 1;
+  if (k < 0) return values[0] ?? NaN;
+  if (k >= places.length - 1) return values[places.length - 1]!;
+  const share = (place - places[k]!) / (places[k + 1]! - places[k]!);
+  return values[k]! + share * (values[k + 1]! - values[k]!);
 }

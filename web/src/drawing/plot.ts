@@ -2,7 +2,7 @@
 import * as Plot from '@observablehq/plot';
 import { cumsum, max } from 'd3-array';
 import { scaleLinear, scaleLog } from 'd3-scale';
-import { powerOfTen, written } from './numbers';
+import { powerOfTen, prefixFor, written } from './numbers';
 import type { Look, Theme } from './theme';
 
 /** From where to where an axis goes. */
@@ -14,6 +14,19 @@ export interface Scale {
 
 export interface Axis extends Scale {
   label: string;
+  /** '' for a pure number */
+  unit?: string;
+}
+
+/** What the numbers along an axis are in: its unit with the prefix that suits it. */
+export function unitAlong({ low, high, unit = '' }: Axis): { size: number; unit: string } {
+  return prefixFor(Math.max(Math.abs(low), Math.abs(high)), unit);
+}
+
+/** What an axis shows, with that unit. */
+export function labelOf(axis: Axis): string {
+  const { unit } = unitAlong(axis);
+  return unit ? `${axis.label} (${unit})` : axis.label;
 }
 
 /** Places of the numbers along an axis, and what they are. */
@@ -66,10 +79,16 @@ export function ticksOf({ low, high, log }: Scale, length: number, pitch: number
   return { places: scaleLog([low, high], [0, 1]).ticks(count), words };
 }
 
+function ticksAlong(axis: Axis, length: number, pitch: number): Ticks {
+  const { size } = unitAlong(axis);
+  const { places, words } = ticksOf({ low: axis.low / size, high: axis.high / size, log: axis.log }, length, pitch);
+  return { places: places.map((each) => each * size), words: (each) => words(each / size) };
+}
+
 /** Draws marks in a frame of axes. */
 export function draw({ width, height, x, y, ticks, bottom = true, top = true, marks }: Chart, theme: Theme): Drawn {
   const margin = { ...MARGIN, ...(bottom ? {} : { bottom: 8 }), ...(top ? {} : { top: 8 }) };
-  const [across, up] = [ticks ?? ticksOf(x, width - BESIDE, PITCH), ticksOf(y, height, RISE)];
+  const [across, up] = [ticks ?? ticksAlong(x, width - BESIDE, PITCH), ticksAlong(y, height, RISE)];
   const named = ({ places, words }: Ticks): number[] => places.filter((each) => words(each) !== '');
   const line = { stroke: theme.line, strokeOpacity: 1, strokeWidth: 0.7 };
   const numbers = { fill: theme.muted, stroke: theme.muted, strokeWidth: 0.8, label: null };
@@ -84,8 +103,8 @@ export function draw({ width, height, x, y, ticks, bottom = true, top = true, ma
       Plot.gridY(named(up), line),
       Plot.axisX(across.places, { ...numbers, tickSize: ticks ? 0 : 5, text: bottom ? across.words : () => '' }),
       Plot.axisY(up.places, { ...numbers, tickSize: 5, text: up.words }),
-      bottom ? Plot.text([x.label], { frameAnchor: 'bottom', dy: 38 }) : null,
-      top ? Plot.text([y.label], { frameAnchor: 'top-left', dy: -18 }) : null,
+      bottom ? Plot.text([labelOf(x)], { frameAnchor: 'bottom', dy: 38 }) : null,
+      top ? Plot.text([labelOf(y)], { frameAnchor: 'top-left', dy: -18 }) : null,
       Plot.frame({ anchor: 'left', stroke: theme.muted }),
       Plot.frame({ anchor: 'bottom', stroke: theme.muted }),
       ...marks,
@@ -93,12 +112,8 @@ export function draw({ width, height, x, y, ticks, bottom = true, top = true, ma
   }) as Drawn;
 }
 
-export interface Entry {
-  label: string;
-  look: Look;
-  line: boolean;
-  marker: boolean;
-}
+/** What is drawn has a colour; a line has a dash, and points have a marker. */
+type Entry = { label: string } & Pick<Look, 'color'> & Partial<Look>;
 
 const KEY = 32; // pixels of a line or marker before its label
 const LETTER = 6.7;
@@ -124,13 +139,13 @@ export function drawLegend(entries: Entry[], width: number, theme: Theme): Drawn
   return Plot.plot({
     width, height, margin: 0, axis: null, x: { type: 'identity' }, y: { type: 'identity' },
     style: { background: 'none', color: theme.text, fontSize: '12px' },
-    marks: entries.flatMap(({ label, look: { color, dash, marker: symbol }, line, marker }, k) => {
+    marks: entries.flatMap(({ label, color, dash, marker: symbol }, k) => {
       const { x, y, rows, letters } = places[k]!;
       return [
-        line ? Plot.ruleY([y], {
+        dash ? Plot.ruleY([y], {
           x1: x, x2: x + 26, stroke: color, strokeWidth: 2, strokeDasharray: dash.join(' '),
         }) : null,
-        marker ? Plot.dot([y], { x: x + 13, y: [y], symbol, r: 4, fill: color, stroke: color }) : null,
+        symbol ? Plot.dot([y], { x: x + 13, y: [y], symbol, r: 4, fill: color, stroke: color }) : null,
         Plot.text([label], {
           x: x + KEY, y: [y], textAnchor: 'start', lineAnchor: 'top', dy: -7, lineHeight: ROW / 12,
           lineWidth: rows > 1 ? letters / 2 : Infinity, // in ems; some fonts are wider than Plot takes them for

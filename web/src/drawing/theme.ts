@@ -1,15 +1,9 @@
 // Colours, dashes and markers of every picture, and the reader's wishes: dark or light, motion or none.
 
+const NAMES = ['text', 'muted', 'line', 'background', 'panel', 'accent'] as const;
+
 /** Colours of one picture, concrete: a picture that is downloaded has them too. */
-export interface Theme {
-  text: string;
-  muted: string;
-  line: string;
-  background: string;
-  panel: string;
-  accent: string;
-  dark: boolean;
-}
+export type Theme = Record<(typeof NAMES)[number], string> & { dark: boolean };
 
 /** How one of several curves looks: no two share a colour, a dash or a marker. */
 export interface Look {
@@ -29,21 +23,15 @@ const ON_DARK = ['#56b4e9', '#ff8a3d', '#2fc79b', '#e59fc4', '#e69f00', '#8fc7ff
 /** The look of curve number `index`. */
 export function look(index: number, theme: Theme): Look {
   const colors = theme.dark ? ON_DARK : ON_LIGHT;
-  return {
-    color: colors[index % colors.length]!,
-    dash: DASHES[index % DASHES.length]!,
-    marker: MARKERS[index % MARKERS.length]!,
-  };
+  const k = index % colors.length;
+  return { color: colors[k]!, dash: DASHES[k]!, marker: MARKERS[k]! };
 }
 
 /** The theme where an element stands: the custom properties of style.css. */
 export function readTheme(element: Element): Theme {
   const style = getComputedStyle(element);
-  const read = (name: string): string => style.getPropertyValue(`--${name}`).trim();
-  return {
-    text: read('text'), muted: read('muted'), line: read('line'), background: read('background'),
-    panel: read('panel'), accent: read('accent'), dark: matchMedia('(prefers-color-scheme: dark)').matches,
-  };
+  const colors = Object.fromEntries(NAMES.map((name) => [name, style.getPropertyValue(`--${name}`).trim()]));
+  return { ...colors as Omit<Theme, 'dark'>, dark: matchMedia('(prefers-color-scheme: dark)').matches };
 }
 
 /** Whether the reader has asked for less motion. */

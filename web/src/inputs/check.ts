@@ -20,11 +20,9 @@ export function parseNumber(name: string, text: string): Parsed {
   return problem === '' ? { value } : { problem };
 }
 
-/** The new inputs, or for every wrong field one line that says what is wrong. */
-export type Checked = { inputs: Inputs } | { problems: Map<Field, string> };
-
-/** Read all fields that count; a field whose text is missing keeps its number. */
-export function check(inputs: Inputs, texts: ReadonlyMap<Field, string>): Checked {
+/** The inputs that all fields which count stand for, and one line for every field that is wrong. A field whose text is
+ *  missing, or not a number, keeps its number. */
+export function check(inputs: Inputs, texts: ReadonlyMap<Field, string>) {
   const problems = new Map<Field, string>();
   let { encounter, speed } = inputs;
   for (const field of fieldsOf(encounter)) {
@@ -37,7 +35,7 @@ export function check(inputs: Inputs, texts: ReadonlyMap<Field, string>): Checke
   }
   const next = { ...inputs, encounter, speed };
   for (const [field, problem] of problemsOf(next)) if (!problems.has(field)) problems.set(field, problem);
-  return problems.size > 0 ? { problems } : { inputs: next };
+  return { inputs: next, problems };
 }
 
 /** What the core refuses, by field. */
@@ -80,7 +78,7 @@ function standard(encounter: Encounter): Encounter {
 }
 
 /** The line with which the core refuses what it is asked; '' if it does not. */
-function refusal(ask: () => unknown): string {
+export function refusal(ask: () => unknown): string {
   try {
     ask();
     return '';

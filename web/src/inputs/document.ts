@@ -1,6 +1,6 @@
 // The document of an encounter, as the core reads it, and the numbers that it names.
 import type { Body, Encounter } from '../core/protocol';
-import { type BodyField, type Kind, type Material, blockOf, kindNamed, materials, parametersOf } from './kinds';
+import { type BodyField, type Kind, type Material, blockOf, kindNamed, materials, parametersOf, sizeOf } from './kinds';
 
 /** The body made of a material, of the same size. */
 export function madeOf({ young, poisson, density, loss_time }: Material, body: Body): Body {
@@ -21,14 +21,15 @@ export interface Side {
   readonly material: Material | undefined;
 }
 
-/** The first body, and what it meets where that is a body or a half-space of its own. In SI some of their numbers are of
- *  a material. Without SI the first has as its units what would have a default. */
+/** The first body, and what it meets where that is a body or a half-space of its own. In SI some of their numbers are
+ *  of a material. Without SI the first has as its units what would have a default. */
 export function sidesOf({ kind: name, si, plane, first, against, second: other }: Encounter): [Side, Side?] {
   const side = (kind: Kind, body: Body, second: boolean): Side => {
     const fields = parametersOf(kind)
       .filter((its) => si || second || its.otherwise === undefined || its.name === 'loss_time');
     const used = kind.parameters.filter(({ ofMaterial }) => ofMaterial);
-    const solid = materials.find((its) => si && used.every((each) => its[each.name as keyof Material] === body[each.name]));
+    const solid = materials.find((its) =>
+      si && used.every(({ name }) => its[name as keyof Material] === body[name]));
     const lossy = solid && Math.abs(solid.loss_time - body.loss_time) <= 1e-9 * body.loss_time;
     return {
       kind, body, second, fields: fields.map((its) => its.name), strain: si && kind.hasPlane && plane === 'strain',
@@ -43,6 +44,13 @@ export function sidesOf({ kind: name, si, plane, first, against, second: other }
 /** Whether what the first body meets has numbers of its own. */
 export function hasSecond(against: Encounter['against']): boolean {
   return against === 'body' || against === 'half-space';
+}
+
+/** Sizes of what meets, in that of the first: 1 of a half-space too, and none of a wall. */
+export function sizesOf({ kind, si, first, against, second }: Encounter): number[] {
+  const size = sizeOf(kind);
+  const ratio = against === 'body' ? second[size] / (si ? first[size] : 1) : 1;
+  return against === 'wall' ? [1] : [1, ratio];
 }
 
 /** Poisson's ratio of a solid; of a rod, which does without, any. */

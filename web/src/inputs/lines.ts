@@ -62,19 +62,14 @@ export function encounterArguments(encounter: Encounter): string[] {
   ];
 }
 
-/** The arguments of `stoss restitution` for ε at one speed. */
-export function commandArguments(encounter: Encounter, speed: string, tolerance: number): string[] {
-  const line = ['restitution', ...encounterArguments(encounter), '--speed', speed];
-  return tolerance === usualTolerance ? line : [...line, '--tolerance', shortest(tolerance)];
-}
-
-/** The command line of ε at one speed, to be pasted into a shell. */
-export function commandLine(encounter: Encounter, speed: number, tolerance = usualTolerance): string {
-  return ['stoss', ...commandArguments(encounter, shortest(speed), tolerance)].join(' ');
+/** The command line of ε at some speeds, a,b,c, to be pasted into a shell. */
+export function commandLine(encounter: Encounter, ...speeds: number[]): string {
+  const list = speeds.map(shortest).join(',');
+  return ['stoss', 'restitution', ...encounterArguments(encounter), '--speed', list].join(' ');
 }
 
 /** A short program in Python that prints ε at one speed. */
-export function pythonLines(encounter: Encounter, speed: number, tolerance = usualTolerance): string {
+export function pythonLines(encounter: Encounter, speed: number): string {
   const { kind, against, si } = encounter;
   const [first, second] = sidesOf(encounter);
   const name = second?.kind.bounded ? 'other' : 'block';
@@ -82,7 +77,6 @@ export function pythonLines(encounter: Encounter, speed: number, tolerance = usu
     kind,
     ...(second ? [`against=${name}`] : against === 'same' ? ['against="same"'] : []),
     `speed=${shortest(speed)}`,
-    ...(tolerance === usualTolerance ? [] : [`tolerance=${shortest(tolerance)}`]),
   ];
   return [
     'import stoss', '', `${kind} = ${call(first, si)}`, ...(second ? [`${name} = ${call(second, si)}`] : []),
@@ -110,9 +104,8 @@ function ownMaterial(side: Side): string {
 
 /** A curve as CSV, as `stoss restitution --format csv` writes it, of the columns that the page knows: comments that say
  *  what it is, one line of columns, one row for each speed, slowest first. */
-export function curveCsv(encounter: Encounter, points: readonly CurvePoint[], tolerance = usualTolerance): string {
+export function curveCsv(encounter: Encounter, points: readonly CurvePoint[]): string {
   const sorted = [...points].sort((a, b) => a.speed - b.speed);
-  const speeds = sorted.map((point) => shortest(point.speed)).join(',');
   const { kind, si } = encounter;
   const { speed: c, first: { poisson } } = unitsOf(encounter);
   const columns: [string, (point: CurvePoint) => string][] = [
@@ -125,9 +118,9 @@ export function curveCsv(encounter: Encounter, points: readonly CurvePoint[], to
   if (poisson !== undefined) columns.unshift(['poisson', () => shortest(poisson)]);
   return [
     `# stoss ${version}: restitution`,
-    `# command: stoss ${commandArguments(encounter, speeds, tolerance).join(' ')} --format csv`,
+    `# command: ${commandLine(encounter, ...sorted.map(({ speed }) => speed))} --format csv`,
     `# body: ${kind}`,
-    `# tolerance: ${shortest(tolerance)}`,
+    `# tolerance: ${shortest(usualTolerance)}`,
     columns.map(([name]) => name).join(','),
     ...sorted.map((point) => columns.map(([, text]) => text(point)).join(',')),
     '',

@@ -1,5 +1,6 @@
 // The same encounter in other units, which the core knows; and the speeds of the slider and of the curve: logarithmic,
 // up to where linear elasticity loses its meaning.
+import { scaleLog } from 'd3-scale';
 import { seriesOf, unitsOf } from '../core/local';
 import type { Body, Elastic, Encounter } from '../core/protocol';
 import { rounded, shortest } from '../drawing/numbers';
@@ -70,22 +71,22 @@ export function fastest(encounter: Encounter): number {
 /** Steps of the slider. */
 export const steps = 1000;
 
+/** The ends of the slider and of a curve, as the page gives speeds. */
+export function endsOf(encounter: Encounter): [number, number] {
+  const c = barSpeed(encounter);
+  return [rounded(slowest * c, 4), rounded(fastest(encounter) * c, 4)];
+}
+
+const slider = (encounter: Encounter) => scaleLog(endsOf(encounter), [0, steps]).clamp(true);
+
 /** The speed at a place 0 … steps of the slider, to three digits. */
 export function speedAt(encounter: Encounter, place: number): number {
-  const speed = barSpeed(encounter) * slowest * (fastest(encounter) / slowest) ** (place / steps);
-  return rounded(speed, 3);
+  return rounded(slider(encounter).invert(place), 3);
 }
 
 /** The nearest place of the slider to a speed; its end for one beyond. */
 export function placeOf(encounter: Encounter, speed: number): number {
-  const share = Math.log(speed / barSpeed(encounter) / slowest) / Math.log(fastest(encounter) / slowest);
-  return Math.round(Math.min(Math.max(share, 0), 1) * steps);
-}
-
-/** The ends of a curve, as the page gives speeds. */
-export function endsOf(encounter: Encounter): [number, number] {
-  const c = barSpeed(encounter);
-  return [slowest, fastest(encounter)].map((speed) => rounded(speed * c, 4)) as [number, number];
+  return Math.round(slider(encounter)(speed));
 }
 
 /** The series of a curve that nobody has typed. */

@@ -87,14 +87,13 @@ export function createControls(initial: Inputs, listener: Listener) {
   /** Check all fields, and report. */
   function read(settled: boolean): void {
     const texts = new Map(fieldsOf(inputs.encounter).map((field) => [field, textOf(field)]));
-    const result = check(inputs, texts);
-    const problems = 'problems' in result ? result.problems : new Map<Field, string>();
+    const { inputs: next, problems } = check(inputs, texts);
     showFields(inputs, problems);
-    if ('problems' in result) {
+    if (problems.size > 0) {
       listener.wrong();
       return;
     }
-    inputs = result.inputs;
+    inputs = next;
     showDerived();
     listener.changed(inputs, settled);
   }

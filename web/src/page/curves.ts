@@ -1,5 +1,6 @@
 // ε(v) of the current encounter and of those kept for comparison: computed one after the other, and remembered.
 import { difference } from 'd3-array';
+import type { Curve } from '../charts/curve_picture';
 import { remember, seriesOf } from '../core/local';
 import type { Core, CurvePoint, Encounter } from '../core/protocol';
 import { messageOf } from '../drawing/dom';
@@ -7,13 +8,6 @@ import { description } from '../inputs/lines';
 import { documentOf } from '../inputs/document';
 import { curveSpeeds } from '../inputs/units';
 import { fine } from './session';
-
-export interface Curve {
-  readonly encounter: Encounter;
-  /** in the order in which they are computed */
-  readonly points: readonly CurvePoint[];
-  readonly planned: readonly number[];
-}
 
 /** Remembered curves beyond this number are forgotten, oldest first. */
 const most = 40;

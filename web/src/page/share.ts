@@ -1,12 +1,12 @@
 // Lines to copy and files to download.
+import type { Curve } from '../charts/curve_picture';
 import type { Core, Encounter } from '../core/protocol';
 import { find, messageOf } from '../drawing/dom';
-import { type Picture, download, pngOf, textOf } from '../drawing/files';
+import { type Picture, download, pngOf, textOf } from '../drawing/pictures';
 import { toAddress } from '../inputs/address';
 import { type Inputs, defaults } from '../inputs/inputs';
 import { commandLine, curveCsv, pythonLines } from '../inputs/lines';
 import { endsOf } from '../inputs/units';
-import type { Curve } from './curves';
 
 /** Maximum error of ε that the C header may have. */
 const headerError = 1e-3;

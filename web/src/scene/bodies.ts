@@ -1,6 +1,6 @@
 // Draws the bodies of one frame: their stress, their edges, and what a single one meets.
 
-import { interpolate } from '../drawing/samples';
+import { interpolate } from '../drawing/numbers';
 import type { Encounter, Frame } from '../core/protocol';
 import type { Theme } from '../drawing/theme';
 import { paintMesh, type Pixels, type Shade } from './raster';

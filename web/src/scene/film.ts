@@ -1,5 +1,5 @@
 // The film of a collision: which frames are asked for first, those that are there, and its time while it plays.
-import { bisectRight, range } from 'd3-array';
+import { bisector, range } from 'd3-array';
 import type { BodyFrame, Frame } from '../core/protocol';
 
 /** Times from `from` to `to`, coarse to fine: each level halves the distance of all before it. */
@@ -20,18 +20,14 @@ export function filmSpan(begin: number, end: number): { from: number; to: number
   return { from: begin - BEFORE * contact, to: end + AFTER * contact };
 }
 
-/** The frames that are there already, in the order of their times. */
-export interface Film {
-  times: number[];
-  frames: Frame[];
-}
+/** How many frames of a film, which stand in the order of their times, are not after a time. */
+const passed = bisector(({ time }: Frame) => time).right;
 
-/** Adds a frame at its place; one with the same time takes the place of the old. */
-export function insertFrame(film: Film, frame: Frame): void {
-  const k = bisectRight(film.times, frame.time);
-  const same = film.times[k - 1] === frame.time ? 1 : 0;
-  film.times.splice(k - same, same, frame.time);
-  film.frames.splice(k - same, same, frame);
+/** Adds a frame to a film at its place; one with the same time takes the place of the old. */
+export function insertFrame(film: Frame[], frame: Frame): void {
+  const k = passed(film, frame.time);
+  const same = film[k - 1]?.time === frame.time ? 1 : 0;
+  film.splice(k - same, same, frame);
 }
 
 function mixed(a: BodyFrame, b: BodyFrame, share: number): BodyFrame {
@@ -44,9 +40,9 @@ function mixed(a: BodyFrame, b: BodyFrame, share: number): BodyFrame {
 }
 
 /** The frame of a film at any time: between two of its frames both, mixed by their distance. */
-export function frameAt({ times, frames }: Film, time: number): Frame | undefined {
-  const k = bisectRight(times, time);
-  const [a, b] = [frames[k - 1], frames[k]];
+export function frameAt(film: Frame[], time: number): Frame | undefined {
+  const k = passed(film, time);
+  const [a, b] = [film[k - 1], film[k]];
   if (!a || !b) return a ?? b;
   const share = (time - a.time) / (b.time - a.time);
   return { time, bodies: a.bodies.map((each, n) => mixed(each, b.bodies[n]!, share)) };

@@ -2,7 +2,7 @@
 // the line of impact, which the other mirrors. Places are in radii of the first body, y ≥ 0.
 
 import { range } from 'd3-array';
-import type { BodyFrame, Collision, Encounter, Grid } from '../core/protocol';
+import type { BodyFrame, Encounter, Grid } from '../core/protocol';
 import type { BodyKind } from '../inputs/kinds';
 
 /** One of what meets. Its points stand in rows and columns, row-major, as the numbers of frames do. */
@@ -99,13 +99,11 @@ export function blockPart({ depth, distance }: NonNullable<Grid['below']>): Part
 
 const ROD = 0.1; // half the thickness of the first rod, in its lengths
 
-/** What meets in a collision. */
-export function partsOf(
-  { kind, first, against, second }: Encounter, { bodies }: Pick<Collision, 'bodies'>, grid: Grid,
-): Part[] {
+/** What meets, of some sizes. */
+export function partsOf({ kind, first, against, second }: Encounter, sizes: number[], grid: Grid): Part[] {
   const thick = Math.min(0.4, Math.max(0.03, ROD * Math.sqrt((against === 'body' ? second : first).area / first.area)));
-  return bodies.map(({ kind: its, radius }, n) => (its === 'half-space' ? blockPart(grid.below!)
-    : bodyPart(kind, radius / bodies[0]!.radius, n === 0 ? 1 : -1, n === 0 ? ROD : thick, grid)));
+  return sizes.map((size, n) => (n === 1 && against === 'half-space' ? blockPart(grid.below!)
+    : bodyPart(kind, size, n === 0 ? 1 : -1, n === 0 ? ROD : thick, grid)));
 }
 
 /** How the points of a part are displaced, apart from its movement as a whole. */

@@ -2,8 +2,7 @@
 
 import { max } from 'd3-array';
 import type { Collision } from '../core/protocol';
-import { interpolate } from '../drawing/samples';
-import { unitInWords, withUnit, written } from '../drawing/numbers';
+import { interpolate, unitInWords, withUnit, written } from '../drawing/numbers';
 
 export type Phase = 'approach' | 'compression' | 'restitution' | 'apart';
 

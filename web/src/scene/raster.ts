@@ -92,32 +92,29 @@ export function paintTriangle(
   pixels: Pixels, x0: number, y0: number, s0: number, x1: number, y1: number, s1: number,
   x2: number, y2: number, s2: number, shade: Shade,
 ): void {
-  let swap: number;
-  if (y1 < y0) {
-    swap = x0; x0 = x1; x1 = swap; swap = y0; y0 = y1; y1 = swap; swap = s0; s0 = s1; s1 = swap;
-  }
-  if (y2 < y1) {
-    swap = x1; x1 = x2; x2 = swap; swap = y1; y1 = y2; y2 = swap; swap = s1; s1 = s2; s2 = swap;
-    if (y1 < y0) {
-      swap = x0; x0 = x1; x1 = swap; swap = y0; y0 = y1; y1 = swap; swap = s0; s0 = s1; s1 = swap;
-    }
-  }
-  const from = Math.max(0, Math.ceil(y0 - 0.5));
-  const to = Math.min(pixels.height - 1, Math.ceil(y2 - 0.5) - 1);
-  if (to < from) return;
   const area = (x1 - x0) * (y2 - y0) - (x2 - x0) * (y1 - y0);
   if (area === 0) return;
   const alongX = ((s1 - s0) * (y2 - y0) - (s2 - s0) * (y1 - y0)) / area;
   const alongY = ((s2 - s0) * (x1 - x0) - (s1 - s0) * (x2 - x0)) / area;
   const left = shade.quantity === 'fringes' ? contrast(Math.hypot(alongX, alongY) / shade.unit) : 1;
-  for (let row = from; row <= to; ++row) {
-    const y = row + 0.5;
-    const long = x0 + ((x2 - x0) * (y - y0)) / (y2 - y0);
-    const short = y < y1 ? x0 + ((x1 - x0) * (y - y0)) / (y1 - y0) : x1 + ((x2 - x1) * (y - y1)) / (y2 - y1);
-    const begin = Math.max(0, Math.ceil(Math.min(long, short) - 0.5));
-    const end = Math.min(pixels.width, Math.ceil(Math.max(long, short) - 0.5));
+  let [y, low, high] = [0, 0, 0];
+  /** Widens the row at y to where a side passes it. */
+  const pass = (xa: number, ya: number, xb: number, yb: number): void => {
+    if (ya <= y === yb <= y) return;
+    const x = xa + ((xb - xa) * (y - ya)) / (yb - ya);
+    low = Math.min(low, x);
+    high = Math.max(high, x);
+  };
+  const to = Math.min(pixels.height, Math.ceil(Math.max(y0, y1, y2) - 0.5));
+  for (let row = Math.max(0, Math.ceil(Math.min(y0, y1, y2) - 0.5)); row < to; ++row) {
+    [y, low, high] = [row + 0.5, Infinity, -Infinity];
+    pass(x0, y0, x1, y1);
+    pass(x1, y1, x2, y2);
+    pass(x0, y0, x2, y2);
+    const begin = Math.max(0, Math.ceil(low - 0.5));
+    const last = row * pixels.width + Math.min(pixels.width, Math.ceil(high - 0.5));
     let stress = s0 + alongX * (begin + 0.5 - x0) + alongY * (y - y0);
-    for (let k = row * pixels.width + begin, last = row * pixels.width + end; k < last; ++k) {
+    for (let k = row * pixels.width + begin; k < last; ++k) {
       pixels.data[k] = pixelOf(shade, stress, left);
       stress += alongX;
     }

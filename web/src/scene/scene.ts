@@ -152,7 +152,7 @@ export function createScene(host: HTMLElement, core: Core, cursor: (time: number
 
   /** Draws the film at its time, with at least so many pixels of the device for one. */
   function drawOn(to: HTMLCanvasElement, width: number, its: Show, least = 1): void {
-    const frame = frameAt(its.film, clock.time);
+    const frame = frameAt(its.frames, clock.time);
     if (!frame) return;
     const density = fitCanvas(to, width, pictureHeight(its, width), least);
     drawPicture(to, width, density, its, frame, clock.time, quantity, readTheme(place));
@@ -172,17 +172,21 @@ export function createScene(host: HTMLElement, core: Core, cursor: (time: number
 
   return {
     /** Shows a collision; what was shown before stays until the first frames of the new one are there. */
-    show(encounter: Encounter, at: number, cutoff: number, collision: Collision): void {
+    async show(encounter: Encounter, at: number, cutoff: number, collision: Collision): Promise<void> {
       asked?.abort();
       const mine = (asked = new AbortController());
       note = 'Computing the film …';
       tell();
-      const finer = (): void => void (!playing && draw());
-      produce(core, encounter, at, cutoff, collision, mine.signal, start, finer).catch((error) => {
+      try {
+        for await (const next of produce(core, encounter, at, cutoff, collision, mine.signal)) {
+          if (next !== show) start(next);
+          else if (!playing) draw();
+        }
+      } catch (error) {
         if (mine.signal.aborted) return;
         note = words = `The film could not be computed: ${messageOf(error)}`;
         tell();
-      });
+      }
     },
     /** Stops, and goes to a time, in the collision's units. */
     seek: (time: number): void => go(time, false),

@@ -2,18 +2,19 @@
 
 import { max } from 'd3-array';
 import type { Collision, Core, Encounter, Frame, Grid } from '../core/protocol';
+import { sizesOf } from '../inputs/document';
 import { sizeOf } from '../inputs/kinds';
 import type { Quantity } from './raster';
-import { coarseToFine, filmSpan, insertFrame, type Film } from './film';
+import { coarseToFine, filmSpan, insertFrame } from './film';
 import { gridBelow, gridFor } from './grid';
 import { partsOf, type Part } from './parts';
-import { magnificationOf, stressUnit } from './scales';
-import { viewOf, type View } from './view';
+import { magnificationOf, stressUnit, viewOf, type View } from './view';
 
 export interface Show {
   encounter: Encounter;
   collision: Collision;
-  film: Film;
+  /** those that are there already, in the order of their times */
+  frames: Frame[];
   from: number;
   to: number;
   parts: Part[];
@@ -33,40 +34,36 @@ export function secondIsAtRest(frames: Frame[]): boolean {
 const FIRST = 17; // frames before a film can play
 const LEVELS = 4; // 129 frames in the end
 
-/** Asks for the frames of a collision. `ready` gets the film when it can play; it becomes finer from then on, and
- *  `finer` says so. */
-export async function produce(
+/** The film of a collision, as soon as it can play; and the same again whenever it has become finer. */
+export async function* produce(
   core: Core, encounter: Encounter, speed: number, cutoff: number, collision: Collision, signal: AbortSignal,
-  ready: (show: Show) => void, finer: () => void,
-): Promise<void> {
-  const halfWidth = relativeHalfWidth(encounter, collision);
+): AsyncGenerator<Show> {
+  const sizes = sizesOf(encounter);
+  // That of the contact in radii of the larger body, whose smallest part it is.
+  const first = encounter.si ? encounter.first[sizeOf(encounter.kind)] : 1;
+  const halfWidth = max(collision.contact_half_width)! / first / max(sizes)!;
   const block = encounter.against === 'half-space';
   const grid: Grid = { ...gridFor(encounter.kind, halfWidth), ...(block && { below: gridBelow(halfWidth) }) };
   const { from, to } = filmSpan(collision.begin, collision.end);
-  const [first, ...rest] = coarseToFine(from, to, FIRST, LEVELS);
-  const film: Film = { times: [], frames: [] };
-  const ask = (times: number[]): Promise<void> => core('frames', encounter, { speed, cutoff, times, grid },
-    { deliver: (frame) => insertFrame(film, frame), signal });
-  await ask(first!);
-  signal.throwIfAborted();
-  if (!film.frames.length) return;
-  const { frames } = film;
-  const parts = partsOf(encounter, collision, grid);
-  const magnification = magnificationOf(frames, parts);
-  ready({
-    encounter, collision, film, from, to, parts, magnification,
-    view: viewOf(frames, parts, magnification, encounter.against),
-    units: { fringes: stressUnit('fringes', frames, parts), vonMises: stressUnit('vonMises', frames, parts) },
-    secondAtRest: secondIsAtRest(frames),
-  });
-  for (const times of rest) {
-    await ask(times);
+  const frames: Frame[] = [];
+  let show: Show | undefined;
+  for (const times of coarseToFine(from, to, FIRST, LEVELS)) {
+    await core('frames', encounter, { speed, cutoff, times, grid },
+      { deliver: (frame) => insertFrame(frames, frame), signal });
     signal.throwIfAborted();
-    finer();
+    if (frames.length === 0) return;
+    show ??= showOf({ encounter, collision, frames, from, to, parts: partsOf(encounter, sizes, grid) });
+    yield show;
   }
 }
 
-/** Maximum half width of the contact in radii of the larger body, whose smallest part it is. */
-function relativeHalfWidth({ kind, si, first }: Encounter, { bodies, halfWidth }: Collision): number {
-  return max(halfWidth)! / (si ? first[sizeOf(kind)] : 1) / max(bodies, ({ radius }) => radius)!;
+/** A film with the scales of the frames that are there. */
+function showOf(of: Pick<Show, 'encounter' | 'collision' | 'frames' | 'from' | 'to' | 'parts'>): Show {
+  const { frames, parts } = of;
+  const magnification = magnificationOf(frames, parts);
+  return {
+    ...of, magnification, secondAtRest: secondIsAtRest(frames),
+    view: viewOf(frames, parts, magnification, of.encounter.against),
+    units: { fringes: stressUnit('fringes', frames, parts), vonMises: stressUnit('vonMises', frames, parts) },
+  };
 }

@@ -4,6 +4,7 @@ import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { describe, expect, it } from 'vitest';
 import type { Body, Encounter, Frame, Grid } from '../../src/core/protocol';
+import { sizesOf } from '../../src/inputs/document';
 import { unitBody } from '../../src/inputs/inputs';
 import { encounterArguments } from '../../src/inputs/lines';
 import { shortest } from '../../src/drawing/numbers';
@@ -36,12 +37,10 @@ describe.skipIf(!hasCommand)('a collision', { timeout: 60_000 }, () => {
     const native = trajectory(encounter, speed, cutoff);
     const ours = ask('collision', encounter, { speed, cutoff }).value;
     expect(ours.time.length).toBe(native.time!.length);
-    const pairs: [string, Float64Array][] = [
-      ['time', ours.time], ['velocity', ours.velocity], ['force', ours.force], ['contact_half_width', ours.halfWidth],
-      ['translation', ours.translation], ['vibration', ours.vibration], ['stored', ours.stored],
-      ['dissipated', ours.dissipated], ['unresolved', ours.unresolved],
-    ];
-    for (const [name, values] of pairs) {
+    const names = ['time', 'velocity', 'force', 'contact_half_width', 'translation', 'vibration', 'stored',
+      'dissipated', 'unresolved'] as const;
+    for (const name of names) {
+      const values = ours[name];
       const theirs = native[name]!;
       // In the unit of the maximum, which the two have in their own.
       const greatest = Math.max(...values.map(Math.abs));
@@ -86,8 +85,8 @@ describe('frames', { timeout: 60_000 }, () => {
     const gap = (frame: Frame): number => {
       const first = front(encounter, frame, 0, 1);
       const second = frame.bodies[1];
-      if (collision.bodies[1]?.kind === 'half-space') return second!.center + second!.radial[0]! - first;
-      return frame.bodies.length === 1 ? -first : front(encounter, frame, 1, collision.bodies[1]!.radius) - first;
+      if (encounter.against === 'half-space') return second!.center + second!.radial[0]! - first;
+      return frame.bodies.length === 1 ? -first : front(encounter, frame, 1, sizesOf(encounter)[1]!) - first;
     };
     expect(gap(before)).toBeGreaterThan(0);
     expect(Math.abs(gap(touching))).toBeLessThan(0.01 * compression);

@@ -1,6 +1,6 @@
 // The native command, which must say the same as the core of the page.
 import { execFileSync } from 'node:child_process';
-import { commandArguments } from '../../src/inputs/lines';
+import { commandLine } from '../../src/inputs/lines';
 import { shortest } from '../../src/drawing/numbers';
 import type { Encounter } from '../../src/core/protocol';
 import { command } from '../native/build';
@@ -23,6 +23,7 @@ export type Row = Record<string, number | string | boolean>;
 
 /** The record of `stoss restitution` for one speed. */
 export function restitution(encounter: Encounter, speed: number, tolerance: number): Row {
-  const text = run([...commandArguments(encounter, shortest(speed), tolerance), '--format', 'json']);
+  const line = commandLine(encounter, speed).split(' ').slice(1);
+  const text = run([...line, '--tolerance', shortest(tolerance), '--format', 'json']);
   return (JSON.parse(text) as { records: Row[] }).records[0]!;
 }

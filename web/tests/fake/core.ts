@@ -47,11 +47,11 @@ function collision(encounter: Encounter, speed: number): Collision {
   const at = (f: (s: number) => number): Float64Array => x.map((t) => f(Math.min(Math.max(t / 5.9, 0), 1)));
   const value = epsilon(encounter, speed);
   return {
-    units: { time: 'R/c', length: 'R', speed: 'c', force: 'piRE' },
+    units: { time: 'R/c', velocity: 'c', force: 'piRE' },
     time: x,
     velocity: at((s) => speed * Math.cos(Math.PI * s) * (s > 0.5 ? value : 1)),
     force: at((s) => 0.05 * Math.sin(Math.PI * s) * (1 + 0.2 * Math.sin(20 * s))),
-    halfWidth: at((s) => 0.3 * Math.sqrt(Math.sin(Math.PI * s))),
+    contact_half_width: at((s) => 0.3 * Math.sqrt(Math.sin(Math.PI * s))),
     translation: at((s) => Math.cos(Math.PI * s) ** 2 * (s > 0.5 ? value ** 2 : 1)),
     vibration: at((s) => (1 - value ** 2) * s),
     stored: at((s) => 0.8 * Math.sin(Math.PI * s)),
@@ -62,7 +62,6 @@ function collision(encounter: Encounter, speed: number): Collision {
     })),
     begin: 0,
     end: 5.9,
-    bodies: [{ kind: encounter.kind, radius: 1 }],
   };
 }
 
@@ -147,14 +146,12 @@ const answers: Answers = {
 
 /** The core of the tests. */
 export async function createCore(): Promise<Core> {
-  setLocal({
-    ask(question, given) {
-      try {
-        return { value: local[question]!(given as Record<string, string>) };
-      } catch (error) {
-        return { error: (error as Error).message };
-      }
-    },
+  setLocal((question, given) => {
+    try {
+      return local[question]!(given as Record<string, string>);
+    } catch (error) {
+      throw new CoreError((error as Error).message);
+    }
   });
   return ((question: keyof Questions, encounter: Encounter, given: never, asking: never = {} as never) =>
     answers[question](encounter, given, asking)) as Core;

@@ -4,7 +4,7 @@ import type { BodyFrame, Frame } from '../../src/core/protocol';
 import { frameAt } from '../../src/scene/film';
 import { evenGrid, gridBelow } from '../../src/scene/grid';
 import { blockPart, edgeOf, meshOf } from '../../src/scene/parts';
-import { magnificationOf, unfoldedUpTo } from '../../src/scene/scales';
+import { magnificationOf, unfoldedUpTo } from '../../src/scene/view';
 import { diskOf, field } from './disk_frame';
 
 const below = gridBelow(0.05);
@@ -48,7 +48,7 @@ describe('a half-space', () => {
   });
   it('is between two frames both of them', () => {
     const at = (time: number): Frame => ({ time, bodies: [block(() => time, () => 2 * time)] });
-    const between = frameAt({ times: [0, 4], frames: [at(0), at(4)] }, 1)!.bodies[0]!;
+    const between = frameAt([at(0), at(4)], 1)!.bodies[0]!;
     expect([between.radial[3], between.tangential[3]]).toEqual([1, 2]);
   });
 });

@@ -2,25 +2,25 @@ import { describe, expect, it } from 'vitest';
 import { barOf, ordinateScale, speedScale } from '../../src/charts/curve_picture';
 import { energyOfWaves, energyScale, layoutModes } from '../../src/charts/mode_picture';
 import { frequencyInWords } from '../../src/charts/mode_bars';
-import { cursorWords, panelsOf, readable, summaryOf, thinned } from '../../src/charts/series';
+import { cursorWords, panelsOf, summaryOf, thinned } from '../../src/charts/series';
 import type { Collision, CurvePoint, Encounter, ModeEnergy } from '../../src/core/protocol';
 import { unitsOf } from '../../src/core/local';
 import { defaults, unitBody } from '../../src/inputs/inputs';
 import { describe as describeTime, phaseAt, slowness } from '../../src/scene/phases';
 import { stressInWords } from '../../src/scene/picture';
 import { withUnit } from '../../src/drawing/numbers';
+import { labelOf } from '../../src/drawing/plot';
 import { swing } from '../../src/charts/mode_shape';
 
 const time = Float64Array.from({ length: 1001 }, (_, k) => k / 125);
 const zero = new Float64Array(1001);
 const COLLISION: Collision = {
-  units: { time: 'R/c', length: 'R', speed: 'c', force: 'mc^2/R' }, time,
+  units: { time: 'R/c', velocity: 'c', force: 'mc^2/R' }, time,
   velocity: time.map((t) => 0.1 * Math.cos((Math.PI * t) / 8)),
   force: time.map((t) => 0.05 * Math.sin((Math.PI * t) / 8)),
-  halfWidth: zero, translation: time.map((t) => Math.cos((Math.PI * t) / 8) ** 2), vibration: zero,
+  contact_half_width: zero, translation: time.map((t) => Math.cos((Math.PI * t) / 8) ** 2), vibration: zero,
   stored: time.map((t) => Math.sin((Math.PI * t) / 8) ** 2), dissipated: zero, unresolved: zero,
   modes: [], begin: 0, end: 8,
-  bodies: [{ kind: 'disk', radius: 1 }],
 };
 const ENCOUNTER: Encounter = { ...defaults.encounter, first: { ...unitBody, poisson: 0.3 } };
 
@@ -43,22 +43,19 @@ describe('a collision in words', () => {
 
 describe('a collision in SI', () => {
   const si: Collision = {
-    ...COLLISION, units: { time: 's', length: 'm', speed: 'm/s', force: 'N' }, end: 8e-5,
+    ...COLLISION, units: { time: 's', velocity: 'm/s', force: 'N' }, end: 8e-5,
     time: time.map((t) => 1e-5 * t),
     force: COLLISION.force.map((f) => 1e6 * f),
   };
   it('has prefixes that suit its numbers', () => {
-    const { collision, second } = readable(si);
-    expect([second, collision.units.time, collision.units.force]).toEqual([1e-6, 'µs', 'kN']);
-    expect(collision.time[1000]).toBeCloseTo(80, 9);
-    expect(collision.force[500]).toBeCloseTo(50, 9);
-    expect(collision.end).toBeCloseTo(80, 9);
+    const panels = panelsOf(si);
+    expect(panels.map(labelOf)).toEqual(['Force (kN)', 'Velocity (m/s)', 'Share of the energy']);
+    expect(cursorWords(si, panels, si.time[500]!)).toContain('time 40 µs: force 50 kN, velocity ');
     expect(describeTime(si, 4.004e-5)).toBe('restitution, time 40 µs, force 50 kN, 100 % of the maximum');
     expect(describeTime(si, 1e-9)).toContain('time 0.001 µs');
   });
   it('stays as it is in units of the body', () => {
-    expect(readable(COLLISION).second).toBe(1);
-    expect(readable(COLLISION).collision.units.force).toBe('mc²/R');
+    expect(labelOf(panelsOf(COLLISION)[0]!)).toBe('Force (mc²/R)');
     expect([withUnit(0, 's'), withUnit(2e-4, 'R/c'), withUnit(0.25, 'm/s'), withUnit(2e-12, 's')]).toEqual(
       ['0 s', '2×10⁻⁴ R/c', '0.25 m/s', '2 ps']);
   });

@@ -1,7 +1,6 @@
 import { describe, expect, it } from 'vitest';
-import { interpolate } from '../../src/drawing/samples';
 import { placed, ticksOf } from '../../src/drawing/plot';
-import { roundDown, roundUp, unitInWords, written } from '../../src/drawing/numbers';
+import { interpolate, roundDown, roundUp, unitInWords, written } from '../../src/drawing/numbers';
 
 describe('written', () => {
   it.each([

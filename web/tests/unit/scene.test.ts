@@ -1,13 +1,12 @@
 import { describe, expect, it } from 'vitest';
 import type { Frame } from '../../src/core/protocol';
 import { colorTable, contrast, pixelOf, shadeOf } from '../../src/scene/raster';
-import { advance, coarseToFine, type Film, filmSpan, frameAt, insertFrame, LENGTH, REST } from '../../src/scene/film';
+import { advance, coarseToFine, filmSpan, frameAt, insertFrame, LENGTH, REST } from '../../src/scene/film';
 import { evenGrid, gradedPlaces, gridFor } from '../../src/scene/grid';
 import { faceOf, seamOf } from '../../src/scene/bodies';
 import { bodyPart, edgeOf, meshOf } from '../../src/scene/parts';
-import { coveringStress, magnificationOf, stressUnit, unfoldedUpTo } from '../../src/scene/scales';
 import { secondIsAtRest } from '../../src/scene/show';
-import { layoutOf, viewOf } from '../../src/scene/view';
+import { coveringStress, layoutOf, magnificationOf, stressUnit, unfoldedUpTo, viewOf } from '../../src/scene/view';
 import { diskOf, field } from './disk_frame';
 
 describe('grid', () => {
@@ -48,9 +47,9 @@ describe('film', () => {
       vonMises: Float32Array.of(2 * value), fringes: Float32Array.of(0) }],
   });
   it('is in order whatever the order of its frames, and mixes neighbours', () => {
-    const film: Film = { times: [], frames: [] };
+    const film: Frame[] = [];
     for (const time of [4, 0, 2]) insertFrame(film, frame(time, time));
-    expect(film.times).toEqual([0, 2, 4]);
+    expect(film.map(({ time }) => time)).toEqual([0, 2, 4]);
     const middle = frameAt(film, 2.5)!;
     const body = middle.bodies[0]!;
     expect([body.center, body.radial[0], body.vonMises[0]]).toEqual([2.5, 2.5, 5]);
@@ -58,10 +57,10 @@ describe('film', () => {
     expect(frameAt(film, 9)!.time).toBe(4);
   });
   it('takes the place of a frame of the same time', () => {
-    const film: Film = { times: [], frames: [] };
+    const film: Frame[] = [];
     insertFrame(film, frame(1, 1));
     insertFrame(film, frame(1, 5));
-    expect(film.times).toEqual([1]);
+    expect(film.map(({ time }) => time)).toEqual([1]);
     expect(frameAt(film, 1)!.bodies[0]!.center).toBe(5);
   });
 });

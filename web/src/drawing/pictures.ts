@@ -1,4 +1,5 @@
-// Pictures as files.
+// Pictures: charts as they stand on the page and leave it, and files.
+import { onResize } from './dom';
 import { type Drawn, stacked } from './plot';
 import { readTheme, type Theme } from './theme';
 
@@ -7,14 +8,24 @@ export type Picture = { svg(): SVGSVGElement } | { canvas(): HTMLCanvasElement }
 
 const WIDTH = 480; // the least that leaves the page
 
-/** A chart as a picture with a title: as it stands in an element, but not too narrow, and on a ground of its own. */
-export function pictureOf(host: HTMLElement, title: string, draw: (width: number, theme: Theme) => Drawn[]): Picture {
-  return {
-    svg() {
-      const theme = readTheme(host);
-      return stacked(draw(Math.max(WIDTH, host.clientWidth), theme), title, theme.background);
-    },
+/** A chart in an element. `draw` makes its parts, which stand below each other, for the page or for a picture that
+ *  leaves it; none while there is nothing to show. `show` gets those for the page, and anew when its width or the theme
+ *  changes. A picture is as wide, but not too narrow, and has a title and a ground of its own. */
+export function chartIn(
+  host: HTMLElement, title: string, draw: (width: number, theme: Theme, leaving: boolean) => Drawn[],
+  show: (parts: Drawn[]) => void,
+) {
+  const update = (): void => {
+    const parts = host.clientWidth ? draw(host.clientWidth, readTheme(host), false) : [];
+    if (parts.length > 0) show(parts);
   };
+  const svg = (): SVGSVGElement => {
+    const theme = readTheme(host);
+    const parts = draw(Math.max(WIDTH, host.clientWidth), theme, true);
+    if (parts.length === 0) throw new Error('there is nothing to draw yet');
+    return stacked(parts, title, theme.background);
+  };
+  return { update, updateSoon: onResize(host, update), picture: { svg } };
 }
 
 const SCALE = 2; // pixels of a PNG for each of an SVG
