@@ -79,6 +79,7 @@ const Quantities<ObliqueRestitution>& oblique_quantities() {
       {"steps", none, &O::steps},
       {"energy_error", none, [](const O& o) { return finest(o, o.finest.energy_error); }},
       {"converged", none, &O::converged},
+      {"unstable", none, &O::unstable},
       {"beyond_small_strain", none, [](const O& o) { return o.finest.normal.beyond_small_strain; }},
   };
   return all;

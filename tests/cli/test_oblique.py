@@ -16,7 +16,7 @@ KEYS = (
     "speed tangential spin second_spin friction restitution restitution_error tangential_restitution "
     "tangential_restitution_error sliding sliding_after sliding_after_error tangential_after tangential_after_error "
     "spin_after spin_after_error second_spin_after second_spin_after_error friction_loss friction_loss_error "
-    "vibration vibration_error contact_time cutoff runs steps energy_error converged beyond_small_strain"
+    "vibration vibration_error contact_time cutoff runs steps energy_error converged unstable beyond_small_strain"
 ).split()
 LEDGER = (
     "translation across rotation second_rotation vibration second_vibration dissipated friction unresolved stored"
