@@ -1,5 +1,7 @@
 #include "impact/pressures.hpp"
 
+#include <algorithm>
+
 #include "contact/landing.hpp"
 
 namespace stoss {
@@ -22,6 +24,13 @@ void Pressures::add(const std::vector<double>& force, const ContactResponse& res
   }
   if (kept) extent_.push_back(response.extent());
   if (pushes) last_ = steps();
+}
+
+void Pressures::end_with_contact() {
+  const std::size_t end = std::min(last_ + 1, steps());
+  extent_.resize(end);
+  force_.resize(end * nodes_);
+  give_.resize(end * nodes_);
 }
 
 }  // namespace stoss

@@ -15,8 +15,8 @@ class Pressures {
   /// Adds a step. @param force of each node
   void add(const std::vector<double>& force, const ContactResponse& response);
 
-  /// Forgets the steps behind the last force.
-  void end_with_contact() { force_.resize(last_ * nodes_), give_.resize(last_ * nodes_), extent_.resize(last_); }
+  /// Forgets what follows the first step after the last force, which has the second half of its kick.
+  void end_with_contact();
 
   [[nodiscard]] std::size_t steps() const { return extent_.size(); }
 
