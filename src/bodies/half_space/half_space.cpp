@@ -8,6 +8,7 @@
 #include <numbers>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "bodies/half_space/residual.hpp"
 #include "bodies/half_space/surface_waves.hpp"
@@ -65,7 +66,7 @@ Surface make_surface(const Medium& medium, const std::vector<SurfaceWaves>& all,
     const double measure = medium.contour == Contour::ball ? std::numbers::pi * width * (outer + inner) : 2.0 * width;
     surface.recess.push_back(0.0);
     surface.measure.push_back(measure);
-    surface.impedance.push_back(measure * medium.pressure_speed);
+    surface.impedance.push_back(measure * medium.leaving_speed);
   }
   for (const SurfaceWaves& waves : all) {
     for (std::size_t i = 0; i < points.count; ++i) {
@@ -79,12 +80,12 @@ Surface make_surface(const Medium& medium, const std::vector<SurfaceWaves>& all,
 constexpr Sampling sampling_of_balls{.points = 48.0, .cutoff = 8.0, .power = 0.5, .along_edge = 0.0, .fewest = 32};
 constexpr Sampling sampling_of_disks{.points = 48.0, .cutoff = 8.0, .power = 0.5, .along_edge = 0.0, .fewest = 32};
 
-Body made(const Solid& given, double cutoff, double duration, const Poll& poll) {
+Body made(const Solid& given, double cutoff, double duration, Direction direction, const Poll& poll) {
   require_solid(given);
   constexpr Range positive{0.0, std::numeric_limits<double>::max(), false, true, "a positive finite number"};
   require("cutoff", cutoff, positive, "highest frequency of the half-space");
   require("duration", duration, positive, "longest contact with the half-space");
-  const Medium medium = bodies::half_space::medium(given.contour, given.poisson);
+  const Medium medium = bodies::half_space::medium(given.contour, given.poisson, direction);
   const double loss_time = given.own_loss_time(), highest = kept_cutoff(cutoff, loss_time);
   const double most = cutoff_of_count(medium, most_waves, duration);
   if (highest > most) {
@@ -120,26 +121,33 @@ Body made(const Solid& given, double cutoff, double duration, const Poll& poll) 
   body.residual_second_moment = [residual](const ContactPoints& points, const Poll& heed) {
     return residual->second_moment(points, heed);
   };
+  if (direction == Direction::along) return body;
   body.near_side = [given](double longest, double limit, const Poll& heed) {
-    return made(given, limit, longest, heed);
+    return made(given, limit, longest, Direction::normal, heed);
   };
+  if (given.contour == Contour::ball) {
+    body.along = [given, cutoff, duration](const Poll& heed) {
+      return std::vector<Body>{made(given, cutoff, duration, Direction::along, heed)};
+    };
+  }
   return body;
 }
 
 BodyMaker maker(const Solid& given) {
   require_solid(given);
   constexpr double usual_duration = 10.0;  // of a fast impact
-  return [given](double cutoff, const Poll& poll) { return made(given, cutoff, usual_duration, poll); };
+  return
+      [given](double cutoff, const Poll& poll) { return made(given, cutoff, usual_duration, Direction::normal, poll); };
 }
 
 }  // namespace
 
 Body half_space(const HalfSpace& half_space, double cutoff, double duration, const Poll& poll) {
-  return made(solid(half_space), cutoff, duration, poll);
+  return made(solid(half_space), cutoff, duration, Direction::normal, poll);
 }
 
 Body half_plane(const HalfPlane& half_plane, double cutoff, double duration, const Poll& poll) {
-  return made(solid(half_plane), cutoff, duration, poll);
+  return made(solid(half_plane), cutoff, duration, Direction::normal, poll);
 }
 
 BodyMaker half_space(const HalfSpace& half_space) { return maker(solid(half_space)); }

@@ -29,20 +29,17 @@ double rayleigh_square(double squared_ratio) {
   }
 }
 
-/// ρ at t = 1/x².
-double density_at(const LambKernel& kernel, double t) {
-  const double factor = 2.0 / (pi * (1.0 - kernel.poisson));
+}  // namespace
+
+double LambKernel::density_at(double t) const {
+  const double factor = 2.0 / (pi * (1.0 - poisson));
   const double bend = (1.0 - 2.0 * t) * (1.0 - 2.0 * t);
-  const double pressure = t - kernel.squared_ratio;
+  const double pressure = t - squared_ratio;
   if (pressure > 0.0) {
     return factor * 4.0 * t * pressure * std::sqrt(1.0 - t) / (bend * bend + 16.0 * t * t * pressure * (1.0 - t));
   }
   return factor * std::sqrt(-pressure) / (bend + 4.0 * t * std::sqrt(-pressure * (1.0 - t)));
 }
-
-}  // namespace
-
-double LambKernel::density(double x) const { return density_at(*this, 1.0 / (x * x)); }
 
 LambKernel lamb_kernel(double poisson) {
   assert(poisson >= -19.0 && poisson <= 0.4999);
@@ -59,7 +56,7 @@ LambKernel lamb_kernel(double poisson) {
 
 double radiation_coefficient(const LambKernel& kernel) {
   // ∫ρ/x³ dx = ½∫ρ dt, in two parts: ρ is analytic but for roots at their ends.
-  const auto density = [&](double t) { return density_at(kernel, t); };
+  const auto density = [&](double t) { return kernel.density_at(t); };
   boost::math::quadrature::tanh_sinh<double> integrate;
   const double continuum = 0.5 * (integrate.integrate(density, 0.0, kernel.squared_ratio) +
                                   integrate.integrate(density, kernel.squared_ratio, 1.0));

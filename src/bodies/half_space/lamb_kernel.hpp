@@ -22,7 +22,10 @@ struct LambKernel {
   /// ρ(x) of the continuum. It starts as √(x − 1), falls to 0 and rises again as a root at the speed of pressure waves,
   /// x = 1/√η̂ (at ν = 0 alone it stays finite there), and tends to ρ(∞) = (2/π)√η̂/(1 − ν).
   /// @param x speed of the wave along the surface over c_s, 1 … ∞
-  [[nodiscard]] double density(double x) const;
+  [[nodiscard]] double density(double x) const { return density_at(1.0 / (x * x)); }
+
+  /// The same at t = 1/x².
+  [[nodiscard]] double density_at(double t) const;
 };
 
 /// The kernel of a Poisson's ratio: in plane strain, as which a half-plane moves, −19 … 0.4999.

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "bodies/sphere/degree_sums.hpp"
 #include "bodies/sphere/mode_search.hpp"
 #include "check.hpp"
 #include "numeric/special_functions.hpp"
@@ -11,6 +12,12 @@ namespace stoss::bodies::half_space {
 
 double Medium::compliance(double wave_number) const {
   return contour == Contour::ball ? softness / std::numbers::pi : 2.0 * softness / (std::numbers::pi * wave_number);
+}
+
+double Medium::second_moment() const {
+  double sum = 0.0;
+  for (const Spectrum& spectrum : spectra) sum += spectrum.share * spectrum.second_moment;
+  return sum;
 }
 
 double Medium::shape(double phase) const {
@@ -29,14 +36,22 @@ void require_poisson(Contour contour, double poisson) {
   }
 }
 
-Medium medium(Contour contour, double poisson) {
+Medium medium(Contour contour, double poisson, Direction direction) {
   require_poisson(contour, poisson);
   // A half-plane in plane stress with ν₂ moves as one in plane strain with ν₂/(1 + ν₂), with 2μ(1 + ν₂) = E₂ = 1.
   const bool plane = contour == Contour::cylinder;
   const LambKernel kernel = lamb_kernel(plane ? poisson / (1.0 + poisson) : poisson);
   const double shear_speed = 1.0 / std::sqrt(2.0 * (1.0 + poisson));
-  return {kernel, contour, shear_speed / std::sqrt(kernel.squared_ratio), shear_speed,
-          plane ? 1.0 : 1.0 - poisson * poisson};
+  const double pressure_speed = shear_speed / std::sqrt(kernel.squared_ratio);
+  const double normal = plane ? 1.0 : 1.0 - poisson * poisson;
+  const bool along = direction == Direction::along;
+  return {kernel,
+          contour,
+          pressure_speed,
+          shear_speed,
+          along ? sphere::softness_along(poisson) : normal,
+          along ? shear_speed : pressure_speed,
+          spectra(kernel, direction)};
 }
 
 }  // namespace stoss::bodies::half_space

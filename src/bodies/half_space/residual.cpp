@@ -129,9 +129,9 @@ std::vector<double> Residual::compliance(const ContactPoints& points, const Poll
 std::vector<double> Residual::second_moment(const ContactPoints& points, const Poll& poll) const {
   ShapeProducts products(medium_, points, poll);
   for (const SurfaceWaves& waves : *waves_) products.add(waves.wave_number, waves.residual_second_moment);
-  products.add_range(highest_kept_, highest_moment_, [this](double k) {
+  products.add_range(highest_kept_, highest_moment_, [this, moment = medium_.second_moment()](double k) {
     const double unit = medium_.shear_speed * k;
-    return medium_.compliance(k) * medium_.kernel.second_moment / (unit * unit);
+    return medium_.compliance(k) * moment / (unit * unit);
   });
   return values(products.sum());
 }

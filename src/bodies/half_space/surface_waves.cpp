@@ -22,56 +22,68 @@ struct Piece {
   std::vector<double> x, weight;  ///< weight: ρ(x) dx
 };
 
+/// The continuum of one kind.
+struct Continuum {
+  const LambKernel& kernel;
+  const Spectrum& spectrum;
+
+  /// ρ(x)
+  [[nodiscard]] double density(double x) const { return spectrum.density(kernel, x); }
+  [[nodiscard]] double pressure_speed() const { return 1.0 / std::sqrt(kernel.squared_ratio); }
+};
+
 /// ρ from 1, where it begins like √(x − 1), to `end` below the speed of pressure waves: Gauss' rule of twice as many
-/// nodes in √(x − 1), of which half lie on either side of 0, is that of Jacobi with this weight.
-void add_shear_part(const LambKernel& kernel, double end, int nodes, Piece& piece) {
-  const auto& rule = gauss_legendre(2 * nodes + 1);
+/// nodes in √(x − 1), of which half lie on either side of 0, is that of Jacobi with this weight; with one more node in
+/// the middle, where nothing is, unless it begins like 1/√(x − 1).
+void add_shear_part(const Continuum& its, double end, int nodes, Piece& piece) {
+  const int middle = its.spectrum.steep ? 0 : 1;
+  const auto& rule = gauss_legendre(2 * nodes + middle);
   const double length = end - 1.0;
-  for (auto i = static_cast<std::size_t>(nodes) + 1; i < rule.node.size(); ++i) {
+  for (auto i = static_cast<std::size_t>(nodes + middle); i < rule.node.size(); ++i) {
     const double u = rule.node[i], x = 1.0 + length * u * u;
     piece.x.push_back(x);
-    piece.weight.push_back(kernel.density(x) * 2.0 * length * u * rule.weight[i]);
+    piece.weight.push_back(its.density(x) * 2.0 * length * u * rule.weight[i]);
   }
 }
 
 /// ρ between two values of x, where it goes on like a series in √(x − root).
-void add_root_part(const LambKernel& kernel, double root, double begin, double end, int nodes, Piece& piece) {
+void add_root_part(const Continuum& its, double root, double begin, double end, int nodes, Piece& piece) {
   const auto& rule = gauss_legendre(nodes);
   const double low = std::sqrt(begin - root), high = std::sqrt(end - root);
   for (std::size_t i = 0; i < rule.node.size(); ++i) {
     const double u = 0.5 * (low + high) + 0.5 * (high - low) * rule.node[i], x = root + u * u;
     piece.x.push_back(x);
-    piece.weight.push_back(kernel.density(x) * u * (high - low) * rule.weight[i]);
+    piece.weight.push_back(its.density(x) * u * (high - low) * rule.weight[i]);
   }
 }
 
-void add_smooth_part(const LambKernel& kernel, double begin, double end, int nodes, Piece& piece) {
+void add_smooth_part(const Continuum& its, double begin, double end, int nodes, Piece& piece) {
   const auto& rule = gauss_legendre(nodes);
   for (std::size_t i = 0; i < rule.node.size(); ++i) {
     const double x = 0.5 * (begin + end) + 0.5 * (end - begin) * rule.node[i];
     piece.x.push_back(x);
-    piece.weight.push_back(kernel.density(x) * 0.5 * (end - begin) * rule.weight[i]);
+    piece.weight.push_back(its.density(x) * 0.5 * (end - begin) * rule.weight[i]);
   }
 }
 
 constexpr double root_reach = 1.3;  // of the part with a root, in speeds of pressure waves
 
 /// The continuum up to x ≤ end, for times up to `turns` over c_s k.
-Piece continuum(const LambKernel& kernel, double end, double turns) {
+Piece continuum(const Continuum& its, double end, double turns) {
   Piece piece;
   if (end <= 1.0) return piece;
-  const double pressure = 1.0 / std::sqrt(kernel.squared_ratio);
+  const double pressure = its.pressure_speed();
   const auto nodes = [turns](double length, double more) { return nodes_for(turns * length, more); };
   const double shear_end = std::min(end, pressure);
-  add_shear_part(kernel, shear_end, nodes(shear_end - 1.0, 4.0 + 5.0 * shear_end), piece);
+  add_shear_part(its, shear_end, nodes(shear_end - 1.0, 4.0 + 5.0 * shear_end), piece);
   if (end <= pressure) return piece;
   const double root_end = std::min(end, root_reach * pressure);
-  add_root_part(kernel, pressure, pressure, root_end, nodes(2.0 * (root_end - pressure), 6.0), piece);
+  add_root_part(its, pressure, pressure, root_end, nodes(2.0 * (root_end - pressure), 6.0), piece);
   // Its moments fall as powers of x: none of the parts is much longer than it is far from 0.
   constexpr double widest = 4.0;
   for (double from = root_end; from < end;) {
     const double to = end < 1.5 * widest * from ? end : widest * from;
-    add_smooth_part(kernel, from, to, nodes(to - from, 4.0), piece);
+    add_smooth_part(its, from, to, nodes(to - from, 4.0), piece);
     from = to;
   }
   return piece;
@@ -82,17 +94,17 @@ struct Rest {
   double compliance = 0.0, moment = 0.0;
 };
 
-Rest beyond(const LambKernel& kernel, double x) {
+Rest beyond(const Continuum& its, double x) {
   constexpr int nodes = 32;
-  const double pressure = 1.0 / std::sqrt(kernel.squared_ratio);
+  const double pressure = its.pressure_speed();
   Piece piece;
   double from = std::max(x, 1.0);
   if (from < pressure) {
-    add_root_part(kernel, 1.0, from, pressure, nodes, piece);
+    add_root_part(its, 1.0, from, pressure, nodes, piece);
     from = pressure;
   }
   if (from < root_reach * pressure) {
-    add_root_part(kernel, pressure, from, root_reach * pressure, nodes, piece);
+    add_root_part(its, pressure, from, root_reach * pressure, nodes, piece);
     from = root_reach * pressure;
   }
   Rest rest;
@@ -105,7 +117,7 @@ Rest beyond(const LambKernel& kernel, double x) {
   const auto& rule = gauss_legendre(nodes);
   for (std::size_t i = 0; i < rule.node.size(); ++i) {
     const double inverse = 0.5 * (1.0 + rule.node[i]) / from;
-    const double weight = kernel.density(1.0 / inverse) * 0.5 * rule.weight[i] / from;
+    const double weight = its.density(1.0 / inverse) * 0.5 * rule.weight[i] / from;
     rest.compliance += weight;
     rest.moment += weight * inverse * inverse;
   }
@@ -113,20 +125,23 @@ Rest beyond(const LambKernel& kernel, double x) {
 }
 
 SurfaceWaves waves_of(const Medium& medium, double wave_number, double weight, double cutoff, double time) {
-  const LambKernel& kernel = medium.kernel;
   const double unit = medium.shear_speed * wave_number;  // ω of x = 1
   SurfaceWaves waves{wave_number, medium.compliance(wave_number) * weight, {}, {}, 0.0, 0.0};
-  const auto keep = [&](double x, double share) {
-    waves.omega.push_back(std::min(unit * x, cutoff));  // rounding
-    waves.strength.push_back(waves.compliance * unit * unit * share);
-  };
-  keep(kernel.rayleigh_root, kernel.rayleigh_weight);
-  const double end = cutoff / unit;
-  const Piece kept = continuum(kernel, end, unit * time);
-  for (std::size_t i = 0; i < kept.x.size(); ++i) keep(kept.x[i], kept.weight[i]);
-  const Rest rest = beyond(kernel, end);
-  waves.residual_compliance = waves.compliance * rest.compliance;
-  waves.residual_second_moment = waves.compliance * rest.moment / (unit * unit);
+  for (const Spectrum& spectrum : medium.spectra) {
+    const double compliance = waves.compliance * spectrum.share;
+    const auto keep = [&](double x, double share) {
+      waves.omega.push_back(std::min(unit * x, cutoff));  // rounding
+      waves.strength.push_back(compliance * unit * unit * share);
+    };
+    if (spectrum.rayleigh_weight > 0.0) keep(medium.kernel.rayleigh_root, spectrum.rayleigh_weight);
+    const double end = cutoff / unit;
+    const Continuum its{medium.kernel, spectrum};
+    const Piece kept = continuum(its, end, unit * time);
+    for (std::size_t i = 0; i < kept.x.size(); ++i) keep(kept.x[i], kept.weight[i]);
+    const Rest rest = beyond(its, end);
+    waves.residual_compliance += compliance * rest.compliance;
+    waves.residual_second_moment += compliance * rest.moment / (unit * unit);
+  }
   return waves;
 }
 

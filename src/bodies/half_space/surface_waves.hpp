@@ -12,7 +12,7 @@ namespace stoss::bodies::half_space {
 struct SurfaceWaves {
   double wave_number;             ///< k
   double compliance;              ///< of all together, static: the medium's, times the weight of k
-  std::vector<double> omega;      ///< of the kept ones: the Rayleigh wave, then the continuum
+  std::vector<double> omega;      ///< of the kept ones, kind by kind: the Rayleigh wave, then the continuum
   std::vector<double> strength;   ///< ω² times the share of each in the compliance
   double residual_compliance;     ///< Σ strength/ω² over those that are not kept
   double residual_second_moment;  ///< Σ strength/ω⁴ over those that are not kept
