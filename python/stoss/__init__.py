@@ -9,6 +9,10 @@ A body comes first, all other arguments are named; those out of range are refuse
 `InvalidInput` before anything is computed. Units are those of the first body: radius R, bar
 speed c = √(E/ρ), mass m; of bodies with a `Material`, speeds are in m/s.
 
+What cannot meet its own conditions raises `NotConverged`, and Ctrl-C `Interrupted`: what is done is
+their attribute `best`. Files appear whole or not at all; OSError says that one cannot be read or
+written.
+
 ================================  ==================================================================
 `restitution`                     ε(v) with errors, for numbers and arrays, at a wall or of two
                                   bodies
@@ -41,26 +45,20 @@ import importlib
 from stoss import quasistatic
 from stoss._core import version as __version__
 from stoss._errors import Interrupted, InvalidInput, NotConverged, StossWarning
-from stoss.bodies._blocks import HalfPlane, HalfSpace
 from stoss.bodies._bodies import Body, Disk, Rod, Sphere
 from stoss.bodies._material import Material, Scales, materials
 from stoss.bodies._state import Oscillation
-from stoss.bodies._walls import ExponentialWall, HardWall, Wall
+from stoss.bodies._walls import ExponentialWall, HalfPlane, HalfSpace, HardWall, Wall
 from stoss.export._csv import Table, read_csv
 from stoss.export._text import with_error
 from stoss.results._atlas import AtlasValue, atlas
 from stoss.results._bounce import Bounces, bounce
-from stoss.results._collision import impact
-from stoss.results._curves import restitution
-from stoss.results._distribution import RestitutionDistribution
-from stoss.results._ensemble import restitution_distribution
-from stoss.results._extrapolation import Extrapolation, extrapolated_restitution
-from stoss.results._field import DiskField, Field, SphereField
-from stoss.results._function import RestitutionFunction
-from stoss.results._impact import Impact
-from stoss.results._interpolation import restitution_function
+from stoss.results._curves import Extrapolation, extrapolated_restitution, restitution
+from stoss.results._distribution import RestitutionDistribution, restitution_distribution
+from stoss.results._field import DiskField, Field, SphereField, Trajectory, Wave
+from stoss.results._function import RestitutionFunction, restitution_function
+from stoss.results._impact import Impact, impact
 from stoss.results._modes import Modes, modes
-from stoss.results._motion import Trajectory, Wave
 from stoss.results._pair_table import PairTable, pair_table
 from stoss.results._restitution import Restitution
 from stoss.results._result import Result
@@ -70,61 +68,15 @@ from stoss.sweeps._sweep import sweep
 from stoss.sweeps._values import Sweep, merge, open_sweep
 
 __all__ = [
-    "AtlasValue",
-    "Body",
-    "Bounces",
-    "Disk",
-    "DiskField",
-    "ExponentialWall",
-    "Extrapolation",
-    "Field",
-    "Grid",
-    "HalfPlane",
-    "HalfSpace",
-    "HardWall",
-    "Impact",
-    "Interrupted",
-    "InvalidInput",
-    "Material",
-    "Modes",
-    "NotConverged",
-    "Oscillation",
-    "PairTable",
-    "Restitution",
-    "RestitutionDistribution",
-    "RestitutionFunction",
-    "Rod",
-    "RodChain",
-    "Scales",
-    "Sphere",
-    "SphereField",
-    "StossWarning",
-    "Sweep",
-    "Table",
-    "Trajectory",
-    "Wall",
-    "Wave",
-    "__version__",
-    "animate",
-    "atlas",
-    "bounce",
-    "extrapolated_restitution",
-    "impact",
-    "materials",
-    "merge",
-    "modes",
-    "open_sweep",
-    "pair_table",
-    "plot",
-    "quasistatic",
-    "read_csv",
-    "restitution",
-    "restitution_distribution",
-    "restitution_function",
-    "rod_chain",
-    "sweep",
-    "with_error",
-]
+    "AtlasValue", "Body", "Bounces", "Disk", "DiskField", "ExponentialWall", "Extrapolation",
+    "Field", "Grid", "HalfPlane", "HalfSpace", "HardWall", "Impact", "Interrupted", "InvalidInput",
+    "Material", "Modes", "NotConverged", "Oscillation", "PairTable", "Restitution",
+    "RestitutionDistribution", "RestitutionFunction", "Rod", "RodChain", "Scales", "Sphere",
+    "SphereField", "StossWarning", "Sweep", "Table", "Trajectory", "Wall", "Wave", "__version__",
+    "animate", "atlas", "bounce", "extrapolated_restitution", "impact", "materials", "merge",
+    "modes", "open_sweep", "pair_table", "plot", "quasistatic", "read_csv", "restitution",
+    "restitution_distribution", "restitution_function", "rod_chain", "sweep", "with_error",
+]  # fmt: skip
 
 
 def __getattr__(name: str) -> object:

@@ -14,8 +14,7 @@ MISSING = "stoss: the command is not part of the Python package (build it with '
 
 
 def main() -> int:
-    """Run sweep or merge, or become the command with the same arguments; without it, say how to get
-    it."""
+    """Run sweep or merge, or become the command with the same arguments; without it, say how to get it."""
     if sys.argv[1:2] in (["sweep"], ["merge"]):
         from stoss.sweeps import _command
 

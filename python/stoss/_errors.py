@@ -15,10 +15,9 @@ class InvalidInput(ValueError):
 class NotConverged(RuntimeError):
     """A computation that could not meet its own conditions.
 
-    Attributes
-    ----------
-    best : Restitution, Bounces, RodChain or None
-        The best value that was reached, or the impacts or collisions so far, if there are any.
+    Attributes:
+        best (Restitution, Bounces, RodChain or None): The best value that was reached, or the
+            impacts or collisions so far, if there are any.
     """
 
     def __init__(self, message: str, best: Any = None) -> None:
@@ -29,11 +28,10 @@ class NotConverged(RuntimeError):
 class Interrupted(KeyboardInterrupt):
     """Ctrl-C during a curve, a distribution, a sequence or a chain.
 
-    Attributes
-    ----------
-    best : Restitution, RestitutionDistribution, Bounces or RodChain
-        The curve so far, where what is missing is NaN and not converged; the samples, the impacts
-        or the collisions so far.
+    Attributes:
+        best (Restitution, RestitutionDistribution, Bounces or RodChain): The curve so far, where
+            what is missing is NaN and not converged; the samples, the impacts or the collisions so
+            far.
     """
 
     def __init__(self, message: str, best: Any = None) -> None:

@@ -107,6 +107,12 @@ BodyMaker rigid(const BodyMaker& maker) {
   return [made = rigid(maker(without_modes, {}))](double cutoff, const Poll&) {
     Body body = made;
     body.cutoff = cutoff;
+    if (!made.along) return body;
+    body.along = [along = made.along, cutoff](const Poll& poll) {
+      std::vector<Body> bodies = along(poll);
+      for (Body& each : bodies) each.cutoff = cutoff;
+      return bodies;
+    };
     return body;
   };
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <limits>
 #include <numeric>
 #include <string>
@@ -27,6 +28,20 @@ ObliqueFrame::ObliqueFrame(const Contact& contact, double speed_towards, const I
   if (!options.start) return;
   const std::vector<double> energies = mode_energies(contact, *options.start);
   normal_energy = std::accumulate(energies.begin(), energies.end(), normal_energy);
+}
+
+std::array<std::vector<double>, 2> arms(const Contact& contact, const ContactPoints& points) {
+  std::array<std::vector<double>, 2> arms;
+  for (int number = 0; number < 2; ++number) {
+    const auto body = body_of(contact, number);
+    std::vector<double>& arm = arms[static_cast<std::size_t>(number)];
+    arm.resize(points.count);
+    if (body == nullptr || body->inertia == 0.0) continue;
+    const UnitRatios units = units_of(contact, number);
+    const std::vector<double> recess = body->surface(seen_by(points, units)).recess;
+    for (std::size_t i = 0; i < arm.size(); ++i) arm[i] = (body->extent - recess[i]) * units.length;
+  }
+  return arms;
 }
 
 void ObliqueFrame::require(const Obliquity& obliquity) const {

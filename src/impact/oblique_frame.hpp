@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <vector>
 
 #include "stoss/contact/contact.hpp"
 #include "stoss/impact/oblique.hpp"
@@ -45,5 +46,8 @@ struct ObliqueFrame {
   /// Both motions as one impact, where they do not act on each other.
   [[nodiscard]] ObliqueImpact joined(Impact normal, const Obliquity& before, const AlongOutcome& after) const;
 };
+
+/// Arm of friction at each point about the centre of each body, in units of the first; 0 of one that does not turn.
+[[nodiscard]] std::array<std::vector<double>, 2> arms(const Contact& contact, const ContactPoints& points);
 
 }  // namespace stoss

@@ -2,8 +2,10 @@
 // divided by the coefficient of friction, so that the pressures themselves are the limits of friction.
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <numeric>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -12,7 +14,6 @@
 #include "contact/residual/residuals.hpp"
 #include "contact/response.hpp"
 #include "contact/touch.hpp"
-#include "contact/unit_ratios.hpp"
 #include "impact/kept_modes.hpp"
 #include "impact/oblique_frame.hpp"
 #include "impact/pressures.hpp"
@@ -78,20 +79,6 @@ struct Slides::Parts {
             KeptModes(along, grid, step, kicks_of(along, resolution.tail)),
             residuals,
             residuals.compliance()};
-  }
-
-  static std::array<Values, 2> arms(const Contact& contact, const ContactPoints& points) {
-    std::array<Values, 2> arms;
-    for (int number = 0; number < 2; ++number) {
-      const auto body = body_of(contact, number);
-      Values& arm = arms[static_cast<std::size_t>(number)];
-      arm.resize(points.count);
-      if (body == nullptr || body->inertia == 0.0) continue;
-      const UnitRatios units = units_of(contact, number);
-      const Surface surface = body->surface(seen_by(points, units));
-      for (std::size_t i = 0; i < arm.size(); ++i) arm[i] = (body->extent - surface.recess[i]) * units.length;
-    }
-    return arms;
   }
 };
 
@@ -220,6 +207,17 @@ AlongOutcome times(double friction, AlongOutcome outcome) {
   return outcome;
 }
 
+/// @throws NotConverged where the motion along the surface is not resolved in time and means nothing: energy is
+/// missing, or comes out of what can only take it
+void require_resolved(const ObliqueImpact& impact) {
+  constexpr double most = 1e-2;
+  const ObliqueLedger& energy = impact.energy;
+  const double missing = std::max({std::abs(impact.energy_error), -energy.friction, -energy.unresolved});
+  if (missing <= most) return;
+  throw NotConverged("impact: " + std::to_string(missing) +
+                     " of the energy is unaccounted for in the motion along the surface (use a smaller step)");
+}
+
 }  // namespace
 
 Slides::Slides(const Contact& contact, double speed, const ImpactOptions& options)
@@ -238,7 +236,9 @@ ObliqueImpact Slides::after(const Obliquity& obliquity, const Poll& poll) const 
     if (poll) poll();
     slide.advance(step);
   }
-  return parts.frame.joined(parts.normal, obliquity, times(friction, slide.outcome()));
+  ObliqueImpact result = parts.frame.joined(parts.normal, obliquity, times(friction, slide.outcome()));
+  require_resolved(result);
+  return result;
 }
 
 }  // namespace stoss

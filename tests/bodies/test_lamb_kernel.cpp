@@ -9,6 +9,7 @@
 #include <numbers>
 
 #include "bodies/half_space/lamb_kernel.hpp"
+#include "bodies/half_space/spectrum.hpp"
 
 namespace stoss::bodies::half_space {
 namespace {
@@ -18,16 +19,29 @@ constexpr double poissons[] = {-19.0, -4.0, -1.0, -0.95, -0.5, -0.1, 0.0, 1e-3, 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /// a_R f(x_R) + ∫ρ f dx for an f that falls as 1/x² or faster, in x = 1/√t.
-template <typename Function>
-auto over_spectrum(const LambKernel& kernel, Function f) {
+/// @tparam Density ρ at t = 1/x²
+template <typename Density, typename Function>
+auto over_spectrum(const LambKernel& kernel, double rayleigh_weight, Density density, Function f) {
   boost::math::quadrature::tanh_sinh<double> integrate;
   const auto integrand = [&](double t) {
     if (t < 1e-60) return 0.0;  // of no weight, and x³ would overflow
     const double x = 1.0 / std::sqrt(t);
-    return kernel.density(x) * 0.5 * x * x * x * f(x);
+    return density(t) * 0.5 * x * x * x * f(x);
   };
-  return kernel.rayleigh_weight * f(kernel.rayleigh_root) + integrate.integrate(integrand, 0.0, kernel.squared_ratio) +
+  return rayleigh_weight * f(kernel.rayleigh_root) + integrate.integrate(integrand, 0.0, kernel.squared_ratio) +
          integrate.integrate(integrand, kernel.squared_ratio, 1.0);
+}
+
+template <typename Function>
+auto over_spectrum(const LambKernel& kernel, Function f) {
+  return over_spectrum(
+      kernel, kernel.rayleigh_weight, [&](double t) { return kernel.density_at(t); }, f);
+}
+
+template <typename Function>
+auto over_spectrum(const LambKernel& kernel, const Spectrum& spectrum, Function f) {
+  return over_spectrum(
+      kernel, spectrum.rayleigh_weight, [&](double t) { return spectrum.density_at(kernel, t); }, f);
 }
 
 TEST(LambKernel, HasTheNumbersOfForty) {
@@ -98,6 +112,40 @@ TEST(LambKernel, GivesTwoThirdsToTheRayleighWave) {
   const LambKernel kernel = lamb_kernel(0.25);
   const double share = 0.1875 * kernel.rayleigh_weight / std::pow(kernel.rayleigh_root, 3);
   EXPECT_NEAR(share / radiation_coefficient(kernel), 0.67, 5e-3);
+}
+
+TEST(SpectraAlongTheSurface, ObeyTheirSumRules) {
+  for (const double poisson : {-0.95, -0.5, 0.0, 0.25, 0.3, 0.45, 0.4999}) {
+    const LambKernel kernel = lamb_kernel(poisson);
+    const auto all = spectra(kernel, Direction::along);
+    ASSERT_EQ(all.size(), 2U);
+    EXPECT_NEAR(all[0].share + all[1].share, 1.0, 1e-15);
+    for (const Spectrum& its : all) {
+      // The rule loses half of the digits where ρ begins as 1/√(x − 1), and at ν = 0, where it does so again at the
+      // speed of pressure waves.
+      const double error = its.steep ? 1e-7 : (poisson == 0.0 ? 1e-8 : 1e-13);
+      EXPECT_NEAR(over_spectrum(kernel, its, [](double x) { return 1.0 / (x * x); }), 1.0, error) << poisson;
+      EXPECT_NEAR(over_spectrum(kernel, its, [](double x) { return 1.0 / (x * x * x * x); }), its.second_moment,
+                  error * std::max(1.0, its.second_moment))
+          << poisson;
+    }
+  }
+}
+
+TEST(SpectraAlongTheSurface, AreThoseOfTheirClosedForms) {
+  for (const double poisson : {-0.95, -0.5, 0.0, 0.25, 0.3, 0.45}) {
+    const LambKernel kernel = lamb_kernel(poisson);
+    const auto all = spectra(kernel, Direction::along);
+    for (const double zeta : {0.2, 0.7, 3.0}) {
+      const double square = zeta * zeta, b = std::sqrt(1.0 + square);
+      const double a = std::sqrt(1.0 + kernel.squared_ratio * square);
+      const auto response = [square](double x) { return 1.0 / (square + x * x); };
+      const double closed = b * square / ((1.0 - poisson) * ((2.0 + square) * (2.0 + square) - 4.0 * a * b));
+      EXPECT_NEAR(over_spectrum(kernel, all[0], response), closed, poisson == 0.0 ? 1e-8 : 1e-12)
+          << poisson << ' ' << zeta;
+      EXPECT_NEAR(over_spectrum(kernel, all[1], response), 1.0 / b, 1e-7) << poisson << ' ' << zeta;
+    }
+  }
 }
 
 }  // namespace

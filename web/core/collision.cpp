@@ -1,63 +1,86 @@
-#include "collision.hpp"
-
 #include <algorithm>
+#include <memory>
+#include <optional>
+#include <tuple>
 #include <utility>
+#include <vector>
 
 #include "javascript.hpp"
+#include "questions.hpp"
+#include "stoss/contact/grid.hpp"
+#include "stoss/encounter/inside.hpp"
+#include "stoss/errors.hpp"
+#include "stoss/impact/replay.hpp"
 
 namespace stoss::web {
 namespace {
 
 using emscripten::val;
 
-/// One quantity of all instants.
-val of_all(const std::vector<Snapshot>& snapshots, double Snapshot::*quantity, double unit = 1.0) {
-  std::vector<double> values(snapshots.size());
-  std::transform(snapshots.begin(), snapshots.end(), values.begin(),
-                 [=](const Snapshot& now) { return unit * (now.*quantity); });
-  return float64_array(values);
-}
-
-/// Of the bodies, without the waves of a half-space.
-val of_modes(const std::vector<ModeEnergy>& modes, bool against_half_space) {
-  val list = val::array();
-  for (const ModeEnergy& mode : modes) {
-    if (against_half_space && mode.body == 1) continue;
-    list.call<void>("push", object({{"body", val(mode.body)},
-                                    {"order", val(mode.order)},
-                                    {"index", val(mode.index)},
-                                    {"omega", val(mode.omega)},
-                                    {"after", val(mode.after)},
-                                    {"average", val(mode.average)}}));
+/// One impact in time, with what its frames have in common.
+class Collision {
+ public:
+  Collision(std::shared_ptr<const Meeting> meeting, double speed, double cutoff)
+      : meeting_(std::move(meeting)), contact_(contact_of(meeting_->encounter, cutoff, speed)) {
+    const ImpactObserver observer = [this](const Snapshot& now) { snapshots_.push_back(now); };
+    impact_ = impact(contact_, speed, {.poll = say_alive}, {.observer = observer});
+    grid_ = contact_grid(contact_, impact_.resolution.half_width, impact_.resolution.nodes);
   }
-  return list;
-}
 
-}  // namespace
+  /// Collision of the protocol.
+  [[nodiscard]] val series() const;
 
-Collision::Collision(std::shared_ptr<const Meeting> meeting, double speed, double cutoff)
-    : meeting_(std::move(meeting)) {
-  const double own_speed = stoss::own_speed(meeting_->encounter, speed);
-  contact_ = contact_of(meeting_->encounter, cutoff, own_speed);
-  const ImpactObserver observer = [this](const Snapshot& now) { snapshots_.push_back(now); };
-  impact_ = impact(contact_, own_speed, {.poll = say_alive}, {.observer = observer});
-  grid_ = contact_grid(contact_, impact_.resolution.half_width, impact_.resolution.nodes);
-}
+  /// Calls deliver(Frame, index) for each of the times, which ascend. @param below points of a half-space
+  void frames(const std::vector<double>& times, const bodies::PolarGrid& points,
+              const bodies::half_space::PlaneGrid& below, const val& deliver);
 
-val Collision::bodies() const {
-  val list = val::array();
-  const auto add = [&](const std::string& kind, double radius) {
-    list.call<void>("push", object({{"kind", val(kind)}, {"radius", val(radius)}}));
-  };
-  const std::string& kind = meeting_->encounter.first.kind;
-  add(kind, 1.0);
-  if (meeting_->against_half_space()) {
-    add("half-space", 1.0);
-  } else if (contact_.second) {
-    add(kind, contact_.second->scale.length / contact_.first->scale.length);
+ private:
+  /// One quantity of all instants, in what the page is given.
+  [[nodiscard]] val all(double Snapshot::*quantity, Dimension dimension = Dimension::none) const {
+    const double unit = meeting_->unit(dimension);
+    std::vector<double> values;
+    for (const Snapshot& now : snapshots_) values.push_back(unit * (now.*quantity));
+    return float64_array(values);
   }
-  return list;
-}
+
+  /// Of the bodies, without the waves of a half-space.
+  [[nodiscard]] val modes() const {
+    val list = val::array();
+    for (const ModeEnergy& mode : impact_.energy.modes) {
+      if (meeting_->against_half_space() && mode.body == 1) continue;
+      list.call<void>("push", object({{"body", val(mode.body)},
+                                      {"order", val(mode.order)},
+                                      {"index", val(mode.index)},
+                                      {"omega", val(mode.omega)},
+                                      {"after", val(mode.after)},
+                                      {"average", val(mode.average)}}));
+    }
+    return list;
+  }
+
+  [[nodiscard]] val bodies() const {
+    val list = val::array();
+    const auto add = [&](const std::string& kind, double radius) {
+      list.call<void>("push", object({{"kind", val(kind)}, {"radius", val(radius)}}));
+    };
+    const std::string& kind = meeting_->encounter.first.kind;
+    add(kind, 1.0);
+    if (meeting_->against_half_space()) {
+      add("half-space", 1.0);
+    } else if (contact_.second) {
+      add(kind, contact_.second->scale.length / contact_.first->scale.length);
+    }
+    return list;
+  }
+
+  std::shared_ptr<const Meeting> meeting_;
+  Contact contact_;
+  Impact impact_;
+  std::vector<Snapshot> snapshots_;
+  ContactGrid grid_;
+  bodies::PolarGrid points_;     ///< of the last frames
+  std::vector<Inside> insides_;  ///< of what meets, at these points
+};
 
 val Collision::series() const {
   using enum Dimension;
@@ -70,16 +93,16 @@ val Collision::series() const {
                                    {"length", unit_of(length)},
                                    {"speed", unit_of(speed)},
                                    {"force", unit_of(force)}})},
-                 {"time", of_all(snapshots_, &Snapshot::time, second)},
-                 {"velocity", of_all(snapshots_, &Snapshot::velocity, meeting_->unit(speed))},
-                 {"force", of_all(snapshots_, &Snapshot::force, meeting_->unit(force))},
-                 {"halfWidth", of_all(snapshots_, &Snapshot::contact_half_width, meeting_->unit(length))},
-                 {"translation", of_all(snapshots_, &Snapshot::translation)},
-                 {"vibration", of_all(snapshots_, &Snapshot::vibration)},
-                 {"stored", of_all(snapshots_, &Snapshot::stored)},
-                 {"dissipated", of_all(snapshots_, &Snapshot::dissipated)},
-                 {"unresolved", of_all(snapshots_, &Snapshot::unresolved)},
-                 {"modes", of_modes(impact_.energy.modes, meeting_->against_half_space())},
+                 {"time", all(&Snapshot::time, time)},
+                 {"velocity", all(&Snapshot::velocity, speed)},
+                 {"force", all(&Snapshot::force, force)},
+                 {"halfWidth", all(&Snapshot::contact_half_width, length)},
+                 {"translation", all(&Snapshot::translation)},
+                 {"vibration", all(&Snapshot::vibration)},
+                 {"stored", all(&Snapshot::stored)},
+                 {"dissipated", all(&Snapshot::dissipated)},
+                 {"unresolved", all(&Snapshot::unresolved)},
+                 {"modes", modes()},
                  {"begin", val(begin == snapshots_.end() ? 0.0 : begin->time * second)},
                  {"end", val(end == snapshots_.rend() ? 0.0 : end->time * second)},
                  {"bodies", bodies()}});
@@ -90,8 +113,8 @@ void Collision::frames(const std::vector<double>& times, const bodies::PolarGrid
   if (points.radius != points_.radius || points.angle != points_.angle) insides_.clear();
   points_ = points;
   const double unit = meeting_->unit(Dimension::time);
-  std::vector<double> own(times.size());
-  std::transform(times.begin(), times.end(), own.begin(), [unit](double time) { return time / unit; });
+  std::vector<double> own;
+  for (const double each : times) own.push_back(each / unit);
   const std::vector<Frame> instants = motion(contact_, impact_, own, say_alive);
   for (std::size_t i = 0; i < instants.size(); ++i) {
     val seen = val::array();
@@ -111,4 +134,44 @@ void Collision::frames(const std::vector<double>& times, const bodies::PolarGrid
   }
 }
 
+/// That of a question; the last one is kept.
+Collision& collision_of(const Question& asked) {
+  static std::tuple<std::string, double, double> last;
+  static std::optional<Collision> its;
+  const std::tuple which{asked.text("document"), asked.number("speed"), asked.number("cutoff")};
+  if (!its || last != which) {
+    its.reset();
+    const auto meeting = asked.meeting();
+    its.emplace(meeting, own_speed(meeting->encounter, asked.number("speed")), asked.number("cutoff"));
+    last = which;
+  }
+  return *its;
+}
+
+bodies::PolarGrid points_of(const val& grid) { return {numbers(grid["radius"]), numbers(grid["angle"])}; }
+
+}  // namespace
+
+namespace answer {
+
+val collision(const Question& asked) { return collision_of(asked).series(); }
+
+val frames(const Question& asked) {
+  const val grid = asked.given["grid"], under = grid["below"];
+  bodies::half_space::PlaneGrid below;
+  if (!under.isUndefined()) below = {numbers(under["distance"]), numbers(under["depth"])};
+  collision_of(asked).frames(numbers(asked.given["times"]), points_of(grid), below, asked.deliver);
+  return val::undefined();
+}
+
+val shape(const Question& asked) {
+  const auto meeting = asked.meeting();
+  const int body = asked.given["body"].as<int>();
+  if (body == 1 && !meeting->second) throw InvalidInput("body: got the second, allowed the first");
+  const Interior made = mode_shape(meeting->solid(body), asked.given["order"].as<int>(), asked.given["index"].as<int>(),
+                                   points_of(asked.given["grid"]));
+  return object({{"radial", float32_array(made.radial)}, {"tangential", float32_array(made.tangential)}});
+}
+
+}  // namespace answer
 }  // namespace stoss::web

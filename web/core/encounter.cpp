@@ -1,19 +1,49 @@
-#include "encounter.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <variant>
 
 #include "javascript.hpp"
+#include "questions.hpp"
 #include "stoss/encounter/document.hpp"
 #include "stoss/encounter/materials.hpp"
+#include "stoss/encounter/series.hpp"
 
-namespace stoss::web {
+namespace stoss {
+
+using Json = nlohmann::ordered_json;
+
+static void to_json(Json& json, const Parameter& of) {
+  json = {{"name", of.name}, {"unit", of.unit}, {"ofMaterial", of.of_material}, {"help", of.help}};
+  if (of.otherwise) json["otherwise"] = *of.otherwise;
+}
+
+static void to_json(Json& json, const Kind& kind) {
+  json = {{"name", kind.name},
+          {"help", kind.help},
+          {"bounded", kind.bounded},
+          {"canYield", kind.can_yield},
+          {"hasPlane", kind.has_plane},
+          {"length", unit_name(Dimension::length, kind.own)},
+          {"parameters", kind.parameters},
+          {"meets", Json::array()}};
+  for (const Kind& other : kinds()) {
+    if (!other.wall && meets(kind, other)) json["meets"].push_back(other.name);
+  }
+}
+
+static void to_json(Json& json, const NamedMaterial& named) {
+  const Material& its = named.material;
+  json = {{"name", named.name}, {"young", its.young}, {"poisson", its.poisson}, {"density", its.density}};
+  json["loss_time"] = its.loss_time.value_or(0.0);
+  if (its.yield_strength) json["yield_strength"] = *its.yield_strength;
+  json["source"] = named.source;
+}
+
+namespace web {
 namespace {
 
 using emscripten::val;
-using Json = nlohmann::ordered_json;
 
 /// @param unit that of the modulus
 val elastic(const Solid& solid, double unit) {
@@ -25,37 +55,6 @@ val elastic(const Solid& solid, double unit) {
       },
       solid);
   return made;
-}
-
-Json described(const Parameter& of) {
-  Json json{{"name", of.name}, {"unit", of.unit}, {"ofMaterial", of.of_material}, {"help", of.help}, {"low", of.low}};
-  json["lowIncluded"] = of.low_included;
-  if (std::isfinite(of.high)) json["high"] = of.high;
-  if (of.otherwise) json["otherwise"] = *of.otherwise;
-  return json;
-}
-
-Json described(const Kind& kind) {
-  Json json{{"name", kind.name}, {"help", kind.help}, {"wall", kind.wall}, {"bounded", kind.bounded}};
-  json["canYield"] = kind.can_yield;
-  json["hasPlane"] = kind.has_plane;
-  json["length"] = unit_name(Dimension::length, kind.own);
-  json["parameters"] = Json::array();
-  for (const Parameter& each : kind.parameters) json["parameters"].push_back(described(each));
-  json["meets"] = Json::array();
-  for (const Kind& other : kinds()) {
-    if (!other.wall && meets(kind, other)) json["meets"].push_back(other.name);
-  }
-  return json;
-}
-
-Json described(const NamedMaterial& named) {
-  const Material& its = named.material;
-  Json json{{"name", named.name}, {"young", its.young}, {"poisson", its.poisson}, {"density", its.density}};
-  json["loss_time"] = its.loss_time.value_or(0.0);
-  if (its.yield_strength) json["yield_strength"] = *its.yield_strength;
-  json["source"] = named.source;
-  return json;
 }
 
 }  // namespace
@@ -79,29 +78,49 @@ std::string Meeting::own_unit_name(Dimension dimension) const {
   return std::string(stoss::unit_name(dimension, kind(encounter.first.kind).own));
 }
 
-val units(const Meeting& meeting) {
+std::shared_ptr<const Meeting> Question::meeting() const {
+  constexpr std::size_t kept = 4;
+  static std::vector<std::pair<std::string, std::shared_ptr<const Meeting>>> known;
+  const std::string document = text("document");
+  const auto found = std::find_if(known.begin(), known.end(), [&](const auto& each) { return each.first == document; });
+  auto its = found != known.end() ? found->second : std::make_shared<const Meeting>(document);
+  if (found != known.end()) known.erase(found);
+  known.emplace_back(document, its);
+  if (known.size() > kept) known.erase(known.begin());
+  return its;
+}
+
+namespace answer {
+
+val kinds(const Question&) { return val(Json{{"kinds", stoss::kinds()}, {"materials", named_materials()}}.dump()); }
+
+val units(const Question& asked) {
   constexpr double fewest_modes = 4.0;  // cutoff, c/R
   constexpr double quick = 0.5;         // c
   using enum Dimension;
+  const Meeting meeting(asked.text("document"));
   // The ratios of two bodies are checked where they meet; of the fewest modes that is soon done.
   if (meeting.second) (void)contact_of(meeting.encounter, fewest_modes, quick);
   // A rod in SI keeps its numbers.
   const auto* rod = std::get_if<Rod>(&meeting.first);
   const double modulus = rod != nullptr ? rod->young : 1.0;
-  val made = object({{"speed", val(meeting.unit(speed))},
+  val made = object({{"speed", val(meeting.unit(Dimension::speed))},
                      {"time", val(meeting.unit(time))},
                      {"frequency", val(meeting.unit(frequency))},
                      {"first", elastic(meeting.first, modulus)}});
-  if (meeting.si) made.set("modulus", meeting.encounter.first.material->density * std::pow(meeting.unit(speed), 2));
+  if (meeting.si) made.set("modulus", meeting.encounter.first.material->density * std::pow(meeting.si->speed, 2));
   if (meeting.second) made.set("second", elastic(*meeting.second, modulus));
   return made;
 }
 
-std::string table_of_kinds() {
-  Json table{{"kinds", Json::array()}, {"materials", Json::array()}};
-  for (const Kind& each : kinds()) table["kinds"].push_back(described(each));
-  for (const NamedMaterial& each : named_materials()) table["materials"].push_back(described(each));
-  return table.dump(2);
+val speed(const Question& asked) {
+  return val(own_speed(encounter_from_json(asked.text("document")), asked.number("speed")));
 }
 
-}  // namespace stoss::web
+val number(const Question& asked) { return val(parse_number(asked.text("name"), asked.text("text"))); }
+
+val series(const Question& asked) { return float64_array(parse_series(asked.text("name"), asked.text("text"))); }
+
+}  // namespace answer
+}  // namespace web
+}  // namespace stoss

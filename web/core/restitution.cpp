@@ -1,10 +1,8 @@
-#include "restitution.hpp"
-
 #include <array>
 #include <cstdio>
 
 #include "javascript.hpp"
-#include "stoss/errors.hpp"
+#include "questions.hpp"
 #include "stoss/restitution/curve.hpp"
 #include "stoss/restitution/quantities.hpp"
 #include "stoss/table/adaptive.hpp"
@@ -16,7 +14,7 @@ namespace {
 
 using emscripten::val;
 
-/// A number for a message.
+/// A number for what a header says of itself.
 std::string text(double value) {
   std::array<char, 32> buffer{};
   std::snprintf(buffer.data(), buffer.size(), "%.6g", value);
@@ -48,47 +46,55 @@ val quantities(const Meeting& meeting, const Restitution& result) {
   return all;
 }
 
-CurveOptions options(double tolerance) { return {.each = {.tolerance = tolerance, .poll = say_alive}, .threads = 1}; }
+CurveOptions options(const Question& asked) {
+  return {.each = {.tolerance = asked.number("tolerance"), .poll = say_alive}, .threads = 1};
+}
 
 }  // namespace
 
-val restitution(const Meeting& meeting, double speed, double tolerance) {
-  const std::vector<double> speeds{own_speed(meeting.encounter, speed)};
-  const Restitution result = restitution_curve(meeting.contact, speeds, options(tolerance)).front();
+namespace answer {
+
+val restitution(const Question& asked) {
+  const auto meeting = asked.meeting();
+  const double speed = asked.number("speed");
+  const std::vector<double> speeds{own_speed(meeting->encounter, speed)};
+  const Restitution result = restitution_curve(meeting->contact, speeds, options(asked)).front();
   val made = object({{"speed", val(speed)},
-                     {"quantities", quantities(meeting, result)},
+                     {"quantities", quantities(*meeting, result)},
                      {"converged", val(result.converged)},
                      {"reason", val(result.reason)},
                      {"cutoff", val(result.finest.cutoff)},
                      {"beyondSmallStrain", val(result.finest.beyond_small_strain)}});
-  if (const auto yield = yield_speed(meeting.encounter)) made.set("yieldSpeed", *yield);
+  if (const auto yield = yield_speed(meeting->encounter)) made.set("yieldSpeed", *yield);
   return made;
 }
 
-void curve(const Meeting& meeting, const std::vector<double>& speeds, double tolerance, const val& deliver) {
+val curve(const Question& asked) {
+  const auto meeting = asked.meeting();
+  const std::vector<double> speeds = numbers(asked.given["speeds"]);
   std::vector<double> own;
-  for (const double speed : speeds) own.push_back(own_speed(meeting.encounter, speed));
-  restitution_curve(meeting.contact, own, options(tolerance), [&](std::size_t i, const Restitution& result) {
-    deliver(object({{"speed", val(speeds[i])},
-                    {"restitution", val(result.restitution.value)},
-                    {"error", val(result.restitution.error)},
-                    {"converged", val(result.converged)}}),
-            i);
+  for (const double speed : speeds) own.push_back(own_speed(meeting->encounter, speed));
+  restitution_curve(meeting->contact, own, options(asked), [&](std::size_t i, const Restitution& result) {
+    asked.deliver(object({{"speed", val(speeds[i])},
+                          {"restitution", val(result.restitution.value)},
+                          {"error", val(result.restitution.error)},
+                          {"converged", val(result.converged)}}),
+                  i);
   });
+  return val::undefined();
 }
 
-std::string header(const Meeting& meeting, double slowest, double fastest, double error) {
-  const double from = own_speed(meeting.encounter, slowest), to = own_speed(meeting.encounter, fastest);
-  if (from >= to) {
-    throw InvalidInput("speed: got " + text(slowest) + " to " + text(fastest) +
-                       ", allowed a slowest speed below the fastest");
-  }
+val header(const Question& asked) {
+  const auto meeting = asked.meeting();
+  const double slowest = asked.number("slowest"), fastest = asked.number("fastest"), error = asked.number("error");
   const RestitutionFunction function = restitution_function(
-      meeting.contact, from, to, {.error = error, .beyond = Beyond::clamp, .threads = 1, .poll = say_alive});
-  TableLabel label{.unit = meeting.unit_name(Dimension::speed), .scale = meeting.unit(Dimension::speed)};
-  label.provenance = {"stoss " + std::string(version()) + ": table", name(meeting.contact.at(0)),
+      meeting->contact, own_speed(meeting->encounter, slowest), own_speed(meeting->encounter, fastest),
+      {.error = error, .beyond = Beyond::clamp, .threads = 1, .poll = say_alive});
+  TableLabel label{.unit = meeting->unit_name(Dimension::speed), .scale = meeting->unit(Dimension::speed)};
+  label.provenance = {"stoss " + std::string(version()) + ": table", name(meeting->contact.at(0)),
                       "speed[" + label.unit + "]: " + text(slowest) + ":" + text(fastest), "error: " + text(error)};
-  return c_header(function, label);
+  return val(c_header(function, label));
 }
 
+}  // namespace answer
 }  // namespace stoss::web

@@ -1,14 +1,17 @@
 // The page: inputs on one side, what is computed from them on the other.
 import 'katex/dist/katex.min.css';
+import './drawing/pictures.css';
 import { createCurveChart } from './charts/curve_chart';
 import { createModeBars } from './charts/mode_bars';
 import { createTimeCharts } from './charts/time_charts';
 import { createCore } from './core/client';
-import { find } from './drawing/dom';
+import type { Restitution } from './core/protocol';
+import { find, messageOf } from './drawing/dom';
 import { fromAddress } from './inputs/address';
-import { description } from './inputs/description';
-import { type Inputs, equal } from './inputs/inputs';
-import { onAxisOf, usualSeries } from './inputs/speeds';
+import { equal } from './inputs/document';
+import type { Inputs } from './inputs/inputs';
+import { description } from './inputs/lines';
+import { onAxisOf, usualSeries } from './inputs/units';
 import { createAddressBar } from './page/address_bar';
 import { createControls } from './page/controls';
 import { createCurves } from './page/curves';
@@ -18,10 +21,9 @@ import { createSession } from './page/session';
 import { createShare } from './page/share';
 import { createScene } from './scene/scene';
 
+const results = createResults();
 const core = await createCore().catch((error: unknown) => {
-  const notice = find('notice', HTMLElement);
-  notice.textContent = `The core could not be loaded: ${error instanceof Error ? error.message : String(error)}`;
-  notice.hidden = false;
+  results.say(`The core could not be loaded: ${messageOf(error)}`);
   throw error;
 });
 const start = fromAddress(location.search);
@@ -29,8 +31,7 @@ let inputs = start.inputs;
 /** What is computed, or under way; undefined after a failure. */
 let computed: Inputs | undefined;
 
-const results = createResults();
-const scene = createScene(find('scene', HTMLElement), core);
+const scene = createScene(find('scene', HTMLElement), core, (time) => timeCharts.setCursor(time));
 const timeCharts = createTimeCharts(find('time-charts', HTMLElement), (time) => scene.seek(time));
 const curveChart = createCurveChart(find('curve-chart', HTMLElement), (speed) => {
   const next = { ...inputs, speed };
@@ -42,8 +43,8 @@ const modeBars = createModeBars(find('mode-bars', HTMLElement), core);
 const pictures =
   { curve: curveChart.picture, time: timeCharts.picture, modes: modeBars.picture, collision: scene.picture };
 const curves = createCurves(core, showCurves, (line) => results.say(line));
-const share = createShare(core, curves.of, pictures, inputs);
-const address = createAddressBar((next, problem) => {
+const share = createShare(core, curves.of, pictures);
+const writeAddress = createAddressBar((next, problem) => {
   controls.show(next);
   results.say(problem);
   compute(next);
@@ -83,7 +84,7 @@ const run = createSession(core, {
 
 /** New inputs from the form, the curve or the list of kept curves. */
 function take(next: Inputs, settled: boolean): void {
-  address.write(next, settled);
+  writeAddress(next, settled);
   results.say('');
   compute(next);
 }
@@ -93,7 +94,7 @@ function compute(next: Inputs): void {
   const before = computed;
   inputs = next;
   computed = next;
-  share.show(inputs);
+  share(inputs);
   showKept(inputs, (kept) => take({ ...inputs, kept }, true));
   if (before !== undefined && before.speed === next.speed && equal(before.encounter, next.encounter)) {
     results.stale('');
@@ -104,11 +105,8 @@ function compute(next: Inputs): void {
   run(next.encounter, next.speed);
 }
 
-function showPoint(result: { quantities: Record<string, { value: number; error?: number }>; speed: number }): void {
-  const epsilon = result.quantities.restitution;
-  if (epsilon === undefined) return;
-  const { value, error = 0 } = epsilon;
-  curveChart.setCurrent({ speed: result.speed, restitution: value, error });
+function showPoint({ quantities: { restitution }, speed }: Restitution): void {
+  if (restitution) curveChart.setCurrent({ speed, restitution: restitution.value, error: restitution.error ?? 0 });
 }
 
 function showCurves(): void {
@@ -117,12 +115,8 @@ function showCurves(): void {
   curveChart.setCurves(all.map((encounter) => {
     const { points, planned } = curves.of(encounter);
     const place = (speed: number): number => onAxisOf(inputs.encounter, encounter, speed);
-    return {
-      label: description(encounter),
-      encounter,
-      points: points.map((point) => ({ ...point, speed: place(point.speed) })),
-      planned: planned.map(place),
-    };
+    const placed = points.map((point) => ({ ...point, speed: place(point.speed) }));
+    return { label: description(encounter), encounter, points: placed, planned: planned.map(place) };
   }));
 }
 
@@ -133,12 +127,10 @@ series.addEventListener('change', () => {
   try {
     curves.at(series.value);
   } catch (error) {
-    problem.textContent = error instanceof Error ? error.message : String(error);
+    problem.textContent = messageOf(error);
   }
   problem.hidden = problem.textContent === '';
 });
-
-scene.onCursor((time) => timeCharts.setCursor(time));
 
 results.say(start.problem);
 compute(inputs);

@@ -7,9 +7,9 @@ import dataclasses
 from typing import Iterator, Union
 
 from stoss._errors import InvalidInput
-from stoss.bodies._blocks import UNBOUNDED, Unbounded
 from stoss.bodies._material import Material
 from stoss.bodies._solid import LEFT_OUT, Solid
+from stoss.bodies._walls import UNBOUNDED, Unbounded
 
 
 @dataclasses.dataclass(frozen=True, kw_only=True, repr=False)
@@ -20,32 +20,17 @@ class Disk(Solid):
     counts. With a material, the radius and all speeds are in SI. Modes are computed when they are
     needed and kept for the next call.
 
-    Parameters
-    ----------
-    poisson : float
-        2-D Poisson's ratio ν, −0.95 to 0.995.
-    radius : float
-        Radius R; 1, or with a material to be given in m.
-    young, density : float, optional
-        Young's modulus E and density ρ.
-    loss_time : float, optional
-        Loss time η, stress = (1 + η ∂/∂t) elastic stress: R/c of the first body, or with a material
-        s. Default: 0, or that of the material.
-    material : Material
-        In place of `poisson`, `young` and `density`: then these attributes are ν, E and ρ in plane
-        stress, ν/(1−ν), E/(1−ν²) and ρ in plane strain.
-    plane : {'stress', 'strain'}
-        With a material: a thin plate, or a slice of a long cylinder.
-    rigid : bool, optional
-        Young's modulus is infinite. The disk keeps its mass, and the given modulus remains a unit.
-        It meets elastic bodies: disks and half-planes.
+    Parameters:
+        poisson: 2-D Poisson's ratio ν, −0.95 to 0.995.
+        material (Material): In place of `poisson`, `young` and `density`: then these attributes are
+            ν, E and ρ in plane stress, ν/(1−ν), E/(1−ν²) and ρ in plane strain.
+        plane ({'stress', 'strain'}): With a material: a thin plate, or a slice of a long cylinder.
 
-    Examples
-    --------
-    >>> stoss.impact(stoss.Disk(poisson=0.33), speed=0.1, cutoff=25).contacts
-    1
-    >>> stoss.Disk(radius=5e-3, material=stoss.materials["steel"], plane="strain").poisson
-    0.4285714285714286
+    Examples:
+        >>> stoss.impact(stoss.Disk(poisson=0.33), speed=0.1, cutoff=25).contacts
+        1
+        >>> stoss.Disk(radius=5e-3, material=stoss.materials["steel"], plane="strain").poisson
+        0.4285714285714286
     """
 
     _kind = "disk"
@@ -69,33 +54,18 @@ class Sphere(Solid):
     centrally and without friction. Units are the radius R, the bar speed c = √(E/ρ) and the mass;
     forces are in mc²/R = (4π/3)R²E.
 
-    Parameters
-    ----------
-    poisson : float
-        Poisson's ratio ν, −0.95 to 0.4999.
-    radius : float
-        Radius R; 1, or with a material to be given in m.
-    young, density : float, optional
-        Young's modulus E and density ρ.
-    loss_time : float, optional
-        Loss time η, stress = (1 + η ∂/∂t) elastic stress: R/c of the first body, or with a material
-        s. Default: 0, or that of the material.
-    material : Material
-        In place of `poisson`, `young` and `density`.
-    rigid : bool, optional
-        Young's modulus is infinite. The sphere keeps its mass, and the given modulus remains a
-        unit. It meets elastic bodies: spheres and half-spaces.
+    Parameters:
+        poisson: Poisson's ratio ν, −0.95 to 0.4999.
 
-    Examples
-    --------
-    >>> stoss.impact(stoss.Sphere(poisson=0.3), speed=0.1, cutoff=25).contacts
-    1
-    >>> ball = stoss.Sphere(radius=5e-3, material=stoss.materials["steel"])
-    >>> round(ball.scales.speed), round(ball.scales.time * 1e6, 3)
-    (5172, 0.967)
-    >>> lossy = stoss.restitution(stoss.Sphere(poisson=0.3, loss_time=0.3), speed=0.01)
-    >>> round(lossy.restitution, 3), round(lossy.dissipated, 3)
-    (0.866, 0.25)
+    Examples:
+        >>> stoss.impact(stoss.Sphere(poisson=0.3), speed=0.1, cutoff=25).contacts
+        1
+        >>> ball = stoss.Sphere(radius=5e-3, material=stoss.materials["steel"])
+        >>> round(ball.scales.speed), round(ball.scales.time * 1e6, 3)
+        (5172, 0.967)
+        >>> lossy = stoss.restitution(stoss.Sphere(poisson=0.3, loss_time=0.3), speed=0.01)
+        >>> round(lossy.restitution, 3), round(lossy.dissipated, 3)
+        (0.866, 0.25)
     """
 
     _kind = "sphere"
@@ -116,25 +86,15 @@ class Rod(Solid):
     Units are its length L, bar speed c and mass. At a wall it has an exact answer, restitution 1
     and contact time 2L/c: a check of everything else.
 
-    Parameters
-    ----------
-    length : float
-        Length L; 1, or with a material to be given in m.
-    young, density : float, optional
-        Young's modulus E and density ρ.
-    area : float
-        Of the cross-section, A; 1, or with a material to be given in m².
-    loss_time : float, optional
-        Loss time η, stress = (1 + η ∂/∂t) elastic stress: L/c of the first body, or with a material
-        s. Default: 0, or that of the material.
-    material : Material
-        In place of `young` and `density`.
+    Parameters:
+        length: Length L; 1, or with a material to be given in m.
+        area: Of the cross-section, A; 1, or with a material to be given in m².
+        material (Material): In place of `young` and `density`.
 
-    Examples
-    --------
-    >>> bounce = stoss.impact(stoss.Rod(), speed=0.1, cutoff=1000)
-    >>> round(bounce.restitution, 2), round(bounce.contact_time, 2)
-    (1.0, 2.0)
+    Examples:
+        >>> bounce = stoss.impact(stoss.Rod(), speed=0.1, cutoff=1000)
+        >>> round(bounce.restitution, 2), round(bounce.contact_time, 2)
+        (1.0, 2.0)
     """
 
     _kind = "rod"

@@ -14,18 +14,13 @@ from stoss._arguments import brief, number, optional_number, refusal
 class Scales(NamedTuple):
     """SI values of the units of all results: multiply a result by its scale.
 
-    Attributes
-    ----------
-    length : float
-        Radius R, or length L of a rod, m.
-    speed : float
-        Bar speed c, m/s.
-    time : float
-        R/c, s.
-    frequency : float
-        c/R, rad/s.
-    force : float
-        mc²/R: πRE of a disk of unit thickness, N/m; (4π/3)R²E of a sphere or EA of a rod, N.
+    Attributes:
+        length (float): Radius R, or length L of a rod, m.
+        speed (float): Bar speed c, m/s.
+        time (float): R/c, s.
+        frequency (float): c/R, rad/s.
+        force (float): mc²/R: πRE of a disk of unit thickness, N/m; (4π/3)R²E of a sphere or EA of a
+            rod, N.
     """
 
     length: float
@@ -42,39 +37,29 @@ class Material:
     Bodies made of it meet at speeds in m/s, and results also have SI values, under names that end
     in ``_si``.
 
-    Parameters
-    ----------
-    young : float
-        Young's modulus E, Pa.
-    poisson : float
-        Poisson's ratio ν of the solid, −1 < ν < ½.
-    density : float
-        Density ρ, kg/m³.
-    yield_strength : float, optional
-        Yield strength in simple tension, Pa, 1e-30 to 1e30. A sphere begins to yield where the
-        contact pressure is 1.6 times that: its results say at which speed (`yield_speed`), and
-        which of them are beyond it. They are elastic all the same.
-    loss_time : float, optional
-        Loss time η, s: stress = (1 + η ∂/∂t) elastic stress. Bodies made of it have this loss time
-        unless they get their own, such as ``loss_time=0``. A rigid body loses nothing.
-    quality : tuple of float, optional
-        In place of `loss_time`, (Q, ω) with the quality Q at the angular frequency ω in rad/s, π
-        over the contact time for an impact: η = 1/(Qω). With the same η a slower impact, of lower
-        frequency, has a higher quality; a constant Q is matched at ω only.
+    Parameters:
+        young (float): Young's modulus E, Pa.
+        poisson (float): Poisson's ratio ν of the solid, −1 < ν < ½.
+        density (float): Density ρ, kg/m³.
+        yield_strength (float, optional): Yield strength in simple tension, Pa, 1e-30 to 1e30. A
+            sphere begins to yield where the contact pressure is 1.6 times that: its results say at
+            which speed (`yield_speed`), and which of them are beyond it. They are elastic all the
+            same.
+        loss_time (float, optional): Loss time η, s: stress = (1 + η ∂/∂t) elastic stress. Bodies
+            made of it have this loss time unless they get their own, such as ``loss_time=0``. A
+            rigid body loses nothing.
+        quality (tuple of float, optional): In place of `loss_time`, (Q, ω) with the quality Q at
+            the angular frequency ω in rad/s, π over the contact time for an impact: η = 1/(Qω).
+            With the same η a slower impact, of lower frequency, has a higher quality; a constant Q
+            is matched at ω only.
 
-    Raises
-    ------
-    InvalidInput
-        Unless all constants are positive and ν in its range.
-
-    Examples
-    --------
-    >>> steel = stoss.Material(young=2.1e11, poisson=0.3, density=7850)
-    >>> disk = stoss.Disk(radius=0.01, material=steel)
-    >>> round(disk.scales.speed)
-    5172
-    >>> stoss.restitution(disk, speed=5.0)  # 5 m/s
-    Restitution(poisson=0.3, speed=0.000966708 c: restitution 0.987121 ± 0.000010)
+    Examples:
+        >>> steel = stoss.Material(young=2.1e11, poisson=0.3, density=7850)
+        >>> disk = stoss.Disk(radius=0.01, material=steel)
+        >>> round(disk.scales.speed)
+        5172
+        >>> stoss.restitution(disk, speed=5.0)  # 5 m/s
+        Restitution(poisson=0.3, speed=0.000966708 c: restitution 0.987121 ± 0.000010)
     """
 
     young: float

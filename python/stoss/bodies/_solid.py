@@ -10,6 +10,7 @@ from typing import Any, ClassVar, Mapping, NamedTuple
 
 from stoss import _core
 from stoss._arguments import boolean, brief, instance, number, refusal
+from stoss._documentation import with_fields
 from stoss._errors import InvalidInput
 from stoss.bodies._material import Material, Scales
 
@@ -50,7 +51,18 @@ KINDS: Mapping[str, Kind] = MappingProxyType(
 
 
 class Solid:
-    """A body or a block: its numbers, given or those of a material."""
+    """A body or a block: its numbers, given or those of a material.
+
+    Parameters:
+        radius (float): Radius R; 1, or with a material to be given in m.
+        young, density (float, optional): Young's modulus E and density ρ.
+        loss_time (float, optional): Loss time η, stress = (1 + η ∂/∂t) elastic stress: R/c (of a
+            rod L/c) of the first body, or with a material s. Default: 0, or that of the material.
+        material (Material): In place of `poisson`, `young` and `density`; for what meets a body
+            that has one.
+        rigid (bool, optional): Young's modulus is infinite. The body keeps its mass, and the given
+            modulus remains a unit. It meets elastic ones.
+    """
 
     _kind: ClassVar[str]
 
@@ -59,6 +71,9 @@ class Solid:
     density: float
     loss_time: float
     material: Material | None
+
+    def __init_subclass__(cls) -> None:
+        with_fields(cls, "Parameters")
 
     def __post_init__(self) -> None:
         """Set all fields to what was given, what is made of the material, or what the core takes for usual."""

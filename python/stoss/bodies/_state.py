@@ -21,23 +21,17 @@ class Oscillation:
 
     Time t is 0 when the bodies would touch if they were unexcited.
 
-    Parameters
-    ----------
-    order, index : int
-        n and l of the mode; of a rod, 0 and the number of the mode from 0.
-    energy : float
-        ½ m ω² A², as a share of the translational energy before the impact; 0 or more.
-    phase : float, optional
-        φ, radians.
-    of : {0, 1}, optional
-        Of which body: the first, or the second.
+    Parameters:
+        order, index (int): n and l of the mode; of a rod, 0 and the number of the mode from 0.
+        energy (float): ½ m ω² A², as a share of the translational energy before the impact; 0 or
+            more.
+        phase (float, optional): φ, radians.
+        of ({0, 1}, optional): Of which body: the first, or the second.
 
-    Examples
-    --------
-    >>> ball = stoss.Sphere(poisson=0.3)
-    >>> ringing = stoss.Oscillation(order=2, index=0, energy=0.1, phase=2.0)
-    >>> stoss.impact(ball, speed=0.01, cutoff=25, state=ringing).restitution > 1
-    True
+    Examples:
+        >>> ringing = stoss.Oscillation(order=2, index=0, energy=0.1, phase=2.0)
+        >>> stoss.impact(stoss.Sphere(poisson=0.3), speed=0.01, cutoff=25, state=ringing).restitution > 1
+        True
     """
 
     order: int
@@ -57,8 +51,7 @@ State = Union[Oscillation, Sequence[Oscillation], NDArray[Any], None]
 
 
 def choose_state(given: Any, name: str = "state") -> NDArray[Any]:
-    """The modes that vibrate, as the core takes them, read-only; without any where the bodies are
-    unexcited."""
+    """The modes that vibrate, as the core takes them, read-only; without any where the bodies are unexcited."""
     if given is None:
         modes: Any = []
     elif isinstance(given, Oscillation):

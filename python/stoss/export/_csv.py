@@ -38,18 +38,12 @@ class Table(Mapping[str, NDArray[Any]]):
     the table of these rows. As of a dict, ``list(table)`` and ``len(table)`` are those of the
     columns.
 
-    Attributes
-    ----------
-    kind : str
-        What wrote it: restitution, modes, impact, trajectory, …
-    version : str
-        Of stoss.
-    inputs : mapping of str to str
-        What made it, as in the file.
-    units : mapping of str to str
-        Of the columns that have one.
-    columns : mapping of str to ndarray
-        By name; an error that is unknown is infinite.
+    Attributes:
+        kind (str): What wrote it: restitution, modes, impact, trajectory, …
+        version (str): Of stoss.
+        inputs (mapping of str to str): What made it, as in the file.
+        units (mapping of str to str): Of the columns that have one.
+        columns (mapping of str to ndarray): By name; an error that is unknown is infinite.
     """
 
     kind: str
@@ -98,23 +92,14 @@ class Table(Mapping[str, NDArray[Any]]):
 def read_csv(path: str | os.PathLike[str]) -> Table:
     """Read a CSV that `to_csv` of a result or the command has written.
 
-    Parameters
-    ----------
-    path : str or path
+    Parameters:
+        path (str or path): Of the file; one that is damaged, or of another origin, is refused.
 
-    Raises
-    ------
-    InvalidInput
-        For a damaged file, and one that stoss did not write.
-    OSError
-        If the file cannot be read.
-
-    Examples
-    --------
-    >>> stoss.restitution(poisson=0.33, speed=[0.01, 0.1]).to_csv("curve.csv")
-    >>> table = stoss.read_csv("curve.csv")
-    >>> table["restitution"].round(4), table.units["speed"], table.inputs["body"]
-    (array([0.9842, 0.9471]), 'c', 'Disk(poisson=0.33)')
+    Examples:
+        >>> stoss.restitution(poisson=0.33, speed=[0.01, 0.1]).to_csv("curve.csv")
+        >>> table = stoss.read_csv("curve.csv")
+        >>> table["restitution"].round(4), table.units["speed"], table.inputs["body"]
+        (array([0.9842, 0.9471]), 'c', 'Disk(poisson=0.33)')
     """
     name = os.fspath(path)
     with open(name, encoding="utf-8", newline="") as stream:

@@ -47,8 +47,7 @@ def usual_mode() -> int:
 
 
 def write_lines(path: str | os.PathLike[str], lines: Iterable[str]) -> None:
-    """A text file that appears whole or not at all; what is a pipe or a device is written
-    directly."""
+    """A text file that appears whole or not at all; what is a pipe or a device is written directly."""
     path = os.fspath(path)
     if os.path.exists(path) and not os.path.isfile(path):
         with open(path, "w", encoding="utf-8") as stream:

@@ -9,12 +9,9 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from stoss import _core
-
-from stoss.bodies._solid import describe
 from stoss.export._files import whole_file
-from stoss.results._result import QUANTITIES, unit
+from stoss.results._result import QUANTITIES
 from stoss.results._si import si_name
-from stoss.sweeps._specification import label, numbers_of_bodies, unit_of_body
 
 if TYPE_CHECKING:
     from stoss.sweeps._values import Sweep
@@ -64,43 +61,36 @@ def _coordinates(file: Any, sweep: Sweep) -> None:
     speed = file.createVariable("speed", "f8", ("speed",))
     speed.setncatts({"long_name": "speed of approach", "units": "m/s" if sweep.grid.in_si else "c"})
     speed[:] = sweep.grid.speed
-    bodies = [describe(body) for body in sweep.grid.bodies]
-    for name, given in (("body", bodies), ("against", sweep.grid.against)):
+    labels = sweep._labels()
+    for name, said in (("body", "what meets"), ("against", "what it meets")):
         names = file.createVariable(name, str, (name,))
-        names.long_name = "what meets" if name == "body" else "what it meets"
-        names[:] = np.array([label(each) for each in given], dtype=object)
-    for name, values in numbers_of_bodies(sweep.grid.bodies).items():
-        variable = file.createVariable(f"body_{name}", "f8", ("body",), fill_value=np.nan)
-        variable.units = unit_of_body(name, sweep.grid.in_si) or "1"
+        names.long_name = said
+        names[:] = labels[name]
+    for name, values in sweep._of_bodies().items():
+        variable = file.createVariable(name, "f8", ("body",), fill_value=np.nan)
+        variable.units = sweep._unit(name) or "1"
         variable[:] = values
 
 
 def _results(file: Any, sweep: Sweep) -> None:
     import netCDF4
 
-    kinds = sorted({body._kind for body in sweep.grid.bodies})
-
-    def create(name: str, code: str, values: Any, attributes: dict[str, Any]) -> None:
-        fill = None if code == "i1" else netCDF4.default_fillvals[code]
-        variable = file.createVariable(name, code, DIMENSIONS, fill_value=fill, zlib=True, shuffle=True)
-        variable.setncatts(attributes)
-        variable[:] = np.where(sweep.computed, values, 0 if fill is None else fill)
-
-    for name, dimension in QUANTITIES["restitution"].items():
-        values = sweep.rows[name]
-        code = {"f": "f8", "i": "i8", "b": "i1"}[values.dtype.kind]
-        units = sorted({unit(dimension, body=each, si=False) for each in kinds})
-        attributes: dict[str, Any] = {"long_name": name.replace("_", " "), "units": " or ".join(units) or "1"}
-        if code == "i1":
-            attributes = {"long_name": name.replace("_", " "), "flag_values": np.array([0, 1], "i1")}
-            attributes["flag_meanings"] = "false true"
-        create(name, code, values, attributes)
-        if dimension and sweep.grid.in_si:
-            scales = np.array([getattr(body.scales, dimension) for body in sweep.grid.bodies])
-            units = sorted({unit(dimension, body=each, si=True) for each in kinds})
-            attributes = {"long_name": f"{name.replace('_', ' ')} in SI", "units": " or ".join(units)}
-            create(si_name(name), "f8", values * scales[:, None, None], attributes)
+    quantities = sweep._derived()
+    for own in QUANTITIES["restitution"]:
+        for name, said in ((own, own), (si_name(own), f"{own} in SI")):
+            if name not in quantities:
+                continue
+            values = quantities[name]
+            code = {"f": "f8", "i": "i8", "b": "i1"}[values.dtype.kind]
+            fill = None if code == "i1" else netCDF4.default_fillvals[code]
+            variable = file.createVariable(name, code, DIMENSIONS, fill_value=fill, zlib=True, shuffle=True)
+            variable.long_name = said.replace("_", " ")
+            variable.setncatts(_flags("false true") if code == "i1" else {"units": sweep._unit(name) or "1"})
+            variable[:] = np.where(sweep.computed, values, 0 if fill is None else fill)
     state = file.createVariable("computed", "i1", DIMENSIONS, zlib=True)
-    state.setncatts({"long_name": "whether the value is there", "flag_values": np.array([0, 1], "i1")})
-    state.flag_meanings = "missing computed"
+    state.setncatts({"long_name": "whether the value is there"} | _flags("missing computed"))
     state[:] = sweep.computed
+
+
+def _flags(meanings: str) -> dict[str, Any]:
+    return {"flag_values": np.array([0, 1], "i1"), "flag_meanings": meanings}

@@ -53,8 +53,7 @@ def dataset(
 def table(
     title: str, columns: Mapping[str, Any], units: Mapping[str, str], written: Callable[[float, float | None], str]
 ) -> str:
-    """A compact table in HTML: a title, columns with units, errors next to their values, at most
-    some rows."""
+    """A compact table in HTML: a title, columns with units, errors next to their values, at most some rows."""
     arrays = {name: np.asarray(column).ravel() for name, column in columns.items()}
     names = [name for name in arrays if name.removesuffix("_error") not in set(arrays) - {name}]
     size = min((array.size for array in arrays.values()), default=0)
@@ -80,8 +79,7 @@ def sized(result: Any) -> int:
 
 
 def rows(columns: Mapping[str, Any], key: Any, count: int) -> dict[str, Any]:
-    """The parts of columns of one length that an index, a slice, an array of indices or flags
-    selects."""
+    """The parts of columns of one length that an index, a slice, an array of indices or flags selects."""
     try:
         parts = {name: np.asarray(column)[key] for name, column in columns.items()}
     except IndexError:

@@ -46,19 +46,16 @@ def cell(value: Any) -> str:
 def with_error(value: float, error: float | None = None) -> str:
     """Write a number with the digits that its error leaves it.
 
-    Parameters
-    ----------
-    value : float
-    error : float, optional
-        Two digits of it are written; infinite if it is unknown. Without one the number has six
-        digits.
+    Parameters:
+        value (float):
+        error (float, optional): Two digits of it are written; infinite if it is unknown. Without
+            one the number has six digits.
 
-    Examples
-    --------
-    >>> stoss.with_error(0.947041, 0.0000523)
-    '0.947041 ± 0.000052'
-    >>> stoss.with_error(3.35, np.inf)
-    '3.35 ± unknown'
+    Examples:
+        >>> stoss.with_error(0.947041, 0.0000523)
+        '0.947041 ± 0.000052'
+        >>> stoss.with_error(3.35, np.inf)
+        '3.35 ± unknown'
     """
     if error == math.inf and math.isfinite(value):
         return f"{value:.6g} ± {UNKNOWN}"

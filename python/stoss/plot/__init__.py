@@ -1,8 +1,8 @@
 """Pictures of results, for print: one column wide (3.4 in) and told apart without colour.
 
 Every function takes a result and ``ax``, the Axes to draw in (None: a new figure), and returns the
-Axes. New figures have small print that fits one column; in your own Axes the text follows your
-settings. Nothing global is changed.
+Axes. Most results draw their own: ``result.plot(ax)``. New figures have small print that fits one
+column; in your own Axes the text follows your settings. Nothing global is changed.
 
 ================================================  ==================================================
 `restitution`, `extrapolation`                    ε or 1 − ε² against speed; Gerl and Zippelius' two
@@ -22,11 +22,10 @@ settings. Nothing global is changed.
 `animate`                                         the same as GIF or MP4
 ================================================  ==================================================
 
-Examples
---------
->>> hit = stoss.impact(poisson=0.33, speed=0.1, cutoff=12.5)
->>> ax = stoss.plot.sequence(hit)
->>> ax.figure.savefig("sequence.pdf")
+Examples:
+    >>> hit = stoss.impact(poisson=0.33, speed=0.1, cutoff=12.5)
+    >>> ax = stoss.plot.sequence(hit)
+    >>> ax.figure.savefig("sequence.pdf")
 """
 
 try:
@@ -39,8 +38,8 @@ except ModuleNotFoundError as _missing:
 
 from stoss.plot._animation import animate
 from stoss.plot._disk import disk, sphere
-from stoss.plot._functions import extrapolation, function, pair_table
-from stoss.plot._ledger import ledger
+from stoss.plot._restitution import extrapolation, function, pair_table
+from stoss.plot._modes import ledger
 from stoss.plot._many import bounces, cooling, distribution, restitution_histogram
 from stoss.plot._modes import mode_shape, spectrum
 from stoss.plot._quasistatic import rayleigh, slow_impact, static_contact
@@ -52,28 +51,8 @@ from stoss.plot._trajectory import energies, force, half_width, velocity
 from stoss.plot._wave import wave
 
 __all__ = [
-    "animate",
-    "bounces",
-    "cooling",
-    "disk",
-    "distribution",
-    "energies",
-    "extrapolation",
-    "force",
-    "function",
-    "half_width",
-    "ledger",
-    "mode_shape",
-    "pair_table",
-    "rayleigh",
-    "restitution",
-    "restitution_histogram",
-    "sequence",
-    "slow_impact",
-    "spectrum",
-    "sphere",
-    "static_contact",
-    "stress",
-    "velocity",
-    "wave",
-]
+    "animate", "bounces", "cooling", "disk", "distribution", "energies", "extrapolation", "force",
+    "function", "half_width", "ledger", "mode_shape", "pair_table", "rayleigh", "restitution",
+    "restitution_histogram", "sequence", "slow_impact", "spectrum", "sphere", "static_contact",
+    "stress", "velocity", "wave",
+]  # fmt: skip

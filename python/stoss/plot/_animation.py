@@ -8,7 +8,7 @@ import subprocess
 import tempfile
 from typing import Any, Iterator
 
-import numpy as np
+from PIL import Image
 from matplotlib import colormaps, rc_context
 from matplotlib.animation import FFMpegWriter
 from matplotlib.artist import Artist
@@ -16,10 +16,11 @@ from matplotlib.axes import Axes
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.colors import LinearSegmentedColormap
 from matplotlib.figure import Figure
+import numpy as np
 from numpy.typing import NDArray
-from PIL import Image
 
 from stoss._arguments import instance, integer, number, refusal, require_memory
+from stoss._documentation import documented
 from stoss.export._files import whole_file
 from stoss.plot import _disk, _ground, _sequence, _stress, _style
 from stoss.results._impact import Impact
@@ -28,6 +29,7 @@ DPI = 100
 SUFFIXES = (".gif", ".mp4")
 
 
+@documented
 def animate(
     impact: Impact,
     path: str | os.PathLike[str],
@@ -41,47 +43,24 @@ def animate(
     """Write the impact as a GIF or MP4.
 
     It goes from just before contact until the body, or two, have flown for some time, vibrating.
-    The file appears whole or not at all.
+    The file appears whole or not at all. `path` is returned. RuntimeError says that ffmpeg failed.
 
-    Parameters
-    ----------
-    impact : Impact
-        Of a disk or a sphere.
-    path : str or path
-        Where to; an existing file is replaced. Its suffix, .gif or .mp4, says what is written; the
-        latter needs ffmpeg.
-    frames : int, optional
-        Number of frames, 2 to 2000.
-    fps : float, optional
-        Frames per second, 1 to 50. A GIF counts time in 1/100 s.
-    size : (int, int), optional
-        Width and height, 100 to 4000 pixels; those of an MP4 are made even. Default: 400 wide, with
-        colours 480.
-    quantity : {'von_mises', 'principal_difference', 'fringes'}, optional
-        Colours, on one scale for all frames (see `stoss.plot.stress`); default: a grid of radii and
-        circles.
-    fringe : float, optional
-        As in `stoss.plot.stress`.
+    Parameters:
+        impact: Of a disk or a sphere.
+        path: Where to; an existing file is replaced. Its suffix, .gif or .mp4, says what is
+            written; the latter needs ffmpeg.
+        frames: Number of frames, 2 to 2000.
+        fps: Frames per second, 1 to 50. A GIF counts time in 1/100 s.
+        size: Width and height, 100 to 4000 pixels; those of an MP4 are made
+            even. Default: 400 wide, with colours 480.
+        quantity ({'von_mises', 'principal_difference', 'fringes'}, optional): Colours, on one scale
+            for all frames (see `stoss.plot.stress`); default: a grid of radii and circles.
+        fringe: As in `stoss.plot.stress`.
 
-    Returns
-    -------
-    str or path
-        `path`.
-
-    Raises
-    ------
-    InvalidInput
-        For arguments out of range and other suffixes.
-    RuntimeError
-        If an MP4 is asked for and ffmpeg is missing or fails.
-    OSError
-        If the file cannot be written.
-
-    Examples
-    --------
-    >>> hit = stoss.impact(poisson=0.33, speed=0.2, cutoff=12.5)
-    >>> stoss.animate(hit, "impact.gif", frames=10)
-    'impact.gif'
+    Examples:
+        >>> hit = stoss.impact(poisson=0.33, speed=0.2, cutoff=12.5)
+        >>> stoss.animate(hit, "impact.gif", frames=10)
+        'impact.gif'
     """
     instance("impact", impact, (Impact,))
     suffix = _suffix(path)
@@ -183,9 +162,7 @@ def _draw_frame(axes: Axes, bodies: list[_disk.Instant], scale: _stress.Scale | 
     if scale is not None:
         return [artist for now in bodies for artist in _stress.draw_stress(axes, now, scale, smooth=False)]
     edges = [_disk.draw_outline(axes, *edge) for edge in _disk.undeformed(bodies)]
-    return edges + [
-        _disk.draw_grid(axes, now.x, now.y, now.field.radius, now.field.angle, width=1.2) for now in bodies
-    ]
+    return edges + [_disk.draw_grid(axes, now.x, now.y, now.field.radius, now.field.angle, width=1.2) for now in bodies]
 
 
 def _write_gif(pictures: Iterator[NDArray[np.uint8]], rate: float, colors: str | None, path: str) -> None:

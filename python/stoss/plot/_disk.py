@@ -4,14 +4,15 @@ from __future__ import annotations
 
 from typing import Any, NamedTuple, Sequence
 
-import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.collections import LineCollection
 from matplotlib.lines import Line2D
 from matplotlib.ticker import MultipleLocator
+import numpy as np
 from numpy.typing import NDArray
 
 from stoss._arguments import instance, integer, refusal
+from stoss._documentation import documented
 from stoss._errors import InvalidInput
 from stoss.bodies._bodies import BODIES
 from stoss.plot import _ground, _style
@@ -81,6 +82,7 @@ def all_fields(impact: Impact, times: Array, **points: Array) -> list[Field]:
     return [impact.field(time=times, of=of, **points) for of in range(1 + isinstance(impact.against, BODIES))]
 
 
+@documented
 def disk(
     field: Field,
     ax: Axes | None = None,
@@ -96,27 +98,15 @@ def disk(
     Deformations have their true size. Of two disks both are drawn. `sphere` is the same function:
     of a sphere it draws the plane through the axis.
 
-    Parameters
-    ----------
-    field : Field
-        From `Impact.field`, with any radii and angles: the nearest to even ones are drawn.
-    ax : Axes, optional
-        Where to draw.
-    frame : int, optional
-        Which of the field's times, if it has several.
-    circles, spokes : int, optional
-        Number of circles and of radii.
-    outline : bool, optional
-        Also the undeformed disk around the same centre of mass, in grey.
-    color : color, optional
-        Of the grid.
+    Parameters:
+        field: From `Impact.field`, with any radii and angles: the nearest to even ones are drawn.
+        circles, spokes: Number of circles and of radii.
+        outline: Also the undeformed disk around the same centre of mass, in grey.
+        color (color, optional): Of the grid.
 
-    Examples
-    --------
-    >>> hit = stoss.impact(poisson=0.33, speed=0.2, cutoff=12.5)
-    >>> ax = stoss.plot.disk(hit.field(time=hit.contact_time / 2))
-    >>> ax.get_xlabel()
-    'x / R'
+    Examples:
+        >>> hit = stoss.impact(poisson=0.33, speed=0.2, cutoff=12.5)
+        >>> ax = stoss.plot.disk(hit.field(time=hit.contact_time / 2))
     """
     bodies = instants(field, frame)
     for name, value in (("circles", circles), ("spokes", spokes)):
@@ -163,8 +153,7 @@ def draw_grid(
 
 
 def _nearest(values: Array, wanted: Array) -> NDArray[np.intp]:
-    nearest: NDArray[np.intp] = np.unique(np.abs(values[:, None] - wanted).argmin(axis=0))
-    return nearest
+    return np.unique(np.abs(values[:, None] - wanted).argmin(axis=0))  # type: ignore[no-any-return]
 
 
 def circle(center: float = 0.0, size: float = 1.0) -> tuple[Array, Array]:

@@ -4,13 +4,13 @@ from __future__ import annotations
 
 from typing import Any, NamedTuple, Sequence
 
-import numpy as np
 from matplotlib.artist import Artist
 from matplotlib.axes import Axes
 from matplotlib.lines import Line2D
+import numpy as np
 from numpy.typing import NDArray
 
-from stoss.bodies._blocks import UNBOUNDED
+from stoss.bodies._walls import UNBOUNDED
 from stoss.plot import _style
 from stoss.results import _replay
 from stoss.results._field import Field

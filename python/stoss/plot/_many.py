@@ -37,22 +37,9 @@ def bounces(result: Bounces, ax: Axes | None = None) -> Axes:
     translation, vibration, dissipated, and what the modes above the cutoff or a half-space have
     taken.
 
-    Parameters
-    ----------
-    result : Bounces
-    ax : Axes, optional
-        Where to draw, of `matplotlib.pyplot.subplots`; its lower half becomes an Axes of its own.
-
-    Returns
-    -------
-    Axes
-        The upper one. The lower one is the last of its figure.
-
-    Examples
-    --------
-    >>> ax = stoss.bounce(poisson=0.33, speed=0.2, count=20, flight_time=30, cutoff=8).plot()
-    >>> ax.get_ylabel(), ax.figure.axes[-1].get_ylabel()
-    ('restitution ε', 'energy / initial')
+    Parameters:
+        ax: Where to draw, of `matplotlib.pyplot.subplots`; its lower half becomes an Axes of its
+            own, the last of its figure.
     """
     if len(result) == 0:
         raise refusal("result", result, "a sequence of at least one impact")
@@ -101,20 +88,8 @@ def distribution(result: RestitutionDistribution, ax: Axes | None = None, *, bin
 
     The latter is computed for the picture.
 
-    Parameters
-    ----------
-    result : RestitutionDistribution
-    ax : Axes, optional
-        Where to draw.
-    bins : optional
-        As `numpy.histogram` has them.
-
-    Examples
-    --------
-    >>> warm = stoss.restitution_distribution(poisson=0.33, speed=0.1, temperature=0.02, samples=50)
-    >>> ax = stoss.plot.distribution(warm)
-    >>> ax.get_xlabel(), ax.get_ylabel()
-    ('restitution ε', 'samples')
+    Parameters:
+        bins (optional): As `numpy.histogram` has them.
     """
     count, edges = result.histogram(bins)
     at_rest = _at_rest(result)
@@ -152,19 +127,6 @@ def cooling(chain: RodChain, ax: Axes | None = None) -> Axes:
     Translation is a solid line, vibration a dashed one, which is left out where vibrations are gone
     at the next collision. The dotted line is the law of late times; there is none while translation
     has more than a hundredth of its energy.
-
-    Parameters
-    ----------
-    chain : RodChain
-    ax : Axes, optional
-        Where to draw.
-
-    Examples
-    --------
-    >>> rods = [stoss.Rod(length=length) for length in (1.0, 1.1, 0.9, 1.05)]
-    >>> chain = stoss.rod_chain(rods, circumference=40, temperature=1, collisions=200, decay_time=0)
-    >>> stoss.plot.cooling(chain).get_xscale()
-    'log'
     """
     after = chain.time > 0.0
     time, first = chain.time[after], chain.translation[0] or 1.0
@@ -192,19 +154,6 @@ def restitution_histogram(chain: RodChain, ax: Axes | None = None) -> Axes:
 
     The rare values above the 99.8th percentile are left out. A line marks ε = 1, and the dotted
     one the mean of all.
-
-    Parameters
-    ----------
-    chain : RodChain
-    ax : Axes, optional
-        Where to draw.
-
-    Examples
-    --------
-    >>> rods = [stoss.Rod(length=length) for length in (1.0, 1.1, 0.9, 1.05)]
-    >>> chain = stoss.rod_chain(rods, circumference=40, temperature=1, collisions=200, decay_time=5)
-    >>> stoss.plot.restitution_histogram(chain).get_xlabel()
-    'coefficient of restitution ε'
     """
     values = chain.restitution
     with _style.canvas(ax, xlabel="coefficient of restitution ε", ylabel="probability density") as axes:

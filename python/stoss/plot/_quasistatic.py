@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from typing import Any, Iterator, Union
 
-import numpy as np
 from matplotlib.axes import Axes
+import numpy as np
 from numpy.typing import NDArray
 
 from stoss.plot import _style
@@ -23,18 +23,6 @@ def slow_impact(result: SlowImpact | PointSlowImpact, ax: Axes | None = None) ->
     """Contact time against speed, a curve for each Poisson's ratio.
 
     Speeds are in c, or in m/s if the result has a material.
-
-    Parameters
-    ----------
-    result : SlowImpact or PointSlowImpact
-    ax : Axes, optional
-        Where to draw; further calls with the same Axes add curves.
-
-    Examples
-    --------
-    >>> ax = stoss.plot.slow_impact(stoss.quasistatic.slow_impact(poisson=0.33, speed=np.geomspace(1e-8, 0.1, 30)))
-    >>> ax.get_xlabel(), ax.get_ylabel()
-    ('speed v / c', 'contact time τ / (R/c)')
     """
     with _style.canvas(ax, **_speed_axis(result), ylabel="contact time τ / (R/c)") as axes:
         for speed, where, look in _curves(result, axes):
@@ -49,18 +37,6 @@ def rayleigh(result: RayleighEstimate | PointRayleighEstimate, ax: Axes | None =
 
     Speeds are in c, or in m/s if the result has a material. Values beyond perturbation theory are
     hollow circles without a band.
-
-    Parameters
-    ----------
-    result : RayleighEstimate or PointRayleighEstimate
-    ax : Axes, optional
-        Where to draw; further calls with the same Axes add curves.
-
-    Examples
-    --------
-    >>> ax = stoss.plot.rayleigh(stoss.quasistatic.rayleigh(poisson=0.33, speed=np.geomspace(1e-8, 0.01, 30)))
-    >>> ax.get_ylabel()
-    'lost fraction 1 − ε²'
     """
     with _style.canvas(ax, **_speed_axis(result), yscale="log", ylabel="lost fraction 1 − ε²") as axes:
         lost, error = np.ravel(result.lost_fraction), np.ravel(result.lost_fraction_error)
@@ -82,20 +58,7 @@ def rayleigh(result: RayleighEstimate | PointRayleighEstimate, ax: Axes | None =
 
 @_style.picture_of(StaticContact, method="plot")
 def static_contact(result: StaticContact, ax: Axes | None = None) -> Axes:
-    """Pressure of a static contact along the edge, with that of Hertz' contact of the same force.
-
-    Parameters
-    ----------
-    result : StaticContact
-    ax : Axes, optional
-        Where to draw.
-
-    Examples
-    --------
-    >>> ax = stoss.plot.static_contact(stoss.quasistatic.static_contact(poisson=0.33, compression=0.03))
-    >>> ax.get_ylabel()
-    'pressure p / E'
-    """
+    """Pressure of a static contact along the edge, with that of Hertz' contact of the same force."""
     touching = slice(0, result.contact_nodes)
     y = np.concatenate((-result.position[touching][::-1], result.position[touching]))
     pressure = np.concatenate((result.pressure[touching][::-1], result.pressure[touching]))
@@ -112,9 +75,7 @@ def _speed_axis(result: Slow) -> dict[str, Any]:
     return {"xscale": "log", "xlabel": _style.speed_label(result.material)}
 
 
-def _curves(
-    result: Slow, axes: Axes
-) -> Iterator[tuple[NDArray[np.float64], NDArray[np.intp], dict[str, Any]]]:
+def _curves(result: Slow, axes: Axes) -> Iterator[tuple[NDArray[np.float64], NDArray[np.intp], dict[str, Any]]]:
     """For each Poisson's ratio: sorted speeds, where they are in the flat result, and a look."""
     poisson = np.ravel(result.poisson)
     speed = np.ravel(result.speed if result.material is None else result.speed_si)

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from typing import NamedTuple, Sequence
 
-import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.collections import QuadMesh
 from matplotlib.lines import Line2D
+import numpy as np
 from numpy.typing import NDArray
 
 from stoss._arguments import number, refusal
@@ -48,8 +48,7 @@ class Scale(NamedTuple):
         """What is coloured: the stress, or the light that a polariscope lets through."""
         if self.quantity != "fringes":
             return stress
-        light: Array = np.sin(np.pi * stress / self.fringe) ** 2
-        return light
+        return np.asarray(np.sin(np.pi * stress / self.fringe) ** 2)
 
 
 @_style.picture_of(Field, method="plot")
@@ -68,30 +67,19 @@ def stress(
     the colours end where 99 % of the picture's area is covered; what is above has the last colour,
     and the colour bar a point. Give the maximum stress as `limit` to see the peak instead.
 
-    Parameters
-    ----------
-    field : Field
-        From `Impact.field`.
-    ax : Axes, optional
-        Where to draw; the colour bar takes some of its space.
-    quantity : {'von_mises', 'principal_difference', 'fringes'}
-        Von Mises stress; ``|σ₁ − σ₂|``, of a sphere that in the plane; or what a polariscope shows
-        in a dark field, sin²(π (σ₁ − σ₂)/fringe).
-    fringe : float, optional
-        σ₁ − σ₂ from one dark fringe to the next, E; default: a sixth of the default colour range of
-        ``|σ₁ − σ₂|``. Fringes closer than the field's points cannot be seen: use finer radii and
-        angles.
-    limit : float, optional
-        Where the colours end, E.
-    frame : int, optional
-        Which of the field's times, if it has several.
+    Parameters:
+        ax: Where to draw; the colour bar takes some of its space.
+        quantity ({'von_mises', 'principal_difference', 'fringes'}): Von Mises stress; ``|σ₁ −
+            σ₂|``, of a sphere that in the plane; or what a polariscope shows in a dark field,
+            sin²(π (σ₁ − σ₂)/fringe).
+        fringe: σ₁ − σ₂ from one dark fringe to the next, E; default: a sixth of the default colour
+            range of ``|σ₁ − σ₂|``. Fringes closer than the field's points cannot be seen: use finer
+            radii and angles.
+        limit: Where the colours end, E.
 
-    Examples
-    --------
-    >>> hit = stoss.impact(poisson=0.33, speed=0.1, cutoff=12.5)
-    >>> ax = stoss.plot.stress(hit.field(time=hit.contact_time / 2), quantity="fringes", fringe=0.03)
-    >>> ax.figure.axes[-1].get_ylabel()
-    'intensity sin²(π (σ₁ − σ₂)/f), f = 0.03 E'
+    Examples:
+        >>> hit = stoss.impact(poisson=0.33, speed=0.1, cutoff=12.5)
+        >>> ax = stoss.plot.stress(hit.field(time=hit.contact_time / 2), quantity="fringes", fringe=0.03)
     """
     bodies = _disk.instants(field, frame)
     scale = scale_of(bodies, quantity, fringe, limit)
@@ -124,9 +112,7 @@ def scale_of(
     return Scale(quantity, top, covering / FRINGES if fringe is None else float(fringe), clipped)
 
 
-def draw_stress(
-    axes: Axes, now: _disk.Instant, scale: Scale, *, smooth: bool = True
-) -> tuple[QuadMesh, Line2D]:
+def draw_stress(axes: Axes, now: _disk.Instant, scale: Scale, *, smooth: bool = True) -> tuple[QuadMesh, Line2D]:
     """The coloured disk and its edge; if not `smooth`, in pieces of one colour, twice as fast."""
     x, y, values = now.x, now.y, _stress_of(now.field, scale.quantity)[now.where]
     if scale.quantity == "fringes" or not smooth:

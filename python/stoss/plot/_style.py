@@ -12,6 +12,7 @@ import matplotlib
 from matplotlib.axes import Axes
 
 from stoss._arguments import choice as choice, instance, refusal
+from stoss._documentation import documented
 
 COLUMN = 3.4  # inches, one column of a journal
 
@@ -52,6 +53,7 @@ def picture_of(*kinds: type, method: str = "") -> Callable[[Picture], Picture]:
 
     def made(function: Picture) -> Picture:
         name = next(iter(inspect.signature(function).parameters))
+        documented(function, **{name: "What is drawn."})
 
         @functools.wraps(function)
         def checked(*given: Any, **named: Any) -> Axes:

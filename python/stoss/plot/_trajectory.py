@@ -9,8 +9,8 @@ from numpy.typing import NDArray
 
 from stoss.bodies._bodies import PARTNERS, Disk, Sphere
 from stoss.plot import _style
+from stoss.results._field import Trajectory
 from stoss.results._impact import Impact
-from stoss.results._motion import Trajectory
 
 TIME = "time t / (R/c)"
 
@@ -40,21 +40,9 @@ def _curve(name: str, column: str, label_of: Callable[[Impact], str], said: str,
     drawn.__name__ = drawn.__qualname__ = name
     drawn.__doc__ = f"""{said}
 
-    Parameters
-    ----------
-    trajectory : Trajectory
-        From `Impact.trajectory`.
-    ax : Axes, optional
-        Where to draw.
-    label : str, optional
-        Name of the curve; if there is one, there is a legend.
-    **style
-        Handed on to `matplotlib.axes.Axes.plot`: color, linestyle, …
-
-    Examples
-    --------
-    >>> path = stoss.impact(poisson=0.33, speed=0.1, cutoff=12.5).trajectory()
-    >>> ax = stoss.plot.{name}(path, color="black")
+    Examples:
+        >>> path = stoss.impact(poisson=0.33, speed=0.1, cutoff=12.5).trajectory()
+        >>> ax = stoss.plot.{name}(path, color="black")
     """
     return _style.picture_of(Trajectory, method=method)(drawn)
 
@@ -83,19 +71,6 @@ def energies(trajectory: Trajectory, ax: Axes | None = None) -> Axes:
     the wall's potential or the static modes above the cutoff hold, *dissipated* what a lossy
     material and *unresolved* what the modes above the cutoff have taken. The sum differs from 1 by
     the numerical error.
-
-    Parameters
-    ----------
-    trajectory : Trajectory
-        From `Impact.trajectory`.
-    ax : Axes, optional
-        Where to draw.
-
-    Examples
-    --------
-    >>> ax = stoss.plot.energies(stoss.impact(poisson=0.33, speed=0.1, cutoff=12.5).trajectory())
-    >>> [line.get_label() for line in ax.lines]
-    ['translation', 'vibration', 'stored', 'unresolved', 'sum']
     """
     lossy = ("dissipated",) if trajectory.dissipated.any() else ()
     names = ("translation", "vibration", "stored", *lossy, "unresolved")

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.colors import PowerNorm
+import numpy as np
 from numpy.typing import NDArray
 
 from stoss._arguments import integer, number, refusal
@@ -12,7 +12,7 @@ from stoss._errors import InvalidInput
 from stoss.bodies._solid import is_rigid
 from stoss.plot import _disk, _style
 from stoss.plot._sequence import LARGEST, spoken_times
-from stoss.results._motion import Wave
+from stoss.results._field import Wave
 
 Array = NDArray[np.float64]
 
@@ -31,23 +31,14 @@ def wave(wave: Wave, ax: Axes | None = None, *, columns: int = 2, limit: float |
     the Rayleigh wave would be that leaves at once. Deformations have their true size, and a bar has
     a round number of radii.
 
-    Parameters
-    ----------
-    wave : Wave
-        From `Impact.wave`, at 1 to 64 times.
-    ax : Axes, optional
-        Where to draw; the colour bar takes some of its space.
-    columns : int, optional
-        Pictures in a row.
-    limit : float, optional
-        Where the colours end, in speeds of the impact.
+    Parameters:
+        wave (Wave): From `Impact.wave`, at 1 to 64 times.
+        ax: Where to draw; the colour bar takes some of its space.
+        limit: Where the colours end, in speeds of the impact.
 
-    Examples
-    --------
-    >>> hit = stoss.impact(stoss.Sphere(poisson=0.3), against=stoss.HalfSpace(), speed=0.1, cutoff=4)
-    >>> ax = stoss.plot.wave(hit.wave(time=[4, 8], distance=np.linspace(0, 9, 28), depth=np.linspace(0, 9, 28)))
-    >>> ax.texts[0].get_text()
-    't = 3.99 R/c'
+    Examples:
+        >>> hit = stoss.impact(stoss.Sphere(poisson=0.3), against=stoss.HalfSpace(), speed=0.1, cutoff=4)
+        >>> ax = stoss.plot.wave(hit.wave(time=[4, 8], distance=np.linspace(0, 9, 28), depth=np.linspace(0, 9, 28)))
     """
     if not 1 <= integer("columns", columns) <= LARGEST:
         raise refusal("columns", columns, f"1 to {LARGEST}")

@@ -35,67 +35,25 @@ Those of a sphere, with the radius a of the contact, a³ = π(1 − ν²)F:
 SlowImpact(poisson=0.33, speed=0.0001 c: contact time 10.0392 R/c, compression 0.000324499 R)
 """
 
+from stoss.bodies._encounter import yield_speed
 from stoss.quasistatic._compression import (
-    compression,
-    compression_energy,
-    compression_force,
-    contact_radius,
-    limit_force,
-    limit_speed,
+    compression, compression_energy, compression_force, contact_radius, limit_force, limit_speed,
 )
 from stoss.quasistatic._hertz import (
-    AxisymmetricStress,
-    GreatestShear,
-    PlaneStress,
-    greatest_shear,
-    heavy_disk_stress,
-    hertz_pressure,
-    hertz_stress,
+    AxisymmetricStress, GreatestShear, PlaneStress, greatest_shear, heavy_disk_stress, hertz_pressure, hertz_stress,
 )
-from stoss.bodies._yielding import yield_speed
 from stoss.quasistatic._oblique import (
-    MawImpact,
-    maw,
-    mindlin_displacement,
-    mindlin_force,
-    mindlin_ratio,
-    mindlin_stick_radius,
-    mindlin_traction,
+    MawImpact, maw, mindlin_displacement, mindlin_force, mindlin_ratio, mindlin_stick_radius, mindlin_traction,
 )
 from stoss.quasistatic._rayleigh import PointRayleighEstimate, RayleighEstimate, rayleigh
 from stoss.quasistatic._slow_impact import PointSlowImpact, SlowImpact, slow_impact
 from stoss.quasistatic._static_contact import SoftStaticContact, StaticContact, soft_static_contact, static_contact
 
 __all__ = [
-    "AxisymmetricStress",
-    "GreatestShear",
-    "MawImpact",
-    "PlaneStress",
-    "PointRayleighEstimate",
-    "PointSlowImpact",
-    "RayleighEstimate",
-    "SlowImpact",
-    "SoftStaticContact",
-    "StaticContact",
-    "compression",
-    "compression_energy",
-    "compression_force",
-    "contact_radius",
-    "greatest_shear",
-    "heavy_disk_stress",
-    "hertz_pressure",
-    "hertz_stress",
-    "limit_force",
-    "limit_speed",
-    "maw",
-    "mindlin_displacement",
-    "mindlin_force",
-    "mindlin_ratio",
-    "mindlin_stick_radius",
-    "mindlin_traction",
-    "rayleigh",
-    "slow_impact",
-    "soft_static_contact",
-    "static_contact",
-    "yield_speed",
-]
+    "AxisymmetricStress", "GreatestShear", "MawImpact", "PlaneStress", "PointRayleighEstimate",
+    "PointSlowImpact", "RayleighEstimate", "SlowImpact", "SoftStaticContact", "StaticContact",
+    "compression", "compression_energy", "compression_force", "contact_radius", "greatest_shear",
+    "heavy_disk_stress", "hertz_pressure", "hertz_stress", "limit_force", "limit_speed", "maw",
+    "mindlin_displacement", "mindlin_force", "mindlin_ratio", "mindlin_stick_radius", "mindlin_traction", "rayleigh",
+    "slow_impact", "soft_static_contact", "static_contact", "yield_speed",
+]  # fmt: skip

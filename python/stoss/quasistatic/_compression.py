@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import functools
 from typing import Any, Mapping
 
 import numpy as np
@@ -9,12 +10,16 @@ from numpy.typing import ArrayLike, NDArray
 
 from stoss import _core
 from stoss._arguments import arranged, broadcast, choice, instance, numbers
+from stoss._documentation import documented
 from stoss.bodies._bodies import Disk, Sphere
 from stoss.bodies._encounter import choose_body
 from stoss.results._result import Number
 
 LAWS: Mapping[type, tuple[str, ...]] = {Disk: ("center", "diameter", "printed"), Sphere: ("center", "hertz")}
 """Laws of compression of the bodies that have some."""
+
+_force = "F, 0 to `limit_force`, mc²/R; broadcasts with `poisson`."
+_of_a_law = functools.partial(documented, body="What is pressed.", force=_force)
 
 
 def choose_law(body: Any, law: Any) -> str:
@@ -40,6 +45,7 @@ def by_law(name: str, body: Any, poisson: Any, law: Any, **given: Any) -> Number
     return arranged(values, arrays[0].shape)  # type: ignore[no-any-return]
 
 
+@_of_a_law
 def compression(
     body: Disk | Sphere | None = None, *, force: ArrayLike, poisson: ArrayLike | None = None, law: str = "center"
 ) -> Number:
@@ -47,26 +53,16 @@ def compression(
 
     The next order is smaller by about F, of a sphere by about F^(1/3).
 
-    Parameters
-    ----------
-    body : Disk or Sphere
-    force : array_like
-        F, 0 to `limit_force`, mc²/R; broadcasts with `poisson`.
-    poisson : array_like
-        In place of `body`: 2-D Poisson's ratio of disks, −0.95 to 0.995.
-    law : {'center', 'diameter', 'printed', 'hertz'}, optional
-        See `stoss.quasistatic`.
-
-    Examples
-    --------
-    >>> round(stoss.quasistatic.compression(force=0.001, poisson=0.33), 6)
-    0.006575
-    >>> round(stoss.quasistatic.compression(stoss.Sphere(poisson=0.3), force=0.001), 6)
-    0.018322
+    Examples:
+        >>> round(stoss.quasistatic.compression(force=0.001, poisson=0.33), 6)
+        0.006575
+        >>> round(stoss.quasistatic.compression(stoss.Sphere(poisson=0.3), force=0.001), 6)
+        0.018322
     """
     return by_law("compression", body, poisson, law, force=force)
 
 
+@_of_a_law
 def compression_force(
     body: Disk | Sphere | None = None, *, compression: ArrayLike, poisson: ArrayLike | None = None, law: str = "center"
 ) -> Number:
@@ -74,37 +70,27 @@ def compression_force(
 
     Its relative error is 1e-14.
 
-    Parameters
-    ----------
-    compression : array_like
-        δ from 0 to that of `limit_force`, R; broadcasts with `poisson`.
-    body, poisson, law
-        As for `compression`.
+    Parameters:
+        compression: δ from 0 to that of `limit_force`, R; broadcasts with `poisson`.
 
-    Examples
-    --------
-    >>> stoss.quasistatic.compression_force(compression=[0.01, 0.02], poisson=0.33).round(6)
-    array([0.001645, 0.003821])
+    Examples:
+        >>> stoss.quasistatic.compression_force(compression=[0.01, 0.02], poisson=0.33).round(6)
+        array([0.001645, 0.003821])
     """
     return by_law("compression_force", body, poisson, law, compression=compression)
 
 
+@_of_a_law
 def compression_energy(
     body: Disk | Sphere | None = None, *, force: ArrayLike, poisson: ArrayLike | None = None, law: str = "center"
 ) -> Number:
     """Energy ∫F dδ from no contact to the force F, mc²; of a disk F² [½ ln(s/F) − ½b − ¼].
 
-    Parameters
-    ----------
-    body, force, poisson, law
-        As for `compression`.
-
-    Examples
-    --------
-    >>> impact = stoss.quasistatic.slow_impact(poisson=0.33, speed=0.01)
-    >>> energy = stoss.quasistatic.compression_energy(force=impact.max_force, poisson=0.33)
-    >>> round(energy / (0.5 * 0.01**2), 12)
-    1.0
+    Examples:
+        >>> impact = stoss.quasistatic.slow_impact(poisson=0.33, speed=0.01)
+        >>> energy = stoss.quasistatic.compression_energy(force=impact.max_force, poisson=0.33)
+        >>> round(energy / (0.5 * 0.01**2), 12)
+        1.0
     """
     return by_law("compression_energy", body, poisson, law, force=force)
 
@@ -112,56 +98,39 @@ def compression_energy(
 def contact_radius(body: Sphere, *, force: ArrayLike) -> Number:
     """Radius a = (π(1 − ν²)F)^{1/3} of the contact of a sphere, R: the same for both laws.
 
-    Parameters
-    ----------
-    body : Sphere
-    force : array_like
-        F, up to where a is R, mc²/R.
+    Parameters:
+        body (Sphere):
+        force (array_like): F, up to where a is R, mc²/R.
 
-    Examples
-    --------
-    >>> round(stoss.quasistatic.contact_radius(stoss.Sphere(poisson=0.3), force=0.001), 6)
-    0.141927
+    Examples:
+        >>> round(stoss.quasistatic.contact_radius(stoss.Sphere(poisson=0.3), force=0.001), 6)
+        0.141927
     """
     ball: Sphere = instance("body", body, (Sphere,))
     nu, forces = broadcast(poisson=numbers("poisson", ball.poisson), force=numbers("force", force))
     return arranged(_core.contact_radius("hertz", nu.ravel(), forces.ravel()), nu.shape)  # type: ignore[no-any-return]
 
 
-def limit_force(
-    body: Disk | Sphere | None = None, *, poisson: ArrayLike | None = None, law: str = "center"
-) -> Number:
+@_of_a_law
+def limit_force(body: Disk | Sphere | None = None, *, poisson: ArrayLike | None = None, law: str = "center") -> Number:
     """Force where δ(F) has its maximum and the law ends, mc²/R; of a disk s e^{−1−b}.
 
     That of a sphere ends at a contact of the radius R at the latest. A law means little from a
     tenth of this force on.
 
-    Parameters
-    ----------
-    body, poisson, law
-        As for `compression`.
-
-    Examples
-    --------
-    >>> round(stoss.quasistatic.limit_force(poisson=0.33), 4)
-    0.2638
+    Examples:
+        >>> round(stoss.quasistatic.limit_force(poisson=0.33), 4)
+        0.2638
     """
     return by_law("limit_force", body, poisson, law)
 
 
-def limit_speed(
-    body: Disk | Sphere | None = None, *, poisson: ArrayLike | None = None, law: str = "center"
-) -> Number:
+@_of_a_law
+def limit_speed(body: Disk | Sphere | None = None, *, poisson: ArrayLike | None = None, law: str = "center") -> Number:
     """Highest speed of a slow impact, at which it reaches `limit_force`, c; of a disk `limit_force`/√2.
 
-    Parameters
-    ----------
-    body, poisson, law
-        As for `compression`.
-
-    Examples
-    --------
-    >>> round(stoss.quasistatic.limit_speed(poisson=0.33), 4)
-    0.1865
+    Examples:
+        >>> round(stoss.quasistatic.limit_speed(poisson=0.33), 4)
+        0.1865
     """
     return by_law("limit_speed", body, poisson, law)

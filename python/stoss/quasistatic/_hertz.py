@@ -16,10 +16,8 @@ from stoss.results._result import Number
 class PlaneStress(NamedTuple):
     """Stress in the plane, E; tension is positive.
 
-    Attributes
-    ----------
-    xx, yy, xy : float or ndarray
-        x points into the body, y along the wall.
+    Attributes:
+        xx, yy, xy (float or ndarray): x points into the body, y along the wall.
     """
 
     xx: Number
@@ -30,10 +28,9 @@ class PlaneStress(NamedTuple):
 class AxisymmetricStress(NamedTuple):
     """Stress in cylinder coordinates around the axis of a contact, E; tension is positive.
 
-    Attributes
-    ----------
-    radial, hoop, axial, shear : float or ndarray
-        σ_rr, σ_φφ, σ_zz and σ_rz; z points into the body.
+    Attributes:
+        radial, hoop, axial, shear (float or ndarray): σ_rr, σ_φφ, σ_zz and σ_rz; z points into the
+            body.
     """
 
     radial: Number
@@ -45,12 +42,9 @@ class AxisymmetricStress(NamedTuple):
 class GreatestShear(NamedTuple):
     """Where under the middle of a contact the shear stress is largest, and how large.
 
-    Attributes
-    ----------
-    depth : float or ndarray
-        In R.
-    shear : float or ndarray
-        In E.
+    Attributes:
+        depth (float or ndarray): In R.
+        shear (float or ndarray): In E.
     """
 
     depth: Number
@@ -80,22 +74,18 @@ def hertz_pressure(body: Disk | Sphere | None = None, *, force: ArrayLike, y: Ar
     Of a disk it is ½√(a² − y²) with the half-width a = 2√F, the same for all of them (Gerl &
     Zippelius, section V); of a sphere p₀√(1 − y²/a²) on a circle.
 
-    Parameters
-    ----------
-    body : Disk or Sphere, optional
-        A disk if it is left out.
-    force : array_like
-        F, 0 to where the half-width or the radius of the contact is R (of a disk 0.25), mc²/R.
-    y : array_like
-        Along the wall from the middle of the contact, R; broadcasts with `force`. Not negative for
-        a sphere.
+    Parameters:
+        body (Disk or Sphere, optional): A disk if it is left out.
+        force (array_like): F, 0 to where the half-width or the radius of the contact is R (of a
+            disk 0.25), mc²/R.
+        y (array_like): Along the wall from the middle of the contact, R; broadcasts with `force`.
+            Not negative for a sphere.
 
-    Examples
-    --------
-    >>> stoss.quasistatic.hertz_pressure(force=0.0025, y=[0.0, 0.06, 0.2])
-    array([0.05, 0.04, 0.  ])
-    >>> stoss.quasistatic.hertz_pressure(stoss.Sphere(poisson=0.3), force=1e-4, y=[0.0, 0.06, 0.2]).round(6)
-    array([0.046086, 0.019027, 0.      ])
+    Examples:
+        >>> stoss.quasistatic.hertz_pressure(force=0.0025, y=[0.0, 0.06, 0.2])
+        array([0.05, 0.04, 0.  ])
+        >>> stoss.quasistatic.hertz_pressure(stoss.Sphere(poisson=0.3), force=1e-4, y=[0.0, 0.06, 0.2]).round(6)
+        array([0.046086, 0.019027, 0.      ])
     """
     sphere = _sphere(body)
     arrays, shape = _arrays(force=force, y=y)
@@ -117,34 +107,23 @@ def hertz_stress(
 ) -> PlaneStress | AxisymmetricStress:
     """Stress under Hertz' contact in the half-plane or half-space that stands for the body, E.
 
-    The relative error of a disk's is 1e-14 (Gerl & Zippelius, section V). Of a sphere they are
-    Huber's (1904) closed forms.
+    The relative error of a disk's `PlaneStress` is 1e-14 (Gerl & Zippelius, section V). The
+    `AxisymmetricStress` of a sphere is Huber's (1904) closed form.
 
-    Parameters
-    ----------
-    body : Disk or Sphere, optional
-        A disk if it is left out.
-    force : array_like
-        F, as for `hertz_pressure`, mc²/R.
-    depth : array_like
-        x ≥ 0 below the surface, R.
-    y : array_like
-        Along the wall from the middle of the contact, R; of a sphere the distance y ≥ 0 from the
-        axis. All three broadcast.
+    Parameters:
+        body (Disk or Sphere, optional): A disk if it is left out.
+        force (array_like): F, as for `hertz_pressure`, mc²/R.
+        depth (array_like): x ≥ 0 below the surface, R.
+        y (array_like): Along the wall from the middle of the contact, R; of a sphere the distance y
+            ≥ 0 from the axis. All three broadcast.
 
-    Returns
-    -------
-    PlaneStress, or of a sphere AxisymmetricStress
-        The named tuple (xx, yy, xy), or (radial, hoop, axial, shear).
-
-    Examples
-    --------
-    >>> stress = stoss.quasistatic.hertz_stress(force=0.0025, depth=[0.0, 0.1], y=0.0)
-    >>> stress.xx.round(4)
-    array([-0.05  , -0.0354])
-    >>> stress = stoss.quasistatic.hertz_stress(stoss.Sphere(poisson=0.3), force=1e-4, depth=[0.0, 0.1], y=0.0)
-    >>> stress.axial.round(4)
-    array([-0.0461, -0.0139])
+    Examples:
+        >>> stress = stoss.quasistatic.hertz_stress(force=0.0025, depth=[0.0, 0.1], y=0.0)
+        >>> stress.xx.round(4)
+        array([-0.05  , -0.0354])
+        >>> stress = stoss.quasistatic.hertz_stress(stoss.Sphere(poisson=0.3), force=1e-4, depth=[0.0, 0.1], y=0.0)
+        >>> stress.axial.round(4)
+        array([-0.0461, -0.0139])
     """
     sphere = _sphere(body)
     arrays, shape = _arrays(force=force, depth=depth, y=y)
@@ -154,27 +133,19 @@ def hertz_stress(
 
 
 def greatest_shear(body: Sphere, *, force: ArrayLike) -> GreatestShear:
-    """The maximum shear stress ½(σ_rr − σ_zz) on the axis below Hertz' contact of a sphere with a wall.
+    """The maximum shear stress ½(σ_rr − σ_zz) on the axis below Hertz' contact of a sphere with a wall, and its depth.
 
     At ν = 0.3 it is 0.310 p₀ at the depth 0.481 a: where the sphere begins to yield.
 
-    Parameters
-    ----------
-    body : Sphere
-    force : array_like
-        F, as for `hertz_pressure`, mc²/R.
+    Parameters:
+        body (Sphere):
+        force (array_like): F, as for `hertz_pressure`, mc²/R.
 
-    Returns
-    -------
-    GreatestShear
-        The named tuple (depth, shear).
-
-    Examples
-    --------
-    >>> ball = stoss.Sphere(poisson=0.3)
-    >>> below = stoss.quasistatic.greatest_shear(ball, force=1e-4)
-    >>> round(below.shear / stoss.quasistatic.hertz_pressure(ball, force=1e-4, y=0.0), 3)
-    0.31
+    Examples:
+        >>> ball = stoss.Sphere(poisson=0.3)
+        >>> below = stoss.quasistatic.greatest_shear(ball, force=1e-4)
+        >>> round(below.shear / stoss.quasistatic.hertz_pressure(ball, force=1e-4, y=0.0), 3)
+        0.31
     """
     ball: Sphere = instance("body", body, (Sphere,))
     (forces,), shape = _arrays(force=force)
@@ -182,36 +153,21 @@ def greatest_shear(body: Sphere, *, force: ArrayLike) -> GreatestShear:
 
 
 def heavy_disk_stress(*, force: ArrayLike, x: ArrayLike, y: ArrayLike, contact: str = "point") -> PlaneStress:
-    """Stress in a disk that stands on a wall under its weight F = ρgR/E, E.
+    """Stress in a disk that stands on a wall under its weight F = ρgR/E, E, as a `PlaneStress`.
 
     A disk that the same force accelerates has the same stress.
 
-    Parameters
-    ----------
-    force : array_like
-        F, 0 to 0.25, πRE.
-    x, y : array_like
-        Points of the disk, R: from the point of contact x goes through the centre (1, 0), y along
-        the wall. All three broadcast.
-    contact : {'point', 'hertz'}, optional
-        On one point, which is exact (Michell), or on a Hertz contact, the superposition of Gerl &
-        Zippelius for small F.
+    Parameters:
+        force (array_like): F, 0 to 0.25, πRE.
+        x, y (array_like): Points of the disk, R: from the point of contact x goes through the
+            centre (1, 0), y along the wall. All three broadcast.
+        contact ({'point', 'hertz'}, optional): On one point, which is exact (Michell), or on a
+            Hertz contact, the superposition of Gerl & Zippelius for small F.
 
-    Returns
-    -------
-    PlaneStress
-        The named tuple (xx, yy, xy).
-
-    Raises
-    ------
-    InvalidInput
-        For points outside the disk or, with 'point', in the point of contact.
-
-    Examples
-    --------
-    >>> stress = stoss.quasistatic.heavy_disk_stress(force=0.001, x=1.0, y=0.0)
-    >>> round(stress.xx, 6), round(stress.yy, 6)
-    (-0.0015, 0.0005)
+    Examples:
+        >>> stress = stoss.quasistatic.heavy_disk_stress(force=0.001, x=1.0, y=0.0)
+        >>> round(stress.xx, 6), round(stress.yy, 6)
+        (-0.0015, 0.0005)
     """
     hertz = choice("contact", contact, ("point", "hertz")) == "hertz"
     arrays, shape = _arrays(force=force, x=x, y=y)

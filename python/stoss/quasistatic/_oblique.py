@@ -20,17 +20,16 @@ def _of(function: Callable[..., Any], **given: ArrayLike) -> Any:
 class MawImpact(NamedTuple):
     """What an oblique impact with friction leaves, a number or an array each.
 
-    Attributes
-    ----------
-    psi2, psi2_error
-        ψ₂ = κs′/(μv), below 0 where the contact point returns: ε_t = −ψ₂/ψ₁.
-    impulse, impulse_error
-        Of friction, over μ times that of the normal force.
-    friction_loss
-        Energy that becomes heat, in ½mv²μ²/κ.
-    sliding, sticking, slipping, reversed
-        Shares of the contact time in which the whole contact slides as before, nothing slips, a ring
-        at the edge slips, and the whole contact slides back.
+    Attributes:
+        psi2: ψ₂ = κs′/(μv), below 0 where the contact point returns: ε_t = −ψ₂/ψ₁.
+        psi2_error: Of ψ₂.
+        impulse: Of friction, over μ times that of the normal force.
+        impulse_error: Of the impulse.
+        friction_loss: Energy that becomes heat, in ½mv²μ²/κ.
+        sliding: Share of the contact time in which the whole contact slides as before.
+        sticking: In which nothing slips.
+        slipping: In which a ring at the edge slips.
+        reversed: In which the whole contact slides back.
     """
 
     psi2: Number
@@ -52,20 +51,15 @@ def maw(*, psi1: ArrayLike, chi: ArrayLike, tolerance: float = 1e-4) -> MawImpac
     J. N. Fawcett, Wear 38, 101, 1976). The coupling of both directions is neglected, which equal
     bodies do not have.
 
-    Parameters
-    ----------
-    psi1 : array_like
-        ψ₁ before, −10⁶ to 10⁶.
-    chi : array_like
-        χ, above 0 to 1000; broadcasts with `psi1`.
-    tolerance : float, optional
-        Of the errors, 10⁻⁸ to 0.1.
+    Parameters:
+        psi1 (array_like): ψ₁ before, −10⁶ to 10⁶.
+        chi (array_like): χ, above 0 to 1000; broadcasts with `psi1`.
+        tolerance (float, optional): Of the errors, 10⁻⁸ to 0.1.
 
-    Examples
-    --------
-    >>> chi = 1.75 * stoss.quasistatic.mindlin_ratio(poisson=0.3)
-    >>> stoss.quasistatic.maw(psi1=[0.5, 2.0, 6.0], chi=chi).psi2.round(3)
-    array([ 0.048, -0.837,  0.235])
+    Examples:
+        >>> chi = 1.75 * stoss.quasistatic.mindlin_ratio(poisson=0.3)
+        >>> stoss.quasistatic.maw(psi1=[0.5, 2.0, 6.0], chi=chi).psi2.round(3)
+        array([ 0.048, -0.837,  0.235])
     """
     arrays, shape = _arrays(psi1=psi1, chi=chi)
     return MawImpact(*_shaped(_core.maw(*arrays, number("tolerance", tolerance)), shape))
@@ -77,10 +71,12 @@ def mindlin_ratio(*, poisson: ArrayLike) -> Number:
     Of one material, or with a rigid body. Of two materials 1/κ is the mean of theirs, weighted with
     (1 − ν²)/E.
 
-    Examples
-    --------
-    >>> round(stoss.quasistatic.mindlin_ratio(poisson=0.3), 6)
-    0.823529
+    Parameters:
+        poisson (array_like): ν.
+
+    Examples:
+        >>> round(stoss.quasistatic.mindlin_ratio(poisson=0.3), 6)
+        0.823529
     """
     return _of(_core.mindlin_ratio, poisson=poisson)
 
@@ -91,15 +87,12 @@ def mindlin_force(*, displacement: ArrayLike) -> Number:
     1 − (1 − δ/δ_max)^{3/2}, with the displacement δ of distant points and δ_max = μd/κ of the normal
     approach d, from where on the whole contact slides (Cattaneo 1938, Mindlin 1949).
 
-    Parameters
-    ----------
-    displacement : array_like
-        δ/δ_max, any; the force has its sign.
+    Parameters:
+        displacement (array_like): δ/δ_max, any; the force has its sign.
 
-    Examples
-    --------
-    >>> stoss.quasistatic.mindlin_force(displacement=[0.19, 1.0, -2.0])
-    array([ 0.271,  1.   , -1.   ])
+    Examples:
+        >>> stoss.quasistatic.mindlin_force(displacement=[0.19, 1.0, -2.0])
+        array([ 0.271,  1.   , -1.   ])
     """
     return _of(_core.mindlin_force, displacement=displacement)
 
@@ -107,10 +100,12 @@ def mindlin_force(*, displacement: ArrayLike) -> Number:
 def mindlin_displacement(*, tangential: ArrayLike) -> Number:
     """δ/δ_max of a force T/μN of −1 to 1, the inverse of `mindlin_force`.
 
-    Examples
-    --------
-    >>> round(stoss.quasistatic.mindlin_displacement(tangential=0.271), 6)
-    0.19
+    Parameters:
+        tangential (array_like): T/μN.
+
+    Examples:
+        >>> round(stoss.quasistatic.mindlin_displacement(tangential=0.271), 6)
+        0.19
     """
     return _of(_core.mindlin_displacement, tangential=tangential)
 
@@ -118,10 +113,12 @@ def mindlin_displacement(*, tangential: ArrayLike) -> Number:
 def mindlin_stick_radius(*, tangential: ArrayLike) -> Number:
     """c/a, the radius of the circle that sticks under a force T/μN of −1 to 1.
 
-    Examples
-    --------
-    >>> round(stoss.quasistatic.mindlin_stick_radius(tangential=0.271), 6)
-    0.9
+    Parameters:
+        tangential (array_like): T/μN.
+
+    Examples:
+        >>> round(stoss.quasistatic.mindlin_stick_radius(tangential=0.271), 6)
+        0.9
     """
     return _of(_core.mindlin_stick_radius, tangential=tangential)
 
@@ -129,9 +126,12 @@ def mindlin_stick_radius(*, tangential: ArrayLike) -> Number:
 def mindlin_traction(*, tangential: ArrayLike, distance: ArrayLike) -> Number:
     """Traction along the wall over μp₀, at the distance r/a from the axis, under a force T/μN.
 
-    Examples
-    --------
-    >>> stoss.quasistatic.mindlin_traction(tangential=0.271, distance=[0.0, 0.95, 1.0]).round(6)
-    array([0.1    , 0.31225, 0.     ])
+    Parameters:
+        tangential (array_like): T/μN, −1 to 1.
+        distance (array_like): r/a, 0 or more; broadcasts with `tangential`.
+
+    Examples:
+        >>> stoss.quasistatic.mindlin_traction(tangential=0.271, distance=[0.0, 0.95, 1.0]).round(6)
+        array([0.1    , 0.31225, 0.     ])
     """
     return _of(_core.mindlin_traction, tangential=tangential, distance=distance)

@@ -11,6 +11,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from stoss import _core
 from stoss._arguments import arranged, number
+from stoss._documentation import documented
 from stoss._errors import StossWarning
 from stoss.bodies._bodies import Disk, Sphere, speeds_in_si
 from stoss.export._text import span, with_error
@@ -21,7 +22,23 @@ from stoss.results._si import Si, warn_of_yielding
 
 
 class EstimateOfABody(SlowOfABody):
-    """What the estimates of disks and spheres have in common."""
+    """What the estimates of disks and spheres have in common.
+
+    Attributes:
+        cutoff: Modes up to this frequency are driven, c/R.
+        poisson, speed, contact_time, max_compression, max_force: Of the impact that drives the
+            modes, as in `SlowImpact`.
+        lost_fraction: 1 − ε². May exceed 1 where it means nothing.
+        lost_fraction_error: By how much the full solution may differ from it, from `kinetic_share`.
+        kinetic_share: Maximum kinetic energy of the modes as they follow the force, as a share of
+            ½mv²: the theory's small number.
+        beyond_perturbation: Whether it is above 0.04: `lost_fraction` is then no estimate, but 1.8
+            to 19 times too large.
+        mode_energies: For a single speed, a structured array with the fields order, index, omega,
+            amplitude (∫F cos(ωt + φ) dt / v, with t from the turning point and the phase φ that a
+            mode gains from the stiffness of the contact of a sphere; 0 of a disk) and after (energy
+            after the impact, as a share of ½mv²).
+    """
 
     plot = picture("1 − ε² against v. See `stoss.plot.rayleigh`.")
     _name: ClassVar[str] = "rayleigh"
@@ -48,35 +65,6 @@ class RayleighEstimate(EstimateOfABody):
 
     Numbers if all inputs were numbers, otherwise arrays of the shape to which `poisson` and `speed`
     broadcast.
-
-    Attributes
-    ----------
-    law : str
-        Of compression.
-    cutoff : float
-        Modes up to this frequency are driven, c/R.
-    poisson, speed, contact_time, max_compression, max_force : float or ndarray
-        Of the impact that drives the modes, as in `SlowImpact`.
-    lost_fraction : float or ndarray
-        1 − ε². May exceed 1 where it means nothing.
-    lost_fraction_error : float or ndarray
-        By how much the full solution may differ from it, from `kinetic_share`.
-    kinetic_share : float or ndarray
-        Maximum kinetic energy of the modes as they follow the force, as a share of ½mv²: the
-        theory's small number.
-    beyond_perturbation : bool or ndarray
-        Whether it is above 0.04: `lost_fraction` is then no estimate, but 1.8 to 19 times too
-        large.
-    modes : int or ndarray
-        Number of modes.
-    mode_energies : ndarray or None
-        For a single speed, a structured array with the fields order, index, omega, amplitude (∫F
-        cos ωt dt / v, with t from the turning point) and after (energy after the impact, as a share
-        of ½mv²).
-    body : Disk or None
-        What it was made with, if it was one.
-    material : Material or None
-        Of the body. With one there are SI values, `speed_si` and so on.
     """
 
     _kind = "rayleigh"
@@ -103,22 +91,8 @@ class PointRayleighEstimate(EstimateOfABody):
 
     Numbers, or arrays of the shape of `speed`.
 
-    Attributes
-    ----------
-    law, cutoff, lost_fraction, lost_fraction_error, kinetic_share, beyond_perturbation, modes : float or ndarray, …
-        As of a `RayleighEstimate`.
-    poisson, speed, contact_time, max_compression, max_force, max_radius : float or ndarray
-        Of the impact that drives the modes, as in `PointSlowImpact`.
-    mean_lost_fraction : float or ndarray
-        The law of v → 0 averaged over the phases of the modes, c(ν) v.
-    mode_energies : ndarray or None
-        For a single speed, a structured array with the fields order, index, omega, amplitude (∫F
-        cos(ωt + φ) dt / v, with t from the turning point and the phase φ that a mode gains from the
-        stiffness of the contact) and after (energy after the impact, as a share of ½mv²).
-    body : Sphere
-    material : Material or None
-        Of the body. With one there are SI values, `speed_si` and so on, and of a sphere with a yield
-        strength `yield_speed`, `yield_speed_si` and `beyond_yield`.
+    Attributes:
+        mean_lost_fraction: The law of v → 0 averaged over the phases of the modes, c(ν) v.
     """
 
     _kind = "point rayleigh"
@@ -159,6 +133,7 @@ def rayleigh(
 ) -> RayleighEstimate: ...
 
 
+@documented
 def rayleigh(
     body: Disk | Sphere | None = None,
     *,
@@ -172,35 +147,20 @@ def rayleigh(
     The force F(t) of a `slow_impact` drives every mode at the point of contact, Q̈ + ω²Q = −C F/m,
     which leaves it the share C² (∫F cos ωt dt / v)² of the energy. The stiffness of a sphere's
     contact turns the phases of its modes besides. For a value that is as exact as you ask use
-    `stoss.restitution`.
+    `stoss.restitution`. A `StossWarning` tells of values beyond perturbation theory, of a disk at
+    ν = 0.33 from v = 0.024 c on, of a sphere at ν = 0.3 from 0.039 c on, and of yielding.
 
-    Parameters
-    ----------
-    body : Disk or Sphere
-    speed : array_like
-        Of the centre of mass towards the wall, 1e-100 (of a sphere 1e-12) to `limit_speed`, c (with
-        a material: m/s). Two equal bodies that each move at `speed` towards each other are the same
-        problem.
-    poisson : array_like
-        In place of `body`: 2-D Poisson's ratio of disks, −0.95 to 0.995; broadcasts with `speed`.
-    law : {'center', 'diameter', 'printed', 'hertz'}, optional
-        Of compression, see `stoss.quasistatic`.
-    cutoff : float, optional
-        Highest frequency of the modes, up to 1000, c/R.
+    Parameters:
+        speed: Of the centre of mass towards the wall, 1e-100 (of a sphere 1e-12) to `limit_speed`,
+            c (with a material: m/s). Two equal bodies that each move at `speed` towards each other
+            are the same problem.
+        cutoff: Highest frequency of the modes, up to 1000, c/R.
 
-    Warns
-    -----
-    StossWarning
-        If there are values beyond perturbation theory, of a disk at ν = 0.33 from v = 0.024 c on,
-        of a sphere at ν = 0.3 from 0.039 c on; or beyond the speed at which a sphere begins to
-        yield.
-
-    Examples
-    --------
-    >>> stoss.quasistatic.rayleigh(poisson=0.33, speed=1e-6)
-    RayleighEstimate(poisson=0.33, speed=1e-06 c: lost fraction 0.0061 ± 0.0039)
-    >>> stoss.quasistatic.rayleigh(stoss.Sphere(poisson=0.3), speed=1e-6)
-    PointRayleighEstimate(poisson=0.3, speed=1e-06 c: lost fraction 0.000000337 ± 0.000000011)
+    Examples:
+        >>> stoss.quasistatic.rayleigh(poisson=0.33, speed=1e-6)
+        RayleighEstimate(poisson=0.33, speed=1e-06 c: lost fraction 0.0061 ± 0.0039)
+        >>> stoss.quasistatic.rayleigh(stoss.Sphere(poisson=0.3), speed=1e-6)
+        PointRayleighEstimate(poisson=0.3, speed=1e-06 c: lost fraction 0.000000337 ± 0.000000011)
     """
     chosen, poissons, speeds = slow_inputs(body, speed, poisson, law)
     highest = number("cutoff", cutoff)

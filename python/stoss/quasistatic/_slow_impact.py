@@ -10,6 +10,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from stoss import _core
 from stoss._arguments import arranged, broadcast, numbers
+from stoss._documentation import documented
 from stoss.bodies._bodies import Disk, Sphere, speed_unit, speeds_in_si
 from stoss.export._text import span
 from stoss.quasistatic._compression import choose_law, poissons_of
@@ -18,7 +19,12 @@ from stoss.results._si import ImpactsInSi, Si, warn_of_yielding
 
 
 class SlowOfABody(ImpactsInSi):
-    """What slow impacts and their estimates have in common."""
+    """What slow impacts and their estimates have in common.
+
+    Attributes:
+        speed: Of the centre of mass towards the wall, c.
+        body (Disk, Sphere or None): What it was made with, if it was one.
+    """
 
     _given = {"poisson": "", "speed": "speed"}
     _told: ClassVar[tuple[str, ...]] = ("law", "body")
@@ -27,11 +33,19 @@ class SlowOfABody(ImpactsInSi):
     poisson: Number
 
 
+@dataclasses.dataclass(frozen=True, eq=False, repr=False)
 class SlowImpactOfABody(SlowOfABody):
     """What slow impacts of disks and spheres have in common."""
 
     plot = picture("Contact time against speed. See `stoss.plot.slow_impact`.")
     _name: ClassVar[str] = "slow impact"
+
+    law: str
+    poisson: Number
+    speed: Number
+    contact_time: Number
+    max_compression: Number
+    max_force: Number
 
     def __repr__(self) -> str:
         count = "" if isinstance(self.speed, float) else f"{np.size(self.speed)} values, "
@@ -47,35 +61,10 @@ class SlowImpact(SlowImpactOfABody):
 
     Numbers if all inputs were numbers, otherwise arrays of the shape to which `poisson` and `speed`
     broadcast. Relative errors, as solutions of their equation, are below 1e-14.
-
-    Attributes
-    ----------
-    law : str
-        Of compression.
-    poisson : float or ndarray
-        2-D Poisson's ratio.
-    speed : float or ndarray
-        Of the centre of mass towards the wall, c.
-    contact_time : float or ndarray
-        From first to last contact, R/c.
-    max_compression : float or ndarray
-        In R.
-    max_force : float or ndarray
-        πRE = mc²/R.
-    body : Disk or None
-        What it was made with, if it was one.
-    material : Material or None
-        Of the body. With one there are SI values, `speed_si` and so on.
     """
 
     _kind = "slow impact"
 
-    law: str
-    poisson: Number
-    speed: Number
-    contact_time: Number
-    max_compression: Number
-    max_force: Number
     body: Disk | None
 
 
@@ -84,37 +73,16 @@ class PointSlowImpact(SlowImpactOfABody):
     """Slow impacts of a sphere, by conservation of energy: nothing is lost.
 
     Numbers, or arrays of the shape of `speed`. Relative errors are below 1e-13.
-
-    Attributes
-    ----------
-    law, poisson, speed, contact_time, max_compression : str, float or ndarray
-        As of a `SlowImpact`.
-    max_force : float or ndarray
-        mc²/R = (4π/3)R²E.
-    max_radius : float or ndarray
-        Maximum radius of the contact, R.
-    body : Sphere
-    material : Material or None
-        Of the body. With one there are SI values, `speed_si` and so on, and of a sphere with a yield
-        strength `yield_speed`, `yield_speed_si` and `beyond_yield`.
     """
 
     _kind = "point slow impact"
     max_radius_si = Si("Maximum radius of the contact, m.")
 
-    law: str
-    poisson: Number
-    speed: Number
-    contact_time: Number
-    max_compression: Number
-    max_force: Number
     max_radius: Number
     body: Sphere
 
 
-def slow_inputs(
-    body: Any, speed: Any, poisson: Any, law: Any
-) -> tuple[str, NDArray[np.float64], NDArray[np.float64]]:
+def slow_inputs(body: Any, speed: Any, poisson: Any, law: Any) -> tuple[str, NDArray[np.float64], NDArray[np.float64]]:
     """The law, and Poisson's ratios and speeds in c of one shape."""
     poissons = poissons_of(body, poisson)
     chosen = choose_law(body, law)
@@ -132,35 +100,25 @@ def slow_impact(
 ) -> SlowImpact: ...
 
 
+@documented
 def slow_impact(
     body: Disk | Sphere | None = None, *, speed: ArrayLike, poisson: ArrayLike | None = None, law: str = "center"
 ) -> SlowImpact | PointSlowImpact:
     """Impacts that are so slow that the body follows the wall's force statically: δ̈ = −F(δ).
 
-    Parameters
-    ----------
-    body : Disk or Sphere
-    speed : array_like
-        Of the centre of mass towards the wall, 1e-100 (of a sphere 1e-12) to `limit_speed`, c (with
-        a material: m/s). Two equal bodies that each move at `speed` towards each other are the same
-        problem.
-    poisson : array_like
-        In place of `body`: 2-D Poisson's ratio of disks, −0.95 to 0.995; broadcasts with `speed`.
-    law : {'center', 'diameter', 'printed', 'hertz'}, optional
-        Of compression, see `stoss.quasistatic`.
+    A `StossWarning` says that a sphere of that material yields at such a speed.
 
-    Warns
-    -----
-    StossWarning
-        If there are values beyond the speed at which a sphere begins to yield.
+    Parameters:
+        speed: Of the centre of mass towards the wall, 1e-100 (of a sphere 1e-12) to `limit_speed`,
+            c (with a material: m/s). Two equal bodies that each move at `speed` towards each other
+            are the same problem.
 
-    Examples
-    --------
-    >>> slow = stoss.quasistatic.slow_impact(poisson=0.33, speed=[1e-12, 1e-6, 1e-3])
-    >>> slow.contact_time.round(3)
-    array([16.968, 12.174,  8.754])
-    >>> stoss.quasistatic.slow_impact(stoss.Sphere(poisson=0.3), speed=1e-4)
-    PointSlowImpact(poisson=0.3, speed=0.0001 c: contact time 30.5867 R/c, compression 0.00104057 R)
+    Examples:
+        >>> slow = stoss.quasistatic.slow_impact(poisson=0.33, speed=[1e-12, 1e-6, 1e-3])
+        >>> slow.contact_time.round(3)
+        array([16.968, 12.174,  8.754])
+        >>> stoss.quasistatic.slow_impact(stoss.Sphere(poisson=0.3), speed=1e-4)
+        PointSlowImpact(poisson=0.3, speed=0.0001 c: contact time 30.5867 R/c, compression 0.00104057 R)
     """
     chosen, poissons, speeds = slow_inputs(body, speed, poisson, law)
     with speeds_in_si(body):

@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 
 from stoss import _core
 from stoss._arguments import brief, instance, integer, number
+from stoss._documentation import documented
 from stoss.bodies._bodies import Disk, Sphere
 from stoss.bodies._encounter import choose_body, contact
 from stoss.bodies._walls import ExponentialWall
@@ -20,30 +21,17 @@ from stoss.results._result import Column, Result, picture, unit
 class StaticContact(Result):
     """A disk or a sphere held against a hard wall, at rest.
 
-    Attributes
-    ----------
-    body : Disk or Sphere
-    poisson : float
-        Poisson's ratio, of a disk the 2-D one.
-    compression : float
-        δ = R + x₀, R.
-    force, force_error : float
-        F, mc²/R: πRE of a disk, (4π/3)R²E of a sphere; and its estimated error.
-    half_width : float
-        Of the contact, along the undeformed edge, R; of a sphere the radius of the contact.
-    energy : float
-        Stored in the body, mc²; its derivative by δ is F.
-    contact_nodes : int
-        Nodes with a pressure, the first ones. Those of a sphere are rings.
-    spacing : float
-        Of the nodes, R.
-    position : ndarray
-        Of the nodes along the undeformed edge or meridian, from the middle of the contact, R.
-    pressure : ndarray
-        At the nodes, in the direction of x, per length of the undeformed edge or area of the
-        undeformed surface, E. The sum of 2·spacing·pressure is πF; of a sphere the sum of
-        4π·sin(position)·sin(spacing/2)·pressure is (4π/3)F. The innermost ring has 13 % too little
-        pressure, the next 2.4 % too much, all others are within 1 %.
+    Attributes:
+        half_width: Of the contact, along the undeformed edge, R; of a sphere its radius.
+        energy: Stored in the body, mc²; its derivative by δ is F.
+        contact_nodes: Nodes with a pressure, the first ones. Those of a sphere are rings.
+        spacing: Of the nodes, R.
+        position: Of the nodes along the undeformed edge or meridian, from the middle of the
+            contact, R.
+        pressure: At the nodes, in the direction of x, per length of the undeformed edge or area of
+            the undeformed surface, E. The sum of 2·spacing·pressure is πF; of a sphere the sum of
+            4π·sin(position)·sin(spacing/2)·pressure is (4π/3)F. The innermost ring has 13 % too
+            little pressure, the next 2.4 % too much, all others are within 1 %.
     """
 
     plot = picture("Pressure along the edge. See `stoss.plot.static_contact`.")
@@ -77,6 +65,7 @@ class StaticContact(Result):
         return {"position": self.position, "pressure": self.pressure}
 
 
+@documented
 def static_contact(
     body: Disk | Sphere | None = None, *, compression: float, poisson: float | None = None, nodes: int = 160
 ) -> StaticContact:
@@ -85,30 +74,18 @@ def static_contact(
     Small-strain elasticity with the compliance of all modes and the exact shape of the edge; no law
     of contact enters. It means little for δ above about 0.1.
 
-    Parameters
-    ----------
-    body : Disk or Sphere
-    compression : float
-        δ, 1e-12 to 0.5, R (also with a material).
-    poisson : float
-        In place of `body`: 2-D Poisson's ratio of a disk, −0.95 to 0.995.
-    nodes : int, optional
-        On half of the contact, 16 to 1024; the force converges with their square. A sphere takes
-        0.3 s with 160 for δ below 1e-3, 0.1 s with 80.
+    Parameters:
+        compression: δ, 1e-12 to 0.5, R (also with a material).
+        nodes: On half of the contact, 16 to 1024; the force converges with their square. A sphere
+            takes 0.3 s with 160 for δ below 1e-3, 0.1 s with 80.
 
-    Raises
-    ------
-    NotConverged
-        If the contact cannot be solved.
-
-    Examples
-    --------
-    >>> contact = stoss.quasistatic.static_contact(poisson=0.33, compression=0.01)
-    >>> by_law = stoss.quasistatic.compression_force(poisson=0.33, compression=0.01)
-    >>> round(by_law / contact.force - 1, 4)
-    0.0011
-    >>> stoss.quasistatic.static_contact(stoss.Sphere(poisson=0.3), compression=0.01)
-    StaticContact(Sphere(poisson=0.3), compression=0.01 R: force 0.0003848227 ± 4e-09 mc^2/R, radius 0.103397 R)
+    Examples:
+        >>> contact = stoss.quasistatic.static_contact(poisson=0.33, compression=0.01)
+        >>> by_law = stoss.quasistatic.compression_force(poisson=0.33, compression=0.01)
+        >>> round(by_law / contact.force - 1, 4)
+        0.0011
+        >>> stoss.quasistatic.static_contact(stoss.Sphere(poisson=0.3), compression=0.01)
+        StaticContact(Sphere(poisson=0.3), compression=0.01 R: force 0.0003848227 ± 4e-09 mc^2/R, radius 0.103397 R)
     """
     pressed: Disk | Sphere = instance("body", choose_body(body, poisson), (Disk, Sphere))
     delta, count = number("compression", compression), integer("nodes", nodes)
@@ -121,21 +98,11 @@ def static_contact(
 class SoftStaticContact(Result):
     """A disk held at rest in front of an exponential wall.
 
-    Attributes
-    ----------
-    poisson : float
-        2-D Poisson's ratio.
-    compression : float
-        δ beyond the plane where V₀e^{αx} = 1, R.
-    cutoff : float
-        Highest frequency of the modes that deform, c/R.
-    against : ExponentialWall
-    force : float
-        F, πRE = mc²/R.
-    energy, wall_energy : float
-        Of modes and wall, and the wall's share in it, mc².
-    modes, nodes, newton_steps : int
-        Of the disk; of the contact grid; of the solution.
+    Attributes:
+        compression: δ beyond the plane where V₀e^{αx} = 1, R.
+        cutoff: Highest frequency of the modes that deform, c/R.
+        energy, wall_energy: Of modes and wall, and the wall's share in it, mc².
+        modes, nodes, newton_steps: Of the disk; of the contact grid; of the solution.
     """
 
     _name: ClassVar[str] = "soft static contact"
@@ -161,6 +128,7 @@ class SoftStaticContact(Result):
         )
 
 
+@documented
 def soft_static_contact(
     *,
     poisson: float,
@@ -175,30 +143,17 @@ def soft_static_contact(
     V₀e^{αx} = 1. A pressure p stands ln(α/p)/α before that plane, 0.017 R for αR = 500 and p = 0.1,
     by which a hard wall is farther away.
 
-    Parameters
-    ----------
-    poisson : float
-        2-D Poisson's ratio, −0.95 to 0.995.
-    compression : float
-        δ, −0.5 to 0.5, R.
-    cutoff : float, optional
-        Highest frequency of the modes, c/R; those above it are left out.
-    against : ExponentialWall, optional
-    nodes : int, optional
-        Of the contact grid, 64 to 2048; default: as many as wall and modes need.
+    Parameters:
+        compression: δ, −0.5 to 0.5, R.
+        cutoff: Highest frequency of the modes, c/R; those above it are left out.
+        nodes: Of the contact grid, 64 to 2048; default: as many as wall and modes need.
 
-    Raises
-    ------
-    NotConverged
-        If the minimum is not found.
-
-    Examples
-    --------
-    >>> wall = stoss.ExponentialWall(hardness=4000)
-    >>> soft = stoss.quasistatic.soft_static_contact(poisson=0.33, compression=0.03, cutoff=50, against=wall)
-    >>> hard = stoss.quasistatic.static_contact(poisson=0.33, compression=0.03)
-    >>> 1.0 < soft.force / hard.force < 1.3
-    True
+    Examples:
+        >>> wall = stoss.ExponentialWall(hardness=4000)
+        >>> soft = stoss.quasistatic.soft_static_contact(poisson=0.33, compression=0.03, cutoff=50, against=wall)
+        >>> hard = stoss.quasistatic.static_contact(poisson=0.33, compression=0.03)
+        >>> 1.0 < soft.force / hard.force < 1.3
+        True
     """
     disk = Disk(poisson=poisson)
     delta, highest = number("compression", compression), number("cutoff", cutoff)

@@ -16,10 +16,10 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from stoss._arguments import arranged, numbers, refusal
-from stoss.bodies._blocks import UNBOUNDED, Unbounded
+from stoss._documentation import documented
 from stoss.bodies._bodies import Body, Disk, Sphere, speed_unit
 from stoss.bodies._encounter import Against, choose_against, choose_body
-from stoss.bodies._walls import HardWall
+from stoss.bodies._walls import UNBOUNDED, HardWall, Unbounded
 from stoss.export._text import span, with_error
 from stoss.results._result import Column, Number
 from stoss.results._si import SpeedInSi
@@ -31,20 +31,8 @@ Array = NDArray[np.float64]
 class AtlasValue(SpeedInSi):
     """Coefficients of restitution of the atlas.
 
-    Numbers, or arrays of the shape of `speed`.
-
-    Attributes
-    ----------
-    body : Disk or Sphere
-        The first.
-    against : HardWall, Disk, Sphere, HalfSpace or HalfPlane
-        What it meets.
-    speed : float or ndarray
-        Of approach, c. With a material `speed_si` is in m/s.
-    restitution : float or ndarray
-        ε.
-    restitution_error : float or ndarray
-        Error of ε: of the values of the atlas, and of their interpolation.
+    Numbers, or arrays of the shape of `speed`. The error is that of the values of the atlas and of their
+    interpolation.
     """
 
     _name: ClassVar[str] = "atlas"
@@ -71,6 +59,7 @@ class AtlasValue(SpeedInSi):
         return self._columns(), ("speed",) if dimensions == 1 else tuple(f"axis_{k}" for k in range(dimensions))
 
 
+@documented
 def atlas(
     body: Body | None = None,
     *,
@@ -85,28 +74,15 @@ def atlas(
     material with radii up to 1:10, at speeds of approach from 1e-4 to 0.3 c. Everything else is
     refused: `stoss.restitution` computes it.
 
-    Parameters
-    ----------
-    body : Sphere or Disk
-        The first body.
-    speed : array_like
-        Of approach, c (with a material: m/s).
-    against : optional
-        As of `stoss.restitution`.
-    poisson : float
-        In place of `body`: 2-D Poisson's ratio of a disk.
+    Parameters:
+        body (Sphere or Disk): The first body.
+        speed: Of approach, c (with a material: m/s).
 
-    Raises
-    ------
-    InvalidInput
-        For what is not in the atlas.
-
-    Examples
-    --------
-    >>> value = stoss.atlas(stoss.Sphere(poisson=0.3), speed=0.1)
-    >>> exact = stoss.restitution(stoss.Sphere(poisson=0.3), speed=0.1)
-    >>> abs(value.restitution - exact.restitution) < value.restitution_error
-    True
+    Examples:
+        >>> value = stoss.atlas(stoss.Sphere(poisson=0.3), speed=0.1)
+        >>> exact = stoss.restitution(stoss.Sphere(poisson=0.3), speed=0.1)
+        >>> abs(value.restitution - exact.restitution) < value.restitution_error
+        True
     """
     chosen = choose_body(body, poisson)
     if not isinstance(chosen, (Sphere, Disk)) or chosen.loss_time != 0.0:
@@ -150,8 +126,7 @@ def _what(body: Sphere | Disk, met: Any) -> tuple[str, float]:
 
 
 def _places(name: str, nodes: Array, at: Array, scale: Callable[[Array], Array]) -> tuple[Array, int]:
-    """Where the numbers lie among the nodes, which are equally spaced on that scale, and how many
-    nodes there are."""
+    """Where the numbers lie among the nodes, which are equally spaced on that scale, and how many nodes there are."""
     outside = at[~((at >= nodes[0] * (1 - 1e-12)) & (at <= nodes[-1] * (1 + 1e-12)))]
     if outside.size:
         allowed = f"{nodes[0]:.6g} to {nodes[-1]:.6g} in the atlas (use stoss.restitution)"
@@ -161,8 +136,7 @@ def _places(name: str, nodes: Array, at: Array, scale: Callable[[Array], Array])
 
 
 def stencil(place: Array, count: int) -> tuple[NDArray[np.intp], Array]:
-    """The first of the four of `count` nodes around each place, and Lagrange's weights of the cubic
-    through them."""
+    """The first of the four of `count` nodes around each place, and Lagrange's weights of the cubic through them."""
     first = np.clip(np.floor(place).astype(np.intp) - 1, 0, count - 4)
     s = place - first
     weights = [-(s - 1) * (s - 2) * (s - 3) / 6, s * (s - 2) * (s - 3) / 2, -s * (s - 1) * (s - 3) / 2]

@@ -11,12 +11,12 @@ from numpy.typing import NDArray
 
 from stoss import _core
 from stoss._arguments import integer, number, optional_number
+from stoss._documentation import documented
 from stoss._errors import Interrupted, NotConverged, StossWarning
-from stoss.bodies._blocks import UNBOUNDED
 from stoss.bodies._bodies import Body, shown, speed_unit, speeds_in_si
 from stoss.bodies._encounter import Against, choose_against, choose_body, choose_tail, contact
 from stoss.bodies._state import State, choose_state
-from stoss.bodies._walls import ExponentialWall, HardWall
+from stoss.bodies._walls import UNBOUNDED, ExponentialWall, HardWall
 from stoss.export._text import span
 from stoss.results._result import RowResult, columns, picture
 from stoss.results._si import MayYield, Si, warn_of_large_strain, warn_of_yielding
@@ -29,45 +29,20 @@ class Bounces(MayYield, RowResult):
 
     Energies are shares of the initial energy of the first impact.
 
-    Attributes
-    ----------
-    body : Disk, Sphere or Rod
-        All units are its own.
-    against : HardWall, ExponentialWall, HalfSpace or HalfPlane
-    cutoff : float
-        Modes up to this frequency are kept, c/R.
-    tail : {'radiating', 'static'}
-        How the modes above the cutoff answered.
-    gravity, decay_time : float or None
-        As they were given, c²/R and R/c.
-    state : ndarray or None
-        How the body vibrated before the first impact, as `impact` has it.
-    number : ndarray
-        1, 2, …
-    speed : ndarray
-        Before the impact, c.
-    restitution : ndarray
-        ε = −v_f/v_i.
-    translation_before, vibration_before, dissipated_before, unresolved_before : ndarray
-        Energy when the impact begins: of the translation; of the kept modes; lost to the material
-        and in flight so far; taken so far by the modes above the cutoff, and by the waves of a
-        half-space.
-    translation, vibration, dissipated, unresolved : ndarray
-        The same when it is over. The sum is 1 but for `energy_error`.
-    energy_error : ndarray
-        What is missing, of all impacts so far.
-    contact_time : ndarray
-        R/c.
-    flight_time : ndarray
-        After the impact, R/c.
-    short_flight : ndarray
-        Whether the flight before the impact was too short for the vibration to keep clear of the
-        wall. The body then comes as from afar, with the phases of the nominal time.
-    beyond_small_strain : ndarray
-        Speed above 0.5 c or compression above 0.5 R, where linear elasticity has lost its meaning.
-    material : Material or None
-        Of the body. With one there are SI values, `speed_si` and so on, and of a sphere with a yield
-        strength `yield_speed`, `yield_speed_si` and `beyond_yield`.
+    Attributes:
+        gravity, decay_time: As they were given, c²/R and R/c.
+        number: 1, 2, …
+        speed: Before the impact, c.
+        translation_before, vibration_before, dissipated_before, unresolved_before: Energy when the
+            impact begins: of the translation; of the kept modes; lost to the material and in flight
+            so far; taken so far by the modes above the cutoff, and by the waves of a half-space.
+        translation, vibration, dissipated, unresolved: The same when it is over. The sum is 1 but
+            for `energy_error`.
+        energy_error: What is missing, of all impacts so far.
+        flight_time: After the impact, R/c.
+        short_flight: Whether the flight before the impact was too short for the vibration to keep
+            clear of the wall. The body then comes as from afar, with the phases of the nominal
+            time.
     """
 
     plot = picture("ε of each impact, and where the energy is. See `stoss.plot.bounces`.")
@@ -111,6 +86,7 @@ class Bounces(MayYield, RowResult):
         )
 
 
+@documented
 def bounce(
     body: Body | None = None,
     *,
@@ -132,54 +108,30 @@ def bounce(
     small differences grow, and of a long sequence only means converge. With
     ``tail="static"`` all energy is kept, and translation has in the mean as
     much before an impact as each of the modes; otherwise the modes above the cutoff absorb energy for
-    good.
+    good. A sequence whose speed leaves 1e-8 to 1 c has not converged.
 
-    Parameters
-    ----------
-    body : Disk, Sphere or Rod
-        In whose units all results are.
-    speed : float
-        Of the first impact, 1e-8 to 1, c (with a material: m/s).
-    against : HardWall, ExponentialWall, HalfSpace or HalfPlane, optional
-        What the body meets. Default: a rigid wall. The waves of a half-space have left before
-        the next impact. Another body, which does not come back, is refused.
-    poisson : float
-        In place of `body`: ``Disk(poisson=poisson)``.
-    count : int, optional
-        Impacts.
-    flight_time : float
-        From leaving the wall to touching it again, of an unexcited body, R/c (with a material:
-        s).
-    gravity : float
-        In place of `flight_time`: g, c²/R (with a material: m/s²); a flight lasts 2v/g.
-    decay_time : float, optional
-        Of vibrational energies in flight, R/c (with a material: s); 0: they are gone at once, and
-        every impact is that of `impact`. Default: no decay but that of a lossy material.
-    cutoff : float, optional
-        Highest frequency of the modes that are kept, c/R.
-    tail : {'radiating', 'static'}, optional
-        How the modes above the cutoff answer, as for `impact`.
-    state : Oscillation, sequence of them or ndarray, optional
-        How the body vibrates before the first impact, as for `impact`. Default: it is unexcited.
+    Parameters:
+        speed: Of the first impact, 1e-8 to 1, c (with a material: m/s).
+        against (HardWall, ExponentialWall, HalfSpace or HalfPlane, optional): What the body meets.
+            Default: a rigid wall. The waves of a half-space have left before the next impact.
+            Another body, which does not come back, is refused.
+        count: Impacts.
+        flight_time: From leaving the wall to touching it again, of an unexcited body, R/c (with a
+            material: s).
+        gravity: In place of `flight_time`: g, c²/R (with a material: m/s²); a flight lasts 2v/g.
+        decay_time: Of vibrational energies in flight, R/c (with a material: s); 0: they are gone at
+            once, and every impact is that of `impact`. Default: no decay but that of a lossy
+            material.
+        state (Oscillation, sequence of them or ndarray, optional): How the body vibrates before the
+            first impact, as for `impact`. Default: it is unexcited.
 
-    Raises
-    ------
-    InvalidInput
-        For arguments out of range, and another body as `against`.
-    NotConverged
-        If an impact cannot be computed, or the speed leaves 1e-8 to 1 c; the impacts before are its
-        attribute `best`.
-    Interrupted
-        After Ctrl-C; the impacts so far are its attribute `best`.
-
-    Examples
-    --------
-    >>> ball = stoss.Sphere(poisson=0.3)
-    >>> stoss.bounce(ball, speed=0.05, count=50, flight_time=30)
-    Bounces(50 impacts, Sphere(poisson=0.3), speed=0.05 c: restitution 0.942245 to 1.0263, translation 0.4069 in the end)
-    >>> forgetful = stoss.bounce(ball, speed=0.05, count=3, flight_time=30, decay_time=0)
-    >>> float(forgetful.restitution[1]) == stoss.impact(ball, speed=forgetful.speed[1], cutoff=20).restitution
-    True
+    Examples:
+        >>> ball = stoss.Sphere(poisson=0.3)
+        >>> stoss.bounce(ball, speed=0.05, count=50, flight_time=30)
+        Bounces(50 impacts, Sphere(poisson=0.3), speed=0.05 c: restitution 0.942245 to 1.0263, translation 0.4069 in the end)
+        >>> forgetful = stoss.bounce(ball, speed=0.05, count=3, flight_time=30, decay_time=0)
+        >>> float(forgetful.restitution[1]) == stoss.impact(ball, speed=forgetful.speed[1], cutoff=20).restitution
+        True
     """
     chosen = choose_body(body, poisson, rigid=True)
     first = number("speed", speed) / speed_unit(chosen)
@@ -209,14 +161,9 @@ def bounce(
         raise Interrupted(f"bounce: interrupted after {len(result)} of {times} impacts (they are in .best)", result)
     if reason:
         raise NotConverged(reason, result)
-    _warn(result)
-    return result
-
-
-def _warn(result: Bounces) -> None:
-    warn_of_large_strain(result, 3)
-    short = int(np.count_nonzero(result.short_flight))
-    if short:
+    warn_of_large_strain(result, 2)
+    if short := int(np.count_nonzero(result.short_flight)):
         text = f"{short} flights too short for the vibration to keep clear of the wall (see .short_flight)"
-        warnings.warn(text, StossWarning, stacklevel=3)
-    warn_of_yielding(result, 3)
+        warnings.warn(text, StossWarning, stacklevel=2)
+    warn_of_yielding(result, 2)
+    return result

@@ -1,25 +1,26 @@
-"""The coefficient of restitution with its error: what it is computed from."""
+"""The coefficient of restitution with its error, and as Gerl and Zippelius compute it."""
 
 from __future__ import annotations
 
-import warnings
-from typing import Any, Sequence
+import dataclasses
+from typing import Any, ClassVar, Sequence
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from stoss import _core
 from stoss._arguments import arranged, boolean, broadcast, integer, number, numbers
-from stoss._errors import Interrupted, NotConverged, StossWarning
-from stoss.bodies._blocks import UNBOUNDED, Unbounded
+from stoss._documentation import documented
+from stoss._errors import Interrupted, NotConverged
 from stoss.bodies._bodies import Body, Disk, speed_unit, speeds_in_si
 from stoss.bodies._encounter import choose_against, choose_bodies, choose_body, refinable
 from stoss.bodies._state import State, choose_state
-from stoss.bodies._walls import HardWall
+from stoss.bodies._walls import UNBOUNDED, HardWall, Unbounded
+from stoss.export._text import with_error
 from stoss.results._progress import bar
 from stoss.results._restitution import Restitution
-from stoss.results._result import columns
-from stoss.results._si import warn_of_large_strain, warn_of_yielding
+from stoss.results._result import Column, Result, columns, picture
+from stoss.results._si import warn_of_doubt, warn_of_large_strain, warn_of_yielding
 
 
 def empty_rows(shape: int | tuple[int, ...]) -> NDArray[Any]:
@@ -31,6 +32,7 @@ def empty_rows(shape: int | tuple[int, ...]) -> NDArray[Any]:
     return rows
 
 
+@documented
 def restitution(
     body: Body | Sequence[Body] | NDArray[np.object_] | None = None,
     *,
@@ -46,62 +48,30 @@ def restitution(
     """Compute the coefficient of restitution ε = −v_f/v_i of a body at a wall or of two bodies.
 
     Cutoff, time step and contact grid are refined together until the estimated error of 1 − ε² is
-    below ``tolerance * (1 − ε²)`` or below ``absolute``. A value of a
-    disk takes 2 ms in the median, 20 ms or more in one case of a hundred.
+    below ``tolerance * (1 − ε²)`` or below ``absolute``. If that cannot be met, a single value raises
+    `NotConverged`; in arrays such values are marked, and a `StossWarning` says how many there are.
+    A value of a disk takes 2 ms in the median, 20 ms or more in one case of a hundred.
 
-    Parameters
-    ----------
-    body : Disk, Sphere or Rod, or a list or an array of disks or of spheres
-        The first body, in whose units all results are. Several broadcast with `speed`, and have no
-        material.
-    speed : array_like
-        Of approach of the centres of mass, or towards the wall, 1e-8 to 1, c (with a material:
-        m/s). Two equal bodies at twice the speed are one of them at a rigid wall.
-    against : HardWall, 'same', Disk, Sphere, Rod, HalfSpace or HalfPlane, optional
-        What the body meets: a rigid wall (default), an identical body, another of its kind, or, for a
-        sphere, a half-space, for a disk a half-plane.
-    poisson : array_like
-        In place of `body`: 2-D Poisson's ratio of disks, −0.95 to 0.995; broadcasts with `speed`.
-    tolerance : float, optional
-        Relative error of 1 − ε², 1e-15 to 0.5.
-    absolute : float, optional
-        Error of 1 − ε² that is small enough in any case, 0 to 0.5: a slow sphere loses little.
-    state : Oscillation, sequence of them or ndarray, optional
-        How the bodies vibrate before the impact, with the same shares of energy and phases at every
-        speed; ε may then exceed 1. Default: they are unexcited.
-    threads : int, optional
-        0: as many as the machine has. Results do not depend on it.
-    progress : bool, optional
-        Show a bar on stderr.
+    Parameters:
+        body (Disk, Sphere or Rod, or a list or an array of disks or of spheres): The first body, in
+            whose units all results are. Several broadcast with `speed`, and have no material.
+        state (Oscillation, sequence of them or ndarray, optional): How the bodies vibrate before
+            the impact, with the same shares of energy and phases at every speed; ε may then exceed
+            1. Default: they are unexcited.
 
-    Raises
-    ------
-    NotConverged
-        If all inputs are numbers and the tolerance cannot be met; the best value is its
-        attribute `best`. In arrays such values are marked, and a `StossWarning` says how many there
-        are.
-    Interrupted
-        After Ctrl-C; what is done is its attribute `best`.
-
-    Examples
-    --------
-    >>> stoss.restitution(poisson=0.33, speed=0.1)
-    Restitution(poisson=0.33, speed=0.1 c: restitution 0.947060 ± 0.000031)
-    >>> curve = stoss.restitution(poisson=0.33, speed=np.geomspace(1e-4, 0.3, 50))
-    >>> curve.restitution.shape
-    (50,)
-    >>> curve.restitution.max().round(4)
-    0.9974
-    >>> balls = [[stoss.Sphere(poisson=nu)] for nu in (0.0, 0.3)]
-    >>> stoss.restitution(balls, speed=[0.01, 0.1]).lost_fraction.round(4)
-    array([[0.0014, 0.0234],
-           [0.0028, 0.0173]])
-    >>> disk = stoss.Disk(poisson=0.33)
-    >>> stoss.restitution(disk, against=stoss.Disk(poisson=0.33, radius=2), speed=0.2)
-    Restitution(Disk(poisson=0.33) against Disk(poisson=0.33, radius=2), speed=0.2 c: restitution 0.79480 ± 0.00016)
-    >>> ringing = stoss.Oscillation(order=2, index=0, energy=0.1, phase=2.0)
-    >>> bool(stoss.restitution(stoss.Sphere(poisson=0.3), speed=0.01, state=ringing).restitution > 1)
-    True
+    Examples:
+        >>> stoss.restitution(poisson=0.33, speed=0.1)
+        Restitution(poisson=0.33, speed=0.1 c: restitution 0.947060 ± 0.000031)
+        >>> curve = stoss.restitution(poisson=0.33, speed=np.geomspace(1e-4, 0.3, 50))
+        >>> curve.restitution.max().round(4)
+        0.9974
+        >>> balls = [[stoss.Sphere(poisson=nu)] for nu in (0.0, 0.3)]
+        >>> stoss.restitution(balls, speed=[0.01, 0.1]).lost_fraction.round(4)
+        array([[0.0014, 0.0234],
+               [0.0028, 0.0173]])
+        >>> disk = stoss.Disk(poisson=0.33)
+        >>> stoss.restitution(disk, against=stoss.Disk(poisson=0.33, radius=2), speed=0.2)
+        Restitution(Disk(poisson=0.33) against Disk(poisson=0.33, radius=2), speed=0.2 c: restitution 0.79480 ± 0.00016)
     """
     speeds = numbers("speed", speed)
     if body is None and poisson is not None:
@@ -145,24 +115,74 @@ def restitution(
     values = {"poisson": poissons, "speed": speeds, "reason": reasons, **columns(table)}
     shaped = {name: arranged(column, speeds.shape) for name, column in values.items()}
     state_before = modes if modes.size else None
-    result = Restitution(
-        one, tuple(bodies), shared, tolerance=limit, absolute=enough, state=state_before, **shaped
-    )
+    result = Restitution(one, tuple(bodies), shared, tolerance=limit, absolute=enough, state=state_before, **shaped)
     if stopped:
         raise Interrupted(f"restitution: interrupted after {done} of {speeds.size} values (they are in .best)", result)
-    _judge(result)
+    if isinstance(result.reason, str):  # one value
+        if not result.converged:
+            raise NotConverged(f"restitution: {result.reason}", result)
+    else:
+        warn_of_doubt(result.converged, "values", 2)
+    warn_of_large_strain(result, 2)
+    warn_of_yielding(result, 2)
     return result
 
 
-def _judge(result: Restitution) -> None:
-    """Raises for one value, warns for several."""
-    if isinstance(result.reason, str):
-        if not result.converged:
-            raise NotConverged(f"restitution: {result.reason}", result)
-    elif not np.all(result.converged):
-        count = np.size(result.converged)
-        doubtful = count - np.count_nonzero(result.converged)
-        text = f"{doubtful} of {count} values not as accurate as asked for (see .converged, .reason)"
-        warnings.warn(text, StossWarning, stacklevel=3)
-    warn_of_large_strain(result, 3)
-    warn_of_yielding(result, 3)
+@dataclasses.dataclass(frozen=True, eq=False, repr=False)
+class Extrapolation(Result):
+    """ε and 1 − ε² by the two limits of the paper, α → ∞ and N → ∞, with the errors of its regressions.
+
+    Attributes:
+        hard_wall: 1 − ε² for α → ∞ at each cutoff, a structured array with the fields value and
+            error.
+        impacts: 1 − ε² of each impact, a structured array with the fields cutoff, modes, hardness,
+            lost_fraction and steps.
+    """
+
+    plot = picture("1 − ε² against 1/α with the regressions. See `stoss.plot.extrapolation`.")
+    _name: ClassVar[str] = "extrapolation"
+    _kind = "soft impact"
+    _told = ("poisson", "speed", "restitution", "restitution_error", "lost_fraction", "lost_fraction_error")
+
+    poisson: float
+    speed: float
+    restitution: float
+    restitution_error: float
+    lost_fraction: float
+    lost_fraction_error: float
+    hard_wall: NDArray[Any]
+    impacts: NDArray[Any]
+    steps: int
+
+    def __repr__(self) -> str:
+        value = with_error(self.restitution, self.restitution_error)
+        return f"Extrapolation(poisson={self.poisson:g}, speed={self.speed:g} c: restitution {value})"
+
+    def _table(self) -> dict[str, Column]:
+        return columns(self.impacts)
+
+
+def extrapolated_restitution(
+    *, poisson: float, speed: float, cutoffs: ArrayLike = (), hardnesses: ArrayLike = ()
+) -> Extrapolation:
+    """Compute ε as Gerl and Zippelius do: exponential walls and two extrapolations.
+
+    1 − ε² is extrapolated in 1/α, then in 1/√N. This shows that their method agrees with
+    `restitution`, and what it costs.
+
+    Parameters:
+        poisson (float): 2-D Poisson's ratio, −0.95 to 0.995.
+        speed (float): Of the centre of mass, 1e-3 to 0.5, c.
+        cutoffs (array_like, optional): At least three, ascending, c/R; default: those that keep
+            300, 400, 600 and 940 modes.
+        hardnesses (array_like, optional): αR, at least three, ascending; default: αv/c = 25, 33, 50
+            and 100.
+
+    Examples:
+        >>> stoss.extrapolated_restitution(poisson=0.33, speed=0.1)
+        Extrapolation(poisson=0.33, speed=0.1 c: restitution 0.9467 ± 0.0010)
+    """
+    nu, v = number("poisson", poisson), number("speed", speed)
+    series = (numbers("cutoffs", cutoffs).ravel(), numbers("hardnesses", hardnesses).ravel())
+    found = _core.extrapolated_restitution(nu, v, *series)
+    return Extrapolation(poisson=nu, speed=v, **found)

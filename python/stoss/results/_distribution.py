@@ -3,17 +3,23 @@
 from __future__ import annotations
 
 import dataclasses
-from typing import Any, ClassVar
+from typing import Any, Callable, ClassVar, Sequence, Union
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from stoss import _core
-from stoss.bodies._bodies import Body, shown
-from stoss.bodies._encounter import Against
+from stoss._arguments import boolean, integer, number, refusal
+from stoss._documentation import documented
+from stoss._errors import Interrupted, InvalidInput
+from stoss.bodies._bodies import Body, shown, speed_unit, speeds_in_si
+from stoss.bodies._encounter import Against, choose_against, choose_body, refinable
+from stoss.bodies._state import Oscillation, choose_state
+from stoss.bodies._walls import HardWall, Unbounded
 from stoss.export._text import span, with_error
-from stoss.results._result import RowResult, picture
-from stoss.results._si import InSi, Si
+from stoss.results._progress import bar
+from stoss.results._result import RowResult, columns, picture
+from stoss.results._si import InSi, Si, warn_of_doubt, warn_of_large_strain
 
 
 @dataclasses.dataclass(frozen=True, eq=False, repr=False)
@@ -24,51 +30,20 @@ class RestitutionDistribution(InSi, RowResult):
     a slice the samples among them. In the mean, samples without
     a value (NaN) do not count.
 
-    Attributes
-    ----------
-    body : Disk, Sphere or Rod
-        The first; all units are its own.
-    against : HardWall, Disk, Sphere, Rod, HalfSpace or HalfPlane
-    speed : float
-        Of approach of the centres of mass, or towards the wall, c.
-    temperature : float or None
-        Mean energy of each mode, as a share of the translational energy before the impact.
-    highest : float or None
-        Modes up to this frequency vibrate, c/R.
-    spectrum : ndarray
-        The modes that vibrate: a structured array with the fields body (0 of the first, 1 of the
-        second), order, index and energy, which is the mean, as a share of the translational one.
-    seed : int
-        Of the ensemble.
-    error : float
-        Of 1 − ε², asked for.
-    mean, mean_error, numerical_error : float
-        ⟨ε⟩; its statistical error, infinite for one sample; its numerical one, the mean of
-        `restitution_error`.
-    spread : float
-        Standard deviation of ε, infinite for one sample.
-    above_one : float
-        Share of the samples with ε > 1.
-    sample : ndarray of int
-        Number of the sample, from 0.
-    vibration : ndarray
-        Energy of all modes before the impact, as a share of the translational one.
-    restitution, restitution_error : ndarray
-        ε = −v_f/v_i of the relative motion, and its estimated error.
-    lost_fraction, lost_fraction_error : ndarray
-        1 − ε², negative where vibration is given back.
-    contact_time, contact_time_error : ndarray
-        From first to last contact, R/c.
-    contacts : ndarray of int
-        Separate periods of contact.
-    steps : ndarray of int
-        Time steps of all impacts that led to the value.
-    converged : ndarray of bool
-        Whether the error is that asked for, or less.
-    beyond_small_strain : ndarray of bool
-        Speed above 0.5 c or compression above 0.5 R, where linear elasticity has lost its meaning.
-    reason : ndarray of str
-        Why it is not converged; empty where it is.
+    Attributes:
+        temperature: Mean energy of each mode, as a share of the translational energy before the
+            impact.
+        highest: Modes up to this frequency vibrate, c/R.
+        spectrum: The modes that vibrate: a structured array with the fields body (0 of the first, 1
+            of the second), order, index and energy, which is the mean, as a share of the
+            translational one.
+        error: Of 1 − ε², asked for.
+        mean, mean_error, numerical_error: ⟨ε⟩; its statistical error, infinite for one sample; its
+            numerical one, the mean of `restitution_error`.
+        spread: Standard deviation of ε, infinite for one sample.
+        above_one: Share of the samples with ε > 1.
+        sample: Number of the sample, from 0.
+        vibration: Energy of all modes before the impact, as a share of the translational one.
     """
 
     plot = picture("Histogram of ε. See `stoss.plot.distribution`.")
@@ -106,8 +81,7 @@ class RestitutionDistribution(InSi, RowResult):
     reason: NDArray[np.object_]
 
     def __getitem__(self, key: Any) -> Any:
-        """A sample as a dict, or for a slice, an array of indices or of flags, these samples,
-        summed up anew."""
+        """A sample as a dict, or for a slice, an array of indices or of flags, these samples, summed up anew."""
         part = super().__getitem__(key)
         if isinstance(part, dict):
             return part
@@ -121,24 +95,13 @@ class RestitutionDistribution(InSi, RowResult):
         )
 
     def histogram(self, bins: Any = "auto", range: ArrayLike | None = None) -> tuple[NDArray[Any], NDArray[Any]]:
-        """How many samples have ε in which interval.
+        """How many samples have ε in which interval, and the ends of the intervals, as `numpy.histogram` has them.
 
-        Parameters
-        ----------
-        bins, range
-            As `numpy.histogram` has them.
-
-        Returns
-        -------
-        count, edges : ndarray
-            The latter has one element more.
-
-        Examples
-        --------
-        >>> warm = stoss.restitution_distribution(poisson=0.33, speed=0.1, temperature=0.02, samples=20)
-        >>> count, edges = warm.histogram(bins=5)
-        >>> int(count.sum()), edges.size
-        (20, 6)
+        Examples:
+            >>> warm = stoss.restitution_distribution(poisson=0.33, speed=0.1, temperature=0.02, samples=20)
+            >>> count, edges = warm.histogram(bins=5)
+            >>> int(count.sum()), edges.size
+            (20, 6)
         """
         return np.histogram(self.restitution[np.isfinite(self.restitution)], bins, range)  # type: ignore[arg-type]
 
@@ -161,3 +124,105 @@ def summary_of(restitution: NDArray[np.float64], error: NDArray[np.float64]) -> 
         return dict.fromkeys(names, np.nan)
     summary = _core.summary(np.ascontiguousarray(restitution), np.ascontiguousarray(error))
     return {name: summary[own] for name, own in names.items()}
+
+
+Spectrum = Union[Callable[[float], float], Oscillation, Sequence[Oscillation], NDArray[Any]]
+
+
+@documented
+def restitution_distribution(
+    body: Body | None = None,
+    *,
+    speed: float,
+    against: HardWall | Body | Unbounded | str | None = None,
+    poisson: float | None = None,
+    temperature: float | None = None,
+    spectrum: Spectrum | None = None,
+    highest: float = 10.0,
+    samples: int = 1000,
+    seed: int = 0,
+    error: float = 1e-3,
+    threads: int = 0,
+    progress: bool = False,
+) -> RestitutionDistribution:
+    """Compute the coefficients of restitution of an ensemble of bodies that vibrate at random.
+
+    Before each impact every mode has an energy E that is drawn like exp(−E/⟨E⟩), and any phase.
+    Only modes that are symmetric about the line of impact count, and half-spaces rest.
+
+    Parameters:
+        temperature: Mean energy ⟨E⟩ of each mode with ω ≤ `highest`, of both bodies, as a share of
+            the translational energy before the impact, 0 to 1e6.
+        spectrum (callable, Oscillation, sequence of them or ndarray): In place of `temperature`:
+            the mean energies, 0 to 1e6, of the same modes as a function of ω in c/R of the first
+            body; or modes with their mean energies, whose phases do not count.
+        highest: Modes up to this frequency vibrate, c/R of the first body; at a wall to 128.
+            Without a limit a warm classical body would have no finite energy.
+        samples: How many impacts, 1 to 10⁶.
+        seed: Each seed gives another ensemble. Sample k depends only on the seed, k and the modes.
+        error: Error of 1 − ε² of each impact to reach, 1e-9 to 0.5.
+
+    Examples:
+        >>> warm = stoss.restitution_distribution(stoss.Sphere(poisson=0.3), speed=0.01, temperature=0.01, samples=100)
+        >>> warm
+        RestitutionDistribution(Sphere(poisson=0.3), speed=0.01 c, temperature 0.01: 100 samples, mean 0.99887 ± 0.00033, restitution 0.990652 to 1.00777)
+        >>> bool(warm.above_one > 0)
+        True
+    """
+    chosen = choose_body(body, poisson, rigid=True)
+    initial = number("speed", speed) / speed_unit(chosen)
+    met = choose_against(chosen, against, (HardWall,))
+    count, chance, threads = integer("samples", samples), integer("seed", seed), integer("threads", threads)
+    limit, top = number("error", error), number("highest", highest)
+    if chance < 0:
+        raise refusal("seed", seed, "0 to 2147483647")
+    warmth = None if temperature is None else number("temperature", temperature)
+    contact = refinable(chosen, met)
+    means = _choose_spectrum(contact, warmth, spectrum, top)
+    with speeds_in_si(chosen):
+        _core.check_distribution(contact, initial, means, count, chance, limit, threads)
+
+    rows, reasons = np.zeros(count, dtype=_core.sample_row), list[str]()
+    stopped = False
+    with bar(count, boolean("progress", progress)) as seen:
+        try:
+            tick = None if seen is None else seen.update
+            _core.restitution_distribution(contact, initial, means, chance, limit, threads, rows, reasons, tick)
+        except KeyboardInterrupt:
+            stopped = True
+    by_frequency = warmth is not None or callable(spectrum)
+    done, why = rows[: len(reasons)], np.array(reasons, dtype=object)
+    for array in (done, why):
+        array.flags.writeable = False
+    values: dict[str, Any] = columns(done)
+    result = RestitutionDistribution(
+        body=chosen, against=met, speed=initial, temperature=warmth, highest=top if by_frequency else None,
+        spectrum=means, seed=chance, error=limit, reason=why, **values,
+        **summary_of(values["restitution"], values["restitution_error"]),
+    )  # fmt: skip
+    if stopped:
+        text = f"restitution_distribution: interrupted after {len(reasons)} of {count} samples (they are in .best)"
+        raise Interrupted(text, result)
+    warn_of_doubt(result.converged, "samples", 2)
+    warn_of_large_strain(result, 2)
+    return result
+
+
+def _choose_spectrum(
+    contact: _core.RefinableContact, temperature: float | None, spectrum: Any, highest: float
+) -> NDArray[Any]:
+    """The modes that vibrate with their mean energies, as the core takes them, read-only."""
+    if (temperature is None) == (spectrum is None):
+        got = "neither" if spectrum is None else "temperature and spectrum"
+        raise InvalidInput(f"temperature: got {got}, allowed one of temperature and spectrum")
+    if temperature is not None or callable(spectrum):
+        modes = _core.thermal(contact, 0.0 if temperature is None else temperature, highest)
+    else:
+        modes = choose_state(spectrum, "spectrum")
+    means = np.zeros(modes.size, dtype=_core.mean_energy)
+    for name in means.dtype.names or ():
+        means[name] = modes[name]
+    if callable(spectrum):
+        means["energy"] = [number("spectrum", spectrum(float(omega))) for omega in _core.frequencies(contact, modes)]
+    means.flags.writeable = False
+    return means

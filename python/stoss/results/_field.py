@@ -1,4 +1,4 @@
-"""Displacement and stress inside a disk or a sphere."""
+"""An impact in time, deformation and stress inside the bodies, and the waves below the surface of a half-space."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from stoss.export._text import span
-from stoss.results._result import Column, Number, Result, picture
+from stoss.results._result import Column, Number, Result, RowResult, picture
 
 if TYPE_CHECKING:
     from stoss.results._impact import Impact
@@ -50,23 +50,18 @@ class Field(OfAnImpact):
 
     Arrays are times × radii × angles, or radii × angles for one time.
 
-    Attributes
-    ----------
-    of : int
-        Inside which body: 0 the first, 1 the second. Units are those of the first.
-    size : float
-        Radius of the body, R.
-    time, center, force, contact_half_width : float or ndarray
-        Of each instant: R/c; x of the body's centre in R; F in mc²/R (of disks πRE); R.
-    radius, angle : ndarray
-        Of the points in the undeformed body: in its own radius; radians, 0 towards the contact.
-    x, y : ndarray
-        Where the points are now, R. The wall is at x = 0 and the body at x < 0. Of two bodies the
-        first is at x < 0: they first touch at x = 0, and their common centre of mass is at rest.
-    stress_rr : ndarray
-        σ_rr, E; tension is positive.
-    von_mises, principal_difference : ndarray
-        In E.
+    Attributes:
+        of: Inside which body: 0 the first, 1 the second. Units are those of the first.
+        size: Radius of the body, R.
+        time, center, force, contact_half_width: Of each instant: R/c; x of the body's centre in R;
+            F in mc²/R (of disks πRE); R.
+        radius, angle: Of the points in the undeformed body: in its own radius; radians, 0 towards
+            the contact.
+        x, y: Where the points are now, R. The wall is at x = 0 and the body at x < 0. Of two bodies
+            the first is at x < 0: they first touch at x = 0, and their common centre of mass is at
+            rest.
+        stress_rr: σ_rr, E; tension is positive.
+        von_mises, principal_difference: In E.
     """
 
     plot = picture("Stress inside the body. See `stoss.plot.stress`.")
@@ -98,18 +93,10 @@ class Field(OfAnImpact):
 class DiskField(Field):
     """The deformed disk and the stress inside it.
 
-    Attributes
-    ----------
-    stress_rr, stress_pp, stress_rp : ndarray
-        σ_rr, σ_φφ and σ_rφ, E; tension is positive.
-    von_mises : ndarray
-        √(σ₁² − σ₁σ₂ + σ₂²) of plane stress, E.
-    principal_difference : ndarray
-        ``|σ₁ − σ₂|``, E: what photoelastic fringes count.
-
-    See Also
-    --------
-    Field : what it has in common with the field of a sphere.
+    Attributes:
+        stress_rr, stress_pp, stress_rp: σ_rr, σ_φφ and σ_rφ, E; tension is positive.
+        von_mises: √(σ₁² − σ₁σ₂ + σ₂²) of plane stress, E.
+        principal_difference: ``|σ₁ − σ₂|``, E: what photoelastic fringes count.
     """
 
     _values = ("x", "y", "stress_rr", "stress_pp", "stress_rp", "von_mises", "principal_difference")
@@ -125,19 +112,12 @@ class SphereField(Field):
     Angles are polar angles θ from the contact; negative ones are the other half of the plane, the
     mirror image of the first.
 
-    Attributes
-    ----------
-    stress_rr, stress_tt, stress_pp, stress_rt : ndarray
-        σ_rr, σ_θθ, σ_φφ (across the plane) and σ_rθ, E; tension is positive.
-    von_mises : ndarray
-        √(½[(σ₁−σ₂)² + (σ₂−σ₃)² + (σ₃−σ₁)²]), E.
-    principal_difference : ndarray
-        ``|σ₁ − σ₂|`` of the principal stresses in the plane, E: what a thin slice would show as
-        photoelastic fringes.
-
-    See Also
-    --------
-    Field : what it has in common with the field of a disk.
+    Attributes:
+        stress_rr, stress_tt, stress_pp, stress_rt: σ_rr, σ_θθ, σ_φφ (across the plane) and σ_rθ, E;
+            tension is positive.
+        von_mises: √(½[(σ₁−σ₂)² + (σ₂−σ₃)² + (σ₃−σ₁)²]), E.
+        principal_difference: ``|σ₁ − σ₂|`` of the principal stresses in the plane, E: what a thin
+            slice would show as photoelastic fringes.
     """
 
     _values = ("x", "y", "stress_rr", "stress_tt", "stress_pp", "stress_rt", "von_mises", "principal_difference")
@@ -145,3 +125,82 @@ class SphereField(Field):
     stress_tt: NDArray[np.float64]
     stress_pp: NDArray[np.float64]
     stress_rt: NDArray[np.float64]
+
+
+@dataclasses.dataclass(frozen=True, eq=False, repr=False)
+class Trajectory(RowResult):
+    """An impact in time. All arrays have one element for each row; an index gives one row, a slice the rows.
+
+    Attributes:
+        center: Position x₀ of the centre of mass, R; the wall is at 0 and the body at x < 0. Of two
+            bodies, that of the first seen from the second.
+        velocity: Of the centre of mass, towards what it meets, c.
+        translation, vibration, stored, dissipated, unresolved: Shares of the initial energy: in the
+            motion of the centre of mass; in the kept modes; in the wall's potential or the static
+            tail; lost to the material; taken by the modes above the cutoff.
+    """
+
+    plot = picture("Force against time. See `stoss.plot.force`.")
+    _name: ClassVar[str] = "trajectory"
+    _kind = "snapshot"
+    _axis: ClassVar[str] = "time"
+
+    impact: Impact = dataclasses.field(repr=False)
+    time: NDArray[np.float64]
+    center: NDArray[np.float64]
+    velocity: NDArray[np.float64]
+    force: NDArray[np.float64]
+    translation: NDArray[np.float64]
+    vibration: NDArray[np.float64]
+    stored: NDArray[np.float64]
+    dissipated: NDArray[np.float64]
+    unresolved: NDArray[np.float64]
+    contact_half_width: NDArray[np.float64]
+
+    def __repr__(self) -> str:
+        return f"Trajectory({len(self)} rows, time 0 to {self.time[-1]:.6g} {self._unit('time')}, of {self.impact!r})"
+
+    def _kind_of_body(self) -> str:
+        return self.impact._kind_of_body()
+
+    def _inputs(self) -> dict[str, Any]:
+        return self.impact._inputs()
+
+
+@dataclasses.dataclass(frozen=True, eq=False, repr=False)
+class Wave(OfAnImpact):
+    """How a half-space, or a half-plane, moves below its surface during and after an impact.
+
+    Arrays are times × depths × distances, or depths × distances for one time. The plane goes
+    through the axis of the impact; the other side is its mirror image.
+
+    Attributes:
+        time, center, force: Of each instant: R/c; x of the first body's centre in R, where the
+            undeformed surface is at x = 0 and the body at x < 0; F in mc²/R (of disks πRE).
+        depth, distance: Of the points: below the surface, and from the axis, R.
+        lateral, normal: Displacement away from the axis, and into the half-space, R.
+        lateral_velocity, normal_velocity: Their rates of change, c.
+        pressure_speed, shear_speed, rayleigh_speed: c_p, c_s and c_R of the half-space, in c of the
+            first body.
+    """
+
+    plot = picture("Speed below the surface. See `stoss.plot.wave`.")
+    _name: ClassVar[str] = "wave"
+    _kind = "snapshot"
+    _points = {"depth": "depths", "distance": "distances"}
+    _values = ("lateral", "normal", "lateral_velocity", "normal_velocity")
+    _units = dict.fromkeys((*_points, "lateral", "normal"), "R") | dict.fromkeys(_values[2:], "c")
+
+    impact: Impact = dataclasses.field(repr=False)
+    time: Number
+    center: Number
+    force: Number
+    depth: NDArray[np.float64]
+    distance: NDArray[np.float64]
+    lateral: NDArray[np.float64]
+    normal: NDArray[np.float64]
+    lateral_velocity: NDArray[np.float64]
+    normal_velocity: NDArray[np.float64]
+    pressure_speed: float
+    shear_speed: float
+    rayleigh_speed: float

@@ -1,19 +1,23 @@
-"""ε(v) as a function."""
+"""ε(v) as a function, of values that are computed for it or of a curve."""
 
 from __future__ import annotations
 
 import dataclasses
 import functools
 import os
+import warnings
 from typing import Any, ClassVar
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from stoss import _core
-from stoss._arguments import choice, number, numbers, refusal
+from stoss._arguments import choice, integer, number, numbers, refusal
+from stoss._documentation import documented
+from stoss._errors import InvalidInput, StossWarning
 from stoss.bodies._bodies import Body, shown, speed_unit, speeds_in_si
-from stoss.bodies._encounter import Against, encounter
+from stoss.bodies._encounter import Against, choose_against, choose_body, encounter, refinable, yield_speed_of
+from stoss.bodies._walls import HardWall, Unbounded
 from stoss.export._files import write_lines
 from stoss.export._text import brief_range
 from stoss.results._result import Column, picture
@@ -31,29 +35,10 @@ class RestitutionFunction(SpeedInSi):
     by `restitution_function`, or by `Restitution.function`; ``len()`` is the number of computed
     values.
 
-    Attributes
-    ----------
-    body : Disk, Sphere or Rod
-        The first.
-    against : HardWall, Disk, Sphere, Rod, HalfSpace or HalfPlane
-    beyond : {'error', 'clamp', 'law'}
-        What it does beyond its range.
-    state : ndarray or None
-        How the bodies vibrated before, if they did.
-    speed : ndarray
-        Of the computed values, rising, c.
-    restitution, restitution_error : ndarray
-        ε and its error there.
-    interpolation_error : ndarray
-        Error of the interpolation from each computed value to the next; one element less.
-
-    Examples
-    --------
-    >>> epsilon = stoss.restitution_function(stoss.Sphere(poisson=0.3), speed=(0.001, 0.3))
-    >>> round(epsilon(0.1), 3), epsilon.error(0.1) < 1e-3
-    (0.991, True)
-    >>> epsilon([0.01, -0.2]).round(2)
-    array([1.  , 0.96])
+    Attributes:
+        speed: Of the computed values, rising, c.
+        interpolation_error: Error of the interpolation from each computed value to the next; one
+            element less.
     """
 
     plot = picture("The curve with its error, and the computed values. See `stoss.plot.function`.")
@@ -72,13 +57,7 @@ class RestitutionFunction(SpeedInSi):
     interpolation_error: NDArray[np.float64]
 
     def __call__(self, speed: ArrayLike) -> Any:
-        """ε: a float for a number, otherwise an array of the shape of `speed`.
-
-        Raises
-        ------
-        InvalidInput
-            For speeds that are not finite, and beyond the range unless that was to be answered.
-        """
+        """ε: a float for a number, otherwise an array of the shape of `speed`."""
         return self._of(speed, self._core.values)
 
     def error(self, speed: ArrayLike) -> Any:
@@ -104,8 +83,7 @@ class RestitutionFunction(SpeedInSi):
 
     @property
     def knots(self) -> NDArray[Any]:
-        """The computed values: a structured array of speed (in the unit of the call), restitution
-        and error."""
+        """The computed values: a structured array of speed (in the unit of the call), restitution and error."""
         names = ["speed", "restitution", "error"]
         table = np.zeros(len(self), dtype=[(name, np.float64) for name in names])
         table["speed"] = self.speed * speed_unit(self.body)
@@ -118,6 +96,7 @@ class RestitutionFunction(SpeedInSi):
         """Of ε at any speed of the range."""
         return self._core.greatest_error()
 
+    @documented
     def to_c(self, path: str | os.PathLike[str], *, name: str = "stoss") -> None:
         """Write the function as a header in C, which C++ takes too.
 
@@ -127,23 +106,11 @@ class RestitutionFunction(SpeedInSi):
         Beyond the range the error is HUGE_VAL, and ε that at the nearer end (``beyond="clamp"``) or
         not a number (``"error"``). The file appears whole or not at all.
 
-        Parameters
-        ----------
-        path : str or path
-            Where to; an existing file is replaced.
-        name : str, optional
-            Prefix of the names in C.
+        Parameters:
+            name: Prefix of the names in C.
 
-        Raises
-        ------
-        InvalidInput
-            For a name that C cannot have, and a function that follows a law beyond its range.
-        OSError
-            If the file cannot be written.
-
-        Examples
-        --------
-        >>> stoss.restitution_function(poisson=0.33, speed=(1e-3, 0.3), beyond="clamp").to_c("restitution.h")
+        Examples:
+            >>> stoss.restitution_function(poisson=0.33, speed=(1e-3, 0.3), beyond="clamp").to_c("restitution.h")
         """
         provenance = [line[2:].rstrip("\n") for line in self._lines() if line.startswith("# ")]
         unit = "c" if self.body.material is None else "m/s"
@@ -151,31 +118,19 @@ class RestitutionFunction(SpeedInSi):
             raise refusal("name", name, "a str")
         write_lines(path, [self._core.c_header(name, unit, speed_unit(self.body), provenance)])
 
+    @documented
     def to_two_column(self, path: str | os.PathLike[str], *, error: float | None = None) -> None:
-        """Write the function as lines of two numbers, speed and ε, for linear interpolation in the
-        speed.
+        """Write the function as lines of two numbers, speed and ε, for linear interpolation in the speed.
 
         There are as many lines as this takes for `error`, and there is no head. Speeds are in the
         unit in which the function is called. The file appears whole or not at all.
 
-        Parameters
-        ----------
-        path : str or path
-            Where to; an existing file is replaced.
-        error : float, optional
-            Maximum error of ε, linear interpolation included, 1.01 of `greatest_error` or more; by
-            default twice that.
+        Parameters:
+            error: Maximum error of ε, linear interpolation included, 1.01 of `greatest_error` or
+                more; by default twice that.
 
-        Raises
-        ------
-        InvalidInput
-            For a smaller error.
-        OSError
-            If the file cannot be written.
-
-        Examples
-        --------
-        >>> stoss.restitution_function(poisson=0.33, speed=(1e-3, 0.3)).to_two_column("disk.txt", error=2e-3)
+        Examples:
+            >>> stoss.restitution_function(poisson=0.33, speed=(1e-3, 0.3)).to_two_column("disk.txt", error=2e-3)
         """
         limit = 2.0 * self.greatest_error if error is None else number("error", error)
         write_lines(path, [self._core.two_column(limit, speed_unit(self.body))])
@@ -215,3 +170,72 @@ def choose_beyond(beyond: Any, body: Body, against: Against, state: NDArray[Any]
         if state is not None and state.size:
             choice("beyond", beyond, BEYOND[:2])  # the laws are those of unexcited bodies
     return chosen
+
+
+@documented
+def restitution_function(
+    body: Body | None = None,
+    *,
+    speed: ArrayLike,
+    against: HardWall | Body | Unbounded | str | None = None,
+    poisson: float | None = None,
+    error: float = 1e-3,
+    beyond: str = "error",
+    threads: int = 0,
+) -> RestitutionFunction:
+    """Compute ε as a function of the speed, with an error that is kept at every speed of a range.
+
+    It begins with six speeds per decade, and halves every interval until the value computed in its
+    middle is the interpolated one within a quarter of the error. Most functions take 40 to 100
+    values; one that needs more than 2000 has not converged.
+
+    Parameters:
+        speed (tuple of two float): Slowest and fastest speed of approach, 1e-8 to 1, c (with a
+            material: m/s).
+        beyond ({'error', 'clamp', 'law'}, optional): What the function does beyond the range:
+            refuse; give the value at the nearer end, with an infinite error; below it, follow the
+            law of slow impacts with its error, and refuse above. There is a law for disks and
+            spheres at a wall or in equal pairs, and for elastic spheres on elastic half-spaces.
+
+    Examples:
+        >>> epsilon = stoss.restitution_function(poisson=0.33, speed=(1e-3, 0.3), beyond="law")
+        >>> epsilon
+        RestitutionFunction(Disk(poisson=0.33), speed=0.001 to 0.3 c, beyond='law': ... speeds computed, error below ...)
+        >>> round(epsilon(0.1), 3), epsilon.error(0.1) < 1e-3, epsilon([0.01, -0.1]).round(2)
+        (0.947, True, array([0.98, 0.95]))
+        >>> steel = stoss.Sphere(radius=5e-3, material=stoss.materials["steel"])
+        >>> block = stoss.HalfSpace(material=steel.material)
+        >>> drop = stoss.restitution_function(steel, against=block, speed=(0.01, 0.5))  # m/s
+        >>> direct = stoss.restitution(steel, against=block, speed=0.2)
+        >>> bool(abs(drop(0.2) - direct.restitution) < 1e-3)
+        True
+    """
+    chosen = choose_body(body, poisson, rigid=True)
+    met = choose_against(chosen, against, (HardWall,))
+    ends = numbers("speed", speed)
+    if ends.shape != (2,):
+        raise refusal("speed", speed, "two numbers, the slowest and the fastest")
+    slowest, fastest = (float(each) for each in ends / speed_unit(chosen))
+    outside = choose_beyond(beyond, chosen, met, None)
+    limit, count = number("error", error), integer("threads", threads)
+    with speeds_in_si(chosen):
+        made = _core.adaptive_function(refinable(chosen, met), slowest, fastest, limit, count)
+    function = function_of(chosen, met, outside, None, *made.knots(), made.interpolation_errors())
+    _warn_of_yielding(function)
+    return function
+
+
+def function_of(*given: Any) -> RestitutionFunction:
+    """A function of these fields, of which the core has checked the knots and found the error between them."""
+    made = RestitutionFunction(*given)
+    for each in (made.speed, made.restitution, made.restitution_error):
+        each.flags.writeable = False
+    with speeds_in_si(made.body):
+        return dataclasses.replace(made, interpolation_error=made._core.interpolation_errors())
+
+
+def _warn_of_yielding(function: RestitutionFunction) -> None:
+    found = yield_speed_of(function.body, function.against)
+    if found is not None and function.range[1] > found:
+        text = f"speed above {found:.4g} m/s, where yielding begins (elastic values are bounds there)"
+        warnings.warn(text, StossWarning, stacklevel=3)

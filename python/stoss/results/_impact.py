@@ -6,14 +6,17 @@ import dataclasses
 from typing import Any, ClassVar
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 
 from stoss import _core
-from stoss.bodies._bodies import Body, Rod, shown
-from stoss.bodies._encounter import Against, contact
-from stoss.bodies._state import choose_state
+from stoss._arguments import flags, integer, number, optional_number
+from stoss._documentation import documented
+from stoss._errors import InvalidInput
+from stoss.bodies._bodies import Body, Rod, shown, speed_unit, speeds_in_si
+from stoss.bodies._encounter import Against, choose_against, choose_body, choose_tail, contact
+from stoss.bodies._state import State, choose_state
 from stoss.bodies._walls import ExponentialWall, HardWall
-from stoss.results import _inside, _replay
+from stoss.results import _replay
 from stoss.results._si import ImpactsInSi, Si
 
 
@@ -23,63 +26,18 @@ class Impact(ImpactsInSi):
 
     Energies are shares of the initial energy, that of translation and vibration.
 
-    Attributes
-    ----------
-    body : Disk, Sphere or Rod
-        The first; all units are its own.
-    against : HardWall, ExponentialWall, Disk, Sphere, Rod, HalfSpace or HalfPlane
-    speed : float
-        Of approach of the centres of mass, or towards the wall, c.
-    restitution : float
-        ε = −v_f/v_i of the relative motion; above 1 where vibration is given back.
-    lost_fraction : float
-        1 − ε², negative where ε > 1.
-    translation, vibration, dissipated, unresolved : float
-        Energy after the impact: of the (relative) translation; of the kept modes; lost to the
-        material; of the modes above the cutoff. The sum is 1 but for `energy_error`.
-    lost_to_first, lost_to_second : float
-        Vibration and dissipation of each body after the impact, `unresolved` included; what the
-        waves of a half-space carry away.
-    contact_time : float
-        From first to last contact, R/c.
-    impulse_time : float
-        From 1 % to 99 % of the impulse, R/c.
-    contacts : int
-        Separate periods of contact.
-    max_force : float
-        Maximum mean over one step of the force, mc²/R: πRE of a disk, (4π/3)R²E of a sphere.
-    max_compression : float
-        In R.
-    max_half_width : float
-        Maximum half-width of the contact, R; of spheres its radius.
-    cutoff : float
-        Modes up to this frequency are kept, c/R.
-    modes, steps : int
-        Numbers of kept modes and of time steps.
-    step : float
-        Time step, R/c.
-    nodes, half_width : int, float
-        Of the contact grid; R.
-    tail : {'radiating', 'static'}
-        How the modes above the cutoff answered.
-    energy_error, momentum_error : float
-        What is missing, as shares of the initial energy and momentum.
-    beyond_small_strain : bool
-        Speed, also of the vibration before, above 0.5 c or compression above 0.5 R, where linear
-        elasticity has lost its meaning.
-    mode_energies : ndarray
-        Energy of each kept mode, a structured array with the fields body (0 of the first, 1 of
-        the second), order, index, omega, before and after (the impact) and average (during
-        contact). Those of a half-space are samples of a continuum, and their order counts wave
-        numbers.
-    keep : ndarray or None
-        Which modes up to the cutoff were kept, if not all: those of `mode_energies`.
-    state : ndarray or None
-        How the bodies vibrated before, if they did: a structured array with the fields body, order,
-        index, energy (as a share of the translational one) and phase.
-    material : Material or None
-        Of the body. With one there are SI values, `speed_si` and so on, and of a sphere with a yield
-        strength `yield_speed`, `yield_speed_si` and `beyond_yield`.
+    Attributes:
+        translation, vibration, dissipated, unresolved: Energy after the impact: of the (relative)
+            translation; of the kept modes; lost to the material; of the modes above the cutoff. The
+            sum is 1 but for `energy_error`.
+        lost_to_first, lost_to_second: Vibration and dissipation of each body after the impact,
+            `unresolved` included; what the waves of a half-space carry away.
+        max_force: Maximum mean over one step of the force, mc²/R: πRE of a disk, (4π/3)R²E of a sphere.
+        half_width: Of the contact grid, R.
+        mode_energies: Energy of each kept mode, a structured array with the fields body (0 of the
+            first, 1 of the second), order, index, omega, before and after (the impact) and average
+            (during contact). Those of a half-space are samples of a continuum, and their order
+            counts wave numbers.
     """
 
     _name: ClassVar[str] = "impact"
@@ -90,8 +48,8 @@ class Impact(ImpactsInSi):
     impulse_time_si = Si("Time between 1 % and 99 % of the impulse, s.")
 
     trajectory = _replay.trajectory
-    field = _inside.field
-    wave = _inside.wave
+    field = _replay.field
+    wave = _replay.wave
     energies_at = _replay.energies_at
     state_after = _replay.state_after
 
@@ -142,16 +100,10 @@ class Impact(ImpactsInSi):
 
     @classmethod
     def _made(
-        cls,
-        body: Body,
-        against: Against,
-        speed: float,
-        cutoff: float,
+        cls, body: Body, against: Against, speed: float, cutoff: float, tail: str = "radiating",
         resolution: tuple[float | None, int | None, float | None] = (None, None, None),
-        tail: str = "radiating",
-        keep: NDArray[np.bool_] | None = None,
-        state: Any = None,
-    ) -> Impact:
+        keep: NDArray[np.bool_] | None = None, state: Any = None,
+    ) -> Impact:  # fmt: skip
         """The impact with these inputs, checked before; a resolution is step, nodes and half-width."""
         modes = choose_state(state)
         handle = _core.impact(contact(body, against, cutoff, speed, keep), tail, speed, *resolution, modes)
@@ -164,9 +116,84 @@ class Impact(ImpactsInSi):
         # Repeated, which gives the same bits, rather than written.
         width = None if isinstance(self.body, Rod) else self.half_width
         resolution = (self.step, self.nodes, width)
-        made_with = (self.body, self.against, self.speed, self.cutoff, resolution, self.tail, self.keep, self.state)
-        return Impact._made, made_with
+        given = (self.body, self.against, self.speed, self.cutoff, self.tail)
+        return Impact._made, (*given, resolution, self.keep, self.state)
 
     def _inputs(self) -> dict[str, Any]:
         kept = {} if self.keep is None else {"keep": f"{self.modes} of {self.keep.size} modes"}
         return super()._inputs() | kept
+
+
+@documented
+def impact(
+    body: Body | None = None,
+    *,
+    speed: float,
+    against: Against | str | None = None,
+    poisson: float | None = None,
+    cutoff: float = 50.0,
+    step: float | None = None,
+    nodes: int | None = None,
+    half_width: float | None = None,
+    tail: str = "radiating",
+    keep: ArrayLike | None = None,
+    state: State = None,
+) -> Impact:
+    """One impact of an elastic body at a fixed resolution, with its energy ledger.
+
+    The modes with ω ≤ `cutoff` move by m Q̈ = −m ω² Q − F·(their amplitude at the contact); all
+    others answer together. For a value with an error bar use `restitution`.
+
+    Parameters:
+        step: Time step, R/c.
+        nodes: Of the contact grid.
+        half_width: Of the contact grid, R.
+        keep (array_like of bool, optional): Which of the modes with ω ≤ `cutoff` are kept, in the
+            order of `Impact.mode_energies`; only with an `ExponentialWall`, because a hard contact
+            needs the compliance of the others. Default: all.
+
+    Examples:
+        >>> hit = stoss.impact(poisson=0.33, speed=0.1)
+        >>> hit
+        Impact(Disk(poisson=0.33), speed=0.1 c: restitution 0.94705, contact time 5.897 R/c, 1146 modes)
+        >>> round(hit.translation + hit.vibration + hit.unresolved, 3)
+        1.0
+
+        With a soft wall the modes may be chosen, for example those that a first run finds to be the
+        most energetic.
+
+        >>> soft = stoss.ExponentialWall(hardness=500)
+        >>> average = stoss.impact(poisson=0.33, speed=0.1, against=soft).mode_energies["average"]
+        >>> stoss.impact(poisson=0.33, speed=0.1, against=soft, keep=average >= np.sort(average)[-300]).modes
+        300
+
+        Two disks of unequal size, and which absorbs more.
+
+        >>> pair = stoss.impact(stoss.Disk(poisson=0.33), against=stoss.Disk(poisson=0.33, radius=2), speed=0.2)
+        >>> round(pair.lost_to_first, 2), round(pair.lost_to_second, 2)
+        (0.03, 0.33)
+
+        What an impact leaves in the modes makes the next one faster or slower, as the phases have it.
+
+        >>> ball = stoss.Sphere(poisson=0.3)
+        >>> first = stoss.impact(ball, speed=0.1, cutoff=25)
+        >>> for flight in (21.0, 22.0):
+        ...     state = first.state_after(flight=flight)
+        ...     again = stoss.impact(ball, speed=0.1 * first.restitution, cutoff=25, state=state)
+        ...     print(round(again.restitution, 4))
+        0.9917
+        0.989
+    """
+    chosen = choose_body(body, poisson, rigid=True)
+    initial = number("speed", speed) / speed_unit(chosen)
+    met = choose_against(chosen, against, (HardWall, ExponentialWall))
+    at = number("cutoff", cutoff)
+    count = None if nodes is None else integer("nodes", nodes)
+    resolution = optional_number("step", step), count, optional_number("half_width", half_width)
+    answer, kept = choose_tail(tail), None if keep is None else flags("keep", keep)
+    if kept is not None and not isinstance(met, ExponentialWall):
+        hint = "elsewhere the compliance of the other modes counts"
+        got = f"a selection of modes and {met!r}"
+        raise InvalidInput(f"keep: got {got}, allowed only with a stoss.ExponentialWall ({hint})")
+    with speeds_in_si(chosen):
+        return Impact._made(chosen, met, initial, at, answer, resolution, kept, state)

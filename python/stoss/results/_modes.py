@@ -10,6 +10,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from stoss import _core
 from stoss._arguments import brief, instance, integer, number, numbers
+from stoss._documentation import documented
 from stoss._errors import InvalidInput
 from stoss.bodies._bodies import Disk, Sphere
 from stoss.bodies._encounter import choose_body
@@ -27,21 +28,10 @@ class Modes(RowResult):
     ``len()`` is their number,
     an index gives one mode, a slice or flags the modes among them.
 
-    Attributes
-    ----------
-    body : Disk or Sphere
-    poisson : float
-        Poisson's ratio, of a disk the 2-D one.
-    cutoff : float
-        Highest frequency, c/R.
-    order : ndarray of int
-        Angular order n of a disk, degree n of a sphere.
-    index : ndarray of int
-        Number l of the root for this order, from 0.
-    omega : ndarray
-        Eigenfrequency ω, c/R.
-    radial, tangential : ndarray
-        Amplitudes at the surface: C = u_r and S = u_φ, of a sphere U = u_r and V = u_θ; C, U ≥ 0.
+    Attributes:
+        cutoff: Highest frequency, c/R.
+        radial, tangential: Amplitudes at the surface: C = u_r and S = u_φ, of a sphere U = u_r and
+            V = u_θ; C, U ≥ 0.
     """
 
     plot = picture("Spectrum, ω against n. See `stoss.plot.spectrum`.")
@@ -65,50 +55,37 @@ class Modes(RowResult):
 
     @property
     def radial_family(self) -> NDArray[np.bool_]:
-        """Whether the surface moves mostly along the radius, ``C > |S|``; of a sphere
-        ``U > √(n(n+1)) |V|``."""
+        """Whether the surface moves mostly along the radius, ``C > |S|``; of a sphere ``U > √(n(n+1)) |V|``."""
         along = np.abs(self.tangential)
         if isinstance(self.body, Sphere):
             along = along * np.sqrt(self.order * (self.order + 1.0))
         return np.asarray(self.radial > along)
 
     def find(self, order: int, index: int) -> int:
-        """Position of the mode (n, l) in the arrays.
-
-        Raises
-        ------
-        InvalidInput
-            If there is no such mode below the cutoff.
-        """
+        """Position of the mode (n, l) in the arrays."""
         order, index = integer("order", order), integer("index", index)
         found = np.flatnonzero((self.order == order) & (self.index == index))
         if found.size == 0:
             raise InvalidInput(f"mode: got (n, l) = ({order}, {index}), allowed those up to the cutoff {self.cutoff:g}")
         return int(found[0])
 
+    @documented
     def displacement(
         self, *, order: int, index: int, radius: ArrayLike
     ) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
         """Displacement of the mode (n, l) inside the body.
 
-        Parameters
-        ----------
-        order, index : int
-            n and l.
-        radius : array_like
-            Radii r, 0 to 1, R.
+        Parameters:
+            radius: Radii r, 0 to 1, R.
 
-        Returns
-        -------
-        u_r, u_phi : ndarray
-            Of the shape of `radius`, to be multiplied by cos nφ and sin nφ; of a sphere u_r and
-            u_θ, by P_n(cos θ) and dP_n(cos θ)/dθ.
+        Returns:
+            u_r, u_phi : ndarray: Of the shape of `radius`, to be multiplied by cos nφ and sin nφ;
+                of a sphere u_r and u_θ, by P_n(cos θ) and dP_n(cos θ)/dθ.
 
-        Examples
-        --------
-        >>> u_r, u_phi = stoss.modes(poisson=0.33, cutoff=5).displacement(order=2, index=0, radius=[0.0, 1.0])
-        >>> u_r.round(6)
-        array([0.      , 1.388815])
+        Examples:
+            >>> u_r, u_phi = stoss.modes(poisson=0.33, cutoff=5).displacement(order=2, index=0, radius=[0.0, 1.0])
+            >>> u_r.round(6)
+            array([0.      , 1.388815])
         """
         k = self.find(order, index)
         radii = numbers("radius", radius)
@@ -123,30 +100,25 @@ class Modes(RowResult):
         return self.body._kind
 
 
+@documented
 def modes(body: Disk | Sphere | None = None, *, cutoff: float, poisson: float | None = None) -> Modes:
-    """All symmetric in-plane modes of a free disk, or axisymmetric spheroidal ones of a sphere, up
-    to a cutoff.
+    """All symmetric in-plane modes of a free disk, or axisymmetric spheroidal ones of a sphere, up to a cutoff.
 
     The frequencies are the roots of D_n(ω) = 0, the free surface's determinant. None
     is missed: they are counted exactly.
 
-    Parameters
-    ----------
-    body : Disk or Sphere
-    cutoff : float
-        Highest frequency, c/R, up to 1000.
-    poisson : float
-        In place of `body`: 2-D Poisson's ratio ν, −0.95 to 0.995.
+    Parameters:
+        body:
+        cutoff: Highest frequency, c/R, up to 1000.
 
-    Examples
-    --------
-    >>> modes = stoss.modes(poisson=0.33, cutoff=30)
-    >>> modes
-    Modes(poisson=0.33, cutoff=30: 421 modes, omega 1.43853 to 29.9516)
-    >>> modes.omega[modes.find(2, 0)].round(5)
-    1.43853
-    >>> stoss.modes(stoss.Sphere(poisson=0.3), cutoff=12.5)
-    Modes(Sphere(poisson=0.3), cutoff=12.5: 69 modes, omega 1.64111 to 12.4994)
+    Examples:
+        >>> modes = stoss.modes(poisson=0.33, cutoff=30)
+        >>> modes
+        Modes(poisson=0.33, cutoff=30: 421 modes, omega 1.43853 to 29.9516)
+        >>> modes.omega[modes.find(2, 0)].round(5)
+        1.43853
+        >>> stoss.modes(stoss.Sphere(poisson=0.3), cutoff=12.5)
+        Modes(Sphere(poisson=0.3), cutoff=12.5: 69 modes, omega 1.64111 to 12.4994)
     """
     free: Disk | Sphere = instance("body", choose_body(body, poisson), (Disk, Sphere))
     highest = number("cutoff", cutoff)

@@ -9,13 +9,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from stoss._arguments import arranged
-from stoss.bodies._blocks import UNBOUNDED
+from stoss._errors import InvalidInput
 from stoss.bodies._bodies import PARTNERS, Body, Disk, Rod, Sphere, shown
 from stoss.bodies._encounter import Against, choose_against
+from stoss.bodies._walls import UNBOUNDED
 from stoss.export import _tables
 from stoss.export._text import span, with_error
-from stoss.results._function import RestitutionFunction
-from stoss.results._interpolation import of_curve
+from stoss.results._function import RestitutionFunction, choose_beyond, function_of
 from stoss.results._result import Column, Number, picture
 from stoss.results._si import ImpactsInSi, Si
 
@@ -32,59 +32,17 @@ class Restitution(ImpactsInSi):
     estimated errors are bounds: in the validation 97 % or more of the true errors are within them,
     for fast disks (above 0.1 c) 91 %.
 
-    Attributes
-    ----------
-    body : Disk, Sphere, Rod or None
-        The first; all units are its own. None if there are several.
-    bodies : tuple
-        All first bodies, each once.
-    against : HardWall, Disk, Sphere, Rod, HalfSpace, HalfPlane or 'same'
-        What it meets; 'same' for several Poisson's ratios, each meeting an identical disk.
-    poisson : float or ndarray
-        Poisson's ratio, of a disk the 2-D one; NaN for a rod.
-    speed : float or ndarray
-        Of approach of the centres of mass, or towards the wall, c.
-    restitution, restitution_error : float or ndarray
-        ε = −v_f/v_i of the relative motion, and its estimated error; above 1 where vibration is
-        given back.
-    lost_fraction, lost_fraction_error : float or ndarray
-        1 − ε², negative where ε > 1.
-    contact_time, contact_time_error : float or ndarray
-        From first to last contact, R/c.
-    impulse_time, impulse_time_error : float or ndarray
-        From 1 % to 99 % of the impulse, R/c: a last grazing contact hardly changes it.
-    max_compression, max_compression_error : float or ndarray
-        In R.
-    max_force, max_force_error : float or ndarray
-        mc²/R: πRE of a disk, (4π/3)R²E of a sphere.
-    lost_to_first, lost_to_second : float or ndarray
-        Vibration of each body after the impact and what its material absorbed, as shares of the
-        initial energy; of a half-space what its waves carry away; 0 of a wall. Of bodies that were
-        unexcited, their sum is `lost_fraction`.
-    dissipated : float or ndarray
-        What the material of both absorbed.
-    cutoff, energy_error, modes : float, int or ndarray
-        Of the finest impact: c/R; what is missing, as a share of the initial energy; number of kept
-        modes.
-    runs, steps : int or ndarray
-        Impacts computed, and their time steps.
-    converged : bool or ndarray
-        Whether the tolerance is met.
-    beyond_small_strain : bool or ndarray
-        Speed, also of the vibration before, above 0.5 c or compression above 0.5 R, where linear
-        elasticity has lost its meaning.
-    reason : str or ndarray of str
-        Why it is not converged; empty where it is.
-    tolerance : float
-        Asked for: error of 1 − ε² over 1 − ε².
-    absolute : float
-        Or error of 1 − ε².
-    state : ndarray or None
-        How the bodies vibrated before, if they did: a structured array with the fields body, order,
-        index, energy (as a share of the translational one) and phase.
-    material : Material or None
-        Of the body. With one there are SI values, `speed_si` and so on, and of a sphere with a yield
-        strength `yield_speed`, `yield_speed_si` and `beyond_yield`.
+    Attributes:
+        body (Disk, Sphere, Rod or None): The first; all units are its own. None if there are
+            several.
+        bodies: All first bodies, each once.
+        against (HardWall, Disk, Sphere, Rod, HalfSpace, HalfPlane or 'same'): What it meets; 'same'
+            for several Poisson's ratios, each meeting an identical disk.
+        lost_to_first, lost_to_second: Vibration of each body after the impact and what its material
+            absorbed, as shares of the initial energy; of a half-space what its waves carry away; 0
+            of a wall. Of bodies that were unexcited, their sum is `lost_fraction`.
+        cutoff, energy_error, modes (float, int or ndarray): Of the finest impact: c/R; what is
+            missing, as a share of the initial energy; number of kept modes.
     """
 
     plot = picture("ε against v with error bars. See `stoss.plot.restitution`.")
@@ -157,8 +115,7 @@ class Restitution(ImpactsInSi):
         return True
 
     def __getitem__(self, key: Any) -> Restitution:
-        """The values at an index, a slice or flags, as numpy has them; bodies that are none of
-        these leave."""
+        """The values at an index, a slice or flags, as numpy has them; bodies that are none of these leave."""
         len(self)  # refuses a single value
         shape = np.shape(self.restitution)
         fields = {field.name: getattr(self, field.name) for field in dataclasses.fields(self)}
@@ -178,24 +135,24 @@ class Restitution(ImpactsInSi):
         The error of the interpolation is estimated from how well values are met by their
         neighbours; `stoss.restitution_function` keeps to an error that is asked for.
 
-        Parameters
-        ----------
-        beyond : {'error', 'clamp', 'law'}, optional
-            What the function does beyond these speeds, as of `stoss.restitution_function`.
-
-        Raises
-        ------
-        InvalidInput
-            For several bodies, too few speeds or one twice, and values that have not converged.
-
-        Examples
-        --------
-        >>> curve = stoss.restitution(poisson=0.33, speed=np.geomspace(1e-3, 0.3, 50))
-        >>> epsilon = curve.function(beyond="clamp")
-        >>> round(epsilon(0.1), 3), epsilon.error(0.1) < 1e-3
-        (0.947, True)
+        Parameters:
+            beyond ({'error', 'clamp', 'law'}, optional): What the function does beyond these
+                speeds, as of `stoss.restitution_function`.
         """
-        return of_curve(self, beyond)
+        body, against = self.body, self.against
+        if body is None and np.unique(self.poisson).size == 1 and len(self.bodies) == 1:
+            body = self.bodies[0]
+        if body is None or isinstance(against, str):
+            raise InvalidInput(f"function: got {len(self.bodies)} bodies, allowed one (take a part of the result, [0])")
+        doubtful = int(np.size(self.converged) - np.count_nonzero(self.converged))
+        if doubtful:
+            hint = "allowed those that have (see .converged, .reason; or take a part, curve[curve.converged])"
+            got = f"{doubtful} of {np.size(self.speed)} values that have not converged"
+            raise InvalidInput(f"function: got {got}, {hint}")
+        order = np.argsort(np.ravel(self.speed), kind="stable")
+        curve = (np.ravel(each)[order] for each in (self.speed, self.restitution, self.restitution_error))
+        outside = choose_beyond(beyond, body, against, self.state)
+        return function_of(body, against, outside, self.state, *curve, np.empty(0))
 
     def _arranged_columns(self) -> tuple[dict[str, Column], tuple[str, ...]]:
         table, shape = self._columns(), np.shape(self.restitution)

@@ -1,5 +1,4 @@
-"""What all results have in common: to_dict, to_csv and the other formats, and a line that says the
-essential."""
+"""What all results have in common: to_dict, to_csv and the other formats, and a line that says the essential."""
 
 from __future__ import annotations
 
@@ -13,6 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from stoss import _core
+from stoss._documentation import documented, with_fields
 from stoss.bodies._state import shown_state
 from stoss.export import _tables
 from stoss.export._files import write_lines
@@ -63,40 +63,27 @@ class Result:
     _told: ClassVar[tuple[str, ...]] = ()  # what made it, for the head of the CSV; what is None is left out
     _draw: ClassVar[Callable[[Any, Any, str], Any]]  # set by the package: results know no pictures
 
+    def __init_subclass__(cls) -> None:
+        with_fields(cls)
+
     def to_dict(self) -> dict[str, Any]:
         """Return all that the result holds in plain Python types, ready for json.
 
         An error that is unknown is the word "unknown"; in the arrays it is infinite.
         """
-        values: dict[str, Any] = plain(self) | plain(self._derived())
-        return values
+        return {**plain(self), **plain(self._derived())}
 
+    @documented
     def to_csv(self, path: str | os.PathLike[str]) -> None:
         """Write the result as CSV with all digits.
 
         Column names carry the units, and lines that start with # say what made the result. An error
         that is unknown is the word "unknown". The file appears whole or not at all.
-
-        Parameters
-        ----------
-        path : str or path
-            Where to; an existing file is replaced.
-
-        Raises
-        ------
-        OSError
-            If the file cannot be written.
         """
         write_lines(path, self._lines())
 
     def to_dataframe(self) -> Any:
-        """Return the columns of `to_csv` as a table of pandas, with units and inputs in its attrs.
-
-        Raises
-        ------
-        ImportError
-            Without pandas.
-        """
+        """Return the columns of `to_csv` as a table of pandas, with units and inputs in its attrs."""
         columns = self._columns()
         return _tables.dataframe(columns, self._units_of(columns), self._inputs())
 
@@ -105,11 +92,6 @@ class Result:
 
         Its dimension is what the result runs along: speed, mode, time, …; of `restitution` with
         Poisson's ratios down and speeds across there are two.
-
-        Raises
-        ------
-        ImportError
-            Without xarray.
         """
         columns, dimensions = self._arranged_columns()
         return _tables.dataset(columns, dimensions, self._units_of(columns), self._inputs())
@@ -180,15 +162,13 @@ class Result:
 
 
 class RowResult(Result):
-    """A result whose fields are columns of one length: `len()` is their number, an index one
-    row."""
+    """A result whose fields are columns of one length: `len()` is their number, an index one row."""
 
     def __len__(self) -> int:
         return len(getattr(self, self._axis_column()))
 
     def __getitem__(self, key: Any) -> Any:
-        """A row as a dict, or for a slice, an array of indices or of flags, the result with these
-        rows alone."""
+        """A row as a dict, or for a slice, an array of indices or of flags, the result with these rows alone."""
         names = [field.name for field in dataclasses.fields(self) if self._is_column(getattr(self, field.name))]
         parts = _tables.rows({name: getattr(self, name) for name in names}, key, len(self))
         if any(np.ndim(part) == 0 for part in parts.values()):

@@ -25,34 +25,24 @@ class RodChain(Result):
 
     Values are in the units in which the rods were given, with materials in SI.
 
-    Attributes
-    ----------
-    rods : tuple of Rod
-    circumference : float
-    velocities : ndarray
-        Before all collisions.
-    method, modes, pieces, tail, decay_time
-        As they were given.
-    impacts : ndarray
-        All collisions, a structured array with the fields time, pair (the first of two rods), speed
-        (of approach), restitution, vibration_before, vibration_after (energy in both rods) and
-        unresolved (energy).
-    velocity : ndarray
-        After all collisions.
-    time, collisions : ndarray
-        Samples: at the start, after each of the first 50 collisions, then 2 % apart in their
-        number, and at the end.
-    translation : ndarray
-        Kinetic energy of the rods' centres in the frame of their centre of mass, at these times.
-    vibration : ndarray
-        Energy of all vibrations.
-    dissipated : ndarray
-        Energy of vibrations that has decayed so far.
-    unresolved : ndarray
-        Energy taken so far by modes above the cutoff, or lost to merged pieces.
-    momentum : ndarray
-    speed, restitution, pair : ndarray
-        Columns of `impacts`.
+    Attributes:
+        rods (tuple of Rod):
+        circumference:
+        velocities: Before all collisions.
+        method, modes, pieces, tail, decay_time: As they were given.
+        impacts: All collisions, a structured array with the fields time, pair (the first of two
+            rods), speed (of approach), restitution, vibration_before, vibration_after (energy in
+            both rods) and unresolved (energy).
+        velocity: After all collisions.
+        time, collisions: Samples: at the start, after each of the first 50 collisions, then 2 %
+            apart in their number, and at the end.
+        translation: Kinetic energy of the rods' centres in the frame of their centre of mass, at
+            these times.
+        vibration: Energy of all vibrations.
+        dissipated: Energy of vibrations that has decayed so far.
+        unresolved: Energy taken so far by modes above the cutoff, or lost to merged pieces.
+        momentum:
+        speed, restitution, pair: Columns of `impacts`.
     """
 
     plot = picture("Energies against time, with t⁻². See `stoss.plot.cooling`.")
@@ -89,18 +79,15 @@ class RodChain(Result):
 
     @property
     def speed(self) -> NDArray[np.float64]:
-        speed: NDArray[np.float64] = self.impacts["speed"]
-        return speed
+        return self.impacts["speed"]
 
     @property
     def restitution(self) -> NDArray[np.float64]:
-        restitution: NDArray[np.float64] = self.impacts["restitution"]
-        return restitution
+        return self.impacts["restitution"]
 
     @property
     def pair(self) -> NDArray[np.uint64]:
-        pair: NDArray[np.uint64] = self.impacts["pair"]
-        return pair
+        return self.impacts["pair"]
 
     def _unit(self, name: str) -> str:
         return SI.get(name, "") if self.rods[0].material is not None else ""
@@ -134,55 +121,40 @@ def rod_chain(
     Rods fly freely between collisions, and each keeps its vibration: the one-dimensional granular
     gas of Giese and Zippelius, PRE 54, 4828 (1996). All numbers are in the units in which the rods
     are given, with materials in SI. A collision of 50 modes each takes 0.5 ms, one of
-    characteristics 0.2 ms or less.
+    characteristics 0.2 ms or less. Collisions that accumulate at one time (inelastic collapse) raise
+    `NotConverged`.
 
-    Parameters
-    ----------
-    rods : sequence of Rod
-        From 2, in their order on the ring, unexcited; at first the gaps are equal.
-    circumference : float
-        Of the ring, above the sum of the lengths. A collision is instantaneous compared with the flights:
-        what rods move while they touch is neglected against the gaps.
-    velocities : array_like, optional
-        One for each rod.
-    temperature, seed : float, int, optional
-        In place of `velocities`: twice the mean kinetic energy of a rod, from which they are drawn.
-    collisions : int, optional
-        How many there are, up to 1e9.
-    time : float, optional
-        How long the chain runs; with `collisions` whichever ends first.
-    decay_time : float, optional
-        In which the energy of a vibration falls to 1/e. None: it does not decay; 0: it is gone at
-        the next collision.
-    method : {'modes', 'characteristics'}
-        Collisions by `impact`, or by waves in pieces of constant velocity.
-    modes : int, optional
-        Kept modes of the rod of the shortest transit time; the others keep all up to its frequency.
-    pieces : int, optional
-        With characteristics: most of the wave in a rod; beyond them pieces are merged.
-    tail : {'radiating', 'static'}
-        With modes: those above the cutoff take energy for good, or none.
+    Parameters:
+        rods (sequence of Rod): From 2, in their order on the ring, unexcited; at first the gaps are
+            equal.
+        circumference (float): Of the ring, above the sum of the lengths. A collision is
+            instantaneous compared with the flights: what rods move while they touch is neglected
+            against the gaps.
+        velocities (array_like, optional): One for each rod.
+        temperature, seed (float, int, optional): In place of `velocities`: twice the mean kinetic
+            energy of a rod, from which they are drawn.
+        collisions (int, optional): How many there are, up to 1e9.
+        time (float, optional): How long the chain runs; with `collisions` whichever ends first.
+        decay_time (float, optional): In which the energy of a vibration falls to 1/e. None: it does
+            not decay; 0: it is gone at the next collision.
+        method ({'modes', 'characteristics'}): Collisions by `impact`, or by waves in pieces of
+            constant velocity.
+        modes (int, optional): Kept modes of the rod of the shortest transit time; the others keep
+            all up to its frequency.
+        pieces (int, optional): With characteristics: most of the wave in a rod; beyond them pieces
+            are merged.
+        tail ({'radiating', 'static'}): With modes: those above the cutoff take energy for good, or
+            none.
 
-    Raises
-    ------
-    NotConverged
-        If collisions accumulate at one time (inelastic collapse); what is done is its attribute
-        `best`.
-    Interrupted
-        After Ctrl-C; what is done is its attribute `best`.
-
-    Examples
-    --------
-    >>> rods = [stoss.Rod(length=length) for length in (1.0, 1.1, 0.9, 1.05)]
-    >>> chain = stoss.rod_chain(rods, circumference=40, temperature=1, collisions=200, decay_time=0)
-    >>> chain.restitution.max() < 1
-    True
+    Examples:
+        >>> rods = [stoss.Rod(length=length) for length in (1.0, 1.1, 0.9, 1.05)]
+        >>> chain = stoss.rod_chain(rods, circumference=40, temperature=1, collisions=200, decay_time=0)
+        >>> chain.restitution.max() < 1
+        True
     """
-    if isinstance(rods, Rod) or not isinstance(rods, (list, tuple, np.ndarray)):
-        raise refusal("rods", rods, "a list of stoss.Rod")
-    for each in rods:
-        if not isinstance(each, Rod):
-            raise refusal("rods", each, "a list of stoss.Rod")
+    several: Sequence[Any] = rods if isinstance(rods, (list, tuple, np.ndarray)) else [None]
+    if wrong := [each for each in several if not isinstance(each, Rod)]:
+        raise refusal("rods", wrong[0] if several is rods else rods, "a list of stoss.Rod")
     if len({each.material is None for each in rods}) > 1:
         raise InvalidInput("rods: got some with and some without a material, allowed all with one or none")
     if collisions is None and time is None:

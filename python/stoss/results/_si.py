@@ -10,8 +10,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from stoss._errors import StossWarning
+from stoss.bodies._encounter import yield_speed_of
 from stoss.bodies._material import Material
-from stoss.bodies._yielding import yield_speed_of
 from stoss.results._result import Number, Result
 
 
@@ -41,9 +41,12 @@ class InSi(Result):
 
     @property
     def material(self) -> Material | None:
-        """What the first body is made of, if that is known."""
-        material: Material | None = None if self.body is None else self.body.material
-        return material
+        """What the first body is made of, if that is known.
+
+        With a material there are SI values, `speed_si` and so on, and of a sphere with a yield strength `yield_speed`,
+        `yield_speed_si` and `beyond_yield`.
+        """
+        return None if self.body is None else self.body.material
 
     def _in_si(self, name: str) -> Number:
         """What a column is in SI."""
@@ -112,6 +115,14 @@ class ImpactsInSi(MayYield):
     max_compression: Any
     max_force_si = Si("Maximum force: of a disk per thickness, N/m; of a sphere or a rod, N.")
     max_compression_si = Si("Maximum compression, m.")
+
+
+def warn_of_doubt(converged: Any, said: str, stacklevel: int) -> None:
+    """A warning, as from that many calls above, of values or samples that are not as accurate as asked for."""
+    doubtful = np.size(converged) - np.count_nonzero(converged)
+    if doubtful:
+        text = f"{doubtful} of {np.size(converged)} {said} not as accurate as asked for (see .converged, .reason)"
+        warnings.warn(text, StossWarning, stacklevel=stacklevel + 1)
 
 
 def warn_of_yielding(result: MayYield, stacklevel: int) -> None:

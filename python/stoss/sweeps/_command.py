@@ -20,9 +20,9 @@ from stoss._arguments import refusal
 from stoss._errors import InvalidInput
 from stoss.sweeps import _store
 from stoss.sweeps._grid import Case, Grid
+from stoss.sweeps._store import Worker
 from stoss.sweeps._sweep import compute, missing
 from stoss.sweeps._values import Sweep, merge, open_sweep
-from stoss.sweeps._worker import Worker
 
 
 class Usage(Exception):

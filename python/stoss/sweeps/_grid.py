@@ -15,11 +15,10 @@ from numpy.typing import ArrayLike, NDArray
 from stoss import _core
 from stoss._arguments import number, numbers, refusal
 from stoss._errors import InvalidInput
-from stoss.bodies._blocks import Unbounded
 from stoss.bodies._bodies import Body, speed_unit, speeds_in_si
 from stoss.bodies._encounter import Against, choose_against, choose_body, refinable
 from stoss.bodies._solid import Solid, Specification, describe
-from stoss.bodies._walls import HardWall
+from stoss.bodies._walls import HardWall, Unbounded
 from stoss.sweeps._specification import Choices, beside, choices, expanded, make
 
 MOST_CASES = 100_000  # bodies times partners
@@ -41,35 +40,31 @@ class Case(NamedTuple):
 class Grid:
     """The cases of a sweep: each of the bodies meets each of the partners at each of the speeds.
 
-    Parameters
-    ----------
-    bodies : Disk, Sphere or Rod, mapping, or a sequence of them
-        The first bodies, all with a material or all without. A mapping has the `kind` ``'disk'``,
-        ``'sphere'`` or ``'rod'`` and the arguments of that class; where an argument is a list or a
-        series as ``'lin:0:0.4:5'``, it stands for a body of each number.
-    against : 'wall', 'same', HardWall, a body, HalfSpace or HalfPlane, mapping, or a sequence, optional
-        What they meet. A mapping that names no Poisson's ratio takes that of the first body.
-    speed : array_like
-        Of approach, c of the first body (with materials: m/s); or a series as
-        ``'log:1e-4:0.1:30'``.
-    tolerance, absolute : float, optional
-        As of `stoss.restitution`.
+    Parameters:
+        bodies (Disk, Sphere or Rod, mapping, or a sequence of them): The first bodies, all with a
+            material or all without. A mapping has the `kind` ``'disk'``, ``'sphere'`` or ``'rod'``
+            and the arguments of that class; where an argument is a list or a series as
+            ``'lin:0:0.4:5'``, it stands for a body of each number.
+        against (like bodies, optional): What they meet: 'wall', 'same', a HardWall, a body, a HalfSpace
+            or HalfPlane, a mapping, or a sequence of them. A mapping that names no Poisson's ratio takes
+            that of the first body.
+        speed (array_like): Of approach, c of the first body (with materials: m/s); or a series as
+            ``'log:1e-4:0.1:30'``.
+        tolerance, absolute (float, optional): As of `stoss.restitution`.
 
-    Raises
-    ------
-    InvalidInput
-        For an empty grid, one of more than 100 000 cases or 1 000 000 values, for bodies that cannot
-        meet, for a case or a speed that comes twice, and for numbers out of range.
+    Raises:
+        InvalidInput: For an empty grid, one of more than 100 000 cases or 1 000 000 values, for
+            bodies that cannot meet, for a case or a speed that comes twice, and for numbers out of
+            range.
 
-    Examples
-    --------
-    >>> grid = stoss.Grid(
-    ...     bodies={"kind": "sphere", "poisson": [0.2, 0.3]},
-    ...     against=["wall", {"kind": "sphere", "radius": [1, 2]}],
-    ...     speed="log:1e-3:1e-1:5",
-    ... )
-    >>> grid.shape
-    (2, 3, 5)
+    Examples:
+        >>> grid = stoss.Grid(
+        ...     bodies={"kind": "sphere", "poisson": [0.2, 0.3]},
+        ...     against=["wall", {"kind": "sphere", "radius": [1, 2]}],
+        ...     speed="log:1e-3:1e-1:5",
+        ... )
+        >>> grid.shape
+        (2, 3, 5)
     """
 
     def __init__(
@@ -138,15 +133,7 @@ class Grid:
 
     @classmethod
     def from_toml(cls, path: str | os.PathLike[str]) -> Grid:
-        """Read a grid from a TOML file, whose keys are the arguments of this class
-        (docs/sweeps.md).
-
-        Raises
-        ------
-        InvalidInput
-            If the file is no grid.
-        OSError
-            If it cannot be read.
+        """Read a grid from a TOML file, whose keys are the arguments of this class (docs/sweeps.md).
         """
         import tomllib  # Python 3.11
 

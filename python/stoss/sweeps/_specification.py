@@ -11,11 +11,10 @@ from numpy.typing import NDArray
 
 from stoss import _core
 from stoss._arguments import brief, refusal
-from stoss.bodies._blocks import HalfPlane, HalfSpace
 from stoss.bodies._bodies import PARTNERS, Body, Disk, Rod, Sphere
 from stoss.bodies._material import Material, materials
 from stoss.bodies._solid import Solid, Specification, describe
-from stoss.bodies._walls import HardWall
+from stoss.bodies._walls import HalfPlane, HalfSpace, HardWall
 
 SOLIDS: tuple[type[Solid], ...] = (Disk, Sphere, Rod, HalfSpace, HalfPlane)
 CLASSES: Mapping[str, Any] = {made._kind: made for made in SOLIDS}
@@ -75,8 +74,7 @@ def choices(name: str, given: Any) -> Choices:
 
 
 def expanded(name: str, given: Any, left: Choices) -> Iterator[Specification]:
-    """The mappings of an object, a word, or a mapping for which all combinations of its choices are
-    left."""
+    """The mappings of an object, a word, or a mapping for which all combinations of its choices are left."""
     if isinstance(given, HardWall):
         given = "wall"
     if name == "against" and isinstance(given, str) and given in WALLS:

@@ -19,8 +19,8 @@ from stoss.bodies._encounter import refinable
 from stoss.bodies._state import choose_state
 from stoss.sweeps import _store
 from stoss.sweeps._grid import Case, Grid
+from stoss.sweeps._store import Worker
 from stoss.sweeps._values import Sweep, open_sweep
-from stoss.sweeps._worker import Worker
 
 
 def sweep(
@@ -29,43 +29,30 @@ def sweep(
     *,
     store: str | os.PathLike[str],
 ) -> Sweep:
-    """Compute the coefficient of restitution of all cases of a grid that the store does not have
-    yet.
+    """Compute the coefficient of restitution of all cases of a grid that the store does not have yet.
 
     A task is one body with what it meets, at all speeds, for which its modes are computed once.
     Each worker appends each value to its own file in the store when it is done: nothing that was
     finished is lost, whoever is killed, and the same call again computes the rest, with any
-    executor. Results do not depend on the executor.
+    executor. Results do not depend on the executor. A store of another grid or version is refused.
 
-    Parameters
-    ----------
-    grid : Grid, mapping or path
-        What to compute; a mapping of the arguments of `Grid`, or the name of a TOML file.
-    executor : None, int or concurrent.futures.Executor, optional
-        None: this process, on all cores. A number: so many processes of this machine. Else whatever
-        computes the tasks: an `mpi4py.futures.MPIPoolExecutor`, the executor of a Dask client, …;
-        its workers must see the store under the same name.
-    store : path
-        Directory, made where it is not there yet.
+    Parameters:
+        grid (Grid, mapping or path): What to compute; a mapping of the arguments of `Grid`, or the
+            name of a TOML file.
+        executor (None, int or concurrent.futures.Executor, optional): None: this process, on all
+            cores. A number: so many processes of this machine. Else whatever computes the tasks: an
+            `mpi4py.futures.MPIPoolExecutor`, the executor of a Dask client, …; its workers must see
+            the store under the same name.
+        store (path): Directory, made where it is not there yet.
 
-    Raises
-    ------
-    InvalidInput
-        For a grid that is out of range, and for a store of another grid or version.
-    Interrupted
-        After Ctrl-C; what is done is its attribute `best`.
-    OSError
-        If the store cannot be written.
-
-    Examples
-    --------
-    >>> import tempfile
-    >>> grid = stoss.Grid(bodies={"kind": "sphere", "poisson": [0.1, 0.3]}, speed=[0.01, 0.1])
-    >>> with tempfile.TemporaryDirectory() as folder:
-    ...     result = stoss.sweep(grid, store=folder)
-    >>> result.restitution[:, 0].round(4)
-    array([[0.9991, 0.9904],
-           [0.9986, 0.9913]])
+    Examples:
+        >>> import tempfile
+        >>> grid = stoss.Grid(bodies={"kind": "sphere", "poisson": [0.1, 0.3]}, speed=[0.01, 0.1])
+        >>> with tempfile.TemporaryDirectory() as folder:
+        ...     result = stoss.sweep(grid, store=folder)
+        >>> result.restitution[:, 0].round(4)
+        array([[0.9991, 0.9904],
+               [0.9986, 0.9913]])
     """
     chosen = as_grid(grid)
     path = _store.create(store, chosen).resolve()
@@ -114,12 +101,9 @@ def missing(grid: Grid, path: Path, cases: Sequence[Case], threads: int = 0) -> 
 def compute(
     store: str, inputs: dict[str, Any], key: str, speeds: list[float], threads: int = 1, name: str | None = None
 ) -> int:
-    """Compute one body with what it meets at some speeds and append the values to the file of this
-    worker."""
+    """Compute one body with what it meets at some speeds and append the values to the file of this worker."""
     tolerance, absolute = inputs["tolerance"], inputs["absolute"]
-    alone = Grid(
-        bodies=inputs["body"], against=inputs["against"], speed=speeds, tolerance=tolerance, absolute=absolute
-    )  # fmt: skip
+    alone = Grid(bodies=inputs["body"], against=inputs["against"], speed=speeds, tolerance=tolerance, absolute=absolute)
     (case,) = alone.cases()
     if case.key != key:
         raise InvalidInput(f"grid: got case {case.key} of a worker, allowed {key} (all must have the same stoss)")
@@ -135,9 +119,7 @@ def compute(
 
         contact = refinable(case.body, case.against)
         try:
-            _core.restitution_curve(
-                contact, own, tolerance, absolute, threads, choose_state(None), rows, [], keep
-            )  # fmt: skip
+            _core.restitution_curve(contact, own, tolerance, absolute, threads, choose_state(None), rows, [], keep)
         finally:
             worker.flush()
     return done

@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 
 from stoss import _core
 from stoss._arguments import boolean
+from stoss._documentation import documented
 from stoss.bodies._solid import describe
 from stoss.results._curves import empty_rows
 from stoss.results._result import QUANTITIES, Column, Result
@@ -32,14 +33,10 @@ class Sweep(Result):
     a row for each value, with the names of the body and of what it meets; data sets of xarray have
     the dimensions body, against and speed, as the file of `to_netcdf`.
 
-    Attributes
-    ----------
-    grid : Grid
-        What was asked for.
-    computed : ndarray of bool
-        Which values are there.
-    versions : tuple of str
-        Versions of stoss that computed them.
+    Attributes:
+        grid (Grid): What was asked for.
+        computed: Which values are there.
+        versions (tuple of str): Versions of stoss that computed them.
     """
 
     _name: ClassVar[str] = "sweep"
@@ -54,8 +51,7 @@ class Sweep(Result):
     def __getattr__(self, name: str) -> NDArray[Any]:
         if name.startswith("_") or name not in (_core.restitution_row.names or ()):
             raise AttributeError(f"'Sweep' object has no attribute {name!r}")
-        column: NDArray[Any] = self.rows[name]
-        return column
+        return self.rows[name]
 
     def __repr__(self) -> str:
         return f"Sweep({self.grid!r}: {np.count_nonzero(self.computed)} of {self.computed.size} values)"
@@ -71,16 +67,12 @@ class Sweep(Result):
         """
         return {"grid": self.grid.to_dict()} | super().to_dict()
 
+    @documented
     def to_netcdf(self, path: str | os.PathLike[str]) -> None:
         """Write all values to a NetCDF-4 file with units and provenance, which xarray opens.
 
         Dimensions are body, against and speed. What is missing has fill values. The file appears
         whole or not at all. Needs the package netCDF4.
-
-        Parameters
-        ----------
-        path : str or path
-            Where to; an existing file is replaced.
         """
         from stoss.export._netcdf import write
 
@@ -101,15 +93,20 @@ class Sweep(Result):
         return quantities
 
     def _columns(self) -> dict[str, Column]:
-        names = np.array([label(describe(body)) for body in self.grid.bodies], dtype=object)
-        partners = np.array([label(each) for each in self.grid.against], dtype=object)
-        columns = {name: each[:, np.newaxis, np.newaxis] for name, each in self._of_bodies().items()}
-        columns = {"body": names[:, np.newaxis, np.newaxis], **columns, "against": partners[:, np.newaxis]}
-        columns |= {"speed": self.grid.speed, **self._derived(), "computed": self.computed}
+        labels = self._labels()
+        of_bodies = {"body": labels["body"]} | self._of_bodies()
+        columns = {name: each[:, np.newaxis, np.newaxis] for name, each in of_bodies.items()}
+        columns |= {"against": labels["against"][:, np.newaxis], "speed": self.grid.speed}
+        columns |= {**self._derived(), "computed": self.computed}
         return {name: np.broadcast_to(each, self.grid.shape) for name, each in columns.items()}
 
     def _arranged_columns(self) -> tuple[dict[str, Column], tuple[str, ...]]:
         return self._columns() | self._of_bodies(), ("body", "against", "speed")
+
+    def _labels(self) -> dict[str, Column]:
+        """What the bodies are called, and what they meet."""
+        called = {"body": map(describe, self.grid.bodies), "against": self.grid.against}
+        return {name: np.array([label(each) for each in several], dtype=object) for name, several in called.items()}
 
     def _of_bodies(self) -> dict[str, Column]:
         return {f"body_{name}": each for name, each in numbers_of_bodies(self.grid.bodies).items()}
@@ -123,30 +120,17 @@ class Sweep(Result):
         return {body._kind for body in self.grid.bodies}
 
 
+@documented
 def open_sweep(store: str | os.PathLike[str], *, mix: bool = False) -> Sweep:
-    """Read what the store of a sweep has so far, also while workers write to it.
+    """Read what the store of a sweep has so far, also while workers write to it; a damaged store is refused.
 
-    Parameters
-    ----------
-    store : path
-        Directory of the store.
-    mix : bool, optional
-        Take values of other versions of stoss too, where this one has none, and leave out those of
-        other grids. Without it such a store is refused.
-
-    Raises
-    ------
-    InvalidInput
-        If it is no store, is damaged, or has rows of another version or grid.
-
-    Examples
-    --------
-    >>> import tempfile
-    >>> grid = stoss.Grid(bodies={"kind": "disk", "poisson": 0.33}, speed=[0.1, 0.2])
-    >>> with tempfile.TemporaryDirectory() as folder:
-    ...     _ = stoss.sweep(grid, store=folder)
-    ...     stoss.open_sweep(folder).complete
-    True
+    Examples:
+        >>> import tempfile
+        >>> grid = stoss.Grid(bodies={"kind": "disk", "poisson": 0.33}, speed=[0.1, 0.2])
+        >>> with tempfile.TemporaryDirectory() as folder:
+        ...     _ = stoss.sweep(grid, store=folder)
+        ...     stoss.open_sweep(folder).complete
+        True
     """
     path = Path(store)
     grid = _store.read_grid(path)
@@ -167,32 +151,18 @@ def open_sweep(store: str | os.PathLike[str], *, mix: bool = False) -> Sweep:
     return Sweep(grid, computed, tuple(sorted(versions)), rows)
 
 
+@documented
 def merge(store: str | os.PathLike[str], path: str | os.PathLike[str], *, mix: bool = False) -> Sweep:
-    """Write what the store of a sweep has to one NetCDF-4 file.
+    """Write what the store of a sweep has to one NetCDF-4 file, and return it; `Sweep.complete` says whether it is all.
 
-    Parameters
-    ----------
-    store : path
-        Directory of the store.
-    path : str or path
-        Where to; an existing file is replaced.
-    mix : bool, optional
-        As of `open_sweep`.
-
-    Returns
-    -------
-    Sweep
-        What was written; its `complete` says whether anything is missing.
-
-    Examples
-    --------
-    >>> import os, tempfile
-    >>> grid = stoss.Grid(bodies={"kind": "disk", "poisson": 0.33}, speed=[0.1, 0.2])
-    >>> with tempfile.TemporaryDirectory() as folder:
-    ...     _ = stoss.sweep(grid, store=folder)
-    ...     _ = stoss.merge(folder, os.path.join(folder, "values.nc"))
-    ...     os.path.exists(os.path.join(folder, "values.nc"))
-    True
+    Examples:
+        >>> import os, tempfile
+        >>> grid = stoss.Grid(bodies={"kind": "disk", "poisson": 0.33}, speed=[0.1, 0.2])
+        >>> with tempfile.TemporaryDirectory() as folder:
+        ...     _ = stoss.sweep(grid, store=folder)
+        ...     _ = stoss.merge(folder, os.path.join(folder, "values.nc"))
+        ...     os.path.exists(os.path.join(folder, "values.nc"))
+        True
     """
     result = open_sweep(store, mix=mix)
     result.to_netcdf(path)

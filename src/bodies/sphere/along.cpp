@@ -12,7 +12,6 @@
 #include "bodies/sphere/mode_search.hpp"
 #include "bodies/sphere/surface_points.hpp"
 #include "bodies/sphere/toroidal.hpp"
-#include "contact/unit_ratios.hpp"
 
 namespace stoss::bodies::sphere {
 namespace {
@@ -101,9 +100,9 @@ Body along(const Body& body, double poisson, const std::vector<Mode>& modes, con
   twin.stable_step = std::numeric_limits<double>::infinity();  // that of the body is smaller
   twin.groups = groups_along(body.groups, toroidal);
   const auto residual = std::make_shared<const ResidualAlong>(poisson, body.cutoff, modes, toroidal);
-  twin.surface = [poisson, rows = shape_rows(twin)](const ContactPoints& points) {
-    return surface_along(poisson, rows, points);
-  };
+  std::size_t rows = 0;
+  for (const ModeGroup& group : twin.groups) rows = std::max(rows, group.upper_row + 1);
+  twin.surface = [poisson, rows](const ContactPoints& points) { return surface_along(poisson, rows, points); };
   twin.residual_compliance = [residual](const ContactPoints& points, const Poll& heed) {
     return residual->compliance(points, heed);
   };

@@ -2,6 +2,7 @@
 
 import dataclasses
 import math
+import re
 
 import pytest
 import stoss
@@ -45,8 +46,8 @@ def test_fields_are_the_quantities_of_the_core(kind, result, otherwise, others):
 
 @pytest.mark.parametrize("kind, result, otherwise, others", RESULTS, ids=[case[0] for case in RESULTS])
 def test_every_quantity_is_documented(kind, result, otherwise, others):
-    attributes = [line for line in result.__doc__.splitlines() if " : " in line]
-    documented = {name for line in attributes for name in line.split(" : ")[0].replace(" ", "").split(",")}
+    entries = re.findall(r"^    (\w+(?:,\s+\w+)*)(?=[ :])", result.__doc__, re.MULTILINE)
+    documented = {name for entry in entries for name in re.findall(r"\w+", entry)}
     assert set(QUANTITIES[kind]) - otherwise <= documented
 
 

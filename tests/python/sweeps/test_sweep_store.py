@@ -36,7 +36,7 @@ def test_torn_last_line_is_computed_again(made, store):
         file.write_bytes(content[:length])
         assert np.count_nonzero(~stoss.open_sweep(store).computed) == 1
         for name in (None, "a"):  # by another worker, and by the one that was killed
-            with stoss.sweeps._worker.Worker(store, name):
+            with stoss.sweeps._store.Worker(store, name):
                 pass
         again = stoss.sweep(GRID, store=store)
         assert again.rows.tobytes() == made[0].rows.tobytes()
@@ -49,7 +49,7 @@ def test_any_length_of_a_file_can_be_continued(store):
     content = (store / "a.csv").read_bytes()
     for length in [*range(0, 500, 7), *range(500, len(content), 101)]:
         (store / "a.csv").write_bytes(content[:length])
-        with stoss.sweeps._worker.Worker(store, "a"):
+        with stoss.sweeps._store.Worker(store, "a"):
             pass
         result = stoss.open_sweep(store)
         rows = [line for line in content[:length].split(b"\n")[:-1] if line[:1] != b"#"][1:]
@@ -93,7 +93,7 @@ def test_other_version(made, store):
         with pytest.raises(stoss.InvalidInput, match="of stoss 0.0.9, allowed"):
             call()
     with pytest.raises(stoss.InvalidInput, match="use another store"):
-        stoss.sweeps._worker.Worker(store, "a")
+        stoss.sweeps._store.Worker(store, "a")
     mixed = stoss.open_sweep(store, mix=True)
     assert mixed.versions == ("0.0.9",) and mixed.rows.tobytes() == made[0].rows.tobytes()
 
@@ -140,12 +140,12 @@ def test_no_store(tmp_path):
 
 
 def test_two_writers_of_one_file(store):
-    with stoss.sweeps._worker.Worker(store, "a"):
+    with stoss.sweeps._store.Worker(store, "a"):
         with pytest.raises(BlockingIOError, match="another process is writing it"):
-            stoss.sweeps._worker.Worker(store, "a")
-    with stoss.sweeps._worker.Worker(store) as one, stoss.sweeps._worker.Worker(store) as other:
+            stoss.sweeps._store.Worker(store, "a")
+    with stoss.sweeps._store.Worker(store) as one, stoss.sweeps._store.Worker(store) as other:
         assert one.file != other.file
-    with stoss.sweeps._worker.Worker(store, "a"):
+    with stoss.sweeps._store.Worker(store, "a"):
         pass
 
 

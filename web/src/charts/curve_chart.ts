@@ -1,28 +1,21 @@
 // The chart of ε against the speed on the page: points fill in, the current one moves, a reader picks a speed.
 
+import { least } from 'd3-array';
 import { html, render } from 'lit-html';
-import { keyed } from '../drawing/dom';
-import type { Picture } from '../drawing/files';
-import { written } from '../drawing/numbers';
-import { type Drawn, stacked, WIDTH } from '../drawing/plot';
-import { onResize } from '../drawing/sized';
+import { keyed, onResize } from '../drawing/dom';
+import { pictureOf } from '../drawing/files';
+import { rounded, withError, written } from '../drawing/numbers';
+import { type Drawn, stacked } from '../drawing/plot';
 import { readTheme } from '../drawing/theme';
-import { withError } from '../inputs/digits';
 import { drawCurves, speedsOf, type Curve, type CurveContent } from './curve_picture';
-import { nearestPoint, type Current } from './curve_scales';
-import './charts.css';
 
-export interface CurveChart {
-  setCurves(curves: Curve[]): void;
-  /** Shows the point that the inputs stand for. */
-  setCurrent(current: Current): void;
-  readonly picture: Picture;
-}
+type Current = NonNullable<CurveContent['current']>;
 
 const STEPS = 100; // of the keyboard along the axis
+const TITLE = 'ε against the speed';
 
 /** Makes an empty chart in an element; `pick` gets a speed that a reader has picked. */
-export function createCurveChart(host: HTMLElement, pick: (speed: number) => void): CurveChart {
+export function createCurveChart(host: HTMLElement, pick: (speed: number) => void) {
   const content: CurveContent = { curves: [], current: undefined, ordinate: 'restitution' };
   let chart: Drawn | undefined;
   let shown: SVGSVGElement | undefined;
@@ -30,15 +23,11 @@ export function createCurveChart(host: HTMLElement, pick: (speed: number) => voi
   const drawSoon = onResize(host, draw);
   tell();
 
-  function picture(width: number, ground?: string): SVGSVGElement {
-    const [all, legend] = drawCurves(content, width, readTheme(host));
-    if (!ground) chart = all;
-    return stacked([all, legend], 'ε against the speed', ground);
-  }
-
   function draw(): void {
     if (!host.clientWidth) return;
-    shown = picture(host.clientWidth);
+    const parts = drawCurves(content, host.clientWidth, readTheme(host));
+    chart = parts[0];
+    shown = stacked(parts, TITLE);
     tell();
   }
 
@@ -61,7 +50,7 @@ export function createCurveChart(host: HTMLElement, pick: (speed: number) => voi
         </div>
         <div class="chart-area" tabindex="0" role="slider" aria-label="Speed, picked on the chart of ε"
           aria-valuemin=${low} aria-valuemax=${high} aria-valuenow=${content.current?.speed ?? low}
-          aria-valuetext=${now || 'none'} @click=${(event: MouseEvent) => pick(rounded(speedAt(event)))}
+          aria-valuetext=${now || 'none'} @click=${(event: MouseEvent) => pick(speedAt(event))}
           @pointermove=${point} @pointerleave=${() => point()} @keydown=${onKey}>${shown}</div>
         <p class="chart-note">
           ${pointed === undefined ? [now, toCome()].filter(Boolean).join('; ') : nearTo(pointed)}
@@ -79,19 +68,20 @@ export function createCurveChart(host: HTMLElement, pick: (speed: number) => voi
     return left > 0 ? `${left} ${left === 1 ? 'speed is' : 'speeds are'} still to come` : '';
   }
 
-  /** The points nearest to a speed. */
+  /** The points nearest to a speed, by the logarithm. */
   function nearTo(speed: number): string {
     const { curves } = content;
     return curves.flatMap(({ label, points }) => {
-      const point = nearestPoint(points, speed);
+      const point = least(points, (each) => Math.abs(Math.log(each.speed / speed)));
       return point ? [`${curves.length > 1 ? `${label}, ` : ''}${inWords(point)}`] : [];
     }).join('; ');
   }
 
+  /** A speed with three digits, which is what a place on a chart is good for. */
   function speedAt({ clientX, currentTarget }: MouseEvent): number {
     const { low, high } = speedsOf(content);
     const place = clientX - (currentTarget as HTMLElement).getBoundingClientRect().left;
-    return Math.min(high, Math.max(low, chart?.scale('x')?.invert?.(place) ?? low));
+    return rounded(Math.min(high, Math.max(low, chart?.scale('x')?.invert?.(place) ?? low)), 3);
   }
 
   function onKey(event: KeyboardEvent): void {
@@ -99,23 +89,19 @@ export function createCurveChart(host: HTMLElement, pick: (speed: number) => voi
     const [first, last] = [Math.log(low), Math.log(high)];
     const at = content.current ? Math.log(content.current.speed) : 0.5 * (first + last);
     const to = keyed(event, { at, first, last, step: (last - first) / STEPS });
-    if (to !== undefined) pick(rounded(Math.exp(to)));
+    if (to !== undefined) pick(rounded(Math.exp(to), 3));
   }
 
   return {
-    setCurves(curves) {
+    setCurves(curves: Curve[]): void {
       content.curves = curves;
       drawSoon();
     },
-    setCurrent(current) {
+    /** Shows the point that the inputs stand for. */
+    setCurrent(current: Current): void {
       content.current = current;
       drawSoon();
     },
-    picture: { svg: () => picture(Math.max(WIDTH, host.clientWidth), readTheme(host).background) },
+    picture: pictureOf(host, TITLE, (width, theme) => drawCurves(content, width, theme)),
   };
-}
-
-/** A speed with three digits, which is what a place on a chart is good for. */
-function rounded(speed: number): number {
-  return Number(speed.toPrecision(3));
 }

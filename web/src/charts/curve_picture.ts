@@ -1,9 +1,56 @@
-// A chart of ε against the speed: its description.
+// A chart of ε against the speed: its axes, and its description.
 import * as Plot from '@observablehq/plot';
+import { extent } from 'd3-array';
 import type { CurvePoint, Encounter } from '../core/protocol';
-import { type Drawn, draw, drawLegend } from '../drawing/plot';
+import { type Drawn, type Scale, draw, drawLegend } from '../drawing/plot';
 import { look, type Look, type Theme } from '../drawing/theme';
-import { barOf, ordinateScale, speedScale, type Bar, type Current, type Ordinate, type Scale } from './curve_scales';
+
+/** What is drawn of a speed: ε, or the lost share of the energy 1 − ε². */
+export type Ordinate = 'restitution' | 'loss';
+
+/** A value with the ends of its error bar; they are missing where the error is unknown. */
+interface Bar {
+  value: number;
+  low?: number;
+  high?: number;
+}
+
+/** What a point is on the vertical axis: of 1 − ε² the error is 2 ε times that of ε. */
+export function barOf(ordinate: Ordinate, restitution: number, error: number): Bar {
+  const ratio = ordinate === 'restitution';
+  const value = ratio ? restitution : 1 - restitution * restitution;
+  const reach = ratio ? error : 2 * Math.abs(restitution) * error;
+  return { value, ...(Number.isFinite(error) && { low: value - reach, high: value + reach }) };
+}
+
+const LEAST = 1e-7; // of 1 − ε² on a logarithmic axis
+
+/** A logarithmic axis for all speeds, those computed and those planned. */
+export function speedScale(speeds: number[]): Scale {
+  const [low, high] = extent(speeds.filter((each) => each > 0 && Number.isFinite(each)));
+  if (low === undefined || high === undefined) return { low: 1e-4, high: 0.3, log: true };
+  const margin = high > low ? (high / low) ** 0.025 : 3;
+  return { low: low / margin, high: high * margin, log: true };
+}
+
+/** An axis for all values with their errors: linear for ε, logarithmic for 1 − ε². */
+export function ordinateScale(ordinate: Ordinate, all: { restitution: number; error: number }[]): Scale {
+  const log = ordinate === 'loss';
+  const [low, high] = extent(all.flatMap(({ restitution, error }) => {
+    const bar = barOf(ordinate, restitution, error);
+    if (!Number.isFinite(bar.value) || (log && !(bar.value > LEAST))) return [];
+    const floor = log ? Math.max(LEAST, 0.2 * bar.value) : -Infinity; // an error bar down to 0 would have no end
+    return [bar.value, Math.max(floor, bar.low ?? bar.value), bar.high ?? bar.value];
+  }));
+  if (low === undefined || high === undefined) return { low: log ? 1e-4 : 0, high: 1, log };
+  if (log) {
+    const margin = Math.max(1.15, (high / low) ** 0.06);
+    return { low: low / margin, high: high * margin, log };
+  }
+  const pad = Math.max(0.06 * (high - low), 0.005);
+  const top = high <= 1 ? Math.min(1.002, high + pad) : high + pad;
+  return { low: Math.max(Math.min(low, 0), low - pad), high: top, log };
+}
 
 export interface Curve {
   label: string;
@@ -15,7 +62,8 @@ export interface Curve {
 
 export interface CurveContent {
   curves: Curve[];
-  current: Current | undefined;
+  /** that of the inputs */
+  current: Pick<CurvePoint, 'speed' | 'restitution' | 'error'> | undefined;
   ordinate: Ordinate;
 }
 
@@ -49,26 +97,18 @@ export function drawCurves(content: CurveContent, width: number, theme: Theme): 
 
 type Place = Bar & { speed: number; converged: boolean };
 
-/** Error bars with ends of some half width, as far as the chart goes. */
-function errorBars(places: Place[], y: Scale, color: string, half: number, width: number): Plot.Markish {
+/** Error bars, as far as the chart goes. */
+function errorBars(places: Place[], y: Scale, color: string, width: number): Plot.Markish {
   const known = places.filter(({ low, high }) => low !== undefined && high !== undefined);
-  const end: Plot.MarkerFunction = (stroke, { document }) => {
-    const marker = document.createElementNS('http://www.w3.org/2000/svg', 'marker');
-    marker.innerHTML = `<path d="M0 ${-half}V${half}" stroke="${stroke}" stroke-width="${width}"/>`;
-    for (const [key, value] of Object.entries({
-      viewBox: `${-half} ${-half} ${2 * half} ${2 * half}`, markerWidth: 2 * half, markerHeight: 2 * half,
-      markerUnits: 'userSpaceOnUse', orient: 'auto',
-    })) marker.setAttribute(key, String(value));
-    return marker;
-  };
   return Plot.ruleX(known, {
     x: 'speed', y1: ({ low }: Place) => Math.max(low!, y.low), y2: 'high', stroke: color, strokeWidth: width,
-    marker: end, clip: true,
+    marker: 'tick', clip: true,
   });
 }
 
-function marksOf(curve: Curve, { color, dash, marker }: Look, y: Scale, ordinate: Ordinate, theme: Theme,
-  ground: number): Plot.Markish[] {
+function marksOf(
+  curve: Curve, { color, dash, marker }: Look, y: Scale, ordinate: Ordinate, theme: Theme, ground: number,
+): Plot.Markish[] {
   const places: Place[] = curve.points
     .map((each) => ({ ...each, ...barOf(ordinate, each.restitution, each.error) }))
     .filter(({ value }) => !y.log || value > 0)
@@ -81,7 +121,7 @@ function marksOf(curve: Curve, { color, dash, marker }: Look, y: Scale, ordinate
     Plot.line(places, {
       x: 'speed', y: 'value', stroke: color, strokeWidth: 1.6, strokeDasharray: dash.join(' '), clip: true,
     }),
-    errorBars(places, y, color, 2.5, 1.1),
+    errorBars(places, y, color, 1.1),
     Plot.dot(places, {
       x: 'speed', y: 'value', symbol: marker, r, stroke: color, strokeWidth: 1.2,
       fill: ({ converged }: Place) => (converged ? color : theme.background), clip: true,
@@ -89,14 +129,16 @@ function marksOf(curve: Curve, { color, dash, marker }: Look, y: Scale, ordinate
   ];
 }
 
-function currentMarks(current: Current, y: Scale, ordinate: Ordinate, theme: Theme): Plot.Markish[] {
-  const bar = barOf(ordinate, current.restitution, current.error);
-  const place: Place = { ...bar, speed: current.speed, converged: true };
-  const guide = Plot.ruleX([current.speed], { stroke: theme.text, strokeDasharray: '3 3', opacity: 0.6 });
+function currentMarks(
+  { speed, restitution, error }: NonNullable<CurveContent['current']>, y: Scale, ordinate: Ordinate, theme: Theme,
+): Plot.Markish[] {
+  const bar = barOf(ordinate, restitution, error);
+  const place: Place = { ...bar, speed, converged: true };
+  const guide = Plot.ruleX([speed], { stroke: theme.text, strokeDasharray: '3 3', opacity: 0.6 });
   if (!Number.isFinite(bar.value) || (y.log && !(bar.value >= y.low))) return [guide];
   return [
     guide,
-    errorBars([place], y, theme.text, 6, 1.6),
+    errorBars([place], y, theme.text, 1.6),
     Plot.dot([place], {
       x: 'speed', y: 'value', r: 6, fill: theme.background, fillOpacity: 0.6, stroke: theme.text, strokeWidth: 2,
     }),

@@ -1,43 +1,40 @@
 // Energies of the modes on the page: each bar is a button that shows its mode.
 
+import { greatest } from 'd3-array';
 import { html, render } from 'lit-html';
 import { repeat } from 'lit-html/directives/repeat.js';
 import { unitsOf } from '../core/local';
 import type { Collision, Core, Encounter, Shape } from '../core/protocol';
-import { choice, keyed } from '../drawing/dom';
-import type { Picture } from '../drawing/files';
+import { choice, keyed, onResize } from '../drawing/dom';
+import { pictureOf } from '../drawing/files';
 import { withUnit, written } from '../drawing/numbers';
-import { BESIDE, stacked, type Drawn, WIDTH } from '../drawing/plot';
-import { onResize } from '../drawing/sized';
-import { readTheme } from '../drawing/theme';
+import { BESIDE, stacked, type Drawn } from '../drawing/plot';
+import { readTheme, type Theme } from '../drawing/theme';
+import { equal } from '../inputs/document';
 import { kindNamed } from '../inputs/kinds';
 import { evenGrid } from '../scene/grid';
 import { partsOf } from '../scene/parts';
-import { energyOfWaves, layoutModes, type ModeBar, type ModeLayout, type When } from './mode_layout';
+import {
+  drawModes, energyOfWaves, layoutModes, MODE_LABELS, type ModeBar, type ModeLayout, type When,
+} from './mode_picture';
 import { swingShape } from './mode_shape';
-import { drawModes, MODE_LABELS } from './mode_picture';
-import './charts.css';
-
-export interface ModeBars {
-  show(encounter: Encounter, collision: Collision): void;
-  readonly picture: Picture;
-}
 
 const PITCH = 17; // pixels of a bar, at least
 const SMALLEST = 24; // height of what is pressed
 const MOST = 40;
 const SHAPE = 168;
+const TITLE = 'Energy of the modes';
 
 const WHEN: [When, string][] = [['after', MODE_LABELS.after], ['average', MODE_LABELS.average]];
 const AXES: [boolean, string][] = [[true, 'logarithmic'], [false, 'linear']];
 const BODIES: [0 | 1, string][] = [[0, 'first'], [1, 'second']];
 
 /** Makes an empty chart in an element. */
-export function createModeBars(host: HTMLElement, core: Core): ModeBars {
+export function createModeBars(host: HTMLElement, core: Core) {
   const chosen = { when: 'after' as When, log: true, body: 0 as 0 | 1 };
   let now: { encounter: Encounter; collision: Collision } | undefined;
   let layout: ModeLayout = { bars: [], groups: [], omitted: 0, rest: 0 };
-  let drawn: Drawn | undefined;
+  let axes: Drawn | undefined;
   let shown: SVGSVGElement | undefined;
   let mode = ''; // the one whose shape is shown
   let swinging = ''; // the one that the canvas shows, or will
@@ -49,19 +46,28 @@ export function createModeBars(host: HTMLElement, core: Core): ModeBars {
   onResize(chart, draw);
 
   function laidOut(width: number): ModeLayout {
+    if (!now) throw new Error('there are no modes to draw yet');
     const count = Math.max(6, Math.min(MOST, Math.floor((width - BESIDE) / PITCH)));
-    return layoutModes(now!.collision.modes, chosen.body, chosen.when, count);
+    return layoutModes(now.collision.modes, chosen.body, chosen.when, count);
+  }
+
+  function drawn(modes: ModeLayout, width: number, theme: Theme): Drawn[] {
+    return drawModes(modes, chosen.log, chosen.when, width, theme);
   }
 
   function draw(): void {
     const width = chart.clientWidth;
     if (!now || !width) return;
     layout = laidOut(width);
-    const parts = drawModes(layout, chosen.log, chosen.when, width, readTheme(host));
-    drawn = parts[0];
-    shown = stacked(parts, 'Energy of the modes');
+    const parts = drawn(layout, width, readTheme(host));
+    axes = parts[0];
+    shown = stacked(parts, TITLE);
     swinging = '';
-    choose(bar() ?? [...layout.bars].sort((a, b) => b.energy - a.energy)[0]);
+    choose(bar() ?? greatest(layout.bars, (each) => each.energy));
+  }
+
+  function isPair(): boolean {
+    return (now?.collision.bodies[1]?.kind ?? 'half-space') !== 'half-space';
   }
 
   function bar(): ModeBar | undefined {
@@ -75,13 +81,12 @@ export function createModeBars(host: HTMLElement, core: Core): ModeBars {
       draw();
     };
     const its = bar();
-    const pair = now?.collision.bodies[1] !== undefined && now.collision.bodies[1].kind !== 'half-space';
     render(html`
       <div class="chart">
         <div class="chart-options">
           ${choice('Energy', WHEN, chosen.when, (when) => set({ when }))}
           ${choice('Axis', AXES, chosen.log, (log) => set({ log }))}
-          ${choice('Body', BODIES, chosen.body, (body) => set({ body }), !pair)}
+          ${choice('Body', BODIES, chosen.body, (body) => set({ body }), !isPair())}
         </div>
         <div class="mode-bars">
           <div class="mode-bars-chart">
@@ -104,7 +109,7 @@ export function createModeBars(host: HTMLElement, core: Core): ModeBars {
   }
 
   function boxOf({ left, width, energy }: ModeBar): string {
-    const [x, y] = [drawn!.scale('x')!, drawn!.scale('y')!];
+    const [x, y] = [axes!.scale('x')!, axes!.scale('y')!];
     const [ground = 0, ceiling = 0] = y.range as number[];
     const top = Math.max(ceiling, Math.min(ground - SMALLEST, y.apply(energy) - 4));
     const [from, to] = [x.apply(left), x.apply(left + width)];
@@ -148,8 +153,9 @@ export function createModeBars(host: HTMLElement, core: Core): ModeBars {
   }
 
   function wordsOf({ mode: { order, index, omega }, energy }: ModeBar): string {
-    return `Mode (n, l) = (${order}, ${index}), ${frequencyInWords(omega, now!.encounter)}: ${percent(energy)} of the ` +
-      `energy, ${MODE_LABELS[chosen.when]}`;
+    const frequency = frequencyInWords(omega, now!.encounter);
+    const share = `${percent(energy)} of the energy, ${MODE_LABELS[chosen.when]}`;
+    return `Mode (n, l) = (${order}, ${index}), ${frequency}: ${share}`;
   }
 
   function onKey(event: KeyboardEvent): void {
@@ -160,21 +166,13 @@ export function createModeBars(host: HTMLElement, core: Core): ModeBars {
   }
 
   return {
-    show(encounter, collision) {
-      if (JSON.stringify(now?.encounter) !== JSON.stringify(encounter)) shapes = new Map();
+    show(encounter: Encounter, collision: Collision): void {
+      if (!now || !equal(now.encounter, encounter)) shapes = new Map();
       now = { encounter, collision };
-      if (collision.bodies[1] === undefined || collision.bodies[1].kind === 'half-space') chosen.body = 0;
+      if (!isPair()) chosen.body = 0;
       draw();
     },
-    picture: {
-      svg() {
-        if (!now) throw new Error('there are no modes to draw yet');
-        const width = Math.max(WIDTH, chart.clientWidth);
-        const theme = readTheme(host);
-        const parts = drawModes(laidOut(width), chosen.log, chosen.when, width, theme);
-        return stacked(parts, 'Energy of the modes', theme.background);
-      },
-    },
+    picture: pictureOf(chart, TITLE, (width, theme) => drawn(laidOut(width), width, theme)),
   };
 }
 

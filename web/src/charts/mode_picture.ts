@@ -1,14 +1,60 @@
-// Energies of the modes as bars: their description.
+// Energies of the modes as bars: which have one, where it stands, and the description of the chart.
 
 import * as Plot from '@observablehq/plot';
-import { BESIDE, type Drawn, draw, drawLegend } from '../drawing/plot';
+import { max, min, range, sum } from 'd3-array';
+import type { Collision, ModeEnergy } from '../core/protocol';
+import { BESIDE, type Drawn, type Scale, draw, drawLegend } from '../drawing/plot';
 import { look, type Theme } from '../drawing/theme';
-import type { Scale } from './curve_scales';
-import type { ModeBar, ModeGroup, ModeLayout, When } from './mode_layout';
+
+export type When = 'after' | 'average';
 
 export const MODE_LABELS: Record<When, string> = {
   after: 'after the impact', average: 'mean during contact',
 };
+
+export interface ModeBar {
+  mode: ModeEnergy;
+  energy: number;
+  /** place and width along the axis, as shares of it */
+  left: number;
+  width: number;
+}
+
+interface ModeGroup {
+  order: number;
+  center: number;
+}
+
+export interface ModeLayout {
+  bars: ModeBar[];
+  groups: ModeGroup[];
+  /** modes without a bar, and what they hold together */
+  omitted: number;
+  rest: number;
+}
+
+const GAP = 0.7; // between groups, in bars
+
+/** The modes of a body with the most energy, at most `count`, in groups of their orders n. */
+export function layoutModes(modes: ModeEnergy[], body: 0 | 1, when: When, count: number): ModeLayout {
+  const all = modes.filter((each) => each.body === body && each[when] > 0).sort((a, b) => b[when] - a[when]);
+  const shown = all.slice(0, count).sort((a, b) => a.order - b.order || a.index - b.index);
+  const omitted = all.slice(count);
+  const orders = [...new Set(shown.map((each) => each.order))];
+  const width = 1 / Math.max(1, shown.length + GAP * orders.length);
+  const bars = shown.map((mode, k): ModeBar =>
+    ({ mode, energy: mode[when], left: width * (k + GAP * (orders.indexOf(mode.order) + 0.5)), width }));
+  const groups = orders.map((order): ModeGroup => {
+    const its = bars.filter(({ mode }) => mode.order === order);
+    return { order, center: 0.5 * (its[0]!.left + its.at(-1)!.left + width) };
+  });
+  return { bars, groups, omitted: omitted.length, rest: sum(omitted, (each) => each[when]) };
+}
+
+/** The vibration after the impact that is in no mode of a body: of a half-space its waves. */
+export function energyOfWaves({ vibration, modes }: Pick<Collision, 'vibration' | 'modes'>): number {
+  return Math.max(0, vibration.at(-1)! - sum(modes, (each) => each.after));
+}
 
 const HEIGHT = 210;
 const COLORED = 6; // overtones with a colour of their own
@@ -17,11 +63,10 @@ const DECADES = 5; // below the maximum bar, at most
 /** The axis of energies. */
 export function energyScale(layout: ModeLayout, log: boolean): Scale {
   const energies = layout.bars.map((each) => each.energy);
-  const greatest = energies.reduce((most, each) => Math.max(most, each), 0);
+  const greatest = max(energies) ?? 0;
   if (!(greatest > 0)) return { low: log ? 1e-6 : 0, high: 1, log };
   if (!log) return { low: 0, high: 1.06 * greatest, log };
-  const least = Math.max(energies.reduce((few, each) => Math.min(few, each), greatest), greatest / 10 ** DECADES);
-  return { low: least / 2, high: 2 * greatest, log };
+  return { low: Math.max(min(energies)!, greatest / 10 ** DECADES) / 2, high: 2 * greatest, log };
 }
 
 /** Draws the bars; and a legend of the overtones l. */
@@ -48,8 +93,8 @@ export function drawModes(layout: ModeLayout, log: boolean, when: When, width: n
       fill: ({ mode }: ModeBar) => color(alone ? 0 : mode.index),
     })],
   }, theme);
-  const overtones = [...new Set(layout.bars.map((each) => Math.min(each.mode.index, COLORED)))].sort((a, b) => a - b);
-  const entries = alone ? [] : overtones.map((l) => ({
+  const there = new Set(layout.bars.map((each) => Math.min(each.mode.index, COLORED)));
+  const entries = alone ? [] : range(COLORED + 1).filter((l) => there.has(l)).map((l) => ({
     label: l < COLORED ? `l = ${l}` : `l ≥ ${COLORED}`,
     look: { color: color(l), dash: [], marker: 'square' as const }, line: false, marker: true,
   }));

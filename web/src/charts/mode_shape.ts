@@ -1,8 +1,9 @@
 // The shape of one mode, swinging.
 
 import type { Shape } from '../core/protocol';
-import { fitCanvas } from '../drawing/sized';
+import { fitCanvas } from '../drawing/dom';
 import { motionIsReduced, type Theme } from '../drawing/theme';
+import { follow } from '../scene/bodies';
 import { edgeOf, meshOf, type Line, type Part } from '../scene/parts';
 
 const AMPLITUDE = 0.16; // maximum displacement, in radii
@@ -36,17 +37,15 @@ function drawShape(canvas: HTMLCanvasElement, size: number, part: Part, shape: S
   const context = canvas.getContext('2d')!;
   const none = new Float32Array(0);
   const mesh = meshOf(part, { center: part.center, ...shape, vonMises: none, fringes: none }, AMPLITUDE * out);
-  const [middleX, middleY] = [size / 2, canvas.height / density / 2];
   const scale = (rod ? 0.7 : 0.41) * size;
+  const place = { scale, x: size / 2 - scale * part.center, y: canvas.height / density / 2 };
   context.setTransform(density, 0, 0, density, 0, 0);
   context.clearRect(0, 0, size, size);
   context.lineJoin = 'round';
-  const stroke = ({ x, y }: Line): void => {
-    for (const sign of [1, -1]) {
+  const stroke = (edge: Line): void => {
+    for (const sign of [1, -1] as const) {
       context.beginPath();
-      for (let k = 0; k < x.length; ++k) {
-        context.lineTo(middleX + scale * (x[k]! - part.center), middleY - sign * scale * y[k]!);
-      }
+      follow(context, place, edge, sign);
       context.stroke();
     }
   };

@@ -1,9 +1,11 @@
-// What the charts of one collision in time show.
+// What the charts of one collision in time show; and in words, for those who do not see them.
 
 import * as Plot from '@observablehq/plot';
+import { extent, max, maxIndex, minIndex, range } from 'd3-array';
 import type { Collision } from '../core/protocol';
-import { unitInWords } from '../drawing/numbers';
+import { prefixFor, unitInWords, withUnit, written } from '../drawing/numbers';
 import { type Drawn, draw } from '../drawing/plot';
+import { interpolate } from '../drawing/samples';
 import { look, type Theme } from '../drawing/theme';
 
 export interface Series {
@@ -24,16 +26,9 @@ const PAD = 0.06;
 const NOTHING = 1e-12; // a share of the energy that is not drawn
 
 function panel(name: string, unit: string, series: Series[]): Panel {
-  let [low, high] = [0, 0];
-  for (const { values } of series) {
-    for (const each of values) {
-      low = Math.min(low, each);
-      high = Math.max(high, each);
-    }
-  }
-  if (!(high > low)) high = low + 1;
-  const pad = PAD * (high - low);
-  return { name, unit, series, low: low < 0 ? low - pad : 0, high: high + pad };
+  const [low, high] = extent([0, ...series.flatMap(({ values }) => extent(values))] as number[]) as [number, number];
+  const span = high > low ? high - low : 1;
+  return { name, unit, series, low: low < 0 ? low - PAD * span : 0, high: low + (1 + PAD) * span };
 }
 
 /** Force, velocity and energies. Of the energies those that are never there are left out. */
@@ -68,7 +63,7 @@ export function drawPanel(
   const label = `time since first contact (${unitInWords(units.time)})`;
   return draw({
     width, height, bottom: lowest, top: named,
-    x: { low: time[0] ?? 0, high: time[time.length - 1] ?? 1, log: false, label },
+    x: { low: time[0] ?? 0, high: time.at(-1) ?? 1, log: false, label },
     y: { low, high, log: false, label: panelLabel(panel) },
     marks: series.map(({ values }, k) => {
       const { color, dash } = look(k, theme);
@@ -81,22 +76,57 @@ export function drawPanel(
 
 /** A curve with at most two points for each of `columns` pieces of it, its least and its greatest. */
 export function thinned(x: ArrayLike<number>, y: ArrayLike<number>, columns: number): { x: number[]; y: number[] } {
-  const thin = { x: [] as number[], y: [] as number[] };
-  const add = (k: number): void => {
-    thin.x.push(x[k]!);
-    thin.y.push(y[k]!);
-  };
   const piece = Math.max(1, Math.ceil(x.length / columns));
-  if (piece <= 2) return { x: Array.from(x), y: Array.from(y) };
-  add(0);
-  for (let begin = 0; begin < x.length; begin += piece) {
-    let [least, most] = [begin, begin];
-    for (let k = begin; k < Math.min(begin + piece, x.length); ++k) {
-      if (y[k]! < y[least]!) least = k;
-      if (y[k]! > y[most]!) most = k;
-    }
-    for (const k of least < most ? [least, most] : most < least ? [most, least] : [least]) add(k);
-  }
-  add(x.length - 1);
-  return thin;
+  const kept = piece <= 2 ? range(x.length) : [0, ...range(0, x.length, piece).flatMap((begin) => {
+    const its = range(begin, Math.min(begin + piece, x.length));
+    const ends = [minIndex(its, (k) => y[k]!), maxIndex(its, (k) => y[k]!)].map((k) => begin + k);
+    return ends.sort((a, b) => a - b);
+  }), x.length - 1];
+  return { x: kept.map((k) => x[k]!), y: kept.map((k) => y[k]!) };
+}
+
+const SMALL = 1e-9; // of what a panel spans
+
+/** The value of one series at a time. */
+export function valueWords(collision: Collision, panel: Panel, series: Series, time: number): string {
+  const value = interpolate(collision.time, series.values, time);
+  return written(Math.abs(value) < SMALL * (panel.high - panel.low) ? 0 : value, 3);
+}
+
+/** What the charts show at one time. */
+export function cursorWords(collision: Collision, panels: Panel[], time: number): string {
+  const values = panels.flatMap((panel) => panel.series.map((each) =>
+    `${each.label} ${valueWords(collision, panel, each, time)} ${unitInWords(panel.unit)}`.trimEnd()));
+  return `time ${withUnit(time, collision.units.time)}: ${values.join(', ')}`;
+}
+
+/** What the charts show as a whole. */
+export function summaryOf(collision: Collision): string {
+  const { force, time, units, velocity, translation, vibration, dissipated } = collision;
+  const most = maxIndex(force);
+  const energy = (name: string, values: Float64Array): string => `${written(100 * values.at(-1)!, 3)} % ${name}`;
+  return `The force is at its maximum, ${withUnit(force[most]!, units.force)}, ` +
+    `${withUnit(time[most]!, units.time)} after first contact; the last contact is after ` +
+    `${withUnit(collision.end, units.time)}. The velocity goes from ${withUnit(velocity[0]!, units.speed)} to ` +
+    `${withUnit(velocity.at(-1)!, units.speed)}. At the end the energy is ${energy('translation', translation)}, ` +
+    `${energy('vibration', vibration)}${dissipated.at(-1)! > 0 ? `, ${energy('dissipated', dissipated)}` : ''}.`;
+}
+
+/** The same collision with prefixes of SI that suit its times and forces; `second`: its unit of time in the old one. */
+export function readable(collision: Collision): { collision: Collision; second: number } {
+  const { time, force, units, begin, end } = collision;
+  const prefix = (values: Float64Array, unit: string): ReturnType<typeof prefixFor> =>
+    prefixFor(max(values, Math.abs) ?? 0, unit);
+  const [seconds, newtons] = [prefix(time, units.time), prefix(force, units.force)];
+  return {
+    second: seconds.size,
+    collision: {
+      ...collision,
+      units: { ...units, time: seconds.unit, force: newtons.unit },
+      time: time.map((each) => each / seconds.size),
+      force: force.map((each) => each / newtons.size),
+      begin: begin / seconds.size,
+      end: end / seconds.size,
+    },
+  };
 }

@@ -2,27 +2,19 @@
 
 import { html, nothing, render, type TemplateResult } from 'lit-html';
 import type { Collision } from '../core/protocol';
-import { keyed } from '../drawing/dom';
-import type { Picture } from '../drawing/files';
-import { type Drawn, drawLegend, stacked, WIDTH } from '../drawing/plot';
-import { onResize } from '../drawing/sized';
-import { look, readTheme } from '../drawing/theme';
-import { drawPanel, panelLabel, panelsOf, type Panel } from './series';
-import { cursorWords, readable, summaryOf, valueWords } from './words';
-import './charts.css';
-
-export interface TimeCharts {
-  show(collision: Collision): void;
-  /** Puts the cursor to a time, in the collision's units. */
-  setCursor(time: number): void;
-  readonly picture: Picture;
-}
+import { keyed, onResize } from '../drawing/dom';
+import { pictureOf } from '../drawing/files';
+import { type Drawn, drawLegend } from '../drawing/plot';
+import { look, readTheme, type Theme } from '../drawing/theme';
+import {
+  cursorWords, drawPanel, panelLabel, panelsOf, readable, summaryOf, valueWords, type Panel,
+} from './series';
 
 const HEIGHTS = [90, 90, 160];
 const STEPS = 100;
 
 /** Makes empty charts in an element; `choose` gets a time to which a reader moves the cursor. */
-export function createTimeCharts(host: HTMLElement, choose: (time: number) => void): TimeCharts {
+export function createTimeCharts(host: HTMLElement, choose: (time: number) => void) {
   let collision: Collision | undefined;
   let panels: Panel[] = [];
   let charts: Drawn[] = [];
@@ -31,19 +23,18 @@ export function createTimeCharts(host: HTMLElement, choose: (time: number) => vo
   onResize(host, draw);
 
   function ends(): { first: number; last: number } {
-    const time = collision!.time;
-    return { first: time[0]!, last: time[time.length - 1]! };
+    const { time } = collision!;
+    return { first: time[0]!, last: time.at(-1)! };
   }
 
-  function panelsAs(width: number, named: boolean): Drawn[] {
-    const theme = readTheme(host);
+  function panelsAs(width: number, named: boolean, theme: Theme): Drawn[] {
     return panels.map((panel, n) =>
       drawPanel(collision!, panel, width, HEIGHTS[n]!, n === panels.length - 1, named, theme));
   }
 
   function draw(): void {
     if (!collision || !host.clientWidth) return;
-    charts = panelsAs(host.clientWidth, false);
+    charts = panelsAs(host.clientWidth, false, readTheme(host));
     tell();
   }
 
@@ -104,27 +95,23 @@ export function createTimeCharts(host: HTMLElement, choose: (time: number) => vo
   }
 
   return {
-    show(next) {
+    show(next: Collision): void {
       const shown = readable(next);
       cursor *= second / shown.second;
       ({ second, collision } = shown);
       panels = panelsOf(collision);
       draw();
     },
-    setCursor(time) {
+    /** Puts the cursor to a time, in the collision's units. */
+    setCursor(time: number): void {
       cursor = time / second;
       tell();
     },
-    picture: {
-      svg() {
-        if (!collision) throw new Error('there is no collision to draw yet');
-        const width = Math.max(WIDTH, host.clientWidth);
-        const theme = readTheme(host);
-        const entries = panels.at(-1)!.series.map(({ label }, k) =>
-          ({ label, look: look(k, theme), line: true, marker: false }));
-        const parts = [...panelsAs(width, true), drawLegend(entries, width, theme)];
-        return stacked(parts, 'Force, velocity and energies in time', theme.background);
-      },
-    },
+    picture: pictureOf(host, 'Force, velocity and energies in time', (width, theme) => {
+      if (!collision) throw new Error('there is no collision to draw yet');
+      const entries = panels.at(-1)!.series.map(({ label }, k) =>
+        ({ label, look: look(k, theme), line: true, marker: false }));
+      return [...panelsAs(width, true, theme), drawLegend(entries, width, theme)];
+    }),
   };
 }

@@ -39,70 +39,66 @@ interface Task {
 /** Time in ms that an aborted call has to end by itself, before its worker is replaced. */
 export const patience = 100;
 
-/** A worker that computes says so four times a second: it is taken for dead after so many seconds of silence. */
+/** A worker that computes says so four times a second: it is taken for dead after so many seconds of silence; and
+ *  after some more where it still has to start. */
 export const silence = 5;
-
-/** The same of a worker that starts. */
 const startup = 30;
 
 export function createLane(spawn: () => Fellow, module: WebAssembly.Module): Lane {
   const waiting: Task[] = [];
   let current: Task | undefined;
   let worker: Fellow | undefined;
-  let clock: ReturnType<typeof setInterval> | undefined;
+  let heard = false; // whether the worker has said anything yet
+  let clock: ReturnType<typeof setTimeout> | undefined;
 
   function start(): Fellow {
     const fresh = spawn();
     worker = fresh;
-    let silent = 0;
-    let heard = false;
+    heard = false;
     fresh.onmessage = ({ data }) => {
       if (worker !== fresh) return;
-      silent = 0;
       heard = true;
+      listen();
       take(data);
     };
     fresh.onerror = (event) => {
       if (worker === fresh) lose(event.message);
     };
     fresh.postMessage({ module });
-    clearInterval(clock);
-    clock = setInterval(() => {
-      if (!current) silent = 0;
-      else if (++silent > (heard ? silence : startup)) lose('it is silent');
-    }, 1000);
     return fresh;
   }
 
   function stop(): void {
-    clearInterval(clock);
     worker?.terminate();
     worker = undefined;
+    current = undefined;
+  }
+
+  /** Waits for the next word of a worker that computes. */
+  function listen(): void {
+    clearTimeout(clock);
+    if (current) clock = setTimeout(() => lose('it is silent'), 1000 * (heard ? silence : startup));
   }
 
   function take(message: FromWorker): void {
-    const task = current;
-    if (!task) return;
+    if (!current || message.kind === 'alive') return;
+    const { signal, deliver, resolve, reject } = current;
     if (message.kind === 'delivered') {
-      if (!task.signal?.aborted) task.deliver?.(message.value as never, message.index);
-      return;
-    }
-    if (message.kind === 'alive') return;
-    if (message.kind === 'broken') {
+      if (!signal?.aborted) deliver?.(message.value as never, message.index);
+    } else if (message.kind === 'broken') {
       lose(message.line);
-      return;
+    } else {
+      current = undefined;
+      if (message.kind === 'answer') resolve(message.value);
+      else reject(new CoreError(message.line));
+      next();
     }
-    current = undefined;
-    if (message.kind === 'answer') task.resolve(message.value);
-    else task.reject(new CoreError(message.line));
-    next();
   }
 
   /** The worker is dead; its call is tried once more by another. */
   function lose(why: string): void {
-    stop();
     const task = current;
-    current = undefined;
+    stop();
     if (task && !task.signal?.aborted) {
       if (++task.deaths > 1) task.reject(new Error(`worker: the computation broke down twice (${why})`));
       else waiting.unshift(task);
@@ -113,8 +109,8 @@ export function createLane(spawn: () => Fellow, module: WebAssembly.Module): Lan
   function next(): void {
     if (current) return;
     current = waiting.shift();
-    if (!current) return;
-    (worker ?? start()).postMessage({ call: current.call });
+    if (current) (worker ?? start()).postMessage({ call: current.call });
+    listen();
   }
 
   function abort(task: Task): void {
@@ -125,17 +121,13 @@ export function createLane(spawn: () => Fellow, module: WebAssembly.Module): Lan
     setTimeout(() => {
       if (current !== task) return;
       stop();
-      current = undefined;
       start();
       next();
     }, patience);
   }
 
   return (call, deliver, signal) => new Promise((resolve, reject) => {
-    if (signal?.aborted) {
-      reject(signal.reason as Error);
-      return;
-    }
+    signal?.throwIfAborted();
     const task: Task = { call, deliver, signal, resolve, reject, deaths: 0 };
     signal?.addEventListener('abort', () => abort(task), { once: true });
     waiting.push(task);

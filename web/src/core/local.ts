@@ -1,7 +1,7 @@
 // The core in the page's own thread, for what must be known at once: units, and whether numbers are right.
 import { documentOf } from '../inputs/document';
-import { type Encounter, type Units, CoreError } from './protocol';
-import { type Wasm, answer } from './wasm';
+import type { Encounter, Units } from './protocol';
+import { type Answer, type Wasm, answer, valueOf } from './wasm';
 
 let core: Wasm | undefined;
 
@@ -11,24 +11,22 @@ export function setLocal(made: Wasm): void {
 }
 
 /** The answers to what was asked last, of which a page asks few again and again. */
-const known = new Map<string, unknown>();
+const known = new Map<string, Answer>();
 const most = 64;
 
 /** An answer, remembered. Throws CoreError with one line for what the core cannot do. */
 function ask<Value>(question: string, given: object): Value {
   const key = `${question} ${JSON.stringify(given)}`;
-  let found = known.get(key);
-  try {
-    found ??= answer(core!, question, given);
-  } catch (error) {
-    if (!(error instanceof CoreError)) throw error;
-    found = error;
-  }
-  known.delete(key);
-  known.set(key, found);
-  for (const oldest of known.keys()) if (known.size > most) known.delete(oldest);
-  if (found instanceof CoreError) throw found;
-  return found as Value;
+  const found = known.get(key) ?? core!.ask(question, given, null);
+  remember(known, key, found, most);
+  return valueOf(found) as Value;
+}
+
+/** Keeps a value in a map, and forgets the oldest of more than `most`. */
+export function remember<Value>(map: Map<string, Value>, key: string, value: Value, most: number): void {
+  map.delete(key);
+  map.set(key, value);
+  for (const oldest of map.keys()) if (map.size > most) map.delete(oldest);
 }
 
 /** The units of an encounter. Throws CoreError with one line for one that cannot be. */

@@ -7,19 +7,16 @@ import type { BodyField, BodyKind } from '../inputs/kinds';
  *  used. */
 export type Body = Record<BodyField, number>;
 
-export type Against =
-  | { kind: 'wall' }
-  | { kind: 'same' }
-  /** of the same kind as the first */
-  | { kind: 'body'; body: Body }
-  /** a half-space for a sphere, a half-plane for a disk */
-  | { kind: 'half-space'; body: Body };
+/** What the first body meets: a rigid wall, its like, another of its kind, or a half-space (of a disk a half-plane). */
+export type Against = 'wall' | 'same' | 'body' | 'half-space';
 
 /** Who meets whom. */
 export interface Encounter {
   kind: BodyKind;
   first: Body;
   against: Against;
+  /** of a body or a half-space */
+  second: Body;
   /** Whether bodies and speeds are in SI. */
   si: boolean;
   /** of a disk in SI */

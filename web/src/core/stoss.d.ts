@@ -8,8 +8,3 @@ declare module '@wasm/stoss.mjs' {
   }
   export default function create(options: object): Promise<Wasm>;
 }
-
-declare module '@wasm/stoss.wasm?url' {
-  const address: string;
-  export default address;
-}

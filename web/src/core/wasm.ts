@@ -27,9 +27,15 @@ export function callOf(question: keyof Questions, encounter: Encounter, given: o
   return { question, given: { ...given, document: documentOf(encounter) } };
 }
 
-/** The answer to a question. Throws CoreError with one line for what the core cannot do. */
+export type Answer = ReturnType<Wasm['ask']>;
+
+/** What an answer says. Throws CoreError with one line for what the core cannot do. */
+export function valueOf(answer: Answer): unknown {
+  if (answer.error !== undefined) throw new CoreError(answer.error);
+  return answer.value;
+}
+
+/** The answer to a question, or that error. */
 export function answer(core: Wasm, question: string, given: object, deliver: Deliver | null = null): unknown {
-  const answered = core.ask(question, given, deliver);
-  if (answered.error !== undefined) throw new CoreError(answered.error);
-  return answered.value;
+  return valueOf(core.ask(question, given, deliver));
 }

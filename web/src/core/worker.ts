@@ -5,15 +5,12 @@ import { type Call, type Wasm, answer, instantiate } from './wasm';
 
 let core: Promise<Wasm> | undefined;
 
-function post(message: FromWorker): void {
-  postMessage(message);
-}
+const post = (message: FromWorker): void => postMessage(message);
 
 async function take({ question, given }: Call): Promise<void> {
   try {
-    const value = answer(await core!, question, given,
-      (each, index) => post({ kind: 'delivered', value: each, index }));
-    post({ kind: 'answer', value });
+    const deliver = (value: never, index: number): void => post({ kind: 'delivered', value, index });
+    post({ kind: 'answer', value: answer(await core!, question, given, deliver) });
   } catch (error) {
     if (error instanceof CoreError) post({ kind: 'refusal', line: error.message });
     else post({ kind: 'broken', line: String(error) });

@@ -1,4 +1,4 @@
-// Elements of the page: those of index.html, and what is made of templates.
+// Elements of the page: those of index.html, what is made of templates, and their sizes.
 import { html, type TemplateResult } from 'lit-html';
 
 /** The element of the page with this id; index.html has it. */
@@ -6,6 +6,11 @@ export function find<Type extends HTMLElement>(id: string, type: new () => Type)
   const found = document.getElementById(id);
   if (!(found instanceof type)) throw new Error(`index.html has no ${type.name} with the id ${id}`);
   return found;
+}
+
+/** What an error says. */
+export function messageOf(error: unknown): string {
+  return error instanceof Error ? error.message : String(error);
 }
 
 export type Options<Value> = readonly (readonly [Value, string])[];
@@ -24,16 +29,10 @@ export function choice<Value>(
     html`<option .selected=${value === chosen}>${words}</option>`)}</select></label>`;
 }
 
-/** A scale along which keys move, in its own numbers. */
-export interface KeyScale {
-  at: number;
-  first: number;
-  last: number;
-  step: number;
-}
-
-/** Where a key leads along a scale; undefined for a key that does not. */
-export function keyed(event: KeyboardEvent, { at, first, last, step }: KeyScale): number | undefined {
+/** Where a key leads along a scale, in its own numbers; undefined for a key that does not. */
+export function keyed(
+  event: KeyboardEvent, { at, first, last, step }: Record<'at' | 'first' | 'last' | 'step', number>,
+): number | undefined {
   const places: Record<string, number> = {
     ArrowRight: at + step, ArrowUp: at + step, ArrowLeft: at - step, ArrowDown: at - step,
     PageUp: at + 10 * step, PageDown: at - 10 * step, Home: first, End: last,
@@ -42,4 +41,34 @@ export function keyed(event: KeyboardEvent, { at, first, last, step }: KeyScale)
   if (to === undefined) return undefined;
   event.preventDefault();
   return Math.min(last, Math.max(first, to));
+}
+
+/** Calls back whenever the width of an element or the theme changes, once a frame; returns what asks for it too. */
+export function onResize(host: HTMLElement, callback: () => void): () => void {
+  let asked = 0;
+  let width = -1;
+  const ask = (): void => {
+    cancelAnimationFrame(asked);
+    asked = requestAnimationFrame(callback);
+  };
+  new ResizeObserver(() => {
+    if (host.clientWidth === width) return; // a picture that sets its own height must not ask for itself again
+    width = host.clientWidth;
+    ask();
+  }).observe(host);
+  matchMedia('(prefers-color-scheme: dark)').addEventListener('change', ask);
+  return ask;
+}
+
+/** Gives a canvas a size in CSS pixels and as many of the device's as that is, at least `least` for one; returns how
+ *  many that are. */
+export function fitCanvas(canvas: HTMLCanvasElement, width: number, height: number, least = 1): number {
+  const density = Math.min(3, Math.max(least, window.devicePixelRatio));
+  const wide = Math.max(1, Math.round(width * density));
+  const high = Math.max(1, Math.round(height * density));
+  if (canvas.width !== wide) canvas.width = wide;
+  if (canvas.height !== high) canvas.height = high;
+  canvas.style.width = `${width}px`;
+  canvas.style.height = `${height}px`;
+  return density;
 }

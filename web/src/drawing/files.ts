@@ -1,8 +1,21 @@
 // Pictures as files.
-import { html, render } from 'lit-html';
+import { type Drawn, stacked } from './plot';
+import { readTheme, type Theme } from './theme';
 
 /** What can leave the page: as SVG or as PNG; as PNG only. */
 export type Picture = { svg(): SVGSVGElement } | { canvas(): HTMLCanvasElement };
+
+const WIDTH = 480; // the least that leaves the page
+
+/** A chart as a picture with a title: as it stands in an element, but not too narrow, and on a ground of its own. */
+export function pictureOf(host: HTMLElement, title: string, draw: (width: number, theme: Theme) => Drawn[]): Picture {
+  return {
+    svg() {
+      const theme = readTheme(host);
+      return stacked(draw(Math.max(WIDTH, host.clientWidth), theme), title, theme.background);
+    },
+  };
+}
 
 const SCALE = 2; // pixels of a PNG for each of an SVG
 
@@ -41,8 +54,6 @@ async function canvasOf(svg: SVGSVGElement): Promise<HTMLCanvasElement> {
 export function download(name: string, content: Blob | string, type = 'text/plain'): void {
   const blob = typeof content === 'string' ? new Blob([content], { type }) : content;
   const address = URL.createObjectURL(blob);
-  const place = document.createElement('div');
-  render(html`<a href=${address} download=${name}></a>`, place);
-  place.querySelector('a')!.click();
+  Object.assign(document.createElement('a'), { href: address, download: name }).click();
   setTimeout(() => URL.revokeObjectURL(address), 10_000);
 }

@@ -1,13 +1,18 @@
 // Charts that Observable Plot draws: one description for the page and for the file that leaves it.
 import * as Plot from '@observablehq/plot';
+import { cumsum, max } from 'd3-array';
 import { scaleLinear, scaleLog } from 'd3-scale';
 import { powerOfTen, written } from './numbers';
 import type { Look, Theme } from './theme';
 
-export interface Axis {
+/** From where to where an axis goes. */
+export interface Scale {
   low: number;
   high: number;
   log: boolean;
+}
+
+export interface Axis extends Scale {
   label: string;
 }
 
@@ -38,20 +43,17 @@ const MARGIN = { left: 62, right: 14, top: 30, bottom: 46 };
 /** Pixels of a chart beside what it shows. */
 export const BESIDE = MARGIN.left + MARGIN.right;
 
-/** The least width of a chart that leaves the page. */
-export const WIDTH = 480;
-
 const PITCH = 64; // pixels for the number of a tick along x
 const RISE = 30; // and along y
 
 /** Round numbers along an axis of some length in pixels; of a logarithmic one only some have a name. */
-export function ticksOf({ low, high, log }: Axis, length: number, pitch: number): Ticks {
+export function ticksOf({ low, high, log }: Scale, length: number, pitch: number): Ticks {
   const count = Math.max(2, Math.floor(length / pitch));
   if (!log) {
     const scale = scaleLinear([low, high], [0, 1]);
     const usual = scale.tickFormat(count);
     const plain = Math.max(Math.abs(low), Math.abs(high)) < 1e5 && high - low > 1e-3;
-    return { places: scale.ticks(count), words: plain ? (each) => (each === 0 ? '0' : usual(each)) : written };
+    return { places: scale.ticks(count), words: (each) => (plain && each !== 0 ? usual(each) : written(each)) };
   }
   const decades = Math.log10(high / low);
   const leads = 3 * decades <= count ? [1, 2, 5] : [1];
@@ -102,70 +104,57 @@ const KEY = 32; // pixels of a line or marker before its label
 const LETTER = 6.7;
 const ROW = 18;
 
-/** Words in rows of at most so many letters, as far as single words allow. */
-function wrapped(words: string, letters: number): string[] {
-  const rows: string[] = [];
-  for (const word of words.split(' ')) {
-    const last = rows.at(-1);
-    if (last !== undefined && last.length + 1 + word.length <= letters) rows[rows.length - 1] = `${last} ${word}`;
-    else rows.push(word);
-  }
-  return rows;
-}
-
-/** Where the entries of a legend stand, in rows that are not wider than `width`. */
-export function placed(entries: Entry[], width: number): (Entry & { x: number; y: number; rows: string[] })[] {
-  let [x, y] = [MARGIN.left, ROW / 2];
-  return entries.map((entry) => {
-    const rows = wrapped(entry.label, Math.floor((width - MARGIN.left - KEY) / LETTER));
-    const wide = KEY + LETTER * Math.max(...rows.map((row) => row.length)) + 12;
-    if (x > MARGIN.left && x + wide > width) [x, y] = [MARGIN.left, y + ROW];
-    const place = { ...entry, x, y, rows };
-    x += wide;
-    if (rows.length > 1) [x, y] = [width, y + ROW * (rows.length - 1)];
-    return place;
-  });
+/** The places of a legend's entries, in columns that are as wide as the longest label; where it is wider than the
+ *  legend, all have as many rows as it takes. */
+export function placed(labels: string[], width: number): { x: number; y: number; rows: number; letters: number }[] {
+  const longest = Math.max(0, ...labels.map((label) => label.length));
+  const inner = width - MARGIN.left;
+  const columns = Math.max(1, Math.floor(inner / (KEY + LETTER * longest + 12)));
+  const letters = Math.min(longest, Math.floor((inner - KEY) / LETTER));
+  const rows = longest > letters ? Math.ceil(longest / (0.85 * letters)) : 1; // lines end between words
+  return labels.map((_, k) => ({
+    x: MARGIN.left + (k % columns) * (inner / columns), y: ROW * (rows * Math.floor(k / columns) + 0.5), rows, letters,
+  }));
 }
 
 /** Draws a legend. */
 export function drawLegend(entries: Entry[], width: number, theme: Theme): Drawn {
-  const all = placed(entries, width);
-  const height = Math.max(...all.map(({ y, rows }) => y + ROW * (rows.length - 0.5)), 0) + 6;
+  const places = placed(entries.map(({ label }) => label), width);
+  const height = 6 + (max(places, ({ y, rows }) => y + ROW * (rows - 0.5)) ?? 0);
   return Plot.plot({
     width, height, margin: 0, axis: null, x: { type: 'identity' }, y: { type: 'identity' },
     style: { background: 'none', color: theme.text, fontSize: '12px' },
-    marks: all.flatMap(({ x, y, rows, look, line, marker }) => [
-      line ? Plot.link([x], {
-        x1: x, x2: x + 26, y1: y, y2: y, stroke: look.color, strokeWidth: 2, strokeDasharray: look.dash.join(' '),
-      }) : null,
-      marker ? Plot.dot([x], { x: x + 13, y, symbol: look.marker, r: 4, fill: look.color, stroke: look.color }) : null,
-      Plot.text([rows.join('\n')], {
-        text: (each: string) => each, x: x + KEY, y: y + (ROW / 2) * (rows.length - 1), textAnchor: 'start',
-        lineHeight: ROW / 12,
-      }),
-    ]),
+    marks: entries.flatMap(({ label, look: { color, dash, marker: symbol }, line, marker }, k) => {
+      const { x, y, rows, letters } = places[k]!;
+      return [
+        line ? Plot.ruleY([y], {
+          x1: x, x2: x + 26, stroke: color, strokeWidth: 2, strokeDasharray: dash.join(' '),
+        }) : null,
+        marker ? Plot.dot([y], { x: x + 13, y: [y], symbol, r: 4, fill: color, stroke: color }) : null,
+        Plot.text([label], {
+          x: x + KEY, y: [y], textAnchor: 'start', lineAnchor: 'top', dy: -7, lineHeight: ROW / 12,
+          lineWidth: rows > 1 ? letters / 2 : Infinity, // in ems; some fonts are wider than Plot takes them for
+        }),
+      ];
+    }),
   }) as Drawn;
 }
 
 /** Charts below each other as one picture with a title, on a ground of its own where it leaves the page. */
 export function stacked(parts: SVGSVGElement[], title: string, ground?: string): SVGSVGElement {
   const whole = parts[0]!.cloneNode(false) as SVGSVGElement;
-  const add = (name: string, attributes: Record<string, string | number>, inside: ChildNode[] | string): void => {
-    const element = document.createElementNS('http://www.w3.org/2000/svg', name);
-    for (const [key, value] of Object.entries(attributes)) element.setAttribute(key, String(value));
-    element.append(...inside);
-    whole.append(element);
-  };
   const width = parts[0]!.width.baseVal.value;
-  const height = parts.reduce((sum, part) => sum + part.height.baseVal.value, 0);
-  add('title', {}, title);
-  if (ground) add('rect', { width, height, fill: ground, stroke: 'none' }, '');
-  let top = 0;
-  for (const part of parts) {
-    add('g', { transform: `translate(0,${top})` }, [...part.childNodes]);
-    top += part.height.baseVal.value;
-  }
-  const attributes = { height, viewBox: `0 0 ${width} ${height}`, role: 'img', 'aria-label': title };
-  for (const [key, value] of Object.entries(attributes)) whole.setAttribute(key, String(value));
+  const bottoms = cumsum(parts, (part) => part.height.baseVal.value);
+  const height = bottoms.at(-1)!;
+  const set = <Made extends Element>(made: Made, attributes: Record<string, string | number>): Made => {
+    for (const [key, value] of Object.entries(attributes)) made.setAttribute(key, String(value));
+    return made;
+  };
+  const add = (name: string, attributes: Record<string, string | number>, inside: Iterable<Node | string> = []): void =>
+    whole.appendChild(set(document.createElementNS('http://www.w3.org/2000/svg', name), attributes)).append(...inside);
+  set(whole, { height, viewBox: `0 0 ${width} ${height}`, role: 'img', 'aria-label': title });
+  add('title', {}, [title]);
+  if (ground) add('rect', { width, height, fill: ground, stroke: 'none' });
+  parts.forEach((part, n) => add('g', { transform: `translate(0,${bottoms[n - 1] ?? 0})` }, [...part.childNodes]));
   return whole;
 }

@@ -1,11 +1,24 @@
 // What was typed, checked: the core says what is wrong with a number, the page at which field.
-import { requireSpeed, unitsOf } from '../core/local';
+import { numberOf, requireSpeed, unitsOf } from '../core/local';
 import { CoreError, type Encounter } from '../core/protocol';
-import { significant } from './digits';
-import { type Field, fieldsOf, nameOf, ofSecond, owner, valueOf, withValue } from './fields';
-import { type Inputs, ball, unitBody, withSecond } from './inputs';
+import { displayed, significant } from '../drawing/numbers';
+import { type Field, fieldsOf, ofSecond, owner, valueOf, withValue, wordsOf } from './fields';
+import { type Inputs, ball, unitBody } from './inputs';
 import { type BodyField, sizeOf } from './kinds';
-import { displayed, parseNumber } from './number';
+
+/** A number, or in one line what is wrong with the text. */
+export type Parsed = { value: number } | { problem: string };
+
+/** Read one decimal number, as in 0.33 or 1e-4; everything else gives a reason. */
+export function parseNumber(name: string, text: string): Parsed {
+  const typed = text.trim().replaceAll('\u2212', '-');
+  if (/^[+-]?\d*,\d+(e[+-]?\d+)?$/i.test(typed)) {
+    return { problem: `${name}: got “${typed}”, write it with a point: ${typed.replace(',', '.')}` };
+  }
+  let value = 0;
+  const problem = refusal(() => (value = numberOf(name, typed) || 0)); // not −0
+  return problem === '' ? { value } : { problem };
+}
 
 /** The new inputs, or for every wrong field one line that says what is wrong. */
 export type Checked = { inputs: Inputs } | { problems: Map<Field, string> };
@@ -49,13 +62,13 @@ export function repaired(encounter: Encounter): { encounter: Encounter; problems
   let right = encounter;
   for (let line = refusal(() => unitsOf(right)); line !== ''; line = refusal(() => unitsOf(right))) {
     const field = fieldOf(right, line);
-    if (field === undefined || problems.has(field)) {
-      if (field === undefined) problems.set('speed', line);
-      right = right.against === usual.against ? usual : { ...right, against: usual.against };
-    } else {
+    if (field !== undefined && !problems.has(field)) {
       problems.set(field, problemOf(right, field, line));
       right = withValue(right, field, valueOf(usual, 0, field));
+      continue;
     }
+    if (field === undefined) problems.set('speed', line);
+    right = right.second === usual.second ? usual : { ...right, second: usual.second };
   }
   return { encounter: right, problems };
 }
@@ -63,9 +76,10 @@ export function repaired(encounter: Encounter): { encounter: Encounter; problems
 /** The same encounter with default numbers; what it meets is an identical body. */
 function standard(encounter: Encounter): Encounter {
   const body = encounter.si ? ball : unitBody;
-  return withSecond({ ...encounter, first: body }, () => (encounter.si ? encounter.first : unitBody));
+  return { ...encounter, first: body, second: encounter.si ? encounter.first : unitBody };
 }
 
+/** The line with which the core refuses what it is asked; '' if it does not. */
 function refusal(ask: () => unknown): string {
   try {
     ask();
@@ -97,5 +111,5 @@ function problemOf(encounter: Encounter, field: Field, line: string): string {
 }
 
 function fullName(encounter: Encounter, field: Field): string {
-  return `${nameOf(encounter, field)}${owner(field)?.second ? ' of what it meets' : ''}`;
+  return `${wordsOf(encounter, field).name}${owner(field)?.second ? ' of what it meets' : ''}`;
 }

@@ -1,28 +1,6 @@
 // The document of an encounter, as the core reads it, and the numbers that it names.
 import type { Body, Encounter } from '../core/protocol';
-import { secondBody } from './inputs';
 import { type BodyField, type Kind, type Material, blockOf, kindNamed, materials, parametersOf } from './kinds';
-
-/** The numbers that say what a body is, in the order of the page; in SI some are of its material. Without SI the first
- *  has as its units what would have a default. */
-export function fieldsOfBody(kind: Kind, si: boolean, second: boolean): BodyField[] {
-  return parametersOf(kind)
-    .filter(({ name, otherwise }) => si || second || otherwise === undefined || name === 'loss_time')
-    .map(({ name }) => name);
-}
-
-/** The material that has the elastic constants and the density of a body in SI. */
-export function solidOf(body: Body, kind: Kind): Material | undefined {
-  const used = kind.parameters.filter(({ ofMaterial }) => ofMaterial).map(({ name }) => name);
-  return materials.find((material) => used.every((name) => material[name as keyof Material] === body[name]));
-}
-
-/** The same with its loss; undefined for numbers of one's own. */
-export function materialOf(body: Body, kind: Kind): Material | undefined {
-  const solid = solidOf(body, kind);
-  const lossy = solid && Math.abs(solid.loss_time - body.loss_time) <= 1e-9 * body.loss_time;
-  return lossy ? solid : undefined;
-}
 
 /** The body made of a material, of the same size. */
 export function madeOf({ young, poisson, density, loss_time }: Material, body: Body): Body {
@@ -43,16 +21,28 @@ export interface Side {
   readonly material: Material | undefined;
 }
 
-/** The first body, and what it meets where that is a body or a half-space of its own. */
-export function sidesOf({ kind, si, plane, first, against }: Encounter): [Side, Side?] {
-  const side = (its: Kind, body: Body, second: boolean): Side => ({
-    kind: its, body, second, fields: fieldsOfBody(its, si, second), strain: si && its.hasPlane && plane === 'strain',
-    solid: si ? solidOf(body, its) : undefined, material: si ? materialOf(body, its) : undefined,
-  });
-  const one = side(kindNamed(kind), first, false);
-  const other = secondBody(against);
-  if (other === undefined) return [one];
-  return [one, side(against.kind === 'body' ? one.kind : (blockOf(kind) ?? kindNamed('half-space')), other, true)];
+/** The first body, and what it meets where that is a body or a half-space of its own. In SI some of their numbers are of
+ *  a material. Without SI the first has as its units what would have a default. */
+export function sidesOf({ kind: name, si, plane, first, against, second: other }: Encounter): [Side, Side?] {
+  const side = (kind: Kind, body: Body, second: boolean): Side => {
+    const fields = parametersOf(kind)
+      .filter((its) => si || second || its.otherwise === undefined || its.name === 'loss_time');
+    const used = kind.parameters.filter(({ ofMaterial }) => ofMaterial);
+    const solid = materials.find((its) => si && used.every((each) => its[each.name as keyof Material] === body[each.name]));
+    const lossy = solid && Math.abs(solid.loss_time - body.loss_time) <= 1e-9 * body.loss_time;
+    return {
+      kind, body, second, fields: fields.map((its) => its.name), strain: si && kind.hasPlane && plane === 'strain',
+      solid, material: lossy ? solid : undefined,
+    };
+  };
+  const one = side(kindNamed(name), first, false);
+  if (!hasSecond(against)) return [one];
+  return [one, side(against === 'body' ? one.kind : (blockOf(name) ?? kindNamed('half-space')), other, true)];
+}
+
+/** Whether what the first body meets has numbers of its own. */
+export function hasSecond(against: Encounter['against']): boolean {
+  return against === 'body' || against === 'half-space';
 }
 
 /** Poisson's ratio of a solid; of a rod, which does without, any. */
@@ -77,6 +67,11 @@ export function documentOf(encounter: Encounter): string {
   const [first, second] = sidesOf(encounter);
   return JSON.stringify({
     first: participant(first, encounter),
-    against: second ? participant(second, encounter) : encounter.against.kind,
+    against: second ? participant(second, encounter) : encounter.against,
   });
+}
+
+/** Whether two encounters give the same results: what is not used does not count. */
+export function equal(a: Encounter, b: Encounter): boolean {
+  return documentOf(a) === documentOf(b);
 }

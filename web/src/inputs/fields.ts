@@ -2,7 +2,6 @@
 import type { Encounter } from '../core/protocol';
 import { unitInWords } from '../drawing/numbers';
 import { sidesOf } from './document';
-import { secondBody, withSecond } from './inputs';
 import { type BodyField, kindNamed } from './kinds';
 
 /** A number of the first body, of what it meets, or the speed. */
@@ -28,16 +27,14 @@ export function owner(field: Field): { second: boolean; name: BodyField } | unde
 /** The number of a field in the inputs. */
 export function valueOf(encounter: Encounter, speed: number, field: Field): number {
   const place = owner(field);
-  if (place === undefined) return speed;
-  const body = place.second ? secondBody(encounter.against) : encounter.first;
-  return (body ?? encounter.first)[place.name];
+  return place === undefined ? speed : encounter[place.second ? 'second' : 'first'][place.name];
 }
 
 /** The encounter with another number in one field of a body. */
 export function withValue(encounter: Encounter, field: Exclude<Field, 'speed'>, value: number): Encounter {
   const { second, name } = owner(field)!;
-  if (!second) return { ...encounter, first: { ...encounter.first, [name]: value } };
-  return withSecond(encounter, (body) => ({ ...body, [name]: value }));
+  const side = second ? 'second' : 'first';
+  return { ...encounter, [side]: { ...encounter[side], [name]: value } };
 }
 
 /** What the page calls a number of a body: in words, by a symbol, and in the address. */
@@ -47,34 +44,30 @@ export const names: Record<BodyField, [words: string, symbol: string, key: strin
   loss_time: ['Loss time', 'η', 'eta'],
 };
 
-/** The name of a field, without its symbol. */
-export function nameOf({ kind, si }: Encounter, field: Field): string {
+/** What the page says of a field. */
+interface Words {
+  readonly name: string;
+  /** its name with its symbol */
+  readonly label: string;
+  /** what it is, in the words of the core */
+  readonly help: string;
+  /** '' for a pure number */
+  readonly unit: string;
+}
+
+export function wordsOf({ kind, si }: Encounter, field: Field): Words {
   const place = owner(field);
-  if (place === undefined) return 'Speed of approach';
-  const { name, second } = place;
-  if (name === 'poisson' && kindNamed(kind).hasPlane && !si) return '2‑D Poisson’s ratio';
-  return name === 'young' && second && !si ? 'Modulus' : names[name][0];
-}
-
-/** The name of a field next to its number. */
-export function labelOf(encounter: Encounter, field: Field): string {
-  const place = owner(field);
-  const symbol = place ? names[place.name][1] : 'v';
-  const ratio = place?.second && !encounter.si && !['ν', 'η'].includes(symbol);
-  return `${nameOf(encounter, field)} ${ratio ? `${symbol}₂/${symbol}₁` : symbol}`;
-}
-
-/** What a field is, in the words of the core; '' for the speed. */
-export function helpOf({ kind }: Encounter, field: Field): string {
-  const name = owner(field)?.name;
-  return kindNamed(kind).parameters.find((each) => each.name === name)?.help ?? '';
-}
-
-/** The unit behind a field; '' for a pure number. */
-export function unitOf({ kind, si }: Encounter, field: Field): string {
-  const name = owner(field)?.name;
-  if (name === undefined) return si ? 'm/s' : 'c';
-  const { length, parameters } = kindNamed(kind);
-  if (si) return unitInWords(parameters.find((each) => each.name === name)?.unit ?? '');
-  return name === 'loss_time' ? `${length}/c` : '';
+  const speed = 'Speed of approach';
+  if (place === undefined) return { name: speed, label: `${speed} v`, help: '', unit: si ? 'm/s' : 'c' };
+  const { name: key, second } = place;
+  const { hasPlane, length, parameters } = kindNamed(kind);
+  const { help = '', unit = '' } = parameters.find((each) => each.name === key) ?? {};
+  const [usual, symbol] = names[key];
+  const name = si ? usual : key === 'poisson' && hasPlane ? '2‑D Poisson’s ratio'
+    : key === 'young' && second ? 'Modulus' : usual;
+  const ratio = second && !si && !['ν', 'η'].includes(symbol);
+  return {
+    name, label: `${name} ${ratio ? `${symbol}₂/${symbol}₁` : symbol}`, help,
+    unit: si ? unitInWords(unit) : key === 'loss_time' ? `${length}/c` : '',
+  };
 }

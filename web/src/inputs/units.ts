@@ -1,35 +1,39 @@
-// The same encounter in other units: what they are, the core says.
-import { unitsOf } from '../core/local';
+// The same encounter in other units, which the core knows; and the speeds of the slider and of the curve: logarithmic,
+// up to where linear elasticity loses its meaning.
+import { seriesOf, unitsOf } from '../core/local';
 import type { Body, Elastic, Encounter } from '../core/protocol';
-import { type Inputs, ball, siSpeed, withSecond } from './inputs';
-import { sizeOf } from './kinds';
+import { rounded, shortest } from '../drawing/numbers';
+import { type Inputs, ball, siSpeed } from './inputs';
+import type { BodyField } from './kinds';
 
 /** c of the first body: 1 without SI, else m/s. */
 export function barSpeed(encounter: Encounter): number {
   return unitsOf(encounter).speed;
 }
 
+/** The numbers of a body changed by a function, to six digits, so that a field stays readable. */
+function changed(body: Body, change: (value: number, name: BodyField) => number): Body {
+  return Object.fromEntries(Object.entries(body).map(([name, value]) =>
+    [name, rounded(change(value, name as BodyField), 6)])) as Body;
+}
+
 /** The same impact in units of the first body: ε stays what it is. */
 export function withoutSi(inputs: Inputs): Inputs {
   const { encounter } = inputs;
   if (!encounter.si) return inputs;
-  const { first } = encounter;
+  const { first, second } = encounter;
   const units = unitsOf(encounter);
-  const ratios = (body: Body, { young, poisson = body.poisson }: Elastic): Body => ({
-    young: rounded(young),
-    poisson: rounded(poisson),
-    density: rounded(body.density / first.density),
-    radius: rounded(body.radius / first.radius),
-    length: rounded(body.length / first.length),
-    area: rounded(body.area / first.area),
-    loss_time: rounded(body.loss_time / units.time),
-  });
-  const next = withSecond({ ...encounter, first: ratios(first, units.first) },
-    (body) => ratios(body, units.second ?? units.first));
+  const ratios = (body: Body, { young, poisson = body.poisson }: Elastic): Body => {
+    const own: Partial<Body> = { young, poisson, loss_time: body.loss_time / units.time };
+    return changed(body, (value, name) => own[name] ?? value / first[name]);
+  };
   return {
     ...inputs,
-    encounter: { ...next, si: false, plane: 'stress' },
-    speed: rounded(inputs.speed / units.speed),
+    encounter: {
+      ...encounter, si: false, plane: 'stress', first: ratios(first, units.first),
+      second: ratios(second, units.second ?? units.first),
+    },
+    speed: rounded(inputs.speed / units.speed, 6),
   };
 }
 
@@ -37,25 +41,72 @@ export function withoutSi(inputs: Inputs): Inputs {
 export function withSi(inputs: Inputs): Inputs {
   const { encounter } = inputs;
   if (encounter.si) return inputs;
+  const { poisson, loss_time } = ball;
   const inSi: Encounter = { ...encounter, si: true, plane: 'stress', first: ball };
-  const { time } = unitsOf({ ...inSi, against: { kind: 'wall' } });
-  const values = (body: Body): Body => {
-    const size = sizeOf(encounter.kind);
-    const sizes = { [size]: rounded(body[size] * ball[size]), area: rounded(body.area * ball.area) };
-    if (body.young === 1 && body.density === 1) return { ...ball, ...sizes };
-    return {
-      ...ball,
-      ...sizes,
-      poisson: Math.min(body.poisson, ball.poisson),
-      young: rounded(body.young * ball.young),
-      density: rounded(body.density * ball.density),
-      loss_time: rounded(body.loss_time * time),
-    };
-  };
-  return { ...inputs, encounter: withSecond(inSi, values), speed: siSpeed };
+  const { time } = unitsOf({ ...inSi, against: 'wall' });
+  const { second } = encounter;
+  const loss = second.young === 1 && second.density === 1 ? { poisson, loss_time }
+    : { poisson: Math.min(second.poisson, poisson), loss_time: rounded(second.loss_time * time, 6) };
+  const values = { ...changed(second, (value, name) => value * ball[name]), ...loss };
+  return { ...inputs, encounter: { ...inSi, second: values }, speed: siSpeed };
 }
 
-/** To six digits, so that a field stays readable. */
-function rounded(value: number): number {
-  return Number(value.toPrecision(6));
+/** In c of the first body. */
+export const slowest = 1e-6;
+
+/** In c of the first body: half of the wave speed, for a soft half-space of its own, which is pressed in the faster the
+ *  more of the compression is its. */
+export function fastest(encounter: Encounter): number {
+  const half = 0.5;
+  const { first, second } = unitsOf(encounter);
+  if (encounter.against !== 'half-space' || !second) return half;
+  const sphere = encounter.kind === 'sphere';
+  const stiff = ({ young, poisson = 0 }: Elastic): number => young / (sphere ? 1 - poisson ** 2 : 1);
+  const share = stiff(first) / (stiff(first) + stiff(second));
+  const slower = Math.sqrt(encounter.second.density / (encounter.si ? encounter.first.density : 1) / second.young);
+  return half / Math.max(1, share * slower);
+}
+
+/** Steps of the slider. */
+export const steps = 1000;
+
+/** The speed at a place 0 … steps of the slider, to three digits. */
+export function speedAt(encounter: Encounter, place: number): number {
+  const speed = barSpeed(encounter) * slowest * (fastest(encounter) / slowest) ** (place / steps);
+  return rounded(speed, 3);
+}
+
+/** The nearest place of the slider to a speed; its end for one beyond. */
+export function placeOf(encounter: Encounter, speed: number): number {
+  const share = Math.log(speed / barSpeed(encounter) / slowest) / Math.log(fastest(encounter) / slowest);
+  return Math.round(Math.min(Math.max(share, 0), 1) * steps);
+}
+
+/** The ends of a curve, as the page gives speeds. */
+export function endsOf(encounter: Encounter): [number, number] {
+  const c = barSpeed(encounter);
+  return [slowest, fastest(encounter)].map((speed) => rounded(speed * c, 4)) as [number, number];
+}
+
+/** The series of a curve that nobody has typed. */
+export function usualSeries(encounter: Encounter, count = 49): string {
+  return `log:${endsOf(encounter).map(shortest).join(':')}:${count}`;
+}
+
+/** Speeds of the curve, those of a series, in an order that fills the range ever more densely. Throws CoreError for a
+ *  text that is none. */
+export function curveSpeeds(encounter: Encounter, series = ''): number[] {
+  const usual = series.trim() === '';
+  const speeds = seriesOf(usual ? usualSeries(encounter) : series)
+    .map((speed) => (usual ? rounded(speed, 4) : speed));
+  const order = new Set<number>();
+  for (let stride = 2 ** Math.ceil(Math.log2(speeds.length)); stride >= 1; stride /= 2) {
+    for (let index = 0; index < speeds.length; index += stride) order.add(index);
+  }
+  return [...new Set([...order].map((index) => speeds[index]!))];
+}
+
+/** A speed of one encounter on the axis of another: as it is if both are in SI or neither, else the same share of c. */
+export function onAxisOf(axis: Encounter, encounter: Encounter, speed: number): number {
+  return axis.si === encounter.si ? speed : (speed / barSpeed(encounter)) * barSpeed(axis);
 }

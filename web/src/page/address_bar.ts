@@ -2,16 +2,14 @@
 import { fromAddress, toAddress } from '../inputs/address';
 import type { Inputs } from '../inputs/inputs';
 
-export interface AddressBar {
-  /** Write inputs into the address, soon; `settled` ends a drag or typing. */
-  write(inputs: Inputs, settled: boolean): void;
-}
-
 /** Browsers refuse to change the address more often than some 100 times in 30 s. */
 const pause = 300;
 
-/** Keep the address up to date; `go` gets the inputs of an entry that the user goes back or forward to. */
-export function createAddressBar(go: (inputs: Inputs, problem: string) => void): AddressBar {
+/** Keep the address up to date; `go` gets the inputs of an entry that the user goes back or forward to. The result
+ *  writes inputs into the address, soon; `settled` ends a drag or typing. */
+export function createAddressBar(
+  go: (inputs: Inputs, problem: string) => void,
+): (inputs: Inputs, settled: boolean) => void {
   let inChange = false;
   let timer: number | undefined;
   let waiting: string | undefined;
@@ -35,15 +33,13 @@ export function createAddressBar(go: (inputs: Inputs, problem: string) => void):
     go(inputs, problem);
   });
 
-  return {
-    write(inputs, settled) {
-      waiting = toAddress(inputs);
-      if (settled) {
-        flush();
-        inChange = false;
-      } else if (timer === undefined) {
-        timer = window.setTimeout(flush, pause);
-      }
-    },
+  return (inputs, settled) => {
+    waiting = toAddress(inputs);
+    if (!settled) {
+      timer ??= window.setTimeout(flush, pause);
+      return;
+    }
+    flush();
+    inChange = false;
   };
 }

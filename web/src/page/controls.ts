@@ -1,25 +1,16 @@
 // The form: it shows the inputs, and tells what the user makes of them.
 import { html, render } from 'lit-html';
-import type { Against, Body } from '../core/protocol';
+import type { Body, Encounter } from '../core/protocol';
 import { find, optionsOf } from '../drawing/dom';
+import { significant } from '../drawing/numbers';
 import { check } from '../inputs/check';
-import { description } from '../inputs/description';
-import { significant } from '../inputs/digits';
 import { madeOf, sidesOf } from '../inputs/document';
 import { type Field, fieldsOf } from '../inputs/fields';
-import { type Inputs, withAgainst, withKind, withSecond } from '../inputs/inputs';
+import { type Inputs, presetOf, presets, withAgainst, withKind } from '../inputs/inputs';
 import { type BodyKind, blockOf, bodyKinds, kindNamed, materials, sizeOf } from '../inputs/kinds';
-import { presetOf, presets } from '../inputs/presets';
-import { placeOf, speedAt, steps } from '../inputs/speeds';
-import { barSpeed, withSi, withoutSi } from '../inputs/units';
+import { description } from '../inputs/lines';
+import { barSpeed, placeOf, speedAt, steps, withoutSi, withSi } from '../inputs/units';
 import { showFields, showNumbers, textOf } from './fields_view';
-
-export interface Controls {
-  /** Show inputs that come from elsewhere: the address, the curve. */
-  show(inputs: Inputs): void;
-  /** What the core says is wrong with a field. */
-  refuse(field: Field, problem: string): void;
-}
 
 /** What the form reports: inputs that hold, while a drag or typing goes on or at its end; or that some are wrong. */
 export interface Listener {
@@ -30,7 +21,7 @@ export interface Listener {
 const own = 'own numbers';
 
 /** Wire the form of index.html. */
-export function createControls(initial: Inputs, listener: Listener): Controls {
+export function createControls(initial: Inputs, listener: Listener) {
   let inputs = initial;
   const form = find('inputs', HTMLFormElement);
   const slider = find('speed-slider', HTMLInputElement);
@@ -59,21 +50,21 @@ export function createControls(initial: Inputs, listener: Listener): Controls {
     find('plane-row', HTMLElement).hidden = !(si && kindNamed(kind).hasPlane);
     find('material-row', HTMLElement).hidden = !si;
     find('material2-row', HTMLElement).hidden = !si || sidesOf(encounter)[1] === undefined;
-    showPartners(kind, against.kind);
-    showNames();
-    find('units-note', HTMLElement).textContent = note();
+    const block = blockOf(kind);
+    render(optionsOf([
+      ['wall', 'a rigid wall'], ['same', 'an identical body'], ['body', `another ${kind}`],
+      ...(block ? [['half-space', `an elastic ${block.name}`] as const] : []),
+    ]), partner);
+    partner.value = against;
     showFields(inputs, new Map());
     showNumbers(inputs);
-    showSlider();
+    showDerived();
   }
 
-  function showSlider(): void {
-    slider.value = String(placeOf(inputs.encounter, inputs.speed));
-    slider.setAttribute('aria-valuetext', `${significant(inputs.speed, 3)} ${inputs.encounter.si ? 'm/s' : 'c'}`);
-  }
-
-  function showNames(): void {
-    const { encounter } = inputs;
+  /** Show what follows from the numbers. */
+  function showDerived(): void {
+    const { encounter, speed } = inputs;
+    const { si, kind } = encounter;
     preset.value = presetOf(inputs)?.name ?? own;
     find('who', HTMLElement).textContent = description(encounter);
     const [first, second] = sidesOf(encounter);
@@ -81,14 +72,10 @@ export function createControls(initial: Inputs, listener: Listener): Controls {
       select.value = side?.material?.name ?? own;
       select.title = side?.material?.source ?? '';
     }
-  }
-
-  function note(): string {
-    const { si, kind } = inputs.encounter;
-    const size = sizeOf(kind);
-    return si
-      ? `c = √(E/ρ) = ${significant(barSpeed(inputs.encounter), 4)} m/s`
-      : `Units: ${size}, bar speed c = √(E/ρ) and mass of the first body`;
+    find('units-note', HTMLElement).textContent = si ? `c = √(E/ρ) = ${significant(barSpeed(encounter), 4)} m/s`
+      : `Units: ${sizeOf(kind)}, bar speed c = √(E/ρ) and mass of the first body`;
+    slider.value = String(placeOf(encounter, speed));
+    slider.setAttribute('aria-valuetext', `${significant(speed, 3)} ${si ? 'm/s' : 'c'}`);
   }
 
   /** Take over inputs that a choice or a slider made; they are in range unless a field already was not. */
@@ -108,47 +95,46 @@ export function createControls(initial: Inputs, listener: Listener): Controls {
       return;
     }
     inputs = result.inputs;
-    find('units-note', HTMLElement).textContent = note();
-    showSlider();
-    showNames();
+    showDerived();
     listener.changed(inputs, settled);
   }
 
-  form.addEventListener('submit', (event) => event.preventDefault());
-  form.addEventListener('input', (event) => {
-    const target = event.target;
-    if (target === slider) {
-      const speed = speedAt(inputs.encounter, Number(slider.value));
-      take({ ...inputs, speed }, false);
-    } else if (target instanceof HTMLInputElement && target.dataset.field !== undefined) {
-      read(false);
-    }
-  });
-  form.addEventListener('change', (event) => {
-    const target = event.target;
-    const { encounter } = inputs;
-    if (target === slider || (target instanceof HTMLInputElement && target.dataset.field !== undefined)) {
-      read(true);
-    } else if (target === preset) {
-      const { encounter: met, speed } = presets.find(({ name }) => name === preset.value) ?? inputs;
-      take({ ...inputs, encounter: met, speed }, true);
-    } else if (target === partner) {
-      take({ ...inputs, encounter: withAgainst(encounter, partner.value as Against['kind']) }, true);
-    } else if (target === selects.first || target === selects.second) {
-      const material = materials.find(({ name }) => name === (target as HTMLSelectElement).value);
-      const made = (body: Body): Body => (material === undefined ? body : madeOf(material, body));
-      const next =
-        target === selects.first ? { ...encounter, first: made(encounter.first) } : withSecond(encounter, made);
-      take({ ...inputs, encounter: next }, true);
-    } else if (target instanceof HTMLInputElement && target.name === 'body') {
-      take({ ...inputs, encounter: withKind(encounter, target.value as BodyKind) }, true);
-    } else if (target instanceof HTMLInputElement && target.name === 'units') {
-      take(target.value === 'SI' ? withSi(inputs) : withoutSi(inputs), true);
-    } else if (target instanceof HTMLInputElement && target.name === 'plane') {
-      take({ ...inputs, encounter: { ...encounter, plane: target.value as 'stress' | 'strain' } }, true);
-    }
-  });
+  const withMaterial = (name: string, body: Body): Body => {
+    const material = materials.find((each) => each.name === name);
+    return material === undefined ? body : madeOf(material, body);
+  };
+  const meeting = (change: Partial<Encounter>): Inputs =>
+    ({ ...inputs, encounter: { ...inputs.encounter, ...change } });
+  /** What a choice makes of the inputs, by the ids and names of index.html. */
+  const choices: Record<string, (value: string) => Inputs> = {
+    preset: (value) => {
+      const { encounter, speed } = presets.find(({ name }) => name === value) ?? inputs;
+      return { ...inputs, encounter, speed };
+    },
+    against: (value) => meeting(withAgainst(inputs.encounter, value as Encounter['against'])),
+    material: (value) => meeting({ first: withMaterial(value, inputs.encounter.first) }),
+    material2: (value) => meeting({ second: withMaterial(value, inputs.encounter.second) }),
+    body: (value) => meeting(withKind(inputs.encounter, value as BodyKind)),
+    units: (value) => (value === 'SI' ? withSi(inputs) : withoutSi(inputs)),
+    plane: (value) => meeting({ plane: value as Encounter['plane'] }),
+  };
+  const isNumber = (target: EventTarget | null): boolean =>
+    target === slider || (target instanceof HTMLInputElement && target.dataset.field !== undefined);
 
+  form.addEventListener('submit', (event) => event.preventDefault());
+  form.addEventListener('input', ({ target }) => {
+    if (target === slider) take({ ...inputs, speed: speedAt(inputs.encounter, Number(slider.value)) }, false);
+    else if (isNumber(target)) read(false);
+  });
+  form.addEventListener('change', ({ target }) => {
+    if (isNumber(target)) {
+      read(true);
+      return;
+    }
+    const { id, name, value } = target as HTMLInputElement | HTMLSelectElement;
+    const change = choices[name || id];
+    if (change) take(change(value), true);
+  });
   simple.addEventListener('change', () => take({ ...inputs, simple: simple.checked }, true));
 
   function choose(name: string, value: string): void {
@@ -157,19 +143,11 @@ export function createControls(initial: Inputs, listener: Listener): Controls {
     }
   }
 
-  function showPartners(kind: BodyKind, chosen: Against['kind']): void {
-    const names: [string, string][] = [
-      ['wall', 'a rigid wall'], ['same', 'an identical body'], ['body', `another ${kind}`],
-    ];
-    const block = blockOf(kind);
-    if (block) names.push(['half-space', `an elastic ${block.name}`]);
-    render(optionsOf(names), partner);
-    partner.value = chosen;
-  }
-
   show(inputs);
   return {
+    /** Show inputs that come from elsewhere: the address, the curve. */
     show,
-    refuse: (field, problem) => showFields(inputs, new Map([[field, problem]])),
+    /** What the core says is wrong with a field. */
+    refuse: (field: Field, problem: string): void => showFields(inputs, new Map([[field, problem]])),
   };
 }

@@ -1,9 +1,11 @@
 // ε(v) of the current encounter and of those kept for comparison: computed one after the other, and remembered.
-import { seriesOf } from '../core/local';
+import { difference } from 'd3-array';
+import { remember, seriesOf } from '../core/local';
 import type { Core, CurvePoint, Encounter } from '../core/protocol';
-import { description } from '../inputs/description';
+import { messageOf } from '../drawing/dom';
+import { description } from '../inputs/lines';
 import { documentOf } from '../inputs/document';
-import { curveSpeeds } from '../inputs/speeds';
+import { curveSpeeds } from '../inputs/units';
 import { fine } from './session';
 
 export interface Curve {
@@ -13,21 +15,11 @@ export interface Curve {
   readonly planned: readonly number[];
 }
 
-export interface Curves {
-  /** Compute these curves, the first of which is the current one; what is not among them is no longer computed. */
-  want(encounters: readonly Encounter[]): void;
-  /** Compute at the speeds of a series; those of '' are the usual ones. They are in the units of the current encounter,
-   *  and those in others have the usual ones. Throws CoreError for a text that is none. */
-  at(series: string): void;
-  /** The curve of an encounter as far as it is known. */
-  of(encounter: Encounter): Curve;
-}
-
 /** Remembered curves beyond this number are forgotten, oldest first. */
 const most = 40;
 
 /** Compute curves in the background; `changed` is called when there is a new point, `failed` with one line. */
-export function createCurves(core: Core, changed: () => void, failed: (line: string) => void): Curves {
+export function createCurves(core: Core, changed: () => void, failed: (line: string) => void) {
   const known = new Map<string, Curve>();
   let current = new AbortController();
   let wanted: readonly Encounter[] = [];
@@ -36,27 +28,24 @@ export function createCurves(core: Core, changed: () => void, failed: (line: str
   const seriesFor = (encounter: Encounter): string => (wanted[0]?.si === encounter.si ? series : '');
   const keyOf = (encounter: Encounter): string => `${documentOf(encounter)} ${seriesFor(encounter)}`;
 
+  /** The curve of an encounter as far as it is known. */
   function of(encounter: Encounter): Curve {
-    const key = keyOf(encounter);
-    const found = known.get(key);
-    if (found !== undefined) return { ...found, encounter };
-    return { encounter, points: [], planned: curveSpeeds(encounter, seriesFor(encounter)) };
+    const found = known.get(keyOf(encounter)) ??
+      { points: [], planned: curveSpeeds(encounter, seriesFor(encounter)) };
+    return { ...found, encounter };
   }
 
   async function compute(encounter: Encounter, signal: AbortSignal): Promise<void> {
     const begun = of(encounter);
-    const missing = begun.planned.filter((speed) => !begun.points.some((point) => point.speed === speed));
-    if (missing.length === 0) return;
+    const missing = difference(begun.planned, begun.points.map(({ speed }) => speed));
+    if (missing.size === 0) return;
     const deliver = (point: CurvePoint): void => {
       if (signal.aborted) return;
       const before = of(encounter);
-      const key = keyOf(encounter);
-      known.delete(key);
-      known.set(key, { ...before, points: [...before.points, point] });
-      for (const oldest of known.keys()) if (known.size > most) known.delete(oldest);
+      remember(known, keyOf(encounter), { ...before, points: [...before.points, point] }, most);
       changed();
     };
-    await core('curve', encounter, { speeds: missing, tolerance: fine }, { deliver, signal });
+    await core('curve', encounter, { speeds: [...missing], tolerance: fine }, { deliver, signal });
   }
 
   async function computeAll(signal: AbortSignal): Promise<void> {
@@ -65,7 +54,7 @@ export function createCurves(core: Core, changed: () => void, failed: (line: str
         await compute(encounter, signal);
       } catch (error) {
         if (signal.aborted) return;
-        failed(`Curve of ${description(encounter)}: ${error instanceof Error ? error.message : String(error)}`);
+        failed(`Curve of ${description(encounter)}: ${messageOf(error)}`);
       }
     }
   }
@@ -79,12 +68,15 @@ export function createCurves(core: Core, changed: () => void, failed: (line: str
 
   return {
     of,
-    want(encounters) {
+    /** Compute these curves, the first of which is the current one; what is not among them is no longer computed. */
+    want(encounters: readonly Encounter[]): void {
       if (encounters.map(documentOf).join() === wanted.map(documentOf).join()) return;
       wanted = encounters;
       begin();
     },
-    at(text) {
+    /** Compute at the speeds of a series; those of '' are the usual ones. They are in the units of the current
+     *  encounter, and those in others have the usual ones. Throws CoreError for a text that is none. */
+    at(text: string): void {
       if (text.trim() !== '') seriesOf(text);
       series = text.trim();
       begin();

@@ -2,9 +2,9 @@
 import { html, nothing, render } from 'lit-html';
 import { repeat } from 'lit-html/directives/repeat.js';
 import { find } from '../drawing/dom';
-import { type Field, fieldsOf, helpOf, labelOf, owner, unitOf, valueOf } from '../inputs/fields';
+import { type Field, fieldsOf, owner, valueOf, wordsOf } from '../inputs/fields';
 import type { Inputs } from '../inputs/inputs';
-import { displayed } from '../inputs/number';
+import { displayed } from '../drawing/numbers';
 
 const homes = ['first-fields', 'second-fields', 'speed-field'] as const;
 
@@ -25,14 +25,15 @@ export function textOf(field: Field): string {
 /** Show the fields of inputs with what is wrong: screen readers hear the unit and the problem with a field. */
 export function showFields({ encounter }: Inputs, problems: ReadonlyMap<Field, string>): void {
   const rowOf = (field: Field): unknown => {
-    const [id, label, problem] = [`field-${field}`, labelOf(encounter, field), problems.get(field) ?? ''];
+    const { label, help, unit } = wordsOf(encounter, field);
+    const [id, problem] = [`field-${field}`, problems.get(field) ?? ''];
     return html`
-      <div class="field" title=${helpOf(encounter, field)}>
+      <div class="field" title=${help}>
         <label for=${id}>${label}</label>
         <input id=${id} type="text" inputmode="decimal" autocomplete="off" spellcheck="false" data-field=${field}
           aria-describedby="${id}-unit ${id}-problem" aria-invalid=${problem === '' ? nothing : 'true'}
           aria-label=${owner(field)?.second ? `${label}, of what it meets` : nothing} />
-        <span id="${id}-unit" class="unit">${unitOf(encounter, field)}</span>
+        <span id="${id}-unit" class="unit">${unit}</span>
         <p id="${id}-problem" class="problem" ?hidden=${problem === ''}>${problem}</p>
       </div>`;
   };

@@ -2,8 +2,9 @@
 import { html, render } from 'lit-html';
 import type { Encounter } from '../core/protocol';
 import { find } from '../drawing/dom';
-import { description } from '../inputs/description';
-import { equal, mostKept, type Inputs } from '../inputs/inputs';
+import { description } from '../inputs/lines';
+import { equal } from '../inputs/document';
+import { mostKept, type Inputs } from '../inputs/inputs';
 
 const button = find('keep', HTMLButtonElement);
 const list = find('kept', HTMLUListElement);

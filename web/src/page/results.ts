@@ -1,20 +1,12 @@
 // ε and what belongs to it, as text.
 import type { Encounter, Quantity, Restitution } from '../core/protocol';
-import { prefixFor } from '../drawing/numbers';
-import { significant, withError } from '../inputs/digits';
-import { reboundOf } from '../inputs/rebound';
+import { prefixFor, significant, withError } from '../drawing/numbers';
 import { find } from '../drawing/dom';
 
 export type Stage = 'first' | 'final';
 
-export interface Results {
-  /** Show a result; of the final one screen readers are told, once it stays. */
-  show(encounter: Encounter, result: Restitution, stage: Stage): void;
-  /** Say that what is shown belongs to earlier inputs: because some are wrong, or because new ones are computed. */
-  stale(why: '' | 'wrong' | 'computing'): void;
-  /** One line that is not about a field; '' takes it away. */
-  say(line: string): void;
-}
+/** Whether what is shown belongs to the inputs (''), or why not. */
+type Age = '' | 'wrong' | 'computing';
 
 /** A quantity with a readable unit and the digits that its error allows, or some others. */
 function shown(quantity: Quantity, digits = shownNumber): string {
@@ -37,6 +29,21 @@ function threeDigits({ value }: Quantity, factor = 1): string {
   return (value * factor).toPrecision(3);
 }
 
+/** Standard gravity, m/s². */
+const gravity = 9.80665;
+
+/** How high a body bounces that falls on what rests: ε²h, from the height h = v²/2g of its drop, both in m; without SI
+ *  in units of the drop. Undefined for one that meets another body, which moves too. */
+export function reboundOf({ si, against }: Encounter, speed: number, restitution: Quantity) {
+  if (against === 'same' || against === 'body') return undefined;
+  const { value, error } = restitution;
+  const drop = si ? speed ** 2 / (2 * gravity) : undefined;
+  const unit = drop ?? 1;
+  const height: Quantity = { value: value ** 2 * unit, unit: si ? 'm' : '' };
+  if (error !== undefined) height.error = 2 * value * error * unit;
+  return { drop, height };
+}
+
 /** The height of rebound, whole and in three digits, of that of the fall; '' for what meets another body. */
 export function reboundInWords(encounter: Encounter, result: Restitution): { full: string; short: string } {
   const { restitution } = result.quantities;
@@ -57,22 +64,21 @@ export function yieldInWords({ si }: Encounter, { speed, yieldSpeed }: Restituti
 }
 
 /** What a reader should know about a result, one line each. */
-export function flags(result: Restitution): string[] {
-  const lines: string[] = [];
+export function flags({ reason, converged, beyondSmallStrain }: Restitution): string[] {
   // The core's advice is about a tolerance, which is no input here.
-  const reason = result.reason.replace(/ \(use a larger tolerance[^()]*\)$/, '') || 'tolerance not reached';
-  if (!result.converged) lines.push(`Not as accurate as asked for: ${reason}.`);
-  if (result.beyondSmallStrain) {
-    lines.push('Beyond small strain: above 0.5 c or a compression of 0.5 R linear elasticity has lost its meaning.');
-  }
-  return lines;
+  const why = reason.replace(/ \(use a larger tolerance[^()]*\)$/, '') || 'tolerance not reached';
+  return [
+    converged ? '' : `Not as accurate as asked for: ${why}.`,
+    beyondSmallStrain
+      ? 'Beyond small strain: above 0.5 c or a compression of 0.5 R linear elasticity has lost its meaning.' : '',
+  ].filter(Boolean);
 }
 
 /** A computation shorter than this, in ms, is not announced. */
 const noticeable = 200;
 
 /** Wire the results of index.html. */
-export function createResults(): Results {
+export function createResults() {
   const section = find('result', HTMLElement);
   const spoken = find('spoken', HTMLOutputElement);
   const state = find('result-state', HTMLElement);
@@ -85,14 +91,27 @@ export function createResults(): Results {
     for (const [id, text] of Object.entries(texts)) find(id, HTMLElement).textContent = text;
   };
 
+  const mark = (why: Age): void => {
+    if (why === '') delete section.dataset.stale;
+    else section.dataset.stale = why;
+    clearTimeout(soon);
+    clearTimeout(timer);
+    delete section.dataset.slow;
+    if (why === '') state.textContent = reached;
+  };
+
   return {
-    show(encounter, result, stage) {
+    /** Show a result; of the final one screen readers are told, once it stays. */
+    show(encounter: Encounter, result: Restitution, stage: Stage): void {
       const epsilon = result.quantities.restitution ?? { value: NaN, unit: '' };
       const { full, short } = reboundInWords(encounter, result);
       put({
         epsilon: withError(epsilon.value, epsilon.error ?? 0),
         'epsilon-short': threeDigits(epsilon),
-        ...Object.fromEntries(quantities.map(([id, name]) => [id, shownQuantity(result, name)])),
+        lost: shownQuantity(result, 'lost_fraction'),
+        'contact-time': shownQuantity(result, 'contact_time'),
+        'max-force': shownQuantity(result, 'max_force'),
+        'max-compression': shownQuantity(result, 'max_compression'),
         'rebound-name': `Height of rebound ε²h${encounter.si ? ', h = v²/2g' : ''}`,
         rebound: full,
         'rebound-short': short,
@@ -102,15 +121,11 @@ export function createResults(): Results {
       find('force-note', HTMLElement).hidden = encounter.kind !== 'rod';
       find('yield', HTMLElement).classList.toggle('problem', result.speed > (result.yieldSpeed ?? Infinity));
       section.dataset.stage = stage;
-      if (section.dataset.stale !== 'wrong') delete section.dataset.stale;
-      clearTimeout(soon);
-      delete section.dataset.slow;
       const aim = 'accurate to 10⁻³ of 1 − ε², or to 10⁻⁶';
       reached = stage === 'first' ? 'first value, refining' : `${result.converged ? '' : 'not '}${aim}`;
-      if (section.dataset.stale !== 'wrong') state.textContent = reached;
+      mark(section.dataset.stale === 'wrong' ? 'wrong' : '');
       const lines = flags(result);
       find('flags', HTMLElement).replaceChildren(...lines.flatMap((line) => [line, document.createElement('br')]));
-      clearTimeout(timer);
       if (stage === 'first') return;
       const speed = `${significant(result.speed, 4)} ${encounter.si ? 'metres per second' : 'c'}`;
       timer = window.setTimeout(() => {
@@ -119,30 +134,20 @@ export function createResults(): Results {
         ].join(' ');
       }, 800);
     },
-    stale(why) {
-      if (why === '') delete section.dataset.stale;
-      else section.dataset.stale = why;
-      clearTimeout(soon);
-      delete section.dataset.slow;
-      if (why === '') state.textContent = reached;
+    /** Say that what is shown belongs to earlier inputs: because some are wrong, or because new ones are computed. */
+    stale(why: Age): void {
+      mark(why);
       if (why === 'wrong') state.textContent = reached === '' ? 'no result yet' : 'of the last inputs in range';
       if (why === 'computing') soon = window.setTimeout(() => {
         state.textContent = reached === '' ? 'computing' : 'computing; this is the last value';
         section.dataset.slow = '';
       }, noticeable);
-      clearTimeout(timer);
     },
-    say(line) {
+    /** One line that is not about a field; '' takes it away. */
+    say(line: string): void {
       const notice = find('notice', HTMLElement);
       notice.textContent = line;
       notice.hidden = line === '';
     },
   };
 }
-
-const quantities: readonly [string, string][] = [
-  ['lost', 'lost_fraction'],
-  ['contact-time', 'contact_time'],
-  ['max-force', 'max_force'],
-  ['max-compression', 'max_compression'],
-];

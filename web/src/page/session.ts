@@ -1,4 +1,5 @@
 // What is computed when the inputs change: a first value at once, then the accurate one, then the impact in time.
+import { messageOf } from '../drawing/dom';
 import { type Collision, type Core, CoreError, type Encounter, type Restitution } from '../core/protocol';
 
 export const coarse = 1e-2;
@@ -48,23 +49,16 @@ export function createSession(core: Core, audience: Audience): (encounter: Encou
     audience.collision(encounter, speed, final.cutoff, collision);
   }
 
-  async function attempt(job: Job): Promise<void> {
-    control = new AbortController();
-    refining = false;
-    const { signal } = control;
-    try {
-      await compute(job, signal);
-    } catch (error) {
-      if (signal.aborted) return;
-      audience.failed(error instanceof Error ? error.message : String(error), error instanceof CoreError);
-    }
-  }
-
   async function work(): Promise<void> {
     running = true;
     for (let job = waiting; job !== undefined; job = waiting) {
       waiting = undefined;
-      await attempt(job);
+      control = new AbortController();
+      refining = false;
+      const { signal } = control;
+      await compute(job, signal).catch((error: unknown) => {
+        if (!signal.aborted) audience.failed(messageOf(error), error instanceof CoreError);
+      });
     }
     running = false;
   }

@@ -1,45 +1,34 @@
 // Lines to copy and files to download.
 import type { Core, Encounter } from '../core/protocol';
-import { toAddress } from '../inputs/address';
-import { commandLine } from '../inputs/command_line';
-import { curveCsv } from '../inputs/csv';
-import type { Inputs } from '../inputs/inputs';
-import { pythonLines } from '../inputs/python_lines';
-import { endsOf } from '../inputs/speeds';
-import type { Curve } from './curves';
-import { find } from '../drawing/dom';
+import { find, messageOf } from '../drawing/dom';
 import { type Picture, download, pngOf, textOf } from '../drawing/files';
-
-export interface Share {
-  /** Show the lines for new inputs. */
-  show(inputs: Inputs): void;
-}
+import { toAddress } from '../inputs/address';
+import { type Inputs, defaults } from '../inputs/inputs';
+import { commandLine, curveCsv, pythonLines } from '../inputs/lines';
+import { endsOf } from '../inputs/units';
+import type { Curve } from './curves';
 
 /** Maximum error of ε that the C header may have. */
 const headerError = 1e-3;
 
-/** Wire the buttons of index.html; `pictures` by the values of the select. */
+/** Wire the buttons of index.html; `pictures` by the values of the select. The result shows the lines of inputs. */
 export function createShare(
-  core: Core, curveOf: (encounter: Encounter) => Curve, pictures: Readonly<Record<string, Picture>>, initial: Inputs,
-): Share {
-  let inputs = initial;
+  core: Core, curveOf: (encounter: Encounter) => Curve, pictures: Readonly<Record<string, Picture>>,
+): (inputs: Inputs) => void {
+  let inputs = defaults;
   const line = find('command-line', HTMLElement);
   const python = find('python-lines', HTMLElement);
   const done = find('done', HTMLElement);
   const say = (text: string): void => void (done.textContent = text);
 
-  const on = (id: string, act: () => Promise<string> | string): void => {
-    const button = find(id, HTMLButtonElement);
-    button.addEventListener('click', () => {
-      void (async () => {
-        try {
-          say(await act());
-        } catch (error) {
-          say(error instanceof Error ? error.message : String(error));
-        }
-      })();
+  const on = (id: string, act: () => Promise<string> | string): void =>
+    find(id, HTMLButtonElement).addEventListener('click', async () => {
+      try {
+        say(await act());
+      } catch (error) {
+        say(messageOf(error));
+      }
     });
-  };
 
   on('copy-command', () => copy(line, 'Command line copied.'));
   on('copy-python', () => copy(python, 'Python lines copied.'));
@@ -67,34 +56,26 @@ export function createShare(
       button.disabled = false;
     }
   });
-  const chosen = (): [string, Picture] => {
-    const name = find('picture', HTMLSelectElement).value;
-    const picture = pictures[name];
-    if (picture === undefined) throw new Error(`There is no picture “${name}”.`);
-    return [name, picture];
-  };
+  const picture = find('picture', HTMLSelectElement);
+  const chosen = (): [string, Picture] => [picture.value, pictures[picture.value]!];
   on('download-png', async () => {
-    const [name, picture] = chosen();
-    download(`stoss-${name}.png`, await pngOf(picture));
+    const [name, its] = chosen();
+    download(`stoss-${name}.png`, await pngOf(its));
     return 'PNG downloaded.';
   });
   on('download-svg', () => {
-    const [name, picture] = chosen();
-    if (!('svg' in picture)) throw new Error('This picture is there as PNG only.');
-    download(`stoss-${name}.svg`, textOf(picture.svg()), 'image/svg+xml');
+    const [name, its] = chosen();
+    if (!('svg' in its)) throw new Error('This picture is there as PNG only.');
+    download(`stoss-${name}.svg`, textOf(its.svg()), 'image/svg+xml');
     return 'SVG downloaded.';
   });
-  find('picture', HTMLSelectElement).addEventListener('change', () => {
-    find('download-svg', HTMLButtonElement).disabled = !('svg' in chosen()[1]);
-  });
+  picture.onchange = () => (find('download-svg', HTMLButtonElement).disabled = !('svg' in chosen()[1]));
 
-  const show = (next: Inputs): void => {
+  return (next) => {
     inputs = next;
     line.textContent = commandLine(inputs.encounter, inputs.speed);
     python.textContent = pythonLines(inputs.encounter, inputs.speed).trimEnd();
   };
-  show(inputs);
-  return { show };
 }
 
 /** Copy the text of an element; where the page may not, select it, so that the user can. */

@@ -1,11 +1,10 @@
 // Draws the bodies of one frame: their stress, their edges, and what a single one meets.
 
+import { interpolate } from '../drawing/samples';
 import type { Encounter, Frame } from '../core/protocol';
 import type { Theme } from '../drawing/theme';
-import type { Shade } from './colors';
-import { between, faceOf } from './interface';
+import { paintMesh, type Pixels, type Shade } from './raster';
 import { edgeOf, meshOf, type Line, type Mesh, type Part } from './parts';
-import { paintMesh, type Pixels } from './raster';
 import type { Layout } from './view';
 
 export interface Drawing {
@@ -17,43 +16,58 @@ export interface Drawing {
   shade: Shade;
 }
 
-/** Memory that frames share. */
-export interface Scratch {
-  canvas: HTMLCanvasElement;
-  image: ImageData | undefined;
-  meshes: Mesh[];
-}
-
-export function newScratch(): Scratch {
-  return { canvas: document.createElement('canvas'), image: undefined, meshes: [] };
-}
+/** Where x = y = 0 is, and how large 1 is. */
+type Place = Pick<Layout, 'x' | 'y' | 'scale'>;
 
 /** Draws one frame. */
 export function drawBodies(
-  to: Drawing, { bodies }: Frame, parts: Part[], magnification: number, against: Encounter['against']['kind'],
-  scratch: Scratch,
+  to: Drawing, { bodies }: Frame, parts: Part[], magnification: number, against: Encounter['against'],
 ): void {
-  const meshes = parts.map((part, n) =>
-    (scratch.meshes[n] = meshOf(part, bodies[n]!, magnification, scratch.meshes[n])));
+  const meshes = parts.map((part, n) => meshOf(part, bodies[n]!, magnification));
   const edges = parts.map((part, n) => edgeOf(part, meshes[n]!));
-  const seam = parts.length === 2
-    ? seamOf(edges as [Line, Line], parts.map(({ curvature }) => curvature) as [number, number]) : undefined;
+  const [first, second] = edges;
+  const seam = first && second && seamOf([first, second], [parts[0]!.curvature, parts[1]!.curvature]);
   parts.forEach((part, n) => {
     to.context.save();
     if (seam) clipBeside(to, seam, n === 0);
     if (part.open) clipDeep(to);
     else strokeEdge(to, edgeOf(part, part, magnification * (bodies[n]!.center - part.center)), true, true);
-    paint(to, meshes[n]!, bodies[n]![to.shade.quantity], scratch);
+    paint(to, meshes[n]!, bodies[n]![to.shade.quantity]);
     strokeEdge(to, edges[n]!, !part.open);
     to.context.restore();
   });
   if (against === 'wall') drawWall(to);
 }
 
-/** The line where two edges meet, at the heights of the points of the lower face. */
-function seamOf(edges: [Line, Line], curvatures: [number, number]): Line {
-  const [first, second] = edges.map((edge) => Array.from(faceOf(edge).y)) as [number[], number[]];
-  return between(...edges, curvatures, first.at(-1)! <= second.at(-1)! ? first : second);
+/** The part of an edge, from the line of impact on, where y grows: the face. */
+export function faceOf(edge: Line): Line {
+  const [x, y] = [Array.from(edge.x), Array.from(edge.y)];
+  const end = y.findIndex((each, k) => k > 0 && !(each > y[k - 1]!));
+  return end < 0 ? { x, y } : { x: x.slice(0, end), y: y.slice(0, end) };
+}
+
+/** The line where two edges meet, as far up as both faces go. Magnified displacements alone would let bodies enter each
+ *  other by as much as the gap between their faces at rest is not magnified: where they overlap, each gives way as its
+ *  curvature at rest asks; elsewhere the line is in the middle of the gap. `curvatures`: 1/R of both, 0 of a plane. */
+export function seamOf(edges: [Line, Line], curvatures: [number, number]): Line {
+  const [a, b] = edges.map(faceOf) as [Line, Line];
+  const whole = curvatures[0] + curvatures[1];
+  const share = whole > 0 ? curvatures[0] / whole : 0.5;
+  const lower = a.y[a.y.length - 1]! <= b.y[b.y.length - 1]! ? a : b;
+  const y = Array.from(lower.y);
+  const x = y.map((each) => {
+    const [left, right] = [interpolate(a.y, a.x, each), interpolate(b.y, b.x, each)];
+    return left > right ? left - share * (left - right) : 0.5 * (left + right);
+  });
+  return { x, y };
+}
+
+/** Goes on along a line below the line of impact, or back along its mirror image above it. */
+export function follow(context: CanvasRenderingContext2D, to: Place, { x, y }: Line, sign: 1 | -1): void {
+  for (let k = 0; k < x.length; ++k) {
+    const n = sign > 0 ? k : x.length - 1 - k;
+    context.lineTo(to.x + to.scale * x[n]!, to.y + sign * to.scale * y[n]!);
+  }
 }
 
 /** Keeps what is shown of a half-space, which has no end. */
@@ -65,38 +79,34 @@ function clipDeep({ context, layout }: Drawing): void {
 
 /** Keeps what is left, or right, of the seam; above and below it everything. */
 function clipBeside({ context, layout, width }: Drawing, seam: Line, left: boolean): void {
-  const x = (value: number): number => layout.x + layout.scale * value;
-  const y = (value: number): number => layout.y + layout.scale * value;
-  const far = left ? -8 : width + 8;
-  const near = left ? width + 8 : -8;
-  const last = seam.y.length - 1;
+  const [far, near] = left ? [-8, width + 8] : [width + 8, -8];
+  const end = layout.scale * seam.y[seam.y.length - 1]!;
   context.beginPath();
-  context.moveTo(far, -8);
-  context.lineTo(near, -8);
-  context.lineTo(near, y(-seam.y[last]!));
-  for (let k = last; k >= 0; --k) context.lineTo(x(seam.x[k]!), y(-seam.y[k]!));
-  for (let k = 0; k <= last; ++k) context.lineTo(x(seam.x[k]!), y(seam.y[k]!));
-  context.lineTo(near, y(seam.y[last]!));
-  context.lineTo(near, 2 * layout.y + 8);
-  context.lineTo(far, 2 * layout.y + 8);
+  for (const [x, y] of [[far, -8], [near, -8], [near, layout.y - end]] as const) context.lineTo(x, y);
+  follow(context, layout, seam, -1);
+  follow(context, layout, seam, 1);
+  for (const [x, y] of [[near, layout.y + end], [near, 2 * layout.y + 8], [far, 2 * layout.y + 8]] as const) {
+    context.lineTo(x, y);
+  }
   context.closePath();
   context.clip();
 }
 
-function paint(to: Drawing, mesh: Mesh, stress: Float32Array, scratch: Scratch): void {
-  const { context, layout, density, shade } = to;
-  const width = context.canvas.width;
+/** Memory that pictures share. */
+let memory: { canvas: HTMLCanvasElement; image: ImageData } | undefined;
+
+function paint({ context, layout, density, shade }: Drawing, mesh: Mesh, stress: Float32Array): void {
+  const { width } = context.canvas;
   const height = Math.ceil(layout.y * density);
-  const { canvas } = scratch;
-  if (canvas.width !== width || canvas.height !== height || !scratch.image) {
-    canvas.width = width;
-    canvas.height = height;
-    scratch.image = new ImageData(width, height);
+  if (memory?.image.width !== width || memory.image.height !== height) {
+    const canvas = Object.assign(document.createElement('canvas'), { width, height });
+    memory = { canvas, image: new ImageData(width, height) };
   }
-  const pixels: Pixels = { width, height, data: new Uint32Array(scratch.image.data.buffer) };
+  const { canvas, image } = memory;
+  const pixels: Pixels = { width, height, data: new Uint32Array(image.data.buffer) };
   pixels.data.fill(0);
   paintMesh(pixels, mesh, stress, { origin: layout.x * density, scale: layout.scale * density }, shade);
-  canvas.getContext('2d')!.putImageData(scratch.image, 0, 0);
+  canvas.getContext('2d')!.putImageData(image, 0, 0);
   const line = Math.round(layout.y * density);
   context.save();
   context.setTransform(1, 0, 0, 1, 0, 0);
@@ -109,12 +119,7 @@ function paint(to: Drawing, mesh: Mesh, stress: Float32Array, scratch: Scratch):
 /** An edge and its mirror image: around a body, or along an open surface. @param rest where it would be at rest */
 function strokeEdge({ context, layout, theme }: Drawing, edge: Line, closed: boolean, rest = false): void {
   context.beginPath();
-  for (const sign of closed ? [1, -1] : [-1, 1]) {
-    for (let k = 0; k < edge.x.length; ++k) {
-      const n = sign > 0 ? k : edge.x.length - 1 - k;
-      context.lineTo(layout.x + layout.scale * edge.x[n]!, layout.y + sign * layout.scale * edge.y[n]!);
-    }
-  }
+  for (const sign of closed ? [1, -1] as const : [-1, 1] as const) follow(context, layout, edge, sign);
   if (closed) context.closePath();
   context.lineWidth = rest ? 1 : 1.6;
   context.lineJoin = 'round';

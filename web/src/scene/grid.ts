@@ -1,5 +1,6 @@
 // The points of a body at which frames are asked for: dense where it is struck.
 
+import { range } from 'd3-array';
 import type { Grid } from '../core/protocol';
 import type { BodyKind } from '../inputs/kinds';
 
@@ -13,19 +14,15 @@ const PER_HALF_WIDTH = 5; // points in the half width of the contact
 export function gradedPlaces(count: number, first: number): number[] {
   let steep = 0;
   if (first < 1 / count) {
-    let low = 1e-3;
-    let high = STEEPEST;
+    let [low, high] = [1e-3, STEEPEST];
     for (let k = 0; k < 40; ++k) {
       steep = 0.5 * (low + high);
       if (Math.sinh(steep / count) / Math.sinh(steep) > first) low = steep;
       else high = steep;
     }
   }
-  const places: number[] = [];
-  for (let k = 0; k < count; ++k) {
-    places.push(steep > 0 ? Math.sinh((steep * k) / count) / Math.sinh(steep) : k / count);
-  }
-  return [...places, 1]; // rounding must not carry the last beyond its end
+  const place = (k: number): number => (steep > 0 ? Math.sinh((steep * k) / count) / Math.sinh(steep) : k / count);
+  return [...range(count).map(place), 1]; // rounding must not carry the last beyond its end
 }
 
 /** The grid of a body whose contact has some maximum half width, in its own radius: one half, the other mirrors it. Of

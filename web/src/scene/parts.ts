@@ -1,6 +1,7 @@
 // What is seen of a collision: bodies and half-spaces alike as meshes in the plane of the picture, of the half above
 // the line of impact, which the other mirrors. Places are in radii of the first body, y ≥ 0.
 
+import { range } from 'd3-array';
 import type { BodyFrame, Collision, Encounter, Grid } from '../core/protocol';
 import type { BodyKind } from '../inputs/kinds';
 
@@ -42,14 +43,7 @@ export interface Line {
 }
 
 /** A part at one instant. */
-export interface Mesh {
-  rows: number;
-  columns: number;
-  x: Float32Array;
-  y: Float32Array;
-}
-
-const range = (count: number, first = 0): number[] => Array.from({ length: count }, (_, k) => first + k);
+export type Mesh = Pick<Part, 'rows' | 'columns' | 'x' | 'y'>;
 
 /** @param at what is at a row and a column */
 function partOf(
@@ -62,7 +56,7 @@ function partOf(
     ({ x: Float32Array.from(points, (each) => each[name].x), y: Float32Array.from(points, (each) => each[name].y) });
   const rest = of('rest');
   const [count, step] = [rows.length, columns.length];
-  const cells = range(count - 1).flatMap((i) => range(step - 1, i * step)).map((k): Cell => {
+  const cells = range(count - 1).flatMap((i) => range(i * step, (i + 1) * step - 1)).map((k): Cell => {
     const corners: Cell['corners'] = [k, k + 1, k + step, k + step + 1];
     const sides = sidesOf(rest, corners);
     return { corners, sides, area: cross(...sides) };
@@ -93,7 +87,7 @@ export function bodyPart(kind: BodyKind, size: number, facing: 1 | -1, halfHeigh
       tangential: { x: -facing * size * sine, y: size * cosine },
     };
   }, {
-    center: -facing * size, size, edge: range(columns, (rows - 1) * columns), curvature: 1 / size, open: false,
+    center: -facing * size, size, edge: range((rows - 1) * columns, rows * columns), curvature: 1 / size, open: false,
   });
 }
 
@@ -106,39 +100,33 @@ export function blockPart({ depth, distance }: NonNullable<Grid['below']>): Part
 const ROD = 0.1; // half the thickness of the first rod, in its lengths
 
 /** What meets in a collision. */
-export function partsOf({ kind, first, against }: Encounter, { bodies }: Pick<Collision, 'bodies'>, grid: Grid):
-    Part[] {
-  const second = against.kind === 'body' ? against.body : first;
-  const thick = Math.min(0.4, Math.max(0.03, ROD * Math.sqrt(second.area / first.area)));
+export function partsOf(
+  { kind, first, against, second }: Encounter, { bodies }: Pick<Collision, 'bodies'>, grid: Grid,
+): Part[] {
+  const thick = Math.min(0.4, Math.max(0.03, ROD * Math.sqrt((against === 'body' ? second : first).area / first.area)));
   return bodies.map(({ kind: its, radius }, n) => (its === 'half-space' ? blockPart(grid.below!)
     : bodyPart(kind, radius / bodies[0]!.radius, n === 0 ? 1 : -1, n === 0 ? ROD : thick, grid)));
 }
 
-/** How the points of a part are displaced, apart from its movement as a whole. `into` is written over. */
-export function displacementOf({ rows, columns, radial, tangential }: Part, now: BodyFrame, into?: Mesh): Mesh {
-  const moved = into?.rows === rows && into.columns === columns ? into
-    : { rows, columns, x: new Float32Array(rows * columns), y: new Float32Array(rows * columns) };
-  for (let k = 0; k < moved.x.length; ++k) {
-    const [out, along] = [now.radial[k]!, now.tangential[k]!];
-    moved.x[k] = out * radial.x[k]! + along * tangential.x[k]!;
-    moved.y[k] = out * radial.y[k]! + along * tangential.y[k]!;
-  }
-  return moved;
+/** How the points of a part are displaced, apart from its movement as a whole. */
+export function displacementOf({ rows, columns, radial, tangential }: Part, now: BodyFrame): Mesh {
+  const of = (along: 'x' | 'y'): Float32Array => now.radial.map((out, k) =>
+    out * radial[along][k]! + now.tangential[k]! * tangential[along][k]!);
+  return { rows, columns, x: of('x'), y: of('y') };
 }
 
 /** Where they are when all movement from where the part touches is magnified. */
-export function meshOf(part: Part, now: BodyFrame, magnification: number, into?: Mesh): Mesh {
-  const mesh = displacementOf(part, now, into);
+export function meshOf(part: Part, now: BodyFrame, magnification: number): Mesh {
+  const { x, y, ...mesh } = displacementOf(part, now);
   const shift = now.center - part.center;
-  for (let k = 0; k < mesh.x.length; ++k) {
-    mesh.x[k] = part.x[k]! + magnification * (shift + mesh.x[k]!);
-    mesh.y[k] = part.y[k]! + magnification * mesh.y[k]!;
-  }
-  return mesh;
+  return {
+    ...mesh, x: x.map((each, k) => part.x[k]! + magnification * (shift + each)),
+    y: y.map((each, k) => part.y[k]! + magnification * each),
+  };
 }
 
 /** The edge of a part: as it is, or at rest in some place. */
-export function edgeOf({ edge }: Part, { x, y }: Line, shift = 0): Line {
+export function edgeOf({ edge }: Part, { x, y }: Line, shift = 0): { x: number[]; y: number[] } {
   return { x: edge.map((k) => x[k]! + shift), y: edge.map((k) => y[k]!) };
 }
 

@@ -1,8 +1,9 @@
 // What a collision does at one time, in words.
 
+import { max } from 'd3-array';
 import type { Collision } from '../core/protocol';
 import { interpolate } from '../drawing/samples';
-import { withUnit, unitInWords, written } from '../drawing/numbers';
+import { unitInWords, withUnit, written } from '../drawing/numbers';
 
 export type Phase = 'approach' | 'compression' | 'restitution' | 'apart';
 
@@ -31,10 +32,8 @@ export function describe(collision: Collision, time: number): string {
   const phase = phaseAt(collision, time);
   const touching = time >= collision.begin && time <= collision.end;
   const force = touching ? Math.max(0, interpolate(collision.time, collision.force, time)) : 0;
-  const greatest = collision.force.reduce((most, each) => Math.max(most, each), 0);
+  const greatest = Math.max(0, max(collision.force) ?? 0);
   const share = greatest > 0 ? Math.round((100 * force) / greatest) : 0;
-  const { units } = collision;
-  const forceInWords = withUnit(force, units.force, 3, greatest);
-  return `${phase}, time ${timeInWords(collision, time)}, force ${forceInWords}, ` +
-    `${share} % of the maximum`;
+  const inWords = withUnit(force, collision.units.force, 3, greatest);
+  return `${phase}, time ${timeInWords(collision, time)}, force ${inWords}, ${share} % of the maximum`;
 }

@@ -1,14 +1,18 @@
 // One picture of a film: bodies, what it says about itself, and its legend.
 
+import { scaleLinear } from 'd3-scale';
 import { unitsOf } from '../core/local';
 import type { Frame } from '../core/protocol';
+import { prefixFor, withUnit, written } from '../drawing/numbers';
 import type { Theme } from '../drawing/theme';
-import { drawBodies, type Scratch } from './bodies';
-import { shadeOf, type Quantity } from './colors';
-import { drawLegend, LEGEND } from './legend';
+import { drawBodies } from './bodies';
+import { cssOf, pixelOf, shadeOf, type Quantity, type Shade } from './raster';
 import { phaseAt, timeInWords } from './phases';
 import type { Show } from './show';
 import { HEAD, layoutOf } from './view';
+
+const LEGEND = 46; // height, CSS pixels
+const ORDERS = 5; // of fringes in a legend
 
 /** Height of a picture of some width, in CSS pixels. */
 export function pictureHeight(show: Show, width: number): number {
@@ -18,7 +22,7 @@ export function pictureHeight(show: Show, width: number): number {
 /** Draws a picture. */
 export function drawPicture(
   canvas: HTMLCanvasElement, width: number, density: number, show: Show, frame: Frame, time: number,
-  quantity: Quantity, theme: Theme, scratch: Scratch,
+  quantity: Quantity, theme: Theme,
 ): void {
   const context = canvas.getContext('2d')!;
   const layout = layoutOf(show.view, width, density);
@@ -33,7 +37,7 @@ export function drawPicture(
   context.rect(0, HEAD - 4, width, layout.height - HEAD + 4);
   context.clip();
   const to = { context, layout, density, width, theme, shade };
-  drawBodies(to, frame, show.parts, show.magnification, show.encounter.against.kind, scratch);
+  drawBodies(to, frame, show.parts, show.magnification, show.encounter.against);
   context.restore();
   context.fillStyle = theme.text;
   context.font = '13px system-ui, sans-serif';
@@ -45,4 +49,38 @@ export function drawPicture(
   context.fillText(magnification === 1 ? 'true displacements' : `displacements × ${magnification}`, width - 4, 16);
   drawLegend(context, 8, layout.height + 2, width - 16, theme, shade, unitsOf(show.encounter).modulus,
     rods ? 'stress |σ|' : 'von Mises stress');
+}
+
+/** Draws what the colours mean at the foot of a picture. `modulus`: that of the first body in Pa, where units are SI.
+ *  `name`: of a stress that is not shown as fringes. */
+function drawLegend(
+  context: CanvasRenderingContext2D, left: number, top: number, width: number, theme: Theme, shade: Shade,
+  modulus: number | undefined, name: string,
+): void {
+  const wide = Math.min(280, width);
+  const start = left + (width - wide) / 2;
+  const fringes = shade.quantity === 'fringes';
+  const end = fringes ? ORDERS * shade.unit : shade.unit;
+  for (let k = 0; k < wide; ++k) {
+    context.fillStyle = cssOf(pixelOf(shade, (end * (k + 0.5)) / wide));
+    context.fillRect(start + k, top, 1.5, 10);
+  }
+  context.strokeStyle = theme.muted;
+  context.lineWidth = 1;
+  context.strokeRect(start - 0.5, top - 0.5, wide + 1, 11);
+  context.fillStyle = theme.muted;
+  context.font = '11px system-ui, sans-serif';
+  context.textAlign = 'center';
+  const { size, unit } = prefixFor(end * (modulus ?? 1), modulus === undefined ? 'E' : 'Pa');
+  const last = fringes ? ORDERS : (end * (modulus ?? 1)) / size;
+  const scale = scaleLinear([0, last], [start, start + wide]);
+  for (const tick of scale.ticks(5)) context.fillText(written(tick), scale(tick), top + 23);
+  context.fillStyle = theme.text;
+  const every = `fringe order, one every σ₁ − σ₂ = ${stressInWords(shade.unit, modulus)}`;
+  context.fillText(fringes ? every : `${name} / ${unit}`, start + wide / 2, top + 39);
+}
+
+/** A stress in words: in SI with a prefix, else in the modulus of the first body. */
+export function stressInWords(stress: number, modulus: number | undefined): string {
+  return modulus === undefined ? withUnit(stress, 'E') : withUnit(stress * modulus, 'Pa');
 }

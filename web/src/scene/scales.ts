@@ -1,8 +1,9 @@
 // Scales that all frames of a film share: how much displacements are magnified, and what its colours stand for.
 
+import { bisectLeft, cumsum, max, mean, min } from 'd3-array';
 import type { BodyFrame, Frame } from '../core/protocol';
 import { roundDown, roundUp } from '../drawing/numbers';
-import type { Quantity } from './colors';
+import type { Quantity } from './raster';
 import { cross, displacementOf, sidesOf, type Part } from './parts';
 
 const VISIBLE = 0.18; // maximum displacement in the picture, in radii of the body
@@ -26,21 +27,14 @@ function firstBelow(linear: number, square: number): number {
   if (discriminant < 0) return Infinity;
   const root = Math.sqrt(discriminant);
   const both = [(-linear - root) / (2 * square), (-linear + root) / (2 * square)];
-  return Math.min(...both.map((each) => (each > 0 ? each : Infinity)));
+  return Math.min(...both.filter((each) => each > 0));
 }
 
 /** The magnification of a film, 1, 2, 5, 10, …: the same for all its frames and parts. */
 export function magnificationOf(frames: Frame[], parts: Part[]): number {
-  let limit = Infinity;
-  let displaced = 0;
-  for (const { bodies } of frames) {
-    bodies.forEach((now, n) => {
-      for (const values of [now.radial, now.tangential]) {
-        for (const each of values) displaced = Math.max(displaced, Math.abs(each));
-      }
-      limit = Math.min(limit, unfoldedUpTo(parts[n]!, now));
-    });
-  }
+  const bodies = frames.flatMap((frame) => frame.bodies.map((now, n) => ({ now, part: parts[n]! })));
+  const limit = min(bodies, ({ now, part }) => unfoldedUpTo(part, now)) ?? Infinity;
+  const displaced = max(bodies, ({ now }) => Math.max(max(now.radial, Math.abs)!, max(now.tangential, Math.abs)!)) ?? 0;
   const wanted = Math.min(limit, VISIBLE / displaced);
   return wanted > 1 && Number.isFinite(wanted) ? roundDown(wanted) : 1;
 }
@@ -50,12 +44,10 @@ const ORDERS = 6; // fringes, at most, in that share
 
 /** The stress that is not exceeded in a share of the area of a part. */
 export function coveringStress(part: Part, values: Float32Array, covered = COVERED): number {
-  const cells = part.cells.map(({ corners, area }) => ({
-    area: Math.abs(area), stress: 0.25 * corners.reduce((sum, k) => sum + values[k]!, 0),
-  })).sort((a, b) => a.stress - b.stress);
-  const whole = cells.reduce((sum, { area }) => sum + area, 0);
-  let sum = 0;
-  return cells.find(({ area }) => (sum += area) >= covered * whole)?.stress ?? cells.at(-1)!.stress;
+  const cells = part.cells.map(({ corners, area }) =>
+    ({ area: Math.abs(area), stress: mean(corners, (k) => values[k]!)! })).sort((a, b) => a.stress - b.stress);
+  const sums = cumsum(cells, ({ area }) => area);
+  return cells[Math.min(bisectLeft(sums, covered * sums.at(-1)!), cells.length - 1)]!.stress;
 }
 
 /** Stress of the last colour, or from fringe to fringe, in the modulus of the first body: a round number that suits the

@@ -1,13 +1,13 @@
 // What a film of one collision needs: its frames, and the scales that all of them share.
 
+import { max } from 'd3-array';
 import type { Collision, Core, Encounter, Frame, Grid } from '../core/protocol';
 import { sizeOf } from '../inputs/kinds';
-import type { Quantity } from './colors';
-import { insertFrame, type Film } from './frames';
+import type { Quantity } from './raster';
+import { coarseToFine, filmSpan, insertFrame, type Film } from './film';
 import { gridBelow, gridFor } from './grid';
 import { partsOf, type Part } from './parts';
 import { magnificationOf, stressUnit } from './scales';
-import { coarseToFine, filmSpan } from './schedule';
 import { viewOf, type View } from './view';
 
 export interface Show {
@@ -40,7 +40,7 @@ export async function produce(
   ready: (show: Show) => void, finer: () => void,
 ): Promise<void> {
   const halfWidth = relativeHalfWidth(encounter, collision);
-  const block = encounter.against.kind === 'half-space';
+  const block = encounter.against === 'half-space';
   const grid: Grid = { ...gridFor(encounter.kind, halfWidth), ...(block && { below: gridBelow(halfWidth) }) };
   const { from, to } = filmSpan(collision.begin, collision.end);
   const [first, ...rest] = coarseToFine(from, to, FIRST, LEVELS);
@@ -55,7 +55,7 @@ export async function produce(
   const magnification = magnificationOf(frames, parts);
   ready({
     encounter, collision, film, from, to, parts, magnification,
-    view: viewOf(frames, parts, magnification, encounter.against.kind),
+    view: viewOf(frames, parts, magnification, encounter.against),
     units: { fringes: stressUnit('fringes', frames, parts), vonMises: stressUnit('vonMises', frames, parts) },
     secondAtRest: secondIsAtRest(frames),
   });
@@ -68,6 +68,5 @@ export async function produce(
 
 /** Maximum half width of the contact in radii of the larger body, whose smallest part it is. */
 function relativeHalfWidth({ kind, si, first }: Encounter, { bodies, halfWidth }: Collision): number {
-  const greatest = halfWidth.reduce((most, each) => Math.max(most, each), 0) / (si ? first[sizeOf(kind)] : 1);
-  return greatest / Math.max(...bodies.map(({ radius }) => radius));
+  return max(halfWidth)! / (si ? first[sizeOf(kind)] : 1) / max(bodies, ({ radius }) => radius)!;
 }

@@ -17,16 +17,16 @@ const MARGIN = 0.08;
 
 /** The view in which all frames fit, as far as the smaller body lets the larger one be seen. */
 export function viewOf(
-  frames: Frame[], parts: Part[], magnification: number, against: Encounter['against']['kind'],
+  frames: Frame[], parts: Part[], magnification: number, against: Encounter['against'],
 ): View {
   const view: View = { left: 0, right: 0, half: 0 };
   const bounded = parts.filter(({ open }) => !open);
   for (const frame of frames) {
     bounded.forEach((part, n) => {
-      const edge = edgeOf(part, meshOf(part, frame.bodies[n]!, magnification));
-      view.left = Math.min(view.left, ...Array.from(edge.x));
-      view.right = Math.max(view.right, ...Array.from(edge.x));
-      view.half = Math.max(view.half, ...Array.from(edge.y));
+      const { x, y } = edgeOf(part, meshOf(part, frame.bodies[n]!, magnification));
+      view.left = Math.min(view.left, ...x);
+      view.right = Math.max(view.right, ...x);
+      view.half = Math.max(view.half, ...y);
     });
   }
   const small = Math.min(...bounded.map(({ size }) => size));

@@ -5,8 +5,8 @@ import { join } from 'node:path';
 import { describe, expect, it } from 'vitest';
 import type { Body, Encounter, Frame, Grid } from '../../src/core/protocol';
 import { unitBody } from '../../src/inputs/inputs';
-import { encounterArguments } from '../../src/inputs/command_line';
-import { shortest } from '../../src/inputs/number';
+import { encounterArguments } from '../../src/inputs/lines';
+import { shortest } from '../../src/drawing/numbers';
 import { barSpeed } from '../../src/inputs/units';
 import { cases } from '../unit/cases';
 import { hasCommand, run } from './native';
@@ -50,7 +50,8 @@ describe.skipIf(!hasCommand)('a collision', { timeout: 60_000 }, () => {
       if (!encounter.si || energy) expect(unit === 0 ? 1 : unit, name).toBeCloseTo(1, 10);
       if (encounter.si && name === 'velocity') expect(unit / barSpeed(encounter)).toBeCloseTo(1, 10);
       theirs.forEach((value, k) => {
-        expect(Math.abs(values[k]! - unit * value), `${name} ${k}`).toBeLessThanOrEqual(1e-10 * (energy ? 1 : greatest));
+        const size = energy ? 1 : greatest;
+        expect(Math.abs(values[k]! - unit * value), `${name} ${k}`).toBeLessThanOrEqual(1e-10 * size);
       });
     }
   });
@@ -105,7 +106,7 @@ describe('the stress in a half-space', { timeout: 60_000 }, () => {
   // A slow impact is Hertz' (K. L. Johnson, Contact Mechanics, 3.4): a ball as stiff as the block, ν = 0.3.
   const ball: Body = { ...unitBody, poisson: 0.3 };
   const encounter: Encounter =
-    { kind: 'sphere', first: ball, against: { kind: 'half-space', body: ball }, si: false, plane: 'stress' };
+    { kind: 'sphere', first: ball, against: 'half-space', second: ball, si: false, plane: 'stress' };
   const speed = 1e-3;
   const cutoff = cutoffOf(encounter, speed);
   const collision = ask('collision', encounter, { speed, cutoff }).value;

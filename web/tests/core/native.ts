@@ -1,7 +1,7 @@
 // The native command, which must say the same as the core of the page.
 import { execFileSync } from 'node:child_process';
-import { commandArguments } from '../../src/inputs/command_line';
-import { shortest } from '../../src/inputs/number';
+import { commandArguments } from '../../src/inputs/lines';
+import { shortest } from '../../src/drawing/numbers';
 import type { Encounter } from '../../src/core/protocol';
 import { command } from '../native/build';
 

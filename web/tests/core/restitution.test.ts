@@ -3,7 +3,7 @@ import { describe, expect, it } from 'vitest';
 import type { Body, Encounter } from '../../src/core/protocol';
 import { madeOf } from '../../src/inputs/document';
 import { materialNamed } from '../../src/inputs/kinds';
-import { curveSpeeds } from '../../src/inputs/speeds';
+import { curveSpeeds } from '../../src/inputs/units';
 import { cases } from '../unit/cases';
 import { hasCommand, restitution } from './native';
 import { ask } from './wasm';
@@ -11,9 +11,10 @@ import { ask } from './wasm';
 const one = cases[0]!.encounter;
 const ball = cases[4]!.encounter;
 const more: [Encounter, number, number][] = [
-  [one, 0.01, 1e-3], [one, 0.3, 1e-3], [one, 1e-5, 1e-2], [{ ...one, first: { ...one.first, poisson: 0.9 } }, 0.3, 1e-3],
-  [ball, 0.1, 1e-3], [ball, 1e-6, 1e-2], [{ ...ball, against: { kind: 'same' } }, 0.05, 1e-3],
-  [{ ...ball, against: { kind: 'half-space', body: ball.first } }, 0.1, 1e-2],
+  [one, 0.01, 1e-3], [one, 0.3, 1e-3], [one, 1e-5, 1e-2],
+  [{ ...one, first: { ...one.first, poisson: 0.9 } }, 0.3, 1e-3],
+  [ball, 0.1, 1e-3], [ball, 1e-6, 1e-2], [{ ...ball, against: 'same' }, 0.05, 1e-3],
+  [{ ...ball, against: 'half-space', second: ball.first }, 0.1, 1e-2],
 ];
 const all = [...cases.map(({ encounter, speed }) => [encounter, speed, 1e-2] as const), ...more];
 
@@ -54,10 +55,10 @@ describe.skipIf(!hasCommand)('restitution', { timeout: 60_000 }, () => {
     const steel: Encounter = { ...ball, si: true, first: made('bearing steel', 0.005) };
     const met = made('brass', 0.002);
     for (const [encounter, known] of [
-      [steel, true], [{ ...steel, against: { kind: 'same' } }, true],
-      [{ ...steel, against: { kind: 'body', body: met } }, true],
-      [{ ...steel, against: { kind: 'half-space', body: made('glass', 1) } }, true],
-      [{ ...steel, first: made('glass', 0.005), against: { kind: 'half-space', body: met } }, true],
+      [steel, true], [{ ...steel, against: 'same' }, true],
+      [{ ...steel, against: 'body', second: met }, true],
+      [{ ...steel, against: 'half-space', second: made('glass', 1) }, true],
+      [{ ...steel, first: made('glass', 0.005), against: 'half-space', second: met }, true],
       [{ ...steel, first: made('glass', 0.005) }, false], [{ ...steel, kind: 'disk' }, false],
     ] as [Encounter, boolean][]) {
       const { yieldSpeed } = ask('restitution', encounter, { speed: 0.1, tolerance: 1e-2 }).value;
@@ -69,7 +70,7 @@ describe.skipIf(!hasCommand)('restitution', { timeout: 60_000 }, () => {
 
   it('is there up to the end of a curve, at a soft half-space too', () => {
     for (const kind of ['disk', 'sphere'] as const) {
-      const soft: Encounter = { ...one, kind, against: { kind: 'half-space', body: { ...one.first, young: 0.02 } } };
+      const soft: Encounter = { ...one, kind, against: 'half-space', second: { ...one.first, young: 0.02 } };
       const speeds = [Math.max(...curveSpeeds(soft))];
       expect(ask('curve', soft, { speeds, tolerance: 1e-2 }).all[0]!.restitution).toBeGreaterThan(0);
       expect(() => ask('curve', soft, { speeds: [0.5], tolerance: 1e-2 })).toThrow('at a soft half-space');
@@ -94,8 +95,8 @@ describe('what is wrong', () => {
     [{ ...one, first: { ...one.first, poisson: 7 } }, 0.1, 'poisson: got 7'],
     [one, 2, 'speed: got 2, allowed 1e-08 to 1 c'],
     [one, Number.NaN, 'speed: got nan'],
-    [{ ...one, against: { kind: 'body', body: { ...one.first, radius: -1 } } }, 0.1, 'against radius: got -1'],
-    [{ ...one, kind: 'rod', against: { kind: 'half-space', body: one.first } }, 0.1, 'against: got half-space'],
+    [{ ...one, against: 'body', second: { ...one.first, radius: -1 } }, 0.1, 'against radius: got -1'],
+    [{ ...one, kind: 'rod', against: 'half-space', second: one.first }, 0.1, 'against: got half-space'],
   ] as [Encounter, number, string][])('is refused with one line: case %#', (encounter, speed, line) => {
     expect(() => ask('restitution', encounter, { speed, tolerance: 1e-2 })).toThrow(line);
   });

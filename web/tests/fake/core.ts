@@ -1,6 +1,7 @@
 // A core that invents numbers at once: to develop the page without WebAssembly. It is never shipped.
-import type { Asking, BodyFrame, Collision, Core, Encounter, Questions, Restitution } from '../../src/core/protocol';
-import { CoreError } from '../../src/core/protocol';
+import {
+  type Asking, type BodyFrame, type Collision, type Core, CoreError, type Encounter, type Questions, type Restitution,
+} from '../../src/core/protocol';
 import { setLocal } from '../../src/core/local';
 import { barSpeed } from '../../src/inputs/units';
 

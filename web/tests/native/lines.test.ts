@@ -1,13 +1,10 @@
 // The lines that the page offers, run for real: command and Python take them, and say the same.
 import { execFileSync } from 'node:child_process';
 import { describe, expect, it } from 'vitest';
-import { commandArguments, commandLine } from '../../src/inputs/command_line';
-import { curveCsv } from '../../src/inputs/csv';
+import { commandArguments, commandLine, curveCsv, pythonLines } from '../../src/inputs/lines';
 import { materials } from '../../src/inputs/kinds';
-import { shortest } from '../../src/inputs/number';
-import { pythonLines } from '../../src/inputs/python_lines';
+import { shortest, withError } from '../../src/drawing/numbers';
 import { barSpeed } from '../../src/inputs/units';
-import { withError } from '../../src/inputs/digits';
 import { cases } from '../unit/cases';
 import { command, python } from './build';
 

@@ -48,6 +48,21 @@ describe.skipIf(missing !== '')(`the pictures of the page${missing && ` (${missi
     await page.context().close();
   });
 
+  it('have legends whose labels are whole, on a phone too', async () => {
+    const ball = 'body=sphere&units=SI&nu=0.3&E=2.1e11&rho=7850&R=0.005&v=1';
+    const block = 'against=half-space&nu2=0.22&E2=7e10&rho2=2500&keep=body:disk,nu:0.33';
+    const page = await site.open(`?${ball}&${block}`, { viewport: { width: 390, height: 844 } });
+    await settled(page);
+    await page.waitForFunction(() => document.querySelectorAll('#curve-chart svg tspan').length > 0);
+    const beyond = await page.evaluate(() => {
+      const { right } = document.querySelector('#curve-chart svg')!.getBoundingClientRect();
+      return [...document.querySelectorAll('#curve-chart svg text')]
+        .filter((each) => each.getBoundingClientRect().right > right + 1).map((each) => each.textContent);
+    });
+    expect(beyond).toEqual([]);
+    await page.context().close();
+  });
+
   it('are there for every kind of encounter', async () => {
     for (const query of [
       '?body=disk&nu=0.33&v=0.1&against=body&nu2=0.2&R2=0.5&E2=2&rho2=1',

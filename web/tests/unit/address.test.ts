@@ -1,8 +1,8 @@
 import { describe, expect, it } from 'vitest';
 import { fromAddress, toAddress } from '../../src/inputs/address';
 import { problemsOf } from '../../src/inputs/check';
-import { defaults, equal } from '../../src/inputs/inputs';
-import { presetOf, presets } from '../../src/inputs/presets';
+import { equal } from '../../src/inputs/document';
+import { defaults, presetOf, presets } from '../../src/inputs/inputs';
 import { cases } from './cases';
 
 describe('the address', () => {

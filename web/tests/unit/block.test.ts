@@ -1,7 +1,7 @@
 // A half-space in the film: its mesh, and how much of its displacement a picture can magnify.
 import { describe, expect, it } from 'vitest';
 import type { BodyFrame, Frame } from '../../src/core/protocol';
-import { frameAt } from '../../src/scene/frames';
+import { frameAt } from '../../src/scene/film';
 import { evenGrid, gridBelow } from '../../src/scene/grid';
 import { blockPart, edgeOf, meshOf } from '../../src/scene/parts';
 import { magnificationOf, unfoldedUpTo } from '../../src/scene/scales';

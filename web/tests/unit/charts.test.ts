@@ -1,15 +1,13 @@
 import { describe, expect, it } from 'vitest';
-import { barOf, nearestPoint, ordinateScale, speedScale } from '../../src/charts/curve_scales';
-import { energyOfWaves, layoutModes } from '../../src/charts/mode_layout';
+import { barOf, ordinateScale, speedScale } from '../../src/charts/curve_picture';
+import { energyOfWaves, energyScale, layoutModes } from '../../src/charts/mode_picture';
 import { frequencyInWords } from '../../src/charts/mode_bars';
-import { energyScale } from '../../src/charts/mode_picture';
-import { panelsOf, thinned } from '../../src/charts/series';
-import { cursorWords, readable, summaryOf } from '../../src/charts/words';
+import { cursorWords, panelsOf, readable, summaryOf, thinned } from '../../src/charts/series';
 import type { Collision, CurvePoint, Encounter, ModeEnergy } from '../../src/core/protocol';
 import { unitsOf } from '../../src/core/local';
 import { defaults, unitBody } from '../../src/inputs/inputs';
 import { describe as describeTime, phaseAt, slowness } from '../../src/scene/phases';
-import { stressInWords } from '../../src/scene/legend';
+import { stressInWords } from '../../src/scene/picture';
 import { withUnit } from '../../src/drawing/numbers';
 import { swing } from '../../src/charts/mode_shape';
 
@@ -105,10 +103,6 @@ describe('ε against the speed', () => {
     expect(speedScale([]).low).toBeGreaterThan(0);
     expect(speedScale([0.1]).high).toBeGreaterThan(0.1);
   });
-  it('finds the nearest point by the logarithm', () => {
-    expect(nearestPoint([point(0.01, 1), point(0.1, 1)], 0.03)!.speed).toBe(0.01);
-    expect(nearestPoint([], 0.03)).toBeUndefined();
-  });
 });
 
 describe('bars of modes', () => {
@@ -141,7 +135,8 @@ describe('bars of modes', () => {
     expect(energyScale(layoutModes(modes, 0, 'average', 20), true).low).toBeGreaterThan(0);
   });
   it('say frequencies in c/R or Hz', () => {
-    const steel: Encounter = { ...ENCOUNTER, si: true, first: { ...ENCOUNTER.first, radius: 0.01, young: 2.1e11, density: 7850 } };
+    const first = { ...ENCOUNTER.first, radius: 0.01, young: 2.1e11, density: 7850 };
+    const steel: Encounter = { ...ENCOUNTER, si: true, first };
     expect(frequencyInWords(2, ENCOUNTER)).toBe('ω = 2 c/R');
     expect(frequencyInWords(2 * Math.PI, steel)).toBe('517.2 kHz');
     expect(unitsOf({ ...steel, plane: 'strain' }).modulus! / (2.1e11 / 0.91)).toBeCloseTo(1, 12);

@@ -1,6 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import { prefixFor } from '../../src/drawing/numbers';
-import { significant, withError } from '../../src/inputs/digits';
+import { prefixFor, significant, withError } from '../../src/drawing/numbers';
 
 describe('digits', () => {
   it.each([

@@ -1,7 +1,6 @@
 import { describe, expect, it } from 'vitest';
-import { interpolate, lastNotAbove } from '../../src/drawing/samples';
+import { interpolate } from '../../src/drawing/samples';
 import { placed, ticksOf } from '../../src/drawing/plot';
-import { look } from '../../src/drawing/theme';
 import { roundDown, roundUp, unitInWords, written } from '../../src/drawing/numbers';
 
 describe('written', () => {
@@ -29,12 +28,13 @@ describe('round numbers', () => {
 
 describe('ticks', () => {
   const labels = (low: number, high: number, count: number, log = false): string[] => {
-    const { places, words } = ticksOf({ low, high, log, label: '' }, count, 1);
+    const { places, words } = ticksOf({ low, high, log }, count, 1);
     return places.map(words).filter(Boolean);
   };
   it('are round and inside', () => {
     expect(labels(-0.12, 0.31, 5)).toEqual(['−0.1', '0', '0.1', '0.2', '0.3']);
     expect(labels(0, 1e-5, 2)).toEqual(['0', '5×10⁻⁶', '10⁻⁵']);
+    expect(labels(1e5, 3e5, 2)).toEqual(['100000', '200000', '300000']);
   });
   it('of a logarithmic axis have numbers at 1, 2 and 5 where there is room', () => {
     expect(labels(0.01, 0.3, 9, true)).toEqual(['0.01', '0.02', '0.05', '0.1', '0.2']);
@@ -45,9 +45,7 @@ describe('ticks', () => {
 });
 
 describe('samples', () => {
-  it('find and interpolate', () => {
-    const places = [0, 1, 1, 4];
-    expect([-1, 0, 1, 3.9, 9].map((each) => lastNotAbove(places, each))).toEqual([-1, 0, 2, 2, 3]);
+  it('are interpolated', () => {
     expect(interpolate([0, 2], [10, 20], 0.5)).toBe(12.5);
     expect(interpolate([0, 2], [10, 20], -5)).toBe(10);
     expect(interpolate([0, 2], [10, 20], 5)).toBe(20);
@@ -55,17 +53,18 @@ describe('samples', () => {
 });
 
 describe('a legend', () => {
-  const ink = '#000';
-  const theme = { text: ink, muted: ink, line: ink, background: '#fff', panel: '#fff', accent: ink, dark: false };
-  const rowsOf = (labels: string[], width: number) => placed(
-    labels.map((label) => ({ label, look: look(0, theme), line: true, marker: true })), width);
+  const long = 'bearing steel sphere 5 mm at glass half-space';
   it('breaks labels that are wider than it, and has as many rows as they need', () => {
-    const long = 'bearing steel sphere 5 mm at glass half-space';
-    const [first, second] = rowsOf([long, 'disk'], 300);
-    expect(first!.rows).toEqual(['bearing steel sphere 5 mm at', 'glass half-space']);
+    const [first, second] = placed([long, 'disk'], 300);
+    expect(first!.rows).toBe(2);
+    expect(first!.letters).toBeLessThan(long.length);
     expect(second!.y - first!.y).toBe(36);
     expect(second!.x).toBe(first!.x);
-    const [one, two] = rowsOf([long, 'disk'], 900);
+  });
+  it('has columns where there is room', () => {
+    const [one, two, three] = placed([long, 'disk', 'rod'], 900);
+    expect(one!.rows).toBe(1);
     expect(two!.y).toBe(one!.y);
+    expect([three!.x, three!.y]).toEqual([one!.x, one!.y + 18]);
   });
 });

@@ -1,13 +1,13 @@
 import { describe, expect, it } from 'vitest';
-import { problemsOf, check } from '../../src/inputs/check';
+import { check, parseNumber, problemsOf } from '../../src/inputs/check';
 import { type Field, fieldsOf, valueOf, withValue } from '../../src/inputs/fields';
-import { type Inputs, defaults, equal, secondBody, unitBody, withAgainst, withKind } from '../../src/inputs/inputs';
-import { displayed, parseNumber, shortest } from '../../src/inputs/number';
-import { materialOf } from '../../src/inputs/document';
-import { kindNamed } from '../../src/inputs/kinds';
-import { barSpeed, withSi, withoutSi } from '../../src/inputs/units';
-import { curveSpeeds, fastest, onAxisOf, placeOf, slowest, speedAt, steps } from '../../src/inputs/speeds';
-import { description } from '../../src/inputs/description';
+import { type Inputs, defaults, unitBody, withAgainst, withKind } from '../../src/inputs/inputs';
+import { displayed, shortest } from '../../src/drawing/numbers';
+import { equal, sidesOf } from '../../src/inputs/document';
+import {
+  barSpeed, curveSpeeds, fastest, onAxisOf, placeOf, slowest, speedAt, steps, withoutSi, withSi,
+} from '../../src/inputs/units';
+import { description } from '../../src/inputs/lines';
 import { cases } from './cases';
 
 const typed = (inputs: Inputs, field: Field, text: string) => check(inputs, new Map([[field, text]]));
@@ -93,7 +93,7 @@ describe('a change of units', () => {
   it('begins in SI with a known material of a known strength, at a round speed', () => {
     const si = withSi(defaults);
     expect(si.speed).toBe(1);
-    expect(materialOf(si.encounter.first, kindNamed('disk'))?.name).toBe('bearing steel');
+    expect(sidesOf(si.encounter)[0].material?.name).toBe('bearing steel');
     expect(withSi(si)).toBe(si);
   });
   it('keeps the impact when it leaves SI', () => {
@@ -118,7 +118,7 @@ describe('a change of units', () => {
   });
   it('makes what is of the same material the same material', () => {
     const block = withSi({ ...defaults, encounter: withAgainst(defaults.encounter, 'half-space') });
-    expect(materialOf(secondBody(block.encounter.against)!, kindNamed('disk'))?.name).toBe('bearing steel');
+    expect(sidesOf(block.encounter)[1]!.material?.name).toBe('bearing steel');
   });
   it('nothing is changed in place', () => {
     const frozen = JSON.stringify(defaults);
@@ -132,7 +132,7 @@ describe('a change of units', () => {
 describe('kinds', () => {
   it('a rod meets no half-space, and a sphere has no plane', () => {
     const block = withAgainst(defaults.encounter, 'half-space');
-    expect(withKind(block, 'rod').against.kind).toBe('wall');
+    expect(withKind(block, 'rod').against).toBe('wall');
     expect(withKind({ ...defaults.encounter, si: true, plane: 'strain' }, 'sphere').plane).toBe('stress');
   });
   it('a sphere gets a Poisson’s ratio that it may have', () => {
@@ -172,7 +172,7 @@ describe('speeds', () => {
   });
   it('end at half of the wave speed of a soft half-space, as far as it is the one that is pressed in', () => {
     const block = (young: number): number => fastest(
-      { ...defaults.encounter, against: { kind: 'half-space', body: { ...unitBody, young } } });
+      { ...defaults.encounter, against: 'half-space', second: { ...unitBody, young } });
     expect([block(1), block(100)]).toEqual([0.5, 0.5]);
     expect(block(0.01)).toBeCloseTo(0.5 * 0.1 * 1.01, 12); // c₂/c₁ over the share of the half-space
   });

@@ -1,7 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import { commandLine } from '../../src/inputs/command_line';
-import { curveCsv, version } from '../../src/inputs/csv';
-import { pythonLines } from '../../src/inputs/python_lines';
+import { commandLine, curveCsv, pythonLines, version } from '../../src/inputs/lines';
 import { cases } from './cases';
 
 const lines = cases.map(({ encounter, speed }) => commandLine(encounter, speed));

@@ -1,8 +1,7 @@
 import { describe, expect, it } from 'vitest';
-import { shadeOf } from '../../src/scene/colors';
+import { paintMesh, paintTriangle, type Pixels, shadeOf } from '../../src/scene/raster';
 import { evenGrid } from '../../src/scene/grid';
 import { meshOf } from '../../src/scene/parts';
-import { paintMesh, paintTriangle, type Pixels } from '../../src/scene/raster';
 import { diskOf, field } from './disk_frame';
 
 describe('raster', () => {

@@ -1,5 +1,7 @@
 import { describe, expect, it, vi } from 'vitest';
-import { type Asking, type Collision, type Core, CoreError, type Encounter, type Restitution } from '../../src/core/protocol';
+import {
+  type Asking, type Collision, type Core, CoreError, type Encounter, type Restitution,
+} from '../../src/core/protocol';
 import { createCurves } from '../../src/page/curves';
 import { createSession } from '../../src/page/session';
 import { defaults } from '../../src/inputs/inputs';

@@ -7,10 +7,12 @@ import { cases } from './cases';
 it('computes values of half-spaces after the first answer, once', async () => {
   const log: string[] = [];
   const core = withWarmUp((async (question: string, { kind, against }: Encounter) => {
-    log.push(question === 'curve' ? `${kind} ${against.kind}` : question);
+    log.push(question === 'curve' ? `${kind} ${against}` : question);
     if (question === 'curve') throw new Error('no worker');
   }) as unknown as Core);
   expect(log).toEqual([]);
-  for (const { encounter, speed } of cases.slice(0, 2)) await core('restitution', encounter, { speed, tolerance: 1e-2 });
+  for (const { encounter, speed } of cases.slice(0, 2)) {
+    await core('restitution', encounter, { speed, tolerance: 1e-2 });
+  }
   expect(log).toEqual(['restitution', 'sphere half-space', 'disk half-space', 'restitution']);
 });

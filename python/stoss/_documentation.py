@@ -1,0 +1,181 @@
+"""What docstrings have in common, said once: the words of parameters and of fields, by their names.
+
+A docstring explains what is its own. `documented` adds the usual words of a function's other
+parameters, `with_fields` those of a class's other fields, and types from their annotations, so that
+help() and the site have all.
+"""
+
+from __future__ import annotations
+
+import inspect
+import re
+import textwrap
+from typing import Any, Callable, Mapping, TypeVar
+
+Function = TypeVar("Function", bound=Callable[..., Any])
+
+PARAMETERS = {
+    "body": "The first body, in whose units all results are.",
+    "speed": "Of approach of the centres of mass, or towards the wall, 1e-8 to 1, c (with a material: m/s). Two equal"
+    " bodies at twice the speed are one of them at a rigid wall.",
+    "against": "What the body meets: a rigid wall (default), another wall, an identical body ('same'), another of its"
+    " kind, or, for a sphere, a half-space, for a disk a half-plane.",
+    "poisson": "In place of `body`: 2-D Poisson's ratio of a disk, −0.95 to 0.995; an array broadcasts.",
+    "cutoff": "Highest frequency of the modes that are kept, c/R.",
+    "tail": "How the modes above the cutoff answer a hard contact: 'radiating', with static compliance at low and"
+    " plane-wave impedance at high frequency, or 'static', with static compliance only.",
+    "state": "How the bodies vibrate before the impact: modes up to `cutoff`, or an array as `Impact.state_after` gives"
+    " it. Default: they are unexcited. Then ε cannot exceed 1; with a state it may.",
+    "error": "Maximum error of ε, interpolation included, 1e-7 to 0.1.",
+    "tolerance": "Relative error of 1 − ε², 1e-15 to 0.5.",
+    "absolute": "Error of 1 − ε² that is small enough in any case, 0 to 0.5: a slow sphere loses little.",
+    "seed": "Each seed gives another ensemble.",
+    "threads": "0: as many as the machine has. Results do not depend on it.",
+    "progress": "Show a bar on stderr.",
+    "law": "Of compression: 'center', 'diameter', 'printed' or 'hertz', see `stoss.quasistatic`.",
+    "force": "F, mc²/R; broadcasts with the other arrays.",
+    "time": "R/c from the start of the impact, any order; during the impact the nearest step is taken.",
+    "path": "Where to; an existing file is replaced.",
+    "store": "Directory of the values of a sweep.",
+    "mix": "Take values of other versions of stoss too, where this one has none, and leave out those of other grids."
+    " Without it such a store is refused.",
+    "of": "Of which body: 0 the first, 1 the second.",
+    "order": "Angular order n of a disk, degree n of a sphere; of a rod 0.",
+    "index": "Number l of the mode among those of its order, from 0.",
+    "frame": "Which of the field's times, if it has several.",
+    "columns": "Pictures in a row.",
+    "ax": "Where to draw; further calls with the same Axes add to it. Default: a new figure.",
+    "label": "Name of the curve in the legend.",
+}
+
+STYLE = "**style: Handed on to `matplotlib.axes.Axes.plot`: color, linestyle, …"
+
+FIELDS = {
+    "body": "The first; all units are its own.",
+    "against": "What it meets.",
+    "poisson": "Poisson's ratio, of a disk the 2-D one.",
+    "speed": "Of approach of the centres of mass, or towards the wall, c.",
+    "restitution": "ε = −v_f/v_i of the relative motion; above 1 where vibration is given back.",
+    "lost_fraction": "1 − ε², negative where ε > 1.",
+    "contact_time": "From first to last contact, R/c.",
+    "impulse_time": "From 1 % to 99 % of the impulse, R/c: a last grazing contact hardly changes it.",
+    "contacts": "Separate periods of contact.",
+    "max_force": "Maximum force, mc²/R: πRE of a disk, (4π/3)R²E of a sphere.",
+    "max_compression": "In R.",
+    "max_half_width": "Maximum half-width of the contact, R; of spheres its radius.",
+    "max_radius": "Maximum radius of the contact, R.",
+    "contact_half_width": "Half-width of the contact, R, in steps of the nodes' spacing; of spheres its radius.",
+    "dissipated": "Energy lost to the material, as a share of the initial one.",
+    "lost_to_first": "Vibration of the first body after the impact and what its material absorbed.",
+    "lost_to_second": "The same of the second; what the waves of a half-space carry away; 0 of a wall.",
+    "cutoff": "Modes up to this frequency are kept, c/R.",
+    "modes": "Number of kept modes.",
+    "nodes": "Number of nodes of the contact grid.",
+    "runs": "Impacts computed.",
+    "step": "Time step, R/c.",
+    "steps": "Time steps of all impacts.",
+    "tail": "How the modes above the cutoff answered: 'radiating' or 'static'.",
+    "energy_error": "What is missing, as a share of the initial energy.",
+    "momentum_error": "What is missing, as a share of the initial momentum.",
+    "converged": "Whether it is as accurate as asked for.",
+    "reason": "Why it is not converged; empty where it is.",
+    "beyond_small_strain": "Speed, also of the vibration before, above 0.5 c or compression above 0.5 R, where linear"
+    " elasticity has lost its meaning.",
+    "keep": "Which modes up to the cutoff were kept, if not all.",
+    "state": "How the bodies vibrated before, if they did: a structured array with the fields body, order, index,"
+    " energy (as a share of the translational one) and phase.",
+    "beyond": "What it does beyond its range: 'error', 'clamp' or, where there is one, 'law'.",
+    "tolerance": "Asked for: error of 1 − ε² over 1 − ε².",
+    "absolute": "Or error of 1 − ε².",
+    "decay_time": "As it was given.",
+    "seed": "Of the ensemble.",
+    "law": "Of compression.",
+    "impact": "Of which it is a part.",
+    "time": "From the start of the impact, R/c.",
+    "center": "Position of the first body's centre of mass, R; the wall is at 0 and the body at x < 0.",
+    "force": "Force F of the contact, mc²/R: πRE of a disk, (4π/3)R²E of a sphere.",
+    "compression": "δ = R + x₀, R.",
+    "order": "Angular order n of a disk, degree n of a sphere.",
+    "index": "Number l of the root for this order, from 0.",
+    "omega": "Eigenfrequency ω, c/R.",
+}
+
+TYPES = {
+    "Number": "float | ndarray",
+    "Integer": "int | ndarray",
+    "Flag": "bool | ndarray",
+    "ArrayLike": "array_like",
+    "Body": "Disk | Sphere | Rod",
+    "Unbounded": "HalfSpace | HalfPlane",
+    "Against": "HardWall | ExponentialWall | Disk | Sphere | Rod | HalfSpace | HalfPlane",
+    "State": "Oscillation | sequence of them | ndarray",
+    "os.PathLike[str]": "path",
+}
+
+
+def documented(function: Function, **own: str) -> Function:
+    """Add types, and these or the usual words of all parameters that a docstring does not explain."""
+    if function.__doc__:
+        given = inspect.signature(function).parameters
+        typed = {name: each for name, each in given.items() if each.annotation is not each.empty}
+        types = {name: _type(each.annotation, each.default) for name, each in typed.items()}
+        words = {name: f"{name}: {said}" for name, said in (PARAMETERS | own).items()} | {"style": STYLE}
+        function.__doc__ = _completed(function.__doc__, "Parameters", types, words)
+    return function
+
+
+def with_fields(made: type, title: str = "Attributes") -> None:
+    """Add types, and the words of a base or the usual ones of all fields that a docstring does not explain."""
+    fields, words = vars(made).get("__annotations__", {}), dict[str, str]()
+    for name in [name for name, kind in fields.items() if name in FIELDS and kind != "Any"]:
+        words[name] = f"{name}: {FIELDS[name]}"
+        if f"{name}_error" in fields:
+            words[name] = f"{name}, {name}_error: {FIELDS[name][:-1]}; and its estimated error."
+    for base in reversed(made.__mro__[1:]):
+        words |= _own(base.__doc__ or "", title)
+    if made.__doc__:
+        kinds = dict(fields)
+        for base in made.__mro__[1:]:
+            kinds |= {name: kind for name, kind in vars(base).get("__annotations__", {}).items() if name not in kinds}
+        types = {name: _type(kind) for name, kind in kinds.items()}
+        made.__doc__ = _completed(made.__doc__, title, types, words)
+
+
+def _type(annotation: str, default: Any = inspect.Parameter.empty) -> str:
+    """What an annotation says, in words; where there is a default it is optional."""
+    written = re.sub(r"NDArray\[[\w.]*\]", "ndarray", annotation.removesuffix(" | None" if default is None else ""))
+    kinds = [kind for each in written.split(" | ") for kind in TYPES.get(each, each).split(" | ")]
+    kind = " or ".join(filter(None, [", ".join(kinds[:-1]), kinds[-1]]))
+    return kind if default is inspect.Parameter.empty else f"{kind}, optional"
+
+
+def _sections(said: str) -> list[str]:
+    """What a docstring begins with, and its sections."""
+    return re.split(r"\n\n(?=(?:Attributes|Examples|Parameters|Raises|Returns):\n)", inspect.cleandoc(said))
+
+
+def _own(said: str, title: str) -> dict[str, str]:
+    """The entries of the section with this title, if there is one, by the names that each explains."""
+    section = next((each for each in _sections(said) if each.startswith(f"{title}:\n")), "")
+    entries = re.split(r"\n(?=\S)", textwrap.dedent(section.partition("\n")[2]))
+    return {name: each for each in entries for name in re.split(r"[:(]", each)[0].strip(" *").split(", ") if name}
+
+
+def _completed(said: str, title: str, types: Mapping[str, str], words: Mapping[str, str]) -> str:
+    """The docstring, where a section explains these names in their order: as it does itself, or by the usual words."""
+    own = _own(said, title)
+    entries: dict[str, str] = {}
+    for name, kind in {**types, **{name: types.get(name, "") for name in own}}.items():
+        if each := own.get(name) or words.get(name, ""):
+            entries.setdefault(each, kind)
+    lines = [_line(each, kind) for each, kind in entries.items()]
+    before, *others = (each for each in _sections(said) if not each.startswith(f"{title}:\n"))
+    return "\n\n".join([before, *(["\n".join([f"{title}:", *lines])] if lines else []), *others])
+
+
+def _line(entry: str, kind: str) -> str:
+    """An entry with its type, unless it says one."""
+    names, colon, said = entry.partition(":")
+    typed = names if "(" in names or not kind or kind == "Any" else f"{names} ({kind})"
+    text = " ".join(f"{typed}{colon}{said}".split())
+    return textwrap.fill(text, 100, initial_indent=" " * 4, subsequent_indent=" " * 8, break_on_hyphens=False)

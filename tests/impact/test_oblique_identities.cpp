@@ -1,0 +1,233 @@
+// Oblique impacts of spheres, by what must hold exactly.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "stoss/bodies/disk.hpp"
+#include "stoss/bodies/rod.hpp"
+#include "stoss/bodies/sphere.hpp"
+#include "stoss/errors.hpp"
+#include "stoss/impact/oblique.hpp"
+#include "stoss/impact/vibration.hpp"
+#include "support/refusal.hpp"
+#include "support/rings.hpp"
+
+namespace stoss {
+namespace {
+
+using test::rings;
+
+TEST(ObliqueSphere, LeavesTheNormalImpactAsItIsToTheLastBit) {
+  for (const double speed : {1e-3, 0.1}) {
+    const Contact wall = contact(sphere(0.3, 8.0));
+    const Impact central = impact(wall, speed);
+    for (const double friction : {0.0, 1e-6, 0.3, 5.0}) {
+      const ObliqueImpact oblique = oblique_impact(wall, speed, {0.5 * speed, 0.0, 0.0, friction});
+      EXPECT_EQ(oblique.restitution, central.restitution);
+      EXPECT_EQ(oblique.normal.energy_error, central.energy_error);
+      EXPECT_EQ(oblique.normal.steps, central.steps);
+    }
+  }
+}
+
+TEST(ObliqueSphere, DependsOnSlidingOverFrictionAlone) {
+  const Slides slides(contact(sphere(0.3, 8.0)), 0.05, rings(24, 0.0625));
+  const ObliqueImpact one = slides.after({0.03, 0.01, 0.0, 0.5}), other = slides.after({0.015, 0.005, 0.0, 0.25});
+  EXPECT_EQ(one.tangential_restitution, other.tangential_restitution);
+  EXPECT_EQ(one.spin_after, 2.0 * other.spin_after);
+}
+
+TEST(ObliqueSphere, ComesToTheSmoothOneAsFrictionGoes) {
+  const Slides slides(contact(sphere(0.3, 8.0)), 0.05, rings(24, 0.0625));
+  const ObliqueImpact smooth = slides.after({0.02, -0.01, 0.0, 0.0});
+  EXPECT_EQ(smooth.tangential_restitution, -1.0);
+  EXPECT_EQ(smooth.tangential_after, 0.02);
+  EXPECT_EQ(smooth.spin_after, -0.01);
+  EXPECT_EQ(smooth.energy.friction, 0.0);
+  const ObliqueImpact nearly = slides.after({0.02, -0.01, 0.0, 1e-9});
+  EXPECT_NEAR(nearly.tangential_after, 0.02, 1e-9);
+  EXPECT_NEAR(nearly.spin_after, -0.01, 1e-9);
+  EXPECT_NEAR(nearly.energy.translation, smooth.energy.translation, 1e-9);
+}
+
+TEST(ObliqueSphere, LosesTheImpulseOfFullFrictionWhereItSlidesThroughout) {
+  constexpr double speed = 0.05, friction = 0.2, tangential = 0.5;
+  const ObliqueImpact sliding =
+      oblique_impact(contact(sphere(0.3, 8.0)), speed, {tangential, 0.0, 0.0, friction}, rings(24, 0.0625));
+  const double lost = friction * (1.0 + sliding.restitution) * speed;
+  EXPECT_NEAR(sliding.tangential_after, tangential - lost, 1e-12);
+  EXPECT_NEAR(sliding.impulse, lost, 1e-12);
+  // The arm of the rings is shorter than R by up to half of the square of the contact.
+  const double half_width = sliding.normal.max_half_width;
+  EXPECT_LT(-sliding.spin_after, 2.5 * lost);
+  EXPECT_GT(-sliding.spin_after, 2.5 * lost * (1.0 - 0.5 * half_width * half_width));
+}
+
+TEST(ObliqueSphere, KeepsMomentumAngularMomentumAndEnergy) {
+  for (const double poisson : {-0.9, 0.0, 0.3, 0.49}) {
+    for (const double speed : {1e-4, 0.01, 0.1}) {
+      const Slides slides(contact(sphere(poisson, 8.0)), speed, rings(16, 0.5 / 8.0));
+      for (const double ratio : {0.0, 0.3, 1.5, 6.0}) {
+        const ObliqueImpact its = slides.after({ratio * speed, -0.4 * speed, 0.0, 0.7});
+        EXPECT_LT(its.momentum_error, 1e-13);
+        EXPECT_LT(its.angular_momentum_error, 1e-13);
+        EXPECT_LT(std::abs(its.energy_error), 2e-3) << poisson << ' ' << speed << ' ' << ratio;
+        EXPECT_GE(its.energy.friction, 0.0);
+        EXPECT_GE(its.energy.unresolved, 0.0);
+        EXPECT_EQ(its.energy.second_vibration + its.energy.second_rotation + its.energy.dissipated, 0.0);
+      }
+    }
+  }
+}
+
+TEST(ObliqueSphere, KeepsItsEnergyToTheSquareOfTheStep) {
+  const Contact wall = contact(sphere(0.3, 8.0));
+  const auto error = [&](double step) {
+    return std::abs(oblique_impact(wall, 0.1, {0.05, 0.0, 0.0, 0.5}, rings(16, step)).energy_error);
+  };
+  EXPECT_GT(error(1.0 / 16.0), 3.0 * error(1.0 / 32.0));
+  EXPECT_LT(error(1.0 / 32.0), 1e-4);
+}
+
+void expect_same(const ObliqueImpact& one, const ObliqueImpact& other, double tolerance) {
+  EXPECT_NEAR(one.restitution, other.restitution, tolerance);
+  EXPECT_NEAR(one.tangential_restitution, other.tangential_restitution, tolerance);
+  EXPECT_NEAR(one.energy.across, other.energy.across, tolerance);
+  EXPECT_NEAR(one.energy.friction, other.energy.friction, tolerance);
+  EXPECT_NEAR(one.energy.unresolved, other.energy.unresolved, tolerance);
+}
+
+TEST(ObliqueSpheres, ThatAreEqualMeetAsAtAWall) {
+  constexpr double cutoff = 12.0;
+  const ImpactOptions options = rings(24, 0.5 / cutoff);
+  const Body one = sphere(0.3, cutoff);
+  const ObliqueImpact pair = oblique_impact(contact(one, one), 0.1, {0.06, 0.01, 0.01, 0.3}, options);
+  const ObliqueImpact wall = oblique_impact(contact(one), 0.05, {0.03, 0.01, 0.0, 0.3}, options);
+  expect_same(pair, wall, 1e-11);
+  EXPECT_NEAR(pair.spin_after, wall.spin_after, 1e-12);
+  EXPECT_NEAR(pair.second_spin_after, wall.spin_after, 1e-12);
+  EXPECT_NEAR(pair.tangential_after, 2.0 * wall.tangential_after, 1e-12);
+  EXPECT_NEAR(pair.energy.vibration, pair.energy.second_vibration, 1e-12);
+}
+
+TEST(ObliqueSpheres, MeetAlikeWhicheverIsCalledTheFirst) {
+  constexpr double cutoff = 8.0, radius = 2.3, young = 1.5, density = 0.7;
+  const double speed = std::sqrt(young / density), time = radius / speed;
+  const auto one = [&](double at) { return sphere(Sphere{0.3}, at); };
+  const auto other = [&](double at) { return sphere(Sphere{0.1, radius, young, density}, at); };
+  ImpactOptions options = rings(24, 0.5 / cutoff);
+  options.resolution.half_width = 0.5;
+  const ObliqueImpact forward =
+      oblique_impact(contact(one(cutoff), other(cutoff * time)), 0.05, {0.02, 0.01, -0.015, 0.3}, options);
+  options.resolution.half_width = 0.5 / radius;
+  options.resolution.step = 0.5 / cutoff / time;
+  const ObliqueImpact backward = oblique_impact(contact(other(cutoff * time), one(cutoff)), 0.05 / speed,
+                                                {0.02 / speed, -0.015 * time, 0.01 * time, 0.3}, options);
+  expect_same(forward, backward, 1e-11);
+  EXPECT_NEAR(forward.sliding_after, backward.sliding_after * speed, 1e-12);
+  EXPECT_NEAR(forward.spin_after, backward.second_spin_after / time, 1e-12);
+  EXPECT_NEAR(forward.second_spin_after, backward.spin_after / time, 1e-12);
+  EXPECT_NEAR(forward.energy.rotation, backward.energy.second_rotation, 1e-12);
+  EXPECT_NEAR(forward.energy.vibration, backward.energy.second_vibration, 1e-12);
+}
+
+TEST(ObliqueSpheres, KeepTheirBalancesAtAnyRatioOfSizes) {
+  for (const double radius : {0.3, 1.0, 3.0}) {
+    constexpr double cutoff = 8.0;
+    const Contact pair = contact(sphere(Sphere{0.3}, cutoff), sphere(Sphere{0.1, radius}, cutoff * radius));
+    const ObliqueImpact its = oblique_impact(pair, 0.05, {0.03, 0.02, 0.01 / radius, 0.4}, rings(16, 0.5 / cutoff));
+    EXPECT_LT(its.momentum_error, 1e-13);
+    EXPECT_LT(its.angular_momentum_error, 1e-13);
+    EXPECT_LT(std::abs(its.energy_error), 1e-3);
+    EXPECT_GT(its.energy.friction, 0.0);
+  }
+}
+
+TEST(ObliqueSphere, TurnsRoundWithItsMotion) {
+  const Slides slides(contact(sphere(0.3, 8.0)), 0.05, rings(24, 0.0625));
+  const ObliqueImpact one = slides.after({0.02, 0.013, 0.0, 0.3}), other = slides.after({-0.02, -0.013, 0.0, 0.3});
+  EXPECT_EQ(one.sliding_after, -other.sliding_after);
+  EXPECT_EQ(one.spin_after, -other.spin_after);
+  EXPECT_EQ(one.energy.friction, other.energy.friction);
+}
+
+TEST(ObliqueSphere, FeelsSlidingAloneHoweverItIsMadeWhereTheContactIsSmall) {
+  double before = 1.0;
+  for (const double speed : {1e-2, 1e-4, 1e-6}) {
+    const Slides slides(contact(sphere(0.3, 4.0)), speed, rings(16, 0.125));
+    const double moving = slides.after({0.3 * speed, 0.0, 0.0, 0.3}).sliding_after;
+    const double turning = slides.after({0.0, 0.3 * speed, 0.0, 0.3}).sliding_after;
+    const double apart = std::abs(moving - turning) / (0.3 * speed), half_width = slides.normal().max_half_width;
+    EXPECT_LT(apart, half_width * half_width);
+    EXPECT_LT(apart, 0.2 * before);
+    before = apart;
+  }
+}
+
+TEST(ObliqueSphere, GivesTheSameBitsAgain) {
+  const Slides slides(contact(sphere(0.3, 8.0)), 0.05), again(contact(sphere(0.3, 8.0)), 0.05);
+  const Obliquity obliquity{0.02, 0.013, 0.0, 0.3};
+  EXPECT_EQ(slides.after(obliquity).sliding_after, again.after(obliquity).sliding_after);
+  EXPECT_EQ(slides.after(obliquity).sliding_after,
+            oblique_impact(contact(sphere(0.3, 8.0)), 0.05, obliquity).sliding_after);
+}
+
+TEST(ObliqueSphere, LosesInItsMaterialAlongTheSurfaceToo) {
+  constexpr double cutoff = 8.0;
+  const auto after = [&](double loss_time, double step) {
+    Sphere given{0.3};
+    given.loss_time = loss_time;
+    return oblique_impact(contact(sphere(given, cutoff)), 0.05, {0.02, 0.0, 0.0, 0.3}, rings(24, step));
+  };
+  const ObliqueImpact elastic = after(0.0, 0.0625), nearly = after(1e-6, 0.0625), lossy = after(0.1, 0.0625);
+  EXPECT_NEAR(nearly.tangential_restitution, elastic.tangential_restitution, 2e-3);
+  EXPECT_LT(lossy.tangential_restitution, elastic.tangential_restitution - 0.05);
+  // More is dissipated than by the motion along the normal.
+  const double normal = 0.05 * 0.05 / (0.05 * 0.05 + 0.02 * 0.02);
+  EXPECT_GT(lossy.energy.dissipated, normal * lossy.normal.energy.dissipated * 1.01);
+  EXPECT_GT(lossy.energy.unresolved, 0.0);
+  EXPECT_LT(lossy.angular_momentum_error, 1e-13);
+  EXPECT_GT(std::abs(lossy.energy_error), 3.0 * std::abs(after(0.1, 0.03125).energy_error));
+  EXPECT_LT(std::abs(lossy.energy_error), 1e-3);
+}
+
+TEST(ObliqueSphere, MayVibrateBefore) {
+  const Contact wall = contact(sphere(0.3, 8.0));
+  ImpactOptions options = rings(16, 0.0625);
+  options.start = approach(wall, 0.02, {{0, 2, 0, 0.5, 1.0}});
+  const ObliqueImpact its = oblique_impact(wall, 0.02, {0.01, 0.0, 0.0, 0.3}, options);
+  EXPECT_EQ(its.restitution, impact(wall, 0.02, options).restitution);
+  EXPECT_LT(its.momentum_error, 1e-13);
+  EXPECT_LT(std::abs(its.energy_error), 1e-3);
+  EXPECT_GT(its.energy.friction, 0.0);
+}
+
+TEST(ObliqueImpact, RefusesStepsThatDoNotResolveTheContact) {
+  // A few steps in the contact with a sphere that is much smaller.
+  constexpr double cutoff = 3.25, radius = 0.036;
+  const Contact pair = contact(sphere(Sphere{0.0}, cutoff), sphere(Sphere{0.0, radius}, cutoff * radius));
+  const ImpactOptions coarse = rings(45, 0.5 / cutoff);
+  (void)impact(pair, 0.1, coarse);
+  EXPECT_THROW((void)oblique_impact(pair, 0.1, {0.0008, 0.0008, 0.05, 0.02}, coarse), NotConverged);
+  EXPECT_NO_THROW((void)oblique_impact(pair, 0.1, {0.0008, 0.0008, 0.05, 0.02}, rings(45, 0.005)));
+}
+
+TEST(ObliqueImpact, RefusesWhatItCannotCompute) {
+  const Contact wall = contact(sphere(0.3, 8.0));
+  const auto refused = [](const Contact& its, const Obliquity& obliquity) {
+    return [&its, obliquity] { (void)oblique_impact(its, 0.05, obliquity); };
+  };
+  test::expect_refusal(refused(wall, {2.0, 0.0, 0.0, 0.3}), {"tangential", "2"});
+  test::expect_refusal(refused(wall, {0.0, 2.0, 0.0, 0.3}), {"spin", "2"});
+  test::expect_refusal(refused(wall, {0.0, 0.0, 0.1, 0.3}), {"second_spin", "0.1"});
+  test::expect_refusal(refused(wall, {0.1, 0.0, 0.0, 5.1}), {"friction", "5.1"});
+  test::expect_refusal(refused(wall, {std::nan(""), 0.0, 0.0, 0.1}), {"tangential"});
+  const Contact bar = contact(rod(20.0)), soft = contact(sphere(0.3, 8.0), ExponentialWall{});
+  test::expect_refusal(refused(bar, {0.1, 0.0, 0.0, 0.3}), {"friction", "rod"});
+  test::expect_refusal(refused(soft, {0.1, 0.0, 0.0, 0.3}), {"friction", "exponential"});
+  EXPECT_EQ(oblique_impact(bar, 0.05, {0.1, 0.0, 0.0, 0.0}).tangential_restitution, -1.0);
+  test::expect_refusal([] { (void)Slides(contact(disk(0.3, 8.0)), 0.05); }, {"disk"});
+}
+
+}  // namespace
+}  // namespace stoss
