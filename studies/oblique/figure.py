@@ -92,7 +92,7 @@ def glass(tables):
     figure, (left, right) = two_panels()
     angles, value, maw, added = columns(rows, "angle", "tangential_restitution", "maw", "added_by_coupling_of_disks")
     left.fill_between(angles, value, [a + b for a, b in zip(value, added)], color=SKY, alpha=0.35, linewidth=0,
-                      label="what coupling adds to disks")  # fmt: skip
+                      label="with coupling of disks")  # fmt: skip
     left.plot(angles, value, color=BLUE, label="stoss")
     left.plot(angles, maw, color="black", linestyle="--", linewidth=0.9, label="Maw: v → 0")
     marks = {"et": ("o", RED, "centre"), "spin": ("^", GREEN, "spin"), "patch": ("s", PINK, "contact")}
@@ -103,9 +103,9 @@ def glass(tables):
     spins = having(table(tables, "measured"), quantity="spin")
     right.plot(*columns(spins, "at", "value"), "^", color=GREEN, markersize=3.5, label="measured")
     left.axhline(0, color="0.7", linewidth=0.6, zorder=0)
-    left.set(xlim=(0, 45), ylim=(-0.5, 0.55), xlabel="angle of impact / °", ylabel="$ε_t$")
+    left.set(xlim=(0, 45), ylim=(-0.45, 0.75), xlabel="angle of impact / °", ylabel="$ε_t$")
     right.set(xlim=(0, 90), ylim=(0, 700), xlabel="angle of impact / °", ylabel="spin after / rad s⁻¹")
-    left.legend(frameon=False, fontsize=6.5, loc="upper right")
+    left.legend(frameon=False, fontsize=6.5, loc="upper left", ncols=2, columnspacing=1)
     right.legend(frameon=False, fontsize=7, loc="lower center")
     return figure
 
@@ -149,9 +149,11 @@ def coupling(tables):
                 ratio = [row["friction"] / row["beta"] for row in its]
                 added = [row["tangential_restitution"] - row["equal_disks"] for row in its]
                 axes.plot(ratio, added, color=color, marker=marker, markersize=3, linewidth=0.9,
-                          label=f"{x:g}" if poisson == 0.33 else None)  # fmt: skip
+                          label=f"{x:g}" if poisson == 0.33 and axes is panels[0] else None)  # fmt: skip
         axes.axhline(0, color="0.7", linewidth=0.6, zorder=0)
         axes.set(xscale="log", xlabel="μ / β")
+        axes.set_xticks((0.1, 0.2, 0.5, 1, 2, 5), ("0.1", "0.2", "0.5", "1", "2", "5"))
+        axes.minorticks_off()
         axes.set_title(f"v = {speed:g} c", fontsize=8)
     panels[0].set(ylabel="$ε_t$, disk at a rigid wall − two equal disks")
     panels[0].legend(frameon=False, fontsize=7, title=OBLIQUITY, title_fontsize=7)
