@@ -1,5 +1,6 @@
 """The numbers of docs/results/oblique.md: those of its CSV files."""
 
+import functools
 import math
 import runpy
 import statistics
@@ -40,13 +41,14 @@ COUPLING, BEST, NORMAL = table("coupling"), table("superball"), table("normal")
 FINITE_ELEMENTS, MEASURED = table("finite_elements"), table("measured")
 
 
+@functools.cache
 def curve(bodies, speed, friction=0.1):
     return {row["x"]: row for row in having(CURVES, bodies=bodies, speed=speed, friction=friction)}
 
 
 def spheres():
     for name, bodies, speed in (
-        ("Maw", "maw", 0.0), *((f"{written(v)}", "sphere", v) for v in (1e-6, 1e-5, 1e-4, 1e-3, 0.01, 0.1)),
+        ("Maw", "maw", 0.0), *((f"{written(v)}", "sphere", v) for v in (1e-6, 1e-4, 1e-3, 0.01, 0.1)),
         ("0.001, half-space", "half_space", 1e-3),
     ):  # fmt: skip
         its = curve(bodies, speed)
@@ -75,7 +77,7 @@ def size_laws():
     for name, against, poisson in (("0", "wall", 0.0), ("0.3", "wall", 0.3), ("0.45", "wall", 0.45),
                                    ("0.3, half-space", "half_space", 0.3)):  # fmt: skip
         laws = [size_law(against, poisson, psi) for psi in (0.5, 1.0, 2.0, 3.0)]
-        yield line(name, *(f"{signed(a, 2)} + {signed(b, 2)} L" for a, b, _ in laws))
+        yield line(name, *(f"{a:.2f} {'+' if b > 0 else '−'} {abs(b):.2f} L" for a, b, _ in laws))
 
 
 DRAW = runpy.run_path(str(ROOT / "studies/oblique/figure.py"))["measured"]
@@ -107,7 +109,7 @@ def near_stick():
 
 
 def superballs():
-    for poisson in (0.0, 0.2, 0.3, 0.4, 0.45, 0.49):
+    for poisson in (0.0, 0.2, 0.3, 0.4, 0.49):
         slow = one(BEST, bodies="maw", poisson=poisson)["tangential_restitution"]
         its = (one(BEST, bodies="sphere", poisson=poisson, speed=v) for v in (1e-4, 1e-3, 0.01, 0.03, 0.07, 0.1, 0.2))
         yield line(f"{poisson:g}", f"{slow:.3f}", *(f"{row['tangential_restitution']:.3f}" for row in its))
@@ -165,7 +167,7 @@ def turned():
 
 
 def couplings():
-    ratios = (0.1, 0.2, 0.3, 0.5, 1.0, 2.0, 5.0)
+    ratios = (0.1, 0.2, 0.3, 0.5, 1.0, 2.0)
     for x in (0.25, 0.5, 1.0, 2.0, 3.0):
         cells = []
         for ratio in ratios:
@@ -198,12 +200,12 @@ def test_claims_about_steel():
 
 
 def test_claims_about_published_finite_elements():
-    maw = curve("maw", 0.0)
+    maw = [{"angle": x, **row} for x, row in sorted(curve("maw", 0.0).items())]
     found = [(row["at"], -row["value"] / row["at"]) for row in having(MEASURED, quantity="fem") if row["at"] < 8]
-    off = {x: value - maw[round(x, 1)]["tangential_restitution"] for x, value in found if x > 0.6}
-    assert all(abs(each) < 0.025 for x, each in off.items() if 2 < x < 5)
+    off = {x: value - at(maw, x, "tangential_restitution") for x, value in found if x > 0.6}
+    assert all(abs(each) < 0.02 for x, each in off.items() if 2 < x < 5)
     near = [each for x, each in off.items() if 0.8 < x < 1.25]
-    assert len(near) == 2 and all(0.08 < each < 0.15 for each in near)
+    assert len(near) == 2 and all(round(each, 2) in (0.12, 0.13) for each in near)
 
 
 def test_claims_about_size():
