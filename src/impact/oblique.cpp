@@ -1,7 +1,7 @@
 #include "stoss/impact/oblique.hpp"
 
 #include "contact/along.hpp"
-#include "impact/coupled_impact.hpp"
+#include "impact/oblique/coupled_impact.hpp"
 #include "impact/oblique_frame.hpp"
 
 namespace stoss {

@@ -16,14 +16,15 @@
 namespace stoss {
 
 ObliqueFrame::ObliqueFrame(const Contact& contact, double speed_towards, const ImpactOptions& options)
-    : speed(speed_towards), mass(contact.mass), normal_energy(0.5 * mass * speed * speed) {
+    : speed(speed_towards), mass(contact.whole_mass), normal_energy(0.5 * mass * speed * speed) {
   for (int number = 0; number < 2; ++number) {
     const auto body = body_of(contact, number);
     if (body == nullptr) break;
     const UnitRatios units = units_of(contact, number);
     const auto k = static_cast<std::size_t>(number);
     radius[k] = body->extent * units.length;
-    inertia[k] = body->inertia * units.mass * units.length * units.length;
+    const double part = body->part.size * body->part.size;
+    inertia[k] = body->inertia / (part * part) * units.mass * units.length * units.length;
   }
   if (!options.start) return;
   const std::vector<double> energies = mode_energies(contact, *options.start);

@@ -19,7 +19,8 @@ struct AlongOutcome {
   double dissipated = 0.0, friction = 0.0, unresolved = 0.0, stored = 0.0;
 };
 
-/// What moves along the surface besides the modes, in units of the first body.
+/// What moves along the surface besides the modes, in units of the first body: whole bodies, where only a part of one
+/// is there (BodyPart).
 struct ObliqueFrame {
   double speed;                     ///< v_n
   double mass;                      ///< μ_r

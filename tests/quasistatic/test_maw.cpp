@@ -9,10 +9,10 @@
 #include <limits>
 #include <random>
 
-#include "quasistatic/maw_path.hpp"
+#include "quasistatic/oblique/maw_path.hpp"
 #include "stoss/errors.hpp"
-#include "stoss/quasistatic/maw.hpp"
-#include "stoss/quasistatic/mindlin.hpp"
+#include "stoss/quasistatic/oblique/maw.hpp"
+#include "stoss/quasistatic/oblique/mindlin.hpp"
 #include "support/refusal.hpp"
 
 namespace stoss {

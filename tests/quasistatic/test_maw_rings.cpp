@@ -9,7 +9,7 @@
 #include <numbers>
 #include <vector>
 
-#include "stoss/quasistatic/maw.hpp"
+#include "stoss/quasistatic/oblique/maw.hpp"
 
 namespace stoss {
 using namespace quasistatic;

@@ -7,8 +7,8 @@
 #include <numbers>
 #include <vector>
 
-#include "stoss/quasistatic/maw.hpp"
-#include "stoss/quasistatic/mindlin.hpp"
+#include "stoss/quasistatic/oblique/maw.hpp"
+#include "stoss/quasistatic/oblique/mindlin.hpp"
 
 namespace stoss {
 using namespace quasistatic;

@@ -10,8 +10,8 @@
 #include <numbers>
 #include <vector>
 
-#include "quasistatic/tangential_contact.hpp"
-#include "stoss/quasistatic/mindlin.hpp"
+#include "quasistatic/oblique/tangential_contact.hpp"
+#include "stoss/quasistatic/oblique/mindlin.hpp"
 #include "support/refusal.hpp"
 
 namespace stoss {

@@ -40,6 +40,11 @@ def bounces(result: Bounces, ax: Axes | None = None) -> Axes:
     Parameters:
         ax: Where to draw, of `matplotlib.pyplot.subplots`; its lower half becomes an Axes of its
             own, the last of its figure.
+
+    Examples:
+        >>> ax = stoss.bounce(poisson=0.33, speed=0.2, count=20, flight_time=30, cutoff=8).plot()
+        >>> ax.get_ylabel(), ax.figure.axes[-1].get_ylabel()
+        ('restitution ε', 'energy / initial')
     """
     if len(result) == 0:
         raise refusal("result", result, "a sequence of at least one impact")
@@ -90,6 +95,12 @@ def distribution(result: RestitutionDistribution, ax: Axes | None = None, *, bin
 
     Parameters:
         bins (optional): As `numpy.histogram` has them.
+
+    Examples:
+        >>> warm = stoss.restitution_distribution(poisson=0.33, speed=0.1, temperature=0.02, samples=50)
+        >>> ax = stoss.plot.distribution(warm)
+        >>> ax.get_xlabel(), ax.get_ylabel()
+        ('restitution ε', 'samples')
     """
     count, edges = result.histogram(bins)
     at_rest = _at_rest(result)
@@ -127,6 +138,12 @@ def cooling(chain: RodChain, ax: Axes | None = None) -> Axes:
     Translation is a solid line, vibration a dashed one, which is left out where vibrations are gone
     at the next collision. The dotted line is the law of late times; there is none while translation
     has more than a hundredth of its energy.
+
+    Examples:
+        >>> rods = [stoss.Rod(length=length) for length in (1.0, 1.1, 0.9, 1.05)]
+        >>> chain = stoss.rod_chain(rods, circumference=40, temperature=1, collisions=200, decay_time=0)
+        >>> stoss.plot.cooling(chain).get_ylabel()
+        'energy / initial energy'
     """
     after = chain.time > 0.0
     time, first = chain.time[after], chain.translation[0] or 1.0
@@ -154,6 +171,12 @@ def restitution_histogram(chain: RodChain, ax: Axes | None = None) -> Axes:
 
     The rare values above the 99.8th percentile are left out. A line marks ε = 1, and the dotted
     one the mean of all.
+
+    Examples:
+        >>> rods = [stoss.Rod(length=length) for length in (1.0, 1.1, 0.9, 1.05)]
+        >>> chain = stoss.rod_chain(rods, circumference=40, temperature=1, collisions=200, decay_time=5)
+        >>> stoss.plot.restitution_histogram(chain).get_xlabel()
+        'coefficient of restitution ε'
     """
     values = chain.restitution
     with _style.canvas(ax, xlabel="coefficient of restitution ε", ylabel="probability density") as axes:

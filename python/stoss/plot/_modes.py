@@ -22,6 +22,11 @@ def spectrum(modes: Modes, ax: Axes | None = None) -> Axes:
 
     Radial are those whose surface moves mostly along the radius, ``C > |S|``, of a sphere
     ``U > √(n(n+1)) |V|``.
+
+    Examples:
+        >>> ax = stoss.plot.spectrum(stoss.modes(poisson=0.33, cutoff=10))
+        >>> ax.get_xlabel(), ax.get_ylabel()
+        ('angular order n', 'frequency ω / (c/R)')
     """
     size = 3.5 if len(modes) < 150 else 2.5 if len(modes) < 600 else 1.5
     ball = isinstance(modes.body, Sphere)

@@ -23,6 +23,11 @@ def slow_impact(result: SlowImpact | PointSlowImpact, ax: Axes | None = None) ->
     """Contact time against speed, a curve for each Poisson's ratio.
 
     Speeds are in c, or in m/s if the result has a material.
+
+    Examples:
+        >>> ax = stoss.plot.slow_impact(stoss.quasistatic.slow_impact(poisson=0.33, speed=np.geomspace(1e-8, 0.1, 30)))
+        >>> ax.get_xlabel(), ax.get_ylabel()
+        ('speed v / c', 'contact time τ / (R/c)')
     """
     with _style.canvas(ax, **_speed_axis(result), ylabel="contact time τ / (R/c)") as axes:
         for speed, where, look in _curves(result, axes):
@@ -37,6 +42,11 @@ def rayleigh(result: RayleighEstimate | PointRayleighEstimate, ax: Axes | None =
 
     Speeds are in c, or in m/s if the result has a material. Values beyond perturbation theory are
     hollow circles without a band.
+
+    Examples:
+        >>> ax = stoss.plot.rayleigh(stoss.quasistatic.rayleigh(poisson=0.33, speed=np.geomspace(1e-8, 0.01, 30)))
+        >>> ax.get_xlabel(), ax.get_ylabel()
+        ('speed v / c', 'lost fraction 1 − ε²')
     """
     with _style.canvas(ax, **_speed_axis(result), yscale="log", ylabel="lost fraction 1 − ε²") as axes:
         lost, error = np.ravel(result.lost_fraction), np.ravel(result.lost_fraction_error)
@@ -58,7 +68,13 @@ def rayleigh(result: RayleighEstimate | PointRayleighEstimate, ax: Axes | None =
 
 @_style.picture_of(StaticContact, method="plot")
 def static_contact(result: StaticContact, ax: Axes | None = None) -> Axes:
-    """Pressure of a static contact along the edge, with that of Hertz' contact of the same force."""
+    """Pressure of a static contact along the edge, with that of Hertz' contact of the same force.
+
+    Examples:
+        >>> ax = stoss.plot.static_contact(stoss.quasistatic.static_contact(poisson=0.33, compression=0.03))
+        >>> [line.get_label() for line in ax.lines]
+        ['δ = 0.03 R', 'Hertz']
+    """
     touching = slice(0, result.contact_nodes)
     y = np.concatenate((-result.position[touching][::-1], result.position[touching]))
     pressure = np.concatenate((result.pressure[touching][::-1], result.pressure[touching]))

@@ -148,7 +148,13 @@ FINE = 12  # points of the curve between computed values
 
 @_style.picture_of(RestitutionFunction, method="plot")
 def function(result: RestitutionFunction, ax: Axes | None = None, *, label: str | None = None, **style: Any) -> Axes:
-    """ε against speed as a curve in a band of its error, with the computed values and their bars."""
+    """ε against speed as a curve in a band of its error, with the computed values and their bars.
+
+    Examples:
+        >>> ax = stoss.plot.function(stoss.restitution_function(poisson=0.33, speed=(0.01, 0.3), error=1e-2))
+        >>> ax.get_xlabel(), ax.get_ylabel()
+        ('speed of approach v / c', 'restitution ε')
+    """
     knots = result.knots
     between = [np.geomspace(low, high, FINE, endpoint=False) for low, high in zip(knots["speed"], knots["speed"][1:])]
     speed = np.clip(np.append(np.concatenate(between), knots["speed"][-1]), *result.range)
@@ -213,6 +219,11 @@ def extrapolation(result: Extrapolation, ax: Axes | None = None) -> Axes:
 
     At 1/α = 0 stand the values that the lines reach, with the errors of the regressions, and a star
     for the limit of all modes.
+
+    Examples:
+        >>> ax = stoss.plot.extrapolation(stoss.extrapolated_restitution(poisson=0.33, speed=0.1, cutoffs=[12, 15, 19]))
+        >>> ax.get_xlabel(), ax.get_ylabel()
+        ('inverse hardness 1/(αR)', 'lost fraction 1 − ε²')
     """
     cutoffs = np.unique(result.impacts["cutoff"])
     look = {"xlabel": "inverse hardness 1/(αR)", "ylabel": "lost fraction 1 − ε²"}

@@ -71,6 +71,11 @@ def energies(trajectory: Trajectory, ax: Axes | None = None) -> Axes:
     the wall's potential or the static modes above the cutoff hold, *dissipated* what a lossy
     material and *unresolved* what the modes above the cutoff have taken. The sum differs from 1 by
     the numerical error.
+
+    Examples:
+        >>> ax = stoss.plot.energies(stoss.impact(poisson=0.33, speed=0.1, cutoff=12.5).trajectory())
+        >>> [line.get_label() for line in ax.lines]
+        ['translation', 'vibration', 'stored', 'unresolved', 'sum']
     """
     lossy = ("dissipated",) if trajectory.dissipated.any() else ()
     names = ("translation", "vibration", "stored", *lossy, "unresolved")

@@ -72,6 +72,9 @@ def restitution(
         >>> disk = stoss.Disk(poisson=0.33)
         >>> stoss.restitution(disk, against=stoss.Disk(poisson=0.33, radius=2), speed=0.2)
         Restitution(Disk(poisson=0.33) against Disk(poisson=0.33, radius=2), speed=0.2 c: restitution 0.79480 ± 0.00016)
+        >>> ringing = stoss.Oscillation(order=2, index=0, energy=0.1, phase=2.0)
+        >>> stoss.restitution(stoss.Sphere(poisson=0.3), speed=0.01, state=ringing).restitution > 1
+        True
     """
     speeds = numbers("speed", speed)
     if body is None and poisson is not None:

@@ -39,6 +39,11 @@ class RestitutionFunction(SpeedInSi):
         speed: Of the computed values, rising, c.
         interpolation_error: Error of the interpolation from each computed value to the next; one
             element less.
+
+    Examples:
+        >>> epsilon = stoss.restitution_function(stoss.Sphere(poisson=0.3), speed=(0.001, 0.3))
+        >>> round(epsilon(0.1), 3), epsilon.error(0.1) < 1e-3, epsilon.range
+        (0.991, True, (0.001, 0.3))
     """
 
     plot = picture("The curve with its error, and the computed values. See `stoss.plot.function`.")

@@ -34,6 +34,11 @@ class PairTable(SpeedInSi):
         alike: Whether they are of one material: a ratio and its inverse are then the same pair.
         speed, ratio: Of the computed values, rising; speeds in c.
         interpolation_error: Error of the interpolation between them; one element less each way.
+
+    Examples:
+        >>> epsilon = stoss.pair_table(poisson=0.33, ratio=(1, 1.5), speed=(0.01, 0.2), error=1e-2)
+        >>> round(epsilon(0.1, 1.2), 2), epsilon.error(0.1, 1.2) < 1e-2
+        (0.96, True)
     """
 
     plot = picture("ε against speed for some ratios. See `stoss.plot.pair_table`.")

@@ -138,6 +138,12 @@ class Restitution(ImpactsInSi):
         Parameters:
             beyond ({'error', 'clamp', 'law'}, optional): What the function does beyond these
                 speeds, as of `stoss.restitution_function`.
+
+        Examples:
+            >>> curve = stoss.restitution(poisson=0.33, speed=np.geomspace(1e-3, 0.3, 50))
+            >>> epsilon = curve.function(beyond="clamp")
+            >>> round(epsilon(0.1), 3), epsilon.error(0.1) < 1e-3
+            (0.947, True)
         """
         body, against = self.body, self.against
         if body is None and np.unique(self.poisson).size == 1 and len(self.bodies) == 1:

@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "bodies/half_space/plane/bodies_along.hpp"
 #include "bodies/half_space/residual.hpp"
 #include "bodies/half_space/surface_waves.hpp"
 #include "check.hpp"
@@ -105,6 +106,15 @@ Body made(const Solid& given, double cutoff, double duration, Direction directio
   body.cutoff = cutoff;
   body.highest_cutoff = loss_time * most > 1.0 ? infinity : most;
   body.sampling = given.contour == Contour::ball ? sampling_of_balls : sampling_of_disks;
+  if (given.contour == Contour::cylinder) {
+    body.along = [like = body, medium, duration](const Poll& heed) {
+      return planes_along(like, medium, duration, heed);
+    };
+  } else if (direction == Direction::normal) {
+    body.along = [given, cutoff, duration](const Poll& heed) {
+      return std::vector<Body>{made(given, cutoff, duration, Direction::along, heed)};
+    };
+  }
   for (const SurfaceWaves& each : *waves) {
     const std::size_t row = body.groups.size();
     ModeGroup group{static_cast<int>(row), each.omega, {}, std::vector<double>(each.omega.size()), row, row, {},
@@ -125,11 +135,6 @@ Body made(const Solid& given, double cutoff, double duration, Direction directio
   body.near_side = [given](double longest, double limit, const Poll& heed) {
     return made(given, limit, longest, Direction::normal, heed);
   };
-  if (given.contour == Contour::ball) {
-    body.along = [given, cutoff, duration](const Poll& heed) {
-      return std::vector<Body>{made(given, cutoff, duration, Direction::along, heed)};
-    };
-  }
   return body;
 }
 

@@ -41,31 +41,40 @@ bool eliminate(std::array<std::array<double, 3>, 3>& a, std::array<double, 3>& b
 // What Newton's method asks of a compliance that is symmetric and factored, or neither.
 
 auto entries(const FactoredCompliance& compliance) { return compliance.matrix(); }
-const MatrixXd& entries(const MatrixXd& compliance) { return compliance; }
+const MatrixXd& entries(const VaryingCompliance& compliance) { return compliance.matrix(); }
 
 void multiply(const FactoredCompliance& compliance, const std::vector<double>& force, std::vector<double>& result) {
   compliance.multiply(0, force.size(), force, result);
 }
 
-void multiply(const MatrixXd& compliance, const std::vector<double>& force, std::vector<double>& result) {
-  VectorXd::Map(result.data(), compliance.rows()).setZero();
+void multiply(const VaryingCompliance& compliance, const std::vector<double>& force, std::vector<double>& result) {
+  const MatrixXd& w = compliance.matrix();
+  VectorXd::Map(result.data(), w.rows()).setZero();
   for (std::size_t j = 0; j < force.size(); ++j) {
     if (force[j] == 0.0) continue;
-    VectorXd::Map(result.data(), compliance.rows()) += compliance.col(static_cast<Index>(j)) * force[j];
+    VectorXd::Map(result.data(), w.rows()) += w.col(static_cast<Index>(j)) * force[j];
   }
 }
 
-/// Solves for a block of it and a diagonal, in place. @return whether that is regular
-bool solve(const FactoredCompliance& /*whose*/, MatrixXd& block, VectorXd& x) {
+/// Solves for the block of some nodes and a diagonal, in place. @return whether that is regular
+bool solve(const FactoredCompliance& compliance, const std::vector<Index>& nodes, const VectorXd& diagonal,
+           VectorXd& x) {
+  const auto w = compliance.matrix();
+  const auto m = static_cast<Index>(nodes.size());
+  MatrixXd block(m, m);
+  for (Index b = 0; b < m; ++b) {
+    for (Index a = b; a < m; ++a)
+      block(a, b) = w(nodes[static_cast<std::size_t>(a)], nodes[static_cast<std::size_t>(b)]);
+    block(b, b) += diagonal(b);
+  }
   const Eigen::LLT<Eigen::Ref<MatrixXd>> factored(block);
   if (factored.info() != Eigen::Success) return false;
   factored.solveInPlace(x);
   return true;
 }
 
-bool solve(const MatrixXd& /*whose*/, MatrixXd& block, VectorXd& x) {
-  x = Eigen::PartialPivLU<Eigen::Ref<MatrixXd>>(block).solve(x).eval();
-  return x.allFinite();
+bool solve(VaryingCompliance& compliance, const std::vector<Index>& nodes, const VectorXd& diagonal, VectorXd& x) {
+  return compliance.solve(nodes, diagonal, x);
 }
 
 /// Residual of each node over what rounding is measured by there: far from the contact the nodes are far behind.
@@ -96,7 +105,7 @@ VectorXd residual(const Compliance& compliance, const EdgeLaw& law, const std::v
 /// The Newton step. Nodes with t ≤ 0 carry no force and follow the others, so only those in contact are coupled; with
 /// their changes of force for unknowns the matrix is W and a diagonal, positive definite. Empty if it is singular.
 template <typename Compliance>
-std::vector<double> step(const Compliance& compliance, const EdgeLaw& law, const std::vector<double>& closure,
+std::vector<double> step(Compliance& compliance, const EdgeLaw& law, const std::vector<double>& closure,
                          const VectorXd& rest) {
   const std::size_t n = closure.size();
   const auto& w = entries(compliance);
@@ -105,16 +114,14 @@ std::vector<double> step(const Compliance& compliance, const EdgeLaw& law, const
     if (closure[i] > 0.0) active.push_back(static_cast<Index>(i));
   }
   const auto m = static_cast<Index>(active.size());
-  MatrixXd matrix(m, m);
-  VectorXd change(m);  // of the forces
+  VectorXd diagonal(m), change(m);  // of the forces
   for (Index b = 0; b < m; ++b) {
     const Index j = active[static_cast<std::size_t>(b)];
     const auto node = static_cast<std::size_t>(j);
-    for (Index a = 0; a < m; ++a) matrix(a, b) = w(active[static_cast<std::size_t>(a)], j);
-    matrix(b, b) += law.gap_slope(node, closure[node]) / law.force_slope(node, closure[node]);
+    diagonal(b) = law.gap_slope(node, closure[node]) / law.force_slope(node, closure[node]);
     change(b) = -rest(j);
   }
-  if (m > 0 && !solve(compliance, matrix, change)) return {};
+  if (m > 0 && !solve(compliance, active, diagonal, change)) return {};
   std::vector<double> result(n);
   for (Index a = 0; a < m; ++a) {
     const auto node = static_cast<std::size_t>(active[static_cast<std::size_t>(a)]);
@@ -131,7 +138,7 @@ std::vector<double> step(const Compliance& compliance, const EdgeLaw& law, const
 
 /// Newton's method with steps halved while the residual does not fall.
 template <typename Compliance>
-bool find_closures(const Compliance& compliance, const EdgeLaw& law, const std::vector<double>& q, double scale,
+bool find_closures(Compliance& compliance, const EdgeLaw& law, const std::vector<double>& q, double scale,
                    const Poll& poll, std::vector<double>& closure) {
   constexpr int most = 200;
   VectorXd rest = residual(compliance, law, q, closure);
@@ -203,7 +210,7 @@ bool solve_all(const FactoredCompliance& compliance, const EdgeLaw& law, const s
   return find_closures(compliance, law, q, scale, poll, closure);
 }
 
-bool solve_all(const MatrixXd& compliance, const EdgeLaw& law, const std::vector<double>& q, double scale,
+bool solve_all(VaryingCompliance& compliance, const EdgeLaw& law, const std::vector<double>& q, double scale,
                const Poll& poll, std::vector<double>& closure) {
   return find_closures(compliance, law, q, scale, poll, closure);
 }

@@ -1,11 +1,11 @@
 #pragma once
 
-#include <Eigen/Core>
 #include <array>
 #include <vector>
 
 #include "contact/edge/edge_law.hpp"
 #include "contact/edge/factored_compliance.hpp"
+#include "contact/edge/varying_compliance.hpp"
 
 namespace stoss {
 
@@ -29,9 +29,9 @@ struct EdgeZone {
 [[nodiscard]] bool solve_all(const FactoredCompliance& compliance, const EdgeLaw& law, const std::vector<double>& q,
                              double scale, const Poll& poll, std::vector<double>& closure);
 
-/// The same for a compliance that need not be symmetric, as where friction that slides moves what it slides on. Where
-/// its symmetric part is not positive definite, there need not be a solution, nor only one.
-[[nodiscard]] bool solve_all(const Eigen::MatrixXd& compliance, const EdgeLaw& law, const std::vector<double>& q,
+/// The same for a compliance that need not be symmetric. Where its symmetric part is not positive definite, there need
+/// not be a solution, nor only one.
+[[nodiscard]] bool solve_all(VaryingCompliance& compliance, const EdgeLaw& law, const std::vector<double>& q,
                              double scale, const Poll& poll, std::vector<double>& closure);
 
 }  // namespace stoss

@@ -1,6 +1,7 @@
 #include "contact/sided/sided_contact.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
@@ -94,7 +95,13 @@ void SidedContact::solve(const VectorXd& x, const VectorXd& y) {
     return;
   }
   if (gap_.size() == 0) gap_ = -x;
-  if (!alternate(x, y, Sliding::with_force) && !alternate(x, y, Sliding::apart)) {
+  // The first is enough but for much friction between unlike bodies.
+  constexpr std::array<Attempt, 4> attempts{
+      {{.with_force = true, .all_slide = false, .accelerated = true},
+       {.with_force = true, .all_slide = true, .accelerated = true},
+       {.with_force = true, .all_slide = false, .accelerated = false, .share = 0.5},
+       {.with_force = false, .all_slide = false, .accelerated = true, .share = 0.5, .most = 300}}};
+  if (std::none_of(attempts.begin(), attempts.end(), [&](const Attempt& each) { return solved(each, x, y); })) {
     throw NotConverged(
         "friction: no forces at the nodes obey the laws of contact and of friction (Coulomb's law is ill-posed for so "
         "much of it between unlike bodies)");
@@ -103,6 +110,17 @@ void SidedContact::solve(const VectorXd& x, const VectorXd& y) {
   friction_ = new_friction_;
   gap_ = new_gap_;
   closure_ = new_closure_;
+}
+
+/// Makes the friction of sliding nodes move with their forces, and that of the others not.
+void SidedContact::take_into_matrix(const std::vector<int>& sliding) {
+  if (sliding == in_matrix_) return;
+  in_matrix_ = sliding;
+  Eigen::MatrixXd matrix = compliance_.xx;
+  for (std::size_t j = 0; j < sliding.size(); ++j) {
+    if (sliding[j] != 0) matrix.col(at(j)) += coefficient_ * sliding[j] * compliance_.xy.col(at(j));
+  }
+  matrix_.assign(std::move(matrix));
 }
 
 /// Solves the normal problem with the friction that is tried.
@@ -132,40 +150,35 @@ void SidedContact::rub(const VectorXd& x, const VectorXd& y) {
   new_friction_ = VectorXd::Map(q_.data(), y.size());
 }
 
-bool SidedContact::alternate(const VectorXd& x, const VectorXd& y, Sliding sliding) {
+bool SidedContact::solved(const Attempt& attempt, const VectorXd& x, const VectorXd& y) {
   constexpr double tolerance = 1e-10;
-  const int most = sliding == Sliding::with_force ? 120 : 300;
-  const double share = sliding == Sliding::with_force ? 1.0 : 0.5;
   const double scale = reached(x);
   new_closure_ = closure_;
-  std::vector<int> states = coulomb_.sliding();
-  VectorXd trial = friction_;
+  new_force_.resize(x.size());
   anderson_.forget();
-  for (int round = 0; round < most; ++round) {
+  std::vector<int> states = coulomb_.sliding();
+  if (attempt.all_slide) {
+    for (std::size_t j = 0; j < states.size(); ++j) states[j] = y(at(j)) > 0.0 ? 1 : -1;
+  }
+  VectorXd trial = friction_;
+  for (int round = 0; round < attempt.most; ++round) {
+    take_into_matrix(attempt.with_force ? states : std::vector<int>(states.size()));
     held_ = trial;
-    matrix_ = compliance_.xx;
-    if (sliding == Sliding::with_force) {
-      for (std::size_t j = 0; j < states.size(); ++j) {
-        if (states[j] == 0) continue;
-        held_(at(j)) = 0.0;
-        matrix_.col(at(j)) += coefficient_ * states[j] * compliance_.xy.col(at(j));
-      }
+    for (std::size_t j = 0; j < states.size(); ++j) {
+      if (in_matrix_[j] != 0) held_(at(j)) = 0.0;
     }
     if (!press(x, scale)) return false;
-    new_force_.resize(x.size());
-    for (std::size_t i = 0; i < states.size(); ++i) new_force_(at(i)) = law_.force_at(i, new_closure_[i]);
     used_ = held_;
-    if (sliding == Sliding::with_force) {
-      for (std::size_t j = 0; j < states.size(); ++j) {
-        if (states[j] != 0) used_(at(j)) = coefficient_ * states[j] * new_force_(at(j));
-      }
+    for (std::size_t j = 0; j < states.size(); ++j) {
+      new_force_(at(j)) = law_.force_at(j, new_closure_[j]);
+      if (in_matrix_[j] != 0) used_(at(j)) = coefficient_ * in_matrix_[j] * new_force_(at(j));
     }
     rub(x, y);
     const VectorXd miss = new_friction_ - used_;
     if (miss.cwiseAbs().maxCoeff() <= tolerance * coefficient_ * new_force_.maxCoeff()) return true;
-    if (sliding == Sliding::with_force && coulomb_.sliding() != states) anderson_.forget();
+    if (attempt.with_force && coulomb_.sliding() != states) anderson_.forget();
     states = coulomb_.sliding();
-    trial = anderson_.next(used_, miss, share);
+    trial = attempt.accelerated ? anderson_.next(used_, miss, attempt.share) : VectorXd(used_ + attempt.share * miss);
   }
   return false;
 }

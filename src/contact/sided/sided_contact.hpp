@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "contact/edge/edge_law.hpp"
+#include "contact/edge/varying_compliance.hpp"
 #include "contact/friction.hpp"
 #include "contact/sided/anderson.hpp"
 #include "contact/sided/sided_compliance.hpp"
@@ -20,8 +21,8 @@ namespace stoss {
 ///
 /// One is solved after the other till nothing changes. The friction of sliding nodes, ±μ f, is taken into the matrix of
 /// the normal problem: Newton's method for it exists at any μ while all slide to one side, and the iteration is over at
-/// once. What the stuck nodes carry is accelerated (Anderson). Where μ times the coupling exceeds about 1 there may be
-/// no solution, or more than one: Coulomb's law is then ill-posed.
+/// once. What the stuck nodes carry is accelerated (Anderson); where that leads nowhere, other ways are tried. Where μ
+/// times the coupling exceeds about 1 there may be no solution, or more than one: Coulomb's law is then ill-posed.
 class SidedContact {
  public:
   /// @param law   of the points of one side, of a force that both sides share
@@ -46,8 +47,6 @@ class SidedContact {
   /// Half-width of the last contact in spacings, the mean of both sides.
   [[nodiscard]] double half_width() const;
 
-  [[nodiscard]] const Eigen::MatrixXd& xx() const { return compliance_.xx; }
-
   /// Displacements that the last forces make.
   [[nodiscard]] Eigen::VectorXd moved_x() const { return compliance_.xx * force_ + compliance_.xy * friction_; }
   [[nodiscard]] Eigen::VectorXd moved_y() const {
@@ -55,9 +54,16 @@ class SidedContact {
   }
 
  private:
-  /// Where the friction of sliding nodes is.
-  enum class Sliding { with_force, apart };
-  [[nodiscard]] bool alternate(const Eigen::VectorXd& x, const Eigen::VectorXd& y, Sliding sliding);
+  /// A way to find the forces of a step.
+  struct Attempt {
+    bool with_force;     // the friction of sliding nodes moves with their force, else all of it is held
+    bool all_slide;      // at first, each as it would slip; else those that slid in the step before
+    bool accelerated;    // what is held
+    double share = 1.0;  // of what is missed by which it moves, while that is not accelerated
+    int most = 120;      // rounds
+  };
+  [[nodiscard]] bool solved(const Attempt& attempt, const Eigen::VectorXd& x, const Eigen::VectorXd& y);
+  void take_into_matrix(const std::vector<int>& sliding);
   [[nodiscard]] bool press(const Eigen::VectorXd& x, double scale);
   void rub(const Eigen::VectorXd& x, const Eigen::VectorXd& y);
   [[nodiscard]] double reached(const Eigen::VectorXd& x) const;
@@ -71,7 +77,8 @@ class SidedContact {
   Anderson anderson_;
   Eigen::VectorXd force_, friction_, gap_;  // of the last step
   std::vector<double> closure_;
-  Eigen::MatrixXd matrix_;                              // of the normal problem
+  VaryingCompliance matrix_;                            // of the normal problem
+  std::vector<int> in_matrix_;                          // states of the nodes whose friction it has
   Eigen::VectorXd held_, used_;                         // friction that is tried: of stuck nodes; of all
   Eigen::VectorXd new_force_, new_friction_, new_gap_;  // of this step
   std::vector<double> new_closure_, give_, free_, limit_, q_;

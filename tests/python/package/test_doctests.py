@@ -27,8 +27,10 @@ def test_examples(name, tmp_path, monkeypatch):
     assert found.failed == 0
 
 
-def test_every_public_function_has_an_example():
-    for name in stoss.__all__:
-        thing = getattr(stoss, name)
+@pytest.mark.parametrize("module", ["stoss", "stoss.quasistatic", "stoss.plot"])
+def test_every_public_function_has_an_example(module):
+    shown = importlib.import_module(module)
+    for name in shown.__all__:
+        thing = getattr(shown, name)
         if callable(thing) and getattr(thing, "__module__", "").startswith("stoss") and name[0].islower():
             assert ">>>" in (thing.__doc__ or ""), name

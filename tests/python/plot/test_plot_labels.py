@@ -1,4 +1,4 @@
-"""What stands at the axes of each picture."""
+"""What stands at the axes of the pictures whose examples do not say it."""
 
 import numpy as np
 import pytest
@@ -27,10 +27,6 @@ def below():
 
 
 PICTURES = {
-    "function": (
-        lambda plot: plot.function(stoss.restitution_function(poisson=0.33, speed=(0.01, 0.3), error=1e-2)),
-        ("speed of approach v / c", "restitution ε"),
-    ),
     "pair table": (
         lambda plot: plot.pair_table(
             stoss.pair_table(poisson=0.33, ratio=(1, 1.5), speed=(0.02, 0.3), error=2e-2), ratio=[1, 1.5]
@@ -47,20 +43,10 @@ PICTURES = {
         lambda plot: stoss.bounce(poisson=0.33, speed=0.2, count=20, flight_time=30, cutoff=8).plot(),
         ("restitution ε", "impact", "unexcited"),
     ),
-    "distribution": (
-        lambda plot: plot.distribution(
-            stoss.restitution_distribution(poisson=0.33, speed=0.1, temperature=0.02, samples=50)
-        ),
-        ("restitution ε", "samples"),
-    ),
     "cooling": (lambda plot: plot.cooling(ring(0)), ("time", "energy / initial energy", "translation")),
     "histogram": (
         lambda plot: plot.restitution_histogram(ring(5)),
         ("coefficient of restitution ε", "probability density", "mean"),
-    ),
-    "spectrum": (
-        lambda plot: plot.spectrum(stoss.modes(poisson=0.33, cutoff=10)),
-        ("angular order n", "frequency ω / (c/R)"),
     ),
     "mode shape": (
         lambda plot: plot.mode_shape(stoss.modes(poisson=0.33, cutoff=10), order=2, index=0),
@@ -69,18 +55,6 @@ PICTURES = {
     "ledger": (
         lambda plot: plot.ledger(stoss.impact(**HIT)),
         ("angular order n", "energy after impact / initial"),
-    ),
-    "energies": (
-        lambda plot: plot.energies(stoss.impact(**HIT).trajectory()),
-        ("translation", "vibration", "stored", "unresolved", "sum"),
-    ),
-    "slow impact": (
-        lambda plot: plot.slow_impact(stoss.quasistatic.slow_impact(poisson=0.33, speed=[1e-8, 1e-4, 0.1])),
-        ("speed v / c", "contact time τ / (R/c)"),
-    ),
-    "rayleigh": (
-        lambda plot: plot.rayleigh(stoss.quasistatic.rayleigh(poisson=0.33, speed=[1e-8, 1e-4, 0.01])),
-        ("speed v / c", "lost fraction 1 − ε²"),
     ),
     "static contact": (
         lambda plot: plot.static_contact(stoss.quasistatic.static_contact(poisson=0.33, compression=0.03)),

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "stoss/quasistatic/maw.hpp"
+#include "stoss/quasistatic/oblique/maw.hpp"
 
 namespace stoss::quasistatic {
 

@@ -1,4 +1,4 @@
-#include "quasistatic/tangential_contact.hpp"
+#include "quasistatic/oblique/tangential_contact.hpp"
 
 #include <cmath>
 

@@ -1,5 +1,5 @@
 // 1 − (1 − x)^p is −expm1(p log1p(−x)), without a difference where x is small.
-#include "stoss/quasistatic/mindlin.hpp"
+#include "stoss/quasistatic/oblique/mindlin.hpp"
 
 #include <algorithm>
 #include <cmath>

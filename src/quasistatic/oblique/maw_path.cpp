@@ -4,14 +4,14 @@
 //
 // U̇ = ψ₁ − 4χJ follows from the impulse J, of which a step adds the share T/N of −½Δḋ, half at its beginning and half
 // at its end. U moves by the U̇ in between.
-#include "quasistatic/maw_path.hpp"
+#include "quasistatic/oblique/maw_path.hpp"
 
 #include <algorithm>
 #include <boost/math/special_functions/beta.hpp>
 #include <cmath>
 #include <numbers>
 
-#include "quasistatic/tangential_contact.hpp"
+#include "quasistatic/oblique/tangential_contact.hpp"
 
 namespace stoss::quasistatic {
 namespace {

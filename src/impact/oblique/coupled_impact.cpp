@@ -1,4 +1,4 @@
-#include "impact/coupled_impact.hpp"
+#include "impact/oblique/coupled_impact.hpp"
 
 #include <algorithm>
 #include <optional>
@@ -7,8 +7,9 @@
 
 #include "contact/demands.hpp"
 #include "impact/inputs.hpp"
-#include "impact/oblique_collision.hpp"
+#include "impact/oblique/oblique_collision.hpp"
 #include "impact/recommended.hpp"
+#include "impact/whole_bodies.hpp"
 #include "stoss/contact/grid.hpp"
 #include "stoss/errors.hpp"
 
@@ -24,7 +25,10 @@ std::optional<ObliqueImpact> run_coupled(const Contact& contact, const std::vect
   const double flight = std::max(0.0, -collision.compression()) + 4.0 * collision.clearance();
   double steps = (longest_duration(contact) + flight / frame.speed) / resolution.step;
   for (long step = 1; !collision.over(); ++step) {
-    if (static_cast<double>(step) > steps) steps += collision.steps_to_leave();
+    if (static_cast<double>(step) > steps) {
+      if (contact.unbounded) throw Outlasted(static_cast<double>(step) * resolution.step, echo_time(contact));
+      steps += collision.steps_to_leave();
+    }
     if (static_cast<double>(step) > std::min(steps, most_steps)) {
       throw NotConverged("impact: the contact has not ended after " + std::to_string(step) + " steps");
     }
@@ -42,10 +46,6 @@ std::optional<ObliqueImpact> run_coupled(const Contact& contact, const std::vect
 ObliqueImpact coupled_impact(const Contact& contact, const std::vector<Contact>& along, double speed,
                              const Obliquity& obliquity, const ImpactOptions& options) {
   FixedResolution resolution = fixed_resolution(contact, speed, options.resolution);
-  if (contact.mass != contact.whole_mass) {
-    throw InvalidInput("friction: got '" + name(contact) +
-                       "', allowed bodies that are there as a whole (what is beyond a near side would turn, too)");
-  }
   if (resolution.tail != Tail::radiating) {
     throw InvalidInput("tail: got the static one with friction, allowed the radiating one (friction flutters on it)");
   }
@@ -57,6 +57,9 @@ ObliqueImpact coupled_impact(const Contact& contact, const std::vector<Contact>&
     result = run_coupled(contact, along, frame, obliquity, resolution, options);
   }
   require_resolved(result->energy_error);
+  if (result->normal.contact_time > echo_time(contact)) {
+    throw Outlasted(result->normal.contact_time, echo_time(contact));
+  }
   show_inputs(contact, speed, resolution, options, result->normal);
   return std::move(*result);
 }

@@ -1,11 +1,11 @@
-#include "stoss/quasistatic/maw.hpp"
+#include "stoss/quasistatic/oblique/maw.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <sstream>
 
 #include "check.hpp"
-#include "quasistatic/maw_path.hpp"
+#include "quasistatic/oblique/maw_path.hpp"
 #include "stoss/errors.hpp"
 
 namespace stoss::quasistatic {

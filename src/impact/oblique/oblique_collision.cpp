@@ -1,4 +1,4 @@
-#include "impact/oblique_collision.hpp"
+#include "impact/oblique/oblique_collision.hpp"
 
 #include <cmath>
 #include <utility>
@@ -158,16 +158,18 @@ double ObliqueCollision::dissipated(int body) const {
 ObliqueImpact ObliqueCollision::result() const {
   Impact normal;
   normal.speed = frame_.speed;
-  normal.restitution = -rigid_.velocity() / frame_.speed;
+  normal.restitution = -rigid_.whole_velocity() / frame_.speed;
   normal.lost_fraction = 1.0 - normal.restitution * normal.restitution;
   history_.show(contact_, frame_.speed, rigid_.velocity(), normal);
   normal.final_state = {rigid_.compression() - contact_.extent, rigid_.velocity(), even_.modes.coordinate(),
                         even_.modes.momentum()};
-  normal.energy.translation = normal_motion() / frame_.normal_energy;
+  normal.max_force *= contact_.first->mass / whole_mass(*contact_.first);
+  normal.energy.translation =
+      0.5 * frame_.mass * rigid_.whole_velocity() * rigid_.whole_velocity() / frame_.normal_energy;
 
   AlongOutcome outcome = rigid_.outcome();
   for (int body = 0; body < 2; ++body) {
-    outcome.vibration[static_cast<std::size_t>(body)] = even_.vibration(body) + odd_.vibration(body);
+    outcome.vibration[static_cast<std::size_t>(body)] += even_.vibration(body) + odd_.vibration(body);
   }
   outcome.dissipated = dissipated(0) + dissipated(1);
   outcome.friction = heat_;

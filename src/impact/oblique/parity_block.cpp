@@ -1,4 +1,4 @@
-#include "impact/parity_block.hpp"
+#include "impact/oblique/parity_block.hpp"
 
 #include <algorithm>
 
