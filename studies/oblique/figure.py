@@ -197,8 +197,15 @@ def dem(tables):
 def main():
     tables, pictures = Path(sys.argv[1]), Path(sys.argv[2])
     pyplot.rcParams.update({"font.size": 8, "axes.linewidth": 0.6, "lines.linewidth": 1.2})
-    for name, draw in {"": curves, "_glass": glass, "_size": size, "_coupling": coupling, "_dem": dem}.items():
-        draw(tables).savefig(pictures / f"oblique{name}.png")
+    drawn = {
+        "oblique.png": curves,
+        "oblique_glass.png": glass,
+        "oblique_size.png": size,
+        "oblique_coupling.png": coupling,
+        "oblique_dem.png": dem,
+    }
+    for name, draw in drawn.items():
+        draw(tables).savefig(pictures / name)
 
 
 if __name__ == "__main__":

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "stoss/quasistatic/maw.hpp"
+#include "stoss/quasistatic/oblique/maw.hpp"
 #include "stoss/restitution/oblique.hpp"
 
 /// What the tables of this study share. Each is computed and written by one function.
