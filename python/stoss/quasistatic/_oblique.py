@@ -12,9 +12,9 @@ from stoss.quasistatic._hertz import _arrays, _shaped
 from stoss.results._result import Number
 
 
-def _of(function: Callable[..., Any], **given: ArrayLike) -> Any:
+def _of(function: Callable[..., Any], **given: ArrayLike) -> Number:
     arrays, shape = _arrays(**given)
-    return arranged(function(*arrays), shape)
+    return arranged(function(*arrays), shape)  # type: ignore[no-any-return]
 
 
 class MawImpact(NamedTuple):
@@ -61,8 +61,8 @@ def maw(*, psi1: ArrayLike, chi: ArrayLike, tolerance: float = 1e-4) -> MawImpac
         >>> stoss.quasistatic.maw(psi1=[0.5, 2.0, 6.0], chi=chi).psi2.round(3)
         array([ 0.048, -0.837,  0.235])
     """
-    arrays, shape = _arrays(psi1=psi1, chi=chi)
-    return MawImpact(*_shaped(_core.maw(*arrays, number("tolerance", tolerance)), shape))
+    (before, stiffness), shape = _arrays(psi1=psi1, chi=chi)
+    return MawImpact(*_shaped(_core.maw(before, stiffness, number("tolerance", tolerance)), shape))
 
 
 def mindlin_ratio(*, poisson: ArrayLike) -> Number:
