@@ -61,8 +61,8 @@ def maw(*, psi1: ArrayLike, chi: ArrayLike, tolerance: float = 1e-4) -> MawImpac
         >>> stoss.quasistatic.maw(psi1=[0.5, 2.0, 6.0], chi=chi).psi2.round(3)
         array([ 0.048, -0.837,  0.235])
     """
-    (before, ratio), shape = _arrays(psi1=psi1, chi=chi)
-    return MawImpact(*_shaped(_core.maw(before, ratio, number("tolerance", tolerance)), shape))
+    (before, stiffness), shape = _arrays(psi1=psi1, chi=chi)
+    return MawImpact(*_shaped(_core.maw(before, stiffness, number("tolerance", tolerance)), shape))
 
 
 def mindlin_ratio(*, poisson: ArrayLike) -> Number:
