@@ -94,9 +94,8 @@ Collisions make_collisions(const ObliqueArguments& arguments) {
                       static_cast<double>(spins.size()) * static_cast<double>(second_spins.size());
   if (size > longest_series) {
     throw InvalidInput(
-        fmt::format("speed: got {:.0f} values in all, speeds times velocities along the surface times "
-                    "spins, allowed up to {}",
-                    size, longest_series));
+        fmt::format("speed: got {:.0f} values in all, speeds times tangentials times spins, allowed up to {}", size,
+                    longest_series));
   }
   for (const double speed : speeds) {
     for (const double motion : along) {

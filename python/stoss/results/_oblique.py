@@ -187,9 +187,7 @@ def oblique(
     turn, but what is elastic in them keeps its directions (linear kinematics). Of spheres pressure
     and friction are taken not to change each other, which is exact for equal ones; one normal impact
     then serves all angles, spins and frictions at its speed, each in a millisecond or so. A value of
-    a disk takes 0.1 s. All numbers of the motion broadcast. A single value that misses its tolerance
-    raises `NotConverged`; in arrays such values are marked, and a `StossWarning` says how many there
-    are.
+    a disk takes 0.1 s. All numbers of the motion broadcast.
 
     Parameters:
         body (Disk or Sphere): The first body, in whose units all results are.
@@ -234,9 +232,8 @@ def oblique(
 
     rows, why, stopped = empty_rows(order.size, _core.oblique_row), list[str](), False
     with bar(order.size, boolean("progress", progress), "oblique") as seen:
-        tick = None if seen is None else seen.update
         try:
-            _core.oblique_curve(contact, cases, limit, count, modes, rows, why, tick)
+            _core.oblique_curve(contact, cases, limit, count, modes, rows, why, None if seen is None else seen.update)
         except KeyboardInterrupt:
             stopped = True
     table, reasons = np.empty_like(rows), np.full(order.size, "interrupted", dtype=object)
