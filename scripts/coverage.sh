@@ -10,5 +10,5 @@ cmake --build --preset coverage -j "$jobs"
 find $tree -name '*.gcda' -delete
 # What gcov has to say is not to stand in what tests read.
 GCOV_ERROR_FILE=$PWD/$tree/gcov_errors.log ctest --preset coverage -j "$jobs"
-find $tree -name '*.gcda' | xargs -P "$jobs" -n 20 gcov --json-format --stdout 2>$tree/gcov.log >$tree/lines.json
+find $tree -name '*.gcda' | xargs -n 50 gcov --json-format --stdout 2>$tree/gcov.log >$tree/lines.json
 /usr/bin/python3 scripts/coverage.py $tree/lines.json
