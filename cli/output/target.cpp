@@ -102,7 +102,8 @@ class Beside {
  public:
   /// @throws OutputError that says `path`
   Beside(std::string path, const fs::path& file)
-      : path_(std::move(path)), name_(folder_of(file) / ".stoss-XXXXXX") {  // short: `file` may be as long as names can
+      : path_(std::move(path)),
+        name_(folder_of(file) / (".stoss-" + std::string(6, 'X'))) {  // short: `file` may be as long as names can
     const int descriptor = mkstemp(name_.data());
     if (descriptor < 0) cannot_write(path_, errno);
     stream_ = fdopen(descriptor, "r+");

@@ -169,6 +169,11 @@ std::vector<Case> soft_walls() {
   return those([](const Case& its) { return its.soft; });
 }
 
+std::vector<Case> rubbing(std::vector<Case> cases) {
+  std::erase_if(cases, [](const Case& its) { return is_rod(its) || its.soft || its.tail == Tail::quasistatic; });
+  return cases;
+}
+
 bool is_lossy(const Case& its) {
   return loss_time_of(its.first) > 0.0 || (its.second && loss_time_of(*its.second) > 0.0);
 }

@@ -40,6 +40,9 @@ inline void PrintTo(const Case& its, std::ostream* out) { *out << its.name; }
 [[nodiscard]] std::vector<Case> equal_pairs();
 [[nodiscard]] std::vector<Case> soft_walls();
 
+/// Those of them that friction can turn: of round bodies, at no exponential wall, with the tail on which it is stable.
+[[nodiscard]] std::vector<Case> rubbing(std::vector<Case> cases);
+
 [[nodiscard]] bool is_rod(const Case& its);
 
 /// Whether a material takes energy.

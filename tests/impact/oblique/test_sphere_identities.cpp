@@ -89,68 +89,6 @@ TEST(ObliqueSphere, KeepsItsEnergyToTheSquareOfTheStep) {
   EXPECT_LT(error(1.0 / 32.0), 1e-4);
 }
 
-void expect_same(const ObliqueImpact& one, const ObliqueImpact& other, double tolerance) {
-  EXPECT_NEAR(one.restitution, other.restitution, tolerance);
-  EXPECT_NEAR(one.tangential_restitution, other.tangential_restitution, tolerance);
-  EXPECT_NEAR(one.energy.across, other.energy.across, tolerance);
-  EXPECT_NEAR(one.energy.friction, other.energy.friction, tolerance);
-  EXPECT_NEAR(one.energy.unresolved, other.energy.unresolved, tolerance);
-}
-
-TEST(ObliqueSpheres, ThatAreEqualMeetAsAtAWall) {
-  constexpr double cutoff = 12.0;
-  const ImpactOptions options = rings(24, 0.5 / cutoff);
-  const Body one = sphere(0.3, cutoff);
-  const ObliqueImpact pair = oblique_impact(contact(one, one), 0.1, {0.06, 0.01, 0.01, 0.3}, options);
-  const ObliqueImpact wall = oblique_impact(contact(one), 0.05, {0.03, 0.01, 0.0, 0.3}, options);
-  expect_same(pair, wall, 1e-11);
-  EXPECT_NEAR(pair.spin_after, wall.spin_after, 1e-12);
-  EXPECT_NEAR(pair.second_spin_after, wall.spin_after, 1e-12);
-  EXPECT_NEAR(pair.tangential_after, 2.0 * wall.tangential_after, 1e-12);
-  EXPECT_NEAR(pair.energy.vibration, pair.energy.second_vibration, 1e-12);
-}
-
-TEST(ObliqueSpheres, MeetAlikeWhicheverIsCalledTheFirst) {
-  constexpr double cutoff = 8.0, radius = 2.3, young = 1.5, density = 0.7;
-  const double speed = std::sqrt(young / density), time = radius / speed;
-  const auto one = [&](double at) { return sphere(Sphere{0.3}, at); };
-  const auto other = [&](double at) { return sphere(Sphere{0.1, radius, young, density}, at); };
-  ImpactOptions options = rings(24, 0.5 / cutoff);
-  options.resolution.half_width = 0.5;
-  const ObliqueImpact forward =
-      oblique_impact(contact(one(cutoff), other(cutoff * time)), 0.05, {0.02, 0.01, -0.015, 0.3}, options);
-  options.resolution.half_width = 0.5 / radius;
-  options.resolution.step = 0.5 / cutoff / time;
-  const ObliqueImpact backward = oblique_impact(contact(other(cutoff * time), one(cutoff)), 0.05 / speed,
-                                                {0.02 / speed, -0.015 * time, 0.01 * time, 0.3}, options);
-  expect_same(forward, backward, 1e-11);
-  EXPECT_NEAR(forward.sliding_after, backward.sliding_after * speed, 1e-12);
-  EXPECT_NEAR(forward.spin_after, backward.second_spin_after / time, 1e-12);
-  EXPECT_NEAR(forward.second_spin_after, backward.spin_after / time, 1e-12);
-  EXPECT_NEAR(forward.energy.rotation, backward.energy.second_rotation, 1e-12);
-  EXPECT_NEAR(forward.energy.vibration, backward.energy.second_vibration, 1e-12);
-}
-
-TEST(ObliqueSpheres, KeepTheirBalancesAtAnyRatioOfSizes) {
-  for (const double radius : {0.3, 1.0, 3.0}) {
-    constexpr double cutoff = 8.0;
-    const Contact pair = contact(sphere(Sphere{0.3}, cutoff), sphere(Sphere{0.1, radius}, cutoff * radius));
-    const ObliqueImpact its = oblique_impact(pair, 0.05, {0.03, 0.02, 0.01 / radius, 0.4}, rings(16, 0.5 / cutoff));
-    EXPECT_LT(its.momentum_error, 1e-13);
-    EXPECT_LT(its.angular_momentum_error, 1e-13);
-    EXPECT_LT(std::abs(its.energy_error), 1e-3);
-    EXPECT_GT(its.energy.friction, 0.0);
-  }
-}
-
-TEST(ObliqueSphere, TurnsRoundWithItsMotion) {
-  const Slides slides(contact(sphere(0.3, 8.0)), 0.05, rings(24, 0.0625));
-  const ObliqueImpact one = slides.after({0.02, 0.013, 0.0, 0.3}), other = slides.after({-0.02, -0.013, 0.0, 0.3});
-  EXPECT_EQ(one.sliding_after, -other.sliding_after);
-  EXPECT_EQ(one.spin_after, -other.spin_after);
-  EXPECT_EQ(one.energy.friction, other.energy.friction);
-}
-
 TEST(ObliqueSphere, FeelsSlidingAloneHoweverItIsMadeWhereTheContactIsSmall) {
   double before = 1.0;
   for (const double speed : {1e-2, 1e-4, 1e-6}) {
