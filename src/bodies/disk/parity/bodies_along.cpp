@@ -125,23 +125,12 @@ std::vector<Body> bodies_along(const Body& disk, double poisson, const std::shar
   const Torsion torsion(poisson, kept_cutoff(disk));
   const auto residual = std::make_shared<const ResidualAlong>(poisson, disk.cutoff, *modes, torsion);
   const std::size_t orders = modes->empty() ? 2 : static_cast<std::size_t>(modes->back().order) + 2;
-  std::vector<Body> bodies;
-  for (const Parity parity : {Parity::normal_even, Parity::along_even}) {
-    Body body = disk;
-    body.components = 2;
-    body.groups = groups_along(*modes, torsion, parity);
-    body.surface = [poisson, parity, orders](const ContactPoints& points) {
-      return surface_along(poisson, parity, orders, points);
-    };
-    body.residual_compliance = [residual, parity](const ContactPoints& points, const Poll& heed) {
-      return residual->compliance(parity, points, heed);
-    };
-    body.residual_second_moment = [residual, parity](const ContactPoints& points, const Poll& heed) {
-      return residual->second_moment(parity, points, heed);
-    };
-    bodies.push_back(std::move(body));
-  }
-  return bodies;
+  return of_both_parities(
+      disk, [&](Parity parity) { return groups_along(*modes, torsion, parity); },
+      [poisson, orders](Parity parity, const ContactPoints& points) {
+        return surface_along(poisson, parity, orders, points);
+      },
+      residual);
 }
 
 }  // namespace stoss::bodies::disk

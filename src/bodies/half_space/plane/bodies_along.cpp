@@ -70,23 +70,12 @@ std::vector<Body> planes_along(const Body& plane, const Medium& medium, double d
   const double highest = kept_cutoff(plane);
   const Waves waves = std::make_shared<const std::vector<PlaneWaves>>(plane_waves(medium, highest, duration, poll));
   const auto residual = std::make_shared<const PlaneResidual>(medium, highest, waves);
-  std::vector<Body> bodies;
-  for (const Parity parity : {Parity::normal_even, Parity::along_even}) {
-    Body body = plane;
-    body.components = 2;
-    body.groups = plane_groups(parity, *waves);
-    body.surface = [medium, parity, waves](const ContactPoints& points) {
-      return plane_surface(medium, parity, *waves, points);
-    };
-    body.residual_compliance = [residual, parity](const ContactPoints& points, const Poll& heed) {
-      return residual->compliance(parity, points, heed);
-    };
-    body.residual_second_moment = [residual, parity](const ContactPoints& points, const Poll& heed) {
-      return residual->second_moment(parity, points, heed);
-    };
-    bodies.push_back(std::move(body));
-  }
-  return bodies;
+  return of_both_parities(
+      plane, [&](Parity parity) { return plane_groups(parity, *waves); },
+      [medium, waves](Parity parity, const ContactPoints& points) {
+        return plane_surface(medium, parity, *waves, points);
+      },
+      residual);
 }
 
 }  // namespace stoss::bodies::half_space
