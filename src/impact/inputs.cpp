@@ -4,6 +4,7 @@
 #include <cmath>
 #include <string>
 
+#include "check.hpp"
 #include "contact/unit_ratios.hpp"
 #include "stoss/contact/grid.hpp"
 #include "stoss/errors.hpp"
@@ -47,6 +48,10 @@ void require_start(const State& start, double speed) {
     throw InvalidInput(
         "start: got a center, coordinate or momentum that is no finite number, allowed finite ones (nan?)");
   }
+}
+
+void require_every(int every) {
+  require("every", static_cast<long>(every), 1, 1'000'000'000, "steps between two calls of the observer");
 }
 
 void require_resolved(double energy_error) {

@@ -9,6 +9,9 @@ inline constexpr double most_steps = 5e7;  ///< of an impact
 /// @throws InvalidInput for a start that is not of this speed, or not finite
 void require_start(const State& start, double speed);
 
+/// @throws InvalidInput for an interval out of range
+void require_every(int every);
+
 /// @throws NotConverged for an error of the energy with which the motion is not resolved in time and means nothing
 void require_resolved(double energy_error);
 
