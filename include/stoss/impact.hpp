@@ -4,6 +4,7 @@
 
 #include "stoss/impact/impact.hpp"
 #include "stoss/impact/oblique.hpp"
+#include "stoss/impact/oblique_snapshot.hpp"
 #include "stoss/impact/replay.hpp"
 #include "stoss/impact/resolution.hpp"
 #include "stoss/impact/state.hpp"

@@ -26,6 +26,7 @@ Collision::Collision(const Contact& contact, const FixedResolution& resolution, 
   response_ = make_response(contact, resolution.tail, grid, energy_speed, step_, poll);
   touch_ = response_->touch();
   compression_ = start ? contact_.extent + start->center : response_->start(speed_ * step_);
+  if (pressures_ != nullptr) pressures_->begin(compression_);
   respond();
   if (!acts_from_afar() && force_ > 0.0) {
     throw InvalidInput("start: the body already touches the wall (move its center back)");

@@ -86,7 +86,7 @@ Impact impact(const Contact& contact, double speed, const ImpactOptions& options
               Pressures* pressures) {
   FixedResolution resolution = fixed_resolution(contact, speed, options.resolution);
   if (options.start) require_start(*options.start, speed);
-  require("every", static_cast<long>(observation.every), 1, 1'000'000'000, "steps between two calls of the observer");
+  require_every(observation.every);
   std::optional<Impact> result = run(contact, speed, resolution, options, {}, pressures);
   while (!result) {
     resolution = widened(contact, resolution);

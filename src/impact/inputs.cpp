@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <string>
 
+#include "check.hpp"
 #include "contact/unit_ratios.hpp"
 #include "stoss/contact/grid.hpp"
 #include "stoss/errors.hpp"
@@ -47,6 +49,16 @@ void require_start(const State& start, double speed) {
     throw InvalidInput(
         "start: got a center, coordinate or momentum that is no finite number, allowed finite ones (nan?)");
   }
+}
+
+std::shared_ptr<const Body> required_body(const Contact& contact, int number) {
+  if (auto body = body_of(contact, number)) return body;
+  throw InvalidInput("body: got number " + std::to_string(number) + " of '" + name(contact) + "', allowed " +
+                     (body_of(contact, 1) == nullptr ? "0 (a wall has no inside)" : "0 or 1"));
+}
+
+void require_every(int every) {
+  require("every", static_cast<long>(every), 1, 1'000'000'000, "steps between two calls of the observer");
 }
 
 void require_resolved(double energy_error) {

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <memory>
+
 #include "stoss/impact/impact.hpp"
 
 namespace stoss {
@@ -8,6 +10,12 @@ inline constexpr double most_steps = 5e7;  ///< of an impact
 
 /// @throws InvalidInput for a start that is not of this speed, or not finite
 void require_start(const State& start, double speed);
+
+/// One of the bodies. @throws InvalidInput for one that is not there
+[[nodiscard]] std::shared_ptr<const Body> required_body(const Contact& contact, int number);
+
+/// @throws InvalidInput for an interval out of range
+void require_every(int every);
 
 /// @throws NotConverged for an error of the energy with which the motion is not resolved in time and means nothing
 void require_resolved(double energy_error);

@@ -31,6 +31,19 @@ ObliqueFrame::ObliqueFrame(const Contact& contact, double speed_towards, const I
   normal_energy = std::accumulate(energies.begin(), energies.end(), normal_energy);
 }
 
+AlongOutcome times(double factor, AlongOutcome outcome) {
+  const double square = factor * factor;
+  for (double* each : {&outcome.tangential, &outcome.spin[0], &outcome.spin[1], &outcome.impulse, &outcome.moment[0],
+                       &outcome.moment[1]}) {
+    *each *= factor;
+  }
+  for (double* each : {&outcome.vibration[0], &outcome.vibration[1], &outcome.dissipated, &outcome.friction,
+                       &outcome.unresolved, &outcome.stored}) {
+    *each *= square;
+  }
+  return outcome;
+}
+
 std::array<std::vector<double>, 2> arms(const Contact& contact, const ContactPoints& points) {
   std::array<std::vector<double>, 2> arms;
   for (int number = 0; number < 2; ++number) {
@@ -72,6 +85,24 @@ AlongOutcome ObliqueFrame::unchanged(const Obliquity& obliquity) {
   same.tangential = obliquity.tangential;
   same.spin = {obliquity.spin, obliquity.second_spin};
   return same;
+}
+
+ObliqueSnapshot ObliqueFrame::instant(double time, const Obliquity& before, double velocity, const AlongOutcome& along,
+                                      double elastic) const {
+  const double initial = initial_energy(before);
+  ObliqueSnapshot now;
+  now.time = time;
+  now.velocity = velocity;
+  now.tangential = along.tangential;
+  now.spin = along.spin[0];
+  now.second_spin = along.spin[1];
+  now.energy.translation = 0.5 * mass * velocity * velocity / initial;
+  now.energy.across = 0.5 * mass * along.tangential * along.tangential / initial;
+  now.energy.rotation = 0.5 * inertia[0] * along.spin[0] * along.spin[0] / initial;
+  now.energy.second_rotation = 0.5 * inertia[1] * along.spin[1] * along.spin[1] / initial;
+  now.energy.elastic = (elastic + along.elastic()) / initial;
+  now.energy.friction = along.friction / initial;
+  return now;
 }
 
 ObliqueImpact ObliqueFrame::joined(Impact normal, const Obliquity& before, const AlongOutcome& after) const {

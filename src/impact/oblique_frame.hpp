@@ -17,7 +17,13 @@ struct AlongOutcome {
   // Energies.
   std::array<double, 2> vibration{};
   double dissipated = 0.0, friction = 0.0, unresolved = 0.0, stored = 0.0;
+
+  /// Energy in the bodies, or that they have lost but to friction.
+  [[nodiscard]] double elastic() const { return vibration[0] + vibration[1] + dissipated + unresolved + stored; }
 };
+
+/// The outcome of all motion along the surface and all friction times one factor: energies go with its square.
+[[nodiscard]] AlongOutcome times(double factor, AlongOutcome outcome);
 
 /// What moves along the surface besides the modes, in units of the first body: whole bodies, where only a part of one
 /// is there (BodyPart).
@@ -43,6 +49,13 @@ struct ObliqueFrame {
 
   /// The motion along the surface as it was, as without friction.
   [[nodiscard]] static AlongOutcome unchanged(const Obliquity& obliquity);
+
+  /// Velocities and energies of an instant, and the time.
+  /// @param velocity of whole bodies along the normal
+  /// @param along    the motion along the surface
+  /// @param elastic  energy in the bodies beside that of `along`
+  [[nodiscard]] ObliqueSnapshot instant(double time, const Obliquity& before, double velocity,
+                                        const AlongOutcome& along, double elastic) const;
 
   /// Both motions as one impact, where they do not act on each other.
   [[nodiscard]] ObliqueImpact joined(Impact normal, const Obliquity& before, const AlongOutcome& after) const;

@@ -22,7 +22,11 @@ void Pressures::add(const std::vector<double>& force, const ContactResponse& res
     force_before_[i] = now;
     gap_before_[i] = gap;
   }
-  if (kept) extent_.push_back(response.extent());
+  if (kept) {
+    extent_.push_back(response.extent());
+  } else {
+    ++first_;
+  }
   if (pushes) last_ = steps();
 }
 

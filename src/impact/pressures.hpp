@@ -12,13 +12,22 @@ namespace stoss {
 /// and the share that the edge law has in their motion along the surface.
 class Pressures {
  public:
-  /// Adds a step. @param force of each node
+  /// Starts at this compression.
+  void begin(double compression) { start_ = compression; }
+
+  /// Adds a step, at first the instant before all steps. @param force of each node
   void add(const std::vector<double>& force, const ContactResponse& response);
 
   /// Forgets what follows the first step after the last force, which has the second half of its kick.
   void end_with_contact();
 
   [[nodiscard]] std::size_t steps() const { return extent_.size(); }
+
+  /// Compression at the start.
+  [[nodiscard]] double start() const { return start_; }
+
+  /// Number of the first step with a force: 0 for the instant before all steps.
+  [[nodiscard]] long first() const { return first_; }
 
   /// Of all nodes in a step.
   [[nodiscard]] const double* force(std::size_t step) const { return &force_[step * nodes_]; }
@@ -32,6 +41,8 @@ class Pressures {
  private:
   std::size_t nodes_ = 0;
   std::size_t last_ = 0;  // steps up to the last force
+  double start_ = 0.0;
+  long first_ = 0;
   std::vector<double> force_, give_;
   std::vector<std::size_t> extent_;
   std::vector<double> force_before_, gap_before_;  // of each node in the step before

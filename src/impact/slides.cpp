@@ -15,8 +15,9 @@
 #include "contact/response.hpp"
 #include "contact/touch.hpp"
 #include "impact/kept_modes.hpp"
+#include "impact/normal_course.hpp"
+#include "impact/oblique_film.hpp"
 #include "impact/oblique_frame.hpp"
-#include "impact/pressures.hpp"
 #include "numeric/kernels.hpp"
 #include "stoss/contact/grid.hpp"
 #include "stoss/errors.hpp"
@@ -46,13 +47,10 @@ Kicks kicks_of(const Contact& contact, Tail tail) {
 }  // namespace
 
 struct Slides::Parts {
-  Impact normal;
-  ObliqueFrame frame;
-  Pressures pressures;
+  NormalCourse course;
   double step;
   Contact along;
-  std::array<Values, 2> arm;  // of friction at each node about the centre of each body that turns
-  double ratio;               // of softness along the surface to that along the normal
+  double ratio;  // of softness along the surface to that along the normal
   // At rest.
   KeptModes modes;
   Residuals residuals;
@@ -61,24 +59,13 @@ struct Slides::Parts {
   static Parts of(const Contact& contact, double speed, const ImpactOptions& options) {
     // Refuse at once what has no answer along its surface.
     Contact along = contact_along(contact, options.poll);
-    Pressures pressures;
-    Impact normal = impact(contact, speed, options, {}, &pressures);
-    if (longest_loss_time(contact) == 0.0) pressures.end_with_contact();
-    const FixedResolution& resolution = normal.resolution;
-    const ContactGrid across = contact_grid(contact, resolution.half_width, resolution.nodes);
-    const ContactGrid grid = contact_grid(along, across.points);
+    NormalCourse course(contact, speed, options);
+    const FixedResolution& resolution = course.impact.resolution;
+    const ContactGrid grid = contact_grid(along, course.nodes);
     const double step = resolution.step, ratio = touch(along).softness / touch(contact).softness;
     const Residuals residuals(along, grid, inertia_of(resolution.tail), step, options.poll);
-    return {std::move(normal),
-            ObliqueFrame(contact, speed, options),
-            std::move(pressures),
-            step,
-            along,
-            arms(contact, across.points),
-            ratio,
-            KeptModes(along, grid, step, kicks_of(along, resolution.tail)),
-            residuals,
-            residuals.compliance()};
+    KeptModes modes(along, grid, step, kicks_of(along, resolution.tail));
+    return {std::move(course), step, along, ratio, std::move(modes), residuals, residuals.compliance()};
   }
 };
 
@@ -90,6 +77,7 @@ class Slide {
  public:
   Slide(const Parts& parts, const AlongOutcome& start)
       : parts_(parts),
+        course_(parts.course),
         modes_(parts.modes),
         residuals_(parts.residuals),
         friction_(nodes()),
@@ -110,14 +98,14 @@ class Slide {
     modes_.advance();
     Values place = kept_place();
     const Values& rest = residuals_.predict();
-    const double* give = parts_.pressures.give(step);
+    const double* give = course_.pressures.give(step);
     for (std::size_t i = 0; i < nodes(); ++i) {
       free_[i] = place[i] - rest[i] - place_[i];
       give_[i] = parts_.ratio * give[i];
     }
     force_before_ = force_;
-    const std::size_t touching = parts_.pressures.extent(step);
-    friction_.solve(parts_.compliance, give_, free_, parts_.pressures.force(step), force_);
+    const std::size_t touching = course_.pressures.extent(step);
+    friction_.solve(parts_.compliance, give_, free_, course_.pressures.force(step), force_);
     numeric::kernels::multiply_transposed(parts_.compliance.data(), nodes(), touching, 0, nodes(), force_.data(),
                                           moved_.data());
     for (std::size_t i = 0; i < nodes(); ++i) {
@@ -130,8 +118,20 @@ class Slide {
     displacement_.swap(moved_);
     residuals_.move(displacement_, force_, touching);
     place_.swap(place);
+    place_before_.swap(place);
     modes_.load(force_, touching);
     kick();
+  }
+
+  /// Ways along the surface so far, and the outcome.
+  [[nodiscard]] AlongMotion motion() const { return {outcome(), centre_, turned_}; }
+
+  [[nodiscard]] std::vector<Rub> rubs() const {
+    std::vector<Rub> nodes(this->nodes());
+    for (std::size_t i = 0; i < nodes.size(); ++i) {
+      nodes[i] = {force_[i], (place_[i] - place_before_[i]) / parts_.step, friction_.sliding()[i]};
+    }
+    return nodes;
   }
 
   [[nodiscard]] AlongOutcome outcome() const {
@@ -152,19 +152,19 @@ class Slide {
   }
 
  private:
-  [[nodiscard]] std::size_t nodes() const { return parts_.arm[0].size(); }
+  [[nodiscard]] std::size_t nodes() const { return course_.arm[0].size(); }
 
   /// Half a kick of the rigid motion.
   void kick() {
     const double half = 0.5 * parts_.step;
     const double impulse = half * std::accumulate(force_.begin(), force_.end(), 0.0);
     impulse_ += impulse;
-    tangential_ -= impulse / parts_.frame.mass;
+    tangential_ -= impulse / course_.frame.mass;
     for (std::size_t k = 0; k < 2; ++k) {
-      if (parts_.frame.inertia[k] == 0.0) continue;
-      const double moment = half * std::inner_product(force_.begin(), force_.end(), parts_.arm[k].begin(), 0.0);
+      if (course_.frame.inertia[k] == 0.0) continue;
+      const double moment = half * std::inner_product(force_.begin(), force_.end(), course_.arm[k].begin(), 0.0);
       moment_[k] += moment;
-      spin_[k] -= moment / parts_.frame.inertia[k];
+      spin_[k] -= moment / course_.frame.inertia[k];
     }
   }
 
@@ -172,40 +172,27 @@ class Slide {
   Values kept_place() {
     Values place(nodes());
     for (std::size_t i = 0; i < nodes(); ++i) {
-      place[i] = centre_ + turned_[0] * parts_.arm[0][i] + turned_[1] * parts_.arm[1][i];
+      place[i] = centre_ + turned_[0] * course_.arm[0][i] + turned_[1] * course_.arm[1][i];
     }
     modes_.add_displacement(place);
     return place;
   }
 
   const Parts& parts_;
+  const NormalCourse& course_;
   KeptModes modes_;
   Residuals residuals_;
   Friction friction_;
   double centre_ = 0.0, tangential_;       // place and velocity along y of the centres
   std::array<double, 2> turned_{}, spin_;  // angle and spin of each body
   Values force_, force_before_;            // q
-  Values place_;                           // of each node along y
+  Values place_, place_before_;            // of each node along y; in the step before
   Values give_, free_;                     // D; slip without friction
   Values displacement_, moved_;            // u; the next one
   double work_ = 0.0, heat_ = 0.0;         // ∫ q du, ∫ q dy
   double impulse_ = 0.0;
   std::array<double, 2> moment_{};
 };
-
-/// All but spins and velocities by one factor, those by its root.
-AlongOutcome times(double friction, AlongOutcome outcome) {
-  const double square = friction * friction;
-  for (double* each : {&outcome.tangential, &outcome.spin[0], &outcome.spin[1], &outcome.impulse, &outcome.moment[0],
-                       &outcome.moment[1]}) {
-    *each *= friction;
-  }
-  for (double* each : {&outcome.vibration[0], &outcome.vibration[1], &outcome.dissipated, &outcome.friction,
-                       &outcome.unresolved, &outcome.stored}) {
-    *each *= square;
-  }
-  return outcome;
-}
 
 /// @throws NotConverged where the motion along the surface is not resolved in time and means nothing: energy is
 /// missing, or comes out of what can only take it
@@ -223,20 +210,24 @@ void require_resolved(const ObliqueImpact& impact) {
 Slides::Slides(const Contact& contact, double speed, const ImpactOptions& options)
     : parts_(std::make_shared<const Parts>(Parts::of(contact, speed, options))) {}
 
-const Impact& Slides::normal() const { return parts_->normal; }
+const Impact& Slides::normal() const { return parts_->course.impact; }
 
-ObliqueImpact Slides::after(const Obliquity& obliquity, const Poll& poll) const {
-  const Parts& parts = *parts_;
-  parts.frame.require(obliquity);
+ObliqueImpact Slides::after(const Obliquity& obliquity, const Poll& poll, const ObliqueObservation& observation) const {
+  const NormalCourse& course = parts_->course;
+  course.frame.require(obliquity);
   const AlongOutcome start = ObliqueFrame::unchanged(obliquity);
   const double friction = obliquity.friction;
-  if (friction == 0.0) return parts.frame.joined(parts.normal, obliquity, start);
-  Slide slide(parts, times(1.0 / friction, start));
-  for (std::size_t step = 0; step < parts.pressures.steps(); ++step) {
+  if (friction == 0.0) return smooth_impact(course, obliquity, observation);
+  ObliqueFilm film(course, obliquity, observation);
+  film.fly(course.pressures.first() - 1, {start});
+  Slide slide(*parts_, times(1.0 / friction, start));
+  for (std::size_t step = 0; step < course.pressures.steps(); ++step) {
     if (poll) poll();
     slide.advance(step);
+    if (film.advance()) film.show(times(friction, slide.motion()), times(friction, slide.rubs()));
   }
-  ObliqueImpact result = parts.frame.joined(parts.normal, obliquity, times(friction, slide.outcome()));
+  film.fly(course.impact.steps, times(friction, slide.motion()));
+  ObliqueImpact result = course.frame.joined(course.impact, obliquity, times(friction, slide.outcome()));
   require_resolved(result);
   return result;
 }

@@ -4,6 +4,7 @@
 
 #include "stoss/contact/contact.hpp"
 #include "stoss/impact/impact.hpp"
+#include "stoss/impact/oblique_snapshot.hpp"
 
 namespace stoss {
 
@@ -72,10 +73,12 @@ struct ObliqueImpact {
 /// Spheres are taken by rings that move in one direction, without what pressure and friction change in each other: for
 /// equal bodies there is nothing of that (docs/theory/oblique.md).
 /// @param speed of approach along the normal, as of `impact`
+/// @param observation of the impact, which then is computed twice where both directions act on each other
 /// @throws InvalidInput for arguments out of range, and with friction for bodies without an answer along their surface,
 ///         as rods, and at an exponential wall; NotConverged as `impact`
 [[nodiscard]] ObliqueImpact oblique_impact(const Contact& contact, double speed, const Obliquity& obliquity,
-                                           const ImpactOptions& options = {});
+                                           const ImpactOptions& options = {},
+                                           const ObliqueObservation& observation = {});
 
 /// One normal impact with its pressures, from which every angle, spin and friction follows: for bodies in which both
 /// directions do not act on each other, as spheres are computed. It costs two impacts to make, and each outcome about
@@ -88,8 +91,9 @@ class Slides {
   /// The central impact.
   [[nodiscard]] const Impact& normal() const;
 
-  /// The oblique impact that it is with this motion along the surface.
-  [[nodiscard]] ObliqueImpact after(const Obliquity& obliquity, const Poll& poll = {}) const;
+  /// The oblique impact that it is with this motion along the surface, and what is seen of it.
+  [[nodiscard]] ObliqueImpact after(const Obliquity& obliquity, const Poll& poll = {},
+                                    const ObliqueObservation& observation = {}) const;
 
  private:
   struct Parts;

@@ -41,6 +41,9 @@ class SidedContact {
   [[nodiscard]] const Eigen::VectorXd& force() const { return force_; }
   [[nodiscard]] const Eigen::VectorXd& friction() const { return friction_; }
 
+  /// Of the last solution, as Friction has it; means nothing where nothing touches.
+  [[nodiscard]] const std::vector<int>& sliding() const { return coulomb_.sliding(); }
+
   /// Number of leading points of a side beyond which the last forces of both vanish.
   [[nodiscard]] std::size_t extent() const;
 

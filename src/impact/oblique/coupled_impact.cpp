@@ -19,11 +19,13 @@ namespace {
 /// One run; empty if the contact outgrew the grid.
 std::optional<ObliqueImpact> run_coupled(const Contact& contact, const std::vector<Contact>& along,
                                          const ObliqueFrame& frame, const Obliquity& obliquity,
-                                         const FixedResolution& resolution, const ImpactOptions& options) {
+                                         const FixedResolution& resolution, const ImpactOptions& options,
+                                         const ObliqueObservation& observation) {
   const ContactGrid grid = contact_grid(contact, resolution.half_width, resolution.nodes);
   ObliqueCollision collision(contact, along, resolution, grid, frame, obliquity, options.start, options.poll);
   const double flight = std::max(0.0, -collision.compression()) + 4.0 * collision.clearance();
   double steps = (longest_duration(contact) + flight / frame.speed) / resolution.step;
+  if (observation.observer) collision.show(observation.observer);
   for (long step = 1; !collision.over(); ++step) {
     if (static_cast<double>(step) > steps) {
       if (contact.unbounded) throw Outlasted(static_cast<double>(step) * resolution.step, echo_time(contact));
@@ -34,9 +36,13 @@ std::optional<ObliqueImpact> run_coupled(const Contact& contact, const std::vect
     }
     if (options.poll) options.poll();
     collision.advance();
-    if (!collision.overflows()) continue;
-    if (resolution.half_width < greatest_half_width(contact)) return std::nullopt;
-    throw NotConverged("impact: the contact spreads over the whole body (speed too high for this model)");
+    if (collision.overflows()) {
+      if (resolution.half_width < greatest_half_width(contact)) return std::nullopt;
+      throw NotConverged("impact: the contact spreads over the whole body (speed too high for this model)");
+    }
+    if (observation.observer && (step % observation.every == 0 || collision.over())) {
+      collision.show(observation.observer);
+    }
   }
   return collision.result();
 }
@@ -44,19 +50,24 @@ std::optional<ObliqueImpact> run_coupled(const Contact& contact, const std::vect
 }  // namespace
 
 ObliqueImpact coupled_impact(const Contact& contact, const std::vector<Contact>& along, double speed,
-                             const Obliquity& obliquity, const ImpactOptions& options) {
+                             const Obliquity& obliquity, const ImpactOptions& options,
+                             const ObliqueObservation& observation) {
   FixedResolution resolution = fixed_resolution(contact, speed, options.resolution);
   if (resolution.tail != Tail::radiating) {
     throw InvalidInput("tail: got the static one with friction, allowed the radiating one (friction flutters on it)");
   }
   if (options.start) require_start(*options.start, speed);
   const ObliqueFrame frame(contact, speed, options);
-  std::optional<ObliqueImpact> result = run_coupled(contact, along, frame, obliquity, resolution, options);
+  std::optional<ObliqueImpact> result = run_coupled(contact, along, frame, obliquity, resolution, options, {});
   while (!result) {
     resolution = widened(contact, resolution);
-    result = run_coupled(contact, along, frame, obliquity, resolution, options);
+    result = run_coupled(contact, along, frame, obliquity, resolution, options, {});
   }
   require_resolved(result->energy_error);
+  // As `impact`: what is watched is a repetition on the grid that is known to suffice.
+  if (observation.observer) {
+    result = run_coupled(contact, along, frame, obliquity, resolution, options, observation);
+  }
   if (result->normal.contact_time > echo_time(contact)) {
     throw Outlasted(result->normal.contact_time, echo_time(contact));
   }

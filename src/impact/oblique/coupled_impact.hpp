@@ -11,6 +11,7 @@ namespace stoss {
 /// @throws as oblique_impact; InvalidInput for the quasistatic tail, on which friction flutters; NotConverged where no
 ///         forces obey Coulomb's law
 [[nodiscard]] ObliqueImpact coupled_impact(const Contact& contact, const std::vector<Contact>& along, double speed,
-                                           const Obliquity& obliquity, const ImpactOptions& options);
+                                           const Obliquity& obliquity, const ImpactOptions& options,
+                                           const ObliqueObservation& observation);
 
 }  // namespace stoss

@@ -6,6 +6,7 @@
 #include "contact/hard_contact.hpp"
 #include "contact/touch.hpp"
 #include "contact/unit_ratios.hpp"
+#include "impact/oblique_points.hpp"
 #include "stoss/errors.hpp"
 
 namespace stoss {
@@ -48,7 +49,8 @@ ObliqueCollision::ObliqueCollision(const Contact& contact, const std::vector<Con
       moved_x_(VectorXd::Zero(recess_.size())),
       moved_y_(moved_x_),
       force_(moved_x_),
-      rub_(moved_x_) {
+      rub_(moved_x_),
+      seen_(points_at_rest(contact, grid)) {
   if (start) {
     even_.modes.set(start->coordinate, start->momentum);
     energy_before_ = even_.modes.energies();
@@ -64,7 +66,7 @@ ObliqueCollision::ObliqueCollision(const Contact& contact, const std::vector<Con
 }
 
 void ObliqueCollision::respond() {
-  const VectorXd old_x = x_, old_moved_x = moved_x_, old_moved_y = moved_y_, old_place = place_;
+  const VectorXd old_x = x_, old_moved_x = moved_x_, old_moved_y = moved_y_;
   x_ = rigid_.compression() - recess_.array();
   y_ = rigid_.along();
   add_block(even_.place(), x_, y_);
@@ -78,13 +80,14 @@ void ObliqueCollision::respond() {
     nodes_.follow(0.5 * (old_x(0) + old_x(points)), 0.5 * (x_(0) + x_(points)), step_);
   }
   const VectorXd old_force = force_, old_rub = rub_;
+  place_before_ = place_;
   answer();
   if (begun_) {
     const VectorXd force = 0.5 * (old_force + force_), rub = 0.5 * (old_rub + rub_);
     const double along = rub.dot(moved_y_ - old_moved_y);
     work_ += force.dot(x_ - old_x) + along;
     edge_work_ += force.dot((x_ - old_x) - (moved_x_ - old_moved_x));
-    heat_ += rub.dot(place_ - old_place);
+    heat_ += rub.dot(place_ - place_before_);
   }
   begun_ = true;
 }
@@ -167,6 +170,12 @@ ObliqueImpact ObliqueCollision::result() const {
   normal.energy.translation =
       0.5 * frame_.mass * rigid_.whole_velocity() * rigid_.whole_velocity() / frame_.normal_energy;
 
+  ObliqueImpact result = frame_.joined(std::move(normal), obliquity_, outcome());
+  show_ledger(result);
+  return result;
+}
+
+AlongOutcome ObliqueCollision::outcome() const {
   AlongOutcome outcome = rigid_.outcome();
   for (int body = 0; body < 2; ++body) {
     outcome.vibration[static_cast<std::size_t>(body)] += even_.vibration(body) + odd_.vibration(body);
@@ -179,9 +188,22 @@ ObliqueImpact ObliqueCollision::result() const {
   for (const ParityBlock* block : {&even_, &odd_}) {
     for (const double lost : block->residuals.dissipated()) outcome.unresolved -= lost;
   }
-  ObliqueImpact result = frame_.joined(std::move(normal), obliquity_, outcome);
-  show_ledger(result);
-  return result;
+  return outcome;
+}
+
+void ObliqueCollision::show(const ObliqueImpactObserver& observer) {
+  ObliqueSnapshot now = frame_.instant(history_.time(), obliquity_, rigid_.whole_velocity(), outcome(), 0.0);
+  rigid_.show(contact_.extent, now);
+  const auto count = static_cast<Index>(points_.count);
+  for (Index k = 0; k < 2 * count; ++k) {
+    ObliquePoint& point = seen_[static_cast<std::size_t>(k < count ? count + k : 2 * count - 1 - k)];
+    point.pressure = force_(k);
+    point.friction = rub_(k);
+    point.slip = history_.steps() > 0 ? (place_(k) - place_before_(k)) / step_ : 0.0;
+    point.grip = static_cast<Grip>(nodes_.sliding()[static_cast<std::size_t>(k)]);
+  }
+  show_points(seen_, whole_mass(*contact_.first), now);
+  observer(now);
 }
 
 /// Of the motion along the normal, which has no ledger of its own, that of both.

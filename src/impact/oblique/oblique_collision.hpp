@@ -47,6 +47,9 @@ class ObliqueCollision {
   /// Steps in which bodies that vibrate, and part so slowly that they are not clear of each other, will have done so.
   [[nodiscard]] double steps_to_leave() const;
 
+  /// Shows the instant.
+  void show(const ObliqueImpactObserver& observer);
+
   /// The impact so far; body, wall and resolution are left to the caller.
   [[nodiscard]] ObliqueImpact result() const;
 
@@ -58,6 +61,7 @@ class ObliqueCollision {
   [[nodiscard]] double normal_motion() const { return 0.5 * contact_.mass * rigid_.velocity() * rigid_.velocity(); }
   [[nodiscard]] double dissipated(int body) const;
   [[nodiscard]] double stored() const { return even_.residuals.stored() + odd_.residuals.stored(); }
+  [[nodiscard]] AlongOutcome outcome() const;
   void show_ledger(ObliqueImpact& impact) const;
 
   const Contact& contact_;
@@ -76,15 +80,16 @@ class ObliqueCollision {
   double first_share_;  // of the first body in what the edge law takes
 
   bool begun_ = false;
-  Eigen::VectorXd x_, y_;              // where the modes put the points
-  Eigen::VectorXd moved_x_, moved_y_;  // by the modes above the cutoff, into the body and against y
-  Eigen::VectorXd place_;              // of the points along y
-  Eigen::VectorXd force_, rub_;        // f and q
+  Eigen::VectorXd x_, y_;                 // where the modes put the points
+  Eigen::VectorXd moved_x_, moved_y_;     // by the modes above the cutoff, into the body and against y
+  Eigen::VectorXd place_, place_before_;  // of the points along y; in the step before
+  Eigen::VectorXd force_, rub_;           // f and q
   double foremost_ = 0.0, foremost_before_ = 0.0;
 
   std::vector<double> energy_before_;  // of each even mode, if any moves
   double work_ = 0.0, edge_work_ = 0.0, heat_ = 0.0;
   double reach_ = -1.0;  // of the free vibration; < 0: not known
+  std::vector<ObliquePoint> seen_;
 };
 
 }  // namespace stoss

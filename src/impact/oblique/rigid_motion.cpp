@@ -61,6 +61,7 @@ void RigidMotion::advance() {
     if (inertia_[k] == 0.0) continue;
     spin_[k] -= moment_[k] * step_ / inertia_[k];
     angle_[k] += spin_[k] * step_;
+    whole_angle_[k] += (whole_spin(k) - 0.5 * whole_moment_[k] * step_ / frame_.inertia[k]) * step_;
   }
 }
 
@@ -85,16 +86,31 @@ double RigidMotion::whole_velocity() const {
   return mass_ == frame_.mass ? velocity() : frame_.speed - mass_ / frame_.mass * (frame_.speed - velocity());
 }
 
+double RigidMotion::whole_spin(std::size_t body) const {
+  const double before = body == 0 ? before_.spin : before_.second_spin;
+  return before - impulse_of_moment_[body] / frame_.inertia[body];
+}
+
+void RigidMotion::show(double extent, ObliqueSnapshot& now) const {
+  const double part = mass_ / frame_.mass;
+  const auto whole = [&](double start, double way, double start_of_part) {
+    return part == 1.0 ? way : start * now.time - part * (start_of_part * now.time - way);
+  };
+  now.center = start_compression_ - extent + whole(frame_.speed, compression_ - start_compression_, frame_.speed);
+  now.shift = whole(before_.tangential, shift_, start_tangential_);
+  now.angle = whole_angle_[0];
+  now.second_angle = whole_angle_[1];
+}
+
 AlongOutcome RigidMotion::outcome() const {
   AlongOutcome outcome;
   const bool whole = mass_ == frame_.mass;
   outcome.tangential =
       whole ? tangential() : before_.tangential - mass_ / frame_.mass * (start_tangential_ - tangential());
-  const std::array<double, 2> before{before_.spin, before_.second_spin};
   double energy_after =
       0.5 * frame_.mass * (whole_velocity() * whole_velocity() + outcome.tangential * outcome.tangential);
   for (std::size_t k = 0; k < 2; ++k) {
-    outcome.spin[k] = part_[k] ? before[k] - impulse_of_moment_[k] / frame_.inertia[k] : spin(k);
+    outcome.spin[k] = part_[k] ? whole_spin(k) : spin(k);
     energy_after += 0.5 * frame_.inertia[k] * outcome.spin[k] * outcome.spin[k];
   }
   outcome.impulse = impulse_;

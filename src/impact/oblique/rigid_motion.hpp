@@ -27,7 +27,7 @@ class RigidMotion {
               const Obliquity& obliquity);
 
   /// The positions at the start.
-  void start(double compression) { compression_ = compression; }
+  void start(double compression) { compression_ = start_compression_ = compression; }
 
   /// Kicks and drifts by one step.
   void advance();
@@ -50,10 +50,14 @@ class RigidMotion {
   /// Velocity of whole bodies along the normal.
   [[nodiscard]] double whole_velocity() const;
 
+  /// Shows the places and the angles of whole bodies at an instant. @param extent of the contact
+  void show(double extent, ObliqueSnapshot& now) const;
+
  private:
   [[nodiscard]] double energy() const;  // of what is there
   [[nodiscard]] double tangential() const { return tangential_ - 0.5 * friction_ * step_ / mass_; }
   [[nodiscard]] double spin(std::size_t body) const;
+  [[nodiscard]] double whole_spin(std::size_t body) const;
 
   ObliqueFrame frame_;  // of whole bodies
   Obliquity before_;
@@ -70,7 +74,8 @@ class RigidMotion {
   std::array<Eigen::VectorXd, 2> whole_arm_;                    // about the centre of the whole body
   std::array<double, 2> moment_{};                              // Σ q arm
   std::array<double, 2> impulse_of_moment_{}, whole_moment_{};  // ∫ Σq arm dt, and Σ q arm about the whole's centre
-  double start_tangential_, start_energy_;
+  std::array<double, 2> whole_angle_{};
+  double start_compression_ = 0.0, start_tangential_, start_energy_;
 };
 
 }  // namespace stoss

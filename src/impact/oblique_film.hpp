@@ -1,0 +1,70 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+#include "impact/normal_course.hpp"
+#include "impact/oblique_frame.hpp"
+#include "stoss/impact/oblique.hpp"
+
+namespace stoss {
+
+/// The motion along the surface at one instant.
+struct AlongMotion {
+  AlongOutcome outcome;
+  double shift = 0.0;             ///< way along y
+  std::array<double, 2> angle{};  ///< by which each body has turned
+};
+
+/// That of all friction times one factor.
+[[nodiscard]] AlongMotion times(double factor, const AlongMotion& motion);
+
+/// What friction does at one node, as ObliquePoint has it.
+struct Rub {
+  double friction = 0.0, slip = 0.0;
+  int sliding = 0;  ///< as Friction has it
+};
+
+[[nodiscard]] std::vector<Rub> times(double factor, std::vector<Rub> nodes);
+
+/// Shows an observer an oblique impact in which both directions do not act on each other: the normal motion is replayed
+/// from its pressures. Without an observer nothing happens.
+class ObliqueFilm {
+ public:
+  /// @throws InvalidInput for an observation out of range
+  ObliqueFilm(const NormalCourse& course, const Obliquity& before, const ObliqueObservation& observation);
+
+  [[nodiscard]] bool watched() const { return static_cast<bool>(observation_.observer); }
+
+  /// Goes on to a step without friction. @param since motion at present, with ways since the last flight ended
+  void fly(long until, const AlongMotion& since);
+
+  /// Goes on by one step with friction. @returns whether its instant is to be shown
+  [[nodiscard]] bool advance();
+
+  /// Shows the instant. @param along with ways since the last flight ended
+  void show(const AlongMotion& along, const std::vector<Rub>& nodes);
+
+ private:
+  void show_flight(const AlongOutcome& along);
+  void show_instant(const AlongMotion& along);
+  void load(const std::vector<Rub>& nodes);
+  [[nodiscard]] bool wanted() const;
+
+  const NormalCourse& course_;
+  Obliquity before_;
+  const ObliqueObservation& observation_;
+  NormalReplay normal_;
+  bool begun_ = false;
+  double shift_ = 0.0;  // at the end of the last flight
+  std::array<double, 2> angle_{};
+  std::vector<ObliquePoint> points_;
+  std::vector<Rub> nodes_;
+};
+
+/// The oblique impact without friction, and what is seen of it.
+[[nodiscard]] ObliqueImpact smooth_impact(const NormalCourse& course, const Obliquity& before,
+                                          const ObliqueObservation& observation);
+
+}  // namespace stoss
