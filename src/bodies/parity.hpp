@@ -14,15 +14,15 @@ enum class Parity {
   along_even    ///< (y even | x odd)
 };
 
-/// The body as it answers forces of each parity.
+/// The body as it answers forces of each of these parities.
 /// @param groups   the modes of a parity
 /// @param surface  a parity at points
 /// @param residual answers for what is not kept, of a parity between points
 template <typename Groups, typename Surface, typename Residual>
-[[nodiscard]] std::vector<Body> of_both_parities(const Body& body, const Groups& groups, const Surface& surface,
-                                                 std::shared_ptr<const Residual> residual) {
+[[nodiscard]] std::vector<Body> of_parities(const std::vector<Parity>& parities, const Body& body, const Groups& groups,
+                                            const Surface& surface, std::shared_ptr<const Residual> residual) {
   std::vector<Body> bodies;
-  for (const Parity parity : {Parity::normal_even, Parity::along_even}) {
+  for (const Parity parity : parities) {
     Body& its = bodies.emplace_back(body);
     its.components = 2;
     its.groups = groups(parity);

@@ -99,6 +99,7 @@ Body rigid(const Body& body) {
       return bodies;
     };
   }
+  if (body.outward) result.outward = [outward = body.outward](const Poll& poll) { return rigid(outward(poll)); };
   return result;
 }
 
@@ -107,6 +108,13 @@ BodyMaker rigid(const BodyMaker& maker) {
   return [made = rigid(maker(without_modes, {}))](double cutoff, const Poll&) {
     Body body = made;
     body.cutoff = cutoff;
+    if (made.outward) {
+      body.outward = [outward = made.outward, cutoff](const Poll& poll) {
+        Body same = outward(poll);
+        same.cutoff = cutoff;
+        return same;
+      };
+    }
     if (!made.along) return body;
     body.along = [along = made.along, cutoff](const Poll& poll) {
       std::vector<Body> bodies = along(poll);

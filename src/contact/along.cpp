@@ -18,9 +18,15 @@ std::vector<Body> bodies_along(const Body& body, const Poll& poll) {
                      "friction out, or take 0)");
 }
 
+void require_law_along(const Contact& contact) {
+  if (std::holds_alternative<HardWall>(contact.wall)) return;
+  throw InvalidInput("friction: got an exponential wall, allowed only a rigid one (it has no law along it)");
+}
+
 /// (c_s/c_p)² of a body that mixes directions, from the impedances of its foremost point.
 double mixing_of(const Body& body, double radius) {
-  constexpr double short_arc = 1e-3;
+  if (body.softness == 0.0) return 0.0;
+  constexpr double short_arc = 1e-6;
   const std::vector<double> impedance = body.surface({radius, short_arc, 1}).impedance;
   return impedance[1] * impedance[1] / (impedance[0] * impedance[0]);
 }
@@ -44,10 +50,18 @@ double stable_friction(const std::vector<Contact>& along) {
   return beta > rounding ? 0.5 / std::sqrt(beta * (1.0 - beta)) : std::numeric_limits<double>::infinity();
 }
 
+Contact contact_outward(const Contact& contact, const Poll& poll) {
+  require_law_along(contact);
+  const auto outward = [&poll](const Body& body) {
+    if (body.outward) return body.outward(poll);
+    throw InvalidInput("friction: got '" + body.name + "', allowed only balls: spheres and half-spaces");
+  };
+  if (contact.second == nullptr) return stoss::contact(outward(*contact.first));
+  return stoss::contact(outward(*contact.first), outward(*contact.second));
+}
+
 std::vector<Contact> contacts_along(const Contact& contact, const Poll& poll) {
-  if (!std::holds_alternative<HardWall>(contact.wall)) {
-    throw InvalidInput("friction: got an exponential wall, allowed only a rigid one (it has no law along it)");
-  }
+  require_law_along(contact);
   std::vector<Contact> along;
   std::vector<Body> first = bodies_along(*contact.first, poll);
   if (contact.second == nullptr) {

@@ -10,6 +10,10 @@ namespace stoss {
 /// @throws InvalidInput where a body has none, and at a wall that is not hard
 [[nodiscard]] std::vector<Contact> contacts_along(const Contact& contact, const Poll& poll);
 
+/// Two balls, or a ball at a wall, against forces alike all around the axis (Body::outward).
+/// @throws InvalidInput as contacts_along
+[[nodiscard]] Contact contact_outward(const Contact& contact, const Poll& poll);
+
 /// Dundurs' constant β of the bodies of such contacts: how much pressure moves one along the other. It is
 /// (1 − ν)/2 = (c_s/c_p)² of a disk at a wall, and 0 for bodies of one kind and where directions do not mix.
 [[nodiscard]] double mixing(const std::vector<Contact>& along);

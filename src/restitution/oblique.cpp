@@ -11,6 +11,7 @@
 #include "contact/unit_ratios.hpp"
 #include "impact/oblique_frame.hpp"
 #include "restitution/lasting.hpp"
+#include "restitution/neglected_coupling.hpp"
 #include "restitution/oblique_errors.hpp"
 #include "stoss/contact/grid.hpp"
 #include "stoss/restitution/curve.hpp"
@@ -119,7 +120,11 @@ std::vector<ObliqueRestitution> oblique_restitution(const RefinableContact& cont
     all.push_back(&each);
     if (!shared) refine(contact, options, {&each});
   }
-  if (shared) refine(contact, options, all);
+  if (shared) {
+    refine(contact, options, all);
+    NeglectedCoupling neglected(contact, speed, options.poll);
+    for (ObliqueRestitution& each : results) each.neglected = neglected.at(each.before);
+  }
   const auto like_central = [&](const ObliqueRestitution& each) { return shared || each.before.friction == 0.0; };
   if (std::none_of(results.begin(), results.end(), like_central)) return results;
   const Restitution central = best_restitution(contact, speed, {.poll = options.poll, .vibration = options.vibration});

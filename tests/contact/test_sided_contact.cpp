@@ -129,6 +129,30 @@ TEST(SidedContact, IsThatOfTheNormalAloneWithoutCoupling) {
   }
 }
 
+// Rings are both sides at once where these are alike.
+TEST(SidedContact, TakesRings) {
+  std::mt19937 random(8);
+  const auto half = static_cast<Index>(points);
+  for (int trial = 0; trial < 50; ++trial) {
+    const Problem problem = random_problem(0.2, 0.4, random);
+    SidedContact sided(sided_compliance(problem.normal_even, problem.along_even, points), problem.law, 0.4, 1.0, {});
+    const MatrixXd block = MatrixXd::Map(problem.normal_even.data(), 2 * half, 2 * half);
+    SidedContact rings(
+        {block.topLeftCorner(half, half), block.topRightCorner(half, half), block.bottomRightCorner(half, half)},
+        problem.law, 0.4, 1.0, {});
+    VectorXd x = random_vector(random), y = random_vector(random);
+    x.tail(half) = x.head(half);
+    y.tail(half) = -y.head(half);
+    sided.solve(x, y);
+    rings.solve(x.head(half), y.head(half));
+    const double scale = 1.0 + rings.force().norm();
+    EXPECT_LT((2.0 * sided.force().head(half) - rings.force()).norm(), 1e-8 * scale);
+    EXPECT_LT((2.0 * sided.friction().head(half) - rings.friction()).norm(), 1e-8 * scale);
+    EXPECT_EQ(sided.extent(), rings.extent());
+    EXPECT_NEAR(sided.half_width(), rings.half_width(), 1e-8);
+  }
+}
+
 // What is reflected in the axis is the same problem.
 TEST(SidedContact, TurnsWithTheSignOfTheSlip) {
   std::mt19937 random(3);

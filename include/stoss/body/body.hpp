@@ -128,9 +128,13 @@ struct Body {
   /// ones (0) and tangential and odd normal ones (1). Empty for bodies that have none, as rods.
   std::function<std::vector<Body>(const Poll& poll)> along{};
 
+  /// The same ball against forces that are alike all around the axis: normal ones, and friction that acts outward along
+  /// the surface. Rings move along the axis (first component) and out from it (second). Empty for other bodies.
+  std::function<Body(const Poll& poll)> outward{};
+
   /// Displacements at each point: all arrays of Surface, and the residual matrices, are those of the first component at
-  /// every point, then of the second. Only bodies that `along` makes have more than one. What meets as the second body
-  /// is turned around, which changes the sign of its second component.
+  /// every point, then of the second. Only bodies that `along` or `outward` makes have more than one. What meets as the
+  /// second body is turned around, which changes the sign of its second component.
   std::size_t components = 1;
 };
 

@@ -24,6 +24,19 @@ struct ObliqueRun {
   long steps = 0;
 };
 
+/// What may change in values of rings that move in one direction because pressure and friction act on each other: by
+/// how much a model with this coupling differs from that without, both computed coarsely (docs/theory/oblique.md). All
+/// are 0 where nothing is left out: for disks, equal bodies and μ = 0. NaN: unknown.
+struct Coupling {
+  double dundurs = 0.0;        ///< Dundurs' |β| of the bodies, 0 … ½: how much pressure moves one along the other
+  double restitution = 0.0;    ///< change of ε_n of a central impact, by friction of the surfaces as they spread
+  double sliding_after = 0.0;  ///< change of s′
+  double tangential_restitution = 0.0;  ///< of ε_t; 0 where s = 0
+  double tangential_after = 0.0;        ///< of v_t′
+  double spin_after = 0.0;              ///< of Ω₁′
+  double second_spin_after = 0.0;       ///< of Ω₂′
+};
+
 /// The collision rule of two bodies at one normal speed and obliquity, with its errors and the runs that led to it.
 /// Units and signs as in ObliqueImpact. An infinite error means that it is unknown.
 struct ObliqueRestitution {
@@ -38,6 +51,7 @@ struct ObliqueRestitution {
   Estimate second_spin_after;       ///< Ω₂′
   Estimate friction_loss;           ///< share of the initial energy that became heat of friction
   Estimate vibration;               ///< share of it with which the bodies vibrate
+  Coupling neglected;               ///< what the errors do not contain: the coupling that rings leave out
   double tolerance = 0.0;
   bool converged = false;  ///< whether the error of s′ is at most tolerance × the greater of |s| and μ v_n
   std::string reason;      ///< why not

@@ -63,8 +63,7 @@ Surface make_surface(const Medium& medium, const std::vector<SurfaceWaves>& all,
   for (std::size_t i = 0; i < points.count; ++i) {
     const double inner = points.radius * std::sin(static_cast<double>(i) * points.spacing);
     const double outer = points.radius * std::sin(static_cast<double>(i + 1) * points.spacing);
-    const double width = outer - inner;
-    const double measure = medium.contour == Contour::ball ? std::numbers::pi * width * (outer + inner) : 2.0 * width;
+    const double measure = medium.measure(inner, outer);
     surface.recess.push_back(0.0);
     surface.measure.push_back(measure);
     surface.impedance.push_back(measure * medium.leaving_speed);
@@ -113,6 +112,9 @@ Body made(const Solid& given, double cutoff, double duration, Direction directio
   } else if (direction == Direction::normal) {
     body.along = [given, cutoff, duration](const Poll& heed) {
       return std::vector<Body>{made(given, cutoff, duration, Direction::along, heed)};
+    };
+    body.outward = [like = body, medium, duration](const Poll& heed) {
+      return space_outward(like, medium, duration, heed);
     };
   }
   for (const SurfaceWaves& each : *waves) {

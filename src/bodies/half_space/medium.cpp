@@ -14,6 +14,11 @@ double Medium::compliance(double wave_number) const {
   return contour == Contour::ball ? softness / std::numbers::pi : 2.0 * softness / (std::numbers::pi * wave_number);
 }
 
+double Medium::measure(double inner, double outer) const {
+  const double width = outer - inner;
+  return contour == Contour::ball ? std::numbers::pi * width * (outer + inner) : 2.0 * width;
+}
+
 double Medium::second_moment() const {
   double sum = 0.0;
   for (const Spectrum& spectrum : spectra) sum += spectrum.share * spectrum.second_moment;

@@ -25,6 +25,9 @@ struct Medium {
   /// Compliance of the waves between k and k + dk, per dk: softness/π of a half-space, 2/(πk) of a half-plane.
   [[nodiscard]] double compliance(double wave_number) const;
 
+  /// Area of the ring, or length of the two lines, between two distances from the axis.
+  [[nodiscard]] double measure(double inner, double outer) const;
+
   /// Σ 1/ω⁴ over Σ 1/ω² of all waves of one wave number, in units of 1/(c_s k)².
   [[nodiscard]] double second_moment() const;
 

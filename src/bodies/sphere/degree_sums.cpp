@@ -109,16 +109,34 @@ double toroidal_coefficient(const DegreeSum& sum, long n) {
   return r;
 }
 
+Eigen::ArrayXd joined(const Eigen::ArrayXd& axial, const Eigen::ArrayXd& outward) {
+  Eigen::ArrayXd both(axial.size() + outward.size());
+  both << axial, outward;
+  return both;
+}
+
+/// P¹_n = sin θ P_n′ of a real degree n.
+Eigen::ArrayXd associated(const LegendreOfRealDegree& legendre, const Eigen::ArrayXd& sine, double n) {
+  return n * (n + 1.0) / (2.0 * n + 1.0) * (legendre(n - 1.0) - legendre(n + 1.0)) / sine;
+}
+
 /// The degrees 0 … last one by one; that of Nyquist with weight ½.
 void add_degrees(const DegreeSum& sum, const Eigen::ArrayXd& angle, long last, long nyquist, ShapeProducts& products) {
   LegendreSequence sequence(angle);
+  const Eigen::ArrayXd sine = angle.sin();
   Eigen::ArrayXd below = Eigen::ArrayXd::Zero(angle.size()), here = sequence.value();
+  Eigen::ArrayXd slope_below = below, slope = below;
   for (long n = 0; n <= last; ++n) {
     sequence.advance();
     const auto degree = static_cast<double>(n);
     const double weight = n == nyquist ? 0.5 : 1.0;
     Pair pair(degree, coefficient(sum, n), weight);
-    if (!sum.along) {
+    if (sum.outward) {
+      products.add(pair, joined(sequence.value(), sine * sequence.slope() / (degree + 1.0)),
+                   joined(below, -sine * slope_below / std::max(degree, 1.0)));
+      slope_below = slope;
+      slope = sequence.slope();
+    } else if (!sum.along) {
       products.add(pair, sequence.value(), below);
     } else if (n > 0) {
       pair.turn(degree, toroidal_coefficient(sum, n), weight);
@@ -133,8 +151,14 @@ void add_degrees(const DegreeSum& sum, const Eigen::ArrayXd& angle, long last, l
 /// The static flexibilities of the degrees first … nyquist by quadrature.
 void add_blocks(const DegreeSum& sum, const Eigen::ArrayXd& angle, long first, long nyquist, ShapeProducts& products) {
   const LegendreOfRealDegree legendre(angle);
+  const Eigen::ArrayXd sine = angle.sin();
   const auto add = [&](double n, double weight) {
     Pair pair(n, flexibility_of_degree(sum.poisson, n), weight);
+    if (sum.outward) {
+      products.add(pair, joined(legendre(n + 1.0), associated(legendre, sine, n + 1.0) / (n + 1.0)),
+                   joined(legendre(n - 1.0), -associated(legendre, sine, n - 1.0) / n));
+      return;
+    }
     if (sum.along) {
       pair.turn(n, toroidal_flexibility(sum.poisson, n), weight);
       products.add(pair.middle, legendre(n));
@@ -157,7 +181,8 @@ void add_blocks(const DegreeSum& sum, const Eigen::ArrayXd& angle, long first, l
 /// On the circle of a smaller partner, rings lie closer to each other on this sphere the further out they are, and a
 /// sum to one degree N for all leaves too little of the shortest waves there: W would not stay positive definite. Each
 /// pair of rings has the degrees that its own distance resolves instead. High degrees add C cos nΔθ/n, C =
-/// 4D/(3π√(sin θ_i sin θ_j)) with D the softness, so the change is C [Ci(π|i−j|) − Ci(NΔθ)].
+/// 4D/(3π√(sin θ_i sin θ_j)) with D the softness, so the change is C [Ci(π|i−j|) − Ci(NΔθ)]; outward the same of each
+/// direction by itself.
 void resolve_each_pair(double softness, const ContactPoints& points, const Eigen::ArrayXd& angle, double nyquist,
                        Matrix& lower) {
   const double strength = 4.0 * softness / (3.0 * std::numbers::pi);
@@ -165,13 +190,18 @@ void resolve_each_pair(double softness, const ContactPoints& points, const Eigen
   for (std::size_t k = 1; k < points.count; ++k) {
     wanted.push_back(numeric::cosine_integral(std::numbers::pi * static_cast<double>(k)));
   }
-  for (Eigen::Index i = 0; i < lower.rows(); ++i) {
+  for (Eigen::Index i = 0; i < angle.size(); ++i) {
     const double stretch = points.radius * std::cos(points.angle(static_cast<std::size_t>(i))) / std::cos(angle(i));
-    lower(i, i) -= strength / std::sin(angle(i)) * std::log(nyquist * points.spacing * stretch / std::numbers::pi);
+    for (Eigen::Index k = 0; k < lower.rows(); k += angle.size()) {
+      lower(k + i, k + i) -=
+          strength / std::sin(angle(i)) * std::log(nyquist * points.spacing * stretch / std::numbers::pi);
+    }
     for (Eigen::Index j = 0; j < i; ++j) {
       const double change =
           wanted[static_cast<std::size_t>(i - j)] - numeric::cosine_integral(nyquist * (angle(i) - angle(j)));
-      lower(i, j) += strength / std::sqrt(std::sin(angle(i)) * std::sin(angle(j))) * change;
+      for (Eigen::Index k = 0; k < lower.rows(); k += angle.size()) {
+        lower(k + i, k + j) += strength / std::sqrt(std::sin(angle(i)) * std::sin(angle(j))) * change;
+      }
     }
   }
 }
@@ -185,7 +215,8 @@ std::vector<double> sum_over_degrees(const DegreeSum& sum, const ContactPoints& 
   for (Eigen::Index i = 0; i < rings; ++i) angle(i) = ring_angle(points, static_cast<std::size_t>(i));
   const auto nyquist = std::lround(std::numbers::pi / (points.spacing * points.radius));
   const auto given = static_cast<long>(sum.coefficients.size());
-  ShapeProducts products(rings, poll);
+  const Eigen::Index values = (sum.outward ? 2 : 1) * rings;
+  ShapeProducts products(values, poll);
   // A term of the quadrature costs as much as some ten degrees one by one.
   const long start = std::max({lowest_start, given, static_cast<long>(2000.0 * angle.maxCoeff())});
   if (!sum.with_static) {
@@ -201,8 +232,8 @@ std::vector<double> sum_over_degrees(const DegreeSum& sum, const ContactPoints& 
     const double softness = sum.along ? softness_along(sum.poisson) : 1.0 - sum.poisson * sum.poisson;
     resolve_each_pair(softness, points, angle, static_cast<double>(nyquist), half);
   }
-  std::vector<double> result(points.count * points.count);
-  Eigen::Map<Matrix> matrix(result.data(), rings, rings);
+  std::vector<double> result(static_cast<std::size_t>(values * values));
+  Eigen::Map<Matrix> matrix(result.data(), values, values);
   matrix = half.triangularView<Eigen::Lower>();
   matrix.triangularView<Eigen::StrictlyUpper>() = half.transpose();
   matrix /= sphere_mass;

@@ -11,10 +11,11 @@
 namespace stoss::bodies::sphere {
 
 /// What is summed over the degrees of a sphere: along its axis, or along y with the coefficients R^WW of toroidal
-/// modes.
+/// modes, or along its axis and out from it.
 struct DegreeSum : OrderSum {
   bool along = false;
   std::vector<double> toroidal{};  ///< as `coefficients`
+  bool outward = false;
 };
 
 /// A response between rings as a sum over the degrees,
@@ -29,6 +30,8 @@ struct DegreeSum : OrderSum {
 ///
 /// Along y the rows are the means over rings of what moves along y: −√(L/2)/(2n+1) (P_{n+1} − P_{n−1}) for a,
 /// −√(L/2)/(2n+1) [n P_{n+1} + (n+1) P_{n−1}] for b and √(L/2) P_n for R^WW; n = 0 has none.
+///
+/// Outward the rows are twice as long: those of the axis, then sin θ P_n for a and −cos θ dP_n/dθ for b.
 [[nodiscard]] std::vector<double> sum_over_degrees(const DegreeSum& sum, const ContactPoints& points, const Poll& poll);
 
 /// Weights of a degree n ≥ 1 on the rows P_{n+1} and P_{n−1} where rings move along y, over those along the axis.

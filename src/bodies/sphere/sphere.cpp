@@ -17,6 +17,7 @@
 #include "bodies/sphere/degree_sums.hpp"
 #include "bodies/sphere/legendre.hpp"
 #include "bodies/sphere/mode_search.hpp"
+#include "bodies/sphere/outward.hpp"
 #include "bodies/sphere/surface_points.hpp"
 #include "check.hpp"
 #include "stoss/bodies/sphere/modes.hpp"
@@ -79,6 +80,9 @@ Body made(const Sphere& sphere, double cutoff, const std::shared_ptr<const std::
   bodies::set_residual(body, std::make_shared<const Residual>(poisson, cutoff, *modes));
   body.along = [sphere, cutoff, modes](const Poll& poll) {
     return std::vector<Body>{along(made(sphere, cutoff, modes), sphere.poisson, *modes, poll)};
+  };
+  body.outward = [sphere, cutoff, modes](const Poll&) {
+    return outward(made(sphere, cutoff, modes), sphere.poisson, *modes);
   };
   return body;
 }

@@ -18,8 +18,9 @@ namespace {
 
 constexpr std::size_t remembered = 6;
 
-/// The law of both sides, each with half of the force.
-EdgeLaw of_both_sides(EdgeLaw law) {
+/// The law of all sides, each with its share of the force.
+EdgeLaw on_sides(std::size_t sides, EdgeLaw law) {
+  if (sides == 1) return law;
   for (double& each : law.force) each *= 0.5;
   for (auto* array : {&law.force, &law.gap}) {
     const std::vector<double> side = *array;
@@ -38,7 +39,8 @@ SidedContact::SidedContact(SidedCompliance compliance, const EdgeLaw& law, doubl
                            const Poll& poll)
     : compliance_(std::move(compliance)),
       along_(values(compliance_.yy)),
-      law_(of_both_sides(law)),
+      sides_(static_cast<std::size_t>(compliance_.xx.rows()) / law.gap.size()),
+      law_(on_sides(sides_, law)),
       coefficient_(friction),
       ratio_(ratio),
       poll_(poll),
@@ -53,16 +55,16 @@ SidedContact::SidedContact(SidedCompliance compliance, const EdgeLaw& law, doubl
       q_(law_.gap.size()) {}
 
 std::size_t SidedContact::extent() const {
-  const std::size_t points = closure_.size() / 2;
+  const std::size_t points = closure_.size() / sides_;
   std::size_t end = points;
-  while (end > 0 && force_(at(end - 1)) == 0.0 && force_(at(points + end - 1)) == 0.0) --end;
+  while (end > 0 && force_(at(end - 1)) == 0.0 && force_(at(closure_.size() - points + end - 1)) == 0.0) --end;
   return end;
 }
 
 double SidedContact::half_width() const {
   constexpr double excess = 0.18;  // as EdgeContact has it
   double sum = 0.0;
-  for (const double closure : closure_) sum += 0.5 * std::clamp(closure, 0.0, 1.0);
+  for (const double closure : closure_) sum += std::clamp(closure, 0.0, 1.0) / static_cast<double>(sides_);
   return std::max(0.0, sum - excess);
 }
 

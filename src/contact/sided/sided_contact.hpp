@@ -14,7 +14,7 @@
 namespace stoss {
 
 /// The contact problem of a step for surfaces in which normal force and friction each move the other's direction, with
-/// points on both sides of the axis: forces f ≥ 0 and friction q such that
+/// points on both sides of the axis, or rings around it: forces f ≥ 0 and friction q such that
 ///
 ///   g = xx f + xy q − x                              obey the edge law with f,
 ///   r = y − yy q − xyᵀ f − D (q − q_before)          Coulomb's law with |q| ≤ μ f (Friction).
@@ -25,6 +25,7 @@ namespace stoss {
 /// times the coupling exceeds about 1 there may be no solution, or more than one: Coulomb's law is then ill-posed.
 class SidedContact {
  public:
+  /// @param compliance of points on both sides, or of rings: of as many as the law has
   /// @param law   of the points of one side, of a force that both sides share
   /// @param ratio local softness along the surface over that along the normal
   SidedContact(SidedCompliance compliance, const EdgeLaw& law, double friction, double ratio, const Poll& poll);
@@ -40,6 +41,7 @@ class SidedContact {
 
   [[nodiscard]] const Eigen::VectorXd& force() const { return force_; }
   [[nodiscard]] const Eigen::VectorXd& friction() const { return friction_; }
+  [[nodiscard]] const Eigen::VectorXd& gap() const { return gap_; }
 
   /// Of the last solution, as Friction has it; means nothing where nothing touches.
   [[nodiscard]] const std::vector<int>& sliding() const { return coulomb_.sliding(); }
@@ -73,6 +75,7 @@ class SidedContact {
 
   SidedCompliance compliance_;
   std::vector<double> along_;  // yy, by rows
+  std::size_t sides_;
   EdgeLaw law_;
   double coefficient_, ratio_;
   Poll poll_;

@@ -125,8 +125,9 @@ std::vector<Body> bodies_along(const Body& disk, double poisson, const std::shar
   const Torsion torsion(poisson, kept_cutoff(disk));
   const auto residual = std::make_shared<const ResidualAlong>(poisson, disk.cutoff, *modes, torsion);
   const std::size_t orders = modes->empty() ? 2 : static_cast<std::size_t>(modes->back().order) + 2;
-  return of_both_parities(
-      disk, [&](Parity parity) { return groups_along(*modes, torsion, parity); },
+  return of_parities(
+      {Parity::normal_even, Parity::along_even}, disk,
+      [&](Parity parity) { return groups_along(*modes, torsion, parity); },
       [poisson, orders](Parity parity, const ContactPoints& points) {
         return surface_along(poisson, parity, orders, points);
       },

@@ -13,7 +13,7 @@ namespace {
 
 using Waves = std::shared_ptr<const std::vector<PlaneWaves>>;
 
-/// (k,±) = (cos ky | ± sin ky), first (k,+), then (k,−) of every wave number.
+/// (k,±) = (cos ky | ± sin ky) or (J₀(kr) | ± J₁(kr)), first (k,+), then (k,−) of every wave number.
 Surface plane_surface(const Medium& medium, Parity parity, const std::vector<PlaneWaves>& all,
                       const ContactPoints& points) {
   const bool even = parity == Parity::normal_even;
@@ -24,17 +24,17 @@ Surface plane_surface(const Medium& medium, Parity parity, const std::vector<Pla
       const double inner = points.radius * std::sin(static_cast<double>(i) * points.spacing);
       const double outer = points.radius * std::sin(static_cast<double>(i + 1) * points.spacing);
       surface.recess.push_back(0.0);
-      surface.measure.push_back(2.0 * (outer - inner));
-      surface.impedance.push_back(2.0 * (outer - inner) * speed);
+      surface.measure.push_back(medium.measure(inner, outer));
+      surface.impedance.push_back(surface.measure.back() * speed);
     }
   }
   for (const PlaneWaves& waves : all) {
     for (const double sign : {1.0, -1.0}) {
       for (std::size_t i = 0; i < points.count; ++i) {
-        surface.shape.push_back(std::cos(waves.wave_number * lateral_distance(points, i)));
+        surface.shape.push_back(medium.shape(waves.wave_number * lateral_distance(points, i)));
       }
       for (std::size_t i = 0; i < points.count; ++i) {
-        surface.shape.push_back(sign * std::sin(waves.wave_number * lateral_distance(points, i)));
+        surface.shape.push_back(sign * medium.slope(waves.wave_number * lateral_distance(points, i)));
       }
     }
   }
@@ -64,18 +64,28 @@ std::vector<ModeGroup> plane_groups(Parity parity, const std::vector<PlaneWaves>
   return groups;
 }
 
-}  // namespace
-
-std::vector<Body> planes_along(const Body& plane, const Medium& medium, double duration, const Poll& poll) {
+/// The blocks of these parities.
+std::vector<Body> blocks(const Body& plane, const Medium& medium, double duration, const std::vector<Parity>& parities,
+                         const Poll& poll) {
   const double highest = kept_cutoff(plane);
   const Waves waves = std::make_shared<const std::vector<PlaneWaves>>(plane_waves(medium, highest, duration, poll));
   const auto residual = std::make_shared<const PlaneResidual>(medium, highest, waves);
-  return of_both_parities(
-      plane, [&](Parity parity) { return plane_groups(parity, *waves); },
+  return of_parities(
+      parities, plane, [&](Parity parity) { return plane_groups(parity, *waves); },
       [medium, waves](Parity parity, const ContactPoints& points) {
         return plane_surface(medium, parity, *waves, points);
       },
       residual);
+}
+
+}  // namespace
+
+std::vector<Body> planes_along(const Body& plane, const Medium& medium, double duration, const Poll& poll) {
+  return blocks(plane, medium, duration, {Parity::normal_even, Parity::along_even}, poll);
+}
+
+Body space_outward(const Body& space, const Medium& medium, double duration, const Poll& poll) {
+  return blocks(space, medium, duration, {Parity::normal_even}, poll).front();
 }
 
 }  // namespace stoss::bodies::half_space

@@ -13,4 +13,8 @@ namespace stoss::bodies::half_space {
 [[nodiscard]] std::vector<Body> planes_along(const Body& plane, const Medium& medium, double duration,
                                              const Poll& poll);
 
+/// A half-space against forces alike all around the axis (Body::outward): its pressure and shear waves are those of a
+/// half-plane, with J₀(kr) for cos ky and J₁(kr) for sin ky.
+[[nodiscard]] Body space_outward(const Body& space, const Medium& medium, double duration, const Poll& poll);
+
 }  // namespace stoss::bodies::half_space

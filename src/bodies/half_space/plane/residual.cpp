@@ -15,12 +15,13 @@ namespace {
 using Block = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 using Eigen::Index;
 
-/// Σ over wave numbers of R_11 c cᵀ, R_12 c sᵀ and R_22 s sᵀ with c = (cos ky | 0), s = (0 | sin ky), where the
-/// components are in the order of a parity.
+/// Σ over wave numbers of R_11 c cᵀ, R_12 c sᵀ and R_22 s sᵀ with c = (cos ky | 0), s = (0 | sin ky), or J₀ and J₁ of
+/// kr, where the components are in the order of a parity.
 class PlaneProducts {
  public:
-  PlaneProducts(Parity parity, const ContactPoints& points, const Poll& poll)
-      : parity_(parity),
+  PlaneProducts(const Medium& medium, Parity parity, const ContactPoints& points, const Poll& poll)
+      : medium_(medium),
+        parity_(parity),
         poll_(poll),
         points_(static_cast<Index>(points.count)),
         distance_(points.count),
@@ -39,8 +40,8 @@ class PlaneProducts {
     const Index c = 2 * rows_, s = c + 1;
     for (Index i = 0; i < points_; ++i) {
       const double phase = wave_number * distance_[static_cast<std::size_t>(i)];
-      shape_(c, i) = std::cos(phase);
-      shape_(s, points_ + i) = std::sin(phase);
+      shape_(c, i) = medium_.shape(phase);
+      shape_(s, points_ + i) = medium_.slope(phase);
     }
     load_.row(c) = first * shape_.row(c) + mixed * shape_.row(s);
     load_.row(s) = mixed * shape_.row(c) + second * shape_.row(s);
@@ -71,6 +72,7 @@ class PlaneProducts {
     rows_ = 0;
   }
 
+  const Medium& medium_;
   Parity parity_;
   const Poll& poll_;
   Index points_;
@@ -81,13 +83,15 @@ class PlaneProducts {
 
 std::vector<double> values_of(const Block& matrix) { return {matrix.data(), matrix.data() + matrix.size()}; }
 
-/// High wave numbers add cos(kΔr)/πk to both directions by themselves; what they add to the mixed response,
-/// sin(kΔr)/πk, hardly changes.
-void resolve_each_pair(const ContactPoints& points, double highest, Block& sum) {
+/// High wave numbers add C cos(kΔr)/k to both directions by themselves; what they add to the mixed response,
+/// C sin(kΔr)/k, hardly changes.
+void resolve_each_pair(const Medium& medium, const ContactPoints& points, double highest, Block& sum) {
   for_pairs_beyond(points, highest, [&](std::size_t i, std::size_t j, double change) {
+    const double rings = std::numbers::pi * std::sqrt(lateral_distance(points, i) * lateral_distance(points, j));
+    const double spread = medium.contour == Contour::ball ? rings : 1.0;
     for (const std::size_t component : {std::size_t{0}, points.count}) {
       const auto row = static_cast<Index>(component + i), column = static_cast<Index>(component + j);
-      sum(row, column) += change / std::numbers::pi;
+      sum(row, column) += medium.softness * change / std::numbers::pi / spread;
       sum(column, row) = sum(row, column);
     }
   });
@@ -103,16 +107,16 @@ PlaneResidual::PlaneResidual(const Medium& medium, double cutoff, std::shared_pt
 
 std::vector<double> PlaneResidual::compliance(Parity parity, const ContactPoints& points, const Poll& poll) const {
   const double highest = std::numbers::pi / (points.spacing * points.radius);
-  PlaneProducts products(parity, points, poll);
+  PlaneProducts products(medium_, parity, points, poll);
   for (const PlaneWaves& waves : *waves_) products.add(waves.wave_number, waves.residual_compliance);
   products.add_range(highest_kept_, highest, [this](double k) { return plane_compliance(medium_, k); });
   Block& sum = products.sum();
-  resolve_each_pair(points, highest, sum);
+  resolve_each_pair(medium_, points, highest, sum);
   return values_of(sum);
 }
 
 std::vector<double> PlaneResidual::second_moment(Parity parity, const ContactPoints& points, const Poll& poll) const {
-  PlaneProducts products(parity, points, poll);
+  PlaneProducts products(medium_, parity, points, poll);
   for (const PlaneWaves& waves : *waves_) products.add(waves.wave_number, waves.residual_second_moment);
   products.add_range(highest_kept_, highest_moment_, [this](double k) { return plane_second_moment(medium_, k); });
   return values_of(products.sum());

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "stoss/contact/contact.hpp"
+#include "stoss/impact/resolution.hpp"
+#include "stoss/poll.hpp"
+
+namespace stoss {
+
+/// What the rings of an outward impact feel in a step.
+struct OutwardStep {
+  Eigen::VectorXd force;     ///< f of each
+  Eigen::VectorXd friction;  ///< q, outward on what meets the first body
+  Eigen::VectorXd slip;      ///< how far each has slid outward in the step
+  Eigen::VectorXd give;      ///< D of each, where both directions are equally soft (landing_give)
+};
+
+/// A central impact of balls whose surfaces rub each other as they spread under pressure.
+struct OutwardImpact {
+  double restitution = 0.0;    ///< ε_n
+  double friction_loss = 0.0;  ///< share of the initial energy
+  double vibration = 0.0;
+  double unresolved = 0.0;
+  double dissipated = 0.0;
+  double stored = 0.0;
+  double energy_error = 0.0;  ///< 1 − sum of all
+  double max_force = 0.0;     ///< mc²/R
+  FixedResolution resolution;
+  std::vector<OutwardStep> steps;  ///< from the first force to the first after the last
+};
+
+/// Computes a central impact of balls at rest with Coulomb's law at every ring, which moves along the axis and outward:
+/// both directions act on each other. Friction is no less than 0; without it both still act on each other in the modes
+/// above the cutoff, so that ε_n differs from that of `impact` by some 1e-6.
+/// @param outward the contact against forces alike all around the axis (contact_outward)
+/// @throws InvalidInput for a speed, and a resolution, out of range; NotConverged as coupled_impact
+[[nodiscard]] OutwardImpact outward_impact(const Contact& contact, const Contact& outward, double speed,
+                                           double friction, const Resolution& resolution, const Poll& poll = {});
+
+}  // namespace stoss

@@ -1,0 +1,113 @@
+#include "impact/oblique/ring_friction.hpp"
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <numbers>
+#include <utility>
+
+namespace stoss {
+
+using Eigen::Index;
+using Eigen::VectorXd;
+
+namespace {
+
+constexpr double end_of_table = 4.0;
+constexpr int per_unit = 64;
+constexpr std::size_t entries = static_cast<std::size_t>(end_of_table) * per_unit + 1;
+
+std::array<double, entries> tabulated() {
+  constexpr int directions = 512;
+  std::array<double, entries> table{};
+  for (std::size_t k = 1; k < entries; ++k) {
+    const double x = static_cast<double>(k) / per_unit;
+    double sum = 0.0;
+    for (int i = 0; i < directions; ++i) {
+      const double c = std::cos((i + 0.5) * std::numbers::pi / directions);
+      sum += (x + c) / std::sqrt(1.0 + 2.0 * x * c + x * x);
+    }
+    table[k] = sum / directions;
+  }
+  return table;
+}
+
+}  // namespace
+
+RingMean ring_mean(double x) {
+  static const std::array<double, entries> table = tabulated();
+  const double size = std::abs(x), sign = x < 0.0 ? -1.0 : 1.0;
+  if (size >= end_of_table) {
+    // 1 − 1/4x² − 3/64x⁴ − …
+    const double square = 1.0 / (size * size);
+    return {sign * (1.0 - square * (0.25 + square * (3.0 / 64.0 + square * 5.0 / 256.0))),
+            square / size * (0.5 + square * (3.0 / 16.0 + square * 15.0 / 128.0))};
+  }
+  const double at = size * per_unit;
+  const std::size_t k = std::min(static_cast<std::size_t>(at), entries - 2);
+  const double slope = table[k + 1] - table[k];
+  return {sign * (table[k] + (at - static_cast<double>(k)) * slope), per_unit * slope};
+}
+
+RingFriction::RingFriction(Eigen::MatrixXd compliance)
+    : compliance_(std::move(compliance)), ratio_(VectorXd::Zero(compliance_.rows())) {}
+
+/// Fills what is left of the equations, over R + |free|. @return its largest value
+double RingFriction::miss(const VectorXd& ratio) {
+  for (Index i = 0; i < touching_; ++i) {
+    const RingMean mean = ring_mean(ratio(i));
+    friction_(i) = limit_(i) * mean.value;
+    slope_(i) = limit_(i) * mean.slope;
+  }
+  left_.noalias() = -compliance_.topLeftCorner(touching_, touching_) * friction_;
+  left_.array() += start_.array() - reach_.array() * ratio.head(touching_).array() - give_.array() * friction_.array();
+  return left_.cwiseAbs().maxCoeff();
+}
+
+void RingFriction::solve(const VectorXd& give, const VectorXd& free, const VectorXd& limit, const VectorXd& reach,
+                         VectorXd& force) {
+  constexpr int most = 60, halvings = 12;
+  constexpr double tolerance = 1e-7, least = 1e-12;
+  touching_ = limit.size();
+  while (touching_ > 0 && !(limit(touching_ - 1) > 0.0)) --touching_;
+  ratio_.tail(limit.size() - touching_).setZero();
+  if (touching_ == 0) {
+    force.setZero();
+    return;
+  }
+  limit_ = limit.head(touching_);
+  reach_ = reach.head(touching_);
+  give_ = give.head(touching_);
+  start_ = free.head(touching_) + give_.cwiseProduct(force.head(touching_));
+  friction_.resize(touching_), slope_.resize(touching_);
+  const double scale = start_.cwiseAbs().maxCoeff() + reach_.maxCoeff();
+  double size = miss(ratio_);
+  for (int round = 0; round < most && size > tolerance * scale; ++round) {
+    // In the change of friction the matrix is symmetric.
+    matrix_ = compliance_.topLeftCorner(touching_, touching_);
+    for (Index i = 0; i < touching_; ++i) {
+      slope_(i) = std::max(slope_(i), least * limit_(i)) + std::numeric_limits<double>::min();
+      matrix_(i, i) += give_(i) + reach_(i) / slope_(i);
+    }
+    Eigen::LLT<Eigen::Ref<Eigen::MatrixXd>> factored(matrix_);
+    step_ = factored.solve(left_).cwiseQuotient(slope_);
+    double share = 1.0;
+    for (int k = 0; k < halvings; ++k, share *= 0.5) {
+      trial_ = ratio_;
+      trial_.head(touching_) += share * step_;
+      const double now = miss(trial_);
+      if (now < size || k + 1 == halvings) {
+        size = now;
+        break;
+      }
+    }
+    ratio_ = trial_;
+  }
+  force.head(touching_) = friction_;
+  force.tail(force.size() - touching_).setZero();
+}
+
+}  // namespace stoss

@@ -1,0 +1,92 @@
+// What the coupling that rings leave out may change.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <vector>
+
+#include "stoss/bodies/disk.hpp"
+#include "stoss/bodies/half_space.hpp"
+#include "stoss/bodies/sphere.hpp"
+#include "stoss/restitution/oblique.hpp"
+
+namespace stoss {
+namespace neglected_coupling {
+namespace {
+
+constexpr double kappa = 1.4 / 1.7;  // ν = 0.3
+
+void expect_none(const Coupling& coupling) {
+  for (const double each : {coupling.dundurs, coupling.restitution, coupling.sliding_after, coupling.tangential_after,
+                            coupling.tangential_restitution, coupling.spin_after, coupling.second_spin_after}) {
+    EXPECT_EQ(each, 0.0);
+  }
+}
+
+std::vector<ObliqueRestitution> rules(const RefinableContact& contact, double speed,
+                                      const std::vector<Obliquity>& before) {
+  return oblique_restitution(contact, speed, before, {.tolerance = 0.1});
+}
+
+TEST(NeglectedCoupling, IsNothingForEqualBodiesDisksAndSmoothOnes) {
+  const Sphere small{.poisson = 0.3, .radius = 0.7, .young = 2.0};
+  expect_none(rules({sphere(small), sphere(small)}, 0.01, {{0.01, 0.0, 0.0, 0.3}}).front().neglected);
+  expect_none(rules(RefinableContact(sphere(0.3)), 0.01, {{0.01, 0.0, 0.0, 0.0}}).front().neglected);
+  expect_none(rules(RefinableContact(disk(0.3)), 0.1, {{0.1, 0.0, 0.0, 0.3}}).front().neglected);
+}
+
+// By a prototype with the pressures of the outward impact, finer.
+TEST(NeglectedCoupling, IsLargeNearStickingWhereFrictionIsSmallAgainstBeta) {
+  constexpr double speed = 1e-3;
+  const RefinableContact wall(sphere(0.3));
+  const auto added = [&](double friction, double psi) {
+    return rules(wall, speed, {{psi * friction * speed / kappa, 0.0, 0.0, friction}}).front().neglected;
+  };
+  EXPECT_NEAR(added(0.05, 0.2).tangential_restitution, 0.53, 0.08);
+  EXPECT_NEAR(added(0.05, 3.0).tangential_restitution, -0.31, 0.1);
+  EXPECT_NEAR(added(0.1, 0.5).tangential_restitution, 0.27, 0.08);
+  EXPECT_NEAR(added(0.3, 1.0).tangential_restitution, 0.22, 0.08);
+  EXPECT_NEAR(added(3.0, 1.0).tangential_restitution, 0.0, 0.02);
+  EXPECT_NEAR(added(0.1, 0.5).dundurs, 2.0 / 7.0, 1e-9);
+  EXPECT_NEAR(added(0.1, 0.5).restitution, -1.8e-3, 2e-4);
+}
+
+TEST(NeglectedCoupling, IsThatOfTheVelocities) {
+  const RefinableContact pair(sphere(Sphere{0.1}), sphere(Sphere{.poisson = 0.4, .radius = 2.0}));
+  const Obliquity before{0.002, 0.001, -0.0005, 0.2}, back{-0.002, -0.001, 0.0005, 0.2}, standing{0.0, 0.0, 0.0, 0.2};
+  const auto results = rules(pair, 0.01, {before, back, standing});
+  const Coupling &there = results[0].neglected, &mirrored = results[1].neglected, &none = results[2].neglected;
+  EXPECT_NEAR(there.sliding_after, there.tangential_after + there.spin_after + 2.0 * there.second_spin_after, 1e-15);
+  EXPECT_NEAR(there.tangential_restitution, -there.sliding_after / results[0].sliding, 1e-12);
+  EXPECT_NE(there.sliding_after, 0.0);
+  EXPECT_NEAR(mirrored.sliding_after, -there.sliding_after, 1e-9);
+  EXPECT_EQ(mirrored.restitution, there.restitution);
+  EXPECT_EQ(none.restitution, there.restitution);
+  EXPECT_EQ(none.sliding_after, 0.0);
+  EXPECT_EQ(none.tangential_restitution, 0.0);
+}
+
+// Momentum: what friction takes of v_t it gives to the spin, with an arm a little shorter than R.
+TEST(NeglectedCoupling, KeepsTheMomentum) {
+  const RefinableContact stone(sphere(0.25), half_space(HalfSpace{.poisson = 0.25, .young = 0.2}));
+  const Coupling added = rules(stone, 1e-3, {{2e-4, 0.0, 0.0, 0.1}}).front().neglected;
+  EXPECT_NE(added.tangential_after, 0.0);
+  EXPECT_NEAR(added.spin_after, 2.5 * added.tangential_after, 0.02 * std::abs(added.spin_after));
+  EXPECT_EQ(added.second_spin_after, 0.0);
+  EXPECT_NEAR(added.dundurs, (0.2 - 1.0) / 1.2 * -1.0 / 3.0, 1e-9);
+}
+
+// It does not depend on what else is asked for.
+TEST(NeglectedCoupling, IsTheSameAmongOthers) {
+  const RefinableContact wall(sphere(0.3));
+  const std::vector<Obliquity> all{{0.01, 0.0, 0.0, 0.3}, {0.02, 0.0, 0.0, 0.1}, {0.0, 0.01, 0.0, 0.1}};
+  const auto together = rules(wall, 0.05, all);
+  for (std::size_t k = 0; k < all.size(); ++k) {
+    const Coupling alone = rules(wall, 0.05, {all[k]}).front().neglected;
+    EXPECT_EQ(together[k].neglected.sliding_after, alone.sliding_after);
+    EXPECT_EQ(together[k].neglected.restitution, alone.restitution);
+  }
+}
+
+}  // namespace
+}  // namespace neglected_coupling
+}  // namespace stoss
