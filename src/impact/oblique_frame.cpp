@@ -15,6 +15,19 @@
 
 namespace stoss {
 
+AlongOutcome AlongOutcome::times(double factor) const {
+  AlongOutcome result = *this;
+  for (double* each :
+       {&result.tangential, &result.spin[0], &result.spin[1], &result.impulse, &result.moment[0], &result.moment[1]}) {
+    *each *= factor;
+  }
+  for (double* each : {&result.vibration[0], &result.vibration[1], &result.dissipated, &result.friction,
+                       &result.unresolved, &result.stored}) {
+    *each *= factor * factor;
+  }
+  return result;
+}
+
 ObliqueFrame::ObliqueFrame(const Contact& contact, double speed_towards, const ImpactOptions& options)
     : speed(speed_towards), mass(contact.whole_mass), normal_energy(0.5 * mass * speed * speed) {
   for (int number = 0; number < 2; ++number) {

@@ -17,6 +17,9 @@ struct AlongOutcome {
   // Energies.
   std::array<double, 2> vibration{};
   double dissipated = 0.0, friction = 0.0, unresolved = 0.0, stored = 0.0;
+
+  /// Velocities and impulses times a factor, energies times its square.
+  [[nodiscard]] AlongOutcome times(double factor) const;
 };
 
 /// What moves along the surface besides the modes, in units of the first body: whole bodies, where only a part of one

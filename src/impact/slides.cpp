@@ -15,6 +15,7 @@
 #include "contact/response.hpp"
 #include "contact/touch.hpp"
 #include "impact/kept_modes.hpp"
+#include "impact/oblique/wave_memory.hpp"
 #include "impact/oblique_frame.hpp"
 #include "impact/pressures.hpp"
 #include "numeric/kernels.hpp"
@@ -50,11 +51,12 @@ struct Slides::Parts {
   ObliqueFrame frame;
   Pressures pressures;
   double step;
-  Contact along;
+  Contact along;              // without the waves that are remembered
   std::array<Values, 2> arm;  // of friction at each node about the centre of each body that turns
   double ratio;               // of softness along the surface to that along the normal
   // At rest.
   KeptModes modes;
+  WaveMemory waves;
   Residuals residuals;
   Values compliance;
 
@@ -69,14 +71,17 @@ struct Slides::Parts {
     const ContactGrid grid = contact_grid(along, across.points);
     const double step = resolution.step, ratio = touch(along).softness / touch(contact).softness;
     const Residuals residuals(along, grid, inertia_of(resolution.tail), step, options.poll);
+    WaveMemory waves(along, grid, step, pressures.steps(), options.poll);
+    const auto [kept, kept_grid] = without_remembered(along, grid);
     return {std::move(normal),
             ObliqueFrame(contact, speed, options),
             std::move(pressures),
             step,
-            along,
+            kept,
             arms(contact, across.points),
             ratio,
-            KeptModes(along, grid, step, kicks_of(along, resolution.tail)),
+            KeptModes(kept, kept_grid, step, kicks_of(along, resolution.tail)),
+            std::move(waves),
             residuals,
             residuals.compliance()};
   }
@@ -91,6 +96,7 @@ class Slide {
   Slide(const Parts& parts, const AlongOutcome& start)
       : parts_(parts),
         modes_(parts.modes),
+        waves_(parts.waves),
         residuals_(parts.residuals),
         friction_(nodes()),
         tangential_(start.tangential),
@@ -108,6 +114,7 @@ class Slide {
     centre_ += tangential_ * parts_.step;
     for (std::size_t k = 0; k < 2; ++k) turned_[k] += spin_[k] * parts_.step;
     modes_.advance();
+    waves_.advance();
     Values place = kept_place();
     const Values& rest = residuals_.predict();
     const double* give = parts_.pressures.give(step);
@@ -131,6 +138,7 @@ class Slide {
     residuals_.move(displacement_, force_, touching);
     place_.swap(place);
     modes_.load(force_, touching);
+    waves_.load(force_);
     kick();
   }
 
@@ -142,7 +150,8 @@ class Slide {
     after.moment = moment_;
     const Values energies = modes_.energies();
     const auto second = energies.begin() + static_cast<std::ptrdiff_t>(mode_count(*parts_.along.first));
-    after.vibration = {std::accumulate(energies.begin(), second, 0.0), std::accumulate(second, energies.end(), 0.0)};
+    after.vibration = {std::accumulate(energies.begin(), second, 0.0),
+                       std::accumulate(second, energies.end(), waves_.energy())};
     const auto [first_lost, second_lost] = residuals_.dissipated();
     after.stored = residuals_.stored();
     after.dissipated = modes_.dissipated(0, parts_.along.groups.size()) + first_lost + second_lost;
@@ -175,11 +184,13 @@ class Slide {
       place[i] = centre_ + turned_[0] * parts_.arm[0][i] + turned_[1] * parts_.arm[1][i];
     }
     modes_.add_displacement(place);
+    waves_.add_displacement(place);
     return place;
   }
 
   const Parts& parts_;
   KeptModes modes_;
+  WaveMemory waves_;
   Residuals residuals_;
   Friction friction_;
   double centre_ = 0.0, tangential_;       // place and velocity along y of the centres
@@ -192,20 +203,6 @@ class Slide {
   double impulse_ = 0.0;
   std::array<double, 2> moment_{};
 };
-
-/// All but spins and velocities by one factor, those by its root.
-AlongOutcome times(double friction, AlongOutcome outcome) {
-  const double square = friction * friction;
-  for (double* each : {&outcome.tangential, &outcome.spin[0], &outcome.spin[1], &outcome.impulse, &outcome.moment[0],
-                       &outcome.moment[1]}) {
-    *each *= friction;
-  }
-  for (double* each : {&outcome.vibration[0], &outcome.vibration[1], &outcome.dissipated, &outcome.friction,
-                       &outcome.unresolved, &outcome.stored}) {
-    *each *= square;
-  }
-  return outcome;
-}
 
 /// @throws NotConverged where the motion along the surface is not resolved in time and means nothing: energy is
 /// missing, or comes out of what can only take it
@@ -231,12 +228,12 @@ ObliqueImpact Slides::after(const Obliquity& obliquity, const Poll& poll) const 
   const AlongOutcome start = ObliqueFrame::unchanged(obliquity);
   const double friction = obliquity.friction;
   if (friction == 0.0) return parts.frame.joined(parts.normal, obliquity, start);
-  Slide slide(parts, times(1.0 / friction, start));
+  Slide slide(parts, start.times(1.0 / friction));
   for (std::size_t step = 0; step < parts.pressures.steps(); ++step) {
     if (poll) poll();
     slide.advance(step);
   }
-  ObliqueImpact result = parts.frame.joined(parts.normal, obliquity, times(friction, slide.outcome()));
+  ObliqueImpact result = parts.frame.joined(parts.normal, obliquity, slide.outcome().times(friction));
   require_resolved(result);
   return result;
 }
