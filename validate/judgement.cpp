@@ -95,12 +95,11 @@ Deviation deviation(const stoss::Estimate& answer, const stoss::Estimate& refere
   return {difference / answer.error, within, answer.error / difference};
 }
 
-Tally tally(const std::vector<Point>& points, const std::vector<Answer>& answers, Quantity quantity) {
+Tally tally(const std::vector<Comparison>& all) {
   Tally result;
   std::vector<double> paddings;
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    if (!points[i].reference[quantity]) continue;
-    const Deviation off = deviation(answers[i].value[quantity], *points[i].reference[quantity]);
+  for (const auto& [answer, reference] : all) {
+    const Deviation off = deviation(answer, reference);
     ++result.points;
     if (off.ratio <= 1.0) ++result.within;
     if (off.strictly_within) ++result.strictly_within;
@@ -113,6 +112,15 @@ Tally tally(const std::vector<Point>& points, const std::vector<Answer>& answers
   }
   result.padding = median(paddings);
   return result;
+}
+
+Tally tally(const std::vector<Point>& points, const std::vector<Answer>& answers, Quantity quantity) {
+  std::vector<Comparison> all;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const std::optional<stoss::Estimate>& reference = points[i].reference[quantity];
+    if (reference) all.push_back({answers[i].value[quantity], *reference});
+  }
+  return tally(all);
 }
 
 bool honest(const Tally& tally) {

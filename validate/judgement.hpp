@@ -51,6 +51,11 @@ struct Tally {
   double padding = 0;   ///< median; infinite where no point can tell
 };
 
+/// A value, and what it is judged by.
+struct Comparison {
+  stoss::Estimate answer, reference;
+};
+Tally tally(const std::vector<Comparison>& all);
 Tally tally(const std::vector<Point>& points, const std::vector<Answer>& answers, Quantity quantity);
 
 /// What is promised of an error: the true one is within it in 95 % of all cases and never beyond three times it, and it

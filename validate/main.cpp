@@ -58,6 +58,10 @@ int run(int argc, char** argv) {
     validate::make_vibrating_reference(argv[2]);
     return 0;
   }
+  if (first == "--make-oblique-reference" && argc == 3) {
+    validate::make_oblique_reference(argv[2]);
+    return 0;
+  }
   if (argc == 1) return report("");
   if (argc == 2 && first.rfind(markdown, 0) == 0) return report(first.substr(markdown.size()));
   std::cerr << "usage: stoss_validate [--markdown=FILE]\n       stoss_validate --make-reference FILE\n"
@@ -66,7 +70,8 @@ int run(int argc, char** argv) {
                "       stoss_validate --make-sphere-reference FILE\n"
                "       stoss_validate --make-half-space-reference FILE\n"
                "       stoss_validate --make-lossy-reference FILE\n"
-               "       stoss_validate --make-vibrating-reference FILE\n";
+               "       stoss_validate --make-vibrating-reference FILE\n"
+               "       stoss_validate --make-oblique-reference FILE\n";
   return 2;
 }
 

@@ -26,4 +26,7 @@ void make_lossy_reference(const std::string& path);
 /// Computes those of vibrating bodies: validate/data/reference_vibrating.csv. @throws std::runtime_error as above
 void make_vibrating_reference(const std::string& path);
 
+/// Computes those of oblique impacts: validate/data/reference_oblique.csv. @throws std::runtime_error as above
+void make_oblique_reference(const std::string& path);
+
 }  // namespace validate

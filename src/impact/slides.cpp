@@ -16,6 +16,7 @@
 #include "contact/touch.hpp"
 #include "impact/kept_modes.hpp"
 #include "impact/normal_course.hpp"
+#include "impact/oblique/wave_memory.hpp"
 #include "impact/oblique_film.hpp"
 #include "impact/oblique_frame.hpp"
 #include "numeric/kernels.hpp"
@@ -49,10 +50,11 @@ Kicks kicks_of(const Contact& contact, Tail tail) {
 struct Slides::Parts {
   NormalCourse course;
   double step;
-  Contact along;
-  double ratio;  // of softness along the surface to that along the normal
+  Contact along;  // without the waves that are remembered
+  double ratio;   // of softness along the surface to that along the normal
   // At rest.
   KeptModes modes;
+  WaveMemory waves;
   Residuals residuals;
   Values compliance;
 
@@ -64,8 +66,11 @@ struct Slides::Parts {
     const ContactGrid grid = contact_grid(along, course.nodes);
     const double step = resolution.step, ratio = touch(along).softness / touch(contact).softness;
     const Residuals residuals(along, grid, inertia_of(resolution.tail), step, options.poll);
-    KeptModes modes(along, grid, step, kicks_of(along, resolution.tail));
-    return {std::move(course), step, along, ratio, std::move(modes), residuals, residuals.compliance()};
+    WaveMemory waves(along, grid, step, course.pressures.steps(), options.poll);
+    auto [kept, kept_grid] = without_remembered(along, grid);
+    KeptModes modes(kept, kept_grid, step, kicks_of(along, resolution.tail));
+    return {std::move(course), step,      std::move(kept),       ratio, std::move(modes),
+            std::move(waves),  residuals, residuals.compliance()};
   }
 };
 
@@ -79,6 +84,7 @@ class Slide {
       : parts_(parts),
         course_(parts.course),
         modes_(parts.modes),
+        waves_(parts.waves),
         residuals_(parts.residuals),
         friction_(nodes()),
         tangential_(start.tangential),
@@ -96,6 +102,7 @@ class Slide {
     centre_ += tangential_ * parts_.step;
     for (std::size_t k = 0; k < 2; ++k) turned_[k] += spin_[k] * parts_.step;
     modes_.advance();
+    waves_.advance();
     Values place = kept_place();
     const Values& rest = residuals_.predict();
     const double* give = course_.pressures.give(step);
@@ -120,6 +127,7 @@ class Slide {
     place_.swap(place);
     place_before_.swap(place);
     modes_.load(force_, touching);
+    waves_.load(force_);
     kick();
   }
 
@@ -142,7 +150,8 @@ class Slide {
     after.moment = moment_;
     const Values energies = modes_.energies();
     const auto second = energies.begin() + static_cast<std::ptrdiff_t>(mode_count(*parts_.along.first));
-    after.vibration = {std::accumulate(energies.begin(), second, 0.0), std::accumulate(second, energies.end(), 0.0)};
+    after.vibration = {std::accumulate(energies.begin(), second, 0.0),
+                       std::accumulate(second, energies.end(), waves_.energy())};
     const auto [first_lost, second_lost] = residuals_.dissipated();
     after.stored = residuals_.stored();
     after.dissipated = modes_.dissipated(0, parts_.along.groups.size()) + first_lost + second_lost;
@@ -175,12 +184,14 @@ class Slide {
       place[i] = centre_ + turned_[0] * course_.arm[0][i] + turned_[1] * course_.arm[1][i];
     }
     modes_.add_displacement(place);
+    waves_.add_displacement(place);
     return place;
   }
 
   const Parts& parts_;
   const NormalCourse& course_;
   KeptModes modes_;
+  WaveMemory waves_;
   Residuals residuals_;
   Friction friction_;
   double centre_ = 0.0, tangential_;       // place and velocity along y of the centres

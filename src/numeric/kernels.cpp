@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 // Function multiversioning: one portable binary that uses AVX2 where the processor has it (AVX-512 was no faster).
 // Sanitizers cannot run before the resolver, and clang 14 lacks architecture levels here; both get the portable code.
@@ -167,6 +168,56 @@ void multiply_transposed(const double* matrix, std::size_t stride, std::size_t r
       break;
   }
   for (; i < end; ++i) multiply_block<1>(matrix + i, stride, rows, x, result + i);
+}
+
+STOSS_MULTIVERSION
+void add_transposed(const double* matrix, std::size_t stride, std::size_t rows, std::size_t count, const double* x,
+                    double* result) {
+  constexpr std::size_t width = 16;
+  std::size_t i = 0;
+  for (; i + width <= count; i += width) {
+    std::array<double, width> sum;
+    for (std::size_t k = 0; k < width; ++k) sum[k] = result[i + k];
+    for (std::size_t j = 0; j < rows; ++j) {
+      const double* const row = matrix + j * stride + i;
+#pragma omp simd
+      for (std::size_t k = 0; k < width; ++k) sum[k] += row[k] * x[j];
+    }
+    for (std::size_t k = 0; k < width; ++k) result[i + k] = sum[k];
+  }
+  for (; i < count; ++i) {
+    for (std::size_t j = 0; j < rows; ++j) result[i] += matrix[j * stride + i] * x[j];
+  }
+}
+
+STOSS_MULTIVERSION
+void sum_oscillations(const double* omega, const double* weight, std::size_t count, double step, std::size_t steps,
+                      double* sine, double* cosine) {
+  std::fill(sine, sine + steps, 0.0);
+  std::fill(cosine, cosine + steps, 0.0);
+  for (std::size_t first = 0; first < count; first += lanes) {
+    Lanes a{}, b{}, turn_a{}, turn_b{}, share{};
+    for (std::size_t i = 0; i < std::min(lanes, count - first); ++i) {
+      const double w = weight[first + i];
+      a[i] = w * w;
+      turn_a[i] = std::cos(omega[first + i] * step);
+      turn_b[i] = std::sin(omega[first + i] * step);
+      share[i] = 1.0 / omega[first + i];
+    }
+    for (std::size_t k = 0; k < steps; ++k) {
+      double sum_a = 0.0, sum_b = 0.0;
+#pragma omp simd reduction(+ : sum_a, sum_b)
+      for (std::size_t i = 0; i < lanes; ++i) {
+        const double before = a[i];
+        a[i] = before * turn_a[i] - b[i] * turn_b[i];
+        b[i] = before * turn_b[i] + b[i] * turn_a[i];
+        sum_a += a[i];
+        sum_b += b[i] * share[i];
+      }
+      cosine[k] += sum_a;
+      sine[k] += sum_b;
+    }
+  }
 }
 
 }  // namespace stoss::numeric::kernels

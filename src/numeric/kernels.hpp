@@ -45,4 +45,14 @@ void accumulate_energy(const Oscillators& modes, const std::size_t* begin, std::
 void multiply_transposed(const double* matrix, std::size_t stride, std::size_t rows, std::size_t begin, std::size_t end,
                          const double* x, double* result);
 
+/// Adds the product of the transpose of a row-major matrix with a vector: result[i] += Σ_{j<rows} matrix[j][i] x[j] for
+/// i < count.
+void add_transposed(const double* matrix, std::size_t stride, std::size_t rows, std::size_t count, const double* x,
+                    double* result);
+
+/// Sums over oscillators of a weight w each, of steps k = 1 … steps: sine[k − 1] = Σ w² sin(ω k Δt)/ω and
+/// cosine[k − 1] = Σ w² cos(ω k Δt).
+void sum_oscillations(const double* omega, const double* weight, std::size_t count, double step, std::size_t steps,
+                      double* sine, double* cosine);
+
 }  // namespace stoss::numeric::kernels
