@@ -96,7 +96,7 @@ class ObliqueImpact(Oblique, ImpactsInSi):
         modes, (speed, *along) = choose_state(state), motion
         met = contact(body, against, cutoff, speed)
         handle = _core.oblique_impact(met, speed, np.array(along), *resolution, modes)
-        values = dict(zip(MOTION, motion)) | handle.numbers()
+        values: dict[str, Any] = {**dict(zip(MOTION, motion)), **handle.numbers()}
         return cls(
             body=body, against=against, energy=ObliqueLedger(**handle.ledger()), state=modes if modes.size else None,
             _handle=handle, **values,
