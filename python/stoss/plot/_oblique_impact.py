@@ -119,7 +119,7 @@ def _span(trajectory: ObliqueTrajectory) -> tuple[float, float]:
     """The time in contact, with something around it."""
     touching = trajectory.time[trajectory.touching > 0]
     first, last = (touching[0], touching[-1]) if touching.size else (trajectory.time[0], trajectory.time[-1])
-    more = AROUND * (last - first)
+    more = AROUND * (last - first) or 0.5
     return float(first - more), float(last + more)
 
 
