@@ -92,7 +92,7 @@ struct ObliqueInstants {
     const PlanePoint first = center(contact, now, 0);
     x.push_back(first.x);
     y.push_back(first.y);
-    if (contact.second) {
+    if (contact.second && !contact.unbounded) {
       const PlanePoint second = center(contact, now, 1);
       second_x.push_back(second.x);
       second_y.push_back(second.y);
@@ -125,7 +125,7 @@ py::tuple film(const MadeObliqueImpact& made, const Contact& contact, int every)
   py::dict others;
   others["x"] = take(std::move(all.x));
   others["y"] = take(std::move(all.y));
-  if (contact.second) {
+  if (contact.second && !contact.unbounded) {
     others["second_x"] = take(std::move(all.second_x));
     others["second_y"] = take(std::move(all.second_y));
   }

@@ -237,8 +237,9 @@ ObliqueImpact Slides::after(const Obliquity& obliquity, const Poll& poll, const 
     slide.advance(step);
     if (film.advance()) film.show(times(friction, slide.motion()), times(friction, slide.rubs()));
   }
-  film.fly(course.impact.steps, times(friction, slide.motion()));
-  ObliqueImpact result = course.frame.joined(course.impact, obliquity, times(friction, slide.outcome()));
+  const AlongMotion end = times(friction, slide.motion());
+  film.fly(course.impact.steps, end);
+  ObliqueImpact result = course.frame.joined(course.impact, obliquity, end.outcome);
   require_resolved(result);
   return result;
 }

@@ -183,7 +183,10 @@ def oblique(
     """
     chosen = choose_body(body, None, rigid=True)
     met = choose_against(chosen, against, (HardWall,))
-    motion = choose_motion(chosen, speed, tangential, angle, spin, second_spin, friction, 40)
+    motion = choose_motion(
+        chosen, speed=speed, tangential=tangential, angle=angle, spin=spin, second_spin=second_spin,
+        friction=friction, kept=40,
+    )  # fmt: skip
     shape = motion[0].shape
     # Those of one speed after one another share their impacts along the normal.
     order = np.argsort(motion[0].ravel(), kind="stable")

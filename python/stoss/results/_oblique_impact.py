@@ -96,7 +96,7 @@ class ObliqueImpact(Oblique, ImpactsInSi):
         modes, (speed, *along) = choose_state(state), motion
         met = contact(body, against, cutoff, speed)
         handle = _core.oblique_impact(met, speed, np.array(along), *resolution, modes)
-        values = dict(zip(MOTION, motion)) | handle.numbers()
+        values: dict[str, Any] = {**dict(zip(MOTION, motion)), **handle.numbers()}
         return cls(
             body=body, against=against, energy=ObliqueLedger(**handle.ledger()), state=modes if modes.size else None,
             _handle=handle, **values,
@@ -156,9 +156,14 @@ def oblique_impact(
     """
     chosen = choose_body(body, None, rigid=True)
     met = choose_against(chosen, against, (HardWall,))
-    motion = choose_motion(chosen, speed, tangential, angle, spin, second_spin, friction, 1)
+    given: dict[str, Any] = {
+        "speed": speed, "tangential": tangential, "angle": angle, "spin": spin, "second_spin": second_spin,
+        "friction": friction,
+    }  # fmt: skip
+    motion = choose_motion(chosen, **given, kept=1)
     if motion[0].shape:
-        raise InvalidInput(f"speed: got {motion[0].shape} of them, allowed one (use stoss.oblique for arrays)")
+        name, several = next((each, np.size(value)) for each, value in given.items() if np.shape(value))
+        raise InvalidInput(f"{name}: got {several} of them, allowed one impact (use stoss.oblique for several)")
     count = None if nodes is None else integer("nodes", nodes)
     resolution = optional_number("step", step), count, optional_number("half_width", half_width)
     with speeds_in_si(chosen):

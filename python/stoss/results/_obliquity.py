@@ -57,7 +57,7 @@ class Oblique(MayYield):
 
 
 def choose_motion(
-    body: Body, speed: Any, tangential: Any, angle: Any, spin: Any, second_spin: Any, friction: Any, kept: int
+    body: Body, *, speed: Any, tangential: Any, angle: Any, spin: Any, second_spin: Any, friction: Any, kept: int
 ) -> list[NDArray[np.float64]]:
     """Arrays of one shape in the order of MOTION, in the units of the body; so many numbers are kept of each."""
     in_si = body.material is not None
