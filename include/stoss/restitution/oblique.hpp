@@ -28,7 +28,7 @@ struct ObliqueRun {
 /// how much a model with this coupling differs from that without, both computed coarsely (docs/theory/oblique.md). All
 /// are 0 where nothing is left out: for disks, equal bodies and μ = 0. NaN: unknown.
 struct Coupling {
-  double dundurs = 0.0;        ///< Dundurs' |β| of the bodies, 0 … ½: how much pressure moves one along the other
+  double dundurs = 0.0;        ///< Dundurs' |β| of the bodies, 0 … ¾: how much pressure moves one along the other
   double restitution = 0.0;    ///< change of ε_n of a central impact, by friction of the surfaces as they spread
   double sliding_after = 0.0;  ///< change of s′
   double tangential_restitution = 0.0;  ///< of ε_t; 0 where s = 0
