@@ -102,10 +102,11 @@ def near_stick():
     names = {"et": "centre", "spin": "spin", "patch": "contact"}
     for quantity, angle, value in sorted(measurements(), key=lambda each: each[1]):
         if angle < 12:
-            found, maw, added = (
-                at(GLASS, angle, name) for name in ("tangential_restitution", "maw", "added_by_coupling_of_disks")
+            found, maw, rings, disks = (
+                at(GLASS, angle, name)
+                for name in ("tangential_restitution", "maw", "neglected_coupling", "added_by_coupling_of_disks")
             )
-            cells = (signed(each, 2) for each in (value, found, maw, found + added))
+            cells = (signed(each, 2) for each in (value, found, maw, found + rings, found + disks))
             yield line(f"{angle:.1f}°", names[quantity], *cells)
 
 
@@ -226,6 +227,9 @@ def test_claims_about_the_experiment():
     loss = 100 * (1 - first**2)
     assert f"stoss gives {first:.4f} for the central impact: the waves in the glass take {loss:.1f} %" in WORDS
     assert f"some {100 * loss / (100 * (1 - 0.98**2)):.0f} % of the measured loss" in WORDS
+    near, far = (at(GLASS, angle, "neglected_coupling") for angle in (2, 10))
+    most = max(abs(row["neglected_coupling"]) for row in GLASS if row["angle"] >= 12)
+    assert f"{near:.2f} at 2°, {far:.2f} at 10°, at most {most:.2f} from 12° on" in WORDS
     off = {}
     for quantity, name in (("et", "tangential_of_center"), ("spin", "spin"), ("patch", "angle_of_patch")):
         its = [row for row in having(MEASURED, quantity=quantity) if row["at"] > 15]
