@@ -88,6 +88,24 @@ TEST(NeglectedCoupling, KeepsTheMomentum) {
   EXPECT_NEAR(added.dundurs, (0.2 - 1.0) / 1.2 * -1.0 / 3.0, 1e-9);
 }
 
+// A rigid sphere of any size is a wall but for its curvature.
+TEST(NeglectedCoupling, IsThatOfAWallOnARigidSphere) {
+  const Obliquity before{2e-4, 0.0, 0.0, 0.1};
+  const Coupling wall = rules(RefinableContact(sphere(0.3)), 2e-3, {before}).front().neglected;
+  const Coupling rigid_one =
+      rules({sphere(0.3), rigid(sphere(Sphere{.poisson = 0.1, .radius = 20.0}))}, 2e-3, {before}).front().neglected;
+  EXPECT_NEAR(rigid_one.dundurs, wall.dundurs, 1e-12);
+  EXPECT_NEAR(rigid_one.restitution, wall.restitution, 0.1 * std::abs(wall.restitution));
+  EXPECT_NEAR(rigid_one.tangential_restitution, wall.tangential_restitution, 0.05);
+}
+
+// Where friction is so high that waves grow, a rigid disk is no better than a wall.
+TEST(NeglectedCoupling, OfARigidBodyIsThatOfAWall) {
+  const Obliquity before{0.1, 0.0, 0.0, 3.0};
+  EXPECT_TRUE(rules(RefinableContact(disk(0.3)), 0.1, {before}).front().unstable);
+  EXPECT_TRUE(rules({disk(0.3), rigid(disk(0.3))}, 0.1, {before}).front().unstable);
+}
+
 // It does not depend on what else is asked for.
 TEST(NeglectedCoupling, IsTheSameAmongOthers) {
   const RefinableContact wall(sphere(0.3));
