@@ -8,13 +8,12 @@
 #include <utility>
 
 #include "app.hpp"
+#include "commands/oblique_values.hpp"
 #include "input/encounter.hpp"
 #include "output/row_run.hpp"
 #include "process/process.hpp"
 #include "stoss/encounter/series.hpp"
 #include "stoss/errors.hpp"
-#include "stoss/impact/quantities.hpp"
-#include "stoss/restitution/quantities.hpp"
 
 namespace stoss::cli {
 namespace {
@@ -131,25 +130,7 @@ Provenance describe(const ObliqueArguments& arguments, const Collisions& collisi
   return provenance;
 }
 
-/// A table of spinning bodies has no room for both errors.
-Fields<ObliqueRestitution> fields_of(const Units& units, bool spinning) {
-  return Fields<ObliqueRestitution>(
-      oblique_quantities(), units,
-      {{"restitution", {.width = spinning ? 13 : 22, .with_error = !spinning}},
-       {"tangential_restitution", {.width = 25, .with_error = true, .mark = {{"converged", false}}}},
-       {"cutoff", {.in_si = false}}});
-}
-
-nlohmann::ordered_json details(const ObliqueRestitution& result) {
-  nlohmann::ordered_json object{{"runs", to_json(oblique_run_quantities(), result.runs)}};
-  if (!result.runs.empty()) {
-    object["ledger"] = to_json(oblique_ledger_quantities(), std::vector{result.finest.energy}).front();
-  }
-  if (!result.converged) object["reason"] = result.reason;
-  return object;
-}
-
-RowPlan plan_of(const Collisions& collisions, const Columns& results) {
+RowPlan plan_of(const Collisions& collisions, const Columns& results, NeglectedNote& note) {
   Columns columns = collisions.key_columns();
   append(columns, results, yielding(collisions.encounter).columns());
   const auto name = [&collisions](std::size_t row) {
@@ -161,7 +142,8 @@ RowPlan plan_of(const Collisions& collisions, const Columns& results) {
           .columns = columns,
           .key = [&collisions](std::size_t row) { return collisions.key(row); },
           .name = name,
-          .yield_speed = yield_speed(collisions.encounter)};
+          .yield_speed = yield_speed(collisions.encounter),
+          .observer = [columns, &note](const Row& row) { note.take(columns, row); }};
 }
 
 void run(const ObliqueArguments& asked) {
@@ -175,9 +157,10 @@ void run(const ObliqueArguments& asked) {
   catch_interrupts();
   options.each.poll = heed_interrupts;
   validate(contact, collisions.cases, options);
-  const Fields<ObliqueRestitution> fields = fields_of(collisions.units, collisions.spinning);
+  const Fields<ObliqueRestitution> fields = oblique_fields(collisions.units, collisions.spinning);
   const Yielding yields = yielding(collisions.encounter);
-  RowRun run(plan_of(collisions, fields.columns()), arguments.rows);
+  NeglectedNote note;
+  RowRun run(plan_of(collisions, fields.columns(), note), arguments.rows);
   run.write(describe(arguments, collisions), [&] {
     const std::vector<ObliqueCase> cases(collisions.cases.begin() + static_cast<std::ptrdiff_t>(run.done()),
                                          collisions.cases.end());
@@ -189,9 +172,10 @@ void run(const ObliqueArguments& asked) {
       heed_interrupts();
       Row row = collisions.key(run.done());
       append(row, fields.row(result), yields.row(result.speed));
-      run.add(row, details(result), result.converged ? "" : result.reason);
+      run.add(row, oblique_details(result), result.converged ? "" : result.reason);
     });
   });
+  note.say(arguments.rows.output, arguments.tolerance);
   run.conclude();
 }
 

@@ -36,6 +36,7 @@ module stoss
     real(c_double) :: sliding
     type(stoss_estimate) :: restitution, tangential_restitution, sliding_after, tangential_after, spin_after, &
       second_spin_after, friction_loss, vibration
+    real(c_double) :: dundurs, coupling_restitution, coupling_tangential_restitution, coupling_sliding_after
     integer(c_int) :: converged
   end type stoss_oblique_result
 

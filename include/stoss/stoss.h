@@ -160,7 +160,13 @@ typedef struct stoss_oblique_result {
   stoss_estimate second_spin_after;      /**< c/R */
   stoss_estimate friction_loss;          /**< share of the initial energy that became heat of friction */
   stoss_estimate vibration;              /**< share of it with which the bodies vibrate */
-  int converged;                         /**< 1, or 0 where the tolerance is not met */
+  /* What the errors do not contain: pressure and friction are taken not to change each other in spheres. 0 of equal
+     bodies and of disks, NaN where unknown. */
+  double dundurs;                         /**< Dundurs' constant of unlike spheres */
+  double coupling_restitution;            /**< change of the restitution of a central impact by that coupling */
+  double coupling_tangential_restitution; /**< of tangential_restitution */
+  double coupling_sliding_after;          /**< of s' */
+  int converged;                          /**< 1, or 0 where the tolerance is not met */
 } stoss_oblique_result;
 
 /** A tolerance of oblique impacts that is good for most purposes. */

@@ -42,6 +42,10 @@ stoss_oblique_result in_c(const stoss::ObliqueRestitution& result) {
           in_c(result.second_spin_after),
           in_c(result.friction_loss),
           in_c(result.vibration),
+          result.neglected.dundurs,
+          result.neglected.restitution,
+          result.neglected.tangential_restitution,
+          result.neglected.sliding_after,
           result.converged ? 1 : 0};
 }
 

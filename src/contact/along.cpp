@@ -26,7 +26,7 @@ void require_law_along(const Contact& contact) {
 /// (c_s/c_p)² of a body that mixes directions, from the impedances of its foremost point.
 double mixing_of(const Body& body, double radius) {
   if (body.softness == 0.0) return 0.0;
-  constexpr double short_arc = 1e-6;
+  constexpr double short_arc = 1e-9;
   const std::vector<double> impedance = body.surface({radius, short_arc, 1}).impedance;
   return impedance[1] * impedance[1] / (impedance[0] * impedance[0]);
 }

@@ -33,7 +33,7 @@ double beta_of_pair() {
          (ball * (1.0 - glass_poisson) + glass * (1.0 - ball_poisson));
 }
 
-/// What coupling adds to ε_t of a disk with this β and friction: a guess for the ball.
+/// What coupling adds to ε_t of a disk with this β and friction.
 double coupling(double x) {
   const double poisson = 1.0 - 2.0 * beta_of_pair(), speed = 0.003;
   static const stoss::RefinableContact wall = disk_at_wall(poisson), pair = equal_disks(poisson);
@@ -55,7 +55,7 @@ void write_glass(const std::string& name) {
       speed_in_si, friction, kappa_of_pair(), beta_of_pair());
   out.print(
       "angle[deg],x,restitution,tangential_restitution,tangential_restitution_error,maw,added_by_coupling_of_disks,"
-      "tangential_of_center,spin[rad/s],angle_of_patch[deg],converged\n");
+      "neglected_coupling,tangential_of_center,spin[rad/s],angle_of_patch[deg],converged\n");
   std::vector<double> angles{0.5};
   for (int i = 1; i <= 88; ++i) angles.push_back(i);
   for (const double angle : angles) {
@@ -65,11 +65,11 @@ void write_glass(const std::string& name) {
         contact, normal, stoss::Obliquity{.tangential = along, .friction = friction}, {.tolerance = 1e-3});
     const double x = along / (friction * normal), kappa = kappa_of_pair();
     const double after = r.sliding_after.value / (r.restitution.value * normal);
-    out.print("{:g},{:.4f},{:.6f},{:.5f},{:.1e},{:.5f},{:.4f},{:.5f},{:.3f},{:.4f},{}\n", angle, x, r.restitution.value,
-              r.tangential_restitution.value, r.tangential_restitution.error,
+    out.print("{:g},{:.4f},{:.6f},{:.5f},{:.1e},{:.5f},{:.4f},{:.4f},{:.5f},{:.3f},{:.4f},{}\n", angle, x,
+              r.restitution.value, r.tangential_restitution.value, r.tangential_restitution.error,
               maw_restitution(x, kappa, 0.5 * kappa * sphere_yield), x < 8.0 ? coupling(x) : 0.0,
-              r.tangential_after.value / along, -r.spin_after.value * c / radius, std::atan(after) / degree,
-              r.converged);
+              r.neglected.tangential_restitution, r.tangential_after.value / along, -r.spin_after.value * c / radius,
+              std::atan(after) / degree, r.converged);
   }
 }
 

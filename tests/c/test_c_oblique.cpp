@@ -56,6 +56,10 @@ TEST(COblique, IsThatOfCpp) {
     expect_same(results[i].second_spin_after, expected[i].second_spin_after);
     expect_same(results[i].friction_loss, expected[i].friction_loss);
     expect_same(results[i].vibration, expected[i].vibration);
+    EXPECT_EQ(results[i].dundurs, expected[i].neglected.dundurs);
+    EXPECT_EQ(results[i].coupling_restitution, expected[i].neglected.restitution);
+    EXPECT_EQ(results[i].coupling_tangential_restitution, expected[i].neglected.tangential_restitution);
+    EXPECT_EQ(results[i].coupling_sliding_after, expected[i].neglected.sliding_after);
     EXPECT_EQ(results[i].converged, 1);
   }
   EXPECT_EQ(results[2].tangential_restitution.error, infinity);  // nothing slides

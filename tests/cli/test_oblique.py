@@ -16,7 +16,8 @@ KEYS = (
     "speed tangential spin second_spin friction restitution restitution_error tangential_restitution "
     "tangential_restitution_error sliding sliding_after sliding_after_error tangential_after tangential_after_error "
     "spin_after spin_after_error second_spin_after second_spin_after_error friction_loss friction_loss_error "
-    "vibration vibration_error contact_time cutoff runs steps energy_error converged unstable beyond_small_strain"
+    "vibration vibration_error dundurs coupling_restitution coupling_tangential_restitution coupling_sliding_after "
+    "contact_time cutoff runs steps energy_error converged unstable beyond_small_strain"
 ).split()
 LEDGER = (
     "translation across rotation second_rotation vibration second_vibration dissipated friction unresolved stored"
@@ -163,11 +164,35 @@ def test_not_converged_is_marked_told_and_exits_with_1(stoss):
     arguments = f"{BALL} --speed 0.1 --tangential 0.02 --tolerance 1e-5"
     result = stoss.run(arguments)
     assert result.returncode == 1 and " !" in result.stdout
-    why, summary = result.stderr.splitlines()
+    why, _, summary = result.stderr.splitlines()
     assert why.startswith("stoss: warning: speed 0.1 c, tangential 0.02 c: the tolerance asks for a higher cutoff than")
     assert summary.startswith("stoss: warning: 1 of 1 values")
     record = json.loads(stoss.run(arguments, "--format json").stdout)["records"][0]
     assert record["converged"] is False and record["reason"] in why
+
+
+def test_table_tells_what_neglected_coupling_may_change(stoss):
+    motion = "--speed 0.01 --angle 0.5,60"
+    result = stoss.run(f"{BALL} {motion}")
+    near, far = stoss.data(f"{BALL} {motion}")
+    added, normal = (float(near[f"coupling_{name}restitution"]) for name in ("tangential_", ""))
+    assert result.stderr == (
+        "stoss: warning: neglected coupling may change tangential_restitution by up to "
+        f"{abs(added):.2g}, restitution by up to {abs(normal):.2g}\n"
+    )
+    assert 0.08 < added < 0.2 and abs(float(far["coupling_tangential_restitution"])) < 0.002
+    assert -1e-3 < normal == float(far["coupling_restitution"]) < -3e-4
+    assert number(near, "coupling_sliding_after") == pytest.approx(-added * number(near, "sliding"), rel=1e-12)
+    assert float(near["dundurs"]) == pytest.approx(2 / 7, rel=1e-9)
+
+
+def test_nothing_is_neglected_between_equal_balls_and_of_disks(stoss):
+    smooth = BALL.replace("0.2", "0")
+    for bodies in (f"{BALL} --against same", "oblique --poisson 0.3 --friction 0.2", smooth):
+        arguments = f"{bodies} --speed 0.05 --tangential 0.01"
+        (row,) = stoss.data(arguments)
+        assert [value for name, value in row.items() if name.startswith(("dundurs", "coupling"))] == 4 * ["0"]
+        assert stoss.run(arguments).stderr == ""
 
 
 def test_result_does_not_depend_on_threads(stoss):

@@ -64,6 +64,9 @@ def test_claims_about_the_experiment():
     loss = 100 * (1 - first**2)
     assert f"stoss gives {first:.4f} for the central impact: the waves in the glass take {loss:.1f} %" in WORDS
     assert f"some {100 * loss / (100 * (1 - 0.98**2)):.0f} % of the measured loss" in WORDS
+    near, far = (at(GLASS, angle, "neglected_coupling") for angle in (2, 10))
+    most = max(abs(row["neglected_coupling"]) for row in GLASS if row["angle"] >= 12)
+    assert f"{near:.2f} at 2°, {far:.2f} at 10°, at most {most:.2f} from 12° on" in WORDS
     off = {}
     for quantity, name in (("et", "tangential_of_center"), ("spin", "spin"), ("patch", "angle_of_patch")):
         its = [row for row in having(MEASURED, quantity=quantity) if row["at"] > 15]

@@ -59,10 +59,11 @@ def near_stick():
     names = {"et": "centre", "spin": "spin", "patch": "contact"}
     for quantity, angle, value in sorted(measurements(), key=lambda each: each[1]):
         if angle < 12:
-            found, maw, added = (
-                at(GLASS, angle, name) for name in ("tangential_restitution", "maw", "added_by_coupling_of_disks")
+            found, maw, rings, disks = (
+                at(GLASS, angle, name)
+                for name in ("tangential_restitution", "maw", "neglected_coupling", "added_by_coupling_of_disks")
             )
-            cells = (signed(each, 2) for each in (value, found, maw, found + added))
+            cells = (signed(each, 2) for each in (value, found, maw, found + rings, found + disks))
             yield line(f"{angle:.1f}°", names[quantity], *cells)
 
 

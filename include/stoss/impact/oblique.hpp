@@ -71,7 +71,7 @@ struct ObliqueImpact {
 /// central impact.
 ///
 /// Spheres are taken by rings that move in one direction, without what pressure and friction change in each other: for
-/// equal bodies there is nothing of that (docs/theory/oblique.md).
+/// equal bodies there is nothing of that (docs/theory/oblique.md), else `oblique_restitution` estimates it.
 /// @param speed of approach along the normal, as of `impact`
 /// @param observation of the impact, which then is computed twice where both directions act on each other
 /// @throws InvalidInput for arguments out of range, and with friction for bodies without an answer along their surface,

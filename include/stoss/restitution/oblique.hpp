@@ -28,7 +28,7 @@ struct ObliqueRun {
 /// how much a model with this coupling differs from that without, both computed coarsely (docs/theory/oblique.md). All
 /// are 0 where nothing is left out: for disks, equal bodies and μ = 0. NaN: unknown.
 struct Coupling {
-  double dundurs = 0.0;        ///< Dundurs' |β| of the bodies, 0 … ½: how much pressure moves one along the other
+  double dundurs = 0.0;        ///< Dundurs' |β| of the bodies, 0 … ¾: how much pressure moves one along the other
   double restitution = 0.0;    ///< change of ε_n of a central impact, by friction of the surfaces as they spread
   double sliding_after = 0.0;  ///< change of s′
   double tangential_restitution = 0.0;  ///< of ε_t; 0 where s = 0
@@ -75,8 +75,8 @@ struct ObliqueOptions {
 /// The error of s′, and of what follows from it, is three times the maximum difference from the two runs before the
 /// last, scaled by the order at which such differences fall with the cutoff, 1.4, and of coupled directions 1; and at
 /// least what n contact points leave open, μ v_n/(κ n²), and of coupled directions 0.8 μ v_n n^{−3/2}
-/// (docs/theory/oblique.md). Much larger bodies take part as a whole. A rule that misses the tolerance has converged
-/// false, with a reason.
+/// (docs/theory/oblique.md). What spheres are computed without is estimated beside it (Coupling), for bodies at rest.
+/// Much larger bodies take part as a whole. A rule that misses the tolerance has converged false, with a reason.
 /// @param speed of approach along the normal, 1e-8 … 1, in c
 /// @throws InvalidInput as oblique_impact and for options out of range; NotConverged if no two impacts end
 [[nodiscard]] std::vector<ObliqueRestitution> oblique_restitution(const RefinableContact& contact, double speed,

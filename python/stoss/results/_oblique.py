@@ -45,6 +45,10 @@ class ObliqueRestitution(Oblique):
         friction_loss, friction_loss_error: Share of the initial energy that became heat of
             friction.
         vibration, vibration_error: Share of it with which the bodies vibrate afterwards.
+        dundurs, coupling_restitution, coupling_tangential_restitution, coupling_sliding_after: Of
+            unlike spheres, what the errors do not contain: pressure and friction are taken not to
+            change each other. Dundurs' |β| of the bodies, and by how much ε_n of a central impact,
+            ε_t and s′ (c) change in a coarse model with that coupling; nan: unknown.
         cutoff, energy_error: Of the finest impact: c/R; what is missing, as a share of the initial
             energy.
         unstable: Friction between unlike bodies is so high that waves of any length grow while all
@@ -61,6 +65,7 @@ class ObliqueRestitution(Oblique):
     tangential_after_si_error = Si("Error of the velocity along the surface after, m/s.")
     spin_after_si_error = Si("Error of the spin of the first body after, rad/s.")
     second_spin_after_si_error = Si("Error of the spin of the second body after, rad/s.")
+    coupling_sliding_after_si = Si("Change of the sliding speed after by neglected coupling, m/s.")
 
     body: Body
     against: Against
@@ -86,6 +91,10 @@ class ObliqueRestitution(Oblique):
     friction_loss_error: Number
     vibration: Number
     vibration_error: Number
+    dundurs: Number
+    coupling_restitution: Number
+    coupling_tangential_restitution: Number
+    coupling_sliding_after: Number
     contact_time: Number
     cutoff: Number
     runs: Integer

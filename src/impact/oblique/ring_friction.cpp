@@ -52,45 +52,52 @@ RingMean ring_mean(double x) {
   return {sign * (table[k] + (at - static_cast<double>(k)) * slope), per_unit * slope};
 }
 
+RingMean ring_law(const RingLimits& rings, Index i, double ratio) {
+  const RingMean held = ring_mean(ratio);
+  const double share = rings.share(i), slower = rings.free(i) > 0.0 ? rings.reach(i) / rings.free(i) : 0.0;
+  if (share == 1.0 && slower <= 1.0) return held;
+  const RingMean loose = ring_mean(ratio * slower);
+  if (std::abs(loose.value) > share * std::abs(held.value)) return {loose.value, slower * loose.slope};
+  return {share * held.value, share * held.slope};
+}
+
 RingFriction::RingFriction(Eigen::MatrixXd compliance)
     : compliance_(std::move(compliance)), ratio_(VectorXd::Zero(compliance_.rows())) {}
 
 /// Fills what is left of the equations, over R + |free|. @return its largest value
-double RingFriction::miss(const VectorXd& ratio) {
+double RingFriction::miss(const RingLimits& rings, const VectorXd& ratio) {
   for (Index i = 0; i < touching_; ++i) {
-    const RingMean mean = ring_mean(ratio(i));
-    friction_(i) = limit_(i) * mean.value;
-    slope_(i) = limit_(i) * mean.slope;
+    const RingMean mean = ring_law(rings, i, ratio(i));
+    friction_(i) = rings.limit(i) * mean.value;
+    slope_(i) = rings.limit(i) * mean.slope;
   }
   left_.noalias() = -compliance_.topLeftCorner(touching_, touching_) * friction_;
-  left_.array() += start_.array() - reach_.array() * ratio.head(touching_).array() - give_.array() * friction_.array();
+  left_.array() += start_.array() - rings.reach.head(touching_).array() * ratio.head(touching_).array() -
+                   give_.array() * friction_.array();
   return left_.cwiseAbs().maxCoeff();
 }
 
-void RingFriction::solve(const VectorXd& give, const VectorXd& free, const VectorXd& limit, const VectorXd& reach,
-                         VectorXd& force) {
+void RingFriction::solve(const VectorXd& give, const VectorXd& free, const RingLimits& rings, VectorXd& force) {
   constexpr int most = 60, halvings = 12;
   constexpr double tolerance = 1e-7, least = 1e-12;
-  touching_ = limit.size();
-  while (touching_ > 0 && !(limit(touching_ - 1) > 0.0)) --touching_;
-  ratio_.tail(limit.size() - touching_).setZero();
+  touching_ = force.size();
+  while (touching_ > 0 && !(rings.limit(touching_ - 1) > 0.0)) --touching_;
+  ratio_.tail(force.size() - touching_).setZero();
   if (touching_ == 0) {
     force.setZero();
     return;
   }
-  limit_ = limit.head(touching_);
-  reach_ = reach.head(touching_);
   give_ = give.head(touching_);
   start_ = free.head(touching_) + give_.cwiseProduct(force.head(touching_));
   friction_.resize(touching_), slope_.resize(touching_);
-  const double scale = start_.cwiseAbs().maxCoeff() + reach_.maxCoeff();
-  double size = miss(ratio_);
+  const double scale = start_.cwiseAbs().maxCoeff() + rings.reach.head(touching_).maxCoeff();
+  double size = miss(rings, ratio_);
   for (int round = 0; round < most && size > tolerance * scale; ++round) {
     // In the change of friction the matrix is symmetric.
     matrix_ = compliance_.topLeftCorner(touching_, touching_);
     for (Index i = 0; i < touching_; ++i) {
-      slope_(i) = std::max(slope_(i), least * limit_(i)) + std::numeric_limits<double>::min();
-      matrix_(i, i) += give_(i) + reach_(i) / slope_(i);
+      slope_(i) = std::max(slope_(i), least * rings.limit(i)) + std::numeric_limits<double>::min();
+      matrix_(i, i) += give_(i) + rings.reach(i) / slope_(i);
     }
     Eigen::LLT<Eigen::Ref<Eigen::MatrixXd>> factored(matrix_);
     step_ = factored.solve(left_).cwiseQuotient(slope_);
@@ -98,7 +105,7 @@ void RingFriction::solve(const VectorXd& give, const VectorXd& free, const Vecto
     for (int k = 0; k < halvings; ++k, share *= 0.5) {
       trial_ = ratio_;
       trial_.head(touching_) += share * step_;
-      const double now = miss(trial_);
+      const double now = miss(rings, trial_);
       if (now < size || k + 1 == halvings) {
         size = now;
         break;

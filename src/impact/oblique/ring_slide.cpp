@@ -20,22 +20,24 @@ VectorXd vector_of(const std::vector<double>& values) {
   return VectorXd::Map(values.data(), static_cast<Index>(values.size()));
 }
 
-/// Sets the limits along y and the outward slips of rings under the pressures of a step, as far as those of another
-/// step with the same friction leave them.
-/// @param least slip
-void limits_of(const OutwardStep& step, const OutwardStep* outward, double friction, double least, VectorXd& limit,
-               VectorXd& reach) {
+/// Sets what rings under the pressures of a step may do, as far as those of the same step with friction outward leave
+/// them.
+/// @param least slip outward
+void set_limits(const OutwardStep& step, const OutwardStep* rough, double friction, double least, RingLimits& rings) {
   constexpr double rounding = 1e-9;
-  limit = friction * step.force;
-  reach.setConstant(least);
-  if (outward == nullptr) return;
-  for (Index i = 0; i < limit.size(); ++i) {
-    if (!(outward->force(i) > 0.0)) continue;
-    const double taken = std::abs(outward->friction(i)) / (friction * outward->force(i));
+  rings.limit = friction * step.force;
+  rings.share.setOnes();
+  rings.reach.setConstant(least);
+  rings.free.setZero();
+  if (rough == nullptr) return;
+  for (Index i = 0; i < rings.limit.size(); ++i) {
+    if (!(rough->force(i) > 0.0)) continue;
+    const double taken = std::abs(rough->friction(i)) / (friction * rough->force(i));
     if (taken >= 1.0 - rounding) {
-      reach(i) = std::max(least, std::abs(outward->slip(i)));
+      rings.reach(i) = std::max(least, std::abs(rough->slip(i)));
     } else {
-      limit(i) *= std::sqrt((1.0 - taken) * (1.0 + taken));
+      rings.share(i) = std::sqrt((1.0 - taken) * (1.0 + taken));
+      rings.free(i) = std::max(least, std::abs(step.slip(i)));
     }
   }
 }
@@ -66,15 +68,16 @@ AlongOutcome RingSlide::after(const std::vector<OutwardStep>& steps, const std::
   // A ring that does not slide outward creeps by as little as this.
   constexpr double creep = 3e-3;
   const double least = creep * std::abs(sliding) * step_;
-  const Index rings = compliance_.rows();
+  const Index count = compliance_.rows();
   KeptModes modes = modes_;
   Residuals residuals = residuals_;
   RingFriction law(compliance_);
   AlongOutcome now = before;
   double centre = 0.0;
   std::array<double, 2> turned{};
-  VectorXd force = VectorXd::Zero(rings), place = force, limit = force, reach = force;
-  std::vector<double> kept(static_cast<std::size_t>(rings)), moved = kept, forces = kept;
+  VectorXd force = VectorXd::Zero(count), place = force;
+  RingLimits rings{force, force, force, force};
+  std::vector<double> kept(static_cast<std::size_t>(count)), moved = kept, forces = kept;
   const auto kick = [&] {
     const double half = 0.5 * step_;
     now.tangential -= half * force.sum() / frame_.mass;
@@ -82,7 +85,7 @@ AlongOutcome RingSlide::after(const std::vector<OutwardStep>& steps, const std::
       if (frame_.inertia[k] > 0.0) now.spin[k] -= half * force.dot(arm_[k]) / frame_.inertia[k];
     }
   };
-  const auto advance = [&](const OutwardStep& step, const OutwardStep* slipping) {
+  const auto advance = [&](const OutwardStep& step, const OutwardStep* rough) {
     kick();
     centre += now.tangential * step_;
     for (std::size_t k = 0; k < 2; ++k) turned[k] += now.spin[k] * step_;
@@ -90,13 +93,13 @@ AlongOutcome RingSlide::after(const std::vector<OutwardStep>& steps, const std::
     std::fill(kept.begin(), kept.end(), 0.0);
     modes.add_displacement(kept);
     const VectorXd at =
-        VectorXd::Map(kept.data(), rings).array() + centre + turned[0] * arm_[0].array() + turned[1] * arm_[1].array();
+        VectorXd::Map(kept.data(), count).array() + centre + turned[0] * arm_[0].array() + turned[1] * arm_[1].array();
     const VectorXd rest = vector_of(residuals.predict());
-    limits_of(step, slipping, friction, least, limit, reach);
-    law.solve(ratio_ * step.give, at - rest - place, limit, reach, force);
-    VectorXd::Map(moved.data(), rings) = rest + compliance_ * force;
-    VectorXd::Map(forces.data(), rings) = force;
-    place = at - VectorXd::Map(moved.data(), rings);
+    set_limits(step, rough, friction, least, rings);
+    law.solve(ratio_ * step.give, at - rest - place, rings, force);
+    VectorXd::Map(moved.data(), count) = rest + compliance_ * force;
+    VectorXd::Map(forces.data(), count) = force;
+    place = at - VectorXd::Map(moved.data(), count);
     residuals.move(moved, forces, forces.size());
     modes.load(forces, forces.size());
     kick();

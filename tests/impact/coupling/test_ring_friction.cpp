@@ -52,19 +52,39 @@ struct Problem {
   static constexpr Index rings = 8;
 };
 
+RingLimits limits(const Problem& its, double share, double reach, double free) {
+  return {its.limit, VectorXd::Constant(Problem::rings, share), VectorXd::Constant(Problem::rings, reach),
+          VectorXd::Constant(Problem::rings, free)};
+}
+
+TEST(RingLaw, GrowsFromWhatFrictionOutwardLeaves) {
+  std::mt19937 random(3);
+  const RingLimits rings = limits(Problem(random), 0.6, 0.01, 1.0);
+  double last = 0.0;
+  for (double slip = 1e-3; slip < 100.0; slip *= 1.3) {
+    const double now = ring_law(rings, 0, slip / 0.01).value;
+    EXPECT_GE(now, last);
+    EXPECT_EQ(ring_law(rings, 0, -slip / 0.01).value, -now);
+    last = now;
+  }
+  EXPECT_NEAR(ring_law(rings, 0, 30.0).value, 0.6, 1e-3);
+  EXPECT_NEAR(last, 1.0, 1e-4);
+}
+
 TEST(RingFriction, ObeysItsLaw) {
   std::mt19937 random(1);
   for (int k = 0; k < 50; ++k) {
     const Problem its(random);
     RingFriction law(its.compliance);
-    const VectorXd reach = VectorXd::LinSpaced(Problem::rings, 0.02, 1.0);
+    RingLimits rings = limits(its, k % 2 == 0 ? 1.0 : 0.7, 0.02, k % 2 == 0 ? 0.0 : 0.5);
+    if (k % 2 == 0) rings.reach = VectorXd::LinSpaced(Problem::rings, 0.02, 1.0);
     VectorXd force = VectorXd::Zero(Problem::rings);
     for (int step = 0; step < 3; ++step) {
       const VectorXd before = force;
-      law.solve(its.give, its.free, its.limit, reach, force);
+      law.solve(its.give, its.free, rings, force);
       const VectorXd slip = its.free - its.compliance * force - its.give.cwiseProduct(force - before);
       for (Index i = 0; i < Problem::rings; ++i) {
-        EXPECT_NEAR(force(i), its.limit(i) * ring_mean(slip(i) / reach(i)).value, 1e-4);
+        EXPECT_NEAR(force(i), its.limit(i) * ring_law(rings, i, slip(i) / rings.reach(i)).value, 1e-3) << k;
       }
     }
   }
@@ -76,7 +96,7 @@ TEST(RingFriction, IsCoulombsLawWhereNothingSlidesOutward) {
     const Problem its(random);
     RingFriction law(its.compliance);
     VectorXd force = VectorXd::Zero(Problem::rings);
-    law.solve(its.give, its.free, its.limit, VectorXd::Constant(Problem::rings, 1e-4), force);
+    law.solve(its.give, its.free, limits(its, 1.0, 1e-4, 0.0), force);
     Friction coulomb(Problem::rings);
     std::vector<double> exact(Problem::rings);
     const auto values = [](const auto& from) { return std::vector<double>(from.data(), from.data() + from.size()); };
