@@ -22,6 +22,9 @@ PARAMETERS = {
     " kind, or, for a sphere, a half-space, for a disk a half-plane.",
     "poisson": "In place of `body`: 2-D Poisson's ratio of a disk, −0.95 to 0.995; an array broadcasts.",
     "cutoff": "Highest frequency of the modes that are kept, c/R.",
+    "step": "Time step, R/c.",
+    "nodes": "Of the contact grid.",
+    "half_width": "Of the contact grid, R.",
     "tail": "How the modes above the cutoff answer a hard contact: 'radiating', with static compliance at low and"
     " plane-wave impedance at high frequency, or 'static', with static compliance only.",
     "state": "How the bodies vibrate before the impact: modes up to `cutoff`, or an array as `Impact.state_after` gives"

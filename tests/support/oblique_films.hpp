@@ -25,14 +25,14 @@ inline ObliqueObservation into(std::vector<Instant>& instants, int every = 1) {
           every};
 }
 
-struct FilmedImpact {
+struct FilmCase {
   std::string name;
   Contact contact;
   double speed;
   Obliquity before;
 };
 
-inline void PrintTo(const FilmedImpact& its, std::ostream* out) { *out << its.name; }
+inline void PrintTo(const FilmCase& its, std::ostream* out) { *out << its.name; }
 
 inline ImpactOptions options_of(const Contact& contact) {
   ImpactOptions options;
@@ -41,7 +41,7 @@ inline ImpactOptions options_of(const Contact& contact) {
   return options;
 }
 
-inline Seen seen(const FilmedImpact& its, int every = 1) {
+inline Seen seen(const FilmCase& its, int every = 1) {
   Seen result;
   result.impact =
       oblique_impact(its.contact, its.speed, its.before, options_of(its.contact), into(result.instants, every));

@@ -14,7 +14,7 @@ PAGES = {
     "Restitution": "restitution Restitution extrapolated_restitution Extrapolation with_error",
     "Bodies and walls": "Disk Sphere Rod HalfSpace HalfPlane HardWall ExponentialWall Body Wall",
     "Materials": "Material Scales materials",
-    "Oblique impacts": "oblique ObliqueRestitution",
+    "Oblique impacts": "oblique ObliqueRestitution oblique_impact ObliqueImpact ObliqueTrajectory ObliqueLedger",
     "One impact": "impact Impact Trajectory DiskField SphereField Field Wave",
     "Modes": "modes Modes",
     "Bodies that vibrate": (

@@ -108,7 +108,7 @@ def _draw_forces(axes: Axes, trajectory: ObliqueTrajectory) -> None:
     impact = trajectory.impact
     unit = "πRE" if isinstance(impact.body, Disk) else "mc²/R"
     axes.fill_between(trajectory.time, -trajectory.force, trajectory.force, color="0.9", linewidth=0.0)
-    axes.plot(trajectory.time, trajectory.force, color=_style.COLORS[0], label="$F$")
+    axes.plot(trajectory.time, trajectory.force, color="0.55", linewidth=2.2, label="$F$")
     along = trajectory.friction / impact.friction if impact.friction else trajectory.friction
     axes.plot(trajectory.time, along, color=_style.COLORS[1], linestyle=_style.LINES[1], label="$Q/\\mu$")
     axes.set_ylabel(f"force / ({unit})")

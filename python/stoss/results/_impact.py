@@ -145,9 +145,6 @@ def impact(
     others answer together. For a value with an error bar use `restitution`.
 
     Parameters:
-        step: Time step, R/c.
-        nodes: Of the contact grid.
-        half_width: Of the contact grid, R.
         keep (array_like of bool, optional): Which of the modes with ω ≤ `cutoff` are kept, in the
             order of `Impact.mode_energies`; only with an `ExponentialWall`, because a hard contact
             needs the compliance of the others. Default: all.

@@ -10,7 +10,6 @@ from numpy.typing import ArrayLike, NDArray
 
 from stoss import _core
 from stoss._arguments import arranged, boolean, integer, number
-from stoss._documentation import documented
 from stoss.bodies._bodies import Body, shown, speeds_in_si
 from stoss.bodies._encounter import Against, choose_against, choose_body, refinable
 from stoss.bodies._state import State, choose_state
@@ -19,7 +18,7 @@ from stoss.export import _tables
 from stoss.export._text import span, with_error
 from stoss.results._curves import empty_rows
 from stoss.results._oblique_ledger import ObliqueLedger
-from stoss.results._obliquity import MOTION, Oblique, choose_motion
+from stoss.results._obliquity import MOTION, Oblique, choose_motion, explained
 from stoss.results._progress import bar
 from stoss.results._restitution import Flag, Integer
 from stoss.results._result import QUANTITIES, Column, Number, columns, picture
@@ -143,7 +142,7 @@ class ObliqueRestitution(Oblique):
         return table, (varied[0] if len(varied) == 1 else "row",)
 
 
-@documented
+@explained
 def oblique(
     body: Body,
     *,
@@ -169,15 +168,6 @@ def oblique(
 
     Parameters:
         body (Disk or Sphere): The first body, in whose units all results are.
-        speed: Of approach along the normal, 1e-8 to 1, c (with a material: m/s).
-        tangential: Velocity of the centre of the body along the surface, relative to what it meets,
-            −1 to 1, c (with a material: m/s). Default: 0.
-        angle: In its place, the angle between the velocity of the centre and the normal, above −90
-            and below 90 degrees.
-        friction: Coefficient of Coulomb's law, 0 to 5.
-        spin: Of the body, −1 to 1, c/R (with a material: rad/s); positive moves its foremost point
-            as a positive `tangential` does.
-        second_spin: Of the second body, in the same units and with the same sign of sliding.
         tolerance: Error of the sliding speed s′ afterwards, over |s| or, if larger, μ times
             `speed`, 1e-6 to 0.5.
 

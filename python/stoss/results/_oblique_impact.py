@@ -10,7 +10,6 @@ from numpy.typing import NDArray
 
 from stoss import _core
 from stoss._arguments import integer, number, optional_number
-from stoss._documentation import documented
 from stoss._errors import InvalidInput
 from stoss.bodies._bodies import Body, shown, speeds_in_si
 from stoss.bodies._encounter import Against, choose_against, choose_body, contact
@@ -18,7 +17,7 @@ from stoss.bodies._state import State, choose_state
 from stoss.bodies._walls import HardWall, Unbounded
 from stoss.results import _oblique_trajectory
 from stoss.results._oblique_ledger import ObliqueLedger
-from stoss.results._obliquity import MOTION, Oblique, choose_motion
+from stoss.results._obliquity import MOTION, Oblique, choose_motion, explained
 from stoss.results._si import ImpactsInSi
 
 
@@ -34,6 +33,7 @@ class ObliqueImpact(Oblique, ImpactsInSi):
         tangential_restitution: ε_t = −s′/s: −1 without friction, 1 of a perfect superball; NaN
             where s = 0.
         half_width: Of the contact grid, R.
+        steps: Time steps.
         momentum_error, angular_momentum_error: What is missing, over that of the motion before.
     """
 
@@ -109,7 +109,7 @@ class ObliqueImpact(Oblique, ImpactsInSi):
         return ObliqueImpact._made, (self.body, self.against, motion, self.cutoff, resolution, self.state)
 
 
-@documented
+@explained
 def oblique_impact(
     body: Body,
     *,
@@ -132,18 +132,6 @@ def oblique_impact(
 
     Parameters:
         body (Disk or Sphere): The first body, in whose units all results are.
-        speed: Of approach along the normal, 1e-8 to 1, c (with a material: m/s).
-        tangential: Velocity of the centre of the body along the surface, relative to what it meets,
-            −1 to 1, c (with a material: m/s). Default: 0.
-        angle: In its place, the angle between the velocity of the centre and the normal, above −90
-            and below 90 degrees.
-        friction: Coefficient of Coulomb's law, 0 to 5.
-        spin: Of the body, −1 to 1, c/R (with a material: rad/s); positive moves its foremost point
-            as a positive `tangential` does.
-        second_spin: Of the second body, in the same units and with the same sign of sliding.
-        step: Time step, R/c.
-        nodes: Of the contact grid.
-        half_width: Of the contact grid, R.
 
     Examples:
         >>> hit = stoss.oblique_impact(stoss.Sphere(poisson=0.3), speed=0.05, angle=40, friction=0.3)

@@ -16,7 +16,6 @@ from stoss.results._si import InSi, Si
 if TYPE_CHECKING:
     from stoss.results._oblique_impact import ObliqueImpact
 
-Array = NDArray[np.float64]
 POINTS = ("place", "measure")  # arrays of the contact points; all others are of the rows
 
 
@@ -73,33 +72,33 @@ class ObliqueTrajectory(RowResult, InSi):
     friction_si = Si("Friction: of a disk per thickness, N/m; of a sphere, N.")
 
     impact: ObliqueImpact = dataclasses.field(repr=False)
-    time: Array
-    center: Array
-    shift: Array
-    velocity: Array
-    tangential: Array
-    angle: Array
-    second_angle: Array
-    spin: Array
-    second_spin: Array
-    force: Array
-    friction: Array
+    time: NDArray[np.float64]
+    center: NDArray[np.float64]
+    shift: NDArray[np.float64]
+    velocity: NDArray[np.float64]
+    tangential: NDArray[np.float64]
+    angle: NDArray[np.float64]
+    second_angle: NDArray[np.float64]
+    spin: NDArray[np.float64]
+    second_spin: NDArray[np.float64]
+    force: NDArray[np.float64]
+    friction: NDArray[np.float64]
     touching: NDArray[np.int64]
-    translation: Array
-    across: Array
-    rotation: Array
-    second_rotation: Array
-    elastic: Array
-    friction_loss: Array
-    x: Array
-    y: Array
-    second_x: Array | None
-    second_y: Array | None
-    place: Array
-    measure: Array
-    point_pressure: Array
-    point_friction: Array
-    slip: Array
+    translation: NDArray[np.float64]
+    across: NDArray[np.float64]
+    rotation: NDArray[np.float64]
+    second_rotation: NDArray[np.float64]
+    elastic: NDArray[np.float64]
+    friction_loss: NDArray[np.float64]
+    x: NDArray[np.float64]
+    y: NDArray[np.float64]
+    second_x: NDArray[np.float64] | None
+    second_y: NDArray[np.float64] | None
+    place: NDArray[np.float64]
+    measure: NDArray[np.float64]
+    point_pressure: NDArray[np.float64]
+    point_friction: NDArray[np.float64]
+    slip: NDArray[np.float64]
     grip: NDArray[np.int8]
 
     @property

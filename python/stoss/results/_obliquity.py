@@ -2,19 +2,38 @@
 
 from __future__ import annotations
 
-from typing import Any, ClassVar
+from typing import Any, Callable, ClassVar, TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
 
 from stoss import _core
 from stoss._arguments import arranged, broadcast, numbers
+from stoss._documentation import documented
 from stoss._errors import InvalidInput
 from stoss.bodies._bodies import Body
 from stoss.results._result import Number
 from stoss.results._si import MayYield, Si
 
 MOTION = ("speed", "tangential", "spin", "second_spin", "friction")
+PARAMETERS = {
+    "speed": "Of approach along the normal, 1e-8 to 1, c (with a material: m/s).",
+    "tangential": "Velocity of the centre of the body along the surface, relative to what it meets, −1 to 1, c (with a"
+    " material: m/s). Default: 0.",
+    "angle": "In its place, the angle between the velocity of the centre and the normal, above −90 and below 90"
+    " degrees.",
+    "friction": "Coefficient of Coulomb's law, 0 to 5.",
+    "spin": "Of the body, −1 to 1, c/R (with a material: rad/s); positive moves its foremost point as a positive"
+    " `tangential` does.",
+    "second_spin": "Of the second body, in the same units and with the same sign of sliding.",
+}
+
+Function = TypeVar("Function", bound=Callable[..., Any])
+
+
+def explained(function: Function) -> Function:
+    """The function with the words of the motion in its docstring."""
+    return documented(function, **PARAMETERS)
 
 
 class Oblique(MayYield):

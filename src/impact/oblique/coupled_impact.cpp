@@ -64,12 +64,12 @@ ObliqueImpact coupled_impact(const Contact& contact, const std::vector<Contact>&
     result = run_coupled(contact, along, frame, obliquity, resolution, options, {});
   }
   require_resolved(result->energy_error);
+  if (result->normal.contact_time > echo_time(contact)) {
+    throw Outlasted(result->normal.contact_time, echo_time(contact));
+  }
   // As `impact`: what is watched is a repetition on the grid that is known to suffice.
   if (observation.observer) {
     result = run_coupled(contact, along, frame, obliquity, resolution, options, observation);
-  }
-  if (result->normal.contact_time > echo_time(contact)) {
-    throw Outlasted(result->normal.contact_time, echo_time(contact));
   }
   show_inputs(contact, speed, resolution, options, result->normal);
   return std::move(*result);

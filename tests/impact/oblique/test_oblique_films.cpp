@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <stdexcept>
 #include <vector>
@@ -68,6 +69,27 @@ TEST_F(ObliqueFilms, ShowFrictionThatReverses) {
   }
   EXPECT_GT(most, 0.0);
   EXPECT_LT(least, -0.1 * most);
+}
+
+// Pressure draws the surface of a disk inward, as Flamant's load does that of a half-plane, by 1 − ν: its points slide
+// in over a wall, and out again while they are relieved.
+TEST_F(ObliqueFilms, OfADiskShowThatItsSurfaceIsDrawnInward) {
+  const Seen watched = seen({"", contact(disk(-0.5, 12.0)), 0.05, {0.0, 0.0, 0.0, 0.1}});
+  const double time = watched.impact.normal.contact_time;
+  const auto goes = [&](double at, double inward) {
+    const auto now = std::find_if(watched.instants.begin(), watched.instants.end(),
+                                  [&](const Instant& each) { return each.time > at * time; });
+    int points = 0;
+    for (const ObliquePoint& point : now->points) {
+      if (point.grip == Grip::open || std::abs(point.place) < 0.08) continue;
+      EXPECT_EQ(static_cast<int>(point.grip), point.place > 0.0 ? -inward : inward) << at << " " << point.place;
+      ++points;
+    }
+    EXPECT_GT(points, 6);
+  };
+  goes(0.2, 1.0);
+  goes(0.35, 1.0);
+  goes(0.8, -1.0);
 }
 
 // One normal impact serves the films of all angles and frictions.

@@ -16,13 +16,13 @@ namespace stoss {
 namespace oblique_observer {
 namespace {
 
-using test::FilmedImpact;
+using test::FilmCase;
 using test::Instant;
 using test::options_of;
 using test::Seen;
 using test::seen;
 
-std::vector<FilmedImpact> cases() {
+std::vector<FilmCase> cases() {
   const double same = 12.0 / (0.5 * std::sqrt(1.5)), same_of_great = 8.0 / (std::sqrt(2.0) / 12.0);
   const Contact disk_wall = contact(disk(0.33, 12.0)), ball_wall = contact(sphere(0.3, 15.0));
   const Contact disks = contact(disk(0.33, 12.0), disk(Disk{0.1, 2.0, 3.0, 2.0}, same));
@@ -45,10 +45,10 @@ std::vector<FilmedImpact> cases() {
           {"smooth rod", contact(rod(20.0)), 0.1, {0.05, 0.0, 0.0, 0.0}}};
 }
 
-class ObliqueObserver : public ::testing::TestWithParam<FilmedImpact> {};
+class ObliqueObserver : public ::testing::TestWithParam<FilmCase> {};
 
 TEST_P(ObliqueObserver, ChangesNoBit) {
-  const FilmedImpact& its = GetParam();
+  const FilmCase& its = GetParam();
   const ObliqueImpact alone = oblique_impact(its.contact, its.speed, its.before, options_of(its.contact));
   const Seen watched = seen(its);
   EXPECT_EQ(watched.impact.restitution, alone.restitution);
@@ -59,7 +59,7 @@ TEST_P(ObliqueObserver, ChangesNoBit) {
 }
 
 TEST_P(ObliqueObserver, SeesTheImpactFromBeforeToAfter) {
-  const FilmedImpact& its = GetParam();
+  const FilmCase& its = GetParam();
   const Seen watched = seen(its);
   const ObliqueImpact& impact = watched.impact;
   const double step = impact.normal.resolution.step;
@@ -100,7 +100,7 @@ TEST_P(ObliqueObserver, SeesEnergyThatIsKept) {
 }
 
 TEST_P(ObliqueObserver, SeesForcesThatChangeTheVelocities) {
-  const FilmedImpact& its = GetParam();
+  const FilmCase& its = GetParam();
   const Seen watched = seen(its);
   const double step = watched.impact.normal.resolution.step, mass = its.contact.whole_mass,
                unit = whole_mass(*its.contact.first);
@@ -121,7 +121,7 @@ TEST_P(ObliqueObserver, SeesForcesThatChangeTheVelocities) {
 }
 
 TEST_P(ObliqueObserver, SeesPointsThatObeyCoulombsLaw) {
-  const FilmedImpact& its = GetParam();
+  const FilmCase& its = GetParam();
   const double friction = its.before.friction;
   const Seen watched = seen(its);
   long slipping = 0;
@@ -148,7 +148,7 @@ TEST_P(ObliqueObserver, SeesPointsThatObeyCoulombsLaw) {
 }
 
 TEST_P(ObliqueObserver, SeesTheHeatOfPointsThatSlip) {
-  const FilmedImpact& its = GetParam();
+  const FilmCase& its = GetParam();
   const Seen watched = seen(its);
   const double step = watched.impact.normal.resolution.step, unit = whole_mass(*its.contact.first);
   const ObliqueEnergies& start = watched.instants.front().energy;
@@ -165,7 +165,7 @@ TEST_P(ObliqueObserver, SeesTheHeatOfPointsThatSlip) {
 
 // Points behind the edge have no further give: what sticks rests, and what slips slips against its friction.
 TEST_P(ObliqueObserver, SeesPointsStickAndSlip) {
-  const FilmedImpact& its = GetParam();
+  const FilmCase& its = GetParam();
   const Seen watched = seen(its);
   const double scale = std::abs(its.before.tangential) + std::abs(its.before.spin) + its.speed;
   for (std::size_t t = 1; t < watched.instants.size(); ++t) {
@@ -186,7 +186,7 @@ TEST_P(ObliqueObserver, SeesPointsStickAndSlip) {
 }
 
 TEST_P(ObliqueObserver, SeesTheSameBitsAtEveryInterval) {
-  const FilmedImpact& its = GetParam();
+  const FilmCase& its = GetParam();
   const Seen all = seen(its), few = seen(its, 7);
   std::size_t k = 0;
   for (std::size_t i = 0; i < all.instants.size(); ++i) {
@@ -208,7 +208,7 @@ TEST_P(ObliqueObserver, SeesTheSameBitsAtEveryInterval) {
 }
 
 TEST_P(ObliqueObserver, KnowsWhereThePointsAre) {
-  const FilmedImpact& its = GetParam();
+  const FilmCase& its = GetParam();
   const Seen watched = seen(its, 1000000);
   const std::vector<ObliquePoint>& points = watched.instants.front().points;
   const auto nodes = static_cast<std::size_t>(watched.impact.normal.resolution.nodes);

@@ -189,7 +189,8 @@ def test_curves_have_ledgers():
     fan = stoss.oblique(BALL, speed=[[0.01], [0.05]], angle=[5, 30, 60], friction=0.2)
     assert fan.energy.friction.shape == (2, 3) and len(fan.energy) == 2
     assert fan.energy.total == pytest.approx(1 - fan.energy_error)
-    assert fan.energy.friction == pytest.approx(fan.friction_loss) and fan[1].energy[2].across == fan.energy.across[1, 2]
+    assert fan.energy.friction == pytest.approx(fan.friction_loss)
+    assert fan[1].energy[2].across == fan.energy.across[1, 2]
     one = stoss.oblique(BALL, speed=0.05, angle=60, friction=0.2)
     assert one.energy.rotation == fan.energy.rotation[1, 2] and isinstance(one.energy.rotation, float)
     assert one.energy.to_dataframe().shape == (1, 10) and len(fan.energy.to_dict()["friction"]) == 2
@@ -198,6 +199,7 @@ def test_curves_have_ledgers():
 
 
 def test_the_ledger_is_that_of_the_command(command):
-    (record,) = command("oblique --poisson 0.33 --speed 0.05 --tangential 0.05 --friction 0.3 --tolerance 0.1")["records"]
+    arguments = "--poisson 0.33 --speed 0.05 --tangential 0.05 --friction 0.3 --tolerance 0.1"
+    (record,) = command(f"oblique {arguments}")["records"]
     ours = stoss.oblique(PLATE, speed=0.05, tangential=0.05, friction=0.3, tolerance=0.1)
     assert ours.energy.to_dict() == record["ledger"]
