@@ -29,7 +29,7 @@ struct ObliqueRun {
 /// are 0 where nothing is left out: for disks, equal bodies and μ = 0. NaN: unknown.
 struct Coupling {
   double dundurs = 0.0;        ///< Dundurs' |β| of the bodies, 0 … ¾: how much pressure moves one along the other
-  double restitution = 0.0;    ///< change of ε_n of a central impact, by friction of the surfaces as they spread
+  double restitution = 0.0;    ///< change of ε_n of a central impact, by friction of surfaces that pressure moves
   double sliding_after = 0.0;  ///< change of s′
   double tangential_restitution = 0.0;  ///< of ε_t; 0 where s = 0
   double tangential_after = 0.0;        ///< of v_t′

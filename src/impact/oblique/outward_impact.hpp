@@ -17,7 +17,7 @@ struct OutwardStep {
   Eigen::VectorXd give;      ///< D of each, where both directions are equally soft (landing_give)
 };
 
-/// A central impact of balls whose surfaces rub each other as they spread under pressure.
+/// A central impact of balls whose surfaces rub each other as pressure moves them inward, then lets them go.
 struct OutwardImpact {
   double restitution = 0.0;    ///< ε_n
   double friction_loss = 0.0;  ///< share of the initial energy
