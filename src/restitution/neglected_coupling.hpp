@@ -3,8 +3,8 @@
 #include <map>
 #include <optional>
 
-#include "impact/oblique/outward_impact.hpp"
-#include "impact/oblique/ring_slide.hpp"
+#include "impact/oblique/rings/outward_impact.hpp"
+#include "impact/oblique/rings/ring_slide.hpp"
 #include "stoss/restitution/oblique.hpp"
 
 namespace stoss {

@@ -9,7 +9,7 @@
 #include "check.hpp"
 #include "contact/along.hpp"
 #include "contact/touch.hpp"
-#include "impact/oblique_frame.hpp"
+#include "impact/oblique/frame.hpp"
 #include "restitution/ordered_jobs.hpp"
 
 namespace stoss {

@@ -7,11 +7,11 @@
 #include <stdexcept>
 #include <vector>
 
+#include "impact/oblique/films.hpp"
 #include "stoss/bodies/disk.hpp"
 #include "stoss/bodies/half_space.hpp"
 #include "stoss/bodies/sphere.hpp"
 #include "stoss/impact/oblique.hpp"
-#include "support/oblique_films.hpp"
 #include "support/refusal.hpp"
 
 namespace stoss {

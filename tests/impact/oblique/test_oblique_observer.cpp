@@ -5,12 +5,12 @@
 #include <cstddef>
 #include <vector>
 
+#include "impact/oblique/films.hpp"
 #include "stoss/bodies/disk.hpp"
 #include "stoss/bodies/half_space.hpp"
 #include "stoss/bodies/rod.hpp"
 #include "stoss/bodies/sphere.hpp"
 #include "stoss/impact/oblique.hpp"
-#include "support/oblique_films.hpp"
 
 namespace stoss {
 namespace oblique_observer {

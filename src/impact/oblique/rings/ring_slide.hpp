@@ -6,8 +6,8 @@
 
 #include "contact/residual/residuals.hpp"
 #include "impact/kept_modes.hpp"
-#include "impact/oblique/outward_impact.hpp"
-#include "impact/oblique_frame.hpp"
+#include "impact/oblique/frame.hpp"
+#include "impact/oblique/rings/outward_impact.hpp"
 #include "stoss/contact/contact.hpp"
 #include "stoss/contact/grid.hpp"
 

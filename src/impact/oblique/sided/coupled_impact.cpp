@@ -1,4 +1,4 @@
-#include "impact/oblique/coupled_impact.hpp"
+#include "impact/oblique/sided/coupled_impact.hpp"
 
 #include <algorithm>
 #include <optional>
@@ -7,7 +7,7 @@
 
 #include "contact/demands.hpp"
 #include "impact/inputs.hpp"
-#include "impact/oblique/oblique_collision.hpp"
+#include "impact/oblique/sided/oblique_collision.hpp"
 #include "impact/recommended.hpp"
 #include "impact/whole_bodies.hpp"
 #include "stoss/contact/grid.hpp"

@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "impact/oblique_frame.hpp"
+#include "impact/oblique/frame.hpp"
 #include "impact/pressures.hpp"
 #include "stoss/contact/contact.hpp"
 #include "stoss/contact/grid.hpp"

@@ -6,7 +6,7 @@
 #include <ostream>
 
 #include "contact/along.hpp"
-#include "impact/oblique/outward_impact.hpp"
+#include "impact/oblique/rings/outward_impact.hpp"
 #include "stoss/bodies/half_space.hpp"
 #include "stoss/bodies/sphere.hpp"
 #include "stoss/contact/contact.hpp"

@@ -1,4 +1,4 @@
-#include "impact/oblique/oblique_collision.hpp"
+#include "impact/oblique/sided/oblique_collision.hpp"
 
 #include <cmath>
 #include <utility>
@@ -6,7 +6,7 @@
 #include "contact/hard_contact.hpp"
 #include "contact/touch.hpp"
 #include "contact/unit_ratios.hpp"
-#include "impact/oblique_points.hpp"
+#include "impact/oblique/points.hpp"
 #include "stoss/errors.hpp"
 
 namespace stoss {

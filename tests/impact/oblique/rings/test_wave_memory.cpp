@@ -8,7 +8,7 @@
 
 #include "contact/along.hpp"
 #include "impact/kept_modes.hpp"
-#include "impact/oblique/wave_memory.hpp"
+#include "impact/oblique/rings/wave_memory.hpp"
 #include "stoss/bodies/half_space.hpp"
 #include "stoss/bodies/sphere.hpp"
 #include "stoss/contact/grid.hpp"

@@ -1,4 +1,4 @@
-#include "impact/oblique/ring_slide.hpp"
+#include "impact/oblique/rings/ring_slide.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -7,7 +7,7 @@
 
 #include "contact/response.hpp"
 #include "contact/touch.hpp"
-#include "impact/oblique/ring_friction.hpp"
+#include "impact/oblique/rings/ring_friction.hpp"
 
 namespace stoss {
 

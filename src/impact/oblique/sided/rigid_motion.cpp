@@ -1,4 +1,4 @@
-#include "impact/oblique/rigid_motion.hpp"
+#include "impact/oblique/sided/rigid_motion.hpp"
 
 #include <vector>
 

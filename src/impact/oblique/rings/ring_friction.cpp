@@ -1,4 +1,4 @@
-#include "impact/oblique/ring_friction.hpp"
+#include "impact/oblique/rings/ring_friction.hpp"
 
 #include <Eigen/Cholesky>
 #include <algorithm>

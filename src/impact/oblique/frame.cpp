@@ -1,4 +1,4 @@
-#include "impact/oblique_frame.hpp"
+#include "impact/oblique/frame.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -4,8 +4,8 @@
 #include <cstddef>
 #include <vector>
 
-#include "impact/normal_course.hpp"
-#include "impact/oblique_frame.hpp"
+#include "impact/oblique/frame.hpp"
+#include "impact/oblique/rings/normal_course.hpp"
 #include "stoss/impact/oblique.hpp"
 
 namespace stoss {

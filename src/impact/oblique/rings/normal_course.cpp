@@ -1,8 +1,8 @@
-#include "impact/normal_course.hpp"
+#include "impact/oblique/rings/normal_course.hpp"
 
 #include <cstddef>
 
-#include "impact/oblique_points.hpp"
+#include "impact/oblique/points.hpp"
 
 namespace stoss {
 

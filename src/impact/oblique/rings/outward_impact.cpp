@@ -1,4 +1,4 @@
-#include "impact/oblique/outward_impact.hpp"
+#include "impact/oblique/rings/outward_impact.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
-#include "impact/oblique_film.hpp"
+#include "impact/oblique/film.hpp"
 
 #include "impact/inputs.hpp"
-#include "impact/oblique_points.hpp"
+#include "impact/oblique/points.hpp"
 
 namespace stoss {
 

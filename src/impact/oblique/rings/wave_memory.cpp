@@ -1,4 +1,4 @@
-#include "impact/oblique/wave_memory.hpp"
+#include "impact/oblique/rings/wave_memory.hpp"
 
 #include <Eigen/Core>
 #include <Eigen/Eigenvalues>

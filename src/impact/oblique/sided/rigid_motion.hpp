@@ -4,7 +4,7 @@
 #include <array>
 #include <cstddef>
 
-#include "impact/oblique_frame.hpp"
+#include "impact/oblique/frame.hpp"
 #include "stoss/contact/contact.hpp"
 #include "stoss/contact/grid.hpp"
 #include "stoss/impact/oblique.hpp"

@@ -1,4 +1,4 @@
-#include "impact/oblique_points.hpp"
+#include "impact/oblique/points.hpp"
 
 #include <cstddef>
 

@@ -2,9 +2,9 @@
 
 #include "contact/along.hpp"
 #include "impact/inputs.hpp"
-#include "impact/oblique/coupled_impact.hpp"
-#include "impact/oblique_film.hpp"
-#include "impact/oblique_frame.hpp"
+#include "impact/oblique/film.hpp"
+#include "impact/oblique/frame.hpp"
+#include "impact/oblique/sided/coupled_impact.hpp"
 
 namespace stoss {
 
