@@ -26,7 +26,7 @@ void add(emscripten::val& all, const Meeting& meeting, const Quantities<Result>&
       all.set(name, made);
     };
     put(each.name, kind(meeting.encounter.first.kind).own, 1.0);
-    if (!meeting.si || each.dimension == Dimension::none || each.dimension == Dimension::frequency) continue;
+    if (!meeting.si || each.dimension == Dimension::none || each.name == "cutoff") continue;
     put(each.name + "_si", unit_system(meeting.encounter), meeting.unit(each.dimension));
   }
 }
