@@ -11,11 +11,16 @@ export type PlacedField = BodyField | `${BodyField}2`;
 /** One of them, or of how they meet. */
 export type Field = PlacedField | keyof Motion;
 
-/** What the page calls how they meet: in words, by a symbol, in the address, and its units without and with SI. */
-export const motions: Record<keyof Motion, [words: string, symbol: string, key: string, own: string, si: string]> = {
-  speed: ['Speed of approach', 'v', 'v', 'c', 'm/s'], friction: ['Friction', 'μ', 'mu', '', ''],
-  angle: ['Angle from the normal', 'α', 'angle', '°', '°'], spin: ['Spin', 'Ω', 'spin', 'c/R', 'rad/s'],
-  spin2: ['Spin of what it meets', 'Ω₂', 'spin2', 'c/R', 'rad/s'],
+/** What the page calls how they meet: in words, by a symbol, in the address, its units without and with SI, and what it
+ *  is. */
+export const motions: Record<
+  keyof Motion, [words: string, symbol: string, key: string, own: string, si: string, help: string]
+> = {
+  speed: ['Speed of approach', 'v', 'v', 'c', 'm/s', ''],
+  friction: ['Friction', 'μ', 'mu', '', '', 'coefficient of Coulomb’s law, 0 to 5'],
+  angle: ['Angle', 'α', 'angle', '°', '°', 'between the velocity and the normal, along which the speed of approach is'],
+  spin: ['Spin', 'Ω', 'spin', 'c/R', 'rad/s', 'positive moves what touches as a positive angle does'],
+  spin2: ['Second spin', 'Ω₂', 'spin2', 'c/R', 'rad/s', 'of what it meets, with the same sign of sliding'],
 };
 
 /** The fields of bodies that count in an encounter, in the order of the page. */
@@ -82,8 +87,8 @@ interface Words {
 export function wordsOf({ kind, si }: Encounter, field: Field): Words {
   const place = owner(field);
   if (place === undefined) {
-    const [words, sign, , own, real] = motions[field as keyof Motion];
-    return { name: words, label: `${words} ${sign}`, help: '', unit: si ? real : own };
+    const [words, sign, , own, real, help] = motions[field as keyof Motion];
+    return { name: words, label: `${words} ${sign}`, help, unit: si ? real : own };
   }
   const { name: key, second } = place;
   const { hasPlane, length, parameters } = kindNamed(kind);

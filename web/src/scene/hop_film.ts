@@ -5,7 +5,7 @@ import type { Core, Encounter, Motion } from '../core/protocol';
 import { messageOf } from '../drawing/dom';
 import { withUnit, written } from '../drawing/numbers';
 import type { Theme } from '../drawing/theme';
-import { type Flight, type Room, type Surface, bounced, flown, landing, meeting, thrown } from './hops';
+import { type Flight, type Room, bounced, flown, landing, meeting, thrown } from './hops';
 import { drawBody, drawWay } from './oblique_film';
 import { slowness } from './phases';
 import { createPlayer, type Film } from './player';
@@ -18,7 +18,6 @@ const GROUND = 22; // pixels of floor and table
 
 interface Impact {
   flight: Flight;
-  surface: Surface;
   words: string;
 }
 
@@ -36,8 +35,8 @@ async function hop(
     const value = (name: string): number => rule.quantities[name]?.value ?? NaN;
     const restitution = value('restitution');
     if (Number.isNaN(restitution)) throw new Error(rule.reason);
-    const words = `ε ${written(restitution, 3)}, εₜ ${written(value('tangential_restitution'), 3)}`;
-    impacts.push({ flight, surface, words });
+    const words = `${impacts.length + 1}, ${surface}: ε ${written(restitution, 3)}, εₜ ${written(value('tangential_restitution'), 3)}`;
+    impacts.push({ flight, words });
     flights.push(bounced(flight, surface,
       { restitution, tangential: value('tangential_after_si'), spin: value('spin_after_si') }));
   }
@@ -63,9 +62,8 @@ function filmOf({ flights, impacts, end }: Awaited<ReturnType<typeof hop>>, room
   };
   return {
     from, to: end, still: 0, said,
-    describe: (time) => [said(time), ...impacts.map(({ flight, surface, words }) =>
-      `at the ${surface} after ${withUnit(flight.time - from, 's', 2)}: ${words}`)].join('; '),
-    note: (seconds) => `${slowness(end - from, 's', seconds)} Between collisions it flies freely, with gravity. Floor ` +
+    describe: (time) => [said(time), ...impacts.map(({ words }) => words)].join('; '),
+    note: (seconds) => `${impacts.map(({ words }) => words).join('; ')}. ${slowness(end - from, 's', seconds)} Between collisions it flies freely, with gravity. Floor ` +
       `and table, ${withUnit(room.table, 'm')} apart, are alike.`,
     height: () => HEIGHT,
     draw: (canvas, width, density, time, theme) =>
@@ -96,18 +94,21 @@ function drawHops(
   context.fillRect(0, top - 1.6, width, 1.6);
   context.font = '12px system-ui, sans-serif';
   context.textAlign = 'center';
-  impacts.forEach(({ flight, surface, words }, n) => {
-    const half = context.measureText(words).width / 2 + 14;
-    const x = Math.min(width - half, Math.max(half, place(flight)[0]));
-    context.fillText(`${n + 1}: ${words}`, x, surface === 'floor' ? floor + 16 : top - 7);
+  impacts.forEach(({ flight }, n) => {
+    const [x, y] = place(flight);
+    context.fillText(String(n + 1), x, y > HEIGHT / 2 ? floor + 16 : top - 7);
   });
+  context.fillStyle = theme.muted;
+  context.textAlign = 'left';
+  const [x, y] = place(ways[0]![0]!);
+  context.fillText('from the hand', x + 2, y - 8);
   for (const way of ways) drawWay(context, way.map(place), theme);
   const radius = Math.max(5, scale * room.radius);
   drawBody(context, place(now), radius, now.angle, theme);
   drawSpin(context, place(now), radius + 5, now.spin, theme);
 }
 
-const FULL = 200; // rad/s of an arrow that goes all around
+const FULL = 400; // rad/s of an arrow that goes all around
 
 /** An arrow around a body that turns, the longer the faster. */
 function drawSpin(

@@ -10,12 +10,14 @@ import { describe, phaseAt, slowness, timeInWords } from './phases';
 import type { Film } from './player';
 import { bodiesOf, motionMagnification, movedSince, type Place } from './rigid';
 
+const BEFORE = 0.7; // of the time of contact
+const AFTER = 0.9;
 const HEAD = 26;
 const BODIES = 290; // height of their picture beside the strip, and above it
 const ABOVE = 230;
 const STRIP = 190;
 const WIDE = 560;
-const LARGEST = 1.6; // of a second body in the picture, in radii of the first
+const LARGEST = 2.5; // of a second body in the picture, in radii of the first
 const GROUND = 0.35;
 
 const isWide = (width: number): boolean => width >= WIDE;
@@ -36,7 +38,7 @@ export function gripInWords(collision: ObliqueCollision, time: number): string {
 /** The film of a collision. */
 export function filmOf(encounter: Encounter, motion: Motion, collision: ObliqueCollision): Film {
   const { begin, end, units } = collision;
-  const { from, to } = filmSpan(begin, end);
+  const { from, to } = filmSpan(begin, end, BEFORE, AFTER);
   const magnification = motionMagnification(encounter, collision, from, to);
   const moved = movedSince(encounter, collision, magnification);
   const words = anglesOf(motion, collision);
@@ -61,7 +63,7 @@ export function filmOf(encounter: Encounter, motion: Motion, collision: ObliqueC
       context.fillText(`t = ${timeInWords(collision, time)}, ${phaseAt(collision, time)}`, 4, 16);
       context.textAlign = 'right';
       context.fillStyle = theme.muted;
-      context.fillText(words, share - 4, isWide(width) ? BODIES - 8 : ABOVE - 4);
+      context.fillText(words, share - 4, 16);
       if (strip?.dark !== theme.dark) strip = { dark: theme.dark, image: stripOf(collision, theme) };
       drawStrip(context, isWide(width) ? { x: share + 8, y: 0, width: width - share - 8, height: BODIES }
         : { x: 0, y: ABOVE, width, height: STRIP }, collision, strip.image, time, theme);
@@ -100,6 +102,14 @@ function drawWays(
     context.fillStyle = theme.text;
     context.fillRect(origin.x - 0.8, 0, 1.6, size.height);
   }
+  context.setLineDash([2, 4]); // the normal
+  context.beginPath();
+  context.moveTo(0, origin.y);
+  context.lineTo(size.width, origin.y);
+  context.strokeStyle = theme.muted;
+  context.lineWidth = 1;
+  context.stroke();
+  context.setLineDash([]);
   bodies.forEach(({ center, radius }, n) => {
     const { x, y, angle } = moved(time)[n]!;
     drawBody(context, at({ x: center + x, y }), scale * radius, angle, theme);

@@ -30,7 +30,8 @@ export function massOf({ kind, si, first, against, second }: Encounter): number 
   return (second.density / unit.density) * (second.radius / unit.radius) ** (kind === 'sphere' ? 3 : 2);
 }
 
-/** How far bodies have moved and turned since they touched, times a magnification. */
+/** How far bodies have moved and turned since they touched, times a magnification. While they touch their shapes take up
+ *  what their centres move towards each other: they are drawn as if they only touched. */
 export function movedSince(encounter: Encounter, collision: ObliqueCollision, magnification: number) {
   const { time: times, center, shift, angle, angle2, begin } = collision;
   const share = 1 / (1 + massOf(encounter)); // of the first in the whole mass
@@ -38,7 +39,7 @@ export function movedSince(encounter: Encounter, collision: ObliqueCollision, ma
     magnification * (extended(times, values, time) - extended(times, values, begin));
   const [speed, slide] = [center, shift].map((values) => (values[1]! - values[0]!) / (times[1]! - times[0]!));
   return (time: number): [Place, Place] => {
-    const [x, y] = [at(center, time), at(shift, time)];
+    const [x, y] = [Math.min(0, at(center, time)), at(shift, time)];
     const whole = magnification * share * (time - begin); // what the common centre has moved, over the velocity
     const own = { x: whole * speed!, y: whole * slide! };
     return [
@@ -48,7 +49,7 @@ export function movedSince(encounter: Encounter, collision: ObliqueCollision, ma
   };
 }
 
-const FAR = 1.1; // what the first body moves in a picture, in radii
+const FAR = 2.2; // what the first body moves in a picture, in radii
 const TURN = 4; // and what bodies turn in it at most, radians
 
 /** A round magnification of the motion between two times, at least 1. */
