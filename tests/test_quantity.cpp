@@ -66,6 +66,8 @@ TEST(Quantities, HaveNamesOfTheirOwn) {
   expect_plain_names(ledger_quantities());
   expect_plain_names(mode_energy_quantities());
   expect_plain_names(snapshot_quantities());
+  expect_plain_names(oblique_impact_quantities());
+  expect_plain_names(oblique_snapshot_quantities());
   expect_plain_names(restitution_quantities());
   expect_plain_names(run_quantities());
   expect_plain_names(extrapolation_quantities());

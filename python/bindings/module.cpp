@@ -61,6 +61,9 @@ py::dict quantities() {
   all["mode energy"] = listed(mode_energy_quantities());
   all["snapshot"] = listed(snapshot_quantities());
   all["restitution"] = listed(restitution_quantities());
+  all["oblique impact"] = listed(oblique_impact_quantities());
+  all["oblique snapshot"] = listed(oblique_snapshot_quantities());
+  all["oblique ledger"] = listed(oblique_ledger_quantities());
   all["oblique"] = listed(oblique_quantities());
   all["bounce"] = listed(bounce_quantities());
   all["sample"] = listed(sample_quantities());

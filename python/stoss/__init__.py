@@ -21,6 +21,7 @@ written.
 `impact`                          one impact: energy ledger, trajectory, deformation and stress in
                                   time
 `oblique`                         impacts at an angle, with spin and friction
+`oblique_impact`                  one of them in time, with all that the contact points do
 `restitution_distribution`        ε of many bodies that vibrate at random before
 `sweep`, `Grid`                   ε of many bodies, partners and speeds, with a store
 `merge`, `open_sweep`             the values in such a store
@@ -61,6 +62,9 @@ from stoss.results._function import RestitutionFunction, restitution_function
 from stoss.results._impact import Impact, impact
 from stoss.results._modes import Modes, modes
 from stoss.results._oblique import ObliqueRestitution, oblique
+from stoss.results._oblique_impact import ObliqueImpact, oblique_impact
+from stoss.results._oblique_ledger import ObliqueLedger
+from stoss.results._oblique_trajectory import ObliqueTrajectory
 from stoss.results._pair_table import PairTable, pair_table
 from stoss.results._restitution import Restitution
 from stoss.results._result import Result
@@ -72,11 +76,13 @@ from stoss.sweeps._values import Sweep, merge, open_sweep
 __all__ = [
     "AtlasValue", "Body", "Bounces", "Disk", "DiskField", "ExponentialWall", "Extrapolation",
     "Field", "Grid", "HalfPlane", "HalfSpace", "HardWall", "Impact", "Interrupted", "InvalidInput",
-    "Material", "Modes", "NotConverged", "ObliqueRestitution", "Oscillation", "PairTable",
+    "Material", "Modes", "NotConverged", "ObliqueImpact", "ObliqueLedger", "ObliqueRestitution",
+    "ObliqueTrajectory", "Oscillation", "PairTable",
     "Restitution", "RestitutionDistribution", "RestitutionFunction", "Rod", "RodChain", "Scales",
     "Sphere", "SphereField", "StossWarning", "Sweep", "Table", "Trajectory", "Wall", "Wave",
     "__version__", "animate", "atlas", "bounce", "extrapolated_restitution", "impact", "materials",
-    "merge", "modes", "oblique", "open_sweep", "pair_table", "plot", "quasistatic", "read_csv", "restitution",
+    "merge", "modes", "oblique", "oblique_impact", "open_sweep", "pair_table", "plot", "quasistatic",
+    "read_csv", "restitution",
     "restitution_distribution", "restitution_function", "rod_chain", "sweep", "with_error",
 ]  # fmt: skip
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <string>
 
 #include "check.hpp"
@@ -48,6 +49,12 @@ void require_start(const State& start, double speed) {
     throw InvalidInput(
         "start: got a center, coordinate or momentum that is no finite number, allowed finite ones (nan?)");
   }
+}
+
+std::shared_ptr<const Body> required_body(const Contact& contact, int number) {
+  if (auto body = body_of(contact, number)) return body;
+  throw InvalidInput("body: got number " + std::to_string(number) + " of '" + name(contact) + "', allowed " +
+                     (body_of(contact, 1) == nullptr ? "0 (a wall has no inside)" : "0 or 1"));
 }
 
 void require_every(int every) {

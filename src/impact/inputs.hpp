@@ -1,5 +1,7 @@
 #pragma once
 
+#include <memory>
+
 #include "stoss/impact/impact.hpp"
 
 namespace stoss {
@@ -8,6 +10,9 @@ inline constexpr double most_steps = 5e7;  ///< of an impact
 
 /// @throws InvalidInput for a start that is not of this speed, or not finite
 void require_start(const State& start, double speed);
+
+/// One of the bodies. @throws InvalidInput for one that is not there
+[[nodiscard]] std::shared_ptr<const Body> required_body(const Contact& contact, int number);
 
 /// @throws InvalidInput for an interval out of range
 void require_every(int every);

@@ -2,7 +2,19 @@
 
 #include <cstddef>
 
+#include "contact/unit_ratios.hpp"
+#include "impact/inputs.hpp"
+
 namespace stoss {
+
+PlanePoint center(const Contact& contact, const ObliqueSnapshot& now, int number) {
+  const Body& body = *required_body(contact, number);
+  const UnitRatios units = units_of(contact, number);
+  // The centre of mass of both rests, and the share of a body in their relative motion is that of the other's mass.
+  const double share = contact.whole_mass / (whole_mass(body) * units.mass);
+  const double overlap = now.center + contact.extent, side = number == 0 ? -1.0 : 1.0;
+  return {side * (body.extent * units.length - share * overlap), -side * share * now.shift};
+}
 
 bool is_sided(const Contact& contact) {
   return !has_single_point(contact) && contact.first->contour == Contour::cylinder;

@@ -1,5 +1,7 @@
 #include "stoss/impact/quantities.hpp"
 
+#include <algorithm>
+
 namespace stoss {
 
 using enum Dimension;
@@ -39,6 +41,58 @@ const Quantities<EnergyLedger>& ledger_quantities() {
   static const Quantities<L> all{
       {"translation", none, &L::translation}, {"vibration", none, &L::vibration}, {"dissipated", none, &L::dissipated},
       {"unresolved", none, &L::unresolved},   {"stored", none, &L::stored},
+  };
+  return all;
+}
+
+const Quantities<ObliqueImpact>& oblique_impact_quantities() {
+  using O = ObliqueImpact;
+  static const Quantities<O> all{
+      {"restitution", none, &O::restitution},
+      {"tangential_restitution", none, &O::tangential_restitution},
+      {"sliding", speed, &O::sliding},
+      {"sliding_after", speed, &O::sliding_after},
+      {"tangential_after", speed, &O::tangential_after},
+      {"spin_after", frequency, &O::spin_after},
+      {"second_spin_after", frequency, &O::second_spin_after},
+      {"contact_time", time, [](const O& o) { return o.normal.contact_time; }},
+      {"max_force", force, [](const O& o) { return o.normal.max_force; }},
+      {"max_compression", length, [](const O& o) { return o.normal.max_compression; }},
+      {"max_half_width", length, [](const O& o) { return o.normal.max_half_width; }},
+      {"cutoff", frequency, [](const O& o) { return o.normal.cutoff; }},
+      {"step", time, [](const O& o) { return o.normal.resolution.step; }},
+      {"nodes", none, [](const O& o) { return o.normal.resolution.nodes; }},
+      {"half_width", length, [](const O& o) { return o.normal.resolution.half_width; }},
+      {"steps", none, [](const O& o) { return o.normal.steps; }},
+      {"energy_error", none, &O::energy_error},
+      {"momentum_error", none, [](const O& o) { return std::max(o.momentum_error, o.normal.momentum_error); }},
+      {"angular_momentum_error", none, &O::angular_momentum_error},
+      {"beyond_small_strain", none, [](const O& o) { return o.normal.beyond_small_strain; }},
+  };
+  return all;
+}
+
+const Quantities<ObliqueSnapshot>& oblique_snapshot_quantities() {
+  using S = ObliqueSnapshot;
+  static const Quantities<S> all{
+      {"time", time, &S::time},
+      {"center", length, &S::center},
+      {"shift", length, &S::shift},
+      {"velocity", speed, &S::velocity},
+      {"tangential", speed, &S::tangential},
+      {"angle", none, &S::angle},
+      {"second_angle", none, &S::second_angle},
+      {"spin", frequency, &S::spin},
+      {"second_spin", frequency, &S::second_spin},
+      {"force", force, &S::force},
+      {"friction", force, &S::friction},
+      {"touching", none, &S::touching},
+      {"translation", none, [](const S& s) { return s.energy.translation; }},
+      {"across", none, [](const S& s) { return s.energy.across; }},
+      {"rotation", none, [](const S& s) { return s.energy.rotation; }},
+      {"second_rotation", none, [](const S& s) { return s.energy.second_rotation; }},
+      {"elastic", none, [](const S& s) { return s.energy.elastic; }},
+      {"friction_loss", none, [](const S& s) { return s.energy.friction; }},
   };
   return all;
 }

@@ -5,6 +5,7 @@
 
 #include "check.hpp"
 #include "contact/unit_ratios.hpp"
+#include "impact/inputs.hpp"
 #include "stoss/contact/grid.hpp"
 #include "stoss/errors.hpp"
 
@@ -32,17 +33,11 @@ bool same_modes(const Contact& contact, const std::vector<ModeEnergy>& modes) {
   return true;
 }
 
-std::shared_ptr<const Body> required(const Contact& contact, int number) {
-  if (auto body = body_of(contact, number)) return body;
-  throw InvalidInput("body: got number " + std::to_string(number) + " of '" + name(contact) + "', allowed " +
-                     (body_of(contact, 1) == nullptr ? "0 (a wall has no inside)" : "0 or 1"));
-}
-
 }  // namespace
 
 double center(const Contact& contact, const State& state, int number) {
   const bool of_second = number == 1;
-  const Body& body = *required(contact, number);
+  const Body& body = *required_body(contact, number);
   const UnitRatios units = units_of(contact, number);
   const double overlap = state.center + contact.extent;
   // The centre of mass of both rests, and the share of a body in their relative motion is that of the other's mass.
@@ -53,7 +48,7 @@ double center(const Contact& contact, const State& state, int number) {
 BodyFrame seen_by(const Contact& contact, const ContactGrid& grid, const Frame& frame, int number) {
   const bool of_second = number == 1;
   BodyFrame seen;
-  seen.body = required(contact, number);
+  seen.body = required_body(contact, number);
   const std::size_t modes = mode_count(contact), of_first = mode_count(*contact.first);
   if (frame.state.coordinate.size() != modes) {
     throw InvalidInput("state: got " + std::to_string(frame.state.coordinate.size()) + " coordinates, allowed " +

@@ -1,34 +1,18 @@
 """Draws the figures of oblique impacts: figure.py FOLDER_OF_TABLES FOLDER_OF_PICTURES."""
 
-import csv
 import math
 import sys
 from pathlib import Path
 
 from matplotlib import pyplot
 
+sys.path.insert(0, str(Path(__file__).parents[1]))
+from tables import having, table  # noqa: E402
+
 GREEN, BLUE, RED, PINK, SKY, AMBER = "#009E73", "#0072B2", "#D55E00", "#CC79A7", "#56B4E9", "#E69F00"
 SPEEDS = {1e-6: (GREEN, "10⁻⁶"), 1e-4: (SKY, "10⁻⁴"), 1e-3: (BLUE, "0.001"), 1e-2: (PINK, "0.01"), 0.1: (RED, "0.1")}
 OBLIQUITY = "s / μ$v_n$"
 RADIUS, FRICTION, SPEED, RESTITUTION = 2.5e-3, 0.092, 3.9, 0.98  # of the measured ball, SI
-
-
-def table(folder, name):
-    """The rows of a CSV file, with numbers where there are numbers, by names without units."""
-
-    def number(text):
-        try:
-            return float(text)
-        except ValueError:
-            return text
-
-    with open(folder / f"{name}.csv", encoding="utf-8") as file:
-        rows = csv.DictReader(line for line in file if not line.startswith("#"))
-        return [{key.partition("[")[0]: number(text) for key, text in row.items()} for row in rows]
-
-
-def having(rows, **values):
-    return [row for row in rows if all(row[name] == value for name, value in values.items())]
 
 
 def columns(rows, *names):

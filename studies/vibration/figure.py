@@ -1,11 +1,13 @@
 """Draws bodies that vibrate before they meet: figure.py TABLES PICTURES, both of them folders."""
 
-import csv
 import math
 import sys
 from pathlib import Path
 
 from matplotlib import pyplot
+
+sys.path.insert(0, str(Path(__file__).parents[1]))
+from tables import having, table  # noqa: E402
 
 BLUE, VERMILION, GREEN, PURPLE, SKY, BLACK = "#0072B2", "#D55E00", "#009E73", "#CC79A7", "#56B4E9", "black"
 BODIES = {"sphere": (BLUE, "o"), "disk": (VERMILION, "s")}
@@ -16,26 +18,8 @@ POISSON = {"sphere": 0.3, "disk": 0.33}
 POWERS = {1e-4: "10⁻⁴", 1e-3: "10⁻³", 1e-2: "0.01", 0.1: "0.1", 1.0: "1"}
 
 
-def table(folder, name):
-    """The rows of a table, with numbers where there are numbers."""
-
-    def number(text):
-        try:
-            return float(text)
-        except ValueError:
-            return text
-
-    with open(folder / f"{name}.csv", encoding="utf-8") as file:
-        rows = csv.DictReader(line for line in file if not line.startswith("#"))
-        return [{key.partition("[")[0]: number(text) for key, text in row.items()} for row in rows]
-
-
 def column(rows, name):
     return [row[name] for row in rows]
-
-
-def having(rows, **values):
-    return [row for row in rows if all(row[name] == value for name, value in values.items())]
 
 
 def named(damping):

@@ -3,6 +3,8 @@
 #include <functional>
 #include <span>
 
+#include "stoss/contact/contact.hpp"
+
 namespace stoss {
 
 /// What a contact point does along the surface; where it slips, the sign of its slip.
@@ -53,6 +55,19 @@ struct ObliqueSnapshot {
   ObliqueEnergies energy;
   std::span<const ObliquePoint> points;  ///< in order of their places; valid during the call
 };
+
+/// Where something is in the plane of an oblique impact, R of the first body.
+struct PlanePoint {
+  double x = 0.0;
+  double y = 0.0;
+};
+
+/// Place of the centre of one of the bodies: the bodies at rest would first touch at x = 0, and both centres are at
+/// y = 0 at the start. Places are those of an observer who moves with the centre of mass of both; at a wall or with a
+/// half-space, with that.
+/// @param number 0: of the first, 1: of the second body
+/// @throws InvalidInput for a body that is not there
+[[nodiscard]] PlanePoint center(const Contact& contact, const ObliqueSnapshot& now, int number);
 
 /// Receives the instants of an oblique impact in order of time. What it throws ends the impact and reaches the caller.
 using ObliqueImpactObserver = std::function<void(const ObliqueSnapshot&)>;

@@ -12,6 +12,12 @@ namespace stoss {
 /// Where the energy is after an impact.
 [[nodiscard]] const Quantities<EnergyLedger>& ledger_quantities();
 
+/// Quantities of one oblique impact but for its ledger, and what was asked for.
+[[nodiscard]] const Quantities<ObliqueImpact>& oblique_impact_quantities();
+
+/// Quantities of one instant of an oblique impact.
+[[nodiscard]] const Quantities<ObliqueSnapshot>& oblique_snapshot_quantities();
+
 /// Where the energy is after an oblique impact.
 [[nodiscard]] const Quantities<ObliqueLedger>& oblique_ledger_quantities();
 

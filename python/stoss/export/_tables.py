@@ -86,9 +86,9 @@ def rows(columns: Mapping[str, Any], key: Any, count: int) -> dict[str, Any]:
         if isinstance(key, (int, np.integer)):
             raise IndexError(f"index {key} of a result with {count} elements") from None
         raise
-    for part in parts.values():
+    for name, part in parts.items():
         if isinstance(part, np.ndarray):
-            if part.ndim != 1:
+            if part.ndim > np.ndim(columns[name]):
                 raise InvalidInput(f"index: got {key!r}, allowed an integer, a slice, or an array of integers or flags")
             part.flags.writeable = False
     return parts

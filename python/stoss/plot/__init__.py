@@ -9,6 +9,9 @@ column; in your own Axes the text follows your settings. Nothing global is chang
                                                   limits
 `function`                                        ε(v) as a function, with its error
 `oblique`                                         ε_t and ε_n against the angle of incidence
+`oblique_impact`, `grip`                          one of them in time: velocities, forces, stick and
+                                                  slip
+`oblique_ledger`                                  where the energy is after oblique impacts
 `pair_table`                                      ε(v) of pairs of several ratios of radii
 `distribution`                                    ε of many bodies that vibrate
 `slow_impact`, `rayleigh`, `static_contact`       quasi-static: contact time, lost fraction,
@@ -44,6 +47,8 @@ from stoss.plot._modes import ledger
 from stoss.plot._many import bounces, cooling, distribution, restitution_histogram
 from stoss.plot._modes import mode_shape, spectrum
 from stoss.plot._oblique import oblique
+from stoss.plot._oblique_impact import grip, oblique_impact
+from stoss.plot._oblique_ledger import oblique_ledger
 from stoss.plot._quasistatic import rayleigh, slow_impact, static_contact
 from stoss.plot._restitution import restitution
 from stoss.plot._sequence import sequence
@@ -54,7 +59,7 @@ from stoss.plot._wave import wave
 
 __all__ = [
     "animate", "bounces", "cooling", "disk", "distribution", "energies", "extrapolation", "force",
-    "function", "half_width", "ledger", "mode_shape", "oblique", "pair_table", "rayleigh",
-    "restitution", "restitution_histogram", "sequence", "slow_impact", "spectrum", "sphere",
-    "static_contact", "stress", "velocity", "wave",
+    "function", "grip", "half_width", "ledger", "mode_shape", "oblique", "oblique_impact",
+    "oblique_ledger", "pair_table", "rayleigh", "restitution", "restitution_histogram", "sequence",
+    "slow_impact", "spectrum", "sphere", "static_contact", "stress", "velocity", "wave",
 ]  # fmt: skip

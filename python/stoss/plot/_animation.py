@@ -6,7 +6,7 @@ import contextlib
 import os
 import subprocess
 import tempfile
-from typing import Any, Iterator
+from typing import Any, Callable, Iterator, NamedTuple
 
 from PIL import Image
 from matplotlib import colormaps, rc_context
@@ -22,8 +22,9 @@ from numpy.typing import NDArray
 from stoss._arguments import instance, integer, number, refusal, require_memory
 from stoss._documentation import documented
 from stoss.export._files import whole_file
-from stoss.plot import _disk, _ground, _sequence, _stress, _style
+from stoss.plot import _disk, _ground, _oblique_film, _sequence, _stress, _style
 from stoss.results._impact import Impact
+from stoss.results._oblique_impact import ObliqueImpact
 
 DPI = 100
 SUFFIXES = (".gif", ".mp4")
@@ -31,7 +32,7 @@ SUFFIXES = (".gif", ".mp4")
 
 @documented
 def animate(
-    impact: Impact,
+    impact: Impact | ObliqueImpact,
     path: str | os.PathLike[str],
     *,
     frames: int = 60,
@@ -45,14 +46,19 @@ def animate(
     It goes from just before contact until the body, or two, have flown for some time, vibrating.
     The file appears whole or not at all. `path` is returned. RuntimeError says that ffmpeg failed.
 
+    Of an oblique impact half of the frames are of the contact, in slow motion. The bodies are drawn
+    as rigid ones, with a sector that turns. Beside them is the contact, magnified: arrows are the
+    traction on the first body, with its friction over μ, so that they are inclined by 45 degrees
+    where points slip; black points stick, orange ones slip along +y and blue ones along −y.
+
     Parameters:
-        impact: Of a disk or a sphere.
+        impact (Impact or ObliqueImpact): Of a disk or a sphere.
         path: Where to; an existing file is replaced. Its suffix, .gif or .mp4, says what is
             written; the latter needs ffmpeg.
         frames: Number of frames, 2 to 2000.
         fps: Frames per second, 1 to 50. A GIF counts time in 1/100 s.
         size: Width and height, 100 to 4000 pixels; those of an MP4 are made
-            even. Default: 400 wide, with colours 480.
+            even. Default: 400 wide, with colours 480; of an oblique impact 640 x 380.
         quantity ({'von_mises', 'principal_difference', 'fringes'}, optional): Colours, on one scale
             for all frames (see `stoss.plot.stress`); default: a grid of radii and circles.
         fringe: As in `stoss.plot.stress`.
@@ -61,8 +67,11 @@ def animate(
         >>> hit = stoss.impact(poisson=0.33, speed=0.2, cutoff=12.5)
         >>> stoss.animate(hit, "impact.gif", frames=10)
         'impact.gif'
+        >>> slip = stoss.oblique_impact(stoss.Sphere(poisson=0.3), speed=0.05, angle=40, friction=0.3)
+        >>> stoss.animate(slip, "slip.gif", frames=10)
+        'slip.gif'
     """
-    instance("impact", impact, (Impact,))
+    instance("impact", impact, (Impact, ObliqueImpact))
     suffix = _suffix(path)
     count, rate = integer("frames", frames), number("fps", fps)
     if not 2 <= count <= 2000:
@@ -74,29 +83,60 @@ def animate(
         got = f"{count} of {pixels[0]} x {pixels[1]} pixels"
         require_memory("frames", got, float(count * pixels[0] * pixels[1]), "give fewer, a smaller size, or an .mp4")
     if quantity is not None:
+        if isinstance(impact, ObliqueImpact):
+            raise refusal("quantity", quantity, "None for an oblique impact (which has no field)")
         _style.choice("quantity", quantity, _stress.QUANTITIES)
     if suffix == ".mp4" and not FFMpegWriter.isAvailable():
         hint = "install it, or give a path that ends in .gif"
         raise RuntimeError(f"animate: ffmpeg, which .mp4 needs, was not found ({hint})")
 
-    with whole_file(os.fspath(path), suffix) as temporary:
-        times = _sequence.default_times(impact, count)
-        points = {"radius": _disk.GRID_RADIUS, "angle": _disk.GRID_ANGLE} if quantity is None else {}
-        fields = _disk.all_fields(impact, times, **points)
-        film = [[_disk.instant(each, k) for each in fields] for k in range(count)]
-        scale = None if quantity is None else _stress.scale_of([now for each in film for now in each], quantity, fringe)
-        shown = _disk.view(fields)
-        ground = _ground.surface(impact, times, shown.half)
-        shape = _default_pixels(shown, scale) if pixels is None else pixels
+    with whole_file(os.fspath(path), suffix) as temporary, rc_context(_style.PRINT | {"figure.dpi": DPI}):
+        if isinstance(impact, ObliqueImpact):
+            film = _oblique(impact, count, pixels)
+        else:
+            film = _central(impact, count, pixels, quantity, fringe)
+        shape = film.size
         if suffix == ".mp4":  # its colours are those of pairs of pixels
             shape = shape[0] + shape[0] % 2, shape[1] + shape[1] % 2
-        with rc_context(_style.PRINT | {"figure.dpi": DPI}):
-            pictures = _film(film, shown, scale, shape, ground)
-            if suffix == ".gif":
-                _write_gif(pictures, rate, None if scale is None else scale.colors, temporary)
-            else:
-                _write_mp4(pictures, rate, shape, temporary)
+        if suffix == ".gif":
+            _write_gif(film.pictures(shape), rate, film.palette, temporary)
+        else:
+            _write_mp4(film.pictures(shape), rate, shape, temporary)
     return path
+
+
+class _Film(NamedTuple):
+    """What a film shows."""
+
+    size: tuple[int, int]  # pixels
+    pictures: Callable[[tuple[int, int]], Iterator[NDArray[np.uint8]]]  # of a size
+    palette: list[NDArray[np.float64]]  # colours beside greys
+
+
+def _central(
+    impact: Impact, count: int, pixels: tuple[int, int] | None, quantity: str | None, fringe: float | None
+) -> _Film:
+    times = _sequence.default_times(impact, count)
+    points = {"radius": _disk.GRID_RADIUS, "angle": _disk.GRID_ANGLE} if quantity is None else {}
+    fields = _disk.all_fields(impact, times, **points)
+    film = [[_disk.instant(each, k) for each in fields] for k in range(count)]
+    scale = None if quantity is None else _stress.scale_of([now for each in film for now in each], quantity, fringe)
+    shown = _disk.view(fields)
+    ground = _ground.surface(impact, times, shown.half)
+    ramp = _ramp(_style.BLUE, 24) if scale is None else colormaps[scale.colors](np.linspace(0.0, 1.0, 96))
+    size = _default_pixels(shown, scale) if pixels is None else pixels
+    return _Film(size, lambda shape: _film(film, shown, scale, shape, ground), [ramp])
+
+
+def _oblique(impact: ObliqueImpact, count: int, pixels: tuple[int, int] | None) -> _Film:
+    ramps = [_ramp(color, 24) for color in (*_oblique_film.COLORS, _style.VERMILION) if color.startswith("#")]
+    return _Film(pixels or _oblique_film.SIZE, lambda shape: _oblique_film.pictures(impact, count, shape, DPI), ramps)
+
+
+def _ramp(color: str, levels: int) -> NDArray[np.float64]:
+    """From white to a colour."""
+    shades: NDArray[np.float64] = LinearSegmentedColormap.from_list("", ["white", color])(np.linspace(0.0, 1.0, levels))
+    return shades
 
 
 def _suffix(path: Any) -> str:
@@ -165,11 +205,11 @@ def _draw_frame(axes: Axes, bodies: list[_disk.Instant], scale: _stress.Scale | 
     return edges + [_disk.draw_grid(axes, now.x, now.y, now.field.radius, now.field.angle, width=1.2) for now in bodies]
 
 
-def _write_gif(pictures: Iterator[NDArray[np.uint8]], rate: float, colors: str | None, path: str) -> None:
+def _write_gif(
+    pictures: Iterator[NDArray[np.uint8]], rate: float, ramps: list[NDArray[np.float64]], path: str
+) -> None:
     # One palette for all: colours keep their meaning from frame to frame, and the file stays small.
-    ramp = LinearSegmentedColormap.from_list("grid", ["white", _style.BLUE]) if colors is None else colormaps[colors]
-    levels = 24 if colors is None else 96
-    shades = np.concatenate((colormaps["gray"](np.linspace(0.0, 1.0, 32)), ramp(np.linspace(0.0, 1.0, levels))))
+    shades = np.concatenate((colormaps["gray"](np.linspace(0.0, 1.0, 32)), *ramps))
     palette = Image.new("P", (1, 1))
     palette.putpalette(np.round(255.0 * shades[:, :3]).astype(np.uint8).tobytes())
     flat = [Image.fromarray(each).quantize(palette=palette, dither=0) for each in pictures]

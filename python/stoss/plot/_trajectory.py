@@ -11,6 +11,7 @@ from stoss.bodies._bodies import PARTNERS, Disk, Sphere
 from stoss.plot import _style
 from stoss.results._field import Trajectory
 from stoss.results._impact import Impact
+from stoss.results._oblique_trajectory import ObliqueTrajectory
 
 TIME = "time t / (R/c)"
 
@@ -63,23 +64,22 @@ half_width = _curve(
 )  # fmt: skip
 
 
-@_style.picture_of(Trajectory)
-def energies(trajectory: Trajectory, ax: Axes | None = None) -> Axes:
+@_style.picture_of(Trajectory, ObliqueTrajectory)
+def energies(trajectory: Trajectory | ObliqueTrajectory, ax: Axes | None = None) -> Axes:
     """Where the energy is against time, as shares of the initial energy, and their sum.
 
     *Translation* is that of the centre of mass, *vibration* that of the kept modes, *stored* what
     the wall's potential or the static modes above the cutoff hold, *dissipated* what a lossy
     material and *unresolved* what the modes above the cutoff have taken. The sum differs from 1 by
-    the numerical error.
+    the numerical error. Of an oblique impact *across* is the motion along the surface, *rotation*
+    the spins, *elastic* all that went into the bodies, and *friction* the heat.
 
     Examples:
         >>> ax = stoss.plot.energies(stoss.impact(poisson=0.33, speed=0.1, cutoff=12.5).trajectory())
         >>> [line.get_label() for line in ax.lines]
         ['translation', 'vibration', 'stored', 'unresolved', 'sum']
     """
-    lossy = ("dissipated",) if trajectory.dissipated.any() else ()
-    names = ("translation", "vibration", "stored", *lossy, "unresolved")
-    shares = {name: getattr(trajectory, name) for name in names}
+    shares = _shares(trajectory)
     look = {"xlabel": TIME, "ylabel": "energy / initial energy"}
     with _style.canvas(ax, size=(_style.COLUMN, 2.7), **look) as axes:
         for k, (name, values) in enumerate(shares.items()):
@@ -89,3 +89,13 @@ def energies(trajectory: Trajectory, ax: Axes | None = None) -> Axes:
         axes.set_ylim(-0.04, max(1.25, 1.05 * float(total.max())))
         _style.legend(axes, loc="upper center", ncol=3, columnspacing=1.0, handlelength=1.8)
     return axes
+
+
+def _shares(trajectory: Trajectory | ObliqueTrajectory) -> dict[str, NDArray[Any]]:
+    """Shares of the energy by the names under which they are drawn."""
+    if isinstance(trajectory, ObliqueTrajectory):
+        spins = trajectory.rotation + trajectory.second_rotation
+        own = {"translation": trajectory.translation, "across": trajectory.across, "rotation": spins}
+        return own | {"elastic": trajectory.elastic, "friction": trajectory.friction_loss}
+    lossy = ("dissipated",) if trajectory.dissipated.any() else ()
+    return {name: getattr(trajectory, name) for name in ("translation", "vibration", "stored", *lossy, "unresolved")}

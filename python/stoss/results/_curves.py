@@ -11,7 +11,6 @@ from numpy.typing import ArrayLike, NDArray
 from stoss import _core
 from stoss._arguments import arranged, boolean, broadcast, integer, number, numbers
 from stoss._documentation import documented
-from stoss._errors import Interrupted, NotConverged
 from stoss.bodies._bodies import Body, Disk, speed_unit, speeds_in_si
 from stoss.bodies._encounter import choose_against, choose_bodies, choose_body, refinable
 from stoss.bodies._state import State, choose_state
@@ -20,7 +19,7 @@ from stoss.export._text import with_error
 from stoss.results._progress import bar
 from stoss.results._restitution import Restitution
 from stoss.results._result import Column, Result, columns, picture
-from stoss.results._si import warn_of_doubt, warn_of_large_strain, warn_of_yielding
+from stoss.results._si import finished
 
 
 def empty_rows(shape: int | tuple[int, ...], kind_of_row: np.dtype[Any] = _core.restitution_row) -> NDArray[Any]:
@@ -119,16 +118,7 @@ def restitution(
     shaped = {name: arranged(column, speeds.shape) for name, column in values.items()}
     state_before = modes if modes.size else None
     result = Restitution(one, tuple(bodies), shared, tolerance=limit, absolute=enough, state=state_before, **shaped)
-    if stopped:
-        raise Interrupted(f"restitution: interrupted after {done} of {speeds.size} values (they are in .best)", result)
-    if isinstance(result.reason, str):  # one value
-        if not result.converged:
-            raise NotConverged(f"restitution: {result.reason}", result)
-    else:
-        warn_of_doubt(result.converged, "values", 2)
-    warn_of_large_strain(result, 2)
-    warn_of_yielding(result, 2)
-    return result
+    return finished(result, done if stopped else None)
 
 
 @dataclasses.dataclass(frozen=True, eq=False, repr=False)

@@ -9,9 +9,8 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from stoss import _core
-from stoss._arguments import arranged, boolean, broadcast, integer, number, numbers
+from stoss._arguments import arranged, boolean, integer, number
 from stoss._documentation import documented
-from stoss._errors import Interrupted, InvalidInput, NotConverged
 from stoss.bodies._bodies import Body, shown, speeds_in_si
 from stoss.bodies._encounter import Against, choose_against, choose_body, refinable
 from stoss.bodies._state import State, choose_state
@@ -19,16 +18,16 @@ from stoss.bodies._walls import HardWall, Unbounded
 from stoss.export import _tables
 from stoss.export._text import span, with_error
 from stoss.results._curves import empty_rows
+from stoss.results._oblique_ledger import ObliqueLedger
+from stoss.results._obliquity import MOTION, Oblique, choose_motion
 from stoss.results._progress import bar
 from stoss.results._restitution import Flag, Integer
-from stoss.results._result import Column, Number, columns, picture
-from stoss.results._si import MayYield, Si, warn_of_doubt, warn_of_large_strain, warn_of_yielding
-
-MOTION = ("speed", "tangential", "spin", "second_spin", "friction")
+from stoss.results._result import QUANTITIES, Column, Number, columns, picture
+from stoss.results._si import Si, finished
 
 
 @dataclasses.dataclass(frozen=True, eq=False, repr=False)
-class ObliqueRestitution(MayYield):
+class ObliqueRestitution(Oblique):
     """The collision rule of bodies that meet at an angle, with spin and friction.
 
     Numbers if all inputs were numbers, otherwise arrays of the shape to which they broadcast: then
@@ -37,18 +36,10 @@ class ObliqueRestitution(MayYield):
     body that touches slides at s = v_t + Ω₁R₁ + Ω₂R₂.
 
     Attributes:
-        speed: v_n, of approach along the normal, c.
-        tangential, tangential_after: v_t, velocity of the centre of the first body along y relative
-            to the second, before and after, c.
-        spin, spin_after: Ω₁ of the first body, c/R; positive moves its foremost point along +y.
-        second_spin, second_spin_after: Ω₂ of the second, c/R of the first; positive moves its
-            foremost point along −y.
-        friction: Coefficient μ of Coulomb's law.
         restitution, restitution_error: ε_n = −v_n′/v_n, and its estimated error.
         tangential_restitution, tangential_restitution_error: ε_t = −s′/s: −1 without friction, 1 of
             a perfect superball. Where s = 0 it is 0 with an infinite error, and s′ says what
             happens.
-        sliding, sliding_after: s before and s′ after, c.
         sliding_after_error, tangential_after_error, spin_after_error, second_spin_after_error:
             Estimated errors of these.
         friction_loss, friction_loss_error: Share of the initial energy that became heat of
@@ -59,25 +50,17 @@ class ObliqueRestitution(MayYield):
         unstable: Friction between unlike bodies is so high that waves of any length grow while all
             slides: nothing has a limit then, and all errors are unknown.
         tolerance: Asked for: error of s′ over the larger of |s| and μv_n.
+        energy: Where the energy is after the finest impact.
     """
 
     plot = picture("ε_t and ε_n against the angle of incidence. See `stoss.plot.oblique`.")
     _name: ClassVar[str] = "oblique"
     _kind = "oblique"
     _told = ("body", "against", "tolerance", "state")
-    _given = {"speed": "speed", "tangential": "speed", "spin": "frequency", "second_spin": "frequency", "friction": ""}
-    tangential_si = Si("Velocity along the surface before, m/s.")
-    spin_si = Si("Spin of the first body before, rad/s.")
-    second_spin_si = Si("Spin of the second body before, rad/s.")
-    sliding_si = Si("Sliding speed before, m/s.")
-    sliding_after_si = Si("Sliding speed after, m/s.")
-    sliding_after_si_error = Si("Its error, m/s.")
-    tangential_after_si = Si("Velocity along the surface after, m/s.")
-    tangential_after_si_error = Si("Its error, m/s.")
-    spin_after_si = Si("Spin of the first body after, rad/s.")
-    spin_after_si_error = Si("Its error, rad/s.")
-    second_spin_after_si = Si("Spin of the second body after, rad/s.")
-    second_spin_after_si_error = Si("Its error, rad/s.")
+    sliding_after_si_error = Si("Error of the sliding speed after, m/s.")
+    tangential_after_si_error = Si("Error of the velocity along the surface after, m/s.")
+    spin_after_si_error = Si("Error of the spin of the first body after, rad/s.")
+    second_spin_after_si_error = Si("Error of the spin of the second body after, rad/s.")
 
     body: Body
     against: Against
@@ -114,12 +97,7 @@ class ObliqueRestitution(MayYield):
     reason: str | NDArray[np.object_]
     tolerance: float
     state: NDArray[Any] | None
-
-    @property
-    def angle(self) -> Number:
-        """Angle between the velocity of the centre and the normal before, degrees."""
-        angles = np.array(np.degrees(np.arctan2(self.tangential, self.speed)))
-        return arranged(angles, angles.shape)  # type: ignore[no-any-return]
+    energy: ObliqueLedger
 
     def __repr__(self) -> str:
         of = f"{shown(self.body, self.against)}, speed={span(self.speed)} c"
@@ -145,7 +123,8 @@ class ObliqueRestitution(MayYield):
     def __getitem__(self, key: Any) -> ObliqueRestitution:
         """The values at an index, a slice or flags, as numpy has them."""
         len(self)  # refuses a single value
-        return dataclasses.replace(self, **self._selected(key, np.shape(self.restitution)))
+        part = self._selected(key, np.shape(self.restitution))
+        return dataclasses.replace(self, energy=self.energy[key], **part)
 
     def _arranged_columns(self) -> tuple[dict[str, Column], tuple[str, ...]]:
         table, shape = self._columns(), np.shape(self.restitution)
@@ -153,16 +132,6 @@ class ObliqueRestitution(MayYield):
             return table, tuple(f"axis_{k}" for k in range(len(shape)))
         varied = [name for name in MOTION if np.unique(table[name]).size > 1]
         return table, (varied[0] if len(varied) == 1 else "row",)
-
-
-def _along(tangential: Any, angle: Any, speeds: NDArray[np.float64], unit: float) -> NDArray[np.float64]:
-    """v_t in c, of which at most one way to give it was used."""
-    if angle is None:
-        return numbers("tangential", 0.0 if tangential is None else tangential) / unit
-    if tangential is not None:
-        raise InvalidInput("angle: got tangential and angle, allowed one of them")
-    angles, at = broadcast(angle=numbers("angle", angle), speed=speeds)
-    return _core.tangential_at(angles.ravel(), at.ravel()).reshape(angles.shape)
 
 
 @documented
@@ -214,12 +183,9 @@ def oblique(
     """
     chosen = choose_body(body, None, rigid=True)
     met = choose_against(chosen, against, (HardWall,))
-    in_si = chosen.material is not None
-    c, turn = (chosen.scales.speed, chosen.scales.frequency) if in_si else (1.0, 1.0)
-    speeds = numbers("speed", speed) / c
-    motion = broadcast(
-        30, speed=speeds, tangential=_along(tangential, angle, speeds, c), spin=numbers("spin", spin) / turn,
-        second_spin=numbers("second_spin", second_spin) / turn, friction=numbers("friction", friction),
+    motion = choose_motion(
+        chosen, speed=speed, tangential=tangential, angle=angle, spin=spin, second_spin=second_spin,
+        friction=friction, kept=40,
     )  # fmt: skip
     shape = motion[0].shape
     # Those of one speed after one another share their impacts along the normal.
@@ -238,16 +204,10 @@ def oblique(
             stopped = True
     table, reasons = np.empty_like(rows), np.full(order.size, "interrupted", dtype=object)
     table[order], reasons[order[: len(why)]] = rows, why
-    values = {**dict(zip(MOTION, motion)), "reason": reasons, **columns(table)}
-    shaped = {name: arranged(column, shape) for name, column in values.items()}
-    result = ObliqueRestitution(chosen, met, tolerance=limit, state=modes if modes.size else None, **shaped)
-    if stopped:
-        raise Interrupted(f"oblique: interrupted after {len(why)} of {order.size} values (they are in .best)", result)
-    if isinstance(result.reason, str):  # one value
-        if not result.converged:
-            raise NotConverged(f"oblique: {result.reason}", result)
-    else:
-        warn_of_doubt(result.converged, "values", 2)
-    warn_of_large_strain(result, 2)
-    warn_of_yielding(result, 2)
-    return result
+    found = columns(table)
+    ledger = {name: found.pop(f"energy.{name}") for name in QUANTITIES["oblique ledger"]}
+    values = {**dict(zip(MOTION, motion)), "reason": reasons, **found}
+    shaped, shares = ({name: arranged(each, shape) for name, each in own.items()} for own in (values, ledger))
+    kept = modes if modes.size else None
+    result = ObliqueRestitution(chosen, met, tolerance=limit, state=kept, energy=ObliqueLedger(**shares), **shaped)
+    return finished(result, len(why) if stopped else None)

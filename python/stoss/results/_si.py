@@ -4,12 +4,12 @@ from __future__ import annotations
 
 import re
 import warnings
-from typing import Any
+from typing import Any, TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
 
-from stoss._errors import StossWarning
+from stoss._errors import Interrupted, NotConverged, StossWarning
 from stoss.bodies._encounter import yield_speed_of
 from stoss.bodies._material import Material
 from stoss.results._result import Number, Result
@@ -123,6 +123,29 @@ def warn_of_doubt(converged: Any, said: str, stacklevel: int) -> None:
     if doubtful:
         text = f"{doubtful} of {np.size(converged)} {said} not as accurate as asked for (see .converged, .reason)"
         warnings.warn(text, StossWarning, stacklevel=stacklevel + 1)
+
+
+Curve = TypeVar("Curve", bound=MayYield)
+
+
+def finished(curve: Curve, done: int | None) -> Curve:
+    """The values that a function has computed, for its return: with what its user must be told of them.
+
+    Parameters:
+        done: How many there are where Ctrl-C has stopped it.
+    """
+    result: Any = curve
+    if done is not None:
+        said = f"interrupted after {done} of {np.size(result.reason)} values (they are in .best)"
+        raise Interrupted(f"{curve._name}: {said}", curve)
+    if isinstance(result.reason, str):  # one value
+        if not result.converged:
+            raise NotConverged(f"{curve._name}: {result.reason}", curve)
+    else:
+        warn_of_doubt(result.converged, "values", 3)
+    warn_of_large_strain(curve, 3)
+    warn_of_yielding(curve, 3)
+    return curve
 
 
 def warn_of_yielding(result: MayYield, stacklevel: int) -> None:

@@ -104,6 +104,22 @@ TEST_F(ObliqueFilms, HaveTheNormalMotionOfTheCentralImpact) {
   }
 }
 
+// The centre of mass of both stays where it is, and bodies at rest that touch have their radii between them.
+TEST_F(ObliqueFilms, PlaceBothBodies) {
+  const Contact pair = contact(sphere(0.3, 12.0), sphere(Sphere{0.3, 2.0, 1.0, 1.0}, 24.0));
+  for (const Instant& now : seen({"", pair, 0.05, {0.1, 0.0, 0.0, 0.2}}).instants) {
+    const PlanePoint first = center(pair, now, 0), second = center(pair, now, 1);
+    ASSERT_NEAR(second.x - first.x, -now.center, 1e-14);
+    ASSERT_NEAR(first.y - second.y, now.shift, 1e-14);
+    ASSERT_NEAR(first.y + 8.0 * second.y, 0.0, 1e-14);
+    ASSERT_NEAR(first.x + 1.0 + 8.0 * (second.x - 2.0), 0.0, 1e-13);
+  }
+  const Instant last = seen({"", ball, 0.05, {0.1, 0.0, 0.0, 0.2}}).instants.back();
+  EXPECT_EQ(center(ball, last, 0).x, last.center);
+  EXPECT_EQ(center(ball, last, 0).y, last.shift);
+  test::expect_refusal([&] { (void)center(ball, last, 1); }, {"body"});
+}
+
 TEST_F(ObliqueFilms, SeeVibrationBefore) {
   const Contact one = contact(disk(0.33, 12.0));
   State state{-one.extent - 0.3, 0.05, std::vector<double>(mode_count(one)), std::vector<double>(mode_count(one))};

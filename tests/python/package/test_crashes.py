@@ -21,6 +21,10 @@ NASTY = [
     "rod.contact(nan, 1.0)", "met.with_modes(np.ones(3, dtype=bool))",
     "core.check_curve(two, nan, 1)", "threading.stack_size(65536); run(stoss.modes, poisson=0.3, cutoff=50)",
     "run(stoss.restitution, poisson=[0.1, 0.2], speed=0.1, tolerance=0.1)", "del hit, handle; energies[0]",
+    "core.ObliqueImpact()", "core.ObliqueImpact.ledger(None)", "slip.trajectory(met, 0)", "pickle.dumps(slip)",
+    "slip.trajectory(rod.contact(9.0, 1.0), 1)", "slip.trajectory(pair.contact(6.0, 1.0), 1)",
+    "slip.trajectory(disk.contact(20.0, 1.0), 3)", "rung.trajectory(disk.contact(3.0, 1.0), 3)",
+    "core.oblique_impact(met, 0.1, two, None, None, None, hit.state_after(flight=1.0))",
     "[stoss.restitution(poisson=0.3, speed=np.full(3, 0.1), tolerance=0.1, threads=1024) for _ in range(3)]",
 ]
 # Ways to an object of memory that nobody has set.
@@ -35,6 +39,9 @@ first = '{{"first": {{"kind": "disk", "poisson": 0.33}}'
 disk, pair = core.encounter(first + "}}"), core.encounter(first + ', "against": "same"}}')
 rod, met = core.encounter('{{"first": {{"kind": "rod"}}}}'), disk.contact(6.0, 1.0)
 finer, frames = stoss.impact(poisson=0.33, speed=0.1, cutoff=6, nodes=90)._handle, core.motion(met, handle, two)
+def slid(**state):
+    return stoss.oblique_impact(stoss.Disk(poisson=0.33), speed=0.1, angle=20, friction=0.3, cutoff=6, **state)._handle
+slip, rung = slid(), slid(state=hit.state_after(flight=1.0))
 def run(function, **arguments):
     thread = threading.Thread(target=function, kwargs=arguments)
     thread.start()

@@ -138,6 +138,7 @@ def called(function, arguments):
 
 
 hit = stoss.impact(poisson=0.33, speed=0.1, cutoff=6)
+slip = stoss.oblique_impact(stoss.Disk(poisson=0.33), speed=0.1, angle=20, friction=0.3, cutoff=6)
 modes = stoss.modes(poisson=0.33, cutoff=6)
 DISK = stoss._core.encounter('{"first": {"kind": "disk", "poisson": 0.3}}')
 RODS = stoss._core.encounter('{"first": {"kind": "rod"}, "against": "same"}')
@@ -145,6 +146,8 @@ few = {"cutoffs": [4, 5, 6], "hardnesses": [50, 60, 70]}
 PUBLIC = {
     "restitution": (stoss.restitution, CHEAP),
     "impact": (stoss.impact, CHEAP),
+    "oblique_impact": (stoss.oblique_impact, {"body": stoss.Sphere(poisson=0.3), "friction": 0.3, "speed": 0.1,
+                                              "cutoff": 6}),
     "modes": (stoss.modes, CHEAP),
     "extrapolated_restitution": (stoss.extrapolated_restitution, {**CHEAP, **few}),
     "Disk": (stoss.Disk, CHEAP),
@@ -152,6 +155,7 @@ PUBLIC = {
     "Rod": (stoss.Rod, {}),
     "ExponentialWall": (stoss.ExponentialWall, {}),
     "trajectory": (hit.trajectory, {}),
+    "oblique trajectory": (slip.trajectory, {}),
     "field": (hit.field, {"time": 1, "radius": 1, "angle": 0}),
     "displacement": (modes.displacement, {"order": 2, "index": 0, "radius": 0.5}),
     "find": (modes.find, {"order": 2, "index": 0}),

@@ -7,8 +7,8 @@ from pathlib import Path
 
 import stoss
 
-OPAQUE = ("Contact", "Encounter", "Frames", "Impact", "PairTable", "RefinableContact",
-          "RestitutionFunction", "RodChain", "SlowLaw")  # fmt: skip
+OPAQUE = ("Contact", "Encounter", "Frames", "Impact", "ObliqueImpact", "PairTable",
+          "RefinableContact", "RestitutionFunction", "RodChain", "SlowLaw")  # fmt: skip
 PYPROJECT = Path(__file__).parents[3] / "pyproject.toml"
 
 

@@ -1,0 +1,79 @@
+"""What oblique impacts have in common: how bodies move along their surfaces before, and the SI values of it."""
+
+from __future__ import annotations
+
+from typing import Any, ClassVar
+
+import numpy as np
+from numpy.typing import NDArray
+
+from stoss import _core
+from stoss._arguments import arranged, broadcast, numbers
+from stoss._errors import InvalidInput
+from stoss.bodies._bodies import Body
+from stoss.results._result import Number
+from stoss.results._si import MayYield, Si
+
+MOTION = ("speed", "tangential", "spin", "second_spin", "friction")
+
+
+class Oblique(MayYield):
+    """Bodies that meet at an angle, with spin and friction.
+
+    x points along the normal, from the first body to what it meets, and y along the surface. The
+    point of the first body that touches slides at s = v_t + Ω₁R₁ + Ω₂R₂.
+
+    Attributes:
+        speed: v_n, of approach along the normal, c.
+        tangential, tangential_after: v_t, velocity of the centre of the first body along y relative
+            to the second, before and after, c.
+        spin, spin_after: Ω₁ of the first body, c/R; positive moves its foremost point along +y.
+        second_spin, second_spin_after: Ω₂ of the second, c/R of the first; positive moves its
+            foremost point along −y.
+        friction: Coefficient μ of Coulomb's law.
+        sliding, sliding_after: s before and s′ after, c.
+        energy: Where the energy is after the impact.
+    """
+
+    _given: ClassVar[dict[str, str]] = {
+        "speed": "speed", "tangential": "speed", "spin": "frequency", "second_spin": "frequency", "friction": "",
+    }  # fmt: skip
+    tangential_si = Si("Velocity along the surface before, m/s.")
+    spin_si = Si("Spin of the first body before, rad/s.")
+    second_spin_si = Si("Spin of the second body before, rad/s.")
+    sliding_si = Si("Sliding speed before, m/s.")
+    sliding_after_si = Si("Sliding speed after, m/s.")
+    tangential_after_si = Si("Velocity along the surface after, m/s.")
+    spin_after_si = Si("Spin of the first body after, rad/s.")
+    second_spin_after_si = Si("Spin of the second body after, rad/s.")
+
+    tangential: Any
+
+    @property
+    def angle(self) -> Number:
+        """Angle between the velocity of the centre and the normal before, degrees."""
+        angles = np.array(np.degrees(np.arctan2(self.tangential, self.speed)))
+        return arranged(angles, angles.shape)  # type: ignore[no-any-return]
+
+
+def choose_motion(
+    body: Body, *, speed: Any, tangential: Any, angle: Any, spin: Any, second_spin: Any, friction: Any, kept: int
+) -> list[NDArray[np.float64]]:
+    """Arrays of one shape in the order of MOTION, in the units of the body; so many numbers are kept of each."""
+    in_si = body.material is not None
+    c, turn = (body.scales.speed, body.scales.frequency) if in_si else (1.0, 1.0)
+    speeds = numbers("speed", speed) / c
+    return broadcast(
+        kept, speed=speeds, tangential=_along(tangential, angle, speeds, c), spin=numbers("spin", spin) / turn,
+        second_spin=numbers("second_spin", second_spin) / turn, friction=numbers("friction", friction),
+    )  # fmt: skip
+
+
+def _along(tangential: Any, angle: Any, speeds: NDArray[np.float64], unit: float) -> NDArray[np.float64]:
+    """v_t in c, of which at most one way to give it was used."""
+    if angle is None:
+        return numbers("tangential", 0.0 if tangential is None else tangential) / unit
+    if tangential is not None:
+        raise InvalidInput("angle: got tangential and angle, allowed one of them")
+    angles, at = broadcast(angle=numbers("angle", angle), speed=speeds)
+    return _core.tangential_at(angles.ravel(), at.ravel()).reshape(angles.shape)
