@@ -1,4 +1,8 @@
-#include <cstdint>
+#include <algorithm>
+#include <array>
+#include <map>
+#include <string>
+#include <variant>
 #include <vector>
 
 #include "results.hpp"
@@ -71,61 +75,52 @@ val oblique_angles(const Question& asked) {
   return val::undefined();
 }
 
-/// A number of every instant.
-struct Series {
-  const char* name;
-  double (*value)(const ObliqueSnapshot& now);
-  Dimension dimension = Dimension::none;
-};
-
-constexpr Series all_series[] = {
-    {"time", [](const ObliqueSnapshot& now) { return now.time; }, Dimension::time},
-    {"velocity", [](const ObliqueSnapshot& now) { return now.velocity; }, Dimension::speed},
-    {"tangential", [](const ObliqueSnapshot& now) { return now.tangential; }, Dimension::speed},
-    {"force", [](const ObliqueSnapshot& now) { return now.force; }, Dimension::force},
-    {"friction", [](const ObliqueSnapshot& now) { return now.friction; }, Dimension::force},
-    {"center", [](const ObliqueSnapshot& now) { return now.center; }},
-    {"shift", [](const ObliqueSnapshot& now) { return now.shift; }},
-    {"angle", [](const ObliqueSnapshot& now) { return now.angle; }},
-    {"angle2", [](const ObliqueSnapshot& now) { return now.second_angle; }},
-    {"translation", [](const ObliqueSnapshot& now) { return now.energy.translation; }},
-    {"across", [](const ObliqueSnapshot& now) { return now.energy.across; }},
-    {"rotation", [](const ObliqueSnapshot& now) { return now.energy.rotation; }},
-    {"rotation2", [](const ObliqueSnapshot& now) { return now.energy.second_rotation; }},
-    {"elastic", [](const ObliqueSnapshot& now) { return now.energy.elastic; }},
-    {"heat", [](const ObliqueSnapshot& now) { return now.energy.friction; }},
-};
-
 /// One impact in time.
 val oblique_collision(const Question& asked) {
   const auto meeting = asked.meeting();
   const ObliqueCase its = case_of(asked, *meeting);
-  std::vector<std::vector<double>> values(std::size(all_series));
+  const Contact contact = contact_of(meeting->encounter, asked.number("cutoff"), its.speed);
+  std::map<std::string, std::vector<double>> series;
+  std::array<std::array<std::vector<double>, 2>, 2> centers;  // x and y of each body
+  const std::size_t bodies = meeting->second && !meeting->against_half_space() ? 2 : 1;
   std::vector<double> places, grips;
-  double begin = 0.0, end = 0.0;
+  double begin = -1.0, end = 0.0;
   const auto observe = [&](const ObliqueSnapshot& now) {
-    for (std::size_t k = 0; k < values.size(); ++k) values[k].push_back(all_series[k].value(now));
+    for (const auto& each : oblique_snapshot_quantities()) {
+      const Value value = each.value(now);
+      if (const auto* number = std::get_if<double>(&value)) series[each.name].push_back(*number);
+    }
+    for (std::size_t n = 0; n < bodies; ++n) {
+      const PlanePoint place = center(contact, now, static_cast<int>(n));
+      centers[n][0].push_back(place.x);
+      centers[n][1].push_back(place.y);
+    }
     places.clear();
     for (const ObliquePoint& point : now.points) {
       places.push_back(point.place);
       grips.push_back(static_cast<double>(point.grip));
     }
     if (now.touching == 0) return;
-    if (end == 0.0) begin = now.time;
+    if (begin < 0.0) begin = now.time;
     end = now.time;
   };
-  const Contact contact = contact_of(meeting->encounter, asked.number("cutoff"), its.speed);
   (void)oblique_impact(contact, its.speed, its.before, {.poll = say_alive}, {.observer = observe});
-  val units = val::object();
+  val units = val::object(), ways = val::array();
+  for (std::size_t n = 0; n < bodies; ++n) {
+    const auto& [x, y] = centers[n];
+    ways.call<void>("push", object({{"x", float64_array(x)},
+                                    {"y", float64_array(y)},
+                                    {"angle", float64_array(series[n == 0 ? "angle" : "second_angle"])}}));
+  }
   val made = object({{"units", units},
-                     {"begin", val(begin * meeting->unit(Dimension::time))},
+                     {"begin", val(std::max(begin, 0.0) * meeting->unit(Dimension::time))},
                      {"end", val(end * meeting->unit(Dimension::time))},
+                     {"bodies", ways},
                      {"places", float64_array(places)},
                      {"grips", val::global("Int8Array").new_(float64_array(grips))}});
-  for (std::size_t k = 0; k < values.size(); ++k) {
-    const auto& [name, value, dimension] = all_series[k];
-    made.set(name, float64_array(values[k], meeting->unit(dimension)));
-    units.set(name, meeting->unit_name(dimension));
+  for (const auto& each : oblique_snapshot_quantities()) {
+    made.set(each.name, float64_array(series[each.name], meeting->unit(each.dimension)));
+    units.set(each.name, meeting->unit_name(each.dimension));
   }
   return made;
 }

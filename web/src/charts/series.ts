@@ -55,9 +55,9 @@ function obliquePanelsOf(collision: ObliqueCollision): Panel[] {
       { label: 'motion along the normal', values: collision.translation },
       { label: 'motion along the surface', values: collision.across },
       { label: 'rotation', values: collision.rotation },
-      { label: 'rotation of what it meets', values: collision.rotation2 },
+      { label: 'rotation of what it meets', values: collision.second_rotation },
       { label: 'in the elastic bodies', values: collision.elastic },
-      { label: 'heat of friction', values: collision.heat },
+      { label: 'heat of friction', values: collision.friction_loss },
     ]),
   ];
 }

@@ -90,17 +90,19 @@ export interface AnglePoint {
   converged: boolean;
 }
 
-/** What an oblique collision has for every instant: velocities and forces along and across the normal; of the first
- *  body, relative to what it meets, the place of its centre, in its radii, and the angles by which both have turned;
- *  and shares of the energy. */
-type ObliqueInstants = 'time' | 'velocity' | 'tangential' | 'force' | 'friction' | 'center' | 'shift' | 'angle'
-  | 'angle2' | 'translation' | 'across' | 'rotation' | 'rotation2' | 'elastic' | 'heat';
+/** What an oblique collision has for every instant: what moves along the normal and along the surface, and shares of the
+ *  energy. */
+type ObliqueInstants = 'time' | 'velocity' | 'tangential' | 'force' | 'friction'
+  | 'translation' | 'across' | 'rotation' | 'second_rotation' | 'elastic' | 'friction_loss';
 
 /** One oblique impact in time, at a cutoff. */
 export interface ObliqueCollision extends Record<ObliqueInstants, Float64Array> {
-  units: Record<'time' | 'velocity' | 'tangential' | 'force' | 'friction', string>;
+  units: Record<'time' | 'velocity' | 'force', string>;
   begin: number;
   end: number;
+  /** what moves, as their common centre of mass sees it, at a wall or half-space that: places of centres in radii of the
+   *  first, which at rest would first touch at x = 0, and by how much they have turned counterclockwise */
+  bodies: Record<'x' | 'y' | 'angle', Float64Array>[];
   /** of the contact points along the surface, in radii of the first, in their order; those of rings are their radii */
   places: Float64Array;
   /** what they do, instants × places: 0 stick, 1 and −1 slip along and against y, 2 carry no pressure */

@@ -4,11 +4,12 @@ import { extent } from 'd3-array';
 import type { Encounter, Motion, ObliqueCollision } from '../core/protocol';
 import { significant, written } from '../drawing/numbers';
 import type { Theme } from '../drawing/theme';
+import { sizesOf } from '../inputs/document';
 import { filmSpan } from './film';
 import { drawStrip, GRIPS, sharesAt, stripOf } from './grip_strip';
 import { describe, phaseAt, slowness, timeInWords } from './phases';
 import type { Film } from './player';
-import { bodiesOf, motionMagnification, movedSince, type Place } from './rigid';
+import { motionMagnification, type Place, placesIn } from './rigid';
 
 const BEFORE = 0.7; // of the time of contact
 const AFTER = 0.9;
@@ -39,8 +40,9 @@ export function gripInWords(collision: ObliqueCollision, time: number): string {
 export function filmOf(encounter: Encounter, motion: Motion, collision: ObliqueCollision): Film {
   const { begin, end, units } = collision;
   const { from, to } = filmSpan(begin, end, BEFORE, AFTER);
-  const magnification = motionMagnification(encounter, collision, from, to);
-  const moved = movedSince(encounter, collision, magnification);
+  const radii = sizesOf(encounter).slice(0, collision.bodies.length);
+  const magnification = motionMagnification(collision, radii, from, to);
+  const places = placesIn(collision, radii, magnification);
   const words = anglesOf(motion, collision);
   let strip: { dark: boolean; image: HTMLCanvasElement } | undefined;
   const times = magnification === 1 ? '' : ` Motion is drawn × ${significant(magnification, 3)}.`;
@@ -56,7 +58,7 @@ export function filmOf(encounter: Encounter, motion: Motion, collision: ObliqueC
       context.fillStyle = theme.background;
       context.fillRect(0, 0, width, isWide(width) ? BODIES : ABOVE + STRIP);
       const share = isWide(width) ? Math.round(0.56 * width) : width;
-      drawWays(context, { width: share, height: isWide(width) ? BODIES : ABOVE }, encounter, moved, [from, time, to], theme);
+      drawWays(context, { width: share, height: isWide(width) ? BODIES : ABOVE }, radii, places, [from, time, to], theme);
       context.font = '13px system-ui, sans-serif';
       context.fillStyle = theme.text;
       context.textAlign = 'left';
@@ -73,20 +75,16 @@ export function filmOf(encounter: Encounter, motion: Motion, collision: ObliqueC
 
 /** Draws bodies at a time, with the ways of their centres from the first to the last. */
 function drawWays(
-  context: CanvasRenderingContext2D, size: { width: number; height: number }, encounter: Encounter,
-  moved: (time: number) => [Place, Place], [from, time, to]: [number, number, number], theme: Theme,
+  context: CanvasRenderingContext2D, size: { width: number; height: number }, radii: number[],
+  places: (time: number) => Place[], [from, time, to]: [number, number, number], theme: Theme,
 ): void {
-  const bodies = bodiesOf(encounter);
-  const ways = bodies.map(({ center }, n) => Array.from({ length: 121 }, (_, k) => {
-    const { x, y } = moved(from + ((to - from) * k) / 120)[n]!;
-    return { x: center + x, y };
-  }));
-  const shown = ways.flatMap((way, n) => way.map((each) => ({ ...each, radius: bodies[n]!.radius })))
+  const instants = Array.from({ length: 121 }, (_, k) => places(from + ((to - from) * k) / 120));
+  const shown = instants.flat().map((each, n) => ({ ...each, radius: radii[n % radii.length]! }))
     .filter(({ radius }) => radius <= LARGEST);
   const [left = -2, right = 0] = extent(shown.flatMap(({ x, radius }) => [x - radius, x + radius]));
   const [low = -1, high = 1] = extent(shown.flatMap(({ y, radius }) => [y - radius, y + radius]));
-  const wall = bodies.length === 1;
-  const end = Math.max(right, wall ? GROUND : bodies.length > 1 && bodies[1]!.radius > LARGEST ? LARGEST : 0);
+  const wall = radii.length === 1;
+  const end = Math.max(right, wall ? GROUND : Math.min(radii[1]!, LARGEST));
   const scale = Math.min((size.width - 16) / (end - left), (size.height - HEAD - 16) / (high - low));
   const origin = {
     x: (size.width - scale * (end + left)) / 2, y: HEAD + (size.height - HEAD - 16 + scale * (high + low)) / 2,
@@ -110,10 +108,9 @@ function drawWays(
   context.lineWidth = 1;
   context.stroke();
   context.setLineDash([]);
-  bodies.forEach(({ center, radius }, n) => {
-    const { x, y, angle } = moved(time)[n]!;
-    drawBody(context, at({ x: center + x, y }), scale * radius, angle, theme);
-    drawWay(context, ways[n]!.map(at), theme);
+  places(time).forEach((place, n) => {
+    drawBody(context, at(place), scale * radii[n]!, place.angle, theme);
+    drawWay(context, instants.map((each) => at(each[n]!)), theme);
   });
   context.restore();
 }
