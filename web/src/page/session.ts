@@ -36,35 +36,25 @@ export function createSession(core: Core, audience: Audience): (encounter: Encou
   let control = new AbortController();
   let refining = false;
 
-  async function compute(job: Job, signal: AbortSignal): Promise<void> {
-    const { encounter, motion } = job;
+  async function compute({ encounter, motion }: Job, signal: AbortSignal): Promise<void> {
     const { speed } = motion;
-    if (motion.friction !== 0) return computeOblique(job, signal);
-    const first = await core('restitution', encounter, { speed, tolerance: coarse }, { signal });
+    const oblique = motion.friction !== 0;
+    const first = oblique ? await core('oblique', encounter, { ...motion, tolerance: coarse }, { signal })
+      : await core('restitution', encounter, { speed, tolerance: coarse }, { signal });
     audience.first(encounter, first, motion);
     if (waiting !== undefined) return;
     refining = true;
     await pause(settle, signal);
-    const final = await core('restitution', encounter, { speed, tolerance: fine }, { signal });
+    const final = oblique ? first : await core('restitution', encounter, { speed, tolerance: fine }, { signal });
     signal.throwIfAborted();
     audience.final(encounter, final, motion);
-    if (final.cutoff === 0) throw new CoreError(final.reason);
-    const collision = await core('collision', encounter, { speed, cutoff: final.cutoff }, { signal });
+    const { cutoff } = final;
+    if (cutoff === 0) throw new CoreError(final.reason);
+    const collision = oblique ? await core('obliqueCollision', encounter, { ...motion, cutoff }, { signal })
+      : await core('collision', encounter, { speed, cutoff }, { signal });
     signal.throwIfAborted();
-    audience.collision(encounter, speed, final.cutoff, collision);
-  }
-
-  async function computeOblique({ encounter, motion }: Job, signal: AbortSignal): Promise<void> {
-    const rule = await core('oblique', encounter, { ...motion, tolerance: coarse }, { signal });
-    audience.first(encounter, rule, motion);
-    if (waiting !== undefined) return;
-    refining = true;
-    await pause(settle, signal);
-    audience.final(encounter, rule, motion);
-    if (rule.cutoff === 0) throw new CoreError(rule.reason);
-    const collision = await core('obliqueCollision', encounter, { ...motion, cutoff: rule.cutoff }, { signal });
-    signal.throwIfAborted();
-    audience.oblique(encounter, motion, collision);
+    if ('across' in collision) audience.oblique(encounter, motion, collision);
+    else audience.collision(encounter, speed, cutoff, collision);
   }
 
   async function work(): Promise<void> {

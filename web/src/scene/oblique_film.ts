@@ -45,12 +45,13 @@ export function filmOf(encounter: Encounter, motion: Motion, collision: ObliqueC
   const places = placesIn(collision, radii, magnification);
   const words = anglesOf(motion, collision);
   let strip: { dark: boolean; image: HTMLCanvasElement } | undefined;
-  const times = magnification === 1 ? '' : ` Motion is drawn × ${significant(magnification, 3)}.`;
+  const drawn = (magnification === 1 ? '' : ` Motion is drawn × ${significant(magnification, 3)}.`) +
+    (radii.length > 1 ? ' Seen from the common centre of mass.' : '');
   return {
     from, to, still: 0.5 * (begin + end),
     describe: (time) => [describe(collision, time), gripInWords(collision, time), words].filter(Boolean).join('; '),
     said: (time) => `${timeInWords(collision, time)}, ${phaseAt(collision, time)}`,
-    note: (seconds) => slowness(to - from, units.time, seconds) + times,
+    note: (seconds) => slowness(to - from, units.time, seconds) + drawn,
     height: (width) => (isWide(width) ? BODIES : ABOVE + STRIP),
     draw(canvas, width, density, time, theme): void {
       const context = canvas.getContext('2d')!;

@@ -47,7 +47,7 @@ function core(time: number, log: string[], refuse = NaN): Core {
     },
     async obliqueCollision({ speed, cutoff }, { signal }) {
       log.push(`collision ${speed} ${cutoff}`);
-      return later({} as Collision, signal);
+      return later({ across: new Float64Array() }, signal);
     },
     async curve({ speeds }, { deliver, signal }) {
       log.push(`curve of ${speeds.length}`);
@@ -67,7 +67,7 @@ function audience(log: string[]) {
     first: (_: Encounter, result: Restitution) => void log.push(`first ${result.speed}`),
     final: (_: Encounter, result: Restitution) => void log.push(`final ${result.speed}`),
     collision: () => void log.push('shown'),
-    oblique: () => void log.push('shown'),
+    oblique: () => void log.push('shown oblique'),
     failed: (line: string, refused: boolean) => void log.push(`failed ${line} ${refused}`),
   };
 }
@@ -85,7 +85,7 @@ describe('a session', () => {
     const log: string[] = [];
     createSession(core(10, log), audience(log))(encounter, motionOf({ ...defaults, friction: 0.3 }));
     await vi.runAllTimersAsync();
-    expect(log).toEqual(['oblique 0.1 0.01', 'first 0.1', 'final 0.1', 'collision 0.1 16', 'shown']);
+    expect(log).toEqual(['oblique 0.1 0.01', 'first 0.1', 'final 0.1', 'collision 0.1 16', 'shown oblique']);
   });
   it('says why there is no collision', async () => {
     vi.useFakeTimers();
