@@ -131,6 +131,7 @@ export function createResults() {
         rebound: full,
         'rebound-short': short,
         tangential: tangential ? withError(tangential.value, tangential.error ?? 0) : '',
+        'tangential-short': tangential ? threeDigits(tangential) : '',
         yield: yieldInWords(encounter, result),
       });
       find('rebound-row', HTMLElement).hidden = full === '';
