@@ -41,8 +41,10 @@ const angleChart = createAngleChart(find('angle-chart', HTMLElement), (angle) =>
 const hops = createHops(find('hop-scene', HTMLElement), core);
 const modeBars = createModeBars(find('mode-bars', HTMLElement), core);
 
-const pictures =
-  { curve: curveChart.picture, angle: angleChart.picture, time: timeCharts.picture, modes: modeBars.picture, collision: scene.picture };
+const pictures = {
+  curve: curveChart.picture, angle: angleChart.picture, time: timeCharts.picture, modes: modeBars.picture,
+  collision: scene.picture,
+};
 const curves = createCurves(core, showCurves, (line) => results.say(line));
 const angles = createAngles(core, angleChart.setPoints, (line) => results.say(line));
 const share = createShare(core, curves.of, pictures);
@@ -131,7 +133,8 @@ function compute(next: Inputs): void {
   run(next.encounter, motion);
 }
 
-function showPoint({ quantities: { restitution, tangential_restitution: tangential }, speed }: Restitution, { angle }: Motion): void {
+function showPoint({ quantities, speed }: Restitution, { angle }: Motion): void {
+  const { restitution, tangential_restitution: tangential } = quantities;
   if (restitution === undefined) return;
   const along = { restitution: restitution.value, error: restitution.error ?? 0 };
   curveChart.setCurrent({ speed, ...along });

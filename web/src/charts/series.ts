@@ -48,7 +48,8 @@ export function panelsOf(collision: Collision | ObliqueCollision): Panel[] {
 function obliquePanelsOf(collision: ObliqueCollision): Panel[] {
   const { units, force, friction, velocity, tangential } = collision;
   return [
-    panel('Force', units.force, [{ label: 'along the normal', values: force }, { label: 'friction', values: friction }]),
+    panel('Force', units.force,
+      [{ label: 'along the normal', values: force }, { label: 'friction', values: friction }]),
     panel('Velocity', units.velocity,
       [{ label: 'along the normal', values: velocity }, { label: 'along the surface', values: tangential }]),
     energyPanel([

@@ -90,8 +90,8 @@ export interface AnglePoint {
   converged: boolean;
 }
 
-/** What an oblique collision has for every instant: what moves along the normal and along the surface, and shares of the
- *  energy. */
+/** What an oblique collision has for every instant: what is along the normal and along the surface, and shares of
+ *  the energy. */
 type ObliqueInstants = 'time' | 'velocity' | 'tangential' | 'force' | 'friction'
   | 'translation' | 'across' | 'rotation' | 'second_rotation' | 'elastic' | 'friction_loss';
 
@@ -100,8 +100,8 @@ export interface ObliqueCollision extends Record<ObliqueInstants, Float64Array> 
   units: Record<'time' | 'velocity' | 'force', string>;
   begin: number;
   end: number;
-  /** what moves, as their common centre of mass sees it, at a wall or half-space that: places of centres in radii of the
-   *  first, which at rest would first touch at x = 0, and by how much they have turned counterclockwise */
+  /** what moves, as its centre of mass, or the wall or half-space that it meets, sees it: places of centres in radii of
+   *  the first, bodies at rest would first touch at x = 0; and by how much they have turned counterclockwise */
   bodies: Record<'x' | 'y' | 'angle', Float64Array>[];
   /** of the contact points along the surface, in radii of the first, in their order; those of rings are their radii */
   places: Float64Array;

@@ -10,7 +10,10 @@ import { barSpeed } from './units';
 
 const keyOf = (field: BodyField, second: boolean): string => names[field][2] + (second ? '2' : '');
 const keys = (second: boolean): string[] => (Object.keys(names) as BodyField[]).map((field) => keyOf(field, second));
-const known = new Set(['body', 'units', 'plane', ...Object.values(motions).map(([, , key]) => key), ...keys(false), 'against', ...keys(true), 'view', 'keep']);
+const known = new Set([
+  'body', 'units', 'plane', ...Object.values(motions).map(([, , key]) => key), ...keys(false), 'against', ...keys(true),
+  'view', 'keep',
+]);
 
 /** The inputs as text after ? in the address. */
 export function toAddress(inputs: Inputs): string {

@@ -55,9 +55,9 @@ export function motionProblem(
   const line = refusal(() => requireSpeed(encounter, speed)) ||
     (isOblique(inputs) ? refusal(() => requireMotion(encounter, motionOf(inputs))) : '');
   if (line === '') return undefined;
-  const subject = /^\w+/.exec(line)?.[0] ?? '';
-  const aliases: Record<string, keyof Motion> = { speed: 'speed', friction: 'friction', spin: 'spin', second_spin: 'spin2' };
-  const field = aliases[subject] ?? 'angle';
+  const name = /^\w+/.exec(line)?.[0] ?? '';
+  const aliases: Record<string, keyof Motion> = { tangential: 'angle', second_spin: 'spin2' };
+  const field = aliases[name] ?? (name as keyof Motion);
   return [field, problemOf(encounter, field, line)];
 }
 

@@ -6,7 +6,7 @@ import { documentOf } from '../inputs/document';
 import { barSpeed, coarseFirst } from '../inputs/units';
 import { coarse } from './session';
 
-/** Angles in degrees, of which those at which nothing moves faster along the surface than waves in a bar are computed. */
+/** Angles in degrees; those are computed at which no centre is faster along the surface than c. */
 const usual = range(2, 90, 3);
 
 /** `changed` gets the points whenever there is a new one, `failed` one line. */

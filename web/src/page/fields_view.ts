@@ -10,7 +10,8 @@ const homes = ['first-fields', 'second-fields', 'speed-field', 'motion-fields'] 
 
 function homeOf(field: Field): (typeof homes)[number] {
   const place = owner(field);
-  return place === undefined ? field === 'speed' ? 'speed-field' : 'motion-fields' : place.second ? 'second-fields' : 'first-fields';
+  if (place === undefined) return field === 'speed' ? 'speed-field' : 'motion-fields';
+  return place.second ? 'second-fields' : 'first-fields';
 }
 
 function inputOf(field: Field): HTMLInputElement {

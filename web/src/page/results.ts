@@ -138,7 +138,7 @@ export function createResults() {
       find('force-note', HTMLElement).hidden = encounter.kind !== 'rod';
       find('yield', HTMLElement).classList.toggle('problem', result.speed > (result.yieldSpeed ?? Infinity));
       section.dataset.stage = stage;
-      const aim = tangential ? 'accurate to 10⁻² of the sliding velocity' : 'accurate to 10⁻³ of 1 − ε², or to 10⁻⁶';
+      const aim = `accurate to ${tangential ? '10⁻² of the sliding velocity' : '10⁻³ of 1 − ε², or to 10⁻⁶'}`;
       reached = stage === 'first' ? 'first value, refining' : `${result.converged ? '' : 'not '}${aim}`;
       mark(section.dataset.stale === 'wrong' ? 'wrong' : '');
       const lines = flags(result);

@@ -21,7 +21,7 @@ interface Impact {
   words: string;
 }
 
-/** The flights of a ball and its impacts, with the end of the last flight. @param core that knows the rule */
+/** The flights of a ball and its impacts, with the end of the last flight. */
 async function hop(
   core: Core, encounter: Encounter, motion: Motion, room: Room, signal: AbortSignal,
 ): Promise<{ flights: Flight[]; impacts: Impact[]; end: number }> {
@@ -33,9 +33,9 @@ async function hop(
       { ...motion, ...meeting(flight, surface), tolerance: TOLERANCE }, { signal });
     signal.throwIfAborted();
     const value = (name: string): number => rule.quantities[name]?.value ?? NaN;
-    const restitution = value('restitution');
+    const [restitution, along] = [value('restitution'), value('tangential_restitution')];
     if (Number.isNaN(restitution)) throw new Error(rule.reason);
-    const words = `${impacts.length + 1}, ${surface}: ε ${written(restitution, 3)}, εₜ ${written(value('tangential_restitution'), 3)}`;
+    const words = `${impacts.length + 1}, ${surface}: ε ${written(restitution, 3)}, εₜ ${written(along, 3)}`;
     impacts.push({ flight, words });
     flights.push(bounced(flight, surface,
       { restitution, tangential: value('tangential_after_si'), spin: value('spin_after_si') }));
@@ -60,11 +60,12 @@ function filmOf({ flights, impacts, end }: Awaited<ReturnType<typeof hop>>, room
     const { vx, spin } = at(time);
     return `${withUnit(time, 's', 2)}, ${vx < 0 ? 'to the left' : 'to the right'}, spin ${written(spin, 3)} rad/s`;
   };
+  const all = impacts.map(({ words }) => words).join('; ');
   return {
     from, to: end, still: 0, said,
-    describe: (time) => [said(time), ...impacts.map(({ words }) => words)].join('; '),
-    note: (seconds) => `${impacts.map(({ words }) => words).join('; ')}. ${slowness(end - from, 's', seconds)} Between collisions it flies freely, with gravity. Floor ` +
-      `and table, ${withUnit(room.table, 'm')} apart, are alike.`,
+    describe: (time) => `${said(time)}; ${all}`,
+    note: (seconds) => `${all}. ${slowness(end - from, 's', seconds)} Between collisions it flies freely, with ` +
+      `gravity. Floor and table, ${withUnit(room.table, 'm')} apart, are alike.`,
     height: () => HEIGHT,
     draw: (canvas, width, density, time, theme) =>
       drawHops(canvas, width, density, { impacts, now: at(time), ways, room }, theme),

@@ -59,7 +59,8 @@ export function filmOf(encounter: Encounter, motion: Motion, collision: ObliqueC
       context.fillStyle = theme.background;
       context.fillRect(0, 0, width, isWide(width) ? BODIES : ABOVE + STRIP);
       const share = isWide(width) ? Math.round(0.56 * width) : width;
-      drawWays(context, { width: share, height: isWide(width) ? BODIES : ABOVE }, radii, places, [from, time, to], theme);
+      const height = isWide(width) ? BODIES : ABOVE;
+      drawWays(context, { width: share, height }, radii, places, [from, time, to], theme);
       context.font = '13px system-ui, sans-serif';
       context.fillStyle = theme.text;
       context.textAlign = 'left';

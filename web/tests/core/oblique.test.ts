@@ -16,23 +16,24 @@ describe('the collision rule', { timeout: 60_000 }, () => {
     const row = oblique(inputs, tolerance);
     const { value } = ask('oblique', inputs.encounter, { ...motionOf(inputs), tolerance });
     expect(value.converged).toBe(row.converged);
-    const names = ['restitution', 'tangential_restitution', 'sliding', 'sliding_after', 'tangential_after', 'spin_after',
-      'second_spin_after', 'friction_loss', 'vibration', 'contact_time', 'cutoff'];
+    const names = ['restitution', 'tangential_restitution', 'sliding', 'sliding_after', 'tangential_after',
+      'spin_after', 'second_spin_after', 'friction_loss', 'vibration', 'contact_time', 'cutoff'];
     if (inputs.encounter.si) names.push('tangential_after_si', 'spin_after_si');
     for (const name of names) {
       const [ours, theirs] = [value.quantities[name]!, row[name] as number];
       // Sums of vectors of another length round differently.
       expect(Math.abs(ours.value - theirs), name).toBeLessThanOrEqual(1e-12 * Math.max(1, Math.abs(theirs)));
       const error = row[`${name.replace(/_si$/, '')}_error${name.endsWith('_si') ? '_si' : ''}`];
-      if (typeof error === 'number') expect(Math.abs(ours.error! - error), name).toBeLessThanOrEqual(1e-10 * (1 + error));
+      if (typeof error !== 'number') continue;
+      expect(Math.abs(ours.error! - error), name).toBeLessThanOrEqual(1e-10 * (1 + error));
     }
   });
 
   it('of many angles has that of each', () => {
     const inputs = obliqueCases[2]!;
     const angles = [70, 20];
-    const points = ask('obliqueAngles', inputs.encounter, { ...motionOf(inputs), angles, tolerance }).all as AnglePoint[];
-    points.forEach(({ angle, restitution, tangential, tangentialError }, k) => {
+    const { all: points } = ask('obliqueAngles', inputs.encounter, { ...motionOf(inputs), angles, tolerance });
+    (points as AnglePoint[]).forEach(({ angle, restitution, tangential, tangentialError }, k) => {
       expect(angle).toBe(angles[k]);
       const { quantities } = ask('oblique', inputs.encounter, { ...motionOf(inputs), angle, tolerance }).value;
       expect(restitution).toBe(quantities.restitution!.value);

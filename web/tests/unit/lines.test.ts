@@ -16,7 +16,8 @@ describe('the command line', () => {
   it('is that of the collision rule where there is friction', () => {
     expect(ruleLine(defaults)).toBe(lines[0]);
     expect(ruleLine(obliqueCases[1]!)).toBe('stoss oblique --poisson 0.33 --against ' +
-      'disk,poisson=0.2,young=2,density=3,radius=0.5 --speed 0.1 --angle -20 --friction 0.2 --spin 0.05 --second-spin -0.1');
+      'disk,poisson=0.2,young=2,density=3,radius=0.5 --speed 0.1 --angle -20 --friction 0.2 ' +
+      '--spin 0.05 --second-spin -0.1');
     expect(pythonLines(obliqueCases[2]!).trimEnd().split('\n').at(-1)).toBe(
       'print(stoss.oblique(sphere, speed=0.01, angle=70, friction=1, spin=-0.02))');
   });
