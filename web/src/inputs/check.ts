@@ -5,7 +5,7 @@ import { displayed, significant } from '../drawing/numbers';
 import {
   type Field, type PlacedField, fieldsOf, ofSecond, owner, placedFieldsOf, valueOf, withValue, wordsOf,
 } from './fields';
-import { type Inputs, ball, defaults, isOblique, motionOf, unitBody } from './inputs';
+import { type Impact, type Inputs, ball, defaults, isOblique, motionOf, unitBody } from './inputs';
 import { type BodyField, sizeOf } from './kinds';
 
 /** A number, or in one line what is wrong with the text. */
@@ -48,9 +48,7 @@ export function problemsOf(inputs: Inputs): Map<Field, string> {
 }
 
 /** What is wrong first with how they meet; undefined if nothing. */
-export function motionProblem(
-  inputs: Pick<Inputs, 'encounter' | keyof Motion>,
-): [keyof Motion, string] | undefined {
+export function motionProblem(inputs: Impact): [keyof Motion, string] | undefined {
   const { encounter, speed } = inputs;
   const line = refusal(() => requireSpeed(encounter, speed)) ||
     (isOblique(inputs) ? refusal(() => requireMotion(encounter, motionOf(inputs))) : '');

@@ -2,7 +2,7 @@
 import type { Encounter, Motion } from '../core/protocol';
 import { unitInWords } from '../drawing/numbers';
 import { meetsBody, sidesOf } from './document';
-import { type Inputs, isOblique } from './inputs';
+import { type Impact, isOblique } from './inputs';
 import { type BodyField, kindNamed, sizeOf } from './kinds';
 
 /** A number of the first body or of what it meets. */
@@ -30,7 +30,7 @@ export function placedFieldsOf(encounter: Encounter): PlacedField[] {
 }
 
 /** Those of how they meet: rods take no friction, and without it the rest does not count. */
-export function motionFieldsOf(inputs: Pick<Inputs, 'encounter' | 'friction'>): (keyof Motion)[] {
+export function motionFieldsOf(inputs: Impact): (keyof Motion)[] {
   const { encounter } = inputs;
   if (sizeOf(encounter.kind) !== 'radius') return ['speed'];
   if (!isOblique(inputs)) return ['speed', 'friction'];
@@ -38,7 +38,7 @@ export function motionFieldsOf(inputs: Pick<Inputs, 'encounter' | 'friction'>): 
 }
 
 /** All that count. */
-export function fieldsOf(inputs: Pick<Inputs, 'encounter' | 'friction'>): Field[] {
+export function fieldsOf(inputs: Impact): Field[] {
   return [...placedFieldsOf(inputs.encounter), ...motionFieldsOf(inputs)];
 }
 
@@ -54,7 +54,7 @@ export function owner(field: Field): { second: boolean; name: BodyField } | unde
 }
 
 /** The number of a field in the inputs. */
-export function valueOf(inputs: Pick<Inputs, 'encounter' | keyof Motion>, field: Field): number {
+export function valueOf(inputs: Impact, field: Field): number {
   const place = owner(field);
   return place ? inputs.encounter[place.second ? 'second' : 'first'][place.name] : inputs[field as keyof Motion];
 }

@@ -3,9 +3,13 @@ import type { Body, Encounter, Motion } from '../core/protocol';
 import { equal, hasSecond, madeOf, meetsBody } from './document';
 import { type BodyKind, blockOf, kindNamed, materialNamed, sizeOf } from './kinds';
 
-/** All that the address holds: who meets whom, how fast, and whose curves stay for comparison. */
-export interface Inputs extends Motion {
+/** Who meets whom, and how. */
+export interface Impact extends Motion {
   readonly encounter: Encounter;
+}
+
+/** All that the address holds: the impact, and whose curves stay for comparison. */
+export interface Inputs extends Impact {
   readonly kept: readonly Encounter[];
   /** whether only ε, the height of rebound and the film are shown */
   readonly simple: boolean;
@@ -57,26 +61,25 @@ export function withAgainst(encounter: Encounter, against: Encounter['against'])
 }
 
 /** Whether friction counts: rods take none. */
-export function isOblique({ encounter: { kind }, friction }: Pick<Inputs, 'encounter' | 'friction'>): boolean {
+export function isOblique({ encounter: { kind }, friction }: Impact): boolean {
   return sizeOf(kind) === 'radius' && friction !== 0;
 }
 
 /** How bodies of inputs meet: what does not count is 0. */
-export function motionOf(inputs: Pick<Inputs, 'encounter' | keyof Motion>): Motion {
+export function motionOf(inputs: Impact): Motion {
   const { speed, friction, angle, spin, spin2 } = inputs;
   if (!isOblique(inputs)) return { speed, friction: 0, angle: 0, spin: 0, spin2: 0 };
   return { speed, friction, angle, spin, spin2: meetsBody(inputs.encounter) ? spin2 : 0 };
 }
 
 /** Whether two inputs give the same results. */
-export function equalInputs(a: Pick<Inputs, 'encounter' | keyof Motion>, b: typeof a): boolean {
+export function equalInputs(a: Impact, b: Impact): boolean {
   return equal(a.encounter, b.encounter) && JSON.stringify(motionOf(a)) === JSON.stringify(motionOf(b));
 }
 
 /** An impact that a class can see for itself. */
-export interface Preset extends Motion {
+export interface Preset extends Impact {
   readonly name: string;
-  readonly encounter: Encounter;
 }
 
 /** A ball that falls on a block: radius in m, speed in m/s. */
