@@ -5,8 +5,8 @@ import { settled, startSite } from '../page/browser';
 
 const site = await startSite();
 for (const [name, query, time, height] of [
-  ['page', 'body=sphere&nu=0.3&v=0.1&against=body&nu2=0.3&E2=1&rho2=1&R2=2', '130', 780],
-  ['page_oblique', 'body=disk&nu=0.33&v=0.1&mu=0.3&angle=30', '150', 760],
+  ['page.png', 'body=sphere&nu=0.3&v=0.1&against=body&nu2=0.3&E2=1&rho2=1&R2=2', '130', 780],
+  ['page_oblique.png', 'body=disk&nu=0.33&v=0.1&mu=0.3&angle=30', '150', 760],
 ] as const) {
   const page = await site.open(`?${query}`, {
     viewport: { width: 1000, height }, colorScheme: 'light', reducedMotion: 'reduce',
@@ -18,6 +18,6 @@ for (const [name, query, time, height] of [
   await page.locator('#scene .scene-time').blur();
   await page.evaluate(() => scrollTo(0, 0));
   await page.waitForTimeout(1000);
-  await page.screenshot({ path: fileURLToPath(new URL(`../../../docs/images/${name}.png`, import.meta.url)) });
+  await page.screenshot({ path: fileURLToPath(new URL(`../../../docs/images/${name}`, import.meta.url)) });
 }
 await site.close();
