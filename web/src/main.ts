@@ -119,10 +119,8 @@ function compute(next: Inputs): void {
   computed = next;
   share(inputs);
   const motion = motionOf(inputs);
-  const oblique = motion.friction !== 0;
-  for (const [id, shown] of [
-    ['angles', oblique], ['hops', hasHops(inputs.encounter, motion)], ['modes', !oblique], ['contact-note', !oblique],
-  ] as const) find(id, HTMLElement).hidden = !shown;
+  document.body.dataset.rule = motion.friction === 0 ? 'central' : 'oblique';
+  find('hops', HTMLElement).hidden = !hasHops(inputs.encounter, motion);
   showKept(inputs, (kept) => take({ ...inputs, kept }, true));
   if (before !== undefined && equalInputs(before, next)) {
     results.stale('');

@@ -14,6 +14,8 @@ const CURVES: { label: string; of: (point: AnglePoint) => [value: number, error:
   { label: 'ε along the normal', of: (point) => [point.restitution, point.error] },
 ];
 
+const UNKNOWN = 0.5; // the error of ε_t where hardly anything slides
+
 function inWords(point: AnglePoint): string {
   const [tangential, normal] = CURVES.map(({ of }) => withError(...of(point)));
   return `${written(point.angle, 3)}°: εₜ = ${tangential}, ε = ${normal}`;
@@ -23,7 +25,10 @@ function inWords(point: AnglePoint): string {
 export function createAngleChart(host: HTMLElement, pick: (angle: number) => void) {
   let points: readonly AnglePoint[] = [];
   let current: AnglePoint | undefined;
-  const axis = () => ({ low: current && current.angle < 0 ? -90 : 0, high: 90, log: false, at: current?.angle });
+  const axis = () => {
+    const both = [...points, ...(current ? [current] : [])].some(({ angle }) => angle < 0);
+    return { low: both ? -90 : 0, high: 90, log: false, at: current?.angle };
+  };
   const { update, picture } = createPicker(host, {
     title: 'ε and εₜ against the angle',
     label: 'Angle, picked on the chart of ε and εₜ',
@@ -41,7 +46,7 @@ export function createAngleChart(host: HTMLElement, pick: (angle: number) => voi
     const x = 'angle';
     const marks = CURVES.flatMap(({ of }, n) => {
       const { color, dash, marker: symbol } = look(n, theme);
-      const known = points.filter((point) => of(point).every(Number.isFinite)).sort((a, b) => a.angle - b.angle);
+      const known = points.filter((point) => of(point)[1] < UNKNOWN).sort((a, b) => a.angle - b.angle);
       const at = (deviation: number) => (point: AnglePoint): number => of(point)[0] + deviation * of(point)[1];
       const style = { x, stroke: color, clip: true };
       return [

@@ -6,8 +6,12 @@ import { documentOf } from '../inputs/document';
 import { barSpeed, coarseFirst } from '../inputs/units';
 import { coarse } from './session';
 
-/** Angles in degrees; those are computed at which no centre is faster along the surface than c. */
-const usual = range(2, 90, 3);
+/** Angles in degrees, at which no centre is faster along the surface than c; where bodies spin, to both sides. */
+function anglesOf(encounter: Encounter, { speed, angle, spin, spin2 }: Motion): number[] {
+  const fastest = (180 / Math.PI) * Math.atan(barSpeed(encounter) / speed);
+  const both = angle < 0 || spin !== 0 || spin2 !== 0;
+  return coarseFirst((both ? range(-88, 90, 4) : range(2, 90, 3)).filter((each) => Math.abs(each) <= fastest));
+}
 
 /** `changed` gets the points whenever there is a new one, `failed` one line. */
 export function createAngles(
@@ -17,15 +21,14 @@ export function createAngles(
   let known = '';
 
   return async (encounter: Encounter, motion: Motion): Promise<void> => {
-    const key = `${documentOf(encounter)} ${JSON.stringify({ ...motion, angle: 0 })}`;
+    const angles = anglesOf(encounter, motion);
+    const key = `${documentOf(encounter)} ${JSON.stringify({ ...motion, angle: angles })}`;
     if (key === known) return;
     known = key;
     control.abort();
     const { signal } = (control = new AbortController());
     const points: AnglePoint[] = [];
     changed(points);
-    const fastest = (180 / Math.PI) * Math.atan(barSpeed(encounter) / motion.speed);
-    const angles = coarseFirst(usual.filter((angle) => angle <= fastest));
     try {
       await core('obliqueAngles', encounter, { ...motion, angles, tolerance: coarse }, {
         signal, deliver: (point) => {

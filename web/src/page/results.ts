@@ -116,8 +116,6 @@ export function createResults() {
       const epsilon = result.quantities.restitution ?? { value: NaN, unit: '' };
       const { full, short } = reboundInWords(encounter, result);
       const { tangential_restitution: tangential } = result.quantities;
-      for (const row of section.querySelectorAll<HTMLElement>('.oblique')) row.hidden = tangential === undefined;
-      find('lost-row', HTMLElement).hidden = tangential !== undefined;
       render(tangential ? afterwards.filter(([name]) => result.quantities[name]?.value).map(([name, words]) =>
         html`<div><dt>${words}</dt><dd>${shownQuantity(result, name)}</dd></div>`) : nothing, rows);
       put({
