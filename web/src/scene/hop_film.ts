@@ -5,13 +5,12 @@ import type { Core, Encounter, Motion } from '../core/protocol';
 import { messageOf } from '../drawing/dom';
 import { withUnit, written } from '../drawing/numbers';
 import type { Theme } from '../drawing/theme';
-import { type Flight, type Room, bounced, flown, landing, meeting, thrown } from './hops';
+import { type Flight, type Room, bounced, flown, landing, meeting, roomOf, thrown } from './hops';
 import { drawBody, drawWay } from './oblique_film';
 import { slowness } from './phases';
 import { createPlayer, type Film } from './player';
 
 const IMPACTS = 3;
-const TABLE = 0.7; // m, at least
 const TOLERANCE = 1e-2;
 const HEIGHT = 300;
 const GROUND = 22; // pixels of floor and table
@@ -131,9 +130,7 @@ export function createHops(host: HTMLElement, core: Core) {
   return async (encounter: Encounter, motion: Motion): Promise<void> => {
     asked?.abort();
     const { signal } = (asked = new AbortController());
-    const { radius } = encounter.first;
-    const table = Math.max(TABLE, 6 * radius);
-    const room = { radius, table, hand: 0.7 * table };
+    const room = roomOf(encounter.first.radius, motion.speed);
     player.say('Computing the hops …');
     try {
       player.show(filmOf(await hop(core, encounter, motion, room, signal), room));

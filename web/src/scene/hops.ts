@@ -25,6 +25,14 @@ export type Surface = 'floor' | 'table';
 /** Standard gravity, m/s². */
 export const gravity = 9.80665;
 
+const TALLEST = 0.7; // m, of a table
+
+/** A room whose table the ball reaches with some speed, unless it is as low as a few balls. */
+export function roomOf(radius: number, speed: number): Room {
+  const table = Math.max(4 * radius, Math.min(TALLEST, (0.55 * speed ** 2) / (2 * gravity)));
+  return { radius, table, hand: 0.7 * table };
+}
+
 /** A flight some seconds later, or earlier. */
 export function flown({ time, x, y, vx, vy, angle, spin }: Flight, seconds: number): Flight {
   return {
