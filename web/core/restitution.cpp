@@ -1,7 +1,7 @@
 #include <array>
 #include <cstdio>
 
-#include "questions.hpp"
+#include "results.hpp"
 #include "stoss/restitution/curve.hpp"
 #include "stoss/restitution/quantities.hpp"
 #include "stoss/table/adaptive.hpp"
@@ -20,27 +20,6 @@ std::string text(double value) {
   return buffer.data();
 }
 
-/// What is a number, by the names of the command: with a material in units of the first body and in SI.
-val quantities(const Meeting& meeting, const Restitution& result) {
-  val all = val::object();
-  for (const auto& each : restitution_quantities()) {
-    const Value value = each.value(result);
-    const auto* real = std::get_if<double>(&value);
-    const auto* count = std::get_if<long>(&value);
-    if (real == nullptr && count == nullptr) continue;
-    const double number = real != nullptr ? *real : static_cast<double>(*count);
-    const auto add = [&](const std::string& name, UnitSystem system, double unit) {
-      val made = object({{"value", val(number * unit)}, {"unit", val(std::string(unit_name(each.dimension, system)))}});
-      if (each.error) made.set("error", each.error(result) * unit);
-      all.set(name, made);
-    };
-    add(each.name, kind(meeting.encounter.first.kind).own, 1.0);
-    if (!meeting.si || each.dimension == Dimension::none || each.dimension == Dimension::frequency) continue;
-    add(each.name + "_si", unit_system(meeting.encounter), meeting.unit(each.dimension));
-  }
-  return all;
-}
-
 CurveOptions options(const Question& asked) {
   return {.each = {.tolerance = asked.number("tolerance"), .poll = say_alive}, .threads = 1};
 }
@@ -51,14 +30,9 @@ val restitution(const Question& asked) {
   const double speed = asked.number("speed");
   const std::vector<double> speeds{own_speed(meeting->encounter, speed)};
   const Restitution result = restitution_curve(meeting->contact, speeds, options(asked)).front();
-  val made = object({{"speed", val(speed)},
-                     {"quantities", quantities(*meeting, result)},
-                     {"converged", val(result.converged)},
-                     {"reason", val(result.reason)},
-                     {"cutoff", val(result.finest.cutoff)},
-                     {"beyondSmallStrain", val(result.finest.beyond_small_strain)}});
-  if (const auto yield = yield_speed(meeting->encounter)) made.set("yieldSpeed", *yield);
-  return made;
+  val quantities = val::object();
+  add(quantities, *meeting, restitution_quantities(), result);
+  return answer(*meeting, speed, quantities, result, result.finest);
 }
 
 /// ε at many speeds, one by one.

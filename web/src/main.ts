@@ -1,24 +1,27 @@
 // The page: inputs on one side, what is computed from them on the other.
 import 'katex/dist/katex.min.css';
 import './drawing/pictures.css';
+import { createAngleChart } from './charts/angle_chart';
 import { createCurveChart } from './charts/curve_chart';
 import { createModeBars } from './charts/mode_bars';
 import { createTimeCharts } from './charts/time_charts';
 import { createCore } from './core/client';
-import type { Restitution } from './core/protocol';
+import type { Encounter, Motion, Restitution } from './core/protocol';
 import { find, messageOf } from './drawing/dom';
 import { fromAddress } from './inputs/address';
 import { refusal } from './inputs/check';
-import { equal } from './inputs/document';
-import type { Inputs } from './inputs/inputs';
+import { equal, meetsBody } from './inputs/document';
+import { equalInputs, motionOf, type Inputs } from './inputs/inputs';
 import { onAxisOf, usualSeries } from './inputs/units';
 import { createAddressBar } from './page/address_bar';
+import { createAngles } from './page/angles';
 import { createControls } from './page/controls';
 import { createCurves } from './page/curves';
 import { showKept } from './page/kept_view';
 import { createResults } from './page/results';
 import { createSession } from './page/session';
 import { createShare } from './page/share';
+import { createHops } from './scene/hop_film';
 import { createScene } from './scene/scene';
 
 const results = createResults();
@@ -33,16 +36,17 @@ let computed: Inputs | undefined;
 
 const scene = createScene(find('scene', HTMLElement), core, (time) => timeCharts.setCursor(time));
 const timeCharts = createTimeCharts(find('time-charts', HTMLElement), (time) => scene.seek(time));
-const curveChart = createCurveChart(find('curve-chart', HTMLElement), (speed) => {
-  const next = { ...inputs, speed };
-  controls.show(next);
-  take(next, true);
-});
+const curveChart = createCurveChart(find('curve-chart', HTMLElement), (speed) => pick({ speed }));
+const angleChart = createAngleChart(find('angle-chart', HTMLElement), (angle) => pick({ angle }));
+const hops = createHops(find('hop-scene', HTMLElement), core);
 const modeBars = createModeBars(find('mode-bars', HTMLElement), core);
 
-const pictures =
-  { curve: curveChart.picture, time: timeCharts.picture, modes: modeBars.picture, collision: scene.picture };
+const pictures = {
+  curve: curveChart.picture, angle: angleChart.picture, time: timeCharts.picture, modes: modeBars.picture,
+  collision: scene.picture,
+};
 const curves = createCurves(core, showCurves, (line) => results.say(line));
+const angles = createAngles(core, angleChart.setPoints, (line) => results.say(line));
 const share = createShare(core, curves.of, pictures);
 const writeAddress = createAddressBar((next, problem) => {
   controls.show(next);
@@ -59,19 +63,26 @@ const run = createSession(core, {
     results.stale('computing');
     document.body.dataset.impact = 'old';
   },
-  first(encounter, result) {
+  first(encounter, result, motion) {
     results.show(encounter, result, 'first');
-    showPoint(result);
+    showPoint(result, motion);
   },
-  final(encounter, result) {
+  final(encounter, result, motion) {
     results.show(encounter, result, 'final');
-    showPoint(result);
+    showPoint(result, motion);
+    if (motion.friction !== 0) void angles(encounter, motion);
+    if (hasHops(encounter, motion)) void hops(encounter, motion);
     curves.want([encounter, ...inputs.kept]);
   },
   collision(encounter, speed, cutoff, collision) {
     void scene.show(encounter, speed, cutoff, collision);
     timeCharts.show(collision);
     modeBars.show(encounter, collision);
+    document.body.dataset.impact = 'current';
+  },
+  oblique(encounter, motion, collision) {
+    scene.showOblique(encounter, motion, collision);
+    timeCharts.show(collision);
     document.body.dataset.impact = 'current';
   },
   failed(line, refused) {
@@ -81,6 +92,18 @@ const run = createSession(core, {
     else results.say(line);
   },
 });
+
+/** New inputs from a chart. */
+function pick(change: Partial<Inputs>): void {
+  const next = { ...inputs, ...change };
+  controls.show(next);
+  take(next, true);
+}
+
+/** Whether a ball under a table is shown: with gravity, between what does not move. */
+function hasHops(encounter: Encounter, { friction }: Motion): boolean {
+  return friction !== 0 && encounter.si && !meetsBody(encounter);
+}
 
 /** New inputs from the form, the curve or the list of kept curves. */
 function take(next: Inputs, settled: boolean): void {
@@ -95,18 +118,27 @@ function compute(next: Inputs): void {
   inputs = next;
   computed = next;
   share(inputs);
+  const motion = motionOf(inputs);
+  document.body.dataset.rule = motion.friction === 0 ? 'central' : 'oblique';
+  find('hops', HTMLElement).hidden = !hasHops(inputs.encounter, motion);
   showKept(inputs, (kept) => take({ ...inputs, kept }, true));
-  if (before !== undefined && before.speed === next.speed && equal(before.encounter, next.encounter)) {
+  if (before !== undefined && equalInputs(before, next)) {
     results.stale('');
     if (before.kept !== next.kept) curves.want([next.encounter, ...next.kept]);
     return;
   }
   if (before === undefined || !equal(before.encounter, next.encounter)) showCurves();
-  run(next.encounter, next.speed);
+  run(next.encounter, motion);
 }
 
-function showPoint({ quantities: { restitution }, speed }: Restitution): void {
-  if (restitution) curveChart.setCurrent({ speed, restitution: restitution.value, error: restitution.error ?? 0 });
+function showPoint({ quantities, speed }: Restitution, { angle }: Motion): void {
+  const { restitution, tangential_restitution: tangential } = quantities;
+  if (restitution === undefined) return;
+  const along = { restitution: restitution.value, error: restitution.error ?? 0 };
+  curveChart.setCurrent({ speed, ...along });
+  if (tangential) angleChart.setCurrent({
+    angle, ...along, tangential: tangential.value, tangentialError: tangential.error ?? 0, converged: true,
+  });
 }
 
 function showCurves(): void {

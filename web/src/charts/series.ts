@@ -2,7 +2,7 @@
 
 import * as Plot from '@observablehq/plot';
 import { extent, maxIndex, minIndex, range } from 'd3-array';
-import type { Collision } from '../core/protocol';
+import type { Collision, Course, ObliqueCollision } from '../core/protocol';
 import { interpolate, withUnit, written } from '../drawing/numbers';
 import { type Axis, type Drawn, draw, unitAlong } from '../drawing/plot';
 import { look, type Theme } from '../drawing/theme';
@@ -28,8 +28,9 @@ function panel(label: string, unit: string, series: Series[]): Panel {
 }
 
 /** Force, velocity and energies. Of the energies those that are never there are left out. */
-export function panelsOf(collision: Collision): Panel[] {
+export function panelsOf(collision: Collision | ObliqueCollision): Panel[] {
   const { units } = collision;
+  if ('across' in collision) return obliquePanelsOf(collision);
   const energies: Series[] = [
     { label: 'translation', values: collision.translation },
     { label: 'vibration', values: collision.vibration },
@@ -40,14 +41,37 @@ export function panelsOf(collision: Collision): Panel[] {
   return [
     panel('Force', units.force, [{ label: 'force', values: collision.force }]),
     panel('Velocity', units.velocity, [{ label: 'velocity', values: collision.velocity }]),
-    panel('Share of the energy', '',
-      energies.filter(({ values }, n) => n === 0 || values.some((each) => Math.abs(each) > NOTHING))),
+    energyPanel(energies),
   ];
+}
+
+function obliquePanelsOf(collision: ObliqueCollision): Panel[] {
+  const { units, force, friction, velocity, tangential } = collision;
+  return [
+    panel('Force', units.force,
+      [{ label: 'along the normal', values: force }, { label: 'friction', values: friction }]),
+    panel('Velocity', units.velocity,
+      [{ label: 'along the normal', values: velocity }, { label: 'along the surface', values: tangential }]),
+    energyPanel([
+      { label: 'motion along the normal', values: collision.translation },
+      { label: 'motion along the surface', values: collision.across },
+      { label: 'rotation', values: collision.rotation },
+      { label: 'rotation of what it meets', values: collision.second_rotation },
+      { label: 'in the elastic bodies', values: collision.elastic },
+      { label: 'heat of friction', values: collision.friction_loss },
+    ]),
+  ];
+}
+
+/** Without those that are never there. */
+function energyPanel(energies: Series[]): Panel {
+  return panel('Share of the energy', '',
+    energies.filter(({ values }, n) => n === 0 || values.some((each) => Math.abs(each) > NOTHING)));
 }
 
 /** Draws a panel. `lowest`: it has the axis of time. `named`: its name stands above it. */
 export function drawPanel(
-  { time, units }: Collision, panel: Panel, width: number, height: number, lowest: boolean, named: boolean,
+  { time, units }: Course, panel: Panel, width: number, height: number, lowest: boolean, named: boolean,
   theme: Theme,
 ): Drawn {
   return draw({
@@ -76,26 +100,29 @@ export function thinned(x: ArrayLike<number>, y: ArrayLike<number>, columns: num
 const SMALL = 1e-9; // of what a panel spans
 
 /** The value of one series at a time. */
-export function valueWords(collision: Collision, panel: Panel, series: Series, time: number): string {
+export function valueWords(collision: Course, panel: Panel, series: Series, time: number): string {
   const value = interpolate(collision.time, series.values, time);
   return written(Math.abs(value) < SMALL * (panel.high - panel.low) ? 0 : value / unitAlong(panel).size, 3);
 }
 
 /** What the charts show at one time. */
-export function cursorWords(collision: Collision, panels: Panel[], time: number): string {
+export function cursorWords(collision: Course, panels: Panel[], time: number): string {
   const values = panels.flatMap((panel) => panel.series.map((each) =>
     `${each.label} ${valueWords(collision, panel, each, time)} ${unitAlong(panel).unit}`.trimEnd()));
   return `time ${withUnit(time, collision.units.time)}: ${values.join(', ')}`;
 }
 
 /** What the charts show as a whole. */
-export function summaryOf(collision: Collision): string {
-  const { force, time, units, velocity, translation, vibration, dissipated } = collision;
+export function summaryOf(collision: Collision | ObliqueCollision): string {
+  const { force, time, units, velocity } = collision;
   const most = maxIndex(force);
   const energy = (name: string, values: Float64Array): string => `${written(100 * values.at(-1)!, 3)} % ${name}`;
+  const shares = 'across' in collision
+    ? panelsOf(collision).at(-1)!.series.map(({ label, values }) => energy(label, values))
+    : [energy('translation', collision.translation), energy('vibration', collision.vibration),
+      ...(collision.dissipated.at(-1)! > 0 ? [energy('dissipated', collision.dissipated)] : [])];
   return `The force is at its maximum, ${withUnit(force[most]!, units.force)}, ` +
     `${withUnit(time[most]!, units.time)} after first contact; the last contact is after ` +
     `${withUnit(collision.end, units.time)}. The velocity goes from ${withUnit(velocity[0]!, units.velocity)} to ` +
-    `${withUnit(velocity.at(-1)!, units.velocity)}. At the end the energy is ${energy('translation', translation)}, ` +
-    `${energy('vibration', vibration)}${dissipated.at(-1)! > 0 ? `, ${energy('dissipated', dissipated)}` : ''}.`;
+    `${withUnit(velocity.at(-1)!, units.velocity)}. At the end the energy is ${shares.join(', ')}.`;
 }

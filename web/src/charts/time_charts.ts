@@ -1,7 +1,7 @@
 // Force, velocity and energies of one collision in time, above each other, with one cursor.
 
 import { html, nothing, render, type TemplateResult } from 'lit-html';
-import type { Collision } from '../core/protocol';
+import type { Collision, ObliqueCollision } from '../core/protocol';
 import { keyed } from '../drawing/dom';
 import { chartIn } from '../drawing/pictures';
 import { type Drawn, drawLegend, labelOf } from '../drawing/plot';
@@ -13,7 +13,7 @@ const STEPS = 100;
 
 /** Makes empty charts in an element; `choose` gets a time to which a reader moves the cursor. */
 export function createTimeCharts(host: HTMLElement, choose: (time: number) => void) {
-  let collision: Collision | undefined;
+  let collision: Collision | ObliqueCollision | undefined;
   let panels: Panel[] = [];
   let charts: Drawn[] = [];
   let cursor = 0;
@@ -93,7 +93,7 @@ export function createTimeCharts(host: HTMLElement, choose: (time: number) => vo
   }
 
   return {
-    show(next: Collision): void {
+    show(next: Collision | ObliqueCollision): void {
       collision = next;
       panels = panelsOf(collision);
       update();

@@ -13,10 +13,13 @@ export async function createCore(): Promise<Core> {
   const module = await compile(address);
   setLocal(await instantiate(module, () => {}));
   const lane = (): Lane => createLane((): Fellow => new CoreWorker(), module);
-  const film = lane();
+  const [value, film] = [lane(), lane()];
   // A value must be there at once, while films, curves and tables take their time.
   const lanes: Record<keyof Questions, Lane> =
-    { restitution: lane(), collision: film, frames: film, shape: film, curve: lane(), header: lane() };
+    {
+      restitution: value, oblique: value, collision: film, obliqueCollision: film, frames: film, shape: film,
+      curve: lane(), obliqueAngles: lane(), header: lane(),
+    };
   return withWarmUp((question, encounter, given, { deliver, signal } = {}) =>
     lanes[question]({ question, given: { ...given, document: documentOf(encounter) } }, deliver, signal) as
       Promise<never>);

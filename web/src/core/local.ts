@@ -1,7 +1,7 @@
 // The core in the page's own thread, for what must be known at once: units, and whether numbers are right. All of it
 // throws CoreError with one line for what the core cannot do.
 import { documentOf } from '../inputs/document';
-import type { Encounter, Units } from './protocol';
+import type { Encounter, Motion, Units } from './protocol';
 import type { Ask } from './wasm';
 
 let core: Ask;
@@ -36,6 +36,11 @@ export function unitsOf(encounter: Encounter): Units {
 /** Whether a speed is in range: throws for one that is not. */
 export function requireSpeed(encounter: Encounter, speed: number): void {
   ask('speed', { document: documentOf(encounter), speed });
+}
+
+/** Whether a motion is in range: throws for one that is not. */
+export function requireMotion(encounter: Encounter, motion: Motion): void {
+  ask('motion', { document: documentOf(encounter), ...motion });
 }
 
 /** A number as the command reads it. */

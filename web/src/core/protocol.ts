@@ -23,6 +23,19 @@ export interface Encounter {
   plane: 'stress' | 'strain';
 }
 
+/** How they meet: the speed of approach is that along the normal. With friction the first body comes in at an angle. */
+export interface Motion {
+  /** c of the first body, or m/s in SI */
+  readonly speed: number;
+  /** μ of Coulomb's law; without it nothing along the surface counts */
+  readonly friction: number;
+  /** between its velocity, relative to what it meets, and the normal, in degrees */
+  readonly angle: number;
+  /** of both bodies, in c/R of the first, or rad/s in SI; they move what touches as the angle does */
+  readonly spin: number;
+  readonly spin2: number;
+}
+
 /** What an encounter's numbers are measured in. */
 export interface Units {
   /** c, R/c and c/R of the first body: 1 or in SI */
@@ -67,6 +80,35 @@ export interface Restitution {
   yieldSpeed?: number;
 }
 
+/** ε_t of one angle, with ε. */
+export interface AnglePoint {
+  angle: number;
+  restitution: number;
+  error: number;
+  tangential: number;
+  tangentialError: number;
+  converged: boolean;
+}
+
+/** What an oblique collision has for every instant: what is along the normal and along the surface, and shares of
+ *  the energy. */
+type ObliqueInstants = 'time' | 'velocity' | 'tangential' | 'force' | 'friction'
+  | 'translation' | 'across' | 'rotation' | 'second_rotation' | 'elastic' | 'friction_loss';
+
+/** One oblique impact in time, at a cutoff. */
+export interface ObliqueCollision extends Record<ObliqueInstants, Float64Array> {
+  units: Record<'time' | 'velocity' | 'force', string>;
+  begin: number;
+  end: number;
+  /** what moves, as its centre of mass, or the wall or half-space that it meets, sees it: places of centres in radii of
+   *  the first, bodies at rest would first touch at x = 0; and by how much they have turned counterclockwise */
+  bodies: Record<'x' | 'y' | 'angle', Float64Array>[];
+  /** of the contact points along the surface, in radii of the first, in their order; those of rings are their radii */
+  places: Float64Array;
+  /** what they do, instants × places: 0 stick, 1 and −1 slip along and against y, 2 carry no pressure */
+  grips: Int8Array;
+}
+
 /** What a collision has for every instant; energies are shares of the initial one. */
 type Instants = 'time' | 'velocity' | 'force' | 'contact_half_width'
   | 'translation' | 'vibration' | 'stored' | 'dissipated' | 'unresolved';
@@ -81,6 +123,9 @@ export interface Collision extends Record<Instants, Float64Array> {
   begin: number;
   end: number;
 }
+
+/** What collisions of both kinds have. */
+export type Course = Pick<Collision, 'time' | 'velocity' | 'force' | 'units' | 'begin' | 'end'>;
 
 export interface ModeEnergy {
   /** 0: of the first body, 1: of the second */
@@ -154,6 +199,12 @@ export interface Questions {
   shape(given: { body: 0 | 1; order: number; index: number; grid: Grid }): Shape;
   /** ε at many speeds, from a worker of its own. */
   curve(given: { speeds: number[]; tolerance: number }, each: CurvePoint): void;
+  /** The collision rule, to `tolerance` of the velocity at which the surfaces slide: as a Restitution, with the
+   *  quantities of `stoss oblique`. */
+  oblique(given: Motion & { tolerance: number }): Restitution;
+  /** The rule at many angles in place of its own. */
+  obliqueAngles(given: Motion & { angles: number[]; tolerance: number }, each: AnglePoint): void;
+  obliqueCollision(given: Motion & { cutoff: number }): ObliqueCollision;
   /** The C header that `stoss table --format c` writes. */
   header(given: { slowest: number; fastest: number; error: number }): string;
 }

@@ -1,21 +1,28 @@
 // All inputs in the address of the page, in short readable keys: ?body=sphere&nu=0.3&v=0.01&against=half-space&nu2=0.2
-import type { Body, Encounter } from '../core/protocol';
+import type { Body, Encounter, Motion } from '../core/protocol';
 import { rounded, shortest } from '../drawing/numbers';
-import { parseNumber, repaired, speedProblem } from './check';
+import { motionProblem, parseNumber, repaired } from './check';
 import { type Side, sidesOf } from './document';
-import { names } from './fields';
+import { motionFieldsOf, motions, names } from './fields';
 import { type Inputs, ball, defaults, mostKept, siSpeed, unitBody } from './inputs';
 import { type BodyField, type BodyKind, blockOf, bodyKinds } from './kinds';
 import { barSpeed } from './units';
 
 const keyOf = (field: BodyField, second: boolean): string => names[field][2] + (second ? '2' : '');
 const keys = (second: boolean): string[] => (Object.keys(names) as BodyField[]).map((field) => keyOf(field, second));
-const known = new Set(['body', 'units', 'plane', 'v', ...keys(false), 'against', ...keys(true), 'view', 'keep']);
+const known = new Set([
+  'body', 'units', 'plane', ...Object.values(motions).map(([, , key]) => key), ...keys(false), 'against', ...keys(true),
+  'view', 'keep',
+]);
 
 /** The inputs as text after ? in the address. */
-export function toAddress({ encounter, speed, simple, kept }: Inputs): string {
+export function toAddress(inputs: Inputs): string {
+  const { encounter, simple, kept } = inputs;
   return [
-    ...pairsOf(encounter, '='), `v=${shortest(speed)}`, ...(simple ? ['view=simple'] : []),
+    ...pairsOf(encounter, '='),
+    ...motionFieldsOf(inputs).filter((name) => name === 'speed' || inputs[name] !== defaults[name])
+      .map((name) => `${motions[name][2]}=${shortest(inputs[name])}`),
+    ...(simple ? ['view=simple'] : []),
     ...kept.map((other) => `keep=${pairsOf(other, ':').join(',')}`),
   ].join('&');
 }
@@ -44,18 +51,29 @@ export function fromAddress(text: string): { inputs: Inputs; problem: string } {
   const isKept = (part: string): boolean => part.startsWith('keep=');
   const reader = new Reader(parts.filter((part) => !isKept(part)), '=', problems);
   const encounter = inRange(encounterFrom(reader), problems);
-  let speed = reader.number('v', normalSpeed(encounter));
-  const wrong = speedProblem(encounter, speed);
-  if (wrong !== '') {
-    problems.push(wrong);
-    speed = normalSpeed(encounter);
-  }
+  const motion = motionFrom(reader, encounter, problems);
   const simple = reader.word('view', ['full', 'simple']) === 'simple';
   reader.finish();
   const curves = parts.filter(isKept);
   if (curves.length > mostKept) problems.push(`keep: got ${curves.length} curves, allowed ${mostKept}`);
   const kept = curves.slice(0, mostKept).flatMap((part) => keptFrom(part.slice('keep='.length), problems));
-  return { inputs: { encounter, speed, kept, simple }, problem: lineOf(problems) };
+  return { inputs: { encounter, ...motion, kept, simple }, problem: lineOf(problems) };
+}
+
+/** How they meet; the default for what is wrong. */
+function motionFrom(reader: Reader, encounter: Encounter, problems: string[]): Motion {
+  const { friction, angle, spin, spin2 } = defaults;
+  const usual = { speed: normalSpeed(encounter), friction, angle, spin, spin2 };
+  let motion: Motion = usual;
+  for (const name of ['speed', 'friction', 'angle', 'spin', 'spin2'] as const) {
+    if (!motionFieldsOf({ encounter, ...motion }).includes(name)) continue;
+    motion = { ...motion, [name]: reader.number(motions[name][2], usual[name], name !== 'speed') };
+  }
+  for (let wrong = motionProblem({ encounter, ...motion }); wrong; wrong = motionProblem({ encounter, ...motion })) {
+    problems.push(wrong[1]);
+    motion = { ...motion, [wrong[0]]: usual[wrong[0]] };
+  }
+  return motion;
 }
 
 /** Problems that are told; more of them do not help. */
@@ -138,12 +156,12 @@ class Reader {
     return found ?? allowed[0];
   }
 
-  /** @param without what counts without the key; a missing one is a problem unless that is 0 */
-  number(key: string, without: number): number {
+  /** @param without what counts without the key @param optional whether a missing one is no problem */
+  number(key: string, without: number, optional = without === 0): number {
     const text = this.take(key);
     const parsed = text === undefined ? { problem: `${key}: got none, allowed a number` } : parseNumber(key, text);
     if ('value' in parsed) return parsed.value;
-    if (text !== undefined || without !== 0) this.problems.push(parsed.problem);
+    if (text !== undefined || !optional) this.problems.push(parsed.problem);
     return without;
   }
 

@@ -1,9 +1,11 @@
 // What was typed, checked: the core says what is wrong with a number, the page at which field.
-import { numberOf, requireSpeed, unitsOf } from '../core/local';
-import { CoreError, type Encounter } from '../core/protocol';
+import { numberOf, requireMotion, requireSpeed, unitsOf } from '../core/local';
+import { CoreError, type Encounter, type Motion } from '../core/protocol';
 import { displayed, significant } from '../drawing/numbers';
-import { type Field, fieldsOf, ofSecond, owner, valueOf, withValue, wordsOf } from './fields';
-import { type Inputs, ball, unitBody } from './inputs';
+import {
+  type Field, type PlacedField, fieldsOf, ofSecond, owner, placedFieldsOf, valueOf, withValue, wordsOf,
+} from './fields';
+import { type Impact, type Inputs, ball, defaults, isOblique, motionOf, unitBody } from './inputs';
 import { type BodyField, sizeOf } from './kinds';
 
 /** A number, or in one line what is wrong with the text. */
@@ -24,32 +26,37 @@ export function parseNumber(name: string, text: string): Parsed {
  *  missing, or not a number, keeps its number. */
 export function check(inputs: Inputs, texts: ReadonlyMap<Field, string>) {
   const problems = new Map<Field, string>();
-  let { encounter, speed } = inputs;
-  for (const field of fieldsOf(encounter)) {
+  let next = inputs;
+  for (const field of fieldsOf(inputs)) {
     const text = texts.get(field);
-    if (text === undefined || text === displayed(valueOf(encounter, speed, field))) continue;
-    const parsed = parseNumber(fullName(encounter, field), text);
+    if (text === undefined || text === displayed(valueOf(inputs, field))) continue;
+    const parsed = parseNumber(fullName(inputs.encounter, field), text);
     if ('problem' in parsed) problems.set(field, parsed.problem);
-    else if (field === 'speed') speed = parsed.value;
-    else encounter = withValue(encounter, field, parsed.value);
+    else if (owner(field) === undefined) next = { ...next, [field]: parsed.value };
+    else next = { ...next, encounter: withValue(next.encounter, field as PlacedField, parsed.value) };
   }
-  const next = { ...inputs, encounter, speed };
   for (const [field, problem] of problemsOf(next)) if (!problems.has(field)) problems.set(field, problem);
   return { inputs: next, problems };
 }
 
 /** What the core refuses, by field. */
-export function problemsOf({ encounter, speed }: Inputs): Map<Field, string> {
-  const right = repaired(encounter);
+export function problemsOf(inputs: Inputs): Map<Field, string> {
+  const { encounter, problems } = repaired(inputs.encounter);
   // Of a material that is wrong, c is not known.
-  const line = right.problems.size === 0 || !encounter.si ? speedProblem(right.encounter, speed) : '';
-  return line === '' ? right.problems : right.problems.set('speed', line);
+  const wrong = problems.size === 0 || !encounter.si ? motionProblem({ ...inputs, encounter }) : undefined;
+  return wrong === undefined ? problems : problems.set(...wrong);
 }
 
-/** What is wrong with a speed; '' if nothing. */
-export function speedProblem(encounter: Encounter, speed: number): string {
-  const line = refusal(() => requireSpeed(encounter, speed));
-  return line && problemOf(encounter, 'speed', line);
+/** What is wrong first with how they meet; undefined if nothing. */
+export function motionProblem(inputs: Impact): [keyof Motion, string] | undefined {
+  const { encounter, speed } = inputs;
+  const line = refusal(() => requireSpeed(encounter, speed)) ||
+    (isOblique(inputs) ? refusal(() => requireMotion(encounter, motionOf(inputs))) : '');
+  if (line === '') return undefined;
+  const name = /^\w+/.exec(line)?.[0] ?? '';
+  const aliases: Record<string, keyof Motion> = { tangential: 'angle', second_spin: 'spin2' };
+  const field = aliases[name] ?? (name as keyof Motion);
+  return [field, problemOf(encounter, field, line)];
 }
 
 /** An encounter that the core takes, and what of the given one it refuses, by field. It names one number at a time: the
@@ -62,7 +69,7 @@ export function repaired(encounter: Encounter): { encounter: Encounter; problems
     const field = fieldOf(right, line);
     if (field !== undefined && !problems.has(field)) {
       problems.set(field, problemOf(right, field, line));
-      right = withValue(right, field, valueOf(usual, 0, field));
+      right = withValue(right, field, valueOf({ ...defaults, encounter: usual }, field));
       continue;
     }
     if (field === undefined) problems.set('speed', line);
@@ -89,7 +96,7 @@ export function refusal(ask: () => unknown): string {
 }
 
 /** What a refusal is about: the number that it names, or the size of a second body that does not go with the first. */
-function fieldOf(encounter: Encounter, line: string): Exclude<Field, 'speed'> | undefined {
+function fieldOf(encounter: Encounter, line: string): PlacedField | undefined {
   const [, second, name] = /^(against )?(\w+)/.exec(line) ?? [];
   const own = name === 'loss' ? 'loss_time' : name;
   const size = sizeOf(encounter.kind);
@@ -97,7 +104,7 @@ function fieldOf(encounter: Encounter, line: string): Exclude<Field, 'speed'> | 
   const field = aliases[own ?? ''] ?? (own as BodyField);
   const ratio = /^[\w ]+ ratio:/.test(line) || line.startsWith('against');
   const wanted = second || ratio ? ofSecond(field) : field;
-  return fieldsOf(encounter).includes(wanted) ? wanted : undefined;
+  return placedFieldsOf(encounter).includes(wanted) ? wanted : undefined;
 }
 
 /** A refusal with the page's name for the number, and no more digits than a reader needs. */

@@ -46,6 +46,11 @@ export function hasSecond(against: Encounter['against']): boolean {
   return against === 'body' || against === 'half-space';
 }
 
+/** Whether what the first body meets is another, which moves and turns too. */
+export function meetsBody({ against }: Encounter): boolean {
+  return against === 'same' || against === 'body';
+}
+
 /** Sizes of what meets, in that of the first: 1 of a half-space too, and none of a wall. */
 export function sizesOf({ kind, si, first, against, second }: Encounter): number[] {
   const size = sizeOf(kind);

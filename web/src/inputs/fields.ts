@@ -1,37 +1,66 @@
 // The numbers a user types: which of them an encounter has, what they are called, and in what unit.
-import type { Encounter } from '../core/protocol';
+import type { Encounter, Motion } from '../core/protocol';
 import { unitInWords } from '../drawing/numbers';
-import { sidesOf } from './document';
-import { type BodyField, kindNamed } from './kinds';
+import { meetsBody, sidesOf } from './document';
+import { type Impact, isOblique } from './inputs';
+import { type BodyField, kindNamed, sizeOf } from './kinds';
 
-/** A number of the first body, of what it meets, or the speed. */
-export type Field = BodyField | `${BodyField}2` | 'speed';
+/** A number of the first body or of what it meets. */
+export type PlacedField = BodyField | `${BodyField}2`;
 
-/** The fields that count in an encounter, in the order of the page. */
-export function fieldsOf(encounter: Encounter): Field[] {
-  return [...sidesOf(encounter).flatMap((side) =>
-    side!.fields.map((name): Field => (side!.second ? ofSecond(name) : name))), 'speed'];
+/** One of them, or of how they meet. */
+export type Field = PlacedField | keyof Motion;
+
+/** What the page calls how they meet: in words, by a symbol, in the address, its units without and with SI, and what it
+ *  is. */
+export const motions: Record<
+  keyof Motion, [words: string, symbol: string, key: string, own: string, si: string, help: string]
+> = {
+  speed: ['Speed of approach', 'v', 'v', 'c', 'm/s', ''],
+  friction: ['Friction', 'μ', 'mu', '', '', 'coefficient of Coulomb’s law, 0 to 5'],
+  angle: ['Angle', 'α', 'angle', '°', '°', 'between the velocity and the normal, along which the speed of approach is'],
+  spin: ['Spin', 'Ω', 'spin', 'c/R', 'rad/s', 'positive moves what touches as a positive angle does'],
+  spin2: ['Second spin', 'Ω₂', 'spin2', 'c/R', 'rad/s', 'of what it meets, with the same sign of sliding'],
+};
+
+/** The fields of bodies that count in an encounter, in the order of the page. */
+export function placedFieldsOf(encounter: Encounter): PlacedField[] {
+  return sidesOf(encounter).flatMap((side) =>
+    side!.fields.map((name): PlacedField => (side!.second ? ofSecond(name) : name)));
+}
+
+/** Those of how they meet: rods take no friction, and without it the rest does not count. */
+export function motionFieldsOf(inputs: Impact): (keyof Motion)[] {
+  const { encounter } = inputs;
+  if (sizeOf(encounter.kind) !== 'radius') return ['speed'];
+  if (!isOblique(inputs)) return ['speed', 'friction'];
+  return ['speed', 'friction', 'angle', 'spin', ...(meetsBody(encounter) ? ['spin2'] as const : [])];
+}
+
+/** All that count. */
+export function fieldsOf(inputs: Impact): Field[] {
+  return [...placedFieldsOf(inputs.encounter), ...motionFieldsOf(inputs)];
 }
 
 export function ofSecond(field: BodyField): `${BodyField}2` {
   return `${field}2`;
 }
 
-/** The name a field has in the body that owns it, and whether that is the second one; undefined for the speed. */
+/** The name a field has in the body that owns it, and whether that is the second one; undefined for how they meet. */
 export function owner(field: Field): { second: boolean; name: BodyField } | undefined {
-  if (field === 'speed') return undefined;
+  if (field in motions) return undefined;
   const second = field.endsWith('2');
   return { second, name: (second ? field.slice(0, -1) : field) as BodyField };
 }
 
 /** The number of a field in the inputs. */
-export function valueOf(encounter: Encounter, speed: number, field: Field): number {
+export function valueOf(inputs: Impact, field: Field): number {
   const place = owner(field);
-  return place === undefined ? speed : encounter[place.second ? 'second' : 'first'][place.name];
+  return place ? inputs.encounter[place.second ? 'second' : 'first'][place.name] : inputs[field as keyof Motion];
 }
 
 /** The encounter with another number in one field of a body. */
-export function withValue(encounter: Encounter, field: Exclude<Field, 'speed'>, value: number): Encounter {
+export function withValue(encounter: Encounter, field: PlacedField, value: number): Encounter {
   const { second, name } = owner(field)!;
   const side = second ? 'second' : 'first';
   return { ...encounter, [side]: { ...encounter[side], [name]: value } };
@@ -57,8 +86,10 @@ interface Words {
 
 export function wordsOf({ kind, si }: Encounter, field: Field): Words {
   const place = owner(field);
-  const speed = 'Speed of approach';
-  if (place === undefined) return { name: speed, label: `${speed} v`, help: '', unit: si ? 'm/s' : 'c' };
+  if (place === undefined) {
+    const [words, sign, , own, real, help] = motions[field as keyof Motion];
+    return { name: words, label: `${words} ${sign}`, help, unit: si ? real : own };
+  }
   const { name: key, second } = place;
   const { hasPlane, length, parameters } = kindNamed(kind);
   const { help = '', unit = '' } = parameters.find((each) => each.name === key) ?? {};

@@ -1,13 +1,15 @@
 // What the user has chosen, as one value that is never changed in place; and examples, each with all of it.
-import type { Body, Encounter } from '../core/protocol';
-import { equal, hasSecond, madeOf } from './document';
+import type { Body, Encounter, Motion } from '../core/protocol';
+import { equal, hasSecond, madeOf, meetsBody } from './document';
 import { type BodyKind, blockOf, kindNamed, materialNamed, sizeOf } from './kinds';
 
-/** All that the address holds: who meets whom, how fast, and whose curves stay for comparison. */
-export interface Inputs {
+/** Who meets whom, and how. */
+export interface Impact extends Motion {
   readonly encounter: Encounter;
-  /** c of the first body, or m/s in SI */
-  readonly speed: number;
+}
+
+/** All that the address holds: the impact, and whose curves stay for comparison. */
+export interface Inputs extends Impact {
   readonly kept: readonly Encounter[];
   /** whether only ε, the height of rebound and the film are shown */
   readonly simple: boolean;
@@ -17,9 +19,13 @@ export interface Inputs {
 export const unitBody: Body =
   { poisson: 0.33, young: 1, density: 1, radius: 1, length: 1, area: 1, loss_time: 0 };
 
+/** What is along the surface at first: nothing that counts. */
+const smooth = { friction: 0, angle: 45, spin: 0, spin2: 0 };
+
 export const defaults: Inputs = {
   encounter: { kind: 'disk', first: unitBody, against: 'wall', second: unitBody, si: false, plane: 'stress' },
   speed: 0.1,
+  ...smooth,
   kept: [],
   simple: false,
 };
@@ -54,11 +60,26 @@ export function withAgainst(encounter: Encounter, against: Encounter['against'])
   return { ...encounter, against, second: hasSecond(encounter.against) ? encounter.second : encounter.first };
 }
 
+/** Whether friction counts: rods take none. */
+export function isOblique({ encounter: { kind }, friction }: Impact): boolean {
+  return sizeOf(kind) === 'radius' && friction !== 0;
+}
+
+/** How bodies of inputs meet: what does not count is 0. */
+export function motionOf(inputs: Impact): Motion {
+  const { speed, friction, angle, spin, spin2 } = inputs;
+  if (!isOblique(inputs)) return { speed, friction: 0, angle: 0, spin: 0, spin2: 0 };
+  return { speed, friction, angle, spin, spin2: meetsBody(inputs.encounter) ? spin2 : 0 };
+}
+
+/** Whether two inputs give the same results. */
+export function equalInputs(a: Impact, b: Impact): boolean {
+  return equal(a.encounter, b.encounter) && JSON.stringify(motionOf(a)) === JSON.stringify(motionOf(b));
+}
+
 /** An impact that a class can see for itself. */
-export interface Preset {
+export interface Preset extends Impact {
   readonly name: string;
-  readonly encounter: Encounter;
-  readonly speed: number;
 }
 
 /** A ball that falls on a block: radius in m, speed in m/s. */
@@ -66,17 +87,18 @@ function drop(name: string, material: string, radius: number, block: string, spe
   const made = (of: string): Body => madeOf(materialNamed(of), { ...unitBody, radius, area: 1e-4 });
   const encounter: Encounter =
     { kind: 'sphere', first: made(material), against: 'half-space', second: made(block), si: true, plane: 'stress' };
-  return { name, encounter, speed };
+  return { name, encounter, speed, ...smooth };
 }
 
 export const presets: readonly Preset[] = [
-  { name: 'Elastic disk at a wall', encounter: defaults.encounter, speed: defaults.speed },
+  { name: 'Elastic disk at a wall', encounter: defaults.encounter, speed: defaults.speed, ...smooth },
   drop('Glass marble on a granite table', 'glass', 0.008, 'granite', 1),
   drop('Rubber ball on a granite floor', 'rubber', 0.02, 'granite', 2),
   drop('Steel ball on glass', 'bearing steel', 0.005, 'glass', 1),
+  { ...drop('Superball under a table', 'rubber', 0.025, 'granite', 5), friction: 1, angle: 25, spin: 40 },
 ];
 
 /** The preset that inputs are; undefined for those of one's own. */
-export function presetOf({ encounter, speed }: Inputs): Preset | undefined {
-  return presets.find((preset) => preset.speed === speed && equal(preset.encounter, encounter));
+export function presetOf(inputs: Inputs): Preset | undefined {
+  return presets.find((preset) => equalInputs(preset, inputs));
 }

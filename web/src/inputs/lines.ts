@@ -1,8 +1,9 @@
 // An encounter in a few words, as a command line, as lines of Python, and its curve as CSV.
 import { unitsOf } from '../core/local';
-import type { CurvePoint, Encounter } from '../core/protocol';
+import type { CurvePoint, Encounter, Motion } from '../core/protocol';
 import { prefixFor, shortest, significant } from '../drawing/numbers';
 import { type Side, poissonOf, sidesOf } from './document';
+import { type Inputs, motionOf } from './inputs';
 import { sizeOf } from './kinds';
 
 // The build takes it from CMakeLists.txt.
@@ -68,19 +69,39 @@ export function commandLine(encounter: Encounter, ...speeds: number[]): string {
   return ['stoss', 'restitution', ...encounterArguments(encounter), '--speed', list].join(' ');
 }
 
-/** A short program in Python that prints ε at one speed. */
-export function pythonLines(encounter: Encounter, speed: number): string {
+/** The command line of the collision rule of inputs; of ε where there is no friction. */
+export function ruleLine(inputs: Inputs): string {
+  const motion = motionOf(inputs);
+  if (motion.friction === 0) return commandLine(inputs.encounter, inputs.speed);
+  const args = numbersOf(motion).map(([name, value]) => `--${name.replace('_', '-')} ${value}`);
+  return ['stoss', 'oblique', ...encounterArguments(inputs.encounter), ...args].join(' ');
+}
+
+/** The numbers of a motion with friction, by the words of the command and of Python. */
+function numbersOf({ speed, angle, friction, spin, spin2 }: Motion): [string, string][] {
+  const all: [string, number][] = [['speed', speed], ['angle', angle], ['friction', friction]];
+  if (spin !== 0) all.push(['spin', spin]);
+  if (spin2 !== 0) all.push(['second_spin', spin2]);
+  return all.map(([name, value]) => [name, shortest(value)]);
+}
+
+/** A short program in Python that prints ε at one speed, or with friction the collision rule. */
+export function pythonLines(inputs: Inputs): string {
+  const { encounter, speed } = inputs;
+  const motion = motionOf(inputs);
+  const rule = motion.friction === 0 ? 'restitution' : 'oblique';
   const { kind, against, si } = encounter;
   const [first, second] = sidesOf(encounter);
   const name = second?.kind.bounded ? 'other' : 'block';
   const args = [
     kind,
     ...(second ? [`against=${name}`] : against === 'same' ? ['against="same"'] : []),
-    `speed=${shortest(speed)}`,
+    ...(motion.friction === 0 ? [`speed=${shortest(speed)}`]
+      : numbersOf(motion).map((pair) => pair.join('='))),
   ];
   return [
     'import stoss', '', `${kind} = ${call(first, si)}`, ...(second ? [`${name} = ${call(second, si)}`] : []),
-    `print(stoss.restitution(${args.join(', ')}))`, '',
+    `print(stoss.${rule}(${args.join(', ')}))`, '',
   ].join('\n');
 }
 

@@ -35,6 +35,8 @@ export function withoutSi(inputs: Inputs): Inputs {
       second: ratios(second, units.second ?? units.first),
     },
     speed: rounded(inputs.speed / units.speed, 6),
+    spin: rounded(inputs.spin * units.time, 6),
+    spin2: rounded(inputs.spin2 * units.time, 6),
   };
 }
 
@@ -49,7 +51,8 @@ export function withSi(inputs: Inputs): Inputs {
   const loss = second.young === 1 && second.density === 1 ? { poisson, loss_time }
     : { poisson: Math.min(second.poisson, poisson), loss_time: rounded(second.loss_time * time, 6) };
   const values = { ...changed(second, (value, name) => value * ball[name]), ...loss };
-  return { ...inputs, encounter: { ...inSi, second: values }, speed: siSpeed };
+  const [spin, spin2] = [inputs.spin, inputs.spin2].map((each) => rounded(each / time, 6)) as [number, number];
+  return { ...inputs, encounter: { ...inSi, second: values }, speed: siSpeed, spin, spin2 };
 }
 
 /** In c of the first body. */
@@ -100,11 +103,16 @@ export function curveSpeeds(encounter: Encounter, series = ''): number[] {
   const usual = series.trim() === '';
   const speeds = seriesOf(usual ? usualSeries(encounter) : series)
     .map((speed) => (usual ? rounded(speed, 4) : speed));
+  return coarseFirst(speeds);
+}
+
+/** Values in an order that fills their range ever more densely, each once. */
+export function coarseFirst(values: readonly number[]): number[] {
   const order = new Set<number>();
-  for (let stride = 2 ** Math.ceil(Math.log2(speeds.length)); stride >= 1; stride /= 2) {
-    for (let index = 0; index < speeds.length; index += stride) order.add(index);
+  for (let stride = 2 ** Math.ceil(Math.log2(values.length)); stride >= 1; stride /= 2) {
+    for (let index = 0; index < values.length; index += stride) order.add(values[index]!);
   }
-  return [...new Set([...order].map((index) => speeds[index]!))];
+  return [...order];
 }
 
 /** A speed of one encounter on the axis of another: as it is if both are in SI or neither, else the same share of c. */

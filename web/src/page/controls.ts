@@ -86,7 +86,7 @@ export function createControls(initial: Inputs, listener: Listener) {
 
   /** Check all fields, and report. */
   function read(settled: boolean): void {
-    const texts = new Map(fieldsOf(inputs.encounter).map((field) => [field, textOf(field)]));
+    const texts = new Map(fieldsOf(inputs).map((field) => [field, textOf(field)]));
     const { inputs: next, problems } = check(inputs, texts);
     showFields(inputs, problems);
     if (problems.size > 0) {
@@ -94,6 +94,8 @@ export function createControls(initial: Inputs, listener: Listener) {
       return;
     }
     inputs = next;
+    showFields(inputs, problems); // friction brings more of them
+    showNumbers(inputs);
     showDerived();
     listener.changed(inputs, settled);
   }
@@ -107,8 +109,8 @@ export function createControls(initial: Inputs, listener: Listener) {
   /** What a choice makes of the inputs, by the ids and names of index.html. */
   const choices: Record<string, (value: string) => Inputs> = {
     preset: (value) => {
-      const { encounter, speed } = presets.find(({ name }) => name === value) ?? inputs;
-      return { ...inputs, encounter, speed };
+      const { encounter, speed, friction, angle, spin, spin2 } = presets.find(({ name }) => name === value) ?? inputs;
+      return { ...inputs, encounter, speed, friction, angle, spin, spin2 };
     },
     against: (value) => meeting(withAgainst(inputs.encounter, value as Encounter['against'])),
     material: (value) => meeting({ first: withMaterial(value, inputs.encounter.first) }),

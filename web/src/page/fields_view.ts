@@ -6,11 +6,12 @@ import { type Field, fieldsOf, owner, valueOf, wordsOf } from '../inputs/fields'
 import type { Inputs } from '../inputs/inputs';
 import { displayed } from '../drawing/numbers';
 
-const homes = ['first-fields', 'second-fields', 'speed-field'] as const;
+const homes = ['first-fields', 'second-fields', 'speed-field', 'motion-fields'] as const;
 
 function homeOf(field: Field): (typeof homes)[number] {
   const place = owner(field);
-  return place === undefined ? 'speed-field' : place.second ? 'second-fields' : 'first-fields';
+  if (place === undefined) return field === 'speed' ? 'speed-field' : 'motion-fields';
+  return place.second ? 'second-fields' : 'first-fields';
 }
 
 function inputOf(field: Field): HTMLInputElement {
@@ -23,7 +24,8 @@ export function textOf(field: Field): string {
 }
 
 /** Show the fields of inputs with what is wrong: screen readers hear the unit and the problem with a field. */
-export function showFields({ encounter }: Inputs, problems: ReadonlyMap<Field, string>): void {
+export function showFields(inputs: Inputs, problems: ReadonlyMap<Field, string>): void {
+  const { encounter } = inputs;
   const rowOf = (field: Field): unknown => {
     const { label, help, unit } = wordsOf(encounter, field);
     const [id, problem] = [`field-${field}`, problems.get(field) ?? ''];
@@ -38,15 +40,15 @@ export function showFields({ encounter }: Inputs, problems: ReadonlyMap<Field, s
       </div>`;
   };
   for (const home of homes) {
-    const fields = fieldsOf(encounter).filter((field) => homeOf(field) === home);
+    const fields = fieldsOf(inputs).filter((field) => homeOf(field) === home);
     render(repeat(fields, (field) => field, rowOf), find(home, HTMLElement));
   }
 }
 
 /** Bring the numbers up to date; one just being typed stays as it is. */
-export function showNumbers({ encounter, speed }: Inputs): void {
-  for (const field of fieldsOf(encounter)) {
-    const value = valueOf(encounter, speed, field);
+export function showNumbers(inputs: Inputs): void {
+  for (const field of fieldsOf(inputs)) {
+    const value = valueOf(inputs, field);
     const input = inputOf(field);
     const typed = input.value.trim() !== '' && (Number(input.value) === value || input.value === displayed(value));
     if (!typed) input.value = displayed(value);

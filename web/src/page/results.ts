@@ -1,9 +1,21 @@
 // ε and what belongs to it, as text.
+import { html, nothing, render } from 'lit-html';
 import type { Encounter, Quantity, Restitution } from '../core/protocol';
 import { prefixFor, significant, withError } from '../drawing/numbers';
 import { find } from '../drawing/dom';
+import { gravity } from '../scene/hops';
 
 export type Stage = 'first' | 'final';
+
+/** What becomes of the motion along the surface and of the energy, by the names of the core. */
+const afterwards: [quantity: string, words: string][] = [
+  ['sliding', 'Sliding velocity before, s'], ['tangential_after', 'Velocity along the surface after'],
+  ['spin_after', 'Spin after'], ['second_spin_after', 'Spin after, of what it meets'],
+  ['friction_loss', 'Energy lost to friction'], ['vibration', 'Energy left in vibration'],
+  ['dissipated', 'Energy lost in the material'], ['translation', 'Energy left along the normal'],
+  ['across', 'Energy left along the surface'], ['rotation', 'Energy left in rotation'],
+  ['second_rotation', 'Energy in rotation of what it meets'],
+];
 
 /** Whether what is shown belongs to the inputs (''), or why not. */
 type Age = '' | 'wrong' | 'computing';
@@ -28,9 +40,6 @@ function shownNumber({ value, error }: Quantity, factor: number): string {
 function threeDigits({ value }: Quantity, factor = 1): string {
   return (value * factor).toPrecision(3);
 }
-
-/** Standard gravity, m/s². */
-const gravity = 9.80665;
 
 /** How high a body bounces that falls on what rests: ε²h, from the height h = v²/2g of its drop, both in m; without SI
  *  in units of the drop. Undefined for one that meets another body, which moves too. */
@@ -82,6 +91,7 @@ export function createResults() {
   const section = find('result', HTMLElement);
   const spoken = find('spoken', HTMLOutputElement);
   const state = find('result-state', HTMLElement);
+  const rows = find('afterwards', HTMLElement);
   let reached = '';
   let timer: number | undefined;
   let soon: number | undefined;
@@ -105,6 +115,9 @@ export function createResults() {
     show(encounter: Encounter, result: Restitution, stage: Stage): void {
       const epsilon = result.quantities.restitution ?? { value: NaN, unit: '' };
       const { full, short } = reboundInWords(encounter, result);
+      const { tangential_restitution: tangential } = result.quantities;
+      render(tangential ? afterwards.filter(([name]) => result.quantities[name]?.value).map(([name, words]) =>
+        html`<div><dt>${words}</dt><dd>${shownQuantity(result, name)}</dd></div>`) : nothing, rows);
       put({
         epsilon: withError(epsilon.value, epsilon.error ?? 0),
         'epsilon-short': threeDigits(epsilon),
@@ -115,13 +128,15 @@ export function createResults() {
         'rebound-name': `Height of rebound ε²h${encounter.si ? ', h = v²/2g' : ''}`,
         rebound: full,
         'rebound-short': short,
+        tangential: tangential ? withError(tangential.value, tangential.error ?? 0) : '',
+        'tangential-short': tangential ? threeDigits(tangential) : '',
         yield: yieldInWords(encounter, result),
       });
       find('rebound-row', HTMLElement).hidden = full === '';
       find('force-note', HTMLElement).hidden = encounter.kind !== 'rod';
       find('yield', HTMLElement).classList.toggle('problem', result.speed > (result.yieldSpeed ?? Infinity));
       section.dataset.stage = stage;
-      const aim = 'accurate to 10⁻³ of 1 − ε², or to 10⁻⁶';
+      const aim = `accurate to ${tangential ? '10⁻² of the sliding velocity' : '10⁻³ of 1 − ε², or to 10⁻⁶'}`;
       reached = stage === 'first' ? 'first value, refining' : `${result.converged ? '' : 'not '}${aim}`;
       mark(section.dataset.stale === 'wrong' ? 'wrong' : '');
       const lines = flags(result);
@@ -130,7 +145,8 @@ export function createResults() {
       const speed = `${significant(result.speed, 4)} ${encounter.si ? 'metres per second' : 'c'}`;
       timer = window.setTimeout(() => {
         spoken.textContent = [
-          `Restitution ${spokenOf('epsilon')} at ${speed}.`, `Lost share ${spokenOf('lost')}.`, ...lines,
+          `Restitution ${spokenOf('epsilon')} at ${speed}.`,
+          tangential ? `Tangential restitution ${spokenOf('tangential')}.` : `Lost share ${spokenOf('lost')}.`, ...lines,
         ].join(' ');
       }, 800);
     },

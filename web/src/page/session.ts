@@ -1,6 +1,8 @@
 // What is computed when the inputs change: a first value at once, then the accurate one, then the impact in time.
 import { messageOf } from '../drawing/dom';
-import { type Collision, type Core, CoreError, type Encounter, type Restitution } from '../core/protocol';
+import {
+  type Collision, type Core, CoreError, type Encounter, type Motion, type ObliqueCollision, type Restitution,
+} from '../core/protocol';
 
 export const coarse = 1e-2;
 export const fine = 1e-3;
@@ -8,9 +10,10 @@ export const fine = 1e-3;
 /** Who gets to see what comes. */
 export interface Audience {
   began(): void;
-  first(encounter: Encounter, result: Restitution): void;
-  final(encounter: Encounter, result: Restitution): void;
+  first(encounter: Encounter, result: Restitution, motion: Motion): void;
+  final(encounter: Encounter, result: Restitution, motion: Motion): void;
   collision(encounter: Encounter, speed: number, cutoff: number, collision: Collision): void;
+  oblique(encounter: Encounter, motion: Motion, collision: ObliqueCollision): void;
   /** One line: what the core refuses, or that the computation broke down. */
   failed(line: string, refused: boolean): void;
 }
@@ -23,30 +26,35 @@ const patience = 250;
 
 interface Job {
   readonly encounter: Encounter;
-  readonly speed: number;
+  readonly motion: Motion;
 }
 
 /** Compute for the newest inputs only. The result takes new inputs, and drops what is under way for older ones. */
-export function createSession(core: Core, audience: Audience): (encounter: Encounter, speed: number) => void {
+export function createSession(core: Core, audience: Audience): (encounter: Encounter, motion: Motion) => void {
   let waiting: Job | undefined;
   let running = false;
   let control = new AbortController();
   let refining = false;
 
-  async function compute(job: Job, signal: AbortSignal): Promise<void> {
-    const { encounter, speed } = job;
-    const first = await core('restitution', encounter, { speed, tolerance: coarse }, { signal });
-    audience.first(encounter, first);
+  async function compute({ encounter, motion }: Job, signal: AbortSignal): Promise<void> {
+    const { speed } = motion;
+    const oblique = motion.friction !== 0;
+    const first = oblique ? await core('oblique', encounter, { ...motion, tolerance: coarse }, { signal })
+      : await core('restitution', encounter, { speed, tolerance: coarse }, { signal });
+    audience.first(encounter, first, motion);
     if (waiting !== undefined) return;
     refining = true;
     await pause(settle, signal);
-    const final = await core('restitution', encounter, { speed, tolerance: fine }, { signal });
+    const final = oblique ? first : await core('restitution', encounter, { speed, tolerance: fine }, { signal });
     signal.throwIfAborted();
-    audience.final(encounter, final);
-    if (final.cutoff === 0) throw new CoreError(final.reason);
-    const collision = await core('collision', encounter, { speed, cutoff: final.cutoff }, { signal });
+    audience.final(encounter, final, motion);
+    const { cutoff } = final;
+    if (cutoff === 0) throw new CoreError(final.reason);
+    const collision = oblique ? await core('obliqueCollision', encounter, { ...motion, cutoff }, { signal })
+      : await core('collision', encounter, { speed, cutoff }, { signal });
     signal.throwIfAborted();
-    audience.collision(encounter, speed, final.cutoff, collision);
+    if ('across' in collision) audience.oblique(encounter, motion, collision);
+    else audience.collision(encounter, speed, cutoff, collision);
   }
 
   async function work(): Promise<void> {
@@ -63,8 +71,8 @@ export function createSession(core: Core, audience: Audience): (encounter: Encou
     running = false;
   }
 
-  return (encounter, speed) => {
-    waiting = { encounter, speed };
+  return (encounter, motion) => {
+    waiting = { encounter, motion };
     audience.began();
     if (!running) void work();
     else if (refining) control.abort();

@@ -5,7 +5,7 @@ import { find, messageOf } from '../drawing/dom';
 import { type Picture, download, pngOf, textOf } from '../drawing/pictures';
 import { toAddress } from '../inputs/address';
 import { type Inputs, defaults } from '../inputs/inputs';
-import { commandLine, curveCsv, pythonLines } from '../inputs/lines';
+import { curveCsv, pythonLines, ruleLine } from '../inputs/lines';
 import { endsOf } from '../inputs/units';
 
 /** Maximum error of ε that the C header may have. */
@@ -73,8 +73,8 @@ export function createShare(
 
   return (next) => {
     inputs = next;
-    line.textContent = commandLine(inputs.encounter, inputs.speed);
-    python.textContent = pythonLines(inputs.encounter, inputs.speed).trimEnd();
+    line.textContent = ruleLine(inputs);
+    python.textContent = pythonLines(inputs).trimEnd();
   };
 }
 

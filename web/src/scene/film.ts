@@ -14,10 +14,10 @@ export function coarseToFine(from: number, to: number, first: number, levels: nu
 const BEFORE = 0.3; // of the time of contact
 const AFTER = 0.7;
 
-/** From when to when a film shows a contact that lasts from `begin` to `end`. */
-export function filmSpan(begin: number, end: number): { from: number; to: number } {
+/** From when to when a film shows a contact that lasts from `begin` to `end`; `before` and `after` are shares of it. */
+export function filmSpan(begin: number, end: number, before = BEFORE, after = AFTER): { from: number; to: number } {
   const contact = Math.max(end - begin, 1e-12);
-  return { from: begin - BEFORE * contact, to: end + AFTER * contact };
+  return { from: begin - before * contact, to: end + after * contact };
 }
 
 /** How many frames of a film, which stand in the order of their times, are not after a time. */

@@ -1,13 +1,13 @@
 // What a collision does at one time, in words.
 
 import { max } from 'd3-array';
-import type { Collision } from '../core/protocol';
+import type { Course } from '../core/protocol';
 import { interpolate, unitInWords, withUnit, written } from '../drawing/numbers';
 
 export type Phase = 'approach' | 'compression' | 'restitution' | 'apart';
 
 /** Before contact; while the bodies still approach each other; while they part; after contact. */
-export function phaseAt(collision: Collision, time: number): Phase {
+export function phaseAt(collision: Course, time: number): Phase {
   if (time < collision.begin) return 'approach';
   if (time > collision.end) return 'apart';
   const first = collision.velocity[0] ?? 0;
@@ -15,7 +15,7 @@ export function phaseAt(collision: Collision, time: number): Phase {
 }
 
 /** A time with its unit, the same for all times of a collision. */
-export function timeInWords(collision: Collision, time: number): string {
+export function timeInWords(collision: Course, time: number): string {
   return withUnit(time, collision.units.time, 3, collision.end);
 }
 
@@ -27,7 +27,7 @@ export function slowness(span: number, unit: string, seconds: number): string {
 }
 
 /** One sentence for those who do not see the picture. */
-export function describe(collision: Collision, time: number): string {
+export function describe(collision: Course, time: number): string {
   const phase = phaseAt(collision, time);
   const touching = time >= collision.begin && time <= collision.end;
   const force = touching ? Math.max(0, interpolate(collision.time, collision.force, time)) : 0;

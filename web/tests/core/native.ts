@@ -1,8 +1,9 @@
 // The native command, which must say the same as the core of the page.
 import { execFileSync } from 'node:child_process';
-import { commandLine } from '../../src/inputs/lines';
+import { commandLine, ruleLine } from '../../src/inputs/lines';
 import { shortest } from '../../src/drawing/numbers';
 import type { Encounter } from '../../src/core/protocol';
+import type { Inputs } from '../../src/inputs/inputs';
 import { command } from '../native/build';
 
 /** Whether the command is built. */
@@ -23,7 +24,15 @@ export type Row = Record<string, number | string | boolean>;
 
 /** The record of `stoss restitution` for one speed. */
 export function restitution(encounter: Encounter, speed: number, tolerance: number): Row {
-  const line = commandLine(encounter, speed).split(' ').slice(1);
-  const text = run([...line, '--tolerance', shortest(tolerance), '--format', 'json']);
+  return record(commandLine(encounter, speed), tolerance);
+}
+
+/** The record of `stoss oblique`. */
+export function oblique(inputs: Inputs, tolerance: number): Row {
+  return record(ruleLine(inputs), tolerance);
+}
+
+function record(line: string, tolerance: number): Row {
+  const text = run([...line.split(' ').slice(1), '--tolerance', shortest(tolerance), '--format', 'json']);
   return (JSON.parse(text) as { records: Row[] }).records[0]!;
 }

@@ -138,6 +138,9 @@ const answers: Answers = {
       deliver?.({ speed, restitution: value, error, converged: true }, index);
     }
   },
+  oblique: (encounter, { speed, tolerance }) => Promise.resolve(restitution(encounter, speed, tolerance)),
+  obliqueAngles: () => Promise.resolve(),
+  obliqueCollision: () => Promise.reject(new CoreError('friction: this core has none')),
   async header(_encounter, { slowest, fastest, error }, { signal }) {
     await wait(100, signal);
     return `/* ${slowest} ${fastest} ${error} */\n`;

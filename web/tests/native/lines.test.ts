@@ -1,11 +1,11 @@
 // The lines that the page offers, run for real: command and Python take them, and say the same.
 import { execFileSync } from 'node:child_process';
 import { describe, expect, it } from 'vitest';
-import { commandLine, curveCsv, pythonLines } from '../../src/inputs/lines';
+import { commandLine, curveCsv, pythonLines, ruleLine } from '../../src/inputs/lines';
 import { materials } from '../../src/inputs/kinds';
 import { withError } from '../../src/drawing/numbers';
 import { barSpeed } from '../../src/inputs/units';
-import { cases } from '../unit/cases';
+import { cases, obliqueCases } from '../unit/cases';
 import { command, python } from './build';
 
 interface Row {
@@ -73,8 +73,7 @@ describe.skipIf(command === undefined)('the command', () => {
 describe.skipIf(command === undefined || python === undefined)('Python', () => {
   it('gives the numbers of the command', () => {
     const blocks = indices.map((index) => {
-      const { encounter, speed } = cases[index]!;
-      const lines = pythonLines(encounter, speed).trimEnd().split('\n');
+      const lines = pythonLines(cases[index]!).trimEnd().split('\n');
       const last = lines.pop()!;
       const call = last.slice('print('.length, -2) + ', tolerance=0.01)';
       const attempt = `try:\n    r = ${call}\nexcept stoss.NotConverged as e:\n    r = e.best`;
@@ -83,7 +82,17 @@ describe.skipIf(command === undefined || python === undefined)('Python', () => {
     const values = run(python!, ['-'], blocks.join('\n')).trim().split('\n').map(Number);
     indices.forEach((index) => {
       const [row] = (JSON.parse(native(index, 'json')) as { records: Row[] }).records;
-      expect(Math.abs(values[index]! - row!.restitution), pythonLines(cases[index]!.encounter, 1)).toBeLessThan(1e-12);
+      expect(Math.abs(values[index]! - row!.restitution), pythonLines(cases[index]!)).toBeLessThan(1e-12);
+    });
+  }, 60_000);
+  it('gives those of the collision rule', () => {
+    const program = obliqueCases.map((inputs) => pythonLines(inputs)
+      .replace(/print\((.*)\)/, 'print(repr(float($1.tangential_restitution)))')).join('\n');
+    const values = run(python!, ['-'], program).trim().split('\n').map(Number);
+    obliqueCases.forEach((inputs, index) => {
+      const [row] = (JSON.parse(run(command!, [...ruleLine(inputs).split(' ').slice(1), '--format', 'json'])) as
+        { records: Record<string, number>[] }).records;
+      expect(Math.abs(values[index]! - row!.tangential_restitution!), ruleLine(inputs)).toBeLessThan(1e-12);
     });
   }, 60_000);
 });

@@ -156,7 +156,7 @@ describe.skipIf(missing !== '')(`the inputs of the page${missing && ` (${missing
     const page = await site.open(ball, { viewport: { width: 360, height: 740 }, isMobile: true, hasTouch: true });
     await settled(page);
     await page.waitForFunction(() => document.querySelector<HTMLCanvasElement>('.scene canvas')!.clientHeight > 150);
-    const boxes = await page.$$eval('.scene canvas, #speed-slider', (all) => all.map((each) => {
+    const boxes = await page.$$eval('#scene canvas, #speed-slider', (all) => all.map((each) => {
       const { top, bottom, height } = each.getBoundingClientRect();
       return { top, bottom, height };
     }));

@@ -108,6 +108,29 @@ describe.skipIf(missing !== '')(`the results of the page${missing && ` (${missin
     await page.context().close();
   });
 
+  it('with friction are those along the surface too, of a ball that hops under a table', async () => {
+    const page = await site.open('?body=disk&nu=0.33&v=0.1', { reducedMotion: 'reduce' });
+    await settled(page);
+    expect(await page.isVisible('#tangential')).toBe(false);
+    expect(await page.isVisible('#field-angle')).toBe(false);
+    await page.selectOption('#preset', 'Superball under a table');
+    await page.waitForFunction(() => /^0\.\d+ ± /.test(document.getElementById('tangential')!.textContent!));
+    await settled(page);
+    expect(page.url()).toContain('&v=5&mu=1&angle=25&spin=40');
+    expect(await page.textContent('#command-line')).toContain('stoss oblique --body sphere');
+    expect(await page.textContent('#afterwards')).toMatch(/Spin after-\d+\.\d+ ± \d+\.\d+\srad\/s/);
+    await page.waitForSelector('#hops canvas[aria-label*="2, table: ε 0.9"]');
+    await page.waitForSelector('#scene canvas[aria-label*="% sticks"]');
+    await page.locator('#angle-chart .chart-area').press('ArrowRight');
+    await page.waitForFunction(() => location.search.includes('&angle=26'));
+    await page.fill('#field-friction', '7');
+    expect(await page.textContent('#field-friction-problem')).toContain('Friction: got 7, allowed 0 to 5');
+    await page.fill('#field-friction', '0');
+    await page.waitForSelector('#tangential', { state: 'hidden' });
+    expect(await page.isVisible('#hops')).toBe(false);
+    await page.context().close();
+  });
+
   it('are at the speeds that are typed, as the command reads them', async () => {
     const page = await site.open();
     await settled(page);

@@ -1,17 +1,23 @@
-// Draws docs/images/page.png, the page as the documentation shows it: npx vite-node tests/pictures/page.ts
+// Draws the page as the documentation shows it, docs/images/page.png and page_oblique.png:
+// npx vite-node tests/pictures/page.ts
 import { fileURLToPath } from 'node:url';
 import { settled, startSite } from '../page/browser';
 
-const path = fileURLToPath(new URL('../../../docs/images/page.png', import.meta.url));
 const site = await startSite();
-const page = await site.open('?body=sphere&nu=0.3&v=0.1&against=body&nu2=0.3&E2=1&rho2=1&R2=2', {
-  viewport: { width: 1000, height: 780 }, colorScheme: 'light', reducedMotion: 'reduce',
-});
-await settled(page);
-await page.waitForFunction(() => document.body.dataset.impact === 'current' &&
-  !document.querySelector<HTMLInputElement>('.scene-time')!.disabled);
-await page.fill('.scene-time', '130');
-await page.locator('.scene-time').blur();
-await page.waitForTimeout(1000);
-await page.screenshot({ path });
+for (const [name, query, time, height] of [
+  ['page.png', 'body=sphere&nu=0.3&v=0.1&against=body&nu2=0.3&E2=1&rho2=1&R2=2', '130', 780],
+  ['page_oblique.png', 'body=disk&nu=0.33&v=0.1&mu=0.3&angle=30', '150', 760],
+] as const) {
+  const page = await site.open(`?${query}`, {
+    viewport: { width: 1000, height }, colorScheme: 'light', reducedMotion: 'reduce',
+  });
+  await settled(page);
+  await page.waitForFunction(() => document.body.dataset.impact === 'current' &&
+    !document.querySelector<HTMLInputElement>('.scene-time')!.disabled);
+  await page.fill('#scene .scene-time', time);
+  await page.locator('#scene .scene-time').blur();
+  await page.evaluate(() => scrollTo(0, 0));
+  await page.waitForTimeout(1000);
+  await page.screenshot({ path: fileURLToPath(new URL(`../../../docs/images/${name}`, import.meta.url)) });
+}
 await site.close();

@@ -2,18 +2,18 @@ import { describe, expect, it } from 'vitest';
 import { fromAddress, toAddress } from '../../src/inputs/address';
 import { problemsOf } from '../../src/inputs/check';
 import { equal } from '../../src/inputs/document';
-import { defaults, presetOf, presets } from '../../src/inputs/inputs';
-import { cases } from './cases';
+import { defaults, motionOf, presetOf, presets } from '../../src/inputs/inputs';
+import { cases, obliqueCases } from './cases';
 
 describe('the address', () => {
   it('is short and readable', () => {
     expect(toAddress(defaults)).toBe('body=disk&nu=0.33&v=0.1');
   });
   it('gives all inputs back', () => {
-    for (const inputs of cases) {
+    for (const inputs of [...cases, ...obliqueCases]) {
       const { inputs: back, problem } = fromAddress(`?${toAddress(inputs)}`);
       expect(problem).toBe('');
-      expect(back.speed).toBe(inputs.speed);
+      expect(motionOf(back)).toEqual(motionOf(inputs));
       expect(equal(back.encounter, inputs.encounter), toAddress(inputs)).toBe(true);
       expect(back.kept.length).toBe(inputs.kept.length);
       back.kept.forEach((kept, index) => expect(equal(kept, inputs.kept[index]!)).toBe(true));
@@ -55,6 +55,10 @@ describe('the address', () => {
       'Speed of approach: got 5'],
     ['body=sphere&units=SI&nu=0.3&E=0&rho=7850&R=1', 'body=sphere&units=SI&nu=0.3&E=2.1e11&rho=7850&R=1&v=1',
       'Young’s modulus: got 0, allowed a positive finite number'],
+    ['nu=0.4&v=0.2&spin=1', 'body=disk&nu=0.4&v=0.2', 'spin: got a key that this encounter does not have'],
+    ['body=rod&v=0.2&mu=1', 'body=rod&v=0.2', 'mu: got a key that this encounter does not have'],
+    ['nu=0.4&v=0.2&mu=6', 'body=disk&nu=0.4&v=0.2', 'Friction: got 6, allowed 0 to 5'],
+    ['nu=0.4&v=0.2&mu=1&angle=91&spin=0.1', 'body=disk&nu=0.4&v=0.2&mu=1&spin=0.1', 'Angle: got 91, allowed -90 to 90'],
     ['nu=0.4&v=0.2&view=none', 'body=disk&nu=0.4&v=0.2', 'view: got “none”, allowed full, simple'],
   ])('keeps what is right of %s, and says in one line what is not', (text, right, line) => {
     const { inputs, problem } = fromAddress(text);
@@ -72,8 +76,8 @@ describe('the address', () => {
     expect(fromAddress('a=1&b=1&c=1&d=1&e=1').problem).toMatch(/; and 4 more\.$/);
   });
   it('of every example gives it back', () => {
-    for (const { name, encounter, speed } of presets) {
-      const { inputs, problem } = fromAddress(toAddress({ ...defaults, encounter, speed }));
+    for (const { name, ...preset } of presets) {
+      const { inputs, problem } = fromAddress(toAddress({ ...defaults, ...preset }));
       expect(problem).toBe('');
       expect(presetOf(inputs)?.name).toBe(name);
       expect([...problemsOf(inputs).values()]).toEqual([]);

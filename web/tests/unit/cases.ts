@@ -16,7 +16,7 @@ const own: Body =
   { poisson: 0.25, young: 1.5e11, density: 5000, radius: 0.004, length: 0.004, area: 2e-4, loss_time: 1e-9 };
 
 const of = (encounter: Encounter, speed: number, kept: Encounter[] = []): Inputs =>
-  ({ encounter, speed, kept, simple: false });
+  ({ ...defaults, encounter, speed, kept });
 
 export const cases: readonly Inputs[] = [
   of(disk, 0.1),
@@ -32,4 +32,13 @@ export const cases: readonly Inputs[] = [
   of({ ...sphere, si: true, first: ball, against: 'half-space', second: made('glass', 1) }, 1),
   of({ ...sphere, si: true, first: own, against: 'same' }, 0.2),
   of({ ...rod, si: true, first: made('aluminium', 0.5), against: 'body', second: made('steel', 0.3) }, 1),
+];
+
+/** Collisions with friction. */
+export const obliqueCases: readonly Inputs[] = [
+  { ...cases[0]!, friction: 0.3 },
+  { ...cases[2]!, friction: 0.2, angle: -20, spin: 0.05, spin2: -0.1 },
+  { ...cases[4]!, friction: 1, angle: 70, spin: -0.02 },
+  { ...cases[10]!, friction: 0.1, angle: 30, spin: 200 },
+  { ...cases[11]!, friction: 0.4, angle: 10, spin: 5, spin2: 20 },
 ];

@@ -1,7 +1,7 @@
 import { describe, expect, it } from 'vitest';
 import { check, parseNumber, problemsOf } from '../../src/inputs/check';
 import { type Field, fieldsOf, valueOf, withValue } from '../../src/inputs/fields';
-import { type Inputs, defaults, unitBody, withAgainst, withKind } from '../../src/inputs/inputs';
+import { type Inputs, defaults, motionOf, unitBody, withAgainst, withKind } from '../../src/inputs/inputs';
 import { displayed, shortest } from '../../src/drawing/numbers';
 import { equal, sidesOf } from '../../src/inputs/document';
 import {
@@ -108,10 +108,10 @@ describe('a change of units', () => {
       expect([...problemsOf(other).values()]).toEqual([]);
       const plain = withoutSi(inputs);
       const round = withoutSi(withSi(plain));
-      for (const field of fieldsOf(plain.encounter)) {
+      for (const field of fieldsOf(plain)) {
         if (!['radius2', 'young2', 'density2', 'area2'].includes(field)) continue;
-        const before = valueOf(plain.encounter, plain.speed, field);
-        const after = valueOf(round.encounter, round.speed, field);
+        const before = valueOf(plain, field);
+        const after = valueOf(round, field);
         expect(Math.abs(after - before), field).toBeLessThanOrEqual(1e-4 * Math.abs(before));
       }
     }
@@ -126,6 +126,30 @@ describe('a change of units', () => {
     withKind(defaults.encounter, 'rod');
     withAgainst(defaults.encounter, 'body');
     expect(JSON.stringify(defaults)).toBe(frozen);
+  });
+});
+
+describe('friction', () => {
+  const fields = (inputs: Inputs): Field[] => fieldsOf(inputs).slice(-5);
+  it('brings what is along the surface, and rods have none', () => {
+    expect(fieldsOf(defaults).slice(-2)).toEqual(['speed', 'friction']);
+    expect(fields({ ...defaults, friction: 0.3 })).toEqual(['loss_time', 'speed', 'friction', 'angle', 'spin']);
+    const pair = { ...defaults, encounter: withAgainst(defaults.encounter, 'same'), friction: 0.3, spin2: 1 };
+    expect(fields(pair)).toEqual(['speed', 'friction', 'angle', 'spin', 'spin2']);
+    expect(motionOf(pair).spin2).toBe(1);
+    expect(motionOf({ ...pair, encounter: defaults.encounter }).spin2).toBe(0);
+    const rod = { ...pair, encounter: withKind(pair.encounter, 'rod') };
+    expect(fieldsOf(rod).at(-1)).toBe('speed');
+    expect(motionOf(rod)).toEqual({ speed: 0.1, friction: 0, angle: 0, spin: 0, spin2: 0 });
+  });
+  it.each([['friction', '6', 'Friction: got 6, allowed 0 to 5'], ['angle', '90', 'Angle: got 90, allowed -90 to 90'],
+    ['angle', '89', 'Angle: got 5.729'], ['spin', '2', 'Spin: got 2, allowed -1 to 1']] as [Field, string, string][])(
+    'refuses %s %s', (field, text, line) =>
+      expect(problem({ ...defaults, friction: 0.3 }, field, text)).toContain(line));
+  it('keeps spins when units change', () => {
+    const si = withSi({ ...defaults, friction: 0.3, spin: 0.1 });
+    expect(si.spin).toBeCloseTo((0.1 * barSpeed(si.encounter)) / 0.01, -1);
+    expect(withoutSi(si).spin).toBeCloseTo(0.1, 5);
   });
 });
 

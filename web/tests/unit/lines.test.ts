@@ -1,6 +1,7 @@
 import { describe, expect, it } from 'vitest';
-import { commandLine, curveCsv, pythonLines, version } from '../../src/inputs/lines';
-import { cases } from './cases';
+import { defaults } from '../../src/inputs/inputs';
+import { commandLine, curveCsv, pythonLines, ruleLine, version } from '../../src/inputs/lines';
+import { cases, obliqueCases } from './cases';
 
 const lines = cases.map(({ encounter, speed }) => commandLine(encounter, speed));
 
@@ -12,6 +13,14 @@ describe('the command line', () => {
     expect(lines[6]).toBe(
       'stoss restitution --body rod --against rod,young=1,density=3,length=2.5,area=0.5 --speed 0.1');
   });
+  it('is that of the collision rule where there is friction', () => {
+    expect(ruleLine(defaults)).toBe(lines[0]);
+    expect(ruleLine(obliqueCases[1]!)).toBe('stoss oblique --poisson 0.33 --against ' +
+      'disk,poisson=0.2,young=2,density=3,radius=0.5 --speed 0.1 --angle -20 --friction 0.2 ' +
+      '--spin 0.05 --second-spin -0.1');
+    expect(pythonLines(obliqueCases[2]!).trimEnd().split('\n').at(-1)).toBe(
+      'print(stoss.oblique(sphere, speed=0.01, angle=70, friction=1, spin=-0.02))');
+  });
   it('needs no quoting in a shell', () => {
     for (const line of lines) expect(line).toMatch(/^[a-zA-Z0-9 .,=_-]+$/);
   });
@@ -20,7 +29,7 @@ describe('the command line', () => {
 describe('the Python lines', () => {
   it('name a known material', () => {
     const { encounter, speed } = cases[10]!;
-    expect(pythonLines(encounter, speed)).toBe(
+    expect(pythonLines({ ...defaults, encounter, speed })).toBe(
       [
         'import stoss', '', 'sphere = stoss.Sphere(radius=0.005, material=stoss.materials["bearing steel"])',
         'block = stoss.HalfSpace(material=stoss.materials["glass"])',

@@ -1,13 +1,14 @@
 import { describe, expect, it, vi } from 'vitest';
 import {
-  type Asking, type Collision, type Core, CoreError, type Encounter, type Restitution,
+  type Asking, type Collision, type Core, CoreError, type Encounter, type Motion, type Restitution,
 } from '../../src/core/protocol';
 import { createCurves } from '../../src/page/curves';
 import { createSession } from '../../src/page/session';
-import { defaults } from '../../src/inputs/inputs';
+import { defaults, motionOf } from '../../src/inputs/inputs';
 
 const { encounter } = defaults;
 const hopeless = 0.9;
+const at = (speed: number): Motion => motionOf({ ...defaults, speed });
 
 interface Given {
   speed: number;
@@ -40,6 +41,14 @@ function core(time: number, log: string[], refuse = NaN): Core {
       log.push(`collision ${speed} ${cutoff}`);
       return later({} as Collision, signal);
     },
+    async oblique({ speed, tolerance }, { signal }) {
+      log.push(`oblique ${speed} ${tolerance}`);
+      return later({ speed, cutoff: 16 } as Restitution, signal);
+    },
+    async obliqueCollision({ speed, cutoff }, { signal }) {
+      log.push(`collision ${speed} ${cutoff}`);
+      return later({ across: new Float64Array() }, signal);
+    },
     async curve({ speeds }, { deliver, signal }) {
       log.push(`curve of ${speeds.length}`);
       for (const [index, speed] of speeds.entries()) {
@@ -58,6 +67,7 @@ function audience(log: string[]) {
     first: (_: Encounter, result: Restitution) => void log.push(`first ${result.speed}`),
     final: (_: Encounter, result: Restitution) => void log.push(`final ${result.speed}`),
     collision: () => void log.push('shown'),
+    oblique: () => void log.push('shown oblique'),
     failed: (line: string, refused: boolean) => void log.push(`failed ${line} ${refused}`),
   };
 }
@@ -66,14 +76,21 @@ describe('a session', () => {
   it('computes the first value, the accurate one, then the collision', async () => {
     vi.useFakeTimers();
     const log: string[] = [];
-    createSession(core(10, log), audience(log))(encounter, 0.1);
+    createSession(core(10, log), audience(log))(encounter, at(0.1));
     await vi.runAllTimersAsync();
     expect(log).toEqual(['0.1 0.01', 'first 0.1', '0.1 0.001', 'final 0.1', 'collision 0.1 45', 'shown']);
+  });
+  it('with friction asks for the collision rule once', async () => {
+    vi.useFakeTimers();
+    const log: string[] = [];
+    createSession(core(10, log), audience(log))(encounter, motionOf({ ...defaults, friction: 0.3 }));
+    await vi.runAllTimersAsync();
+    expect(log).toEqual(['oblique 0.1 0.01', 'first 0.1', 'final 0.1', 'collision 0.1 16', 'shown oblique']);
   });
   it('says why there is no collision', async () => {
     vi.useFakeTimers();
     const log: string[] = [];
-    createSession(core(10, log), audience(log))(encounter, hopeless);
+    createSession(core(10, log), audience(log))(encounter, at(hopeless));
     await vi.runAllTimersAsync();
     expect(log.slice(-2)).toEqual([`final ${hopeless}`, 'failed no impact ends true']);
   });
@@ -82,7 +99,7 @@ describe('a session', () => {
     const log: string[] = [];
     const run = createSession(core(30, log), audience(log));
     for (const speed of [1, 2, 3, 4, 5]) {
-      run(encounter, speed);
+      run(encounter, at(speed));
       await vi.advanceTimersByTimeAsync(16);
     }
     await vi.runAllTimersAsync();
@@ -94,9 +111,9 @@ describe('a session', () => {
     vi.useFakeTimers();
     const log: string[] = [];
     const run = createSession(core(5000, log), audience(log));
-    run(encounter, 1);
+    run(encounter, at(1));
     await vi.advanceTimersByTimeAsync(10);
-    run(encounter, 2);
+    run(encounter, at(2));
     await vi.runAllTimersAsync();
     expect(log.slice(0, 4)).toEqual(['1 0.01', 'aborted', '2 0.01', 'first 2']);
   });
@@ -104,9 +121,9 @@ describe('a session', () => {
     vi.useFakeTimers();
     const log: string[] = [];
     const run = createSession(core(10, log, 7), audience(log));
-    run(encounter, 7);
+    run(encounter, at(7));
     await vi.runAllTimersAsync();
-    run(encounter, 1);
+    run(encounter, at(1));
     await vi.runAllTimersAsync();
     expect(log.slice(0, 2)).toEqual(['7 0.01', 'failed speed: got 7 true']);
     expect(log.at(-1)).toBe('shown');

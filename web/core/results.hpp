@@ -1,0 +1,49 @@
+#pragma once
+
+#include <string>
+#include <variant>
+
+#include "questions.hpp"
+#include "stoss/impact/impact.hpp"
+#include "stoss/quantity.hpp"
+
+/// What the page gets of a result.
+namespace stoss::web {
+
+/// Adds what is a number, by the names of the command: with a material in units of the first body and in SI.
+template <typename Result>
+void add(emscripten::val& all, const Meeting& meeting, const Quantities<Result>& quantities, const Result& result) {
+  using emscripten::val;
+  for (const auto& each : quantities) {
+    const Value value = each.value(result);
+    const auto* real = std::get_if<double>(&value);
+    const auto* count = std::get_if<long>(&value);
+    if (real == nullptr && count == nullptr) continue;
+    const double number = real != nullptr ? *real : static_cast<double>(*count);
+    const auto put = [&](const std::string& name, UnitSystem system, double unit) {
+      val made = object({{"value", val(number * unit)}, {"unit", val(std::string(unit_name(each.dimension, system)))}});
+      if (each.error) made.set("error", each.error(result) * unit);
+      all.set(name, made);
+    };
+    put(each.name, kind(meeting.encounter.first.kind).own, 1.0);
+    if (!meeting.si || each.dimension == Dimension::none || each.name == "cutoff") continue;
+    put(each.name + "_si", unit_system(meeting.encounter), meeting.unit(each.dimension));
+  }
+}
+
+/// Restitution of the protocol. @param speed as the page gave it @param finest impact of the result
+template <typename Result>
+emscripten::val answer(const Meeting& meeting, double speed, const emscripten::val& quantities, const Result& result,
+                       const Impact& finest) {
+  using emscripten::val;
+  val made = object({{"speed", val(speed)},
+                     {"quantities", quantities},
+                     {"converged", val(result.converged)},
+                     {"reason", val(result.reason)},
+                     {"cutoff", val(finest.cutoff)},
+                     {"beyondSmallStrain", val(finest.beyond_small_strain)}});
+  if (const auto yield = yield_speed(meeting.encounter)) made.set("yieldSpeed", *yield);
+  return made;
+}
+
+}  // namespace stoss::web

@@ -1,0 +1,85 @@
+// The chart of ε_t and ε against the angle: points fill in, a reader picks an angle.
+
+import * as Plot from '@observablehq/plot';
+import { least } from 'd3-array';
+import type { AnglePoint } from '../core/protocol';
+import { withError, written } from '../drawing/numbers';
+import { type Drawn, draw, drawLegend } from '../drawing/plot';
+import { look, type Theme } from '../drawing/theme';
+import { createPicker } from './picker';
+
+/** What is drawn of a point, with its error. */
+const CURVES: { label: string; of: (point: AnglePoint) => [value: number, error: number] }[] = [
+  { label: 'εₜ along the surface', of: (point) => [point.tangential, point.tangentialError] },
+  { label: 'ε along the normal', of: (point) => [point.restitution, point.error] },
+];
+
+const UNKNOWN = 0.5; // the error of ε_t where hardly anything slides
+
+function inWords(point: AnglePoint): string {
+  const [tangential, normal] = CURVES.map(({ of }) => withError(...of(point)));
+  return `${written(point.angle, 3)}°: εₜ = ${tangential}, ε = ${normal}`;
+}
+
+/** Makes an empty chart in an element; `pick` gets an angle that a reader has picked. */
+export function createAngleChart(host: HTMLElement, pick: (angle: number) => void) {
+  let points: readonly AnglePoint[] = [];
+  let current: AnglePoint | undefined;
+  const axis = () => {
+    const both = [...points, ...(current ? [current] : [])].some(({ angle }) => angle < 0);
+    return { low: both ? -90 : 0, high: 90, log: false, at: current?.angle };
+  };
+  const { update, picture } = createPicker(host, {
+    title: 'ε and εₜ against the angle',
+    label: 'Angle, picked on the chart of ε and εₜ',
+    words: () => (current ? inWords(current) : ''),
+    draw: drawAngles,
+    axis,
+    rounded: (angle) => Math.min(89, Math.max(-89, Math.round(angle))),
+    note(pointed) {
+      const near = pointed === undefined ? current : least(points, ({ angle }) => Math.abs(angle - pointed));
+      return near && inWords(near);
+    },
+  }, pick);
+
+  function drawAngles(width: number, theme: Theme): Drawn[] {
+    const x = 'angle';
+    const marks = CURVES.flatMap(({ of }, n) => {
+      const { color, dash, marker: symbol } = look(n, theme);
+      const known = points.filter((point) => of(point)[1] < UNKNOWN).sort((a, b) => a.angle - b.angle);
+      const at = (deviation: number) => (point: AnglePoint): number => of(point)[0] + deviation * of(point)[1];
+      const style = { x, stroke: color, clip: true };
+      return [
+        Plot.line(known, { ...style, y: at(0), strokeWidth: 1.6, strokeDasharray: dash.join(' ') }),
+        Plot.ruleX(known, { ...style, y1: at(-1), y2: at(1), strokeWidth: 1.1, marker: 'tick' }),
+        Plot.dot(known, { ...style, y: at(0), symbol, r: 2.8,
+          fill: ({ converged }: AnglePoint) => (converged ? color : theme.background) }),
+        current ? Plot.dot([current], { x, y: at(0), r: 6, stroke: theme.text, strokeWidth: 2, clip: true }) : null,
+      ];
+    });
+    const chart = draw({
+      width, height: Math.min(340, Math.max(220, 0.5 * width)),
+      x: { ...axis(), label: 'angle from the normal, degrees' },
+      y: { low: -1.05, high: 1.05, log: false, label: 'coefficients of restitution' },
+      marks: [
+        Plot.ruleX(current ? [current.angle] : [], { stroke: theme.text, strokeDasharray: '3 3', opacity: 0.6 }),
+        Plot.ruleY([0], { stroke: theme.muted }), ...marks,
+      ],
+    }, theme);
+    return [chart, drawLegend(CURVES.map(({ label }, n) => ({ label, ...look(n, theme) })), width, theme)];
+  }
+
+  return {
+    /** Shows points in any order. */
+    setPoints(next: readonly AnglePoint[]): void {
+      points = next;
+      update();
+    },
+    /** Shows the point that the inputs stand for. */
+    setCurrent(next: AnglePoint): void {
+      current = next;
+      update();
+    },
+    picture,
+  };
+}

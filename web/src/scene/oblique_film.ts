@@ -1,0 +1,163 @@
+// The film of an oblique collision: rigid bodies on their ways in and out, and what sticks and slips where they touch.
+
+import { extent } from 'd3-array';
+import type { Encounter, Motion, ObliqueCollision } from '../core/protocol';
+import { significant, written } from '../drawing/numbers';
+import type { Theme } from '../drawing/theme';
+import { sizesOf } from '../inputs/document';
+import { filmSpan } from './film';
+import { drawStrip, GRIPS, sharesAt, stripOf } from './grip_strip';
+import { describe, phaseAt, slowness, timeInWords } from './phases';
+import type { Film } from './player';
+import { motionMagnification, type Place, placesIn } from './rigid';
+
+const BEFORE = 0.7; // of the time of contact
+const AFTER = 0.9;
+const HEAD = 26;
+const BODIES = 290; // height of their picture beside the strip, and above it
+const ABOVE = 230;
+const STRIP = 190;
+const WIDE = 560;
+const LARGEST = 2.5; // of a second body in the picture, in radii of the first
+const GROUND = 0.35;
+
+const isWide = (width: number): boolean => width >= WIDE;
+
+/** The angles to the normal at which bodies come and go, in words. */
+function anglesOf({ angle }: Motion, { velocity, tangential }: ObliqueCollision): string {
+  const after = (180 / Math.PI) * Math.atan2(tangential.at(-1)!, -velocity.at(-1)!);
+  return `in at ${written(angle, 3)}°, out at ${written(after, 3)}°`;
+}
+
+/** The contact at a time, in words. */
+export function gripInWords(collision: ObliqueCollision, time: number): string {
+  const shares = sharesAt(collision, time);
+  return GRIPS.filter(([grip]) => shares.has(grip))
+    .map(([grip, words]) => `${Math.round(100 * shares.get(grip)!)} % ${words}`).join(', ');
+}
+
+/** The film of a collision. */
+export function filmOf(encounter: Encounter, motion: Motion, collision: ObliqueCollision): Film {
+  const { begin, end, units } = collision;
+  const { from, to } = filmSpan(begin, end, BEFORE, AFTER);
+  const radii = sizesOf(encounter).slice(0, collision.bodies.length);
+  const magnification = motionMagnification(collision, radii, from, to);
+  const places = placesIn(collision, radii, magnification);
+  const words = anglesOf(motion, collision);
+  let strip: { dark: boolean; image: HTMLCanvasElement } | undefined;
+  const drawn = (magnification === 1 ? '' : ` Motion is drawn × ${significant(magnification, 3)}.`) +
+    (radii.length > 1 ? ' Seen from the common centre of mass.' : '');
+  return {
+    from, to, still: 0.5 * (begin + end),
+    describe: (time) => [describe(collision, time), gripInWords(collision, time), words].filter(Boolean).join('; '),
+    said: (time) => `${timeInWords(collision, time)}, ${phaseAt(collision, time)}`,
+    note: (seconds) => slowness(to - from, units.time, seconds) + drawn,
+    height: (width) => (isWide(width) ? BODIES : ABOVE + STRIP),
+    draw(canvas, width, density, time, theme): void {
+      const context = canvas.getContext('2d')!;
+      context.setTransform(density, 0, 0, density, 0, 0);
+      context.fillStyle = theme.background;
+      context.fillRect(0, 0, width, isWide(width) ? BODIES : ABOVE + STRIP);
+      const share = isWide(width) ? Math.round(0.56 * width) : width;
+      const height = isWide(width) ? BODIES : ABOVE;
+      drawWays(context, { width: share, height }, radii, places, [from, time, to], theme);
+      context.font = '13px system-ui, sans-serif';
+      context.fillStyle = theme.text;
+      context.textAlign = 'left';
+      context.fillText(`t = ${timeInWords(collision, time)}, ${phaseAt(collision, time)}`, 4, 16);
+      context.textAlign = 'right';
+      context.fillStyle = theme.muted;
+      context.fillText(words, share - 4, 16);
+      if (strip?.dark !== theme.dark) strip = { dark: theme.dark, image: stripOf(collision, theme) };
+      drawStrip(context, isWide(width) ? { x: share + 8, y: 0, width: width - share - 8, height: BODIES }
+        : { x: 0, y: ABOVE, width, height: STRIP }, collision, strip.image, time, theme);
+    },
+  };
+}
+
+/** Draws bodies at a time, with the ways of their centres from the first to the last. */
+function drawWays(
+  context: CanvasRenderingContext2D, size: { width: number; height: number }, radii: number[],
+  places: (time: number) => Place[], [from, time, to]: [number, number, number], theme: Theme,
+): void {
+  const instants = Array.from({ length: 121 }, (_, k) => places(from + ((to - from) * k) / 120));
+  const shown = instants.flat().map((each, n) => ({ ...each, radius: radii[n % radii.length]! }))
+    .filter(({ radius }) => radius <= LARGEST);
+  const [left = -2, right = 0] = extent(shown.flatMap(({ x, radius }) => [x - radius, x + radius]));
+  const [low = -1, high = 1] = extent(shown.flatMap(({ y, radius }) => [y - radius, y + radius]));
+  const wall = radii.length === 1;
+  const end = Math.max(right, wall ? GROUND : Math.min(radii[1]!, LARGEST));
+  const scale = Math.min((size.width - 16) / (end - left), (size.height - HEAD - 16) / (high - low));
+  const origin = {
+    x: (size.width - scale * (end + left)) / 2, y: HEAD + (size.height - HEAD - 16 + scale * (high + low)) / 2,
+  };
+  const at = ({ x, y }: { x: number; y: number }): [number, number] => [origin.x + scale * x, origin.y - scale * y];
+  context.save();
+  context.beginPath();
+  context.rect(0, HEAD - 4, size.width, size.height - HEAD - 12);
+  context.clip();
+  if (wall) {
+    context.fillStyle = theme.panel;
+    context.fillRect(origin.x, 0, scale * GROUND, size.height);
+    context.fillStyle = theme.text;
+    context.fillRect(origin.x - 0.8, 0, 1.6, size.height);
+  }
+  context.setLineDash([2, 4]); // the normal
+  context.beginPath();
+  context.moveTo(0, origin.y);
+  context.lineTo(size.width, origin.y);
+  context.strokeStyle = theme.muted;
+  context.lineWidth = 1;
+  context.stroke();
+  context.setLineDash([]);
+  places(time).forEach((place, n) => {
+    drawBody(context, at(place), scale * radii[n]!, place.angle, theme);
+    drawWay(context, instants.map((each) => at(each[n]!)), theme);
+  });
+  context.restore();
+}
+
+/** Draws a round body whose turning is seen. @param angle counterclockwise */
+export function drawBody(
+  context: CanvasRenderingContext2D, [x, y]: [number, number], radius: number, angle: number, theme: Theme,
+): void {
+  context.beginPath();
+  context.arc(x, y, radius, 0, 2 * Math.PI);
+  context.fillStyle = theme.panel;
+  context.fill();
+  context.globalAlpha = 0.3;
+  context.fillStyle = theme.accent;
+  for (const begin of [-angle, Math.PI - angle]) {
+    context.beginPath();
+    context.moveTo(x, y);
+    context.arc(x, y, radius, begin, begin + Math.PI / 2);
+    context.fill();
+  }
+  context.globalAlpha = 1;
+  context.beginPath();
+  context.arc(x, y, radius, 0, 2 * Math.PI);
+  context.strokeStyle = theme.text;
+  context.lineWidth = 1.6;
+  context.stroke();
+}
+
+const BARB = 7; // pixels of an arrow
+
+/** Draws the way of a centre, with an arrow where it goes; none of what hardly moves. */
+export function drawWay(
+  context: CanvasRenderingContext2D, way: [number, number][], theme: Theme, color = theme.accent,
+): void {
+  const [begin, [x, y]] = [way[0]!, way.at(-1)!];
+  if (way.every(([a, b]) => Math.hypot(a - begin[0], b - begin[1]) < 2)) return;
+  const [fromX, fromY] = way.at(-9) ?? begin;
+  const course = Math.atan2(y - fromY, x - fromX);
+  context.beginPath();
+  way.forEach(([a, b], k) => (k === 0 ? context.moveTo(a, b) : context.lineTo(a, b)));
+  for (const side of [-0.45, 0.45]) {
+    context.moveTo(x, y);
+    context.lineTo(x - BARB * Math.cos(course + side), y - BARB * Math.sin(course + side));
+  }
+  context.strokeStyle = color;
+  context.lineWidth = 1.6;
+  context.stroke();
+}
