@@ -21,6 +21,7 @@ namespace {
 constexpr int rungs = 2;        // to the next run
 constexpr int last_level = 14;  // cutoff 64 at a wall
 constexpr int last_level_of_unstable = 4;
+constexpr int last_level_of_too_fine = 8;
 
 /// Highest level at which whole bodies are computed: the near side of a disk is much less accurate along its edge.
 int highest_level_of(const RefinableContact& contact, double stretch, const Poll& poll) {
@@ -50,6 +51,9 @@ ObliquePlan plan_of(const Contact& contact, double speed, const std::vector<Obli
   const std::vector<Contact> along = contacts_along(contact, poll);
   plan.mixing = along.size() > 1;
   plan.softness = touch(along.front()).softness / touch(contact).softness;
+  // Measured; one obliquity where directions mix. With less friction, more points slide outward at their limit.
+  constexpr double strength = 0.1, greatest_scatter = 1.5;
+  plan.scatter = std::min(greatest_scatter, strength * mixing(along) / most);
   plan.unstable = most > stable_friction(along);
   return plan;
 }
@@ -78,8 +82,9 @@ void refine(const RefinableContact& contact, const ObliqueOptions& options, std:
     }
     return impacts;
   };
-  const int highest =
-      std::min(highest_level_of(contact, stretch, options.poll), plan.unstable ? last_level_of_unstable : last_level);
+  const int of_stable = plan.mixing && plan.too_fine() ? last_level_of_too_fine : last_level;
+  const int asked = plan.unstable ? last_level_of_unstable : of_stable;
+  const int highest = std::min(highest_level_of(contact, stretch, options.poll), asked);
   for (int level = 0; level <= highest && !open.empty(); level += rungs) {
     std::vector<ObliqueImpact> impacts;
     try {
