@@ -50,10 +50,12 @@ ObliquePlan plan_of(const Contact& contact, double speed, const std::vector<Obli
   if (most == 0.0) return plan;
   const std::vector<Contact> along = contacts_along(contact, poll);
   plan.mixing = along.size() > 1;
-  plan.softness = touch(along.front()).softness / touch(contact).softness;
-  // Measured; one obliquity where directions mix. With less friction, more points slide outward at their limit.
-  constexpr double strength = 0.1, greatest_scatter = 1.5;
-  plan.scatter = std::min(greatest_scatter, strength * mixing(along) / most);
+  plan.spacing = touch(along.front()).softness / touch(contact).softness;
+  if (plan.mixing) {  // measured; one obliquity. With less friction more points slide outward at their limit.
+    constexpr double of_spacing = 0.3, of_places = 0.1, most_of_places = 1.5;
+    plan.spacing *= of_spacing;
+    plan.places = std::min(most_of_places, of_places * mixing(along) / most);
+  }
   plan.unstable = most > stable_friction(along);
   return plan;
 }

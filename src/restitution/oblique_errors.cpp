@@ -19,13 +19,13 @@ constexpr std::size_t three_runs = 3;  // two that agree by chance say nothing
 /// What a number of points across the contact leaves open of s′/μv: the square of their spacing, and where directions
 /// mix what it matters between which two of them the sign of friction changes.
 double error_of_points(const ObliquePlan& plan, double points) {
-  return std::max(plan.softness / (points * points), plan.scatter / (points * std::sqrt(points)));
+  return std::max(plan.spacing / (points * points), plan.places / (points * std::sqrt(points)));
 }
 
 /// Points that leave less open than is allowed.
 double wanted_points(const ObliquePlan& plan) {
   const double share = plan.mixing ? 0.8 : 0.9, error = share * plan.allowed;
-  return std::max(std::sqrt(plan.softness / error), std::pow(plan.scatter / error, 2.0 / 3.0));
+  return std::max(std::sqrt(plan.spacing / error), std::pow(plan.places / error, 2.0 / 3.0));
 }
 
 double most_points(const ObliquePlan& plan) { return plan.mixing ? 112.0 : 256.0; }

@@ -8,8 +8,8 @@ namespace stoss {
 /// What the runs of an oblique impact must resolve, and what their differences mean.
 struct ObliquePlan {
   bool mixing = false;    ///< both directions act on each other
-  double softness = 1.0;  ///< 1/κ, along the surface over that along the normal
-  double scatter = 0.0;   ///< of s′/μv with the places of points, times the power 3/2 of their number
+  double spacing = 1.0;   ///< error of s′/μv by the spacing of n points, times n²
+  double places = 0.0;    ///< by their places, times n^{3/2}
   double allowed = 1.0;   ///< error of s′/μv that is wanted
   bool unstable = false;  ///< friction above stable_friction
 
