@@ -52,7 +52,7 @@ ObliquePlan plan_of(const Contact& contact, double speed, const std::vector<Obli
   plan.mixing = along.size() > 1;
   plan.spacing = touch(along.front()).softness / touch(contact).softness;
   if (plan.mixing) {  // measured; one obliquity. With less friction more points slide outward at their limit.
-    constexpr double of_spacing = 0.3, of_places = 0.1, most_of_places = 1.5;
+    constexpr double of_spacing = 0.1, of_places = 0.1, most_of_places = 1.5;
     plan.spacing *= of_spacing;
     plan.places = std::min(most_of_places, of_places * mixing(along) / most);
   }
