@@ -22,6 +22,7 @@ namespace {
 constexpr int rungs = 2;        // to the next run
 constexpr int last_level = 14;  // cutoff 64 at a wall
 constexpr int last_level_of_unstable = 4;
+constexpr int last_level_of_too_fine = 8;
 
 /// Highest level at which whole bodies are computed: the near side of a disk is much less accurate along its edge.
 int highest_level_of(const RefinableContact& contact, double stretch, const Poll& poll) {
@@ -50,7 +51,12 @@ ObliquePlan plan_of(const Contact& contact, double speed, const std::vector<Obli
   if (most == 0.0) return plan;
   const std::vector<Contact> along = contacts_along(contact, poll);
   plan.mixing = along.size() > 1;
-  plan.softness = touch(along.front()).softness / touch(contact).softness;
+  plan.spacing = touch(along.front()).softness / touch(contact).softness;
+  if (plan.mixing) {  // measured; one obliquity. With less friction more points slide outward at their limit.
+    constexpr double of_spacing = 0.1, of_places = 0.1, most_of_places = 1.5;
+    plan.spacing *= of_spacing;
+    plan.places = std::min(most_of_places, of_places * mixing(along) / most);
+  }
   plan.unstable = most > stable_friction(along);
   return plan;
 }
@@ -79,8 +85,9 @@ void refine(const RefinableContact& contact, const ObliqueOptions& options, std:
     }
     return impacts;
   };
-  const int highest =
-      std::min(highest_level_of(contact, stretch, options.poll), plan.unstable ? last_level_of_unstable : last_level);
+  const int of_stable = plan.mixing && plan.too_fine() ? last_level_of_too_fine : last_level;
+  const int asked = plan.unstable ? last_level_of_unstable : of_stable;
+  const int highest = std::min(highest_level_of(contact, stretch, options.poll), asked);
   for (int level = 0; level <= highest && !open.empty(); level += rungs) {
     std::vector<ObliqueImpact> impacts;
     try {

@@ -16,17 +16,19 @@ namespace {
 constexpr double no_estimate = std::numeric_limits<double>::infinity();
 constexpr std::size_t three_runs = 3;  // two that agree by chance say nothing
 
-/// What a number of points across the contact leaves open of s′/μv.
+/// What a number of points across the contact leaves open of s′/μv: the square of their spacing, and where directions
+/// mix what it matters between which two of them the sign of friction changes.
 double error_of_points(const ObliquePlan& plan, double points) {
-  return plan.mixing ? 0.8 / (points * std::sqrt(points)) : plan.softness / (points * points);
+  return std::max(plan.spacing / (points * points), plan.places / (points * std::sqrt(points)));
 }
 
 /// Points that leave less open than is allowed.
-double needed_points(const ObliquePlan& plan) {
-  constexpr double share = 0.9, most = 96.0;
-  const double error = share * plan.allowed;
-  return std::min(plan.mixing ? std::pow(0.8 / error, 2.0 / 3.0) : std::sqrt(plan.softness / error), most);
+double wanted_points(const ObliquePlan& plan) {
+  const double share = plan.mixing ? 0.8 : 0.9, error = share * plan.allowed;
+  return std::max(std::sqrt(plan.spacing / error), std::pow(plan.places / error, 2.0 / 3.0));
 }
+
+double most_points(const ObliquePlan& plan) { return plan.mixing ? 112.0 : 256.0; }
 
 ObliqueRun summary(const ObliqueImpact& impact) {
   return {.cutoff = impact.normal.cutoff,
@@ -43,17 +45,20 @@ ObliqueRun summary(const ObliqueImpact& impact) {
           .steps = impact.normal.steps};
 }
 
-/// Error of the last run by its differences from the two before it, each scaled to what is left of it.
+/// Error of the last run by its differences from all before it, each scaled to what is left of it. That s′ changes
+/// little between three of them may be chance: where friction changes its sign it goes up and down.
 double spread(const ObliquePlan& plan, const std::vector<ObliqueRun>& runs, double ObliqueRun::*quantity) {
   if (plan.unstable || runs.size() < 2) return no_estimate;
-  const double order = plan.mixing ? 1.0 : 1.4;
+  const double of_normal = quantity == &ObliqueRun::restitution ? 2.0 : 1.0, order = plan.mixing ? of_normal : 1.4;
   const ObliqueRun& last = runs.back();
   double greatest = 0.0;
-  for (std::size_t k = runs.size() - std::min(runs.size(), three_runs); k < runs.size(); ++k) {
-    const double left = std::pow(runs[k].cutoff / last.cutoff, order) * std::abs(runs[k].*quantity - last.*quantity);
+  for (const ObliqueRun& run : runs) {
+    const double left = std::pow(run.cutoff / last.cutoff, order) * std::abs(run.*quantity - last.*quantity);
     greatest = std::max(greatest, left);
   }
-  return (runs.size() > three_runs ? 3.0 : 5.0) * greatest;
+  const bool few = runs.size() <= three_runs;
+  if (plan.mixing) return (few ? 4.0 : 2.5) * greatest;
+  return (few ? 5.0 : 3.0) * greatest;
 }
 
 /// Of the error of s′.
@@ -71,14 +76,19 @@ std::string rounded_up(double x) {
 
 }  // namespace
 
+bool ObliquePlan::too_fine() const { return wanted_points(*this) > most_points(*this); }
+
 Resolution ObliquePlan::resolution(const Contact& contact, double speed, double half_width, int level) const {
   Resolution resolution = refined_resolution(contact, speed, half_width);
   if (mixing) resolution.step = 0.5 * *resolution.step;
   const double cutoff = contact.cutoff * time_scale(contact);
   const double usual = mixing ? 7.0 * std::sqrt(cutoff) : 40.0 * std::pow(cutoff / 32.0, 0.7);
   const double nyquist = 1.02 * nyquist_nodes(contact, *resolution.half_width);
-  resolution.nodes =
-      static_cast<int>(std::lround(std::max({usual, needed_points(*this) + level, 16.0 + level, nyquist})));
+  // The first run shows how wide the contact is. Where directions mix, time grows with the cube of the points.
+  const double of_first = mixing ? 0.8 : 1.0, where_too_fine = mixing ? 64.0 : most_points(*this);
+  const double least = 16.0 + level, needed = (too_fine() ? where_too_fine : wanted_points(*this)) + level;
+  const double wanted = std::max(usual, level == 0 ? of_first * needed : needed);
+  resolution.nodes = static_cast<int>(std::lround(std::max({wanted, least, nyquist})));
   return resolution;
 }
 
@@ -128,9 +138,11 @@ void give_up(const ObliquePlan& plan, ObliqueRestitution& result) {
           "at such friction between unlike bodies waves of any length grow, and nothing has a limit (the "
           "values are those of the finest run)";
     } else if (result.reason.empty()) {
-      result.reason = "the tolerance asks for a higher cutoff than " +
-                      std::to_string(std::lround(result.runs.back().cutoff)) + " (use a larger tolerance, from " +
-                      rounded_up(result.sliding_after.error / scale_of(result)) + ")";
+      result.reason =
+          "the tolerance asks for " +
+          (plan.too_fine() ? "more points across the contact than are computed"
+                           : "a higher cutoff than " + std::to_string(std::lround(result.runs.back().cutoff))) +
+          " (use a larger tolerance, from " + rounded_up(result.sliding_after.error / scale_of(result)) + ")";
     }
     return;
   }

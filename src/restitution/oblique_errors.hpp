@@ -8,9 +8,13 @@ namespace stoss {
 /// What the runs of an oblique impact must resolve, and what their differences mean.
 struct ObliquePlan {
   bool mixing = false;    ///< both directions act on each other
-  double softness = 1.0;  ///< 1/κ, along the surface over that along the normal
+  double spacing = 1.0;   ///< error of s′/μv by the spacing of n points, times n²
+  double places = 0.0;    ///< by their places, times n^{3/2}
   double allowed = 1.0;   ///< error of s′/μv that is wanted
   bool unstable = false;  ///< friction above stable_friction
+
+  /// Whether it asks for more points across the contact than are computed.
+  [[nodiscard]] bool too_fine() const;
 
   /// Cutoff, step and points, refined together. The number of points differs in every run, so that two runs do not err
   /// alike. @param half_width of the contact in a coarser run, or 0

@@ -1,6 +1,8 @@
 #include "contact/edge/varying_compliance.hpp"
 
+#include <algorithm>
 #include <cstddef>
+#include <iterator>
 #include <utility>
 
 namespace stoss {
@@ -43,34 +45,68 @@ void VaryingCompliance::assign(MatrixXd matrix) {
   edge_.clear();
 }
 
+/// Chooses the nodes that are factored: of the rigid ones those with two more behind them. The edge goes to and fro.
+void VaryingCompliance::factor(const Nodes& nodes, const std::vector<bool>& rigid) {
+  rigid_.clear();
+  for (const Index i : nodes) {
+    const auto k = static_cast<std::size_t>(i);
+    if (rigid[k] && (k + 2 >= rigid.size() || (rigid[k + 1] && rigid[k + 2]))) rigid_.push_back(i);
+  }
+  if (!rigid_.empty()) factors_.compute(block_of(matrix_, rigid_, rigid_));
+}
+
+/// Adds nodes to those of the edge, which are kept as long as the factors are: they come and go.
+void VaryingCompliance::join(const Nodes& edge) {
+  Nodes all;
+  std::set_union(edge_.begin(), edge_.end(), edge.begin(), edge.end(), std::back_inserter(all));
+  edge_ = std::move(all);
+  to_edge_ = block_of(matrix_, edge_, rigid_);
+  edge_self_ = block_of(matrix_, edge_, edge_);
+  from_edge_ = block_of(matrix_, rigid_, edge_);
+  if (rigid_.empty() || edge_.empty()) return;
+  from_edge_ = factors_.solve(from_edge_).eval();
+  edge_self_.noalias() -= to_edge_ * from_edge_;
+}
+
 bool VaryingCompliance::solve(const Nodes& nodes, const VectorXd& diagonal, VectorXd& x) {
-  Nodes rigid, edge, rigid_place, edge_place;
-  for (Index k = 0; k < x.size(); ++k) {
-    const bool stiff = diagonal(k) == 0.0;
-    (stiff ? rigid : edge).push_back(nodes[static_cast<std::size_t>(k)]);
-    (stiff ? rigid_place : edge_place).push_back(k);
+  std::vector<bool> rigid(static_cast<std::size_t>(matrix_.rows()));
+  std::size_t soft = 0;
+  for (std::size_t k = 0; k < nodes.size(); ++k) {
+    const bool its = diagonal(static_cast<Index>(k)) == 0.0;
+    rigid[static_cast<std::size_t>(nodes[k])] = its;
+    if (!its) ++soft;
   }
-  const bool same = rigid == rigid_;
-  if (!same && !rigid.empty()) factors_.compute(block_of(matrix_, rigid, rigid));
-  if (!same || edge != edge_) {
-    to_edge_ = block_of(matrix_, edge, rigid);
-    edge_self_ = block_of(matrix_, edge, edge);
-    from_edge_ = block_of(matrix_, rigid, edge);
-    if (!rigid.empty() && !edge.empty()) {
-      from_edge_ = factors_.solve(from_edge_).eval();
-      edge_self_.noalias() -= to_edge_ * from_edge_;
-    }
-    rigid_ = std::move(rigid);
-    edge_ = std::move(edge);
+  // As long as those that are factored are rigid, a few more nodes at the edge cost less than new factors.
+  const std::size_t few = 8 + nodes.size() / 8;
+  const bool same =
+      nodes.size() <= rigid_.size() + soft + few &&
+      std::all_of(rigid_.begin(), rigid_.end(), [&](Index i) { return rigid[static_cast<std::size_t>(i)]; });
+  if (!same) factor(nodes, rigid);
+  Nodes edge, rigid_place, edge_place;
+  for (std::size_t k = 0, r = 0; k < nodes.size(); ++k) {
+    const bool factored = r < rigid_.size() && nodes[k] == rigid_[r];
+    if (factored) ++r;
+    (factored ? rigid_place : edge_place).push_back(static_cast<Index>(k));
+    if (!factored) edge.push_back(nodes[k]);
   }
+  if (!same) edge_.clear();
+  if (!same || !std::includes(edge_.begin(), edge_.end(), edge.begin(), edge.end())) join(edge);
+  // Where each of the edge is among those that were there before.
+  Nodes place;
+  for (const Index i : edge) place.push_back(std::lower_bound(edge_.begin(), edge_.end(), i) - edge_.begin());
+
   VectorXd inside = part_of(x, rigid_place), outside = part_of(x, edge_place);
   if (!rigid_.empty()) inside = factors_.solve(inside).eval();
-  if (!edge_.empty()) {
-    if (!rigid_.empty()) outside.noalias() -= to_edge_ * inside;
-    MatrixXd block = edge_self_;
+  if (!edge.empty()) {
+    if (!rigid_.empty()) outside -= part_of(to_edge_ * inside, place);
+    MatrixXd block = block_of(edge_self_, place, place);
     block.diagonal() += part_of(diagonal, edge_place);
     outside = block.partialPivLu().solve(outside).eval();
-    if (!rigid_.empty()) inside.noalias() -= from_edge_ * outside;
+    if (!rigid_.empty()) {
+      VectorXd all = VectorXd::Zero(size(edge_));
+      put(outside, place, all);
+      inside.noalias() -= from_edge_ * all;
+    }
   }
   put(inside, rigid_place, x);
   put(outside, edge_place, x);
