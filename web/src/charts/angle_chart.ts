@@ -27,7 +27,7 @@ export function createAngleChart(host: HTMLElement, pick: (angle: number) => voi
   let current: AnglePoint | undefined;
   const axis = () => {
     const both = [...points, ...(current ? [current] : [])].some(({ angle }) => angle < 0);
-    return { low: both ? -90 : 0, high: 90, log: false, at: current?.angle };
+    return { low: both ? -90 : 0, high: 90, log: false, at: current?.angle, step: 1 };
   };
   const { update, picture } = createPicker(host, {
     title: 'ε and εₜ against the angle',

@@ -15,8 +15,8 @@ export interface Pickable {
   label: string;
   words(): string;
   draw(width: number, theme: Theme): Drawn[];
-  /** ends of the axis, and where the inputs are on it */
-  axis(): { low: number; high: number; log: boolean; at: number | undefined };
+  /** ends of the axis, where the inputs are on it, and what a key moves them, without it a hundredth */
+  axis(): { low: number; high: number; log: boolean; at: number | undefined; step?: number };
   /** a place as it is picked */
   rounded(place: number): number;
   /** what is below the chart, while the pointer is at some place */
@@ -62,12 +62,12 @@ export function createPicker(host: HTMLElement, of: Pickable, pick: (place: numb
   }
 
   function onKey(event: KeyboardEvent): void {
-    const { low, high, log, at } = of.axis();
-    const [on, from] = log ? [Math.log, Math.exp] : [Number, Number];
+    const { low, high, log, at, step } = of.axis();
+    const [on, off] = log ? [Math.log, Math.exp] : [Number, Number];
     const [first, last] = [on(low), on(high)];
-    const to = keyed(event,
-      { at: at === undefined ? 0.5 * (first + last) : on(at), first, last, step: (last - first) / STEPS });
-    if (to !== undefined) pick(of.rounded(from(to)));
+    const from = at === undefined ? 0.5 * (first + last) : on(at);
+    const to = keyed(event, { at: from, first, last, step: step ?? (last - first) / STEPS });
+    if (to !== undefined) pick(of.rounded(off(to)));
   }
 
   return { update: updateSoon, picture };

@@ -88,6 +88,7 @@ const local: Record<string, (given: Record<string, string>) => unknown> = {
     return { ...units, second: elastic, ...(si ? { modulus: 2.1e11 } : {}) };
   },
   speed: ({ speed }) => speed,
+  motion: () => undefined,
   number({ name, text }) {
     if (!Number.isFinite(Number(text))) throw new CoreError(`${name}: got '${text}'`);
     return Number(text);
