@@ -1,7 +1,7 @@
 // What the page shows of a result besides ε: how high it bounces, at what speed it yields.
 import { describe, expect, it } from 'vitest';
 import type { Encounter, Quantity, Restitution } from '../../src/core/protocol';
-import { reboundInWords, reboundOf, shownQuantity, yieldInWords } from '../../src/page/results';
+import { flags, reboundInWords, reboundOf, shownQuantity, yieldInWords } from '../../src/page/results';
 import { presets } from '../../src/inputs/inputs';
 
 const ball = presets[1]!.encounter;
@@ -42,6 +42,19 @@ describe('the yield speed', () => {
     expect(at(1, 0.1312)).toBe('Above 0.13 m/s, where it begins to yield: ε is an upper bound.');
     expect(at(1)).toBe('Once the material yields or cracks, ε is an upper bound.');
     expect(yieldInWords(plain, result(0.1, { value: 0.9, unit: '' }))).toBe('');
+  });
+});
+
+describe('what rings leave out', () => {
+  const said = (value: number): string[] => {
+    const quantities = { coupling_tangential_restitution: { value, unit: '' } };
+    return flags(result(1, { value: 0.9, unit: '' }, { quantities }));
+  };
+  it('is said where it is not small, or unknown', () => {
+    expect(said(0)).toEqual([]);
+    expect(said(-0.009)).toEqual([]);
+    expect(said(-0.223)[0]).toMatch(/may change ε_t by 0\.22\.$/);
+    expect(said(NaN)[0]).toMatch(/may change ε_t by an unknown amount\.$/);
   });
 });
 
