@@ -18,8 +18,10 @@ points. ε of spheres is that of central impacts.
 )";
 
 inline constexpr const char* oblique_times = R"(
-Processor time of one oblique impact of those [below](#oblique-impacts), modes made before. *90 %*:
-nine of ten take no longer.
+## Times of oblique impacts
+
+Processor time of one of the impacts [below](#oblique-impacts), modes made before. *90 %*: nine of
+ten take no longer.
 
 | tolerance | bodies | converged | cutoff, median | ms, median | ms, 90 % | ms, longest |
 |---:|---|---:|---:|---:|---:|---:|
