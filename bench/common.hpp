@@ -27,6 +27,9 @@ inline constexpr const char* error_counter = "error";
 inline constexpr const char* ratio_counter = "ratio";
 inline constexpr const char* apart_counter = "apart";
 inline constexpr const char* sphere_counter = "sphere";
+inline constexpr const char* tangential_counter = "tangential_restitution";
+inline constexpr const char* rival_counter = "rival";      ///< of the oblique impacts that follow
+inline constexpr const char* answers_counter = "answers";  ///< how many times the rival would run
 inline constexpr const char* quoted_from_counter = "finite elements from [s]";
 inline constexpr const char* quoted_to_counter = "finite elements to [s]";
 
@@ -51,6 +54,7 @@ void add_impacts();
 void add_restitutions();
 void add_rods();
 void add_spheres();
+void add_oblique();
 void add_quasistatic();
 void add_table();
 void add_pairs();

@@ -32,6 +32,7 @@ int run(std::vector<std::string> arguments) {
   bench::add_impacts();
   bench::add_restitutions();
   bench::add_spheres();
+  bench::add_oblique();
   bench::add_rods();
   bench::add_quasistatic();
   bench::add_table();

@@ -84,6 +84,11 @@ void Summary::ReportRuns(const std::vector<Run>& reports) {
         !find(run.counters, apart_counter)) {
       row.ratio = rows_.front().milliseconds / row.milliseconds;
     }
+    row.tangential = find(run.counters, tangential_counter);
+    if (find(run.counters, rival_counter)) rival_ = row.milliseconds;
+    if (row.tangential && rival_ > 0.0) {
+      row.ratio = find(run.counters, answers_counter).value_or(1.0) * rival_ / row.milliseconds;
+    }
     if (row.ratio) medians.back().counters[ratio_counter] = *row.ratio;
     rows_.push_back(row);
   }
@@ -93,9 +98,10 @@ void Summary::ReportRuns(const std::vector<Run>& reports) {
 void Summary::write(std::ostream& out) const {
   out << processor() << ", one core, " << vector_units() << "; " << compiler() << ", " << STOSS_BUILD_TYPE << "; stoss "
       << stoss::version() << ".\n";
-  const auto is_sphere = [](const Row& row) { return row.sphere; };
-  if (!std::all_of(rows_.begin(), rows_.end(), is_sphere)) write_disks(out);
-  if (std::any_of(rows_.begin(), rows_.end(), is_sphere)) write_spheres(out);
+  const auto any = [this](const auto& is) { return std::any_of(rows_.begin(), rows_.end(), is); };
+  if (any([](const Row& row) { return !row.sphere && !row.tangential; })) write_disks(out);
+  if (any([](const Row& row) { return row.sphere; })) write_spheres(out);
+  if (any([](const Row& row) { return row.tangential.has_value(); })) write_oblique(out);
 }
 
 void Summary::write_disks(std::ostream& out) const {
@@ -107,7 +113,7 @@ void Summary::write_disks(std::ostream& out) const {
       << "| benchmark | ms | 1−ε² | error | ratio |\n"
       << "|---|---:|---:|---:|---:|\n";
   for (const Row& row : rows_) {
-    if (row.sphere) continue;
+    if (row.sphere || row.tangential) continue;
     out << "| " << row.name << " | " << cell(row.milliseconds, 3) << " | " << cell(row.lost_fraction, 5) << " | "
         << cell(row.error, 6) << " | " << cell(row.ratio, 2) << " |\n";
   }
@@ -133,6 +139,18 @@ void Summary::write_spheres(std::ostream& out) const {
     } else {
       out << "– | – |\n";
     }
+  }
+}
+
+void Summary::write_oblique(std::ostream& out) const {
+  out << "\nOblique impacts, disks of ν = " << poisson << " at a rigid wall, spheres of ν = " << poisson_of_sphere
+      << ", x = s/μv. Error: of ε_t.\nRatio: time of the rival, which doubles all, for as many answers, / time.\n\n"
+      << "| benchmark | ms | ε_t | error | ratio |\n"
+      << "|---|---:|---:|---:|---:|\n";
+  for (const Row& row : rows_) {
+    if (!row.tangential) continue;
+    out << "| " << row.name << " | " << cell(row.milliseconds, 2) << " | " << cell(row.tangential, 4) << " | "
+        << cell(row.error, 4) << " | " << cell(row.ratio, 2) << " |\n";
   }
 }
 

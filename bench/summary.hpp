@@ -17,6 +17,7 @@ struct Row {
   std::optional<double> error;
   std::optional<double> ratio;  ///< the reference's time over this one's
   bool sphere = false;
+  std::optional<double> tangential;              ///< ε_t of an oblique impact, whose ratio is that to the last rival's
   std::optional<double> quoted_from, quoted_to;  ///< a rival's time in seconds, as quoted
 };
 
@@ -26,8 +27,8 @@ class Summary final : public benchmark::ConsoleReporter {
   Summary() : benchmark::ConsoleReporter(OO_None) {}
   void ReportRuns(const std::vector<Run>& reports) override;
 
-  /// The rows as Markdown tables, one of disks and one of spheres, headed by a description of the machine and the
-  /// build.
+  /// The rows as Markdown tables, of disks, of spheres and of oblique impacts, headed by a description of the machine
+  /// and the build.
   void write(std::ostream& out) const;
 
   [[nodiscard]] bool failed() const { return failed_; }
@@ -35,8 +36,10 @@ class Summary final : public benchmark::ConsoleReporter {
  private:
   void write_disks(std::ostream& out) const;
   void write_spheres(std::ostream& out) const;
+  void write_oblique(std::ostream& out) const;
 
   std::vector<Row> rows_;
+  double rival_ = 0.0;  // milliseconds
   bool failed_ = false;
 };
 

@@ -66,18 +66,19 @@ Tally tally_of(const JudgedOblique& judged, std::size_t at, const Share& share, 
   return tally(all);
 }
 
-bool write_tally(std::ostream& out, const JudgedOblique& judged, std::size_t at, const Share& share,
-                 const char* quantity, Values value, References reference) {
-  const Tally all = tally_of(judged, at, share, value, reference);
-  out << "|" << cell("%g", judged.tolerances[at]) << ' ' << share.name << " | " << quantity << " | " << all.points
+/// @return whether the errors are what is promised: not padded only with s′ at the first tolerance
+bool write_tally(std::ostream& out, const JudgedOblique& judged, std::size_t at, const Share& share, bool along) {
+  Tally all = along ? tally_of(judged, at, share, &ObliqueAnswer::sliding_after, &ObliquePoint::sliding_after)
+                    : tally_of(judged, at, share, &ObliqueAnswer::restitution, &ObliquePoint::restitution);
+  out << "|" << cell("%g", judged.tolerances[at]) << ' ' << share.name << (along ? " | s′ | " : " | ε | ") << all.points
       << " |" << cell("%.1f %%", percent(all.within, all.points))
       << cell("%.1f %%", percent(all.strictly_within, all.points)) << cell("%.2f", all.greatest)
-      << (std::isfinite(all.padding) ? cell("%.1f", all.padding) : " – |") << ' ' << all.blurred << " |"
-      << (honest(all) ? " met |" : " **not met** |") << '\n';
+      << (std::isfinite(all.padding) ? cell("%.1f", all.padding) : " – |") << ' ' << all.blurred << " |\n";
+  if (!along || at > 0) all.padding = 0.0;
   return share.body != nullptr || honest(all);
 }
 
-void write_times(std::ostream& out, const JudgedOblique& judged, std::size_t at, const Share& share) {
+void write_times_of(std::ostream& out, const JudgedOblique& judged, std::size_t at, const Share& share) {
   std::vector<double> seconds, cutoffs;
   int converged = 0;
   for (std::size_t i = 0; i < judged.points.size(); ++i) {
@@ -87,9 +88,9 @@ void write_times(std::ostream& out, const JudgedOblique& judged, std::size_t at,
     cutoffs.push_back(answer.cutoff);
     converged += answer.converged ? 1 : 0;
   }
-  out << "|" << cell("%g", judged.tolerances[at]) << ' ' << share.name << " | " << converged << " of "
-      << seconds.size() << " |" << cell("%.0f", median(cutoffs)) << cell("%.0f", median(seconds))
-      << cell("%.0f", quantile(seconds, 0.9)) << cell("%.0f", quantile(seconds, 1.0)) << '\n';
+  out << "|" << cell("%g", judged.tolerances[at]) << ' ' << share.name << " | " << converged << " of " << seconds.size()
+      << " |" << cell("%.0f", median(cutoffs)) << cell("%.0f", median(seconds)) << cell("%.0f", quantile(seconds, 0.9))
+      << cell("%.0f", quantile(seconds, 1.0)) << '\n';
 }
 
 void write_point(std::ostream& out, const ObliquePoint& point, const ObliqueAnswer& answer) {
@@ -123,23 +124,22 @@ JudgedOblique judge_oblique() {
   return judged;
 }
 
+void write_oblique_times(std::ostream& out, const JudgedOblique& judged) {
+  out << text::oblique_times;
+  for (std::size_t at = 0; at < judged.tolerances.size(); ++at) {
+    for (const Share& share : shares) write_times_of(out, judged, at, share);
+  }
+}
+
 bool write_oblique(std::ostream& out, const JudgedOblique& judged) {
   out << text::oblique_tally;
   bool all_honest = true;
   for (std::size_t at = 0; at < judged.tolerances.size(); ++at) {
     for (const Share& share : shares) {
-      const bool along = write_tally(out, judged, at, share, "s′", &ObliqueAnswer::sliding_after,
-                                     &ObliquePoint::sliding_after),
-                 normal = write_tally(out, judged, at, share, "ε", &ObliqueAnswer::restitution,
-                                      &ObliquePoint::restitution);
-      all_honest = all_honest && along && normal;
+      for (const bool along : {true, false}) all_honest = write_tally(out, judged, at, share, along) && all_honest;
     }
   }
-  out << text::oblique_times;
-  for (std::size_t at = 0; at < judged.tolerances.size(); ++at) {
-    for (const Share& share : shares) write_times(out, judged, at, share);
-  }
-  out << text::oblique_points;
+  out << "\nThe conditions are" << (all_honest ? " met.\n" : " **not met**.\n") << text::oblique_points;
   for (std::size_t i = 0; i < judged.points.size(); ++i) {
     write_point(out, judged.points[i], judged.answers[at_points][i]);
   }

@@ -23,7 +23,10 @@ struct JudgedOblique {
 };
 JudgedOblique judge_oblique();
 
-/// Writes the tables. @return whether the errors are honest
+/// Writes how long they took.
+void write_oblique_times(std::ostream& out, const JudgedOblique& judged);
+
+/// Writes the other tables. @return whether the errors are honest
 bool write_oblique(std::ostream& out, const JudgedOblique& judged);
 
 }  // namespace validate

@@ -25,8 +25,8 @@ struct Meeting {
   const char *body, *against;
   bool alike = false;  // of one kind and size
 };
-constexpr std::array meetings{Meeting{"disk", "wall"},    Meeting{"disk", "body"},   Meeting{"disk", "body", true},
-                              Meeting{"disk", "half-space"}, Meeting{"sphere", "wall"}, Meeting{"sphere", "body"},
+constexpr std::array meetings{Meeting{"disk", "wall"},        Meeting{"disk", "body"},   Meeting{"disk", "body", true},
+                              Meeting{"disk", "half-space"},  Meeting{"sphere", "wall"}, Meeting{"sphere", "body"},
                               Meeting{"sphere", "half-space"}};
 
 /// Point i of an additive sequence in eight dimensions, with the generalised golden ratio.
@@ -98,8 +98,9 @@ Runs resolved_runs(const ObliqueCase& its) {
   const stoss::RefinableContact contact = contact_of(its);
   const double unit = 1.0 / stoss::time_scale(contact.at(0)), stretch = contact.stretch(its.speed);
   const ObliqueFinenesses& finenesses = finenesses_of(its);
-  double width = stoss::oblique_impact(contact.at(0.3 * unit * finenesses[0].cutoff, stretch, {}), its.speed, its.before)
-                     .normal.max_half_width;
+  double width =
+      stoss::oblique_impact(contact.at(0.3 * unit * finenesses[0].cutoff, stretch, {}), its.speed, its.before)
+          .normal.max_half_width;
   Runs runs;
   for (std::size_t k = 0; k < runs.size(); ++k) {
     const stoss::Contact& resolved = contact.at(unit * finenesses[k].cutoff, stretch, {});

@@ -10,6 +10,7 @@
 
 #include "introduction.hpp"
 #include "judgement.hpp"
+#include "oblique_report.hpp"
 #include "stoss/bodies/rod.hpp"
 #include "text.hpp"
 #include "times.hpp"
@@ -174,6 +175,7 @@ bool write_report(std::ostream& out) {
                pairs = judge("pairs", read_pairs()), spheres = judge("spheres", read_spheres()),
                half_spaces = judge("half-spaces", read_half_spaces()), lossy = judge("lossy", read_lossy()),
                vibrating = judge("vibrating", read_vibrating());
+  const JudgedOblique oblique = judge_oblique();
   out << text::introduction << text::verdict;
   bool all_honest = true;
   for (std::size_t i = 0; i < tolerances.size(); ++i) {
@@ -184,6 +186,7 @@ bool write_report(std::ostream& out) {
   }
   std::cerr << "processor time\n";
   write_times(out);
+  write_oblique_times(out, oblique);
   out << text::tally;
   write_tallies(out, wall.points, wall.answers);
   out << text::unseen_tally;
@@ -200,6 +203,7 @@ bool write_report(std::ostream& out) {
   write_tallies(out, vibrating.points, vibrating.answers);
   write_finite_elements(out, wall.points, wall.answers[by_default]);
   const bool rod = write_rod(out);
+  all_honest = write_oblique(out, oblique) && all_honest;
   out << text::points;
   write_points(out, wall.points, wall.answers[by_default]);
   out << text::unseen_points;

@@ -35,6 +35,20 @@ int highest_level_of(const RefinableContact& contact, double stretch, const Poll
   return level;
 }
 
+/// How two directions that may act on each other err: measured (docs/theory/oblique.md).
+/// @param beta     Dundurs' constant
+/// @param friction of the one obliquity. With less of it more points slide outward at their limit
+void mix(ObliquePlan& plan, double beta, double friction) {
+  constexpr double of_spacing = 0.1, of_places = 0.1, most_of_places = 1.5, of_normal = 0.2;
+  plan.spacing *= of_spacing;
+  plan.places = std::min(most_of_places, of_places * beta / friction);
+  plan.normal = of_normal * beta * std::min(friction, beta * beta / friction);
+  const bool apart = beta == 0.0;
+  plan.order = apart ? 1.7 : 1.0;
+  plan.safety = apart ? 2.0 : 2.5;
+  plan.of_few = apart ? 3.0 : 3.5;
+}
+
 /// What several obliquities of one contact have in common.
 ObliquePlan plan_of(const Contact& contact, double speed, const std::vector<Obliquity>& obliquities, double tolerance,
                     const Poll& poll) {
@@ -52,11 +66,7 @@ ObliquePlan plan_of(const Contact& contact, double speed, const std::vector<Obli
   const std::vector<Contact> along = contacts_along(contact, poll);
   plan.mixing = along.size() > 1;
   plan.spacing = touch(along.front()).softness / touch(contact).softness;
-  if (plan.mixing) {  // measured; one obliquity. With less friction more points slide outward at their limit.
-    constexpr double of_spacing = 0.1, of_places = 0.1, most_of_places = 1.5;
-    plan.spacing *= of_spacing;
-    plan.places = std::min(most_of_places, of_places * mixing(along) / most);
-  }
+  if (plan.mixing) mix(plan, mixing(along), most);
   plan.unstable = most > stable_friction(along);
   return plan;
 }

@@ -49,16 +49,14 @@ ObliqueRun summary(const ObliqueImpact& impact) {
 /// little between three of them may be chance: where friction changes its sign it goes up and down.
 double spread(const ObliquePlan& plan, const std::vector<ObliqueRun>& runs, double ObliqueRun::*quantity) {
   if (plan.unstable || runs.size() < 2) return no_estimate;
-  const double of_normal = quantity == &ObliqueRun::restitution ? 2.0 : 1.0, order = plan.mixing ? of_normal : 1.4;
+  const double order = plan.mixing && quantity == &ObliqueRun::restitution ? 2.0 : plan.order;
   const ObliqueRun& last = runs.back();
   double greatest = 0.0;
   for (const ObliqueRun& run : runs) {
     const double left = std::pow(run.cutoff / last.cutoff, order) * std::abs(run.*quantity - last.*quantity);
     greatest = std::max(greatest, left);
   }
-  const bool few = runs.size() <= three_runs;
-  if (plan.mixing) return (few ? 4.0 : 2.5) * greatest;
-  return (few ? 5.0 : 3.0) * greatest;
+  return (runs.size() > three_runs ? plan.safety : plan.of_few) * greatest;
 }
 
 /// Of the error of s′.
@@ -111,7 +109,8 @@ void add_run(const ObliquePlan& plan, ObliqueImpact&& impact, ObliqueRestitution
     return Estimate{value, std::max(spread(plan, result.runs, quantity), share * open)};
   };
   const Obliquity& before = result.before;
-  result.restitution = {last.restitution, spread(plan, result.runs, &ObliqueRun::restitution)};
+  result.restitution = {last.restitution,
+                        std::max(spread(plan, result.runs, &ObliqueRun::restitution), plan.normal / (points * points))};
   result.sliding_after = estimate(&ObliqueRun::sliding_after, last.sliding);
   result.tangential_after = estimate(&ObliqueRun::tangential_after, before.tangential);
   result.spin_after = estimate(&ObliqueRun::spin_after, before.spin);

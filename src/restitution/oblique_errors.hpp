@@ -10,6 +10,10 @@ struct ObliquePlan {
   bool mixing = false;    ///< both directions act on each other
   double spacing = 1.0;   ///< error of s′/μv by the spacing of n points, times n²
   double places = 0.0;    ///< by their places, times n^{3/2}
+  double normal = 0.0;    ///< error of ε_n by the spacing, times n²
+  double order = 1.4;     ///< at which differences of runs fall with the cutoff
+  double safety = 3.0;    ///< by which they are multiplied
+  double of_few = 5.0;    ///< the same after three runs
   double allowed = 1.0;   ///< error of s′/μv that is wanted
   bool unstable = false;  ///< friction above stable_friction
 

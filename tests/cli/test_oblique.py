@@ -165,7 +165,7 @@ def test_not_converged_is_marked_told_and_exits_with_1(stoss):
     result = stoss.run(arguments)
     assert result.returncode == 1 and " !" in result.stdout
     why, _, summary = result.stderr.splitlines()
-    assert why.startswith("stoss: warning: speed 0.1 c, tangential 0.02 c: the tolerance asks for a higher cutoff than")
+    assert why.startswith("stoss: warning: speed 0.1 c, tangential 0.02 c: the tolerance asks for more points across")
     assert summary.startswith("stoss: warning: 1 of 1 values")
     record = json.loads(stoss.run(arguments, "--format json").stdout)["records"][0]
     assert record["converged"] is False and record["reason"] in why

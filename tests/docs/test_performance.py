@@ -94,6 +94,18 @@ def test_other_claims():
     assert f"{curves[0]:.2f} s on one thread, {curves[1]:.2f} s on two" in WORDS
 
 
+def test_oblique_claims():
+    disk = "oblique: a disk, v = 0.1, μ = 0.3, x = 3.33, to 0.01", "oblique: a disk, v = 0.003, μ = 0.1, x = 0.2, to 0.001"
+    assert f"A disk takes {ms(disk[0]):.0f} ms to 10⁻², one that nearly sticks {ms(disk[1]):.0f} ms to 10⁻³" in WORDS
+    said = []
+    for what in ("sphere, v = 0.001", "sphere on a half-space, v = 0.001", "sphere on a half-space, v = 1e-05"):
+        one, all_angles = (ms(f"oblique: {many}a {what}, x = 1, to 0.01") for many in ("", "33 angles, "))
+        said.append((one, (all_angles - one) / 32))
+    (wall, angle), (fast, its), (slow, each) = said
+    assert f"A sphere takes {wall:.1f} ms and {angle:.2f} ms for each further angle" in WORDS
+    assert f"on a half-space at v = 10⁻³ {fast:.0f} and {its:.1f} ms, at 10⁻⁵ {slow:.0f} and {each:.1f} ms" in WORDS
+
+
 def over_the_whole_range():
     """Of each tolerance what docs/validation.md measures: converged, cutoff, and times: median, 99 %, longest."""
     line = r"^\| (0\.\d+) \| (\d+) of 240 \| (\d+) \| ([\d.]+) \| (\d+) \| (\d+) \|"

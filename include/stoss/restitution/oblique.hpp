@@ -72,11 +72,11 @@ struct ObliqueOptions {
 /// in which both directions do not act on each other one normal impact at each cutoff serves them all. Of these, and
 /// without friction, ε_n is that of `restitution`, bit by bit.
 ///
-/// The error of s′, and of what follows from it, is three times the maximum difference from the two runs before the
-/// last, scaled by the order at which such differences fall with the cutoff, 1.4, and of coupled directions 1; and at
-/// least what n contact points leave open, μ v_n/(κ n²), and of coupled directions 0.8 μ v_n n^{−3/2}
-/// (docs/theory/oblique.md). What spheres are computed without is estimated beside it (Coupling), for bodies at rest.
-/// Much larger bodies take part as a whole. A rule that misses the tolerance has converged false, with a reason.
+/// The error of s′, and of what follows from it, is the maximum difference from all runs before the last, scaled by the
+/// order at which such differences fall with the cutoff, times a factor; and at least what so many contact points leave
+/// open, which is most where directions act on each other and friction is low (docs/theory/oblique.md). How often the
+/// errors hold: docs/validation.md. What spheres are computed without is estimated beside it (Coupling), for bodies at
+/// rest. Much larger bodies take part as a whole. A rule that misses the tolerance has converged false, with a reason.
 /// @param speed of approach along the normal, 1e-8 … 1, in c
 /// @throws InvalidInput as oblique_impact and for options out of range; NotConverged if no two impacts end
 [[nodiscard]] std::vector<ObliqueRestitution> oblique_restitution(const RefinableContact& contact, double speed,

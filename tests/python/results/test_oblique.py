@@ -140,7 +140,7 @@ def test_nothing_slides_before():
 
 
 def test_what_misses_its_tolerance():
-    with pytest.raises(stoss.NotConverged, match="^oblique: the tolerance asks for a higher cutoff") as missed:
+    with pytest.raises(stoss.NotConverged, match="^oblique: the tolerance asks for more points") as missed:
         stoss.oblique(BALL, speed=0.1, tangential=0.02, friction=0.2, tolerance=1e-5)
     assert isinstance(missed.value.best, stoss.ObliqueRestitution) and missed.value.best.sliding_after_error > 0
     assert repr(missed.value.best).endswith("not converged)")

@@ -1,9 +1,9 @@
 // What a half-space remembers of past forces, against its waves one by one.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <utility>
 #include <vector>
 
 #include "contact/along.hpp"
