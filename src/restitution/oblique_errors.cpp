@@ -49,14 +49,15 @@ ObliqueRun summary(const ObliqueImpact& impact) {
 /// little between three of them may be chance: where friction changes its sign it goes up and down.
 double spread(const ObliquePlan& plan, const std::vector<ObliqueRun>& runs, double ObliqueRun::*quantity) {
   if (plan.unstable || runs.size() < 2) return no_estimate;
-  const double order = plan.mixing && quantity == &ObliqueRun::restitution ? 2.0 : plan.order;
   const ObliqueRun& last = runs.back();
   double greatest = 0.0;
   for (const ObliqueRun& run : runs) {
-    const double left = std::pow(run.cutoff / last.cutoff, order) * std::abs(run.*quantity - last.*quantity);
+    const double left = std::pow(run.cutoff / last.cutoff, plan.order) * std::abs(run.*quantity - last.*quantity);
     greatest = std::max(greatest, left);
   }
-  return (runs.size() > three_runs ? plan.safety : plan.of_few) * greatest;
+  // ε_n swings with the cutoff, whose waves it meets in another phase each time.
+  const bool swings = plan.mixing && quantity == &ObliqueRun::restitution;
+  return (runs.size() > three_runs && !swings ? plan.safety : plan.of_few) * greatest;
 }
 
 /// Of the error of s′.
