@@ -10,6 +10,7 @@
 #include "numeric/bins.hpp"
 #include "stoss/table/c_source.hpp"
 #include "table/arguments.hpp"
+#include "table/axes.hpp"
 #include "table/c_text.hpp"
 
 namespace stoss {
@@ -155,15 +156,14 @@ std::string c_header(const PairTable& pairs, const TableLabel& label) {
       table::speed_range(pairs.values().speeds.front(), pairs.values().speeds.back(), label.scale);
   std::vector<double> logarithms, differences;
   for (const double each : pairs.values().speeds) logarithms.push_back(std::log(each * label.scale));
-  for (const double each : pairs.values().ratios) differences.push_back((each - 1.0) / (each + 1.0));
+  for (const double each : pairs.values().ratios) differences.push_back(place_of_ratio(each));
   const numeric::Bins x(logarithms), s(differences);
-  constexpr double rounding = 1e-15;  // as in PairTable
   const std::string outside(pairs.beyond() == Beyond::clamp ? clamped : refused);
   const std::vector<std::pair<std::string, std::string>> fillings{
       {"outside", outside},
       {"place", pairs.values().alike ? "fabs(s)" : "s"},
-      {"first_s", table::c_number(differences.front() - rounding)},
-      {"last_s", table::c_number(differences.back() + rounding)},
+      {"first_s", table::c_number(differences.front() - rounding_of_ratios)},
+      {"last_s", table::c_number(differences.back() + rounding_of_ratios)},
       {"begin_s", table::c_number(differences.front())},
       {"end_s", table::c_number(differences.back())},
       {"intervals_x", std::to_string(logarithms.size() - 1)},
