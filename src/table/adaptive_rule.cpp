@@ -25,7 +25,7 @@ constexpr double gross = 0.8;  // z of w = s/μv = 9, where all slides throughou
 constexpr double probe = 0.5;  // |z| of the slips at which the ways to slide are compared
 constexpr double least_left = 0.3;      // share of an error that must be left beside what the ways to slide differ by
 constexpr double margin_of_ways = 1.2;  // of that difference
-constexpr double share_of_rules = 0.2, share_of_middles = 0.7;  // of what is left; the latter of all axes together
+constexpr double share_of_rules = 0.5;  // of what is left, with their weight between places; the rest for the middles
 
 /// Parts of an error.
 struct Budget {
@@ -80,7 +80,7 @@ class Rules {
       for (const double z : grid_.axis(1).x()) {
         for (const double s : grid_.axis(2).x()) {
           const bool known = quantity == 0 && std::abs(z) == 1.0;
-          made.values[i++].error += known ? 0.0 : half(v, s, quantity);
+          made.values[i++].error += known ? 0.0 : difference(v, s, quantity);
         }
       }
     }
@@ -93,7 +93,7 @@ class Rules {
   [[nodiscard]] double ratio(double s) const { return ranges_.is_mixture ? ranges_.ratios.ratio(s) : 1.0; }
 
   /// Of a quantity at a speed and a ratio, what the ways to slide differ by.
-  [[nodiscard]] double half(double v, double s, std::size_t quantity) const {
+  [[nodiscard]] double difference(double v, double s, std::size_t quantity) const {
     double greatest = 0.0;
     for (const double z : {-probe, 0.0, probe}) greatest = std::max(greatest, grid_.at({v, z, s})[2 + quantity].value);
     return greatest;
@@ -109,7 +109,7 @@ class Rules {
   }
 
   [[nodiscard]] std::vector<std::vector<RulePoint>> points(const std::vector<Place>& lines,
-                                                           const std::vector<std::vector<double>>& slips) {
+                                                           const std::vector<std::vector<RuleSlip>>& slips) {
     std::vector<RuleRequest> requests;
     for (std::size_t i = 0; i < lines.size(); ++i) {
       requests.push_back({&contact(lines[i][2]), ranges_.speeds.speed(lines[i][0]), slips[i]});
@@ -123,23 +123,23 @@ class Rules {
   void set_budget() {
     const auto without = [&](double error, double difference) -> Budget {
       const double left = error - margin_of_ways * ranges_.weight() * difference;
-      return {share_of_rules * std::max(left, least_left * error),
-              share_of_middles * left / static_cast<double>(ranges_.axes())};
+      return {share_of_rules / ranges_.weight() * std::max(left, least_left * error),
+              (1.0 - share_of_rules) * left / static_cast<double>(ranges_.axes())};
     };
     sliding_ = without(options_.tolerance, 0.0), restitution_ = without(options_.error, 0.0);
     const std::vector<double>&v = grid_.axis(0).x(), &s = grid_.axis(2).x();
     const std::vector<Place> ends{{v.back(), 0.0, s.front()}, {v.back(), 0.0, s.back()}};
-    const std::vector<double> slips{-probe, 0.0, probe};
+    const std::vector<RuleSlip> slips{{-probe, true}, {0.0, true}, {probe, true}};
     double along = 0.0, normal = 0.0;
     for (const auto& end : points(ends, {slips, slips})) {
       for (const RulePoint& each : end) {
-        along = std::max(along, each.sliding_half), normal = std::max(normal, each.restitution_half);
+        along = std::max(along, each.sliding_difference), normal = std::max(normal, each.restitution_difference);
       }
     }
     sliding_ = without(options_.tolerance, along);
     restitution_ = without(options_.error, options_.friction ? normal : 0.0);
     const auto require_left = [&](const char* name, const char* what, double error, const Budget& budget) {
-      if (budget.grid * static_cast<double>(ranges_.axes()) >= share_of_middles * least_left * error) return;
+      if (budget.grid * static_cast<double>(ranges_.axes()) >= (1.0 - share_of_rules) * least_left * error) return;
       const double needed = margin_of_ways * ranges_.weight() * (name[0] == 't' ? along : normal) / (1.0 - least_left);
       throw NotConverged("rule_table: at " + named(ranges_.speeds.high, s.back()) +
                          " velocity and spin of the same sliding differ in " + what + " (allow a " + name + " of " +
@@ -156,7 +156,7 @@ class Rules {
                          " values are needed (allow greater errors, smaller ranges, or more values)");
     }
     std::vector<Place> lines;
-    std::vector<std::vector<double>> slips;
+    std::vector<std::vector<RuleSlip>> slips;
     const std::vector<Place> open = grid_.open();
     for (const Place& place : open) {
       if (place[1] > gross || (place[1] == -1.0 && !options_.friction)) continue;
@@ -164,16 +164,17 @@ class Rules {
         lines.push_back(place);
         slips.emplace_back();
       }
-      slips.back().push_back(place[1]);
+      slips.back().push_back({place[1], place[1] == 0.0 || std::abs(place[1]) == probe});
     }
     const std::vector<std::vector<RulePoint>> found = points(lines, slips);
     for (std::size_t i = 0; i < lines.size(); ++i) {
       for (std::size_t k = 0; k < slips[i].size(); ++k) {
-        const auto& [restitution, sliding, restitution_half, sliding_half] = found[i][k];
-        const double z = slips[i][k];
-        grid_.set(
-            {lines[i][0], z, lines[i][2]},
-            {z == -1.0 ? Estimate{0.0, 0.0} : sliding, restitution, {sliding_half, 0.0}, {restitution_half, 0.0}});
+        const auto& [restitution, sliding, restitution_difference, sliding_difference] = found[i][k];
+        const double z = slips[i][k].z;
+        grid_.set({lines[i][0], z, lines[i][2]}, {z == -1.0 ? Estimate{0.0, 0.0} : sliding,
+                                                  restitution,
+                                                  {sliding_difference, 0.0},
+                                                  {restitution_difference, 0.0}});
       }
     }
     for (const Place& place : open) {

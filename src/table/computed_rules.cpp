@@ -1,5 +1,4 @@
-// Each slip is computed for every way in which the bodies can slide. Without mixing directions all slips of a speed
-// share their normal impacts, and a friction stands for all.
+// Where directions do not mix a friction stands for all; of balls all slips at a speed share their normal impacts.
 #include "table/computed_rules.hpp"
 
 #include <algorithm>
@@ -19,12 +18,23 @@ namespace {
 
 constexpr double any_friction = 0.01;  // the sliding stays far below c
 
-/// The ways to slide at s, each with a share 1 of it.
-std::vector<Obliquity> ways(const ObliqueFrame& frame, double sliding, double friction) {
-  std::vector<Obliquity> all{{.tangential = sliding, .friction = friction}};
-  if (sliding == 0.0) return all;
-  if (frame.inertia[0] > 0.0) all.push_back({.spin = sliding / frame.radius[0], .friction = friction});
-  if (frame.inertia[1] > 0.0) all.push_back({.second_spin = sliding / frame.radius[1], .friction = friction});
+/// How to slide at s: with equal shares of velocity and spins, then, to compare, by each alone.
+std::vector<Obliquity> ways(const ObliqueFrame& frame, double sliding, double friction, bool compare) {
+  std::vector<Obliquity> single{{.tangential = sliding, .friction = friction}};
+  if (sliding != 0.0 && frame.inertia[0] > 0.0) {
+    single.push_back({.spin = sliding / frame.radius[0], .friction = friction});
+  }
+  if (sliding != 0.0 && frame.inertia[1] > 0.0) {
+    single.push_back({.second_spin = sliding / frame.radius[1], .friction = friction});
+  }
+  const double share = 1.0 / static_cast<double>(single.size());
+  std::vector<Obliquity> all{{.friction = friction}};
+  for (const Obliquity& each : single) {
+    all[0].tangential += share * each.tangential;
+    all[0].spin += share * each.spin;
+    all[0].second_spin += share * each.second_spin;
+  }
+  if (compare) all.insert(all.end(), single.begin(), single.end());
   return all;
 }
 
@@ -43,17 +53,14 @@ std::vector<ObliqueRestitution> accurate(const RuleRequest& request, const std::
     }
     if (enough) return found;
     tolerance *= 0.5;
-    if (tolerance < least) throw NotConverged("oblique: at " + place + " the error of the restitution stays too large");
+    if (tolerance < least) throw NotConverged("oblique: at " + place + " the restitution is not accurate enough");
   }
 }
 
-/// Mean of values, with the largest of their errors, and half of their range.
-std::pair<Estimate, double> mean(const std::vector<Estimate>& values) {
-  double low = values.front().value, high = low, error = 0.0;
-  for (const Estimate& each : values) {
-    low = std::min(low, each.value), high = std::max(high, each.value), error = std::max(error, each.error);
-  }
-  return {{0.5 * (low + high), error}, 0.5 * (high - low)};
+/// Difference of a quantity between two rules, of the finest runs that both have: what runs are off by is alike then.
+double difference(const ObliqueRestitution& a, const ObliqueRestitution& b, double ObliqueRun::*quantity) {
+  const std::size_t last = std::min(a.runs.size(), b.runs.size()) - 1;
+  return std::abs(a.runs[last].*quantity - b.runs[last].*quantity);
 }
 
 std::vector<RulePoint> computed(const RuleRequest& request, const RuleDemand& demand, const std::string& place,
@@ -61,25 +68,25 @@ std::vector<RulePoint> computed(const RuleRequest& request, const RuleDemand& de
   const double friction = demand.friction.value_or(any_friction), limit = friction * request.speed;
   const ObliqueFrame frame(request.contact->at(0, poll), request.speed, {});
   std::vector<Obliquity> before;
-  std::vector<std::size_t> count;
-  for (const double z : request.slips) {
-    const std::vector<Obliquity> own = ways(frame, limit * (1.0 + z) / (1.0 - z), friction);
+  std::vector<std::size_t> begin{0};
+  for (const auto& [z, compare] : request.slips) {
+    const std::vector<Obliquity> own = ways(frame, limit * (1.0 + z) / (1.0 - z), friction, compare);
     before.insert(before.end(), own.begin(), own.end());
-    count.push_back(own.size());
+    begin.push_back(before.size());
   }
   const std::vector<ObliqueRestitution> found = accurate(request, before, demand, place, poll);
   std::vector<RulePoint> points;
-  auto next = found.begin();
-  for (std::size_t i = 0; i < count.size(); ++i) {
-    const double sliding = std::abs(next->sliding), scale = sliding + limit;
-    std::vector<Estimate> normal, along;
-    for (std::size_t k = 0; k < count[i]; ++k, ++next) {
-      normal.push_back(next->restitution);
-      along.push_back({next->sliding_after.value / scale, next->sliding_after.error / scale});
+  for (std::size_t i = 0; i + 1 < begin.size(); ++i) {
+    const ObliqueRestitution& mixed = found[begin[i]];
+    const double sliding = std::abs(mixed.sliding), scale = sliding + limit;
+    RulePoint point{mixed.restitution, {mixed.sliding_after.value / scale, mixed.sliding_after.error / scale}};
+    for (std::size_t k = begin[i] + 1; k < begin[i + 1]; ++k) {
+      const double along = difference(mixed, found[k], &ObliqueRun::sliding_after) / sliding;
+      const double normal = difference(mixed, found[k], &ObliqueRun::restitution);
+      point.sliding_difference = std::max(point.sliding_difference, along);
+      point.restitution_difference = std::max(point.restitution_difference, normal);
     }
-    const auto [restitution, restitution_half] = mean(normal);
-    const auto [after, after_half] = mean(along);
-    points.push_back({restitution, after, restitution_half, sliding > 0.0 ? after_half * scale / sliding : 0.0});
+    points.push_back(point);
   }
   return points;
 }
@@ -109,7 +116,7 @@ std::vector<std::vector<RulePoint>> computed_rules(const std::vector<RuleRequest
       jobs.emplace_back(i, each);
       continue;
     }
-    for (const double z : each.slips) jobs.emplace_back(i, RuleRequest{each.contact, each.speed, {z}});
+    for (const RuleSlip& slip : each.slips) jobs.emplace_back(i, RuleRequest{each.contact, each.speed, {slip}});
   }
   std::vector<Points> results(requests.size());
   const auto job = [&](std::size_t k, const Poll& heed) {

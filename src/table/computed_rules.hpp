@@ -15,19 +15,25 @@ namespace stoss {
 /// Whether the motions along the normal and along the surface act on each other: of disks that are not equal.
 [[nodiscard]] bool mixes(const RefinableContact& contact, const Poll& poll);
 
-/// Slips of a contact at one speed for which a table needs the rule.
+/// A slip for which a table needs the rule.
+struct RuleSlip {
+  double z = 0.0;        ///< as of RuleGrid, from −1 to below 1
+  bool compare = false;  ///< whether the ways to slide are compared: by the velocity, or the spin of one body, alone
+};
+
+/// Slips of a contact at one speed.
 struct RuleRequest {
   const RefinableContact* contact;
   double speed;
-  std::vector<double> slips;  ///< z of RuleGrid, from −1 to below 1
+  std::vector<RuleSlip> slips;
 };
 
-/// The rule at one slip, as the mean over the ways to slide: by the velocity alone, and by the spin of each body.
+/// The rule at one slip, to which velocity and spins have equal shares.
 struct RulePoint {
-  Estimate restitution;           ///< ε_n
-  Estimate sliding;               ///< q of RuleGrid
-  double restitution_half = 0.0;  ///< half of what these ways differ by
-  double sliding_half = 0.0;      ///< the same of s′ over |s|
+  Estimate restitution;                 ///< ε_n
+  Estimate sliding;                     ///< q of RuleGrid
+  double restitution_difference = 0.0;  ///< most that a single way to slide changes in ε_n
+  double sliding_difference = 0.0;      ///< the same in s′, over |s|
 };
 
 /// How accurate the points must be.

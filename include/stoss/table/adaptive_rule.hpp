@@ -12,7 +12,7 @@ namespace stoss {
 /// How a RuleTable is made.
 struct RuleTableOptions {
   double error = 1e-3;      ///< maximum error of ε_n anywhere, 1e-6 … 0.1
-  double tolerance = 1e-2;  ///< maximum error of s′ over |v_t| + |Ω₁|R₁ + |Ω₂|R₂ + μ v_n, 1e-4 … 0.5
+  double tolerance = 2e-2;  ///< maximum error of s′ over |v_t| + |Ω₁|R₁ + |Ω₂|R₂ + μ v_n, 1e-4 … 0.5
   std::optional<double> friction{};  ///< μ, where the directions of the bodies act on each other; else nothing
   Beyond beyond = Beyond::error;     ///< or clamp
   int most_values = 100'000;         ///< that are computed, 100 … 10 000 000
@@ -25,9 +25,9 @@ struct RuleTableOptions {
 /// Where the directions of the bodies do not act on each other, as those of spheres and of equal disks, ε_n is the
 /// restitution_function or the pair_table of this error, and the rule holds for any friction. Else both are computed
 /// together, at one friction. The grid of s′ begins with six speeds per decade and four values of z, and is refined as
-/// that of a pair_table. Each value is the mean of what velocity alone, and the spin of each body alone, make of the
-/// same s: half of their difference is in the error of s′. It grows with the contact, so a range of speeds that
-/// reaches up to where these differ by more than the tolerance is refused.
+/// that of a pair_table. Velocity and spins have equal shares of s; what each of them alone changes is in the errors.
+/// It grows with the contact, so a range of speeds that reaches up to where it leaves too little of the tolerance is
+/// refused.
 /// @param slowest,fastest 1e-8 … 1, in c of the first body, slowest < fastest; with friction μ up to 1/9μ
 /// @throws InvalidInput for arguments out of range, for a friction that is missing or not needed, and for bodies
 ///         without a law along their surface; NotConverged if some value does not reach its share of an error, or more
