@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "check.hpp"
 #include "contact/along.hpp"
 #include "contact/touch.hpp"
 #include "contact/unit_ratios.hpp"
@@ -41,20 +42,20 @@ std::vector<Obliquity> ways(const ObliqueFrame& frame, double sliding, double fr
 /// Computes rules until both errors are small enough.
 std::vector<ObliqueRestitution> accurate(const RuleRequest& request, const std::vector<Obliquity>& before,
                                          const RuleDemand& demand, const std::string& place, const Poll& poll) {
-  constexpr double least = 1e-6;
-  double tolerance = std::min(demand.sliding, 0.5);
-  for (;;) {
+  constexpr double finest = 1e-6;
+  double reached = 0.0;  // error of the restitution
+  for (double tolerance = std::min(demand.sliding, 0.5); tolerance > finest; tolerance *= 0.5) {
     std::vector<ObliqueRestitution> found =
         oblique_restitution(*request.contact, request.speed, before, {.tolerance = tolerance, .poll = poll});
-    bool enough = true;
-    for (const ObliqueRestitution& each : found) {
-      if (!each.converged) throw NotConverged("oblique: at " + place + " " + each.reason);
-      enough = enough && (!demand.friction || each.restitution.error <= demand.restitution);
-    }
-    if (enough) return found;
-    tolerance *= 0.5;
-    if (tolerance < least) throw NotConverged("oblique: at " + place + " the restitution is not accurate enough");
+    const auto open = std::find_if(found.begin(), found.end(), [](const auto& each) { return !each.converged; });
+    if (open != found.end() && reached > 0.0) break;
+    if (open != found.end()) throw NotConverged("oblique: at " + place + " " + open->reason);
+    reached = 0.0;
+    for (const ObliqueRestitution& each : found) reached = std::max(reached, each.restitution.error);
+    if (!demand.friction || reached <= demand.restitution) return found;
   }
+  throw NotConverged("oblique: at " + place + " the error of the restitution stays at " + shown(reached) +
+                     ", where the table needs " + shown(demand.restitution) + " (allow a larger error)");
 }
 
 /// Difference of a quantity between two rules, of the finest runs that both have: what runs are off by is alike then.
