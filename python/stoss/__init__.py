@@ -18,6 +18,8 @@ written.
                                   bodies
 `restitution_function`            ε(v) as a function, to an error at every speed
 `pair_table`                      ε of two bodies against the speed and the ratio of their radii
+`collision_rule`                  the whole rule with friction as a function: velocities and spins
+                                  after
 `impact`                          one impact: energy ledger, trajectory, deformation and stress in
                                   time
 `oblique`                         impacts at an angle, with spin and friction
@@ -65,17 +67,18 @@ from stoss.results._pair_table import PairTable, pair_table
 from stoss.results._restitution import Restitution
 from stoss.results._result import Result
 from stoss.results._rod_chain import RodChain, rod_chain
+from stoss.results._rule import CollisionRule, collision_rule
 from stoss.sweeps._grid import Grid
 from stoss.sweeps._sweep import sweep
 from stoss.sweeps._values import Sweep, merge, open_sweep
 
 __all__ = [
-    "AtlasValue", "Body", "Bounces", "Disk", "DiskField", "ExponentialWall", "Extrapolation",
+    "AtlasValue", "Body", "Bounces", "CollisionRule", "Disk", "DiskField", "ExponentialWall", "Extrapolation",
     "Field", "Grid", "HalfPlane", "HalfSpace", "HardWall", "Impact", "Interrupted", "InvalidInput",
     "Material", "Modes", "NotConverged", "ObliqueRestitution", "Oscillation", "PairTable",
     "Restitution", "RestitutionDistribution", "RestitutionFunction", "Rod", "RodChain", "Scales",
     "Sphere", "SphereField", "StossWarning", "Sweep", "Table", "Trajectory", "Wall", "Wave",
-    "__version__", "animate", "atlas", "bounce", "extrapolated_restitution", "impact", "materials",
+    "__version__", "animate", "atlas", "bounce", "collision_rule", "extrapolated_restitution", "impact", "materials",
     "merge", "modes", "oblique", "open_sweep", "pair_table", "plot", "quasistatic", "read_csv", "restitution",
     "restitution_distribution", "restitution_function", "rod_chain", "sweep", "with_error",
 ]  # fmt: skip
