@@ -96,13 +96,14 @@ std::vector<RulePoint> computed(const RuleRequest& request, const RuleDemand& de
 
 bool mixes(const RefinableContact& contact, const Poll& poll) {
   const Contact& probe = contact.at(0, poll);
+  const std::vector<Contact> along = contacts_along(probe, poll);  // refuses what has none
   if (touch(probe).circle) return false;
   if (probe.second == nullptr || probe.unbounded || contact.part() < 1.0) return true;
   constexpr double rounding = 1e-12;
   const UnitRatios units = units_of(probe, 1);
   const auto one = [](double ratio) { return std::abs(ratio - 1.0) < rounding; };
   return !one(units.length) || !one(units.time) || !one(units.mass) || !one(units.softness) ||
-         mixing(contacts_along(probe, poll)) > rounding;
+         mixing(along) > rounding;
 }
 
 std::vector<std::vector<RulePoint>> computed_rules(const std::vector<RuleRequest>& requests, const RuleDemand& demand,

@@ -13,6 +13,7 @@
 namespace stoss {
 
 /// Whether the motions along the normal and along the surface act on each other: of disks that are not equal.
+/// @throws InvalidInput for bodies without a law along their surface
 [[nodiscard]] bool mixes(const RefinableContact& contact, const Poll& poll);
 
 /// A slip for which a table needs the rule.
