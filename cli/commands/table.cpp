@@ -29,7 +29,6 @@ void check_format(const TableArguments& arguments) {
     throw InvalidInput(fmt::format("{0}: got --{0} with --format {1}, allowed only with {2}", option, format, allowed));
   };
   require("name", format == "c", "--format c");
-  require("oblique", format != "two-column", "c and json");
   require("ratio", format != "two-column", "c and json");
   require("beyond", format != "two-column", "c and json (who reads the columns decides)");
 }
@@ -38,6 +37,16 @@ TableJob make_job(const TableArguments& arguments) {
   Encounter encounter = arguments.who.encounter();
   refuse_soft(encounter);
   const std::vector<std::string> ends = split(arguments.speed, ':');
+  if (arguments.oblique && arguments.format == "two-column") {
+    if (ends.size() != 1) {
+      throw InvalidInput(
+          fmt::format("speed: got '{}', allowed one speed for two columns of --oblique", arguments.speed));
+    }
+    constexpr double around = 1.01;  // a table has a range
+    const double speed = parse_speed(arguments.speed, units_of(encounter));
+    const std::vector<double> typed = parse_series("speed", arguments.speed);
+    return {std::move(encounter), typed, {std::max(speed / around, 1e-8), std::min(speed * around, 1.0)}};
+  }
   if (ends.size() != 2) {
     throw InvalidInput(fmt::format("speed: got '{}', allowed SLOWEST:FASTEST, as in 1e-4:0.3", arguments.speed));
   }
@@ -168,7 +177,9 @@ void add_form(CLI::App& command, TableArguments& arguments) {
   add_choice(command, "--format", arguments.format, {"c", "two-column", "json"},
              "Form of the table (default: c)\n"
              "  c:          a header in C89 and C++, of plain functions\n"
-             "  two-column: speed and eps, to be interpolated linearly in the speed\n"
+             "  two-column: speed and eps, to be interpolated linearly in the speed;\n"
+             "              with --oblique, at one speed: s/(MU v) and the same of s\n"
+             "              after the collision, s the velocity of sliding\n"
              "  json:       computed values, slopes and errors",
              "FORM", "Output");
   add(command, "--name", arguments.name, "Prefix of the names in C (default: stoss)", "NAME", "Output");

@@ -6,6 +6,7 @@
 #include "process/process.hpp"
 #include "stoss/encounter/laws.hpp"
 #include "stoss/table/adaptive_rule.hpp"
+#include "stoss/table/two_column.hpp"
 
 namespace stoss::cli {
 namespace {
@@ -52,6 +53,11 @@ RuleTable rule_of(const TableArguments& arguments, const TableJob& job) {
 }  // namespace
 
 std::string text_of_rule(const TableArguments& arguments, const TableJob& job) {
+  if (arguments.format == "two-column") {
+    TableArguments half = arguments;  // the rest is for the straight lines between the rows
+    half.tolerance *= 0.5;
+    return two_column(rule_of(half, job), job.typed[0] / job.unit, arguments.tolerance);
+  }
   const RuleTable rule = rule_of(arguments, job);
   return arguments.format == "c" ? c_header(rule, label(arguments, job)) : as_json(arguments, job, rule);
 }

@@ -183,6 +183,16 @@ def test_collisions_keep_what_must_be_kept(folder):
     assert 49_000 < met < 51_000 and energy < 1e-14 and momentum < 1e-16 and about < 1e-15
 
 
+def test_two_columns_are_at_one_speed(stoss):
+    rows = stoss.run(BALLS.replace("1e-3:1e-2", "0.004"), "--format two-column").stdout.splitlines()
+    (x, y), (u, v), (p, q) = (tuple(map(float, row.split())) for row in (rows[0], rows[-2], rows[-1]))
+    assert (x, y, u, p) == (0, 0, pytest.approx(9), pytest.approx(18)) and q - v == pytest.approx(9)
+    words = "oblique --body sphere --poisson 0.3 --against same --speed 0.004 --friction 0.1 --tangential 0.0036"
+    direct = stoss.data(words, "--tolerance 1e-3")[0]
+    assert v == pytest.approx(number(direct, "sliding_after") / 4e-4, abs=0.5)
+    assert 4 < len(rows) < 40
+
+
 def test_threads_change_nothing(stoss, document):
     again = json.loads(stoss.run(BALLS, "--format json --threads 1").stdout)
     assert again["records"] == document["records"]
@@ -194,7 +204,8 @@ def test_threads_change_nothing(stoss, document):
     ("--poisson 0.33 --speed 0.01:0.1 --tolerance 0.1", "tolerance: got --tolerance, allowed only with --oblique"),
     ("--body sphere --poisson 0.3 --speed 0.01:0.1 --friction 0.3 --oblique", "friction: got 0.3, allowed none"),
     ("--body sphere --poisson 0.3 --speed 0.01:0.2 --oblique", "allow a larger tolerance, from 0."),
-    ("--body sphere --poisson 0.3 --speed 0.01:0.1 --oblique --format two-column", "oblique: got --oblique with --format"),
+    ("--body sphere --poisson 0.3 --speed 0.01:0.1 --oblique --format two-column", "allowed one speed for two columns"),
+    ("--body sphere --poisson 0.3 --speed 0.01 --oblique", "speed: got '0.01', allowed SLOWEST:FASTEST"),
     ("--body rod --speed 0.01:0.1 --oblique", "friction: got 'rod'"),
 ])  # fmt: skip
 def test_refusals(stoss, words, said):
