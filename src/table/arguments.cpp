@@ -58,9 +58,10 @@ void require_grid(const char* name, const RuleGrid& grid, bool alike) {
   if (alike && grid.ratios.front() < 1.0) {
     throw InvalidInput("ratios: got " + shown(grid.ratios.front()) + ", allowed 1 or more for bodies that are alike");
   }
-  const bool whole = grid.slips.size() > 2 && grid.slips.front() == -1.0 && grid.slips.back() == 1.0;
-  if (grid.slips.size() != 1 &&
-      (!whole || !std::is_sorted(grid.slips.begin(), grid.slips.end(), std::less_equal<>()))) {
+  const bool rises =
+      std::adjacent_find(grid.slips.begin(), grid.slips.end(), std::greater_equal<>()) == grid.slips.end();
+  const bool whole = grid.slips.size() > 2 && grid.slips.front() == -1.0 && grid.slips.back() == 1.0 && rises;
+  if (grid.slips.size() != 1 && !whole) {
     throw InvalidInput("slips: got " + std::to_string(grid.slips.size()) +
                        ", allowed one, or three and more that rise from -1 to 1");
   }

@@ -102,8 +102,7 @@ bool mixes(const RefinableContact& contact, const Poll& poll) {
   constexpr double rounding = 1e-12;
   const UnitRatios units = units_of(probe, 1);
   const auto one = [](double ratio) { return std::abs(ratio - 1.0) < rounding; };
-  return !one(units.length) || !one(units.time) || !one(units.mass) || !one(units.softness) ||
-         mixing(along) > rounding;
+  return !one(units.length) || !one(units.time) || !one(units.mass) || !one(units.softness) || mixing(along) > rounding;
 }
 
 std::vector<std::vector<RulePoint>> computed_rules(const std::vector<RuleRequest>& requests, const RuleDemand& demand,

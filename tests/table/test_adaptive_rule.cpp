@@ -36,7 +36,7 @@ RuleCase of_two(std::string name, const RefinableContact& contact, double slowes
 std::vector<RuleCase> rule_cases() {
   const BodyMaker ball = sphere(0.3);
   const Mixture balls = mixture(Sphere{.poisson = 0.3});
-  return {of_two("ball", RefinableContact(ball), 1e-5, 1e-2, 0.0, {}),
+  return {of_two("ball", RefinableContact(ball), 1e-4, 1e-2, 0.0, {}),
           of_two("fast_ball", RefinableContact(ball), 1e-2, 0.1, 0.0, {.tolerance = 0.08}),
           of_two("balls", RefinableContact(ball, ball), 1e-4, 1e-2, 1.0, {}),
           of_two("unequal_balls", RefinableContact(ball, sphere(Sphere{.poisson = 0.2, .radius = 2.0, .young = 3.0})),
