@@ -211,12 +211,6 @@ nlohmann::ordered_json json_head(const TableArguments& arguments, const TableJob
   return document;
 }
 
-std::pair<double, double> parse_ratios(const std::string& ratio) {
-  const std::vector<std::string> ends = split(ratio, ':');
-  if (ends.size() != 2) throw InvalidInput(fmt::format("ratio: got '{}', allowed SMALLEST:GREATEST, as in 1:3", ratio));
-  return {parse_number("ratio", ends[0]), parse_number("ratio", ends[1])};
-}
-
 void add_table(CLI::App& app) {
   auto& arguments = add_subcommand<TableArguments>(
       app, "table", "Coefficient of restitution as a function, for other programs", run,

@@ -1,10 +1,15 @@
 // stoss table --oblique: the collision rule as a function, for other programs.
+#include <fmt/format.h>
+
 #include <vector>
 
+#include "app.hpp"
 #include "commands/table.hpp"
 #include "output/output.hpp"
 #include "process/process.hpp"
+#include "process/text.hpp"
 #include "stoss/encounter/laws.hpp"
+#include "stoss/errors.hpp"
 #include "stoss/table/adaptive_rule.hpp"
 #include "stoss/table/two_column.hpp"
 
@@ -51,6 +56,12 @@ RuleTable rule_of(const TableArguments& arguments, const TableJob& job) {
 }
 
 }  // namespace
+
+std::pair<double, double> parse_ratios(const std::string& ratio) {
+  const std::vector<std::string> ends = split(ratio, ':');
+  if (ends.size() != 2) throw InvalidInput(fmt::format("ratio: got '{}', allowed SMALLEST:GREATEST, as in 1:3", ratio));
+  return {parse_number("ratio", ends[0]), parse_number("ratio", ends[1])};
+}
 
 std::string text_of_rule(const TableArguments& arguments, const TableJob& job) {
   if (arguments.format == "two-column") {

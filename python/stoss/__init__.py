@@ -54,6 +54,7 @@ from stoss.bodies._state import Oscillation
 from stoss.bodies._walls import ExponentialWall, HalfPlane, HalfSpace, HardWall, Wall
 from stoss.export._csv import Table, read_csv
 from stoss.export._text import with_error
+from stoss.results._adaptive_rule import collision_rule
 from stoss.results._atlas import AtlasValue, atlas
 from stoss.results._bounce import Bounces, bounce
 from stoss.results._curves import Extrapolation, extrapolated_restitution, restitution
@@ -67,7 +68,7 @@ from stoss.results._pair_table import PairTable, pair_table
 from stoss.results._restitution import Restitution
 from stoss.results._result import Result
 from stoss.results._rod_chain import RodChain, rod_chain
-from stoss.results._rule import CollisionRule, collision_rule
+from stoss.results._rule import CollisionRule
 from stoss.sweeps._grid import Grid
 from stoss.sweeps._sweep import sweep
 from stoss.sweeps._values import Sweep, merge, open_sweep
