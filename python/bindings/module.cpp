@@ -93,5 +93,6 @@ PYBIND11_MODULE(_core, module) {
   stoss::python::bind_restitution(module);
   stoss::python::bind_oblique_impacts(module);
   stoss::python::bind_tables(module);
+  stoss::python::bind_rules(module);
   stoss::python::bind_quasistatic(module);
 }

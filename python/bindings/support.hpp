@@ -25,6 +25,7 @@ void bind_impacts(py::module_& module);
 void bind_restitution(py::module_& module);
 void bind_oblique_impacts(py::module_& module);
 void bind_tables(py::module_& module);
+void bind_rules(py::module_& module);
 void bind_quasistatic(py::module_& module);
 
 using Doubles = py::array_t<double, py::array::c_style>;

@@ -75,7 +75,8 @@ void bind_function(py::module_& module) {
             return c_header(self, {.name = name, .unit = unit, .scale = scale, .provenance = provenance});
           },
           py::arg("name"), py::arg("unit"), py::arg("scale"), py::arg("provenance"))
-      .def("two_column", &two_column, py::arg("error"), py::arg("scale"));
+      .def("two_column", py::overload_cast<const RestitutionFunction&, double, double>(&two_column), py::arg("error"),
+           py::arg("scale"));
   module.def("make_function", &made_function, py::arg("speed"), py::arg("restitution"), py::arg("restitution_error"),
              py::arg("interpolation_error"), py::arg("beyond"), py::arg("law"));
   module.def(

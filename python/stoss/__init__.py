@@ -18,6 +18,8 @@ written.
                                   bodies
 `restitution_function`            ε(v) as a function, to an error at every speed
 `pair_table`                      ε of two bodies against the speed and the ratio of their radii
+`collision_rule`                  the whole rule with friction as a function: velocities and spins
+                                  after
 `impact`                          one impact: energy ledger, trajectory, deformation and stress in
                                   time
 `oblique`                         impacts at an angle, with spin and friction
@@ -53,6 +55,7 @@ from stoss.bodies._state import Oscillation
 from stoss.bodies._walls import ExponentialWall, HalfPlane, HalfSpace, HardWall, Wall
 from stoss.export._csv import Table, read_csv
 from stoss.export._text import with_error
+from stoss.results._adaptive_rule import collision_rule
 from stoss.results._atlas import AtlasValue, atlas
 from stoss.results._bounce import Bounces, bounce
 from stoss.results._curves import Extrapolation, extrapolated_restitution, restitution
@@ -69,20 +72,21 @@ from stoss.results._pair_table import PairTable, pair_table
 from stoss.results._restitution import Restitution
 from stoss.results._result import Result
 from stoss.results._rod_chain import RodChain, rod_chain
+from stoss.results._rule import CollisionRule
 from stoss.sweeps._grid import Grid
 from stoss.sweeps._sweep import sweep
 from stoss.sweeps._values import Sweep, merge, open_sweep
 
 __all__ = [
-    "AtlasValue", "Body", "Bounces", "Disk", "DiskField", "ExponentialWall", "Extrapolation",
+    "AtlasValue", "Body", "Bounces", "CollisionRule", "Disk", "DiskField", "ExponentialWall", "Extrapolation",
     "Field", "Grid", "HalfPlane", "HalfSpace", "HardWall", "Impact", "Interrupted", "InvalidInput",
     "Material", "Modes", "NotConverged", "ObliqueImpact", "ObliqueLedger", "ObliqueRestitution",
     "ObliqueTrajectory", "Oscillation", "PairTable",
     "Restitution", "RestitutionDistribution", "RestitutionFunction", "Rod", "RodChain", "Scales",
     "Sphere", "SphereField", "StossWarning", "Sweep", "Table", "Trajectory", "Wall", "Wave",
-    "__version__", "animate", "atlas", "bounce", "extrapolated_restitution", "impact", "materials",
-    "merge", "modes", "oblique", "oblique_impact", "open_sweep", "pair_table", "plot", "quasistatic",
-    "read_csv", "restitution",
+    "__version__", "animate", "atlas", "bounce", "collision_rule", "extrapolated_restitution",
+    "impact", "materials", "merge", "modes", "oblique", "oblique_impact", "open_sweep",
+    "pair_table", "plot", "quasistatic", "read_csv", "restitution",
     "restitution_distribution", "restitution_function", "rod_chain", "sweep", "with_error",
 ]  # fmt: skip
 

@@ -4,6 +4,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 _Array: TypeAlias = NDArray[np.float64]
+_Grid: TypeAlias = tuple[_Array, _Array, _Array, _Array, _Array, _Array]
 _Table: TypeAlias = NDArray[Any]
 
 version: str
@@ -50,6 +51,17 @@ class PairTable:
     def errors(self, speeds: _Array, ratios: _Array) -> _Array: ...
     def greatest_error(self) -> float: ...
     def given(self) -> tuple[_Array, _Array, _Array, _Array, _Array, bool]: ...
+
+class RuleTable:
+    def evaluate(self, speed: _Array, sliding: _Array, friction: _Array, ratio: _Array) -> _Array: ...
+    def given(self) -> tuple[_Grid, _Grid, bool]: ...
+    def nodes(self) -> tuple[_Array, _Array]: ...
+    def errors(self) -> tuple[float, float]: ...
+    def c_header(self, name: str, unit: str, scale: float, provenance: list[str]) -> str: ...
+    def collide(
+        self, encounter: Encounter, dimension: int, velocity: tuple[_Array, _Array], spin: tuple[_Array, _Array],
+        normal: _Array, friction: _Array, radius: tuple[_Array, _Array] | None,
+    ) -> None: ...  # fmt: skip
 
 class Frames:
     def summaries(self) -> _Table: ...
@@ -125,6 +137,11 @@ def make_pair_table(
     speed: _Array, ratio: _Array, restitution: _Array, restitution_error: _Array, interpolation_error: _Array,
     alike: bool, beyond: str,
 ) -> PairTable: ...  # fmt: skip
+def make_rule(restitution: _Grid, sliding: _Grid, alike: bool, friction: float | None, beyond: str) -> RuleTable: ...
+def adaptive_rule(
+    encounter: Encounter, speed: tuple[float, float], ratio: tuple[float, float] | None, error: float, tolerance: float,
+    friction: float | None, threads: int,
+) -> RuleTable: ...  # fmt: skip
 def slowest_bounce(speed: float) -> float: ...
 def bounce(
     contact: Contact, tail: str, speed: float, count: int, flight_time: float | None, gravity: float | None,

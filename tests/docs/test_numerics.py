@@ -154,6 +154,18 @@ def test_errors_of_lossy_bodies():
     assert f"{converged[0]}, {converged[1]} and {converged[2]} converge" in WORDS
 
 
+@pytest.mark.parametrize("against, speed, tolerance", [
+    ("wall", "1e-5:1e-2", 0.02), ("wall", "1e-3:0.1", 0.08), ("same", "1e-4:1e-2", 0.02), ("same", "1e-4:1e-3", 0.005)
+])  # fmt: skip
+def test_grid_of_a_table_of_the_rule(against, speed, tolerance):
+    job = f"table --body sphere --poisson 0.3 --against {against} --speed {speed} --tolerance {tolerance} --oblique"
+    words = [os.environ["STOSS"], *job.split(), "--format", "json"]
+    found = json.loads(subprocess.run(words, capture_output=True, text=True, check=True, timeout=120).stdout)
+    grid = found["records"][1]
+    size = f"{len(grid['speed'])} × {len(grid['slip'])}"
+    assert f"| {tolerance} | {size} | {found['greatest_sliding_error']:.2g} |" in PAGE
+
+
 @pytest.mark.parametrize("error", (1e-2, 1e-3))
 def test_grid_of_a_table_of_pairs(error):
     job = f"table --poisson 0.33 --against same --speed 1e-3:0.3 --ratio 1:3 --error {error} --format json"

@@ -11,6 +11,7 @@
 #include "stoss/table/c_source.hpp"
 #include "stoss/table/two_column.hpp"
 #include "support/refusal.hpp"
+#include "support/rules.hpp"
 #include "table/arguments.hpp"
 #include "table/c_text.hpp"
 
@@ -87,6 +88,27 @@ TEST(TwoColumns, RefuseWhatTheFunctionIsNot) {
   test::expect_refusal([&] { (void)two_column(wave(), std::nan("")); }, {"error: got nan"});
   test::expect_refusal([&] { (void)two_column(wave(), 1e-3, 0.0); }, {"scale: got 0"});
   test::expect_refusal([&] { (void)two_column(wave(), 1e-3, std::nan("")); }, {"scale: got nan"});
+}
+
+TEST(TwoColumns, OfARuleStayWithinTheErrorAtOneSpeed) {
+  const RuleTable rule(test::some_rule());
+  constexpr double speed = 0.04, friction = 0.3, error = 0.01;
+  const auto rows = read(two_column(rule, speed, error));
+  ASSERT_GT(rows.size(), 4U);
+  EXPECT_LT(rows.size(), 30U);
+  EXPECT_EQ(rows.front(), (std::pair{0.0, 0.0}));
+  for (double w = 0.01; w < 100.0; w *= 1.01) {
+    std::size_t k = 0;
+    while (k + 2 < rows.size() && rows[k + 1].first <= w) ++k;
+    const auto [from, low] = rows[k];
+    const auto [to, high] = rows[k + 1];
+    const double chord = low + (high - low) * (w - from) / (to - from);
+    const double expected = rule(speed, w * friction * speed, friction).sliding_after / (friction * speed);
+    EXPECT_LE(std::abs(chord - expected) / (1.0 + w) + rule.greatest_sliding_error(), error * 1.001) << w;
+  }
+  test::expect_refusal([&] { (void)two_column(rule, speed, 1e-3); }, {"error: got 0.001"});
+  test::expect_refusal([&] { (void)two_column(rule, 1.0, error); }, {"speed: got 1"});
+  test::expect_refusal([&] { (void)two_column(RuleTable(test::some_rule({1.0, 2.0, 3.0})), speed, error); }, {"ratio"});
 }
 
 TEST(SpeedRange, IsWhatWasTyped) {

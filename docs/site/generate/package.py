@@ -20,7 +20,9 @@ PAGES = {
     "Bodies that vibrate": (
         "Oscillation restitution_distribution RestitutionDistribution bounce Bounces rod_chain RodChain"
     ),
-    "Functions and tables": "restitution_function RestitutionFunction pair_table PairTable read_csv Table",
+    "Functions and tables": (
+        "restitution_function RestitutionFunction pair_table PairTable collision_rule CollisionRule read_csv Table"
+    ),
     "Sweeps": "Grid sweep Sweep merge open_sweep atlas AtlasValue",
     "Errors and warnings": "InvalidInput NotConverged Interrupted StossWarning",
 }

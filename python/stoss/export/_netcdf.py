@@ -1,10 +1,10 @@
-"""A sweep as a NetCDF-4 file."""
+"""Sweeps and columns of results as NetCDF-4 files."""
 
 from __future__ import annotations
 
 import json
 import os
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, Mapping
 
 import numpy as np
 
@@ -30,6 +30,34 @@ def write(sweep: Sweep, path: str) -> None:
     _describe(file, sweep)
     _coordinates(file, sweep)
     _results(file, sweep)
+    _write(file, path)
+
+
+def write_columns(
+    path: str, columns: Mapping[str, Any], dimensions: tuple[str, ...], units: Mapping[str, str], inputs: Mapping[str, Any]
+) -> None:
+    """The columns of a result, of which those named as dimensions are its coordinates."""
+    try:
+        import netCDF4
+    except ImportError:
+        raise ImportError("netcdf: needs the package netCDF4 (python3-netcdf4), which is missing") from None
+
+    file = netCDF4.Dataset("result", "w", format="NETCDF4", memory=1)
+    file.setncatts({"Conventions": "CF-1.8", "source": f"stoss {_core.version}"})
+    file.setncatts({key: str(value) for key, value in inputs.items()})
+    shape = next(iter(columns.values())).shape
+    for axis, (name, size) in enumerate(zip(dimensions, shape)):
+        file.createDimension(name, size)
+        variable = file.createVariable(name, "f8", (name,))
+        variable[:] = np.moveaxis(columns[name], axis, 0).reshape(size, -1)[:, 0]
+    for name, values in columns.items():
+        if name not in dimensions:
+            file.createVariable(name, "f8", dimensions, zlib=True, shuffle=True)[:] = values
+        file[name].setncatts({"long_name": name.replace("_", " "), "units": units.get(name, "1")})
+    _write(file, path)
+
+
+def _write(file: Any, path: str) -> None:
     content = file.close()
     with whole_file(path) as temporary, open(temporary, "wb") as stream:
         stream.write(content)

@@ -8,7 +8,7 @@ from pathlib import Path
 import stoss
 
 OPAQUE = ("Contact", "Encounter", "Frames", "Impact", "ObliqueImpact", "PairTable",
-          "RefinableContact", "RestitutionFunction", "RodChain", "SlowLaw")  # fmt: skip
+          "RefinableContact", "RestitutionFunction", "RodChain", "RuleTable", "SlowLaw")  # fmt: skip
 PYPROJECT = Path(__file__).parents[3] / "pyproject.toml"
 
 

@@ -1,0 +1,76 @@
+// stoss table --oblique: the collision rule as a function, for other programs.
+#include <fmt/format.h>
+
+#include <vector>
+
+#include "app.hpp"
+#include "commands/table.hpp"
+#include "output/output.hpp"
+#include "process/process.hpp"
+#include "process/text.hpp"
+#include "stoss/encounter/laws.hpp"
+#include "stoss/errors.hpp"
+#include "stoss/table/adaptive_rule.hpp"
+#include "stoss/table/two_column.hpp"
+
+namespace stoss::cli {
+namespace {
+
+nlohmann::ordered_json grid_of(const std::string& quantity, const RuleGrid& grid, const std::vector<double>& nodes,
+                               const std::vector<double>& errors, const TableJob& job) {
+  nlohmann::ordered_json record{{"quantity", quantity}};
+  for (const double each : grid.speeds) record["speed"].push_back(each * job.unit);
+  record["slip"] = grid.slips;
+  record["ratio"] = grid.ratios;
+  for (const Estimate& each : grid.values) record["error"].push_back(each.error);
+  record["nodes"] = nodes;
+  record["error_of_cells"] = errors;
+  return record;
+}
+
+std::string as_json(const TableArguments& arguments, const TableJob& job, const RuleTable& rule) {
+  auto document = json_head(arguments, job,
+                            "ln(speed), in slip = (|s| - mu speed)/(|s| + mu speed) and in (ratio - 1)/(ratio + 1)");
+  const RuleValues& values = rule.values();
+  document["greatest_error"] = rule.greatest_restitution_error();
+  document["greatest_sliding_error"] = rule.greatest_sliding_error();
+  document["inverse_is_same"] = values.alike;
+  if (values.friction) document["friction"] = *values.friction;
+  document["records"] = {
+      grid_of("restitution", values.restitution, rule.restitution_nodes(), rule.restitution_errors(), job),
+      grid_of("sliding", values.sliding, rule.sliding_nodes(), rule.sliding_errors(), job)};
+  document["complete"] = true;
+  return json_text(document);
+}
+
+RuleTable rule_of(const TableArguments& arguments, const TableJob& job) {
+  const RuleTableOptions options{.error = arguments.error,
+                                 .tolerance = arguments.tolerance,
+                                 .friction = arguments.friction,
+                                 .beyond = beyond(arguments),
+                                 .threads = arguments.threads,
+                                 .poll = heed_interrupts};
+  if (arguments.ratio.empty()) return rule_table(refinable(job.encounter), job.speeds[0], job.speeds[1], options);
+  const auto [smallest, largest] = parse_ratios(arguments.ratio);
+  return rule_table(mixture(job.encounter), job.speeds[0], job.speeds[1], smallest, largest, options);
+}
+
+}  // namespace
+
+std::pair<double, double> parse_ratios(const std::string& ratio) {
+  const std::vector<std::string> ends = split(ratio, ':');
+  if (ends.size() != 2) throw InvalidInput(fmt::format("ratio: got '{}', allowed SMALLEST:GREATEST, as in 1:3", ratio));
+  return {parse_number("ratio", ends[0]), parse_number("ratio", ends[1])};
+}
+
+std::string text_of_rule(const TableArguments& arguments, const TableJob& job) {
+  if (arguments.format == "two-column") {
+    TableArguments half = arguments;  // the rest is for the straight lines between the rows
+    half.tolerance *= 0.5;
+    return two_column(rule_of(half, job), job.typed[0] / job.unit, arguments.tolerance);
+  }
+  const RuleTable rule = rule_of(arguments, job);
+  return arguments.format == "c" ? c_header(rule, label(arguments, job)) : as_json(arguments, job, rule);
+}
+
+}  // namespace stoss::cli
