@@ -23,6 +23,7 @@ if [ "$what" = test ] || [ "$what" = all ]; then
   packages+=(
     libgtest-dev libgmock-dev pkgconf python3-pytest python3-jsonschema python3-hypothesis python3-tqdm mypy
     gfortran chipmunk-dev libbox2d-dev libbullet-dev
+    python3-scipy lammps liggghts libmujoco-dev
     python3-netcdf4 python3-xarray python3-mpi4py openmpi-bin python3-distributed
     clang libclang-rt-dev clang-format
     emscripten chromium
@@ -33,9 +34,10 @@ if [ "$what" = test ] || [ "$what" = all ]; then
   fi
 fi
 
-# Benchmarks; static analysis; the documentation site.
+# A program for the long tests, of a gigabyte; benchmarks; static analysis; the documentation site.
 if [ "$what" = all ]; then
   packages+=(
+    yade
     libbenchmark-dev clang-tidy
     doxygen python3-sphinx furo python3-myst-parser python3-breathe python3-sphinx-copybutton libjs-katex
   )

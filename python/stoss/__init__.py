@@ -21,6 +21,7 @@ written.
 `impact`                          one impact: energy ledger, trajectory, deformation and stress in
                                   time
 `oblique`                         impacts at an angle, with spin and friction
+`fit`                             constants of a force law of a simulation program, and their misfit
 `restitution_distribution`        ε of many bodies that vibrate at random before
 `sweep`, `Grid`                   ε of many bodies, partners and speeds, with a store
 `merge`, `open_sweep`             the values in such a store
@@ -52,6 +53,7 @@ from stoss.bodies._state import Oscillation
 from stoss.bodies._walls import ExponentialWall, HalfPlane, HalfSpace, HardWall, Wall
 from stoss.export._csv import Table, read_csv
 from stoss.export._text import with_error
+from stoss.laws._fit import Fit, Misfit, fit
 from stoss.results._atlas import AtlasValue, atlas
 from stoss.results._bounce import Bounces, bounce
 from stoss.results._curves import Extrapolation, extrapolated_restitution, restitution
@@ -71,11 +73,11 @@ from stoss.sweeps._values import Sweep, merge, open_sweep
 
 __all__ = [
     "AtlasValue", "Body", "Bounces", "Disk", "DiskField", "ExponentialWall", "Extrapolation",
-    "Field", "Grid", "HalfPlane", "HalfSpace", "HardWall", "Impact", "Interrupted", "InvalidInput",
-    "Material", "Modes", "NotConverged", "ObliqueRestitution", "Oscillation", "PairTable",
+    "Field", "Fit", "Grid", "HalfPlane", "HalfSpace", "HardWall", "Impact", "Interrupted", "InvalidInput",
+    "Material", "Misfit", "Modes", "NotConverged", "ObliqueRestitution", "Oscillation", "PairTable",
     "Restitution", "RestitutionDistribution", "RestitutionFunction", "Rod", "RodChain", "Scales",
     "Sphere", "SphereField", "StossWarning", "Sweep", "Table", "Trajectory", "Wall", "Wave",
-    "__version__", "animate", "atlas", "bounce", "extrapolated_restitution", "impact", "materials",
+    "__version__", "animate", "atlas", "bounce", "extrapolated_restitution", "fit", "impact", "materials",
     "merge", "modes", "oblique", "open_sweep", "pair_table", "plot", "quasistatic", "read_csv", "restitution",
     "restitution_distribution", "restitution_function", "rod_chain", "sweep", "with_error",
 ]  # fmt: skip

@@ -21,6 +21,7 @@ PAGES = {
         "Oscillation restitution_distribution RestitutionDistribution bounce Bounces rod_chain RodChain"
     ),
     "Functions and tables": "restitution_function RestitutionFunction pair_table PairTable read_csv Table",
+    "Force laws": "fit Fit Misfit",
     "Sweeps": "Grid sweep Sweep merge open_sweep atlas AtlasValue",
     "Errors and warnings": "InvalidInput NotConverged Interrupted StossWarning",
 }

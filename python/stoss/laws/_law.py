@@ -22,12 +22,11 @@ KAPPA = (0.1, 3.0)
 class Pair:
     """Two spheres, or a sphere and a wall, in the units in which they were given: SI with a material.
 
-    `mass` and `radius` are the reduced ones; `young` is E*, 1/E* = Σ(1 − ν²)/E.
+    `mass` and `radius` are the reduced ones.
     """
 
     mass: float
     radius: float
-    young: float
     first_radius: float
     second_radius: float | None
     first_density: float

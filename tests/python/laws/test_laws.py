@@ -17,7 +17,7 @@ from stoss.laws._tsuji import Tsuji
 from stoss.laws._viscoelastic import Viscoelastic
 from stoss.laws._walton import Walton
 
-PAIR = Pair(2e-3, 4e-3, 3e10, 8e-3, 8e-3, 2500.0, 2500.0)
+PAIR = Pair(2e-3, 4e-3, 8e-3, 8e-3, 2500.0, 2500.0)
 PULLS, PUSHES = Spring(tension=True), Spring()
 SPEEDS = np.geomspace(1e-3, 3.0, 5)
 SLIDING = np.array([0.5, 1.0, 2.0, 3.0, 4.0, 6.0])

@@ -1,0 +1,25 @@
+"""MuJoCo: `solref` and `solimp` of a default geometry.
+
+MuJoCo does not accept a time constant below twice its time step, and needs some hundred steps in a contact. Its
+friction brakes sliding and has no spring. Tried with version 2.2.2. Source: its documentation, Modeling, Solver
+parameters.
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+from stoss.laws._collision import Spring
+from stoss.laws._program import Program, Wording, digits
+
+IMPEDANCE = 0.9
+"""d, which does not count along the normal."""
+
+
+def _lines(law: Any) -> list[str]:
+    solref = f"{digits(law.timeconst)} {digits(law.dampratio)}"
+    solimp = f"{IMPEDANCE} {IMPEDANCE} {digits(law.pair.first_radius)}"
+    return [f'<default><geom solref="{solref}" solimp="{solimp}"/></default>']
+
+
+MUJOCO = Program({"mujoco": Wording(_lines, Spring(), None)}, comment="<!-- ", end=" -->")

@@ -1,0 +1,91 @@
+"""The lines that stoss writes for a program, in that program: two balls collide as the law says, and near to stoss."""
+
+import functools
+import shutil
+import subprocess
+
+import numpy as np
+import pytest
+
+import stoss
+import two_balls
+
+SPEEDS = np.geomspace(1e-3, 0.1, 5)
+SLIDING = np.array([0.5, 1.0, 2.0, 3.0, 4.0, 6.0])  # over μv: angles from 3 to 31 degrees
+FRICTION = 0.1
+
+
+@functools.lru_cache(maxsize=None)
+def has(program):
+    """Whether it is there."""
+    if program == "mujoco":
+        find = ["cc", "-include", "mujoco/mujoco.h", "-x", "c", "-E", "/dev/null"]
+        return subprocess.run(find, capture_output=True).returncode == 0
+    return shutil.which({"lammps": "lmp"}.get(program, program)) is not None
+
+
+def ball_of(material):
+    return stoss.Sphere(radius=5e-3, material=stoss.materials[material])
+
+
+@functools.lru_cache(maxsize=None)
+def elastic(material):
+    return stoss.restitution(ball_of(material), against="same", speed=SPEEDS)
+
+
+@functools.lru_cache(maxsize=None)
+def at_angles(material):
+    given = {"speed": SPEEDS[:, None], "tangential": FRICTION * SPEEDS[:, None] * SLIDING, "friction": FRICTION}
+    return stoss.oblique(ball_of(material), against="same", **given)
+
+
+def collide(law, program, material, friction, folder):
+    """A fit, and ε and ε_t of its program at each speed; ε_t at each sliding."""
+    if not has(program):
+        pytest.skip(f"needs {program}")
+    ball = ball_of(material)
+    fit = stoss.fit(ball, against="same", law=law, speed=(SPEEDS[0], SPEEDS[-1]), friction=friction, program=program)
+    slidings = np.concatenate([[0.0], SLIDING if friction else []])
+    speeds = np.repeat(SPEEDS, slidings.size)
+    pairs = two_balls.Pairs(
+        ball.radius, ball.density, speeds, np.tile(slidings, SPEEDS.size) * friction * speeds,
+        fit.fitted.contact_time(SPEEDS),
+    )  # fmt: skip
+    found = getattr(two_balls, program)(pairs, fit.lines, folder)
+    normal, along = (each.reshape(SPEEDS.size, slidings.size) for each in found)
+    return fit, normal, along[:, 1:]
+
+
+HEAD_ON = [(law, program) for program in ("lammps", "liggghts") for law in ("linear", "tsuji", "viscoelastic")]
+HEAD_ON += [("mujoco", "mujoco")]
+YADE = [pytest.param(law, "yade", marks=pytest.mark.long) for law in ("linear", "tsuji")]
+
+
+@pytest.mark.parametrize("law, program", [*HEAD_ON, *YADE])
+def test_head_on(law, program, tmp_path):
+    fit, normal, _ = collide(law, program, "rubber", 0.0, tmp_path)
+    expected = fit.fitted.restitution(SPEEDS)
+    assert 1 - normal[:, 0] == pytest.approx(1 - expected, rel=1e-3)  # the loss, 0.03 to 0.08
+    assert np.abs(normal[:, 0] - elastic("rubber").restitution).max() <= fit.misfit["restitution"].maximum + 1e-4
+
+
+@pytest.mark.parametrize("law, program", [*HEAD_ON[:-1], *YADE])
+def test_at_angles(law, program, tmp_path):
+    fit, normal, along = collide(law, program, "steel", FRICTION, tmp_path)
+    assert normal == pytest.approx(np.repeat(fit.fitted.restitution(SPEEDS)[:, None], 7, axis=1), abs=1e-3)
+    assert along == pytest.approx(fit.fitted.tangential_restitution(SPEEDS, SLIDING), abs=1.1e-3)
+    misfit = fit.misfit["tangential_restitution"].maximum
+    assert np.abs(along - at_angles("steel").tangential_restitution).max() <= misfit + 5e-3
+
+
+@pytest.mark.parametrize("program", ["lammps", "liggghts"])
+def test_a_wall(program, tmp_path):
+    """A ball meets a plane: the reduced mass and radius are its own."""
+    if not has(program):
+        pytest.skip(f"needs {program}")
+    ball = ball_of("rubber")
+    for law in ("linear", "tsuji", "viscoelastic"):
+        fit = stoss.fit(ball, law=law, speed=(1e-3, 0.1), program=program)
+        rebound = two_balls.drop(program, ball, 0.05, fit.lines, float(fit.law_contact_time.min()), tmp_path)
+        expected = fit.fitted.restitution(np.array([0.05]))[0]
+        assert 1 - rebound == pytest.approx(1 - expected, rel=1e-3)
