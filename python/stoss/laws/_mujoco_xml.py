@@ -1,7 +1,7 @@
 """MuJoCo: `solref` and `solimp` of a default geometry.
 
-MuJoCo does not accept a time constant below twice its time step, and needs some hundred steps in a contact. Its
-friction brakes sliding and has no spring. Tried with version 2.2.2. Source: its documentation, Modeling, Solver
+The time step must resolve the contact, which is much shorter than the time constant. Friction brakes sliding and has
+no spring. Tried with version 2.2.2. Source: its documentation, Modeling, Solver
 parameters.
 """
 

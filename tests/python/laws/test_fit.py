@@ -1,5 +1,6 @@
 """`stoss.fit` and `stoss fit`: what they find, print, write and refuse."""
 
+import importlib.util
 import os
 import subprocess
 import sys
@@ -78,6 +79,14 @@ def test_the_misfit_comes_first_and_stays_in_files(tmp_path):
     assert "misfit" in str(rows).splitlines()[0]
     fit.to_csv(tmp_path / "law.csv")
     assert stoss.read_csv(tmp_path / "law.csv")["law_restitution"] == pytest.approx(fit.law_restitution)
+
+
+def test_the_table_of_the_page_is_made_so():
+    root = Path(__file__).parents[3]
+    found = importlib.util.spec_from_file_location("make", root / "studies/laws/make.py")
+    study = importlib.util.module_from_spec(found)
+    found.loader.exec_module(study)
+    assert study.row("steel", "table") in (root / "docs/results/laws.csv").read_text(encoding="utf-8").splitlines()
 
 
 @pytest.mark.parametrize(
