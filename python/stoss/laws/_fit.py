@@ -113,6 +113,8 @@ class Fit(Result):
             relative = name == "contact_time"
             values = (f"{100 * value:.2g} %" if relative else f"{value:.2g}" for value in each)
             lines.append(f"{name:24}" + "".join(f"{value:>11}" for value in values))
+        if self.friction > 0.0 and "tangential_restitution" not in self.misfit:
+            lines.append("tangential_restitution   not fitted")
         units = self.fitted.UNITS if self.body.material is not None else {}
         lines.append(f"{self.law}: {self.fitted.EQUATION}")
         lines += [f"{name} = {value:.6g} {units.get(name, '')}".rstrip() for name, value in self.constants.items()]

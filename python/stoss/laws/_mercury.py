@@ -1,7 +1,8 @@
 """MercuryDPM: a species for the linear law and one for Tsuji's.
 
 Contacts pull before they part. The spring along the surface of the linear species keeps its path; that of its Mindlin
-species is another law, so that of Tsuji is written without friction. Not tried here. Source: its classes
+species is another law, so that of Tsuji is written without friction. Pairs only. Not
+tried here. Source: its classes
 LinearViscoelasticInteraction, SlidingFrictionInteraction and HertzianViscoelasticInteraction.
 """
 
@@ -35,4 +36,6 @@ def _tsuji(law: Any) -> list[str]:
 
 
 PULLS = Spring(tension=True)
-MERCURY = Program({"linear": Wording(_linear, PULLS), "tsuji": Wording(_tsuji, PULLS, None)}, comment="// ")
+MERCURY = Program(
+    {"linear": Wording(_linear, PULLS), "tsuji": Wording(_tsuji, PULLS, None)}, comment="// ", walls=False
+)

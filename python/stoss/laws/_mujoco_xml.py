@@ -19,7 +19,8 @@ IMPEDANCE = 0.9
 def _lines(law: Any) -> list[str]:
     solref = f"{digits(law.timeconst)} {digits(law.dampratio)}"
     solimp = f"{IMPEDANCE} {IMPEDANCE} {digits(law.pair.first_radius)}"
-    return [f'<default><geom solref="{solref}" solimp="{solimp}"/></default>']
+    friction = f'condim="3" friction="{digits(law.friction)} 0 0"' if law.friction else 'condim="1"'
+    return [f'<default><geom solref="{solref}" solimp="{solimp}" {friction}/></default>']
 
 
 MUJOCO = Program({"mujoco": Wording(_lines, Spring(), None)}, comment="<!-- ", end=" -->")

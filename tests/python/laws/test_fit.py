@@ -77,6 +77,8 @@ def test_the_misfit_comes_first_and_stays_in_files(tmp_path):
     read = np.loadtxt(tmp_path / "table")
     assert np.abs(np.interp(fit.speed, *read.T) - fit.restitution).max() <= rows.misfit["restitution"].maximum + 1e-9
     assert "misfit" in str(rows).splitlines()[0]
+    rubbing = stoss.fit(BALL, law="thornton", speed=RANGE, friction=0.2)
+    assert "tangential_restitution   not fitted" in str(rubbing).splitlines()
     fit.to_csv(tmp_path / "law.csv")
     assert stoss.read_csv(tmp_path / "law.csv")["law_restitution"] == pytest.approx(fit.law_restitution)
 
@@ -161,7 +163,7 @@ class TestCommand:
         words = "--body sphere --material glass --radius 0.005 --against sphere,radius=0.01,material=steel"
         file = tmp_path / "law"
         done = self.run(
-            interpreter, *words.split(), "--speed", "0.01:0.1", "--law", "linear", "--program", "lammps", "-o", str(file)
+            interpreter, *words.split(), *"--speed 0.01:0.1 --law linear --program lammps -o".split(), str(file)
         )
         steel = stoss.Sphere(radius=0.01, material=stoss.materials["steel"])
         fit = stoss.fit(BALL, against=steel, law="linear", speed=RANGE, program="lammps")
@@ -174,7 +176,7 @@ class TestCommand:
             ("--body sphere --poisson 0.3 --law tsuji --speed 0.1", 3, "speed: got '0.1', allowed SLOWEST:FASTEST"),
             ("--body sphere --poisson 0.3 --law tsuji --speed 0.2:0.1", 3, "allowed a slowest speed below the fastest"),
             ("--poisson 0.3 --law tsuji --speed 0.1:0.2", 3, "body: got disk, allowed sphere"),
-            ("--body sphere --poisson 0.3 --law thornton --speed 0.1:0.2 --program yade", 3, "for yade, allowed linear"),
+            ("--body sphere --poisson 0.3 --law table --speed 0.1:0.2 --program yade", 3, "for yade, allowed linear"),
             ("--body sphere --poisson 0.3 --law tsuji --speed 0.1:0.2 --friction 9", 3, "friction: got 9.0"),
             ("--body sphere --poisson 0.3 --law tsuij --speed 0.1:0.2", 2, "tsuij"),
         ],

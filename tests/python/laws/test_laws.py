@@ -1,6 +1,7 @@
 """Each law against closed forms, and against an integration that knows only its force."""
 
 import dataclasses
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -145,6 +146,25 @@ def test_springs_along_the_surface():
     same = dataclasses.replace(elastic, tangential_ratio=0.9)
     a, b = (each.tangential_restitution(SPEEDS[:1], SLIDING) for each in (other, same))
     assert a == pytest.approx(b, abs=1e-9)
+
+
+def test_springs_are_those_of_the_study_of_oblique_impacts():
+    """docs/results/oblique/dem.csv: elastic spheres of ν = 0.3, integrated by a program in C++."""
+    lines = (Path(__file__).parents[3] / "docs/results/oblique/dem.csv").read_text(encoding="utf-8").splitlines()
+    rows = [line.split(",") for line in lines if line[0] != "#"][1:]
+    mindlin = 1.4 / 1.7
+    k = 1e9
+    laws = {
+        "history": Tsuji(PAIR, PULLS, 0.3, k, 1e-9, mindlin),
+        "force": Tsuji(PAIR, Spring(tension=True, rising=True), 0.3, k, 1e-9, mindlin),
+        "linear_1": Linear(PAIR, PULLS, 0.3, k, 1e-9, 1.0),
+        "linear_2/7": Linear(PAIR, PULLS, 0.3, k, 1e-9, 2 / 7),
+    }
+    for name, law in laws.items():
+        values = {float(x): float(value) for each, x, value in rows if each == name}
+        x = np.array([0.5, 1.0, 2.0, 3.0, 5.0, 7.0])
+        found = law.tangential_restitution(SPEEDS[:1], x)[0]
+        assert found == pytest.approx([values[each] for each in x], abs=2e-3), name
 
 
 def impacts_by(law, friction):

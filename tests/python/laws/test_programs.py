@@ -47,10 +47,8 @@ def collide(law, program, material, friction, folder):
     fit = stoss.fit(ball, against="same", law=law, speed=(SPEEDS[0], SPEEDS[-1]), friction=friction, program=program)
     slidings = np.concatenate([[0.0], SLIDING if friction else []])
     speeds = np.repeat(SPEEDS, slidings.size)
-    pairs = two_balls.Pairs(
-        ball.radius, ball.density, speeds, np.tile(slidings, SPEEDS.size) * friction * speeds,
-        fit.fitted.contact_time(SPEEDS),
-    )  # fmt: skip
+    along = np.tile(slidings, SPEEDS.size) * friction * speeds
+    pairs = two_balls.Pairs(ball, speeds, along, fit.fitted.contact_time(SPEEDS))
     found = getattr(two_balls, program)(pairs, fit.lines, folder)
     normal, along = (each.reshape(SPEEDS.size, slidings.size) for each in found)
     return fit, normal, along[:, 1:]
@@ -79,12 +77,26 @@ def test_at_angles(law, program, tmp_path):
 
 
 @pytest.mark.parametrize("program", ["lammps", "liggghts"])
+def test_unequal_balls(program, tmp_path):
+    """The constants are those of their reduced mass and radius."""
+    if not has(program):
+        pytest.skip(f"needs {program}")
+    stiffer = stoss.Material(young=2e7, poisson=0.3, density=3000)
+    ball, second = ball_of("rubber"), stoss.Sphere(radius=8e-3, material=stiffer)
+    for law in ("linear", "tsuji", "viscoelastic"):
+        fit = stoss.fit(ball, against=second, law=law, speed=(1e-3, 0.1), program=program)
+        pairs = two_balls.Pairs(ball, SPEEDS[::2], 0 * SPEEDS[::2], fit.fitted.contact_time(SPEEDS[::2]), second)
+        normal, _ = getattr(two_balls, program)(pairs, fit.lines, tmp_path)
+        assert 1 - normal == pytest.approx(1 - fit.fitted.restitution(SPEEDS[::2]), rel=1e-3)
+
+
+@pytest.mark.parametrize("program", ["lammps", "liggghts", "mujoco"])
 def test_a_wall(program, tmp_path):
     """A ball meets a plane: the reduced mass and radius are its own."""
     if not has(program):
         pytest.skip(f"needs {program}")
     ball = ball_of("rubber")
-    for law in ("linear", "tsuji", "viscoelastic"):
+    for law in ("mujoco",) if program == "mujoco" else ("linear", "tsuji", "viscoelastic"):
         fit = stoss.fit(ball, law=law, speed=(1e-3, 0.1), program=program)
         rebound = two_balls.drop(program, ball, 0.05, fit.lines, float(fit.law_contact_time.min()), tmp_path)
         expected = fit.fitted.restitution(np.array([0.05]))[0]

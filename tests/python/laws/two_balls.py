@@ -13,16 +13,20 @@ APART = 10  # radii between pairs
 
 
 class Pairs:
-    """Places and velocities of pairs of equal balls before and, by `outcome`, what becomes of them."""
+    """Places and velocities of pairs of balls before and, by `outcome`, what becomes of them."""
 
-    def __init__(self, radius, density, speeds, slidings, contact_time):
-        self.radius, self.density = radius, density
+    def __init__(self, ball, speeds, slidings, contact_time, second=None):
+        radius, self.balls = ball.radius, (ball, second or ball)
         self.speed, self.sliding = np.broadcast_arrays(*map(np.asarray, (speeds, slidings)))
         self.step = contact_time.min() / 8000
         gap = 3 * self.step * self.speed
         self.steps = int(1.1 * contact_time.max() / self.step) + 10
         here = np.arange(self.speed.size)[:, None] * [0, APART * radius, 0]
-        self.first, self.second = here - [radius, 0, 0], here + np.stack([radius + gap, 0 * gap, 0 * gap], axis=1)
+        away = self.balls[1].radius + gap
+        self.first, self.second = here - [radius, 0, 0], here + np.stack([away, 0 * gap, 0 * gap], axis=1)
+        self.radius = radius
+        self.radii, self.densities = (np.repeat([getattr(each, name) for each in self.balls], self.speed.size)
+                                      for name in ("radius", "density"))  # fmt: skip
         half = 0.5 * np.stack([self.speed, self.sliding, 0 * self.speed], axis=1)
         self.velocity = half, -half
 
@@ -34,7 +38,8 @@ class Pairs:
         relative = velocities[:count] - velocities[count:]
         along = np.stack([-normal[:, 1], normal[:, 0], 0 * normal[:, 0]], axis=1)
         approach = np.sum(relative * normal, axis=1)
-        surface = np.sum(relative * along, axis=1) + self.radius * (spins[:count] + spins[count:])[:, 2]
+        turning = self.radii * spins[:, 2]
+        surface = np.sum(relative * along, axis=1) + turning[:count] + turning[count:]
         start = np.where(self.sliding, self.sliding, np.nan)
         return -approach / self.speed, -surface / start
 
@@ -48,9 +53,10 @@ def _run(*command, folder):
 def molecular(command, balls, lines, run, folder):
     """Places, velocities and spins after a run of LAMMPS or LIGGGHTS, whose scripts differ in little.
 
-    `balls` are places, velocities, radius and density; `run` is the time step and how many.
+    `balls` are places, velocities, radii and densities; `run` is the time step and how many.
     """
-    places, speeds, radius, density = balls
+    places, speeds, radii, densities = balls
+    radius = radii.max()
     step, steps = run
     old = command == "liggghts"
     low, high = places.min(axis=0) - 5 * radius, places.max(axis=0) + 5 * radius
@@ -61,7 +67,8 @@ def molecular(command, balls, lines, run, folder):
         "newton off", "communicate single vel yes" if old else "comm_modify vel yes",
         f"region box block {box} units box", f"create_box {types} box",
         *(f"create_atoms 1 single {x:.17g} {y:.17g} {z:.17g} units box" for x, y, z in places),
-        f"set atom * diameter {2 * radius:.17g} density {density:.17g}",
+        *(f"set atom {k} diameter {2 * size:.17g} density {density:.17g}"
+          for k, (size, density) in enumerate(zip(radii, densities), 1)),
     ]  # fmt: skip
     for k, velocity in enumerate(speeds, 1):
         words = " ".join(f"{each:.17g}" for each in velocity)
@@ -79,24 +86,13 @@ def molecular(command, balls, lines, run, folder):
 
 
 def lammps(pairs, lines, folder, command="lmp"):
-    balls = np.concatenate([pairs.first, pairs.second]), np.concatenate(pairs.velocity), pairs.radius, pairs.density
+    places, speeds = np.concatenate([pairs.first, pairs.second]), np.concatenate(pairs.velocity)
+    balls = places, speeds, pairs.radii, pairs.densities
     return pairs.outcome(*molecular(command, balls, lines, (pairs.step, pairs.steps), folder))
 
 
 def liggghts(pairs, lines, folder):
     return lammps(pairs, lines, folder, "liggghts")
-
-
-def drop(program, ball, speed, lines, contact_time, folder):
-    """ε of one ball that meets the plane z = 0 head-on in LAMMPS or LIGGGHTS."""
-    step = contact_time / 8000
-    place, velocity = np.array([[0, 0, ball.radius + 3 * step * speed]]), np.array([[0, 0, -speed]])
-    command, wall = {"lammps": "lmp"}.get(program, program), lines[-1]
-    if command == "liggghts":  # which does not run without a law for pairs
-        words = wall.partition("wall/gran ")[2].replace("primitive type 2 zplane 0.0 ", "")
-        lines = [*lines[:-1], f"pair_style gran {words}", "pair_coeff * *", wall]
-    made = molecular(command, (place, velocity, ball.radius, ball.density), lines, (step, 30000), folder)
-    return made[1][0, 2] / speed
 
 
 YADE = """
@@ -155,19 +151,39 @@ int main(int count, char **words) {
 """
 
 
-def mujoco(pairs, lines, folder):
-    places, speeds = np.concatenate([pairs.first, pairs.second]), np.concatenate(pairs.velocity)
-    geometry = f'<geom type="sphere" size="{pairs.radius!r}" density="{pairs.density!r}"/>'
+def _mujoco(places, velocities, ball, run, lines, folder, floor=""):
+    step, steps = run
+    geometry = f'<geom type="sphere" size="{ball.radius!r}" density="{ball.density!r}"/>'
     bodies = "".join(
-        f'<body pos="{x!r} {y!r} {z!r}"><freejoint/>{geometry}</body>' for x, y, z in places.tolist()
-    )
-    option = f'<option timestep="{float(pairs.step)!r}" gravity="0 0 0" tolerance="0" iterations="100"/>'
+        f'<body pos="{x!r} {y!r} {z!r}"><freejoint/>{geometry}</body>' for x, y, z in np.asarray(places).tolist()
+    )  # fmt: skip
+    option = f'<option timestep="{float(step)!r}" gravity="0 0 0" tolerance="0" iterations="100"/>'
     size = '<size njmax="2000" nconmax="500"/>'
-    text = "".join(["<mujoco>", size, option, *lines, "<worldbody>", bodies, "</worldbody></mujoco>"])
+    text = "".join(["<mujoco>", size, option, *lines, "<worldbody>", floor, bodies, "</worldbody></mujoco>"])
     (folder / "model.xml").write_text(text)
-    np.savetxt(folder / "velocities", np.concatenate([speeds, 0 * speeds], axis=1))
+    np.savetxt(folder / "velocities", np.concatenate([velocities, 0 * velocities], axis=1))
     (folder / "main.c").write_text(MUJOCO)
     _run("cc", "main.c", "-lmujoco", "-o", "main", folder=folder)
-    out = _run("./main", "model.xml", "velocities", str(pairs.steps), folder=folder)
+    out = _run("./main", "model.xml", "velocities", str(steps), folder=folder)
     rows = np.array([line.split() for line in out.splitlines()], dtype=float)
-    return pairs.outcome(rows[:, :3], rows[:, 3:6], rows[:, 6:])
+    return rows[:, :3], rows[:, 3:6], rows[:, 6:]
+
+
+def mujoco(pairs, lines, folder):
+    places, speeds = np.concatenate([pairs.first, pairs.second]), np.concatenate(pairs.velocity)
+    return pairs.outcome(*_mujoco(places, speeds, pairs.balls[0], (pairs.step, pairs.steps), lines, folder))
+
+
+def drop(program, ball, speed, lines, contact_time, folder):
+    """ε of one ball that meets the plane z = 0 head-on."""
+    step = contact_time / 8000
+    place, velocity = np.array([[0, 0, ball.radius + 3 * step * speed]]), np.array([[0, 0, -speed]])
+    if program == "mujoco":
+        floor = '<geom type="plane" size="1 1 1"/>'
+        return _mujoco(place, velocity, ball, (step, 30000), lines, folder, floor)[1][0, 2] / speed
+    command, wall = {"lammps": "lmp"}.get(program, program), lines[-1]
+    if command == "liggghts":  # which does not run without a law for pairs
+        words = wall.partition("wall/gran ")[2].replace("primitive type 2 zplane 0.0 ", "")
+        lines = [*lines[:-1], f"pair_style gran {words}", "pair_coeff * *", wall]
+    balls = place, velocity, np.array([ball.radius]), np.array([ball.density])
+    return molecular(command, balls, lines, (step, 30000), folder)[1][0, 2] / speed
