@@ -19,6 +19,12 @@ Array = NDArray[np.float64]
 STEPS = 1000
 """In a time of π: ε has an error of at most 2e-6, and of 5e-5 where 0 < q < ½ and its dashpot begins abruptly."""
 
+LONGEST = 6
+"""What lasts longer, in π, has not ended: ε is 0."""
+
+STIFFEST = 500.0
+"""Largest d that these steps can follow."""
+
 TURN = 3.5
 """1 + m R²/I of solid spheres: what a force at the surface does to its velocity, over what it does to the centre's."""
 
@@ -60,7 +66,7 @@ def along_normal(n: float, q: float, damping: Array, spring: Spring) -> Approach
     restitution, duration = np.full_like(d, np.nan), np.full_like(d, np.nan)
     overlaps, forces = [x], [force(x, u)]
     before = np.full_like(d, np.inf)
-    for step in range(1, 20 * STEPS):
+    for step in range(1, LONGEST * STEPS):
         k1 = -force(x, u)
         k2 = -force(x + h / 2 * u, u + h / 2 * k1)
         k3 = -force(x + h / 2 * u + h * h / 4 * k1, u + h / 2 * k2)

@@ -85,14 +85,21 @@ Predicts = Callable[[float], Array]
 """ε or ε_t by one number above 0."""
 
 
-def nearest_to(predict: Predicts, wanted: Array, guess: float) -> float:
-    """The number with the least root mean square error, found from a guess."""
+def nearest_to(predict: Predicts, wanted: Array, guess: float, high: float) -> float:
+    """The number up to `high` with the least root mean square error, found from a guess."""
+
+    least = max(1.0 - float(np.mean(wanted)), 1e-12)  # so that errors are of the order of 1
 
     def errors(logarithm: Array) -> Array:
-        return predict(float(np.exp(logarithm[0]))) - wanted
+        return (predict(float(np.exp(logarithm[0]))) - wanted) / least
 
-    fine = {"xtol": 1e-10, "ftol": 1e-12, "gtol": None}  # errors may be small as a whole
-    found = optimize.least_squares(errors, [np.log(guess)], diff_step=1e-4, x_scale=0.1, **fine)
+    def slopes(logarithm: Array) -> Array:
+        step = 1e-4  # SciPy's own is relative, and the logarithm may be 0
+        return ((errors(logarithm + step) - errors(logarithm - step)) / (2.0 * step))[:, None]
+
+    fine = {"xtol": 1e-10, "ftol": 1e-12, "gtol": 1e-12, "max_nfev": 30}
+    bounds = (-np.inf, np.log(high))
+    found = optimize.least_squares(errors, [np.log(guess)], slopes, bounds=bounds, x_scale=0.1, **fine)
     return float(np.exp(found.x[0]))
 
 

@@ -8,7 +8,8 @@ from typing import ClassVar, TypeVar
 
 import numpy as np
 
-from stoss.laws._collision import Spring, along_normal, along_surface
+from stoss._errors import InvalidInput
+from stoss.laws._collision import STIFFEST, Spring, along_normal, along_surface
 from stoss.laws._law import Array, Impacts, Law, nearest, nearest_to, scale
 
 Made = TypeVar("Made", bound="PowerLaw")
@@ -40,9 +41,13 @@ class PowerLaw(Law):
             return at * (speeds / reference) ** p
 
         lost = max(1.0 - float(np.mean(impacts.restitution)), 1e-12)  # to first order as much as d
-        at = nearest_to(lambda d: along_normal(n, q, number(d), spring).restitution, impacts.restitution, lost)
+        most = STIFFEST * float((reference / speeds).min()) ** p
+        at = nearest_to(lambda d: along_normal(n, q, number(d), spring).restitution, impacts.restitution, lost, most)
         impact = along_normal(n, q, number(at), spring)
         unit = impact.duration * impacts.speed ** ((1.0 - n) / (n + 1.0))
+        if not np.isfinite(unit).all():
+            hint = "allowed another one (with so much loss its contacts would not end)"
+            raise InvalidInput(f"law: got {cls.NAME}, {hint}")
         time = scale(unit, impacts.contact_time)  # (m/k)^{1/(n+1)}
         ratio = None
         if impacts.friction > 0.0:

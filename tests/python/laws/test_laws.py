@@ -7,6 +7,7 @@ import numpy as np
 import pytest
 from scipy import integrate, optimize
 
+from stoss._errors import InvalidInput
 from stoss.laws._collision import Spring
 from stoss.laws._hunt_crossley import HuntCrossley
 from stoss.laws._law import Impacts, Pair
@@ -183,6 +184,22 @@ def test_a_fit_finds_the_constants_of_its_own_law(law, spring):
     found = law.fitted(impacts_by(its, friction), spring, (0.1, 3.0))
     assert found.constants == pytest.approx(its.constants, rel=1e-3)
     assert list(found.constants) == [name for name in law.UNITS if friction or name != "tangential_ratio"]
+
+
+@pytest.mark.parametrize("left", [0.001, 0.3])
+@pytest.mark.parametrize("law", [Linear, Tsuji])
+def test_a_fit_where_little_is_left(law, left):
+    """Far from the first order, on which the guess rests: nearly 1, whose logarithm is 0."""
+    wanted = dataclasses.replace(impacts_by(made(law, PUSHES), 0.0), restitution=np.full_like(SPEEDS, left))
+    assert law.fitted(wanted, PUSHES, (0.1, 3.0)).restitution(SPEEDS) == pytest.approx(left, rel=1e-3)
+
+
+def test_a_law_that_never_ends_is_refused(monkeypatch):
+    """Springs that pull do not part at all where their dashpot is critical, d = 2."""
+    monkeypatch.setattr("stoss.laws._power.nearest_to", lambda *_: 2.5)
+    wanted = dataclasses.replace(impacts_by(made(Linear, PUSHES), 0.0), restitution=np.zeros_like(SPEEDS))
+    with pytest.raises(InvalidInput, match="law: got linear, allowed another one"):
+        Linear.fitted(wanted, PULLS, (0.1, 3.0))
 
 
 def test_fits_of_rules_and_tables():
