@@ -67,6 +67,7 @@ class Fit(Result):
     """
 
     _name: ClassVar[str] = "fit"
+    _axis: ClassVar[str] = "speed"
     _told = ("body", "against", "law", "program", "friction", "misfit", "constants")
 
     body: Sphere
@@ -88,7 +89,7 @@ class Fit(Result):
     law_tangential_restitution: NDArray[np.float64]
 
     def __repr__(self) -> str:
-        off = ", ".join(f"{name} ± {each.maximum:.2g} ({each.rms:.2g} rms)" for name, each in self.misfit.items())
+        off = ", ".join(f"{name} off by {each.maximum:.2g} ({each.rms:.2g} rms)" for name, each in self.misfit.items())
         return f"Fit({self.law}, {shown(self.body, self.against)}: {off})"
 
     def __str__(self) -> str:
@@ -185,7 +186,7 @@ def fit(
         >>> best = stoss.fit(ball, against="same", law="viscoelastic", speed=(0.01, 1), program="lammps")
         >>> best
         Fit(viscoelastic, Sphere(poisson=0.3, radius=0.005 m) against Sphere(poisson=0.3, radius=0.005 m):
-        restitution ± 1.2e-05 (5.9e-06 rms), contact_time ± 0.0053 (0.0028 rms))
+        restitution off by 1.2e-05 (5.9e-06 rms), contact_time off by 0.0053 (0.0028 rms))
         >>> print(best.lines[1])
         pair_coeff * * hertz 1.556...e+11 6081... damping viscoelastic tangential linear_nohistory 0 0
     """
