@@ -215,6 +215,7 @@ def fit(
     tells = chosen in ("linear", "tsuji", "viscoelastic", "hunt-crossley", "walton") and ratios is not None
     impacts: Impacts = elastic.impacts_of(ball, met, slowest, fastest, mu if tells else 0.0, count, shows)
     made: Law = laws.LAWS[chosen].fitted(impacts, spring, ratios or laws.KAPPA)
+    made = dataclasses.replace(made, friction=mu)  # also where nothing is fitted to it
     return _result(ball, met, chosen, program, mu, made, impacts, () if wording is None else tuple(wording.write(made)))
 
 

@@ -102,6 +102,18 @@ def test_every_program_has_lines(law, program):
     assert fit.lines and all("nan" not in line for line in fit.lines)
 
 
+@pytest.mark.parametrize(
+    "law, program, line",
+    [("mujoco", "mujoco", 'condim="3" friction="0.2 0 0"'), ("linear", "chrono", "material->SetFriction(0.2);"),
+     ("linear", "mercurydpm", "species->setSlidingFrictionCoefficient(0.2);"),
+     ("linear", "yade", "frictionAngle=0.1973955598"), ("linear", "lammps", " 0 0.2"),
+     ("linear", "liggghts", "coefficientFriction peratomtypepair 1 0.2")],
+)  # fmt: skip
+def test_friction_is_in_the_lines(law, program, line):
+    fit = stoss.fit(BALL, against="same", law=law, speed=RANGE, friction=0.2, program=program)
+    assert line in "\n".join(fit.lines)
+
+
 def test_constants_per_mass_are_those_of_the_force():
     """Chrono and MercuryDPM, which do not run here: their numbers in the formulas of their sources."""
     fit = stoss.fit(BALL, against="same", law="viscoelastic", speed=RANGE, program="chrono")

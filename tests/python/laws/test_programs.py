@@ -76,6 +76,13 @@ def test_at_angles(law, program, tmp_path):
     assert np.abs(along - at_angles("steel").tangential_restitution).max() <= misfit + 5e-3
 
 
+def test_friction_hardly_acts_in_mujoco(tmp_path):
+    """What docs/laws.md says: it brakes sliding with the dashpot of the normal, which almost elastic balls lack."""
+    fit, normal, along = collide("mujoco", "mujoco", "steel", FRICTION, tmp_path)
+    assert normal == pytest.approx(np.repeat(fit.fitted.restitution(SPEEDS)[:, None], 7, axis=1), abs=1e-3)
+    assert np.all(along < -0.999) and "tangential_restitution" not in fit.misfit
+
+
 @pytest.mark.parametrize("program", ["lammps", "liggghts"])
 def test_unequal_balls(program, tmp_path):
     """The constants are those of their reduced mass and radius."""
