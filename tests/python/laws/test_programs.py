@@ -39,18 +39,18 @@ def at_angles(material):
     return stoss.oblique(ball_of(material), against="same", **given)
 
 
-def collide(law, program, material, friction, folder):
-    """A fit, and ε and ε_t of its program at each speed; ε_t at each sliding."""
+def collide(law, program, material, friction, folder, among=SPEEDS):
+    """A fit, and ε and ε_t of its program at each of these speeds; ε_t at each sliding."""
     if not has(program):
         pytest.skip(f"needs {program}")
     ball = ball_of(material)
     fit = stoss.fit(ball, against="same", law=law, speed=(SPEEDS[0], SPEEDS[-1]), friction=friction, program=program)
     slidings = np.concatenate([[0.0], SLIDING if friction else []])
-    speeds = np.repeat(SPEEDS, slidings.size)
-    along = np.tile(slidings, SPEEDS.size) * friction * speeds
-    pairs = two_balls.Pairs(ball, speeds, along, fit.fitted.contact_time(SPEEDS))
+    speeds = np.repeat(among, slidings.size)
+    along = np.tile(slidings, among.size) * friction * speeds
+    pairs = two_balls.Pairs(ball, speeds, along, fit.fitted.contact_time(among))
     found = getattr(two_balls, program)(pairs, fit.lines, folder)
-    normal, along = (each.reshape(SPEEDS.size, slidings.size) for each in found)
+    normal, along = (each.reshape(among.size, slidings.size) for each in found)
     return fit, normal, along[:, 1:]
 
 
@@ -78,8 +78,9 @@ def test_at_angles(law, program, tmp_path):
 
 def test_friction_hardly_acts_in_mujoco(tmp_path):
     """What docs/laws.md says: it brakes sliding with the dashpot of the normal, which almost elastic balls lack."""
-    fit, normal, along = collide("mujoco", "mujoco", "steel", FRICTION, tmp_path)
-    assert normal == pytest.approx(np.repeat(fit.fitted.restitution(SPEEDS)[:, None], 7, axis=1), abs=1e-3)
+    one = SPEEDS[2:3]
+    fit, normal, along = collide("mujoco", "mujoco", "steel", FRICTION, tmp_path, one)
+    assert normal == pytest.approx(fit.fitted.restitution(one)[0], abs=1e-3)
     assert np.all(along < -0.999) and "tangential_restitution" not in fit.misfit
 
 
