@@ -74,6 +74,7 @@ results: setup python ## the tables and the figures of docs/results/
 	@build/venv/bin/python studies/half_space/ball_on_block.py docs/images/ball_on_block.png
 	@build/release/studies/stoss_oblique docs/results/oblique
 	@$(PYTHON) studies/oblique/figure.py docs/results/oblique docs/images
+	@build/venv/bin/python studies/laws/make.py docs/results/laws.csv
 	@build/release/studies/stoss_vibration docs/results/vibration
 	@$(PYTHON) studies/vibration/figure.py docs/results/vibration docs/images
 

@@ -46,6 +46,7 @@ void declare(CLI::App& app) {
   add_distribution(app);
   add_quasistatic(app);
   add_table(app);
+  add_fit(app);
   add_materials(app);
   add_schema(app);
   add_sweep(app);

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Installs the Debian packages that stoss needs and that are missing, as root or through sudo: all of them, or with the
 # argument `build` only those for the library and the command, with `python` also those for the Python package, with
-# `test` also those of `make test`.
+# `test` also those of `make test`; with `long` besides all of them Yade, a gigabyte, for `make test-long`.
 # Where that is not possible it names what is missing and stops with an error.
 set -euo pipefail
 
@@ -19,10 +19,11 @@ if [ "$what" != build ]; then
   )
 fi
 # Tests and checks; the page.
-if [ "$what" = test ] || [ "$what" = all ]; then
+if [ "$what" = test ] || [ "$what" = all ] || [ "$what" = long ]; then
   packages+=(
     libgtest-dev libgmock-dev pkgconf python3-pytest python3-jsonschema python3-hypothesis python3-tqdm mypy
     gfortran chipmunk-dev libbox2d-dev libbullet-dev
+    python3-scipy lammps liggghts libmujoco-dev
     python3-netcdf4 python3-xarray python3-mpi4py openmpi-bin python3-distributed
     clang libclang-rt-dev clang-format
     emscripten chromium
@@ -34,12 +35,14 @@ if [ "$what" = test ] || [ "$what" = all ]; then
 fi
 
 # Benchmarks; static analysis; the documentation site.
-if [ "$what" = all ]; then
+if [ "$what" = all ] || [ "$what" = long ]; then
   packages+=(
     libbenchmark-dev clang-tidy
     doxygen python3-sphinx furo python3-myst-parser python3-breathe python3-sphinx-copybutton libjs-katex
   )
 fi
+
+[ "$what" != long ] || packages+=(yade)
 
 if ! command -v dpkg-query >/dev/null; then
   echo "install-dependencies: this is not a Debian system; please install the equivalents of: ${packages[*]}" >&2

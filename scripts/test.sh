@@ -15,7 +15,7 @@ configure() {
 
 # While the library is compiled, what only its tests need is installed.
 scripts/install-dependencies.sh build
-case $tier in long) packages=all ;; *) packages=test ;; esac
+case $tier in long) packages=long ;; *) packages=test ;; esac
 mkdir -p build
 scripts/install-dependencies.sh "$packages" >build/packages.log 2>&1 &
 installing=$!

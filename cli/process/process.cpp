@@ -27,7 +27,7 @@ std::string program() {
       "try:\n"
       "    import stoss\n"
       "    got, allowed = stoss.__version__, '{0}'\n"
-      "    if got == allowed: from stoss.sweeps import _command as command\n"
+      "    if got == allowed: from stoss import _commands as command\n"
       "except ImportError as error:\n"
       "    got, allowed = 'none', 'the package stoss for python3 (make python; put its bin into PATH): ' + str(error)\n"
       "else:\n"
@@ -61,7 +61,7 @@ void become_python(const std::vector<std::string>& words) {
   for (std::string& word : all) pointers.push_back(word.data());
   pointers.push_back(nullptr);
   execvp(pointers.front(), pointers.data());
-  throw OutputError(fmt::format("Python: cannot run python3, which has the store of sweeps: {}", std::strerror(errno)));
+  throw OutputError(fmt::format("Python: cannot run python3, whose package stoss does this: {}", std::strerror(errno)));
 }
 
 }  // namespace stoss::cli

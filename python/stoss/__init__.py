@@ -24,6 +24,7 @@ written.
                                   time
 `oblique`                         impacts at an angle, with spin and friction
 `oblique_impact`                  one of them in time, with all that the contact points do
+`fit`                             constants of a force law of a simulation program, and their misfit
 `restitution_distribution`        ε of many bodies that vibrate at random before
 `sweep`, `Grid`                   ε of many bodies, partners and speeds, with a store
 `merge`, `open_sweep`             the values in such a store
@@ -56,6 +57,7 @@ from stoss.bodies._walls import ExponentialWall, HalfPlane, HalfSpace, HardWall,
 from stoss.export._csv import Table, read_csv
 from stoss.export._text import with_error
 from stoss.results._adaptive_rule import collision_rule
+from stoss.laws._fit import Fit, Misfit, fit
 from stoss.results._atlas import AtlasValue, atlas
 from stoss.results._bounce import Bounces, bounce
 from stoss.results._curves import Extrapolation, extrapolated_restitution, restitution
@@ -78,14 +80,14 @@ from stoss.sweeps._sweep import sweep
 from stoss.sweeps._values import Sweep, merge, open_sweep
 
 __all__ = [
-    "AtlasValue", "Body", "Bounces", "CollisionRule", "Disk", "DiskField", "ExponentialWall", "Extrapolation",
-    "Field", "Grid", "HalfPlane", "HalfSpace", "HardWall", "Impact", "Interrupted", "InvalidInput",
-    "Material", "Modes", "NotConverged", "ObliqueImpact", "ObliqueLedger", "ObliqueRestitution",
-    "ObliqueTrajectory", "Oscillation", "PairTable",
+    "AtlasValue", "Body", "Bounces", "CollisionRule", "Disk", "DiskField", "ExponentialWall",
+    "Extrapolation", "Field", "Fit", "Grid", "HalfPlane", "HalfSpace", "HardWall", "Impact",
+    "Interrupted", "InvalidInput", "Material", "Misfit", "Modes", "NotConverged", "ObliqueImpact",
+    "ObliqueLedger", "ObliqueRestitution", "ObliqueTrajectory", "Oscillation", "PairTable",
     "Restitution", "RestitutionDistribution", "RestitutionFunction", "Rod", "RodChain", "Scales",
     "Sphere", "SphereField", "StossWarning", "Sweep", "Table", "Trajectory", "Wall", "Wave",
     "__version__", "animate", "atlas", "bounce", "collision_rule", "extrapolated_restitution",
-    "impact", "materials", "merge", "modes", "oblique", "oblique_impact", "open_sweep",
+    "fit", "impact", "materials", "merge", "modes", "oblique", "oblique_impact", "open_sweep",
     "pair_table", "plot", "quasistatic", "read_csv", "restitution",
     "restitution_distribution", "restitution_function", "rod_chain", "sweep", "with_error",
 ]  # fmt: skip

@@ -1,6 +1,6 @@
 """`python -m stoss SUBCOMMAND …`: the command stoss, which is installed apart from this package.
 
-Its subcommands sweep and merge are in this package: the command hands them over to it.
+Its subcommands sweep, merge and fit are in this package: the command hands them over to it.
 """
 
 from __future__ import annotations
@@ -14,11 +14,11 @@ MISSING = "stoss: the command is not part of the Python package (build it with '
 
 
 def main() -> int:
-    """Run sweep or merge, or become the command with the same arguments; without it, say how to get it."""
-    if sys.argv[1:2] in (["sweep"], ["merge"]):
-        from stoss.sweeps import _command
+    """Run one of these, or become the command with the same arguments; without it, say how to get it."""
+    from stoss import _commands
 
-        return _command.main(sys.argv[1:])
+    if sys.argv[1:2] and sys.argv[1] in _commands.MODULES:
+        return _commands.main(sys.argv[1:])
     places = os.pathsep.join([sysconfig.get_path("scripts"), os.environ.get("PATH", os.defpath)])
     command = shutil.which("stoss", path=places)
     if command is None:

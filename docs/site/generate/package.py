@@ -23,6 +23,7 @@ PAGES = {
     "Functions and tables": (
         "restitution_function RestitutionFunction pair_table PairTable collision_rule CollisionRule read_csv Table"
     ),
+    "Force laws": "fit Fit Misfit",
     "Sweeps": "Grid sweep Sweep merge open_sweep atlas AtlasValue",
     "Errors and warnings": "InvalidInput NotConverged Interrupted StossWarning",
 }

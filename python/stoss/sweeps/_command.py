@@ -1,23 +1,21 @@
 """`stoss sweep` and `stoss merge`, to which the command stoss hands over.
 
-Exit codes are those of the command: 0 all is there, 1 values of a merge are missing, 2 usage, 3 bad
-input, 4 input or output, 130 interrupted. A value that did not converge is there, with its error:
-it makes no job fail.
+The exit code is 1 where values of a merge are missing. A value that did not converge is there, with
+its error: it makes no job fail.
 """
 
 from __future__ import annotations
 
-import argparse
 import math
 import os
 import re
 import sys
-from typing import NoReturn, Sequence
+from typing import Sequence
 
 import numpy as np
 
 from stoss._arguments import refusal
-from stoss._errors import InvalidInput
+from stoss._commands import Parser, guarded
 from stoss.sweeps import _store
 from stoss.sweeps._grid import Case, Grid
 from stoss.sweeps._store import Worker
@@ -25,36 +23,10 @@ from stoss.sweeps._sweep import compute, missing
 from stoss.sweeps._values import Sweep, merge, open_sweep
 
 
-class Usage(Exception):
-    """Words that are no command."""
-
-
-class Parser(argparse.ArgumentParser):
-    """One that leaves what is wrong to us."""
-
-    def error(self, message: str) -> NoReturn:
-        raise Usage(f"{message} (see stoss --help or {self.prog} --help)")
-
-
 def main(words: Sequence[str]) -> int:
     """Run one of the two commands. Returns the exit code."""
-    try:
-        return _sweep(words[1:]) if words[0] == "sweep" else _merge(words[1:])
-    except Usage as error:
-        return _complain(2, str(error))
-    except InvalidInput as error:
-        return _complain(3, str(error))
-    except (OSError, ImportError) as error:
-        text = f"'{error.filename}': {error.strerror}" if isinstance(error, OSError) and error.filename else str(error)
-        return _complain(4, f"output: cannot read or write {text}")
-    except KeyboardInterrupt:
-        return _complain(130, "interrupted (what was finished is in the store)")
-
-
-def _complain(code: int, text: str) -> int:
-    line = " ".join(text.split())
-    print(f"stoss: error: {line if len(line) <= 500 else line[:500] + '...'}", file=sys.stderr)
-    return code
+    run = _sweep if words[0] == "sweep" else _merge
+    return guarded(lambda: run(words[1:]), "interrupted (what was finished is in the store)")
 
 
 def _sweep(words: Sequence[str]) -> int:

@@ -3,6 +3,7 @@
 import os
 import re
 import subprocess
+import sys
 from pathlib import Path
 
 from test_guide import ROOT, agrees
@@ -12,8 +13,8 @@ BLOCKS = re.findall(r"^```sh\n(.*?)^```\n(?:```text\n(.*?)^```$)?", PAGE, re.MUL
 
 
 def test_page(tmp_path):
-    folder = Path(os.environ["STOSS"]).parent
-    environment = {**os.environ, "PATH": f"{folder}{os.pathsep}{os.environ['PATH']}"}
+    folders = Path(os.environ["STOSS"]).parent, Path(sys.executable).parent  # with the package, for `stoss fit`
+    environment = {**os.environ, "PATH": os.pathsep.join([*map(str, folders), os.environ["PATH"]])}
     wrong = []
     for lines, shown in BLOCKS:
         done = subprocess.run(

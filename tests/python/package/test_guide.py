@@ -21,7 +21,8 @@ import pytest
 import stoss
 
 ROOT = Path(__file__).parents[3]
-PAGES = ("docs/python.md", "docs/vibrating_bodies.md", "README.md", "docs/index.md", "docs/programs.md", "docs/sweeps.md")
+PAGES = ("docs/python.md", "docs/vibrating_bodies.md", "README.md", "docs/index.md", "docs/programs.md", "docs/laws.md",
+         "docs/sweeps.md")  # fmt: skip
 # Pictures that a page draws and shows.
 PICTURES = {
     "docs/vibrating_bodies.md": [f"vibrating_{name}.png" for name in ("phase", "warm", "bounces", "rods")],

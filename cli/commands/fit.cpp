@@ -1,0 +1,89 @@
+// stoss fit: declared here, done by the Python package, which has the force laws and an optimiser.
+#include <fmt/format.h>
+
+#include "app.hpp"
+#include "input/encounter.hpp"
+#include "process/process.hpp"
+#include "process/text.hpp"
+#include "stoss/encounter/document.hpp"
+#include "stoss/encounter/series.hpp"
+#include "stoss/errors.hpp"
+
+namespace stoss::cli {
+namespace {
+
+struct FitArguments {
+  EncounterOptions who;
+  std::string law, speed, program, output;
+  double friction = 0.0;
+  int threads = 0;
+  CLI::App* command = nullptr;
+};
+
+void run(const FitArguments& arguments) {
+  const Encounter encounter = arguments.who.encounter();
+  refuse_soft(encounter);
+  if (encounter.first.kind != "sphere") {
+    throw InvalidInput(fmt::format("body: got {}, allowed sphere (laws are those of balls)", encounter.first.kind));
+  }
+  const std::vector<std::string> ends = split(arguments.speed, ':');
+  if (ends.size() != 2) {
+    throw InvalidInput(fmt::format("speed: got '{}', allowed SLOWEST:FASTEST, as in 0.01:1", arguments.speed));
+  }
+  const std::vector<double> typed = parse_series("speed", ends[0] + "," + ends[1]);
+  if (const auto speeds = parse_speeds(ends[0] + "," + ends[1], units_of(encounter));
+      speeds.size() != 2 || speeds[0] >= speeds[1]) {
+    throw InvalidInput(fmt::format("speed: got '{}', allowed a slowest speed below the fastest", arguments.speed));
+  }
+  std::vector<std::string> words{"fit",
+                                 "--law=" + arguments.law,
+                                 fmt::format("--friction={}", arguments.friction),
+                                 "--threads",
+                                 fmt::format("{}", arguments.threads),
+                                 "--speed"};
+  for (const double speed : typed) words.push_back(fmt::format("{}", speed));
+  if (!arguments.program.empty()) words.push_back("--program=" + arguments.program);
+  if (!arguments.output.empty()) words.push_back("--output=" + arguments.output);
+  words.insert(words.end(), {"--", to_json(encounter)});
+  become_python(words);
+}
+
+}  // namespace
+
+void add_fit(CLI::App& app) {
+  auto& arguments = add_subcommand<FitArguments>(
+      app, "fit", "Constants of a force law that come nearest to elasticity", run,
+      "Examples:\n"
+      "  stoss fit --body sphere --material steel --radius 0.005 --against same --speed 0.01:1\n"
+      "      --law viscoelastic --friction 0.2 --program lammps\n"
+      "  stoss fit --body sphere --material glass --radius 0.001 --speed 0.1:1 --law tsuji");
+  CLI::App& command = *arguments.command;
+  arguments.who.first.add_poisson_to(command);
+  add_choice(command, "--law", arguments.law,
+             {"linear", "tsuji", "viscoelastic", "hunt-crossley", "thornton", "walton", "mujoco", "table"},
+             "The force law or rule\n"
+             "  linear:        spring and dashpot\n"
+             "  tsuji:         Hertz with a constant alpha\n"
+             "  viscoelastic:  Kuwabara and Kono, Brilliantov and Poeschel\n"
+             "  hunt-crossley: Hertz times (1 + lambda v)\n"
+             "  thornton:      elastic-plastic spheres\n"
+             "  walton:        three numbers: e, mu, beta0\n"
+             "  mujoco:        solref\n"
+             "  table:         rows of speed and eps",
+             "NAME", "Law")
+      ->required();
+  add(command, "--speed", arguments.speed,
+      "Range of the speed of approach, SLOWEST:FASTEST, within 1e-8 to 1 in c\nof the body (with a material: m/s)",
+      "RANGE", "Law")
+      ->required();
+  add(command, "--friction", arguments.friction, "Coefficient of Coulomb's law, 0 to 5 (default: 0)", "MU", "Law");
+  arguments.who.add_to(command);
+  add_choice(command, "--program", arguments.program,
+             {"lammps", "liggghts", "yade", "mercurydpm", "chrono", "mujoco", "acutrace", "aspherix"},
+             "The law as this program integrates it, with its lines", "NAME", "Output");
+  add(command, "-o,--output", arguments.output, "File for these lines too; it appears whole or not at all", "FILE",
+      "Output");
+  add_threads(command, arguments.threads);
+}
+
+}  // namespace stoss::cli

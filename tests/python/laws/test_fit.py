@@ -1,0 +1,199 @@
+"""`stoss.fit` and `stoss fit`: what they find, print, write and refuse."""
+
+import importlib.util
+import os
+import subprocess
+import sys
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import stoss
+
+BALL = stoss.Sphere(radius=5e-3, material=stoss.materials["glass"])
+RANGE = (0.01, 0.1)
+
+
+def test_misfits_are_those_of_the_law_against_stoss():
+    fit = stoss.fit(BALL, against="same", law="tsuji", speed=RANGE, friction=0.2)
+    curve = stoss.restitution(BALL, against="same", speed=fit.speed, tolerance=3e-3)
+    assert fit.restitution == pytest.approx(curve.restitution, abs=1e-12)
+    assert fit.contact_time == pytest.approx(curve.contact_time_si)
+    along = fit.sliding * 0.2 * fit.speed[:, None]
+    angled = stoss.oblique(BALL, against="same", speed=fit.speed[:, None], tangential=along, friction=0.2)
+    deviations = {
+        "restitution": fit.fitted.restitution(fit.speed) - curve.restitution,
+        "contact_time": fit.fitted.contact_time(fit.speed) / curve.contact_time_si - 1,
+        "tangential_restitution":
+            fit.fitted.tangential_restitution(fit.speed, fit.sliding) - angled.tangential_restitution,
+    }  # fmt: skip
+    assert list(fit.misfit) == list(deviations)
+    for name, each in deviations.items():
+        assert fit.misfit[name] == pytest.approx((np.abs(each).max(), np.sqrt(np.mean(each**2))), rel=1e-6)
+
+
+@pytest.mark.parametrize("law", ["linear", "viscoelastic", "hunt-crossley", "thornton", "walton"])
+def test_no_neighbouring_constant_is_nearer(law):
+    fit = stoss.fit(BALL, against="same", law=law, speed=RANGE)
+    for name in ("damping", "yield_speed", "e"):
+        if hasattr(fit.fitted, name):
+            for factor in (0.99, 1.01) if name != "e" else (0.9999, 1.0001):
+                other = type(fit.fitted)(**{**vars(fit.fitted), name: factor * getattr(fit.fitted, name)})
+                wrong = other.restitution(fit.speed) - fit.restitution
+                assert np.sqrt(np.mean(wrong**2)) > fit.misfit["restitution"].rms
+
+
+def test_laws_of_balls_on_a_block_and_without_a_material():
+    block = stoss.HalfSpace(material=stoss.materials["steel"], loss_time=0)
+    bare = stoss.Sphere(radius=5e-3, material=stoss.materials["glass"], loss_time=0)
+    assert stoss.fit(bare, against=block, law="viscoelastic", speed=RANGE).fitted.pair.radius == BALL.radius
+    # Ratios: the same bodies in SI and in their own units.
+    glass = BALL.material
+    own = stoss.Sphere(poisson=glass.poisson, loss_time=glass.loss_time / BALL.scales.time)
+    c = BALL.scales.speed
+    ours = stoss.fit(BALL, law="linear", speed=RANGE)
+    theirs = stoss.fit(own, law="linear", speed=(RANGE[0] / c, RANGE[1] / c))
+    assert theirs.fitted.stiffness == pytest.approx(ours.fitted.stiffness / (glass.young * BALL.radius), rel=1e-6)
+    assert theirs.speed[0] == pytest.approx(RANGE[0] / c)
+    # And with other numbers: c = 2.
+    twice = stoss.Sphere(poisson=own.poisson, loss_time=own.loss_time / 2, young=4.0)
+    other = stoss.fit(twice, law="linear", speed=(RANGE[0] / c, RANGE[1] / c))
+    assert other.fitted.stiffness == pytest.approx(4 * theirs.fitted.stiffness, rel=1e-6)
+    assert other.misfit["restitution"] == pytest.approx(theirs.misfit["restitution"], rel=1e-4)
+
+
+def test_the_misfit_comes_first_and_stays_in_files(tmp_path):
+    fit = stoss.fit(BALL, law="tsuji", speed=RANGE, program="lammps")
+    first, second, *_, last = str(fit).splitlines()
+    assert first.split() == ["#", "misfit", "maximum", "rms"]
+    assert second.split()[:2] == ["#", "restitution"]
+    assert float(second.split()[2]) == pytest.approx(fit.misfit["restitution"].maximum, rel=0.05)
+    assert last == fit.lines[-1]
+    fit.write(tmp_path / "law.in")
+    assert (tmp_path / "law.in").read_text(encoding="utf-8") == f"{fit}\n"
+    rows = stoss.fit(BALL, law="table", speed=RANGE, program="acutrace")  # whose files know no comments
+    rows.write(tmp_path / "table")
+    read = np.loadtxt(tmp_path / "table")
+    assert np.abs(np.interp(fit.speed, *read.T) - fit.restitution).max() <= rows.misfit["restitution"].maximum + 1e-9
+    assert "misfit" in str(rows).splitlines()[0]
+    rubbing = stoss.fit(BALL, law="thornton", speed=RANGE, friction=0.2)
+    assert "tangential_restitution   not fitted" in str(rubbing).splitlines()
+    fit.to_csv(tmp_path / "law.csv")
+    assert stoss.read_csv(tmp_path / "law.csv")["law_restitution"] == pytest.approx(fit.law_restitution)
+
+
+def test_the_table_of_the_page_is_made_so():
+    root = Path(__file__).parents[3]
+    found = importlib.util.spec_from_file_location("make", root / "studies/laws/make.py")
+    study = importlib.util.module_from_spec(found)
+    found.loader.exec_module(study)
+    assert study.row("steel", "table") in (root / "docs/results/laws.csv").read_text(encoding="utf-8").splitlines()
+
+
+@pytest.mark.parametrize(
+    "law, program",
+    [(law, name) for name in ("lammps", "liggghts") for law in ("linear", "tsuji", "viscoelastic")]
+    + [(law, name) for name in ("yade", "mercurydpm") for law in ("linear", "tsuji")]
+    + [("linear", "chrono"), ("viscoelastic", "chrono"), ("mujoco", "mujoco"), ("table", "aspherix")],
+)
+def test_every_program_has_lines(law, program):
+    fit = stoss.fit(BALL, against="same", law=law, speed=RANGE, program=program)
+    assert fit.lines and all("nan" not in line for line in fit.lines)
+
+
+@pytest.mark.parametrize(
+    "law, program, line",
+    [("mujoco", "mujoco", 'condim="3" friction="0.2 0 0"'), ("linear", "chrono", "material->SetFriction(0.2);"),
+     ("linear", "mercurydpm", "species->setSlidingFrictionCoefficient(0.2);"),
+     ("linear", "yade", "frictionAngle=0.1973955598"), ("linear", "lammps", " 0 0.2"),
+     ("linear", "liggghts", "coefficientFriction peratomtypepair 1 0.2")],
+)  # fmt: skip
+def test_friction_is_in_the_lines(law, program, line):
+    fit = stoss.fit(BALL, against="same", law=law, speed=RANGE, friction=0.2, program=program)
+    assert line in "\n".join(fit.lines)
+
+
+def test_constants_per_mass_are_those_of_the_force():
+    """Chrono and MercuryDPM, which do not run here: their numbers in the formulas of their sources."""
+    fit = stoss.fit(BALL, against="same", law="viscoelastic", speed=RANGE, program="chrono")
+    its, text, x, u = fit.fitted, "\n".join(fit.lines), 1e-6, 0.02
+    kn, gn = (float(text.split(f"Set{name}(")[1].split(")")[0]) for name in ("Kn", "Gn"))
+    force = its.pair.radius * np.sqrt(x) * (kn * x + its.pair.mass * gn * u)
+    assert force == pytest.approx(its.stiffness * x**1.5 + its.damping * x**0.5 * u)
+    fit = stoss.fit(BALL, against="same", law="tsuji", speed=RANGE, program="mercurydpm")
+    its, text = fit.fitted, "\n".join(fit.lines)
+    names = "EffectiveElasticModulus", "Dissipation"
+    modulus, alpha = (float(text.split(f"set{name}(")[1].split(")")[0]) for name in names)
+    stiffness = 4 / 3 * modulus * np.sqrt(its.pair.radius * x)
+    force = stiffness * x + alpha * np.sqrt(its.pair.mass * stiffness) * u
+    assert force == pytest.approx(its.stiffness * x**1.5 + its.damping * x**0.25 * u)
+
+
+@pytest.mark.parametrize(
+    "changed, said",
+    [
+        ({"law": "hooke"}, "law: got 'hooke', allowed 'linear', "),
+        ({"speed": (1, 0.1)}, "speed: got (1, 0.1), allowed (slowest, fastest)"),
+        ({"speed": 0.1}, "speed: got 0.1, allowed (slowest, fastest)"),
+        ({"speed": (0.1, 1e5)}, "allowed 1e-8 to 1 (speed"),
+        ({"friction": -1}, "friction: got -1, allowed 0 to 5"),
+        ({"program": "edem"}, "program: got 'edem', allowed 'lammps', "),
+        ({"law": "thornton", "program": "lammps"}, "law: got thornton for lammps, allowed linear, tsuji, viscoelastic"),
+        ({"program": "yade"}, "allowed a stoss.Sphere for yade"),
+        ({"against": stoss.Disk(poisson=0.3)}, "against: got Disk"),
+        ({"body": stoss.Disk(poisson=0.3)}, "body: got Disk"),
+    ],
+)
+def test_refusals_are_one_line(changed, said):
+    given = {"body": BALL, "law": "tsuji", "speed": RANGE, **changed}
+    with pytest.raises(stoss.InvalidInput) as error:
+        stoss.fit(given.pop("body"), **given)
+    assert said in str(error.value) and "\n" not in str(error.value)
+
+
+def test_without_scipy_one_line_says_so(interpreter):
+    done = interpreter.run(
+        "import sys; sys.modules['scipy'] = None\n"
+        "import stoss\n"
+        "try: stoss.fit(stoss.Sphere(poisson=0.3), law='linear', speed=(0.01, 0.1))\n"
+        "except ImportError as error: print(error)"
+    )
+    assert done.stdout == "fit needs SciPy: pip install scipy, or apt install python3-scipy\n", done.stderr
+
+
+@pytest.mark.skipif("STOSS" not in os.environ, reason="needs the command in STOSS")
+class TestCommand:
+    def run(self, interpreter, *words):
+        path = os.pathsep.join([str(Path(sys.executable).parent), os.environ["PATH"]])
+        return subprocess.run(
+            [os.environ["STOSS"], "fit", *words], env={**interpreter.environment, "PATH": path}, capture_output=True,
+            encoding="utf-8", timeout=60,
+        )  # fmt: skip
+
+    def test_it_prints_what_python_finds(self, interpreter, tmp_path):
+        words = "--body sphere --material glass --radius 0.005 --against sphere,radius=0.01,material=steel"
+        file = tmp_path / "law"
+        done = self.run(
+            interpreter, *words.split(), *"--speed 0.01:0.1 --law linear --program lammps -o".split(), str(file)
+        )
+        steel = stoss.Sphere(radius=0.01, material=stoss.materials["steel"])
+        fit = stoss.fit(BALL, against=steel, law="linear", speed=RANGE, program="lammps")
+        assert (done.returncode, done.stdout, done.stderr) == (0, f"{fit}\n", "")
+        assert file.read_text(encoding="utf-8") == done.stdout
+
+    @pytest.mark.parametrize(
+        "words, code, said",
+        [
+            ("--body sphere --poisson 0.3 --law tsuji --speed 0.1", 3, "speed: got '0.1', allowed SLOWEST:FASTEST"),
+            ("--body sphere --poisson 0.3 --law tsuji --speed 0.2:0.1", 3, "allowed a slowest speed below the fastest"),
+            ("--poisson 0.3 --law tsuji --speed 0.1:0.2", 3, "body: got disk, allowed sphere"),
+            ("--body sphere --poisson 0.3 --law table --speed 0.1:0.2 --program yade", 3, "for yade, allowed linear"),
+            ("--body sphere --poisson 0.3 --law tsuji --speed 0.1:0.2 --friction 9", 3, "friction: got 9.0"),
+            ("--body sphere --poisson 0.3 --law tsuij --speed 0.1:0.2", 2, "tsuij"),
+        ],
+    )
+    def test_refusals(self, interpreter, words, code, said):
+        done = self.run(interpreter, *words.split())
+        assert (done.returncode, done.stdout, done.stderr.count("\n")) == (code, "", 1)
+        assert done.stderr.startswith("stoss: error: ") and said in done.stderr
