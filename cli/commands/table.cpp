@@ -6,49 +6,30 @@
 #include <vector>
 
 #include "app.hpp"
-#include "input/encounter.hpp"
-#include "output/output_options.hpp"
+#include "commands/table.hpp"
 #include "process/process.hpp"
 #include "process/text.hpp"
 #include "stoss/encounter/laws.hpp"
 #include "stoss/errors.hpp"
 #include "stoss/table/adaptive.hpp"
 #include "stoss/table/adaptive_pairs.hpp"
-#include "stoss/table/c_source.hpp"
 #include "stoss/table/two_column.hpp"
 
 namespace stoss::cli {
 namespace {
 
-struct TableArguments {
-  EncounterOptions who;
-  std::string speed;
-  std::string ratio;  // of a table of pairs
-  double error = 1e-3;
-  int threads = 0;
-  std::string format = "c";
-  std::string name = "stoss";
-  std::string beyond = "clamp";
-  OutputOptions output;  // but for its format
-  CLI::App* command = nullptr;
-};
-
-struct TableJob {
-  Encounter encounter;
-  std::vector<double> typed;   ///< ends of the range, m/s with a material
-  std::vector<double> speeds;  ///< the same in c
-  bool si = units_of(encounter).si.has_value();
-  double unit = speed_unit(encounter);  ///< m/s, or 1
-  std::string unit_name = si ? "m/s" : "c";
-};
-
 void check_format(const TableArguments& arguments) {
+  for (const std::string option : {"tolerance", "friction"}) {
+    if (arguments.oblique || !given(*arguments.command, "--" + option)) continue;
+    throw InvalidInput(fmt::format("{0}: got --{0}, allowed only with --oblique (the whole collision rule)", option));
+  }
   const std::string& format = arguments.format;
   const auto require = [&](const std::string& option, bool goes_with, const std::string& allowed) {
     if (goes_with || !given(*arguments.command, "--" + option)) return;
     throw InvalidInput(fmt::format("{0}: got --{0} with --format {1}, allowed only with {2}", option, format, allowed));
   };
   require("name", format == "c", "--format c");
+  require("oblique", format != "two-column", "c and json");
   require("ratio", format != "two-column", "c and json");
   require("beyond", format != "two-column", "c and json (who reads the columns decides)");
 }
@@ -68,8 +49,6 @@ TableJob make_job(const TableArguments& arguments) {
   return {std::move(encounter), typed, speeds};
 }
 
-Beyond beyond(const TableArguments& arguments) { return arguments.beyond == "clamp" ? Beyond::clamp : Beyond::error; }
-
 Provenance describe(const TableArguments& arguments, const TableJob& job) {
   Provenance provenance{"table", command_line(), {}};
   auto& inputs = provenance.inputs;
@@ -77,26 +56,16 @@ Provenance describe(const TableArguments& arguments, const TableJob& job) {
   inputs[job.si ? "speed[m/s]" : "speed"] = arguments.speed;
   if (!arguments.ratio.empty()) inputs["ratio"] = arguments.ratio;
   inputs["error"] = arguments.error;
+  if (arguments.oblique) inputs["tolerance"] = arguments.tolerance;
+  if (arguments.friction) inputs["friction"] = *arguments.friction;
   inputs["beyond"] = arguments.beyond;
   return provenance;
 }
 
-TableLabel label(const TableArguments& arguments, const TableJob& job) {
-  std::vector<std::string> lines;
-  // The lines of CSV without the mark of a comment.
-  for (const std::string& line : split(csv_header(describe(arguments, job)), '\n')) {
-    lines.push_back(line.substr(std::min<std::size_t>(2, line.size())));
-  }
-  return {.name = arguments.name, .unit = job.unit_name, .scale = job.unit, .provenance = std::move(lines)};
-}
-
-/// What both kinds of table have besides their records. @param between how values between the knots are to be had
 template <typename Function>
 nlohmann::ordered_json json_of(const TableArguments& arguments, const TableJob& job, const Function& function,
                                const std::string& between) {
-  auto document = json_document(describe(arguments, job));
-  document["units"]["speed"] = job.unit_name;
-  document["interpolation"] = "cubic Hermite in " + between;
+  auto document = json_head(arguments, job, between);
   document["greatest_error"] = function.greatest_error();
   return document;
 }
@@ -157,12 +126,9 @@ std::string text_of_function(const TableArguments& arguments, const TableJob& jo
 }
 
 std::string text_of_pairs(const TableArguments& arguments, const TableJob& job) {
-  const std::string& ratio = arguments.ratio;
-  const std::vector<std::string> ends = split(ratio, ':');
-  if (ends.size() != 2) throw InvalidInput(fmt::format("ratio: got '{}', allowed SMALLEST:GREATEST, as in 1:3", ratio));
+  const auto [smallest, largest] = parse_ratios(arguments.ratio);
   const PairTable table = pair_table(
-      mixture(job.encounter), job.speeds[0], job.speeds[1], parse_number("ratio", ends[0]),
-      parse_number("ratio", ends[1]),
+      mixture(job.encounter), job.speeds[0], job.speeds[1], smallest, largest,
       {.error = arguments.error, .beyond = beyond(arguments), .threads = arguments.threads, .poll = heed_interrupts});
   return arguments.format == "c" ? c_header(table, label(arguments, job)) : as_json(arguments, job, table);
 }
@@ -181,7 +147,9 @@ void run(const TableArguments& arguments) {
   const TableJob job = make_job(arguments);
   Output output(arguments.output.path);
   catch_interrupts();
-  const std::string text = arguments.ratio.empty() ? text_of_function(arguments, job) : text_of_pairs(arguments, job);
+  const std::string text = arguments.oblique         ? text_of_rule(arguments, job)
+                           : arguments.ratio.empty() ? text_of_function(arguments, job)
+                                                     : text_of_pairs(arguments, job);
   heed_interrupts();
   output.write(text);
   output.close();
@@ -192,6 +160,10 @@ void add_form(CLI::App& command, TableArguments& arguments) {
   add(command, "--error", arguments.error,
       "Maximum error of eps at any speed, interpolation included, 1e-7 to\n0.1 (default: 0.001)", "ERROR",
       "Resolution");
+  add(command, "--tolerance", arguments.tolerance,
+      "With --oblique: maximum error of the sliding after the collision over\n|v_t| + |spin R| of both bodies + MU v, "
+      "1e-4 to 0.5 (default: 0.02)",
+      "TOLERANCE", "Resolution");
   add_threads(command, arguments.threads);
   add_choice(command, "--format", arguments.format, {"c", "two-column", "json"},
              "Form of the table (default: c)\n"
@@ -210,6 +182,30 @@ void add_form(CLI::App& command, TableArguments& arguments) {
 
 }  // namespace
 
+Beyond beyond(const TableArguments& arguments) { return arguments.beyond == "clamp" ? Beyond::clamp : Beyond::error; }
+
+TableLabel label(const TableArguments& arguments, const TableJob& job) {
+  std::vector<std::string> lines;
+  // The lines of CSV without the mark of a comment.
+  for (const std::string& line : split(csv_header(describe(arguments, job)), '\n')) {
+    lines.push_back(line.substr(std::min<std::size_t>(2, line.size())));
+  }
+  return {.name = arguments.name, .unit = job.unit_name, .scale = job.unit, .provenance = std::move(lines)};
+}
+
+nlohmann::ordered_json json_head(const TableArguments& arguments, const TableJob& job, const std::string& between) {
+  auto document = json_document(describe(arguments, job));
+  document["units"]["speed"] = job.unit_name;
+  document["interpolation"] = "cubic Hermite in " + between;
+  return document;
+}
+
+std::pair<double, double> parse_ratios(const std::string& ratio) {
+  const std::vector<std::string> ends = split(ratio, ':');
+  if (ends.size() != 2) throw InvalidInput(fmt::format("ratio: got '{}', allowed SMALLEST:GREATEST, as in 1:3", ratio));
+  return {parse_number("ratio", ends[0]), parse_number("ratio", ends[1])};
+}
+
 void add_table(CLI::App& app) {
   auto& arguments = add_subcommand<TableArguments>(
       app, "table", "Coefficient of restitution as a function, for other programs", run,
@@ -219,6 +215,7 @@ void add_table(CLI::App& app) {
       "  stoss table --body sphere --poisson 0.3 --young 2.1e11 --density 7850 --radius 0.005 --speed 0.01:10\n"
       "      --against half-space,poisson=0.23,young=7e10,density=2500 --format two-column -o steel_on_glass.txt\n"
       "  stoss table --poisson 0.33 --speed 1e-4:0.3 --against same --ratio 1:3 -o pairs.h\n"
+      "  stoss table --body sphere --poisson 0.3 --speed 1e-4:1e-2 --against same --oblique -o rule.h\n"
       "  stoss table --body rod --speed 0.001:0.1 --against rod,length=2.5 --error 0.01 --name rods -o rods.h");
   CLI::App& command = *arguments.command;
   arguments.who.first.add_poisson_to(command);
@@ -231,7 +228,17 @@ void add_table(CLI::App& app) {
       "of "
       "disks or of spheres, --against\nsame or a body, whose radius does not count",
       "RANGE", "Body");
+  command
+      .add_flag(
+          "--oblique", arguments.oblique,
+          "The whole collision rule: what becomes of the velocity along the surface\nand of the spins too, at any "
+          "angle")
+      ->group("Body");
   arguments.who.add_to(command);
+  add(command, "--friction", arguments.friction,
+      "With --oblique, of disks that are not equal: the coefficient of Coulomb's\nlaw for which the table holds, up to "
+      "5; other tables serve any friction",
+      "MU", "Against");
   add_form(command, arguments);
 }
 

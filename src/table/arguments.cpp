@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <functional>
 #include <limits>
 #include <locale>
 #include <sstream>
@@ -39,6 +40,37 @@ void require_count(const char* name, std::size_t got, std::size_t allowed) {
 
 bool bad(double error) { return !(error >= 0.0) || !std::isfinite(error); }
 
+void require_estimates(const std::vector<Estimate>& values, const std::vector<double>& interpolation_error) {
+  for (const Estimate& each : values) {
+    if (!std::isfinite(each.value) || bad(each.error)) {
+      throw InvalidInput("restitution: got " + shown(each.value) + " with the error " + shown(each.error) +
+                         ", allowed values with known errors");
+    }
+  }
+  if (std::any_of(interpolation_error.begin(), interpolation_error.end(), bad)) {
+    throw InvalidInput("interpolation_error: got one that is negative or not finite, allowed 0 or more");
+  }
+}
+
+void require_grid(const char* name, const RuleGrid& grid, bool alike) {
+  require_rising("speeds", grid.speeds, 2);
+  require_rising("ratios", grid.ratios, 1);
+  if (alike && grid.ratios.front() < 1.0) {
+    throw InvalidInput("ratios: got " + shown(grid.ratios.front()) + ", allowed 1 or more for bodies that are alike");
+  }
+  const bool whole = grid.slips.size() > 2 && grid.slips.front() == -1.0 && grid.slips.back() == 1.0;
+  if (grid.slips.size() != 1 &&
+      (!whole || !std::is_sorted(grid.slips.begin(), grid.slips.end(), std::less_equal<>()))) {
+    throw InvalidInput("slips: got " + std::to_string(grid.slips.size()) +
+                       ", allowed one, or three and more that rise from -1 to 1");
+  }
+  const auto intervals = [](const std::vector<double>& places) { return std::max<std::size_t>(places.size(), 2) - 1; };
+  require_count(name, grid.values.size(), grid.speeds.size() * grid.slips.size() * grid.ratios.size());
+  require_count("interpolation_error", grid.interpolation_error.size(),
+                intervals(grid.speeds) * intervals(grid.slips) * intervals(grid.ratios));
+  require_estimates(grid.values, grid.interpolation_error);
+}
+
 }  // namespace
 
 void require_values(const PairValues& values) {
@@ -51,15 +83,19 @@ void require_values(const PairValues& values) {
   const std::size_t cells = (values.speeds.size() - 1) * (values.ratios.size() - 1);
   require_count("restitution", values.restitution.size(), values.speeds.size() * values.ratios.size());
   require_count("interpolation_error", values.interpolation_error.size(), cells);
-  for (const Estimate& each : values.restitution) {
-    if (!std::isfinite(each.value) || bad(each.error)) {
-      throw InvalidInput("restitution: got " + shown(each.value) + " with the error " + shown(each.error) +
-                         ", allowed values with known errors");
-    }
+  require_estimates(values.restitution, values.interpolation_error);
+}
+
+void require_values(const RuleValues& values) {
+  require_grid("restitution", values.restitution, values.alike);
+  require_grid("sliding", values.sliding, values.alike);
+  const RuleGrid &normal = values.restitution, &along = values.sliding;
+  if (along.slips.size() < 2) throw InvalidInput("slips: got one of sliding, allowed -1 to 1");
+  if (normal.speeds.front() != along.speeds.front() || normal.speeds.back() != along.speeds.back() ||
+      normal.ratios.front() != along.ratios.front() || normal.ratios.back() != along.ratios.back()) {
+    throw InvalidInput("speeds: got other ends of restitution than of sliding, allowed the same (of ratios, too)");
   }
-  if (std::any_of(values.interpolation_error.begin(), values.interpolation_error.end(), bad)) {
-    throw InvalidInput("interpolation_error: got one that is negative or not finite, allowed 0 or more");
-  }
+  if (values.friction) require("friction", *values.friction, {0.0, 5.0, false, true, "above 0 to 5"}, "of the values");
 }
 
 void require_beyond(Beyond beyond) {

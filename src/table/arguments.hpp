@@ -4,18 +4,26 @@
 
 #include "stoss/table/pair_table.hpp"
 #include "stoss/table/restitution_function.hpp"
+#include "stoss/table/rule_table.hpp"
 
 namespace stoss {
 
 /// Throws InvalidInput for what a PairTable cannot be made of.
 void require_values(const PairValues& values);
 
-/// Throws InvalidInput for what a PairTable does not do beyond its range.
+/// Throws InvalidInput for what a RuleTable cannot be made of.
+void require_values(const RuleValues& values);
+
+/// Throws InvalidInput for what a PairTable or a RuleTable does not do beyond its range.
 void require_beyond(Beyond beyond);
 
 }  // namespace stoss
 
 namespace stoss::table {
+
+/// Σ |weight| of four neighbours in the middle of equal intervals of a cubic with the slopes of parabolas: what the
+/// errors of values count between them.
+inline constexpr double weight_between_places = 1.25;
 
 /// Slowest and fastest speed of a function in another unit. They are rounded outwards to 15 digits where that is the
 /// same number but for rounding: what was typed in that unit is then what is written.

@@ -10,23 +10,13 @@
 #include "numeric/bins.hpp"
 #include "stoss/table/c_source.hpp"
 #include "table/arguments.hpp"
+#include "table/axes.hpp"
 #include "table/c_text.hpp"
 
 namespace stoss {
 namespace {
 
 constexpr std::string_view pair_functions = R"(
-/* Of as many intervals between places x, that in which another one lies. */
-@NAME@_FUNCTION int @name@_interval(const double *x, const int *first, int intervals, double bins, double at)
-{
-  int k = @NAME@_INDEX((at - x[0]) * bins);
-  if (k < 0) k = 0;
-  if (k > intervals) k = intervals;
-  k = first[k];
-  while (k + 1 < intervals && at >= x[k + 1]) ++k;
-  return k;
-}
-
 /* Ratios by their difference over their sum, which changes its sign with the inverse. */
 @NAME@_FUNCTION double @name@_place(double ratio)
 {
@@ -88,20 +78,6 @@ constexpr std::string_view clamped = R"(  if (!(ratio > 0.0)) return HUGE_VAL - 
 
 constexpr std::string_view refused = "  return HUGE_VAL - HUGE_VAL;\n";
 
-std::vector<std::string> written(const std::vector<double>& numbers) {
-  std::vector<std::string> texts;
-  texts.reserve(numbers.size());
-  for (const double each : numbers) texts.push_back(table::c_number(each));
-  return texts;
-}
-
-std::vector<std::string> written(const std::vector<std::size_t>& numbers) {
-  std::vector<std::string> texts;
-  texts.reserve(numbers.size());
-  for (const std::size_t each : numbers) texts.push_back(std::to_string(each));
-  return texts;
-}
-
 std::vector<std::string> comment(const PairTable& pairs, const TableLabel& label, const std::string& name) {
   const bool clamps = pairs.beyond() == Beyond::clamp;
   const std::string inverse = pairs.values().alike ? "; its inverse is the same pair" : "";
@@ -128,22 +104,22 @@ std::vector<std::string> comment(const PairTable& pairs, const TableLabel& label
 std::string arrays(const PairTable& pairs, const std::string& name, const numeric::Bins& x, const numeric::Bins& s) {
   std::vector<std::vector<std::string>> nodes, errors;
   for (const auto& [value, by_speed, by_ratio, by_both] : pairs.nodes()) {
-    nodes.push_back(written(std::vector{value, by_speed, by_ratio, by_both}));
+    nodes.push_back(table::c_numbers(std::vector{value, by_speed, by_ratio, by_both}));
   }
   const std::size_t columns = s.x().size() - 1;
   for (std::size_t k = 0; k + 1 < x.x().size(); ++k) {
     const auto row = pairs.errors().begin() + static_cast<std::ptrdiff_t>(k * columns);
-    errors.push_back(written(std::vector<double>(row, row + static_cast<std::ptrdiff_t>(columns))));
+    errors.push_back(table::c_numbers(std::vector<double>(row, row + static_cast<std::ptrdiff_t>(columns))));
   }
-  return table::c_array("double", name + "_speeds", "ln(speed)", written(x.x())) +
-         table::c_array("double", name + "_ratios", "s = (ratio - 1)/(ratio + 1)", written(s.x())) +
+  return table::c_array("double", name + "_speeds", "ln(speed)", table::c_numbers(x.x())) +
+         table::c_array("double", name + "_ratios", "s = (ratio - 1)/(ratio + 1)", table::c_numbers(s.x())) +
          table::c_array("double", name + "_nodes",
                         "restitution at each speed for all ratios, its slopes against ln(speed), s, and both", nodes) +
          table::c_array("double", name + "_errors", "of the restitution between two speeds and two ratios", errors) +
          table::c_array("int", name + "_first_speeds", "interval in which each of equal parts of ln(speed) begins",
-                        written(x.first())) +
+                        table::c_numbers(x.first())) +
          table::c_array("int", name + "_first_ratios", "interval in which each of equal parts of s begins",
-                        written(s.first()));
+                        table::c_numbers(s.first()));
 }
 
 }  // namespace
@@ -155,15 +131,14 @@ std::string c_header(const PairTable& pairs, const TableLabel& label) {
       table::speed_range(pairs.values().speeds.front(), pairs.values().speeds.back(), label.scale);
   std::vector<double> logarithms, differences;
   for (const double each : pairs.values().speeds) logarithms.push_back(std::log(each * label.scale));
-  for (const double each : pairs.values().ratios) differences.push_back((each - 1.0) / (each + 1.0));
+  for (const double each : pairs.values().ratios) differences.push_back(place_of_ratio(each));
   const numeric::Bins x(logarithms), s(differences);
-  constexpr double rounding = 1e-15;  // as in PairTable
   const std::string outside(pairs.beyond() == Beyond::clamp ? clamped : refused);
   const std::vector<std::pair<std::string, std::string>> fillings{
       {"outside", outside},
       {"place", pairs.values().alike ? "fabs(s)" : "s"},
-      {"first_s", table::c_number(differences.front() - rounding)},
-      {"last_s", table::c_number(differences.back() + rounding)},
+      {"first_s", table::c_number(differences.front() - rounding_of_ratios)},
+      {"last_s", table::c_number(differences.back() + rounding_of_ratios)},
       {"begin_s", table::c_number(differences.front())},
       {"end_s", table::c_number(differences.back())},
       {"intervals_x", std::to_string(logarithms.size() - 1)},
@@ -177,9 +152,10 @@ std::string c_header(const PairTable& pairs, const TableLabel& label) {
   const std::string limits =
       "#define @NAME@_SLOWEST @slowest@\n#define @NAME@_FASTEST @fastest@\n#define @NAME@_SMALLEST @smallest@\n"
       "#define @NAME@_GREATEST @greatest@\n\n";
-  return table::c_file(name, comment(pairs, label, name),
-                       table::filled(limits, name, fillings) + arrays(pairs, name, x, s) +
-                           table::filled(std::string(pair_functions), name, fillings));
+  return table::c_file(
+      name, comment(pairs, label, name),
+      table::filled(limits, name, fillings) + arrays(pairs, name, x, s) +
+          table::filled(std::string(table::c_interval_function) + std::string(pair_functions), name, fillings));
 }
 
 }  // namespace stoss

@@ -55,15 +55,6 @@ constexpr std::string_view functions = R"(
 }
 )";
 
-/// To two digits, rounded up.
-std::string at_most(double error) {
-  if (!(error > 0.0)) return shown(error);
-  const double unit = std::pow(10.0, std::floor(std::log10(error)) - 1.0);
-  const double digits = std::ceil(error / unit);
-  // 41 · 10⁻⁵ is not the nearest number to 0.00041.
-  return shown(unit < 1.0 ? digits / std::round(1.0 / unit) : digits * unit);
-}
-
 /// The interval in which each of as many bins of equal ln v begins.
 std::vector<std::string> first_in_bins(const std::vector<double>& x, double bins_per_unit) {
   const std::size_t intervals = x.size() - 1;
@@ -83,7 +74,8 @@ std::vector<std::string> comment(const RestitutionFunction& function, const Tabl
       "Coefficient of restitution of elastic bodies against their speed of approach.",
       "",
       "  @name@_restitution(v)        at the speed of approach v, in " + label.unit + "; its sign does not count",
-      "  @name@_restitution_error(v)  its error, interpolation included: at most " + at_most(function.greatest_error()),
+      "  @name@_restitution_error(v)  its error, interpolation included: at most " +
+          table::at_most(function.greatest_error()),
       "",
       "Speeds go from @NAME@_SLOWEST to @NAME@_FASTEST. Beyond, the coefficient is " +
           std::string(clamps ? "that at the nearer end," : "not a number,"),

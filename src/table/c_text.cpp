@@ -1,7 +1,6 @@
 #include "table/c_text.hpp"
 
-#include <cstddef>
-#include <string_view>
+#include <cmath>
 
 #include "check.hpp"
 #include "stoss/errors.hpp"
@@ -82,6 +81,28 @@ std::string c_number(double value) {
   std::string text = shown(value);
   if (text.find_first_of(".en") == std::string::npos) text += ".0";
   return text;
+}
+
+std::vector<std::string> c_numbers(const std::vector<double>& values) {
+  std::vector<std::string> texts;
+  texts.reserve(values.size());
+  for (const double each : values) texts.push_back(c_number(each));
+  return texts;
+}
+
+std::vector<std::string> c_numbers(const std::vector<std::size_t>& values) {
+  std::vector<std::string> texts;
+  texts.reserve(values.size());
+  for (const std::size_t each : values) texts.push_back(std::to_string(each));
+  return texts;
+}
+
+std::string at_most(double error) {
+  if (!(error > 0.0)) return shown(error);
+  const double unit = std::pow(10.0, std::floor(std::log10(error)) - 1.0);
+  const double digits = std::ceil(error / unit);
+  // 41 · 10⁻⁵ is not the nearest number to 0.00041.
+  return shown(unit < 1.0 ? digits / std::round(1.0 / unit) : digits * unit);
 }
 
 std::string c_array(const std::string& type, const std::string& name, const std::string& comment,

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <cstddef>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -9,6 +11,13 @@ namespace stoss::table {
 /// A number as C reads it back, of type double: 1.0, not 1.
 [[nodiscard]] std::string c_number(double value);
 
+/// Each of several numbers.
+[[nodiscard]] std::vector<std::string> c_numbers(const std::vector<double>& values);
+[[nodiscard]] std::vector<std::string> c_numbers(const std::vector<std::size_t>& values);
+
+/// An error as text, to two digits, rounded up.
+[[nodiscard]] std::string at_most(double error);
+
 /// A static array of rows, with a line of comment above. @param type as in double. @param rows as many cells in each
 [[nodiscard]] std::string c_array(const std::string& type, const std::string& name, const std::string& comment,
                                   const std::vector<std::vector<std::string>>& rows);
@@ -16,6 +25,20 @@ namespace stoss::table {
 /// The same of one index. Its cells fill lines.
 [[nodiscard]] std::string c_array(const std::string& type, const std::string& name, const std::string& comment,
                                   const std::vector<std::string>& cells);
+
+/// The function that finds an interval as numeric::Bins does.
+inline constexpr std::string_view c_interval_function = R"(
+/* Of as many intervals between places x, that in which another one lies. */
+@NAME@_FUNCTION int @name@_interval(const double *x, const int *first, int intervals, double bins, double at)
+{
+  int k = @NAME@_INDEX((at - x[0]) * bins);
+  if (k < 0) k = 0;
+  if (k > intervals) k = intervals;
+  k = first[k];
+  while (k + 1 < intervals && at >= x[k + 1]) ++k;
+  return k;
+}
+)";
 
 /// A comment of several lines, from which no text can break out.
 [[nodiscard]] std::string c_comment(const std::vector<std::string>& lines);

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <limits>
 
-#include "numeric/monotone_cubic.hpp"
 #include "numeric/parabolic_cubic.hpp"
 
 namespace stoss {
@@ -26,9 +25,7 @@ std::vector<double> NestedAxis::missed(const std::vector<double>& y) const {
       x.push_back(x_[k]);
       before.push_back(y[k]);
     }
-    const std::vector<double> slope = slopes_ == Slopes::monotone
-                                          ? numeric::MonotoneCubic(x, before).slope
-                                          : numeric::parabolic_slopes(x, before, slopes_ == Slopes::mirrored);
+    const std::vector<double> slope = numeric::slopes(slopes_, x, before);
     std::size_t left = 0;
     for (std::size_t k = 0; k < x_.size(); ++k) {
       if (turn_[k] != turn) continue;

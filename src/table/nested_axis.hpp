@@ -3,22 +3,22 @@
 #include <cstddef>
 #include <vector>
 
-namespace stoss {
+#include "numeric/cubic_grid.hpp"
 
-/// What interpolates along an axis: a MonotoneCubic, or a cubic with the slopes of parabolas, through values that may
-/// be mirrored at 0.
-enum class Slopes { monotone, parabolic, mirrored };
+namespace stoss {
 
 /// Places on a line whose intervals are halved in turns. What each middle was missed by, interpolated between the
 /// places that were there before it, is the error of both halves.
 class NestedAxis {
  public:
-  explicit NestedAxis(Slopes slopes) : slopes_(slopes) {}
+  explicit NestedAxis(numeric::Slopes slopes) : slopes_(slopes) {}
 
   /// Adds a place, in any order. @param turn in which it was added, 0 of the first places
   void add(double place, int turn);
 
   [[nodiscard]] std::size_t size() const { return x_.size(); }
+
+  [[nodiscard]] numeric::Slopes slopes() const { return slopes_; }
 
   /// Rising.
   [[nodiscard]] const std::vector<double>& x() const { return x_; }
@@ -34,7 +34,7 @@ class NestedAxis {
   [[nodiscard]] static std::vector<double> worst_of_three(const std::vector<double>& missed);
 
  private:
-  Slopes slopes_;
+  numeric::Slopes slopes_;
   std::vector<double> x_;
   std::vector<int> turn_;
   int last_ = 0;

@@ -12,19 +12,13 @@
 
 #include "check.hpp"
 #include "numeric/bins.hpp"
-#include "numeric/monotone_cubic.hpp"
-#include "numeric/parabolic_cubic.hpp"
+#include "numeric/cubic_grid.hpp"
 #include "stoss/errors.hpp"
 #include "table/arguments.hpp"
+#include "table/axes.hpp"
 
 namespace stoss {
 namespace {
-
-constexpr double weight_of_values = 1.25;  // Σ |weight| of four neighbours in the middle of equal intervals of ratios
-
-constexpr double rounding = 1e-15;  // of s, so that 1/r is in the range where r is
-
-double relative(double ratio) { return (ratio - 1.0) / (ratio + 1.0); }
 
 numeric::Bins logarithms(const std::vector<double>& speeds) {
   std::vector<double> all;
@@ -36,7 +30,7 @@ numeric::Bins logarithms(const std::vector<double>& speeds) {
 numeric::Bins differences(const std::vector<double>& ratios) {
   std::vector<double> all;
   all.reserve(ratios.size());
-  for (const double each : ratios) all.push_back(relative(each));
+  for (const double each : ratios) all.push_back(place_of_ratio(each));
   return numeric::Bins(std::move(all));
 }
 
@@ -69,8 +63,8 @@ struct PairTable::Data {
         x(logarithms(values.speeds)),
         s(differences(values.ratios)),
         beyond(outside),
-        first(s.x().front() - rounding),
-        last(s.x().back() + rounding),
+        first(s.x().front() - rounding_of_ratios),
+        last(s.x().back() + rounding_of_ratios),
         nodes(values.restitution.size()) {
     set_nodes();
     set_errors();
@@ -78,29 +72,14 @@ struct PairTable::Data {
   }
 
   void set_nodes() {
-    const std::size_t columns = values.ratios.size();
-    for (std::size_t j = 0; j < columns; ++j) {
-      std::vector<double> y;
-      for (std::size_t k = 0; k < values.speeds.size(); ++k) y.push_back(values.restitution[k * columns + j].value);
-      const numeric::MonotoneCubic cubic(x.x(), y);
-      for (std::size_t k = 0; k < values.speeds.size(); ++k) {
-        nodes[k * columns + j].value = y[k];
-        nodes[k * columns + j].by_speed = cubic.slope[k];
-      }
-    }
-    for (std::size_t k = 0; k < values.speeds.size(); ++k) {
-      Node* row = &nodes[k * columns];
-      std::vector<double> y, slope;
-      for (std::size_t j = 0; j < columns; ++j) {
-        y.push_back(row[j].value);
-        slope.push_back(row[j].by_speed);
-      }
-      const std::vector<double> by_ratio = numeric::parabolic_slopes(s.x(), y, values.alike);
-      const std::vector<double> by_both = numeric::parabolic_slopes(s.x(), slope, values.alike);
-      for (std::size_t j = 0; j < columns; ++j) {
-        row[j].by_ratio = by_ratio[j];
-        row[j].by_both = by_both[j];
-      }
+    std::vector<double> all;
+    for (const Estimate& each : values.restitution) all.push_back(each.value);
+    using numeric::Slopes;
+    const Slopes between_ratios = values.alike ? Slopes::mirrored : Slopes::parabolic;
+    const numeric::CubicGrid grid({x.x(), {0.0}, s.x()}, {Slopes::monotone, Slopes::monotone, between_ratios}, all);
+    for (std::size_t i = 0; i < nodes.size(); ++i) {
+      const double* node = &grid.nodes()[4 * i];
+      nodes[i] = {node[0], node[1], node[2], node[3]};
     }
   }
 
@@ -110,7 +89,7 @@ struct PairTable::Data {
       for (std::size_t j = 0; j + 1 < columns; ++j) {
         const Estimate *here = &values.restitution[k * columns + j], *next = here + columns;
         const double greatest = std::max({here[0].error, here[1].error, next[0].error, next[1].error});
-        errors.push_back(weight_of_values * greatest + values.interpolation_error[k * (columns - 1) + j]);
+        errors.push_back(table::weight_between_places * greatest + values.interpolation_error[k * (columns - 1) + j]);
       }
     }
   }
@@ -153,7 +132,7 @@ struct PairTable::Data {
 
   /// s of a ratio, of its inverse where that is the same pair.
   [[nodiscard]] double place(double ratio) const {
-    const double difference = relative(ratio);
+    const double difference = place_of_ratio(ratio);
     return values.alike ? std::abs(difference) : difference;
   }
 

@@ -1,0 +1,58 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "input/encounter.hpp"
+#include "output/output_options.hpp"
+#include "stoss/table/c_source.hpp"
+
+namespace stoss::cli {
+
+/// What stoss table is given.
+struct TableArguments {
+  EncounterOptions who;
+  std::string speed;
+  std::string ratio;  // of a table of pairs
+  double error = 1e-3;
+  bool oblique = false;              // the whole collision rule
+  double tolerance = 2e-2;           // of s′
+  std::optional<double> friction{};  // of a rule that depends on it
+  int threads = 0;
+  std::string format = "c";
+  std::string name = "stoss";
+  std::string beyond = "clamp";
+  OutputOptions output;  // but for its format
+  CLI::App* command = nullptr;
+};
+
+/// What it makes of it.
+struct TableJob {
+  Encounter encounter;
+  std::vector<double> typed;   ///< ends of the range, m/s with a material
+  std::vector<double> speeds;  ///< the same in c
+  bool si = units_of(encounter).si.has_value();
+  double unit = speed_unit(encounter);  ///< m/s, or 1
+  std::string unit_name = si ? "m/s" : "c";
+};
+
+[[nodiscard]] Beyond beyond(const TableArguments& arguments);
+
+/// What a header in C says of itself.
+[[nodiscard]] TableLabel label(const TableArguments& arguments, const TableJob& job);
+
+/// What all kinds of table have besides their records. @param between how values between the knots are to be had
+[[nodiscard]] nlohmann::ordered_json json_head(const TableArguments& arguments, const TableJob& job,
+                                               const std::string& between);
+
+/// Ends of the range of ratios.
+[[nodiscard]] std::pair<double, double> parse_ratios(const std::string& ratio);
+
+/// The table of --oblique.
+[[nodiscard]] std::string text_of_rule(const TableArguments& arguments, const TableJob& job);
+
+}  // namespace stoss::cli

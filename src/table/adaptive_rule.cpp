@@ -1,0 +1,104 @@
+#include "stoss/table/adaptive_rule.hpp"
+
+#include <functional>
+#include <utility>
+
+#include "check.hpp"
+#include "stoss/errors.hpp"
+#include "stoss/table/adaptive.hpp"
+#include "stoss/table/adaptive_pairs.hpp"
+#include "table/adaptive_rules.hpp"
+#include "table/arguments.hpp"
+#include "table/axes.hpp"
+#include "table/computed_rules.hpp"
+
+namespace stoss {
+namespace {
+
+void require_options(const AxisRange& speeds, const RuleTableOptions& options) {
+  require_speeds(speeds);
+  require("error", options.error, {1e-6, 0.1, true, true, "1e-6 to 0.1"}, "maximum error of the restitution");
+  require("tolerance", options.tolerance, {1e-4, 0.5, true, true, "1e-4 to 0.5"},
+          "maximum error of the sliding after the collision");
+  require("most_values", static_cast<long>(options.most_values), 100, 10'000'000, "that are computed");
+  require("threads", static_cast<long>(options.threads), 0, 1024, "0 for as many as the machine has");
+  require_beyond(options.beyond);
+}
+
+void require_friction(bool mixing, const AxisRange& speeds, const RuleTableOptions& options) {
+  if (!mixing) {
+    if (!options.friction) return;
+    throw InvalidInput("friction: got " + shown(*options.friction) +
+                       ", allowed none (one table of these bodies serves any friction)");
+  }
+  if (!options.friction) {
+    throw InvalidInput(
+        "friction: got none, allowed above 0 to 5 (motion along the surface changes the restitution of these bodies, "
+        "so a table is of one friction)");
+  }
+  require("friction", *options.friction, {0.0, 5.0, false, true, "above 0 to 5"}, "coefficient of Coulomb's law");
+  const double most = (1.0 - gross_slip) / (1.0 + gross_slip) / *options.friction;
+  if (speeds.high > most) {
+    throw InvalidInput("speed: got up to " + shown(speeds.high) + " c, allowed up to " + shown(most) +
+                       " c (1/9 of c over the friction: beyond, nothing slides throughout below c)");
+  }
+}
+
+RuleGrid grid_of(const RestitutionFunction& function) {
+  RuleGrid made;
+  made.interpolation_error = function.interpolation_errors();
+  for (const auto& [speed, restitution] : function.knots()) {
+    made.speeds.push_back(speed);
+    made.values.push_back(restitution);
+  }
+  return made;
+}
+
+RuleGrid grid_of(const PairTable& pairs) {
+  const PairValues& values = pairs.values();
+  return {values.speeds, {0.0}, values.ratios, values.restitution, values.interpolation_error};
+}
+
+/// @param normal ε_n of a speed, and of a ratio, alone
+template <typename Normal>
+RuleTable made(const std::function<RefinableContact(double)>& contact, const RuleRanges& ranges,
+               const RuleTableOptions& options, Normal normal) {
+  require_friction(mixes(contact(ranges.ratios.high), options.poll), ranges.speeds, options);
+  AdaptiveRules rules(contact, ranges, options);
+  rules.refine();
+  RuleValues values{options.friction ? rules.values(1) : normal(), rules.values(0), ranges.alike, options.friction};
+  RuleTable table(std::move(values), options.beyond);
+  const auto require_reached = [](const char* name, double reached, double allowed) {
+    if (reached <= allowed) return;
+    throw NotConverged("rule_table: the errors add up to " + shown(reached) + " (allow a larger " + name + ")");
+  };
+  require_reached("error", table.greatest_restitution_error(), options.error);
+  require_reached("tolerance", table.greatest_sliding_error(), options.tolerance);
+  return table;
+}
+
+}  // namespace
+
+RuleTable rule_table(const RefinableContact& contact, double slowest, double fastest, const RuleTableOptions& options) {
+  const AxisRange speeds{slowest, fastest};
+  require_options(speeds, options);
+  return made(
+      [&](double) { return contact; }, {speeds, {1.0, 1.0}, false, false}, options,
+      [&] {
+        return grid_of(restitution_function(
+            contact, slowest, fastest, {.error = options.error, .threads = options.threads, .poll = options.poll}));
+      });
+}
+
+RuleTable rule_table(const Mixture& mixture, double slowest, double fastest, double smallest, double largest,
+                     const RuleTableOptions& options) {
+  const AxisRange speeds{slowest, fastest};
+  require_options(speeds, options);
+  const AxisRange ratios = held_ratios(mixture.alike, {smallest, largest});
+  return made(mixture.contact, {speeds, ratios, true, mixture.alike}, options, [&] {
+    return grid_of(pair_table(mixture, slowest, fastest, smallest, largest,
+                              {.error = options.error, .threads = options.threads, .poll = options.poll}));
+  });
+}
+
+}  // namespace stoss

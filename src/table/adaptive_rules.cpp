@@ -1,0 +1,159 @@
+// Values of q, and where directions mix of ε_n, at places that an AdaptiveGrid asks for.
+#include "table/adaptive_rules.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <utility>
+
+#include "check.hpp"
+#include "stoss/errors.hpp"
+
+namespace stoss {
+namespace {
+
+constexpr double probe = 0.5;           // |z| of the slips at which the ways to slide are compared
+constexpr double least_left = 0.3;      // share of an error that must be left beside what they differ by
+constexpr double margin_of_ways = 1.2;  // of that difference
+constexpr double share_of_rules = 0.5;  // of what is left, with their weight between places; the rest for the middles
+
+NestedAxis axis_of_slips() {
+  NestedAxis axis(numeric::Slopes::parabolic);
+  for (const double z : {-1.0, -probe, 0.0, probe, gross_slip, 1.0}) axis.add(z, 0);
+  return axis;
+}
+
+}  // namespace
+
+AdaptiveRules::AdaptiveRules(std::function<RefinableContact(double)> contact, const RuleRanges& ranges,
+                             const RuleTableOptions& options)
+    : grid_({axis_of_speeds(ranges.speeds), axis_of_slips(),
+             ranges.is_mixture ? axis_of_ratios(ranges.ratios, ranges.alike) : one_place()}),
+      contact_(std::move(contact)),
+      ranges_(ranges),
+      options_(options) {
+  set_budget();
+}
+
+void AdaptiveRules::refine() {
+  compute();
+  const std::vector<double> enough =
+      options_.friction ? std::vector{sliding_.grid, restitution_.grid} : std::vector{sliding_.grid};
+  while (grid_.halve(enough)) compute();
+}
+
+RuleGrid AdaptiveRules::values(std::size_t quantity) const {
+  RuleGrid made{{}, grid_.axis(1).x(), {}, grid_.values(quantity), grid_.interpolation_errors(quantity)};
+  for (const double each : grid_.axis(0).x()) made.speeds.push_back(ranges_.speeds.speed(each));
+  for (const double each : grid_.axis(2).x()) made.ratios.push_back(ratio(each));
+  std::size_t i = 0;
+  for (const double v : grid_.axis(0).x()) {
+    for (const double z : grid_.axis(1).x()) {
+      for (const double s : grid_.axis(2).x()) {
+        const bool known = quantity == 0 && std::abs(z) == 1.0;
+        made.values[i++].error += known ? 0.0 : difference(v, s, quantity);
+      }
+    }
+  }
+  return made;
+}
+
+std::string AdaptiveRules::named(double speed, double s) const {
+  return "speed " + shown(speed) + " c" + (ranges_.is_mixture ? " and the ratio " + shown(ratio(s)) : "");
+}
+
+const RefinableContact& AdaptiveRules::contact(double s) {
+  if (!contacts_.contains(s)) contacts_.emplace(s, contact_(ratio(s)));
+  return contacts_.at(s);
+}
+
+double AdaptiveRules::difference(double v, double s, std::size_t quantity) const {
+  double greatest = 0.0;
+  for (const double z : {-probe, 0.0, probe}) greatest = std::max(greatest, grid_.at({v, z, s})[2 + quantity].value);
+  return greatest;
+}
+
+std::vector<std::vector<RulePoint>> AdaptiveRules::points(const std::vector<Place>& lines,
+                                                          const std::vector<std::vector<RuleSlip>>& slips) {
+  std::vector<RuleRequest> requests;
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    requests.push_back({&contact(lines[i][2]), ranges_.speeds.speed(lines[i][0]), slips[i]});
+  }
+  const auto place = [&](std::size_t i) { return named(requests[i].speed, lines[i][2]); };
+  return computed_rules(requests, {options_.friction, sliding_.values, restitution_.values}, options_.threads,
+                        options_.poll, place);
+}
+
+AdaptiveRules::Budget AdaptiveRules::without(double error, double difference) const {
+  const double left = error - margin_of_ways * ranges_.weight() * difference;
+  return {share_of_rules / ranges_.weight() * left,
+          (1.0 - share_of_rules) * left / static_cast<double>(ranges_.axes())};
+}
+
+void AdaptiveRules::require_left(const char* option, double error, double difference) const {
+  const double taken = margin_of_ways * ranges_.weight() * difference;
+  if (error - taken >= least_left * error) return;
+  throw NotConverged("rule_table: at speed " + shown(ranges_.speeds.high) +
+                     " c velocity and spin differ too much in their effect (allow a larger " + option + ", from " +
+                     shown(std::ceil(1e4 * taken / (1.0 - least_left)) / 1e4) + ", or slower speeds)");
+}
+
+void AdaptiveRules::set_budget() {
+  // First as if there were no difference; it is largest where the contact is.
+  sliding_ = without(options_.tolerance, 0.0), restitution_ = without(options_.error, 0.0);
+  const std::vector<double>&v = grid_.axis(0).x(), &s = grid_.axis(2).x();
+  const std::vector<RuleSlip> slips{{-probe, true}, {0.0, true}, {probe, true}};
+  double along = 0.0, normal = 0.0;
+  for (const auto& end : points({{v.back(), 0.0, s.front()}, {v.back(), 0.0, s.back()}}, {slips, slips})) {
+    for (const RulePoint& each : end) {
+      along = std::max(along, each.sliding_difference);
+      if (options_.friction) normal = std::max(normal, each.restitution_difference);
+    }
+  }
+  require_left("tolerance", options_.tolerance, along);
+  require_left("error", options_.error, normal);
+  sliding_ = without(options_.tolerance, along), restitution_ = without(options_.error, normal);
+}
+
+void AdaptiveRules::compute() {
+  if (grid_.size() > static_cast<std::size_t>(options_.most_values)) {
+    throw NotConverged("rule_table: more than " + std::to_string(options_.most_values) +
+                       " values are needed (allow greater errors, smaller ranges, or more values)");
+  }
+  const std::vector<Place> open = grid_.open();
+  std::vector<Place> lines;
+  std::vector<std::vector<RuleSlip>> slips;
+  for (const Place& place : open) {
+    if (place[1] > gross_slip || (place[1] == -1.0 && !options_.friction)) continue;
+    if (lines.empty() || lines.back()[0] != place[0] || lines.back()[2] != place[2]) {
+      lines.push_back(place);
+      slips.emplace_back();
+    }
+    slips.back().push_back({place[1], place[1] == 0.0 || std::abs(place[1]) == probe});
+  }
+  const std::vector<std::vector<RulePoint>> found = points(lines, slips);
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    for (std::size_t k = 0; k < slips[i].size(); ++k) {
+      const RulePoint& point = found[i][k];
+      const double z = slips[i][k].z;
+      const Estimate sliding = z == -1.0 ? Estimate{} : point.sliding;  // nothing slides
+      grid_.set({lines[i][0], z, lines[i][2]},
+                {sliding, point.restitution, {point.sliding_difference, 0.0}, {point.restitution_difference, 0.0}});
+    }
+  }
+  follow(open);
+}
+
+void AdaptiveRules::follow(const std::vector<Place>& open) {
+  for (const Place& place : open) {
+    if (place[1] == -1.0 && !options_.friction) grid_.set(place, AdaptiveGrid::Values(4));
+    if (place[1] <= gross_slip) continue;
+    AdaptiveGrid::Values values = grid_.at({place[0], gross_slip, place[2]});
+    // 1 − q falls to 0 along a straight line.
+    const double share = (1.0 - place[1]) / (1.0 - gross_slip);
+    values[0] = {1.0 - share * (1.0 - values[0].value), share * values[0].error};
+    grid_.set(place, std::move(values));
+  }
+}
+
+}  // namespace stoss

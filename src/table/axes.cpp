@@ -1,0 +1,88 @@
+#include "table/axes.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <string>
+
+#include "check.hpp"
+#include "stoss/errors.hpp"
+
+namespace stoss {
+namespace {
+
+constexpr double knots_per_decade = 6.0;
+constexpr std::size_t fewest_of_speeds = 6, fewest_of_ratios = 2;  // intervals
+
+void require_rising(const char* name, const AxisRange& range) {
+  if (!(range.low < range.high)) {
+    throw InvalidInput(std::string(name) + ": got " + shown(range.low) + " to " + shown(range.high) +
+                       ", allowed a first value below the last");
+  }
+}
+
+/// ln of what lies at a share of a range.
+double logarithm(const AxisRange& range, double share) {
+  return std::log(range.low) + share * (std::log(range.high) - std::log(range.low));
+}
+
+double speed_place(const AxisRange& range, double share) { return logarithm(range, share); }
+double ratio_place(const AxisRange& range, double share) { return std::tanh(0.5 * logarithm(range, share)); }
+
+std::size_t intervals(const AxisRange& range, std::size_t fewest) {
+  return std::max(fewest, static_cast<std::size_t>(std::ceil(knots_per_decade * std::log10(range.high / range.low))));
+}
+
+}  // namespace
+
+double AxisRange::speed(double place) const {
+  if (place <= speed_place(*this, 0.0)) return low;
+  return place >= speed_place(*this, 1.0) ? high : std::exp(place);
+}
+
+double AxisRange::ratio(double place) const {
+  if (place <= ratio_place(*this, 0.0)) return low;
+  return place >= ratio_place(*this, 1.0) ? high : (1.0 + place) / (1.0 - place);
+}
+
+NestedAxis axis_of_speeds(const AxisRange& range) {
+  NestedAxis axis(numeric::Slopes::monotone);
+  const std::size_t count = intervals(range, fewest_of_speeds);
+  for (std::size_t i = 0; i <= count; ++i) {
+    axis.add(speed_place(range, static_cast<double>(i) / static_cast<double>(count)), 0);
+  }
+  return axis;
+}
+
+NestedAxis axis_of_ratios(const AxisRange& range, bool alike) {
+  NestedAxis axis(alike ? numeric::Slopes::mirrored : numeric::Slopes::parabolic);
+  const std::size_t count = intervals(range, fewest_of_ratios);
+  for (std::size_t i = 0; i <= count; ++i) {
+    axis.add(ratio_place(range, static_cast<double>(i) / static_cast<double>(count)), 0);
+  }
+  return axis;
+}
+
+NestedAxis one_place(double place) {
+  NestedAxis axis(numeric::Slopes::parabolic);
+  axis.add(place, 0);
+  return axis;
+}
+
+void require_speeds(const AxisRange& speeds) {
+  require_speed(speeds.low);
+  require_speed(speeds.high);
+  require_rising("speed", speeds);
+}
+
+AxisRange held_ratios(bool alike, const AxisRange& ratios) {
+  const Range range{1e-3, 1e3, true, true, "0.001 to 1000"};
+  require("ratio", ratios.low, range, "radius of the second over that of the first");
+  require("ratio", ratios.high, range, "radius of the second over that of the first");
+  require_rising("ratio", ratios);
+  if (!alike || ratios.low >= 1.0) return ratios;
+  if (ratios.high <= 1.0) return {1.0 / ratios.high, 1.0 / ratios.low};
+  return {1.0, std::max(ratios.high, 1.0 / ratios.low)};
+}
+
+}  // namespace stoss

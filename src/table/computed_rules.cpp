@@ -1,0 +1,134 @@
+// Where directions do not mix a friction stands for all; of balls all slips at a speed share their normal impacts.
+#include "table/computed_rules.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "check.hpp"
+#include "contact/along.hpp"
+#include "contact/touch.hpp"
+#include "contact/unit_ratios.hpp"
+#include "impact/oblique_frame.hpp"
+#include "restitution/ordered_jobs.hpp"
+#include "stoss/errors.hpp"
+#include "stoss/restitution/oblique.hpp"
+
+namespace stoss {
+namespace {
+
+constexpr double any_friction = 0.01;  // the sliding stays far below c
+
+/// How to slide at s: with equal shares of velocity and spins, then, to compare, by each alone.
+std::vector<Obliquity> ways(const ObliqueFrame& frame, double sliding, double friction, bool compare) {
+  std::vector<Obliquity> single{{.tangential = sliding, .friction = friction}};
+  if (sliding != 0.0 && frame.inertia[0] > 0.0) {
+    single.push_back({.spin = sliding / frame.radius[0], .friction = friction});
+  }
+  if (sliding != 0.0 && frame.inertia[1] > 0.0) {
+    single.push_back({.second_spin = sliding / frame.radius[1], .friction = friction});
+  }
+  const double share = 1.0 / static_cast<double>(single.size());
+  std::vector<Obliquity> all{{.friction = friction}};
+  for (const Obliquity& each : single) {
+    all[0].tangential += share * each.tangential;
+    all[0].spin += share * each.spin;
+    all[0].second_spin += share * each.second_spin;
+  }
+  if (compare) all.insert(all.end(), single.begin(), single.end());
+  return all;
+}
+
+/// Computes rules until both errors are small enough.
+std::vector<ObliqueRestitution> accurate(const RuleRequest& request, const std::vector<Obliquity>& before,
+                                         const RuleDemand& demand, const std::string& place, const Poll& poll) {
+  constexpr double finest = 1e-6;
+  double reached = 0.0;  // error of the restitution
+  for (double tolerance = std::min(demand.sliding, 0.5); tolerance > finest; tolerance *= 0.5) {
+    std::vector<ObliqueRestitution> found =
+        oblique_restitution(*request.contact, request.speed, before, {.tolerance = tolerance, .poll = poll});
+    const auto open = std::find_if(found.begin(), found.end(), [](const auto& each) { return !each.converged; });
+    if (open != found.end() && reached > 0.0) break;
+    if (open != found.end()) throw NotConverged("oblique: at " + place + " " + open->reason);
+    reached = 0.0;
+    for (const ObliqueRestitution& each : found) reached = std::max(reached, each.restitution.error);
+    if (!demand.friction || reached <= demand.restitution) return found;
+  }
+  throw NotConverged("oblique: at " + place + " the error of the restitution stays at " + shown(reached) +
+                     ", where the table needs " + shown(demand.restitution) + " (allow a larger error)");
+}
+
+/// Difference of a quantity between two rules, of the finest runs that both have: what runs are off by is alike then.
+double difference(const ObliqueRestitution& a, const ObliqueRestitution& b, double ObliqueRun::*quantity) {
+  const std::size_t last = std::min(a.runs.size(), b.runs.size()) - 1;
+  return std::abs(a.runs[last].*quantity - b.runs[last].*quantity);
+}
+
+std::vector<RulePoint> computed(const RuleRequest& request, const RuleDemand& demand, const std::string& place,
+                                const Poll& poll) {
+  const double friction = demand.friction.value_or(any_friction), limit = friction * request.speed;
+  const ObliqueFrame frame(request.contact->at(0, poll), request.speed, {});
+  std::vector<Obliquity> before;
+  std::vector<std::size_t> begin{0};
+  for (const auto& [z, compare] : request.slips) {
+    const std::vector<Obliquity> own = ways(frame, limit * (1.0 + z) / (1.0 - z), friction, compare);
+    before.insert(before.end(), own.begin(), own.end());
+    begin.push_back(before.size());
+  }
+  const std::vector<ObliqueRestitution> found = accurate(request, before, demand, place, poll);
+  std::vector<RulePoint> points;
+  for (std::size_t i = 0; i + 1 < begin.size(); ++i) {
+    const ObliqueRestitution& mixed = found[begin[i]];
+    const double sliding = std::abs(mixed.sliding), scale = sliding + limit;
+    RulePoint point{mixed.restitution, {mixed.sliding_after.value / scale, mixed.sliding_after.error / scale}};
+    for (std::size_t k = begin[i] + 1; k < begin[i + 1]; ++k) {
+      const double along = difference(mixed, found[k], &ObliqueRun::sliding_after) / sliding;
+      const double normal = difference(mixed, found[k], &ObliqueRun::restitution);
+      point.sliding_difference = std::max(point.sliding_difference, along);
+      point.restitution_difference = std::max(point.restitution_difference, normal);
+    }
+    points.push_back(point);
+  }
+  return points;
+}
+
+}  // namespace
+
+bool mixes(const RefinableContact& contact, const Poll& poll) {
+  const Contact& probe = contact.at(0, poll);
+  if (touch(probe).circle) return false;
+  if (probe.second == nullptr || probe.unbounded || contact.part() < 1.0) return true;
+  constexpr double rounding = 1e-12;
+  const UnitRatios units = units_of(probe, 1);
+  const auto one = [](double ratio) { return std::abs(ratio - 1.0) < rounding; };
+  return !one(units.length) || !one(units.time) || !one(units.mass) || !one(units.softness) ||
+         mixing(contacts_along(probe, poll)) > rounding;
+}
+
+std::vector<std::vector<RulePoint>> computed_rules(const std::vector<RuleRequest>& requests, const RuleDemand& demand,
+                                                   int threads, const Poll& poll,
+                                                   const std::function<std::string(std::size_t)>& place) {
+  using Points = std::vector<RulePoint>;
+  // Slips that share nothing are jobs of their own.
+  std::vector<std::pair<std::size_t, RuleRequest>> jobs;
+  for (std::size_t i = 0; i < requests.size(); ++i) {
+    const RuleRequest& each = requests[i];
+    if (touch(each.contact->at(0, poll)).circle) {
+      jobs.emplace_back(i, each);
+      continue;
+    }
+    for (const RuleSlip& slip : each.slips) jobs.emplace_back(i, RuleRequest{each.contact, each.speed, {slip}});
+  }
+  std::vector<Points> results(requests.size());
+  const auto job = [&](std::size_t k, const Poll& heed) {
+    return computed(jobs[k].second, demand, place(jobs[k].first), heed);
+  };
+  const auto deliver = [&](std::size_t k, Points&& points) {
+    Points& own = results[jobs[k].first];
+    own.insert(own.end(), points.begin(), points.end());
+  };
+  run_in_order<Points>(jobs.size(), threads, job, deliver, poll);
+  return results;
+}
+
+}  // namespace stoss
