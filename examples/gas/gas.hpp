@@ -32,6 +32,11 @@ class Gas {
   [[nodiscard]] double energy() const { return translation() + rotation(); }
   [[nodiscard]] double translation() const;
   [[nodiscard]] double rotation() const;
+  /// Energies over half of the degrees of freedom.
+  [[nodiscard]] double temperature() const { return translation() / (0.5 * degrees(D)); }
+  [[nodiscard]] double temperature_of_rotation() const { return rotation() / (0.5 * degrees(D == 2 ? 1 : 3)); }
+
+  [[nodiscard]] std::size_t size() const { return particles_.size(); }
   [[nodiscard]] long collisions() const { return collisions_; }
 
   /// Σ impulse × distance of the centres over all collisions: pressure × volume = NT + virial/(D time).
@@ -53,6 +58,7 @@ class Gas {
   void leave_cell(std::size_t i);
   void meet(std::size_t i, std::size_t j, const Rule& rule);
   [[nodiscard]] double nearest(double distance) const;
+  [[nodiscard]] double degrees(std::size_t each) const { return static_cast<double>(each * particles_.size()); }
   [[nodiscard]] Cell cell_of(std::size_t number) const;
   [[nodiscard]] std::size_t number_of(const Cell& cell) const;
 

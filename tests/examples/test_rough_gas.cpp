@@ -4,10 +4,10 @@
 
 #include <cmath>
 #include <cstddef>
-#include <utility>
 #include <vector>
 
 #include "../../examples/gas/gas.hpp"
+#include "../../examples/gas/mean_field.hpp"
 
 namespace {
 
@@ -24,26 +24,10 @@ template <typename Dimension>
 class RoughGas : public ::testing::Test {
  protected:
   static constexpr std::size_t dimension = Dimension::value;
-  static constexpr double turns = dimension == 2 ? 1.0 : 3.0;      // degrees of freedom of the rotation
-  static constexpr double inertia = dimension == 2 ? 0.5 : 0.4;    // I/mR²
   static constexpr double packing = dimension == 2 ? 0.05 : 0.03;  // so thin that velocities are hardly correlated
   using Gas = gas::Gas<dimension>;
 
   static Gas made(std::uint64_t seed) { return Gas(std::vector<double>(particles, 1.0), packing, 1.0, seed); }
-
-  /// Mean energy over half of the degrees of freedom.
-  static double of_translation(const Gas& gas) { return gas.translation() / (0.5 * dimension * particles); }
-  static double of_rotation(const Gas& gas) { return gas.rotation() / (0.5 * turns * particles); }
-
-  /// Changes of both temperatures in a collision, of one particle: of normal and tangential motion with Gaussian
-  /// velocities of any two that meet, with η = q(1 + ε_t)/2(1 + q), q = I/mR².
-  static std::pair<double, double> changes(double restitution, double tangential, double moving, double turning) {
-    const double eta = inertia * (1.0 + tangential) / (2.0 * (1.0 + inertia));
-    const double slides = moving + turning / inertia, ways = 2.0 * (dimension - 1.0);
-    const double lost = (1.0 - restitution * restitution) * moving + ways * eta * (moving - eta * slides);
-    const double gained = ways * eta / inertia * (eta * slides - turning);
-    return {-lost / dimension, gained / turns};
-  }
 };
 
 template <std::size_t D>
@@ -61,7 +45,7 @@ TYPED_TEST(RoughGas, ThatIsPerfectKeepsEnergyAndSharesItEqually) {
   constexpr int samples = 100;
   for (int k = 0; k < samples; ++k) {
     gas.advance(300.0 + 5.0 * k, constant(1.0, 1.0));
-    ratio += this->of_rotation(gas) / this->of_translation(gas) / samples;
+    ratio += gas.temperature_of_rotation() / gas.temperature() / samples;
   }
   EXPECT_NEAR(gas.energy() / energy, 1.0, 1e-11);
   EXPECT_NEAR(ratio, 1.0, 0.03);
@@ -80,28 +64,23 @@ TYPED_TEST(RoughGas, ThatIsSmoothDoesNotTurn) {
 }
 
 TYPED_TEST(RoughGas, CoolsAsMeanFieldTheorySays) {
-  constexpr double restitution = 0.95;
   for (const double tangential : {-0.5, 0.3}) {
+    const gas::MeanField theory{TypeParam::value, 0.95, tangential};
     auto gas = this->made(3);
     gas.advance(20.0, constant(1.0, -1.0));
-    double moving = this->of_translation(gas), turning = 0.0, before = static_cast<double>(gas.collisions());
-    const double start = moving;
-    for (int k = 1; k <= 60 && moving > 0.05 * start; ++k) {
-      gas.advance(gas.time() + 3.0 / std::sqrt(moving), constant(restitution, tangential));
-      // As many collisions, in small steps; each is of two particles.
-      const double now = static_cast<double>(gas.collisions()), each = 2.0 * (now - before) / particles / 100.0;
-      before = now;
-      for (int step = 0; step < 100; ++step) {
-        const auto [lost, gained] = this->changes(restitution, tangential, moving, turning);
-        moving += each * lost;
-        turning += each * gained;
-      }
-      EXPECT_NEAR(this->of_translation(gas) / moving, 1.0, 0.08) << tangential << ' ' << k;
+    gas::MeanField::State said{gas.temperature(), 0.0};
+    const double start = said.moving;
+    auto before = gas.collisions();
+    for (int k = 1; k <= 60 && said.moving > 0.05 * start; ++k) {
+      gas.advance(gas.time() + 3.0 / std::sqrt(said.moving), constant(theory.restitution, tangential));
+      said = theory.after(said, 2.0 * static_cast<double>(gas.collisions() - before) / particles);
+      before = gas.collisions();
+      EXPECT_NEAR(gas.temperature() / said.moving, 1.0, 0.08) << tangential << ' ' << k;
       if (k > 10) {
-        EXPECT_NEAR(this->of_rotation(gas) / turning, 1.0, 0.15) << tangential << ' ' << k;
+        EXPECT_NEAR(gas.temperature_of_rotation() / said.turning, 1.0, 0.15) << tangential << ' ' << k;
       }
     }
-    EXPECT_LT(moving, 0.5 * start);
+    EXPECT_LT(said.moving, 0.5 * start);
   }
 }
 
