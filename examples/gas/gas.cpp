@@ -1,5 +1,3 @@
-// Free flight, and at a collision along the line of the centres, with the relative velocity v of approach:
-// impulse J = μ(1 + ε(v)) v, μ = m₁m₂/(m₁ + m₂).
 #include "gas.hpp"
 
 #include <algorithm>
@@ -23,81 +21,132 @@ std::pair<double, double> gaussian(std::mt19937_64& random) {
   return {radius * std::cos(angle), radius * std::sin(angle)};
 }
 
+template <std::size_t D>
+Particle<D> particle_of(double radius, std::mt19937_64& random) {
+  Particle<D> its;
+  its.radius = radius;
+  its.mass = D == 2 ? pi * radius * radius : 4.0 / 3.0 * pi * radius * radius * radius;
+  its.inertia = (D == 2 ? 0.5 : 0.4) * its.mass * radius * radius;
+  for (std::size_t k = 0; k < D; k += 2) {
+    const auto [first, second] = gaussian(random);
+    its.velocity[k] = first / std::sqrt(its.mass);
+    if (k + 1 < D) its.velocity[k + 1] = second / std::sqrt(its.mass);
+  }
+  return its;
+}
+
 }  // namespace
 
-Gas::Gas(std::vector<double> radii, double packing, double temperature, std::uint64_t seed)
-    : disks_(radii.size()), events_(radii.size()), queue_(radii.size()) {
+template <std::size_t D>
+Gas<D>::Gas(std::vector<double> radii, double packing, double temperature, std::uint64_t seed)
+    : particles_(radii.size()), events_(radii.size()), queue_(radii.size()) {
   std::mt19937_64 random(seed);
   for (std::size_t i = radii.size(); i > 1; --i) std::swap(radii[i - 1], radii[random() % i]);
-  double area = 0.0, mass = 0.0, u = 0.0, w = 0.0;
+  double mass = 0.0;
+  Vector<D> momentum{};
   for (std::size_t i = 0; i < radii.size(); ++i) {
-    Disk& disk = disks_[i];
-    disk.radius = radii[i];
-    disk.mass = pi * radii[i] * radii[i];
-    const auto [first, second] = gaussian(random);
-    disk.u = first / std::sqrt(disk.mass);
-    disk.w = second / std::sqrt(disk.mass);
-    area += disk.mass;
-    mass += disk.mass;
-    u += disk.mass * disk.u;
-    w += disk.mass * disk.w;
+    Particle<D>& its = particles_[i];
+    its = particle_of<D>(radii[i], random);
+    mass += its.mass;
+    add(momentum, its.mass, its.velocity);
   }
-  for (Disk& disk : disks_) {
-    disk.u -= u / mass;
-    disk.w -= w / mass;
+  for (Particle<D>& its : particles_) {
+    for (std::size_t k = 0; k < D; ++k) its.velocity[k] -= momentum[k] / mass;
   }
-  side_ = std::sqrt(area / packing);
-  const double largest = *std::max_element(radii.begin(), radii.end());
+  // The density is 1.
+  side_ = D == 2 ? std::sqrt(mass / packing) : std::cbrt(mass / packing);
+  place_on_lattice();
+  scale_energy(0.5 * static_cast<double>(D) * temperature * static_cast<double>(particles_.size()));
+}
+
+template <std::size_t D>
+void Gas<D>::place_on_lattice() {
+  double largest = 0.0;
+  for (const Particle<D>& its : particles_) largest = std::max(largest, its.radius);
   across_ = static_cast<std::size_t>(side_ / (2.0 * largest));
-  if (across_ < 4) throw std::invalid_argument("gas: fewer than four cells across (take more disks)");
+  if (across_ < 4) throw std::invalid_argument("gas: fewer than four cells across (take more particles)");
   width_ = side_ / static_cast<double>(across_);
-  cells_.resize(across_ * across_);
-  const auto row = static_cast<std::size_t>(std::ceil(std::sqrt(static_cast<double>(radii.size()))));
+  std::size_t row = 1, cells = across_;
+  for (std::size_t k = 1; k < D; ++k) cells *= across_;
+  cells_.resize(cells);
+  while (std::pow(static_cast<double>(row), D) < static_cast<double>(particles_.size())) ++row;
   const double spacing = side_ / static_cast<double>(row);
-  if (spacing < 2.0 * largest) throw std::invalid_argument("gas: disks overlap on the lattice (take a lower packing)");
-  for (std::size_t i = 0; i < disks_.size(); ++i) {
-    Disk& disk = disks_[i];
-    disk.x = (static_cast<double>(i % row) + 0.5) * spacing;
-    disk.y = (static_cast<double>(i / row) + 0.5) * spacing;
-    const auto column = static_cast<std::size_t>(disk.x / width_), line = static_cast<std::size_t>(disk.y / width_);
-    disk.cell = std::min(line, across_ - 1) * across_ + std::min(column, across_ - 1);
-    cells_[disk.cell].push_back(i);
+  if (spacing < 2.0 * largest) {
+    throw std::invalid_argument("gas: particles overlap on the lattice (take a lower packing)");
   }
-  scale_energy(temperature * static_cast<double>(disks_.size()));
+  for (std::size_t i = 0; i < particles_.size(); ++i) {
+    Particle<D>& its = particles_[i];
+    Cell cell{};
+    std::size_t left = i;
+    for (std::size_t k = 0; k < D; ++k, left /= row) {
+      its.place[k] = (static_cast<double>(left % row) + 0.5) * spacing;
+      cell[k] = std::min(static_cast<std::size_t>(its.place[k] / width_), across_ - 1);
+    }
+    its.cell = number_of(cell);
+    cells_[its.cell].push_back(i);
+  }
 }
 
-void Gas::scale_energy(double energy_wanted) {
+template <std::size_t D>
+typename Gas<D>::Cell Gas<D>::cell_of(std::size_t number) const {
+  Cell cell;
+  for (std::size_t& each : cell) {
+    each = number % across_;
+    number /= across_;
+  }
+  return cell;
+}
+
+template <std::size_t D>
+std::size_t Gas<D>::number_of(const Cell& cell) const {
+  std::size_t number = 0;
+  for (std::size_t k = D; k > 0; --k) number = number * across_ + cell[k - 1];
+  return number;
+}
+
+template <std::size_t D>
+void Gas<D>::scale_energy(double energy_wanted) {
   const double factor = std::sqrt(energy_wanted / energy());
-  for (Disk& disk : disks_) {
-    move(disk);
-    disk.u *= factor;
-    disk.w *= factor;
-    ++disk.changes;
+  for (Particle<D>& its : particles_) {
+    move(its);
+    for (double& each : its.velocity) each *= factor;
+    for (double& each : its.spin) each *= factor;
+    ++its.changes;
   }
-  for (std::size_t i = 0; i < disks_.size(); ++i) foresee(i);
+  for (std::size_t i = 0; i < particles_.size(); ++i) foresee(i);
 }
 
-double Gas::energy() const {
+template <std::size_t D>
+double Gas<D>::translation() const {
   double sum = 0.0;
-  for (const Disk& disk : disks_) sum += 0.5 * disk.mass * (disk.u * disk.u + disk.w * disk.w);
+  for (const Particle<D>& its : particles_) sum += its.translation();
   return sum;
 }
 
-std::vector<Disk> Gas::disks() const {
-  std::vector<Disk> all = disks_;
-  for (Disk& disk : all) move(disk);
+template <std::size_t D>
+double Gas<D>::rotation() const {
+  double sum = 0.0;
+  for (const Particle<D>& its : particles_) sum += its.rotation();
+  return sum;
+}
+
+template <std::size_t D>
+std::vector<Particle<D>> Gas<D>::particles() const {
+  std::vector<Particle<D>> all = particles_;
+  for (Particle<D>& its : all) move(its);
   return all;
 }
 
-void Gas::advance(double until, const Law& law) {
+template <std::size_t D>
+void Gas<D>::advance(double until, const Rule& rule) {
   while (queue_.time(queue_.first()) <= until) {
     const std::size_t i = queue_.first();
     const Event& event = events_[i];
     now_ = queue_.time(i);
-    if (event.direction != 0) {
+    if (event.leaves) {
       leave_cell(i);
-    } else if (disks_[event.partner].changes == event.changes) {
-      collide(i, event.partner, law);
+    } else if (particles_[event.partner].changes == event.changes) {
+      meet(i, event.partner, rule);
       continue;
     }
     foresee(i);  // in the new cell, or because the partner has met another
@@ -105,105 +154,37 @@ void Gas::advance(double until, const Law& law) {
   now_ = until;
 }
 
-void Gas::move(Disk& disk) const {
-  disk.x += disk.u * (now_ - disk.time);
-  disk.y += disk.w * (now_ - disk.time);
-  disk.time = now_;
+template <std::size_t D>
+void Gas<D>::move(Particle<D>& its) const {
+  add(its.place, now_ - its.time, its.velocity);
+  its.time = now_;
 }
 
 /// The same distance between the nearest images.
-double Gas::nearest(double distance) const {
+template <std::size_t D>
+double Gas<D>::nearest(double distance) const {
   if (distance > 0.5 * side_) return distance - side_;
   return distance < -0.5 * side_ ? distance + side_ : distance;
 }
 
-/// The next event of a disk: it leaves its cell, or meets a disk of this or a neighbouring cell.
-void Gas::foresee(std::size_t i) {
-  Disk& disk = disks_[i];
-  move(disk);
-  const std::size_t column = disk.cell % across_, line = disk.cell / across_;
-  double soonest = std::numeric_limits<double>::infinity();
-  Event event;
-  const auto leaves = [&](double velocity, double place, std::size_t index, int forward) {
-    if (velocity == 0.0) return;
-    const double edge = static_cast<double>(velocity > 0.0 ? index + 1 : index) * width_;
-    const double wait = std::max(0.0, (edge - place) / velocity);
-    if (wait < soonest) {
-      soonest = wait;
-      event.direction = velocity > 0.0 ? forward : forward + 1;
-    }
-  };
-  leaves(disk.u, disk.x, column, 1);
-  leaves(disk.w, disk.y, line, 3);
-  for (std::size_t k = 0; k < 9; ++k) {
-    const std::size_t beside = (column + k % 3 + across_ - 1) % across_, above = (line + k / 3 + across_ - 1) % across_;
-    for (const std::size_t j : cells_[above * across_ + beside]) {
-      if (j == i) continue;
-      const Disk& other = disks_[j];
-      const double age = now_ - other.time;
-      const double x = nearest(other.x + other.u * age - disk.x), y = nearest(other.y + other.w * age - disk.y);
-      const double u = other.u - disk.u, w = other.w - disk.w;
-      const double approach = -(x * u + y * w);
-      if (approach <= 0.0) continue;
-      // |r + vt| = R₁ + R₂; the root that is exact where the disks touch already.
-      const double sum = disk.radius + other.radius, gap = x * x + y * y - sum * sum;
-      const double discriminant = approach * approach - (u * u + w * w) * gap;
-      if (discriminant < 0.0) continue;
-      const double wait = std::max(0.0, gap / (approach + std::sqrt(discriminant)));
-      if (wait < soonest) {
-        soonest = wait;
-        event = {j, other.changes, 0};
-      }
-    }
-  }
-  events_[i] = event;
-  queue_.set(i, now_ + soonest);
-}
-
-void Gas::leave_cell(std::size_t i) {
-  Disk& disk = disks_[i];
-  move(disk);
-  std::vector<std::size_t>& old = cells_[disk.cell];
-  old.erase(std::find(old.begin(), old.end(), i));
-  std::size_t column = disk.cell % across_, line = disk.cell / across_;
-  // Exactly on the edge, at the other side of the box if it has left that.
-  const auto cross = [this](std::size_t& index, double& place, bool forward) {
-    index = (forward ? index + 1 : index + across_ - 1) % across_;
-    place = static_cast<double>(forward ? index : index + 1) * width_;
-  };
-  const int direction = events_[i].direction;
-  if (direction <= 2) {
-    cross(column, disk.x, direction == 1);
-  } else {
-    cross(line, disk.y, direction == 3);
-  }
-  disk.cell = line * across_ + column;
-  cells_[disk.cell].push_back(i);
-}
-
-void Gas::collide(std::size_t i, std::size_t j, const Law& law) {
-  Disk &first = disks_[i], &second = disks_[j];
+template <std::size_t D>
+void Gas<D>::meet(std::size_t i, std::size_t j, const Rule& rule) {
+  Particle<D>&first = particles_[i], &second = particles_[j];
   move(first);
   move(second);
-  double x = nearest(second.x - first.x), y = nearest(second.y - first.y);
-  const double distance = std::hypot(x, y);
-  x /= distance;
-  y /= distance;
-  const double speed = (first.u - second.u) * x + (first.w - second.w) * y;
-  if (speed > 0.0) {
-    const double reduced = first.mass * second.mass / (first.mass + second.mass);
-    const double impulse = reduced * (1.0 + law(speed, second.radius / first.radius)) * speed;
-    first.u -= impulse / first.mass * x;
-    first.w -= impulse / first.mass * y;
-    second.u += impulse / second.mass * x;
-    second.w += impulse / second.mass * y;
-    virial_ += impulse * distance;
-  }
+  Vector<D> normal;
+  for (std::size_t k = 0; k < D; ++k) normal[k] = nearest(second.place[k] - first.place[k]);
+  const double distance = length(normal);
+  for (double& each : normal) each /= distance;
+  virial_ += collide(first, second, normal, rule) * distance;
   ++first.changes;
   ++second.changes;
   ++collisions_;
   foresee(i);
   foresee(j);
 }
+
+template class Gas<2>;
+template class Gas<3>;
 
 }  // namespace gas

@@ -70,33 +70,33 @@ struct Collisions {
 };
 
 /// A gas that has forgotten its lattice, with some collisions of it.
-gas::Gas prepared(std::size_t count, Collisions& seen) {
+gas::Gas<2> prepared(std::size_t count, Collisions& seen) {
   constexpr std::size_t enough = 4096;
-  gas::Gas gas(radii(count), packing, temperature, 1);
+  gas::Gas<2> gas(radii(count), packing, temperature, 1);
   const double step = 1.0 / std::sqrt(temperature);
   while (gas.collisions() < 20 * static_cast<long>(count)) {
-    gas.advance(gas.time() + step, [](double, double) { return 1.0; });
+    gas.advance(gas.time() + step, gas::smooth([](double, double) { return 1.0; }));
   }
   while (seen.speed.size() < enough) {
-    gas.advance(gas.time() + step, [&seen](double speed, double ratio) {
-      seen.speed.push_back(speed);
-      seen.ratio.push_back(ratio);
-      return 1.0;
-    });
+    gas.advance(gas.time() + step, gas::smooth([&seen](double speed, double ratio) {
+                  seen.speed.push_back(speed);
+                  seen.ratio.push_back(ratio);
+                  return 1.0;
+                }));
   }
   return gas;
 }
 
 /// Variance of the number of disks in a square over its mean; some 25 are in a square.
-double fluctuation(const gas::Gas& gas) {
-  const std::vector<gas::Disk> disks = gas.disks();
+double fluctuation(const gas::Gas<2>& gas) {
+  const std::vector<gas::Particle<2>> disks = gas.particles();
   const auto row = static_cast<std::size_t>(std::sqrt(static_cast<double>(disks.size()) / 25.0));
   std::vector<double> number(row * row);
   const auto index = [&](double place) {
     const double share = place / gas.side();
     return static_cast<std::size_t>((share - std::floor(share)) * static_cast<double>(row)) % row;
   };
-  for (const gas::Disk& disk : disks) number[index(disk.y) * row + index(disk.x)] += 1.0;
+  for (const gas::Particle<2>& disk : disks) number[index(disk.place[1]) * row + index(disk.place[0])] += 1.0;
   const double mean = static_cast<double>(disks.size()) / static_cast<double>(number.size());
   double sum = 0.0;
   for (const double each : number) sum += (each - mean) * (each - mean);
@@ -104,16 +104,16 @@ double fluctuation(const gas::Gas& gas) {
 }
 
 /// Lets a gas cool by a law. One line for each time.
-void cool(std::ostream& out, const std::string& name, gas::Gas& gas, const gas::Law& law, double time_of_law) {
+void cool(std::ostream& out, const std::string& name, gas::Gas<2>& gas, const gas::Law& law, double time_of_law) {
   const double energy = gas.energy(), start = gas.time(), begin = seconds();
   const long before = gas.collisions();
-  const auto count = static_cast<double>(gas.disks().size());
-  const auto limited = [&](double speed, double ratio) {
+  const auto count = static_cast<double>(gas.particles().size());
+  const gas::Rule limited = gas::smooth([&](double speed, double ratio) {
     if (static_cast<double>(gas.collisions() - before) > 0.5 * most_collisions * count) {
       throw std::runtime_error(name + ": the gas collapses (take an ε nearer to 1)");
     }
     return law(speed, ratio);
-  };
+  });
   double left = 1.0;
   for (double time = 0.1 / std::sqrt(temperature); left > least_energy; time *= growth) {
     gas.advance(start + time, limited);
@@ -145,7 +145,7 @@ void run(const std::string& file, const std::string& places, std::size_t count) 
   std::printf("table      %zu speeds, %zu ratios, error %.1e, %.2f s\n", table.values().speeds.size(),
               table.values().ratios.size(), table.greatest_error(), seconds() - begin);
   Collisions seen;
-  const gas::Gas start = prepared(count, seen);
+  const gas::Gas<2> start = prepared(count, seen);
   const gas::Law computed = [&table](double speed, double ratio) { return table.value(speed, ratio); };
   const auto constant = [](double lost) -> gas::Law { return [e = 1.0 - lost](double, double) { return e; }; };
   const auto power = [](double factor) -> gas::Law {
@@ -159,7 +159,7 @@ void run(const std::string& file, const std::string& places, std::size_t count) 
       << ", mean energy " << temperature << " rho c^2 R^2; table: error " << error << ", constant: restitution "
       << 1.0 - a << ", power: 1 - " << b << " (v/c)^(1/5); made by `make results`. Columns: docs/results/gas.md.\n"
       << "law,time[R/c],collisions,energy,fluctuation\n";
-  gas::Gas gas = start;
+  gas::Gas<2> gas = start;
   cool(out, "stoss", gas, computed, seen.time_of(computed));
   gas = start;
   cool(out, "power", gas, power(b), seen.time_of(power(b)));
@@ -168,8 +168,8 @@ void run(const std::string& file, const std::string& places, std::size_t count) 
 
   std::ofstream last(places);
   last << "x,y,radius,side\n";
-  for (const gas::Disk& disk : gas.disks()) {
-    last << disk.x << ',' << disk.y << ',' << disk.radius << ',' << gas.side() << '\n';
+  for (const gas::Particle<2>& disk : gas.particles()) {
+    last << disk.place[0] << ',' << disk.place[1] << ',' << disk.radius << ',' << gas.side() << '\n';
   }
   if (!out.flush() || !last.flush()) throw std::runtime_error("cannot write " + file + " or " + places);
 }

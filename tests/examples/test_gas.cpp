@@ -12,12 +12,13 @@
 
 namespace {
 
-using gas::Disk;
-using gas::Gas;
+using gas::smooth;
+using Disk = gas::Particle<2>;
+using Gas = gas::Gas<2>;
 
 constexpr std::size_t count = 500;
 
-double elastic(double, double) { return 1.0; }
+const gas::Rule elastic = smooth([](double, double) { return 1.0; });
 
 std::vector<double> equal() { return std::vector<double>(count, 1.0); }
 
@@ -64,18 +65,19 @@ TEST(Gas, KeepsEnergyAndMomentumAndDoesNotOverlap) {
   gas.advance(160.0, elastic);
   EXPECT_GT(gas.collisions(), 20 * static_cast<long>(count));
   EXPECT_NEAR(gas.energy() / energy, 1.0, 1e-11);
-  const std::vector<Disk> disks = gas.disks();
+  const std::vector<Disk> disks = gas.particles();
   double u = 0.0, w = 0.0, overlap = 0.0;
   for (const Disk& disk : disks) {
-    u += disk.mass * disk.u;
-    w += disk.mass * disk.w;
+    u += disk.mass * disk.velocity[0];
+    w += disk.mass * disk.velocity[1];
   }
   EXPECT_NEAR(u, 0.0, 1e-9);
   EXPECT_NEAR(w, 0.0, 1e-9);
   const double side = gas.side();
   for (std::size_t i = 0; i < disks.size(); ++i) {
     for (std::size_t j = 0; j < i; ++j) {
-      const double x = std::remainder(disks[i].x - disks[j].x, side), y = std::remainder(disks[i].y - disks[j].y, side);
+      const double x = std::remainder(disks[i].place[0] - disks[j].place[0], side),
+                   y = std::remainder(disks[i].place[1] - disks[j].place[1], side);
       overlap = std::max(overlap, disks[i].radius + disks[j].radius - std::hypot(x, y));
     }
   }
@@ -87,8 +89,8 @@ TEST(Gas, OfUnequalDisksHasEquipartition) {
   double small = 0.0, large = 0.0;
   for (int k = 0; k < 200; ++k) {
     gas.advance(20.0 + 3.0 * k, elastic);
-    for (const Disk& disk : gas.disks()) {
-      (disk.radius < 1.75 ? small : large) += 0.5 * disk.mass * (disk.u * disk.u + disk.w * disk.w);
+    for (const Disk& disk : gas.particles()) {
+      (disk.radius < 1.75 ? small : large) += disk.translation();
     }
   }
   // Of N T, with fluctuations 1/√(250 × some 100 independent samples).
@@ -98,8 +100,8 @@ TEST(Gas, OfUnequalDisksHasEquipartition) {
 TEST(Gas, RepeatsItselfAndDependsOnItsSeed) {
   const auto energies = [](std::uint64_t seed) {
     Gas gas(mixed(), 0.3, 1.0, seed);
-    gas.advance(30.0, [](double speed, double ratio) { return 1.0 - 0.1 * std::tanh(speed * ratio); });
-    return std::pair(gas.energy(), gas.disks()[7].x);
+    gas.advance(30.0, smooth([](double speed, double ratio) { return 1.0 - 0.1 * std::tanh(speed * ratio); }));
+    return std::pair(gas.energy(), gas.particles()[7].place[0]);
   };
   EXPECT_EQ(energies(5), energies(5));
   EXPECT_NE(energies(5), energies(6));
@@ -117,7 +119,7 @@ Cooling cooled(const gas::Law& law, double least, std::uint64_t seed) {
   const long before = gas.collisions();
   Cooling seen;
   for (double time = 1.0; seen.energy.empty() || seen.energy.back() > least; time *= 1.2) {
-    gas.advance(begin + time, law);
+    gas.advance(begin + time, smooth(law));
     seen.time.push_back(time);
     seen.energy.push_back(gas.energy() / energy);
     seen.collisions.push_back(static_cast<double>(gas.collisions() - before) / count);
