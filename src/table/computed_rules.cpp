@@ -9,7 +9,7 @@
 #include "contact/along.hpp"
 #include "contact/touch.hpp"
 #include "contact/unit_ratios.hpp"
-#include "impact/oblique_frame.hpp"
+#include "impact/oblique/frame.hpp"
 #include "restitution/ordered_jobs.hpp"
 #include "stoss/errors.hpp"
 #include "stoss/restitution/oblique.hpp"
