@@ -58,7 +58,7 @@ validate: setup ## are the errors of restitution honest? writes docs/validation.
 results: setup python ## the tables and the figures of docs/results/
 	@cmake --preset release -DSTOSS_BUILD_STUDIES=ON
 	@cmake --build --preset release -j $(JOBS) --target stoss_curves stoss_gas stoss_half_space stoss_loss stoss_oblique \
-		stoss_pairs stoss_spheres stoss_vibration
+		stoss_pairs stoss_rough_gas stoss_spheres stoss_vibration
 	@build/release/studies/stoss_curves docs/results/restitution.csv
 	@build/release/studies/stoss_pairs docs/results/pairs.csv
 	@$(PYTHON) studies/pairs/figure.py docs/results/pairs.csv docs/images/pairs.png
@@ -66,6 +66,8 @@ results: setup python ## the tables and the figures of docs/results/
 	@$(PYTHON) studies/loss/figure.py docs/results/loss.csv docs/images/loss.png
 	@build/release/examples/gas/stoss_gas docs/results/gas.csv build/gas_disks.csv
 	@$(PYTHON) studies/gas/figure.py docs/results/gas.csv build/gas_disks.csv docs/images/gas.png
+	@build/release/examples/gas/stoss_rough_gas docs/results/rough_gas.csv
+	@$(PYTHON) studies/gas/rough_figure.py docs/results/rough_gas.csv docs/images/rough_gas.png
 	@build/release/studies/stoss_spheres docs/results/spheres.csv
 	@$(PYTHON) studies/spheres/figure.py docs/results/spheres.csv docs/results/restitution.csv docs/images/spheres.png
 	@build/release/studies/stoss_half_space docs/results/half_space.csv
