@@ -24,9 +24,9 @@ bool are_equal(const Contact& contact, double dundurs) {
          dundurs == 0.0;
 }
 
-/// Cutoff for some 200 steps in contact, on the ladder of those of a contact.
+/// Cutoff for some 120 steps in contact, on the ladder of those of a contact.
 double coarse_cutoff(const RefinableContact& contact, const Contact& probe, double speed) {
-  constexpr double periods = 100.0;
+  constexpr double periods = 60.0;
   constexpr int lowest = -16, highest = 6;
   const double wanted = periods / expected_duration(probe, speed);
   const int octaves = static_cast<int>(std::lround(2.0 * std::log2(wanted / contact.cutoff(0))));
@@ -34,7 +34,7 @@ double coarse_cutoff(const RefinableContact& contact, const Contact& probe, doub
 }
 
 Resolution coarse_resolution(const Contact& contact, double speed) {
-  constexpr int rings = 20;
+  constexpr int rings = 16;
   constexpr double room = 1.1;  // that no friction needs more
   Resolution resolution;
   resolution.step = std::min(0.5 / contact.cutoff, contact.stable_step);
