@@ -6,11 +6,11 @@
 #include <cstddef>
 #include <numbers>
 
+#include "bodies/sphere/along/toroidal.hpp"
 #include "bodies/sphere/legendre.hpp"
 #include "bodies/sphere/static_flexibility.hpp"
 #include "bodies/sphere/sum_quadrature.hpp"
 #include "bodies/sphere/surface_points.hpp"
-#include "bodies/sphere/toroidal.hpp"
 #include "numeric/special_functions.hpp"
 
 namespace stoss::bodies::sphere {

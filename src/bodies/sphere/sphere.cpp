@@ -13,11 +13,11 @@
 #include <vector>
 
 #include "bodies/round_body.hpp"
-#include "bodies/sphere/along.hpp"
+#include "bodies/sphere/along/along.hpp"
+#include "bodies/sphere/along/outward.hpp"
 #include "bodies/sphere/degree_sums.hpp"
 #include "bodies/sphere/legendre.hpp"
 #include "bodies/sphere/mode_search.hpp"
-#include "bodies/sphere/outward.hpp"
 #include "bodies/sphere/surface_points.hpp"
 #include "check.hpp"
 #include "stoss/bodies/sphere/modes.hpp"

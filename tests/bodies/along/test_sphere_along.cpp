@@ -12,8 +12,8 @@
 #include <numbers>
 #include <vector>
 
+#include "bodies/sphere/along/toroidal.hpp"
 #include "bodies/sphere/degree_sums.hpp"
-#include "bodies/sphere/toroidal.hpp"
 #include "stoss/bodies/sphere.hpp"
 #include "stoss/bodies/sphere/modes.hpp"
 #include "stoss/body/body.hpp"

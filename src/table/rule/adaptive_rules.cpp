@@ -1,5 +1,5 @@
 // Values of q, and where directions mix of ε_n, at places that an AdaptiveGrid asks for.
-#include "table/adaptive_rules.hpp"
+#include "table/rule/adaptive_rules.hpp"
 
 #include <algorithm>
 #include <cmath>

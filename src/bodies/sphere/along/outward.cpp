@@ -1,4 +1,4 @@
-#include "bodies/sphere/outward.hpp"
+#include "bodies/sphere/along/outward.hpp"
 
 #include <Eigen/Core>
 #include <algorithm>

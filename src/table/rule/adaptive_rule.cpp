@@ -7,10 +7,10 @@
 #include "stoss/errors.hpp"
 #include "stoss/table/adaptive.hpp"
 #include "stoss/table/adaptive_pairs.hpp"
-#include "table/adaptive_rules.hpp"
 #include "table/arguments.hpp"
 #include "table/axes.hpp"
-#include "table/computed_rules.hpp"
+#include "table/rule/adaptive_rules.hpp"
+#include "table/rule/computed_rules.hpp"
 
 namespace stoss {
 namespace {

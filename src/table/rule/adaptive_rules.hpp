@@ -10,7 +10,7 @@
 #include "table/adaptive_grid.hpp"
 #include "table/arguments.hpp"
 #include "table/axes.hpp"
-#include "table/computed_rules.hpp"
+#include "table/rule/computed_rules.hpp"
 
 namespace stoss {
 

@@ -1,5 +1,5 @@
 // Where directions do not mix a friction stands for all; of balls all slips at a speed share their normal impacts.
-#include "table/computed_rules.hpp"
+#include "table/rule/computed_rules.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -9,8 +9,8 @@
 #include "stoss/table/c_source.hpp"
 #include "table/arguments.hpp"
 #include "table/axes.hpp"
-#include "table/c_rule_text.hpp"
 #include "table/c_text.hpp"
+#include "table/rule/c_rule_text.hpp"
 
 namespace stoss {
 namespace {

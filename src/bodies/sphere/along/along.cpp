@@ -1,4 +1,4 @@
-#include "bodies/sphere/along.hpp"
+#include "bodies/sphere/along/along.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -8,10 +8,10 @@
 #include <utility>
 
 #include "bodies/kept_sums.hpp"
+#include "bodies/sphere/along/toroidal.hpp"
 #include "bodies/sphere/degree_sums.hpp"
 #include "bodies/sphere/mode_search.hpp"
 #include "bodies/sphere/surface_points.hpp"
-#include "bodies/sphere/toroidal.hpp"
 
 namespace stoss::bodies::sphere {
 namespace {

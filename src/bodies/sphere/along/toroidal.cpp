@@ -1,4 +1,4 @@
-#include "bodies/sphere/toroidal.hpp"
+#include "bodies/sphere/along/toroidal.hpp"
 
 #include <cmath>
 #include <cstddef>

@@ -5,7 +5,7 @@
 #include "check.hpp"
 #include "stoss/errors.hpp"
 #include "stoss/table/two_column.hpp"
-#include "table/adaptive_rules.hpp"
+#include "table/rule/adaptive_rules.hpp"
 
 namespace stoss {
 
