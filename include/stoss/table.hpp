@@ -1,6 +1,7 @@
 #pragma once
 
-// ε as a function of the speed and of the ratio of radii, and the whole collision rule: everything in include/stoss/table/.
+// ε as a function of the speed and of the ratio of radii, and the whole collision rule: everything in
+// include/stoss/table/.
 
 #include "stoss/table/adaptive.hpp"
 #include "stoss/table/adaptive_pairs.hpp"
