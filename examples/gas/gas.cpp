@@ -8,6 +8,8 @@
 #include <stdexcept>
 #include <utility>
 
+#include "foresight.hpp"
+
 namespace gas {
 namespace {
 

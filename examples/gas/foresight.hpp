@@ -1,10 +1,12 @@
-// The next event of a particle.
+#pragma once
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
 #include "gas.hpp"
 
+/// The next event of a particle, for gas.cpp.
 namespace gas {
 
 /// It leaves its cell, or meets a particle of this or a neighbouring cell.
@@ -73,10 +75,5 @@ void Gas<D>::leave_cell(std::size_t i) {
   its.cell = number_of(cell);
   cells_[its.cell].push_back(i);
 }
-
-template void Gas<2>::foresee(std::size_t);
-template void Gas<3>::foresee(std::size_t);
-template void Gas<2>::leave_cell(std::size_t);
-template void Gas<3>::leave_cell(std::size_t);
 
 }  // namespace gas
