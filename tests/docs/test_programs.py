@@ -1,5 +1,5 @@
 """What docs/programs.md says of constants follows from what its code prints (which
-tests/python/package/test_guide.py runs)."""
+tests/python/package/test_guide.py runs), and its choice of laws from docs/laws.md."""
 
 import re
 
@@ -18,3 +18,14 @@ def test_a_constant_over_a_factor_of_two():
 def test_a_constant_over_two_decades():
     assert f"wrong by only {LOSSY[2][0]:.3f}" in WORDS and LOSSY[2][0] >= ELASTIC[2][0]
     assert f"lose {LOSSY[2][2]:.0f} times too much, those of elastic bodies {ELASTIC[2][2]:.0f} times" in WORDS
+
+
+def test_laws_and_what_was_tried_are_those_of_the_page_of_laws():
+    laws, _ = page("docs/laws.md")
+    known = [line.split(" | ") for line in laws.partition("## The programs")[2].splitlines() if line.startswith("| ")]
+    advised = re.findall(r"^\| ([^|]*) \| `stoss fit … --law (\S+) --program \w+`[^|]*\| (yes|never run) \|$", PAGE, re.M)
+    assert len(advised) == 7
+    for programs, law, tried in advised:
+        name = re.sub("^Altair ", "", programs)
+        (row,) = (row for row in known if re.match(rf"\| {name}\b", row[0]))
+        assert f"`{law}`" in row[1] and ("not tried" in row[-1]) == (tried == "never run"), name

@@ -6,7 +6,7 @@ import dataclasses
 import functools
 import json
 import os
-from typing import Any, ClassVar, Tuple
+from typing import Any, ClassVar
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -20,11 +20,11 @@ from stoss.bodies._encounter import Against, encounter
 from stoss.export import _netcdf
 from stoss.export._files import write_lines
 from stoss.export._text import brief_range
+from stoss.results._collided import Motion, collided
 from stoss.results._result import Column
 from stoss.results._si import SpeedInSi
 
 Array = NDArray[np.float64]
-Motion = Tuple[Array, Array, Array, Array]
 
 
 @dataclasses.dataclass(frozen=True, eq=False, repr=False)
@@ -117,31 +117,10 @@ class CollisionRule(SpeedInSi):
             friction: May be left out where it is known.
             radius, second_radius: Of a mixture, in R of the first, with a material in m.
         """
-        moving = numbers("velocity", velocity)
-        if moving.ndim == 0 or moving.shape[-1] not in (2, 3):
-            raise InvalidInput(f"velocity: got an array of shape {moving.shape}, allowed (..., 2) or (..., 3)")
-        dimension = moving.shape[-1]
-        spins = [numbers(name, each) for name, each in (("spin", spin), ("second_spin", second_spin))]
-        if dimension == 2:
-            spins = [each[..., np.newaxis] for each in spins]
-        second = numbers("second_velocity", second_velocity)
         rubbing = self._friction(friction)
         radii = None if radius is None else self._radii(radius, second_radius)
-        vectors = (moving, second, *spins, numbers("normal", normal))
-        flags = [np.broadcast_to(each, np.broadcast_shapes(each.shape, (1,))).shape[:-1] for each in vectors]
-        shape = np.broadcast_shapes(*flags, rubbing.shape, *(each.shape for each in radii or ()))
-        turns = 3 if dimension == 3 else 1
-        widths = (dimension, dimension, turns, turns, dimension)
-        scales = self.body.scales if self.body.material is not None else None
-        speed, turning = (1.0, 1.0) if scales is None else (scales.speed, scales.frequency)
-        units = (speed, speed, turning, turning, 1.0)
-        v, w, s, t, n = (_rows(each / unit, (*shape, width)) for each, unit, width in zip(vectors, units, widths))
-        sizes = None if radii is None else (_rows(radii[0], shape), _rows(radii[1], shape))
-        made = encounter(self.body, self.against)
-        self._core.collide(made, dimension, (v, w), (s, t), n, _rows(rubbing, shape), sizes)
-        if dimension == 2:
-            s, t = s[..., 0], t[..., 0]
-        return v * speed, s * turning, w * speed, t * turning
+        motions = (velocity, second_velocity, spin, second_spin, normal)
+        return collided(self._core, encounter(self.body, self.against), self.body, motions, rubbing, radii)
 
     def __repr__(self) -> str:
         unit = "c" if self.body.material is None else "m/s"
@@ -261,8 +240,3 @@ class CollisionRule(SpeedInSi):
 
 def _shown(values: Array) -> Any:
     return values if values.ndim else float(values)
-
-
-def _rows(values: Array, shape: tuple[int, ...]) -> Array:
-    """A copy of one's own, of a shape."""
-    return np.array(np.broadcast_to(values, shape), dtype=np.float64, order="C")

@@ -25,6 +25,7 @@ FILES = {
     "08_drop_test": ["drop_test.csv", "drop_test.png"],
     "09_vibrating_ball": ["vibrating_ball.csv", "vibrating_ball.png"],
     "10_rod_chain": ["rod_chain.png"],
+    "11_superball_in_a_box": ["superball.csv", "superball.png"],
 }
 NUMBER = re.compile(r"(?<![\w.])[-+]?\d+(?:\.\d+)?(?:e[-+]?\d+)?(?![\w.])")
 
@@ -227,3 +228,22 @@ def test_rod_chain(example):
     assert left_none == pytest.approx(19.5 / (19.5 + 2100), rel=0.5) and left_complete < 1e-9
     assert spread > 0.2 and 0.3 < above < 0.6 and mean_none == pytest.approx(1, abs=0.1)
     assert mean_complete == pytest.approx(0.9, abs=0.005) and spread_complete < 1e-3 and above_complete == 0
+
+
+def test_superball(example):
+    run = example("11_superball_in_a_box")
+    rows = run.csv("superball.csv")
+    columns = {name: np.array([float(row[name]) for row in rows]) for name in rows[0] if name != "side"}
+    assert len(rows) == 24 and {row["side"] for row in rows} == {"left", "right", "floor", "lid"}
+    energy = np.array([1.0, *(columns["flying"] + columns["rotating"])])
+    assert np.all(np.diff(energy) < 0) and energy[-1] > 0.3
+    # The first bounce is that of one impact, after a fall of 0.475 m.
+    ((_, speed, before, after, turns, *_), *_) = run.numbers("1  floor")
+    assert speed == pytest.approx(np.sqrt(3.0**2 + 2 * 9.81 * 0.475), abs=6e-5) and before == 3.5
+    ball = stoss.Sphere(radius=0.025, material=stoss.materials["rubber"], loss_time=0)
+    direct = stoss.oblique(ball, speed=speed, tangential=before, friction=1.0)
+    assert after == pytest.approx(-direct.tangential_restitution * before, abs=0.04 * (before + speed))  # of the rule
+    assert turns == pytest.approx(5 / 7 * (after - before) / 0.025 / (2 * np.pi), abs=2e-3)
+    # The second, at the lid, turns it back: along the floor it flew to the right, at 3.5 m/s before.
+    changes = 2 / 7 * (columns["sliding_after_m_s"] - columns["sliding_m_s"])
+    assert 3.5 + changes[0] > 1 and 3.5 + changes[0] - changes[1] < -1
