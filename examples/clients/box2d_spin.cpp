@@ -1,14 +1,16 @@
-// A rough disk hits the floor at an angle in Box2D 2.4 and leaves with the velocity and spin of the collision rule.
+// A rough ball in a plane hits the floor at an angle in Box2D 2.4, and leaves with the velocity and spin of the
+// collision rule.
 //
-//   stoss table --poisson 0.4 --young 1e6 --density 1000 --radius 0.1 --speed 0.2:1 --friction 0.3 --error 1e-2
-//       --tolerance 0.1 --oblique -o rule.h
+//   stoss table --body sphere --poisson 0.45 --young 1e6 --density 1000 --radius 0.1 --speed 0.2:1
+//       --tolerance 0.05 --oblique -o rule.h
 //   c++ box2d_spin.cpp -lbox2d && ./a.out
 //
 // Copy body_of, set and Rule. PreSolve sets velocities and spins of what approaches. The contact may stay on: the
 // solver then finds bodies that part, and leaves them alone. What approaches slower than the table begins is left to
 // Box2D, which so holds what rests; let the table begin above the 0.16 m/s that gravity adds in a step of 1/60 s.
 // Continuous physics is off: it sets a body back in time, and its velocity not. Box2D limits a spin to a quarter turn a
-// step. Bodies that move freely are disks. Units are m, kg, s.
+// step. Bodies that move freely are balls, of moment 2/5 m R^2. A table of disks is for one friction, that of its
+// command. Units are m, kg, s.
 #include <box2d/box2d.h>
 
 #include <cmath>
@@ -20,8 +22,7 @@
 
 namespace {
 
-constexpr float radius = 0.1F, gravity = 9.81F;
-constexpr double friction = 0.3;
+constexpr float radius = 0.1F, gravity = 9.81F, friction = 0.3F, mass = 4.19F;
 
 stoss_rule_body_2d body_of(const b2Fixture& fixture, const b2Vec2& point) {
   const b2Body& body = *fixture.GetBody();
@@ -52,13 +53,13 @@ class Rule : public b2ContactListener {
     b2Fixture &first = *contact->GetFixtureA(), &second = *contact->GetFixtureB();
     stoss_rule_body_2d a = body_of(first, manifold.points[0]), b = body_of(second, manifold.points[0]);
     const double speed = (a.velocity[0] - b.velocity[0]) * normal[0] + (a.velocity[1] - b.velocity[1]) * normal[1];
-    if (speed < STOSS_RULE_SLOWEST || stoss_rule_collide_2d(&a, &b, normal, friction) == 0) return;
+    if (speed < STOSS_RULE_SLOWEST || stoss_rule_collide_2d(&a, &b, normal, contact->GetFriction()) == 0) return;
     set(*first.GetBody(), a);
     set(*second.GetBody(), b);
   }
 };
 
-// The motion of a disk before and after its first impact, or where it is after three seconds.
+// The motion of a ball before and after its first impact, or where it is after three seconds.
 struct Flight {
   stoss_rule_body_2d before, after;
   float height;
@@ -73,17 +74,22 @@ Flight fly(const Throw& thrown, float step) {
   const b2BodyDef ground;
   b2EdgeShape floor;
   floor.SetTwoSided({-9.0F, 0.0F}, {9.0F, 0.0F});
-  world.CreateBody(&ground)->CreateFixture(&floor, 0.0F);
+  world.CreateBody(&ground)
+      ->CreateFixture(&floor, 0.0F)
+      ->SetFriction(friction);  // the engine multiplies, then takes the root
 
   b2BodyDef start;
   start.type = b2_dynamicBody;
   start.position = {0.0F, radius + b2_polygonRadius + 1.3F * step * down};
   start.linearVelocity = {static_cast<float>(thrown.along), -down};
   start.angularVelocity = static_cast<float>(thrown.rim) / radius;
-  b2CircleShape disk;
-  disk.m_radius = radius;
+  b2CircleShape ball;
+  ball.m_radius = radius;
   b2Body* body = world.CreateBody(&start);
-  const b2Fixture* fixture = body->CreateFixture(&disk, 1000.0F);
+  b2Fixture* fixture = body->CreateFixture(&ball, 1.0F);
+  fixture->SetFriction(friction);
+  const b2MassData data = {mass, {0.0F, 0.0F}, 0.4F * mass * radius * radius};
+  body->SetMassData(&data);
 
   Flight flight = {{}, body_of(*fixture, start.position), 0.0F};
   for (float time = 0.0F; time < 3.0F && flight.after.velocity[1] < 0.1; time += step) {
@@ -113,7 +119,7 @@ int main() {
     }
   }
   const float height = fly({0.03, 0.0, 0.0}, 1.0F / 60.0F).height;
-  std::printf("a disk that falls slower than the table begins rests at %.4f m\n", static_cast<double>(height));
+  std::printf("a ball that falls slower than the table begins rests at %.4f m\n", static_cast<double>(height));
   if (!(std::abs(height - radius) < 0.05F * radius)) wrong = true;
   return wrong ? 1 : 0;
 }

@@ -19,8 +19,7 @@
 
 namespace {
 
-constexpr btScalar radius = 0.1F, gravity = 9.81F;
-constexpr double friction = 0.3;
+constexpr btScalar radius = 0.1F, gravity = 9.81F, friction = 0.3F;
 
 stoss_rule_body_3d body_of(const btRigidBody& body, const btVector3& point) {
   if (body.isStaticOrKinematicObject()) {  // a wall, which moves as it does at the point
@@ -58,7 +57,7 @@ bool point_added(btManifoldPoint& point, const btCollisionObjectWrapper* first, 
   stoss_rule_body_3d b = body_of(body_in(second), point.getPositionWorldOnB());
   double speed = 0.0;
   for (int i = 0; i < 3; ++i) speed += (a.velocity[i] - b.velocity[i]) * normal[i];
-  if (speed < STOSS_RULE_SLOWEST || stoss_rule_collide_3d(&a, &b, normal, friction) == 0) return false;
+  if (speed < STOSS_RULE_SLOWEST || stoss_rule_collide_3d(&a, &b, normal, point.m_combinedFriction) == 0) return false;
   set(body_in(first), a);
   set(body_in(second), b);
   return false;
@@ -89,6 +88,8 @@ Flight fly(const Throw& thrown, btScalar step) {
   sphere.calculateLocalInertia(mass, inertia);
   btRigidBody ball(btRigidBody::btRigidBodyConstructionInfo(mass, nullptr, &sphere, inertia));
   ball.setCollisionFlags(ball.getCollisionFlags() | btCollisionObject::CF_CUSTOM_MATERIAL_CALLBACK);  // ask us
+  ball.setFriction(friction);
+  floor.setFriction(1);                   // the engine multiplies
   ball.setContactProcessingThreshold(0);  // what has not touched does not count
   ball.setCenterOfMassTransform(btTransform(btQuaternion::getIdentity(), {0, radius + 1.3F * step * down, 0}));
   ball.setLinearVelocity({along, -down, 0.5F * along});

@@ -1,14 +1,16 @@
 /*
- * A rough disk hits the floor at an angle in Chipmunk 7 and leaves with the velocity and spin of the collision rule.
+ * A rough ball in a plane hits the floor at an angle in Chipmunk 7, and leaves with the velocity and spin of the
+ * collision rule.
  *
- *   stoss table --poisson 0.4 --young 1e6 --density 1000 --radius 0.1 --speed 0.2:1 --friction 0.3 --error 1e-2
- *       --tolerance 0.1 --oblique -o rule.h
+ *   stoss table --body sphere --poisson 0.45 --young 1e6 --density 1000 --radius 0.1 --speed 0.2:1
+ *       --tolerance 0.05 --oblique -o rule.h
  *   cc chipmunk_spin.c -lchipmunk -lm && ./a.out
  *
  * Copy body_of, set and before_solve. preSolve sets velocities and spins of what approaches. The contact may stay on:
  * the solver then finds bodies that part, and leaves their velocities alone. What approaches slower than the table
  * begins is left to Chipmunk, which so holds what rests; let the table begin above the 0.16 m/s that gravity adds in a
- * step of 1/60 s. Bodies that move freely are disks. Units are m, kg, s.
+ * step of 1/60 s. Bodies that move freely are balls, of moment 2/5 m R^2. A table of disks is for one friction, that
+ * of its command. Units are m, kg, s.
  */
 #include <chipmunk/chipmunk.h>
 
@@ -51,14 +53,14 @@ static cpBool before_solve(cpArbiter* arbiter, cpSpace* space, cpDataPointer dat
   a = body_of(first, shape_a, point);
   b = body_of(second, shape_b, point);
   if (cpvdot(cpv(a.velocity[0] - b.velocity[0], a.velocity[1] - b.velocity[1]), n) < STOSS_RULE_SLOWEST) return cpTrue;
-  if (stoss_rule_collide_2d(&a, &b, normal, friction)) {
+  if (stoss_rule_collide_2d(&a, &b, normal, cpArbiterGetFriction(arbiter))) {
     set(first, &a);
     set(second, &b);
   }
   return cpTrue;
 }
 
-/* The motion of a disk before and after its first impact, or where it is after three seconds. */
+/* The motion of a ball before and after its first impact, or where it is after three seconds. */
 struct Flight {
   stoss_rule_body_2d before, after;
   double height;
@@ -69,31 +71,31 @@ static struct Flight fly(const struct Throw* thrown, double step) {
   struct Flight flight;
   cpSpace* space = cpSpaceNew();
   cpShape* floor = cpSegmentShapeNew(cpSpaceGetStaticBody(space), cpv(-9.0, -1.0), cpv(9.0, -1.0), 1.0);
-  cpBody* body = cpBodyNew(mass, cpMomentForCircle(mass, 0.0, radius, cpvzero));
-  cpShape* disk = cpCircleShapeNew(body, radius, cpvzero);
+  cpBody* body = cpBodyNew(mass, 0.4 * mass * radius * radius);
+  cpShape* ball = cpCircleShapeNew(body, radius, cpvzero);
   double time;
   cpSpaceAddDefaultCollisionHandler(space)->preSolveFunc = before_solve;
   cpSpaceSetGravity(space, cpv(0.0, -gravity));
   cpSpaceSetCollisionSlop(space, 1e-4);
   cpShapeSetFriction(floor, 1.0);
-  cpShapeSetFriction(disk, 1.0);
+  cpShapeSetFriction(ball, friction);
   cpSpaceAddShape(space, floor);
   cpSpaceAddBody(space, body);
-  cpSpaceAddShape(space, disk);
+  cpSpaceAddShape(space, ball);
   cpBodySetPosition(body, cpv(0.0, radius + 1.3 * step * thrown->down));
   cpBodySetVelocity(body, cpv(thrown->along, -thrown->down));
   cpBodySetAngularVelocity(body, thrown->rim / radius);
-  flight.after = body_of(body, disk, cpvzero);
+  flight.after = body_of(body, ball, cpvzero);
   for (time = 0.0; time < 3.0 && flight.after.velocity[1] < 0.1; time += step) {
     flight.before = flight.after;
     cpSpaceStep(space, step);
-    flight.after = body_of(body, disk, cpvzero);
+    flight.after = body_of(body, ball, cpvzero);
   }
   flight.height = cpBodyGetPosition(body).y;
-  cpSpaceRemoveShape(space, disk);
+  cpSpaceRemoveShape(space, ball);
   cpSpaceRemoveBody(space, body);
   cpSpaceRemoveShape(space, floor);
-  cpShapeFree(disk);
+  cpShapeFree(ball);
   cpBodyFree(body);
   cpShapeFree(floor);
   cpSpaceFree(space);
@@ -109,19 +111,19 @@ int main(void) {
   for (i = 0; i < 2 * throw_count; ++i) {
     const double step = steps[i % 2];
     struct Flight flight = fly(&throws[i / 2], step);
-    stoss_rule_body_2d floor = {0.0, 0.0, 0.0, {0.0, 0.0}, 0.0}, *disk = &flight.before;
+    stoss_rule_body_2d floor = {0.0, 0.0, 0.0, {0.0, 0.0}, 0.0}, *ball = &flight.before;
     double found[3], wanted[3];
-    stoss_rule_collide_2d(disk, &floor, down, friction);
-    wanted[0] = disk->velocity[0];
-    wanted[1] = disk->velocity[1] - gravity * step; /* which acts after preSolve */
-    wanted[2] = disk->spin * radius;
+    stoss_rule_collide_2d(ball, &floor, down, friction);
+    wanted[0] = ball->velocity[0];
+    wanted[1] = ball->velocity[1] - gravity * step; /* which acts after preSolve */
+    wanted[2] = ball->spin * radius;
     found[0] = flight.after.velocity[0];
     found[1] = flight.after.velocity[1];
     found[2] = flight.after.spin * radius;
     if (compare(&throws[i / 2], step, found, wanted, 3, accuracy)) wrong = 1;
   }
   height = fly(&slow, 1.0 / 60.0).height;
-  printf("a disk that falls slower than the table begins rests at %.4f m\n", height);
+  printf("a ball that falls slower than the table begins rests at %.4f m\n", height);
   if (!(fabs(height - radius) < 0.01 * radius)) wrong = 1;
   return wrong;
 }
