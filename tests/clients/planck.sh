@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# The client for planck, installed by its lock file. It is skipped where the registry cannot be reached.
-#   planck.sh EXAMPLE SCRATCH TABLE
+# The clients for planck, installed by its lock file. They are skipped where the registry cannot be reached.
+#   planck.sh EXAMPLES SCRATCH TABLE RULE
 set -euo pipefail
 skip() { echo "skipped: $*"; exit 77; }
 for program in node npm; do command -v "$program" >/dev/null || skip "no $program"; done
@@ -17,4 +17,5 @@ if ! cmp -s package-lock.json node_modules/installed-lock.json; then
   [ $status = 0 ] || { cat install.log >&2; exit 1; }
   cp package-lock.json node_modules/installed-lock.json
 fi
-exec node main.js "$3"
+node main.js "$3"
+exec node spin.js "$4"
