@@ -226,9 +226,12 @@ describe.skipIf(missing !== '')(`the results of the page${missing && ` (${missin
     const page = await site.open(`?${ball}&v=1`);
     const before = await settled(page);
     await page.fill('#field-speed', '0.001');
-    await page.waitForFunction(() => document.getElementById('result')!.dataset.slow !== undefined);
-    expect(await page.textContent('#result-state')).toBe('computing; this is the last value');
-    expect(await page.textContent('#epsilon')).toBe(before);
+    // Read at once: the value may come a moment later.
+    const seen = await page.waitForFunction(() => {
+      const text = (id: string): string | null => document.getElementById(id)!.textContent;
+      return document.getElementById('result')!.dataset.slow !== undefined && [text('result-state'), text('epsilon')];
+    });
+    expect(await seen.jsonValue()).toEqual(['computing; this is the last value', before]);
     await page.fill('#field-speed', '2');
     expect(await settled(page)).toMatch(/^0\.99\d+ ± /);
     expect(await page.textContent('#epsilon')).not.toBe(before);
