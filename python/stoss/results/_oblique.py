@@ -46,13 +46,13 @@ class ObliqueRestitution(Oblique):
         vibration, vibration_error: Share of it with which the bodies vibrate afterwards.
         dundurs, coupling_restitution, coupling_tangential_restitution, coupling_sliding_after: Of
             unlike spheres, what the errors do not contain: pressure and friction are taken not to
-            change each other. Dundurs' |β| of the bodies, and by how much ε_n of a central impact,
-            ε_t and s′ (c) change in a coarse model with that coupling; nan: unknown.
+            change each other. Dundurs' β of the bodies, without its sign, and by how much ε_n of a
+            central impact, ε_t and s′ (c) change in a coarse model with that coupling; nan: unknown.
         cutoff, energy_error: Of the finest impact: c/R; what is missing, as a share of the initial
             energy.
         unstable: Friction between unlike bodies is so high that waves of any length grow while all
             slides: nothing has a limit then, and all errors are unknown.
-        tolerance: Asked for: error of s′ over the larger of |s| and μv_n.
+        tolerance: Asked for: error of s′ over the larger of s and μv_n in size.
         energy: Where the energy is after the finest impact.
     """
 
@@ -160,7 +160,7 @@ def oblique(
 ) -> ObliqueRestitution:
     """Compute oblique impacts with friction: ε_n, ε_t, and motion and spins afterwards.
 
-    Friction acts node by node, |q| ≤ μp: a node sticks, or slips against q where |q| = μp. Bodies
+    Friction acts node by node, −μp ≤ q ≤ μp: a node sticks, or slips against q = ±μp. Bodies
     turn, but what is elastic in them keeps its directions (linear kinematics). Of spheres pressure
     and friction are taken not to change each other, which is exact for equal ones; one normal impact
     then serves all angles, spins and frictions at its speed, each in a millisecond or so. A value of
@@ -168,7 +168,7 @@ def oblique(
 
     Parameters:
         body (Disk or Sphere): The first body, in whose units all results are.
-        tolerance: Error of the sliding speed s′ afterwards, over |s| or, if larger, μ times
+        tolerance: Error of the sliding speed s′ afterwards, over s or, if larger, μ times
             `speed`, 1e-6 to 0.5.
 
     Examples:
