@@ -8,9 +8,9 @@
 // Copy body_of, set and Rule. PreSolve sets velocities and spins of what approaches. The contact may stay on: the
 // solver then finds bodies that part, and leaves them alone. What approaches slower than the table begins is left to
 // Box2D, which so holds what rests; let the table begin above the 0.16 m/s that gravity adds in a step of 1/60 s.
-// Continuous physics is off: it sets a body back in time, and its velocity not. Box2D limits a spin to a quarter turn a
-// step. Bodies that move freely are balls, of moment 2/5 m R^2. A table of disks is for one friction, that of its
-// command. Units are m, kg, s.
+// Where continuous physics meets a fast body within a step, gravity has acted before PreSolve, and the rule holds too;
+// it is off here. Box2D limits a spin to a quarter turn a step. Bodies that move freely are balls, of moment
+// 2/5 m R^2. A table of disks is for one friction, that of its command. Units are m, kg, s.
 #include <box2d/box2d.h>
 
 #include <cmath>
