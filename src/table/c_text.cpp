@@ -54,7 +54,7 @@ constexpr std::string_view begin = R"(#ifndef @NAME@_RESTITUTION_TABLE
 #include <math.h>
 
 #if defined(__GNUC__)
-#define @NAME@_FUNCTION static __attribute__((unused))
+#define @NAME@_FUNCTION static __inline__ __attribute__((unused))
 #elif defined(__cplusplus) || (defined(__STDC_VERSION__) && __STDC_VERSION__ >= 199901L)
 #define @NAME@_FUNCTION static inline
 #else

@@ -1,4 +1,5 @@
 // Each grid has its places, its nodes and the errors of its cells. A cell is found as by numeric::Bins.
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <string>
@@ -21,6 +22,9 @@ struct Axis {
   std::string of;        ///< what its places are
   std::string variable;  ///< in C
   std::vector<double> places;
+
+  [[nodiscard]] std::size_t last() const { return places.size() - 1; }
+  [[nodiscard]] bool same_as(const Axis& other) const { return variable == other.variable && places == other.places; }
 };
 
 std::vector<Axis> axes_of(const std::string& part, const RuleGrid& grid, double scale) {
@@ -34,53 +38,66 @@ std::vector<Axis> axes_of(const std::string& part, const RuleGrid& grid, double 
   return axes;
 }
 
-std::string arrays(const std::string& part, const std::vector<Axis>& axes, const std::vector<double>& nodes,
-                   const std::vector<double>& errors) {
+/// The axes of two grids, those of the second that the first has too only once.
+std::vector<Axis> without_twins(std::vector<Axis> axes, const std::vector<Axis>& others) {
+  const std::size_t own = axes.size();
+  for (const Axis& other : others) {
+    const auto end = axes.begin() + static_cast<std::ptrdiff_t>(own);
+    if (std::none_of(axes.begin(), end, [&](const Axis& each) { return each.same_as(other); })) axes.push_back(other);
+  }
+  return axes;
+}
+
+std::string arrays(const std::vector<Axis>& axes) {
   std::string text;
   for (const Axis& axis : axes) {
     text += table::c_array("double", axis.name, axis.of, table::c_numbers(axis.places));
     text += table::c_array("int", axis.name + "_first", "interval in which each of equal parts of it begins",
                            table::c_numbers(numeric::Bins(axis.places).first()));
   }
-  text += table::c_array("double", part + "_nodes", "value at each crossing, and its derivatives along the axes",
-                         table::c_numbers(nodes));
-  return text + table::c_array("double", part + "_errors", "of each cell", table::c_numbers(errors));
+  return text;
 }
 
-/// Lines that set the value of a grid, and its error, found[at] and found[at + 1].
-std::string look_up(const std::string& part, const std::vector<Axis>& axes, std::size_t at) {
-  const std::size_t last = axes.size() - 1;
+std::string arrays(const std::string& part, const std::vector<double>& nodes, const std::vector<double>& errors) {
+  return table::c_array("double", part + "_nodes", "value at each crossing, and its derivatives along the axes",
+                        table::c_numbers(nodes)) +
+         table::c_array("double", part + "_errors", "of each cell", table::c_numbers(errors));
+}
+
+/// Lines that find the interval k[i] of each axis, and the weights in it.
+std::string intervals(const std::vector<Axis>& axes) {
+  std::string text;
+  for (std::size_t i = 0; i < axes.size(); ++i) {
+    const Axis& axis = axes[i];
+    const std::string at = std::to_string(i);
+    text += "  k[" + at + "] = @name@_weigh(" + axis.name + ", " + axis.name + "_first, " +
+            std::to_string(axis.last()) + ", " + table::c_number(numeric::Bins(axis.places).per_unit()) + ", " +
+            axis.variable + ", w[" + at + "]);\n";
+  }
+  return text;
+}
+
+/// Lines that set the value of a grid, and its error, found[at] and found[at + 1]. @param all axes that have weights
+std::string look_up(const std::string& part, const std::vector<Axis>& axes, const std::vector<Axis>& all,
+                    std::size_t at) {
+  std::string steps, weights, node, cell;
   std::vector<std::size_t> next(axes.size(), std::size_t{1} << axes.size()), cells(axes.size(), 1);
-  for (std::size_t d = last; d > 0; --d) {
+  for (std::size_t d = axes.size() - 1; d > 0; --d) {
     next[d - 1] = next[d] * axes[d].places.size();
-    cells[d - 1] = cells[d] * (axes[d].places.size() - 1);
+    cells[d - 1] = cells[d] * axes[d].last();
   }
-  std::string steps, intervals, node, cell;
-  for (std::size_t d = 0; d <= last; ++d) {
-    const Axis& axis = axes[d];
-    const std::string k = "k[" + std::to_string(d) + "]", count = std::to_string(axis.places.size() - 1);
-    steps += (d > 0 ? ", " : "") + std::to_string(next[d]);
-    intervals += "    " + k + " = @name@_interval(" + axis.name + ", " + axis.name + "_first, " + count + ", " +
-                 table::c_number(numeric::Bins(axis.places).per_unit()) + ", " + axis.variable +
-                 ");\n    @name@_weigh(" + axis.name + ", " + k + ", @name@_between(" + axis.variable + ", " +
-                 axis.name + ", " + count + "), w + " + std::to_string(4 * d) + ");\n";
-    node += (d > 0 ? " + " : "") + k + " * " + std::to_string(next[d]);
-    cell += (d > 0 ? " + " : "") + k + " * " + std::to_string(cells[d]);
+  for (std::size_t d = 0; d < axes.size(); ++d) {
+    const auto same = std::find_if(all.begin(), all.end(), [&](const Axis& each) { return each.same_as(axes[d]); });
+    const std::string i = std::to_string(same - all.begin()), more = d > 0 ? " + k[" : "k[";
+    steps.append(", ").append(std::to_string(next[d]));
+    weights.append(", w[").append(i).append("]");
+    node.append(more).append(i).append("] * ").append(std::to_string(next[d]));
+    cell.append(more).append(i).append("] * ").append(std::to_string(cells[d]));
   }
-  const std::string sum = "@name@_sum_" + std::to_string(axes.size());
-  return "  {\n    static const int next[] = {" + steps + "};\n" + intervals + "    found[" + std::to_string(at) +
-         "] = " + sum + "(" + part + "_nodes + (" + node + "), next, w);\n    found[" + std::to_string(at + 1) +
-         "] = " + part + "_errors[" + cell + "];\n  }\n";
+  return "  found[" + std::to_string(at) + "] = @name@_sum_" + std::to_string(axes.size()) + "(" + part + "_nodes + (" +
+         node + ")" + steps + weights + ");\n  found[" + std::to_string(at + 1) + "] = " + part + "_errors[" + cell +
+         "];\n";
 }
-
-constexpr std::string_view between = R"(
-/* A place within the range of places x. */
-@NAME@_FUNCTION double @name@_between(double at, const double *x, int last)
-{
-  if (at < x[0]) return x[0];
-  return at > x[last] ? x[last] : at;
-}
-)";
 
 std::vector<std::string> comment(const RuleTable& rule, const TableLabel& label, const std::string& name) {
   const RuleValues& values = rule.values();
@@ -149,15 +166,16 @@ std::string c_header(const RuleTable& rule, const TableLabel& label) {
               table::c_number(ratios.back()) + "\n";
   }
   if (values.friction) limits += "#define @NAME@_FRICTION " + table::c_number(*values.friction) + "\n";
-  std::string body = limits + "\n" +
-                     arrays(name + "_restitution", normal, rule.restitution_nodes(), rule.restitution_errors()) +
-                     arrays(name + "_sliding", along, rule.sliding_nodes(), rule.sliding_errors());
-  body += std::string(table::c_interval_function) + std::string(between) + std::string(table::c_cubic_functions);
-  body +=
-      "\n@NAME@_FUNCTION void @name@_look_up(double x, double z, double p, double *found)\n{\n  double w[12];\n"
-      "  int k[3];\n";
-  body +=
-      look_up(name + "_restitution", normal, 0) + look_up(name + "_sliding", along, 2) + "  (void)z;\n  (void)p;\n}\n";
+  const std::vector<Axis> all = without_twins(normal, along);
+  std::string body = limits + "\n" + arrays(all) +
+                     arrays(name + "_restitution", rule.restitution_nodes(), rule.restitution_errors()) +
+                     arrays(name + "_sliding", rule.sliding_nodes(), rule.sliding_errors());
+  body += std::string(table::c_interval_function) + std::string(table::c_cubic_functions);
+  const std::string count = std::to_string(all.size());
+  body += "\n@NAME@_FUNCTION void @name@_look_up(double x, double z, double p, double *found)\n{\n  double w[" + count +
+          "][4];\n  int k[" + count + "];\n";
+  body += intervals(all) + look_up(name + "_restitution", normal, all, 0) + look_up(name + "_sliding", along, all, 2) +
+          "  (void)z;\n  (void)p;\n}\n";
   body += std::string(table::c_rule_functions) + std::string(table::c_collide_functions);
   return table::c_file(name, comment(rule, label, name), table::filled(body, name, fillings));
 }

@@ -6,34 +6,43 @@ namespace stoss::table {
 
 /// Sums of a cubic along one, two and three axes, as numeric::CubicGrid has them.
 inline constexpr std::string_view c_cubic_functions = R"(
-/* Of values and slopes at both ends of interval k of the places x, in the cubic between them. */
-@NAME@_FUNCTION void @name@_weigh(const double *x, int k, double at, double *w)
+/* The interval of places x in which another one lies, and the weights of values and slopes at its ends. */
+@NAME@_FUNCTION int @name@_weigh(const double *x, const int *first, int last, double bins, double at, double *w)
 {
-  const double h = x[k + 1] - x[k], t = (at - x[k]) / h, u = 1.0 - t;
+  double h, t, u;
+  int k;
+  if (at < x[0]) at = x[0];
+  if (at > x[last]) at = x[last];
+  k = @name@_interval(x, first, last, bins, at);
+  h = x[k + 1] - x[k];
+  t = (at - x[k]) / h;
+  u = 1.0 - t;
   w[0] = (1.0 + 2.0 * t) * u * u;
   w[1] = t * t * (1.0 + 2.0 * u);
   w[2] = h * t * u * u;
   w[3] = -h * t * t * u;
+  return k;
 }
 
-@NAME@_FUNCTION double @name@_sum_1(const double *a, const int *next, const double *w)
+@NAME@_FUNCTION double @name@_sum_1(const double *a, int next, const double *w)
 {
-  const double *b = a + next[0];
+  const double *b = a + next;
   return w[0] * a[0] + w[1] * b[0] + w[2] * a[1] + w[3] * b[1];
 }
 
-@NAME@_FUNCTION double @name@_sum_2(const double *a, const int *next, const double *w)
+@NAME@_FUNCTION double @name@_sum_2(const double *a, int next, int line, const double *w, const double *y)
 {
-  const double *b = a + next[1];
-  return w[4] * @name@_sum_1(a, next, w) + w[5] * @name@_sum_1(b, next, w) +
-         w[6] * @name@_sum_1(a + 2, next, w) + w[7] * @name@_sum_1(b + 2, next, w);
+  const double *b = a + line;
+  return y[0] * @name@_sum_1(a, next, w) + y[1] * @name@_sum_1(b, next, w) + y[2] * @name@_sum_1(a + 2, next, w) +
+         y[3] * @name@_sum_1(b + 2, next, w);
 }
 
-@NAME@_FUNCTION double @name@_sum_3(const double *a, const int *next, const double *w)
+@NAME@_FUNCTION double @name@_sum_3(const double *a, int next, int line, int plane, const double *w, const double *y,
+                                    const double *z)
 {
-  const double *b = a + next[2];
-  return w[8] * @name@_sum_2(a, next, w) + w[9] * @name@_sum_2(b, next, w) +
-         w[10] * @name@_sum_2(a + 4, next, w) + w[11] * @name@_sum_2(b + 4, next, w);
+  const double *b = a + plane;
+  return z[0] * @name@_sum_2(a, next, line, w, y) + z[1] * @name@_sum_2(b, next, line, w, y) +
+         z[2] * @name@_sum_2(a + 4, next, line, w, y) + z[3] * @name@_sum_2(b + 4, next, line, w, y);
 }
 )";
 
@@ -138,32 +147,36 @@ typedef struct {
 @NAME@_FUNCTION int @name@_collide_3d(@name@_body_3d *a, @name@_body_3d *b, const double *normal, double friction)
 {
   const double length = sqrt(normal[0] * normal[0] + normal[1] * normal[1] + normal[2] * normal[2]);
-  const double mobility = a->inverse_mass + b->inverse_mass;
+  const double n = normal[0] / length, m = normal[1] / length, l = normal[2] / length;
+  const double x = a->velocity[0] - b->velocity[0], y = a->velocity[1] - b->velocity[1];
+  const double z = a->velocity[2] - b->velocity[2], speed = x * n + y * m + z * l;
+  const double p = a->radius * a->spin[0] + b->radius * b->spin[0], q = a->radius * a->spin[1] + b->radius * b->spin[1];
+  const double r = a->radius * a->spin[2] + b->radius * b->spin[2], mobility = a->inverse_mass + b->inverse_mass;
   const double arm_a = a->radius * a->inverse_inertia, arm_b = b->radius * b->inverse_inertia;
-  double n[3], u[3], s[3], turn[3], speed = 0.0, sliding, push, drag;
-  int i;
-  for (i = 0; i < 3; ++i) {
-    n[i] = normal[i] / length;
-    u[i] = a->velocity[i] - b->velocity[i];
-    turn[i] = a->radius * a->spin[i] + b->radius * b->spin[i];
-    speed += u[i] * n[i];
-  }
+  const double u = x - speed * n + (q * l - r * m), v = y - speed * m + (r * n - p * l);
+  const double w = z - speed * l + (p * m - q * n);
+  double push, drag, e, f, g;
   if (!(speed > 0.0) || !(mobility > 0.0)) return 0;
-  for (i = 0; i < 3; ++i) {
-    const int j = (i + 1) % 3, k = (i + 2) % 3;
-    s[i] = u[i] - speed * n[i] + (turn[j] * n[k] - turn[k] * n[j]);
-  }
-  sliding = sqrt(s[0] * s[0] + s[1] * s[1] + s[2] * s[2]);
-  drag = @name@_impulse(speed, sliding, friction, b->radius / a->radius, mobility,
+  drag = @name@_impulse(speed, sqrt(u * u + v * v + w * w), friction, b->radius / a->radius, mobility,
                         a->radius * arm_a + b->radius * arm_b, &push);
-  for (i = 0; i < 3; ++i) {
-    const int j = (i + 1) % 3, k = (i + 2) % 3;
-    const double impulse = push * n[i] + drag * s[i], moment = drag * (n[j] * s[k] - n[k] * s[j]);
-    a->velocity[i] -= a->inverse_mass * impulse;
-    b->velocity[i] += b->inverse_mass * impulse;
-    a->spin[i] -= arm_a * moment;
-    b->spin[i] -= arm_b * moment;
-  }
+  e = push * n + drag * u;
+  f = push * m + drag * v;
+  g = push * l + drag * w;
+  a->velocity[0] -= a->inverse_mass * e;
+  a->velocity[1] -= a->inverse_mass * f;
+  a->velocity[2] -= a->inverse_mass * g;
+  b->velocity[0] += b->inverse_mass * e;
+  b->velocity[1] += b->inverse_mass * f;
+  b->velocity[2] += b->inverse_mass * g;
+  e = drag * (m * w - l * v);
+  f = drag * (l * u - n * w);
+  g = drag * (n * v - m * u);
+  a->spin[0] -= arm_a * e;
+  a->spin[1] -= arm_a * f;
+  a->spin[2] -= arm_a * g;
+  b->spin[0] -= arm_b * e;
+  b->spin[1] -= arm_b * f;
+  b->spin[2] -= arm_b * g;
   return 1;
 }
 )";

@@ -83,6 +83,17 @@ def test_the_misfit_comes_first_and_stays_in_files(tmp_path):
     assert stoss.read_csv(tmp_path / "law.csv")["law_restitution"] == pytest.approx(fit.law_restitution)
 
 
+@pytest.mark.parametrize("law", ["linear", "walton", "mujoco", "table"])
+def test_the_misfit_of_friction_is_never_hidden(law):
+    """Constants along the surface come with the misfit of ε_t; a law without says that it fits none."""
+    fit = stoss.fit(BALL, against="same", law=law, speed=RANGE, friction=0.2)
+    said = next(line.split()[1:] for line in str(fit).splitlines() if line.startswith("tangential_restitution"))
+    if {"tangential_ratio", "beta0"} & set(fit.constants):
+        assert [float(each) for each in said] == pytest.approx(fit.misfit["tangential_restitution"], rel=0.05)
+    else:
+        assert said == ["not", "fitted"] and "tangential_restitution" not in fit.misfit
+
+
 def test_the_table_of_the_page_is_made_so():
     root = Path(__file__).parents[3]
     found = importlib.util.spec_from_file_location("make", root / "studies/laws/make.py")

@@ -13,6 +13,9 @@ import two_balls
 SPEEDS = np.geomspace(1e-3, 0.1, 5)
 SLIDING = np.array([0.5, 1.0, 2.0, 3.0, 4.0, 6.0])  # over μv: angles from 3 to 31 degrees
 FRICTION = 0.1
+# At an angle a law is the limit of little overlap: programs shorten the arm of friction by half of it, and turn the
+# normal. At 0.03 m/s balls of steel overlap by 1.3e-4 of the radius, which takes 4e-4 of ε_t.
+ANGLED = np.geomspace(1e-3, 0.03, 5)
 
 
 @functools.lru_cache(maxsize=None)
@@ -35,7 +38,7 @@ def elastic(material):
 
 @functools.lru_cache(maxsize=None)
 def at_angles(material):
-    given = {"speed": SPEEDS[:, None], "tangential": FRICTION * SPEEDS[:, None] * SLIDING, "friction": FRICTION}
+    given = {"speed": ANGLED[:, None], "tangential": FRICTION * ANGLED[:, None] * SLIDING, "friction": FRICTION}
     return stoss.oblique(ball_of(material), against="same", **given)
 
 
@@ -69,9 +72,9 @@ def test_head_on(law, program, tmp_path):
 
 @pytest.mark.parametrize("law, program", [*HEAD_ON[:-1], *YADE])
 def test_at_angles(law, program, tmp_path):
-    fit, normal, along = collide(law, program, "steel", FRICTION, tmp_path)
-    assert normal == pytest.approx(np.repeat(fit.fitted.restitution(SPEEDS)[:, None], 7, axis=1), abs=1e-3)
-    assert along == pytest.approx(fit.fitted.tangential_restitution(SPEEDS, SLIDING), abs=1.1e-3)
+    fit, normal, along = collide(law, program, "steel", FRICTION, tmp_path, ANGLED)
+    assert normal == pytest.approx(np.repeat(fit.fitted.restitution(ANGLED)[:, None], 7, axis=1), abs=1e-3)
+    assert along == pytest.approx(fit.fitted.tangential_restitution(ANGLED, SLIDING), abs=1e-3)
     misfit = fit.misfit["tangential_restitution"].maximum
     assert np.abs(along - at_angles("steel").tangential_restitution).max() <= misfit + 5e-3
 

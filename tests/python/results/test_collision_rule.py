@@ -100,6 +100,39 @@ def test_nodes_are_plain_arrays(rule, mixture):
             assert np.array_equal(nodes[..., 0], values)
 
 
+def sliding_after(speeds, slips, nodes, speed, sliding, friction):
+    """s′ of pairs without a ratio, as the guide's numba would compile it: loops, numbers and arrays alone."""
+    axes, after = (np.log(speeds), slips.copy()), np.empty_like(speed)
+    weights, at = np.empty((2, 4)), np.empty(2, np.int64)
+    for i in range(speed.size):
+        scale = sliding[i] + friction * speed[i]
+        spot = (np.log(speed[i]), 2 * sliding[i] / scale - 1)
+        for d in range(2):
+            places, x = axes[d], spot[d]
+            at[d] = min(max(np.searchsorted(places, x) - 1, 0), places.size - 2)
+            h = places[at[d] + 1] - places[at[d]]
+            t = (x - places[at[d]]) / h
+            weights[d] = np.array(
+                [(1 + 2 * t) * (1 - t) ** 2, t * t * (3 - 2 * t), h * t * (1 - t) ** 2, -h * t * t * (1 - t)]
+            )
+        q = 0.0
+        for k in range(4):  # value and slope along ln v, at both ends
+            for j in range(4):
+                node = nodes[at[0] + k % 2, at[1] + j % 2, 0, k // 2 + 2 * (j // 2)]
+                q += weights[0, k] * weights[1, j] * node
+        after[i] = q * scale
+    return after
+
+
+@pytest.mark.parametrize("compiled", [False, True])
+def test_arrays_are_fit_for_compiled_loops(rule, compiled):
+    loop = pytest.importorskip("numba").njit(sliding_after) if compiled else sliding_after
+    speed, friction = np.geomspace(1e-3, 1e-2, 7), 0.2
+    sliding = np.linspace(0, 9, 7) * friction * speed
+    found = loop(rule.speed, rule.slip, rule.nodes[1], speed, sliding, friction)
+    assert found == pytest.approx(rule(speed, sliding, friction)[1], abs=1e-15)
+
+
 @pytest.mark.skipif(shutil.which("cc") is None, reason="needs cc")
 @pytest.mark.parametrize("name", ["rule", "steel", "mixture"])
 def test_header_in_c_is_the_same_function(request, tmp_path, name):
