@@ -29,8 +29,8 @@ void check_format(const TableArguments& arguments) {
     throw InvalidInput(fmt::format("{0}: got --{0} with --format {1}, allowed only with {2}", option, format, allowed));
   };
   require("name", format == "c", "--format c");
-  require("ratio", format != "two-column", "c and json");
-  require("beyond", format != "two-column", "c and json (who reads the columns decides)");
+  require("ratio", format != "two-column", "c, json and, with --oblique, netcdf");
+  require("beyond", format == "c" || format == "json", "c and json (who reads the values decides)");
 }
 
 TableJob make_job(const TableArguments& arguments) {
@@ -154,6 +154,7 @@ void warn(const TableArguments& arguments, const TableJob& job) {
 void run(const TableArguments& arguments) {
   check_format(arguments);
   const TableJob job = make_job(arguments);
+  if (arguments.format == "netcdf") write_netcdf_of_rule(arguments, job);
   Output output(arguments.output.path);
   catch_interrupts();
   const std::string text = arguments.oblique         ? text_of_rule(arguments, job)
@@ -174,13 +175,14 @@ void add_form(CLI::App& command, TableArguments& arguments) {
       "1e-4 to 0.5 (default: 0.02)",
       "TOLERANCE", "Resolution");
   add_threads(command, arguments.threads);
-  add_choice(command, "--format", arguments.format, {"c", "two-column", "json"},
+  add_choice(command, "--format", arguments.format, {"c", "two-column", "json", "netcdf"},
              "Form of the table (default: c)\n"
              "  c:          a header in C89 and C++, of plain functions\n"
              "  two-column: speed and eps, to be interpolated linearly in the speed;\n"
              "              with --oblique, at one speed: s/(MU v) and the same of s\n"
              "              after the collision, s the velocity of sliding\n"
-             "  json:       computed values, slopes and errors",
+             "  json:       computed values, slopes and errors\n"
+             "  netcdf:     with --oblique: values and errors on their grid",
              "FORM", "Output");
   add(command, "--name", arguments.name, "Prefix of the names in C (default: stoss)", "NAME", "Output");
   add_choice(command, "--beyond", arguments.beyond, {"clamp", "error"},
@@ -230,14 +232,12 @@ void add_table(CLI::App& app) {
       ->required();
   add(command, "--ratio", arguments.ratio,
       "Range of the ratio of radii, SMALLEST:GREATEST, second body over first,\nwithin 1e-3 to 1e3: a table of pairs "
-      "of "
-      "disks or of spheres, --against\nsame or a body, whose radius does not count",
+      "of disks or of spheres, --against\nsame or a body, whose radius does not count",
       "RANGE", "Body");
   command
-      .add_flag(
-          "--oblique", arguments.oblique,
-          "The whole collision rule: what becomes of the velocity along the surface\nand of the spins too, at any "
-          "angle")
+      .add_flag("--oblique", arguments.oblique,
+                "The whole collision rule: what becomes of the velocity along the surface\n"
+                "and of the spins too, at any angle")
       ->group("Body");
   arguments.who.add_to(command);
   add(command, "--friction", arguments.friction,

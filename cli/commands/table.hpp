@@ -55,4 +55,7 @@ struct TableJob {
 /// The table of --oblique.
 [[nodiscard]] std::string text_of_rule(const TableArguments& arguments, const TableJob& job);
 
+/// The same as a file, made by the Python package, which this process becomes.
+[[noreturn]] void write_netcdf_of_rule(const TableArguments& arguments, const TableJob& job);
+
 }  // namespace stoss::cli

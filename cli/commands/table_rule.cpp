@@ -8,6 +8,7 @@
 #include "output/output.hpp"
 #include "process/process.hpp"
 #include "process/text.hpp"
+#include "stoss/encounter/document.hpp"
 #include "stoss/encounter/laws.hpp"
 #include "stoss/errors.hpp"
 #include "stoss/table/adaptive_rule.hpp"
@@ -71,6 +72,27 @@ std::string text_of_rule(const TableArguments& arguments, const TableJob& job) {
   }
   const RuleTable rule = rule_of(arguments, job);
   return arguments.format == "c" ? c_header(rule, label(arguments, job)) : as_json(arguments, job, rule);
+}
+
+void write_netcdf_of_rule(const TableArguments& arguments, const TableJob& job) {
+  if (!arguments.oblique)
+    throw InvalidInput("format: got netcdf, allowed only with --oblique (the whole collision rule)");
+  if (arguments.output.path.empty()) throw InvalidInput("output: got none, allowed a file, which netcdf needs");
+  std::vector<std::string> words{"table",
+                                 fmt::format("--error={}", arguments.error),
+                                 fmt::format("--tolerance={}", arguments.tolerance),
+                                 fmt::format("--threads={}", arguments.threads),
+                                 "--output=" + arguments.output.path,
+                                 "--speed",
+                                 fmt::format("{}", job.typed[0]),
+                                 fmt::format("{}", job.typed[1])};
+  if (arguments.friction) words.push_back(fmt::format("--friction={}", *arguments.friction));
+  if (!arguments.ratio.empty()) {
+    const auto [smallest, largest] = parse_ratios(arguments.ratio);
+    words.insert(words.end(), {"--ratio", fmt::format("{}", smallest), fmt::format("{}", largest)});
+  }
+  words.insert(words.end(), {"--", to_json(job.encounter)});
+  become_python(words);
 }
 
 }  // namespace stoss::cli

@@ -17,8 +17,8 @@ void catch_interrupts();
 /// @throws Interrupted after Ctrl-C or SIGTERM
 void heed_interrupts();
 
-/// Becomes Python with these words for the package's command of the same name: it has the store of sweeps and the fits.
-/// Complains of a package of another version, which would compute other values.
+/// Becomes Python with these words for the package's command of the same name: it has the store of sweeps, the fits,
+/// and writes NetCDF. Complains of a package of another version, which would compute other values.
 /// @throws OutputError if there is no Python
 [[noreturn]] void become_python(const std::vector<std::string>& words);
 

@@ -17,6 +17,7 @@ MODULES: Mapping[str, str] = {
     "sweep": "stoss.sweeps._command",
     "merge": "stoss.sweeps._command",
     "fit": "stoss.laws._command",
+    "table": "stoss.results._command",
 }
 
 

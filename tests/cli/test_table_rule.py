@@ -207,6 +207,8 @@ def test_threads_change_nothing(stoss, document):
     ("--body sphere --poisson 0.3 --speed 0.01:0.1 --oblique --format two-column", "allowed one speed for two columns"),
     ("--body sphere --poisson 0.3 --speed 0.01 --oblique", "speed: got '0.01', allowed SLOWEST:FASTEST"),
     ("--body rod --speed 0.01:0.1 --oblique", "friction: got 'rod'"),
+    ("--body sphere --poisson 0.3 --speed 0.01:0.1 --oblique --format netcdf", "output: got none, allowed a file"),
+    ("--poisson 0.33 --speed 0.01:0.1 --format netcdf -o x.nc", "format: got netcdf, allowed only with --oblique"),
 ])  # fmt: skip
 def test_refusals(stoss, words, said):
     result = stoss.run("table", words)

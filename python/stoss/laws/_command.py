@@ -2,16 +2,14 @@
 
 from __future__ import annotations
 
-import json
 import sys
 import warnings
 from typing import Sequence
 
 from stoss._commands import Parser, guarded
 from stoss._errors import StossWarning
-from stoss.bodies._bodies import Sphere
 from stoss.laws._fit import fit
-from stoss.sweeps._specification import beside, make
+from stoss.sweeps._specification import of_document
 
 
 def main(words: Sequence[str]) -> int:
@@ -29,10 +27,7 @@ def _fit(words: Sequence[str]) -> int:
     parser.add_argument("--threads", type=int, default=0, metavar="N", help="threads, 0 for all cores (default)")
     parser.add_argument("-o", "--output", metavar="FILE", help="file of the lines")
     given = parser.parse_args(words)
-    document = json.loads(given.encounter)
-    against = document.get("against", "wall")
-    body: Sphere = make("body", document["first"])
-    met = beside({"kind": against} if isinstance(against, str) else against, body)
+    body, met = of_document(given.encounter)
     with warnings.catch_warnings(record=True) as caught:
         warnings.simplefilter("always", StossWarning)
         found = fit(

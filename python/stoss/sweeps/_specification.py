@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import dataclasses
 import itertools
+import json
 from typing import Any, Iterator, List, Mapping, Sequence, Tuple
 
 import numpy as np
@@ -22,6 +23,13 @@ WALLS = ("wall", "same")
 
 Choices = List[List[Tuple[str, Any]]]
 """Of each key of a mapping all values that it is to have."""
+
+
+def of_document(text: str) -> tuple[Any, Any]:
+    """The body of an encounter's JSON document, and what it meets."""
+    document = json.loads(text)
+    body, against = make("body", document["first"]), document.get("against", "wall")
+    return body, beside({"kind": against} if isinstance(against, str) else against, body)
 
 
 def make(name: str, given: Specification) -> Any:

@@ -2,9 +2,12 @@
 
 import ctypes
 import json
+import os
 import pickle
 import shutil
 import subprocess
+import sys
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -217,3 +220,23 @@ def test_says_what_cannot_be(rule):
     refuse("beyond", lambda: stoss.collision_rule(BALL, speed=(1e-3, 1e-2), beyond="law"))
     with pytest.raises(stoss.NotConverged, match="tolerance"):
         stoss.collision_rule(BALL, speed=(1e-3, 0.2))
+
+
+@pytest.mark.skipif("STOSS" not in os.environ, reason="needs the command in STOSS")
+def test_the_command_writes_the_same_netcdf(interpreter, tmp_path):
+    xarray = pytest.importorskip("xarray")
+    words = "--body sphere --poisson 0.3 --against same --speed 1e-3:1e-2 --ratio 1:2 --error 0.01 --tolerance 0.05"
+    path = os.pathsep.join([str(Path(sys.executable).parent), os.environ["PATH"]])
+    done = subprocess.run(
+        [os.environ["STOSS"], "table", "--oblique", *words.split(), *"--format netcdf -o rule.nc".split()],
+        cwd=tmp_path, env={**interpreter.environment, "PATH": path}, capture_output=True, encoding="utf-8", timeout=60,
+    )  # fmt: skip
+    assert (done.returncode, done.stdout, done.stderr) == (0, "", "")
+    ball = stoss.Sphere(poisson=0.3)
+    rule = stoss.collision_rule(
+        ball, against="same", speed=(1e-3, 1e-2), ratio=(1, 2), error=0.01, tolerance=0.05
+    )  # fmt: skip
+    with xarray.open_dataset(tmp_path / "rule.nc") as file:
+        assert file["sliding"].dims == ("speed", "slip", "ratio")
+        assert np.array_equal(file["sliding"], rule.sliding) and np.array_equal(file["ratio"], rule.ratio)
+        assert np.all(file["restitution_error"] > 0)
