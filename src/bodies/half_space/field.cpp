@@ -12,7 +12,7 @@
 #include "bodies/field_arguments.hpp"
 #include "bodies/half_space/depth_profile.hpp"
 #include "bodies/half_space/medium.hpp"
-#include "bodies/half_space/residual.hpp"
+#include "bodies/surface/residual.hpp"
 #include "check.hpp"
 #include "numeric/gauss_legendre.hpp"
 #include "stoss/errors.hpp"

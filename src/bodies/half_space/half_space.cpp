@@ -2,23 +2,21 @@
 #include "stoss/bodies/half_space.hpp"
 
 #include <cmath>
-#include <cstddef>
 #include <limits>
-#include <memory>
-#include <numbers>
 #include <string>
 #include <utility>
 #include <vector>
 
-#include "bodies/half_space/plane/bodies_along.hpp"
-#include "bodies/half_space/residual.hpp"
+#include "bodies/half_space/plane/waves.hpp"
 #include "bodies/half_space/surface_waves.hpp"
+#include "bodies/surface/wave_body.hpp"
 #include "check.hpp"
 #include "stoss/errors.hpp"
 
 namespace stoss {
 namespace {
 
+using namespace bodies;
 using namespace bodies::half_space;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -58,27 +56,15 @@ std::string name_of(const Solid& given) {
   return name;
 }
 
-Surface make_surface(const Medium& medium, const std::vector<SurfaceWaves>& all, const ContactPoints& points) {
-  Surface surface;
-  for (std::size_t i = 0; i < points.count; ++i) {
-    const double inner = points.radius * std::sin(static_cast<double>(i) * points.spacing);
-    const double outer = points.radius * std::sin(static_cast<double>(i + 1) * points.spacing);
-    const double measure = medium.measure(inner, outer);
-    surface.recess.push_back(0.0);
-    surface.measure.push_back(measure);
-    surface.impedance.push_back(measure * medium.leaving_speed);
-  }
-  for (const SurfaceWaves& waves : all) {
-    for (std::size_t i = 0; i < points.count; ++i) {
-      surface.shape.push_back(medium.shape(waves.wave_number * lateral_distance(points, i)));
-    }
-  }
-  return surface;
+/// A half-plane against forces along its surface, or a half-space against forces alike all around the axis.
+std::vector<Body> plane_bodies_of(const Body& like, const Medium& medium, double duration,
+                                  const std::vector<Parity>& parities, const Poll& poll) {
+  const double highest = kept_cutoff(like);
+  const PlaneSurface surface{medium, highest / medium.rayleigh_speed(),
+                             [medium](double k) { return plane_compliance(medium, k); },
+                             [medium](double k) { return plane_second_moment(medium, k); }};
+  return plane_bodies(like, surface, plane_waves(medium, highest, duration, poll), parities);
 }
-
-/// Chosen as for spheres, of which fewer modes matter (docs/numerics.md, section 5).
-constexpr Sampling sampling_of_balls{.points = 48.0, .cutoff = 8.0, .power = 0.5, .along_edge = 0.0, .fewest = 32};
-constexpr Sampling sampling_of_disks{.points = 48.0, .cutoff = 8.0, .power = 0.5, .along_edge = 0.0, .fewest = 32};
 
 Body made(const Solid& given, double cutoff, double duration, Direction direction, const Poll& poll) {
   require_solid(given);
@@ -92,47 +78,23 @@ Body made(const Solid& given, double cutoff, double duration, Direction directio
     throw InvalidInput("cutoff: got " + shown(cutoff) + " of a half-space for contacts of " + shown(duration) +
                        " in its own time, allowed a smaller product (more waves than are computed)");
   }
-  const auto waves = std::make_shared<const std::vector<SurfaceWaves>>(surface_waves(medium, highest, duration, poll));
-  Body body;
+  Body body = unbounded_body(medium, cutoff, loss_time, duration);
   body.name = name_of(given);
   body.scale = {1.0, std::sqrt(given.young / given.density), given.density};
-  body.contour = given.contour;
-  body.curvature = 0.0;
-  body.mass = 1.0;
-  body.part = {1.0, infinity, duration};
-  body.softness = medium.softness;
-  body.loss_time = loss_time;
-  body.cutoff = cutoff;
   body.highest_cutoff = loss_time * most > 1.0 ? infinity : most;
-  body.sampling = given.contour == Contour::ball ? sampling_of_balls : sampling_of_disks;
   if (given.contour == Contour::cylinder) {
     body.along = [like = body, medium, duration](const Poll& heed) {
-      return planes_along(like, medium, duration, heed);
+      return plane_bodies_of(like, medium, duration, {Parity::normal_even, Parity::along_even}, heed);
     };
   } else if (direction == Direction::normal) {
     body.along = [given, cutoff, duration](const Poll& heed) {
       return std::vector<Body>{made(given, cutoff, duration, Direction::along, heed)};
     };
     body.outward = [like = body, medium, duration](const Poll& heed) {
-      return space_outward(like, medium, duration, heed);
+      return plane_bodies_of(like, medium, duration, {Parity::normal_even}, heed).front();
     };
   }
-  for (const SurfaceWaves& each : *waves) {
-    const std::size_t row = body.groups.size();
-    ModeGroup group{static_cast<int>(row), each.omega, {}, std::vector<double>(each.omega.size()), row, row, {},
-                    each.wave_number};
-    for (const double strength : each.strength) group.upper.push_back(std::sqrt(strength));
-    body.groups.push_back(std::move(group));
-  }
-  body.surface = [medium, waves](const ContactPoints& points) { return make_surface(medium, *waves, points); };
-  const auto residual = std::make_shared<const Residual>(medium, highest, waves);
-  body.stable_step = residual->stable_step();
-  body.residual_compliance = [residual](const ContactPoints& points, const Poll& heed) {
-    return residual->compliance(points, heed);
-  };
-  body.residual_second_moment = [residual](const ContactPoints& points, const Poll& heed) {
-    return residual->second_moment(points, heed);
-  };
+  set_waves(medium, surface_waves(medium, highest, duration, poll), highest / medium.rayleigh_speed(), body);
   if (direction == Direction::along) return body;
   body.near_side = [given](double longest, double limit, const Poll& heed) {
     return made(given, limit, longest, Direction::normal, heed);

@@ -6,32 +6,8 @@
 #include "bodies/sphere/degree_sums.hpp"
 #include "bodies/sphere/mode_search.hpp"
 #include "check.hpp"
-#include "numeric/special_functions.hpp"
 
 namespace stoss::bodies::half_space {
-
-double Medium::compliance(double wave_number) const {
-  return contour == Contour::ball ? softness / std::numbers::pi : 2.0 * softness / (std::numbers::pi * wave_number);
-}
-
-double Medium::measure(double inner, double outer) const {
-  const double width = outer - inner;
-  return contour == Contour::ball ? std::numbers::pi * width * (outer + inner) : 2.0 * width;
-}
-
-double Medium::second_moment() const {
-  double sum = 0.0;
-  for (const Spectrum& spectrum : spectra) sum += spectrum.share * spectrum.second_moment;
-  return sum;
-}
-
-double Medium::shape(double phase) const {
-  return contour == Contour::ball ? numeric::bessel_j0(phase) : std::cos(phase);
-}
-
-double Medium::slope(double phase) const {
-  return contour == Contour::ball ? numeric::bessel_j01(phase).first : std::sin(phase);
-}
 
 void require_poisson(Contour contour, double poisson) {
   if (contour == Contour::ball) {
@@ -50,13 +26,24 @@ Medium medium(Contour contour, double poisson, Direction direction) {
   const double pressure_speed = shear_speed / std::sqrt(kernel.squared_ratio);
   const double normal = plane ? 1.0 : 1.0 - poisson * poisson;
   const bool along = direction == Direction::along;
-  return {kernel,
-          contour,
-          pressure_speed,
-          shear_speed,
-          along ? sphere::softness_along(poisson) : normal,
-          along ? shear_speed : pressure_speed,
-          spectra(kernel, direction)};
+  Medium its;
+  its.contour = contour;
+  its.pressure_speed = pressure_speed;
+  its.shear_speed = shear_speed;
+  its.softness = along ? sphere::softness_along(poisson) : normal;
+  its.leaving_speed = along ? shear_speed : pressure_speed;
+  its.kernel = kernel;
+  its.spectra = spectra(kernel, direction);
+  its.compliance = [plane, softness = its.softness](double wave_number) {
+    return plane ? 2.0 * softness / (std::numbers::pi * wave_number) : softness / std::numbers::pi;
+  };
+  double moment = 0.0;  // in units of 1/(c_s k)²
+  for (const Spectrum& spectrum : its.spectra) moment += spectrum.share * spectrum.second_moment;
+  its.second_moment = [compliance = its.compliance, moment, shear_speed](double wave_number) {
+    const double unit = shear_speed * wave_number;
+    return compliance(wave_number) * moment / (unit * unit);
+  };
+  return its;
 }
 
 }  // namespace stoss::bodies::half_space

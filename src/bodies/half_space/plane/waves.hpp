@@ -3,12 +3,14 @@
 #include <vector>
 
 #include "bodies/half_space/medium.hpp"
+#include "bodies/surface/waves.hpp"
 #include "stoss/bodies/round.hpp"
 #include "stoss/poll.hpp"
 
 namespace stoss::bodies::half_space {
 
-/// The surface of a half-plane under forces along both directions (docs/theory/oblique.md). A load of one direction and
+/// All wave numbers of which waves with ω ≤ cutoff are kept, as surface_waves, of a half-plane under forces along both
+/// directions (docs/theory/oblique.md). A load of one direction and
 /// of wave number k moves the other by −Γ_X/(2μk)·(1 − ν) cos → sin,
 ///
 ///   Γ_X = (2 + ζ² − 2ab)/{(1 − ν)[(2 + ζ²)² − 4ab]},   Γ_X(0) = −η̂,
@@ -16,15 +18,6 @@ namespace stoss::bodies::half_space {
 /// with the poles and cuts of Γ and Γ_h (Spectrum). Its residue and its density obey a_X² = a_R a_h and, below the
 /// speed of pressure waves, ρ_X² = ρ ρ_h: a Rayleigh wave and each wave of the continuum there is one oscillator that
 /// moves both directions. Above that speed ρ_X = 0, and the two directions have waves of their own.
-struct PlaneWaves {
-  double wave_number;                          ///< k
-  std::vector<double> omega;                   ///< of the kept ones
-  std::vector<double> normal, along;           ///< amplitudes of cos ky on the normal and sin ky along the surface
-  bodies::Flexibility residual_compliance;     ///< Σ (normal, along)(normal, along)ᵀ/ω² of those that are not kept
-  bodies::Flexibility residual_second_moment;  ///< the same with ω⁴
-};
-
-/// All wave numbers of which waves with ω ≤ cutoff are kept, as surface_waves.
 [[nodiscard]] std::vector<PlaneWaves> plane_waves(const Medium& medium, double cutoff, double duration,
                                                   const Poll& poll);
 

@@ -1,4 +1,4 @@
-#include "bodies/half_space/plane/residual.hpp"
+#include "bodies/surface/plane_residual.hpp"
 
 #include <Eigen/Core>
 #include <cmath>
@@ -6,10 +6,10 @@
 #include <numbers>
 #include <utility>
 
-#include "bodies/half_space/residual.hpp"
-#include "bodies/half_space/wave_sums.hpp"
+#include "bodies/surface/residual.hpp"
+#include "bodies/surface/wave_sums.hpp"
 
-namespace stoss::bodies::half_space {
+namespace stoss::bodies {
 namespace {
 
 using Block = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
@@ -19,7 +19,7 @@ using Eigen::Index;
 /// kr, where the components are in the order of a parity.
 class PlaneProducts {
  public:
-  PlaneProducts(const Medium& medium, Parity parity, const ContactPoints& points, const Poll& poll)
+  PlaneProducts(const MediumSurface& medium, Parity parity, const ContactPoints& points, const Poll& poll)
       : medium_(medium),
         parity_(parity),
         poll_(poll),
@@ -50,7 +50,7 @@ class PlaneProducts {
 
   /// Adds ∫ response(k) dk, which is smooth over factors of 2.
   template <typename Response>
-  void add_range(double begin, double end, Response response) {
+  void add_range(double begin, double end, const Response& response) {
     for_wave_numbers(begin, end, distance_.back(), [&](double k, double length, double share) {
       const double weight = 0.5 * length * share;
       const Flexibility at = response(k);
@@ -72,7 +72,7 @@ class PlaneProducts {
     rows_ = 0;
   }
 
-  const Medium& medium_;
+  const MediumSurface& medium_;
   Parity parity_;
   const Poll& poll_;
   Index points_;
@@ -85,7 +85,7 @@ std::vector<double> values_of(const Block& matrix) { return {matrix.data(), matr
 
 /// High wave numbers add C cos(kΔr)/k to both directions by themselves; what they add to the mixed response,
 /// C sin(kΔr)/k, hardly changes.
-void resolve_each_pair(const Medium& medium, const ContactPoints& points, double highest, Block& sum) {
+void resolve_pairs_in_plane(const MediumSurface& medium, const ContactPoints& points, double highest, Block& sum) {
   for_pairs_beyond(points, highest, [&](std::size_t i, std::size_t j, double change) {
     const double rings = std::numbers::pi * std::sqrt(lateral_distance(points, i) * lateral_distance(points, j));
     const double spread = medium.contour == Contour::ball ? rings : 1.0;
@@ -99,27 +99,24 @@ void resolve_each_pair(const Medium& medium, const ContactPoints& points, double
 
 }  // namespace
 
-PlaneResidual::PlaneResidual(const Medium& medium, double cutoff, std::shared_ptr<const std::vector<PlaneWaves>> waves)
-    : medium_(medium),
-      highest_kept_(cutoff / (medium.kernel.rayleigh_root * medium.shear_speed)),
-      highest_moment_(8.0 * cutoff),
-      waves_(std::move(waves)) {}
+PlaneResidual::PlaneResidual(PlaneSurface surface, double cutoff, std::shared_ptr<const std::vector<PlaneWaves>> waves)
+    : surface_(std::move(surface)), highest_moment_(8.0 * cutoff), waves_(std::move(waves)) {}
 
 std::vector<double> PlaneResidual::compliance(Parity parity, const ContactPoints& points, const Poll& poll) const {
   const double highest = std::numbers::pi / (points.spacing * points.radius);
-  PlaneProducts products(medium_, parity, points, poll);
+  PlaneProducts products(surface_.medium, parity, points, poll);
   for (const PlaneWaves& waves : *waves_) products.add(waves.wave_number, waves.residual_compliance);
-  products.add_range(highest_kept_, highest, [this](double k) { return plane_compliance(medium_, k); });
+  products.add_range(surface_.highest_kept, highest, surface_.compliance);
   Block& sum = products.sum();
-  resolve_each_pair(medium_, points, highest, sum);
+  resolve_pairs_in_plane(surface_.medium, points, highest, sum);
   return values_of(sum);
 }
 
 std::vector<double> PlaneResidual::second_moment(Parity parity, const ContactPoints& points, const Poll& poll) const {
-  PlaneProducts products(medium_, parity, points, poll);
+  PlaneProducts products(surface_.medium, parity, points, poll);
   for (const PlaneWaves& waves : *waves_) products.add(waves.wave_number, waves.residual_second_moment);
-  products.add_range(highest_kept_, highest_moment_, [this](double k) { return plane_second_moment(medium_, k); });
+  products.add_range(surface_.highest_kept, highest_moment_, surface_.second_moment);
   return values_of(products.sum());
 }
 
-}  // namespace stoss::bodies::half_space
+}  // namespace stoss::bodies

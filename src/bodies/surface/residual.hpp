@@ -3,16 +3,19 @@
 #include <memory>
 #include <vector>
 
-#include "bodies/half_space/surface_waves.hpp"
+#include "bodies/surface/medium_surface.hpp"
+#include "bodies/surface/waves.hpp"
 #include "stoss/body/body.hpp"
 
-namespace stoss::bodies::half_space {
+namespace stoss::bodies {
 
 /// W and V of the surface between contact points: the waves that are not kept among those of kept wave numbers, and all
 /// waves of higher ones, of W up to the wave number π/h that points of spacing h resolve.
-class Residual {
+class WaveResidual {
  public:
-  Residual(const Medium& medium, double cutoff, std::shared_ptr<const std::vector<SurfaceWaves>> waves);
+  /// @param highest_kept wave number up to which waves are kept
+  WaveResidual(MediumSurface medium, double cutoff, double highest_kept,
+               std::shared_ptr<const std::vector<SurfaceWaves>> waves);
 
   [[nodiscard]] std::vector<double> compliance(const ContactPoints& points, const Poll& poll) const;
   [[nodiscard]] std::vector<double> second_moment(const ContactPoints& points, const Poll& poll) const;
@@ -21,7 +24,7 @@ class Residual {
   [[nodiscard]] double stable_step() const;
 
  private:
-  Medium medium_;
+  MediumSurface medium_;
   double highest_kept_;    // wave number
   double highest_moment_;  // wave number up to which V is summed
   std::shared_ptr<const std::vector<SurfaceWaves>> waves_;
@@ -30,4 +33,4 @@ class Residual {
 /// Distance of the point i from the axis.
 [[nodiscard]] double lateral_distance(const ContactPoints& points, std::size_t i);
 
-}  // namespace stoss::bodies::half_space
+}  // namespace stoss::bodies

@@ -6,12 +6,12 @@
 #include <numbers>
 #include <vector>
 
-#include "bodies/half_space/residual.hpp"
+#include "bodies/surface/residual.hpp"
 #include "numeric/gauss_legendre.hpp"
 #include "numeric/special_functions.hpp"
 #include "stoss/body/body.hpp"
 
-namespace stoss::bodies::half_space {
+namespace stoss::bodies {
 
 /// Calls visit(k, length, weight) for the wave numbers of a quadrature, whose weights are ½ length · weight, of what is
 /// smooth over factors of 2 but for products of two shapes at distances up to the farthest.
@@ -49,4 +49,4 @@ void for_pairs_beyond(const ContactPoints& points, double highest, const Visit& 
   }
 }
 
-}  // namespace stoss::bodies::half_space
+}  // namespace stoss::bodies

@@ -1,4 +1,4 @@
-#include "bodies/half_space/residual.hpp"
+#include "bodies/surface/residual.hpp"
 
 #include <Eigen/Core>
 #include <algorithm>
@@ -8,9 +8,9 @@
 #include <numbers>
 #include <utility>
 
-#include "bodies/half_space/wave_sums.hpp"
+#include "bodies/surface/wave_sums.hpp"
 
-namespace stoss::bodies::half_space {
+namespace stoss::bodies {
 namespace {
 
 using Matrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
@@ -19,7 +19,7 @@ using Eigen::Index;
 /// Σ weight · s sᵀ over rows s of shapes, some rows at a time.
 class ShapeProducts {
  public:
-  ShapeProducts(const Medium& medium, const ContactPoints& points, const Poll& poll)
+  ShapeProducts(const MediumSurface& medium, const ContactPoints& points, const Poll& poll)
       : medium_(medium),
         poll_(poll),
         distance_(points.count),
@@ -39,7 +39,7 @@ class ShapeProducts {
 
   /// Adds ∫ weight(k) s sᵀ dk, for a weight that is smooth over factors of 2.
   template <typename Weight>
-  void add_range(double begin, double end, Weight weight) {
+  void add_range(double begin, double end, const Weight& weight) {
     for_wave_numbers(begin, end, distance_.back(),
                      [&](double k, double length, double share) { add(k, weight(k) * 0.5 * length * share); });
   }
@@ -59,7 +59,7 @@ class ShapeProducts {
     rows_ = 0;
   }
 
-  const Medium& medium_;
+  const MediumSurface& medium_;
   const Poll& poll_;
   std::vector<double> distance_;
   Matrix sum_, shape_, load_;
@@ -68,7 +68,7 @@ class ShapeProducts {
 
 std::vector<double> values(const Matrix& matrix) { return {matrix.data(), matrix.data() + matrix.size()}; }
 
-void resolve_each_pair(const Medium& medium, const ContactPoints& points, double highest, Matrix& sum) {
+void resolve_each_pair(const MediumSurface& medium, const ContactPoints& points, double highest, Matrix& sum) {
   const auto strength = [&](std::size_t i, std::size_t j) {
     const double line = medium.softness / std::numbers::pi;
     if (medium.contour == Contour::cylinder) return line;
@@ -87,33 +87,31 @@ double lateral_distance(const ContactPoints& points, std::size_t i) {
   return points.radius * std::sin(points.angle(i));
 }
 
-Residual::Residual(const Medium& medium, double cutoff, std::shared_ptr<const std::vector<SurfaceWaves>> waves)
-    : medium_(medium),
-      highest_kept_(cutoff / (medium.kernel.rayleigh_root * medium.shear_speed)),
+WaveResidual::WaveResidual(MediumSurface medium, double cutoff, double highest_kept,
+                           std::shared_ptr<const std::vector<SurfaceWaves>> waves)
+    : medium_(std::move(medium)),
+      highest_kept_(highest_kept),
       highest_moment_(8.0 * cutoff),
       waves_(std::move(waves)) {}
 
-std::vector<double> Residual::compliance(const ContactPoints& points, const Poll& poll) const {
+std::vector<double> WaveResidual::compliance(const ContactPoints& points, const Poll& poll) const {
   const double highest = std::numbers::pi / (points.spacing * points.radius);
   ShapeProducts products(medium_, points, poll);
   for (const SurfaceWaves& waves : *waves_) products.add(waves.wave_number, waves.residual_compliance);
-  products.add_range(highest_kept_, highest, [this](double k) { return medium_.compliance(k); });
+  products.add_range(highest_kept_, highest, medium_.compliance);
   Matrix& sum = products.sum();
   resolve_each_pair(medium_, points, highest, sum);
   return values(sum);
 }
 
-std::vector<double> Residual::second_moment(const ContactPoints& points, const Poll& poll) const {
+std::vector<double> WaveResidual::second_moment(const ContactPoints& points, const Poll& poll) const {
   ShapeProducts products(medium_, points, poll);
   for (const SurfaceWaves& waves : *waves_) products.add(waves.wave_number, waves.residual_second_moment);
-  products.add_range(highest_kept_, highest_moment_, [this, moment = medium_.second_moment()](double k) {
-    const double unit = medium_.shear_speed * k;
-    return medium_.compliance(k) * moment / (unit * unit);
-  });
+  products.add_range(highest_kept_, highest_moment_, medium_.second_moment);
   return values(products.sum());
 }
 
-double Residual::stable_step() const {
+double WaveResidual::stable_step() const {
   double smallest = std::numeric_limits<double>::infinity();
   for (const SurfaceWaves& waves : *waves_) {
     double kept = 0.0;
@@ -123,4 +121,4 @@ double Residual::stable_step() const {
   return std::sqrt(smallest);
 }
 
-}  // namespace stoss::bodies::half_space
+}  // namespace stoss::bodies
