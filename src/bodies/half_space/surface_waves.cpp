@@ -11,9 +11,10 @@ namespace {
 
 SurfaceWaves waves_of(const Medium& medium, double wave_number, double weight, double cutoff, double time) {
   const double unit = medium.shear_speed * wave_number;  // ω of x = 1
-  SurfaceWaves waves{wave_number, medium.compliance(wave_number) * weight, {}, {}, 0.0, 0.0};
+  const double whole = medium.compliance(wave_number) * weight;
+  SurfaceWaves waves{wave_number, weight, {}, {}, 0.0, 0.0};
   for (const Spectrum& spectrum : medium.spectra) {
-    const double compliance = waves.compliance * spectrum.share;
+    const double compliance = whole * spectrum.share;
     const auto keep = [&](double x, double share) {
       waves.omega.push_back(std::min(unit * x, cutoff));  // rounding
       waves.strength.push_back(compliance * unit * unit * share);

@@ -1,23 +1,219 @@
+// Plate and strip as bodies: at each wave number the branches of Rayleigh and Lamb are their modes.
 #include "stoss/bodies/plate.hpp"
 
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <string>
+#include <utility>
+
+#include "bodies/half_space/medium.hpp"
+#include "bodies/plate/plate_waves.hpp"
+#include "bodies/sphere/degree_sums.hpp"
+#include "bodies/surface/wave_body.hpp"
+#include "check.hpp"
 #include "stoss/bodies/half_space.hpp"
+#include "stoss/errors.hpp"
 
 namespace stoss {
+namespace {
+
+using namespace bodies;
+using namespace bodies::plate;
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double most_waves = 4e5;
+
+/// A plate or a strip.
+struct Given {
+  Contour contour;
+  std::vector<Layer> layers;  // from the top down
+  double loss_time;
+
+  [[nodiscard]] double speed() const { return std::sqrt(layers.front().young / layers.front().density); }
+
+  /// η in its own unit of time.
+  [[nodiscard]] double own_loss_time() const { return loss_time * speed(); }
+};
+
+Given given_of(const Plate& plate) {
+  Given given{Contour::ball, {{plate.thickness, plate.poisson, plate.young, plate.density}}, plate.loss_time};
+  given.layers.insert(given.layers.end(), plate.below.begin(), plate.below.end());
+  return given;
+}
+
+Given given_of(const Strip& strip) {
+  return {Contour::cylinder, {{strip.thickness, strip.poisson, strip.young, strip.density}}, strip.loss_time};
+}
+
+const char* kind_of(const Given& given) { return given.contour == Contour::ball ? "plate" : "strip"; }
+
+void require_given(const Given& given) {
+  constexpr long most_layers = 64;
+  constexpr Range positive{0.0, std::numeric_limits<double>::max(), false, true, "a positive finite number"};
+  require("layers", static_cast<long>(given.layers.size()), 1, most_layers, "of the plate");
+  for (const Layer& layer : given.layers) {
+    bodies::half_space::require_poisson(given.contour, layer.poisson);
+    const bool below_others = given.layers.size() > 1 && &layer == &given.layers.back();
+    if (!(below_others && layer.thickness == infinity)) {
+      require("thickness", layer.thickness, positive, "of the plate; infinite only of a layer below others");
+    }
+    require("young", layer.young, positive, "Young's modulus of the plate");
+    require("density", layer.density, positive, "of the plate");
+  }
+  require_loss_time(given.own_loss_time());
+}
+
+std::string name_of(const Given& given) {
+  std::string name;
+  for (const Layer& layer : given.layers) {
+    name += name.empty() ? std::string(kind_of(given)) + " thickness=" : " / thickness=";
+    name += std::isinf(layer.thickness) ? "inf" : shown(layer.thickness);
+    name += " poisson=" + shown(layer.poisson);
+    if (layer.young != 1.0) name += " young=" + shown(layer.young);
+    if (layer.density != 1.0) name += " density=" + shown(layer.density);
+  }
+  if (given.loss_time != 0.0) name += " loss_time=" + shown(given.loss_time);
+  return name;
+}
+
+/// In units of c and ρ of the uppermost layer. A layer without end is as thick as needed: no echo from below it is back.
+std::vector<Sheet> sheets_of(const Given& given, double duration) {
+  const Layer& top = given.layers.front();
+  std::vector<Sheet> sheets;
+  for (const Layer& layer : given.layers) {
+    const double young = layer.young / top.young, poisson = layer.poisson;
+    Sheet sheet{layer.thickness, 0.5 * young / (1.0 + poisson), 0.0, layer.density / top.density};
+    sheet.pressure_modulus = given.contour == Contour::ball
+                                 ? young * (1.0 - poisson) / ((1.0 + poisson) * (1.0 - 2.0 * poisson))
+                                 : young / (1.0 - poisson * poisson);
+    if (std::isinf(sheet.thickness)) {
+      sheet.thickness = 0.5 * duration * std::sqrt(sheet.pressure_modulus / sheet.density);
+    }
+    sheets.push_back(sheet);
+  }
+  return sheets;
+}
+
+MediumSurface surface_of(const Lamina& plate, double poisson, bool along) {
+  const Sheet& top = plate.sheets.front();
+  MediumSurface its;
+  its.contour = plate.contour;
+  its.pressure_speed = std::sqrt(top.pressure_modulus / top.density);
+  its.shear_speed = std::sqrt(top.shear_modulus / top.density);
+  const double normal = plate.contour == Contour::ball ? 1.0 - poisson * poisson : 1.0;
+  its.softness = along ? sphere::softness_along(poisson) : normal;
+  its.leaving_speed = along ? its.shear_speed : its.pressure_speed;
+  if (along) {
+    its.compliance = [plate](double k) { return compliance_along(plate, k); };
+    its.second_moment = [plate](double k) { return second_moment_along(plate, k); };
+  } else {
+    its.compliance = [plate](double k) { return plane_compliance(plate, k).radial; };
+    its.second_moment = [plate](double k) { return plane_second_moment(plate, k).radial; };
+  }
+  return its;
+}
+
+/// The modes of a plate, which all that is made of it shares.
+struct Modes {
+  Lamina plate;
+  double poisson;
+  double cutoff;
+  double highest_kept;
+  std::vector<PlaneWaves> waves;
+
+  [[nodiscard]] PlaneSurface surface() const {
+    return {surface_of(plate, poisson, false), highest_kept,
+            [its = plate](double k) { return plane_compliance(its, k); },
+            [its = plate](double k) { return plane_second_moment(its, k); }};
+  }
+};
+
+Body body_along(const Body& like, const Modes& its) {
+  Body body = like;
+  const MediumSurface surface = surface_of(its.plate, its.poisson, true);
+  body.softness = surface.softness;
+  set_waves(surface, waves_along(its.waves, its.plate, its.cutoff), its.highest_kept, body);
+  return body;
+}
+
+/// Whether waves are not back from the other face of a plate of one material before a contact ends.
+bool is_thick(const Given& given, double duration) {
+  const Layer& its = given.layers.front();
+  const double speed = bodies::half_space::medium(given.contour, its.poisson).pressure_speed;
+  return given.layers.size() == 1 && 2.0 * its.thickness >= speed * duration;
+}
+
+/// As such a plate it is a half-space.
+Body without_end(const Given& given, double cutoff, double duration, const Poll& poll) {
+  const Layer& its = given.layers.front();
+  return given.contour == Contour::ball
+             ? stoss::half_space({its.poisson, its.young, its.density, given.loss_time}, cutoff, duration, poll)
+             : stoss::half_plane({its.poisson, its.young, its.density, given.loss_time}, cutoff, duration, poll);
+}
+
+Body of_branches(const Given& given, double cutoff, double duration, const Poll& poll) {
+  const Lamina plate = lamina(given.contour, sheets_of(given, duration));
+  const double loss_time = given.own_loss_time(), highest = kept_cutoff(cutoff, loss_time);
+  const double most = cutoff_of_count(plate, most_waves, duration);
+  if (highest > most) {
+    throw InvalidInput("cutoff: got " + shown(cutoff) + " of a " + kind_of(given) + " for contacts of " +
+                       shown(duration) + " in its own time, allowed a smaller product (more waves than are computed)");
+  }
+  const double poisson = given.layers.front().poisson;
+  const auto modes = std::make_shared<const Modes>(
+      Modes{plate, poisson, highest, highest_kept(plate, highest), plane_waves(plate, highest, duration, poll)});
+  const MediumSurface surface = surface_of(plate, poisson, false);
+  Body body = unbounded_body(surface, cutoff, loss_time, duration);
+  body.scale = {1.0, given.speed(), given.layers.front().density};
+  body.highest_cutoff = loss_time * most > 1.0 ? infinity : most;
+  if (given.contour == Contour::cylinder) {
+    body.along = [like = body, modes](const Poll&) {
+      return plane_bodies(like, modes->surface(), modes->waves, {Parity::normal_even, Parity::along_even});
+    };
+  } else {
+    body.along = [like = body, modes](const Poll&) { return std::vector<Body>{body_along(like, *modes)}; };
+    body.outward = [like = body, modes](const Poll&) {
+      return plane_bodies(like, modes->surface(), modes->waves, {Parity::normal_even}).front();
+    };
+  }
+  set_waves(surface, normal_waves(modes->waves), modes->highest_kept, body);
+  return body;
+}
+
+Body made(const Given& given, double cutoff, double duration, const Poll& poll) {
+  require_given(given);
+  constexpr Range positive{0.0, std::numeric_limits<double>::max(), false, true, "a positive finite number"};
+  require("cutoff", cutoff, positive, "highest frequency of the plate");
+  require("duration", duration, positive, "longest contact with the plate");
+  Body body = is_thick(given, duration) ? without_end(given, cutoff, duration, poll)
+                                        : of_branches(given, cutoff, duration, poll);
+  body.name = name_of(given);
+  body.near_side = [given](double longest, double limit, const Poll& heed) {
+    return made(given, limit, longest, heed);
+  };
+  return body;
+}
+
+BodyMaker maker(const Given& given) {
+  require_given(given);
+  constexpr double usual_duration = 10.0;  // of a fast impact
+  return [given](double cutoff, const Poll& poll) { return made(given, cutoff, usual_duration, poll); };
+}
+
+}  // namespace
 
 Body plate(const Plate& plate, double cutoff, double duration, const Poll& poll) {
-  return half_space({plate.poisson, plate.young, plate.density, plate.loss_time}, cutoff, duration, poll);
+  return made(given_of(plate), cutoff, duration, poll);
 }
 
 Body strip(const Strip& strip, double cutoff, double duration, const Poll& poll) {
-  return half_plane({strip.poisson, strip.young, strip.density, strip.loss_time}, cutoff, duration, poll);
+  return made(given_of(strip), cutoff, duration, poll);
 }
 
-BodyMaker plate(const Plate& plate) {
-  return half_space(HalfSpace{plate.poisson, plate.young, plate.density, plate.loss_time});
-}
+BodyMaker plate(const Plate& plate) { return maker(given_of(plate)); }
 
-BodyMaker strip(const Strip& strip) {
-  return half_plane(HalfPlane{strip.poisson, strip.young, strip.density, strip.loss_time});
-}
+BodyMaker strip(const Strip& strip) { return maker(given_of(strip)); }
 
 }  // namespace stoss

@@ -10,7 +10,7 @@ namespace stoss::bodies {
 /// one by one, the others by what they add to slow responses.
 struct SurfaceWaves {
   double wave_number;             ///< k
-  double compliance;              ///< of all together, static: that per dk, times the weight of k
+  double weight;                  ///< dk
   std::vector<double> omega;      ///< of the kept ones
   std::vector<double> strength;   ///< ω² times the share of each in the compliance
   double residual_compliance;     ///< Σ strength/ω² over those that are not kept
@@ -21,6 +21,7 @@ struct SurfaceWaves {
 /// along itself as sin ky, on rings as J₀(kr) and J₁(kr).
 struct PlaneWaves {
   double wave_number;                  ///< k
+  double weight;                       ///< dk
   std::vector<double> omega;           ///< of the kept ones
   std::vector<double> normal, along;   ///< amplitudes of both directions
   Flexibility residual_compliance;     ///< Σ (normal, along)(normal, along)ᵀ/ω² of those that are not kept

@@ -48,7 +48,7 @@ PlaneWaves waves_along_plane(const Medium& medium, const Kinds& kinds, const Wav
   const LambKernel& kernel = medium.kernel;
   const double unit = medium.shear_speed * number.k;  // ω of x = 1
   const double compliance = medium.compliance(number.k) * number.weight, end = cutoff / unit;
-  PlaneWaves waves{number.k, {}, {}, {}, {}, {}};
+  PlaneWaves waves{number.k, number.weight, {}, {}, {}, {}, {}};
   const auto keep = [&](double x, double normal, double along) {
     const double scale = std::sqrt(compliance) * unit;
     waves.omega.push_back(std::min(unit * x, cutoff));  // rounding

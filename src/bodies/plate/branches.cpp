@@ -1,0 +1,210 @@
+#include "bodies/plate/branches.hpp"
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <boost/math/tools/toms748_solve.hpp>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <numbers>
+
+#include "bodies/plate/slab.hpp"
+
+namespace stoss::bodies::plate {
+namespace {
+
+/// All layers, from the lower face up.
+template <int N, typename T>
+Face<T, N> stack(const Sheets& sheets, double k, T z) {
+  Face<T, N> face{Eigen::Matrix<T, N, N>::Zero(), 0};
+  for (std::size_t i = sheets.all.size(); i-- > 0;) {
+    face = with_layer<N, T>(sheets.all[i], k, z, [&](const auto& slab) {
+      if (i + 1 < sheets.all.size() || sheets.floor == Floor::free) return stacked(face, slab);
+      if (sheets.floor == Floor::antisymmetric) return held_below(slab, 0);
+      return N == 1 ? stacked(face, slab) : held_below(slab, N - 1);
+    });
+  }
+  return face;
+}
+
+/// Of a matrix of pairs a + bε.
+template <int N, int Square>
+Eigen::Matrix<double, N, N> first(const Eigen::Matrix<PairNumber<Square>, N, N>& matrix) {
+  return matrix.unaryExpr([](const PairNumber<Square>& x) { return x.a; });
+}
+
+template <int N, int Square>
+Eigen::Matrix<double, N, N> second(const Eigen::Matrix<PairNumber<Square>, N, N>& matrix) {
+  return matrix.unaryExpr([](const PairNumber<Square>& x) { return x.b; });
+}
+
+/// Points of a circle, of which those on its lower half are the mirror image.
+template <typename Visit>
+void for_circle(double radius, int places, const Visit& visit) {
+  for (int n = 0; n < places; ++n) {
+    const double angle = std::numbers::pi * (n + 0.5) / places;
+    visit(Complex{radius * std::cos(angle), radius * std::sin(angle)});
+  }
+}
+
+template <int N>
+class Search {
+ public:
+  using Vector = typename Branches<N>::Vector;
+  using Matrix = typename Branches<N>::Matrix;
+
+  Search(const Sheets& sheets, double wave_number) : sheets_(sheets), k_(wave_number) {}
+
+  Branches<N> below(double cutoff, const std::vector<double>& guess) {
+    Probe low{0.0, 0, 0};
+    for (std::size_t i = 0; i <= guess.size(); ++i) {
+      const bool last = i == guess.size();
+      const double next = last || i + 1 == guess.size() ? cutoff : 0.5 * (guess[i] + guess[i + 1]);
+      if (!last && !(next > low.omega && next < cutoff)) continue;
+      const Probe high = probe(last ? cutoff : next);
+      isolate(low, high);
+      low = high;
+    }
+    add_others(cutoff);
+    return std::move(found_);
+  }
+
+ private:
+  /// Numbers of modes below a frequency: all of them, and those of the plate with its upper face held.
+  struct Probe {
+    double omega;
+    int modes, held;
+  };
+
+  [[nodiscard]] Probe probe(double omega) const {
+    const auto all = stack<N>(sheets_, k_, omega * omega);
+    return {omega, all.held + negative(all.stiffness), all.held};
+  }
+
+  void isolate(const Probe& low, const Probe& high) {
+    constexpr double apart = 1e-8;  // of modes that can be told from each other
+    const int modes = high.modes - low.modes;
+    if (modes <= 0) return;
+    const double middle = 0.5 * (low.omega + high.omega);
+    if (modes == 1 && low.held == high.held) return add_one(low.omega, high.omega);
+    if (high.omega - low.omega < apart * high.omega) return add_cluster(middle, modes);
+    const Probe between = probe(middle);
+    isolate(low, between);
+    isolate(between, high);
+  }
+
+  [[nodiscard]] double determinant(double omega) const {
+    return stack<N>(sheets_, k_, omega * omega).stiffness.determinant();
+  }
+
+  void add_one(double low, double high) {
+    constexpr int bits = 51;
+    std::uintmax_t most = 100;
+    const auto [from, to] = boost::math::tools::toms748_solve([this](double omega) { return determinant(omega); }, low,
+                                                              high, boost::math::tools::eps_tolerance<double>(bits), most);
+    double z = 0.25 * (from + to) * (from + to);
+    const auto at = stack<N>(sheets_, k_, Differentiable{z, 1.0}).stiffness;
+    const Differentiable determinant = at.determinant();
+    const double slope = determinant.b;
+    z -= determinant.a / slope;
+    const Matrix stiffness = first<N>(at);
+    Vector amplitude;
+    if constexpr (N == 1) {
+      amplitude(0) = std::sqrt(-1.0 / slope);
+    } else {
+      // The residue −adj(Q)/det′ is φφᵀ.
+      const double across = stiffness(1, 1) / -slope, depth = stiffness(0, 0) / -slope;
+      amplitude = {std::sqrt(std::max(across, 0.0)), std::sqrt(std::max(depth, 0.0))};
+      if (stiffness(0, 1) / slope < 0.0) amplitude(0) = -amplitude(0);
+    }
+    found_.omega.push_back(std::clamp(std::sqrt(z), low, high));
+    found_.amplitude.push_back(amplitude);
+  }
+
+  /// Modes that are too close to each other to be told apart: those of the sum of their φφᵀ.
+  void add_cluster(double omega, int modes) {
+    constexpr int places = 6;
+    // Nearer than other modes, and farther than these are from each other.
+    const auto alone = [&](double away) { return probe(omega * (1.0 + away)).modes - probe(omega * (1.0 - away)).modes; };
+    double away = 1e-4;
+    while (away > 1e-7 && alone(3.0 * away) > modes) away *= 0.2;
+    const double center = omega * omega;
+    Matrix strength = Matrix::Zero();
+    for_circle(away * center, places, [&](const Complex& from) {
+      const Eigen::Matrix<Complex, N, N> response = stack<N>(sheets_, k_, center + from).stiffness.inverse();
+      strength -= first<N, -1>(from * response) / places;
+    });
+    const Eigen::SelfAdjointEigenSolver<Matrix> parts(strength);
+    for (int i = 0; i < std::min(modes, N); ++i) {
+      const Eigen::Index n = N - 1 - i;
+      found_.omega.push_back(omega);
+      found_.amplitude.push_back(std::sqrt(std::max(parts.eigenvalues()(n), 0.0)) * parts.eigenvectors().col(n));
+    }
+  }
+
+  void add_others(double cutoff) {
+    found_.compliance = found_.second_moment = Matrix::Zero();
+    if (found_.omega.empty()) {
+      found_.compliance = static_compliance<N>(sheets_, k_);
+      found_.second_moment = static_second_moment<N>(sheets_, k_);
+      return;
+    }
+    constexpr int places = 10;
+    constexpr double share = 0.2;  // of the radius, in that of the next singularity at least
+    // Where no mode is near above the cutoff: on a wide circle, where those that are kept hardly matter.
+    const auto modes = static_cast<int>(found_.omega.size());
+    while (probe(2.0 * cutoff).modes == modes) cutoff *= 2.0;
+    for_circle(share * cutoff * cutoff, places, [&](const Complex& z) {
+      Eigen::Matrix<Complex, N, N> response = stack<N>(sheets_, k_, z).stiffness.inverse();
+      for (std::size_t m = 0; m < found_.omega.size(); ++m) {
+        const Vector& amplitude = found_.amplitude[m];
+        const Complex over = 1.0 / (found_.omega[m] * found_.omega[m] - z);
+        for (int i = 0; i < N; ++i) {
+          for (int j = 0; j < N; ++j) response(i, j) -= amplitude(i) * amplitude(j) * over;
+        }
+      }
+      found_.compliance += first<N, -1>(response) / places;
+      found_.second_moment += first<N, -1>((1.0 / z) * response) / places;
+    });
+  }
+
+  const Sheets& sheets_;
+  double k_;
+  Branches<N> found_;
+};
+
+}  // namespace
+
+template <int N>
+Branches<N> branches(const Sheets& sheets, double wave_number, double cutoff, const std::vector<double>& guess) {
+  return Search<N>(sheets, wave_number).below(cutoff, guess);
+}
+
+template <int N>
+int count_below(const Sheets& sheets, double wave_number, double omega) {
+  const auto all = stack<N>(sheets, wave_number, omega * omega);
+  return all.held + negative(all.stiffness);
+}
+
+template <int N>
+Eigen::Matrix<double, N, N> static_compliance(const Sheets& sheets, double wave_number) {
+  return stack<N>(sheets, wave_number, 0.0).stiffness.inverse();
+}
+
+template <int N>
+Eigen::Matrix<double, N, N> static_second_moment(const Sheets& sheets, double wave_number) {
+  const Eigen::Matrix<Differentiable, N, N> response =
+      stack<N>(sheets, wave_number, Differentiable{0.0, 1.0}).stiffness.inverse();
+  return second<N>(response);
+}
+
+template Branches<1> branches<1>(const Sheets&, double, double, const std::vector<double>&);
+template Branches<2> branches<2>(const Sheets&, double, double, const std::vector<double>&);
+template int count_below<1>(const Sheets&, double, double);
+template int count_below<2>(const Sheets&, double, double);
+template Eigen::Matrix<double, 1, 1> static_compliance<1>(const Sheets&, double);
+template Eigen::Matrix<double, 2, 2> static_compliance<2>(const Sheets&, double);
+template Eigen::Matrix<double, 1, 1> static_second_moment<1>(const Sheets&, double);
+template Eigen::Matrix<double, 2, 2> static_second_moment<2>(const Sheets&, double);
+
+}  // namespace stoss::bodies::plate

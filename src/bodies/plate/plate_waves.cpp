@@ -1,0 +1,202 @@
+#include "bodies/plate/plate_waves.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <numbers>
+#include <utility>
+
+#include "bodies/plate/branches.hpp"
+#include "numeric/gauss_legendre.hpp"
+
+namespace stoss::bodies::plate {
+namespace {
+
+constexpr double share_of_duration = 0.9;  // for which the quadratures hold
+
+/// Frequencies of the modes at the wave number before, each family by itself: near those of the next one.
+using Guesses = std::vector<std::vector<double>>;
+
+/// Along k it is the motion towards −k that goes with motion into the depth (PlaneWaves).
+Flexibility flexibility(const Eigen::Matrix2d& response, double weight) {
+  return {weight * response(1, 1), -weight * response(0, 1), weight * response(0, 0)};
+}
+
+void add(const Flexibility& more, Flexibility& sum) {
+  sum.radial += more.radial;
+  sum.mixed += more.mixed;
+  sum.tangential += more.tangential;
+}
+
+PlaneWaves waves_of(const Lamina& plate, const WaveNumber& number, double cutoff, Guesses& guesses) {
+  const double weight = plate.weight(number.k) * number.weight;
+  PlaneWaves waves{number.k, number.weight, {}, {}, {}, {}, {}};
+  const std::vector<Sheets>& parts = plate.parts(number.k);
+  guesses.resize(parts.size());
+  for (std::size_t part = 0; part < parts.size(); ++part) {
+    const Sheets& sheets = parts[part];
+    const Branches<2> its = branches<2>(sheets, number.k, cutoff, guesses[part]);
+    const double share = weight * sheets.share, scale = std::sqrt(share);
+    for (std::size_t m = 0; m < its.omega.size(); ++m) {
+      waves.omega.push_back(its.omega[m]);
+      waves.normal.push_back(scale * its.amplitude[m](1));
+      waves.along.push_back(-scale * its.amplitude[m](0));
+    }
+    add(flexibility(its.compliance, share), waves.residual_compliance);
+    add(flexibility(its.second_moment, share), waves.residual_second_moment);
+    guesses[part] = its.omega;
+  }
+  return waves;
+}
+
+template <typename Response>
+Flexibility sum_over_parts(const Lamina& plate, double k, const Response& response) {
+  Flexibility sum;
+  for (const Sheets& part : plate.parts(k)) add(flexibility(response(part, k), plate.weight(k) * part.share), sum);
+  return sum;
+}
+
+/// Of waves polarised along the surface.
+template <typename Response>
+double sum_across(const Lamina& plate, double k, const Response& response) {
+  double sum = 0.0;
+  for (const Sheets& part : plate.parts(k)) sum += plate.weight(k) * part.share * response(part, k)(0, 0);
+  return sum;
+}
+
+bool has_modes(const Lamina& plate, double k, double cutoff) {
+  const std::vector<Sheets>& parts = plate.parts(k);
+  return std::any_of(parts.begin(), parts.end(), [&](const Sheets& part) {
+    return count_below<2>(part, k, cutoff) > 0 || count_below<1>(part, k, cutoff) > 0;
+  });
+}
+
+}  // namespace
+
+double Lamina::weight(double wave_number) const {
+  return contour == Contour::ball ? 0.5 * wave_number / std::numbers::pi : 1.0 / std::numbers::pi;
+}
+
+Lamina lamina(Contour contour, std::vector<Sheet> sheets) {
+  Lamina plate{};
+  plate.contour = contour;
+  plate.whole = {{sheets}};
+  plate.halves = parts_of(sheets);
+  plate.sheets = std::move(sheets);
+  for (const Sheet& sheet : plate.sheets) {
+    plate.thickness += sheet.thickness;
+    plate.pressure_speed = std::max(plate.pressure_speed, std::sqrt(sheet.pressure_modulus / sheet.density));
+    plate.shear_speed = std::max(plate.shear_speed, std::sqrt(sheet.shear_modulus / sheet.density));
+  }
+  return plate;
+}
+
+double highest_kept(const Lamina& plate, double cutoff) {
+  double high = cutoff / plate.shear_speed;
+  while (has_modes(plate, high, cutoff)) high *= 2.0;
+  double low = 0.5 * high;
+  constexpr double close = 1e-9;
+  while (high - low > close * high) {
+    const double middle = 0.5 * (low + high);
+    (has_modes(plate, middle, cutoff) ? low : high) = middle;
+  }
+  return high;
+}
+
+std::vector<WaveNumber> wave_numbers(const Lamina& plate, double cutoff, double duration) {
+  constexpr double surplus = 1.1, more = 8.0;
+  const double time = share_of_duration * duration;
+  // Where modes slower than the shear waves are all that is kept, they carry energy no faster than these.
+  const std::array end{0.0, cutoff / plate.pressure_speed, cutoff / plate.shear_speed, highest_kept(plate, cutoff)};
+  const std::array speed{plate.pressure_speed, plate.shear_speed, plate.shear_speed};
+  std::vector<WaveNumber> all;
+  for (std::size_t p = 0; p < speed.size(); ++p) {
+    const double middle = 0.5 * (end[p] + end[p + 1]), half = 0.5 * (end[p + 1] - end[p]);
+    const double phase = surplus * 2.0 * half * speed[p] * time;
+    const auto& rule = numeric::gauss_legendre(static_cast<int>(std::ceil(0.25 * phase + more)));
+    for (std::size_t i = 0; i < rule.node.size(); ++i) {
+      all.push_back({middle + half * rule.node[i], half * rule.weight[i]});
+    }
+  }
+  return all;
+}
+
+std::vector<PlaneWaves> plane_waves(const Lamina& plate, double cutoff, double duration, const Poll& poll) {
+  Guesses guesses;
+  std::vector<PlaneWaves> all;
+  for (const WaveNumber& number : wave_numbers(plate, cutoff, duration)) {
+    if (poll) poll();
+    all.push_back(waves_of(plate, number, cutoff, guesses));
+  }
+  return all;
+}
+
+std::vector<SurfaceWaves> normal_waves(const std::vector<PlaneWaves>& waves) {
+  std::vector<SurfaceWaves> all;
+  for (const PlaneWaves& from : waves) {
+    SurfaceWaves normal{from.wave_number, from.weight, from.omega, {}, from.residual_compliance.radial,
+                        from.residual_second_moment.radial};
+    for (const double amplitude : from.normal) normal.strength.push_back(amplitude * amplitude);
+    all.push_back(std::move(normal));
+  }
+  return all;
+}
+
+std::vector<SurfaceWaves> waves_along(const std::vector<PlaneWaves>& waves, const Lamina& plate, double cutoff) {
+  constexpr double half = 0.5;
+  Guesses guesses;
+  std::vector<SurfaceWaves> all;
+  for (const PlaneWaves& from : waves) {
+    SurfaceWaves along{from.wave_number, from.weight, from.omega, {}, half * from.residual_compliance.tangential,
+                       half * from.residual_second_moment.tangential};
+    for (const double amplitude : from.along) along.strength.push_back(half * amplitude * amplitude);
+    const std::vector<Sheets>& parts = plate.parts(from.wave_number);
+    guesses.resize(parts.size());
+    for (std::size_t part = 0; part < parts.size(); ++part) {
+      const Branches<1> across = branches<1>(parts[part], from.wave_number, cutoff, guesses[part]);
+      const double share = half * from.weight * plate.weight(from.wave_number) * parts[part].share;
+      for (std::size_t m = 0; m < across.omega.size(); ++m) {
+        along.omega.push_back(across.omega[m]);
+        along.strength.push_back(share * across.amplitude[m](0) * across.amplitude[m](0));
+      }
+      along.residual_compliance += share * across.compliance(0, 0);
+      along.residual_second_moment += share * across.second_moment(0, 0);
+      guesses[part] = across.omega;
+    }
+    all.push_back(std::move(along));
+  }
+  return all;
+}
+
+Flexibility plane_compliance(const Lamina& plate, double wave_number) {
+  return sum_over_parts(plate, wave_number, static_compliance<2>);
+}
+
+Flexibility plane_second_moment(const Lamina& plate, double wave_number) {
+  return sum_over_parts(plate, wave_number, static_second_moment<2>);
+}
+
+double compliance_along(const Lamina& plate, double wave_number) {
+  return 0.5 * (plane_compliance(plate, wave_number).tangential +
+                sum_across(plate, wave_number, static_compliance<1>));
+}
+
+double second_moment_along(const Lamina& plate, double wave_number) {
+  return 0.5 * (plane_second_moment(plate, wave_number).tangential +
+                sum_across(plate, wave_number, static_second_moment<1>));
+}
+
+double cutoff_of_count(const Lamina& plate, double count, double duration) {
+  // count = (a ω + b)(c ω + d): wave numbers, and modes of each.
+  double modes = 0.0;
+  for (const Sheet& sheet : plate.sheets) {
+    modes += sheet.thickness / std::numbers::pi *
+             (std::sqrt(sheet.density / sheet.pressure_modulus) + std::sqrt(sheet.density / sheet.shear_modulus));
+  }
+  const double a = 0.6 * share_of_duration * duration, b = 24.0, c = 0.6 * modes, d = 2.0;
+  const double half = 0.5 * (a * d + b * c);
+  return (std::sqrt(half * half + a * c * std::max(0.0, count - b * d)) - half) / (a * c);
+}
+
+}  // namespace stoss::bodies::plate
