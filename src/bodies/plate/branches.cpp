@@ -18,7 +18,7 @@ template <int N, typename T>
 Face<T, N> stack(const Sheets& sheets, double k, T z) {
   Face<T, N> face{Eigen::Matrix<T, N, N>::Zero(), 0};
   for (std::size_t i = sheets.all.size(); i-- > 0;) {
-    face = with_layer<N, T>(sheets.all[i], k, z, [&](const auto& slab) {
+    face = layer_face<N, T>(sheets.all[i], k, z, [&](const auto& slab) {
       if (i + 1 < sheets.all.size() || sheets.floor == Floor::free) return stacked(face, slab);
       if (sheets.floor == Floor::antisymmetric) return held_below(slab, 0);
       return N == 1 ? stacked(face, slab) : held_below(slab, N - 1);

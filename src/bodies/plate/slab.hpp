@@ -184,20 +184,26 @@ template <typename T, int N>
   return slab;
 }
 
-/// Calls visit with a whole layer, a thin or a thick slab: a very thin one, doubled.
-template <int N, typename T, typename Visit>
-[[nodiscard]] Face<T, N> with_layer(const Sheet& sheet, double k, T z, const Visit& visit) {
+/// The face of a whole layer: a very thin slab, doubled until it is thick, and at the end one of which it is no multiple.
+/// Slabs of h/2, h/4 … would have vibrations of their own where the layer has some, and these would lose digits.
+/// @param on what a slab, thin or thick, makes of the face below the layer
+template <int N, typename T, typename On>
+[[nodiscard]] Face<T, N> layer_face(const Sheet& sheet, double k, T z, const On& on) {
   constexpr double thinnest = 0.03;  // phase across the first slab
   constexpr int thin_doublings = 5;  // up to a phase of 1, at which it has no vibration, whatever of it is held
+  constexpr int thin_slabs = 1 << thin_doublings;
   const double square = magnitude(z) * sheet.density / sheet.shear_modulus;
-  const double phase = sheet.thickness * std::max(k, std::sqrt(square));
-  const int doublings = phase > thinnest ? static_cast<int>(std::ceil(std::log2(phase / thinnest))) : 0;
-  ThinSlab<T, N> thin = series<T, N>(equations<N, T>(sheet, k, z), std::ldexp(sheet.thickness, -doublings));
+  const double slabs = sheet.thickness * std::max(k, std::sqrt(square)) / thinnest;
+  const bool is_thin = slabs <= thin_slabs;
+  const double more = is_thin ? 1.0 : std::max(slabs - thin_slabs, 1.0 * thin_slabs);
+  const int doublings = slabs <= 1.0 ? 0 : static_cast<int>(std::ceil(std::log2(is_thin ? slabs : more)));
+  const double count = std::ldexp(1.0, doublings) + (is_thin ? 0 : thin_slabs);
+  ThinSlab<T, N> thin = series<T, N>(equations<N, T>(sheet, k, z), sheet.thickness / count);
   for (int n = 0; n < std::min(doublings, thin_doublings); ++n) thin = doubled(thin);
-  if (doublings <= thin_doublings) return visit(thin);
+  if (is_thin) return on(thin);
   ThickSlab<T, N> all = thick(thin);
   for (int n = thin_doublings; n < doublings; ++n) all = doubled(all);
-  return visit(all);
+  return stacked(on(all), thin);
 }
 
 }  // namespace stoss::bodies::plate
