@@ -53,13 +53,14 @@ class Search {
   using Vector = typename Branches<N>::Vector;
   using Matrix = typename Branches<N>::Matrix;
 
-  Search(const Sheets& sheets, double wave_number) : sheets_(sheets), k_(wave_number) {}
+  Search(const Sheets& sheets, double wave_number, const std::vector<double>& guess)
+      : sheets_(sheets), k_(wave_number), guess_(guess) {}
 
-  Branches<N> below(double cutoff, const std::vector<double>& guess) {
+  Branches<N> below(double cutoff) {
     Probe low{0.0, 0, 0};
-    for (std::size_t i = 0; i <= guess.size(); ++i) {
-      const bool last = i == guess.size();
-      const double next = last || i + 1 == guess.size() ? cutoff : 0.5 * (guess[i] + guess[i + 1]);
+    for (std::size_t i = 0; i <= guess_.size(); ++i) {
+      const bool last = i == guess_.size();
+      const double next = last || i + 1 == guess_.size() ? cutoff : 0.5 * (guess_[i] + guess_[i + 1]);
       if (!last && !(next > low.omega && next < cutoff)) continue;
       const Probe high = probe(last ? cutoff : next);
       isolate(low, high);
@@ -86,38 +87,58 @@ class Search {
     const int modes = high.modes - low.modes;
     if (modes <= 0) return;
     const double middle = 0.5 * (low.omega + high.omega);
-    if (modes == 1 && low.held == high.held) return add_one(low.omega, high.omega);
+    if (modes == 1 && low.held == high.held) return add_one(low, high);
     if (high.omega - low.omega < apart * high.omega) return add_cluster(middle, modes);
     const Probe between = probe(middle);
     isolate(low, between);
     isolate(between, high);
   }
 
-  [[nodiscard]] double determinant(double omega) const {
-    return stack<N>(sheets_, k_, omega * omega).stiffness.determinant();
+  /// The face with its derivative by z, at a root of its determinant between two frequencies.
+  [[nodiscard]] Eigen::Matrix<Differentiable, N, N> at_root(const Probe& low, const Probe& high, double& z) const {
+    const auto at = [this](double here) { return stack<N>(sheets_, k_, Differentiable{here, 1.0}).stiffness; };
+    const auto inside = [&](double here) { return here > low.omega * low.omega && here < high.omega * high.omega; };
+    const auto number = static_cast<std::size_t>(low.modes);
+    const double guess = number < guess_.size() ? guess_[number] : 0.5 * (low.omega + high.omega);
+    z = guess * guess;
+    constexpr int most = 8;
+    constexpr double close = 1e-10;  // the step from there ends at rounding
+    for (int n = 0; n < most && inside(z); ++n) {
+      const auto face = at(z);
+      const Differentiable determinant = face.determinant();
+      const double step = determinant.a / determinant.b;
+      z -= step;
+      if (std::abs(step) < close * z && inside(z)) return face;
+    }
+    constexpr int bits = 51;
+    std::uintmax_t evaluations = 100;
+    const auto determinant = [this](double omega) {
+      return stack<N>(sheets_, k_, omega * omega).stiffness.determinant();
+    };
+    const auto [from, to] = boost::math::tools::toms748_solve(
+        determinant, low.omega, high.omega, boost::math::tools::eps_tolerance<double>(bits), evaluations);
+    z = 0.25 * (from + to) * (from + to);
+    const auto face = at(z);
+    const Differentiable left = face.determinant();
+    z -= left.a / left.b;
+    return face;
   }
 
-  void add_one(double low, double high) {
-    constexpr int bits = 51;
-    std::uintmax_t most = 100;
-    const auto [from, to] = boost::math::tools::toms748_solve([this](double omega) { return determinant(omega); }, low,
-                                                              high, boost::math::tools::eps_tolerance<double>(bits), most);
-    double z = 0.25 * (from + to) * (from + to);
-    const auto at = stack<N>(sheets_, k_, Differentiable{z, 1.0}).stiffness;
-    const Differentiable determinant = at.determinant();
-    const double slope = determinant.b;
-    z -= determinant.a / slope;
-    const Matrix stiffness = first<N>(at);
+  void add_one(const Probe& low, const Probe& high) {
+    double z = 0.0;
+    const auto face = at_root(low, high, z);
+    const double slope = Differentiable(face.determinant()).b;
+    const Matrix stiffness = first<N>(face);
     Vector amplitude;
     if constexpr (N == 1) {
-      amplitude(0) = std::sqrt(-1.0 / slope);
+      amplitude(0) = std::sqrt(std::max(-1.0 / slope, 0.0));
     } else {
       // The residue −adj(Q)/det′ is φφᵀ.
       const double across = stiffness(1, 1) / -slope, depth = stiffness(0, 0) / -slope;
       amplitude = {std::sqrt(std::max(across, 0.0)), std::sqrt(std::max(depth, 0.0))};
       if (stiffness(0, 1) / slope < 0.0) amplitude(0) = -amplitude(0);
     }
-    found_.omega.push_back(std::clamp(std::sqrt(z), low, high));
+    found_.omega.push_back(std::clamp(std::sqrt(std::max(z, 0.0)), low.omega, high.omega));
     found_.amplitude.push_back(amplitude);
   }
 
@@ -125,7 +146,9 @@ class Search {
   void add_cluster(double omega, int modes) {
     constexpr int places = 6;
     // Nearer than other modes, and farther than these are from each other.
-    const auto alone = [&](double away) { return probe(omega * (1.0 + away)).modes - probe(omega * (1.0 - away)).modes; };
+    const auto alone = [&](double away) {
+      return probe(omega * (1.0 + away)).modes - probe(omega * (1.0 - away)).modes;
+    };
     double away = 1e-4;
     while (away > 1e-7 && alone(3.0 * away) > modes) away *= 0.2;
     const double center = omega * omega;
@@ -149,8 +172,8 @@ class Search {
       found_.second_moment = static_second_moment<N>(sheets_, k_);
       return;
     }
-    constexpr int places = 10;
-    constexpr double share = 0.2;  // of the radius, in that of the next singularity at least
+    constexpr int places = 8;
+    constexpr double share = 0.15;  // of the radius, in that of the next singularity at least
     // Where no mode is near above the cutoff: on a wide circle, where those that are kept hardly matter.
     const auto modes = static_cast<int>(found_.omega.size());
     while (probe(2.0 * cutoff).modes == modes) cutoff *= 2.0;
@@ -170,6 +193,7 @@ class Search {
 
   const Sheets& sheets_;
   double k_;
+  const std::vector<double>& guess_;
   Branches<N> found_;
 };
 
@@ -177,7 +201,7 @@ class Search {
 
 template <int N>
 Branches<N> branches(const Sheets& sheets, double wave_number, double cutoff, const std::vector<double>& guess) {
-  return Search<N>(sheets, wave_number).below(cutoff, guess);
+  return Search<N>(sheets, wave_number, guess).below(cutoff);
 }
 
 template <int N>

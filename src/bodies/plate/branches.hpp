@@ -16,10 +16,10 @@ template <int N>
 struct Branches {
   using Vector = Eigen::Matrix<double, N, 1>;
   using Matrix = Eigen::Matrix<double, N, N>;
-  std::vector<double> omega;       ///< of the modes below the cutoff, rising
-  std::vector<Vector> amplitude;   ///< φ: per root of mass per area
-  Matrix compliance;               ///< Σ φφᵀ/ω² of the modes above it
-  Matrix second_moment;            ///< Σ φφᵀ/ω⁴ of these
+  std::vector<double> omega;      ///< of the modes below the cutoff, rising
+  std::vector<Vector> amplitude;  ///< φ: per root of mass per area
+  Matrix compliance;              ///< Σ φφᵀ/ω² of the modes above it
+  Matrix second_moment;           ///< Σ φφᵀ/ω⁴ of these
 };
 
 /// Finds them.

@@ -78,7 +78,8 @@ std::string name_of(const Given& given) {
   return name;
 }
 
-/// In units of c and ρ of the uppermost layer. A layer without end is as thick as needed: no echo from below it is back.
+/// In units of c and ρ of the uppermost layer. A layer without end is as thick as needed: no echo from below it is
+/// back.
 std::vector<Sheet> sheets_of(const Given& given, double duration) {
   const Layer& top = given.layers.front();
   std::vector<Sheet> sheets;

@@ -15,8 +15,41 @@ namespace {
 
 constexpr double share_of_duration = 0.9;  // for which the quadratures hold
 
-/// Frequencies of the modes at the wave number before, each family by itself: near those of the next one.
-using Guesses = std::vector<std::vector<double>>;
+/// Frequencies of modes at the last wave numbers, as far as they tell those at the next.
+class Track {
+ public:
+  /// Those of the parabolas through the last three.
+  [[nodiscard]] std::vector<double> ahead(double k) const {
+    std::vector<double> guess = past_.empty() ? std::vector<double>{} : past_.back().omega;
+    for (const Past& each : past_) guess.resize(std::min(guess.size(), each.omega.size()));
+    for (double& omega : guess) omega = 0.0;
+    for (const Past& each : past_) {
+      double weight = 1.0;
+      for (const Past& other : past_) {
+        if (other.k != each.k) weight *= (k - other.k) / (each.k - other.k);
+      }
+      for (std::size_t m = 0; m < guess.size(); ++m) guess[m] += weight * each.omega[m];
+    }
+    std::sort(guess.begin(), guess.end());
+    return guess;
+  }
+
+  void add(double k, const std::vector<double>& omega) {
+    constexpr std::size_t most = 3;
+    past_.push_back({k, omega});
+    if (past_.size() > most) past_.erase(past_.begin());
+  }
+
+ private:
+  struct Past {
+    double k;
+    std::vector<double> omega;
+  };
+  std::vector<Past> past_;
+};
+
+/// Of each part of a plate.
+using Tracks = std::vector<Track>;
 
 /// Along k it is the motion towards −k that goes with motion into the depth (PlaneWaves).
 Flexibility flexibility(const Eigen::Matrix2d& response, double weight) {
@@ -29,14 +62,14 @@ void add(const Flexibility& more, Flexibility& sum) {
   sum.tangential += more.tangential;
 }
 
-PlaneWaves waves_of(const Lamina& plate, const WaveNumber& number, double cutoff, Guesses& guesses) {
+PlaneWaves waves_of(const Lamina& plate, const WaveNumber& number, double cutoff, Tracks& tracks) {
   const double weight = plate.weight(number.k) * number.weight;
   PlaneWaves waves{number.k, number.weight, {}, {}, {}, {}, {}};
   const std::vector<Sheets>& parts = plate.parts(number.k);
-  guesses.resize(parts.size());
+  if (tracks.size() != parts.size()) tracks.assign(parts.size(), {});
   for (std::size_t part = 0; part < parts.size(); ++part) {
     const Sheets& sheets = parts[part];
-    const Branches<2> its = branches<2>(sheets, number.k, cutoff, guesses[part]);
+    const Branches<2> its = branches<2>(sheets, number.k, cutoff, tracks[part].ahead(number.k));
     const double share = weight * sheets.share, scale = std::sqrt(share);
     for (std::size_t m = 0; m < its.omega.size(); ++m) {
       waves.omega.push_back(its.omega[m]);
@@ -45,7 +78,7 @@ PlaneWaves waves_of(const Lamina& plate, const WaveNumber& number, double cutoff
     }
     add(flexibility(its.compliance, share), waves.residual_compliance);
     add(flexibility(its.second_moment, share), waves.residual_second_moment);
-    guesses[part] = its.omega;
+    tracks[part].add(number.k, its.omega);
   }
   return waves;
 }
@@ -123,11 +156,11 @@ std::vector<WaveNumber> wave_numbers(const Lamina& plate, double cutoff, double 
 }
 
 std::vector<PlaneWaves> plane_waves(const Lamina& plate, double cutoff, double duration, const Poll& poll) {
-  Guesses guesses;
+  Tracks tracks;
   std::vector<PlaneWaves> all;
   for (const WaveNumber& number : wave_numbers(plate, cutoff, duration)) {
     if (poll) poll();
-    all.push_back(waves_of(plate, number, cutoff, guesses));
+    all.push_back(waves_of(plate, number, cutoff, tracks));
   }
   return all;
 }
@@ -135,7 +168,11 @@ std::vector<PlaneWaves> plane_waves(const Lamina& plate, double cutoff, double d
 std::vector<SurfaceWaves> normal_waves(const std::vector<PlaneWaves>& waves) {
   std::vector<SurfaceWaves> all;
   for (const PlaneWaves& from : waves) {
-    SurfaceWaves normal{from.wave_number, from.weight, from.omega, {}, from.residual_compliance.radial,
+    SurfaceWaves normal{from.wave_number,
+                        from.weight,
+                        from.omega,
+                        {},
+                        from.residual_compliance.radial,
                         from.residual_second_moment.radial};
     for (const double amplitude : from.normal) normal.strength.push_back(amplitude * amplitude);
     all.push_back(std::move(normal));
@@ -145,16 +182,21 @@ std::vector<SurfaceWaves> normal_waves(const std::vector<PlaneWaves>& waves) {
 
 std::vector<SurfaceWaves> waves_along(const std::vector<PlaneWaves>& waves, const Lamina& plate, double cutoff) {
   constexpr double half = 0.5;
-  Guesses guesses;
+  Tracks tracks;
   std::vector<SurfaceWaves> all;
   for (const PlaneWaves& from : waves) {
-    SurfaceWaves along{from.wave_number, from.weight, from.omega, {}, half * from.residual_compliance.tangential,
+    SurfaceWaves along{from.wave_number,
+                       from.weight,
+                       from.omega,
+                       {},
+                       half * from.residual_compliance.tangential,
                        half * from.residual_second_moment.tangential};
     for (const double amplitude : from.along) along.strength.push_back(half * amplitude * amplitude);
     const std::vector<Sheets>& parts = plate.parts(from.wave_number);
-    guesses.resize(parts.size());
+    if (tracks.size() != parts.size()) tracks.assign(parts.size(), {});
     for (std::size_t part = 0; part < parts.size(); ++part) {
-      const Branches<1> across = branches<1>(parts[part], from.wave_number, cutoff, guesses[part]);
+      const Branches<1> across =
+          branches<1>(parts[part], from.wave_number, cutoff, tracks[part].ahead(from.wave_number));
       const double share = half * from.weight * plate.weight(from.wave_number) * parts[part].share;
       for (std::size_t m = 0; m < across.omega.size(); ++m) {
         along.omega.push_back(across.omega[m]);
@@ -162,7 +204,7 @@ std::vector<SurfaceWaves> waves_along(const std::vector<PlaneWaves>& waves, cons
       }
       along.residual_compliance += share * across.compliance(0, 0);
       along.residual_second_moment += share * across.second_moment(0, 0);
-      guesses[part] = across.omega;
+      tracks[part].add(from.wave_number, across.omega);
     }
     all.push_back(std::move(along));
   }
@@ -178,13 +220,12 @@ Flexibility plane_second_moment(const Lamina& plate, double wave_number) {
 }
 
 double compliance_along(const Lamina& plate, double wave_number) {
-  return 0.5 * (plane_compliance(plate, wave_number).tangential +
-                sum_across(plate, wave_number, static_compliance<1>));
+  return 0.5 * (plane_compliance(plate, wave_number).tangential + sum_across(plate, wave_number, static_compliance<1>));
 }
 
 double second_moment_along(const Lamina& plate, double wave_number) {
-  return 0.5 * (plane_second_moment(plate, wave_number).tangential +
-                sum_across(plate, wave_number, static_second_moment<1>));
+  return 0.5 *
+         (plane_second_moment(plate, wave_number).tangential + sum_across(plate, wave_number, static_second_moment<1>));
 }
 
 double cutoff_of_count(const Lamina& plate, double count, double duration) {

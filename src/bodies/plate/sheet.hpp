@@ -28,8 +28,8 @@ struct Sheets {
   double share = 1.0;  ///< of a load on the upper face of the plate that acts on these, and of their answer in its
 };
 
-/// A plate, or, if it is its own mirror image, its upper half in the two kinds of motion: modes of the one hardly differ
-/// from those of the other where waves run along each face by itself.
+/// A plate, or, if it is its own mirror image, its upper half in the two kinds of motion: modes of the one hardly
+/// differ from those of the other where waves run along each face by itself.
 [[nodiscard]] std::vector<Sheets> parts_of(const std::vector<Sheet>& plate);
 
 }  // namespace stoss::bodies::plate

@@ -28,8 +28,8 @@ struct ThinSlab {
   Matrix compliance;  ///< G
 };
 
-/// A slab that is not thin, f_upper = K_uu q_upper + K_ul q_lower, f_lower = K_ulᵀ q_upper + K_ll q_lower. Waves along one
-/// free face, which would be lost among those along the other, are no vibrations of it.
+/// A slab that is not thin, f_upper = K_uu q_upper + K_ul q_lower, f_lower = K_ulᵀ q_upper + K_ll q_lower. Waves along
+/// one free face, which would be lost among those along the other, are no vibrations of it.
 template <typename T, int N>
 struct ThickSlab {
   using Matrix = Eigen::Matrix<T, N, N>;
@@ -154,7 +154,7 @@ template <int N, typename T>
 template <typename T, int N>
 [[nodiscard]] ThinSlab<T, N> series(const Equations<T, N>& its, double thickness) {
   using Matrix = typename ThinSlab<T, N>::Matrix;
-  constexpr std::size_t order = 8;
+  constexpr std::size_t order = 5;
   std::array<Matrix, order + 1> stiffness, transfer, compliance, flow;  // terms of the series; flow: A − DQ
   stiffness[0] = compliance[0] = Matrix::Zero();
   transfer[0] = Matrix::Identity();
@@ -184,13 +184,14 @@ template <typename T, int N>
   return slab;
 }
 
-/// The face of a whole layer: a very thin slab, doubled until it is thick, and at the end one of which it is no multiple.
-/// Slabs of h/2, h/4 … would have vibrations of their own where the layer has some, and these would lose digits.
+/// The face of a whole layer: a very thin slab, doubled until it is thick, and at the end one of which it is no
+/// multiple. Slabs of h/2, h/4 … would have vibrations of their own where the layer has some, and these would lose
+/// digits.
 /// @param on what a slab, thin or thick, makes of the face below the layer
 template <int N, typename T, typename On>
 [[nodiscard]] Face<T, N> layer_face(const Sheet& sheet, double k, T z, const On& on) {
-  constexpr double thinnest = 0.03;  // phase across the first slab
-  constexpr int thin_doublings = 5;  // up to a phase of 1, at which it has no vibration, whatever of it is held
+  constexpr double thinnest = 0.0075;  // phase across the first slab
+  constexpr int thin_doublings = 7;    // up to a phase of 1, at which it has no vibration, whatever of it is held
   constexpr int thin_slabs = 1 << thin_doublings;
   const double square = magnitude(z) * sheet.density / sheet.shear_modulus;
   const double slabs = sheet.thickness * std::max(k, std::sqrt(square)) / thinnest;
