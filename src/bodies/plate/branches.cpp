@@ -57,16 +57,12 @@ class Search {
       : sheets_(sheets), k_(wave_number), guess_(guess) {}
 
   Branches<N> below(double cutoff) {
-    Probe low{0.0, 0, 0};
-    for (std::size_t i = 0; i <= guess_.size(); ++i) {
-      const bool last = i == guess_.size();
-      const double next = last || i + 1 == guess_.size() ? cutoff : 0.5 * (guess_[i] + guess_[i + 1]);
-      if (!last && !(next > low.omega && next < cutoff)) continue;
-      const Probe high = probe(last ? cutoff : next);
-      isolate(low, high);
-      low = high;
-    }
-    add_others(cutoff);
+    // Well below the vibrations of the thickness, where modes hardly move the face, up to these: else what those above
+    // the cutoff add would be lost in rounding.
+    const double highest = std::max(cutoff, slowest());
+    find(highest);
+    add_others(highest);
+    move_above(cutoff);
     return std::move(found_);
   }
 
@@ -80,6 +76,25 @@ class Search {
   [[nodiscard]] Probe probe(double omega) const {
     const auto all = stack<N>(sheets_, k_, omega * omega);
     return {omega, all.held + negative(all.stiffness), all.held};
+  }
+
+  /// One over the time in which shear waves cross all layers.
+  [[nodiscard]] double slowest() const {
+    double time = 0.0;
+    for (const Sheet& sheet : sheets_.all) time += sheet.thickness * std::sqrt(sheet.density / sheet.shear_modulus);
+    return 1.0 / time;
+  }
+
+  void find(double cutoff) {
+    Probe low{0.0, 0, 0};
+    for (std::size_t i = 0; i <= guess_.size(); ++i) {
+      const bool last = i == guess_.size();
+      const double next = last || i + 1 == guess_.size() ? cutoff : 0.5 * (guess_[i] + guess_[i + 1]);
+      if (!last && !(next > low.omega && next < cutoff)) continue;
+      const Probe high = probe(last ? cutoff : next);
+      isolate(low, high);
+      low = high;
+    }
   }
 
   void isolate(const Probe& low, const Probe& high) {
@@ -174,9 +189,6 @@ class Search {
     }
     constexpr int places = 8;
     constexpr double share = 0.15;  // of the radius, in that of the next singularity at least
-    // Where no mode is near above the cutoff: on a wide circle, where those that are kept hardly matter.
-    const auto modes = static_cast<int>(found_.omega.size());
-    while (probe(2.0 * cutoff).modes == modes) cutoff *= 2.0;
     for_circle(share * cutoff * cutoff, places, [&](const Complex& z) {
       Eigen::Matrix<Complex, N, N> response = stack<N>(sheets_, k_, z).stiffness.inverse();
       for (std::size_t m = 0; m < found_.omega.size(); ++m) {
@@ -189,6 +201,18 @@ class Search {
       found_.compliance += first<N, -1>(response) / places;
       found_.second_moment += first<N, -1>((1.0 / z) * response) / places;
     });
+  }
+
+  /// Counts modes above the cutoff to the others.
+  void move_above(double cutoff) {
+    while (!found_.omega.empty() && found_.omega.back() > cutoff) {
+      const double square = found_.omega.back() * found_.omega.back();
+      const Matrix strength = found_.amplitude.back() * found_.amplitude.back().transpose();
+      found_.compliance += strength / square;
+      found_.second_moment += strength / (square * square);
+      found_.omega.pop_back();
+      found_.amplitude.pop_back();
+    }
   }
 
   const Sheets& sheets_;
