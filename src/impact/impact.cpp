@@ -24,6 +24,14 @@ double steps_to_leave(const Contact& contact, const Collision& collision, double
   return std::max(0.0, (now.center + contact.extent + collision.clearance()) / (-now.velocity * step));
 }
 
+/// A ball that lies on a plate with hardly any of its energy left.
+bool stays(const Collision& collision) {
+  constexpr double hardly_any = 1e-3;
+  return (collision.in_contact() || !collision.recedes()) && collision.remaining() < hardly_any;
+}
+
+bool parts(const Collision& collision) { return !collision.in_contact() && collision.recedes(); }
+
 /// One run; empty if the contact outgrew the grid.
 std::optional<Impact> run(const Contact& contact, double speed, const FixedResolution& resolution,
                           const ImpactOptions& options, const Observation& observation, Pressures* pressures) {
@@ -55,6 +63,7 @@ std::optional<Impact> run(const Contact& contact, double speed, const FixedResol
   if (observation.observer) observe();
   for (long step = 1; !collision.over(); ++step) {
     if (static_cast<double>(step) > steps) {
+      if (contact.gives_way && (stays(collision) || parts(collision))) break;
       if (contact.unbounded) throw Outlasted(static_cast<double>(step) * resolution.step, echo_time(contact));
       steps += steps_to_leave(contact, collision, resolution.step);
     }
@@ -72,6 +81,11 @@ std::optional<Impact> run(const Contact& contact, double speed, const FixedResol
     if (observation.observer && (step % observation.every == 0 || collision.over())) observe();
   }
   Impact result = collision.result();
+  if (stays(collision)) {
+    result.restitution = 0.0;
+    result.lost_fraction = 1.0;
+    result.remaining = collision.remaining();
+  }
   whole.show(result);
   return result;
 }

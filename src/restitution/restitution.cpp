@@ -32,6 +32,7 @@ Run summary(const Impact& impact, double energy) {
           .lost_fraction = impact.lost_fraction,
           .dissipated = energy * impact.energy.dissipated,
           .unresolved = energy * impact.energy.unresolved,
+          .remaining = impact.remaining,
           .contact_time = impact.contact_time,
           .impulse_time = impact.impulse_time,
           .max_force = impact.max_force,

@@ -1,0 +1,48 @@
+// With the force f = s^(3/2) as well as s: the ball moves at V = ṡ + λ f, V̇ = −f, and the plate at λ f.
+#include "contact/zener.hpp"
+
+#include <array>
+#include <cmath>
+
+namespace stoss {
+namespace {
+
+using Motion = std::array<double, 2>;  // s, V
+
+Motion rate(const Motion& at, double inelasticity) {
+  const double force = at[0] > 0.0 ? at[0] * std::sqrt(at[0]) : 0.0;
+  return {at[1] - inelasticity * force, -force};
+}
+
+Motion moved(const Motion& at, const Motion& rate, double time) {
+  return {at[0] + time * rate[0], at[1] + time * rate[1]};
+}
+
+}  // namespace
+
+ZenerImpact zener_impact(double inelasticity) {
+  constexpr double usual_step = 2e-3, stays = 1e-4;
+  double time = 0.0;
+  Motion now{0.0, 1.0};
+  while (true) {
+    // A stiff dashpot lets the compression follow the speed of the ball at once: s^(1/2) λ must not exceed the steps.
+    const double step = usual_step / (1.0 + inelasticity * std::sqrt(std::max(now[0], 0.0))) * (1.0 + 0.2 * time);
+    const Motion first = rate(now, inelasticity), second = rate(moved(now, first, 0.5 * step), inelasticity);
+    const Motion third = rate(moved(now, second, 0.5 * step), inelasticity);
+    const Motion fourth = rate(moved(now, third, step), inelasticity);
+    Motion next = now;
+    for (std::size_t i = 0; i < next.size(); ++i) {
+      next[i] += step / 6.0 * (first[i] + 2.0 * second[i] + 2.0 * third[i] + fourth[i]);
+    }
+    if (next[0] <= 0.0) {
+      const double share = now[0] / (now[0] - next[0]);
+      return {-(now[1] + share * (next[1] - now[1])), time + share * step};
+    }
+    now = next;
+    time += step;
+    const double potential = 0.8 * now[0] * now[0] * std::sqrt(now[0]);  // over the same ½mv² as V²
+    if (now[1] * now[1] + potential < stays) return {0.0, time};
+  }
+}
+
+}  // namespace stoss
