@@ -105,10 +105,8 @@ double expected_duration(const Contact& contact, double speed) {
   const Touch met = touch(contact);
   const double width = expected_half_width(contact, speed);
   if (met.circle && contact.gives_way) {
-    const double stiffness = 4.0 / (3.0 * met.softness * std::sqrt(met.curvature));
-    const double unit = std::pow(contact.whole_mass / (stiffness * std::sqrt(speed)), 0.4);
-    const double mobility = contact.second->part.mobility / units_of(contact, 1).impedance;
-    return zener_impact(mobility * contact.whole_mass / unit).duration * unit;
+    const auto [inelasticity, unit] = zener_scales(contact, speed);
+    return zener_impact(inelasticity).duration * unit;
   }
   if (met.circle) return 2.943 * width * width * met.curvature / speed;
   // The impulse 2μv over the maximum force, times the shape of the pulse.

@@ -7,6 +7,7 @@
 #include "check.hpp"
 #include "contact/demands.hpp"
 #include "contact/unit_ratios.hpp"
+#include "contact/zener.hpp"
 #include "impact/collision.hpp"
 #include "impact/inputs.hpp"
 #include "impact/recommended.hpp"
@@ -24,10 +25,23 @@ double steps_to_leave(const Contact& contact, const Collision& collision, double
   return std::max(0.0, (now.center + contact.extent + collision.clearance()) / (-now.velocity * step));
 }
 
-/// A ball that lies on a plate with hardly any of its energy left.
-bool stays(const Collision& collision) {
-  constexpr double hardly_any = 1e-3;
-  return (collision.in_contact() || !collision.recedes()) && collision.remaining() < hardly_any;
+/// Energy that is left in the end to a ball that lies on a plate and does not leave it, at most, as a share of what it
+/// had: it hardly has more now, or follows its force as it does in Zener's law, by which it stays.
+std::optional<double> left_in_the_end(const Contact& contact, const Collision& collision, double speed) {
+  constexpr double hardly_any = 1e-3, by_law = 1e-4, close = 0.15;
+  if (!collision.in_contact() && collision.recedes()) return std::nullopt;
+  const double now = collision.remaining();
+  if (now < by_law) return now;
+  if (collision.in_contact() && contact.second->part.mobility > 0.0) {
+    const auto [inelasticity, unit] = zener_scales(contact, speed);
+    const Snapshot at = collision.snapshot();
+    const double force = at.force * contact.first->mass / contact.whole_mass * unit / speed,
+                 moves = at.velocity / speed;
+    const ZenerMotion motion{std::cbrt(force * force), moves};
+    const bool follows = std::abs(moves - inelasticity * force) < close * moves;
+    if (follows && zener_impact(inelasticity, motion).restitution == 0.0) return by_law;
+  }
+  return now < hardly_any ? std::optional(now) : std::nullopt;
 }
 
 bool parts(const Collision& collision) { return !collision.in_contact() && collision.recedes(); }
@@ -61,9 +75,11 @@ std::optional<Impact> run(const Contact& contact, double speed, const FixedResol
     observation.observer(now);
   };
   if (observation.observer) observe();
+  std::optional<double> remaining;
   for (long step = 1; !collision.over(); ++step) {
     if (static_cast<double>(step) > steps) {
-      if (contact.gives_way && (stays(collision) || parts(collision))) break;
+      if (contact.gives_way) remaining = left_in_the_end(contact, collision, speed);
+      if (remaining || (contact.gives_way && parts(collision))) break;
       if (contact.unbounded) throw Outlasted(static_cast<double>(step) * resolution.step, echo_time(contact));
       steps += steps_to_leave(contact, collision, resolution.step);
     }
@@ -81,10 +97,10 @@ std::optional<Impact> run(const Contact& contact, double speed, const FixedResol
     if (observation.observer && (step % observation.every == 0 || collision.over())) observe();
   }
   Impact result = collision.result();
-  if (stays(collision)) {
+  if (remaining) {
     result.restitution = 0.0;
     result.lost_fraction = 1.0;
-    result.remaining = collision.remaining();
+    result.remaining = *remaining;
   }
   whole.show(result);
   return result;

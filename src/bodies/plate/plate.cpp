@@ -23,7 +23,7 @@ using namespace bodies;
 using namespace bodies::plate;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr double most_waves = 4e5;
+constexpr double most_waves = 1.2e5, most_turns = 2e4;
 
 /// A plate or a strip.
 struct Given {
@@ -157,7 +157,7 @@ Body without_end(const Given& given, double cutoff, double duration, const Poll&
 Body of_branches(const Given& given, double cutoff, double duration, const Poll& poll) {
   const Lamina plate = lamina(given.contour, sheets_of(given, duration));
   const double loss_time = given.own_loss_time(), highest = kept_cutoff(cutoff, loss_time);
-  const double most = cutoff_of_count(plate, most_waves, duration);
+  const double most = std::min(cutoff_of_count(plate, most_waves, duration), most_turns / duration);
   if (highest > most) {
     throw InvalidInput("cutoff: got " + shown(cutoff) + " of a " + kind_of(given) + " for contacts of " +
                        shown(duration) + " in its own time, allowed a smaller product (more waves than are computed)");
