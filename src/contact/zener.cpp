@@ -31,9 +31,9 @@ ZenerImpact zener_impact(double inelasticity, const ZenerMotion& start) {
   double time = 0.0, followed = 0.0;
   Motion now{start.compression, start.speed};
   while (true) {
-    // A stiff dashpot lets the compression follow the speed of the ball at once: s^(1/2) λ must not exceed the steps.
-    const double stiff = 1.0 + inelasticity * std::sqrt(std::max(now[0], 0.0));
-    const double step = usual_step / stiff * (1.0 + 0.2 * time);
+    // A stiff dashpot lets the compression follow the speed of the ball at once.
+    const double stiff = 1.5 * inelasticity * std::sqrt(std::max(now[0], 0.0));
+    const double step = std::min(usual_step * (1.0 + 0.2 * time), 0.3 / stiff);
     const Motion first = rate(now, inelasticity), second = rate(moved(now, first, 0.5 * step), inelasticity);
     const Motion third = rate(moved(now, second, 0.5 * step), inelasticity);
     const Motion fourth = rate(moved(now, third, step), inelasticity);
