@@ -15,11 +15,13 @@ namespace {
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
 /// In units of the first body with a material, of which rods are the exception: they keep SI.
-Values in_units_of_first(Values all, const Values& first, double time) {
-  for (const char* name : {"radius", "young", "density"}) {
-    if (all.contains(name)) all[name] /= first.at(name);
+Values in_units_of_first(const Kind& kind, Values all, const Values& first, double time) {
+  for (const Parameter& each : kind.parameters) {
+    if (each.unit.empty()) continue;
+    all.find(each.name)->second /= each.unit == "m"   ? first.at("radius")
+                                   : each.unit == "s" ? time
+                                                      : first.find(each.name)->second;
   }
-  all["loss_time"] /= time;
   return all;
 }
 
@@ -31,7 +33,7 @@ Values first_values(const Encounter& encounter) { return all_values(encounter.fi
 
 Solid solid_of(const Encounter& encounter, const Kind& kind, Values all) {
   if (encounter.first.material && !is_rod(encounter)) {
-    all = in_units_of_first(std::move(all), first_values(encounter), si_scales(encounter)->time);
+    all = in_units_of_first(kind, std::move(all), first_values(encounter), si_scales(encounter)->time);
   }
   return kind.solid(all);
 }

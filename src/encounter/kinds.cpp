@@ -131,12 +131,13 @@ std::string who_meets_whom() {
   std::string text;
   for (const Kind& first : kinds()) {
     if (!first.bounded) continue;
-    text += (text.empty() ? "a " : ", a ") + std::string(first.name) + (text.empty() ? " meets " : " ");
-    bool begun = false;
+    text += (text.empty() ? "a " : "; a ") + std::string(first.name) + (text.empty() ? " meets " : " ");
+    std::vector<std::string_view> others;
     for (const Kind& other : kinds()) {
-      if (other.wall || !meets(first, other)) continue;
-      text += (begun ? " and " : "") + std::string(other.plural);
-      begun = true;
+      if (!other.wall && meets(first, other)) others.push_back(other.plural);
+    }
+    for (std::size_t i = 0; i < others.size(); ++i) {
+      text += (i == 0 ? "" : i + 1 == others.size() ? " and " : ", ") + std::string(others[i]);
     }
   }
   return text;

@@ -72,7 +72,7 @@ TEST(Encounter, RefusesInOneLine) {
   const Participant ball{.kind = "sphere", .values = {{"poisson", 0.3}}};
   EXPECT_EQ(test::message_of<InvalidInput>([&] { validate(Encounter{.first = ball, .against = {.kind = "rod"}}); }),
             "against: got rod for a sphere, allowed wall, same, sphere or half-space (a disk meets disks and "
-            "half-planes, a sphere spheres and half-spaces, a rod rods)");
+            "half-planes; a sphere spheres and half-spaces; a rod rods)");
   EXPECT_EQ(test::message_of<InvalidInput>(
                 [&] { validate(Encounter{.first = ball, .against = {.kind = "half-space", .material = glass}}); }),
             "against material: got one, allowed none, as the first body has none");

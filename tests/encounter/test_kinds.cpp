@@ -51,7 +51,7 @@ TEST(Kinds, AreFoundByTheirNames) {
 }
 
 TEST(Kinds, SayWhoMeetsWhom) {
-  EXPECT_EQ(who_meets_whom(), "a disk meets disks and half-planes, a sphere spheres and half-spaces, a rod rods");
+  EXPECT_EQ(who_meets_whom(), "a disk meets disks and half-planes; a sphere spheres and half-spaces; a rod rods");
 }
 
 }  // namespace

@@ -57,7 +57,7 @@ struct Kind {
 /// Whether a body of one kind meets what is of the other.
 [[nodiscard]] bool meets(const Kind& first, const Kind& against);
 
-/// "a disk meets disks and half-planes, a sphere …": of all kinds that can be the first.
+/// "a disk meets disks and half-planes; a sphere …": of all kinds that can be the first.
 [[nodiscard]] std::string who_meets_whom();
 
 }  // namespace stoss

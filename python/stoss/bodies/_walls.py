@@ -66,7 +66,7 @@ class _Unbounded(Solid):
         """The same, with the Poisson's ratio of the first body where it has none."""
         if self.poisson is not None:
             return self
-        return type(self)(poisson=body.poisson, young=self.young, density=self.density, loss_time=self.loss_time)  # type: ignore[call-arg]
+        return dataclasses.replace(self, poisson=body.poisson)
 
 
 @dataclasses.dataclass(frozen=True, kw_only=True, repr=False)

@@ -12,13 +12,12 @@ from numpy.typing import NDArray
 
 from stoss import _core
 from stoss._arguments import brief, refusal
-from stoss.bodies._bodies import PARTNERS, Body, Disk, Rod, Sphere
+from stoss.bodies._bodies import PARTNERS, Body
 from stoss.bodies._material import Material, materials
-from stoss.bodies._solid import Solid, Specification, describe
-from stoss.bodies._walls import HalfPlane, HalfSpace, HardWall
+from stoss.bodies._solid import KINDS, Specification, describe
+from stoss.bodies._walls import HardWall
 
-SOLIDS: tuple[type[Solid], ...] = (Disk, Sphere, Rod, HalfSpace, HalfPlane)
-CLASSES: Mapping[str, Any] = {made._kind: made for made in SOLIDS}
+CLASSES: Mapping[str, Any] = {name: made for name in KINDS for made in PARTNERS if made._kind == name}
 WALLS = ("wall", "same")
 
 Choices = List[List[Tuple[str, Any]]]
@@ -69,7 +68,7 @@ def beside(given: Specification, body: Body) -> Any:
     words = dict(given)
     if kind in ("disk", "sphere") and "material" not in words and "poisson" in vars(body):
         words.setdefault("poisson", body.poisson)
-    if kind in ("disk", "half-plane") and "material" in words and getattr(body, "plane", None):
+    if kind in CLASSES and KINDS[kind].has_plane and "material" in words and getattr(body, "plane", None):
         words.setdefault("plane", body.plane)  # type: ignore[union-attr]
     return make("against", words)
 
@@ -137,13 +136,14 @@ def _number(name: str, value: Any) -> float:
         raise refusal(name, value, allowed) from None
 
 
-SI = {"radius": "m", "length": "m", "area": "m2", "young": "Pa", "density": "kg/m3", "loss_time": "s"}
+SI = {its.name: its.unit.replace("^", "") for each in KINDS.values() for its in each.parameters if its.unit}
 """Units of the numbers of bodies with a material."""
 
 
 def label(words: Specification) -> str:
     """What a body or a partner is, in the manner of --against."""
-    usual = {"loss_time": 0.0, **({} if "material" in words else dict.fromkeys(SI, 1.0) | {"loss_time": 0.0})}
+    usual = {each.name: each.otherwise for each in KINDS[words["kind"]].parameters}
+    usual = {"loss_time": 0.0} if "material" in words else usual
     numbers = {name: value for name, value in words.items() if name != "kind" and usual.get(name) != value}
     numbers |= {f"material_{name}": value for name, value in numbers.pop("material", {}).items()}
     return ",".join((words["kind"], *(f"{name}={brief(value)}" for name, value in numbers.items())))

@@ -3,7 +3,7 @@ import type { Encounter, Motion } from '../core/protocol';
 import { unitInWords } from '../drawing/numbers';
 import { meetsBody, sidesOf } from './document';
 import { type Impact, isOblique } from './inputs';
-import { type BodyField, kindNamed, sizeOf } from './kinds';
+import { type BodyField, blockOf, kindNamed, sizeOf } from './kinds';
 
 /** A number of the first body or of what it meets. */
 export type PlacedField = BodyField | `${BodyField}2`;
@@ -84,7 +84,7 @@ interface Words {
   readonly unit: string;
 }
 
-export function wordsOf({ kind, si }: Encounter, field: Field): Words {
+export function wordsOf({ kind, si, against }: Encounter, field: Field): Words {
   const place = owner(field);
   if (place === undefined) {
     const [words, sign, , own, real, help] = motions[field as keyof Motion];
@@ -92,13 +92,15 @@ export function wordsOf({ kind, si }: Encounter, field: Field): Words {
   }
   const { name: key, second } = place;
   const { hasPlane, length, parameters } = kindNamed(kind);
-  const { help = '', unit = '' } = parameters.find((each) => each.name === key) ?? {};
+  const ofBlock = blockOf(kind, against)?.parameters ?? [];
+  const { help = '', unit = '' } = [...parameters, ...ofBlock].find((each) => each.name === key) ?? {};
   const [usual, symbol] = names[key];
   const name = si ? usual : key === 'poisson' && hasPlane ? '2‑D Poisson’s ratio'
     : key === 'young' && second ? 'Modulus' : usual;
   const ratio = second && !si && !['ν', 'η'].includes(symbol);
+  const ratioOf = parameters.some((each) => each.name === key) ? `${symbol}₂/${symbol}₁` : `${symbol}/${length}`;
   return {
-    name, label: `${name} ${ratio ? `${symbol}₂/${symbol}₁` : symbol}`, help,
+    name, label: `${name} ${ratio ? ratioOf : symbol}`, help,
     unit: si ? unitInWords(unit) : key === 'loss_time' ? `${length}/c` : '',
   };
 }

@@ -1,7 +1,7 @@
 // What the user has chosen, as one value that is never changed in place; and examples, each with all of it.
 import type { Body, Encounter, Motion } from '../core/protocol';
 import { equal, hasSecond, madeOf, meetsBody } from './document';
-import { type BodyKind, blockOf, kindNamed, materialNamed, sizeOf } from './kinds';
+import { type BodyKind, blockOf, isBlock, kindNamed, materialNamed, sizeOf } from './kinds';
 
 /** Who meets whom, and how. */
 export interface Impact extends Motion {
@@ -50,7 +50,7 @@ export function withKind(encounter: Encounter, kind: BodyKind): Encounter {
     kind,
     plane: kindNamed(kind).hasPlane ? plane : 'stress',
     first: made(first),
-    against: against === 'half-space' && !blockOf(kind) ? 'wall' : against,
+    against: isBlock(against) && !blockOf(kind, against) ? 'wall' : against,
     second: made(second),
   };
 }
