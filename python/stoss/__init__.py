@@ -36,6 +36,7 @@ written.
 `quasistatic`                     slow impacts, Rayleigh's estimate of the loss, static contacts
 `Disk`, `Sphere`, `Rod`           bodies
 `HalfSpace`, `HalfPlane`          elastic blocks, which carry waves away
+`Plate`, `Strip`                  elastic plates of some thickness
 `HardWall`, `ExponentialWall`     walls
 `Oscillation`                     a mode that vibrates before an impact
 `Material`, `materials`           SI; typical materials
@@ -53,7 +54,7 @@ from stoss._errors import Interrupted, InvalidInput, NotConverged, StossWarning
 from stoss.bodies._bodies import Body, Disk, Rod, Sphere
 from stoss.bodies._material import Material, Scales, materials
 from stoss.bodies._state import Oscillation
-from stoss.bodies._walls import ExponentialWall, HalfPlane, HalfSpace, HardWall, Wall
+from stoss.bodies._walls import ExponentialWall, HalfPlane, HalfSpace, HardWall, Plate, Strip, Wall
 from stoss.export._csv import Table, read_csv
 from stoss.export._text import with_error
 from stoss.results._adaptive_rule import collision_rule
@@ -84,8 +85,9 @@ __all__ = [
     "Extrapolation", "Field", "Fit", "Grid", "HalfPlane", "HalfSpace", "HardWall", "Impact",
     "Interrupted", "InvalidInput", "Material", "Misfit", "Modes", "NotConverged", "ObliqueImpact",
     "ObliqueLedger", "ObliqueRestitution", "ObliqueTrajectory", "Oscillation", "PairTable",
-    "Restitution", "RestitutionDistribution", "RestitutionFunction", "Rod", "RodChain", "Scales",
-    "Sphere", "SphereField", "StossWarning", "Sweep", "Table", "Trajectory", "Wall", "Wave",
+    "Plate", "Restitution", "RestitutionDistribution", "RestitutionFunction", "Rod", "RodChain",
+    "Scales", "Sphere", "SphereField", "StossWarning", "Strip", "Sweep", "Table", "Trajectory",
+    "Wall", "Wave",
     "__version__", "animate", "atlas", "bounce", "collision_rule", "extrapolated_restitution",
     "fit", "impact", "materials", "merge", "modes", "oblique", "oblique_impact", "open_sweep",
     "pair_table", "plot", "quasistatic", "read_csv", "restitution",

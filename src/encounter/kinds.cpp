@@ -26,6 +26,7 @@ constexpr Parameter young{"young", "Pa", 1.0, 0.0, infinity, false, true, "Young
 constexpr Parameter density{"density", "kg/m^3", 1.0, 0.0, infinity, false, true, "density"};
 constexpr Parameter radius{"radius", "m", 1.0, 0.0, infinity, false, false, "radius"};
 constexpr Parameter length{"length", "m", 1.0, 0.0, infinity, false, false, "length"};
+constexpr Parameter thickness{"thickness", "m", {}, 0.0, infinity, false, false, "thickness, from face to face"};
 constexpr Parameter area{"area", "m^2", 1.0, 0.0, infinity, false, false, "area of the cross-section"};
 constexpr Parameter loss_time{
     "loss_time",
@@ -48,6 +49,11 @@ Solid round(const Values& of) {
 template <typename Unbounded>
 Solid unbounded(const Values& of) {
   return Unbounded{of.at("poisson"), of.at("young"), of.at("density"), of.at("loss_time")};
+}
+
+template <typename Flat>
+Solid flat(const Values& of) {
+  return Flat{of.at("thickness"), of.at("poisson"), of.at("young"), of.at("density"), of.at("loss_time")};
 }
 
 Solid rod_of(const Values& of) {
@@ -89,6 +95,12 @@ std::vector<Kind> make_kinds() {
   half_plane.bounded = half_plane.can_be_rigid = false;
   half_plane.parameters = {plane_poisson_number, young, density, loss_time};
   half_plane.solid = unbounded<HalfPlane>;
+  Kind plate = half_space;
+  plate.name = "plate", plate.plural = "plates", plate.help = "an elastic plate for spheres, free on both faces";
+  plate.parameters = {thickness, solid_poisson_number, young, density, loss_time}, plate.solid = flat<Plate>;
+  Kind strip = half_plane;
+  strip.name = "strip", strip.plural = "strips", strip.help = "such a plate for disks";
+  strip.parameters = {thickness, plane_poisson_number, young, density, loss_time}, strip.solid = flat<Strip>;
   Kind wall = half_space;
   wall.name = "wall", wall.plural = "walls", wall.help = "a rigid wall";
   wall.wall = true, wall.can_yield = false, wall.parameters = {}, wall.solid = {};
@@ -98,7 +110,7 @@ std::vector<Kind> make_kinds() {
   exponential.name = "exponential", exponential.plural = "exponential walls";
   exponential.help = "the paper's soft wall, for one impact at a cutoff";
   exponential.parameters = {hardness, strength};
-  return {wall, same, disk, sphere, rod, half_space, half_plane, exponential};
+  return {wall, same, disk, sphere, rod, half_space, half_plane, plate, strip, exponential};
 }
 
 }  // namespace

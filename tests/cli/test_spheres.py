@@ -151,7 +151,7 @@ REFUSED = [
     ("--poisson 0.3 --plane strain", "plane", "--body sphere, allowed only with --body disk"),
     ("--poisson 0.3 --length 1", "length", "--body sphere, allowed only with --body rod"),
     ("--poisson 0.3 --area 1", "area", "--body sphere, allowed only with --body rod"),
-    ("--poisson 0.3 --against disk", "against", "a disk meets disks and half-planes; a sphere spheres"),
+    ("--poisson 0.3 --against disk", "against", "a disk meets disks, half-planes and strips; a sphere spheres"),
     ("--poisson 0.3 --against rod", "against", "a sphere spheres"),
     ("--poisson 0.3 --against sphere,length=2", "against", "allowed poisson, radius, young, density, loss_time, yield"),
     ("--poisson 0.3 --against spere", "against", "did you mean sphere?"),

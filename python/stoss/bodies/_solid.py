@@ -109,8 +109,10 @@ class Solid:
         if given is None:
             if made is None and material is not None:
                 raise InvalidInput(f"{asked.name}: got none, allowed a number in SI (the body has a material)")
-            if made is None and KINDS[self._kind].bounded:  # a block has the Poisson's ratio of what it meets
-                raise InvalidInput(f"{asked.name}: got none, allowed a number, or a material instead")
+            if made is None and (KINDS[self._kind].bounded or not asked.of_material):
+                # A block has the Poisson's ratio of what it meets.
+                instead = ", or a material instead" if asked.of_material else ""
+                raise InvalidInput(f"{asked.name}: got none, allowed a number{instead}")
             return made
         value = number(asked.name, given)
         if material is not None and asked.of_material and value != made:

@@ -70,7 +70,7 @@ export function withValue(encounter: Encounter, field: PlacedField, value: numbe
 export const names: Record<BodyField, [words: string, symbol: string, key: string]> = {
   poisson: ['Poisson’s ratio', 'ν', 'nu'], young: ['Young’s modulus', 'E', 'E'], density: ['Density', 'ρ', 'rho'],
   radius: ['Radius', 'R', 'R'], length: ['Length', 'L', 'R'], area: ['Cross-section', 'A', 'A'],
-  loss_time: ['Loss time', 'η', 'eta'],
+  thickness: ['Thickness', 'h', 'h'], loss_time: ['Loss time', 'η', 'eta'],
 };
 
 /** What the page says of a field. */
