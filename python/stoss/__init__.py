@@ -36,7 +36,7 @@ written.
 `quasistatic`                     slow impacts, Rayleigh's estimate of the loss, static contacts
 `Disk`, `Sphere`, `Rod`           bodies
 `HalfSpace`, `HalfPlane`          elastic blocks, which carry waves away
-`Plate`, `Strip`                  elastic plates of some thickness
+`Plate`, `Layer`, `Strip`         elastic plates of some thickness
 `HardWall`, `ExponentialWall`     walls
 `Oscillation`                     a mode that vibrates before an impact
 `Material`, `materials`           SI; typical materials
@@ -53,8 +53,9 @@ from stoss._core import version as __version__
 from stoss._errors import Interrupted, InvalidInput, NotConverged, StossWarning
 from stoss.bodies._bodies import Body, Disk, Rod, Sphere
 from stoss.bodies._material import Material, Scales, materials
+from stoss.bodies._plates import Layer, Plate, Strip
 from stoss.bodies._state import Oscillation
-from stoss.bodies._walls import ExponentialWall, HalfPlane, HalfSpace, HardWall, Plate, Strip, Wall
+from stoss.bodies._walls import ExponentialWall, HalfPlane, HalfSpace, HardWall, Wall
 from stoss.export._csv import Table, read_csv
 from stoss.export._text import with_error
 from stoss.results._adaptive_rule import collision_rule
@@ -83,9 +84,9 @@ from stoss.sweeps._values import Sweep, merge, open_sweep
 __all__ = [
     "AtlasValue", "Body", "Bounces", "CollisionRule", "Disk", "DiskField", "ExponentialWall",
     "Extrapolation", "Field", "Fit", "Grid", "HalfPlane", "HalfSpace", "HardWall", "Impact",
-    "Interrupted", "InvalidInput", "Material", "Misfit", "Modes", "NotConverged", "ObliqueImpact",
-    "ObliqueLedger", "ObliqueRestitution", "ObliqueTrajectory", "Oscillation", "PairTable",
-    "Plate", "Restitution", "RestitutionDistribution", "RestitutionFunction", "Rod", "RodChain",
+    "Interrupted", "InvalidInput", "Layer", "Material", "Misfit", "Modes", "NotConverged",
+    "ObliqueImpact", "ObliqueLedger", "ObliqueRestitution", "ObliqueTrajectory", "Oscillation",
+    "PairTable", "Plate", "Restitution", "RestitutionDistribution", "RestitutionFunction", "Rod", "RodChain",
     "Scales", "Sphere", "SphereField", "StossWarning", "Strip", "Sweep", "Table", "Trajectory",
     "Wall", "Wave",
     "__version__", "animate", "atlas", "bounce", "collision_rule", "extrapolated_restitution",

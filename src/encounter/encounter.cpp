@@ -31,11 +31,9 @@ bool has_second_values(const Encounter& encounter) { return !kind(encounter.agai
 
 Values first_values(const Encounter& encounter) { return all_values(encounter.first, {}, infinite); }
 
-Solid solid_of(const Encounter& encounter, const Kind& kind, Values all) {
-  if (encounter.first.material && !is_rod(encounter)) {
-    all = in_units_of_first(kind, std::move(all), first_values(encounter), si_scales(encounter)->time);
-  }
-  return kind.solid(all);
+Values own_units(const Encounter& encounter, const Kind& kind, Values all) {
+  if (!encounter.first.material || is_rod(encounter)) return all;
+  return in_units_of_first(kind, std::move(all), first_values(encounter), si_scales(encounter)->time);
 }
 
 /// Whether it meets a wall, no body.
@@ -157,7 +155,8 @@ double own_speed(const Encounter& encounter, double speed) {
 }
 
 Solid first_solid(const Encounter& encounter) {
-  return solid_of(encounter, kind(encounter.first.kind), first_values(encounter));
+  const Kind& its = kind(encounter.first.kind);
+  return its.solid(own_units(encounter, its, first_values(encounter)));
 }
 
 std::optional<Solid> second_solid(const Encounter& encounter) {
@@ -169,7 +168,13 @@ std::optional<Solid> second_solid(const Encounter& encounter) {
   // A half-plane has no size: that of the first serves to express its modulus.
   const double radius = given_or(encounter.first, "radius", 1.0);
   const Kind& against = kind(encounter.against.kind);
-  return solid_of(encounter, against, of_what_is_met([&] { return all_values(encounter.against, its, radius); }));
+  return of_what_is_met([&] {
+    Solid made = against.solid(own_units(encounter, against, all_values(encounter.against, its, radius)));
+    for (Values& layer : values_below(encounter.against, its, radius)) {
+      against.add_layer(made, own_units(encounter, against, std::move(layer)));
+    }
+    return std::optional(std::move(made));
+  });
 }
 
 BodyMaker first_maker(const Encounter& encounter) { return made(encounter.first, first_solid(encounter)); }

@@ -56,6 +56,10 @@ Solid flat(const Values& of) {
   return Flat{of.at("thickness"), of.at("poisson"), of.at("young"), of.at("density"), of.at("loss_time")};
 }
 
+void add_layer(Solid& plate, const Values& of) {
+  std::get<Plate>(plate).below.push_back({of.at("thickness"), of.at("poisson"), of.at("young"), of.at("density")});
+}
+
 Solid rod_of(const Values& of) {
   return Rod{of.at("length"), of.at("young"), of.at("density"), of.at("area"), of.at("loss_time")};
 }
@@ -96,8 +100,10 @@ std::vector<Kind> make_kinds() {
   half_plane.parameters = {plane_poisson_number, young, density, loss_time};
   half_plane.solid = unbounded<HalfPlane>;
   Kind plate = half_space;
-  plate.name = "plate", plate.plural = "plates", plate.help = "an elastic plate for spheres, free on both faces";
+  plate.name = "plate", plate.plural = "plates";
+  plate.help = "an elastic plate for spheres, free on both faces, of one layer or several";
   plate.parameters = {thickness, solid_poisson_number, young, density, loss_time}, plate.solid = flat<Plate>;
+  plate.add_layer = add_layer;
   Kind strip = half_plane;
   strip.name = "strip", strip.plural = "strips", strip.help = "such a plate for disks";
   strip.parameters = {thickness, plane_poisson_number, young, density, loss_time}, strip.solid = flat<Strip>;

@@ -122,6 +122,8 @@ def shown(body: Body | Unbounded, against: object = None) -> str:
         return f"{shown(body)} against {shown(against)}"
     if body.material is None:
         return repr(body)
+    if layers := getattr(body, "layers", None):
+        return f"{type(body).__name__}({len(layers)} layers)"
     said = [f"poisson={body.poisson:.6g}"] if hasattr(body, "poisson") else []
     lengths = [each.name for each in KINDS[body._kind].parameters if each.unit == "m"]
     said += [f"{name}={getattr(body, name):g} m" for name in lengths]

@@ -1,14 +1,15 @@
-"""Walls, half-spaces and plates, and what these are in two dimensions."""
+"""Walls, half-spaces and half-planes."""
 
 from __future__ import annotations
 
 import dataclasses
-from typing import Any, TypeVar, Union
+from typing import Union
 
 from stoss import _core
 from stoss._arguments import number
 from stoss.bodies._material import Material
-from stoss.bodies._solid import LEFT_OUT, Solid
+from stoss.bodies._plates import Plate, Strip
+from stoss.bodies._solid import LEFT_OUT, Endless
 
 
 @dataclasses.dataclass(frozen=True, init=False)
@@ -50,27 +51,8 @@ Wall = Union[HardWall, ExponentialWall]
 """Any wall: a hard or an exponential one."""
 
 
-Block = TypeVar("Block", bound="_Unbounded")
-
-
-class _Unbounded(Solid):
-    """What blocks and plates have in common: no end sideways, and a Poisson's ratio that may be the first's.
-
-    Parameters:
-        loss_time (float, optional): Loss time η of a Kelvin–Voigt material, stress = (1 + η ∂/∂t)
-            elastic stress; 0, or that of the material. In R/c of the first body; with a material in
-            s. Its loss is in `lost_to_second` and in `dissipated`.
-    """
-
-    def _beside(self: Block, body: Any) -> Block:
-        """The same, with the Poisson's ratio of the first body where it has none."""
-        if self.poisson is not None:
-            return self
-        return dataclasses.replace(self, poisson=body.poisson)
-
-
 @dataclasses.dataclass(frozen=True, kw_only=True, repr=False)
-class HalfSpace(_Unbounded):
+class HalfSpace(Endless):
     """An elastic half-space, which spheres meet: a block so large that no wave comes back in time.
 
     Waves carry energy away in it: see `Impact.lost_to_second`. The block is thick enough
@@ -102,7 +84,7 @@ class HalfSpace(_Unbounded):
 
 
 @dataclasses.dataclass(frozen=True, kw_only=True, repr=False)
-class HalfPlane(_Unbounded):
+class HalfPlane(Endless):
     """An elastic half-plane, which disks meet: a half-space in two dimensions.
 
     Parameters:
@@ -118,65 +100,6 @@ class HalfPlane(_Unbounded):
 
     _kind = "half-plane"
 
-    poisson: float | None = LEFT_OUT
-    young: float = LEFT_OUT
-    density: float = LEFT_OUT
-    loss_time: float = LEFT_OUT
-    material: Material | None = None
-    plane: str | None = None
-
-
-@dataclasses.dataclass(frozen=True, kw_only=True, repr=False)
-class Plate(_Unbounded):
-    """An elastic plate, which spheres meet: infinite sideways, free on both faces.
-
-    It bends where it is struck, and waves run away in it: see `Impact.lost_to_second`. It is large
-    enough if no wave comes back from its rim before the contact ends. The yield speed is that on a
-    thick block of the material, of which a plate, which gives way, only yields at more.
-
-    Parameters:
-        thickness (float): Thickness h, in the unit of the sphere's radius, or with a material in m.
-        poisson: Poisson's ratio ν, −0.95 to 0.4999; default: that of the sphere.
-        young, density: Young's modulus E and density ρ, 1e-3 to 1e6 of those of the sphere; default
-            1.
-
-    Examples:
-        >>> stoss.Plate(thickness=2, poisson=0.3, young=0.5)
-        Plate(thickness=2, poisson=0.3, young=0.5)
-        >>> pane = stoss.Plate(thickness=4e-3, material=stoss.materials["glass"])
-        >>> pane.poisson, pane.young
-        (0.22, 70000000000.0)
-    """
-
-    _kind = "plate"
-
-    thickness: float = LEFT_OUT
-    poisson: float | None = LEFT_OUT
-    young: float = LEFT_OUT
-    density: float = LEFT_OUT
-    loss_time: float = LEFT_OUT
-    material: Material | None = None
-
-
-@dataclasses.dataclass(frozen=True, kw_only=True, repr=False)
-class Strip(_Unbounded):
-    """An elastic strip, which disks meet: a plate in two dimensions.
-
-    Parameters:
-        thickness (float): Thickness h, in the unit of the disk's radius, or with a material in m.
-        poisson: 2-D Poisson's ratio ν, −0.95 to 0.995; default: that of the disk.
-        young, density: 2-D Young's modulus E and density ρ, 1e-3 to 1e6 of those of the disk;
-            default 1.
-        plane ({'stress', 'strain'}): With a material: that of the disk.
-
-    Examples:
-        >>> stoss.Strip(thickness=0.5, density=2)
-        Strip(thickness=0.5, density=2)
-    """
-
-    _kind = "strip"
-
-    thickness: float = LEFT_OUT
     poisson: float | None = LEFT_OUT
     young: float = LEFT_OUT
     density: float = LEFT_OUT
