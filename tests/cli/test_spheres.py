@@ -175,7 +175,7 @@ def test_refusals(stoss, command, arguments, name, said):
 @pytest.mark.parametrize(
     "arguments, name, said",
     [
-        ("--poisson 0.3 --against sphere", "against", "for a disk, allowed wall, same, disk or half-plane"),
+        ("--poisson 0.3 --against sphere", "against", "for a disk, allowed wall, same, disk, half-plane or strip"),
         ("--poisson 0.3 --yield 1e9", "yield", "--body disk, allowed only with --body sphere"),
         ("--body rod --against sphere", "against", "for a rod, allowed wall, same or rod"),
         ("--body sphere --poisson 0.3 --method extrapolate", "against", "allowed a disk at a wall"),

@@ -52,7 +52,7 @@ class Plate(Endless):
 
     It bends where it is struck, and waves run away in it: see `Impact.lost_to_second`. It is large
     enough if no wave comes back from its rim before the contact ends. Its yield speed is that of a
-    thick block of its material; it takes more of a plate that gives way.
+    block of its material, or of its first layer's.
 
     Parameters:
         thickness (float): Thickness h, in the unit of the sphere's radius, or with a material in m.
@@ -66,9 +66,9 @@ class Plate(Endless):
     Examples:
         >>> stoss.Plate(thickness=2, poisson=0.3, young=0.5)
         Plate(thickness=2, poisson=0.3, young=0.5)
-        >>> glass, plastic = stoss.materials["glass"], stoss.materials["PMMA"]
+        >>> glass, plastic = stoss.materials["glass"], stoss.materials["PVB"]
         >>> pane = stoss.Layer(thickness=4e-3, material=glass)
-        >>> safe = stoss.Plate(layers=[pane, stoss.Layer(thickness=1e-3, material=plastic), pane], loss_time=0)
+        >>> safe = stoss.Plate(layers=[pane, stoss.Layer(thickness=8e-4, material=plastic), pane], loss_time=0)
         >>> safe.thickness, safe.young, len(safe.layers)
         (0.004, 70000000000.0, 3)
     """
@@ -88,13 +88,15 @@ class Plate(Endless):
             return super().__post_init__()
         if not isinstance(self.layers, (list, tuple)) or not self.layers:
             raise refusal("layers", self.layers, "stoss.Layer objects, from the top down")
-        top = instance("layers", self.layers[0], (Layer,))
+        for each in self.layers:
+            instance("layers", each, (Layer,))
+        top = self.layers[0]
         for name in ("thickness", "poisson", "young", "density", "material"):
             given, its = getattr(self, name), getattr(top, name)
             if given is not None and given != its:
                 raise refusal(name, given, "none beside layers")
             object.__setattr__(self, name, its)
-        layers = [each._of_one(describe(instance("layers", each, (Layer,)))) for each in self.layers]
+        layers = [each._of_one(describe(each)) for each in self.layers]
         document: Specification = {"kind": self._kind, "layers": layers}
         if self.loss_time is not None:
             document["loss_time"] = self.loss_time

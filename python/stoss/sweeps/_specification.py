@@ -45,6 +45,8 @@ def make(name: str, given: Specification) -> Any:
     if "material" in words:
         words["material"] = _material(name, words["material"])
     if "layers" in words:
+        if not isinstance(words["layers"], (list, tuple)):
+            raise refusal(f"{name}: layers", words["layers"], "a list of them, from the top down")
         words["layers"] = [_layer(name, each) for each in words["layers"]]
     return CLASSES[kind](**words)
 

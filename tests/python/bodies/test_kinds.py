@@ -35,7 +35,7 @@ def test_there_is_a_class_for_every_kind():
 def test_fields_are_the_parameters_of_the_core(kind):
     fields = [field.name for field in dataclasses.fields(CLASSES[kind])]
     numbers = [name for name, *_ in KINDS[kind]["numbers"]]
-    flags = [name for name in ("plane", "rigid") if KINDS[kind][name]]
+    flags = [name for name in ("plane", "rigid") if KINDS[kind][name]] + ["layers"] * (kind == "plate")
     assert fields == numbers + ([] if KINDS[kind]["wall"] else ["material"]) + flags
 
 
