@@ -10,7 +10,7 @@ namespace stoss {
 inline constexpr double room_to_last = 1.5;  // of a half-space, over what is expected of the contact
 
 /// The same where the time follows from a law that is rough.
-inline constexpr double room_on_a_plate = 6.0;
+inline constexpr double room_on_a_plate = 2.9;
 
 /// compute(contact) with the contact at a cutoff; with a half-space made anew for a longer time where an impact
 /// outlasts it. @param stretch of the half-space (RefinableContact::stretch); becomes greater
