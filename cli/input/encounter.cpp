@@ -28,23 +28,29 @@ std::vector<std::string> keys_of(const Kind& its) {
 /// Its help: name, keys, and what it is.
 std::string lines_of(const Kind& its) {
   const std::vector<std::string> keys = keys_of(its);
-  const std::string with = keys.empty() ? "" : fmt::format(";\n    keys {}", fmt::join(keys, ", "));
+  std::string with = keys.empty() ? "" : fmt::format(";\n    keys {}", fmt::join(keys, ", "));
+  if (its.add_layer) with += ";\n    further layers, downwards, as /KEY=NUMBER,...; the last may have no thickness";
   return fmt::format("\n  {}: {}{}", its.name, its.help, with);
 }
 
-/// What --against says: KIND[,key=value…].
+/// The keys of a further layer of one.
+std::vector<std::string> layer_keys_of(const Kind& its) {
+  std::vector<std::string> keys;
+  for (const Parameter& each : its.parameters) {
+    if (is_of_layer(each)) keys.emplace_back(each.name);
+  }
+  keys.emplace_back("material");
+  return keys;
+}
+
+/// What the parts key=value from one on say of a kind, or of one of its layers.
 /// @param first of which the Poisson's ratio is that of a material without its own
-/// @throws InvalidInput for an unknown kind or key, a key that comes twice, and what is no number
-Participant parse_against(const std::string& text, const Participant& first) {
-  const std::vector<std::string> parts = split(text, ',');
-  std::vector<std::string> names;
-  for (const Kind& each : kinds()) names.emplace_back(each.name);
-  const std::string name = without_spaces(parts.front());
-  if (std::find(names.begin(), names.end(), name) == names.end()) refuse_word("against", name, names);
-  const Kind& its = kind(name);
+Participant parse_numbers(const Kind& its, const std::vector<std::string>& parts, std::size_t from,
+                          const std::vector<std::string>& keys, const Participant& first) {
+  const std::string name(its.name);
   Participant against{.kind = name, .plane = first.plane};
   std::optional<double> yield;
-  for (const auto& [key, value] : parse_keys("against", parts, 1, keys_of(its), " with " + name)) {
+  for (const auto& [key, value] : parse_keys("against", parts, from, keys, " with " + name)) {
     if (key == "material") {
       against.material_name = without_spaces(value);
     } else if (const double number = parse_number("against " + key, value); key == "yield") {
@@ -56,6 +62,23 @@ Participant parse_against(const std::string& text, const Participant& first) {
   const bool in_si = first.material || yield || !against.material_name.empty();
   if (in_si && !its.wall && meets(kind(first.kind), its)) {
     set_material(against, yield, first.material ? first.material->poisson : 0.0, "against");
+  }
+  return against;
+}
+
+/// What --against says: KIND[,key=value…], with the numbers of further layers after slashes.
+/// @throws InvalidInput for an unknown kind or key, a key that comes twice, and what is no number
+Participant parse_against(const std::string& text, const Participant& first) {
+  const std::vector<std::string> layers = split(text, '/');
+  const std::vector<std::string> parts = split(layers.front(), ',');
+  std::vector<std::string> names;
+  for (const Kind& each : kinds()) names.emplace_back(each.name);
+  const std::string name = without_spaces(parts.front());
+  if (std::find(names.begin(), names.end(), name) == names.end()) refuse_word("against", name, names);
+  const Kind& its = kind(name);
+  Participant against = parse_numbers(its, parts, 1, keys_of(its), first);
+  for (std::size_t i = 1; i < layers.size(); ++i) {
+    against.below.push_back(parse_numbers(its, split(layers[i], ','), 0, layer_keys_of(its), first));
   }
   return against;
 }
@@ -84,36 +107,51 @@ void describe_in_si(const std::string& prefix, const Participant& of, Json& inpu
   if (of.material->yield_strength && its.can_yield)
     inputs[prefix + "material_yield[Pa]"] = *of.material->yield_strength;
   for (const Parameter& each : its.parameters) {
-    if (!is_size(each)) continue;
-    inputs[fmt::format("{}{}[{}]", prefix, each.name, each.unit)] = of.values.at(std::string(each.name));
+    const auto size = of.values.find(each.name);
+    if (is_size(each) && size != of.values.end()) {
+      inputs[fmt::format("{}{}[{}]", prefix, each.name, each.unit)] = size->second;
+    }
   }
 }
 
 /// As ratios to the first body.
-void describe_ratios(const Participant& of, Json& inputs) {
+void describe_ratios(const std::string& prefix, const Participant& of, Json& inputs) {
   for (const Parameter& each : kind(of.kind).parameters) {
     if (each.name == "loss_time") continue;
     const auto found = of.values.find(each.name);
-    Json& value = inputs["against_" + std::string(each.name)];
+    Json& value = inputs[prefix + std::string(each.name)];
     if (found != of.values.end()) {
       value = found->second;
     } else if (each.otherwise) {
       value = *each.otherwise;
     } else {
-      value = "as the first";
+      value = each.of_material ? "as the first" : "without end";
     }
   }
 }
 
 void describe_against(const Encounter& encounter, Json& inputs) {
   const Participant& against = encounter.against;
-  if (kind(against.kind).wall) return describe_ratios(against, inputs);
+  if (kind(against.kind).wall) return describe_ratios("against_", against, inputs);
   if (const auto found = against.values.find("loss_time"); found != against.values.end()) {
     inputs[against.material ? "against_loss_time[s]" : "against_loss_time"] = found->second;
   }
-  if (!against.material) return describe_ratios(against, inputs);
-  if (const auto its = poisson_of(*second_solid(encounter))) inputs["against_poisson"] = *its;
-  describe_in_si("against_", against, inputs);
+  if (against.material) {
+    if (const auto its = poisson_of(*second_solid(encounter))) inputs["against_poisson"] = *its;
+    describe_in_si("against_", against, inputs);
+  } else {
+    describe_ratios("against_", against, inputs);
+  }
+  for (std::size_t i = 0; i < against.below.size(); ++i) {
+    const std::string prefix = fmt::format("against_layer_{}_", i + 2);
+    const Participant& layer = against.below[i];
+    if (!layer.material) {
+      describe_ratios(prefix, layer, inputs);
+      continue;
+    }
+    inputs[prefix + "poisson"] = layer.material->poisson;
+    describe_in_si(prefix, layer, inputs);
+  }
 }
 
 }  // namespace

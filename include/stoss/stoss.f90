@@ -71,6 +71,18 @@ module stoss
       type(c_ptr), intent(out) :: body
     end function stoss_half_plane_make
 
+    integer(c_int) function stoss_plate_make(thickness, poisson, young, density, loss_time, body) bind(c)
+      import
+      real(c_double), value :: thickness, poisson, young, density, loss_time
+      type(c_ptr), intent(out) :: body
+    end function stoss_plate_make
+
+    integer(c_int) function stoss_strip_make(thickness, poisson, young, density, loss_time, body) bind(c)
+      import
+      real(c_double), value :: thickness, poisson, young, density, loss_time
+      type(c_ptr), intent(out) :: body
+    end function stoss_strip_make
+
     integer(c_int) function stoss_rigid_make(elastic, body) bind(c)
       import
       type(c_ptr), value :: elastic

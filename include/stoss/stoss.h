@@ -59,7 +59,18 @@ int stoss_half_space_make(double poisson, double young, double density, double l
 /** Makes a half-plane, the second body of a contact with a disk. @param poisson 2-D, -0.95 to 0.995 */
 int stoss_half_plane_make(double poisson, double young, double density, double loss_time, stoss_body** body);
 
-/** Makes the rigid body of the size and mass of another, not a half-space or half-plane; it meets an elastic one. */
+/**
+ * Makes a plate, free on both faces, the second body of a contact with a sphere; one of layers: stoss_open.
+ * @param poisson -0.95 to 0.4999
+ */
+int stoss_plate_make(double thickness, double poisson, double young, double density, double loss_time,
+                     stoss_body** body);
+
+/** Makes a strip, a plate in the plane, the second body of a contact with a disk. @param poisson 2-D, -0.95 to 0.995 */
+int stoss_strip_make(double thickness, double poisson, double young, double density, double loss_time,
+                     stoss_body** body);
+
+/** Makes the rigid body of the size and mass of a disk or a sphere; it meets an elastic one. */
 int stoss_rigid_make(const stoss_body* elastic, stoss_body** body);
 
 /** Frees a body; NULL is none. Contacts that were made of it remain. */

@@ -36,6 +36,7 @@ written.
 `quasistatic`                     slow impacts, Rayleigh's estimate of the loss, static contacts
 `Disk`, `Sphere`, `Rod`           bodies
 `HalfSpace`, `HalfPlane`          elastic blocks, which carry waves away
+`Plate`, `Layer`, `Strip`         elastic plates of some thickness
 `HardWall`, `ExponentialWall`     walls
 `Oscillation`                     a mode that vibrates before an impact
 `Material`, `materials`           SI; typical materials
@@ -52,6 +53,7 @@ from stoss._core import version as __version__
 from stoss._errors import Interrupted, InvalidInput, NotConverged, StossWarning
 from stoss.bodies._bodies import Body, Disk, Rod, Sphere
 from stoss.bodies._material import Material, Scales, materials
+from stoss.bodies._plates import Layer, Plate, Strip
 from stoss.bodies._state import Oscillation
 from stoss.bodies._walls import ExponentialWall, HalfPlane, HalfSpace, HardWall, Wall
 from stoss.export._csv import Table, read_csv
@@ -82,10 +84,11 @@ from stoss.sweeps._values import Sweep, merge, open_sweep
 __all__ = [
     "AtlasValue", "Body", "Bounces", "CollisionRule", "Disk", "DiskField", "ExponentialWall",
     "Extrapolation", "Field", "Fit", "Grid", "HalfPlane", "HalfSpace", "HardWall", "Impact",
-    "Interrupted", "InvalidInput", "Material", "Misfit", "Modes", "NotConverged", "ObliqueImpact",
-    "ObliqueLedger", "ObliqueRestitution", "ObliqueTrajectory", "Oscillation", "PairTable",
-    "Restitution", "RestitutionDistribution", "RestitutionFunction", "Rod", "RodChain", "Scales",
-    "Sphere", "SphereField", "StossWarning", "Sweep", "Table", "Trajectory", "Wall", "Wave",
+    "Interrupted", "InvalidInput", "Layer", "Material", "Misfit", "Modes", "NotConverged",
+    "ObliqueImpact", "ObliqueLedger", "ObliqueRestitution", "ObliqueTrajectory", "Oscillation",
+    "PairTable", "Plate", "Restitution", "RestitutionDistribution", "RestitutionFunction", "Rod", "RodChain",
+    "Scales", "Sphere", "SphereField", "StossWarning", "Strip", "Sweep", "Table", "Trajectory",
+    "Wall", "Wave",
     "__version__", "animate", "atlas", "bounce", "collision_rule", "extrapolated_restitution",
     "fit", "impact", "materials", "merge", "modes", "oblique", "oblique_impact", "open_sweep",
     "pair_table", "plot", "quasistatic", "read_csv", "restitution",

@@ -19,7 +19,7 @@ PARAMETERS = {
     "speed": "Of approach of the centres of mass, or towards the wall, 1e-8 to 1, c (with a material: m/s). Two equal"
     " bodies at twice the speed are one of them at a rigid wall.",
     "against": "What the body meets: a rigid wall (default), another wall, an identical body ('same'), another of its"
-    " kind, or, for a sphere, a half-space, for a disk a half-plane.",
+    " kind, or, for a sphere, a half-space or a plate, for a disk a half-plane or a strip.",
     "poisson": "In place of `body`: 2-D Poisson's ratio of a disk, −0.95 to 0.995; an array broadcasts.",
     "cutoff": "Highest frequency of the modes that are kept, c/R.",
     "step": "Time step, R/c.",
@@ -70,7 +70,7 @@ FIELDS = {
     "contact_half_width": "Half-width of the contact, R, in steps of the nodes' spacing; of spheres its radius.",
     "dissipated": "Energy lost to the material, as a share of the initial one.",
     "lost_to_first": "Vibration of the first body after the impact and what its material absorbed.",
-    "lost_to_second": "The same of the second; what the waves of a half-space carry away; 0 of a wall.",
+    "lost_to_second": "The same of the second; what the waves of a block or a plate carry away; 0 of a wall.",
     "cutoff": "Modes up to this frequency are kept, c/R.",
     "modes": "Number of kept modes.",
     "nodes": "Number of nodes of the contact grid.",
@@ -109,8 +109,8 @@ TYPES = {
     "Flag": "bool | ndarray",
     "ArrayLike": "array_like",
     "Body": "Disk | Sphere | Rod",
-    "Unbounded": "HalfSpace | HalfPlane",
-    "Against": "HardWall | ExponentialWall | Disk | Sphere | Rod | HalfSpace | HalfPlane",
+    "Unbounded": "HalfSpace | HalfPlane | Plate | Strip",
+    "Against": "HardWall | ExponentialWall | Disk | Sphere | Rod | HalfSpace | HalfPlane | Plate | Strip",
     "State": "Oscillation | sequence of them | ndarray",
     "os.PathLike[str]": "path",
 }

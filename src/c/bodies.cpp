@@ -58,6 +58,22 @@ int stoss_half_plane_make(double poisson, double young, double density, double l
   });
 }
 
+int stoss_plate_make(double thickness, double poisson, double young, double density, double loss_time,
+                     stoss_body** body) {
+  return handed_over(body, [&] {
+    const stoss::Plate value{thickness, poisson, young, density, loss_time};
+    return stoss_body{value, false, stoss::plate(value)};
+  });
+}
+
+int stoss_strip_make(double thickness, double poisson, double young, double density, double loss_time,
+                     stoss_body** body) {
+  return handed_over(body, [&] {
+    const stoss::Strip value{thickness, poisson, young, density, loss_time};
+    return stoss_body{value, false, stoss::strip(value)};
+  });
+}
+
 int stoss_rigid_make(const stoss_body* elastic, stoss_body** body) {
   return handed_over(body, [&] {
     require_given(elastic, "elastic");

@@ -7,6 +7,7 @@
 #include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "stoss/encounter/materials.hpp"
 #include "stoss/errors.hpp"
@@ -71,6 +72,7 @@ std::string words_of(const Kind& kind) {
   std::string text = "kind";
   for (const Parameter& each : kind.parameters) text += ", " + std::string(each.name);
   if (!kind.wall) text += ", material";
+  if (kind.add_layer) text += ", layers";
   if (kind.has_plane) text += ", plane";
   if (kind.can_be_rigid) text += ", rigid";
   return text;
@@ -82,6 +84,25 @@ Plane plane_of(const std::string& where, const Json& value) {
   return name == "stress" ? Plane::stress : Plane::strain;
 }
 
+Participant participant(const std::string& where, const Json& given);
+
+/// Layers, each like a whole one but for what all share.
+void read_layers(const std::string& where, const Json& given, Participant& made) {
+  if (!given.is_array() || given.empty()) refuse(where, given, "a list of layers, from the top");
+  std::vector<Participant> layers;
+  for (Json each : given) {
+    const std::string place = where + " " + std::to_string(layers.size() + 1);
+    for (const char* shared : {"kind", "layers", "loss_time"}) {
+      if (object(place, each).contains(shared)) refuse(place, shared, "only what is of one layer");
+    }
+    each["kind"] = made.kind;
+    layers.push_back(participant(place, each));
+  }
+  made.values.insert(layers[0].values.begin(), layers[0].values.end());
+  made.material = layers[0].material, made.material_name = layers[0].material_name;
+  made.below.assign(layers.begin() + 1, layers.end());
+}
+
 Participant participant(const std::string& where, const Json& given) {
   Participant made;
   if (given.is_string()) {
@@ -91,10 +112,15 @@ Participant participant(const std::string& where, const Json& given) {
   if (!object(where, given).contains("kind")) refuse(where, given, "an object with a kind");
   const Kind& its = kind(word(where + " kind", given["kind"], "the name of a kind"));
   made.kind = its.name;
+  const bool layered = its.add_layer && given.contains("layers");
   for (const auto& [name, value] : given.items()) {
     const std::string place = where + " " + name;
     if (name == "kind") continue;
-    if (parameter(its, name) != nullptr) {
+    if (layered && name == "layers") {
+      read_layers(place, value, made);
+    } else if (layered && name != "loss_time") {
+      refuse(where, name, "kind, layers, loss_time");
+    } else if (parameter(its, name) != nullptr) {
       made.values[name] = number(place, value);
     } else if (name == "material" && !its.wall) {
       read_material(place, value, made);
@@ -149,9 +175,29 @@ Json described(const Material& material) {
   return json;
 }
 
+Json described(const Participant& of);
+
+Json layers_of(const Participant& of) {
+  std::vector<Participant> all{of};
+  all.front().below.clear();
+  all.insert(all.end(), of.below.begin(), of.below.end());
+  Json layers = Json::array();
+  for (Participant& each : all) {
+    each.kind = of.kind;
+    layers.push_back(described(each));
+    for (const char* shared : {"kind", "loss_time"}) layers.back().erase(shared);
+  }
+  return layers;
+}
+
 Json described(const Participant& of) {
   const Kind& its = kind(of.kind);
   Json json{{"kind", of.kind}};
+  if (!of.below.empty()) {
+    json["layers"] = layers_of(of);
+    if (const auto loss = of.values.find("loss_time"); loss != of.values.end()) json["loss_time"] = loss->second;
+    return json;
+  }
   for (const auto& [name, value] : of.values) json[name] = value;
   if (of.material) json["material"] = of.material_name.empty() ? described(*of.material) : Json(of.material_name);
   if (of.material && its.has_plane) json["plane"] = of.plane == Plane::stress ? "stress" : "strain";

@@ -15,11 +15,13 @@ namespace {
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
 /// In units of the first body with a material, of which rods are the exception: they keep SI.
-Values in_units_of_first(Values all, const Values& first, double time) {
-  for (const char* name : {"radius", "young", "density"}) {
-    if (all.contains(name)) all[name] /= first.at(name);
+Values in_units_of_first(const Kind& kind, Values all, const Values& first, double time) {
+  for (const Parameter& each : kind.parameters) {
+    if (each.unit.empty()) continue;
+    all.find(each.name)->second /= each.unit == "m"   ? first.at("radius")
+                                   : each.unit == "s" ? time
+                                                      : first.find(each.name)->second;
   }
-  all["loss_time"] /= time;
   return all;
 }
 
@@ -29,11 +31,9 @@ bool has_second_values(const Encounter& encounter) { return !kind(encounter.agai
 
 Values first_values(const Encounter& encounter) { return all_values(encounter.first, {}, infinite); }
 
-Solid solid_of(const Encounter& encounter, const Kind& kind, Values all) {
-  if (encounter.first.material && !is_rod(encounter)) {
-    all = in_units_of_first(std::move(all), first_values(encounter), si_scales(encounter)->time);
-  }
-  return kind.solid(all);
+Values own_units(const Encounter& encounter, const Kind& kind, Values all) {
+  if (!encounter.first.material || is_rod(encounter)) return all;
+  return in_units_of_first(kind, std::move(all), first_values(encounter), si_scales(encounter)->time);
 }
 
 /// Whether it meets a wall, no body.
@@ -155,7 +155,8 @@ double own_speed(const Encounter& encounter, double speed) {
 }
 
 Solid first_solid(const Encounter& encounter) {
-  return solid_of(encounter, kind(encounter.first.kind), first_values(encounter));
+  const Kind& its = kind(encounter.first.kind);
+  return its.solid(own_units(encounter, its, first_values(encounter)));
 }
 
 std::optional<Solid> second_solid(const Encounter& encounter) {
@@ -167,7 +168,13 @@ std::optional<Solid> second_solid(const Encounter& encounter) {
   // A half-plane has no size: that of the first serves to express its modulus.
   const double radius = given_or(encounter.first, "radius", 1.0);
   const Kind& against = kind(encounter.against.kind);
-  return solid_of(encounter, against, of_what_is_met([&] { return all_values(encounter.against, its, radius); }));
+  return of_what_is_met([&] {
+    Solid made = against.solid(own_units(encounter, against, all_values(encounter.against, its, radius)));
+    for (Values& layer : values_below(encounter.against, its, radius)) {
+      against.add_layer(made, own_units(encounter, against, std::move(layer)));
+    }
+    return std::optional(std::move(made));
+  });
 }
 
 BodyMaker first_maker(const Encounter& encounter) { return made(encounter.first, first_solid(encounter)); }

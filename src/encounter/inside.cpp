@@ -96,8 +96,9 @@ std::vector<double> repeated(const std::vector<double>& values, std::size_t time
   return all;
 }
 
-Inside at_rest(const PolarGrid& points) {
-  const std::vector<double> still(points.radius.size() * points.angle.size());
+/// @param count of points
+Inside at_rest(std::size_t count) {
+  const std::vector<double> still(count);
   return [still](const BodyFrame&) { return Interior{still, still, still, still}; };
 }
 
@@ -127,7 +128,8 @@ struct MakeInside {
   Inside operator()(const HalfPlane& block) const { return Block(block.poisson, rest, below, poll); }
   template <typename Other>
   Inside operator()(const Other&) const {
-    return at_rest(points);
+    return is_unbounded(*rest.body) ? at_rest(below.depth.size() * below.distance.size())
+                                    : at_rest(points.radius.size() * points.angle.size());
   }
 };
 
@@ -147,8 +149,9 @@ std::optional<std::size_t> number_of(const Body& body, int order, int index) {
 
 Inside inside(const Solid& solid, const BodyFrame& rest, const PolarGrid& points, const PlaneGrid& below,
               const Poll& poll) {
-  const bool bounded = !std::holds_alternative<HalfSpace>(solid) && !std::holds_alternative<HalfPlane>(solid);
-  if (bounded && rest.body->part.size < 1.0) return at_rest(points);
+  if (!is_unbounded(*rest.body) && rest.body->part.size < 1.0) {
+    return at_rest(points.radius.size() * points.angle.size());
+  }
   return std::visit(MakeInside{rest, points, below, poll}, solid);
 }
 

@@ -26,6 +26,7 @@ constexpr Parameter young{"young", "Pa", 1.0, 0.0, infinity, false, true, "Young
 constexpr Parameter density{"density", "kg/m^3", 1.0, 0.0, infinity, false, true, "density"};
 constexpr Parameter radius{"radius", "m", 1.0, 0.0, infinity, false, false, "radius"};
 constexpr Parameter length{"length", "m", 1.0, 0.0, infinity, false, false, "length"};
+constexpr Parameter thickness{"thickness", "m", {}, 0.0, infinity, false, false, "thickness, from face to face"};
 constexpr Parameter area{"area", "m^2", 1.0, 0.0, infinity, false, false, "area of the cross-section"};
 constexpr Parameter loss_time{
     "loss_time",
@@ -48,6 +49,15 @@ Solid round(const Values& of) {
 template <typename Unbounded>
 Solid unbounded(const Values& of) {
   return Unbounded{of.at("poisson"), of.at("young"), of.at("density"), of.at("loss_time")};
+}
+
+template <typename Flat>
+Solid flat(const Values& of) {
+  return Flat{of.at("thickness"), of.at("poisson"), of.at("young"), of.at("density"), of.at("loss_time")};
+}
+
+void add_layer(Solid& plate, const Values& of) {
+  std::get<Plate>(plate).below.push_back({of.at("thickness"), of.at("poisson"), of.at("young"), of.at("density")});
 }
 
 Solid rod_of(const Values& of) {
@@ -89,6 +99,14 @@ std::vector<Kind> make_kinds() {
   half_plane.bounded = half_plane.can_be_rigid = false;
   half_plane.parameters = {plane_poisson_number, young, density, loss_time};
   half_plane.solid = unbounded<HalfPlane>;
+  Kind plate = half_space;
+  plate.name = "plate", plate.plural = "plates";
+  plate.help = "an elastic plate for spheres, free on both faces, of one layer or several";
+  plate.parameters = {thickness, solid_poisson_number, young, density, loss_time}, plate.solid = flat<Plate>;
+  plate.add_layer = add_layer;
+  Kind strip = half_plane;
+  strip.name = "strip", strip.plural = "strips", strip.help = "such a plate for disks";
+  strip.parameters = {thickness, plane_poisson_number, young, density, loss_time}, strip.solid = flat<Strip>;
   Kind wall = half_space;
   wall.name = "wall", wall.plural = "walls", wall.help = "a rigid wall";
   wall.wall = true, wall.can_yield = false, wall.parameters = {}, wall.solid = {};
@@ -98,7 +116,7 @@ std::vector<Kind> make_kinds() {
   exponential.name = "exponential", exponential.plural = "exponential walls";
   exponential.help = "the paper's soft wall, for one impact at a cutoff";
   exponential.parameters = {hardness, strength};
-  return {wall, same, disk, sphere, rod, half_space, half_plane, exponential};
+  return {wall, same, disk, sphere, rod, half_space, half_plane, plate, strip, exponential};
 }
 
 }  // namespace
@@ -131,12 +149,13 @@ std::string who_meets_whom() {
   std::string text;
   for (const Kind& first : kinds()) {
     if (!first.bounded) continue;
-    text += (text.empty() ? "a " : ", a ") + std::string(first.name) + (text.empty() ? " meets " : " ");
-    bool begun = false;
+    text += (text.empty() ? "a " : "; a ") + std::string(first.name) + (text.empty() ? " meets " : " ");
+    std::vector<std::string_view> others;
     for (const Kind& other : kinds()) {
-      if (other.wall || !meets(first, other)) continue;
-      text += (begun ? " and " : "") + std::string(other.plural);
-      begun = true;
+      if (!other.wall && meets(first, other)) others.push_back(other.plural);
+    }
+    for (std::size_t i = 0; i < others.size(); ++i) {
+      text += (i == 0 ? "" : i + 1 == others.size() ? " and " : ", ") + std::string(others[i]);
     }
   }
   return text;

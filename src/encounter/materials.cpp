@@ -39,6 +39,10 @@ const std::vector<NamedMaterial>& named_materials() {
       made("granite", 5e10, 0.25, 2650.0, unknown, 100.0, "typical without a single source; E from 20 to 70 GPa"),
       made("PMMA", 3.2e9, 0.37, 1190.0, unknown, 30.0,
            "typical without a single source; its modulus grows with the rate of loading"),
+      made(
+          "PVB", 5.7e8, 0.45, 1070.0, unknown, 12.0,
+          "interlayer of laminated glass, at 10 kHz and 20 C: Van Duser et al., J. Eng. Mech. 125, 435 (1999); softens "
+          "with heat and time"),
   };
   return all;
 }

@@ -1,5 +1,6 @@
 #include "encounter/participant.hpp"
 
+#include <limits>
 #include <string>
 
 #include "check.hpp"
@@ -20,6 +21,24 @@ double of_material(const Participant& of, const Kind& kind, std::string_view nam
   return kind.has_plane ? plane_modulus(of, radius) : of.material->young;
 }
 
+void require_layers(const Participant& of, const Kind& kind) {
+  const std::size_t most = kind.add_layer ? most_layers : 1;
+  if (of.below.size() >= most) {
+    throw InvalidInput("layers: got " + std::to_string(of.below.size() + 1) + ", allowed 1" +
+                       (most > 1 ? " to " + std::to_string(most) : "") + " of a " + of.kind);
+  }
+  for (std::size_t i = 0; i < of.below.size(); ++i) {
+    const std::string layer = "layer " + std::to_string(i + 2) + " ";
+    if (of.below[i].values.contains("loss_time")) {
+      throw InvalidInput(layer + "loss_time: got one, allowed one of all layers of a " + of.kind);
+    }
+    if (of.below[i].material.has_value() != of.material.has_value()) {
+      throw InvalidInput(layer + (of.material ? "material: got none, allowed one, as the first layer has one"
+                                              : "material: got one, allowed none, as the first layer has none"));
+    }
+  }
+}
+
 }  // namespace
 
 double given_or(const Participant& of, std::string_view name, double otherwise) {
@@ -28,12 +47,23 @@ double given_or(const Participant& of, std::string_view name, double otherwise) 
 }
 
 double loss_time_of(const Participant& of) {
-  const bool of_material = of.material && !of.rigid;
-  return given_or(of, "loss_time", of_material ? of.material->loss_time.value_or(0.0) : 0.0);
+  if (const auto given = of.values.find("loss_time"); given != of.values.end()) return given->second;
+  const auto of_material = [&of](const Participant& layer) {
+    return layer.material && !of.rigid ? layer.material->loss_time.value_or(0.0) : 0.0;
+  };
+  const double its = of_material(of);
+  for (const Participant& layer : of.below) {
+    if (const double other = of_material(layer); other != its) {
+      throw InvalidInput("loss_time: got layers with " + shown(its) + " and " + shown(other) +
+                         " s, allowed one of the whole " + of.kind + " (give it; 0: no loss)");
+    }
+  }
+  return its;
 }
 
 Values all_values(const Participant& of, std::optional<double> poisson, double radius) {
   const Kind& kind = stoss::kind(of.kind);
+  require_layers(of, kind);
   for (const auto& [name, value] : of.values) {
     if (const Parameter* its = parameter(kind, name); its == nullptr) {
       throw InvalidInput(name + ": got a number, allowed none of a " + std::string(kind.name));
@@ -58,6 +88,24 @@ Values all_values(const Participant& of, std::optional<double> poisson, double r
       all[name] = *each.otherwise;
     } else {
       throw InvalidInput(name + ": got none, allowed a number (" + std::string(each.help) + ")");
+    }
+  }
+  return all;
+}
+
+std::vector<Values> values_below(const Participant& of, std::optional<double> poisson, double radius) {
+  std::vector<Values> all;
+  for (const Participant& each : of.below) {
+    Participant layer{.kind = of.kind, .values = each.values, .material = each.material, .plane = of.plane};
+    const bool last = &each == &of.below.back();
+    try {
+      if (last) layer.values.try_emplace("thickness", std::numeric_limits<double>::infinity());
+      if (!layer.values.contains("thickness")) {
+        throw InvalidInput("thickness: got none, allowed a number (only the last layer may have none: it has no end)");
+      }
+      all.push_back(all_values(layer, poisson, radius));
+    } catch (const InvalidInput& error) {
+      throw InvalidInput("layer " + std::to_string(all.size() + 2) + " " + error.what());
     }
   }
   return all;

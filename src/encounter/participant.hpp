@@ -2,6 +2,7 @@
 
 #include <optional>
 #include <string_view>
+#include <vector>
 
 #include "stoss/encounter/encounter.hpp"
 #include "stoss/errors.hpp"
@@ -22,6 +23,7 @@ auto of_what_is_met(Make make) {
 [[nodiscard]] double given_or(const Participant& of, std::string_view name, double otherwise);
 
 /// η, that of the material where none is given; 0 of a rigid body.
+/// @throws InvalidInput where none is given and layers differ
 [[nodiscard]] double loss_time_of(const Participant& of);
 
 /// All numbers of the kind of a participant: as they were given, of its material in SI, or the default.
@@ -29,5 +31,8 @@ auto of_what_is_met(Make make) {
 /// @param radius  with which the modulus of what has none is expressed
 /// @throws InvalidInput for numbers that the kind does not have, that are missing, or that the material gives too
 [[nodiscard]] Values all_values(const Participant& of, std::optional<double> poisson, double radius);
+
+/// The same of its layers below the first, downwards, but for what all layers share.
+[[nodiscard]] std::vector<Values> values_below(const Participant& of, std::optional<double> poisson, double radius);
 
 }  // namespace stoss

@@ -43,6 +43,20 @@ Json materials() {
   return {{"description", "a named material, or its numbers in SI"}, {"oneOf", {{{"enum", names}}, numbers}}};
 }
 
+/// The layers of what may have some, from the top down.
+Json layers_of(const Kind& kind) {
+  Json properties = Json::object();
+  for (const Parameter& each : kind.parameters) {
+    if (is_of_layer(each)) properties[std::string(each.name)] = number_of(each);
+  }
+  properties["material"] = {{"$ref", "#/$defs/material"}};
+  return {{"type", "array"},
+          {"description", "in place of the numbers above, from the top down; the last may have no thickness: a block"},
+          {"items", {{"type", "object"}, {"properties", properties}, {"additionalProperties", false}}},
+          {"minItems", 1},
+          {"maxItems", most_layers}};
+}
+
 /// @param first whether it is of the first body, whose numbers have no default but 1
 Json object_of(const Kind& kind, bool first) {
   Json properties{{"kind", {{"const", kind.name}}}};
@@ -51,6 +65,7 @@ Json object_of(const Kind& kind, bool first) {
     properties[std::string(each.name)] = each.name == "loss_time" ? without_a_range(number_of(each)) : number_of(each);
   }
   if (!kind.wall) properties["material"] = {{"$ref", "#/$defs/material"}};
+  if (kind.add_layer) properties["layers"] = layers_of(kind);
   if (kind.has_plane) properties["plane"] = {{"enum", {"stress", "strain"}}, {"default", "stress"}};
   if (kind.can_be_rigid) properties["rigid"] = {{"type", "boolean"}, {"default", false}};
   Json schema{{"type", "object"},
@@ -58,6 +73,14 @@ Json object_of(const Kind& kind, bool first) {
               {"properties", properties},
               {"required", {"kind"}},
               {"additionalProperties", false}};
+  for (const Parameter& each : kind.parameters) {
+    if (each.otherwise || each.of_material) continue;
+    if (kind.add_layer) {
+      schema["oneOf"] = {{{"required", {each.name}}}, {{"required", {"layers"}}}};
+    } else {
+      schema["required"].push_back(each.name);
+    }
+  }
   if (first && parameter(kind, "poisson") != nullptr) {
     schema["oneOf"] = {{{"required", {"poisson"}}}, {{"required", {"material"}}}};
   }

@@ -9,6 +9,8 @@ struct Make {
   BodyMaker operator()(const Rod& value) const { return rod(value); }
   BodyMaker operator()(const HalfSpace& value) const { return half_space(value); }
   BodyMaker operator()(const HalfPlane& value) const { return half_plane(value); }
+  BodyMaker operator()(const Plate& value) const { return plate(value); }
+  BodyMaker operator()(const Strip& value) const { return strip(value); }
 };
 
 }  // namespace

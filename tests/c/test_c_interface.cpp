@@ -11,6 +11,7 @@
 
 #include "stoss/bodies/disk.hpp"
 #include "stoss/bodies/half_space.hpp"
+#include "stoss/bodies/plate.hpp"
 #include "stoss/bodies/rod.hpp"
 #include "stoss/bodies/sphere.hpp"
 #include "stoss/restitution/curve.hpp"
@@ -68,6 +69,14 @@ TEST(CInterface, PairsAreThoseOfCpp) {
   ASSERT_EQ(stoss_half_plane_make(0.2, 0.5, 0.4, 0.1, &plane), STOSS_OK);
   ASSERT_EQ(stoss_pair_contact_make(sphere, space, &on_space), STOSS_OK) << stoss_message();
   ASSERT_EQ(stoss_pair_contact_make(rigid, plane, &on_plane), STOSS_OK) << stoss_message();
+  CBody plate, strip;
+  CContact on_plate, on_strip;
+  ASSERT_EQ(stoss_plate_make(1.5, 0.22, 0.5, 0.4, 0.0, &plate), STOSS_OK);
+  ASSERT_EQ(stoss_strip_make(0.8, 0.2, 0.5, 0.4, 0.1, &strip), STOSS_OK);
+  ASSERT_EQ(stoss_pair_contact_make(sphere, plate, &on_plate), STOSS_OK) << stoss_message();
+  ASSERT_EQ(stoss_pair_contact_make(disk, strip, &on_strip), STOSS_OK) << stoss_message();
+  expect_same(on_plate, {stoss::sphere(0.3), stoss::plate(Plate{1.5, 0.22, 0.5, 0.4, 0.0})});
+  expect_same(on_strip, {stoss::disk(0.33), stoss::strip(Strip{0.8, 0.2, 0.5, 0.4, 0.1})});
   expect_same(on_space, {stoss::sphere(0.3), half_space({0.22, 0.5, 0.4, 0.0})});
   expect_same(on_plane, {stoss::rigid(stoss::disk(0.33)), half_plane({0.2, 0.5, 0.4, 0.1})});
 }

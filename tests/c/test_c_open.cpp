@@ -43,6 +43,22 @@ TEST(COpen, IsTheContactOfHandles) {
   stoss_function_free(function);
 }
 
+TEST(COpen, MakesPlatesOfLayers) {
+  const std::string ball = R"({"first": {"kind": "sphere", "poisson": 0.3}, "against": )";
+  CContact opened, made, coated, none;
+  ASSERT_EQ(stoss_open((ball + R"({"kind": "plate", "thickness": 2, "young": 0.5}})").c_str(), &opened), STOSS_OK);
+  CBody sphere, plate;
+  ASSERT_EQ(stoss_sphere_make(0.3, 1.0, 1.0, 1.0, 0.0, &sphere), STOSS_OK);
+  ASSERT_EQ(stoss_plate_make(2.0, 0.3, 0.5, 1.0, 0.0, &plate), STOSS_OK);
+  ASSERT_EQ(stoss_pair_contact_make(sphere, plate, &made), STOSS_OK);
+  EXPECT_EQ(at(opened, 0.1).restitution.value, at(made, 0.1).restitution.value);
+
+  ASSERT_EQ(stoss_open((ball + R"({"kind": "plate", "layers": [{"thickness": 1}, {"young": 2}]}})").c_str(), &coated),
+            STOSS_OK);
+  EXPECT_EQ(stoss_open((ball + R"({"kind": "plate"}})").c_str(), &none), STOSS_INVALID_INPUT);
+  EXPECT_EQ(std::string(stoss_message()).rfind("against thickness: got none", 0), 0U) << stoss_message();
+}
+
 TEST(COpen, TakesVibrationAlong) {
   const std::string ball = R"({"first": {"kind": "sphere", "poisson": 0.3})";
   CContact unexcited, excited;

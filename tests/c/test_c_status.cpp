@@ -26,6 +26,10 @@ TEST(CStatus, RefusesWhatCppRefuses) {
     EXPECT_EQ(stoss_rod_make(1.0, 1.0, bad, 1.0, 0.0, &body), STOSS_INVALID_INPUT);
     EXPECT_EQ(stoss_half_space_make(0.3, bad, 1.0, 0.0, &body), STOSS_INVALID_INPUT);
     EXPECT_EQ(stoss_half_plane_make(0.3, 1.0, bad, 0.0, &body), STOSS_INVALID_INPUT);
+    EXPECT_EQ(stoss_plate_make(bad, 0.3, 1.0, 1.0, 0.0, &body), STOSS_INVALID_INPUT);
+    EXPECT_EQ(stoss_strip_make(bad, 0.3, 1.0, 1.0, 0.0, &body), STOSS_INVALID_INPUT);
+    EXPECT_EQ(stoss_plate_make(1.0, 0.3, bad, 1.0, 0.0, &body), STOSS_INVALID_INPUT);
+    EXPECT_EQ(stoss_strip_make(1.0, 0.3, 1.0, bad, 0.0, &body), STOSS_INVALID_INPUT);
   }
   EXPECT_EQ(stoss_sphere_make(0.5, 1.0, 1.0, 1.0, 0.0, &body), STOSS_INVALID_INPUT);
   EXPECT_STREQ(stoss_message(), [] {

@@ -29,6 +29,9 @@ def schema(stoss):
         {"first": {"kind": "rod"}, "against": {"kind": "rod", "length": 2, "area": 0.5}},
         {"first": BALL, "vibration": [{"order": 2, "index": 0, "energy": 0.1, "body": "first"}]},
         {"first": BALL, "friction": 0.3},
+        {"first": BALL, "against": {"kind": "plate", "thickness": 2, "young": 3}},
+        {"first": BALL, "against": {"kind": "plate", "layers": [{"thickness": 2}, {"young": 3}], "loss_time": 0}},
+        {"first": STEEL, "against": {"kind": "plate", "layers": [{"thickness": 0.004, "material": "PVB"}]}},
     ],
 )
 def test_schema_takes(schema, encounter):
@@ -50,6 +53,12 @@ def test_schema_takes(schema, encounter):
         {"first": {"kind": "sphere", "radius": 1, "material": {"young": 1e9}}},
         {"first": BALL, "vibration": [{"order": 2, "index": 0}]},
         {"first": BALL, "friction": 5.1},
+        {"first": BALL, "against": {"kind": "plate"}},
+        {"first": BALL, "against": {"kind": "plate", "thickness": 0}},
+        {"first": BALL, "against": {"kind": "plate", "thickness": 1, "layers": [{"thickness": 1}]}},
+        {"first": BALL, "against": {"kind": "plate", "layers": []}},
+        {"first": BALL, "against": {"kind": "plate", "layers": [{"thickness": 1, "loss_time": 0}]}},
+        {"first": BALL, "against": {"kind": "strip"}},
         {"first": BALL, "friction": "much"},
         {"first": BALL, "speed": 1},
     ],

@@ -151,7 +151,7 @@ REFUSED = [
     ("--poisson 0.3 --plane strain", "plane", "--body sphere, allowed only with --body disk"),
     ("--poisson 0.3 --length 1", "length", "--body sphere, allowed only with --body rod"),
     ("--poisson 0.3 --area 1", "area", "--body sphere, allowed only with --body rod"),
-    ("--poisson 0.3 --against disk", "against", "a disk meets disks and half-planes, a sphere spheres"),
+    ("--poisson 0.3 --against disk", "against", "a disk meets disks, half-planes and strips; a sphere spheres"),
     ("--poisson 0.3 --against rod", "against", "a sphere spheres"),
     ("--poisson 0.3 --against sphere,length=2", "against", "allowed poisson, radius, young, density, loss_time, yield"),
     ("--poisson 0.3 --against spere", "against", "did you mean sphere?"),
@@ -175,7 +175,7 @@ def test_refusals(stoss, command, arguments, name, said):
 @pytest.mark.parametrize(
     "arguments, name, said",
     [
-        ("--poisson 0.3 --against sphere", "against", "for a disk, allowed wall, same, disk or half-plane"),
+        ("--poisson 0.3 --against sphere", "against", "for a disk, allowed wall, same, disk, half-plane or strip"),
         ("--poisson 0.3 --yield 1e9", "yield", "--body disk, allowed only with --body sphere"),
         ("--body rod --against sphere", "against", "for a rod, allowed wall, same or rod"),
         ("--body sphere --poisson 0.3 --method extrapolate", "against", "allowed a disk at a wall"),

@@ -71,8 +71,8 @@ TEST(Encounter, BeginsToYield) {
 TEST(Encounter, RefusesInOneLine) {
   const Participant ball{.kind = "sphere", .values = {{"poisson", 0.3}}};
   EXPECT_EQ(test::message_of<InvalidInput>([&] { validate(Encounter{.first = ball, .against = {.kind = "rod"}}); }),
-            "against: got rod for a sphere, allowed wall, same, sphere or half-space (a disk meets disks and "
-            "half-planes, a sphere spheres and half-spaces, a rod rods)");
+            "against: got rod for a sphere, allowed wall, same, sphere, half-space or plate (a disk meets disks, "
+            "half-planes and strips; a sphere spheres, half-spaces and plates; a rod rods)");
   EXPECT_EQ(test::message_of<InvalidInput>(
                 [&] { validate(Encounter{.first = ball, .against = {.kind = "half-space", .material = glass}}); }),
             "against material: got one, allowed none, as the first body has none");
@@ -90,9 +90,9 @@ TEST(Encounter, RefusesInOneLine) {
             "against area: got a number, allowed none of a sphere");
   Participant rigid_ball = ball;
   rigid_ball.rigid = true;
-  EXPECT_EQ(
-      test::message_of<InvalidInput>([&] { validate(Encounter{.first = rigid_ball}); }),
-      "rigid: got a rigid sphere against wall, allowed only against an elastic sphere or half-space, which deforms");
+  EXPECT_EQ(test::message_of<InvalidInput>([&] { validate(Encounter{.first = rigid_ball}); }),
+            "rigid: got a rigid sphere against wall, allowed only against an elastic sphere, half-space or plate, "
+            "which deforms");
 }
 
 TEST(EncounterDocument, ReadsBackAsItWasWritten) {

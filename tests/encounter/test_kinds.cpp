@@ -14,7 +14,9 @@ namespace {
 /// An encounter whose first body, or what a fitting first meets, is of the kind with one number changed.
 Encounter with(const Kind& its, const std::string& name, double value) {
   Participant changed{.kind = std::string(its.name)};
-  if (parameter(its, "poisson") != nullptr) changed.values["poisson"] = 0.25;
+  for (const Parameter& each : its.parameters) {
+    if (!each.otherwise) changed.values[std::string(each.name)] = 0.25;
+  }
   changed.values[name] = value;
   if (its.bounded) return {.first = changed};
   Participant first{.kind = its.contour == Contour::ball ? "sphere" : "disk", .values = {{"poisson", 0.25}}};
@@ -47,11 +49,13 @@ TEST(Kinds, HaveTheRangesOfTheirMakers) {
 TEST(Kinds, AreFoundByTheirNames) {
   for (const Kind& its : kinds()) EXPECT_EQ(&kind(its.name), &its);
   EXPECT_EQ(test::message_of<InvalidInput>([] { (void)kind("cube"); }),
-            "kind: got 'cube', allowed wall, same, disk, sphere, rod, half-space, half-plane, exponential");
+            "kind: got 'cube', allowed wall, same, disk, sphere, rod, half-space, half-plane, plate, strip, "
+            "exponential");
 }
 
 TEST(Kinds, SayWhoMeetsWhom) {
-  EXPECT_EQ(who_meets_whom(), "a disk meets disks and half-planes, a sphere spheres and half-spaces, a rod rods");
+  EXPECT_EQ(who_meets_whom(),
+            "a disk meets disks, half-planes and strips; a sphere spheres, half-spaces and plates; a rod rods");
 }
 
 }  // namespace

@@ -84,7 +84,7 @@ class Collision {
   [[nodiscard]] val modes() const {
     val list = val::array();
     for (const ModeEnergy& mode : impact_.energy.modes) {
-      if (meeting_->against_half_space() && mode.body == 1) continue;
+      if (meeting_->against_unbounded() && mode.body == 1) continue;
       list.call<void>("push", object({{"body", val(mode.body)},
                                       {"order", val(mode.order)},
                                       {"index", val(mode.index)},

@@ -20,6 +20,7 @@ static void to_json(Json& json, const Parameter& of) {
 static void to_json(Json& json, const Kind& kind) {
   json = {{"name", kind.name},
           {"help", kind.help},
+          {"solid", !kind.wall},
           {"bounded", kind.bounded},
           {"canYield", kind.can_yield},
           {"hasPlane", kind.has_plane},
@@ -47,8 +48,9 @@ Meeting::Meeting(const std::string& document)
       si(si_scales(encounter)),
       contact(refinable(encounter)) {}
 
-bool Meeting::against_half_space() const {
-  return second && (std::holds_alternative<HalfSpace>(*second) || std::holds_alternative<HalfPlane>(*second));
+bool Meeting::against_unbounded() const {
+  const Kind& its = kind(encounter.against.kind);
+  return !its.wall && !its.bounded;
 }
 
 std::string Meeting::unit_name(Dimension dimension) const {

@@ -82,7 +82,7 @@ val oblique_collision(const Question& asked) {
   const Contact contact = contact_of(meeting->encounter, asked.number("cutoff"), its.speed);
   std::map<std::string, std::vector<double>> series;
   std::array<std::array<std::vector<double>, 2>, 2> centers;  // x and y of each body
-  const std::size_t bodies = meeting->second && !meeting->against_half_space() ? 2 : 1;
+  const std::size_t bodies = meeting->second && !meeting->against_unbounded() ? 2 : 1;
   std::vector<double> places, grips;
   double begin = -1.0, end = 0.0;
   const auto observe = [&](const ObliqueSnapshot& now) {

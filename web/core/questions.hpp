@@ -22,7 +22,7 @@ struct Meeting {
   /// Of the first body, or of what it meets.
   [[nodiscard]] const Solid& solid(int number) const { return number == 0 ? first : second.value(); }
 
-  [[nodiscard]] bool against_half_space() const;
+  [[nodiscard]] bool against_unbounded() const;
 
   /// Value of a unit of the first body in what the page is given: 1, or in SI.
   [[nodiscard]] double unit(Dimension dimension) const { return si ? unit_in_si(dimension, *si) : 1.0; }

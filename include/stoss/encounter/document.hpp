@@ -12,7 +12,10 @@
 ///    "vibration": [{"body": "first", "order": 2, "index": 0, "energy": 0.1, "phase": 0}],
 ///    "friction": 0.3}
 ///
-/// `against` may be the name of a kind without numbers, as "wall" or "same"; all but `first` may be left out.
+/// `against` may be the name of a kind without numbers, as "wall" or "same"; all but `first` may be left out. A plate
+/// of layers has in place of its numbers a list of those of its layers, from the top down:
+///
+///   {"kind": "plate", "layers": [{"thickness": 1e-5, "material": "steel"}, {"material": "glass"}], "loss_time": 0}
 namespace stoss {
 
 /// Reads a document. @throws InvalidInput with one line: what is wrong where, and what is allowed

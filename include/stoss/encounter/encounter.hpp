@@ -3,6 +3,7 @@
 #include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "stoss/encounter/kinds.hpp"
 #include "stoss/impact/vibration.hpp"
@@ -19,6 +20,8 @@ struct Participant {
   std::string material_name{};         ///< where it is a named one
   Plane plane = Plane::stress;         ///< of a disk or a half-plane with a material
   bool rigid = false;                  ///< keeps its mass and the units of the elastic body
+  /// Further layers, downwards, of which values and material count; a last one without a thickness is a block.
+  std::vector<Participant> below{};
 };
 
 /// Something of a kind without numbers.

@@ -43,7 +43,15 @@ struct Kind {
   UnitSystem own, si;  ///< of results of which it is the first
   std::vector<Parameter> parameters;
   std::function<Solid(const Values&)> solid;  ///< of all its numbers, in consistent units; empty for a wall
+  /// Puts a further layer below all others, infinitely thick where its thickness is infinite; empty of what has none.
+  std::function<void(Solid&, const Values&)> add_layer{};
 };
+
+/// Layers that one thing may have.
+inline constexpr std::size_t most_layers = 20;
+
+/// Whether a parameter is of a layer, not of all of them together.
+[[nodiscard]] inline bool is_of_layer(const Parameter& parameter) { return parameter.name != "loss_time"; }
 
 /// All kinds, in the order in which they are named.
 [[nodiscard]] const std::vector<Kind>& kinds();
@@ -57,7 +65,7 @@ struct Kind {
 /// Whether a body of one kind meets what is of the other.
 [[nodiscard]] bool meets(const Kind& first, const Kind& against);
 
-/// "a disk meets disks and half-planes, a sphere …": of all kinds that can be the first.
+/// "a disk meets disks and half-planes; a sphere …": of all kinds that can be the first.
 [[nodiscard]] std::string who_meets_whom();
 
 }  // namespace stoss

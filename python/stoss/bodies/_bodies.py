@@ -8,7 +8,7 @@ from typing import Iterator, Union
 
 from stoss._errors import InvalidInput
 from stoss.bodies._material import Material
-from stoss.bodies._solid import LEFT_OUT, Solid
+from stoss.bodies._solid import KINDS, LEFT_OUT, Solid, is_rigid
 from stoss.bodies._walls import UNBOUNDED, Unbounded
 
 
@@ -122,12 +122,12 @@ def shown(body: Body | Unbounded, against: object = None) -> str:
         return f"{shown(body)} against {shown(against)}"
     if body.material is None:
         return repr(body)
-    if isinstance(body, UNBOUNDED):
-        return f"{type(body).__name__}(poisson={body.poisson:.6g})"
-    if isinstance(body, Rod):
-        return f"Rod(length={body.length:g} m)"
-    rigid = ", rigid" if body.rigid else ""
-    return f"{type(body).__name__}(poisson={body.poisson:.6g}, radius={body.radius:g} m{rigid})"
+    if layers := getattr(body, "layers", None):
+        return f"{type(body).__name__}({len(layers)} layers)"
+    said = [f"poisson={body.poisson:.6g}"] if hasattr(body, "poisson") else []
+    lengths = [each.name for each in KINDS[body._kind].parameters if each.unit == "m"]
+    said += [f"{name}={getattr(body, name):g} m" for name in lengths]
+    return f"{type(body).__name__}({', '.join([*said, *['rigid'] * is_rigid(body)])})"
 
 
 def speed_unit(body: Body | None) -> float:

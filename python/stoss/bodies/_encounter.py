@@ -14,7 +14,7 @@ from stoss._arguments import choice, instance, refusal
 from stoss._errors import InvalidInput
 from stoss.bodies._bodies import BODIES, PARTNERS, Body, Disk, Sphere
 from stoss.bodies._solid import Solid, describe, is_rigid
-from stoss.bodies._walls import UNBOUNDED, HalfSpace, HardWall, Unbounded, Wall
+from stoss.bodies._walls import UNBOUNDED, HardWall, Unbounded, Wall
 
 
 Against = Union[Wall, Body, Unbounded]
@@ -123,7 +123,7 @@ def refinable(body: Body, against: Against) -> _core.RefinableContact:
     return _refinable(_document(body, against))
 
 
-def yield_speed(body: Sphere, *, against: Sphere | HalfSpace | str | None = None) -> float | None:
+def yield_speed(body: Sphere, *, against: Sphere | Unbounded | str | None = None) -> float | None:
     """Speed of approach at which a sphere at a rigid wall, or the weaker of two bodies, begins to yield, m/s.
 
     The maximum pressure p₀ of Hertz' contact is then 1.6 times the yield strength Y of the
@@ -133,8 +133,8 @@ def yield_speed(body: Sphere, *, against: Sphere | HalfSpace | str | None = None
 
     Parameters:
         body (Sphere): With a material.
-        against ('same', Sphere or HalfSpace, optional): An equal sphere, another one, or a
-            half-space with a material; a rigid wall if it is left out.
+        against (Sphere, HalfSpace or 'same', optional): Another sphere, a block with a material, or an
+            equal sphere; a rigid wall if it is left out.
 
     Examples:
         >>> hard = stoss.Material(young=2.1e11, poisson=0.3, density=7850, yield_strength=1e9)
@@ -145,13 +145,15 @@ def yield_speed(body: Sphere, *, against: Sphere | HalfSpace | str | None = None
         0.1355
     """
     first: Sphere = instance("body", body, (Sphere,))
-    second: Sphere | HalfSpace | None = None
+    second: Sphere | Unbounded | None = None
+    partners = tuple(each for each in PARTNERS if _core.meets(first._kind, each._kind))
     if isinstance(against, str) and against == "same":
         second = first
-    elif isinstance(against, (Sphere, HalfSpace)):
+    elif isinstance(against, partners):
         second = against
     elif against is not None:
-        raise refusal("against", against, "None, 'same', a stoss.Sphere or a stoss.HalfSpace")
+        allowed = " or ".join(f"a stoss.{each.__name__}" for each in partners)
+        raise refusal("against", against, f"None, 'same', {allowed}")
     for name, solid in (("body", first), ("against", second)):
         if solid is not None and solid.material is None:
             raise refusal(name, solid, f"a stoss.{type(solid).__name__} with a material")
@@ -165,10 +167,10 @@ def yield_speed_of(body: Any, against: Any) -> float | None:
     if not isinstance(body, Sphere) or body.material is None:
         return None
     met = body if isinstance(against, str) else against
-    return _with_materials(body, met if isinstance(met, (Sphere, HalfSpace)) else None).yield_speed()
+    return _with_materials(body, met if isinstance(met, PARTNERS) else None).yield_speed()
 
 
-def _with_materials(first: Sphere, second: Sphere | HalfSpace | None) -> _core.Encounter:
+def _with_materials(first: Sphere, second: Body | Unbounded | None) -> _core.Encounter:
     """Both in SI."""
     met = "wall" if second is None else describe(second)
     return _encounter(json.dumps({"first": describe(first), "against": met}))

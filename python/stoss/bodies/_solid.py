@@ -6,7 +6,7 @@ import dataclasses
 import functools
 import json
 from types import MappingProxyType
-from typing import Any, ClassVar, Mapping, NamedTuple
+from typing import Any, ClassVar, Mapping, NamedTuple, TypeVar
 
 from stoss import _core
 from stoss._arguments import boolean, brief, instance, number, refusal
@@ -94,13 +94,14 @@ class Solid:
         if fields.get("rigid"):
             made["loss_time"] = 0.0
         for each in kind.parameters:
-            fields[each.name] = self._chosen(each, given[each.name], made[each.name], material)
+            fields[each.name] = self._chosen(each, given.get(each.name), made[each.name], material)
         if fields.get("rigid") and fields["loss_time"] != 0.0:
             raise refusal("loss_time", given["loss_time"], "0 of a rigid body, which loses nothing")
         for name, value in fields.items():
             object.__setattr__(self, name, value)
         numbers = {each.name: fields[each.name] for each in kind.parameters}
-        _core.check_solid(self._kind, numbers if numbers.get("poisson", 0.0) is not None else numbers | {"poisson": 0.0})
+        still_open = 0.25  # is in the range of all numbers that may be
+        _core.check_solid(self._kind, {name: still_open if of is None else of for name, of in numbers.items()})
         if material is not None and kind.bounded:
             _ = self.scales  # refuses what is out of range
 
@@ -109,8 +110,10 @@ class Solid:
         if given is None:
             if made is None and material is not None:
                 raise InvalidInput(f"{asked.name}: got none, allowed a number in SI (the body has a material)")
-            if made is None and KINDS[self._kind].bounded:  # a block has the Poisson's ratio of what it meets
-                raise InvalidInput(f"{asked.name}: got none, allowed a number, or a material instead")
+            if made is None and (KINDS[self._kind].bounded or not asked.of_material):
+                # A block has the Poisson's ratio of what it meets.
+                instead = ", or a material instead" if asked.of_material else ""
+                raise InvalidInput(f"{asked.name}: got none, allowed a number{instead}")
             return made
         value = number(asked.name, given)
         if material is not None and asked.of_material and value != made:
@@ -149,9 +152,29 @@ class Solid:
         return {"kind": self._kind, **poisson, "loss_time": loss_time}
 
 
+Block = TypeVar("Block", bound="Endless")
+
+
+class Endless(Solid):
+    """What blocks and plates have in common: no end sideways, and a Poisson's ratio that may be the first's.
+
+    Parameters:
+        loss_time (float, optional): Loss time η of a Kelvin–Voigt material, stress = (1 + η ∂/∂t)
+            elastic stress; 0, or that of the material. In R/c of the first body; with a material in
+            s. Its loss is in `lost_to_second` and in `dissipated`.
+    """
+
+    def _beside(self: Block, body: Any) -> Block:
+        """The same, with the Poisson's ratio of the first body where it has none."""
+        return self if self.poisson is not None else dataclasses.replace(self, poisson=body.poisson)
+
+
 def describe(solid: Solid) -> Specification:
     """All that makes it, in plain types; with a material in SI."""
     given = {field.name: getattr(solid, field.name) for field in dataclasses.fields(solid)}
+    if layers := given.pop("layers", None):
+        each = [{name: value for name, value in describe(layer).items() if name != "kind"} for layer in layers]
+        return {"kind": solid._kind, "layers": each, "loss_time": solid.loss_time}
     if solid.material is not None:
         given = {name: value for name, value in given.items() if name not in ("poisson", "young", "density")}
         given["material"] = {name: value for name, value in vars(solid.material).items() if value is not None}

@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 import dataclasses
-from typing import Any, TypeVar, Union
+from typing import Union
 
 from stoss import _core
 from stoss._arguments import number
 from stoss.bodies._material import Material
-from stoss.bodies._solid import LEFT_OUT, Solid
+from stoss.bodies._plates import Plate, Strip
+from stoss.bodies._solid import LEFT_OUT, Endless
 
 
 @dataclasses.dataclass(frozen=True, init=False)
@@ -50,27 +51,8 @@ Wall = Union[HardWall, ExponentialWall]
 """Any wall: a hard or an exponential one."""
 
 
-Block = TypeVar("Block", bound="_Unbounded")
-
-
-class _Unbounded(Solid):
-    """What a half-space and a half-plane have in common: no size, and a Poisson's ratio that may be the first's.
-
-    Parameters:
-        loss_time (float, optional): Loss time η of a Kelvin–Voigt material, stress = (1 + η ∂/∂t)
-            elastic stress; 0, or that of the material. In R/c of the first body; with a material in
-            s. Its loss is in `lost_to_second` and in `dissipated`.
-    """
-
-    def _beside(self: Block, body: Any) -> Block:
-        """The same, with the Poisson's ratio of the first body where it has none."""
-        if self.poisson is not None:
-            return self
-        return type(self)(poisson=body.poisson, young=self.young, density=self.density, loss_time=self.loss_time)  # type: ignore[call-arg]
-
-
 @dataclasses.dataclass(frozen=True, kw_only=True, repr=False)
-class HalfSpace(_Unbounded):
+class HalfSpace(Endless):
     """An elastic half-space, which spheres meet: a block so large that no wave comes back in time.
 
     Waves carry energy away in it: see `Impact.lost_to_second`. The block is thick enough
@@ -102,7 +84,7 @@ class HalfSpace(_Unbounded):
 
 
 @dataclasses.dataclass(frozen=True, kw_only=True, repr=False)
-class HalfPlane(_Unbounded):
+class HalfPlane(Endless):
     """An elastic half-plane, which disks meet: a half-space in two dimensions.
 
     Parameters:
@@ -126,6 +108,6 @@ class HalfPlane(_Unbounded):
     plane: str | None = None
 
 
-Unbounded = Union[HalfSpace, HalfPlane]
-UNBOUNDED = (HalfSpace, HalfPlane)
+Unbounded = Union[HalfSpace, HalfPlane, Plate, Strip]
+UNBOUNDED = (HalfSpace, HalfPlane, Plate, Strip)
 """The classes of what extends to infinity, for isinstance."""

@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from stoss._arguments import integer, number, refusal
-from stoss.bodies._bodies import Disk, Sphere
+from stoss.bodies._bodies import Sphere
 from stoss.bodies._walls import UNBOUNDED
 from stoss.plot import _disk, _style
 from stoss.results._impact import Impact
@@ -124,7 +124,7 @@ def ledger(
         raise refusal("of", of, "0 or 1")
     unbounded = isinstance(impact.against, UNBOUNDED)
     if of == 1 and unbounded:
-        raise refusal("of", of, "0 (a half-space has no modes (n, l); its energy is shown next to those of the body)")
+        raise refusal("of", of, f"0 (a {impact.against._kind} has no modes (n, l); its energy is shown next to those of the body)")
     heat = impact.dissipated if when == "after" else 0.0
     waves = float(impact.mode_energies[when][impact.mode_energies["body"] == 1].sum()) if unbounded else 0.0
     modes = impact.mode_energies[impact.mode_energies["body"] == of]
@@ -150,7 +150,7 @@ def ledger(
             axes.hlines(before["before"], place - half, place + half, color=_style.BLACK, linewidth=1.5, label="before")
         axes.set_yscale("log")
         places, bars = np.unique(modes["order"]), np.append(modes[when], before["before"])
-        name = "half-plane" if isinstance(impact.body, Disk) else "half-space"
+        name = impact.against._kind if unbounded else ""
         whole = [each for each in ((name, waves, _style.GREY), ("heat", heat, _style.BLACK)) if each[1] > 0.0]
         for k, (label, energy, color) in enumerate(whole):
             last = places[-1] + 1.5 if places.size else 0

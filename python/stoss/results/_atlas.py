@@ -19,7 +19,7 @@ from stoss._arguments import arranged, numbers, refusal
 from stoss._documentation import documented
 from stoss.bodies._bodies import Body, Disk, Sphere, speed_unit
 from stoss.bodies._encounter import Against, choose_against, choose_body
-from stoss.bodies._walls import UNBOUNDED, HardWall, Unbounded
+from stoss.bodies._walls import UNBOUNDED, HalfPlane, HalfSpace, HardWall, Unbounded
 from stoss.export._text import span, with_error
 from stoss.results._result import Column, Number
 from stoss.results._si import SpeedInSi
@@ -119,8 +119,10 @@ def _what(body: Sphere | Disk, met: Any) -> tuple[str, float]:
     alike = all(getattr(met, name) == getattr(body, name) for name in ("poisson", "young", "density"))
     if not alike or met.loss_time != 0.0 or getattr(met, "rigid", False):
         raise refusal("against", met, "the material of the first, without loss, in the atlas (use stoss.restitution)")
-    if isinstance(met, UNBOUNDED):
+    if isinstance(met, (HalfSpace, HalfPlane)):
         return "block", 1.0
+    if isinstance(met, UNBOUNDED):
+        raise refusal("against", met, "a wall, a half-space, a half-plane or a body in the atlas (use stoss.restitution)")
     # What each of two bodies of one material loses is the same whoever is called the first.
     return "pair", max(met.radius, body.radius) / min(met.radius, body.radius)
 

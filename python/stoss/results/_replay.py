@@ -15,7 +15,7 @@ from stoss.bodies._bodies import BODIES, Disk, Sphere
 from stoss.bodies._encounter import encounter
 from stoss.bodies._solid import is_rigid
 from stoss.bodies._state import choose_state
-from stoss.bodies._walls import UNBOUNDED
+from stoss.bodies._walls import HalfPlane, HalfSpace
 from stoss.results._field import DiskField, Field, SphereField, Trajectory, Wave
 from stoss.results._result import columns
 
@@ -145,7 +145,7 @@ def field(
         raise InvalidInput(f"body: got {self.body!r}, allowed {hint}")
     number, pair = integer("of", of), isinstance(self.against, BODIES)
     if number not in ((0, 1) if pair else (0,)):
-        other = "half-space" if isinstance(self.against, UNBOUNDED) else "wall"
+        other = getattr(self.against, "_kind", "wall")
         hint = "0 or 1" if pair else f"0 (a {other} has no field)"
         raise InvalidInput(f"of: got {number}, allowed {hint}")
     inside = self.body if number == 0 else self.against
@@ -207,7 +207,7 @@ def wave(
         >>> bool(abs(wave.normal[16]).max() < 0.01 * wave.normal.max())  # the waves are not there yet
         True
     """
-    if not isinstance(self.against, UNBOUNDED):
+    if not isinstance(self.against, (HalfSpace, HalfPlane)):
         raise InvalidInput(f"against: got {self.against!r}, allowed a stoss.HalfSpace or a stoss.HalfPlane")
     chosen = self.contact_time * np.array([0.4, 0.8, 1.2, 1.6]) if time is None else time
     times = numbers("time", chosen)

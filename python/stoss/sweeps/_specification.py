@@ -12,13 +12,13 @@ from numpy.typing import NDArray
 
 from stoss import _core
 from stoss._arguments import brief, refusal
-from stoss.bodies._bodies import PARTNERS, Body, Disk, Rod, Sphere
+from stoss.bodies._bodies import PARTNERS, Body
 from stoss.bodies._material import Material, materials
-from stoss.bodies._solid import Solid, Specification, describe
-from stoss.bodies._walls import HalfPlane, HalfSpace, HardWall
+from stoss.bodies._plates import Layer
+from stoss.bodies._solid import KINDS, Specification, describe
+from stoss.bodies._walls import HardWall
 
-SOLIDS: tuple[type[Solid], ...] = (Disk, Sphere, Rod, HalfSpace, HalfPlane)
-CLASSES: Mapping[str, Any] = {made._kind: made for made in SOLIDS}
+CLASSES: Mapping[str, Any] = {name: made for name in KINDS for made in PARTNERS if made._kind == name}
 WALLS = ("wall", "same")
 
 Choices = List[List[Tuple[str, Any]]]
@@ -44,7 +44,21 @@ def make(name: str, given: Specification) -> Any:
             raise refusal(name, each, f"{', '.join(sorted(known))} of a {kind}")
     if "material" in words:
         words["material"] = _material(name, words["material"])
+    if "layers" in words:
+        if not isinstance(words["layers"], (list, tuple)):
+            raise refusal(f"{name}: layers", words["layers"], "a list of them, from the top down")
+        words["layers"] = [_layer(name, each) for each in words["layers"]]
     return CLASSES[kind](**words)
+
+
+def _layer(name: str, given: Any) -> Layer:
+    """A layer of its numbers, or as it is."""
+    if isinstance(given, Layer):
+        return given
+    known = {field.name for field in dataclasses.fields(Layer)}
+    if not isinstance(given, Mapping) or not set(given) <= known:
+        raise refusal(f"{name}: layers", given, f"mappings with {', '.join(sorted(known))}")
+    return Layer(**{key: _material(name, each) if key == "material" else each for key, each in given.items()})
 
 
 def _material(name: str, given: Any) -> Material:
@@ -69,7 +83,7 @@ def beside(given: Specification, body: Body) -> Any:
     words = dict(given)
     if kind in ("disk", "sphere") and "material" not in words and "poisson" in vars(body):
         words.setdefault("poisson", body.poisson)
-    if kind in ("disk", "half-plane") and "material" in words and getattr(body, "plane", None):
+    if kind in CLASSES and KINDS[kind].has_plane and "material" in words and getattr(body, "plane", None):
         words.setdefault("plane", body.plane)  # type: ignore[union-attr]
     return make("against", words)
 
@@ -99,7 +113,7 @@ def expanded(name: str, given: Any, left: Choices) -> Iterator[Specification]:
             one = dict(chosen)
             made = make(name, {"poisson": 0.0, **one} if name == "against" and _borrows(one) else one)
             # What a partner leaves out stays open until it is known whom it meets.
-            yield {**one, **_plain_material(made, one)} if name == "against" else describe(made)
+            yield {**one, **_plain(made, one)} if name == "against" else describe(made)
     else:
         walls = "'wall', 'same', " if name == "against" else ""
         raise refusal(name, given, f"{walls}a body, or a mapping with its kind")
@@ -113,11 +127,14 @@ def _borrows(words: Specification) -> bool:
     return words.get("kind") in ("disk", "sphere") and "material" not in words
 
 
-def _plain_material(made: Any, words: Specification) -> Specification:
-    return {"material": describe(made)["material"]} if "material" in words else {}
+def _plain(made: Any, words: Specification) -> Specification:
+    """What may be given as objects, in plain types."""
+    return {name: each for name, each in describe(made).items() if name in words and name in ("material", "layers")}
 
 
 def _choices(name: str, key: str, value: Any) -> list[Any]:
+    if key == "layers":
+        return [value]
     if key in ("kind", "plane", "rigid", "material"):
         return list(value) if isinstance(value, (list, tuple)) else [value]
     if isinstance(value, str):
@@ -137,16 +154,23 @@ def _number(name: str, value: Any) -> float:
         raise refusal(name, value, allowed) from None
 
 
-SI = {"radius": "m", "length": "m", "area": "m2", "young": "Pa", "density": "kg/m3", "loss_time": "s"}
+SI = {its.name: its.unit.replace("^", "") for each in KINDS.values() for its in each.parameters if its.unit}
 """Units of the numbers of bodies with a material."""
 
 
 def label(words: Specification) -> str:
     """What a body or a partner is, in the manner of --against."""
-    usual = {"loss_time": 0.0, **({} if "material" in words else dict.fromkeys(SI, 1.0) | {"loss_time": 0.0})}
+    usual = {each.name: each.otherwise for each in KINDS[words["kind"]].parameters}
+    usual = {"loss_time": 0.0} if "material" in words else usual
     numbers = {name: value for name, value in words.items() if name != "kind" and usual.get(name) != value}
-    numbers |= {f"material_{name}": value for name, value in numbers.pop("material", {}).items()}
-    return ",".join((words["kind"], *(f"{name}={brief(value)}" for name, value in numbers.items())))
+    layers = [_label(each) for each in numbers.pop("layers", [])]
+    return "/".join([",".join(filter(None, (words["kind"], _label(numbers), *layers[:1]))), *layers[1:]])
+
+
+def _label(numbers: Specification) -> str:
+    plain = {name: value for name, value in numbers.items() if name != "material"}
+    plain |= {f"material_{name}": value for name, value in numbers.get("material", {}).items()}
+    return ",".join(f"{name}={brief(value)}" for name, value in plain.items())
 
 
 def numbers_of_bodies(bodies: Sequence[Body]) -> dict[str, NDArray[np.float64]]:

@@ -8,7 +8,9 @@ import pytest
 import stoss
 
 CLASSES = {"disk": stoss.Disk, "sphere": stoss.Sphere, "rod": stoss.Rod, "half-space": stoss.HalfSpace,
-           "half-plane": stoss.HalfPlane, "exponential": stoss.ExponentialWall}  # fmt: skip
+           "half-plane": stoss.HalfPlane, "plate": stoss.Plate, "strip": stoss.Strip,
+           "exponential": stoss.ExponentialWall}  # fmt: skip
+PLATES = ("plate", "strip")
 WORDS = {"wall", "same"}  # which have no numbers
 KINDS = {
     name: {"wall": wall, "bounded": bounded, "rigid": rigid, "plane": plane, "numbers": numbers}
@@ -19,8 +21,8 @@ EACH = pytest.mark.parametrize("kind", CLASSES)
 
 
 def made(kind, **given):
-    """One of that kind, with the Poisson's ratio that it must have."""
-    needed = {"poisson": 0.3} if kind in ("disk", "sphere") else {}
+    """One of that kind, with the numbers that it must have."""
+    needed = {"poisson": 0.3} if kind in ("disk", "sphere") else {"thickness": 2.0} if kind in PLATES else {}
     return CLASSES[kind](**{**needed, **given})
 
 
@@ -33,17 +35,17 @@ def test_there_is_a_class_for_every_kind():
 def test_fields_are_the_parameters_of_the_core(kind):
     fields = [field.name for field in dataclasses.fields(CLASSES[kind])]
     numbers = [name for name, *_ in KINDS[kind]["numbers"]]
-    flags = [name for name in ("plane", "rigid") if KINDS[kind][name]]
+    flags = [name for name in ("plane", "rigid") if KINDS[kind][name]] + ["layers"] * (kind == "plate")
     assert fields == numbers + ([] if KINDS[kind]["wall"] else ["material"]) + flags
 
 
 @EACH
 def test_what_is_left_out_is_what_the_core_takes(kind):
     one = made(kind)
-    for name, _, otherwise, *_ in KINDS[kind]["numbers"]:
+    for name, _, otherwise, *_, of_material in KINDS[kind]["numbers"]:
         if otherwise is not None:
             assert getattr(one, name) == otherwise
-        elif KINDS[kind]["bounded"]:
+        elif KINDS[kind]["bounded"] or not of_material:
             with pytest.raises(stoss.InvalidInput, match=f"^{name}: got none"):
                 CLASSES[kind]()
         else:
@@ -54,10 +56,12 @@ def test_what_is_left_out_is_what_the_core_takes(kind):
 def test_a_material_makes_what_the_core_says(kind):
     if KINDS[kind]["wall"]:
         return
-    steel, sizes = stoss.materials["steel"], {"radius", "length", "area"}
+    steel, sizes = stoss.materials["steel"], {"radius", "length", "area", "thickness"}
     own = [name for name, *_, of_material in KINDS[kind]["numbers"] if not of_material and name in sizes]
     one = CLASSES[kind](material=steel, **dict.fromkeys(own, 0.01))
-    assert own == ([] if not KINDS[kind]["bounded"] else ["length", "area"] if kind == "rod" else ["radius"])
+    assert own == {"rod": ["length", "area"], "disk": ["radius"], "sphere": ["radius"]}.get(
+        kind, ["thickness"] if kind in PLATES else []
+    )
     for name, *_, of_material in KINDS[kind]["numbers"]:
         if of_material:
             assert getattr(one, name) == getattr(steel, name)

@@ -11,7 +11,7 @@ import { withUnit, written } from '../drawing/numbers';
 import { BESIDE, stacked, type Drawn } from '../drawing/plot';
 import { readTheme } from '../drawing/theme';
 import { equal } from '../inputs/document';
-import { kindNamed } from '../inputs/kinds';
+import { isBlock, kindNamed } from '../inputs/kinds';
 import { evenGrid } from '../scene/grid';
 import { partsOf } from '../scene/parts';
 import {
@@ -110,7 +110,7 @@ export function createModeBars(host: HTMLElement, core: Core) {
     return [
       layout.bars.length ? '' : 'No mode of this body has energy.',
       layout.omitted ? `${layout.omitted} more modes hold ${percent(layout.rest)} together.` : '',
-      encounter.against === 'half-space' && chosen.when === 'after'
+      isBlock(encounter.against) && chosen.when === 'after'
         ? `The waves in the body it meets hold ${percent(energyOfWaves(collision))}.` : '',
     ].filter(Boolean).join(' ');
   }

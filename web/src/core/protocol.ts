@@ -1,7 +1,7 @@
 // What the page asks of the core, which runs in a worker, and what it gets back.
 // Words are those of the command: docs/architecture.md, stoss --help.
 
-import type { BodyField, BodyKind } from '../inputs/kinds';
+import type { Block, BodyField, BodyKind } from '../inputs/kinds';
 import type { AnglePoint, Motion, ObliqueCollision } from './oblique';
 
 export type { AnglePoint, Motion, ObliqueCollision };
@@ -10,8 +10,8 @@ export type { AnglePoint, Motion, ObliqueCollision };
  *  used. */
 export type Body = Record<BodyField, number>;
 
-/** What the first body meets: a rigid wall, its like, another of its kind, or a half-space (of a disk a half-plane). */
-export type Against = 'wall' | 'same' | 'body' | 'half-space';
+/** What the first body meets: a rigid wall, its like, another of its kind, or a block by its name for a sphere. */
+export type Against = 'wall' | 'same' | 'body' | Block;
 
 /** Who meets whom. */
 export interface Encounter {

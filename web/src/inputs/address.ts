@@ -5,7 +5,7 @@ import { motionProblem, parseNumber, repaired } from './check';
 import { type Side, sidesOf } from './document';
 import { motionFieldsOf, motions, names } from './fields';
 import { type Inputs, ball, defaults, mostKept, siSpeed, unitBody } from './inputs';
-import { type BodyField, type BodyKind, blockOf, bodyKinds } from './kinds';
+import { type BodyField, type BodyKind, blockOf, blocks, bodyKinds } from './kinds';
 import { barSpeed } from './units';
 
 const keyOf = (field: BodyField, second: boolean): string => names[field][2] + (second ? '2' : '');
@@ -117,7 +117,7 @@ function encounterFrom(reader: Reader): Encounter {
   const si = reader.word('units', ['c', 'SI']) === 'SI';
   const plane = reader.word('plane', ['stress', 'strain']);
   const others = ['wall', 'same', 'body'] as const;
-  const against = reader.word('against', blockOf(kind) ? [...others, 'half-space'] : others);
+  const against = reader.word('against', [...others, ...blocks.filter((name) => blockOf(kind, name))]);
   const usual = si ? ball : unitBody;
   const encounter: Encounter = { kind, si, plane, first: usual, against, second: unitBody };
   const filled = ({ fields, second }: Side, without: Body): Body => ({

@@ -1,6 +1,8 @@
 // The document of an encounter, as the core reads it, and the numbers that it names.
 import type { Body, Encounter } from '../core/protocol';
-import { type BodyField, type Kind, type Material, blockOf, kindNamed, materials, parametersOf, sizeOf } from './kinds';
+import {
+  type BodyField, type Kind, type Material, blockOf, isBlock, kindNamed, materials, parametersOf, sizeOf,
+} from './kinds';
 
 /** The body made of a material, of the same size. */
 export function madeOf({ young, poisson, density, loss_time }: Material, body: Body): Body {
@@ -38,12 +40,12 @@ export function sidesOf({ kind: name, si, plane, first, against, second: other }
   };
   const one = side(kindNamed(name), first, false);
   if (!hasSecond(against)) return [one];
-  return [one, side(against === 'body' ? one.kind : (blockOf(name) ?? kindNamed('half-space')), other, true)];
+  return [one, side(against === 'body' ? one.kind : (blockOf(name, against) ?? kindNamed(against)), other, true)];
 }
 
 /** Whether what the first body meets has numbers of its own. */
 export function hasSecond(against: Encounter['against']): boolean {
-  return against === 'body' || against === 'half-space';
+  return against === 'body' || isBlock(against);
 }
 
 /** Whether what the first body meets is another, which moves and turns too. */

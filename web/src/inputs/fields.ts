@@ -3,7 +3,7 @@ import type { Encounter, Motion } from '../core/protocol';
 import { unitInWords } from '../drawing/numbers';
 import { meetsBody, sidesOf } from './document';
 import { type Impact, isOblique } from './inputs';
-import { type BodyField, kindNamed, sizeOf } from './kinds';
+import { type BodyField, blockOf, kindNamed, sizeOf } from './kinds';
 
 /** A number of the first body or of what it meets. */
 export type PlacedField = BodyField | `${BodyField}2`;
@@ -70,7 +70,7 @@ export function withValue(encounter: Encounter, field: PlacedField, value: numbe
 export const names: Record<BodyField, [words: string, symbol: string, key: string]> = {
   poisson: ['Poisson’s ratio', 'ν', 'nu'], young: ['Young’s modulus', 'E', 'E'], density: ['Density', 'ρ', 'rho'],
   radius: ['Radius', 'R', 'R'], length: ['Length', 'L', 'R'], area: ['Cross-section', 'A', 'A'],
-  loss_time: ['Loss time', 'η', 'eta'],
+  thickness: ['Thickness', 'h', 'h'], loss_time: ['Loss time', 'η', 'eta'],
 };
 
 /** What the page says of a field. */
@@ -84,7 +84,7 @@ interface Words {
   readonly unit: string;
 }
 
-export function wordsOf({ kind, si }: Encounter, field: Field): Words {
+export function wordsOf({ kind, si, against }: Encounter, field: Field): Words {
   const place = owner(field);
   if (place === undefined) {
     const [words, sign, , own, real, help] = motions[field as keyof Motion];
@@ -92,13 +92,15 @@ export function wordsOf({ kind, si }: Encounter, field: Field): Words {
   }
   const { name: key, second } = place;
   const { hasPlane, length, parameters } = kindNamed(kind);
-  const { help = '', unit = '' } = parameters.find((each) => each.name === key) ?? {};
+  const ofBlock = blockOf(kind, against)?.parameters ?? [];
+  const { help = '', unit = '' } = [...parameters, ...ofBlock].find((each) => each.name === key) ?? {};
   const [usual, symbol] = names[key];
   const name = si ? usual : key === 'poisson' && hasPlane ? '2‑D Poisson’s ratio'
     : key === 'young' && second ? 'Modulus' : usual;
   const ratio = second && !si && !['ν', 'η'].includes(symbol);
+  const ratioOf = parameters.some((each) => each.name === key) ? `${symbol}₂/${symbol}₁` : `${symbol}/${length}`;
   return {
-    name, label: `${name} ${ratio ? `${symbol}₂/${symbol}₁` : symbol}`, help,
+    name, label: `${name} ${ratio ? ratioOf : symbol}`, help,
     unit: si ? unitInWords(unit) : key === 'loss_time' ? `${length}/c` : '',
   };
 }

@@ -1,7 +1,7 @@
 // What the user has chosen, as one value that is never changed in place; and examples, each with all of it.
 import type { Body, Encounter, Motion } from '../core/protocol';
 import { equal, hasSecond, madeOf, meetsBody } from './document';
-import { type BodyKind, blockOf, kindNamed, materialNamed, sizeOf } from './kinds';
+import { type BodyKind, blockOf, isBlock, kindNamed, materialNamed, sizeOf } from './kinds';
 
 /** Who meets whom, and how. */
 export interface Impact extends Motion {
@@ -17,7 +17,7 @@ export interface Inputs extends Impact {
 
 /** A body that is its own unit and loses nothing. */
 export const unitBody: Body =
-  { poisson: 0.33, young: 1, density: 1, radius: 1, length: 1, area: 1, loss_time: 0 };
+  { poisson: 0.33, young: 1, density: 1, radius: 1, length: 1, area: 1, thickness: 1, loss_time: 0 };
 
 /** What is along the surface at first: nothing that counts. */
 const smooth = { friction: 0, angle: 45, spin: 0, spin2: 0 };
@@ -31,7 +31,8 @@ export const defaults: Inputs = {
 };
 
 /** What SI begins with: a ball of a bearing of 1 cm, at the speed of a fall from 5 cm. */
-export const ball = madeOf(materialNamed('bearing steel'), { ...unitBody, radius: 0.01, length: 0.01, area: 1e-4 });
+const centimetre = { radius: 0.01, length: 0.01, area: 1e-4, thickness: 0.01 };
+export const ball = madeOf(materialNamed('bearing steel'), { ...unitBody, ...centimetre });
 export const siSpeed = 1;
 
 /** More curves than these cannot be told apart: there are as many colours, and one is for the current one. */
@@ -50,7 +51,7 @@ export function withKind(encounter: Encounter, kind: BodyKind): Encounter {
     kind,
     plane: kindNamed(kind).hasPlane ? plane : 'stress',
     first: made(first),
-    against: against === 'half-space' && !blockOf(kind) ? 'wall' : against,
+    against: isBlock(against) && !blockOf(kind, against) ? 'wall' : against,
     second: made(second),
   };
 }
@@ -84,7 +85,7 @@ export interface Preset extends Impact {
 
 /** A ball that falls on a block: radius in m, speed in m/s. */
 function drop(name: string, material: string, radius: number, block: string, speed: number): Preset {
-  const made = (of: string): Body => madeOf(materialNamed(of), { ...unitBody, radius, area: 1e-4 });
+  const made = (of: string): Body => madeOf(materialNamed(of), { ...unitBody, ...centimetre, radius });
   const encounter: Encounter =
     { kind: 'sphere', first: made(material), against: 'half-space', second: made(block), si: true, plane: 'stress' };
   return { name, encounter, speed, ...smooth };

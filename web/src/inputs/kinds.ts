@@ -6,8 +6,11 @@ type Row = (typeof kinds)[number];
 /** What can be the first body. */
 export type BodyKind = Extract<Row, { bounded: true }>['name'];
 
-/** A number that makes a body. */
-export type BodyField = Extract<Row, { bounded: true }>['parameters'][number]['name'];
+/** What has no end, by its name for a sphere. */
+export type Block = Extract<Row, { solid: true; bounded: false; hasPlane: false }>['name'];
+
+/** A number that makes a body or a block. */
+export type BodyField = Extract<Row, { solid: true }>['parameters'][number]['name'];
 
 export interface Parameter {
   readonly name: BodyField;
@@ -40,9 +43,17 @@ export function kindNamed(name: string): Kind {
   return table.find((kind) => kind.name === name)!;
 }
 
-/** The kind of the half-space that a body meets; undefined where it meets none. */
-export function blockOf(kind: BodyKind): Kind | undefined {
-  return kindNamed(kind).meets.map(kindNamed).find(({ bounded }) => !bounded);
+const blocksOf = (kind: BodyKind): Kind[] => kindNamed(kind).meets.map(kindNamed).filter(({ bounded }) => !bounded);
+
+export const blocks = blocksOf('sphere').map(({ name }) => name as Block);
+
+export function isBlock(against: string): against is Block {
+  return blocks.some((name) => name === against);
+}
+
+/** The kind of block that a body meets in place of that of a sphere; undefined where it meets none. */
+export function blockOf(kind: BodyKind, against: string): Kind | undefined {
+  return isBlock(against) ? blocksOf(kind)[blocks.indexOf(against)] : undefined;
 }
 
 /** Numbers of a kind, in the order of the page: the material, the size, the loss. */
@@ -54,7 +65,12 @@ export function parametersOf(kind: Kind): Parameter[] {
 
 /** The name of the size of a body: radius, or length. */
 export function sizeOf(kind: string): BodyField {
-  return kindNamed(kind).parameters.find(({ unit }) => unit === 'm')!.name;
+  return lengthOf(kindNamed(kind))!;
+}
+
+/** The name of the size of a body or a block; undefined of what has none. */
+export function lengthOf({ parameters }: Kind): BodyField | undefined {
+  return parameters.find(({ unit }) => unit === 'm')?.name;
 }
 
 export interface Material {

@@ -3,8 +3,9 @@ import { unitsOf } from '../core/local';
 import type { CurvePoint, Encounter, Motion } from '../core/protocol';
 import { prefixFor, shortest, significant } from '../drawing/numbers';
 import { type Side, poissonOf, sidesOf } from './document';
+import { names } from './fields';
 import { type Inputs, motionOf } from './inputs';
-import { sizeOf } from './kinds';
+import { lengthOf } from './kinds';
 
 // The build takes it from CMakeLists.txt.
 declare const STOSS_VERSION: string;
@@ -19,17 +20,17 @@ export function description(encounter: Encounter): string {
   const { against, si } = encounter;
   const [first, second] = sidesOf(encounter);
   const words = inWords(first, si, si);
-  if (second) return `${words} at ${inWords(second, si, second.kind.bounded)}`;
+  if (second) return `${words} at ${inWords(second, si, true)}`;
   return against === 'wall' ? words : `${words} at an identical one`;
 }
 
 function inWords({ kind, body, second, fields, material, strain }: Side, si: boolean, sized: boolean): string {
-  const size = kind.bounded ? body[sizeOf(kind.name)] : 0;
+  const size = sized ? lengthOf(kind) : undefined;
   return [
     ...(material ? [`${material.name} ${kind.name}`] : [kind.name]),
     ...(!material && fields.includes('poisson') ? [`ν ${significant(body.poisson, 4)}`] : []),
     ...(!material && (si || second) ? [`E ${withPrefix(body.young, si ? 'Pa' : '')}`] : []),
-    ...(sized ? [si ? withPrefix(size, 'm') : `${kind.length} ${significant(size, 3)}`] : []),
+    ...(size ? [si ? withPrefix(body[size], 'm') : `${names[size][1]} ${significant(body[size], 3)}`] : []),
     ...(!material && body.loss_time !== 0 ? [`η ${significant(body.loss_time, 3)}`] : []),
     ...(strain && !second ? ['plane strain'] : []),
   ].join(' ');

@@ -5,7 +5,7 @@ import { seriesOf, unitsOf } from '../core/local';
 import type { Body, Elastic, Encounter } from '../core/protocol';
 import { rounded, shortest } from '../drawing/numbers';
 import { type Inputs, ball, siSpeed } from './inputs';
-import type { BodyField } from './kinds';
+import { type BodyField, blockOf, isBlock, lengthOf, sizeOf } from './kinds';
 
 /** c of the first body: 1 without SI, else m/s. */
 export function barSpeed(encounter: Encounter): number {
@@ -22,11 +22,13 @@ function changed(body: Body, change: (value: number, name: BodyField) => number)
 export function withoutSi(inputs: Inputs): Inputs {
   const { encounter } = inputs;
   if (!encounter.si) return inputs;
-  const { first, second } = encounter;
+  const { kind, first, second, against } = encounter;
   const units = unitsOf(encounter);
+  const block = blockOf(kind, against);
+  const thickness = block && lengthOf(block);
   const ratios = (body: Body, { young, poisson = body.poisson }: Elastic): Body => {
     const own: Partial<Body> = { young, poisson, loss_time: body.loss_time / units.time };
-    return changed(body, (value, name) => own[name] ?? value / first[name]);
+    return changed(body, (value, name) => own[name] ?? value / first[name === thickness ? sizeOf(kind) : name]);
   };
   return {
     ...inputs,
@@ -63,7 +65,7 @@ export const slowest = 1e-6;
 export function fastest(encounter: Encounter): number {
   const half = 0.5;
   const { first, second } = unitsOf(encounter);
-  if (encounter.against !== 'half-space' || !second) return half;
+  if (!isBlock(encounter.against) || !second) return half;
   const sphere = encounter.kind === 'sphere';
   const stiff = ({ young, poisson = 0 }: Elastic): number => young / (sphere ? 1 - poisson ** 2 : 1);
   const share = stiff(first) / (stiff(first) + stiff(second));

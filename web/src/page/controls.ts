@@ -7,7 +7,7 @@ import { check } from '../inputs/check';
 import { madeOf, sidesOf } from '../inputs/document';
 import { type Field, fieldsOf } from '../inputs/fields';
 import { type Inputs, presetOf, presets, withAgainst, withKind } from '../inputs/inputs';
-import { type BodyKind, blockOf, bodyKinds, kindNamed, materials, sizeOf } from '../inputs/kinds';
+import { type BodyKind, blockOf, blocks, bodyKinds, kindNamed, materials, sizeOf } from '../inputs/kinds';
 import { description } from '../inputs/lines';
 import { barSpeed, placeOf, speedAt, steps, withoutSi, withSi } from '../inputs/units';
 import { showFields, showNumbers, textOf } from './fields_view';
@@ -50,10 +50,12 @@ export function createControls(initial: Inputs, listener: Listener) {
     find('plane-row', HTMLElement).hidden = !(si && kindNamed(kind).hasPlane);
     find('material-row', HTMLElement).hidden = !si;
     find('material2-row', HTMLElement).hidden = !si || sidesOf(encounter)[1] === undefined;
-    const block = blockOf(kind);
     render(optionsOf([
       ['wall', 'a rigid wall'], ['same', 'an identical body'], ['body', `another ${kind}`],
-      ...(block ? [['half-space', `an elastic ${block.name}`] as const] : []),
+      ...blocks.flatMap((name): [string, string][] => {
+        const block = blockOf(kind, name);
+        return block ? [[name, `an elastic ${block.name}`]] : [];
+      }),
     ]), partner);
     partner.value = against;
     showFields(inputs, new Map());

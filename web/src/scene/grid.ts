@@ -46,12 +46,13 @@ const DISTANCES = 44;
 export const DEEP = 0.9;
 const WIDE = 1.7;
 
-/** The points of a half-space, for a contact of some maximum half width in radii of the body that it meets. */
-export function gridBelow(halfWidth: number): NonNullable<Grid['below']> {
+/** The points of a half-space, or of a plate of some thickness, for a contact of some maximum half width, both in radii of
+ *  the body that it meets. */
+export function gridBelow(halfWidth: number, thickness = Infinity): NonNullable<Grid['below']> {
   const first = halfWidth / PER_HALF_WIDTH;
   const places = (count: number, last: number): Float32Array =>
     Float32Array.from(gradedPlaces(count, first / last), (each) => last * each);
-  return { depth: places(DEPTHS, DEEP), distance: places(DISTANCES, WIDE) };
+  return { depth: places(DEPTHS, Math.min(DEEP, thickness)), distance: places(DISTANCES, WIDE) };
 }
 
 /** An even grid for mode shapes, which have no contact. */

@@ -3,7 +3,7 @@
 
 import { range } from 'd3-array';
 import type { BodyFrame, Encounter, Grid } from '../core/protocol';
-import type { BodyKind } from '../inputs/kinds';
+import { type BodyKind, isBlock } from '../inputs/kinds';
 
 /** One of what meets. Its points stand in rows and columns, row-major, as the numbers of frames do. */
 export interface Part {
@@ -102,7 +102,7 @@ const ROD = 0.1; // half the thickness of the first rod, in its lengths
 /** What meets, of some sizes. */
 export function partsOf({ kind, first, against, second }: Encounter, sizes: number[], grid: Grid): Part[] {
   const thick = Math.min(0.4, Math.max(0.03, ROD * Math.sqrt((against === 'body' ? second : first).area / first.area)));
-  return sizes.map((size, n) => (n === 1 && against === 'half-space' ? blockPart(grid.below!)
+  return sizes.map((size, n) => (n === 1 && isBlock(against) ? blockPart(grid.below!)
     : bodyPart(kind, size, n === 0 ? 1 : -1, n === 0 ? ROD : thick, grid)));
 }
 

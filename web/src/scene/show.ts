@@ -3,7 +3,7 @@
 import { max } from 'd3-array';
 import type { Collision, Core, Encounter, Frame, Grid } from '../core/protocol';
 import { sizesOf } from '../inputs/document';
-import { sizeOf } from '../inputs/kinds';
+import { blockOf, lengthOf, sizeOf } from '../inputs/kinds';
 import type { Quantity } from './raster';
 import { coarseToFine, filmSpan, insertFrame } from './film';
 import { gridBelow, gridFor } from './grid';
@@ -42,8 +42,10 @@ export async function* produce(
   // That of the contact in radii of the larger body, whose smallest part it is.
   const first = encounter.si ? encounter.first[sizeOf(encounter.kind)] : 1;
   const halfWidth = max(collision.contact_half_width)! / first / max(sizes)!;
-  const block = encounter.against === 'half-space';
-  const grid: Grid = { ...gridFor(encounter.kind, halfWidth), ...(block && { below: gridBelow(halfWidth) }) };
+  const block = blockOf(encounter.kind, encounter.against);
+  const size = block && lengthOf(block);
+  const thickness = size && encounter.second[size] / first;
+  const grid: Grid = { ...gridFor(encounter.kind, halfWidth), ...(block && { below: gridBelow(halfWidth, thickness) }) };
   const { from, to } = filmSpan(collision.begin, collision.end);
   const frames: Frame[] = [];
   let show: Show | undefined;

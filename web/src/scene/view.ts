@@ -4,6 +4,7 @@
 import { bisectLeft, cumsum, max, mean, min } from 'd3-array';
 import type { BodyFrame, Encounter, Frame } from '../core/protocol';
 import { roundDown, roundUp } from '../drawing/numbers';
+import { isBlock } from '../inputs/kinds';
 import { DEEP } from './grid';
 import { cross, displacementOf, edgeOf, meshOf, type Part, sidesOf } from './parts';
 import type { Quantity } from './raster';
@@ -92,7 +93,7 @@ export function viewOf(
   view.right = Math.min(view.right + MARGIN * small, reach);
   view.half = Math.min(view.half + MARGIN * small, 0.5 * reach);
   if (against === 'wall') view.right = GROUND * (parts[0]!.curvature === 0 ? 0.3 : 1);
-  if (against === 'half-space') view.right = Math.max(view.right, DEEP);
+  if (isBlock(against)) view.right = Math.max(view.right, DEEP);
   return view;
 }
 

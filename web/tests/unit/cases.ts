@@ -13,7 +13,7 @@ const made = (name: string, size: number): Body =>
 const ratios = (numbers: Partial<Body>): Body => ({ ...unitBody, ...numbers });
 const ball = made('bearing steel', 0.005);
 const own: Body =
-  { poisson: 0.25, young: 1.5e11, density: 5000, radius: 0.004, length: 0.004, area: 2e-4, loss_time: 1e-9 };
+  { poisson: 0.25, young: 1.5e11, density: 5000, radius: 0.004, length: 0.004, area: 2e-4, thickness: 0.003, loss_time: 1e-9 };
 
 const of = (encounter: Encounter, speed: number, kept: Encounter[] = []): Inputs =>
   ({ ...defaults, encounter, speed, kept });
@@ -32,6 +32,9 @@ export const cases: readonly Inputs[] = [
   of({ ...sphere, si: true, first: ball, against: 'half-space', second: made('glass', 1) }, 1),
   of({ ...sphere, si: true, first: own, against: 'same' }, 0.2),
   of({ ...rod, si: true, first: made('aluminium', 0.5), against: 'body', second: made('steel', 0.3) }, 1),
+  of({ ...sphere, against: 'plate', second: ratios({ poisson: 0.2, thickness: 2, young: 0.5 }) }, 0.1),
+  of({ ...disk, si: true, first: made('steel', 0.01), plane: 'strain', against: 'plate', second: own }, 1),
+  of({ ...sphere, si: true, first: ball, against: 'plate', second: { ...made('glass', 1), thickness: 0.01 } }, 1),
 ];
 
 /** Collisions with friction. */

@@ -109,7 +109,7 @@ describe('a change of units', () => {
       const plain = withoutSi(inputs);
       const round = withoutSi(withSi(plain));
       for (const field of fieldsOf(plain)) {
-        if (!['radius2', 'young2', 'density2', 'area2'].includes(field)) continue;
+        if (!['radius2', 'young2', 'density2', 'area2', 'thickness2'].includes(field)) continue;
         const before = valueOf(plain, field);
         const after = valueOf(round, field);
         expect(Math.abs(after - before), field).toBeLessThanOrEqual(1e-4 * Math.abs(before));

@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest';
 import { defaults } from '../../src/inputs/inputs';
-import { commandLine, curveCsv, pythonLines, ruleLine, version } from '../../src/inputs/lines';
+import { commandLine, curveCsv, description, pythonLines, ruleLine, version } from '../../src/inputs/lines';
 import { cases, obliqueCases } from './cases';
 
 const lines = cases.map(({ encounter, speed }) => commandLine(encounter, speed));
@@ -12,6 +12,11 @@ describe('the command line', () => {
       '--against half-plane,poisson=0.2,young=0.5,density=1,loss_time=0.02 --speed 0.05');
     expect(lines[6]).toBe(
       'stoss restitution --body rod --against rod,young=1,density=3,length=2.5,area=0.5 --speed 0.1');
+  });
+  it('has the thickness of a plate', () => {
+    expect(lines[13]).toBe('stoss restitution --body sphere --poisson 0.3 ' +
+      '--against plate,poisson=0.2,young=0.5,density=1,thickness=2 --speed 0.1');
+    expect(lines[14]).toContain(' --against strip,poisson=0.25,young=1.5e11,density=5000,thickness=0.003,loss_time=1e-9');
   });
   it('is that of the collision rule where there is friction', () => {
     expect(ruleLine(defaults)).toBe(lines[0]);
@@ -35,6 +40,19 @@ describe('the Python lines', () => {
         'block = stoss.HalfSpace(material=stoss.materials["glass"])',
         'print(stoss.restitution(sphere, against=block, speed=1))', '',
       ].join('\n'));
+  });
+});
+
+describe('plates', () => {
+  const { encounter, speed } = cases[15]!;
+  it('are blocks with a thickness in Python', () => {
+    expect(pythonLines({ ...defaults, encounter, speed }).split('\n')[3]).toBe(
+      'block = stoss.Plate(thickness=0.01, material=stoss.materials["glass"])');
+    expect(pythonLines(cases[14]!)).toContain('block = stoss.Strip(thickness=0.003, material=stoss.Material(');
+  });
+  it('are said in a few words', () => {
+    expect(description(encounter)).toBe('bearing steel sphere 5 mm at glass plate 10 mm');
+    expect(description(cases[13]!.encounter)).toBe('sphere ν 0.3 at plate ν 0.2 E 0.5 h 2');
   });
 });
 

@@ -1,0 +1,175 @@
+// Plates and strips of one layer and of several: documents, SI and ratios, refusals in one line.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "stoss/encounter/document.hpp"
+#include "stoss/encounter/laws.hpp"
+#include "stoss/encounter/materials.hpp"
+#include "stoss/encounter/waves.hpp"
+#include "stoss/errors.hpp"
+#include "stoss/restitution/restitution.hpp"
+#include "support/refusal.hpp"
+
+namespace stoss {
+namespace {
+
+const std::string ball = R"({"first":{"kind":"sphere","poisson":0.3},"against":)";
+const std::string steel_ball = R"({"first":{"kind":"sphere","radius":0.005,"material":"steel"},"against":)";
+const std::string laminated =
+    R"({"kind":"plate","layers":[{"thickness":0.004,"material":"glass"},{"thickness":0.0008,"material":"PVB"},)"
+    R"({"thickness":0.004,"material":"glass"}],"loss_time":0.0}})";
+
+Plate plate_of(const std::string& document) {
+  return std::get<Plate>(second_solid(encounter_from_json(document)).value());
+}
+
+std::string refusal_of(const std::string& document) {
+  return test::message_of<InvalidInput>([&] { (void)encounter_from_json(document); });
+}
+
+TEST(Plates, HaveTheNumbersOfTheirDocument) {
+  const Plate of_one = plate_of(ball + R"({"kind":"plate","thickness":2,"young":0.5,"density":3,"loss_time":0.1}})");
+  EXPECT_EQ(of_one.thickness, 2.0);
+  EXPECT_EQ(of_one.poisson, 0.3);  // that of the ball
+  EXPECT_EQ(of_one.young, 0.5);
+  EXPECT_EQ(of_one.density, 3.0);
+  EXPECT_EQ(of_one.loss_time, 0.1);
+  EXPECT_TRUE(of_one.below.empty());
+  const Encounter flat = encounter_from_json(
+      R"({"first":{"kind":"disk","poisson":0.3,"radius":2},"against":{"kind":"strip","thickness":0.5,"poisson":0.6}})");
+  const auto strip = std::get<Strip>(second_solid(flat).value());
+  EXPECT_EQ(strip.thickness, 0.5);
+  EXPECT_EQ(strip.poisson, 0.6);
+}
+
+TEST(Plates, MayHaveLayersOfWhichTheLastHasNoEnd) {
+  const Plate coated = plate_of(
+      ball +
+      R"({"kind":"plate","layers":[{"thickness":0.1,"young":4},{"thickness":0.2,"poisson":0.4},{"density":2}]}})");
+  EXPECT_EQ(coated.thickness, 0.1);
+  EXPECT_EQ(coated.young, 4.0);
+  ASSERT_EQ(coated.below.size(), 2U);
+  EXPECT_EQ(coated.below[0].thickness, 0.2);
+  EXPECT_EQ(coated.below[0].poisson, 0.4);
+  EXPECT_EQ(coated.below[0].young, 1.0);
+  EXPECT_TRUE(std::isinf(coated.below[1].thickness));
+  EXPECT_EQ(coated.below[1].poisson, 0.3);
+  EXPECT_EQ(coated.below[1].density, 2.0);
+}
+
+TEST(Plates, InSIAreRatiosToTheBall) {
+  const Plate pane = plate_of(steel_ball + laminated);
+  const Material &steel = named_material("steel"), &glass = named_material("glass"), &pvb = named_material("PVB");
+  EXPECT_DOUBLE_EQ(pane.thickness, 0.8);
+  EXPECT_DOUBLE_EQ(pane.young, glass.young / steel.young);
+  EXPECT_EQ(pane.loss_time, 0.0);
+  ASSERT_EQ(pane.below.size(), 2U);
+  EXPECT_DOUBLE_EQ(pane.below[0].thickness, 0.16);
+  EXPECT_DOUBLE_EQ(pane.below[0].density, pvb.density / steel.density);
+  EXPECT_EQ(pane.below[0].poisson, pvb.poisson);
+  EXPECT_DOUBLE_EQ(pane.below[1].young, glass.young / steel.young);
+}
+
+TEST(Plates, OfOneMaterialHaveItsLossTime) {
+  const std::string document =
+      R"({"kind":"plate","layers":[{"thickness":0.004,"material":"glass"},{"thickness":0.004,"material":"glass"}]}})";
+  const Encounter drop = encounter_from_json(steel_ball + document);
+  EXPECT_DOUBLE_EQ(plate_of(steel_ball + document).loss_time,
+                   named_material("glass").loss_time.value() / si_scales(drop)->time);
+}
+
+TEST(Plates, ReadBackAsTheyWereWritten) {
+  for (const std::string& document :
+       {steel_ball + laminated, ball + R"({"kind":"plate","loss_time":0.1,"thickness":2.0,"young":0.5}})",
+        ball + R"({"kind":"plate","layers":[{"thickness":0.1,"young":4.0},{"poisson":0.4}]}})"}) {
+    EXPECT_EQ(to_json(encounter_from_json(document)), document);
+  }
+  EXPECT_EQ(to_json(encounter_from_json(ball + R"({"kind":"plate","layers":[{"thickness":2.0}]}})")),
+            ball + R"({"kind":"plate","thickness":2.0}})");
+}
+
+TEST(Plates, AreRefusedInOneLine) {
+  const auto plate = [](const std::string& numbers) {
+    return refusal_of(ball + R"({"kind":"plate",)" + numbers + "}}");
+  };
+  const auto layers = [&](const std::string& list) { return plate(R"("layers":[)" + list + "]"); };
+  EXPECT_EQ(refusal_of(ball + R"("plate"})"),
+            "against thickness: got none, allowed a number (thickness, from face to face)");
+  EXPECT_EQ(plate(R"("thickness":0)").substr(0, 25), "against thickness: got 0,");
+  EXPECT_EQ(plate(R"("thickness":-1)").substr(0, 26), "against thickness: got -1,");
+  EXPECT_EQ(plate(R"("thickness":null)"), "against thickness: got null, allowed a finite number");
+  EXPECT_EQ(plate(R"("thickness":1,"rigid":true)").substr(0, 22), "against: got \"rigid\", ");
+  EXPECT_EQ(plate(R"("thickness":1,"layers":[{"thickness":1}])"),
+            "against: got \"thickness\", allowed kind, layers, loss_time");
+  EXPECT_EQ(plate(R"("layers":[])"), "against layers: got [], allowed a list of layers, from the top");
+  EXPECT_EQ(layers("3"), "against layers 1: got 3, allowed an object");
+  EXPECT_EQ(layers("{}"), "against thickness: got none, allowed a number (thickness, from face to face)");
+  EXPECT_EQ(layers(R"({"thickness":1},{},{"thickness":1})"),
+            "against layer 2 thickness: got none, allowed a number (only the last layer may have none: it has no end)");
+  EXPECT_EQ(layers(R"({"thickness":1,"loss_time":0})"),
+            "against layers 1: got \"loss_time\", allowed only what is of one layer");
+  EXPECT_NE(layers(R"({"thickness":1},{"thickness":0})"), "");
+  EXPECT_NE(layers(R"({"thickness":1},{"thickness":1,"poisson":0.6})"), "");
+  std::string many = R"({"thickness":1})";
+  for (std::size_t i = 0; i < most_layers; ++i) many += R"(,{"thickness":1})";
+  EXPECT_EQ(layers(many), "against layers: got 21, allowed 1 to 20 of a plate");
+  EXPECT_EQ(
+      refusal_of(R"({"first":{"kind":"disk","poisson":0.3},"against":{"kind":"strip","layers":[]}})").substr(0, 23),
+      "against: got \"layers\", ");
+  EXPECT_EQ(refusal_of(R"({"first":{"kind":"plate","thickness":1,"poisson":0.3}})"),
+            "kind: got plate as the first body, allowed one that moves");
+}
+
+TEST(Plates, AreRefusedMaterialsThatDoNotGoTogether) {
+  const auto layers = [](const std::string& list) {
+    return refusal_of(steel_ball + R"({"kind":"plate","layers":[)" + list + "]}}");
+  };
+  EXPECT_EQ(layers(R"({"thickness":1,"material":"glass"},{"thickness":1})"),
+            "against layer 2 material: got none, allowed one, as the first layer has one");
+  EXPECT_EQ(layers(R"({"thickness":1},{"thickness":1,"material":"glass"})"),
+            "against material: got none, allowed one, as the first body has one");
+  EXPECT_EQ(layers(R"({"thickness":1,"material":"glass"},{"thickness":1,"material":"tin"})").substr(0, 20),
+            "material: got 'tin',");
+  const std::string lossy = layers(R"({"thickness":1,"material":"glass"},{"material":"PVB"})");
+  EXPECT_EQ(lossy.substr(0, 36), "against loss_time: got layers with 1");
+  EXPECT_NE(lossy.find("allowed one of the whole plate (give it; 0: no loss)"), std::string::npos) << lossy;
+}
+
+TEST(Plates, OfValuesInCppAreRefusedToo) {
+  Encounter encounter{.first = {.kind = "sphere", .values = {{"poisson", 0.3}}},
+                      .against = {.kind = "plate", .values = {{"thickness", 1.0}}, .below = {{}, {}}}};
+  const auto refusal = [&] { return test::message_of<InvalidInput>([&] { validate(encounter); }); };
+  EXPECT_EQ(refusal().substr(0, 37), "against layer 2 thickness: got none, ");
+  encounter.against.below = {{.values = {{"loss_time", 0.1}}}};
+  EXPECT_EQ(refusal(), "against layer 2 loss_time: got one, allowed one of all layers of a plate");
+  encounter.against = {.kind = "half-space", .below = {{}}};
+  EXPECT_EQ(refusal(), "against layers: got 2, allowed 1 of a half-space");
+  for (const double bad : {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()}) {
+    encounter.against = {.kind = "plate", .values = {{"thickness", bad}}};
+    EXPECT_EQ(refusal().substr(0, 23), "against thickness: got ");
+  }
+}
+
+TEST(Plates, HaveNoSlowLawAndNoWavesToShow) {
+  const Encounter drop = encounter_from_json(ball + R"({"kind":"plate","thickness":2}})");
+  EXPECT_EQ(test::message_of<InvalidInput>([&] { (void)slow_law(drop); }),
+            "beyond: got law, allowed error or clamp (there is no law of slow impacts of these bodies)");
+  EXPECT_EQ(test::message_of<InvalidInput>([&] { (void)wave_speeds(drop); }),
+            "against: got plate, allowed a half-space or a half-plane");
+}
+
+TEST(Plates, BeginToYieldAsABlockOfTheFirstLayer) {
+  const auto yields = [](const std::string& against) {
+    return yield_speed(encounter_from_json(
+        R"({"first":{"kind":"sphere","radius":0.005,"material":"bearing steel"},"against":)" + against + "}"));
+  };
+  EXPECT_EQ(yields(R"({"kind":"plate","thickness":0.01,"material":"aluminium"})"),
+            yields(R"({"kind":"half-space","material":"aluminium"})"));
+}
+
+}  // namespace
+}  // namespace stoss
