@@ -15,7 +15,8 @@ void require_points(const half_space::PlaneGrid& points, const ContactPoints& co
   constexpr double farthest = 1e6;
   constexpr Range inside{0.0, farthest, true, true, "0 to 1e6"};
   const std::string allowed = deepest < farthest ? "0 to " + shown(deepest) : "0 to 1e6";
-  const Range there{0.0, std::min(deepest, farthest), true, true, allowed};
+  constexpr double rounding = 1e-6;  // of places in single precision
+  const Range there{0.0, std::min(deepest * (1.0 + rounding), farthest), true, true, allowed};
   for (const double depth : points.depth) require("depth", depth, there, "below the surface");
   for (const double distance : points.distance) require("distance", distance, inside, "from the axis");
   require_nodes(contact, {0.0, farthest, false, true, "above 0 to 1e6"}, "of the circle of the points");
