@@ -98,6 +98,10 @@ half_space::WaveSpeeds speeds_below(const Solid& solid) {
   });
 }
 
+double thickness_of(const Solid& solid) {
+  return visit_ground(solid, [](const auto& its) { return layers_of(its).back().end; });
+}
+
 double lasting_duration(const Solid& solid, double time, double distance) {
   const double passing = distance / speeds_below(solid).shear;
   // What goes into the depth of a half-space has to be there, and back, for as long.

@@ -30,6 +30,9 @@ using FieldBelow = std::function<bodies::half_space::Field(std::span<const doubl
 /// Speeds of waves in the material at the surface, in its √(E/ρ). @throws as field_below
 [[nodiscard]] bodies::half_space::WaveSpeeds speeds_below(const Solid& solid);
 
+/// From face to face, in its unit of length; infinite of what has no lower face. @throws as field_below
+[[nodiscard]] double thickness_of(const Solid& solid);
+
 /// How long the solid must be good for to be seen up to a time at points as far as some distance, in its own units.
 /// @throws as field_below
 [[nodiscard]] double lasting_duration(const Solid& solid, double time, double distance);

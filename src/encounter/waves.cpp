@@ -120,20 +120,32 @@ half_space::WaveSpeeds wave_speeds(const Encounter& encounter) {
   return {unit * own.pressure, unit * own.shear, unit * own.rayleigh};
 }
 
-Surfaces surfaces(const Contact& contact, const Impact& impact, const std::vector<Frame>& frames, double reach,
-                  std::size_t count, const Poll& poll) {
+Surfaces surfaces(const Encounter& encounter, const Contact& contact, const Impact& impact,
+                  const std::vector<Frame>& frames, double reach, std::size_t count, const Poll& poll) {
+  const Solid solid = ground_of(encounter);
   const ContactGrid grid = contact_grid(contact, impact.resolution.half_width, impact.resolution.nodes);
   Surfaces all;
   // On a circle so large that they are evenly spaced.
   constexpr double flat = 1e4;
   const ContactPoints even{flat * reach, 1.0 / (flat * static_cast<double>(count)), count};
   for (std::size_t i = 0; i < count; ++i) all.lateral.push_back(even.radius * std::sin(even.angle(i)));
+  ground::FieldBelow lower;
   for (const Frame& frame : frames) {
     if (poll) poll();
     const BodyFrame seen = seen_by(contact, grid, frame, 1);
     ContactPoints own = even;
     own.radius /= seen.length;
     for (const double each : surface_displacement(seen, own)) all.place.push_back(seen.center - each * seen.length);
+    const double thickness = ground::thickness_of(solid);
+    if (thickness * seen.length > reach) continue;
+    if (!lower) {
+      half_space::PlaneGrid points{all.lateral, {thickness}};
+      for (double& distance : points.distance) distance /= seen.length;
+      lower = ground::field_below(solid, *seen.body, seen.points, points, poll);
+    }
+    for (const double each : lower(seen.coordinate, seen.node_force, poll).normal) {
+      all.lower.push_back(seen.center + (thickness + each) * seen.length);
+    }
   }
   return all;
 }

@@ -39,10 +39,14 @@ struct Waves {
 /// distances.
 struct Surfaces {
   std::vector<double> lateral, place;
+  std::vector<double> lower;  ///< of the lower face of a plate no thicker than the reach; else empty
 };
 
+/// @param contact, impact of the encounter
 /// @param reach the largest lateral distance, R; @param count of them
-[[nodiscard]] Surfaces surfaces(const Contact& contact, const Impact& impact, const std::vector<Frame>& frames,
-                                double reach, std::size_t count, const Poll& poll = {});
+/// @throws InvalidInput as lasting
+[[nodiscard]] Surfaces surfaces(const Encounter& encounter, const Contact& contact, const Impact& impact,
+                                const std::vector<Frame>& frames, double reach, std::size_t count,
+                                const Poll& poll = {});
 
 }  // namespace stoss
