@@ -16,17 +16,21 @@ struct PairNumber {
   constexpr PairNumber& operator+=(const PairNumber& y) { return *this = *this + y; }
   constexpr PairNumber& operator-=(const PairNumber& y) { return *this = *this - y; }
   constexpr PairNumber& operator*=(const PairNumber& y) { return *this = *this * y; }
-  constexpr PairNumber& operator/=(const PairNumber& y) { return *this = *this / y; }
   friend constexpr PairNumber operator-(const PairNumber& x) { return {-x.a, -x.b}; }
   friend constexpr PairNumber operator+(const PairNumber& x, const PairNumber& y) { return {x.a + y.a, x.b + y.b}; }
+  friend constexpr PairNumber operator+(double x, const PairNumber& y) { return {x + y.a, y.b}; }
   friend constexpr PairNumber operator-(const PairNumber& x, const PairNumber& y) { return {x.a - y.a, x.b - y.b}; }
+  friend constexpr PairNumber operator-(double x, const PairNumber& y) { return {x - y.a, -y.b}; }
   friend constexpr PairNumber operator*(const PairNumber& x, const PairNumber& y) {
+    if constexpr (Square == 0) return {x.a * y.a, x.a * y.b + x.b * y.a};
     return {x.a * y.a + Square * (x.b * y.b), x.a * y.b + x.b * y.a};
   }
-  friend constexpr PairNumber operator/(const PairNumber& x, const PairNumber& y) {
-    const double over = 1.0 / (y.a * y.a - Square * (y.b * y.b));
-    return x * PairNumber{over * y.a, -over * y.b};
+  friend constexpr PairNumber operator*(double x, const PairNumber& y) { return {x * y.a, x * y.b}; }
+  friend constexpr PairNumber operator/(double x, const PairNumber& y) {
+    const double over = x / (y.a * y.a - Square * (y.b * y.b));
+    return {over * y.a, -over * y.b};
   }
+  friend constexpr PairNumber operator/(const PairNumber& x, const PairNumber& y) { return x * (1.0 / y); }
 };
 
 /// Not less than the absolute value.
