@@ -16,7 +16,7 @@ namespace {
 /// All layers, from the lower face up.
 template <int N, typename T>
 Face<T, N> stack(const Sheets& sheets, double k, T z) {
-  Face<T, N> face{Eigen::Matrix<T, N, N>::Zero(), 0};
+  Face<T, N> face;
   for (std::size_t i = sheets.all.size(); i-- > 0;) {
     face = layer_face<N, T>(sheets.all[i], k, z, [&](const auto& slab) {
       if (i + 1 < sheets.all.size() || sheets.floor == Floor::free) return stacked(face, slab);
@@ -27,15 +27,21 @@ Face<T, N> stack(const Sheets& sheets, double k, T z) {
   return face;
 }
 
-/// Of a matrix of pairs a + bε.
-template <int N, int Square>
-Eigen::Matrix<double, N, N> first(const Eigen::Matrix<PairNumber<Square>, N, N>& matrix) {
-  return matrix.unaryExpr([](const PairNumber<Square>& x) { return x.a; });
+/// Of a matrix of pairs a + bε, a or b.
+template <typename T, int N, typename Part>
+Eigen::Matrix<double, N, N> part_of(const SmallMatrix<T, N>& matrix, Part part) {
+  return Eigen::Matrix<double, N, N>::NullaryExpr(
+      [&](Eigen::Index i, Eigen::Index j) { return matrix(static_cast<int>(i), static_cast<int>(j)).*part; });
 }
 
 template <int N, int Square>
-Eigen::Matrix<double, N, N> second(const Eigen::Matrix<PairNumber<Square>, N, N>& matrix) {
-  return matrix.unaryExpr([](const PairNumber<Square>& x) { return x.b; });
+Eigen::Matrix<double, N, N> first(const SmallMatrix<PairNumber<Square>, N>& matrix) {
+  return part_of(matrix, &PairNumber<Square>::a);
+}
+
+template <int N, int Square>
+Eigen::Matrix<double, N, N> second(const SmallMatrix<PairNumber<Square>, N>& matrix) {
+  return part_of(matrix, &PairNumber<Square>::b);
 }
 
 /// Points of a circle, of which those on its lower half are the mirror image.
@@ -110,7 +116,7 @@ class Search {
   }
 
   /// The face with its derivative by z, at a root of its determinant between two frequencies.
-  [[nodiscard]] Eigen::Matrix<Differentiable, N, N> at_root(const Probe& low, const Probe& high, double& z) const {
+  [[nodiscard]] SmallMatrix<Differentiable, N> at_root(const Probe& low, const Probe& high, double& z) const {
     const auto at = [this](double here) { return stack<N>(sheets_, k_, Differentiable{here, 1.0}).stiffness; };
     const auto inside = [&](double here) { return here > low.omega * low.omega && here < high.omega * high.omega; };
     const auto number = static_cast<std::size_t>(low.modes);
@@ -120,21 +126,19 @@ class Search {
     constexpr double close = 1e-10;  // the step from there ends at rounding
     for (int n = 0; n < most && inside(z); ++n) {
       const auto face = at(z);
-      const Differentiable determinant = face.determinant();
-      const double step = determinant.a / determinant.b;
+      const Differentiable value = determinant(face);
+      const double step = value.a / value.b;
       z -= step;
       if (std::abs(step) < close * z && inside(z)) return face;
     }
     constexpr int bits = 51;
     std::uintmax_t evaluations = 100;
-    const auto determinant = [this](double omega) {
-      return stack<N>(sheets_, k_, omega * omega).stiffness.determinant();
-    };
+    const auto function = [this](double omega) { return determinant(stack<N>(sheets_, k_, omega * omega).stiffness); };
     const auto [from, to] = boost::math::tools::toms748_solve(
-        determinant, low.omega, high.omega, boost::math::tools::eps_tolerance<double>(bits), evaluations);
+        function, low.omega, high.omega, boost::math::tools::eps_tolerance<double>(bits), evaluations);
     z = 0.25 * (from + to) * (from + to);
     const auto face = at(z);
-    const Differentiable left = face.determinant();
+    const Differentiable left = determinant(face);
     z -= left.a / left.b;
     return face;
   }
@@ -142,8 +146,8 @@ class Search {
   void add_one(const Probe& low, const Probe& high) {
     double z = 0.0;
     const auto face = at_root(low, high, z);
-    const double slope = Differentiable(face.determinant()).b;
-    const Matrix stiffness = first<N>(face);
+    const double slope = determinant(face).b;
+    const Matrix stiffness = first(face);
     Vector amplitude;
     if constexpr (N == 1) {
       amplitude(0) = std::sqrt(std::max(-1.0 / slope, 0.0));
@@ -169,8 +173,7 @@ class Search {
     const double center = omega * omega;
     Matrix strength = Matrix::Zero();
     for_circle(away * center, places, [&](const Complex& from) {
-      const Eigen::Matrix<Complex, N, N> response = stack<N>(sheets_, k_, center + from).stiffness.inverse();
-      strength -= first<N, -1>(from * response) / places;
+      strength -= first(from * inverse(stack<N>(sheets_, k_, center + from).stiffness)) / places;
     });
     const Eigen::SelfAdjointEigenSolver<Matrix> parts(strength);
     for (int i = 0; i < std::min(modes, N); ++i) {
@@ -190,16 +193,16 @@ class Search {
     constexpr int places = 8;
     constexpr double share = 0.15;  // of the radius, in that of the next singularity at least
     for_circle(share * cutoff * cutoff, places, [&](const Complex& z) {
-      Eigen::Matrix<Complex, N, N> response = stack<N>(sheets_, k_, z).stiffness.inverse();
+      SmallMatrix<Complex, N> response = inverse(stack<N>(sheets_, k_, z).stiffness);
       for (std::size_t m = 0; m < found_.omega.size(); ++m) {
         const Vector& amplitude = found_.amplitude[m];
         const Complex over = 1.0 / (found_.omega[m] * found_.omega[m] - z);
         for (int i = 0; i < N; ++i) {
-          for (int j = 0; j < N; ++j) response(i, j) -= amplitude(i) * amplitude(j) * over;
+          for (int j = 0; j < N; ++j) response(i, j) = response(i, j) - amplitude(i) * amplitude(j) * over;
         }
       }
-      found_.compliance += first<N, -1>(response) / places;
-      found_.second_moment += first<N, -1>((1.0 / z) * response) / places;
+      found_.compliance += first(response) / places;
+      found_.second_moment += first((1.0 / z) * response) / places;
     });
   }
 
@@ -236,14 +239,14 @@ int count_below(const Sheets& sheets, double wave_number, double omega) {
 
 template <int N>
 Eigen::Matrix<double, N, N> static_compliance(const Sheets& sheets, double wave_number) {
-  return stack<N>(sheets, wave_number, 0.0).stiffness.inverse();
+  const SmallMatrix<double, N> its = inverse(stack<N>(sheets, wave_number, 0.0).stiffness);
+  return Eigen::Matrix<double, N, N>::NullaryExpr(
+      [&](Eigen::Index i, Eigen::Index j) { return its(static_cast<int>(i), static_cast<int>(j)); });
 }
 
 template <int N>
 Eigen::Matrix<double, N, N> static_second_moment(const Sheets& sheets, double wave_number) {
-  const Eigen::Matrix<Differentiable, N, N> response =
-      stack<N>(sheets, wave_number, Differentiable{0.0, 1.0}).stiffness.inverse();
-  return second<N>(response);
+  return second(inverse(stack<N>(sheets, wave_number, Differentiable{0.0, 1.0}).stiffness));
 }
 
 template Branches<1> branches<1>(const Sheets&, double, double, const std::vector<double>&);

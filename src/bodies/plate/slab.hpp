@@ -1,7 +1,5 @@
 #pragma once
 
-#include <Eigen/Core>
-#include <Eigen/LU>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -10,6 +8,7 @@
 
 #include "bodies/plate/pair_number.hpp"
 #include "bodies/plate/sheet.hpp"
+#include "bodies/plate/small_matrix.hpp"
 
 namespace stoss::bodies::plate {
 
@@ -22,7 +21,7 @@ namespace stoss::bodies::plate {
 /// one is held. Both are small, so that no digits are lost in bending.
 template <typename T, int N>
 struct ThinSlab {
-  using Matrix = Eigen::Matrix<T, N, N>;
+  using Matrix = SmallMatrix<T, N>;
   Matrix stiffness;   ///< Q
   Matrix transfer;    ///< F
   Matrix compliance;  ///< G
@@ -33,7 +32,7 @@ struct ThinSlab {
 /// those along the other, are no vibrations of it.
 template <typename T, int N>
 struct ThickSlab {
-  using Matrix = Eigen::Matrix<T, N, N>;
+  using Matrix = SmallMatrix<T, N>;
   Matrix stiffness;  ///< K
   Matrix through;    ///< L
   int held = 0;      ///< number of its vibrations below z while both faces are held; real z only
@@ -49,19 +48,19 @@ struct ThickSlab {
 /// Stiffness of the upper face of all layers so far.
 template <typename T, int N>
 struct Face {
-  Eigen::Matrix<T, N, N> stiffness;
+  SmallMatrix<T, N> stiffness;
   int held = 0;  ///< number of vibrations below z while this face is held; real z only
 };
 
 /// Negative eigenvalues of a symmetric matrix; none of one that is not real.
 template <typename T, int N>
-[[nodiscard]] int negative(const Eigen::Matrix<T, N, N>& matrix) {
+[[nodiscard]] int negative(const SmallMatrix<T, N>& matrix) {
   if constexpr (!std::is_same_v<T, double>) {
     return 0;
   } else if constexpr (N == 1) {
     return matrix(0, 0) < 0.0 ? 1 : 0;
   } else {
-    return matrix.determinant() < 0.0 ? 1 : matrix.trace() < 0.0 ? 2 : 0;
+    return determinant(matrix) < 0.0 ? 1 : matrix(0, 0) + matrix(1, 1) < 0.0 ? 2 : 0;
   }
 }
 
@@ -71,20 +70,21 @@ template <typename T, int N>
 template <typename T, int N>
 [[nodiscard]] ThickSlab<T, N> doubled(const ThickSlab<T, N>& its) {
   using Matrix = typename ThickSlab<T, N>::Matrix;
-  Matrix moved = its.through;
+  Diagonal<T, N> softness;
   int held = 2 * its.held;
   for (int i = 0; i < N; ++i) {
-    const T between = T(2.0) * its.stiffness(i, i);
-    moved.col(i) *= T(1.0) / between;
-    if constexpr (std::is_same_v<T, double>) held += between < 0.0 ? 1 : 0;
+    const T between = 2.0 * its.stiffness(i, i);
+    softness(i) = 1.0 / between;
+    held += negative(SmallMatrix<T, 1>{{{{between}}}});
   }
-  return {its.stiffness - moved * its.through.transpose(), -moved * its.through, held};
+  const Matrix moved = its.through * softness;
+  return {its.stiffness - moved * transposed(its.through), -1.0 * (moved * its.through), held};
 }
 
 template <typename T, int N>
 [[nodiscard]] ThickSlab<T, N> thick(const ThinSlab<T, N>& its) {
   using Matrix = typename ThinSlab<T, N>::Matrix;
-  const Matrix through = -its.transfer.transpose() * its.compliance.inverse();
+  const Matrix through = -1.0 * (transposed(its.transfer) * inverse(its.compliance));
   return {its.stiffness - through * its.transfer, through, 0};
 }
 
@@ -92,45 +92,50 @@ template <typename T, int N>
 template <typename T, int N>
 [[nodiscard]] Face<T, N> stacked(const Face<T, N>& below, const ThinSlab<T, N>& its) {
   using Matrix = typename ThinSlab<T, N>::Matrix;
-  const Matrix inverse = (Matrix::Identity() + its.compliance * below.stiffness).inverse();
+  const Matrix together = plus(1.0, its.compliance * below.stiffness);
   // The slab by itself has no vibration while its upper face is held.
-  const int more = std::is_same_v<T, double> ? negative<T, N>(below.stiffness + its.compliance.inverse()) : 0;
-  return {its.stiffness + its.transfer.transpose() * (below.stiffness * inverse) * its.transfer, below.held + more};
+  const int more = std::is_same_v<T, double> ? negative(below.stiffness + inverse(its.compliance)) : 0;
+  return {its.stiffness + transposed(its.transfer) * (below.stiffness * inverse(together) * its.transfer),
+          below.held + more};
 }
 
 template <typename T, int N>
 [[nodiscard]] Face<T, N> stacked(const Face<T, N>& below, const ThickSlab<T, N>& its) {
   using Matrix = typename ThickSlab<T, N>::Matrix;
   const Matrix between = its.lower() + below.stiffness;
-  return {its.stiffness - its.through * between.inverse() * its.through.transpose(),
+  return {its.stiffness - its.through * inverse(between) * transposed(its.through),
           below.held + its.held + negative(between)};
 }
 
 /// A slab of whose lower face one component is held and the other free.
 template <typename T, int N>
 [[nodiscard]] Face<T, N> held_below(const ThinSlab<T, N>& its, int component) {
-  const Eigen::Matrix<T, N, 1> moved = its.transfer.row(component).transpose();
-  return {its.stiffness + moved * (T(1.0) / its.compliance(component, component)) * moved.transpose(), 0};
+  const T stiffness = 1.0 / its.compliance(component, component);
+  return {matrix_of<N>([&](int i, int j) {
+            return its.stiffness(i, j) + its.transfer(component, i) * stiffness * its.transfer(component, j);
+          }),
+          0};
 }
 
 template <typename T, int N>
 [[nodiscard]] Face<T, N> held_below(const ThickSlab<T, N>& its, int component) {
   if (N == 1) return {its.stiffness, its.held};
   const int free = N - 1 - component;
-  const Eigen::Matrix<T, N, 1> through = its.through.col(free);
-  Eigen::Matrix<T, 1, 1> lower;
-  lower(0, 0) = its.stiffness(free, free);
-  return {its.stiffness - through * (T(1.0) / lower(0, 0)) * through.transpose(), its.held + negative<T, 1>(lower)};
+  const T lower = its.stiffness(free, free), compliance = 1.0 / lower;
+  return {matrix_of<N>([&](int i, int j) {
+            return its.stiffness(i, j) - its.through(i, free) * compliance * its.through(j, free);
+          }),
+          its.held + negative(SmallMatrix<T, 1>{{{{lower}}}})};
 }
 
 /// Of the equations of motion through the depth, q′ = Aq + Dp, p′ = Bq − Aᵀp for the tractions p on planes of constant
 /// depth, with D and B diagonal; the depth in units of a thickness.
 template <typename T, int N>
 struct Equations {
-  Eigen::Matrix<T, N, N> coupling;   ///< A
-  Eigen::Matrix<T, N, 1> softness;   ///< D
-  Eigen::Matrix<T, N, 1> restoring;  ///< B
-  T shear, pressure;                 ///< squares of the exponents of both waves: the eigenvalues of (A D; B −Aᵀ)²
+  SmallMatrix<double, N> coupling;  ///< A
+  Diagonal<double, N> softness;     ///< D
+  Diagonal<T, N> restoring;         ///< B
+  T shear, pressure;                ///< squares of the exponents of both waves: the eigenvalues of (A D; B −Aᵀ)²
 };
 
 /// Pressure and vertically polarised shear waves, (u, w), u along the wave number and w along the depth:
@@ -144,14 +149,13 @@ template <int N, typename T>
   its.shear = thickness * thickness * (square - 1.0 / mu * inertia);
   its.pressure = thickness * thickness * (square - 1.0 / whole * inertia);
   if constexpr (N == 1) {
-    its.coupling(0, 0) = 0.0;
-    its.softness(0) = thickness / mu;
-    its.restoring(0) = thickness * (mu * square - inertia);
+    its.softness = {{thickness / mu}};
+    its.restoring = {{thickness * (mu * square - inertia)}};
   } else {
     const double lambda = whole - 2.0 * mu, along = 4.0 * mu * (1.0 - mu / whole);
-    its.coupling << 0.0, thickness * k, -lambda / whole * thickness * k, 0.0;
-    its.softness << thickness / mu, thickness / whole;
-    its.restoring << thickness * (along * square - inertia), -thickness * inertia;
+    its.coupling = {{{{0.0, thickness * k}, {-lambda / whole * thickness * k, 0.0}}}};
+    its.softness = {{thickness / mu, thickness / whole}};
+    its.restoring = {{thickness * (along * square - inertia), -thickness * inertia}};
   }
   return its;
 }
@@ -180,23 +184,22 @@ template <typename T, int N>
   using Matrix = typename ThinSlab<T, N>::Matrix;
   const auto [cosh, cosh_slope] = hyperbolic<T>(0, its.shear, its.pressure);
   const auto [sinh, sinh_slope] = hyperbolic<T>(1, its.shear, its.pressure);
-  const auto& coupling = its.coupling;
-  const auto softness = its.softness.asDiagonal(), restoring = its.restoring.asDiagonal();
-  // M² − x = (even, upper; lower, even)
-  Matrix even = coupling * coupling;
-  even.diagonal().array() += its.softness.array() * its.restoring.array() - its.shear;
-  const Matrix upper = coupling * softness - softness * coupling.transpose();
-  const Matrix lower = restoring * coupling - coupling.transpose() * restoring;
-  Matrix odd = sinh_slope * even;
-  odd.diagonal().array() += sinh;
-  even *= cosh_slope;
-  even.diagonal().array() += cosh;
+  const auto& [coupling, softness, restoring, shear, pressure] = its;
+  // M² − x = (even, upper; lower, even), even diagonal
+  Diagonal<T, N> even, odd;
+  for (int i = 0; i < N; ++i) {
+    const T square = (coupling * coupling)(i, i) + softness(i) * restoring(i) - shear;
+    even(i) = cosh + cosh_slope * square;
+    odd(i) = sinh + sinh_slope * square;
+  }
+  const auto upper = coupling * softness - softness * transposed(coupling);
+  const Matrix lower = restoring * coupling - transposed(coupling) * restoring;
   // e^M = (…, to_q; of_q, of_p)
-  const Matrix to_q = cosh_slope * upper + sinh_slope * (coupling * upper) + softness * odd;
-  const Matrix of_q = cosh_slope * lower - sinh_slope * (coupling.transpose() * lower) + restoring * odd;
-  const Matrix of_p = even - coupling.transpose() * odd + sinh_slope * (restoring * upper);
-  const Matrix inverse = of_p.inverse();
-  return {inverse * of_q, inverse.transpose(), to_q * inverse};
+  const Matrix to_q = softness * odd + (cosh_slope * upper + sinh_slope * (coupling * upper));
+  const Matrix of_q = restoring * odd + (cosh_slope * lower - sinh_slope * (transposed(coupling) * lower));
+  const Matrix of_p = even + (sinh_slope * (restoring * upper) - transposed(coupling) * odd);
+  const Matrix back = inverse(of_p);
+  return {back * of_q, transposed(back), to_q * back};
 }
 
 /// The face of a whole layer: a slab of small phase, doubled, and at the end one of which it is no multiple. Slabs of
