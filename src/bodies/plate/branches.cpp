@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <numbers>
+#include <optional>
 
 #include "bodies/plate/slab.hpp"
 
@@ -44,6 +45,9 @@ Eigen::Matrix<double, N, N> second(const SmallMatrix<PairNumber<Square>, N>& mat
   return part_of(matrix, &PairNumber<Square>::b);
 }
 
+double determinant(const Eigen::Matrix<double, 1, 1>& matrix) { return matrix(0, 0); }
+double determinant(const Eigen::Matrix<double, 2, 2>& matrix) { return matrix.determinant(); }
+
 /// Points of a circle, of which those on its lower half are the mirror image.
 template <typename Visit>
 void for_circle(double radius, int places, const Visit& visit) {
@@ -79,6 +83,12 @@ class Search {
     int modes, held;
   };
 
+  /// A root of the determinant of the face, and the face there with its derivative by z.
+  struct Root {
+    double omega;
+    SmallMatrix<Differentiable, N> face;
+  };
+
   [[nodiscard]] Probe probe(double omega) const {
     const auto all = stack<N>(sheets_, k_, omega * omega);
     return {omega, all.held + negative(all.stiffness), all.held};
@@ -92,15 +102,32 @@ class Search {
   }
 
   void find(double cutoff) {
-    Probe low{0.0, 0, 0};
-    for (std::size_t i = 0; i <= guess_.size(); ++i) {
-      const bool last = i == guess_.size();
-      const double next = last || i + 1 == guess_.size() ? cutoff : 0.5 * (guess_[i] + guess_[i + 1]);
-      if (!last && !(next > low.omega && next < cutoff)) continue;
-      const Probe high = probe(last ? cutoff : next);
-      isolate(low, high);
-      low = high;
+    constexpr double beyond = 1e-6;  // of a root
+    const Probe end = probe(cutoff);
+    Probe last{0.0, 0, 0};
+    const std::vector<Root> roots = near_guesses(cutoff);
+    const int number = static_cast<int>(roots.size());
+    // As many roots as there are modes are all of them.
+    if (number > 0 && number < end.modes) last = probe(std::min((1.0 + beyond) * roots.back().omega, cutoff));
+    if (number == end.modes || number == last.modes) {
+      for (const Root& root : roots) add(root);
+    } else {
+      last = {0.0, 0, 0};
     }
+    if (number != end.modes) isolate(last, end);
+  }
+
+  /// Roots that Newton's method finds from the guesses, up to the first that it does not.
+  [[nodiscard]] std::vector<Root> near_guesses(double cutoff) const {
+    constexpr double apart = 1e-5;
+    std::vector<Root> roots;
+    for (const double guess : guess_) {
+      const double low = roots.empty() ? 0.0 : (1.0 + apart) * roots.back().omega;
+      const std::optional<Root> root = root_from(guess, low, cutoff);
+      if (!root) break;
+      roots.push_back(*root);
+    }
+    return roots;
   }
 
   void isolate(const Probe& low, const Probe& high) {
@@ -108,46 +135,48 @@ class Search {
     const int modes = high.modes - low.modes;
     if (modes <= 0) return;
     const double middle = 0.5 * (low.omega + high.omega);
-    if (modes == 1 && low.held == high.held) return add_one(low, high);
+    if (modes == 1 && low.held == high.held) return add(root_between(low.omega, high.omega));
     if (high.omega - low.omega < apart * high.omega) return add_cluster(middle, modes);
     const Probe between = probe(middle);
     isolate(low, between);
     isolate(between, high);
   }
 
-  /// The face with its derivative by z, at a root of its determinant between two frequencies.
-  [[nodiscard]] SmallMatrix<Differentiable, N> at_root(const Probe& low, const Probe& high, double& z) const {
-    const auto at = [this](double here) { return stack<N>(sheets_, k_, Differentiable{here, 1.0}).stiffness; };
-    const auto inside = [&](double here) { return here > low.omega * low.omega && here < high.omega * high.omega; };
-    const auto number = static_cast<std::size_t>(low.modes);
-    const double guess = number < guess_.size() ? guess_[number] : 0.5 * (low.omega + high.omega);
-    z = guess * guess;
-    constexpr int most = 8;
-    constexpr double close = 1e-10;  // the step from there ends at rounding
-    for (int n = 0; n < most && inside(z); ++n) {
-      const auto face = at(z);
-      const Differentiable value = determinant(face);
-      const double step = value.a / value.b;
-      z -= step;
-      if (std::abs(step) < close * z && inside(z)) return face;
-    }
+  [[nodiscard]] Root root_between(double low, double high) const {
+    if (const std::optional<Root> root = root_from(0.5 * (low + high), low, high)) return *root;
     constexpr int bits = 51;
     std::uintmax_t evaluations = 100;
     const auto function = [this](double omega) { return determinant(stack<N>(sheets_, k_, omega * omega).stiffness); };
     const auto [from, to] = boost::math::tools::toms748_solve(
-        function, low.omega, high.omega, boost::math::tools::eps_tolerance<double>(bits), evaluations);
-    z = 0.25 * (from + to) * (from + to);
-    const auto face = at(z);
-    const Differentiable left = determinant(face);
-    z -= left.a / left.b;
-    return face;
+        function, low, high, boost::math::tools::eps_tolerance<double>(bits), evaluations);
+    const double z = 0.25 * (from + to) * (from + to);
+    return {std::sqrt(z), stack<N>(sheets_, k_, Differentiable{z, 1.0}).stiffness};
   }
 
-  void add_one(const Probe& low, const Probe& high) {
-    double z = 0.0;
-    const auto face = at_root(low, high, z);
-    const double slope = determinant(face).b;
-    const Matrix stiffness = first(face);
+  /// By Newton's method, unless it leaves the frequencies between two.
+  [[nodiscard]] std::optional<Root> root_from(double guess, double low, double high) const {
+    constexpr int most = 8;
+    constexpr double close = 1e-12;  // the step from there ends at rounding
+    double z = guess * guess;
+    for (int n = 0; n < most && z > low * low && z < high * high; ++n) {
+      auto face = stack<N>(sheets_, k_, Differentiable{z, 1.0}).stiffness;
+      const Differentiable value = determinant(face);
+      // Of both roots of the determinant of Q + Q′ step, Q′ definite, that at which it has the slope of this side.
+      const double curvature = N == 1 ? 0.0 : determinant(second(face));
+      const double both = std::sqrt(std::max(value.b * value.b - 4.0 * curvature * value.a, 0.0));
+      const double step = -2.0 * value.a / (value.b + std::copysign(both, value.b));
+      z += step;
+      if (std::abs(step) < close * z && z > low * low && z < high * high) {
+        face = matrix_of<N>([&](int i, int j) { return face(i, j) + step * face(i, j).b; });
+        return Root{std::sqrt(z), face};
+      }
+    }
+    return {};
+  }
+
+  void add(const Root& root) {
+    const double slope = determinant(root.face).b;
+    const Matrix stiffness = first(root.face);
     Vector amplitude;
     if constexpr (N == 1) {
       amplitude(0) = std::sqrt(std::max(-1.0 / slope, 0.0));
@@ -157,7 +186,7 @@ class Search {
       amplitude = {std::sqrt(std::max(across, 0.0)), std::sqrt(std::max(depth, 0.0))};
       if (stiffness(0, 1) / slope < 0.0) amplitude(0) = -amplitude(0);
     }
-    found_.omega.push_back(std::clamp(std::sqrt(std::max(z, 0.0)), low.omega, high.omega));
+    found_.omega.push_back(root.omega);
     found_.amplitude.push_back(amplitude);
   }
 
@@ -190,8 +219,8 @@ class Search {
       found_.second_moment = static_second_moment<N>(sheets_, k_);
       return;
     }
-    constexpr int places = 8;
-    constexpr double share = 0.15;  // of the radius, in that of the next singularity at least
+    constexpr int places = 5;
+    constexpr double share = 0.05;  // of the radius, in that of the next singularity at least
     for_circle(share * cutoff * cutoff, places, [&](const Complex& z) {
       SmallMatrix<Complex, N> response = inverse(stack<N>(sheets_, k_, z).stiffness);
       for (std::size_t m = 0; m < found_.omega.size(); ++m) {
