@@ -131,15 +131,22 @@ class Search {
   }
 
   void isolate(const Probe& low, const Probe& high) {
-    constexpr double apart = 1e-8;  // of modes that can be told from each other
+    constexpr double apart = 1e-7, nearest = 1e-12;  // of modes that need not, and that cannot be told from each other
     const int modes = high.modes - low.modes;
     if (modes <= 0) return;
-    const double middle = 0.5 * (low.omega + high.omega);
     if (modes == 1 && low.held == high.held) return add(root_between(low.omega, high.omega));
-    if (high.omega - low.omega < apart * high.omega) return add_cluster(middle, modes);
+    const double middle = 0.5 * (low.omega + high.omega), width = high.omega - low.omega;
+    if (width < nearest * middle || (width < apart * middle && modes == within(middle, 25.0 * width))) {
+      return add_cluster(middle, width, modes);
+    }
     const Probe between = probe(middle);
     isolate(low, between);
     isolate(between, high);
+  }
+
+  /// Number of modes nearer to a frequency than some distance.
+  [[nodiscard]] int within(double omega, double distance) const {
+    return probe(omega + distance).modes - probe(omega - distance).modes;
   }
 
   [[nodiscard]] Root root_between(double low, double high) const {
@@ -190,24 +197,24 @@ class Search {
     found_.amplitude.push_back(amplitude);
   }
 
-  /// Modes that are too close to each other to be told apart: those of the sum of their φφᵀ.
-  void add_cluster(double omega, int modes) {
+  /// Modes within a width that are too close to each other to be told apart, and far from others: those of the sum of
+  /// their φφᵀ, at the mean of their frequencies.
+  void add_cluster(double omega, double width, int modes) {
     constexpr int places = 6;
-    // Nearer than other modes, and farther than these are from each other.
-    const auto alone = [&](double away) {
-      return probe(omega * (1.0 + away)).modes - probe(omega * (1.0 - away)).modes;
-    };
-    double away = 1e-4;
-    while (away > 1e-7 && alone(3.0 * away) > modes) away *= 0.2;
     const double center = omega * omega;
     Matrix strength = Matrix::Zero();
-    for_circle(away * center, places, [&](const Complex& from) {
-      strength -= first(from * inverse(stack<N>(sheets_, k_, center + from).stiffness)) / places;
+    double moment = 0.0;
+    for_circle(5.0 * width * omega, places, [&](const Complex& from) {
+      const SmallMatrix<Complex, N> residue = from * inverse(stack<N>(sheets_, k_, center + from).stiffness);
+      strength -= first(residue) / places;
+      moment -= first(from * residue).trace() / places;
     });
+    const double all = strength.trace(), most = width * omega;
+    const double mean = all > 0.0 ? std::sqrt(center + std::clamp(moment / all, -most, most)) : omega;
     const Eigen::SelfAdjointEigenSolver<Matrix> parts(strength);
     for (int i = 0; i < std::min(modes, N); ++i) {
       const Eigen::Index n = N - 1 - i;
-      found_.omega.push_back(omega);
+      found_.omega.push_back(mean);
       found_.amplitude.push_back(std::sqrt(std::max(parts.eigenvalues()(n), 0.0)) * parts.eigenvectors().col(n));
     }
   }
