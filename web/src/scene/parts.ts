@@ -4,7 +4,7 @@
 import { range } from 'd3-array';
 import type { BodyFrame, Encounter, Grid } from '../core/protocol';
 import { type BodyKind, isBlock } from '../inputs/kinds';
-import { DEEP } from './grid';
+import { isShownThrough } from './grid';
 
 /** One of what meets. Its points stand in rows and columns, row-major, as the numbers of frames do. */
 export interface Part {
@@ -111,7 +111,7 @@ export function partsOf(
   { kind, first, against, second }: Encounter, sizes: number[], grid: Grid, thickness = Infinity,
 ): Part[] {
   const thick = Math.min(0.4, Math.max(0.03, ROD * Math.sqrt((against === 'body' ? second : first).area / first.area)));
-  return sizes.map((size, n) => (n === 1 && isBlock(against) ? blockPart(grid.below!, thickness <= DEEP)
+  return sizes.map((size, n) => (n === 1 && isBlock(against) ? blockPart(grid.below!, isShownThrough(thickness))
     : bodyPart(kind, size, n === 0 ? 1 : -1, n === 0 ? ROD : thick, grid)));
 }
 

@@ -10,6 +10,7 @@ import { cross, displacementOf, edgeOf, meshOf, type Part, sidesOf } from './par
 import type { Quantity } from './raster';
 
 const VISIBLE = 0.18; // maximum displacement in the picture, in radii of the body
+const BENT = 0.36; // the same where a plate bends, which does so far around
 const LEAST_AREA = 0.12; // of a magnified cell, of what it is at rest
 
 /** The maximum magnification at which every piece of a part keeps its orientation and some of its area. */
@@ -38,7 +39,8 @@ export function magnificationOf(frames: Frame[], parts: Part[]): number {
   const bodies = frames.flatMap((frame) => frame.bodies.map((now, n) => ({ now, part: parts[n]! })));
   const limit = min(bodies, ({ now, part }) => unfoldedUpTo(part, now)) ?? Infinity;
   const displaced = max(bodies, ({ now }) => Math.max(max(now.radial, Math.abs)!, max(now.tangential, Math.abs)!)) ?? 0;
-  const wanted = Math.min(limit, VISIBLE / displaced);
+  const bends = parts.some(({ lower }) => lower.length > 0);
+  const wanted = Math.min(limit, (bends ? BENT : VISIBLE) / displaced);
   return wanted > 1 && Number.isFinite(wanted) ? roundDown(wanted) : 1;
 }
 
@@ -93,19 +95,18 @@ export function viewOf(
   view.right = Math.min(view.right + MARGIN * small, reach);
   view.half = Math.min(view.half + MARGIN * small, 0.5 * reach);
   if (against === 'wall') view.right = GROUND * (parts[0]!.curvature === 0 ? 0.3 : 1);
-  if (isBlock(against)) view.right = Math.max(view.right, rightOf(frames, parts, magnification) ?? DEEP);
-  const plate = parts.find(({ open, y }) => open && y.at(-1)! >= PLATE_WIDE);
-  if (plate) view.half = PLATE_WIDE - MARGIN;
+  if (isBlock(against)) view.right = Math.max(view.right, DEEP);
+  const n = parts.findIndex(({ lower }) => lower.length > 0);
+  if (n >= 0) {
+    view.right = Math.max(...frames.flatMap(({ bodies }) => lowerFace(parts[n]!, bodies[n]!, magnification).x)) + MARGIN;
+    view.half = PLATE_WIDE;
+  }
   return view;
 }
 
-/** How far to the right the lower face of a plate comes; undefined where none is seen. */
-function rightOf(frames: Frame[], parts: Part[], magnification: number): number | undefined {
-  const n = parts.findIndex(({ lower }) => lower.length > 0);
-  if (n < 0) return undefined;
-  const part = parts[n]!;
-  return MARGIN + max(frames, ({ bodies }) =>
-    max(edgeOf({ edge: part.lower }, meshOf(part, bodies[n]!, magnification)).x)!)!;
+/** The lower face of a plate. */
+function lowerFace(part: Part, now: BodyFrame, magnification: number): ReturnType<typeof edgeOf> {
+  return edgeOf({ edge: part.lower }, meshOf(part, now, magnification));
 }
 
 export interface Layout {
