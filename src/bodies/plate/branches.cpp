@@ -38,6 +38,12 @@ Eigen::Matrix<double, N, N> second(const Eigen::Matrix<PairNumber<Square>, N, N>
   return matrix.unaryExpr([](const PairNumber<Square>& x) { return x.b; });
 }
 
+/// The same a little further, by its derivative.
+template <int N>
+Eigen::Matrix<Differentiable, N, N> moved(const Eigen::Matrix<Differentiable, N, N>& face, double by) {
+  return face.unaryExpr([by](const Differentiable& x) { return Differentiable{x.a + x.b * by, x.b}; });
+}
+
 /// Points of a circle, of which those on its lower half are the mirror image.
 template <typename Visit>
 void for_circle(double radius, int places, const Visit& visit) {
@@ -117,13 +123,13 @@ class Search {
     const double guess = number < guess_.size() ? guess_[number] : 0.5 * (low.omega + high.omega);
     z = guess * guess;
     constexpr int most = 8;
-    constexpr double close = 1e-10;  // the step from there ends at rounding
+    constexpr double close = 1e-12;  // the step from there ends at rounding
     for (int n = 0; n < most && inside(z); ++n) {
       const auto face = at(z);
       const Differentiable determinant = face.determinant();
       const double step = determinant.a / determinant.b;
       z -= step;
-      if (std::abs(step) < close * z && inside(z)) return face;
+      if (std::abs(step) < close * z && inside(z)) return moved<N>(face, -step);
     }
     constexpr int bits = 51;
     std::uintmax_t evaluations = 100;
@@ -135,8 +141,9 @@ class Search {
     z = 0.25 * (from + to) * (from + to);
     const auto face = at(z);
     const Differentiable left = face.determinant();
-    z -= left.a / left.b;
-    return face;
+    const double step = left.a / left.b;
+    z -= step;
+    return moved<N>(face, -step);
   }
 
   void add_one(const Probe& low, const Probe& high) {

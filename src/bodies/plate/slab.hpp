@@ -154,7 +154,7 @@ template <int N, typename T>
 template <typename T, int N>
 [[nodiscard]] ThinSlab<T, N> series(const Equations<T, N>& its, double thickness) {
   using Matrix = typename ThinSlab<T, N>::Matrix;
-  constexpr std::size_t order = 5;
+  constexpr std::size_t order = 7;
   std::array<Matrix, order + 1> stiffness, transfer, compliance, flow;  // terms of the series; flow: A − DQ
   stiffness[0] = compliance[0] = Matrix::Zero();
   transfer[0] = Matrix::Identity();
