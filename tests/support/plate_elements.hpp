@@ -2,8 +2,10 @@
 
 #include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <numbers>
 #include <vector>
 
 #include "bodies/plate/sheet.hpp"
@@ -57,6 +59,12 @@ struct PlateElements {
     slow_ = stiffness.ldlt().solve(Eigen::MatrixXd::Identity(2 * nodes, 2)).topRows<2>();
   }
 
+  /// φφᵀ
+  [[nodiscard]] Eigen::Matrix2d strength(std::size_t m) const { return amplitude[m] * amplitude[m].transpose(); }
+
+  /// What rounding does to a frequency, relative to it.
+  [[nodiscard]] double rounding(std::size_t m) const { return 1e-15 * std::pow(omega.back() / omega[m], 2); }
+
   /// Displacement of the upper face by slow forces on it.
   [[nodiscard]] const Eigen::Matrix2d& compliance() const { return slow_; }
 
@@ -67,7 +75,7 @@ struct PlateElements {
 
   /// Lagrange's polynomials of the nodes −cos(πi/n), and their derivatives.
   static Shapes shapes(double x, Eigen::Index degree) {
-    const auto node = [&](Eigen::Index i) { return -std::cos(M_PI * static_cast<double>(i) / degree); };
+    const auto node = [&](Eigen::Index i) { return -std::cos(std::numbers::pi * static_cast<double>(i) / degree); };
     Shapes its{Eigen::VectorXd(degree + 1), Eigen::VectorXd::Zero(degree + 1)};
     for (Eigen::Index i = 0; i <= degree; ++i) {
       double value = 1.0, slope = 0.0;

@@ -1,13 +1,12 @@
 #pragma once
 
 #include <boost/multiprecision/cpp_bin_float.hpp>
+#include <algorithm>
 #include <cmath>
-#include <vector>
 
 namespace stoss::test {
 
-using Exact = boost::multiprecision::cpp_bin_float_50;
-using MoreExact = boost::multiprecision::cpp_bin_float_100;
+using Exact = boost::multiprecision::cpp_bin_float_100;
 
 /// A plate of one material in the textbook's closed forms, in numbers of any precision.
 template <typename Real>
@@ -83,12 +82,12 @@ Real slow(const ClosedForm<Real>& its, Kind kind, const Real& k) {
 }
 
 /// Σ φ²/ω⁴ of all modes: the slope of the response at z = 0.
-inline MoreExact slow_moment(const ClosedForm<MoreExact>& its, Kind kind, double k) {
-  const MoreExact wave = k, slowest = kind == Kind::symmetric ? MoreExact(1) : MoreExact(wave * wave * wave * wave);
-  const MoreExact step = slowest * MoreExact("1e-30");
-  const auto at = [&](const MoreExact& z) {
-    const auto fraction = rayleigh_lamb<MoreExact>(its, kind, wave, z);
-    return MoreExact(fraction.numerator / fraction.denominator);
+inline Exact slow_moment(const ClosedForm<Exact>& its, Kind kind, double k) {
+  const Exact wave = k, slowest = kind == Kind::symmetric ? Exact(1) : Exact(wave * wave * wave * wave);
+  const Exact step = slowest * Exact("1e-30");
+  const auto at = [&](const Exact& z) {
+    const auto fraction = rayleigh_lamb<Exact>(its, kind, wave, z);
+    return Exact(fraction.numerator / fraction.denominator);
   };
   return (at(step) - at(-step)) / (2 * step);
 }
@@ -101,7 +100,7 @@ struct ExactMode {
 
 /// The root of D next to a frequency, by Newton's method, and the residue −N/D′ there.
 inline ExactMode exact_mode(const ClosedForm<Exact>& its, Kind kind, double k, double near) {
-  const Exact wave = k, unit = Exact("1e-20");
+  const Exact wave = k, unit = Exact("1e-30");
   Exact z = Exact(near) * near, slope = 0;
   const auto at = [&](const Exact& here) { return rayleigh_lamb<Exact>(its, kind, wave, here); };
   for (int n = 0; n < 3; ++n) {
@@ -112,12 +111,13 @@ inline ExactMode exact_mode(const ClosedForm<Exact>& its, Kind kind, double k, d
   return {sqrt(z), -at(z).numerator / slope};
 }
 
-/// Number of roots of D below a frequency, from its signs at many frequencies.
+/// Number of roots of D below a frequency, from its signs at many frequencies, more of them where bending is slow.
 inline int count_of_signs(const ClosedForm<double>& its, Kind kind, double k, double omega, int samples) {
+  const double slowest = 0.1 * k * std::min(1.0, k * its.half) * std::sqrt(its.shear_square());
   int roots = 0;
   double last = 0.0;
-  for (int i = 1; i <= samples; ++i) {
-    const double at = omega * (i - 0.5) / (samples - 0.5);
+  for (int i = 0; i <= samples; ++i) {
+    const double share = static_cast<double>(i) / samples, at = slowest + (omega - slowest) * share * share;
     const double here = rayleigh_lamb(its, kind, k, at * at).denominator;
     if (here * last < 0.0) ++roots;
     last = here;

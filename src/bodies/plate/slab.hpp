@@ -92,7 +92,11 @@ template <typename T, int N>
   const Matrix inverse = (Matrix::Identity() + its.compliance * below.stiffness).inverse();
   // The slab by itself has no vibration while its upper face is held.
   const int more = std::is_same_v<T, double> ? negative<T, N>(below.stiffness + its.compliance.inverse()) : 0;
-  return {its.stiffness + its.transfer.transpose() * (below.stiffness * inverse) * its.transfer, below.held + more};
+  // Of what is stiff the compliance keeps the digits.
+  const Matrix both = magnitude(Matrix(its.compliance * below.stiffness).determinant()) > 1.0
+                          ? Matrix(Matrix(below.stiffness.inverse() + its.compliance).inverse())
+                          : Matrix(below.stiffness * inverse);
+  return {its.stiffness + its.transfer.transpose() * both * its.transfer, below.held + more};
 }
 
 template <typename T, int N>
