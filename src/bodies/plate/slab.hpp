@@ -92,11 +92,13 @@ template <typename T, int N>
 template <typename T, int N>
 [[nodiscard]] Face<T, N> stacked(const Face<T, N>& below, const ThinSlab<T, N>& its) {
   using Matrix = typename ThinSlab<T, N>::Matrix;
-  const Matrix together = plus(1.0, its.compliance * below.stiffness);
   // The slab by itself has no vibration while its upper face is held.
   const int more = std::is_same_v<T, double> ? negative(below.stiffness + inverse(its.compliance)) : 0;
-  return {its.stiffness + transposed(its.transfer) * (below.stiffness * inverse(together) * its.transfer),
-          below.held + more};
+  const Matrix product = its.compliance * below.stiffness;
+  // Of what is stiff the compliance keeps the digits.
+  const Matrix both = magnitude(determinant(product)) > 1.0 ? inverse(inverse(below.stiffness) + its.compliance)
+                                                            : below.stiffness * inverse(plus(1.0, product));
+  return {its.stiffness + transposed(its.transfer) * (both * its.transfer), below.held + more};
 }
 
 template <typename T, int N>
