@@ -23,7 +23,7 @@ using namespace bodies;
 using namespace bodies::plate;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr double most_waves = 1.2e5, most_turns = 2e4;
+constexpr double most_waves = 4e5, most_turns = 2e4;
 
 MediumSurface surface_of(const Lamina& plate, double poisson, bool along) {
   const Sheet& top = plate.sheets.front();
