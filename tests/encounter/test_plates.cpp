@@ -154,12 +154,10 @@ TEST(Plates, OfValuesInCppAreRefusedToo) {
   }
 }
 
-TEST(Plates, HaveNoSlowLawAndNoWavesToShow) {
+TEST(Plates, HaveNoSlowLaw) {
   const Encounter drop = encounter_from_json(ball + R"({"kind":"plate","thickness":2}})");
   EXPECT_EQ(test::message_of<InvalidInput>([&] { (void)slow_law(drop); }),
             "beyond: got law, allowed error or clamp (there is no law of slow impacts of these bodies)");
-  EXPECT_EQ(test::message_of<InvalidInput>([&] { (void)wave_speeds(drop); }),
-            "against: got plate, allowed a half-space or a half-plane");
 }
 
 TEST(Plates, BeginToYieldAsABlockOfTheFirstLayer) {
