@@ -1,6 +1,7 @@
 #include "bodies/plate/branches.hpp"
 
 #include <Eigen/Eigenvalues>
+#include <Eigen/LU>
 #include <algorithm>
 #include <boost/math/tools/toms748_solve.hpp>
 #include <cmath>
@@ -9,44 +10,10 @@
 #include <numbers>
 #include <optional>
 
-#include "bodies/plate/slab.hpp"
+#include "bodies/plate/stack.hpp"
 
 namespace stoss::bodies::plate {
 namespace {
-
-/// All layers, from the lower face up.
-template <int N, typename T>
-Face<T, N> stack(const Sheets& sheets, double k, T z) {
-  Face<T, N> face;
-  for (std::size_t i = sheets.all.size(); i-- > 0;) {
-    face = layer_face<N, T>(sheets.all[i], k, z, [&](const auto& slab) {
-      if (i + 1 < sheets.all.size() || sheets.floor == Floor::free) return stacked(face, slab);
-      if (sheets.floor == Floor::antisymmetric) return held_below(slab, 0);
-      return N == 1 ? stacked(face, slab) : held_below(slab, N - 1);
-    });
-  }
-  return face;
-}
-
-/// Of a matrix of pairs a + bε, a or b.
-template <typename T, int N, typename Part>
-Eigen::Matrix<double, N, N> part_of(const SmallMatrix<T, N>& matrix, Part part) {
-  return Eigen::Matrix<double, N, N>::NullaryExpr(
-      [&](Eigen::Index i, Eigen::Index j) { return matrix(static_cast<int>(i), static_cast<int>(j)).*part; });
-}
-
-template <int N, int Square>
-Eigen::Matrix<double, N, N> first(const SmallMatrix<PairNumber<Square>, N>& matrix) {
-  return part_of(matrix, &PairNumber<Square>::a);
-}
-
-template <int N, int Square>
-Eigen::Matrix<double, N, N> second(const SmallMatrix<PairNumber<Square>, N>& matrix) {
-  return part_of(matrix, &PairNumber<Square>::b);
-}
-
-double determinant(const Eigen::Matrix<double, 1, 1>& matrix) { return matrix(0, 0); }
-double determinant(const Eigen::Matrix<double, 2, 2>& matrix) { return matrix.determinant(); }
 
 /// Points of a circle, of which those on its lower half are the mirror image.
 template <typename Visit>
@@ -85,8 +52,10 @@ class Search {
 
   /// A root of the determinant of the face, and the face there with its derivative by z.
   struct Root {
-    double omega;
+    double z;
     SmallMatrix<Differentiable, N> face;
+
+    [[nodiscard]] double omega() const { return std::sqrt(z); }
   };
 
   [[nodiscard]] Probe probe(double omega) const {
@@ -108,7 +77,7 @@ class Search {
     const std::vector<Root> roots = near_guesses(cutoff);
     const int number = static_cast<int>(roots.size());
     // As many roots as there are modes are all of them.
-    if (number > 0 && number < end.modes) last = probe(std::min((1.0 + beyond) * roots.back().omega, cutoff));
+    if (number > 0 && number < end.modes) last = probe(std::min((1.0 + beyond) * roots.back().omega(), cutoff));
     if (number == end.modes || number == last.modes) {
       for (const Root& root : roots) add(root);
     } else {
@@ -122,7 +91,7 @@ class Search {
     constexpr double apart = 1e-5;
     std::vector<Root> roots;
     for (const double guess : guess_) {
-      const double low = roots.empty() ? 0.0 : (1.0 + apart) * roots.back().omega;
+      const double low = roots.empty() ? 0.0 : (1.0 + apart) * roots.back().omega();
       const std::optional<Root> root = root_from(guess, low, cutoff);
       if (!root) break;
       roots.push_back(*root);
@@ -156,8 +125,7 @@ class Search {
     const auto function = [this](double omega) { return determinant(stack<N>(sheets_, k_, omega * omega).stiffness); };
     const auto [from, to] = boost::math::tools::toms748_solve(
         function, low, high, boost::math::tools::eps_tolerance<double>(bits), evaluations);
-    const double z = 0.25 * (from + to) * (from + to);
-    return {std::sqrt(z), stack<N>(sheets_, k_, Differentiable{z, 1.0}).stiffness};
+    return step_from(0.25 * (from + to) * (from + to));
   }
 
   /// By Newton's method, unless it leaves the frequencies between two.
@@ -165,36 +133,37 @@ class Search {
     constexpr int most = 8;
     constexpr double close = 1e-12;  // the step from there ends at rounding
     double z = guess * guess;
-    for (int n = 0; n < most && z > low * low && z < high * high; ++n) {
-      auto face = stack<N>(sheets_, k_, Differentiable{z, 1.0}).stiffness;
-      const Differentiable value = determinant(face);
-      // Of both roots of the determinant of Q + Q′ step, Q′ definite, that at which it has the slope of this side.
-      const double curvature = N == 1 ? 0.0 : determinant(second(face));
-      const double both = std::sqrt(std::max(value.b * value.b - 4.0 * curvature * value.a, 0.0));
-      const double step = -2.0 * value.a / (value.b + std::copysign(both, value.b));
-      z += step;
-      if (std::abs(step) < close * z && z > low * low && z < high * high) {
-        face = matrix_of<N>([&](int i, int j) { return face(i, j) + step * face(i, j).b; });
-        return Root{std::sqrt(z), face};
-      }
+    for (int n = 0; n < most; ++n) {
+      const Root next = step_from(z);
+      if (!(next.z > low * low && next.z < high * high)) return {};
+      if (std::abs(next.z - z) < close * z) return next;
+      z = next.z;
     }
     return {};
   }
 
+  /// Where the determinant of Q + Q′ step is 0: of both roots, as Q′ is definite, the one at which it has the slope of
+  /// this side.
+  [[nodiscard]] Root step_from(double z) const {
+    const auto face = stack<N>(sheets_, k_, Differentiable{z, 1.0}).stiffness;
+    const Differentiable value = determinant(face);
+    const double curvature = N == 1 ? 0.0 : second(face).determinant();
+    const double both = std::sqrt(std::max(value.b * value.b - 4.0 * curvature * value.a, 0.0));
+    const double step = -2.0 * value.a / (value.b + std::copysign(both, value.b));
+    return {z + step, matrix_of<N>([&](int i, int j) { return face(i, j) + step * face(i, j).b; })};
+  }
+
+  /// The face φ of its mode, with φᵀQ′φ = −1.
   void add(const Root& root) {
-    const double slope = determinant(root.face).b;
     const Matrix stiffness = first(root.face);
-    Vector amplitude;
-    if constexpr (N == 1) {
-      amplitude(0) = std::sqrt(std::max(-1.0 / slope, 0.0));
-    } else {
-      // The residue −adj(Q)/det′ is φφᵀ.
-      const double across = stiffness(1, 1) / -slope, depth = stiffness(0, 0) / -slope;
-      amplitude = {std::sqrt(std::max(across, 0.0)), std::sqrt(std::max(depth, 0.0))};
-      if (stiffness(0, 1) / slope < 0.0) amplitude(0) = -amplitude(0);
+    Vector shape = Vector::Ones();
+    if constexpr (N == 2) {
+      const double across = stiffness(0, 0), depth = stiffness(1, 1), mixed = stiffness(0, 1);
+      shape = std::abs(across) > std::abs(depth) ? Vector{-mixed, across} : Vector{depth, -mixed};
     }
-    found_.omega.push_back(root.omega);
-    found_.amplitude.push_back(amplitude);
+    const double mass = -shape.dot(second(root.face) * shape);
+    found_.omega.push_back(root.omega());
+    found_.amplitude.push_back(std::sqrt(mass > 0.0 ? 1.0 / mass : 0.0) * shape);
   }
 
   /// Modes within a width that are too close to each other to be told apart, and far from others: those of the sum of
@@ -275,9 +244,7 @@ int count_below(const Sheets& sheets, double wave_number, double omega) {
 
 template <int N>
 Eigen::Matrix<double, N, N> static_compliance(const Sheets& sheets, double wave_number) {
-  const SmallMatrix<double, N> its = inverse(stack<N>(sheets, wave_number, 0.0).stiffness);
-  return Eigen::Matrix<double, N, N>::NullaryExpr(
-      [&](Eigen::Index i, Eigen::Index j) { return its(static_cast<int>(i), static_cast<int>(j)); });
+  return first(inverse(stack<N>(sheets, wave_number, 0.0).stiffness));
 }
 
 template <int N>

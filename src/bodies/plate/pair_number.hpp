@@ -29,6 +29,16 @@ struct PairNumber {
   friend constexpr PairNumber operator/(const PairNumber& x, const PairNumber& y) { return x * (1.0 / y); }
 };
 
+constexpr double first(double x) { return x; }
+template <int Square>
+constexpr double first(const PairNumber<Square>& x) {
+  return x.a;
+}
+template <int Square>
+constexpr double second(const PairNumber<Square>& x) {
+  return x.b;
+}
+
 /// Not less than the absolute value.
 constexpr double magnitude(double x) { return x < 0.0 ? -x : x; }
 template <int Square>
