@@ -42,17 +42,24 @@ export function gridFor(kind: BodyKind, halfWidth: number): Grid {
 const DEPTHS = 30;
 const DISTANCES = 44;
 
-/** How deep a half-space is shown, and how far from the line of impact, in radii of the body that it meets. */
+/** How deep a half-space or a plate is shown, and how far from the line of impact, in radii of the body that it meets. */
 export const DEEP = 0.9;
 const WIDE = 1.7;
+/** How far a plate is shown, on which waves run away that bend it. */
+export const PLATE_WIDE = 4;
+const PLATE_DISTANCES = 72;
 
-/** The points of a half-space, or of a plate of some thickness, for a contact of some maximum half width, both in radii of
- *  the body that it meets. */
+/** The points of a half-space, or of a plate of some thickness, for a contact of some maximum half width, both in radii
+ *  of the body that it meets. */
 export function gridBelow(halfWidth: number, thickness = Infinity): NonNullable<Grid['below']> {
   const first = halfWidth / PER_HALF_WIDTH;
   const places = (count: number, last: number): Float32Array =>
     Float32Array.from(gradedPlaces(count, first / last), (each) => last * each);
-  return { depth: places(DEPTHS, Math.min(DEEP, thickness)), distance: places(DISTANCES, WIDE) };
+  const plate = Number.isFinite(thickness);
+  return {
+    depth: places(DEPTHS, Math.min(DEEP, thickness)),
+    distance: plate ? places(PLATE_DISTANCES, PLATE_WIDE) : places(DISTANCES, WIDE),
+  };
 }
 
 /** An even grid for mode shapes, which have no contact. */

@@ -5,7 +5,7 @@ import { bisectLeft, cumsum, max, mean, min } from 'd3-array';
 import type { BodyFrame, Encounter, Frame } from '../core/protocol';
 import { roundDown, roundUp } from '../drawing/numbers';
 import { isBlock } from '../inputs/kinds';
-import { DEEP } from './grid';
+import { DEEP, PLATE_WIDE } from './grid';
 import { cross, displacementOf, edgeOf, meshOf, type Part, sidesOf } from './parts';
 import type { Quantity } from './raster';
 
@@ -93,8 +93,19 @@ export function viewOf(
   view.right = Math.min(view.right + MARGIN * small, reach);
   view.half = Math.min(view.half + MARGIN * small, 0.5 * reach);
   if (against === 'wall') view.right = GROUND * (parts[0]!.curvature === 0 ? 0.3 : 1);
-  if (isBlock(against)) view.right = Math.max(view.right, DEEP);
+  if (isBlock(against)) view.right = Math.max(view.right, rightOf(frames, parts, magnification) ?? DEEP);
+  const plate = parts.find(({ open, y }) => open && y.at(-1)! >= PLATE_WIDE);
+  if (plate) view.half = PLATE_WIDE - MARGIN;
   return view;
+}
+
+/** How far to the right the lower face of a plate comes; undefined where none is seen. */
+function rightOf(frames: Frame[], parts: Part[], magnification: number): number | undefined {
+  const n = parts.findIndex(({ lower }) => lower.length > 0);
+  if (n < 0) return undefined;
+  const part = parts[n]!;
+  return MARGIN + max(frames, ({ bodies }) =>
+    max(edgeOf({ edge: part.lower }, meshOf(part, bodies[n]!, magnification)).x)!)!;
 }
 
 export interface Layout {
