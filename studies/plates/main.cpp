@@ -1,5 +1,5 @@
-// Balls on elastic plates: of four materials in SI, where Zener's theory holds, how thick a plate must be to be a
-// block, laminated glass and coated steel. Writes one CSV file each into a folder.
+// Balls on elastic plates: beside finite elements, of four pairs of materials in SI, where Zener's theory holds, how thick
+// a plate must be to be a block, laminated glass and coated steel. Writes one CSV file each into a folder.
 #include <fmt/format.h>
 
 #include <cstdio>
@@ -17,6 +17,7 @@ int main(int argc, char** argv) {
   try {
     std::filesystem::create_directories(argv[1]);
     const std::string folder = std::string(argv[1]) + "/";
+    study::write_fast(folder + "fast.csv");
     study::write_materials(folder + "materials.csv");
     study::write_map(folder + "map.csv");
     study::write_block(folder + "block.csv");

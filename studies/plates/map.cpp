@@ -17,7 +17,7 @@ void write_map(const std::string& name) {
       "impulse_time[R/c],contact_radius[R],inelasticity,zener,zener_contact_time[R/c],deflection[h],converged\n");
   const Pair pair;
   const std::vector<double> speeds = series(1e-6, 0.1, 11);
-  for (const double h : series(0.05, 20.0, 27)) {
+  for (const double h : series(0.1, 20.0, 25)) {
     const std::vector<stoss::Restitution> all = on_plate(pair, h, speeds);
     for (std::size_t i = 0; i < speeds.size(); ++i) {
       const stoss::Restitution& r = all[i];

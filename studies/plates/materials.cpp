@@ -37,7 +37,7 @@ void write_materials(const std::string& name) {
     const double c = std::sqrt(its.young / its.density), unit = radius / c;
     std::vector<double> own;
     for (const double speed : speeds) own.push_back(speed / c);
-    std::vector<double> thicknesses = series(0.1, 100.0, 28);
+    std::vector<double> thicknesses = series(0.2, 100.0, 28);
     thicknesses.push_back(infinity);
     for (const double h : thicknesses) {
       const bool block = std::isinf(h);

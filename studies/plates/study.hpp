@@ -42,6 +42,7 @@ struct Zener {
 
 [[nodiscard]] std::vector<double> series(double from, double to, int count);
 
+void write_fast(const std::string& name);
 void write_materials(const std::string& name);
 void write_map(const std::string& name);
 void write_block(const std::string& name);
