@@ -9,7 +9,8 @@ Expect:  ε and contact time of a steel ball of 5 mm radius at 1 m/s for panes o
 
 A thin pane gives way as a dashpot does, the faster the thinner it is: the ball stays in touch for longer and comes back
 more slowly. On a thick one it is as on a block. The contact time, which an electric circuit through ball and a coating
-measures, tells thin panes, ε thick ones. The pane must be wide: 14 cm to its rim, or an echo comes into the contact.
+measures, tells thin panes, ε thick ones. The pane must be wide: 24 cm from its rim no echo is back within any of these
+contacts.
 """
 
 import sys

@@ -4,7 +4,6 @@ import csv
 import sys
 from pathlib import Path
 
-import matplotlib
 import numpy as np
 from matplotlib import pyplot
 
@@ -24,26 +23,49 @@ def column(rows, name):
 
 
 def materials(rows):
-    """ε against thickness, Zener's theory beside it, and the block."""
-    figure, grid = pyplot.subplots(2, 2, figsize=(7, 5), dpi=150, layout="constrained", sharex=True, sharey=True)
-    for axes, (ball, plate) in zip(grid.flat, PAIRS):
+    """ε and 1 − ε² against thickness, Zener's theory beside them, and the block."""
+    figure, grid = pyplot.subplots(2, 4, figsize=(8, 4), dpi=150, layout="constrained", sharex="row", sharey="row")
+    for (upper, lower), (ball, plate) in zip(grid.T, PAIRS):
         for speed, color in SPEEDS.items():
             its = [row for row in rows if (row["ball"], row["plate"], row["speed[m/s]"]) == (ball, plate, speed)]
-            plates, (block,) = its[:-1], its[-1:]
+            plates, block = its[:-1], its[-1]
             thickness = column(plates, "thickness[R]")
-            axes.plot(thickness, column(plates, "restitution"), color=color, label=f"{speed} m/s")
-            axes.plot(thickness, column(plates, "zener"), color=color, linestyle=":")
-            axes.plot([70, 100], 2 * [float(block["restitution"])], color=color, linewidth=2.5, alpha=0.5)
-        axes.set_title(f"{ball} on {plate}", fontsize=8)
-        axes.grid(alpha=0.3)
+            upper.plot(thickness, column(plates, "restitution"), color=color, label=f"{speed} m/s")
+            upper.plot(thickness, column(plates, "zener"), color=color, linestyle=":")
+            lower.plot(thickness, column(plates, "lost_fraction"), color=color)
+            lower.plot(thickness, 1 - column(plates, "zener") ** 2, color=color, linestyle=":")
+            lower.plot([20, 100], 2 * [float(block["lost_fraction"])], color=color, linewidth=3, alpha=0.4)
+        upper.set_title(f"{ball} on {plate}", fontsize=8)
+        upper.set(xscale="log", xlim=(0.2, 5), ylim=(0, 1))
+        upper.set_xticks((0.2, 0.5, 1, 2, 5), labels=("0.2", "0.5", "1", "2", "5"))
+        upper.tick_params(labelbottom=True)
+        lower.set(xscale="log", yscale="log", ylim=(1e-4, 1.5), xlim=(0.2, 100), xlabel="thickness / R")
+        for axes in (upper, lower):
+            axes.minorticks_off()
+            axes.grid(alpha=0.3)
     grid[0, 0].plot([], [], color="0.3", linestyle=":", label="Zener")
-    grid[0, 0].plot([], [], color="0.3", linewidth=2.5, alpha=0.5, label="block")
+    grid[0, 0].plot([], [], color="0.3", linewidth=3, alpha=0.4, label="block")
     grid[0, 0].legend(frameon=False, fontsize=7, loc="lower right")
-    for axes in grid[:, 0]:
-        axes.set(ylabel="restitution ε", ylim=(0, 1.02))
-    for axes in grid[1]:
-        axes.set(xscale="log", xlabel="thickness / radius of the ball", xlim=(0.2, 100))
+    grid[0, 0].set(ylabel="restitution ε")
+    grid[1, 0].set(ylabel="lost energy 1 − ε²")
     return figure
+
+
+def finer(place, times=8):
+    """A logarithmic grid with more places, and the indices of these among the given ones."""
+    index = np.linspace(0, len(place) - 1, times * (len(place) - 1) + 1)
+    return np.exp(np.interp(index, np.arange(len(place)), np.log(place))), index
+
+
+def between(values, rows, columns):
+    """Values at indices that are no integers."""
+    along = np.array([np.interp(columns, np.arange(values.shape[1]), row) for row in values])
+    return np.array([np.interp(rows, np.arange(values.shape[0]), column) for column in along.T]).T
+
+
+def label(axes, lines, words, size):
+    for text in axes.clabel(lines, fmt=words.format, fontsize=size, inline=False):
+        text.set_bbox({"facecolor": "white", "edgecolor": "none", "pad": 0.5, "alpha": 0.8})
 
 
 def zener(rows):
@@ -54,17 +76,19 @@ def zener(rows):
     deflection = column(rows, "deflection[h]").reshape(shape)
     with np.errstate(divide="ignore", invalid="ignore"):
         errors = (1 - (1 - theory**2) / lost, theory / value - 1)
+    (fine_thickness, rows), (fine_speed, columns) = finer(thickness), finer(speed)
+    fine = [between(each, rows, columns).T for each in (value, deflection)]
     figure, pair = pyplot.subplots(1, 2, figsize=(7, 3.2), dpi=150, layout="constrained", sharey=True)
     for axes, error, title in zip(pair, errors, ("of the lost energy 1 − ε²: too low by", "of ε: too high by")):
-        shown = np.ma.masked_invalid(np.where(value > 0.01, error, np.nan) if title.startswith("of ε") else error).T
-        axes.contourf(thickness, speed, shown, levels=(-1, 0.01, 0.1, 0.5, 1e3), cmap="Blues", norm=matplotlib.colors.
-                      BoundaryNorm((-1, 0.01, 0.1, 0.5, 1e3), 256))  # fmt: skip
-        lines = axes.contour(thickness, speed, shown, levels=(0.01, 0.1, 0.5), colors="black", linewidths=0.9)
-        axes.clabel(lines, fmt=lambda level: f"{100 * level:g} %", fontsize=7)
-        half = axes.contour(thickness, speed, value.T, levels=(0.1, 0.5, 0.9), colors=COLORS[1], linewidths=0.8,
-                            linestyles=":")  # fmt: skip
-        axes.clabel(half, fmt=lambda level: f"ε = {level:g}", fontsize=6)
-        axes.contourf(thickness, speed, deflection.T, levels=(TOO_FAR, 1e9), colors="none", hatches=["////"])
+        shown = between(np.where(value > 0.01, error, np.nan) if title.startswith("of ε") else error, rows, columns).T
+        axes.contourf(fine_thickness, fine_speed, shown, levels=(-1, 0.01, 0.1, 0.5, 1e3),
+                      colors=("#F7FBFF", "#C6DBEF", "#6BAED6", "#2171B5"))  # fmt: skip
+        lines = axes.contour(fine_thickness, fine_speed, shown, levels=(0.01, 0.1, 0.5), colors="black", linewidths=0.9)
+        label(axes, lines, "{:.0%}", 7)
+        rebound = axes.contour(fine_thickness, fine_speed, fine[0], levels=(0.1, 0.5, 0.9), colors=COLORS[1],
+                               linewidths=0.8, linestyles=":")  # fmt: skip
+        label(axes, rebound, "ε = {:g}", 6)
+        axes.contourf(fine_thickness, fine_speed, fine[1], levels=(TOO_FAR, 1e9), colors="none", hatches=["////"])
         axes.set(xscale="log", yscale="log", xlabel="thickness / R", facecolor="0.85")
         axes.set_title(title, fontsize=8)
     pair[0].set(ylabel="v / c")
@@ -81,12 +105,12 @@ def block(rows):
             its = [row for row in rows if (row["pair"], row["speed[c]"]) == (name, speed)]
             if its:
                 excess = column(its, "lost_fraction") / column(its, "on_block") - 1
-                axes.plot(column(its, "x"), np.abs(excess), color=color, marker=marker, markersize=2.5, linewidth=0.8)
-        axes.plot([], [], color=color, label=name)
+                axes.plot(column(its, "x"), np.abs(excess), color=color, marker=marker, markersize=2, linewidth=0.7)
+        axes.plot([], [], color=color, label=name.replace("nu", "ν"))
     for speed, marker in markers.items():
         axes.plot([], [], color="0.3", marker=marker, markersize=3, linestyle="none", label=f"v = {float(speed):g} c")
     axes.axhline(0.01, color="0.3", linestyle=":")
-    axes.set(yscale="log", ylim=(1e-4, 30), xlabel="thickness / ½ c_p T", ylabel="|loss / loss on a block − 1|")
+    axes.set(yscale="log", ylim=(1e-4, 300), xlabel="thickness / $\\frac{1}{2}c_pT$", ylabel="|loss / loss on a block − 1|")
     axes.legend(frameon=False, fontsize=6, ncols=2, loc="upper right")
     return figure
 
@@ -107,12 +131,16 @@ def layers(rows):
             its = [row for row in rows if (row["what"], row["sheet[mm]"]) == (coat, sheet)]
             (bare,) = [row for row in rows if (row["what"], row["sheet[mm]"]) == ("bare steel", sheet)]
             ratio = column(its, "lost_fraction") / float(bare["lost_fraction"])
-            right.plot(column(its, "other[mm]"), ratio, color=color, linestyle=style,
-                       label=f"{coat}, on {sheet} mm of steel")  # fmt: skip
+            right.plot(column(its, "other[mm]"), ratio, color=color, linestyle=style)
+        right.plot([], [], color=color, label=coat)
+    for sheet, style in (("10", "-"), ("40", "--")):
+        right.plot([], [], color="0.3", linestyle=style, label=f"on {sheet} mm of steel")
     right.axhline(1.0, color="0.3", linestyle=":")
-    right.set(xscale="log", xlabel="thickness of the coating / mm", ylabel="loss / loss on bare steel")
-    right.legend(frameon=False, fontsize=6)
-    for axes in (left, right):
+    right.set(xscale="log", xlabel="thickness of the coating / mm", ylabel="loss / loss on bare steel", ylim=(0, 1.5))
+    right.legend(frameon=False, fontsize=7, ncols=2, loc="upper left")
+    for axes, ticks in ((left, (2, 5, 10, 20)), (right, (0.1, 0.2, 0.5, 1, 2))):
+        axes.set_xticks(ticks, labels=map("{:g}".format, ticks))
+        axes.minorticks_off()
         axes.grid(alpha=0.3)
     return figure
 
