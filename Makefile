@@ -76,6 +76,7 @@ results: setup python ## the tables and the figures of docs/results/
 	@build/venv/bin/python studies/half_space/ball_on_block.py docs/images/ball_on_block.png
 	@build/release/studies/stoss_plates docs/results/plates
 	@$(PYTHON) studies/plates/figure.py docs/results/plates docs/images
+	@build/venv/bin/python studies/plates/wave.py docs/images/plates_wave.png
 	@build/release/studies/stoss_oblique docs/results/oblique
 	@$(PYTHON) studies/oblique/figure.py docs/results/oblique docs/images
 	@build/venv/bin/python studies/laws/make.py docs/results/laws.csv

@@ -154,6 +154,11 @@ def test_layers():
         assert f"{100 * ratio:.0f} %" in WORDS, (coat, sheet, ratio)
 
 
+def test_duration_of_the_picture():
+    (row,) = [row for row in FAST if (row["ball"], row["thickness"], row["speed"]) == ("elastic", 2, 0.1)]
+    assert f"the contact lasts {row['contact_time']:.2f} R/c" in WORDS
+
+
 def test_numbers_of_the_theory():
     (row,) = [row for row in FAST if (row["ball"], row["thickness"], row["speed"]) == ("elastic", 0.5, 0.1)]
     assert row["contacts"] in (3, 4) and "three or four" in THEORY
