@@ -1,5 +1,5 @@
-// Balls on elastic plates: beside finite elements, of four pairs of materials in SI, where Zener's theory holds, how thick
-// a plate must be to be a block, laminated glass and coated steel. Writes one CSV file each into a folder.
+// Balls on elastic plates: beside finite elements, of four pairs of materials in SI, where Zener's theory holds, how
+// thick a plate must be to be a block, laminated glass and coated steel. Writes one CSV file each into a folder.
 #include <fmt/format.h>
 
 #include <cstdio>
