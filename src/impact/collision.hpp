@@ -98,7 +98,7 @@ class Collision {
   double initial_velocity_;
   ContactHistory history_;
   bool lossy_;
-  double reach_ = -1.0;  // of the free vibration; < 0: not known
+  double reach_ = -1.0;     // of the free vibration; < 0: not known
   double next_look_ = 0.0;  // time at which waves ahead are looked at again
 };
 
