@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <numbers>
 #include <optional>
+#include <span>
 
 #include "bodies/plate/stack.hpp"
 
@@ -71,46 +72,41 @@ class Search {
   }
 
   void find(double cutoff) {
-    constexpr double beyond = 1e-6;  // of a root
-    const Probe end = probe(cutoff);
-    Probe last{0.0, 0, 0};
     const std::vector<Root> roots = near_guesses(cutoff);
-    const int number = static_cast<int>(roots.size());
-    // As many roots as there are modes are all of them.
-    if (number > 0 && number < end.modes) last = probe(std::min((1.0 + beyond) * roots.back().omega(), cutoff));
-    if (number == end.modes || number == last.modes) {
-      for (const Root& root : roots) add(root);
-    } else {
-      last = {0.0, 0, 0};
-    }
-    if (number != end.modes) isolate(last, end);
+    isolate({0.0, 0, 0}, probe(cutoff), roots);
   }
 
-  /// Roots that Newton's method finds from the guesses, up to the first that it does not.
+  /// Different roots, rising, that Newton's method finds from the guesses.
   [[nodiscard]] std::vector<Root> near_guesses(double cutoff) const {
     constexpr double apart = 1e-5;
     std::vector<Root> roots;
     for (const double guess : guess_) {
       const double low = roots.empty() ? 0.0 : (1.0 + apart) * roots.back().omega();
-      const std::optional<Root> root = root_from(guess, low, cutoff);
-      if (!root) break;
-      roots.push_back(*root);
+      if (const std::optional<Root> root = root_from(guess, low, cutoff)) roots.push_back(*root);
     }
     return roots;
   }
 
-  void isolate(const Probe& low, const Probe& high) {
+  /// Adds all modes between two frequencies.
+  /// @param roots those of the determinant that are known there: all if they are as many as the modes
+  void isolate(const Probe& low, const Probe& high, std::span<const Root> roots) {
     constexpr double apart = 1e-7, nearest = 1e-12;  // of modes that need not, and that cannot be told from each other
     const int modes = high.modes - low.modes;
     if (modes <= 0) return;
+    if (modes == static_cast<int>(roots.size())) {
+      for (const Root& root : roots) add(root);
+      return;
+    }
     if (modes == 1 && low.held == high.held) return add(root_between(low.omega, high.omega));
     const double middle = 0.5 * (low.omega + high.omega), width = high.omega - low.omega;
     if (width < nearest * middle || (width < apart * middle && modes == within(middle, 25.0 * width))) {
       return add_cluster(middle, width, modes);
     }
     const Probe between = probe(middle);
-    isolate(low, between);
-    isolate(between, high);
+    const auto below = static_cast<std::size_t>(
+        std::count_if(roots.begin(), roots.end(), [&](const Root& root) { return root.omega() < middle; }));
+    isolate(low, between, roots.first(below));
+    isolate(between, high, roots.subspan(below));
   }
 
   /// Number of modes nearer to a frequency than some distance.
@@ -132,12 +128,13 @@ class Search {
   [[nodiscard]] std::optional<Root> root_from(double guess, double low, double high) const {
     constexpr int most = 8;
     constexpr double close = 1e-12;  // the step from there ends at rounding
-    double z = guess * guess;
+    double z = guess * guess, last = z;
     for (int n = 0; n < most; ++n) {
       const Root next = step_from(z);
-      if (!(next.z > low * low && next.z < high * high)) return {};
-      if (std::abs(next.z - z) < close * z) return next;
-      z = next.z;
+      const double step = std::abs(next.z - z);
+      if (!(next.z > low * low && next.z < high * high && step < last)) return {};
+      if (step < close * z) return next;
+      z = next.z, last = 0.5 * step;
     }
     return {};
   }
