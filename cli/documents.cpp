@@ -47,7 +47,11 @@ std::string roff(const std::string& text) {
 std::string roff(const CLI::Option& option) {
   std::string head;
   for (const std::string& name : names(option)) head += (head.empty() ? "\\fB" : ", \\fB") + roff(name) + "\\fR";
-  if (option.get_expected_min() > 0) head += (head.empty() ? "\\fI" : " \\fI") + roff(option.get_type_name()) + "\\fR";
+  if (option.get_expected_min() > 0) {
+    const std::string type = roff(option.get_type_name());
+    // A long list may be broken after a comma.
+    head += fmt::format("{}\\fI{}\\fR", head.empty() ? "" : " ", fmt::join(stoss::cli::split(type, ','), ",\\:"));
+  }
   return ".TP\n" + head + "\n" + roff(option.get_description()) + ".\n";
 }
 

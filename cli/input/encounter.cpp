@@ -29,7 +29,7 @@ std::vector<std::string> keys_of(const Kind& its) {
 std::string lines_of(const Kind& its) {
   const std::vector<std::string> keys = keys_of(its);
   std::string with = keys.empty() ? "" : fmt::format(";\n    keys {}", fmt::join(keys, ", "));
-  if (its.add_layer) with += ";\n    further layers, downwards, as /KEY=NUMBER,...; the last may have no thickness";
+  if (its.add_layer) with += "\n    and layers below, as /KEY=NUMBER,...; the last may be a block";
   return fmt::format("\n  {}: {}{}", its.name, its.help, with);
 }
 

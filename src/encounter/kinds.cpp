@@ -101,7 +101,7 @@ std::vector<Kind> make_kinds() {
   half_plane.solid = unbounded<HalfPlane>;
   Kind plate = half_space;
   plate.name = "plate", plate.plural = "plates";
-  plate.help = "an elastic plate for spheres, free on both faces, of one layer or several";
+  plate.help = "an elastic plate for spheres, free on both faces";
   plate.parameters = {thickness, solid_poisson_number, young, density, loss_time}, plate.solid = flat<Plate>;
   plate.add_layer = add_layer;
   Kind strip = half_plane;

@@ -211,8 +211,8 @@ def test_half_planes_have_the_poissons_ratios_of_disks(stoss, poisson):
 
 SPHERE = "--body sphere --poisson 0.3"
 REFUSED = [
-    (f"{SPHERE} --against half-plane", "against", "allowed wall, same, sphere or half-space"),
-    ("--poisson 0.3 --against half-space", "against", "allowed wall, same, disk or half-plane"),
+    (f"{SPHERE} --against half-plane", "against", "allowed wall, same, sphere, half-space or plate"),
+    ("--poisson 0.3 --against half-space", "against", "allowed wall, same, disk, half-plane or strip"),
     ("--body rod --against half-space", "against", "allowed wall, same or rod"),
     (f"{SPHERE} --against halfspace", "against", "did you mean half-space?"),
     (f"{SPHERE} --against half-space,radius=2", "against", "young, density, loss_time, yield, material with half-space"),
@@ -231,9 +231,9 @@ REFUSED = [
     (f"{SPHERE} --rigid-body --loss-time 1 --against half-space", "loss_time", "a rigid body"),
     (f"{SPHERE} --against half-space,loss_time=-1", "against loss_time", "-1"),
     (f"{SPHERE} --against half-space,loss_time=nan", "against loss_time", "nan"),
-    (f"{SPHERE} --rigid-body", "rigid", "against wall, allowed only against an elastic sphere or half-space"),
+    (f"{SPHERE} --rigid-body", "rigid", "against wall, allowed only against an elastic sphere, half-space or plate"),
     (f"{SPHERE} --rigid-body --against same", "rigid", "against same"),
-    ("--poisson 0.3 --rigid-body", "rigid", "allowed only against an elastic disk or half-plane"),
+    ("--poisson 0.3 --rigid-body", "rigid", "allowed only against an elastic disk, half-plane or strip"),
     ("--body rod --rigid-body", "rigid-body", "--body rod, allowed only with --body disk or sphere"),
 ]
 

@@ -229,7 +229,7 @@ printf '%s\\n' "${{COMPREPLY[@]}}\""""
         assert result.stderr == ""
         return result.stdout.split()
 
-    bodies = ["wall", "same", "disk", "sphere", "rod", "half-space", "half-plane"]
+    bodies = ["wall", "same", "disk", "sphere", "rod", "half-space", "half-plane", "plate", "strip"]
     assert complete("stoss re") == ["restitution"]
     assert complete("stoss impact --tr") == ["--trajectory"]
     assert complete("stoss restitution --format ") == ["table", "csv", "json"]

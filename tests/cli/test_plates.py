@@ -95,5 +95,5 @@ def test_refusals_in_si(stoss, against, said):
 
 def test_help_says_how_layers_are_given(stoss):
     said = stoss.run("restitution --help").stdout
-    assert "keys thickness, poisson, young, density, loss_time, yield, material;" in said
-    assert "further layers, downwards, as /KEY=NUMBER,..." in said
+    assert "keys thickness, poisson, young, density, loss_time, yield, material\n" in said
+    assert "and layers below, as /KEY=NUMBER,...; the last may be a block" in said

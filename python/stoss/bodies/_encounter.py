@@ -146,13 +146,13 @@ def yield_speed(body: Sphere, *, against: Sphere | Unbounded | str | None = None
     """
     first: Sphere = instance("body", body, (Sphere,))
     second: Sphere | Unbounded | None = None
-    partners = tuple(each for each in PARTNERS if _core.meets(first._kind, each._kind))
     if isinstance(against, str) and against == "same":
         second = first
-    elif isinstance(against, partners):
+    elif isinstance(against, PARTNERS) and _core.meets(first._kind, against._kind):
         second = against
     elif against is not None:
-        allowed = " or ".join(f"a stoss.{each.__name__}" for each in partners)
+        solids: tuple[type[Solid], ...] = PARTNERS
+        allowed = " or ".join(f"a stoss.{each.__name__}" for each in solids if _core.meets(first._kind, each._kind))
         raise refusal("against", against, f"None, 'same', {allowed}")
     for name, solid in (("body", first), ("against", second)):
         if solid is not None and solid.material is None:

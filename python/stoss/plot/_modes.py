@@ -122,11 +122,11 @@ def ledger(
             raise refusal(name, value, f"1 to {limit}")
     if integer("of", of) not in (0, 1):
         raise refusal("of", of, "0 or 1")
-    unbounded = isinstance(impact.against, UNBOUNDED)
-    if of == 1 and unbounded:
-        raise refusal("of", of, f"0 (a {impact.against._kind} has no modes (n, l); its energy is shown next to those of the body)")
+    block = impact.against._kind if isinstance(impact.against, UNBOUNDED) else ""
+    if of == 1 and block:
+        raise refusal("of", of, f"0 (a {block} has no modes (n, l); its energy is shown next to those of the body)")
     heat = impact.dissipated if when == "after" else 0.0
-    waves = float(impact.mode_energies[when][impact.mode_energies["body"] == 1].sum()) if unbounded else 0.0
+    waves = float(impact.mode_energies[when][impact.mode_energies["body"] == 1].sum()) if block else 0.0
     modes = impact.mode_energies[impact.mode_energies["body"] == of]
     modes = modes[(modes["order"] < orders) & (modes["index"] < indices) & (modes[when] > 0.0)]
     before = modes[(modes["before"] > 0.0) & (when == "after")]
@@ -150,8 +150,7 @@ def ledger(
             axes.hlines(before["before"], place - half, place + half, color=_style.BLACK, linewidth=1.5, label="before")
         axes.set_yscale("log")
         places, bars = np.unique(modes["order"]), np.append(modes[when], before["before"])
-        name = impact.against._kind if unbounded else ""
-        whole = [each for each in ((name, waves, _style.GREY), ("heat", heat, _style.BLACK)) if each[1] > 0.0]
+        whole = [each for each in ((block, waves, _style.GREY), ("heat", heat, _style.BLACK)) if each[1] > 0.0]
         for k, (label, energy, color) in enumerate(whole):
             last = places[-1] + 1.5 if places.size else 0
             axes.bar(last + k, energy, 0.84, color=color, edgecolor="white", linewidth=0.0, label=label)

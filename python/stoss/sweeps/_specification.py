@@ -15,10 +15,11 @@ from stoss._arguments import brief, refusal
 from stoss.bodies._bodies import PARTNERS, Body
 from stoss.bodies._material import Material, materials
 from stoss.bodies._plates import Layer
-from stoss.bodies._solid import KINDS, Specification, describe
+from stoss.bodies._solid import KINDS, Solid, Specification, describe
 from stoss.bodies._walls import HardWall
 
-CLASSES: Mapping[str, Any] = {name: made for name in KINDS for made in PARTNERS if made._kind == name}
+SOLIDS: tuple[type[Solid], ...] = PARTNERS
+CLASSES: Mapping[str, Any] = {name: made for name in KINDS for made in SOLIDS if made._kind == name}
 WALLS = ("wall", "same")
 
 Choices = List[List[Tuple[str, Any]]]
