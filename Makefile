@@ -58,7 +58,7 @@ validate: setup ## are the errors of restitution honest? writes docs/validation.
 results: setup python ## the tables and the figures of docs/results/
 	@cmake --preset release -DSTOSS_BUILD_STUDIES=ON
 	@cmake --build --preset release -j $(JOBS) --target stoss_curves stoss_gas stoss_half_space stoss_loss stoss_oblique \
-		stoss_pairs stoss_rough_gas stoss_spheres stoss_vibration
+		stoss_pairs stoss_plates stoss_rough_gas stoss_spheres stoss_vibration
 	@build/release/studies/stoss_curves docs/results/restitution.csv
 	@build/release/studies/stoss_pairs docs/results/pairs.csv
 	@$(PYTHON) studies/pairs/figure.py docs/results/pairs.csv docs/images/pairs.png
@@ -74,6 +74,9 @@ results: setup python ## the tables and the figures of docs/results/
 	@$(PYTHON) studies/half_space/figure.py docs/results/half_space.csv docs/images/half_space.png
 	@build/venv/bin/python studies/half_space/wave.py docs/images/half_space_wave.png
 	@build/venv/bin/python studies/half_space/ball_on_block.py docs/images/ball_on_block.png
+	@build/release/studies/stoss_plates docs/results/plates
+	@$(PYTHON) studies/plates/figure.py docs/results/plates docs/images
+	@build/venv/bin/python studies/plates/wave.py docs/images/plates_wave.png
 	@build/release/studies/stoss_oblique docs/results/oblique
 	@$(PYTHON) studies/oblique/figure.py docs/results/oblique docs/images
 	@build/venv/bin/python studies/laws/make.py docs/results/laws.csv

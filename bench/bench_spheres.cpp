@@ -3,6 +3,7 @@
 
 #include "common.hpp"
 #include "stoss/bodies/half_space.hpp"
+#include "stoss/bodies/plate.hpp"
 #include "stoss/bodies/sphere.hpp"
 #include "stoss/bodies/sphere/modes.hpp"
 #include "stoss/restitution/restitution.hpp"
@@ -24,6 +25,15 @@ constexpr Case cases[] = {{0.1, 0.0173464, 3.0, 9.0}, {0.05, 0.0188353, 3.0, 9.0
 
 /// Converged 1 − ε² on a half-space of the same material.
 constexpr Case half_space_cases[] = {{0.1, 0.303066}, {0.01, 0.0786814}, {1e-3, 0.0187658}, {1e-4, 0.00459330}};
+
+/// Converged 1 − ε² on a plate of the same material (tests/data/plate_restitution.csv), by its thickness; 0 where
+/// finite elements were not run.
+struct PlateCase {
+  double thickness, speed, lost_fraction;
+};
+constexpr PlateCase plate_cases[] = {{4.0, 0.1, 0.311413},  {2.0, 0.1, 0.557245},  {1.0, 0.1, 0.941820},
+                                     {2.0, 0.01, 0.329982}, {1.0, 1e-3, 0.553174}, {2.0, 1e-6, 0.0},
+                                     {0.1, 0.01, 1.0}};
 
 template <typename Value>
 std::string label(const std::string& name, Value value) {
@@ -76,6 +86,25 @@ void add_half_space(const Case& at) {
   });
 }
 
+/// The same on a plate.
+void add_plate(const PlateCase& at) {
+  add(label(label("restitution of a sphere on a plate, set-up included, h = ", at.thickness) + ", v = ", at.speed),
+      [at](benchmark::State& state) {
+        double lost_fraction = 0.0;
+        for (auto _ : state) {
+          const stoss::Plate plate{.thickness = at.thickness, .poisson = poisson_of_sphere};
+          const stoss::RefinableContact contact(stoss::sphere(poisson_of_sphere), stoss::plate(plate));
+          lost_fraction = stoss::restitution(contact, at.speed).lost_fraction.value;
+        }
+        state.counters[sphere_counter] = 1.0;
+        if (at.lost_fraction > 0.0) {
+          count_apart(state, lost_fraction, at.lost_fraction);
+        } else {
+          state.counters[lost_fraction_counter] = lost_fraction;
+        }
+      });
+}
+
 /// Samples of a sphere that vibrates, one after the other, each to 1e-3 (absolute); modes made before.
 void add_distribution(double at) {
   const std::string name = label("100 samples of a sphere at temperature 0.01 up to 10 c/R, to 0.001, v = ", at);
@@ -104,6 +133,7 @@ void add_spheres() {
     if (at.lost_fraction < 1e-3) add_restitution(at, 0.0);  // there the tolerance asks for more than the default
   }
   for (const Case& at : half_space_cases) add_half_space(at);
+  for (const PlateCase& at : plate_cases) add_plate(at);
   for (const double at : {0.1, 0.01}) add_distribution(at);
 }
 

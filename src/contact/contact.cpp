@@ -79,6 +79,7 @@ Contact contact(std::shared_ptr<const Body> first, std::shared_ptr<const Body> s
   add_modes(*first, UnitRatios{}, 0, contact);
   contact.first_groups = contact.groups.size();
   contact.unbounded = is_unbounded(*second);
+  contact.gives_way = second->part.gives_way;
   add_modes(*second, units, shape_rows(*first), contact);
   contact.first = std::move(first);
   contact.second = std::move(second);

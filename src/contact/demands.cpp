@@ -50,6 +50,7 @@ double longest_duration(const Contact& contact) {
   // R/c of the slower body. An impact of disks lasts 5 to 30; that of spheres grows as v^(−1/5), to 200 at v = 1e-8.
   constexpr double usual = 200.0, of_balls = 1000.0;
   // A contact that outlasts what stands for a half-space is given up soon after.
+  if (contact.gives_way) return echo_time(contact);
   if (contact.unbounded) return 2.0 * echo_time(contact);
   return (touch(contact).circle ? of_balls : usual) * longest_time(contact);
 }

@@ -9,6 +9,7 @@
 #include "contact/residual/residual_part.hpp"
 #include "contact/touch.hpp"
 #include "contact/unit_ratios.hpp"
+#include "contact/zener.hpp"
 #include "stoss/errors.hpp"
 
 namespace stoss {
@@ -103,6 +104,10 @@ double expected_half_width(const Contact& contact, double speed) {
 double expected_duration(const Contact& contact, double speed) {
   const Touch met = touch(contact);
   const double width = expected_half_width(contact, speed);
+  if (met.circle && contact.gives_way) {
+    const auto [inelasticity, unit] = zener_scales(contact, speed);
+    return zener_impact(inelasticity).duration * unit;
+  }
   if (met.circle) return 2.943 * width * width * met.curvature / speed;
   // The impulse 2μv over the maximum force, times the shape of the pulse.
   const double force = 0.25 * width * width * met.curvature / met.softness;

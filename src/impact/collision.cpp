@@ -88,9 +88,31 @@ bool Collision::over() {
   if (history_.in_contact() || velocity() >= 0.0) return false;
   const auto clear = [this] { return compression_ + reach_ + response_->protrusion() < -response_->range(); };
   if (reach_ < 0.0 || (lossy_ && history_.steps() % ContactHistory::sampling == 0)) reach_ = modes_.reach();
-  if (!clear()) return false;
+  if (!clear()) return contact_.gives_way && clears_waves();
   reach_ = modes_.reach();  // a soft wall has pushed on, below its threshold of contact
   return clear();
+}
+
+/// A surface that has given way does not come back: the body clears it if, as it recedes, it stays away from where the
+/// waves will have the surface as long as they are known.
+bool Collision::clears_waves() {
+  constexpr int looks = 48;
+  constexpr double pause = 0.05;  // share of the time, before it is looked at again
+  const double now = history_.time(), left = echo_time(contact_) - now;
+  if (now < next_look_) return false;
+  next_look_ = (1.0 + pause) * now;
+  const double place = compression_ + reach_ + response_->protrusion() + response_->range();
+  for (int look = 0; look <= looks; ++look) {
+    const double share = static_cast<double>(look) / looks, later = left * share * share;
+    if (place + velocity() * later + modes_.waves_later(later) >= 0.0) return false;
+  }
+  return true;
+}
+
+double Collision::remaining() const {
+  // Of Hertz' contact, whose energy is 2/5 of force times compression, δ = a²·curvature.
+  const double width = half_width(), compression = width * width * touch(contact_).curvature;
+  return (translation() + 0.4 * force_ * compression) / initial_energy_;
 }
 
 Snapshot Collision::snapshot() const {

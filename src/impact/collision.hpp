@@ -44,6 +44,15 @@ class Collision {
   /// The body recedes and can touch the wall no more.
   [[nodiscard]] bool over();
 
+  /// Whether bodies touch.
+  [[nodiscard]] bool in_contact() const { return history_.in_contact(); }
+
+  /// Whether the first body recedes.
+  [[nodiscard]] bool recedes() const { return velocity() < 0.0; }
+
+  /// Share of the energy of the translation at the start that it still has, or could get back from the compression.
+  [[nodiscard]] double remaining() const;
+
   /// Distance from the wall that the free body must keep so as not to touch it, in its present vibration.
   [[nodiscard]] double clearance() const { return modes_.reach() + std::max(response_->range(), 0.0); }
 
@@ -63,6 +72,7 @@ class Collision {
   void record();
   [[nodiscard]] double since_touch() const;  // in steps, at the first notice of a contact
   [[nodiscard]] double half_width() const;
+  [[nodiscard]] bool clears_waves();
   [[nodiscard]] double velocity() const;  // synchronous with the position
   [[nodiscard]] double translation() const;
   [[nodiscard]] std::array<double, 2> dissipated() const;  // in the first and in the second body
@@ -88,7 +98,8 @@ class Collision {
   double initial_velocity_;
   ContactHistory history_;
   bool lossy_;
-  double reach_ = -1.0;  // of the free vibration; < 0: not known
+  double reach_ = -1.0;     // of the free vibration; < 0: not known
+  double next_look_ = 0.0;  // time at which waves ahead are looked at again
 };
 
 }  // namespace stoss

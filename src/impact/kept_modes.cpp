@@ -206,6 +206,22 @@ double KeptModes::reach(std::size_t begin, std::size_t end) const {
   return sum;
 }
 
+double KeptModes::waves_later(double time) const {
+  double sum = 0.0;
+  for (std::size_t g = lasting_groups_; g < size_.size(); ++g) {
+    double upper = 0.0, lower = 0.0;
+    for (std::size_t l = 0; l < size_[g]; ++l) {
+      const std::size_t k = position(g, l);
+      const double phase = omega_[k] * time, gamma = rate_.empty() ? 0.0 : 0.5 * rate_[k] / (omega_[k] * step_);
+      const double moved = std::exp(-gamma * time) * (a_[k] * std::cos(phase) + velocity(g, k) * std::sin(phase));
+      upper += upper_[k] * moved;
+      lower += lower_[k] * moved;
+    }
+    sum += upper * shapes_[shapes_of_[g].upper * nodes_] + lower * shapes_[shapes_of_[g].lower * nodes_];
+  }
+  return sum;
+}
+
 template <typename Value>
 std::vector<double> KeptModes::collect(Value value) const {
   std::vector<double> result;

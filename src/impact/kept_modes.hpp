@@ -55,6 +55,9 @@ class KeptModes {
   /// The same of the nodes begin … end − 1, where those of other directions follow.
   [[nodiscard]] double reach(std::size_t begin, std::size_t end) const;
 
+  /// Displacement of the first node by waves that run away, some time later in free motion.
+  [[nodiscard]] double waves_later(double time) const;
+
   [[nodiscard]] std::vector<double> coordinate() const;
   [[nodiscard]] std::vector<double> momentum() const;
   [[nodiscard]] std::vector<double> energies() const;            ///< of each mode

@@ -78,7 +78,9 @@ Estimate lost_on_a_growing_contact(const Contact& contact, double speed, const s
   const double scale = time_scale(contact), own = own_speed(contact, speed);
   const double returned = contact.unbounded ? unresolved_share(contact) : 1.0;  // a half-space returns nothing
   const auto corrected = [&](const Run& run) {
-    return run.lost_fraction - returned * missing(run.cutoff * scale, own).share * run.unresolved;
+    // To a plate that takes nearly all of the energy, more of it does nothing.
+    const double rebound = contact.gives_way ? std::pow(std::max(0.0, 1.0 - run.lost_fraction), 0.25) : 1.0;
+    return run.lost_fraction - rebound * returned * missing(run.cutoff * scale, own).share * run.unresolved;
   };
   const Run& last = runs.back();
   const Missing lacks = missing(last.cutoff * scale, own);
@@ -151,7 +153,7 @@ void conclude(const Contact& contact, double speed, const CurvatureCorrection& c
   const double order = convergence_order(contact);
   result.lost_fraction =
       at_a_point ? lost_at_a_point(runs, order) : lost_on_a_growing_contact(contact, speed, runs, order);
-  result.lost_fraction.error += neglected(correction, result.finest);
+  result.lost_fraction.error += neglected(correction, result.finest) + last.remaining;
   const double lost = result.lost_fraction.value, error = result.lost_fraction.error;
   const double squared = std::max(0.0, 1.0 - lost);
   const double value = std::copysign(std::sqrt(squared), result.finest.restitution);
@@ -161,6 +163,7 @@ void conclude(const Contact& contact, double speed, const CurvatureCorrection& c
   };
   // An instant is known to half a step at either end, and so are the parts of an impulse that begins with a jump.
   result.contact_time = estimate(rough, &Run::contact_time, last.resolution.step);
+  if (last.remaining > 0.0) result.contact_time.error = unknown;
   result.impulse_time = estimate(smooth, &Run::impulse_time, at_a_point ? last.resolution.step : 0.0);
   const double beyond = std::max(focus * std::sqrt(last.unresolved), at_a_point ? overshoot : 0.0);
   result.max_force = estimate(rough, &Run::max_force, beyond * last.max_force);

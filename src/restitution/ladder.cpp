@@ -135,8 +135,14 @@ int RefinableContact::highest_level(double stretch) const {
   int level = levels_->highest;
   if (!levels_->pair || !is_unbounded(*levels_->pair->probe.second)) return level;
   const Body &first = *levels_->pair->probe.first, &second = *levels_->pair->probe.second;
-  const double most = second.near_side(levels_->pair->second_size * stretch, least_cutoff, {}).highest_cutoff;
-  while (level > 0 && cutoff(level) * UnitRatios(second, first).time > most) --level;
+  const double size = levels_->pair->second_size * stretch, time = UnitRatios(second, first).time;
+  const double most = second.near_side(size, least_cutoff, {}).highest_cutoff;
+  while (level >= 0 && cutoff(level) * time > most) --level;
+  if (level < 0) {
+    throw NotConverged("restitution: a contact that may last " + shown(std::round(size * time)) +
+                       " R/c needs more waves than are computed" +
+                       (second.part.gives_way ? " (it stays on so thin a plate)" : ""));
+  }
   return level;
 }
 

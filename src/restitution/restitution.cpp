@@ -32,6 +32,7 @@ Run summary(const Impact& impact, double energy) {
           .lost_fraction = impact.lost_fraction,
           .dissipated = energy * impact.energy.dissipated,
           .unresolved = energy * impact.energy.unresolved,
+          .remaining = impact.remaining,
           .contact_time = impact.contact_time,
           .impulse_time = impact.impulse_time,
           .max_force = impact.max_force,
@@ -162,8 +163,10 @@ Restitution restitution(const RefinableContact& contact, double speed, const Res
         if (!options.vibration.empty()) of_one.start = approach(resolved, speed, options.vibration);
         return impact(resolved, speed, of_one);
       };
-      result.finest = to_its_end(contact, contact.cutoff(level), stretch, options.poll, compute);
+      result.finest = to_its_end(contact, contact.cutoff(level), speed, stretch, options.poll, compute);
       correct(correction, contact.at(level, options.poll), result.finest);
+    } catch (const DoesNotEnd&) {
+      throw;
     } catch (const NotConverged& error) {  // too coarse, perhaps
       trouble = error.what();
       continue;

@@ -17,11 +17,11 @@ struct Layer {
 /// An elastic plate as a value, which a sphere meets: infinite sideways, free on both faces, of one material or of
 /// layers that stick together. Thickness and material are relative to other bodies, in any consistent units.
 struct Plate {
-  double thickness = 1.0;      ///< h of the plate, or of its uppermost layer, which is met
-  double poisson = 0.0;        ///< ν, −0.95 … 0.4999
-  double young = 1.0;          ///< E
-  double density = 1.0;        ///< ρ
-  double loss_time = 0.0;      ///< η of all layers (docs/theory/loss.md), in the unit of time that goes with the others
+  double thickness = 1.0;  ///< h of the plate, or of its uppermost layer, which is met
+  double poisson = 0.0;    ///< ν, −0.95 … 0.4999
+  double young = 1.0;      ///< E
+  double density = 1.0;    ///< ρ
+  double loss_time = 0.0;  ///< η of all layers (docs/theory/loss.md), in the unit of time that goes with the others
   std::vector<Layer> below{};  ///< further layers, downwards
 };
 

@@ -83,6 +83,8 @@ struct BodyPart {
   double beyond = 0.0;  ///< mass of the body that does not belong to the part: Body::mass and this are its whole mass;
                         ///< infinite for a half-space, which has no translation: its modes alone move it
   double echo = std::numeric_limits<double>::infinity();  ///< after which the part is no longer like the body, R/c
+  bool gives_way = false;  ///< an impulse moves its surface away for good, as that of a plate
+  double mobility = 0.0;   ///< speed over a force that acts for long, where that has a limit: 1/(8√(Dρh)) of a plate
 };
 
 /// An elastic body by itself, with its modes up to a cutoff: all that a contact needs to know of it, in its own units

@@ -31,6 +31,7 @@ struct Contact {
   std::vector<ModeGroup> groups;       ///< of the first, then of the second, every modal mass `mass`
   std::size_t first_groups = 0;        ///< how many of them are of the first
   bool unbounded = false;              ///< the second is a half-space: its modes only carry waves away
+  bool gives_way = false;              ///< it is a plate, whose surface an impulse moves away for good
   double radius = 1.0;                 ///< of the circle of the contact points
 };
 

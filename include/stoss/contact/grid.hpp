@@ -21,7 +21,7 @@ struct ContactGrid : Surface {
 /// Half-width of the contact that Hertz' theory expects of an impact at this speed, R; 0 for a single point.
 [[nodiscard]] double expected_half_width(const Contact& contact, double speed);
 
-/// How long Hertz' theory expects an impact on a growing contact to last, R/c.
+/// How long Hertz' theory expects an impact on a growing contact to last, R/c; on a plate, that of Zener.
 [[nodiscard]] double expected_duration(const Contact& contact, double speed);
 
 /// Points from the axis to at least half_width, and what the bodies are there.

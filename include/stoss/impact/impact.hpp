@@ -86,6 +86,8 @@ struct Impact {
   double restitution = 0.0;    ///< ε = −v_f / v_i
   double lost_fraction = 0.0;  ///< 1 − ε²
   EnergyLedger energy;
+  double remaining = 0.0;        ///< of a ball that stays on a plate, whose ε is given as 0: the largest share of its
+                                 ///< energy that it may leave with; else 0
   double contact_time = 0.0;     ///< from first to last contact, R/c
   double impulse_time = 0.0;     ///< from 1 % to 99 % of the impulse, R/c: no matter when a last grazing contact ends
   int contacts = 0;              ///< separate periods of contact
@@ -104,7 +106,9 @@ struct Impact {
 
 /// Computes one impact, by kick–rotate–kick with the force of the contact. It starts just out of contact and ends when
 /// no later contact is possible: the bodies part, and no combination of their modes' phases can bring them together
-/// again (docs/theory/impact.md). Contacts that follow one another while they vibrate are one impact.
+/// again (docs/theory/impact.md). Contacts that follow one another while they vibrate are one impact. A ball that still
+/// lies on a plate when the time for which the plate was made is over stays there, if it has hardly any energy left, or
+/// if Zener's law says so and it moves by it.
 /// @param speed of approach, of the centre of mass to the wall or of two centres to each other, 1e-8 … 1, in c. Two
 ///              equal bodies are one at a wall at half of it.
 /// @throws InvalidInput for arguments out of range; NotConverged if the contact cannot be solved or does not end

@@ -20,7 +20,8 @@ class RefinableContact {
   /// 24 at a wall, less for two bodies of which one would need more modes than are computed.
   [[nodiscard]] int highest_level() const;
 
-  /// The same of a half-space that lasts for a stretch.
+  /// The same of a half-space or a plate that lasts for a stretch.
+  /// @throws NotConverged if not even the lowest cutoff is computed for so long, as where a ball stays on a thin plate
   [[nodiscard]] int highest_level(double stretch) const;
 
   /// ω_c = 4√2 · 2^(level/4) c/R of the first body, 362 at level 24; for two bodies over their time_scale.

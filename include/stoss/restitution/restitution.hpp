@@ -27,6 +27,7 @@ struct Run {
   double lost_fraction = 0.0;
   double dissipated = 0.0;  ///< energy that the material took, share of the initial energy of translation
   double unresolved = 0.0;  ///< energy that the modes above the cutoff took, share of the initial energy of translation
+  double remaining = 0.0;   ///< Impact::remaining
   double contact_time = 0.0;
   double impulse_time = 0.0;
   double max_force = 0.0;

@@ -1,42 +1,19 @@
 #include "bodies/plate/branches.hpp"
 
 #include <Eigen/Eigenvalues>
+#include <Eigen/LU>
 #include <algorithm>
 #include <boost/math/tools/toms748_solve.hpp>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <numbers>
+#include <optional>
 
-#include "bodies/plate/slab.hpp"
+#include "bodies/plate/stack.hpp"
 
 namespace stoss::bodies::plate {
 namespace {
-
-/// All layers, from the lower face up.
-template <int N, typename T>
-Face<T, N> stack(const Sheets& sheets, double k, T z) {
-  Face<T, N> face{Eigen::Matrix<T, N, N>::Zero(), 0};
-  for (std::size_t i = sheets.all.size(); i-- > 0;) {
-    face = layer_face<N, T>(sheets.all[i], k, z, [&](const auto& slab) {
-      if (i + 1 < sheets.all.size() || sheets.floor == Floor::free) return stacked(face, slab);
-      if (sheets.floor == Floor::antisymmetric) return held_below(slab, 0);
-      return N == 1 ? stacked(face, slab) : held_below(slab, N - 1);
-    });
-  }
-  return face;
-}
-
-/// Of a matrix of pairs a + bε.
-template <int N, int Square>
-Eigen::Matrix<double, N, N> first(const Eigen::Matrix<PairNumber<Square>, N, N>& matrix) {
-  return matrix.unaryExpr([](const PairNumber<Square>& x) { return x.a; });
-}
-
-template <int N, int Square>
-Eigen::Matrix<double, N, N> second(const Eigen::Matrix<PairNumber<Square>, N, N>& matrix) {
-  return matrix.unaryExpr([](const PairNumber<Square>& x) { return x.b; });
-}
 
 /// Points of a circle, of which those on its lower half are the mirror image.
 template <typename Visit>
@@ -73,6 +50,14 @@ class Search {
     int modes, held;
   };
 
+  /// A root of the determinant of the face, and the face there with its derivative by z.
+  struct Root {
+    double z;
+    SmallMatrix<Differentiable, N> face;
+
+    [[nodiscard]] double omega() const { return std::sqrt(z); }
+  };
+
   [[nodiscard]] Probe probe(double omega) const {
     const auto all = stack<N>(sheets_, k_, omega * omega);
     return {omega, all.held + negative(all.stiffness), all.held};
@@ -86,96 +71,119 @@ class Search {
   }
 
   void find(double cutoff) {
-    Probe low{0.0, 0, 0};
-    for (std::size_t i = 0; i <= guess_.size(); ++i) {
-      const bool last = i == guess_.size();
-      const double next = last || i + 1 == guess_.size() ? cutoff : 0.5 * (guess_[i] + guess_[i + 1]);
-      if (!last && !(next > low.omega && next < cutoff)) continue;
-      const Probe high = probe(last ? cutoff : next);
-      isolate(low, high);
-      low = high;
+    constexpr double beyond = 1e-6;  // of a root
+    const Probe end = probe(cutoff);
+    Probe last{0.0, 0, 0};
+    const std::vector<Root> roots = near_guesses(cutoff);
+    const int number = static_cast<int>(roots.size());
+    // As many roots as there are modes are all of them.
+    if (number > 0 && number < end.modes) last = probe(std::min((1.0 + beyond) * roots.back().omega(), cutoff));
+    if (number == end.modes || number == last.modes) {
+      for (const Root& root : roots) add(root);
+    } else {
+      last = {0.0, 0, 0};
     }
+    if (number != end.modes) isolate(last, end);
+  }
+
+  /// Roots that Newton's method finds from the guesses, up to the first that it does not.
+  [[nodiscard]] std::vector<Root> near_guesses(double cutoff) const {
+    constexpr double apart = 1e-5;
+    std::vector<Root> roots;
+    for (const double guess : guess_) {
+      const double low = roots.empty() ? 0.0 : (1.0 + apart) * roots.back().omega();
+      const std::optional<Root> root = root_from(guess, low, cutoff);
+      if (!root) break;
+      roots.push_back(*root);
+    }
+    return roots;
   }
 
   void isolate(const Probe& low, const Probe& high) {
-    constexpr double apart = 1e-8;  // of modes that can be told from each other
+    constexpr double apart = 1e-7, nearest = 1e-12;  // of modes that need not, and that cannot be told from each other
     const int modes = high.modes - low.modes;
     if (modes <= 0) return;
-    const double middle = 0.5 * (low.omega + high.omega);
-    if (modes == 1 && low.held == high.held) return add_one(low, high);
-    if (high.omega - low.omega < apart * high.omega) return add_cluster(middle, modes);
+    if (modes == 1 && low.held == high.held) return add(root_between(low.omega, high.omega));
+    const double middle = 0.5 * (low.omega + high.omega), width = high.omega - low.omega;
+    if (width < nearest * middle || (width < apart * middle && modes == within(middle, 25.0 * width))) {
+      return add_cluster(middle, width, modes);
+    }
     const Probe between = probe(middle);
     isolate(low, between);
     isolate(between, high);
   }
 
-  /// The face with its derivative by z, at a root of its determinant between two frequencies.
-  [[nodiscard]] Eigen::Matrix<Differentiable, N, N> at_root(const Probe& low, const Probe& high, double& z) const {
-    const auto at = [this](double here) { return stack<N>(sheets_, k_, Differentiable{here, 1.0}).stiffness; };
-    const auto inside = [&](double here) { return here > low.omega * low.omega && here < high.omega * high.omega; };
-    const auto number = static_cast<std::size_t>(low.modes);
-    const double guess = number < guess_.size() ? guess_[number] : 0.5 * (low.omega + high.omega);
-    z = guess * guess;
-    constexpr int most = 8;
-    constexpr double close = 1e-10;  // the step from there ends at rounding
-    for (int n = 0; n < most && inside(z); ++n) {
-      const auto face = at(z);
-      const Differentiable determinant = face.determinant();
-      const double step = determinant.a / determinant.b;
-      z -= step;
-      if (std::abs(step) < close * z && inside(z)) return face;
-    }
+  /// Number of modes nearer to a frequency than some distance.
+  [[nodiscard]] int within(double omega, double distance) const {
+    return probe(omega + distance).modes - probe(omega - distance).modes;
+  }
+
+  [[nodiscard]] Root root_between(double low, double high) const {
+    if (const std::optional<Root> root = root_from(0.5 * (low + high), low, high)) return *root;
     constexpr int bits = 51;
     std::uintmax_t evaluations = 100;
-    const auto determinant = [this](double omega) {
-      return stack<N>(sheets_, k_, omega * omega).stiffness.determinant();
-    };
+    const auto function = [this](double omega) { return determinant(stack<N>(sheets_, k_, omega * omega).stiffness); };
     const auto [from, to] = boost::math::tools::toms748_solve(
-        determinant, low.omega, high.omega, boost::math::tools::eps_tolerance<double>(bits), evaluations);
-    z = 0.25 * (from + to) * (from + to);
-    const auto face = at(z);
-    const Differentiable left = face.determinant();
-    z -= left.a / left.b;
-    return face;
+        function, low, high, boost::math::tools::eps_tolerance<double>(bits), evaluations);
+    return step_from(0.25 * (from + to) * (from + to));
   }
 
-  void add_one(const Probe& low, const Probe& high) {
-    double z = 0.0;
-    const auto face = at_root(low, high, z);
-    const double slope = Differentiable(face.determinant()).b;
-    const Matrix stiffness = first<N>(face);
-    Vector amplitude;
-    if constexpr (N == 1) {
-      amplitude(0) = std::sqrt(std::max(-1.0 / slope, 0.0));
-    } else {
-      // The residue −adj(Q)/det′ is φφᵀ.
-      const double across = stiffness(1, 1) / -slope, depth = stiffness(0, 0) / -slope;
-      amplitude = {std::sqrt(std::max(across, 0.0)), std::sqrt(std::max(depth, 0.0))};
-      if (stiffness(0, 1) / slope < 0.0) amplitude(0) = -amplitude(0);
+  /// By Newton's method, unless it leaves the frequencies between two.
+  [[nodiscard]] std::optional<Root> root_from(double guess, double low, double high) const {
+    constexpr int most = 8;
+    constexpr double close = 1e-12;  // the step from there ends at rounding
+    double z = guess * guess;
+    for (int n = 0; n < most; ++n) {
+      const Root next = step_from(z);
+      if (!(next.z > low * low && next.z < high * high)) return {};
+      if (std::abs(next.z - z) < close * z) return next;
+      z = next.z;
     }
-    found_.omega.push_back(std::clamp(std::sqrt(std::max(z, 0.0)), low.omega, high.omega));
-    found_.amplitude.push_back(amplitude);
+    return {};
   }
 
-  /// Modes that are too close to each other to be told apart: those of the sum of their φφᵀ.
-  void add_cluster(double omega, int modes) {
+  /// Where the determinant of Q + Q′ step is 0: of both roots, as Q′ is definite, the one at which it has the slope of
+  /// this side.
+  [[nodiscard]] Root step_from(double z) const {
+    const auto face = stack<N>(sheets_, k_, Differentiable{z, 1.0}).stiffness;
+    const Differentiable value = determinant(face);
+    const double curvature = N == 1 ? 0.0 : second(face).determinant();
+    const double both = std::sqrt(std::max(value.b * value.b - 4.0 * curvature * value.a, 0.0));
+    const double step = -2.0 * value.a / (value.b + std::copysign(both, value.b));
+    return {z + step, matrix_of<N>([&](int i, int j) { return face(i, j) + step * face(i, j).b; })};
+  }
+
+  /// The face φ of its mode, with φᵀQ′φ = −1.
+  void add(const Root& root) {
+    const Matrix stiffness = first(root.face);
+    Vector shape = Vector::Ones();
+    if constexpr (N == 2) {
+      const double across = stiffness(0, 0), depth = stiffness(1, 1), mixed = stiffness(0, 1);
+      shape = std::abs(across) > std::abs(depth) ? Vector{-mixed, across} : Vector{depth, -mixed};
+    }
+    const double mass = -shape.dot(second(root.face) * shape);
+    found_.omega.push_back(root.omega());
+    found_.amplitude.push_back(std::sqrt(mass > 0.0 ? 1.0 / mass : 0.0) * shape);
+  }
+
+  /// Modes within a width that are too close to each other to be told apart, and far from others: those of the sum of
+  /// their φφᵀ, at the mean of their frequencies.
+  void add_cluster(double omega, double width, int modes) {
     constexpr int places = 6;
-    // Nearer than other modes, and farther than these are from each other.
-    const auto alone = [&](double away) {
-      return probe(omega * (1.0 + away)).modes - probe(omega * (1.0 - away)).modes;
-    };
-    double away = 1e-4;
-    while (away > 1e-7 && alone(3.0 * away) > modes) away *= 0.2;
     const double center = omega * omega;
     Matrix strength = Matrix::Zero();
-    for_circle(away * center, places, [&](const Complex& from) {
-      const Eigen::Matrix<Complex, N, N> response = stack<N>(sheets_, k_, center + from).stiffness.inverse();
-      strength -= first<N, -1>(from * response) / places;
+    double moment = 0.0;
+    for_circle(5.0 * width * omega, places, [&](const Complex& from) {
+      const SmallMatrix<Complex, N> residue = from * inverse(stack<N>(sheets_, k_, center + from).stiffness);
+      strength -= first(residue) / places;
+      moment -= first(from * residue).trace() / places;
     });
+    const double all = strength.trace(), most = width * omega;
+    const double mean = all > 0.0 ? std::sqrt(center + std::clamp(moment / all, -most, most)) : omega;
     const Eigen::SelfAdjointEigenSolver<Matrix> parts(strength);
     for (int i = 0; i < std::min(modes, N); ++i) {
       const Eigen::Index n = N - 1 - i;
-      found_.omega.push_back(omega);
+      found_.omega.push_back(mean);
       found_.amplitude.push_back(std::sqrt(std::max(parts.eigenvalues()(n), 0.0)) * parts.eigenvectors().col(n));
     }
   }
@@ -187,19 +195,19 @@ class Search {
       found_.second_moment = static_second_moment<N>(sheets_, k_);
       return;
     }
-    constexpr int places = 8;
-    constexpr double share = 0.15;  // of the radius, in that of the next singularity at least
+    constexpr int places = 5;
+    constexpr double share = 0.05;  // of the radius, in that of the next singularity at least
     for_circle(share * cutoff * cutoff, places, [&](const Complex& z) {
-      Eigen::Matrix<Complex, N, N> response = stack<N>(sheets_, k_, z).stiffness.inverse();
+      SmallMatrix<Complex, N> response = inverse(stack<N>(sheets_, k_, z).stiffness);
       for (std::size_t m = 0; m < found_.omega.size(); ++m) {
         const Vector& amplitude = found_.amplitude[m];
         const Complex over = 1.0 / (found_.omega[m] * found_.omega[m] - z);
         for (int i = 0; i < N; ++i) {
-          for (int j = 0; j < N; ++j) response(i, j) -= amplitude(i) * amplitude(j) * over;
+          for (int j = 0; j < N; ++j) response(i, j) = response(i, j) - amplitude(i) * amplitude(j) * over;
         }
       }
-      found_.compliance += first<N, -1>(response) / places;
-      found_.second_moment += first<N, -1>((1.0 / z) * response) / places;
+      found_.compliance += first(response) / places;
+      found_.second_moment += first((1.0 / z) * response) / places;
     });
   }
 
@@ -236,14 +244,12 @@ int count_below(const Sheets& sheets, double wave_number, double omega) {
 
 template <int N>
 Eigen::Matrix<double, N, N> static_compliance(const Sheets& sheets, double wave_number) {
-  return stack<N>(sheets, wave_number, 0.0).stiffness.inverse();
+  return first(inverse(stack<N>(sheets, wave_number, 0.0).stiffness));
 }
 
 template <int N>
 Eigen::Matrix<double, N, N> static_second_moment(const Sheets& sheets, double wave_number) {
-  const Eigen::Matrix<Differentiable, N, N> response =
-      stack<N>(sheets, wave_number, Differentiable{0.0, 1.0}).stiffness.inverse();
-  return second<N>(response);
+  return second(inverse(stack<N>(sheets, wave_number, Differentiable{0.0, 1.0}).stiffness));
 }
 
 template Branches<1> branches<1>(const Sheets&, double, double, const std::vector<double>&);

@@ -23,7 +23,7 @@ using namespace bodies;
 using namespace bodies::plate;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr double most_waves = 4e5;
+constexpr double most_waves = 4e5, most_turns = 2e4;
 
 MediumSurface surface_of(const Lamina& plate, double poisson, bool along) {
   const Sheet& top = plate.sheets.front();
@@ -78,7 +78,7 @@ Body without_end(const Given& given, double cutoff, double duration, const Poll&
 Body of_branches(const Given& given, double cutoff, double duration, const Poll& poll) {
   const Lamina plate = lamina(given.contour, sheets_of(given, duration));
   const double loss_time = given.own_loss_time(), highest = kept_cutoff(cutoff, loss_time);
-  const double most = cutoff_of_count(plate, most_waves, duration);
+  const double most = std::min(cutoff_of_count(plate, most_waves, duration), most_turns / duration);
   if (highest > most) {
     throw InvalidInput("cutoff: got " + shown(cutoff) + " of a " + given.kind() + " for contacts of " +
                        shown(duration) + " in its own time, allowed a smaller product (more waves than are computed)");
@@ -104,6 +104,17 @@ Body of_branches(const Given& given, double cutoff, double duration, const Poll&
   return body;
 }
 
+/// 1/(8√(Dρh)), with D from the bending by a load of long waves, w = p/(Dk⁴).
+double mobility_of(const Given& given) {
+  const Lamina plate = lamina(given.contour, sheets_of(given, 0.0));
+  double mass = 0.0;
+  for (const Sheet& sheet : plate.sheets) mass += sheet.thickness * sheet.density;
+  const double wave_number = 1e-3 / plate.thickness;
+  const double stiffness =
+      plate.weight(wave_number) / (std::pow(wave_number, 4) * plane_compliance(plate, wave_number).radial);
+  return 1.0 / (8.0 * std::sqrt(stiffness * mass));
+}
+
 Body made(const Given& given, double cutoff, double duration, const Poll& poll) {
   require_given(given);
   constexpr Range positive{0.0, std::numeric_limits<double>::max(), false, true, "a positive finite number"};
@@ -112,6 +123,8 @@ Body made(const Given& given, double cutoff, double duration, const Poll& poll) 
   Body body = is_thick(given, duration) ? without_end(given, cutoff, duration, poll)
                                         : of_branches(given, cutoff, duration, poll);
   body.name = name_of(given);
+  body.part.gives_way = !std::isinf(given.layers.back().thickness);
+  if (body.part.gives_way && given.contour == Contour::ball) body.part.mobility = mobility_of(given);
   body.near_side = [given](double longest, double limit, const Poll& heed) {
     return made(given, limit, longest, heed);
   };

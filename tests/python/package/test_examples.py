@@ -26,6 +26,7 @@ FILES = {
     "09_vibrating_ball": ["vibrating_ball.csv", "vibrating_ball.png"],
     "10_rod_chain": ["rod_chain.png"],
     "11_superball_in_a_box": ["superball.csv", "superball.png"],
+    "12_how_thick": ["how_thick.csv", "how_thick.png"],
 }
 NUMBER = re.compile(r"(?<![\w.])[-+]?\d+(?:\.\d+)?(?:e[-+]?\d+)?(?![\w.])")
 
@@ -247,3 +248,21 @@ def test_superball(example):
     # The second, at the lid, turns it back: along the floor it flew to the right, at 3.5 m/s before.
     changes = 2 / 7 * (columns["sliding_after_m_s"] - columns["sliding_m_s"])
     assert 3.5 + changes[0] > 1 and 3.5 + changes[0] - changes[1] < -1
+
+
+def test_how_thick(example):
+    run = example("12_how_thick")
+    rows = run.table(5)
+    assert len(rows) == 13
+    thickness, restitution, time, by_restitution, by_time = rows.T
+    assert np.all(np.diff(restitution) > 0) and np.all(np.diff(time) < 0)
+    # Thin panes are told by the time, thick ones by the restitution.
+    assert by_time[0] < 0.5 * by_restitution[0] and by_time[-1] > 5 * by_restitution[-1]
+    ball = stoss.Sphere(radius=5e-3, material=stoss.materials["steel"], loss_time=0)
+    for k in (0, 9):
+        pane = stoss.Plate(thickness=1e-3 * thickness[k], material=stoss.materials["glass"], loss_time=0)
+        direct = stoss.restitution(ball, against=pane, speed=1.0)
+        assert restitution[k] == pytest.approx(direct.restitution, abs=1e-5)
+        assert time[k] == pytest.approx(1e6 * direct.contact_time_si, abs=1e-2)
+    ((_, _, *found, true),) = run.numbers("a pane with restitution")
+    assert found == pytest.approx([true, true], abs=0.05)
