@@ -154,10 +154,15 @@ TEST(Plates, OfValuesInCppAreRefusedToo) {
   }
 }
 
-TEST(Plates, HaveNoSlowLaw) {
+TEST(Plates, HaveNoSlowLawAndTheSpeedsOfTheirMaterial) {
   const Encounter drop = encounter_from_json(ball + R"({"kind":"plate","thickness":2}})");
   EXPECT_EQ(test::message_of<InvalidInput>([&] { (void)slow_law(drop); }),
             "beyond: got law, allowed error or clamp (there is no law of slow impacts of these bodies)");
+  const Encounter block = encounter_from_json(ball + R"({"kind":"half-space"}})");
+  EXPECT_EQ(wave_speeds(drop).shear, wave_speeds(block).shear);
+  const Encounter wall = encounter_from_json(ball + R"("wall"})");
+  EXPECT_EQ(test::message_of<InvalidInput>([&] { (void)wave_speeds(wall); }),
+            "against: got wall, allowed a half-space, a half-plane, a plate or a strip");
 }
 
 TEST(Plates, BeginToYieldAsABlockOfTheFirstLayer) {

@@ -161,3 +161,12 @@ class Strip(Endless):
     loss_time: float = LEFT_OUT
     material: Material | None = None
     plane: str | None = None
+
+
+def lower_face(against: Any, body: Any) -> float:
+    """Its depth, in radii of the body that it meets; infinite of what has none."""
+    layers = getattr(against, "layers", None) or [against]
+    thicknesses = [getattr(each, "thickness", None) for each in layers]
+    if any(each is None for each in thicknesses):
+        return float("inf")
+    return float(sum(thicknesses) / body.radius)

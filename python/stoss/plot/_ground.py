@@ -10,12 +10,13 @@ from matplotlib.lines import Line2D
 import numpy as np
 from numpy.typing import NDArray
 
+from stoss.bodies._plates import lower_face
 from stoss.bodies._walls import UNBOUNDED
 from stoss.plot import _style
 from stoss.results import _replay
 from stoss.results._field import Field
 from stoss.results._impact import Impact
-from stoss.results._replay import Surface
+from stoss.results._replay import Surface as Surface
 
 Array = NDArray[np.float64]
 
@@ -43,7 +44,7 @@ def thickness(fields: Sequence[Field]) -> float:
     if not gives_way(impact):
         return WALL
     deepest = max(0.0, float(fields[0].x.max()))
-    face = _replay.lower_face(impact)
+    face = lower_face(impact.against, impact.body)
     return deepest + (face + MARGIN if face <= THICK else WALL)
 
 

@@ -9,10 +9,10 @@ from numpy.typing import NDArray
 
 from stoss._arguments import integer, number, refusal
 from stoss._errors import InvalidInput
+from stoss.bodies._plates import lower_face
 from stoss.bodies._solid import is_rigid
 from stoss.plot import _disk, _style
 from stoss.plot._sequence import LARGEST, spoken_times
-from stoss.results import _replay
 from stoss.results._field import Wave
 
 Array = NDArray[np.float64]
@@ -64,7 +64,7 @@ def wave(wave: Wave, ax: Axes | None = None, *, columns: int = 2, limit: float |
     height = above + depth + line
     wide, high = columns * pitch, rows * height
     column = _style.COLUMN if columns == 1 else 2.0 * _style.COLUMN + 0.2
-    faces = [0, -1] if np.isclose(depth, _replay.lower_face(impact)) else [0]
+    faces = [0, -1] if np.isclose(depth, lower_face(impact.against, impact.body)) else [0]
     balls = None if is_rigid(impact.body) else impact.field(
         time=times, radius=_disk.GRID_RADIUS, angle=_disk.GRID_ANGLE
     )  # fmt: skip
@@ -127,7 +127,7 @@ def _draw_fronts(axes: Axes, wave: Wave, time: float, place: tuple[float, float]
             mark = (x + 1.02 * reach * np.sin(MARK), y - 1.02 * reach * np.cos(MARK))
             axes.text(*mark, name, color=_style.BLUE, ha="left", va="top", zorder=2.3)
     surface = wave.rayleigh_speed * time
-    if 0.0 < surface <= half and not np.isfinite(_replay.lower_face(wave.impact)):
+    if 0.0 < surface <= half and not np.isfinite(lower_face(wave.impact.against, wave.impact.body)):
         marks = [x - surface, x + surface]
         axes.plot(marks, [y, y], linestyle="none", marker=7, markersize=4.0, color=_style.GREEN, zorder=2.4)
         if named:

@@ -15,6 +15,7 @@ from stoss.bodies._bodies import BODIES, Disk, Sphere
 from stoss.bodies._encounter import encounter
 from stoss.bodies._solid import is_rigid
 from stoss.bodies._state import choose_state
+from stoss.bodies._plates import lower_face
 from stoss.bodies._walls import UNBOUNDED
 from stoss.results._field import DiskField, Field, SphereField, Trajectory, Wave
 from stoss.results._result import columns
@@ -234,7 +235,7 @@ def wave(
     speeds = encounter(self.body, self.against).wave_speeds()
     reach = np.linspace(0.0, speeds[0] * max(times.max(initial=0.0), self.contact_time), 121)
     across = reach if distance is None else numbers("distance", distance).ravel()
-    face = lower_face(self)
+    face = lower_face(self.against, self.body)
     usual = reach.copy() if face > reach[-1] else np.linspace(0.0, face, 31)
     below = usual if depth is None else numbers("depth", depth).ravel()
     if below.size and face < np.inf and below.max() > face:
@@ -252,14 +253,6 @@ def wave(
     fronts: dict[str, Any] = dict(zip(("pressure_speed", "shear_speed", "rayleigh_speed"), speeds))
     placed = {name: rising.placed(value) for name, value in made.items()}
     return Wave(impact=self, distance=across, depth=below, **placed, **fronts)
-
-
-def lower_face(impact: Impact) -> float:
-    """Thickness of what is met, R; infinite where there is no lower face."""
-    against: Any = impact.against
-    layers = getattr(against, "layers", None) or [against]
-    whole = sum(np.inf if getattr(each, "thickness", None) is None else each.thickness for each in layers)
-    return float(whole / impact.body.radius) if np.isfinite(whole) else np.inf
 
 
 def _around() -> NDArray[np.float64]:
