@@ -108,14 +108,17 @@ void bind_motion(py::module_& module) {
       py::arg("contact"), py::arg("impact"), py::arg("times"));
   module.def(
       "surfaces",
-      [](const Contact& contact, const Impact& impact, const Frames& frames, double reach, std::size_t count) {
-        Surfaces all =
-            computed([&](const Poll& poll) { return surfaces(contact, impact, frames.all, reach, count, poll); });
+      [](const Encounter& encounter, const Contact& contact, const Impact& impact, const Frames& frames, double reach,
+         std::size_t count) {
+        Surfaces all = computed(
+            [&](const Poll& poll) { return surfaces(encounter, contact, impact, frames.all, reach, count, poll); });
         const std::vector<py::ssize_t> shape{count_of(frames), static_cast<py::ssize_t>(count)};
-        return py::make_tuple(take(std::move(all.lateral)), take(std::move(all.place), shape));
+        const py::object lower = all.lower.empty() ? py::none() : py::object(take(std::move(all.lower), shape));
+        return py::make_tuple(take(std::move(all.lateral)), take(std::move(all.place), shape), lower);
       },
-      py::arg("contact"), py::arg("impact"), py::arg("frames"), py::arg("reach"), py::arg("count"),
-      "lateral distances, and times x places of the surface of a half-space");
+      py::arg("encounter"), py::arg("contact"), py::arg("impact"), py::arg("frames"), py::arg("reach"),
+      py::arg("count"),
+      "lateral distances, times x places of the surface of a half-space or a plate, and of the lower face of a plate");
   module.def(
       "energies_at",
       [](const Contact& contact, const Impact& impact, const Doubles& times) {

@@ -1,7 +1,7 @@
 """The subcommands that the command stoss hands over to this package.
 
-Exit codes are those of the command: 0 all is there, 2 usage, 3 bad input, 4 input or output, 130
-interrupted.
+Exit codes are those of the command: 0 all is there, 1 not converged, 2 usage, 3 bad input, 4 input or
+output, 130 interrupted.
 """
 
 from __future__ import annotations
@@ -11,7 +11,7 @@ import importlib
 import sys
 from typing import Callable, Mapping, NoReturn, Sequence
 
-from stoss._errors import InvalidInput
+from stoss._errors import InvalidInput, NotConverged
 
 MODULES: Mapping[str, str] = {
     "sweep": "stoss.sweeps._command",
@@ -43,6 +43,8 @@ def guarded(run: Callable[[], int], interrupted: str) -> int:
         return run()
     except Usage as error:
         return _complain(2, str(error))
+    except NotConverged as error:
+        return _complain(1, str(error))
     except InvalidInput as error:
         return _complain(3, str(error))
     except (OSError, ImportError) as error:

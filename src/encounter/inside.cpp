@@ -8,8 +8,8 @@
 #include <utility>
 #include <variant>
 
+#include "encounter/ground.hpp"
 #include "stoss/bodies/disk/field.hpp"
-#include "stoss/bodies/half_space/stress.hpp"
 #include "stoss/bodies/rod/field.hpp"
 #include "stoss/bodies/sphere/field.hpp"
 #include "stoss/errors.hpp"
@@ -18,7 +18,6 @@ namespace stoss {
 namespace {
 
 using bodies::PolarGrid;
-using bodies::half_space::HalfSpaceField;
 using bodies::half_space::PlaneGrid;
 
 /// Contact points that make one ring of a picture, each of which costs as much as a frame.
@@ -33,23 +32,22 @@ ContactPoints merged(const ContactPoints& points, std::size_t number) {
   return {points.radius, points.spacing * static_cast<double>(number), (points.count + number - 1) / number};
 }
 
-/// A half-space. Its field is linear in what moves it: the answers to the forces of single rings are computed once, so
-/// that an instant costs the kept waves only.
+/// What has no end sideways. Its field is linear in what moves it: the answers to the forces of single rings are
+/// computed once, so that an instant costs the kept waves only.
 class Block {
  public:
-  Block(double poisson, const BodyFrame& rest, PlaneGrid points, Poll poll)
-      : poisson_(poisson),
-        contour_(rest.body->contour),
+  Block(Solid solid, const BodyFrame& rest, PlaneGrid points, Poll poll)
+      : solid_(std::move(solid)),
         points_(std::move(points)),
         poll_(std::move(poll)),
         in_ring_(points_in_ring(rest.points)),
         rings_(merged(rest.points, in_ring_).count),
-        field_(poisson, *rest.body, merged(rest.points, in_ring_), points_) {
+        field_(ground::field_below(solid_, *rest.body, merged(rest.points, in_ring_), points_, poll_)) {
     const std::vector<double> still(mode_count(*rest.body));
     std::vector<double> force(rings_);
     for (std::size_t i = 0; i < rings_; ++i) {
       force[i] = 1.0;
-      answers_.push_back(field_.at(still, force, poll_));
+      answers_.push_back(field_(still, force, poll_));
       force[i] = 0.0;
     }
   }
@@ -58,7 +56,7 @@ class Block {
     const std::vector<double> none(rings_);
     std::vector<double> force(rings_);
     for (std::size_t i = 0; i < seen.node_force.size(); ++i) force[i / in_ring_] += seen.node_force[i];
-    bodies::half_space::Field now = field_.at(seen.coordinate, none, poll_);
+    bodies::half_space::Field now = field_(seen.coordinate, none, poll_);
     for (std::size_t i = 0; i < rings_; ++i) {
       if (force[i] == 0.0) continue;
       for (std::size_t k = 0; k < now.normal.size(); ++k) {
@@ -66,17 +64,16 @@ class Block {
         now.normal[k] += force[i] * answers_[i].normal[k];
       }
     }
-    auto [von_mises, difference] = bodies::half_space::stress(contour_, poisson_, points_, now);
+    auto [von_mises, difference] = ground::stress_below(solid_, points_, now);
     return {std::move(now.normal), std::move(now.lateral), std::move(von_mises), std::move(difference)};
   }
 
  private:
-  double poisson_;
-  Contour contour_;
+  Solid solid_;
   PlaneGrid points_;
   Poll poll_;
   std::size_t in_ring_, rings_;
-  HalfSpaceField field_;
+  ground::FieldBelow field_;
   std::vector<bodies::half_space::Field> answers_;  // to a unit force on each ring
 };
 
@@ -124,10 +121,9 @@ struct MakeInside {
       return Interior{repeated(now.displacement, sides), std::vector<double>(stress.size()), stress, stress};
     };
   }
-  Inside operator()(const HalfSpace& block) const { return Block(block.poisson, rest, below, poll); }
-  Inside operator()(const HalfPlane& block) const { return Block(block.poisson, rest, below, poll); }
   template <typename Other>
-  Inside operator()(const Other&) const {
+  Inside operator()(const Other& other) const {
+    if (ground::is_ground(other)) return Block(other, rest, below, poll);
     return is_unbounded(*rest.body) ? at_rest(below.depth.size() * below.distance.size())
                                     : at_rest(points.radius.size() * points.angle.size());
   }

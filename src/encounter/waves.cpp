@@ -5,6 +5,7 @@
 #include <utility>
 #include <variant>
 
+#include "encounter/ground.hpp"
 #include "stoss/contact/grid.hpp"
 #include "stoss/errors.hpp"
 
@@ -15,32 +16,24 @@ namespace half_space = bodies::half_space;
 
 using Numbers = std::vector<double>;
 
-/// What the waves run in, as far as they depend on it.
-struct Medium {
-  Contour contour = Contour::ball;
-  double poisson = 0.0;
-  double modulus = 0.0;  ///< E/ρ
-};
-
 double modulus_of(const Solid& solid) {
   return std::visit([](const auto& its) { return its.young / its.density; }, solid);
 }
 
-Medium medium_of(const Encounter& encounter) {
+Solid ground_of(const Encounter& encounter) {
   const auto second = second_solid(encounter);
-  if (second) {
-    if (const auto* its = std::get_if<HalfSpace>(&*second)) return {Contour::ball, its->poisson, modulus_of(*second)};
-    if (const auto* its = std::get_if<HalfPlane>(&*second)) {
-      return {Contour::cylinder, its->poisson, modulus_of(*second)};
-    }
+  if (!second || !ground::is_ground(*second)) {
+    throw InvalidInput("against: got " + encounter.against.kind +
+                       ", allowed a half-space, a half-plane, a plate or a strip");
   }
-  throw InvalidInput("against: got " + encounter.against.kind + ", allowed a half-space or a half-plane");
+  return *second;
 }
 
-/// What meets, with a half-space that is good for as long as the waves are looked at: its unit of length is that of the
-/// first body.
-Contact lasting(const Encounter& encounter, const Medium& medium, double cutoff, double latest,
-                const half_space::PlaneGrid& points, const Poll& poll) {
+}  // namespace
+
+Contact lasting(const Encounter& encounter, double cutoff, double latest, const half_space::PlaneGrid& points,
+                const Poll& poll) {
+  const Solid solid = ground_of(encounter);
   Body one = first_maker(encounter)(cutoff, poll);
   constexpr double any = 1.0;
   const Body probe = second_maker(encounter)(any, poll);  // for its units
@@ -48,11 +41,12 @@ Contact lasting(const Encounter& encounter, const Medium& medium, double cutoff,
   const double time = length / (probe.scale.speed / one.scale.speed);
   const double reach = std::hypot(*std::max_element(points.depth.begin(), points.depth.end()),
                                   *std::max_element(points.distance.begin(), points.distance.end()));
-  const double shear = half_space::wave_speeds(probe.contour, medium.poisson).shear;
-  constexpr double margin = 1.2, least = 12.0;
-  const double duration = margin * (std::max(latest, least) + 2.0 * reach * time / length / shear);
-  return contact(std::move(one), probe.near_side(duration / time, cutoff * time, poll));
+  constexpr double least = 12.0;
+  const double duration = ground::lasting_duration(solid, std::max(latest, least) / time, reach / length);
+  return contact(std::move(one), probe.near_side(duration, cutoff * time, poll));
 }
+
+namespace {
 
 /// How fast a frame changes, as a frame.
 Frame rate(const Contact& contact, const Frame& before, const Frame& now, const Frame& after) {
@@ -75,9 +69,9 @@ Frame rate(const Contact& contact, const Frame& before, const Frame& now, const 
 
 Waves waves(const Encounter& encounter, const Impact& original, const Vibration& vibration, const Numbers& times,
             half_space::PlaneGrid points, const Poll& poll) {
-  const Medium medium = medium_of(encounter);
-  const double latest = times.empty() ? 0.0 : times.back();
-  const Contact meeting = lasting(encounter, medium, original.cutoff, latest, points, poll);
+  const Solid solid = ground_of(encounter);
+  const double latest = std::max(original.contact_time, times.empty() ? 0.0 : times.back());
+  const Contact meeting = lasting(encounter, original.cutoff, latest, points, poll);
   Resolution resolution(original.resolution);
   resolution.step.reset();
   ImpactOptions options{.resolution = resolution, .poll = poll};
@@ -100,10 +94,10 @@ Waves waves(const Encounter& encounter, const Impact& original, const Vibration&
     for (double& place : *places) place /= length;
   }
   const ContactPoints own{grid.points.radius / length, grid.points.spacing, grid.points.count};
-  const half_space::HalfSpaceField below(medium.poisson, *meeting.second, own, std::move(points));
+  const ground::FieldBelow below = ground::field_below(solid, *meeting.second, own, points, poll);
   const auto add = [&](const Frame& frame, Numbers& lateral, Numbers& normal) {
     const BodyFrame seen = seen_by(meeting, grid, frame, 1);
-    const half_space::Field field = below.at(seen.coordinate, seen.node_force, poll);
+    const half_space::Field field = below(seen.coordinate, seen.node_force, poll);
     for (const double each : field.lateral) lateral.push_back(each * seen.length);
     for (const double each : field.normal) normal.push_back(each * seen.length);
   };
@@ -120,26 +114,38 @@ Waves waves(const Encounter& encounter, const Impact& original, const Vibration&
 }
 
 half_space::WaveSpeeds wave_speeds(const Encounter& encounter) {
-  const Medium medium = medium_of(encounter);
-  const double unit = std::sqrt(medium.modulus / modulus_of(first_solid(encounter)));
-  const half_space::WaveSpeeds own = half_space::wave_speeds(medium.contour, medium.poisson);
+  const Solid solid = ground_of(encounter);
+  const double unit = std::sqrt(modulus_of(solid) / modulus_of(first_solid(encounter)));
+  const half_space::WaveSpeeds own = ground::speeds_below(solid);
   return {unit * own.pressure, unit * own.shear, unit * own.rayleigh};
 }
 
-Surfaces surfaces(const Contact& contact, const Impact& impact, const std::vector<Frame>& frames, double reach,
-                  std::size_t count, const Poll& poll) {
+Surfaces surfaces(const Encounter& encounter, const Contact& contact, const Impact& impact,
+                  const std::vector<Frame>& frames, double reach, std::size_t count, const Poll& poll) {
+  const Solid solid = ground_of(encounter);
   const ContactGrid grid = contact_grid(contact, impact.resolution.half_width, impact.resolution.nodes);
   Surfaces all;
   // On a circle so large that they are evenly spaced.
   constexpr double flat = 1e4;
   const ContactPoints even{flat * reach, 1.0 / (flat * static_cast<double>(count)), count};
   for (std::size_t i = 0; i < count; ++i) all.lateral.push_back(even.radius * std::sin(even.angle(i)));
+  ground::FieldBelow lower;
   for (const Frame& frame : frames) {
     if (poll) poll();
     const BodyFrame seen = seen_by(contact, grid, frame, 1);
     ContactPoints own = even;
     own.radius /= seen.length;
     for (const double each : surface_displacement(seen, own)) all.place.push_back(seen.center - each * seen.length);
+    const double thickness = ground::thickness_of(solid);
+    if (thickness * seen.length > reach) continue;
+    if (!lower) {
+      half_space::PlaneGrid points{all.lateral, {thickness}};
+      for (double& distance : points.distance) distance /= seen.length;
+      lower = ground::field_below(solid, *seen.body, seen.points, points, poll);
+    }
+    for (const double each : lower(seen.coordinate, seen.node_force, poll).normal) {
+      all.lower.push_back(seen.center + (thickness + each) * seen.length);
+    }
   }
   return all;
 }

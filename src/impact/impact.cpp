@@ -31,12 +31,12 @@ bool parts(const Collision& collision) { return !collision.in_contact() && colli
 /// had: it hardly has more now, or has been slowed since some time before as by Zener's law, by which it stays.
 std::optional<double> left_in_the_end(const Contact& contact, const Collision& collision, double speed,
                                       const Snapshot& before) {
-  constexpr double hardly_any = 1e-3, by_law = 1e-4, close = 0.25;
+  constexpr double hardly_any = 2e-5, hardly_any_on_a_strip = 1e-3, by_law = 1e-4, close = 0.25;
   if (parts(collision)) return std::nullopt;
+  const bool has_law = contact.second->part.mobility > 0.0;
   const double remaining = collision.remaining();
-  if (remaining < by_law || contact.second->part.mobility == 0.0) {
-    return remaining < hardly_any ? std::optional(remaining) : std::nullopt;
-  }
+  if (remaining < (has_law ? hardly_any : hardly_any_on_a_strip)) return remaining;
+  if (!has_law) return std::nullopt;
   const auto [inelasticity, unit] = zener_scales(contact, speed);
   const Snapshot now = collision.snapshot();
   const double moves = now.velocity / speed, slower = (before.velocity - now.velocity) / speed;
@@ -45,7 +45,7 @@ std::optional<double> left_in_the_end(const Contact& contact, const Collision& c
     const double force = moves / inelasticity;
     if (zener_impact(inelasticity, {std::cbrt(force * force), moves}).restitution == 0.0) return by_law;
   }
-  return remaining < hardly_any ? std::optional(remaining) : std::nullopt;
+  return std::nullopt;
 }
 
 /// One run; empty if the contact outgrew the grid.

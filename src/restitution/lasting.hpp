@@ -1,7 +1,10 @@
 #pragma once
 
+#include <cmath>
 #include <numbers>
+#include <string>
 
+#include "check.hpp"
 #include "impact/whole_bodies.hpp"
 #include "stoss/restitution/ladder.hpp"
 
@@ -9,22 +12,33 @@ namespace stoss {
 
 inline constexpr double room_to_last = 1.5;  // of a half-space, over what is expected of the contact
 
-/// The same where the time follows from a law that is rough.
-inline constexpr double room_on_a_plate = 2.9;
+/// A contact with a plate that lasts longer than is computed: no other cutoff would end it.
+class DoesNotEnd : public NotConverged {
+ public:
+  explicit DoesNotEnd(double time)
+      : NotConverged("restitution: the contact with the plate has not ended after " + shown(std::round(time)) +
+                     " R/c (the body stays on it, or leaves later than is computed)") {}
+};
 
-/// compute(contact) with the contact at a cutoff; with a half-space made anew for a longer time where an impact
-/// outlasts it. @param stretch of the half-space (RefinableContact::stretch); becomes greater
+/// compute(contact) with the contact at a cutoff; with a half-space or a plate made anew for a longer time where an
+/// impact outlasts it.
+/// @param stretch of the half-space (RefinableContact::stretch); becomes greater
+/// @throws DoesNotEnd where it outlasts a plate far longer than is expected at this speed
 template <typename Compute>
-auto to_its_end(const RefinableContact& contact, double cutoff, double& stretch, const Poll& poll,
+auto to_its_end(const RefinableContact& contact, double cutoff, double speed, double& stretch, const Poll& poll,
                 const Compute& compute) {
-  const double start = stretch / std::numbers::sqrt2;
+  constexpr double room_on_a_plate = 8.0;  // of which what is expected is rough
+  const double longest = room_to_last * stretch / std::numbers::sqrt2;
   for (;; stretch *= std::numbers::sqrt2) {
     const Contact& resolved = contact.at(cutoff, stretch, poll);
     try {
       return compute(resolved);
     } catch (const Outlasted&) {
-      const double room = resolved.gives_way ? room_on_a_plate : room_to_last;
-      if (!resolved.unbounded || stretch > room * start) throw;
+      if (resolved.gives_way) {
+        if (stretch >= room_on_a_plate * contact.stretch(speed)) throw DoesNotEnd(echo_time(resolved));
+      } else if (!resolved.unbounded || stretch > longest) {
+        throw;
+      }
     }
   }
 }

@@ -58,7 +58,7 @@ void NeglectedCoupling::prepare() {
   const double cutoff = coarse_cutoff(refinable_, probe, speed_);
   contact_ = &probe;
   try {
-    impacts_[0.0] = to_its_end(refinable_, cutoff, stretch, poll_, [this](const Contact& resolved) {
+    impacts_[0.0] = to_its_end(refinable_, cutoff, speed_, stretch, poll_, [this](const Contact& resolved) {
       contact_ = &resolved;
       outward_ = contact_outward(resolved, poll_);
       return outward_impact(resolved, *outward_, speed_, 0.0, coarse_resolution(resolved, speed_), poll_);

@@ -101,8 +101,11 @@ void refine(const RefinableContact& contact, const ObliqueOptions& options, std:
   for (int level = 0; level <= highest && !open.empty(); level += rungs) {
     std::vector<ObliqueImpact> impacts;
     try {
-      impacts = to_its_end(contact, contact.cutoff(level), stretch, options.poll,
+      impacts = to_its_end(contact, contact.cutoff(level), speed, stretch, options.poll,
                            [&](const Contact& resolved) { return impacts_at(resolved, level); });
+    } catch (const DoesNotEnd& error) {
+      for (ObliqueRestitution* each : open) each->reason = error.what();
+      break;
     } catch (const NotConverged& error) {  // too coarse, perhaps
       for (ObliqueRestitution* each : open) each->reason = error.what();
       continue;

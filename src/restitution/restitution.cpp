@@ -163,8 +163,10 @@ Restitution restitution(const RefinableContact& contact, double speed, const Res
         if (!options.vibration.empty()) of_one.start = approach(resolved, speed, options.vibration);
         return impact(resolved, speed, of_one);
       };
-      result.finest = to_its_end(contact, contact.cutoff(level), stretch, options.poll, compute);
+      result.finest = to_its_end(contact, contact.cutoff(level), speed, stretch, options.poll, compute);
       correct(correction, contact.at(level, options.poll), result.finest);
+    } catch (const DoesNotEnd&) {
+      throw;
     } catch (const NotConverged& error) {  // too coarse, perhaps
       trouble = error.what();
       continue;

@@ -1,6 +1,7 @@
 // Stress from displacements: fields whose strains are known.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <functional>
@@ -55,6 +56,21 @@ TEST(HalfSpaceStress, OfShearThatGrowsIsExactWhereTheFieldIsAParabola) {
 TEST(HalfSpaceStress, OfAnEvenPressureIsNone) {
   const Field pressed = field([](double r, double) { return -0.1 * r; }, [](double, double z) { return -0.1 * z; });
   for (const double each : stress(Contour::ball, 0.3, grid, pressed).von_mises) EXPECT_NEAR(each, 0.0, 1e-14);
+}
+
+TEST(HalfSpaceStress, OfLayersIsThatOfTheirOwnModuliAndNoDerivativeGoesAcrossAFace) {
+  // The same stress along z in both layers, of which the lower one gives way ten times as much.
+  constexpr double face = 0.3, strain = 1e-3, soft = 0.1;
+  const PlaneGrid points{grid.distance, {0.0, 0.1, 0.2, face, 0.5, 0.9}};
+  Field pressed;
+  for (const double depth : points.depth) {
+    for (std::size_t j = 0; j < points.distance.size(); ++j) {
+      pressed.lateral.push_back(0.0);
+      pressed.normal.push_back(-strain * (std::min(depth, face) + std::max(0.0, depth - face) / soft));
+    }
+  }
+  const std::vector<ElasticLayer> layers{{face, 0.0, 1.0}, {1.0, 0.0, soft}};
+  for (const double each : stress(Contour::ball, layers, points, pressed).von_mises) EXPECT_NEAR(each, strain, 1e-15);
 }
 
 TEST(HalfSpaceStress, RefusesPointsThatHaveNoParabola) {

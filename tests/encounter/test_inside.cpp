@@ -5,9 +5,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <variant>
 #include <vector>
 
 #include "stoss/bodies/disk/field.hpp"
+#include "stoss/bodies/plate/field.hpp"
 #include "stoss/contact/grid.hpp"
 #include "stoss/encounter/encounter.hpp"
 #include "stoss/errors.hpp"
@@ -77,6 +79,30 @@ TEST(Inside, OfAHalfSpaceIsTheFieldOfItsRings) {
   EXPECT_GT(*std::max_element(ours.von_mises.begin(), ours.von_mises.end()), 0.0);
   const Interior still = inside(seen.solid, seen.before, around, under)(seen.before);
   for (const double each : still.radial) EXPECT_EQ(each, 0.0);
+}
+
+TEST(Inside, OfAPlateIsItsFieldDownToTheLowerFace) {
+  const Encounter drop{.first = {.kind = "sphere", .values = {{"poisson", 0.3}}},
+                       .against = {.kind = "plate", .values = {{"poisson", 0.2}, {"thickness", 1.0}}}};
+  Seen seen(drop, 1);
+  // So few contact points that each is a ring.
+  BodyFrame few = seen.now;
+  few.points.spacing *= static_cast<double>(few.points.count) / 6.0;
+  few.points.count = 6;
+  few.node_force = {0.5, 1.5, 2.0, 1.0, 0.25, 0.0};
+  const Interior ours = inside(seen.solid, few, around, under)(few);
+  const bodies::plate::PlateField field(std::get<Plate>(seen.solid), *few.body, few.points, under);
+  const bodies::half_space::Field theirs = field.at(few.coordinate, few.node_force);
+  ASSERT_EQ(ours.radial.size(), 12U);
+  for (std::size_t k = 0; k < 12; ++k) {
+    EXPECT_NEAR(ours.radial[k], theirs.normal[k], 1e-12);
+    EXPECT_NEAR(ours.tangential[k], theirs.lateral[k], 1e-12);
+  }
+  // The lower face gives way too.
+  EXPECT_GT(ours.radial[9], 0.1 * ours.radial[0]);
+  const auto rounded_up = bodies::half_space::PlaneGrid{under.distance, {0.0, 0.5, 1.0 + 1e-7}};
+  EXPECT_NO_THROW((void)inside(seen.solid, few, around, rounded_up)(few));
+  EXPECT_THROW((void)inside(seen.solid, few, around, {under.distance, {0.0, 0.5, 1.1}}), InvalidInput);
 }
 
 TEST(ModeShape, HasTheMaximumOne) {

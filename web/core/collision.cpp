@@ -8,6 +8,7 @@
 #include "questions.hpp"
 #include "stoss/contact/grid.hpp"
 #include "stoss/encounter/inside.hpp"
+#include "stoss/encounter/waves.hpp"
 #include "stoss/errors.hpp"
 #include "stoss/impact/quantities.hpp"
 #include "stoss/impact/replay.hpp"
@@ -19,15 +20,25 @@ using emscripten::val;
 
 bodies::PolarGrid points_of(const val& grid) { return {numbers(grid["radius"]), numbers(grid["angle"])}; }
 
+/// An impact that can be repeated.
+struct Replayed {
+  Contact contact;
+  Impact impact;
+  ContactGrid grid;
+
+  Replayed(Contact what, double speed, const ImpactObserver& observer = {})
+      : contact(std::move(what)),
+        impact(stoss::impact(contact, speed, {.poll = say_alive}, {.observer = observer})),
+        grid(contact_grid(contact, impact.resolution.half_width, impact.resolution.nodes)) {}
+};
+
 /// One impact in time, with what its frames have in common.
 class Collision {
  public:
   Collision(std::shared_ptr<const Meeting> meeting, double speed, double cutoff)
-      : meeting_(std::move(meeting)), contact_(contact_of(meeting_->encounter, cutoff, speed)) {
-    const ImpactObserver observer = [this](const Snapshot& now) { snapshots_.push_back(now); };
-    impact_ = impact(contact_, speed, {.poll = say_alive}, {.observer = observer});
-    grid_ = contact_grid(contact_, impact_.resolution.half_width, impact_.resolution.nodes);
-  }
+      : meeting_(std::move(meeting)),
+        its_(contact_of(meeting_->encounter, cutoff, speed), speed,
+             [this](const Snapshot& now) { snapshots_.push_back(now); }) {}
 
   /// Collision of the protocol.
   [[nodiscard]] val series() const {
@@ -55,16 +66,20 @@ class Collision {
     const bodies::PolarGrid points = points_of(grid);
     bodies::half_space::PlaneGrid below;
     if (!under.isUndefined()) below = {numbers(under["distance"]), numbers(under["depth"])};
-    if (points.radius != points_.radius || points.angle != points_.angle) insides_.clear();
+    if (points.radius != points_.radius || points.angle != points_.angle) {
+      insides_.clear();
+      lasting_.reset();
+    }
     points_ = points;
     const double unit = meeting_->unit(Dimension::time);
     std::vector<double> own;
     for (const double each : numbers(asked.given["times"])) own.push_back(each / unit);
-    const std::vector<Frame> instants = motion(contact_, impact_, own, say_alive);
+    const Replayed& shown = replayed(below, own);
+    const std::vector<Frame> instants = motion(shown.contact, shown.impact, own, say_alive);
     for (std::size_t i = 0; i < instants.size(); ++i) {
       val seen = val::array();
-      for (std::size_t n = 0; n < (contact_.second ? 2 : 1); ++n) {
-        const BodyFrame its = seen_by(contact_, grid_, instants[i], static_cast<int>(n));
+      for (std::size_t n = 0; n < (shown.contact.second ? 2 : 1); ++n) {
+        const BodyFrame its = seen_by(shown.contact, shown.grid, instants[i], static_cast<int>(n));
         if (insides_.size() == n) {
           insides_.push_back(inside(meeting_->solid(static_cast<int>(n)), its, points, below, say_alive));
         }
@@ -83,7 +98,7 @@ class Collision {
   /// Of the bodies, without the waves of a half-space.
   [[nodiscard]] val modes() const {
     val list = val::array();
-    for (const ModeEnergy& mode : impact_.energy.modes) {
+    for (const ModeEnergy& mode : its_.impact.energy.modes) {
       if (meeting_->against_unbounded() && mode.body == 1) continue;
       list.call<void>("push", object({{"body", val(mode.body)},
                                       {"order", val(mode.order)},
@@ -95,11 +110,25 @@ class Collision {
     return list;
   }
 
+  /// What is shown up to the last of some times: of a plate, which is seen farther from the axis than it is struck, one
+  /// that is good for as long as waves run there.
+  const Replayed& replayed(const bodies::half_space::PlaneGrid& below, const std::vector<double>& times) {
+    if (!meeting_->against_plate()) return its_;
+    if (!lasting_ || latest_ < times.back()) {
+      latest_ = times.back();
+      insides_.clear();
+      lasting_.emplace(lasting(meeting_->encounter, its_.impact.cutoff, std::max(latest_, its_.impact.contact_time),
+                               below, say_alive),
+                       its_.impact.speed);
+    }
+    return *lasting_;
+  }
+
   std::shared_ptr<const Meeting> meeting_;
-  Contact contact_;
-  Impact impact_;
   std::vector<Snapshot> snapshots_;
-  ContactGrid grid_;
+  Replayed its_;
+  std::optional<Replayed> lasting_;
+  double latest_ = 0.0;
   bodies::PolarGrid points_;     ///< of the last frames
   std::vector<Inside> insides_;  ///< of what meets, at these points
 };

@@ -53,6 +53,10 @@ bool Meeting::against_unbounded() const {
   return !its.wall && !its.bounded;
 }
 
+bool Meeting::against_plate() const {
+  return second && (std::holds_alternative<Plate>(*second) || std::holds_alternative<Strip>(*second));
+}
+
 std::string Meeting::unit_name(Dimension dimension) const {
   return std::string(stoss::unit_name(dimension, unit_system(encounter)));
 }

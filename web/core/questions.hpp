@@ -24,6 +24,9 @@ struct Meeting {
 
   [[nodiscard]] bool against_unbounded() const;
 
+  /// Whether that is a plate or a strip.
+  [[nodiscard]] bool against_plate() const;
+
   /// Value of a unit of the first body in what the page is given: 1, or in SI.
   [[nodiscard]] double unit(Dimension dimension) const { return si ? unit_in_si(dimension, *si) : 1.0; }
 

@@ -7,6 +7,7 @@ from typing import Union
 
 import numpy as np
 
+from stoss._errors import NotConverged
 from stoss.bodies._bodies import Sphere
 from stoss.bodies._walls import HalfSpace, HardWall
 from stoss.laws._law import Array, Impacts, Pair
@@ -68,6 +69,9 @@ def impacts_of(
     sliding = SLIDING if friction > 0.0 else np.zeros(0)
     epsilon, times = np.asarray(head_on.restitution), np.asarray(head_on.contact_time) * body.radius / c
     speeds = speeds if body.material else speeds * c
+    for name, values in (("ε", epsilon), ("contact time", times), ("ε_t", tangential)):
+        if missing := values.size - int(np.count_nonzero(np.isfinite(values))):
+            raise NotConverged(f"fit: {missing} of {values.size} impacts have no {name} (are the bodies too lossy?)")
     for each in (speeds, times, sliding, tangential):
         each.flags.writeable = False
     return Impacts(pair_of(body, against), speeds, epsilon, times, friction, sliding, tangential)

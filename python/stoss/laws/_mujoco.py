@@ -10,18 +10,16 @@ from __future__ import annotations
 import dataclasses
 import math
 
-from stoss.laws._power import PowerLaw
+from stoss.laws._linear import Linear
 
 
 @dataclasses.dataclass(frozen=True)
-class Mujoco(PowerLaw):
+class Mujoco(Linear):
     """The linear law in MuJoCo's numbers."""
 
     NAME = "mujoco"
     EQUATION = "a = -(2/T) v - r/(T ζ)², solref = (T, ζ)"
     UNITS = {"timeconst": "s", "dampratio": ""}
-    n = 1.0
-    q = 0.0
 
     @property
     def timeconst(self) -> float:

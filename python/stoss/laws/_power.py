@@ -42,20 +42,26 @@ class PowerLaw(Law):
 
         lost = max(1.0 - float(np.mean(impacts.restitution)), 1e-12)  # to first order as much as d
         most = STIFFEST * float((reference / speeds).min()) ** p
-        at = nearest_to(lambda d: along_normal(n, q, number(d), spring).restitution, impacts.restitution, lost, most)
-        impact = along_normal(n, q, number(at), spring)
-        unit = impact.duration * impacts.speed ** ((1.0 - n) / (n + 1.0))
+        at = nearest_to(lambda d: cls._head_on(number(d), spring)[0], impacts.restitution, lost, most)
+        unit = cls._head_on(number(at), spring)[1] * impacts.speed ** ((1.0 - n) / (n + 1.0))
         if not np.isfinite(unit).all():
             hint = "allowed another one (with so much loss its contacts would not end)"
             raise InvalidInput(f"law: got {cls.NAME}, {hint}")
         time = scale(unit, impacts.contact_time)  # (m/k)^{1/(n+1)}
         ratio = None
         if impacts.friction > 0.0:
+            impact = along_normal(n, q, number(at), spring)
             ratio = nearest(
                 lambda each: along_surface(n, impact, each, spring, impacts.sliding), impacts.tangential, *ratios
             )
         damping = at / reference**p * pair.mass * time ** -(q + 1.0)
         return cls(pair, spring, impacts.friction, pair.mass * time ** -(n + 1.0), damping, ratio)
+
+    @classmethod
+    def _head_on(cls, damping: Array, spring: Spring) -> tuple[Array, Array]:
+        """ε and duration, in units of the impact, by the number d: integrated where there is no closed form."""
+        impact = along_normal(cls.n, cls.q, damping, spring)
+        return impact.restitution, impact.duration
 
     @classmethod
     def _power(cls) -> float:
@@ -70,10 +76,10 @@ class PowerLaw(Law):
         return slow * speed ** self._power()  # type: ignore[no-any-return]
 
     def restitution(self, speed: Array) -> Array:
-        return along_normal(self.n, self.q, self._number(speed), self.spring).restitution
+        return self._head_on(self._number(speed), self.spring)[0]
 
     def contact_time(self, speed: Array) -> Array:
-        duration = along_normal(self.n, self.q, self._number(speed), self.spring).duration
+        duration = self._head_on(self._number(speed), self.spring)[1]
         return duration * self._time * speed ** ((1.0 - self.n) / (self.n + 1.0))
 
     def tangential_restitution(self, speed: Array, sliding: Array) -> Array | None:

@@ -21,7 +21,7 @@ column; in your own Axes the text follows your settings. Nothing global is chang
 `bounces`                                         a sequence: ε, and where the energy is
 `ledger`                                          which mode holds how much energy
 `disk`, `sphere`, `sequence`, `stress`            the deformed disk or sphere at the wall, or two
-`wave`                                            what runs away below the surface of a half-space
+`wave`                                            what runs away in a half-space or a plate
 `cooling`, `restitution_histogram`                a chain of rods: energies in time, and its ε
 `animate`                                         the same as GIF or MP4
 ================================================  ==================================================

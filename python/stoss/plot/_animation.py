@@ -189,7 +189,7 @@ def _film(
     for k, (bodies, name) in enumerate(zip(film, names)):
         canvas.restore_region(ground)
         title.set_text(name)
-        moving = [] if surface is None else _ground.draw_half_space(axes, surface.y, surface.x[k], shown.right)
+        moving = [] if surface is None else _ground.draw_half_space(axes, surface, k, shown.right)
         moving += _draw_frame(axes, bodies, scale)
         for artist in (*moving, *faces, title):
             axes.draw_artist(artist)

@@ -1,8 +1,8 @@
-"""What a single body meets in a picture: the wall, or the moved surface of a half-space."""
+"""What a single body meets in a picture: the wall, or the moved surface of a half-space or a plate."""
 
 from __future__ import annotations
 
-from typing import Any, NamedTuple, Sequence
+from typing import Any, Sequence
 
 from matplotlib.artist import Artist
 from matplotlib.axes import Axes
@@ -15,36 +15,36 @@ from stoss.plot import _style
 from stoss.results import _replay
 from stoss.results._field import Field
 from stoss.results._impact import Impact
+from stoss.results._replay import Surface
 
 Array = NDArray[np.float64]
 
 WALL = 0.12  # thickness of what is drawn as the wall, R, and of a half-space below the deepest point
+THICK = 0.5  # a plate of which the lower face is not drawn, R
+MARGIN = 0.05  # below a plate, R
 
 
 LOOK: dict[str, Any] = {"facecolor": "0.8", "edgecolor": "none", "zorder": 1.0}
 
 
-class Surface(NamedTuple):
-    """The surface of a half-space at several times, R."""
-
-    y: Array
-    x: Array  # times × places
-
-
 def gives_way(impact: Impact) -> bool:
-    """Whether it is a half-space."""
+    """Whether it is a half-space or a plate."""
     return isinstance(impact.against, UNBOUNDED)
 
 
 def surface(impact: Impact, times: Array, reach: float) -> Surface | None:
-    """That of the half-space that is met, if there is one."""
-    return Surface(*_replay.surface(impact, times, reach)) if gives_way(impact) else None
+    """That of the half-space or the plate that is met, if there is one."""
+    return _replay.surface(impact, times, reach) if gives_way(impact) else None
 
 
 def thickness(fields: Sequence[Field]) -> float:
-    """How far what is met is drawn, R."""
-    deepest = float(fields[0].x.max()) if gives_way(fields[0].impact) else 0.0
-    return WALL + max(0.0, deepest)
+    """How far what is met is drawn, R: a plate that is not thick to its lower face."""
+    impact = fields[0].impact
+    if not gives_way(impact):
+        return WALL
+    deepest = max(0.0, float(fields[0].x.max()))
+    face = _replay.lower_face(impact)
+    return deepest + (face + MARGIN if face <= THICK else WALL)
 
 
 def draw(axes: Axes, impact: Impact, time: float, half: float, right: float) -> None:
@@ -53,7 +53,7 @@ def draw(axes: Axes, impact: Impact, time: float, half: float, right: float) -> 
     if moved is None:
         draw_wall(axes)
     else:
-        draw_half_space(axes, moved.y, moved.x[0], right)
+        draw_half_space(axes, moved, 0, right)
 
 
 def draw_wall(axes: Axes) -> Line2D:
@@ -62,7 +62,17 @@ def draw_wall(axes: Axes) -> Line2D:
     return axes.axvline(0.0, color=_style.BLACK, linewidth=1.0, zorder=1.8)
 
 
-def draw_half_space(axes: Axes, y: Array, x: Array, depth: float) -> list[Artist]:
-    """The half-space from its moved surface down to some depth."""
-    body = axes.fill_betweenx(y, x, depth, **LOOK)
-    return [body, *axes.plot(x, y, color=_style.BLACK, linewidth=1.0, zorder=1.8)]
+def draw_half_space(axes: Axes, moved: Surface, k: int, depth: float) -> list[Artist]:
+    """A half-space or a plate at one of the times, from its moved surface down to some depth or to its lower face."""
+    line: dict[str, Any] = {"color": _style.BLACK, "linewidth": 1.0, "zorder": 1.8}
+    drawn: list[Artist] = [axes.fill_betweenx(moved.y, moved.x[k], bottom(moved, k, depth), **LOOK)]
+    drawn += axes.plot(moved.x[k], moved.y, **line)
+    if moved.lower is not None:
+        drawn += axes.plot(moved.lower[k], moved.y, **line)
+    return drawn
+
+
+def bottom(moved: Surface, k: int, depth: float) -> Array:
+    """Where it ends: at some depth, or at its lower face."""
+    ends = np.full(moved.y.size, depth)
+    return ends if moved.lower is None else np.minimum(ends, moved.lower[k])

@@ -73,8 +73,11 @@ def sequence(
                 _disk.draw_outline(axes, x + along, y - toward, line)
                 _disk.draw_grid(axes, x + now.y, y - now.x, now.field.radius, now.field.angle, width=line)
             if moved is not None:
-                axes.fill_between(x + moved.y, y - moved.x[k], y - ground, **_ground.LOOK)
-                axes.plot(x + moved.y, y - moved.x[k], color=_style.BLACK, linewidth=line, zorder=1.8)
+                bottom = _ground.bottom(moved, k, ground)
+                axes.fill_between(x + moved.y, y - moved.x[k], y - bottom, **_ground.LOOK)
+                for face in (moved.x[k], bottom if moved.lower is not None else None):
+                    if face is not None:
+                        axes.plot(x + moved.y, y - face, color=_style.BLACK, linewidth=line, zorder=1.8)
             axes.text(x, y - ground - 0.5 * LINE, names[k], ha="center", va="center")
         for row in range(rows if len(fields) == 1 and moved is None else 0):
             filled = min(columns, chosen.size - row * columns)

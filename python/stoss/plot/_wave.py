@@ -1,4 +1,4 @@
-"""The waves that run away below a half-space's surface."""
+"""The waves that run away below the surface of a half-space or in a plate."""
 
 from __future__ import annotations
 
@@ -12,6 +12,7 @@ from stoss._errors import InvalidInput
 from stoss.bodies._solid import is_rigid
 from stoss.plot import _disk, _style
 from stoss.plot._sequence import LARGEST, spoken_times
+from stoss.results import _replay
 from stoss.results._field import Wave
 
 Array = NDArray[np.float64]
@@ -23,12 +24,12 @@ MARK = 0.55  # angle of the fronts' names from the axis
 
 @_style.picture_of(Wave, method="plot")
 def wave(wave: Wave, ax: Axes | None = None, *, columns: int = 2, limit: float | None = None) -> Axes:
-    """Speed of the half-space below the body at each of the wave's times, with the fronts of its waves.
+    """Speed of the half-space or plate below the body at each of the wave's times, with the fronts of its waves.
 
     Colours go with the square root of the speed, because the fast pressure wave is weak compared with what
     follows. The arcs are c_p t and c_s t from the first point of contact; between them a straight
     front leads from where the pressure wave grazes the surface. The triangles are at c_R t, where
-    the Rayleigh wave would be that leaves at once. Deformations have their true size, and a bar has
+    the Rayleigh wave would be that leaves at once, if there is no lower face. Deformations have their true size, and a bar has
     a round number of radii.
 
     Parameters:
@@ -63,6 +64,7 @@ def wave(wave: Wave, ax: Axes | None = None, *, columns: int = 2, limit: float |
     height = above + depth + line
     wide, high = columns * pitch, rows * height
     column = _style.COLUMN if columns == 1 else 2.0 * _style.COLUMN + 0.2
+    faces = [0, -1] if np.isclose(depth, _replay.lower_face(impact)) else [0]
     balls = None if is_rigid(impact.body) else impact.field(
         time=times, radius=_disk.GRID_RADIUS, angle=_disk.GRID_ANGLE
     )  # fmt: skip
@@ -77,7 +79,9 @@ def wave(wave: Wave, ax: Axes | None = None, *, columns: int = 2, limit: float |
                 x + _mirrored(across, -1.0), y - _mirrored(down), _mirrored(speed[k]), cmap="magma_r", norm=norm,
                 shading="gouraud", rasterized=True, zorder=1.6,
             )  # fmt: skip
-            axes.plot(x + _mirrored(across, -1.0)[0], y - _mirrored(down)[0], color=_style.BLACK, linewidth=0.8)
+            for face in faces:
+                course = (x + _mirrored(across, -1.0)[face], y - _mirrored(down)[face])
+                axes.plot(*course, color=_style.BLACK, linewidth=0.8)
             if balls is None:
                 toward, along = _disk.circle(centers[k])
                 _disk.draw_outline(axes, x + along, y - toward)
@@ -123,7 +127,7 @@ def _draw_fronts(axes: Axes, wave: Wave, time: float, place: tuple[float, float]
             mark = (x + 1.02 * reach * np.sin(MARK), y - 1.02 * reach * np.cos(MARK))
             axes.text(*mark, name, color=_style.BLUE, ha="left", va="top", zorder=2.3)
     surface = wave.rayleigh_speed * time
-    if 0.0 < surface <= half:
+    if 0.0 < surface <= half and not np.isfinite(_replay.lower_face(wave.impact)):
         marks = [x - surface, x + surface]
         axes.plot(marks, [y, y], linestyle="none", marker=7, markersize=4.0, color=_style.GREEN, zorder=2.4)
         if named:

@@ -1,4 +1,4 @@
-"""An impact in time, deformation and stress inside the bodies, and the waves below the surface of a half-space."""
+"""An impact in time, deformation and stress inside the bodies, and the waves in a half-space or a plate."""
 
 from __future__ import annotations
 
@@ -169,7 +169,7 @@ class Trajectory(RowResult):
 
 @dataclasses.dataclass(frozen=True, eq=False, repr=False)
 class Wave(OfAnImpact):
-    """How a half-space, or a half-plane, moves below its surface during and after an impact.
+    """How a half-space, a half-plane, a plate or a strip moves below its surface during and after an impact.
 
     Arrays are times × depths × distances, or depths × distances for one time. The plane goes
     through the axis of the impact; the other side is its mirror image.
@@ -180,8 +180,8 @@ class Wave(OfAnImpact):
         depth, distance: Of the points: below the surface, and from the axis, R.
         lateral, normal: Displacement away from the axis, and into the half-space, R.
         lateral_velocity, normal_velocity: Their rates of change, c.
-        pressure_speed, shear_speed, rayleigh_speed: c_p, c_s and c_R of the half-space, in c of the
-            first body.
+        pressure_speed, shear_speed, rayleigh_speed: c_p, c_s and c_R of its material, of the first
+            layer of a plate, in c of the first body.
     """
 
     plot = picture("Speed below the surface. See `stoss.plot.wave`.")

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -15,7 +15,7 @@ from stoss.bodies._bodies import BODIES, Disk, Sphere
 from stoss.bodies._encounter import encounter
 from stoss.bodies._solid import is_rigid
 from stoss.bodies._state import choose_state
-from stoss.bodies._walls import HalfPlane, HalfSpace
+from stoss.bodies._walls import UNBOUNDED
 from stoss.results._field import DiskField, Field, SphereField, Trajectory, Wave
 from stoss.results._result import columns
 
@@ -101,16 +101,31 @@ def state_after(self: Impact, *, flight: float) -> NDArray[Any]:
     return self._handle.vibration_after(self._contact(), number("flight", flight))
 
 
-def surface(impact: Impact, time: Any, reach: float) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-    """Where the surface of a half-space is at some times: places y, −reach to reach, and times × places x, in R.
+class Surface(NamedTuple):
+    """The surface of a half-space or a plate at several times, R."""
 
-    It is moved by the kept modes alone.
+    y: NDArray[np.float64]
+    x: NDArray[np.float64]  # times × places
+    lower: NDArray[np.float64] | None  # of the lower face, where one is near
+
+
+def surface(impact: Impact, time: Any, reach: float) -> Surface:
+    """Where the surface of a half-space or a plate is at some times: places y, −reach to reach, times × places x, in R.
+
+    The upper face is moved by the kept modes alone.
     """
     rising, made = Rising(numbers("time", time).ravel()), impact._contact()
     frames = _core.motion(made, impact._handle, rising.times)
-    lateral, place = _core.surfaces(made, impact._handle, frames, reach, 256)
-    x = rising.placed(place)
-    return np.concatenate((-lateral[::-1], lateral)), np.concatenate((x[:, ::-1], x), axis=1)
+    meeting = encounter(impact.body, impact.against)
+    lateral, *faces = _core.surfaces(meeting, made, impact._handle, frames, reach, 256)
+
+    def both_sides(face: NDArray[np.float64]) -> NDArray[np.float64]:
+        x = rising.placed(face)
+        return np.concatenate((x[:, ::-1], x), axis=1)
+
+    upper, lower = (None if face is None else both_sides(face) for face in faces)
+    assert upper is not None
+    return Surface(np.concatenate((-lateral[::-1], lateral)), upper, lower)
 
 
 def require_replay(impact: Impact, name: str, times: int, each: float, once: float, got: str) -> None:
@@ -186,9 +201,9 @@ def wave(
     distance: ArrayLike | None = None,
     depth: ArrayLike | None = None,
 ) -> Wave:
-    """How the half-space that is met moves below its surface at some times.
+    """How the half-space or the plate that is met moves below its surface at some times.
 
-    The impact is repeated with a half-space that is good for as long as the waves need to reach
+    The impact is repeated with one that is good for as long as the waves need to reach
     the farthest point, which has many more of them. A cutoff of 80 over the contact time in R/c
     is enough. It takes some seconds at 0.1 c, and 40 s at 2e-4 c; more than 2·10⁶ waves are refused.
     Arrays, of 2 GB at most, are times × depths × distances, without the first axis if `time` is one
@@ -199,7 +214,8 @@ def wave(
             the nearest step is taken, after it the waves run freely. Default: 0.4, 0.8, 1.2 and 1.6
             contact times.
         distance, depth (array_like, optional): Distances from the axis and depths below the
-            surface, R; default 121 of them, as far as the pressure wave comes.
+            surface, R; default 121 of them, as far as the pressure wave comes, or 31 depths down to
+            the lower face of a plate.
 
     Examples:
         >>> hit = stoss.impact(stoss.Sphere(poisson=0.3), against=stoss.HalfSpace(), speed=0.1, cutoff=4)
@@ -207,8 +223,10 @@ def wave(
         >>> bool(abs(wave.normal[16]).max() < 0.01 * wave.normal.max())  # the waves are not there yet
         True
     """
-    if not isinstance(self.against, (HalfSpace, HalfPlane)):
-        raise InvalidInput(f"against: got {self.against!r}, allowed a stoss.HalfSpace or a stoss.HalfPlane")
+    if not isinstance(self.against, UNBOUNDED):
+        raise InvalidInput(
+            f"against: got {self.against!r}, allowed a stoss.HalfSpace, HalfPlane, Plate or Strip"
+        )
     chosen = self.contact_time * np.array([0.4, 0.8, 1.2, 1.6]) if time is None else time
     times = numbers("time", chosen)
     if not np.all(np.abs(times) <= 1e4):
@@ -216,7 +234,11 @@ def wave(
     speeds = encounter(self.body, self.against).wave_speeds()
     reach = np.linspace(0.0, speeds[0] * max(times.max(initial=0.0), self.contact_time), 121)
     across = reach if distance is None else numbers("distance", distance).ravel()
-    below = reach.copy() if depth is None else numbers("depth", depth).ravel()
+    face = lower_face(self)
+    usual = reach.copy() if face > reach[-1] else np.linspace(0.0, face, 31)
+    below = usual if depth is None else numbers("depth", depth).ravel()
+    if below.size and face < np.inf and below.max() > face:
+        raise refusal("depth", depth, f"0 to {face:.6g} (R, the thickness of the {self.against._kind})")
     for name, places in (("distance", across), ("depth", below)):
         if not (places.size and np.all((places >= 0.0) & (places <= 1e6))):
             raise refusal(name, places, "one or more, each 0 to 1e6 (R)")
@@ -230,6 +252,14 @@ def wave(
     fronts: dict[str, Any] = dict(zip(("pressure_speed", "shear_speed", "rayleigh_speed"), speeds))
     placed = {name: rising.placed(value) for name, value in made.items()}
     return Wave(impact=self, distance=across, depth=below, **placed, **fronts)
+
+
+def lower_face(impact: Impact) -> float:
+    """Thickness of what is met, R; infinite where there is no lower face."""
+    against: Any = impact.against
+    layers = getattr(against, "layers", None) or [against]
+    whole = sum(np.inf if getattr(each, "thickness", None) is None else each.thickness for each in layers)
+    return float(whole / impact.body.radius) if np.isfinite(whole) else np.inf
 
 
 def _around() -> NDArray[np.float64]:

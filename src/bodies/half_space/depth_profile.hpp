@@ -3,17 +3,11 @@
 #include <complex>
 
 #include "bodies/half_space/lamb_kernel.hpp"
+#include "bodies/surface/depth_profile.hpp"
 
 namespace stoss::bodies::half_space {
 
-/// Amplitudes of the displacement at a depth, over that of the surface into the half-space: u_z goes with the shape
-/// along the surface, cos kx or J₀(kr), and u_x, u_r with sin kx or J₁(kr).
-struct DepthProfile {
-  double lateral;
-  double normal;
-};
-
-/// How the wave (k, x) moves the half-space below the surface,
+/// How the wave (k, x) moves the half-space below the surface, over its displacement of the surface into it,
 ///
 ///   g_z = Im{a [(1 + b²) e^{−akz} − 2e^{−bkz}]/R}/D,   g_r = Im{[(1 + b²) e^{−akz} − 2ab e^{−bkz}]/R}/D,
 ///

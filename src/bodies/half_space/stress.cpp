@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstddef>
 #include <functional>
+#include <limits>
 #include <string>
 
 #include "bodies/field_arguments.hpp"
@@ -16,6 +17,7 @@ namespace stoss::bodies::half_space {
 namespace {
 
 constexpr std::size_t fewest = 3;
+constexpr double rounding = 1e-6;  // of the depths of a face
 
 void require_places(const std::string& name, const std::vector<double>& places) {
   require(name + " count", static_cast<long>(places.size()), static_cast<long>(fewest), 1'000'000, "for a parabola");
@@ -24,11 +26,16 @@ void require_places(const std::string& name, const std::vector<double>& places) 
   }
 }
 
-/// Derivative at one of some places: that of the parabola through it and its neighbours.
+/// Places from `begin` up to `end`.
+struct Stretch {
+  std::size_t begin, end;
+};
+
+/// Derivative at one of some places: that of the parabola through it and its neighbours, all in a stretch of them.
 class Slope {
  public:
-  Slope(const std::vector<double>& places, std::size_t at)
-      : first_(std::clamp<std::size_t>(at, 1, places.size() - 2) - 1) {
+  Slope(const std::vector<double>& places, std::size_t at, Stretch among)
+      : first_(std::clamp<std::size_t>(at, among.begin + 1, among.end - 2) - 1) {
     for (std::size_t i = 0; i < fewest; ++i) {
       const double own = places[first_ + i];
       const double a = places[first_ + (i + 1) % fewest], b = places[first_ + (i + 2) % fewest];
@@ -47,23 +54,49 @@ class Slope {
   std::array<double, fewest> weight_{};
 };
 
+/// The depths of each layer; of one with too few of them all there are.
+std::vector<Stretch> stretches_of(const std::vector<ElasticLayer>& layers, const std::vector<double>& depth) {
+  std::vector<Stretch> all;
+  std::size_t begin = 0;
+  for (const ElasticLayer& layer : layers) {
+    const bool last = &layer == &layers.back();
+    const auto end = last ? depth.end() : std::upper_bound(depth.begin(), depth.end(), layer.end * (1.0 + rounding));
+    all.push_back({begin, static_cast<std::size_t>(end - depth.begin())});
+    begin = all.back().end;
+  }
+  return all;
+}
+
 }  // namespace
 
 Stress stress(Contour contour, double poisson, const PlaneGrid& points, const Field& field) {
+  return stress(contour, {{std::numeric_limits<double>::infinity(), poisson, 1.0}}, points, field);
+}
+
+Stress stress(Contour contour, const std::vector<ElasticLayer>& layers, const PlaneGrid& points, const Field& field) {
   const auto& [distance, depth] = points;
   require_places("distance", distance);
   require_places("depth", depth);
   const std::size_t columns = distance.size(), count = depth.size() * columns;
   require_length("lateral", field.lateral.size(), count, "one for each point");
   require_length("normal", field.normal.size(), count, "one for each point");
-  const double modulus = 1.0 / (1.0 + poisson);  // 2μ
+  require("layers", static_cast<long>(layers.size()), 1, 1'000'000, "below the surface");
+  const std::vector<Stretch> stretches = stretches_of(layers, depth);
+  const Stretch across{0, columns};
+  std::size_t layer = 0;
   const double* const lateral = field.lateral.data();
   const double* const normal = field.normal.data();
   Stress result;
   for (std::size_t i = 0; i < depth.size(); ++i) {
-    const Slope down(depth, i);
+    while (i >= stretches[layer].end) ++layer;
+    const double poisson = layers[layer].poisson, modulus = layers[layer].young / (1.0 + poisson);  // 2μ
+    Stretch within = stretches[layer];
+    // Both layers have the points of the face between them.
+    if (within.begin > 0 && depth[within.begin - 1] >= layers[layer - 1].end * (1.0 - rounding)) --within.begin;
+    if (within.end - within.begin < fewest) within = {0, depth.size()};
+    const Slope down(depth, i, within);
     for (std::size_t j = 0; j < columns; ++j) {
-      const Slope out(distance, j);
+      const Slope out(distance, j, across);
       const double rr = out.of(lateral + i * columns, 1), zz = down.of(normal + j, columns);
       const double rz = 0.5 * (down.of(lateral + j, columns) + out.of(normal + i * columns, 1));
       double pp = rr;  // on the axis

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <Eigen/Core>
-
 namespace stoss::bodies::plate {
 
 /// A number a + bε with ε² = Square: −1, a complex number without the special cases of std::complex for infinities, or
@@ -13,20 +11,22 @@ struct PairNumber {
   constexpr PairNumber() = default;
   constexpr PairNumber(double real, double other = 0.0) : a(real), b(other) {}  // NOLINT: a real number is one
 
-  constexpr PairNumber& operator+=(const PairNumber& y) { return *this = *this + y; }
-  constexpr PairNumber& operator-=(const PairNumber& y) { return *this = *this - y; }
-  constexpr PairNumber& operator*=(const PairNumber& y) { return *this = *this * y; }
-  constexpr PairNumber& operator/=(const PairNumber& y) { return *this = *this / y; }
   friend constexpr PairNumber operator-(const PairNumber& x) { return {-x.a, -x.b}; }
   friend constexpr PairNumber operator+(const PairNumber& x, const PairNumber& y) { return {x.a + y.a, x.b + y.b}; }
+  friend constexpr PairNumber operator+(double x, const PairNumber& y) { return {x + y.a, y.b}; }
   friend constexpr PairNumber operator-(const PairNumber& x, const PairNumber& y) { return {x.a - y.a, x.b - y.b}; }
+  friend constexpr PairNumber operator-(double x, const PairNumber& y) { return {x - y.a, -y.b}; }
   friend constexpr PairNumber operator*(const PairNumber& x, const PairNumber& y) {
+    if constexpr (Square == 0) return {x.a * y.a, x.a * y.b + x.b * y.a};
     return {x.a * y.a + Square * (x.b * y.b), x.a * y.b + x.b * y.a};
   }
-  friend constexpr PairNumber operator/(const PairNumber& x, const PairNumber& y) {
-    const double over = 1.0 / (y.a * y.a - Square * (y.b * y.b));
-    return x * PairNumber{over * y.a, -over * y.b};
+  friend constexpr PairNumber operator*(const PairNumber& x, double y) { return {x.a * y, x.b * y}; }
+  friend constexpr PairNumber operator*(double x, const PairNumber& y) { return {x * y.a, x * y.b}; }
+  friend constexpr PairNumber operator/(double x, const PairNumber& y) {
+    const double over = x / (y.a * y.a - Square * (y.b * y.b));
+    return {over * y.a, -over * y.b};
   }
+  friend constexpr PairNumber operator/(const PairNumber& x, const PairNumber& y) { return x * (1.0 / y); }
 };
 
 /// Not less than the absolute value.
@@ -40,20 +40,3 @@ using Complex = PairNumber<-1>;
 using Differentiable = PairNumber<0>;
 
 }  // namespace stoss::bodies::plate
-
-template <int Square>
-struct Eigen::NumTraits<stoss::bodies::plate::PairNumber<Square>> : NumTraits<double> {
-  using Real = stoss::bodies::plate::PairNumber<Square>;
-  using NonInteger = Real;
-  using Nested = Real;
-  using Literal = Real;
-  enum {
-    IsComplex = 0,
-    IsInteger = 0,
-    IsSigned = 1,
-    RequireInitialization = 1,
-    ReadCost = 2,
-    AddCost = 2,
-    MulCost = 6
-  };
-};

@@ -8,7 +8,7 @@
 #include <string>
 #include <utility>
 
-#include "bodies/half_space/medium.hpp"
+#include "bodies/plate/given.hpp"
 #include "bodies/plate/plate_waves.hpp"
 #include "bodies/sphere/degree_sums.hpp"
 #include "bodies/surface/wave_body.hpp"
@@ -24,78 +24,6 @@ using namespace bodies::plate;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double most_waves = 1.2e5, most_turns = 2e4;
-
-/// A plate or a strip.
-struct Given {
-  Contour contour;
-  std::vector<Layer> layers;  // from the top down
-  double loss_time;
-
-  [[nodiscard]] double speed() const { return std::sqrt(layers.front().young / layers.front().density); }
-
-  /// η in its own unit of time.
-  [[nodiscard]] double own_loss_time() const { return loss_time * speed(); }
-};
-
-Given given_of(const Plate& plate) {
-  Given given{Contour::ball, {{plate.thickness, plate.poisson, plate.young, plate.density}}, plate.loss_time};
-  given.layers.insert(given.layers.end(), plate.below.begin(), plate.below.end());
-  return given;
-}
-
-Given given_of(const Strip& strip) {
-  return {Contour::cylinder, {{strip.thickness, strip.poisson, strip.young, strip.density}}, strip.loss_time};
-}
-
-const char* kind_of(const Given& given) { return given.contour == Contour::ball ? "plate" : "strip"; }
-
-void require_given(const Given& given) {
-  constexpr long most_layers = 64;
-  constexpr Range positive{0.0, std::numeric_limits<double>::max(), false, true, "a positive finite number"};
-  require("layers", static_cast<long>(given.layers.size()), 1, most_layers, "of the plate");
-  for (const Layer& layer : given.layers) {
-    bodies::half_space::require_poisson(given.contour, layer.poisson);
-    const bool below_others = given.layers.size() > 1 && &layer == &given.layers.back();
-    if (!(below_others && layer.thickness == infinity)) {
-      require("thickness", layer.thickness, positive, "of the plate; infinite only of a layer below others");
-    }
-    require("young", layer.young, positive, "Young's modulus of the plate");
-    require("density", layer.density, positive, "of the plate");
-  }
-  require_loss_time(given.own_loss_time());
-}
-
-std::string name_of(const Given& given) {
-  std::string name;
-  for (const Layer& layer : given.layers) {
-    name += name.empty() ? std::string(kind_of(given)) + " thickness=" : " / thickness=";
-    name += std::isinf(layer.thickness) ? "inf" : shown(layer.thickness);
-    name += " poisson=" + shown(layer.poisson);
-    if (layer.young != 1.0) name += " young=" + shown(layer.young);
-    if (layer.density != 1.0) name += " density=" + shown(layer.density);
-  }
-  if (given.loss_time != 0.0) name += " loss_time=" + shown(given.loss_time);
-  return name;
-}
-
-/// In units of c and ρ of the uppermost layer. A layer without end is as thick as needed: no echo from below it is
-/// back.
-std::vector<Sheet> sheets_of(const Given& given, double duration) {
-  const Layer& top = given.layers.front();
-  std::vector<Sheet> sheets;
-  for (const Layer& layer : given.layers) {
-    const double young = layer.young / top.young, poisson = layer.poisson;
-    Sheet sheet{layer.thickness, 0.5 * young / (1.0 + poisson), 0.0, layer.density / top.density};
-    sheet.pressure_modulus = given.contour == Contour::ball
-                                 ? young * (1.0 - poisson) / ((1.0 + poisson) * (1.0 - 2.0 * poisson))
-                                 : young / (1.0 - poisson * poisson);
-    if (std::isinf(sheet.thickness)) {
-      sheet.thickness = 0.5 * duration * std::sqrt(sheet.pressure_modulus / sheet.density);
-    }
-    sheets.push_back(sheet);
-  }
-  return sheets;
-}
 
 MediumSurface surface_of(const Lamina& plate, double poisson, bool along) {
   const Sheet& top = plate.sheets.front();
@@ -139,13 +67,6 @@ Body body_along(const Body& like, const Modes& its) {
   return body;
 }
 
-/// Whether waves are not back from the other face of a plate of one material before a contact ends.
-bool is_thick(const Given& given, double duration) {
-  const Layer& its = given.layers.front();
-  const double speed = bodies::half_space::medium(given.contour, its.poisson).pressure_speed;
-  return given.layers.size() == 1 && 2.0 * its.thickness >= speed * duration;
-}
-
 /// As such a plate it is a half-space.
 Body without_end(const Given& given, double cutoff, double duration, const Poll& poll) {
   const Layer& its = given.layers.front();
@@ -159,7 +80,7 @@ Body of_branches(const Given& given, double cutoff, double duration, const Poll&
   const double loss_time = given.own_loss_time(), highest = kept_cutoff(cutoff, loss_time);
   const double most = std::min(cutoff_of_count(plate, most_waves, duration), most_turns / duration);
   if (highest > most) {
-    throw InvalidInput("cutoff: got " + shown(cutoff) + " of a " + kind_of(given) + " for contacts of " +
+    throw InvalidInput("cutoff: got " + shown(cutoff) + " of a " + given.kind() + " for contacts of " +
                        shown(duration) + " in its own time, allowed a smaller product (more waves than are computed)");
   }
   const double poisson = given.layers.front().poisson;

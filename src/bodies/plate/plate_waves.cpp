@@ -35,7 +35,7 @@ class Track {
   }
 
   void add(double k, const std::vector<double>& omega) {
-    constexpr std::size_t most = 3;
+    constexpr std::size_t most = 5;
     past_.push_back({k, omega});
     if (past_.size() > most) past_.erase(past_.begin());
   }

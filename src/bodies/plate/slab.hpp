@@ -1,7 +1,5 @@
 #pragma once
 
-#include <Eigen/Core>
-#include <Eigen/LU>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -10,6 +8,7 @@
 
 #include "bodies/plate/pair_number.hpp"
 #include "bodies/plate/sheet.hpp"
+#include "bodies/plate/small_matrix.hpp"
 
 namespace stoss::bodies::plate {
 
@@ -22,189 +21,204 @@ namespace stoss::bodies::plate {
 /// one is held. Both are small, so that no digits are lost in bending.
 template <typename T, int N>
 struct ThinSlab {
-  using Matrix = Eigen::Matrix<T, N, N>;
+  using Matrix = SmallMatrix<T, N>;
   Matrix stiffness;   ///< Q
   Matrix transfer;    ///< F
   Matrix compliance;  ///< G
 };
 
-/// A slab that is not thin, f_upper = K_uu q_upper + K_ul q_lower, f_lower = K_ulᵀ q_upper + K_ll q_lower. Waves along
-/// one free face, which would be lost among those along the other, are no vibrations of it.
+/// A slab that is not thin, f_upper = K q_upper + L q_lower, f_lower = Lᵀ q_upper + SKS q_lower: as it is its own
+/// mirror image, S changes the sign of motions along the depth. Waves along one free face, which would be lost among
+/// those along the other, are no vibrations of it.
 template <typename T, int N>
 struct ThickSlab {
-  using Matrix = Eigen::Matrix<T, N, N>;
-  Matrix upper;    ///< K_uu
-  Matrix through;  ///< K_ul
-  Matrix lower;    ///< K_ll
-  int held = 0;    ///< number of its vibrations below z while both faces are held; real z only
+  using Matrix = SmallMatrix<T, N>;
+  Matrix stiffness;  ///< K
+  Matrix through;    ///< L
+  int held = 0;      ///< number of its vibrations below z while both faces are held; real z only
+
+  /// SKS
+  [[nodiscard]] Matrix lower() const {
+    Matrix its = stiffness;
+    if constexpr (N == 2) its(0, 1) = its(1, 0) = -its(0, 1);
+    return its;
+  }
 };
 
 /// Stiffness of the upper face of all layers so far.
 template <typename T, int N>
 struct Face {
-  Eigen::Matrix<T, N, N> stiffness;
+  SmallMatrix<T, N> stiffness;
   int held = 0;  ///< number of vibrations below z while this face is held; real z only
 };
 
 /// Negative eigenvalues of a symmetric matrix; none of one that is not real.
 template <typename T, int N>
-[[nodiscard]] int negative(const Eigen::Matrix<T, N, N>& matrix) {
+[[nodiscard]] int negative(const SmallMatrix<T, N>& matrix) {
   if constexpr (!std::is_same_v<T, double>) {
     return 0;
   } else if constexpr (N == 1) {
     return matrix(0, 0) < 0.0 ? 1 : 0;
   } else {
-    return matrix.determinant() < 0.0 ? 1 : matrix.trace() < 0.0 ? 2 : 0;
+    return determinant(matrix) < 0.0 ? 1 : matrix(0, 0) + matrix(1, 1) < 0.0 ? 2 : 0;
   }
 }
 
-/// Two equal slabs, one on the other.
-template <typename T, int N>
-[[nodiscard]] ThinSlab<T, N> doubled(const ThinSlab<T, N>& its) {
-  using Matrix = typename ThinSlab<T, N>::Matrix;
-  const Matrix inverse = (Matrix::Identity() + its.compliance * its.stiffness).inverse();
-  const Matrix moved = inverse * its.transfer;
-  return {its.stiffness + its.transfer.transpose() * (its.stiffness * moved), its.transfer * moved,
-          its.compliance + its.transfer * (inverse * its.compliance) * its.transfer.transpose()};
-}
-
-/// The same. The vibrations of both that are held are as many more as the stiffness of the face between them has
-/// negative eigenvalues (W. H. Wittrick and F. W. Williams, Q. J. Mech. Appl. Math. 24, 263, 1971).
+/// Two equal slabs, one on the other. The vibrations of both that are held are as many more as the stiffness of the
+/// face between them, which is diagonal, has negative eigenvalues (W. H. Wittrick and F. W. Williams, Q. J. Mech. Appl.
+/// Math. 24, 263, 1971).
 template <typename T, int N>
 [[nodiscard]] ThickSlab<T, N> doubled(const ThickSlab<T, N>& its) {
   using Matrix = typename ThickSlab<T, N>::Matrix;
-  const Matrix between = its.lower + its.upper, inverse = between.inverse();
-  return {its.upper - its.through * inverse * its.through.transpose(), -its.through * inverse * its.through,
-          its.lower - its.through.transpose() * inverse * its.through, 2 * its.held + negative(between)};
+  Diagonal<T, N> softness;
+  int held = 2 * its.held;
+  for (int i = 0; i < N; ++i) {
+    const T between = 2.0 * its.stiffness(i, i);
+    softness(i) = 1.0 / between;
+    held += negative(SmallMatrix<T, 1>{{{{between}}}});
+  }
+  const Matrix moved = its.through * softness;
+  return {its.stiffness - moved * transposed(its.through), -1.0 * (moved * its.through), held};
 }
 
 template <typename T, int N>
 [[nodiscard]] ThickSlab<T, N> thick(const ThinSlab<T, N>& its) {
   using Matrix = typename ThinSlab<T, N>::Matrix;
-  const Matrix lower = its.compliance.inverse(), through = -its.transfer.transpose() * lower;
-  return {its.stiffness - through * its.transfer, through, lower, 0};
+  const Matrix through = -1.0 * (transposed(its.transfer) * inverse(its.compliance));
+  return {its.stiffness - through * its.transfer, through, 0};
 }
 
 /// A slab on all layers so far.
 template <typename T, int N>
 [[nodiscard]] Face<T, N> stacked(const Face<T, N>& below, const ThinSlab<T, N>& its) {
   using Matrix = typename ThinSlab<T, N>::Matrix;
-  const Matrix inverse = (Matrix::Identity() + its.compliance * below.stiffness).inverse();
   // The slab by itself has no vibration while its upper face is held.
-  const int more = std::is_same_v<T, double> ? negative<T, N>(below.stiffness + its.compliance.inverse()) : 0;
-  return {its.stiffness + its.transfer.transpose() * (below.stiffness * inverse) * its.transfer, below.held + more};
+  const int more = std::is_same_v<T, double> ? negative(below.stiffness + inverse(its.compliance)) : 0;
+  const Matrix product = its.compliance * below.stiffness;
+  // Of what is stiff the compliance keeps the digits.
+  const Matrix both = magnitude(determinant(product)) > 1.0 ? inverse(inverse(below.stiffness) + its.compliance)
+                                                            : below.stiffness * inverse(plus(1.0, product));
+  return {its.stiffness + transposed(its.transfer) * (both * its.transfer), below.held + more};
 }
 
 template <typename T, int N>
 [[nodiscard]] Face<T, N> stacked(const Face<T, N>& below, const ThickSlab<T, N>& its) {
   using Matrix = typename ThickSlab<T, N>::Matrix;
-  const Matrix between = its.lower + below.stiffness;
-  return {its.upper - its.through * between.inverse() * its.through.transpose(),
+  const Matrix between = its.lower() + below.stiffness;
+  return {its.stiffness - its.through * inverse(between) * transposed(its.through),
           below.held + its.held + negative(between)};
 }
 
 /// A slab of whose lower face one component is held and the other free.
 template <typename T, int N>
 [[nodiscard]] Face<T, N> held_below(const ThinSlab<T, N>& its, int component) {
-  const Eigen::Matrix<T, N, 1> moved = its.transfer.row(component).transpose();
-  return {its.stiffness + moved * (T(1.0) / its.compliance(component, component)) * moved.transpose(), 0};
+  const T stiffness = 1.0 / its.compliance(component, component);
+  return {matrix_of<N>([&](int i, int j) {
+            return its.stiffness(i, j) + its.transfer(component, i) * stiffness * its.transfer(component, j);
+          }),
+          0};
 }
 
 template <typename T, int N>
 [[nodiscard]] Face<T, N> held_below(const ThickSlab<T, N>& its, int component) {
-  if (N == 1) return {its.upper, its.held};
+  if (N == 1) return {its.stiffness, its.held};
   const int free = N - 1 - component;
-  const Eigen::Matrix<T, N, 1> through = its.through.col(free);
-  Eigen::Matrix<T, 1, 1> lower;
-  lower(0, 0) = its.lower(free, free);
-  return {its.upper - through * (T(1.0) / lower(0, 0)) * through.transpose(), its.held + negative<T, 1>(lower)};
+  const T lower = its.stiffness(free, free), compliance = 1.0 / lower;
+  return {matrix_of<N>([&](int i, int j) {
+            return its.stiffness(i, j) - its.through(i, free) * compliance * its.through(j, free);
+          }),
+          its.held + negative(SmallMatrix<T, 1>{{{{lower}}}})};
 }
 
 /// Of the equations of motion through the depth, q′ = Aq + Dp, p′ = Bq − Aᵀp for the tractions p on planes of constant
-/// depth, with D and B diagonal.
+/// depth, with D and B diagonal; the depth in units of a thickness.
 template <typename T, int N>
 struct Equations {
-  Eigen::Matrix<double, N, N> coupling;  ///< A
-  Eigen::Matrix<double, N, 1> softness;  ///< D
-  Eigen::Matrix<T, N, 1> restoring;      ///< B
+  SmallMatrix<double, N> coupling;  ///< A
+  Diagonal<double, N> softness;     ///< D
+  Diagonal<T, N> restoring;         ///< B
+  T shear, pressure;                ///< squares of the exponents of both waves: the eigenvalues of (A D; B −Aᵀ)²
 };
 
 /// Pressure and vertically polarised shear waves, (u, w), u along the wave number and w along the depth:
 /// u′ = kw + τ/μ, w′ = (σ − λku)/(λ + 2μ), τ′ = (E′k² − ρz)u + λk/(λ + 2μ) σ, σ′ = −kτ − ρzw, E′ = 4μ(λ + μ)/(λ + 2μ).
 /// Horizontally polarised ones, across the wave number: v′ = τ/μ, τ′ = (μk² − ρz)v.
 template <int N, typename T>
-[[nodiscard]] Equations<T, N> equations(const Sheet& sheet, double k, T z) {
-  const double mu = sheet.shear_modulus, whole = sheet.pressure_modulus, inertia = sheet.density;
+[[nodiscard]] Equations<T, N> equations(const Sheet& sheet, double k, T z, double thickness) {
+  const double mu = sheet.shear_modulus, whole = sheet.pressure_modulus, square = k * k;
+  const T inertia = sheet.density * z;
   Equations<T, N> its;
+  its.shear = thickness * thickness * (square - 1.0 / mu * inertia);
+  its.pressure = thickness * thickness * (square - 1.0 / whole * inertia);
   if constexpr (N == 1) {
-    its.coupling(0, 0) = 0.0;
-    its.softness(0) = 1.0 / mu;
-    its.restoring(0) = mu * k * k - inertia * z;
+    its.softness = {{thickness / mu}};
+    its.restoring = {{thickness * (mu * square - inertia)}};
   } else {
-    const double lambda = whole - 2.0 * mu;
-    its.coupling << 0.0, k, -lambda / whole * k, 0.0;
-    its.softness << 1.0 / mu, 1.0 / whole;
-    its.restoring << 4.0 * mu * (1.0 - mu / whole) * k * k - inertia * z, -inertia * z;
+    const double lambda = whole - 2.0 * mu, along = 4.0 * mu * (1.0 - mu / whole);
+    its.coupling = {{{{0.0, thickness * k}, {-lambda / whole * thickness * k, 0.0}}}};
+    its.softness = {{thickness / mu, thickness / whole}};
+    its.restoring = {{thickness * (along * square - inertia), -thickness * inertia}};
   }
   return its;
 }
 
-/// A slab so thin that the power series in its thickness s ends at rounding, from the equations of Riccati
-/// Q′ = B + AᵀQ + QA − QDQ, F′ = F(A − DQ), G′ = FDFᵀ.
-template <typename T, int N>
-[[nodiscard]] ThinSlab<T, N> series(const Equations<T, N>& its, double thickness) {
-  using Matrix = typename ThinSlab<T, N>::Matrix;
-  constexpr std::size_t order = 5;
-  std::array<Matrix, order + 1> stiffness, transfer, compliance, flow;  // terms of the series; flow: A − DQ
-  stiffness[0] = compliance[0] = Matrix::Zero();
-  transfer[0] = Matrix::Identity();
-  const Matrix coupling = its.coupling.template cast<T>();
-  const auto softness = its.softness.template cast<T>().asDiagonal();
-  for (std::size_t n = 0; n < order; ++n) {
-    flow[n] = -(softness * stiffness[n]);
-    if (n == 0) flow[n] += coupling;
-    Matrix q = coupling.transpose() * stiffness[n], f = Matrix::Zero(), g = Matrix::Zero();
-    if (n == 0) q.diagonal() += its.restoring;
-    for (std::size_t i = 0; i <= n; ++i) {
-      q += stiffness[i] * flow[n - i];
-      f += transfer[i] * flow[n - i];
-      g += transfer[i] * softness * transfer[n - i].transpose();
-    }
-    const double share = thickness / static_cast<double>(n + 1);
-    stiffness[n + 1] = share * q;
-    transfer[n + 1] = share * f;
-    compliance[n + 1] = share * g;
+/// f(x) and (f(x) − f(y))/(x − y) of f(x) = Σ xⁿ/(2n + odd)!, which is cosh √x or sinh √x/√x, for |x|, |y| < 2.
+template <typename T>
+[[nodiscard]] std::array<T, 2> hyperbolic(int odd, const T& x, const T& y) {
+  constexpr int order = 10;
+  constexpr auto inverse_factorial = [] {
+    std::array<double, 2 * order + 2> its{1.0};
+    for (std::size_t n = 1; n < its.size(); ++n) its[n] = its[n - 1] / static_cast<double>(n);
+    return its;
+  }();
+  T value = 0.0, slope = 0.0;
+  for (int n = order; n >= 0; --n) {
+    slope = value + y * slope;
+    value = inverse_factorial[static_cast<std::size_t>(2 * n + odd)] + x * value;
   }
-  ThinSlab<T, N> slab{Matrix::Zero(), Matrix::Zero(), Matrix::Zero()};
-  for (std::size_t n = order + 1; n-- > 0;) {
-    slab.stiffness += stiffness[n];
-    slab.transfer += transfer[n];
-    slab.compliance += compliance[n];
-  }
-  return slab;
+  return {value, slope};
 }
 
-/// The face of a whole layer: a very thin slab, doubled until it is thick, and at the end one of which it is no
-/// multiple. Slabs of h/2, h/4 … would have vibrations of their own where the layer has some, and these would lose
-/// digits.
+/// A slab of small phase, from the exponential of M = (A D; B −Aᵀ). In e^M = cosh M + M (sinh M)/M both functions are
+/// even, and f(M²) = f(x) + (M² − x) (f(x) − f(y))/(x − y) if M² has the eigenvalues x and y.
+template <typename T, int N>
+[[nodiscard]] ThinSlab<T, N> thin_slab(const Equations<T, N>& its) {
+  using Matrix = typename ThinSlab<T, N>::Matrix;
+  const auto [cosh, cosh_slope] = hyperbolic<T>(0, its.shear, its.pressure);
+  const auto [sinh, sinh_slope] = hyperbolic<T>(1, its.shear, its.pressure);
+  const auto& [coupling, softness, restoring, shear, pressure] = its;
+  // M² − x = (even, upper; lower, even), even diagonal
+  Diagonal<T, N> even, odd;
+  for (int i = 0; i < N; ++i) {
+    const T square = (coupling * coupling)(i, i) + softness(i) * restoring(i) - shear;
+    even(i) = cosh + cosh_slope * square;
+    odd(i) = sinh + sinh_slope * square;
+  }
+  const auto upper = coupling * softness - softness * transposed(coupling);
+  const Matrix lower = restoring * coupling - transposed(coupling) * restoring;
+  // e^M = (…, to_q; of_q, of_p)
+  const Matrix to_q = softness * odd + (cosh_slope * upper + sinh_slope * (coupling * upper));
+  const Matrix of_q = restoring * odd + (cosh_slope * lower - sinh_slope * (transposed(coupling) * lower));
+  const Matrix of_p = even + (sinh_slope * (restoring * upper) - transposed(coupling) * odd);
+  const Matrix back = inverse(of_p);
+  return {back * of_q, transposed(back), to_q * back};
+}
+
+/// The face of a whole layer: a slab of small phase, doubled, and at the end one of which it is no multiple. Slabs of
+/// h/2, h/4 … would have vibrations of their own where the layer has some, and these would lose digits.
 /// @param on what a slab, thin or thick, makes of the face below the layer
 template <int N, typename T, typename On>
 [[nodiscard]] Face<T, N> layer_face(const Sheet& sheet, double k, T z, const On& on) {
-  constexpr double thinnest = 0.0075;  // phase across the first slab
-  constexpr int thin_doublings = 7;    // up to a phase of 1, at which it has no vibration, whatever of it is held
-  constexpr int thin_slabs = 1 << thin_doublings;
+  constexpr double thin = 0.96;  // phase of a slab that has no vibration, whatever of it is held
   const double square = magnitude(z) * sheet.density / sheet.shear_modulus;
-  const double slabs = sheet.thickness * std::max(k, std::sqrt(square)) / thinnest;
-  const bool is_thin = slabs <= thin_slabs;
-  const double more = is_thin ? 1.0 : std::max(slabs - thin_slabs, 1.0 * thin_slabs);
-  const int doublings = slabs <= 1.0 ? 0 : static_cast<int>(std::ceil(std::log2(is_thin ? slabs : more)));
-  const double count = std::ldexp(1.0, doublings) + (is_thin ? 0 : thin_slabs);
-  ThinSlab<T, N> thin = series<T, N>(equations<N, T>(sheet, k, z), sheet.thickness / count);
-  for (int n = 0; n < std::min(doublings, thin_doublings); ++n) thin = doubled(thin);
-  if (is_thin) return on(thin);
-  ThickSlab<T, N> all = thick(thin);
-  for (int n = thin_doublings; n < doublings; ++n) all = doubled(all);
-  return stacked(on(all), thin);
+  const double phase = sheet.thickness * std::max(k, std::sqrt(square));
+  const auto thin_slab_of = [&](double thickness) { return thin_slab(equations<N, T>(sheet, k, z, thickness)); };
+  if (phase <= thin) return on(thin_slab_of(sheet.thickness));
+  const int doublings = static_cast<int>(std::ceil(std::log2(std::max(phase / thin - 1.0, 1.0))));
+  const auto slab = thin_slab_of(sheet.thickness / (std::ldexp(1.0, doublings) + 1.0));
+  ThickSlab<T, N> all = thick(slab);
+  for (int n = 0; n < doublings; ++n) all = doubled(all);
+  return stacked(on(all), slab);
 }
 
 }  // namespace stoss::bodies::plate

@@ -97,7 +97,7 @@ def test_impact_its_ledger_and_trajectory(hit):
 def test_ball_and_half_space_touch(hit):
     now = hit.contact_time / 2
     field = hit.field(time=now)
-    y, x = _replay.surface(hit, now, 1.0)
+    y, x, _ = _replay.surface(hit, now, 1.0)
     assert y == pytest.approx(-y[::-1]) and np.all(np.diff(y) > 0.0)
     edge = np.argmax(field.radius)
     inside = np.abs(field.y[edge]) < 0.8 * field.contact_half_width

@@ -4,6 +4,7 @@ import importlib.util
 import os
 import subprocess
 import sys
+import types
 from pathlib import Path
 
 import numpy as np
@@ -161,6 +162,14 @@ def test_refusals_are_one_line(changed, said):
     with pytest.raises(stoss.InvalidInput) as error:
         stoss.fit(given.pop("body"), **given)
     assert said in str(error.value) and "\n" not in str(error.value)
+
+
+def test_impacts_without_a_value_are_not_fitted(monkeypatch):
+    """As of a ball with a loss time of 1000 R/c, which takes minutes to say so."""
+    none = types.SimpleNamespace(restitution=np.append(np.ones(8), np.nan), contact_time=np.ones(9))
+    monkeypatch.setattr("stoss.laws._elastic.restitution", lambda *_, **__: none)
+    with pytest.raises(stoss.NotConverged, match="^fit: 1 of 9 impacts have no ε "):
+        stoss.fit(stoss.Sphere(poisson=0.31), law="linear", speed=RANGE)
 
 
 def test_without_scipy_one_line_says_so(interpreter):

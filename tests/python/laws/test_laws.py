@@ -8,7 +8,7 @@ import pytest
 from scipy import integrate, optimize
 
 from stoss._errors import InvalidInput
-from stoss.laws._collision import Spring
+from stoss.laws._collision import Spring, along_normal
 from stoss.laws._hunt_crossley import HuntCrossley
 from stoss.laws._law import Impacts, Pair
 from stoss.laws._linear import Linear
@@ -69,6 +69,23 @@ def test_laws_agree_with_an_integration_of_their_forces(law, pulls):
         # The force of Hunt and Crossley is gone only where the bodies part.
         expected = integrated(lambda x, u: force(k, g, x, u), PAIR.mass, speed, pulls or law is HuntCrossley)
         assert (one, time) == pytest.approx(expected, rel=1e-4)
+
+
+@pytest.mark.parametrize("pulls", [True, False])
+@pytest.mark.parametrize("zeta", [1e-7, 0.1, 0.7, 0.999999, 1.0, 1.3, 5.0])
+def test_the_closed_form_of_a_linear_spring(zeta, pulls):
+    """Its loss is exact however small it is, and goes on where the dashpot is critical."""
+    spring = PULLS if pulls else PUSHES
+    law = Linear(PAIR, spring, 0.0, 4e6, 2 * zeta * np.sqrt(4e6 * PAIR.mass), None)
+    if pulls and zeta > 0.99:  # it hardly parts, or never
+        assert law.restitution(SPEEDS) == pytest.approx(0.0, abs=1e-12)
+        assert zeta < 1 or np.all(np.isinf(law.contact_time(SPEEDS)))
+        return
+    stepped = along_normal(1.0, 0.0, np.array([2 * zeta]), spring)
+    assert law.restitution(SPEEDS) == pytest.approx(stepped.restitution[0], abs=2e-6)
+    assert law.contact_time(SPEEDS) * np.sqrt(4e6 / PAIR.mass) == pytest.approx(stepped.duration[0], rel=1e-4)
+    if zeta < 1e-6:
+        assert 1 - law.restitution(SPEEDS) == pytest.approx(np.pi * zeta, rel=1e-6)
 
 
 @pytest.mark.parametrize("zeta", [1e-4, 0.01, 0.3])

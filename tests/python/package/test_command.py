@@ -7,6 +7,7 @@ import sys
 import pytest
 
 import stoss
+from stoss._commands import guarded
 
 
 def run(interpreter, path, *arguments):
@@ -38,3 +39,11 @@ def test_without_it_one_line_says_how_to_get_it(interpreter, tmp_path):
     done = run(interpreter, tmp_path, "modes")
     assert (done.returncode, done.stdout) == (2, "")
     assert "make install" in done.stderr and done.stderr.count("\n") == 1
+
+
+def test_what_cannot_converge_is_one_line_and_its_own_exit_code(capsys):
+    def run():
+        raise stoss.NotConverged("impact: too many steps\nof time")
+
+    assert guarded(run, "interrupted") == 1
+    assert capsys.readouterr() == ("", "stoss: error: impact: too many steps of time\n")

@@ -19,7 +19,7 @@ def hit():
 
 def test_surface_is_that_of_the_impact(hit):
     time = 1.2 * hit.contact_time
-    y, x = _replay.surface(hit, [time], 4.0)
+    y, x, _ = _replay.surface(hit, [time], 4.0)
     side = y > 0.0
     wave = hit.wave(time=time, distance=y[side], depth=[0.0])
     assert wave.normal[0] == pytest.approx(x[0][side], abs=2e-3 * np.abs(x).max())
@@ -66,8 +66,29 @@ def test_file(hit, tmp_path):
 
 
 def test_only_half_spaces_have_waves():
-    with pytest.raises(stoss.InvalidInput, match="against: got .*HalfSpace or a stoss.HalfPlane"):
+    with pytest.raises(stoss.InvalidInput, match="against: got .*HalfSpace, HalfPlane, Plate or Strip"):
         stoss.impact(stoss.Sphere(poisson=0.3), speed=0.1, cutoff=10).wave()
+
+
+def test_a_plate_moves_through_its_thickness():
+    plate = stoss.Plate(thickness=0.5, poisson=0.3, young=5, density=5)
+    hit = stoss.impact(stoss.Sphere(poisson=0.3), against=plate, speed=0.02, cutoff=8)
+    time = hit.contact_time
+    wave = hit.wave(time=time)
+    assert wave.depth[-1] == 0.5 and wave.distance.size == 121
+    y, upper, lower = _replay.surface(hit, [time], 3.0)
+    side = y > 0.0
+    near = hit.wave(time=time, distance=y[side], depth=[0.0, 0.5])
+    size = np.abs(near.normal).max()
+    assert near.normal[0] == pytest.approx(upper[0][side], abs=5e-3 * size)
+    assert near.normal[1] == pytest.approx(lower[0][side] - 0.5, abs=5e-3 * size)
+    # It bends as a whole, farther out than it is dented.
+    far = y[side] > 1.5
+    assert near.normal[0][far] == pytest.approx(near.normal[1][far], abs=0.05 * size)
+    with pytest.raises(stoss.InvalidInput, match="depth: got .*0 to 0.5 .R, the thickness of the plate"):
+        hit.wave(depth=[0.0, 0.6])
+    for picture in (wave.plot(), stoss.plot.sequence(hit, count=2), stoss.plot.stress(hit.field(time=time))):
+        pyplot.close(picture.figure)
 
 
 def test_points_outside_are_refused(hit):

@@ -34,6 +34,7 @@ export function drawBodies(
     else strokeEdge(to, edgeOf(part, part, magnification * (bodies[n]!.center - part.center)), true, true);
     paint(to, meshes[n]!, bodies[n]![to.shade.quantity]);
     strokeEdge(to, edges[n]!, !part.open);
+    if (part.lower.length > 0) strokeEdge(to, edgeOf({ edge: part.lower }, meshes[n]!), false);
     to.context.restore();
   });
   if (against === 'wall') drawWall(to);
@@ -70,7 +71,7 @@ export function follow(context: CanvasRenderingContext2D, to: Place, { x, y }: L
   }
 }
 
-/** Keeps what is shown of a half-space, which has no end. */
+/** Keeps what is shown of a half-space or a plate, which have no end. */
 function clipDeep({ context, layout }: Drawing): void {
   context.beginPath();
   context.rect(0, 0, layout.right, 2 * layout.y + 8);

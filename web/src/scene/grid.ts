@@ -46,13 +46,26 @@ const DISTANCES = 44;
 export const DEEP = 0.9;
 const WIDE = 1.7;
 
-/** The points of a half-space, or of a plate of some thickness, for a contact of some maximum half width, both in radii of
- *  the body that it meets. */
+/** The same of a plate, on which waves run away that bend it; a thicker one is shown as a half-space. */
+const PLATE_DEEP = 2.5;
+export const PLATE_WIDE = 4;
+const BEYOND = 0.3; // the picture, so that no end is seen
+const PLATE_DISTANCES = 72;
+
+/** Whether both faces of a plate are shown. */
+export function isShownThrough(thickness: number): boolean {
+  return thickness <= PLATE_DEEP;
+}
+
+/** The points of a half-space, or of a plate of some thickness, for a contact of some maximum half width, both in radii
+ *  of the body that it meets. */
 export function gridBelow(halfWidth: number, thickness = Infinity): NonNullable<Grid['below']> {
   const first = halfWidth / PER_HALF_WIDTH;
   const places = (count: number, last: number): Float32Array =>
     Float32Array.from(gradedPlaces(count, first / last), (each) => last * each);
-  return { depth: places(DEPTHS, Math.min(DEEP, thickness)), distance: places(DISTANCES, WIDE) };
+  return isShownThrough(thickness)
+    ? { depth: places(DEPTHS, thickness), distance: places(PLATE_DISTANCES, PLATE_WIDE + BEYOND) }
+    : { depth: places(DEPTHS, DEEP), distance: places(DISTANCES, WIDE) };
 }
 
 /** An even grid for mode shapes, which have no contact. */

@@ -4,6 +4,7 @@
 import { range } from 'd3-array';
 import type { BodyFrame, Encounter, Grid } from '../core/protocol';
 import { type BodyKind, isBlock } from '../inputs/kinds';
+import { isShownThrough } from './grid';
 
 /** One of what meets. Its points stand in rows and columns, row-major, as the numbers of frames do. */
 export interface Part {
@@ -24,8 +25,10 @@ export interface Part {
   edge: number[];
   /** 1/R of its face at rest */
   curvature: number;
-  /** a half-space goes on beyond the picture */
+  /** a half-space or a plate goes on beyond the picture */
   open: boolean;
+  /** points of the lower face of a plate, from the line of impact; empty where none is seen */
+  lower: number[];
 }
 
 type Point = Record<'x' | 'y', number>;
@@ -49,7 +52,7 @@ export type Mesh = Pick<Part, 'rows' | 'columns' | 'x' | 'y'>;
 function partOf(
   rows: ArrayLike<number>, columns: ArrayLike<number>,
   at: (row: number, column: number) => { rest: Point; radial: Point; tangential: Point },
-  more: Pick<Part, 'center' | 'size' | 'edge' | 'curvature' | 'open'>,
+  more: Pick<Part, 'center' | 'size' | 'edge' | 'curvature' | 'open' | 'lower'>,
 ): Part {
   const points = Array.from(rows).flatMap((row) => Array.from(columns, (column) => at(row, column)));
   const of = (name: 'rest' | 'radial' | 'tangential'): { x: Float32Array; y: Float32Array } =>
@@ -76,7 +79,7 @@ export function bodyPart(kind: BodyKind, size: number, facing: 1 | -1, halfHeigh
       radial: { x: facing * size, y: 0 }, tangential: nowhere,
     }), {
       center: -facing * 0.5 * size, size, edge: [0, columns - 1, columns * rows - 1, columns * (rows - 1)],
-      curvature: 0, open: false,
+      curvature: 0, open: false, lower: [],
     });
   }
   return partOf(grid.radius, grid.angle, (r, angle) => {
@@ -88,21 +91,27 @@ export function bodyPart(kind: BodyKind, size: number, facing: 1 | -1, halfHeigh
     };
   }, {
     center: -facing * size, size, edge: range((rows - 1) * columns, rows * columns), curvature: 1 / size, open: false,
+    lower: [],
   });
 }
 
-/** A half-space, or a half-plane, on the right: depths × distances. */
-export function blockPart({ depth, distance }: NonNullable<Grid['below']>): Part {
-  return partOf(depth, distance, (x, y) => ({ rest: { x, y }, radial: { x: 1, y: 0 }, tangential: { x: 0, y: 1 } }),
-    { center: 0, size: Infinity, edge: range(distance.length), curvature: 0, open: true });
+/** A half-space or a half-plane on the right: depths × distances; with a lower face a plate or a strip. */
+export function blockPart({ depth, distance }: NonNullable<Grid['below']>, lower = false): Part {
+  const last = (depth.length - 1) * distance.length;
+  return partOf(depth, distance, (x, y) => ({ rest: { x, y }, radial: { x: 1, y: 0 }, tangential: { x: 0, y: 1 } }), {
+    center: 0, size: Infinity, edge: range(distance.length), curvature: 0, open: true,
+    lower: lower ? range(last, last + distance.length) : [],
+  });
 }
 
 const ROD = 0.1; // half the thickness of the first rod, in its lengths
 
-/** What meets, of some sizes. */
-export function partsOf({ kind, first, against, second }: Encounter, sizes: number[], grid: Grid): Part[] {
+/** What meets, of some sizes. @param thickness of a plate, in the radii of the grid */
+export function partsOf(
+  { kind, first, against, second }: Encounter, sizes: number[], grid: Grid, thickness = Infinity,
+): Part[] {
   const thick = Math.min(0.4, Math.max(0.03, ROD * Math.sqrt((against === 'body' ? second : first).area / first.area)));
-  return sizes.map((size, n) => (n === 1 && isBlock(against) ? blockPart(grid.below!)
+  return sizes.map((size, n) => (n === 1 && isBlock(against) ? blockPart(grid.below!, isShownThrough(thickness))
     : bodyPart(kind, size, n === 0 ? 1 : -1, n === 0 ? ROD : thick, grid)));
 }
 
@@ -123,8 +132,8 @@ export function meshOf(part: Part, now: BodyFrame, magnification: number): Mesh 
   };
 }
 
-/** The edge of a part: as it is, or at rest in some place. */
-export function edgeOf({ edge }: Part, { x, y }: Line, shift = 0): { x: number[]; y: number[] } {
+/** The edge of a part, or some other line of its points: as it is, or at rest in some place. */
+export function edgeOf({ edge }: Pick<Part, 'edge'>, { x, y }: Line, shift = 0): { x: number[]; y: number[] } {
   return { x: edge.map((k) => x[k]! + shift), y: edge.map((k) => y[k]!) };
 }
 

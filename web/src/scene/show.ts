@@ -54,7 +54,7 @@ export async function* produce(
       { deliver: (frame) => insertFrame(frames, frame), signal });
     signal.throwIfAborted();
     if (frames.length === 0) return;
-    show ??= showOf({ encounter, collision, frames, from, to, parts: partsOf(encounter, sizes, grid) });
+    show ??= showOf({ encounter, collision, frames, from, to, parts: partsOf(encounter, sizes, grid, thickness) });
     yield show;
   }
 }

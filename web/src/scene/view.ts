@@ -5,11 +5,12 @@ import { bisectLeft, cumsum, max, mean, min } from 'd3-array';
 import type { BodyFrame, Encounter, Frame } from '../core/protocol';
 import { roundDown, roundUp } from '../drawing/numbers';
 import { isBlock } from '../inputs/kinds';
-import { DEEP } from './grid';
+import { DEEP, PLATE_WIDE } from './grid';
 import { cross, displacementOf, edgeOf, meshOf, type Part, sidesOf } from './parts';
 import type { Quantity } from './raster';
 
 const VISIBLE = 0.18; // maximum displacement in the picture, in radii of the body
+const BENT = 0.36; // the same where a plate bends, which does so far around
 const LEAST_AREA = 0.12; // of a magnified cell, of what it is at rest
 
 /** The maximum magnification at which every piece of a part keeps its orientation and some of its area. */
@@ -38,7 +39,8 @@ export function magnificationOf(frames: Frame[], parts: Part[]): number {
   const bodies = frames.flatMap((frame) => frame.bodies.map((now, n) => ({ now, part: parts[n]! })));
   const limit = min(bodies, ({ now, part }) => unfoldedUpTo(part, now)) ?? Infinity;
   const displaced = max(bodies, ({ now }) => Math.max(max(now.radial, Math.abs)!, max(now.tangential, Math.abs)!)) ?? 0;
-  const wanted = Math.min(limit, VISIBLE / displaced);
+  const bends = parts.some(({ lower }) => lower.length > 0);
+  const wanted = Math.min(limit, (bends ? BENT : VISIBLE) / displaced);
   return wanted > 1 && Number.isFinite(wanted) ? roundDown(wanted) : 1;
 }
 
@@ -94,7 +96,17 @@ export function viewOf(
   view.half = Math.min(view.half + MARGIN * small, 0.5 * reach);
   if (against === 'wall') view.right = GROUND * (parts[0]!.curvature === 0 ? 0.3 : 1);
   if (isBlock(against)) view.right = Math.max(view.right, DEEP);
+  const n = parts.findIndex(({ lower }) => lower.length > 0);
+  if (n >= 0) {
+    view.right = Math.max(...frames.flatMap(({ bodies }) => lowerFace(parts[n]!, bodies[n]!, magnification).x)) + MARGIN;
+    view.half = PLATE_WIDE;
+  }
   return view;
+}
+
+/** The lower face of a plate. */
+function lowerFace(part: Part, now: BodyFrame, magnification: number): ReturnType<typeof edgeOf> {
+  return edgeOf({ edge: part.lower }, meshOf(part, now, magnification));
 }
 
 export interface Layout {

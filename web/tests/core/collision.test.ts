@@ -101,6 +101,30 @@ describe('frames', { timeout: 60_000 }, () => {
   });
 });
 
+describe('frames of a plate', { timeout: 60_000 }, () => {
+  const body = (young: number, density: number): Encounter['first'] => ({
+    poisson: 0.3, young, density, radius: 1, length: 1, area: 1, thickness: 0.5, loss_time: 0,
+  });
+  const encounter: Encounter =
+    { kind: 'sphere', first: body(1, 1), against: 'plate', second: body(3, 4), si: false, plane: 'stress' };
+  const collision = ask('collision', encounter, { speed: 0.02, cutoff: 8 }).value;
+  const below = { depth: Float32Array.from([0, 0.25, 0.5]), distance: Float32Array.from([0, 0.5, 2, 4]) };
+  const times = [-1, 0.3 * collision.end, 1.7 * collision.end];
+  const { all } = ask('frames', encounter,
+    { speed: 0.02, cutoff: 8, times, grid: { ...gridOf(encounter), below } });
+  const [before, early, late] = all.map(({ bodies }) => bodies[1]!.radial) as [Float32Array, Float32Array, Float32Array];
+  it('have it at rest until it is struck', () => {
+    for (const each of before) expect(each).toBe(0);
+  });
+  it('bend both of its faces, and later farther out', () => {
+    expect(early[0]).toBeGreaterThan(early[8]!);
+    expect(late[8]! / late[0]!).toBeCloseTo(1, 2);
+    expect(early[2]! / early[0]!).toBeLessThan(0.02);
+    expect(late[2]! / late[0]!).toBeGreaterThan(0.3);
+    expect(late[10]! / late[2]!).toBeCloseTo(1, 2);
+  });
+});
+
 describe('the stress in a half-space', { timeout: 60_000 }, () => {
   // A slow impact is Hertz' (K. L. Johnson, Contact Mechanics, 3.4): a ball as stiff as the block, ν = 0.3.
   const ball: Body = { ...unitBody, poisson: 0.3 };

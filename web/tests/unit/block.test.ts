@@ -4,7 +4,7 @@ import type { BodyFrame, Frame } from '../../src/core/protocol';
 import { frameAt } from '../../src/scene/film';
 import { evenGrid, gridBelow } from '../../src/scene/grid';
 import { blockPart, edgeOf, meshOf } from '../../src/scene/parts';
-import { magnificationOf, unfoldedUpTo } from '../../src/scene/view';
+import { magnificationOf, unfoldedUpTo, viewOf } from '../../src/scene/view';
 import { diskOf, field } from './disk_frame';
 
 const below = gridBelow(0.05);
@@ -20,6 +20,36 @@ function block(radial: (z: number, r: number) => number, tangential: (z: number,
 
 /** The dent under a ball, about as wide as its contact. */
 const dent = (size: number): BodyFrame => block((z, r) => (size * 0.05) / Math.hypot(z + 0.05, r), () => 0);
+
+describe('a plate', () => {
+  const under = gridBelow(0.05, 0.5);
+  const plate = blockPart(under, true);
+  const bent = under.depth.length * under.distance.length;
+  const frame = (deepest: number): BodyFrame => {
+    const radial = new Float32Array(bent).fill(deepest);
+    const none = new Float32Array(bent);
+    return { center: 0, radial, tangential: none, vonMises: none, fringes: none };
+  };
+  it('has a lower face at its thickness, which bends with it', () => {
+    const lower = edgeOf({ edge: plate.lower }, meshOf(plate, frame(0.01), 10));
+    expect(lower.x.length).toBe(under.distance.length);
+    lower.x.forEach((each) => expect(each).toBeCloseTo(0.6, 6));
+    expect(part.lower).toEqual([]);
+  });
+  it('is shown to its lower face, and as far as waves run away', () => {
+    const grid = evenGrid('disk', 2, 8);
+    const still = field(grid, () => 0, () => 0);
+    const frames: Frame[] = [0, 0.02].map((deepest) => ({ time: deepest, bodies: [still, frame(deepest)] }));
+    const { right, half } = viewOf(frames, [diskOf(grid), plate], 10, 'plate');
+    expect(right).toBeCloseTo(0.5 + 0.2 + 0.08, 5);
+    expect(half).toBeGreaterThan(3.5);
+    expect(half).toBeLessThanOrEqual(under.distance.at(-1)!);
+  });
+  it('is a half-space in the picture where it is thick', () => {
+    const { depth, distance } = gridBelow(0.05, 3);
+    expect([depth, distance]).toEqual([below.depth, below.distance]);
+  });
+});
 
 describe('a half-space', () => {
   it('has its points where it is struck, and goes on beyond the picture', () => {

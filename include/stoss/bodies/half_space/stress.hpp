@@ -24,4 +24,16 @@ struct Stress {
 ///         points
 [[nodiscard]] Stress stress(Contour contour, double poisson, const PlaneGrid& points, const Field& field);
 
+/// A layer below a surface.
+struct ElasticLayer {
+  double end;      ///< depth of its lower face; infinite of the last
+  double poisson;  ///< as above
+  double young;    ///< E, in that of the stress
+};
+
+/// The same below a surface of layers that stick together, from the top down. A depth on a face between two belongs to
+/// the upper one; where a layer has three depths or more, no derivative goes across its faces.
+[[nodiscard]] Stress stress(Contour contour, const std::vector<ElasticLayer>& layers, const PlaneGrid& points,
+                            const Field& field);
+
 }  // namespace stoss::bodies::half_space

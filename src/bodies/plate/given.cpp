@@ -1,0 +1,76 @@
+#include "bodies/plate/given.hpp"
+
+#include <cmath>
+#include <limits>
+
+#include "bodies/half_space/medium.hpp"
+#include "check.hpp"
+
+namespace stoss::bodies::plate {
+
+double Given::speed() const { return std::sqrt(layers.front().young / layers.front().density); }
+
+Given given_of(const Plate& plate) {
+  Given given{Contour::ball, {{plate.thickness, plate.poisson, plate.young, plate.density}}, plate.loss_time};
+  given.layers.insert(given.layers.end(), plate.below.begin(), plate.below.end());
+  return given;
+}
+
+Given given_of(const Strip& strip) {
+  return {Contour::cylinder, {{strip.thickness, strip.poisson, strip.young, strip.density}}, strip.loss_time};
+}
+
+void require_given(const Given& given) {
+  constexpr long most_layers = 64;
+  constexpr Range positive{0.0, std::numeric_limits<double>::max(), false, true, "a positive finite number"};
+  require("layers", static_cast<long>(given.layers.size()), 1, most_layers, "of the plate");
+  for (const Layer& layer : given.layers) {
+    bodies::half_space::require_poisson(given.contour, layer.poisson);
+    const bool below_others = given.layers.size() > 1 && &layer == &given.layers.back();
+    if (!(below_others && layer.thickness > std::numeric_limits<double>::max())) {
+      require("thickness", layer.thickness, positive, "of the plate; infinite only of a layer below others");
+    }
+    require("young", layer.young, positive, "Young's modulus of the plate");
+    require("density", layer.density, positive, "of the plate");
+  }
+  require_loss_time(given.own_loss_time());
+}
+
+std::string name_of(const Given& given) {
+  std::string name = given.kind();
+  for (const Layer& layer : given.layers) {
+    if (&layer != &given.layers.front()) name += " /";
+    name += " thickness=";
+    name += std::isinf(layer.thickness) ? "inf" : shown(layer.thickness);
+    name += " poisson=" + shown(layer.poisson);
+    if (layer.young != 1.0) name += " young=" + shown(layer.young);
+    if (layer.density != 1.0) name += " density=" + shown(layer.density);
+  }
+  if (given.loss_time != 0.0) name += " loss_time=" + shown(given.loss_time);
+  return name;
+}
+
+std::vector<Sheet> sheets_of(const Given& given, double duration) {
+  const Layer& top = given.layers.front();
+  std::vector<Sheet> sheets;
+  for (const Layer& layer : given.layers) {
+    const double young = layer.young / top.young, poisson = layer.poisson;
+    Sheet sheet{layer.thickness, 0.5 * young / (1.0 + poisson), 0.0, layer.density / top.density};
+    sheet.pressure_modulus = given.contour == Contour::ball
+                                 ? young * (1.0 - poisson) / ((1.0 + poisson) * (1.0 - 2.0 * poisson))
+                                 : young / (1.0 - poisson * poisson);
+    if (std::isinf(sheet.thickness)) {
+      sheet.thickness = 0.5 * duration * std::sqrt(sheet.pressure_modulus / sheet.density);
+    }
+    sheets.push_back(sheet);
+  }
+  return sheets;
+}
+
+bool is_thick(const Given& given, double duration) {
+  const Layer& its = given.layers.front();
+  const double speed = bodies::half_space::medium(given.contour, its.poisson).pressure_speed;
+  return given.layers.size() == 1 && 2.0 * its.thickness >= speed * duration;
+}
+
+}  // namespace stoss::bodies::plate
