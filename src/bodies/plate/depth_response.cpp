@@ -8,40 +8,32 @@
 namespace stoss::bodies::plate {
 namespace {
 
-template <typename T>
-using Matrix2 = Eigen::Matrix<T, 2, 2>;
-
 /// How many equal slabs a piece is cut into so that none has a vibration, whatever of it is held; and one of them.
 template <typename T>
-ThinSlab<T, 2> thin_slab(const Sheet& sheet, double thickness, double k, T z, int& count) {
-  constexpr double thinnest = 0.0075, thickest = 1.0;  // phases
+ThinSlab<T, 2> slab_of(const Sheet& sheet, double thickness, double k, T z, int& count) {
+  constexpr double thickest = 0.96;  // phase
   const double square = magnitude(z) * sheet.density / sheet.shear_modulus;
   const double phase = thickness * std::max(k, std::sqrt(square));
   count = std::max(1, static_cast<int>(std::ceil(phase / thickest)));
-  const int doublings = std::max(0, static_cast<int>(std::ceil(std::log2(phase / count / thinnest))));
-  ThinSlab<T, 2> slab = series<T, 2>(equations<2, T>(sheet, k, z), std::ldexp(thickness / count, -doublings));
-  for (int n = 0; n < doublings; ++n) slab = doubled(slab);
-  return slab;
+  return thin_slab(equations<2, T>(sheet, k, z, thickness / count));
 }
 
 /// Puts a slab on what has a stiffness. @return how it moves its lower face
 template <typename T>
-Matrix2<T> put_on(const ThinSlab<T, 2>& slab, Matrix2<T>& stiffness) {
-  const Matrix2<T> softened = Matrix2<T>::Identity() + slab.compliance * stiffness;
-  const Matrix2<T> inverse = softened.inverse(), moved = inverse * slab.transfer;
-  stiffness = slab.stiffness + slab.transfer.transpose() * (stiffness * moved);
+SmallMatrix<T, 2> put_on(const ThinSlab<T, 2>& slab, SmallMatrix<T, 2>& stiffness) {
+  const SmallMatrix<T, 2> moved = inverse(plus(1.0, slab.compliance * stiffness)) * slab.transfer;
+  stiffness = slab.stiffness + transposed(slab.transfer) * (stiffness * moved);
   return moved;
 }
 
 /// The same of the lowest slab, of whose lower face one component is held.
 template <typename T>
-Matrix2<T> put_on_floor(const ThinSlab<T, 2>& slab, int held, Matrix2<T>& stiffness) {
+SmallMatrix<T, 2> put_on_floor(const ThinSlab<T, 2>& slab, int held, SmallMatrix<T, 2>& stiffness) {
   stiffness = held_below(slab, held).stiffness;
-  const T over = T(1.0) / slab.compliance(held, held);
-  Matrix2<T> moved = slab.transfer;
-  moved -= slab.compliance.col(held) * (over * slab.transfer.row(held));
-  moved.row(held).setZero();
-  return moved;
+  const T over = 1.0 / slab.compliance(held, held);
+  return matrix_of<2>([&](int i, int j) {
+    return i == held ? T(0.0) : slab.transfer(i, j) - slab.compliance(i, held) * over * slab.transfer(held, j);
+  });
 }
 
 }  // namespace
@@ -81,26 +73,26 @@ Depths<T> DepthResponse::at(double wave_number, T z, double deepest) const {
   std::size_t end = 0;  // pieces that are not below the deepest
   for (double depth = 0.0; end < pieces_.size() && depth < deepest; ++end) depth += pieces_[end].thickness;
   const int held = end < pieces_.size() || part_.floor == Floor::free ? -1 : part_.floor == Floor::symmetric ? 1 : 0;
-  Matrix2<T> stiffness = Matrix2<T>::Zero();
-  std::vector<Matrix2<T>> through(pieces_.size() + 1, Matrix2<T>::Zero());
+  SmallMatrix<T, 2> stiffness;
+  const SmallMatrix<T, 2> unchanged = plus(1.0, SmallMatrix<T, 2>{});
+  std::vector<SmallMatrix<T, 2>> through(pieces_.size() + 1);
   for (std::size_t i = end; i-- > 0;) {
     int count = 0;
-    const auto slab = thin_slab<T>(part_.all[pieces_[i].sheet], pieces_[i].thickness, wave_number, z, count);
-    through[i + 1] = Matrix2<T>::Identity();
+    const auto slab = slab_of<T>(part_.all[pieces_[i].sheet], pieces_[i].thickness, wave_number, z, count);
+    through[i + 1] = unchanged;
     for (int n = 0; n < count; ++n) {
       const bool lowest = i + 1 == end && n == 0 && held >= 0;
-      const Matrix2<T> moved = lowest ? put_on_floor<T>(slab, held, stiffness) : put_on<T>(slab, stiffness);
-      through[i + 1] = (through[i + 1] * moved).eval();
+      const SmallMatrix<T, 2> moved = lowest ? put_on_floor<T>(slab, held, stiffness) : put_on<T>(slab, stiffness);
+      through[i + 1] = through[i + 1] * moved;
     }
   }
-  through[0] = Matrix2<T>::Identity();
-  for (std::size_t i = 0; i < end; ++i) through[i + 1] = (through[i + 1] * through[i]).eval();
+  through[0] = unchanged;
+  for (std::size_t i = 0; i < end; ++i) through[i + 1] = through[i + 1] * through[i];
   Depths<T> depths{stiffness, {}};
   for (const Place& place : places_) {
-    Matrix2<T> transfer = through[place.pieces];
-    transfer.row(0) *= T(place.along);
-    transfer.row(1) *= T(place.into);
-    depths.transfer.push_back(transfer);
+    const SmallMatrix<T, 2>& transfer = through[place.pieces];
+    depths.transfer.push_back(
+        matrix_of<2>([&](int i, int j) { return (i == 0 ? place.along : place.into) * transfer(i, j); }));
   }
   return depths;
 }

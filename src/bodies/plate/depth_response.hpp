@@ -1,11 +1,11 @@
 #pragma once
 
-#include <Eigen/Core>
 #include <cstddef>
 #include <vector>
 
 #include "bodies/plate/pair_number.hpp"
 #include "bodies/plate/sheet.hpp"
+#include "bodies/plate/small_matrix.hpp"
 
 namespace stoss::bodies::plate {
 
@@ -13,7 +13,7 @@ namespace stoss::bodies::plate {
 /// while the lower face is free; u along the wave number, w into the depth.
 template <typename T>
 struct Depths {
-  using Matrix = Eigen::Matrix<T, 2, 2>;
+  using Matrix = SmallMatrix<T, 2>;
   Matrix stiffness;              ///< of the upper face
   std::vector<Matrix> transfer;  ///< T of each depth
 };

@@ -12,7 +12,6 @@ namespace stoss::bodies::plate {
 namespace {
 
 using Eigen::Index;
-using Vector = Eigen::Vector2d;
 
 constexpr double as_deep_as_it_is = std::numeric_limits<double>::infinity();
 
@@ -26,10 +25,12 @@ std::vector<DepthResponse> all_of(const std::vector<Sheets>& parts, const std::v
 /// (PlaneWaves).
 Eigen::VectorXd profile(const DepthResponse& response, double k, const Amplitude& wave) {
   const Depths<double> depths = response.at<double>(k, wave.omega * wave.omega, as_deep_as_it_is);
-  const Vector surface{-wave.along, wave.normal};
   Eigen::VectorXd all(2 * static_cast<Index>(depths.transfer.size()));
   for (std::size_t i = 0; i < depths.transfer.size(); ++i) {
-    all.segment<2>(2 * static_cast<Index>(i)) = depths.transfer[i] * surface;
+    for (int row = 0; row < 2; ++row) {
+      const auto& transfer = depths.transfer[i];
+      all(2 * static_cast<Index>(i) + row) = wave.normal * transfer(row, 1) - wave.along * transfer(row, 0);
+    }
   }
   // Where a wave at the other face moves this one by less than rounding.
   if (!all.allFinite()) all.setZero();
@@ -46,11 +47,11 @@ Eigen::VectorXd others(const DepthResponse& response, double k, double share, do
     const double angle = std::numbers::pi * (n + 0.5) / places;
     const Complex z{radius * std::cos(angle), radius * std::sin(angle)};
     const Depths<Complex> depths = response.at<Complex>(k, z, as_deep_as_it_is);
-    const Eigen::Matrix<Complex, 2, 1> surface = depths.stiffness.inverse().col(1);
+    const SmallMatrix<Complex, 2> response_of_face = inverse(depths.stiffness);
     for (std::size_t i = 0; i < depths.transfer.size(); ++i) {
-      const Eigen::Matrix<Complex, 2, 1> moved = depths.transfer[i] * surface;
-      sum(2 * static_cast<Index>(i)) += share * moved(0).a;
-      sum(2 * static_cast<Index>(i) + 1) += share * moved(1).a;
+      const SmallMatrix<Complex, 2> moved = depths.transfer[i] * response_of_face;
+      sum(2 * static_cast<Index>(i)) += share * moved(0, 1).a;
+      sum(2 * static_cast<Index>(i) + 1) += share * moved(1, 1).a;
     }
     for (Index l = 0; l < kept.cols(); ++l) {
       const Complex over = 1.0 / (waves[l].omega * waves[l].omega - z);
@@ -106,9 +107,11 @@ WaveProfiles ProfileMaker::of(const WaveNumber& number) const {
   for (std::size_t part = 0; part < parts.size(); ++part) {
     const double share = number.weight * plate_.weight(number.k) * parts[part].share;
     const Depths<double> depths = answers[part].at<double>(number.k, 0.0, deepest_phase / number.k);
-    const Vector surface = share * depths.stiffness.inverse().col(1);
+    const SmallMatrix<double, 2> response_of_face = inverse(depths.stiffness);
     for (std::size_t i = 0; i < depths.transfer.size(); ++i) {
-      made.others.segment<2>(2 * static_cast<Index>(i)) += depths.transfer[i] * surface;
+      const SmallMatrix<double, 2> moved = depths.transfer[i] * response_of_face;
+      made.others(2 * static_cast<Index>(i)) += share * moved(0, 1);
+      made.others(2 * static_cast<Index>(i) + 1) += share * moved(1, 1);
     }
   }
   return made;
