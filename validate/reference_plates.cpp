@@ -79,7 +79,7 @@ ImpactRuns resolved_runs(const PlateCase& its) {
   const double unit = std::min(1.0 / stoss::time_scale(contact.at(0)), highest / fine);
   const auto run_at = [&](double cutoff, double longer, const auto& compute) {
     double stretch = start;
-    return stoss::to_its_end(contact, unit * cutoff, stretch, {}, [&](const stoss::Contact&) {
+    return stoss::to_its_end(contact, unit * cutoff, its.speed, stretch, {}, [&](const stoss::Contact&) {
       return compute(contact.at(unit * cutoff, longer * stretch, {}));
     });
   };
