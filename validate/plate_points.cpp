@@ -15,9 +15,9 @@ namespace {
 using stoss::test::CsvRow;
 
 stoss::BodyMaker ball_of(const PlateCase& its) {
-  const stoss::BodyMaker ball =
-      its.strip ? stoss::disk(stoss::Disk{.poisson = its.poisson, .loss_time = its.loss_time})
-                : stoss::sphere(stoss::Sphere{.poisson = its.poisson, .loss_time = its.loss_time});
+  const stoss::BodyMaker ball = its.strip
+                                    ? stoss::disk(stoss::Disk{.poisson = its.poisson, .loss_time = its.loss_time})
+                                    : stoss::sphere(stoss::Sphere{.poisson = its.poisson, .loss_time = its.loss_time});
   return its.rigid ? stoss::rigid(ball) : ball;
 }
 

@@ -104,9 +104,11 @@ std::string place_of(const PlateCase& its) {
 }
 
 std::string header() {
-  return "# Impacts of spheres on plates and of disks on strips, in units of the body, more finely resolved than those\n"
+  return "# Impacts of spheres on plates and of disks on strips, in units of the body, more finely resolved than "
+         "those\n"
          "# of restitution() and with a plate for a longer time. Made by: stoss_validate --make-plate-reference FILE\n"
-         "# Three runs at each point, with cutoffs 12, 17, 24 over the time scale of the contact, or less where a plate has more "
+         "# Three runs at each point, with cutoffs 12, 17, 24 over the time scale of the contact, or less where a "
+         "plate has more "
          "waves\n"
          "# than are computed, at least 128 nodes, "
          "and\n"
