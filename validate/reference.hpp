@@ -20,6 +20,9 @@ void make_sphere_reference(const std::string& path);
 /// Computes those of half-spaces: validate/data/reference_half_spaces.csv. @throws std::runtime_error as above
 void make_half_space_reference(const std::string& path);
 
+/// Computes those of plates: validate/data/reference_plates.csv. @throws std::runtime_error as above
+void make_plate_reference(const std::string& path);
+
 /// Computes those of lossy spheres and disks: validate/data/reference_lossy.csv. @throws std::runtime_error as above
 void make_lossy_reference(const std::string& path);
 

@@ -11,6 +11,7 @@
 #include "introduction.hpp"
 #include "judgement.hpp"
 #include "oblique_report.hpp"
+#include "plate_report.hpp"
 #include "stoss/bodies/rod.hpp"
 #include "text.hpp"
 #include "times.hpp"
@@ -176,6 +177,7 @@ bool write_report(std::ostream& out) {
                half_spaces = judge("half-spaces", read_half_spaces()), lossy = judge("lossy", read_lossy()),
                vibrating = judge("vibrating", read_vibrating());
   const JudgedOblique oblique = judge_oblique();
+  const JudgedPlates plates = judge_plates();
   out << text::introduction << text::verdict;
   bool all_honest = true;
   for (std::size_t i = 0; i < tolerances.size(); ++i) {
@@ -204,6 +206,7 @@ bool write_report(std::ostream& out) {
   write_finite_elements(out, wall.points, wall.answers[by_default]);
   const bool rod = write_rod(out);
   all_honest = write_oblique(out, oblique) && all_honest;
+  all_honest = write_plates(out, plates) && all_honest;
   out << text::points;
   write_points(out, wall.points, wall.answers[by_default]);
   out << text::unseen_points;

@@ -1,11 +1,14 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <functional>
 #include <string>
 #include <vector>
 
 #include "stoss/contact/contact.hpp"
+#include "stoss/impact/impact.hpp"
+#include "stoss/impact/resolution.hpp"
 #include "stoss/impact/vibration.hpp"
 
 namespace validate {
@@ -33,6 +36,17 @@ struct ReferencePoint {
 /// @throws std::runtime_error if the file cannot be written
 void write_reference(const std::string& path, const std::string& header, const std::vector<ReferencePoint>& points,
                      const Finenesses& finenesses);
+
+/// The runs at one point.
+using ImpactRuns = std::array<stoss::Impact, 3>;
+
+/// The same of runs made otherwise. Points where they do not end are said, and left out.
+/// @throws std::runtime_error as above
+void write_reference(const std::string& path, const std::string& header, const std::vector<std::string>& places,
+                     const std::function<ImpactRuns(std::size_t)>& compute);
+
+/// Resolution of a reference impact. @param half_width maximum of the contact in a coarser run
+stoss::Resolution finer(const stoss::Contact& contact, double speed, const Fineness& fineness, double half_width);
 
 /// Rounded to what the file holds: that is what is computed. @param format of printf
 double rounded(const char* format, double value);

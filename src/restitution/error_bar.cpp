@@ -77,16 +77,18 @@ Estimate lost_on_a_growing_contact(const Contact& contact, double speed, const s
   const auto missing = touch(contact).circle ? missing_of_balls : missing_on_a_line;
   const double scale = time_scale(contact), own = own_speed(contact, speed);
   const double returned = contact.unbounded ? unresolved_share(contact) : 1.0;  // a half-space returns nothing
+  // To a plate that takes nearly all of the energy, more of it does nothing, and where a ball stays nothing can.
+  const auto rebound = [&](const Run& run) {
+    return contact.gives_way ? std::pow(std::max(0.0, 1.0 - run.lost_fraction), 0.25) : 1.0;
+  };
   const auto corrected = [&](const Run& run) {
-    // To a plate that takes nearly all of the energy, more of it does nothing.
-    const double rebound = contact.gives_way ? std::pow(std::max(0.0, 1.0 - run.lost_fraction), 0.25) : 1.0;
-    return run.lost_fraction - rebound * returned * missing(run.cutoff * scale, own).share * run.unresolved;
+    return run.lost_fraction - rebound(run) * returned * missing(run.cutoff * scale, own).share * run.unresolved;
   };
   const Run& last = runs.back();
   const Missing lacks = missing(last.cutoff * scale, own);
   // At a half-space less is in doubt, as the body alone gives back; but its quadrature leaves something out.
   constexpr double less = 0.5, quadrature = 3e-5;
-  const double doubt = std::max(less, returned) * lacks.doubt;
+  const double doubt = rebound(last) * std::max(less, returned) * lacks.doubt;
   const double missed = contact.unbounded ? quadrature * std::abs(last.lost_fraction) : 0.0;
   return {corrected(last), std::max({missed, doubt * last.unresolved, node_error(contact, last),
                                      safety * spread(runs, order, corrected)})};
@@ -163,12 +165,16 @@ void conclude(const Contact& contact, double speed, const CurvatureCorrection& c
   };
   // An instant is known to half a step at either end, and so are the parts of an impulse that begins with a jump.
   result.contact_time = estimate(rough, &Run::contact_time, last.resolution.step);
-  if (last.remaining > 0.0) result.contact_time.error = unknown;
   result.impulse_time = estimate(smooth, &Run::impulse_time, at_a_point ? last.resolution.step : 0.0);
   const double beyond = std::max(focus * std::sqrt(last.unresolved), at_a_point ? overshoot : 0.0);
   result.max_force = estimate(rough, &Run::max_force, beyond * last.max_force);
   const double missing = turn * last.unresolved + (at_a_point ? 0.0 : node_error(contact, last));
   result.max_compression = estimate(smooth, &Run::max_compression, missing * std::abs(last.max_compression));
+  if (last.remaining > 0.0) {  // a body that stays goes on pushing, and moving along with the plate
+    for (Estimate* lasting : {&result.contact_time, &result.impulse_time, &result.max_compression}) {
+      lasting->error = unknown;
+    }
+  }
   share_out(contact, result);
   result.converged = error <= std::max(result.tolerance * std::abs(lost), result.absolute);
 }

@@ -1,0 +1,47 @@
+#pragma once
+
+/// What docs/validation.md says around its tables of balls on plates.
+namespace validate::text {
+
+inline constexpr const char* plate_tally = R"(
+## Balls on plates
+
+Balls on plates and disks on strips, judged in the same way at the default tolerance, 10⁻³ of 1 − ε²
+or 10⁻⁶, by `validate/data/reference_plates.csv`, and the finite elements
+[below](#finite-elements-of-balls-on-plates). A ball that stays is right where 1 − ε² of the
+reference is within its error. Columns as [above](#errors-against-true-errors). They must meet
+conditions 1 and 2. The third they do not: nearly all have converged at the lowest three cutoffs, and
+what is stated is at least 3·10⁻⁵ of 1 − ε², the share of the quadratures.
+
+| bodies | quantity | points | within | strictly | maximum | error / true error | blurred |
+|---|---|---:|---:|---:|---:|---:|---:|
+)";
+
+inline constexpr const char* plate_times = R"(
+Processor time of one call, where the modes are there: median, what nine of ten do not exceed,
+longest; and of the first call, which makes them: median, longest.
+
+| speed | converged | ms, median | ms, 90 % | ms, longest | first: ms, median | ms, longest |
+|---|---:|---:|---:|---:|---:|---:|
+)";
+
+inline constexpr const char* plate_points = R"(
+All at the default tolerance. ν and η of the ball; of each layer of the plate, downwards, h:ν:E:ρ,
+in units of the ball; η of the plate; *ratio* as [below](#all-points-at-the-default-tolerance);
+cutoff over the time scale of the contact.
+
+| body | ν | η | layers | η₂ | v | 1−ε², reference | uncertainty | 1−ε² | error | ratio | cutoff | ms |
+|---|---:|---:|---|---:|---:|---:|---:|---:|---:|---:|---:|---:|
+)";
+
+inline constexpr const char* plate_elements = R"(
+### Finite elements of balls on plates
+
+Of degree 6 and 8, with ball and plate both meshed and a plate wider than its waves get; made apart
+from stoss (`tests/data/plate_restitution.csv`).
+
+| body | ν | η | layers | η₂ | v | 1−ε², finite elements | uncertainty | 1−ε² | error | ratio | cutoff | ms |
+|---|---:|---:|---|---:|---:|---:|---:|---:|---:|---:|---:|---:|
+)";
+
+}  // namespace validate::text
