@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdio>
 #include <ctime>
+#include <exception>
 #include <functional>
 #include <iostream>
 #include <limits>
@@ -49,7 +50,8 @@ Answer answer_of(const stoss::RefinableContact& contact, double speed) {
              result.max_compression},
             result.converged,
             result.finest.cutoff * stoss::time_scale(contact.at(0))};
-  } catch (const stoss::NotConverged&) {
+  } catch (const std::exception& error) {
+    std::cerr << contact.at(0).second->name << ": " << error.what() << '\n';
     Answer none;
     none.value.fill({0.0, std::numeric_limits<double>::infinity()});
     return none;
