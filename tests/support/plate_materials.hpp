@@ -20,8 +20,7 @@ struct Slab {
 
   [[nodiscard]] bodies::plate::Sheet sheet() const {
     const double nu = poisson;
-    const double pressure =
-        in_plane ? young / (1.0 - nu * nu) : young * (1.0 - nu) / ((1.0 + nu) * (1.0 - 2.0 * nu));
+    const double pressure = in_plane ? young / (1.0 - nu * nu) : young * (1.0 - nu) / ((1.0 + nu) * (1.0 - 2.0 * nu));
     return {thickness, 0.5 * young / (1.0 + nu), pressure, density};
   }
   [[nodiscard]] bodies::plate::Lamina lamina() const {
@@ -39,7 +38,7 @@ inline void PrintTo(const Slab& slab, std::ostream* out) {
   *out << (slab.in_plane ? "strip " : "plate ") << slab.poisson;
 }
 
-inline const std::vector<Slab> every_slab{{-0.95}, {-0.5}, {0.0},       {0.3},      {0.45},
+inline const std::vector<Slab> every_slab{{-0.95},  {-0.5},       {0.0},        {0.3},      {0.45},
                                           {0.4999}, {-0.5, true}, {0.33, true}, {0.9, true}};
 
 }  // namespace stoss::test

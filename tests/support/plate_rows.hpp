@@ -22,8 +22,8 @@ inline Plate plate_of(const CsvRow& row) {
     layers.push_back(layer);
   }
   const Layer& top = layers.front();
-  return {top.thickness, top.poisson, top.young, top.density, row.number("loss_time"),
-          {layers.begin() + 1, layers.end()}};
+  return {
+      top.thickness, top.poisson, top.young, top.density, row.number("loss_time"), {layers.begin() + 1, layers.end()}};
 }
 
 }  // namespace stoss::test

@@ -1,7 +1,7 @@
 #pragma once
 
-#include <boost/multiprecision/cpp_bin_float.hpp>
 #include <algorithm>
+#include <boost/multiprecision/cpp_bin_float.hpp>
 #include <cmath>
 
 namespace stoss::test {

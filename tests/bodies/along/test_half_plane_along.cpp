@@ -30,7 +30,7 @@ class HalfPlaneAlong : public ::testing::TestWithParam<double> {
 // What all waves of a wave number make of slow forces is known in closed form, in both directions and between them.
 TEST_P(HalfPlaneAlong, HasTheWavesOfItsStaticResponse) {
   using namespace bodies::half_space;
-  for (const PlaneWaves& waves : plane_waves(medium, cutoff, duration, {})) {
+  for (const bodies::PlaneWaves& waves : plane_waves(medium, cutoff, duration, {})) {
     Flexibility slow = waves.residual_compliance, moment = waves.residual_second_moment;
     for (std::size_t l = 0; l < waves.omega.size(); ++l) {
       const double share = 1.0 / (waves.omega[l] * waves.omega[l]);

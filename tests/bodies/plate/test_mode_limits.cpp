@@ -64,8 +64,8 @@ TEST_P(ModesOf, ThickPlateCarriesRayleighsWave) {
     return std::pow(2.0 - x, 2) - 4.0 * std::sqrt((1.0 - x) * (1.0 - ratio * x));
   };
   std::uintmax_t most = 200;
-  const auto [low, high] =
-      boost::math::tools::toms748_solve(rayleigh, 0.05, 1.0 - 1e-9, boost::math::tools::eps_tolerance<double>(50), most);
+  const auto [low, high] = boost::math::tools::toms748_solve(rayleigh, 0.05, 1.0 - 1e-9,
+                                                             boost::math::tools::eps_tolerance<double>(50), most);
   const double speed = its.shear_speed() * std::sqrt(0.5 * (low + high));
   for (const double kh : {150.0, 400.0}) {
     const double k = kh / its.thickness;
