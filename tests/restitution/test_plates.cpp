@@ -30,10 +30,13 @@ std::string name_of(const test::CsvRow& row) {
 /// Where the plate throws the ball back, or not, more than once, is not settled yet.
 bool bounces_again(const test::CsvRow& row) { return row.text("contacts") != "1" && row.text("contacts") != "1/1"; }
 
-void expect_agreement(double tolerance) {
+/// A ball that hardly leaves takes many times as long as all the others together.
+bool is_left_behind(const test::CsvRow& row) { return row.number("lost_fraction") > 0.999; }
+
+void expect_agreement(double tolerance, bool of_all) {
   int rows = 0, missed = 0;
   for (const auto& row : test::read_csv("plate_restitution.csv")) {
-    if (bounces_again(row)) continue;
+    if (bounces_again(row) || (!of_all && is_left_behind(row))) continue;
     ++rows;
     SCOPED_TRACE(name_of(row));
     const Restitution found = restitution(contact_of(row), row.number("speed"), {.tolerance = tolerance});
@@ -49,13 +52,13 @@ void expect_agreement(double tolerance) {
     EXPECT_NEAR(found.max_force.value * mass, row.number("max_force"),
                 found.max_force.error * mass + row.number("max_force_uncertainty"));
   }
-  EXPECT_GE(rows, 29);
+  EXPECT_GE(rows, of_all ? 29 : 28);
   EXPECT_LE(missed, 1);  // the last ring of a fast ball leaves when it pleases; one error in twenty may be too small
 }
 
-TEST(RestitutionOnAPlate, AgreesWithFiniteElementsWithinBothErrors) { expect_agreement(3e-3); }
+TEST(RestitutionOnAPlate, AgreesWithFiniteElementsWithinBothErrors) { expect_agreement(1e-3, false); }
 
-TEST(RestitutionOnAPlate, AgreesWithFiniteElementsCloserToo_long) { expect_agreement(1e-4); }
+TEST(RestitutionOnAPlate, AgreesWithFiniteElementsCloserToo_long) { expect_agreement(1e-4, true); }
 
 TEST(RestitutionOnAPlate, ClosesItsLedger) {
   for (const double thickness : {0.7, 2.0}) {

@@ -75,7 +75,9 @@ struct PlateElements {
 
   /// Lagrange's polynomials of the nodes −cos(πi/n), and their derivatives.
   static Shapes shapes(double x, Eigen::Index degree) {
-    const auto node = [&](Eigen::Index i) { return -std::cos(std::numbers::pi * static_cast<double>(i) / static_cast<double>(degree)); };
+    const auto node = [&](Eigen::Index i) {
+      return -std::cos(std::numbers::pi * static_cast<double>(i) / static_cast<double>(degree));
+    };
     Shapes its{Eigen::VectorXd(degree + 1), Eigen::VectorXd::Zero(degree + 1)};
     for (Eigen::Index i = 0; i <= degree; ++i) {
       double value = 1.0, slope = 0.0;
