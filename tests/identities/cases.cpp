@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
-#include <numbers>
 
 #include "stoss/bodies/half_space.hpp"
+#include "stoss/bodies/plate.hpp"
 #include "stoss/restitution/ladder.hpp"
 
 namespace stoss::test {
@@ -63,6 +63,11 @@ const Named half_space_beside{"half_space", Sphere{0.2, 1.0, 2.0, 3.0}};
 const Named lossy_half_plane{"half_plane", Disk{0.2, 1.0, 2.0, 3.0, 0.03}};
 const Named lossy_half_space{"half_space", Sphere{0.2, 1.0, 2.0, 3.0, 0.03}};
 
+// Waves are back from their other face while they are met.
+constexpr double thickness = 1.5;
+const Named strip_beside{"strip", half_plane_beside.solid}, plate_beside{"plate", half_space_beside.solid};
+const Named lossy_strip{"strip", lossy_half_plane.solid}, lossy_plate{"plate", lossy_half_space.solid};
+
 double loss_time_of(const Solid& solid) {
   return std::visit([](const auto& body) { return body.loss_time; }, solid);
 }
@@ -75,7 +80,7 @@ double cutoff_of(const Case& its) {
 }
 
 void add(const Named& first, const Named* second, const Meeting& meeting, std::vector<Case>& cases,
-         bool half_space = false) {
+         bool half_space = false, double thickness = 0.0) {
   for (const double speed : meeting.speeds) {
     Case its;
     its.name = first.name + (second == nullptr ? "" : "_" + second->name) + "_" + meeting.name + "_" +
@@ -83,6 +88,7 @@ void add(const Named& first, const Named* second, const Meeting& meeting, std::v
     its.first = first.solid;
     if (second != nullptr) its.second = second->solid;
     its.half_space = half_space;
+    its.thickness = thickness;
     its.soft = meeting.soft;
     its.tail = meeting.tail;
     its.speed = speed;
@@ -106,6 +112,14 @@ const Named* half_space_for(const Solid& solid) {
   return nullptr;
 }
 
+/// The plate or strip that some bodies meet.
+const Named* plate_for(const Named& body) {
+  if (body.name == "sphere_30") return &plate_beside;
+  if (body.name == "disk_33") return &strip_beside;
+  if (body.name == "lossy_sphere") return &lossy_plate;
+  return body.name == "lossy_disk" ? &lossy_strip : nullptr;
+}
+
 std::vector<Case> make_cases() {
   std::vector<Case> cases;
   for (const Named& body : bodies) {
@@ -118,6 +132,9 @@ std::vector<Case> make_cases() {
     }
     if (const Named* solid = half_space_for(body.solid)) {
       for (const Meeting& meeting : between_bodies) add(body, solid, meeting, cases, true);
+    }
+    if (const Named* solid = plate_for(body)) {
+      for (const Meeting& meeting : between_bodies) add(body, solid, meeting, cases, true, thickness);
     }
   }
   return cases;
@@ -140,11 +157,16 @@ void resize_round(Solid& solid, double length, double modulus, double density) {
   resize(std::get<Disk>(solid));
 }
 
-BodyMaker half_space_of(const Solid& solid) {
-  if (const auto* ball = std::get_if<Sphere>(&solid)) {
+/// A half-space, a half-plane, a plate or a strip.
+BodyMaker unbounded_of(const Case& its) {
+  if (const auto* ball = std::get_if<Sphere>(&*its.second)) {
+    if (its.thickness > 0.0)
+      return plate(Plate{its.thickness, ball->poisson, ball->young, ball->density, ball->loss_time});
     return half_space(HalfSpace{ball->poisson, ball->young, ball->density, ball->loss_time});
   }
-  const Disk& round = std::get<Disk>(solid);
+  const Disk& round = std::get<Disk>(*its.second);
+  if (its.thickness > 0.0)
+    return strip(Strip{its.thickness, round.poisson, round.young, round.density, round.loss_time});
   return half_plane(HalfPlane{round.poisson, round.young, round.density, round.loss_time});
 }
 
@@ -188,7 +210,7 @@ BodyMaker maker(const Solid& solid) {
 
 Contact contact_of(const Case& its) {
   if (its.soft) return contact(maker(its.first)(its.cutoff, {}), ExponentialWall{500.0, 1.0});
-  if (its.half_space) return contact(maker(its.first), half_space_of(*its.second), its.cutoff, its.speed);
+  if (its.half_space) return contact(maker(its.first), unbounded_of(its), its.cutoff, its.speed);
   if (its.second) return contact(maker(its.first), maker(*its.second), its.cutoff);
   return contact(maker(its.first)(its.cutoff, {}));
 }
@@ -219,27 +241,8 @@ Case in_units(const Case& its, double length, double modulus, double density) {
   Case other = its;
   other.first = measured(its.first);
   if (its.second) other.second = measured(*its.second);
+  other.thickness *= length;
   return other;
-}
-
-double wave_speed(const Solid& solid) {
-  return std::visit([](const auto& body) { return std::sqrt(body.young / body.density); }, solid);
-}
-
-double size(const Solid& solid) {
-  const auto* slender = std::get_if<Rod>(&solid);
-  if (slender != nullptr) return slender->length;
-  if (const auto* ball = std::get_if<Sphere>(&solid)) return ball->radius;
-  return std::get<Disk>(solid).radius;
-}
-
-double mass(const Solid& solid) {
-  if (const auto* slender = std::get_if<Rod>(&solid)) return slender->density * slender->area * slender->length;
-  if (const auto* ball = std::get_if<Sphere>(&solid)) {
-    return 4.0 * std::numbers::pi / 3.0 * ball->density * std::pow(ball->radius, 3);
-  }
-  const Disk& round = std::get<Disk>(solid);
-  return std::numbers::pi * round.density * round.radius * round.radius;
 }
 
 }  // namespace stoss::test

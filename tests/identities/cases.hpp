@@ -3,19 +3,13 @@
 #include <optional>
 #include <ostream>
 #include <string>
-#include <variant>
 #include <vector>
 
-#include "stoss/bodies/disk.hpp"
-#include "stoss/bodies/rod.hpp"
-#include "stoss/bodies/sphere.hpp"
+#include "identities/solids.hpp"
 #include "stoss/contact/contact.hpp"
 #include "stoss/contact/wall.hpp"
 
 namespace stoss::test {
-
-/// A body as a value.
-using Solid = std::variant<Disk, Rod, Sphere>;
 
 /// Who meets what, how fast: a line of the table of the identity suite.
 struct Case {
@@ -23,6 +17,7 @@ struct Case {
   Solid first;
   std::optional<Solid> second;  ///< none: a wall
   bool half_space = false;      ///< of the material of `second`, whose size means nothing
+  double thickness = 0.0;       ///< of a plate or strip in its stead; 0: a half-space or half-plane
   bool soft = false;            ///< an exponential wall
   Tail tail = Tail::radiating;  ///< at a hard wall and between two bodies
   double speed = 0.0;
@@ -57,10 +52,5 @@ inline void PrintTo(const Case& its, std::ostream* out) { *out << its.name; }
 
 /// The same bodies measured in other units of length, modulus and density.
 [[nodiscard]] Case in_units(const Case& its, double length, double modulus, double density);
-
-/// Wave speed and mass of a body, from its definition alone.
-[[nodiscard]] double wave_speed(const Solid& solid);
-[[nodiscard]] double size(const Solid& solid);
-[[nodiscard]] double mass(const Solid& solid);
 
 }  // namespace stoss::test
