@@ -97,7 +97,9 @@ class Search {
       for (const Root& root : roots) add(root);
       return;
     }
-    if (modes == 1 && low.held == high.held) return add(root_between(low.omega, high.omega));
+    if (modes == 1 && low.held == high.held) {
+      if (const std::optional<Root> root = root_between(low.omega, high.omega)) return add(*root);
+    }
     const double middle = 0.5 * (low.omega + high.omega), width = high.omega - low.omega;
     if (width < nearest * middle || (width < apart * middle && modes == within(middle, 25.0 * width))) {
       return add_cluster(middle, width, modes);
@@ -114,17 +116,21 @@ class Search {
     return probe(omega + distance).modes - probe(omega - distance).modes;
   }
 
-  [[nodiscard]] Root root_between(double low, double high) const {
-    if (const std::optional<Root> root = root_from(0.5 * (low + high), low, high)) return *root;
+  /// Unless rounding hides a root.
+  [[nodiscard]] std::optional<Root> root_between(double low, double high) const {
+    if (const std::optional<Root> root = root_from(0.5 * (low + high), low, high)) return root;
     constexpr int bits = 51;
     std::uintmax_t evaluations = 100;
     const auto function = [this](double omega) { return determinant(stack<N>(sheets_, k_, omega * omega).stiffness); };
+    const double at_low = function(low), at_high = function(high);
+    if (!((at_low < 0.0 && at_high > 0.0) || (at_low > 0.0 && at_high < 0.0))) return {};
     const auto [from, to] = boost::math::tools::toms748_solve(
-        function, low, high, boost::math::tools::eps_tolerance<double>(bits), evaluations);
-    return step_from(0.25 * (from + to) * (from + to));
+        function, low, high, at_low, at_high, boost::math::tools::eps_tolerance<double>(bits), evaluations);
+    const Root root = step_from(0.25 * (from + to) * (from + to));
+    return root.z > low * low && root.z < high * high ? std::optional(root) : std::nullopt;
   }
 
-  /// By Newton's method, unless it leaves the frequencies between two.
+  /// By Newton's method, unless it leaves the frequencies between two or does not converge at once.
   [[nodiscard]] std::optional<Root> root_from(double guess, double low, double high) const {
     constexpr int most = 8;
     constexpr double close = 1e-12;  // the step from there ends at rounding

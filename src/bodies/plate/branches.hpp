@@ -24,9 +24,10 @@ struct Branches {
 
 /// Finds them.
 ///
-/// The number of modes below any frequency is counted exactly (Wittrick and Williams), so that none is missed; between
-/// two frequencies with one mode it is a root of the determinant of the stiffness Q(ω²), and φφᵀ is its residue. The
-/// others follow from mean values of R(z) = Q⁻¹(z) − Σ φφᵀ/(ω² − z), which has no singularity up to the cutoff, on a
+/// A mode is a root of the determinant of the stiffness Q(ω²), and φφᵀ its residue. The number of modes below any
+/// frequency is counted exactly (Wittrick and Williams): the roots that Newton's method finds near the guesses are all
+/// of them if they are as many; else the others are isolated by counts, so that none is missed. What is above the
+/// cutoff follows from mean values of R(z) = Q⁻¹(z) − Σ φφᵀ/(ω² − z), which has no singularity up to there, on a
 /// circle: R(0) and R′(0).
 /// @param guess frequencies near which modes may be: those of a wave number nearby, or none
 template <int N>

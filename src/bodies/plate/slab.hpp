@@ -64,6 +64,17 @@ template <typename T, int N>
   }
 }
 
+/// Whether its lower face, and the one between two of it, are so stiff against what comes through that few digits are
+/// lost.
+template <typename T, int N>
+[[nodiscard]] bool is_far_from_vibrations(const ThickSlab<T, N>& its) {
+  constexpr double close = 1e-3;
+  for (int i = 0; i < N; ++i) {
+    if (magnitude(its.stiffness(i, i)) < close * magnitude(its.through(i, i))) return false;
+  }
+  return true;
+}
+
 /// Two equal slabs, one on the other. The vibrations of both that are held are as many more as the stiffness of the
 /// face between them, which is diagonal, has negative eigenvalues (W. H. Wittrick and F. W. Williams, Q. J. Mech. Appl.
 /// Math. 24, 263, 1971).
@@ -214,11 +225,18 @@ template <int N, typename T, typename On>
   const double phase = sheet.thickness * std::max(k, std::sqrt(square));
   const auto thin_slab_of = [&](double thickness) { return thin_slab(equations<N, T>(sheet, k, z, thickness)); };
   if (phase <= thin) return on(thin_slab_of(sheet.thickness));
-  const int doublings = static_cast<int>(std::ceil(std::log2(std::max(phase / thin - 1.0, 1.0))));
-  const auto slab = thin_slab_of(sheet.thickness / (std::ldexp(1.0, doublings) + 1.0));
-  ThickSlab<T, N> all = thick(slab);
-  for (int n = 0; n < doublings; ++n) all = doubled(all);
-  return stacked(on(all), slab);
+  const int least = static_cast<int>(std::ceil(std::log2(std::max(phase / thin - 1.0, 1.0))));
+  constexpr int more = 4;  // to be tried if some of the slabs happen to have a vibration very near to z
+  for (int doublings = least;; ++doublings) {
+    const auto slab = thin_slab_of(sheet.thickness / (std::ldexp(1.0, doublings) + 1.0));
+    ThickSlab<T, N> all = thick(slab);
+    bool is_safe = is_far_from_vibrations(all);
+    for (int n = 0; n < doublings; ++n) {
+      all = doubled(all);
+      is_safe = is_safe && is_far_from_vibrations(all);
+    }
+    if (is_safe || doublings == least + more) return stacked(on(all), slab);
+  }
 }
 
 }  // namespace stoss::bodies::plate
