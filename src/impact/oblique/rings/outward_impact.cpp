@@ -84,10 +84,13 @@ class OutwardCollision {
   [[nodiscard]] bool overflows() const { return nodes_.extent() == static_cast<std::size_t>(rings_); }
 
   [[nodiscard]] bool over() const {
-    if (total_ > 0.0 || velocity_ >= 0.0) return false;
+    if (!parts()) return false;
     const double reach = block_.modes.reach(0, static_cast<std::size_t>(rings_));
     return compression_ + reach + moved_x_.cwiseAbs().maxCoeff() < -range_;
   }
+
+  /// Whether the bodies part at present.
+  [[nodiscard]] bool parts() const { return total_ <= 0.0 && velocity_ < 0.0; }
 
   [[nodiscard]] double flight() const { return std::max(0.0, -compression_) + 4.0 * std::max(range_, 0.0); }
 
@@ -158,6 +161,7 @@ std::optional<OutwardImpact> run_outward(const Contact& contact, const Contact& 
   const double most = (longest_duration(contact) + collision.flight() / speed) / resolution.step;
   for (long step = 1; !collision.over(); ++step) {
     if (static_cast<double>(step) > most) {
+      if (contact.gives_way && collision.parts()) break;
       if (contact.unbounded) throw Outlasted(static_cast<double>(step) * resolution.step, echo_time(contact));
       throw NotConverged("impact: the contact has not ended after " + std::to_string(step) + " steps");
     }

@@ -28,6 +28,7 @@ std::optional<ObliqueImpact> run_coupled(const Contact& contact, const std::vect
   if (observation.observer) collision.show(observation.observer);
   for (long step = 1; !collision.over(); ++step) {
     if (static_cast<double>(step) > steps) {
+      if (contact.gives_way && collision.parts()) break;
       if (contact.unbounded) throw Outlasted(static_cast<double>(step) * resolution.step, echo_time(contact));
       steps += collision.steps_to_leave();
     }

@@ -141,8 +141,10 @@ double ObliqueCollision::reach() const {
   return even_.modes.reach(0, points_.count) + odd_.modes.reach(points_.count, 2 * points_.count);
 }
 
+bool ObliqueCollision::parts() const { return !history_.in_contact() && rigid_.velocity() < 0.0; }
+
 bool ObliqueCollision::over() {
-  if (history_.in_contact() || rigid_.velocity() >= 0.0) return false;
+  if (!parts()) return false;
   if (reach_ < 0.0 || (lossy_ && history_.steps() % ContactHistory::sampling == 0)) reach_ = reach();
   return rigid_.compression() + reach_ + moved_x_.cwiseAbs().maxCoeff() < -range_;
 }

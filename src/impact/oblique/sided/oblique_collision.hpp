@@ -35,7 +35,10 @@ class ObliqueCollision {
   /// The contact has reached the end of the grid, so that the result is void.
   [[nodiscard]] bool overflows() const { return nodes_.extent() == points_.count; }
 
-  /// The bodies recede and can touch no more.
+  /// The bodies part at present.
+  [[nodiscard]] bool parts() const;
+
+  /// They recede and can touch no more.
   [[nodiscard]] bool over();
 
   /// Distance at which bodies that vibrate freely, as at present, do not touch.
