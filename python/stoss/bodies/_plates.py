@@ -166,7 +166,5 @@ class Strip(Endless):
 def lower_face(against: Any, body: Any) -> float:
     """Its depth, in radii of the body that it meets; infinite of what has none."""
     layers = getattr(against, "layers", None) or [against]
-    thicknesses = [getattr(each, "thickness", None) for each in layers]
-    if any(each is None for each in thicknesses):
-        return float("inf")
-    return float(sum(thicknesses) / body.radius)
+    known = [each.thickness for each in layers if getattr(each, "thickness", None) is not None]
+    return float(sum(known) / body.radius) if len(known) == len(layers) else float("inf")
