@@ -72,11 +72,11 @@ TEST(CInterface, PairsAreThoseOfCpp) {
   CBody plate, strip;
   CContact on_plate, on_strip;
   ASSERT_EQ(stoss_plate_make(1.5, 0.22, 0.5, 0.4, 0.0, &plate), STOSS_OK);
-  ASSERT_EQ(stoss_strip_make(0.8, 0.2, 0.5, 0.4, 0.1, &strip), STOSS_OK);
+  ASSERT_EQ(stoss_strip_make(3.0, 0.2, 0.5, 0.4, 0.1, &strip), STOSS_OK);
   ASSERT_EQ(stoss_pair_contact_make(sphere, plate, &on_plate), STOSS_OK) << stoss_message();
   ASSERT_EQ(stoss_pair_contact_make(disk, strip, &on_strip), STOSS_OK) << stoss_message();
   expect_same(on_plate, {stoss::sphere(0.3), stoss::plate(Plate{1.5, 0.22, 0.5, 0.4, 0.0})});
-  expect_same(on_strip, {stoss::disk(0.33), stoss::strip(Strip{0.8, 0.2, 0.5, 0.4, 0.1})});
+  expect_same(on_strip, {stoss::disk(0.33), stoss::strip(Strip{3.0, 0.2, 0.5, 0.4, 0.1})});
   expect_same(on_space, {stoss::sphere(0.3), half_space({0.22, 0.5, 0.4, 0.0})});
   expect_same(on_plane, {stoss::rigid(stoss::disk(0.33)), half_plane({0.2, 0.5, 0.4, 0.1})});
 }
