@@ -198,8 +198,8 @@ class Search {
       found_.second_moment = static_second_moment<N>(sheets_, k_);
       return;
     }
-    constexpr int places = 8;
-    constexpr double share = 0.15;  // of the radius, in that of the next singularity at least
+    constexpr int places = 12;
+    constexpr double share = 0.35;  // of the radius, in that of the next singularity at least
     for_circle(share * cutoff * cutoff, places, [&](const Complex& z) {
       SmallMatrix<Complex, N> response = inverse(stack<N>(sheets_, k_, z).stiffness);
       for (std::size_t m = 0; m < found_.omega.size(); ++m) {
