@@ -35,11 +35,11 @@ describe.skipIf(missing !== '')(`the inputs of the page${missing && ` (${missing
 
   it('that are right in a link are kept, and one line says what was not', async () => {
     const page = await site.open('?body=cube&v=0.2&colour=red');
+    expect(await settled(page)).toMatch(/±/);
     const notice = await page.textContent('#notice');
     expect(notice).toContain('body: got “cube”, allowed disk, sphere, rod');
     expect(notice).toContain('colour: got an unknown key');
     expect(await page.inputValue('#field-speed')).toBe('0.2');
-    expect(await settled(page)).toMatch(/±/);
     await page.context().close();
   });
 
