@@ -92,7 +92,7 @@ def test_against_plates_as_against_all_else(command):
     assert (found.restitution, found.lost_to_second) == (row["restitution"], row["lost_to_second"])
     assert "Plate(thickness=2, poisson=0.3, young=0.5)" in repr(found)
     assert "Plate(3 layers)" in repr(stoss.restitution(IN_SI, against=LAMINATED, speed=1.0, tolerance=0.05))
-    disk, strip = stoss.Disk(poisson=0.3), stoss.Strip(thickness=0.5)
+    disk, strip = stoss.Disk(poisson=0.3), stoss.Strip(thickness=3)
     assert 0 < loss(disk, strip) < 1
 
 
