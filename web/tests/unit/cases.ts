@@ -13,7 +13,7 @@ const made = (name: string, size: number): Body =>
 const ratios = (numbers: Partial<Body>): Body => ({ ...unitBody, ...numbers });
 const ball = made('bearing steel', 0.005);
 const own: Body =
-  { poisson: 0.25, young: 1.5e11, density: 5000, radius: 0.004, length: 0.004, area: 2e-4, thickness: 0.003, loss_time: 1e-9 };
+  { poisson: 0.25, young: 1.5e11, density: 5000, radius: 0.004, length: 0.004, area: 2e-4, thickness: 0.03, loss_time: 1e-9 };
 
 const of = (encounter: Encounter, speed: number, kept: Encounter[] = []): Inputs =>
   ({ ...defaults, encounter, speed, kept });

@@ -16,7 +16,7 @@ describe('the command line', () => {
   it('has the thickness of a plate', () => {
     expect(lines[13]).toBe('stoss restitution --body sphere --poisson 0.3 ' +
       '--against plate,poisson=0.2,young=0.5,density=1,thickness=2 --speed 0.1');
-    expect(lines[14]).toContain(' --against strip,poisson=0.25,young=1.5e11,density=5000,thickness=0.003,loss_time=1e-9');
+    expect(lines[14]).toContain(' --against strip,poisson=0.25,young=1.5e11,density=5000,thickness=0.03,loss_time=1e-9');
   });
   it('is that of the collision rule where there is friction', () => {
     expect(ruleLine(defaults)).toBe(lines[0]);
@@ -48,7 +48,7 @@ describe('plates', () => {
   it('are blocks with a thickness in Python', () => {
     expect(pythonLines({ ...defaults, encounter, speed }).split('\n')[3]).toBe(
       'block = stoss.Plate(thickness=0.01, material=stoss.materials["glass"])');
-    expect(pythonLines(cases[14]!)).toContain('block = stoss.Strip(thickness=0.003, material=stoss.Material(');
+    expect(pythonLines(cases[14]!)).toContain('block = stoss.Strip(thickness=0.03, material=stoss.Material(');
   });
   it('are said in a few words', () => {
     expect(description(encounter)).toBe('bearing steel sphere 5 mm at glass plate 10 mm');
