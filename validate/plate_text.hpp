@@ -10,8 +10,8 @@ Balls on plates and disks on strips, judged in the same way at the default toler
 or 10⁻⁶, by `validate/data/reference_plates.csv`, and the finite elements
 [below](#finite-elements-of-balls-on-plates). A ball that stays is right where 1 − ε² of the
 reference is within its error. Columns as [above](#errors-against-true-errors). They must meet
-conditions 1 and 2. The third they do not: nearly all have converged at the lowest three cutoffs, and
-what is stated is at least 3·10⁻⁵ of 1 − ε², the share of the quadratures.
+conditions 1 and 2. The third they do not: nearly all have converged at the lowest three cutoffs,
+and what is stated is at least 3·10⁻⁵ of 1 − ε², the share of the quadratures.
 
 | bodies | quantity | points | within | strictly | maximum | error / true error | blurred |
 |---|---|---:|---:|---:|---:|---:|---:|
