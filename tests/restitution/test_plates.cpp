@@ -34,7 +34,6 @@ bool bounces_again(const test::CsvRow& row) { return row.text("contacts") != "1"
 bool is_left_behind(const test::CsvRow& row) { return row.number("lost_fraction") > 0.999; }
 
 void expect_agreement(double tolerance, bool of_all) {
-  constexpr double systematic = 0.01;  // by which the elements touch longer on three half-spaces whose times are known
   int rows = 0, missed = 0;
   for (const auto& row : test::read_csv("plate_restitution.csv")) {
     if (bounces_again(row) || (!of_all && is_left_behind(row))) continue;
@@ -45,7 +44,7 @@ void expect_agreement(double tolerance, bool of_all) {
     EXPECT_NEAR(found.lost_fraction.value, row.number("lost_fraction"),
                 found.lost_fraction.error + row.number("uncertainty"));
     missed += std::abs(found.contact_time.value - row.number("contact_time")) >
-                      found.contact_time.error + row.number("contact_time_uncertainty") + systematic
+                      found.contact_time.error + row.number("contact_time_uncertainty")
                   ? 1
                   : 0;
     EXPECT_NEAR(found.impulse_time.value, row.number("impulse_time"),
