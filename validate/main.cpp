@@ -28,6 +28,12 @@ int report(const std::string& path) {
   return honest ? 0 : 1;
 }
 
+bool plates() {
+  const validate::JudgedPlates judged = validate::judge_plates();
+  validate::write_plate_times(std::cout, judged);
+  return validate::write_plates(std::cout, judged);
+}
+
 int run(int argc, char** argv) {
   const std::string markdown = "--markdown=";
   const std::string first = argc > 1 ? argv[1] : "";
@@ -67,7 +73,7 @@ int run(int argc, char** argv) {
     validate::make_oblique_reference(argv[2]);
     return 0;
   }
-  if (first == "--plates" && argc == 2) return validate::write_plates(std::cout, validate::judge_plates()) ? 0 : 1;
+  if (first == "--plates" && argc == 2) return plates() ? 0 : 1;
   if (argc == 1) return report("");
   if (argc == 2 && first.rfind(markdown, 0) == 0) return report(first.substr(markdown.size()));
   std::cerr << "usage: stoss_validate [--markdown=FILE | --plates]\n       stoss_validate --make-reference FILE\n"

@@ -22,6 +22,9 @@ struct JudgedPlates {
 };
 JudgedPlates judge_plates();
 
+/// The processor times of the points, by speed.
+void write_plate_times(std::ostream& out, const JudgedPlates& judged);
+
 /// @return whether the errors are what is promised
 bool write_plates(std::ostream& out, const JudgedPlates& judged);
 

@@ -189,6 +189,7 @@ bool write_report(std::ostream& out) {
   std::cerr << "processor time\n";
   write_times(out);
   write_oblique_times(out, oblique);
+  write_plate_times(out, plates);
   out << text::tally;
   write_tallies(out, wall.points, wall.answers);
   out << text::unseen_tally;

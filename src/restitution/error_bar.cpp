@@ -16,8 +16,9 @@ struct Bar {
   double order;   ///< at which it falls with the cutoff, at most
   double safety;  ///< by which the maximum difference is multiplied
 };
-constexpr Bar rough{1.5, 4.0};   // an instant, and the peak of a force that jumps about
-constexpr Bar smooth{2.0, 6.0};  // what is integrated twice, or between two parts of the impulse
+constexpr Bar rough{1.5, 4.0};       // an instant, and the peak of a force that jumps about
+constexpr Bar last_touch{1.0, 4.0};  // of a ball that a plate follows: short waves delay it
+constexpr Bar smooth{2.0, 6.0};      // what is integrated twice, or between two parts of the impulse
 
 /// Maximum difference of a quantity from the coarser runs, each scaled to what is left of it.
 template <typename Quantity>
@@ -164,7 +165,8 @@ void conclude(const Contact& contact, double speed, const CurvatureCorrection& c
     return by_differences(runs, bar, order, quantity, least);
   };
   // An instant is known to half a step at either end, and so are the parts of an impulse that begins with a jump.
-  result.contact_time = estimate(rough, &Run::contact_time, last.resolution.step);
+  const double instants = (contact.gives_way ? 2.0 : 1.0) * last.resolution.step;
+  result.contact_time = estimate(contact.gives_way ? last_touch : rough, &Run::contact_time, instants);
   result.impulse_time = estimate(smooth, &Run::impulse_time, at_a_point ? last.resolution.step : 0.0);
   const double beyond = std::max(focus * std::sqrt(last.unresolved), at_a_point ? overshoot : 0.0);
   result.max_force = estimate(rough, &Run::max_force, beyond * last.max_force);
