@@ -61,7 +61,7 @@ TEST(SphereBody, HasTheComplianceOfTheSumOverDegreesAtAnyContactRadius) {
   for (const double poisson : {-0.5, 0.3, 0.49}) {
     for (const double width : {1.5, 0.1, 0.01, 1e-3, 1e-4}) {
       const ContactPoints points = rings(count, width);
-      const std::vector<double> w = bodies::sphere::sum_over_degrees({poisson, true, {}}, points, {});
+      const std::vector<double> w = bodies::sphere::sum_over_degrees({{poisson, true, {}}}, points, {});
       const auto largest = static_cast<long double>(w[0]);
       for (const auto& [i, j] : {std::pair<std::size_t, std::size_t>{0, 0}, {7, 3}, {23, 22}, {23, 0}}) {
         const double error = static_cast<double>((w[i * count + j] - plain_sum(poisson, points, i, j)) / largest);
@@ -93,19 +93,19 @@ TEST(SphereBody, IsTheWholeFlexibilityOnceItsModesAreBack) {
       }
     }
   }
-  const std::vector<double> all = bodies::sphere::sum_over_degrees({0.3, true, {}}, points, {});
+  const std::vector<double> all = bodies::sphere::sum_over_degrees({{0.3, true, {}}}, points, {});
   for (std::size_t k = 0; k < w.size(); ++k) EXPECT_NEAR(w[k], all[k], 1e-12 * all[0]);
   // In the second moment the degrees up to 8 cutoffs, here all up to Nyquist.
   std::vector<Flexibility> moments;
   for (int n = 0; n <= 200; ++n) moments.push_back(bodies::sphere::static_second_moment(0.3, n));
-  const std::vector<double> moment = bodies::sphere::sum_over_degrees({0.3, false, moments}, points, {});
+  const std::vector<double> moment = bodies::sphere::sum_over_degrees({{0.3, false, moments}}, points, {});
   for (std::size_t k = 0; k < v.size(); ++k) EXPECT_NEAR(v[k], moment[k], 1e-12 * moment[0]);
 }
 
 TEST(SphereBody, ResolvesTheRingsOfASmallerPartner) {
   constexpr std::size_t count = 48;
   const auto softest = [](const ContactPoints& points) {
-    const std::vector<double> w = bodies::sphere::sum_over_degrees({0.3, true, {}}, points, {});
+    const std::vector<double> w = bodies::sphere::sum_over_degrees({{0.3, true, {}}}, points, {});
     const auto size = static_cast<Eigen::Index>(points.count);
     const Eigen::Map<const Eigen::MatrixXd> matrix(w.data(), size, size);
     return Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(matrix, Eigen::EigenvaluesOnly).eigenvalues()(0);
