@@ -48,13 +48,23 @@ void BodyOptions::add_poisson_to(CLI::App& command) {
       "Poisson's ratio, -0.95 to 0.995 of a disk, to 0.4999 of a sphere; with\na material: of the solid", "NU", "Body");
 }
 
-void BodyOptions::add_kind_to(CLI::App& command, const std::vector<std::string>& kinds) {
+void BodyOptions::add_kind_to(CLI::App& command, const std::vector<std::string>& kinds, bool files) {
   kinds_ = kinds;
   std::string help = "Kind of body (default: disk)";
   for (const std::string& name : kinds) {
     if (parameter(kind(name), "poisson") == nullptr) help += "; a " + name + " has no Poisson's ratio";
   }
-  add_choice(command, "--body", kind_, kinds, help, "BODY", "Body");
+  if (!files) {
+    add_choice(command, "--body", kind_, kinds, help, "BODY", "Body");
+    return;
+  }
+  const auto one_of = [choices = CLI::IsMember(kinds)](std::string& text) {
+    return names_file(text) ? std::string() : choices(text);
+  };
+  command.add_option("--body", kind_, help + "; @FILE: any\nbody by its modes at a point")
+      ->check(CLI::Validator(one_of, CLI::IsMember(kinds).get_description()))
+      ->type_name("BODY")
+      ->group("Body");
 }
 
 void BodyOptions::add_dynamics_to(CLI::App& command) {
@@ -119,8 +129,12 @@ bool BodyOptions::in_si() const {
 }
 
 Participant BodyOptions::body() const {
-  const Kind& its = kind(kind_);
+  const Kind& its = kind(names_file(kind_) ? "modal" : kind_);
   require_own(its);
+  if (its.from_file) {
+    if (!material_.empty()) throw InvalidInput("material: got --material beside a file, allowed none: it has one");
+    return modal_from_file("body", kind_);
+  }
   Participant body{.kind = kind_, .material_name = material_, .rigid = rigid_};
   if (plane_ == "strain") body.plane = Plane::strain;
   for (const auto& [name, value] : numbers_) {

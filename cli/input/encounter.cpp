@@ -5,11 +5,13 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cstdint>
 #include <map>
 
 #include "app.hpp"
 #include "input/words.hpp"
 #include "process/text.hpp"
+#include "stoss/encounter/modal_file.hpp"
 #include "stoss/encounter/series.hpp"
 #include "stoss/errors.hpp"
 
@@ -69,10 +71,13 @@ Participant parse_numbers(const Kind& its, const std::vector<std::string>& parts
 /// What --against says: KIND[,key=value…], with the numbers of further layers after slashes.
 /// @throws InvalidInput for an unknown kind or key, a key that comes twice, and what is no number
 Participant parse_against(const std::string& text, const Participant& first) {
+  if (names_file(text)) return modal_from_file("against", text);
   const std::vector<std::string> layers = split(text, '/');
   const std::vector<std::string> parts = split(layers.front(), ',');
   std::vector<std::string> names;
-  for (const Kind& each : kinds()) names.emplace_back(each.name);
+  for (const Kind& each : kinds()) {
+    if (!each.from_file) names.emplace_back(each.name);
+  }
   const std::string name = without_spaces(parts.front());
   if (std::find(names.begin(), names.end(), name) == names.end()) refuse_word("against", name, names);
   const Kind& its = kind(name);
@@ -97,8 +102,20 @@ std::optional<double> poisson_of(const Solid& solid) {
 
 bool is_size(const Parameter& parameter) { return !parameter.of_material && parameter.name != "loss_time"; }
 
+/// A body of a file: what it is, and what tells it from others.
+void describe_modal(const std::string& prefix, const ModalBody& its, Json& inputs) {
+  inputs[prefix + "name"] = its.name;
+  if (!its.origin.empty()) inputs[prefix + "origin"] = its.origin;
+  inputs[prefix + "mass[kg]"] = its.mass;
+  inputs[prefix + "modes"] = its.modes.size();
+  std::uint64_t digest = 14695981039346656037U;  // Fowler, Noll and Vo
+  for (const char c : to_json(its)) digest = (digest ^ static_cast<unsigned char>(c)) * 1099511628211U;
+  inputs[prefix + "digest"] = fmt::format("{:016x}", digest);
+}
+
 /// A material and the sizes that go with it. @param prefix of the names
 void describe_in_si(const std::string& prefix, const Participant& of, Json& inputs) {
+  if (of.modal) describe_modal(prefix, *of.modal, inputs);
   const Kind& its = kind(of.kind);
   if (!of.material_name.empty()) inputs[prefix + "material"] = of.material_name;
   inputs[prefix + "material_young[Pa]"] = of.material->young;
@@ -157,18 +174,19 @@ void describe_against(const Encounter& encounter, Json& inputs) {
 }  // namespace
 
 void EncounterOptions::add_to(CLI::App& to, bool exponential, const std::string& note) {
-  first.add_kind_to(to, {"disk", "sphere", "rod"});
+  first.add_kind_to(to, {"disk", "sphere", "rod"}, true);
   first.add_dynamics_to(to);
   first.add_material_to(to, true);
   std::string help =
       "What the body meets (default: wall); numbers in units of the first, or\nin SI if it has a material";
   std::vector<std::string_view> names;
   for (const Kind& its : kinds()) {
-    if (its.name == "exponential" && !exponential) continue;
+    if (its.from_file || (its.name == "exponential" && !exponential)) continue;
     help += lines_of(its);
     names.push_back(its.name);
   }
-  const std::string type = fmt::format("{{{}}}[,KEY=VALUE]...", fmt::join(names, ","));
+  help += "\n  @FILE: " + std::string(kind("modal").help);
+  const std::string type = fmt::format("{{{}}}[,KEY=VALUE]...|@FILE", fmt::join(names, ","));
   add(to, "--against", against, help + note, type, "Against");
 }
 

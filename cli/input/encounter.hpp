@@ -19,8 +19,8 @@ class BodyOptions {
   /// --poisson, which commands place before their own.
   void add_poisson_to(CLI::App& command);
 
-  /// --body. @param kinds that it takes
-  void add_kind_to(CLI::App& command, const std::vector<std::string>& kinds);
+  /// --body. @param kinds that it takes @param files whether it takes @FILE too
+  void add_kind_to(CLI::App& command, const std::vector<std::string>& kinds, bool files = false);
 
   /// --rigid-body and --loss-time.
   void add_dynamics_to(CLI::App& command);
@@ -47,6 +47,13 @@ class BodyOptions {
   std::string material_, plane_;
   bool rigid_ = false;
 };
+
+/// Whether it is @FILE.
+[[nodiscard]] inline bool names_file(const std::string& text) { return text.starts_with('@'); }
+
+/// The body of a file, by its modes at a point. @param text @FILE
+/// @throws InvalidInput for a file that cannot be read, and as modal_body_from_json
+[[nodiscard]] Participant modal_from_file(const std::string& option, const std::string& text);
 
 /// Gives a body in SI the material of its name or, in place of them, of its numbers. Sizes that are missing, and
 /// numbers beside a named material, are for validate.

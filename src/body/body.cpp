@@ -69,6 +69,8 @@ double whole_mass(const Body& body) { return body.mass + body.part.beyond; }
 
 bool is_unbounded(const Body& body) { return std::isinf(body.part.beyond); }
 
+bool is_known_at_a_point(const Body& body) { return std::isfinite(body.known.reach); }
+
 bool is_whole(const Body& body) { return body.part.size >= 1.0 && !is_unbounded(body); }
 
 Body rigid(const Body& body) {

@@ -51,6 +51,10 @@ Contact contact(std::shared_ptr<const Body> body, const Wall& wall) {
     throw InvalidInput("against: got a wall for '" + body->name +
                        "', allowed only a body that moves and deforms (or an elastic body to meet)");
   }
+  if (body->contour == Contour::ball && body->curvature == 0.0) {
+    throw InvalidInput("curvature: got a plane surface of '" + body->name +
+                       "' for a wall, allowed a curved one (they would touch all over)");
+  }
   Contact contact;
   contact.wall = wall;
   contact.mass = body->mass;

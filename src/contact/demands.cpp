@@ -52,7 +52,11 @@ double longest_duration(const Contact& contact) {
   // A contact that outlasts what stands for a half-space is given up soon after.
   if (contact.gives_way) return echo_time(contact);
   if (contact.unbounded) return 2.0 * echo_time(contact);
-  return (touch(contact).circle ? of_balls : usual) * longest_time(contact);
+  if (!touch(contact).circle) return usual * longest_time(contact);
+  // Of the mass of a sphere; heavier ones take longer, as Hertz has it.
+  constexpr double of_a_sphere = 4.1887902047863910;
+  const double heavier = std::pow(std::max(1.0, contact.whole_mass / of_a_sphere), 0.4);
+  return of_balls * heavier * longest_time(contact);
 }
 
 }  // namespace stoss

@@ -19,7 +19,9 @@ namespace {
 /// behind its widest place a disk touches only a body of its own size (or the wall, where the model means little).
 double greatest_angle(const Contact& contact) {
   constexpr double before_the_widest = 0.95;  // where points at equal angles crowd together on a plane
-  if (contact.unbounded) return before_the_widest * 0.5 * std::numbers::pi;
+  const bool at_a_point =
+      is_known_at_a_point(*contact.first) || (contact.second != nullptr && is_known_at_a_point(*contact.second));
+  if (contact.unbounded || at_a_point) return before_the_widest * 0.5 * std::numbers::pi;
   const bool same_size = contact.second == nullptr || contact.second->scale.length == contact.first->scale.length;
   const bool all_around = same_size && std::holds_alternative<HardWall>(contact.wall);
   return all_around ? std::numbers::pi : 0.5 * std::numbers::pi;

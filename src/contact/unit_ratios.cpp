@@ -29,6 +29,15 @@ void require_contours(const Body& first, const Body& second) {
                      "and half-spaces, a rod rods)");
 }
 
+/// Refuses a contact that is far from a circle. @param other curvature of what the body meets, in its units
+void require_round(const Body& body, double other) {
+  constexpr double most = 4.0;
+  const double mean = body.curvature + other, half = 0.5 * body.curvature_difference;
+  if (mean > half && mean + half <= most * (mean - half)) return;
+  throw InvalidInput("curvature: got principal curvatures of '" + body.name +
+                     "' that make a long contact with what it meets, allowed relative ones up to 4 : 1");
+}
+
 }  // namespace
 
 UnitRatios units_of(const Contact& contact, int number) {
@@ -53,8 +62,16 @@ void require_partners(const Body& first, const Body& second) {
   if (first.softness == 0.0 && second.softness == 0.0) {
     throw InvalidInput("rigid: got two rigid bodies, allowed one (the other must deform)");
   }
+  if (first.contour == Contour::ball && first.curvature + second.curvature == 0.0) {
+    throw InvalidInput("curvature: got a plane surface of '" + first.name + "' and of '" + second.name +
+                       "', allowed one (they would touch all over)");
+  }
   const UnitRatios units(second, first);
-  if (is_unbounded(second)) {
+  if (first.curvature_difference > 0.0) require_round(first, second.curvature / units.length);
+  if (second.curvature_difference > 0.0) require_round(second, first.curvature * units.length);
+  if (is_unbounded(second) && is_known_at_a_point(first)) {
+    require_ratio_of_half_space("young", 1.0 / units.softness);
+  } else if (is_unbounded(second)) {
     const double size = first.contour == Contour::ball ? units.length : 1.0;
     require_ratio_of_half_space("young", 1.0 / units.softness);
     require_ratio_of_half_space("density", units.mass / (units.length * units.length * size));
@@ -62,7 +79,7 @@ void require_partners(const Body& first, const Body& second) {
     require_ratio("length", units.length);
     require_ratio("transit time", units.time);
     require_ratio("impedance", units.impedance);
-  } else {
+  } else if (!is_known_at_a_point(first) && !is_known_at_a_point(second)) {
     require_ratio("radius", units.length);
     const double volume = units.length * units.length * (first.contour == Contour::ball ? units.length : 1.0);
     require_ratio("young", 1.0 / units.softness);

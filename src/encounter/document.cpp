@@ -2,42 +2,20 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "encounter/json_values.hpp"
 #include "stoss/encounter/materials.hpp"
+#include "stoss/encounter/modal_file.hpp"
 #include "stoss/errors.hpp"
 
 namespace stoss {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
-[[noreturn]] void refuse(const std::string& where, const Json& got, const std::string& allowed) {
-  constexpr std::size_t most = 60;
-  std::string text = got.dump();
-  if (text.size() > most) text = text.substr(0, most) + "...";
-  throw InvalidInput(where + ": got " + text + ", allowed " + allowed);
-}
-
-double number(const std::string& where, const Json& value) {
-  if (!value.is_number() || !std::isfinite(value.get<double>())) refuse(where, value, "a finite number");
-  return value.get<double>();
-}
-
-std::string word(const std::string& where, const Json& value, const std::string& allowed) {
-  if (!value.is_string()) refuse(where, value, allowed);
-  return value.get<std::string>();
-}
-
-const Json& object(const std::string& where, const Json& value) {
-  if (!value.is_object()) refuse(where, value, "an object");
-  return value;
-}
+using namespace json;
 
 Material material_of_numbers(const std::string& where, const Json& given) {
   Material material;
@@ -70,8 +48,9 @@ void read_material(const std::string& where, const Json& given, Participant& int
 
 std::string words_of(const Kind& kind) {
   std::string text = "kind";
+  if (kind.from_file) text += ", body";
   for (const Parameter& each : kind.parameters) text += ", " + std::string(each.name);
-  if (!kind.wall) text += ", material";
+  if (!kind.wall && !kind.from_file) text += ", material";
   if (kind.add_layer) text += ", layers";
   if (kind.has_plane) text += ", plane";
   if (kind.can_be_rigid) text += ", rigid";
@@ -103,6 +82,15 @@ void read_layers(const std::string& where, const Json& given, Participant& made)
   made.below.assign(layers.begin() + 1, layers.end());
 }
 
+/// A body by its file, which stands in the document as it is.
+Participant read_modal(const std::string& where, const Json& given) {
+  for (const auto& [name, value] : given.items()) {
+    if (name != "kind" && name != "body") refuse(where, name, "kind, body");
+  }
+  if (!given.contains("body")) refuse(where, given, "an object with a body, as its file has it");
+  return modal_participant(modal_body_from_json(given["body"].dump(), where + " body"));
+}
+
 Participant participant(const std::string& where, const Json& given) {
   Participant made;
   if (given.is_string()) {
@@ -112,6 +100,7 @@ Participant participant(const std::string& where, const Json& given) {
   if (!object(where, given).contains("kind")) refuse(where, given, "an object with a kind");
   const Kind& its = kind(word(where + " kind", given["kind"], "the name of a kind"));
   made.kind = its.name;
+  if (its.from_file) return read_modal(where, given);
   const bool layered = its.add_layer && given.contains("layers");
   for (const auto& [name, value] : given.items()) {
     const std::string place = where + " " + name;
@@ -193,6 +182,10 @@ Json layers_of(const Participant& of) {
 Json described(const Participant& of) {
   const Kind& its = kind(of.kind);
   Json json{{"kind", of.kind}};
+  if (of.modal) {
+    json["body"] = Json::parse(to_json(*of.modal));
+    return json;
+  }
   if (!of.below.empty()) {
     json["layers"] = layers_of(of);
     if (const auto loss = of.values.find("loss_time"); loss != of.values.end()) json["loss_time"] = loss->second;

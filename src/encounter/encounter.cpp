@@ -36,6 +36,13 @@ Values own_units(const Encounter& encounter, const Kind& kind, Values all) {
   return in_units_of_first(kind, std::move(all), first_values(encounter), si_scales(encounter)->time);
 }
 
+/// A body by its modes in units of the first.
+Solid modal_solid(const Encounter& encounter, const Participant& of) {
+  const Values units = first_values(encounter);
+  (void)all_values(of, {}, infinite);
+  return in_units(*of.modal, units.at("radius"), units.at("young"), units.at("density"));
+}
+
 /// Whether it meets a wall, no body.
 bool is_at_wall(const Encounter& encounter) {
   return kind(encounter.against.kind).wall && encounter.against.kind != "same";
@@ -95,8 +102,8 @@ void require_one_that_deforms(const Encounter& encounter) {
 }
 
 bool takes_material(const Kind& kind) {
-  return std::any_of(kind.parameters.begin(), kind.parameters.end(),
-                     [](const Parameter& each) { return each.of_material; });
+  return kind.from_file || std::any_of(kind.parameters.begin(), kind.parameters.end(),
+                                       [](const Parameter& each) { return each.of_material; });
 }
 
 void require_units(const Encounter& encounter) {
@@ -129,6 +136,7 @@ std::optional<Scales> si_scales(const Encounter& encounter) {
   if (!first.material) return std::nullopt;
   const Values all = first_values(encounter);
   if (first.kind == "disk") return scales(*first.material, first.plane, all.at("radius"));
+  if (first.modal) return scales(*first.modal);
   if (is_rod(encounter)) return scales(std::get<Rod>(kind("rod").solid(all)));
   return scales(std::get<Sphere>(kind("sphere").solid(all)));
 }
@@ -156,6 +164,7 @@ double own_speed(const Encounter& encounter, double speed) {
 
 Solid first_solid(const Encounter& encounter) {
   const Kind& its = kind(encounter.first.kind);
+  if (its.from_file) return modal_solid(encounter, encounter.first);
   return its.solid(own_units(encounter, its, first_values(encounter)));
 }
 
@@ -169,6 +178,7 @@ std::optional<Solid> second_solid(const Encounter& encounter) {
   const double radius = given_or(encounter.first, "radius", 1.0);
   const Kind& against = kind(encounter.against.kind);
   return of_what_is_met([&] {
+    if (against.from_file) return std::optional(modal_solid(encounter, encounter.against));
     Solid made = against.solid(own_units(encounter, against, all_values(encounter.against, its, radius)));
     for (Values& layer : values_below(encounter.against, its, radius)) {
       against.add_layer(made, own_units(encounter, against, std::move(layer)));

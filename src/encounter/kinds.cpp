@@ -107,6 +107,11 @@ std::vector<Kind> make_kinds() {
   Kind strip = half_plane;
   strip.name = "strip", strip.plural = "strips", strip.help = "such a plate for disks";
   strip.parameters = {thickness, plane_poisson_number, young, density, loss_time}, strip.solid = flat<Strip>;
+  Kind modal = sphere;
+  modal.name = "modal", modal.plural = "modal bodies";
+  modal.help = "any body by its modes at a point, from a file";
+  modal.can_be_rigid = modal.can_yield = false;
+  modal.parameters = {}, modal.solid = {}, modal.from_file = true;
   Kind wall = half_space;
   wall.name = "wall", wall.plural = "walls", wall.help = "a rigid wall";
   wall.wall = true, wall.can_yield = false, wall.parameters = {}, wall.solid = {};
@@ -116,7 +121,7 @@ std::vector<Kind> make_kinds() {
   exponential.name = "exponential", exponential.plural = "exponential walls";
   exponential.help = "the paper's soft wall, for one impact at a cutoff";
   exponential.parameters = {hardness, strength};
-  return {wall, same, disk, sphere, rod, half_space, half_plane, plate, strip, exponential};
+  return {wall, same, disk, sphere, rod, half_space, half_plane, plate, strip, modal, exponential};
 }
 
 }  // namespace

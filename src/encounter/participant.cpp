@@ -2,6 +2,7 @@
 
 #include <limits>
 #include <string>
+#include <utility>
 
 #include "check.hpp"
 
@@ -39,7 +40,29 @@ void require_layers(const Participant& of, const Kind& kind) {
   }
 }
 
+/// Its size and material, which what it meets is given in.
+Values values_of_file(const Participant& of) {
+  if (!of.modal) throw InvalidInput("body: got a " + of.kind + " body without its modes, allowed one from a file");
+  if (!of.values.empty()) {
+    throw InvalidInput(of.values.begin()->first + ": got a number, allowed none beside a file, which has all");
+  }
+  const ModalBody& its = *of.modal;
+  return {{"radius", own_length(its)},
+          {"poisson", its.poisson},
+          {"young", its.young},
+          {"density", its.density},
+          {"loss_time", its.loss_time}};
+}
+
 }  // namespace
+
+Participant modal_participant(ModalBody body) {
+  Participant made = of_kind("modal");
+  made.material = Material{.young = body.young, .poisson = body.poisson, .density = body.density};
+  made.material->loss_time = body.loss_time;
+  made.modal = std::make_shared<const ModalBody>(std::move(body));
+  return made;
+}
 
 double given_or(const Participant& of, std::string_view name, double otherwise) {
   const auto found = of.values.find(name);
@@ -63,6 +86,7 @@ double loss_time_of(const Participant& of) {
 
 Values all_values(const Participant& of, std::optional<double> poisson, double radius) {
   const Kind& kind = stoss::kind(of.kind);
+  if (kind.from_file) return values_of_file(of);
   require_layers(of, kind);
   for (const auto& [name, value] : of.values) {
     if (const Parameter* its = parameter(kind, name); its == nullptr) {

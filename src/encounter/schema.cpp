@@ -57,8 +57,66 @@ Json layers_of(const Kind& kind) {
           {"maxItems", most_layers}};
 }
 
+Json list_of_numbers() { return {{"type", "array"}, {"items", {{"type", "number"}}}}; }
+
+/// The file of a body by its modes at a point (modal_file.hpp).
+Json modal_body() {
+  const auto in = [](const char* unit, Json schema) {
+    schema["x-unit"] = unit;
+    return schema;
+  };
+  const Json number{{"type", "number"}}, positive{{"type", "number"}, {"exclusiveMinimum", 0}};
+  const Json not_negative{{"type", "number"}, {"minimum", 0}}, numbers = list_of_numbers();
+  Json vector = numbers;
+  vector["minItems"] = vector["maxItems"] = 3;
+  const Json rotation{
+      {"type", "object"},
+      {"properties",
+       {{"inertia", in("kg m^2", {{"type", "array"}, {"items", vector}, {"minItems", 3}, {"maxItems", 3}})},
+        {"point", in("m", vector)},
+        {"normal", vector}}},
+      {"required", {"inertia", "point", "normal"}},
+      {"additionalProperties", false}};
+  const Json both{{"type", "array"}, {"items", not_negative}, {"minItems", 2}, {"maxItems", 2}};
+  const Json modes{{"type", "object"},
+                   {"properties",
+                    {{"frequency", in("Hz", numbers)},
+                     {"displacement", in("kg^(-1/2)", numbers)},
+                     {"displacement_curvature", in("kg^(-1/2) m^-2", numbers)},
+                     {"frequency_error", in("Hz", numbers)},
+                     {"displacement_error", in("kg^(-1/2)", numbers)}}},
+                   {"required", {"frequency", "displacement"}},
+                   {"additionalProperties", false}};
+  return {{"type", "object"},
+          {"description", "a body by its modes at a point and the compliance of all others, as its file has it"},
+          {"properties",
+           {{"format", {{"const", "stoss modal body 1"}}},
+            {"name", {{"type", "string"}}},
+            {"origin", {{"type", "string"}}},
+            {"mass", in("kg", positive)},
+            {"rotation", rotation},
+            {"curvature", in("1/m", {{"oneOf", {not_negative, both}}})},
+            {"young", in("Pa", positive)},
+            {"poisson", {{"type", "number"}, {"minimum", -0.95}, {"maximum", 0.4999}}},
+            {"density", in("kg/m^3", positive)},
+            {"loss_time", in("s", not_negative)},
+            {"compliance", in("m/N", number)},
+            {"compliance_error", in("m/N", not_negative)},
+            {"complete_to", in("Hz", positive)},
+            {"modes", modes}}},
+          {"required", {"format", "mass", "curvature", "young", "poisson", "density", "compliance", "modes"}},
+          {"additionalProperties", false}};
+}
+
 /// @param first whether it is of the first body, whose numbers have no default but 1
 Json object_of(const Kind& kind, bool first) {
+  if (kind.from_file) {
+    return {{"type", "object"},
+            {"description", kind.help},
+            {"properties", {{"kind", {{"const", kind.name}}}, {"body", {{"$ref", "#/$defs/modal_body"}}}}},
+            {"required", {"kind", "body"}},
+            {"additionalProperties", false}};
+  }
   Json properties{{"kind", {{"const", kind.name}}}};
   for (const Parameter& each : kind.parameters) {
     // η is limited in units of the body, which are not those of the document.
@@ -127,7 +185,7 @@ std::string encounter_schema() {
                         {"default", 0}}}}},
                     {"required", {"first"}},
                     {"additionalProperties", false},
-                    {"$defs", {{"material", materials()}}}};
+                    {"$defs", {{"material", materials()}, {"modal_body", modal_body()}}}};
   return schema.dump(2);
 }
 

@@ -10,6 +10,7 @@ struct Make {
   BodyMaker operator()(const HalfSpace& value) const { return half_space(value); }
   BodyMaker operator()(const HalfPlane& value) const { return half_plane(value); }
   BodyMaker operator()(const Plate& value) const { return plate(value); }
+  BodyMaker operator()(const ModalBody& value) const { return modal_body(value); }
   BodyMaker operator()(const Strip& value) const { return strip(value); }
 };
 

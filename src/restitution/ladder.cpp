@@ -20,7 +20,7 @@ namespace {
 /// Below the modes of all bodies: at this cutoff one can be asked what it is by itself.
 constexpr double least_cutoff = 1e-6;
 
-constexpr int levels = 25;
+constexpr int level_count = 25;
 constexpr int fewest_levels = 10;  // for an error
 
 double cutoff_at(int level) { return 4.0 * std::numbers::sqrt2 * std::exp2(0.25 * level); }
@@ -38,6 +38,9 @@ constexpr double least_echo = 36.0;
 
 /// Duration of the shortest contacts with a half-space, over time_scale.
 constexpr double shortest_contact = 6.0;
+
+/// Levels below the highest one at which impacts with a body that is known at a point begin: the third is at that one.
+constexpr int levels_of_a_point = 6;
 
 /// Two bodies that meet.
 struct Pair {
@@ -92,6 +95,20 @@ Contact contact_of(const Pair& pair, double cutoff, double stretch, const Poll& 
       made(pair.second, *pair.probe.second, size(*pair.probe.second, pair.second_size), cutoff * time, poll));
 }
 
+/// Highest cutoff of a body that is known at a point, in its own units; of others without end.
+double known_cutoff(const Body& body) {
+  return is_known_at_a_point(body) ? body.highest_cutoff : std::numeric_limits<double>::infinity();
+}
+
+/// Highest cutoff up to which the shapes of both bodies follow their modes in a contact of a half-width, both in units
+/// of the first.
+double followed_cutoff(const Contact& probe, double half_width) {
+  double highest = probe.first->known.reach / half_width;
+  if (probe.second == nullptr) return highest;
+  const UnitRatios units(*probe.second, *probe.first);
+  return std::min(highest, probe.second->known.reach / half_width * units.length / units.time);
+}
+
 /// Highest cutoff of both bodies, c/R of the first.
 double highest_cutoff(const Pair& pair) {
   const Body &one = *pair.probe.first, &other = *pair.probe.second;
@@ -102,40 +119,46 @@ double highest_cutoff(const Pair& pair) {
 
 }  // namespace
 
-struct RefinableContact::Levels {
+struct RefinableContact::Ladder {
   BodyMaker body;            // at a wall
   std::optional<Pair> pair;  // or two
   double unit = 1.0;         // of the cutoffs
-  int highest = levels - 1;
+  int highest = level_count - 1;
   std::mutex mutex;
   std::map<std::pair<double, double>, Contact> contacts;  // by cutoff and stretch
 };
 
-RefinableContact::RefinableContact(BodyMaker body) : levels_(std::make_shared<Levels>()) {
+RefinableContact::RefinableContact(BodyMaker body) : ladder_(std::make_shared<Ladder>()) {
   if (!body) throw InvalidInput("body: got no function that makes it, allowed one, such as disk(poisson)");
-  levels_->body = std::move(body);
+  ladder_->body = std::move(body);
+  const Body probe = ladder_->body(least_cutoff, {});
+  if (is_known_at_a_point(probe)) ladder_->unit = std::min(1.0, probe.highest_cutoff / cutoff_at(level_count - 1));
 }
 
 RefinableContact::RefinableContact(BodyMaker first, BodyMaker second) : RefinableContact(std::move(first)) {
   if (!second) throw InvalidInput("against: got no function that makes the body, allowed one, such as disk(poisson)");
-  const Pair& pair = levels_->pair.emplace(pair_of(levels_->body, second));
-  levels_->unit = 1.0 / time_scale(pair.probe);
-  const double most = highest_cutoff(pair) / levels_->unit;
-  while (levels_->highest >= 0 && cutoff_at(levels_->highest) > most) --levels_->highest;
-  if (levels_->highest + 1 < fewest_levels) {
+  const Pair& pair = ladder_->pair.emplace(pair_of(ladder_->body, second));
+  ladder_->unit = 1.0 / time_scale(pair.probe);
+  const double known =
+      std::min(known_cutoff(*pair.probe.first),
+               known_cutoff(*pair.probe.second) / UnitRatios(*pair.probe.second, *pair.probe.first).time);
+  ladder_->unit = std::min(ladder_->unit, known / cutoff_at(level_count - 1));
+  const double most = highest_cutoff(pair) / ladder_->unit;
+  while (ladder_->highest >= 0 && cutoff_at(ladder_->highest) > most) --ladder_->highest;
+  if (ladder_->highest + 1 < fewest_levels) {
     throw InvalidInput("against: got '" + pair.probe.second->name + "' for '" + pair.probe.first->name +
                        "', allowed a body whose R/c is up to some 50 times that of the other (more modes than are "
                        "computed)");
   }
 }
 
-int RefinableContact::highest_level() const { return levels_->highest; }
+int RefinableContact::highest_level() const { return ladder_->highest; }
 
 int RefinableContact::highest_level(double stretch) const {
-  int level = levels_->highest;
-  if (!levels_->pair || !is_unbounded(*levels_->pair->probe.second)) return level;
-  const Body &first = *levels_->pair->probe.first, &second = *levels_->pair->probe.second;
-  const double size = levels_->pair->second_size * stretch, time = UnitRatios(second, first).time;
+  int level = ladder_->highest;
+  if (!ladder_->pair || !is_unbounded(*ladder_->pair->probe.second)) return level;
+  const Body &first = *ladder_->pair->probe.first, &second = *ladder_->pair->probe.second;
+  const double size = ladder_->pair->second_size * stretch, time = UnitRatios(second, first).time;
   const double most = second.near_side(size, least_cutoff, {}).highest_cutoff;
   while (level >= 0 && cutoff(level) * time > most) --level;
   if (level < 0) {
@@ -146,19 +169,36 @@ int RefinableContact::highest_level(double stretch) const {
   return level;
 }
 
-double RefinableContact::cutoff(int level) const { return cutoff_at(level) * levels_->unit; }
+Levels RefinableContact::levels(double speed, double longer) const {
+  const int highest = highest_level(longer * stretch(speed));
+  const Contact& probe = at(0);
+  const double half_width = expected_half_width(probe, speed);
+  const double most = followed_cutoff(probe, half_width);
+  if (std::isinf(most)) return {0, highest};
+  Levels usable{0, highest};
+  while (usable.highest >= 0 && cutoff(usable.highest) > most) --usable.highest;
+  if (usable.highest < levels_of_a_point) {
+    throw NotConverged("restitution: the contact of '" + name(probe) + "', some " +
+                       shown(std::round(1000.0 * half_width) / 1000.0) +
+                       " R wide, is too wide for what is known of the point (use a lower speed)");
+  }
+  usable.lowest = usable.highest - levels_of_a_point;
+  return usable;
+}
+
+double RefinableContact::cutoff(int level) const { return cutoff_at(level) * ladder_->unit; }
 
 double RefinableContact::part() const {
-  if (!levels_->pair) return 1.0;
-  const double second = is_unbounded(*levels_->pair->probe.second) ? 1.0 : levels_->pair->second_size;
-  return std::min(levels_->pair->first_size, second);
+  if (!ladder_->pair) return 1.0;
+  const double second = is_unbounded(*ladder_->pair->probe.second) ? 1.0 : ladder_->pair->second_size;
+  return std::min(ladder_->pair->first_size, second);
 }
 
 double RefinableContact::stretch(double speed) const {
-  if (!levels_->pair || !is_unbounded(*levels_->pair->probe.second)) return 1.0;
+  if (!ladder_->pair || !is_unbounded(*ladder_->pair->probe.second)) return 1.0;
   // In steps, so that the contacts of neighbouring speeds are the same.
   constexpr double margin = 1.05, steps = 4.0;
-  const double wanted = std::max(1.0, margin * expected_duration(*levels_->pair, speed) / shortest_contact);
+  const double wanted = std::max(1.0, margin * expected_duration(*ladder_->pair, speed) / shortest_contact);
   return std::exp2(std::ceil(steps * std::log2(wanted)) / steps);
 }
 
@@ -168,13 +208,13 @@ const Contact& RefinableContact::at(int level, const Poll& poll) const {
 }
 
 const Contact& RefinableContact::at(double cutoff, double stretch, const Poll& poll) const {
-  const std::lock_guard lock(levels_->mutex);
+  const std::lock_guard lock(ladder_->mutex);
   const std::pair key(cutoff, stretch);
-  const auto known = levels_->contacts.find(key);
-  if (known != levels_->contacts.end()) return known->second;
+  const auto known = ladder_->contacts.find(key);
+  if (known != ladder_->contacts.end()) return known->second;
   Contact contact =
-      levels_->pair ? contact_of(*levels_->pair, cutoff, stretch, poll) : stoss::contact(levels_->body(cutoff, poll));
-  return levels_->contacts.emplace(key, std::move(contact)).first->second;
+      ladder_->pair ? contact_of(*ladder_->pair, cutoff, stretch, poll) : stoss::contact(ladder_->body(cutoff, poll));
+  return ladder_->contacts.emplace(key, std::move(contact)).first->second;
 }
 
 Contact contact(const BodyMaker& first, const BodyMaker& second, double cutoff, double slowest, const Poll& poll) {

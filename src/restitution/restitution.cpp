@@ -12,6 +12,7 @@
 #include "impact/recommended.hpp"
 #include "impact/whole_bodies.hpp"
 #include "restitution/curvature.hpp"
+#include "restitution/doubts.hpp"
 #include "restitution/error_bar.hpp"
 #include "restitution/lasting.hpp"
 
@@ -31,7 +32,7 @@ Run summary(const Impact& impact, double energy) {
           .resolution = impact.resolution,
           .lost_fraction = impact.lost_fraction,
           .dissipated = energy * impact.energy.dissipated,
-          .unresolved = energy * impact.energy.unresolved,
+          .unresolved = energy * std::max(0.0, impact.energy.unresolved),
           .remaining = impact.remaining,
           .contact_time = impact.contact_time,
           .impulse_time = impact.impulse_time,
@@ -42,11 +43,11 @@ Run summary(const Impact& impact, double energy) {
 }
 
 /// The first level at which all modes of a vibration are kept.
-int lowest_level(const RefinableContact& contact, const Vibration& vibration, int highest, const Poll& poll) {
-  for (int level = 0; level <= highest; ++level) {
+int lowest_level(const RefinableContact& contact, const Vibration& vibration, const Levels& levels, const Poll& poll) {
+  for (int level = levels.lowest; level <= levels.highest; ++level) {
     if (keeps(contact.at(level, poll), vibration)) return level;
   }
-  throw InvalidInput("vibration: got a mode above " + std::to_string(std::lround(contact.cutoff(highest))) +
+  throw InvalidInput("vibration: got a mode above " + std::to_string(std::lround(contact.cutoff(levels.highest))) +
                      ", allowed modes that are kept (or there is no such mode)");
 }
 
@@ -134,15 +135,16 @@ RestitutionNotConverged::RestitutionNotConverged(Restitution result)
 
 void validate(const RefinableContact& contact, double speed, const Vibration& vibration, const Poll& poll) {
   require_speed(speed);
-  const int highest = contact.highest_level(room_to_last * contact.stretch(speed));
-  (void)approach(contact.at(lowest_level(contact, vibration, highest, poll), poll), speed, vibration);
+  const Levels levels = contact.levels(speed, room_to_last);
+  (void)approach(contact.at(lowest_level(contact, vibration, levels, poll), poll), speed, vibration);
 }
 
 Restitution restitution(const RefinableContact& contact, double speed, const RestitutionOptions& options) {
   require_tolerance(options.tolerance, options.absolute);
   require_speed(speed);
   double stretch = contact.stretch(speed);
-  const int highest = contact.highest_level(room_to_last * stretch);
+  const Levels levels = contact.levels(speed, room_to_last);
+  const int highest = levels.highest;
   const double order = convergence_order(contact.at(0, options.poll));
   Restitution result;
   result.tolerance = options.tolerance;
@@ -153,7 +155,7 @@ Restitution restitution(const RefinableContact& contact, double speed, const Res
   const CurvatureCorrection correction = curvature_correction(contact, speed, options.poll);
   std::string trouble;
   const double energy = whole_energy(options.vibration);
-  const int lowest = lowest_level(contact, options.vibration, highest, options.poll);
+  const int lowest = lowest_level(contact, options.vibration, levels, options.poll);
   for (int level = lowest; level <= highest && next.worthwhile; level += next.rungs) {
     if (options.attempt_observer) options.attempt_observer({contact.cutoff(level), result.lost_fraction});
     try {
@@ -179,7 +181,10 @@ Restitution restitution(const RefinableContact& contact, double speed, const Res
       continue;
     }
     conclude(contact.at(level), speed, correction, result);
-    if (result.converged) return result;
+    if (result.converged) {
+      add_doubts(contact, speed, stretch, options, result);
+      return result;
+    }
     trouble = out_of_reach(correction, result);
     if (!trouble.empty()) break;
     if (!first) first = Reached{result.runs.back().cutoff, scaled_error(result)};
@@ -190,6 +195,7 @@ Restitution restitution(const RefinableContact& contact, double speed, const Res
     throw NotConverged(trouble.empty() ? "restitution: the half-space has more waves than are computed" : trouble);
   }
   conclude(contact.at(0), speed, correction, result);
+  add_doubts(contact, speed, stretch, options, result);
   if (result.lost_fraction.error > 1.0)
     result.lost_fraction.error = result.restitution.error = std::numeric_limits<double>::infinity();
   result.converged = false;  // two or three runs that agree are not enough

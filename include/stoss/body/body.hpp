@@ -87,6 +87,21 @@ struct BodyPart {
   double mobility = 0.0;   ///< speed over a force that acts for long, where that has a limit: 1/(8√(Dρh)) of a plate
 };
 
+struct Body;
+
+/// How far a body is known of which only a point is (ModalBody); other bodies are known as they are.
+struct Knowledge {
+  /// Largest product of the cutoff and the half-width of a contact up to which its shapes follow its modes, c.
+  double reach = std::numeric_limits<double>::infinity();
+
+  /// Share of 1 − ε² that a contact of a half-width, R, may be off by, as what is further from the point is not known.
+  std::function<double(double half_width)> neglected{};
+
+  /// What the body might be instead, by the errors of the numbers that it was made from, one for each kind of them.
+  /// @param other curvature of what it meets, in its own units
+  std::function<std::vector<Body>(double other)> alternatives{};
+};
+
 /// An elastic body by itself, with its modes up to a cutoff: all that a contact needs to know of it, in its own units
 /// (for a disk R = c = ρ = 1). Motion is along the axis, towards what it meets. A new body is a function that fills
 /// this structure (docs/architecture.md).
@@ -94,9 +109,10 @@ struct Body {
   std::string name;  ///< with its parameters, for provenance
   BodyScale scale;   ///< of this body among others
   Contour contour = Contour::flat;
-  double mass = 0.0;       ///< of the body, and of every mode
-  double extent = 0.0;     ///< distance from the centre of mass to the foremost point
-  double curvature = 1.0;  ///< of its surface near the foremost point, 1/R
+  double mass = 0.0;                  ///< of the body, and of every mode
+  double extent = 0.0;                ///< distance from the centre of mass to the foremost point
+  double curvature = 1.0;             ///< of its surface near the foremost point, 1/R
+  double curvature_difference = 0.0;  ///< of the principal curvatures there, of which `curvature` is the mean, 1/R
   double softness = 1.0;   ///< 1/E* near its end, in 1/E: 1 in plane stress, 1 − ν² in plane strain, 0 if rigid
   double inertia = 0.0;    ///< moment about the centre of mass, mass × R²; 0: it does not turn
   double loss_time = 0.0;  ///< η of a lossy material, R/c: stress = (1 + η ∂/∂t) elastic stress
@@ -108,6 +124,7 @@ struct Body {
   Sampling sampling{};            ///< of a contact with more than a single point
   std::vector<ModeGroup> groups;  ///< kept modes
   BodyPart part;                  ///< what of the body is there
+  Knowledge known{};              ///< how far it is
 
   std::function<Surface(const ContactPoints&)> surface;
 
@@ -169,6 +186,9 @@ void validate(const Body& body);
 
 /// Whether the body extends to infinity: it has no translation, and its modes only carry waves away.
 [[nodiscard]] bool is_unbounded(const Body& body);
+
+/// Whether only a point of the body is known, and what the errors of that change.
+[[nodiscard]] bool is_known_at_a_point(const Body& body);
 
 /// Whether all of the body is there and bounded, so that it can vibrate before an impact.
 [[nodiscard]] bool is_whole(const Body& body);

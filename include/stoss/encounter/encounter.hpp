@@ -1,5 +1,6 @@
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
@@ -22,10 +23,14 @@ struct Participant {
   bool rigid = false;                  ///< keeps its mass and the units of the elastic body
   /// Further layers, downwards, of which values and material count; a last one without a thickness is a block.
   std::vector<Participant> below{};
+  std::shared_ptr<const ModalBody> modal{};  ///< of kind "modal": the body in SI, of whose point `material` is
 };
 
 /// Something of a kind without numbers.
 [[nodiscard]] inline Participant of_kind(std::string kind) { return {.kind = std::move(kind)}; }
+
+/// A body by its modes at a point, in SI.
+[[nodiscard]] Participant modal_participant(ModalBody body);
 
 /// Who meets whom, and how both are given; not at which speed.
 ///

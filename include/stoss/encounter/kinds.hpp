@@ -45,6 +45,7 @@ struct Kind {
   std::function<Solid(const Values&)> solid;  ///< of all its numbers, in consistent units; empty for a wall
   /// Puts a further layer below all others, infinitely thick where its thickness is infinite; empty of what has none.
   std::function<void(Solid&, const Values&)> add_layer{};
+  bool from_file = false;  ///< given by a document of its own in SI (modal_file.hpp), not by numbers
 };
 
 /// Layers that one thing may have.

@@ -6,6 +6,12 @@
 
 namespace stoss {
 
+/// The levels of a ladder of cutoffs that impacts can have.
+struct Levels {
+  int lowest;
+  int highest;
+};
+
 /// A body at a hard wall, or two bodies, at any of a ladder of cutoffs. Each contact is made when it is first asked for
 /// and kept. Copies share what is made; any number of threads may ask.
 class RefinableContact {
@@ -24,7 +30,14 @@ class RefinableContact {
   /// @throws NotConverged if not even the lowest cutoff is computed for so long, as where a ball stays on a thin plate
   [[nodiscard]] int highest_level(double stretch) const;
 
-  /// ω_c = 4√2 · 2^(level/4) c/R of the first body, 362 at level 24; for two bodies over their time_scale.
+  /// The levels of impacts at a speed, with a half-space or a plate that lasts for longer · stretch(speed). Of a body
+  /// of which only a point is known they end where its shapes do not follow its modes any more, and begin not far
+  /// below.
+  /// @throws NotConverged as highest_level, and for a speed at which no cutoff is good for such a body
+  [[nodiscard]] Levels levels(double speed, double longer) const;
+
+  /// ω_c = 4√2 · 2^(level/4) c/R of the first body, 362 at level 24; for two bodies over their time_scale;
+  /// with a body of which a point is known it is the highest one that the body can have at level 24.
   [[nodiscard]] double cutoff(int level) const;
 
   /// The contact at the cutoff of a level.
@@ -44,8 +57,8 @@ class RefinableContact {
   [[nodiscard]] const Contact& at(double cutoff, double stretch, const Poll& poll) const;
 
  private:
-  struct Levels;
-  std::shared_ptr<Levels> levels_;
+  struct Ladder;
+  std::shared_ptr<Ladder> ladder_;
 };
 
 /// Two bodies with one cutoff for both. Where RefinableContact takes the near side of one, so does this, with a part

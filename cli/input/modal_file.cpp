@@ -1,0 +1,36 @@
+#include <cerrno>
+#include <cstring>
+#include <fstream>
+#include <iterator>
+
+#include <fmt/format.h>
+
+#include "input/encounter.hpp"
+#include "stoss/encounter/modal_file.hpp"
+#include "stoss/errors.hpp"
+
+namespace stoss::cli {
+
+Participant modal_from_file(const std::string& option, const std::string& text) {
+  constexpr std::size_t most = 64U << 20U;
+  const std::string path = text.substr(1);
+  errno = 0;
+  std::ifstream file(path, std::ios::binary);
+  std::string all;
+  if (file) {
+    all.resize(most + 1);
+    file.read(all.data(), static_cast<std::streamsize>(all.size()));
+    all.resize(static_cast<std::size_t>(file.gcount()));
+  }
+  if (!file.is_open() || file.bad() || (file.gcount() == 0 && errno != 0)) {
+    throw InvalidInput(fmt::format("{}: got '@{}', allowed @ and a file that can be read ({})", option, path,
+                                   std::strerror(errno != 0 ? errno : EIO)));
+  }
+  if (all.size() > most) {
+    throw InvalidInput(
+        fmt::format("{}: got '@{}' of more than 64 MiB, allowed a file of modes at a point", option, path));
+  }
+  return modal_participant(modal_body_from_json(all, option + " " + path));
+}
+
+}  // namespace stoss::cli

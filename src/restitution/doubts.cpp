@@ -1,0 +1,91 @@
+#include "restitution/doubts.hpp"
+
+#include <array>
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <utility>
+#include <vector>
+
+#include "contact/unit_ratios.hpp"
+#include "stoss/errors.hpp"
+
+namespace stoss {
+namespace {
+
+/// Curvature of what the first or the second body meets, in its units of length.
+double curvature_met(const Contact& contact, bool first) {
+  if (contact.second == nullptr) return 0.0;
+  const double length = units_of(contact, 1).length;
+  return first ? contact.second->curvature / length : contact.first->curvature * length;
+}
+
+/// The contact with each alternative of a body in its place.
+std::vector<Contact> alternatives(const Contact& contact) {
+  std::vector<Contact> all;
+  for (const bool first : {true, false}) {
+    const std::shared_ptr<const Body>& body = first ? contact.first : contact.second;
+    if (body == nullptr || !body->known.alternatives) continue;
+    for (Body& each : body->known.alternatives(curvature_met(contact, first))) {
+      auto other = std::make_shared<const Body>(std::move(each));
+      if (contact.second == nullptr) {
+        all.push_back(stoss::contact(std::move(other), contact.wall));
+      } else {
+        all.push_back(first ? stoss::contact(std::move(other), contact.second)
+                            : stoss::contact(contact.first, std::move(other)));
+      }
+    }
+  }
+  return all;
+}
+
+/// Share of 1 − ε² that both bodies leave out.
+double neglected(const Contact& contact, double half_width) {
+  double share = 0.0;
+  if (contact.first->known.neglected) share += contact.first->known.neglected(half_width);
+  if (contact.second != nullptr && contact.second->known.neglected) {
+    share += contact.second->known.neglected(half_width / units_of(contact, 1).length);
+  }
+  return share;
+}
+
+struct Affected {
+  Estimate Restitution::*estimate;
+  double Impact::*value;
+};
+
+constexpr std::array affected{Affected{&Restitution::lost_fraction, &Impact::lost_fraction},
+                              Affected{&Restitution::contact_time, &Impact::contact_time},
+                              Affected{&Restitution::impulse_time, &Impact::impulse_time},
+                              Affected{&Restitution::max_force, &Impact::max_force},
+                              Affected{&Restitution::max_compression, &Impact::max_compression}};
+
+}  // namespace
+
+void add_doubts(const RefinableContact& contact, double speed, double stretch, const RestitutionOptions& options,
+                Restitution& result) {
+  const Impact& finest = result.finest;
+  const Contact& resolved = contact.at(result.runs.back().cutoff, stretch, options.poll);
+  const double share = neglected(resolved, finest.max_half_width);
+  const std::vector<Contact> others = alternatives(resolved);
+  if (share == 0.0 && others.empty()) return;
+  for (const auto& [estimate, value] : affected) (result.*estimate).error += share * std::abs(finest.*value);
+  for (const Contact& other : others) {
+    ImpactOptions of_one{.resolution = Resolution(finest.resolution), .poll = options.poll};
+    of_one.start = finest.start;
+    try {
+      const Impact changed = impact(other, speed, of_one);
+      for (const auto& [estimate, value] : affected) {
+        (result.*estimate).error += std::abs(changed.*value - finest.*value);
+      }
+    } catch (const NotConverged&) {  // the body might be one that cannot be computed: nothing is certain
+      for (const auto& [estimate, value] : affected) {
+        (result.*estimate).error = std::numeric_limits<double>::infinity();
+      }
+    }
+  }
+  const double error = result.lost_fraction.error, squared = std::max(0.0, 1.0 - result.lost_fraction.value);
+  result.restitution.error = error / (std::sqrt(squared + error) + std::abs(result.restitution.value));
+}
+
+}  // namespace stoss
