@@ -88,6 +88,11 @@ std::vector<Kind> make_kinds() {
   rod.can_be_rigid = rod.can_yield = false, rod.contour = Contour::flat;
   rod.own = UnitSystem::rod, rod.si = UnitSystem::rod_si;
   rod.parameters = {length, young, density, area, loss_time}, rod.solid = rod_of;
+  Kind modal = sphere;
+  modal.name = "modal", modal.plural = "modal bodies";
+  modal.help = "any body by its modes at a point, from a file";
+  modal.can_be_rigid = modal.can_yield = false;
+  modal.parameters = {}, modal.solid = {}, modal.from_file = true;
   Kind half_space = sphere;
   half_space.name = "half-space", half_space.plural = "half-spaces";
   half_space.help = "a large block for spheres; its waves do not return";
@@ -107,11 +112,6 @@ std::vector<Kind> make_kinds() {
   Kind strip = half_plane;
   strip.name = "strip", strip.plural = "strips", strip.help = "such a plate for disks";
   strip.parameters = {thickness, plane_poisson_number, young, density, loss_time}, strip.solid = flat<Strip>;
-  Kind modal = sphere;
-  modal.name = "modal", modal.plural = "modal bodies";
-  modal.help = "any body by its modes at a point, from a file";
-  modal.can_be_rigid = modal.can_yield = false;
-  modal.parameters = {}, modal.solid = {}, modal.from_file = true;
   Kind wall = half_space;
   wall.name = "wall", wall.plural = "walls", wall.help = "a rigid wall";
   wall.wall = true, wall.can_yield = false, wall.parameters = {}, wall.solid = {};
@@ -154,7 +154,8 @@ std::string who_meets_whom() {
   std::string text;
   for (const Kind& first : kinds()) {
     if (!first.bounded) continue;
-    text += (text.empty() ? "a " : "; a ") + std::string(first.name) + (text.empty() ? " meets " : " ");
+    text += (text.empty() ? "a " : "; a ") + std::string(first.name) + (first.from_file ? " body" : "") +
+            (text.empty() ? " meets " : " ");
     std::vector<std::string_view> others;
     for (const Kind& other : kinds()) {
       if (!other.wall && meets(first, other)) others.push_back(other.plural);

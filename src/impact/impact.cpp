@@ -48,6 +48,16 @@ std::optional<double> left_in_the_end(const Contact& contact, const Collision& c
   return std::nullopt;
 }
 
+/// Refuses a cutoff above which modes of a body that is known at a point are missing.
+void require_known(const Contact& contact) {
+  constexpr double rounding = 1.0 + 1e-9;
+  for (const Body* body : {contact.first.get(), contact.second.get()}) {
+    if (body == nullptr || body->cutoff <= rounding * body->known.complete_to) continue;
+    throw InvalidInput("cutoff: got " + shown(body->cutoff) + " c/R of '" + body->name + "', allowed up to " +
+                       shown(body->known.complete_to) + " (higher modes are not known)");
+  }
+}
+
 /// One run; empty if the contact outgrew the grid.
 std::optional<Impact> run(const Contact& contact, double speed, const FixedResolution& resolution,
                           const ImpactOptions& options, const Observation& observation, Pressures* pressures) {
@@ -119,6 +129,7 @@ Impact impact(const Contact& contact, double speed, const ImpactOptions& options
 
 Impact impact(const Contact& contact, double speed, const ImpactOptions& options, const Observation& observation,
               Pressures* pressures) {
+  require_known(contact);
   FixedResolution resolution = fixed_resolution(contact, speed, options.resolution);
   if (options.start) require_start(*options.start, speed);
   require_every(observation.every);

@@ -41,6 +41,7 @@ constexpr double shortest_contact = 6.0;
 
 /// Levels below the highest one at which impacts with a body that is known at a point begin: the third is at that one.
 constexpr int levels_of_a_point = 6;
+constexpr int lowest_of_a_point = -40;
 
 /// Two bodies that meet.
 struct Pair {
@@ -95,20 +96,6 @@ Contact contact_of(const Pair& pair, double cutoff, double stretch, const Poll& 
       made(pair.second, *pair.probe.second, size(*pair.probe.second, pair.second_size), cutoff * time, poll));
 }
 
-/// Highest cutoff of a body that is known at a point, in its own units; of others without end.
-double known_cutoff(const Body& body) {
-  return is_known_at_a_point(body) ? body.highest_cutoff : std::numeric_limits<double>::infinity();
-}
-
-/// Highest cutoff up to which the shapes of both bodies follow their modes in a contact of a half-width, both in units
-/// of the first.
-double followed_cutoff(const Contact& probe, double half_width) {
-  double highest = probe.first->known.reach / half_width;
-  if (probe.second == nullptr) return highest;
-  const UnitRatios units(*probe.second, *probe.first);
-  return std::min(highest, probe.second->known.reach / half_width * units.length / units.time);
-}
-
 /// Highest cutoff of both bodies, c/R of the first.
 double highest_cutoff(const Pair& pair) {
   const Body &one = *pair.probe.first, &other = *pair.probe.second;
@@ -131,18 +118,12 @@ struct RefinableContact::Ladder {
 RefinableContact::RefinableContact(BodyMaker body) : ladder_(std::make_shared<Ladder>()) {
   if (!body) throw InvalidInput("body: got no function that makes it, allowed one, such as disk(poisson)");
   ladder_->body = std::move(body);
-  const Body probe = ladder_->body(least_cutoff, {});
-  if (is_known_at_a_point(probe)) ladder_->unit = std::min(1.0, probe.highest_cutoff / cutoff_at(level_count - 1));
 }
 
 RefinableContact::RefinableContact(BodyMaker first, BodyMaker second) : RefinableContact(std::move(first)) {
   if (!second) throw InvalidInput("against: got no function that makes the body, allowed one, such as disk(poisson)");
   const Pair& pair = ladder_->pair.emplace(pair_of(ladder_->body, second));
   ladder_->unit = 1.0 / time_scale(pair.probe);
-  const double known =
-      std::min(known_cutoff(*pair.probe.first),
-               known_cutoff(*pair.probe.second) / UnitRatios(*pair.probe.second, *pair.probe.first).time);
-  ladder_->unit = std::min(ladder_->unit, known / cutoff_at(level_count - 1));
   const double most = highest_cutoff(pair) / ladder_->unit;
   while (ladder_->highest >= 0 && cutoff_at(ladder_->highest) > most) --ladder_->highest;
   if (ladder_->highest + 1 < fewest_levels) {
@@ -151,6 +132,21 @@ RefinableContact::RefinableContact(BodyMaker first, BodyMaker second) : Refinabl
                        "computed)");
   }
 }
+
+namespace {
+
+/// Highest cutoff, in units of the first body, up to which bodies are known in a contact of a half-width.
+double known_cutoff(const Contact& contact, double half_width) {
+  const auto of = [half_width](const Body& body, double length) {
+    return std::min(body.known.complete_to, body.known.reach / (half_width / length));
+  };
+  const double first = of(*contact.first, 1.0);
+  if (contact.second == nullptr) return first;
+  const UnitRatios units(*contact.second, *contact.first);
+  return std::min(first, of(*contact.second, units.length) / units.time);
+}
+
+}  // namespace
 
 int RefinableContact::highest_level() const { return ladder_->highest; }
 
@@ -169,20 +165,18 @@ int RefinableContact::highest_level(double stretch) const {
   return level;
 }
 
-Levels RefinableContact::levels(double speed, double longer) const {
-  const int highest = highest_level(longer * stretch(speed));
-  const Contact& probe = at(0);
-  const double half_width = expected_half_width(probe, speed);
-  const double most = followed_cutoff(probe, half_width);
-  if (std::isinf(most)) return {0, highest};
-  Levels usable{0, highest};
-  while (usable.highest >= 0 && cutoff(usable.highest) > most) --usable.highest;
-  if (usable.highest < levels_of_a_point) {
+Levels RefinableContact::levels(double speed, double longer, const Poll& poll) const {
+  Levels usable{0, highest_level(longer * stretch(speed))};
+  const Contact& probe = at(0, poll);
+  const double half_width = expected_half_width(probe, speed), most = known_cutoff(probe, half_width);
+  if (std::isinf(most)) return usable;
+  while (usable.highest >= lowest_of_a_point && cutoff(usable.highest) > most) --usable.highest;
+  usable.lowest = usable.highest - levels_of_a_point;
+  if (usable.lowest < lowest_of_a_point) {
     throw NotConverged("restitution: the contact of '" + name(probe) + "', some " +
                        shown(std::round(1000.0 * half_width) / 1000.0) +
                        " R wide, is too wide for what is known of the point (use a lower speed)");
   }
-  usable.lowest = usable.highest - levels_of_a_point;
   return usable;
 }
 

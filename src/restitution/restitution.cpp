@@ -42,10 +42,15 @@ Run summary(const Impact& impact, double energy) {
           .steps = impact.steps};
 }
 
+/// The contact as it is at first, of a level that may be negative.
+const Contact& at_level(const RefinableContact& contact, int level, const Poll& poll) {
+  return contact.at(contact.cutoff(level), 1.0, poll);
+}
+
 /// The first level at which all modes of a vibration are kept.
 int lowest_level(const RefinableContact& contact, const Vibration& vibration, const Levels& levels, const Poll& poll) {
   for (int level = levels.lowest; level <= levels.highest; ++level) {
-    if (keeps(contact.at(level, poll), vibration)) return level;
+    if (keeps(at_level(contact, level, poll), vibration)) return level;
   }
   throw InvalidInput("vibration: got a mode above " + std::to_string(std::lround(contact.cutoff(levels.highest))) +
                      ", allowed modes that are kept (or there is no such mode)");
@@ -135,15 +140,15 @@ RestitutionNotConverged::RestitutionNotConverged(Restitution result)
 
 void validate(const RefinableContact& contact, double speed, const Vibration& vibration, const Poll& poll) {
   require_speed(speed);
-  const Levels levels = contact.levels(speed, room_to_last);
-  (void)approach(contact.at(lowest_level(contact, vibration, levels, poll), poll), speed, vibration);
+  const Levels levels = contact.levels(speed, room_to_last, poll);
+  (void)approach(at_level(contact, lowest_level(contact, vibration, levels, poll), poll), speed, vibration);
 }
 
 Restitution restitution(const RefinableContact& contact, double speed, const RestitutionOptions& options) {
   require_tolerance(options.tolerance, options.absolute);
   require_speed(speed);
   double stretch = contact.stretch(speed);
-  const Levels levels = contact.levels(speed, room_to_last);
+  const Levels levels = contact.levels(speed, room_to_last, options.poll);
   const int highest = levels.highest;
   const double order = convergence_order(contact.at(0, options.poll));
   Restitution result;
@@ -166,7 +171,7 @@ Restitution restitution(const RefinableContact& contact, double speed, const Res
         return impact(resolved, speed, of_one);
       };
       result.finest = to_its_end(contact, contact.cutoff(level), speed, stretch, options.poll, compute);
-      correct(correction, contact.at(level, options.poll), result.finest);
+      correct(correction, at_level(contact, level, options.poll), result.finest);
     } catch (const DoesNotEnd&) {
       throw;
     } catch (const NotConverged& error) {  // too coarse, perhaps
@@ -180,7 +185,7 @@ Restitution restitution(const RefinableContact& contact, double speed, const Res
       next.rungs = rungs[result.runs.size() - 1];
       continue;
     }
-    conclude(contact.at(level), speed, correction, result);
+    conclude(at_level(contact, level, options.poll), speed, correction, result);
     if (result.converged) {
       add_doubts(contact, speed, stretch, options, result);
       return result;

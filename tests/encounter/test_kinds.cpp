@@ -49,13 +49,15 @@ TEST(Kinds, HaveTheRangesOfTheirMakers) {
 TEST(Kinds, AreFoundByTheirNames) {
   for (const Kind& its : kinds()) EXPECT_EQ(&kind(its.name), &its);
   EXPECT_EQ(test::message_of<InvalidInput>([] { (void)kind("cube"); }),
-            "kind: got 'cube', allowed wall, same, disk, sphere, rod, half-space, half-plane, plate, strip, "
+            "kind: got 'cube', allowed wall, same, disk, sphere, rod, half-space, half-plane, plate, strip, modal, "
             "exponential");
 }
 
 TEST(Kinds, SayWhoMeetsWhom) {
   EXPECT_EQ(who_meets_whom(),
-            "a disk meets disks, half-planes and strips; a sphere spheres, half-spaces and plates; a rod rods");
+            "a disk meets disks, half-planes and strips; a sphere spheres, half-spaces, plates and modal bodies; a rod "
+            "rods; a "
+            "modal body spheres, half-spaces, plates and modal bodies");
 }
 
 }  // namespace

@@ -91,6 +91,9 @@ struct Body;
 
 /// How far a body is known of which only a point is (ModalBody); other bodies are known as they are.
 struct Knowledge {
+  /// Cutoff up to which all of its modes are there, c/R.
+  double complete_to = std::numeric_limits<double>::infinity();
+
   /// Largest product of the cutoff and the half-width of a contact up to which its shapes follow its modes, c.
   double reach = std::numeric_limits<double>::infinity();
 

@@ -31,13 +31,12 @@ class RefinableContact {
   [[nodiscard]] int highest_level(double stretch) const;
 
   /// The levels of impacts at a speed, with a half-space or a plate that lasts for longer · stretch(speed). Of a body
-  /// of which only a point is known they end where its shapes do not follow its modes any more, and begin not far
-  /// below.
+  /// of which only a point is known they end where its modes do, or where they do not move the contact as known any
+  /// more, and begin not far below, perhaps at negative levels.
   /// @throws NotConverged as highest_level, and for a speed at which no cutoff is good for such a body
-  [[nodiscard]] Levels levels(double speed, double longer) const;
+  [[nodiscard]] Levels levels(double speed, double longer, const Poll& poll = {}) const;
 
-  /// ω_c = 4√2 · 2^(level/4) c/R of the first body, 362 at level 24; for two bodies over their time_scale;
-  /// with a body of which a point is known it is the highest one that the body can have at level 24.
+  /// ω_c = 4√2 · 2^(level/4) c/R of the first body, 362 at level 24; for two bodies over their time_scale.
   [[nodiscard]] double cutoff(int level) const;
 
   /// The contact at the cutoff of a level.

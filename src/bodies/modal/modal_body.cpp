@@ -131,8 +131,8 @@ Body made(const ModalBody& its, double cutoff) {
   body.softness = 1.0 - its.poisson * its.poisson;
   body.loss_time = its.loss_time * own_speed(its) / length;
   body.cutoff = cutoff;
-  body.highest_cutoff = its.complete_to * length / own_speed(its);
   body.sampling = sampling;
+  body.known.complete_to = its.complete_to * length / own_speed(its);
   body.known.reach = its.has_bends ? reach : reach_of_pistons;
   // By what lies further off on a curved surface, of which the two radii say nothing.
   if (!plane) body.known.neglected = [](double half_width) { return half_width * half_width; };

@@ -1,0 +1,269 @@
+// Bodies by their modes at a point: a sphere that is given in this way is the sphere.
+#include <gtest/gtest.h>
+
+#include <boost/math/special_functions/ellint_1.hpp>
+#include <cmath>
+#include <functional>
+#include <numbers>
+#include <string>
+
+#include "bodies/modal/point_compliance.hpp"
+#include "stoss/bodies/half_space.hpp"
+#include "stoss/bodies/modal_body.hpp"
+#include "stoss/bodies/plate.hpp"
+#include "stoss/bodies/sphere.hpp"
+#include "stoss/restitution/curve.hpp"
+#include "support/modal_sphere.hpp"
+#include "support/refusal.hpp"
+
+namespace stoss {
+namespace modal_bodies {
+namespace {
+
+using bodies::modal::logarithm_share;
+using bodies::modal::sphere_constant;
+using std::numbers::pi;
+
+constexpr double mass = 4.0 * pi / 3.0;
+
+// Of docs/theory/any_body.md, from an independent summation with rings of 0.005 R.
+TEST(SphereConstant, IsWhatIsLeftOfTheStaticResponse) {
+  EXPECT_NEAR(sphere_constant(0.3), -0.5048, 2e-3);
+  EXPECT_NEAR(sphere_constant(0.0), -0.663, 1e-3);
+}
+
+/// Mean over two rings of A [1/r − g ln r].
+double ring_response(double poisson, double one, double other) {
+  const double sum = one + other, modulus = 2.0 * std::sqrt(one * other) / sum;
+  const double inverse = 2.0 / (pi * sum) * boost::math::ellint_1(modulus);
+  return (1.0 - poisson * poisson) / pi * (inverse - logarithm_share(poisson) * std::log(std::max(one, other)));
+}
+
+// Of so many rings W is that of the continuum at these two, which lie far from each other, to 1e-3.
+constexpr std::size_t rings = 256, near = 32, far = 224;
+
+// Rings at a distance move each other by G(r) and a remainder of the order of their size.
+TEST(ModalBody, RespondsByTheLocalFormulaAndItsConstant) {
+  for (const double poisson : {0.0, 0.3, 0.45}) {
+    for (const double constant : {-0.5, 0.0, 3.0}) {
+      ModalBody body;
+      body.mass = 2.0;
+      body.curvature = 1.0;
+      body.poisson = poisson;
+      body.compliance = constant;
+      body.complete_to = 1.0;
+      for (const double width : {0.08, 0.02}) {
+        const ContactPoints points{1.0, width / rings, rings};
+        const std::vector<double> w = modal_body(body)(0.5, {}).residual_compliance(points, {});
+        const double one = std::sin(points.angle(near)), other = std::sin(points.angle(far));
+        const double off = std::abs(w[near * rings + far] - ring_response(poisson, one, other) - constant);
+        EXPECT_LT(off, 0.1 * width + 5e-4 / width) << poisson << " " << width;
+      }
+    }
+  }
+}
+
+TEST(ModalBody, OfAPlaneSurfaceHasNoLogarithm) {
+  ModalBody body;
+  body.mass = 2.0;
+  body.poisson = 0.3;
+  body.compliance = 0.7;
+  body.complete_to = 1.0;
+  const ContactPoints points{1.0, 0.02 / rings, rings};
+  const std::vector<double> w = modal_body(body)(0.5, {}).residual_compliance(points, {});
+  const double one = std::sin(points.angle(near)), other = std::sin(points.angle(far));
+  const double logarithm = (1.0 - 0.09) / pi * logarithm_share(0.3) * std::log(other);
+  EXPECT_NEAR(w[near * rings + far], ring_response(0.3, one, other) + logarithm + 0.7 * std::cbrt(2.0),
+              0.03);  // in units of its cube
+}
+
+/// Whether it has converged or not.
+Restitution value_of(const RefinableContact& contact, double speed) { return best_restitution(contact, speed, {}); }
+
+struct Meeting {
+  const char* what;
+  double slowest, fastest;
+  std::function<RefinableContact(const BodyMaker&)> with;
+};
+
+const std::vector<Meeting>& meetings() {
+  static const std::vector<Meeting> all{
+      {"a wall", 1e-4, 3e-2, [](const BodyMaker& body) { return RefinableContact(body); }},
+      {"a half-space", 1e-4, 1e-2,
+       [](const BodyMaker& body) {
+         return RefinableContact(body, half_space(HalfSpace{0.2, 0.5, 0.8}));
+       }},
+      {"a plate", 1e-4, 1e-2,
+       [](const BodyMaker& body) {
+         return RefinableContact(body, plate(Plate{1.0, 0.3}));
+       }},
+      {"a smaller sphere", 1e-4, 1e-2,
+       [](const BodyMaker& body) {
+         return RefinableContact(sphere(Sphere{0.2, 0.5}), body);
+       }},
+      {"a larger sphere", 1e-4, 1e-2,
+       [](const BodyMaker& body) {
+         return RefinableContact(body, sphere(Sphere{0.2, 2.0}));
+       }},
+      {"its like", 1e-4, 1e-2, [](const BodyMaker& body) { return RefinableContact(body, body); }},
+  };
+  return all;
+}
+
+void expect_near(const Estimate& found, const Estimate& expected) {
+  EXPECT_NEAR(found.value, expected.value, found.error + expected.error);
+}
+
+TEST(ModalBody, OfASphereIsTheSphereWithinBothErrors) {
+  for (const Meeting& meeting : meetings()) {
+    for (const double poisson : {0.0, 0.3, 0.45}) {
+      for (const double complete_to : {6.0, 16.0}) {
+        for (double speed = meeting.slowest; speed < 1.01 * meeting.fastest; speed *= 10.0) {
+          const Restitution exact = value_of(meeting.with(sphere(poisson)), speed);
+          for (const bool bends : {true, false}) {
+            SCOPED_TRACE(std::string(meeting.what) + ", nu " + std::to_string(poisson) + ", v " +
+                         std::to_string(speed) + ", up to " + std::to_string(complete_to) + (bends ? "" : ", pistons"));
+            const BodyMaker body = modal_body(test::modal_sphere(poisson, complete_to, bends));
+            Restitution found;
+            try {
+              found = value_of(meeting.with(body), speed);
+            } catch (const NotConverged&) {
+              continue;
+            }
+            expect_near(found.lost_fraction, exact.lost_fraction);
+            expect_near(found.restitution, exact.restitution);
+            expect_near(found.contact_time, exact.contact_time);
+            expect_near(found.max_force, exact.max_force);
+          }
+        }
+      }
+    }
+  }
+}
+
+// What is stated is worth something: where modes reach to 16 c/R, below 1 % at v = 1e-4 and 10 % at 1e-2.
+TEST(ModalBody, StatesErrorsThatAreNotTooLarge) {
+  for (const auto& [speed, share] : {std::pair{1e-4, 0.02}, {1e-3, 0.05}, {1e-2, 0.25}}) {
+    const RefinableContact contact(modal_body(test::modal_sphere(0.3, 16.0)));
+    const Estimate lost = value_of(contact, speed).lost_fraction;
+    EXPECT_LT(lost.error, share * lost.value) << speed;
+  }
+}
+
+TEST(ModalBody, DoesNotDependOnUnits) {
+  const ModalBody own = test::modal_sphere(0.3, 12.0);
+  const ModalBody steel = in_units(own, 1.0 / 0.01, 1.0 / 210e9, 1.0 / 7850.0);
+  EXPECT_NEAR(steel.mass, mass * 7850.0 * 1e-6, 1e-12);
+  const Scales si = scales(steel);
+  EXPECT_NEAR(si.length, 0.01, 1e-15);
+  EXPECT_NEAR(si.speed, std::sqrt(210e9 / 7850.0), 1e-9);
+  const Restitution one = value_of(RefinableContact(modal_body(own)), 1e-3);
+  const Restitution other = value_of(RefinableContact(modal_body(steel)), 1e-3);
+  EXPECT_NEAR(one.lost_fraction.value, other.lost_fraction.value, 1e-9 * one.lost_fraction.value);
+  EXPECT_NEAR(one.lost_fraction.error, other.lost_fraction.error, 1e-6 * one.lost_fraction.error);
+}
+
+/// Error of 1 − ε² at v = 1e-3, and the value, with a change of the body.
+template <typename Change>
+Estimate lost_with(const Change& change) {
+  ModalBody body = test::modal_sphere(0.3, 12.0);
+  change(body);
+  return value_of(RefinableContact(modal_body(body)), 1e-3).lost_fraction;
+}
+
+TEST(ModalBody, CarriesTheErrorsOfItsNumbers) {
+  const Estimate exact = lost_with([](ModalBody&) {});
+  const auto expect_carried = [&](const auto& uncertain, const auto& changed) {
+    const Estimate stated = lost_with(uncertain), other = lost_with(changed);
+    EXPECT_EQ(stated.value, exact.value);
+    EXPECT_GT(stated.error, exact.error);
+    const double change = std::abs(other.value - exact.value);
+    EXPECT_GT(stated.error - exact.error, 0.4 * change);  // of other cutoffs, the change is another
+    EXPECT_LT(stated.error - exact.error, 3.0 * change);
+  };
+  expect_carried([](ModalBody& body) { body.compliance_error = 0.05; },
+                 [](ModalBody& body) { body.compliance += 0.05; });
+  const auto each = [](double PointMode::*value, double share) {
+    return [value, share](ModalBody& body) {
+      for (PointMode& mode : body.modes) {
+        (value == &PointMode::omega_error          ? mode.omega_error
+         : value == &PointMode::displacement_error ? mode.displacement_error
+         : value == &PointMode::omega              ? mode.omega
+                                                   : mode.displacement) +=
+            share *
+            (value == &PointMode::omega_error || value == &PointMode::omega ? mode.omega : std::abs(mode.displacement));
+      }
+    };
+  };
+  expect_carried(each(&PointMode::omega_error, 1e-3), [&](ModalBody& body) {
+    each(&PointMode::omega, 1e-3)(body);
+    body.complete_to *= 1.001;
+  });
+  expect_carried(each(&PointMode::displacement_error, 1e-3), each(&PointMode::displacement, 1e-3));
+}
+
+TEST(ModalBody, OfUnequalCurvaturesHasAnErrorForThem) {
+  const Estimate round = lost_with([](ModalBody&) {});
+  const Estimate oval = lost_with([](ModalBody& body) { body.curvature_difference = 0.6; });
+  EXPECT_GT(oval.error, round.error + 0.01 * round.value);
+}
+
+// A heavy block without modes that a ball strikes on its face: a rigid ball and a half-space that does not radiate.
+TEST(ModalBody, OfAPlaneSurfaceIsStruckByASphere) {
+  ModalBody block;
+  block.mass = 100.0;
+  block.poisson = 0.3;
+  block.complete_to = 1.0;
+  const Restitution found = value_of(RefinableContact(sphere(0.3), modal_body(block)), 1e-3);
+  const Restitution half = value_of(RefinableContact(sphere(0.3), half_space(HalfSpace{0.3})), 1e-3);
+  EXPECT_NEAR(found.contact_time.value, half.contact_time.value, 0.02 * half.contact_time.value);
+  EXPECT_NEAR(found.max_force.value, half.max_force.value, 0.04 * half.max_force.value);
+}
+
+TEST(ModalBody, RefusesWhatIsNoBody) {
+  const auto refused = [](const std::string& name, const auto& change) {
+    ModalBody body = test::modal_sphere(0.3, 12.0);
+    change(body);
+    test::expect_refusal([&] { (void)modal_body(body); }, {name});
+  };
+  refused("mass", [](ModalBody& body) { body.mass = 0.0; });
+  refused("mass", [](ModalBody& body) { body.mass = NAN; });
+  refused("curvature", [](ModalBody& body) { body.curvature = -0.1; });
+  refused("curvature_difference", [](ModalBody& body) { body.curvature_difference = 2.1; });
+  refused("poisson", [](ModalBody& body) { body.poisson = 0.5; });
+  refused("compliance", [](ModalBody& body) { body.compliance = INFINITY; });
+  refused("compliance_error", [](ModalBody& body) { body.compliance_error = -1.0; });
+  refused("complete_to", [](ModalBody& body) { body.complete_to = 0.0; });
+  refused("rising order", [](ModalBody& body) { std::swap(body.modes[3], body.modes[4]); });
+  refused("rigid motion", [](ModalBody& body) { body.modes[0].omega = 0.0; });
+  refused("displacement", [](ModalBody& body) { body.modes[2].displacement = NAN; });
+  refused("modes are missing", [](ModalBody& body) { body.modes.resize(4); });
+  refused("unit modal mass", [](ModalBody& body) {
+    for (PointMode& mode : body.modes) mode.displacement *= 0.1;
+  });
+}
+
+TEST(ModalBody, RefusesContactsThatAreNotSmallAndRound) {
+  ModalBody plane = test::modal_sphere(0.3, 12.0);
+  plane.curvature = 0.0;
+  test::expect_refusal([&] { (void)contact(modal_body(plane)(5.0, {})); }, {"curvature", "plane"});
+  test::expect_refusal([&] { (void)RefinableContact(modal_body(plane), half_space(HalfSpace{0.3})); },
+                       {"curvature", "plane"});
+  EXPECT_NO_THROW(RefinableContact(modal_body(plane), sphere(0.3)));
+  ModalBody cylinder = test::modal_sphere(0.3, 12.0);
+  cylinder.curvature_difference = 2.0;
+  test::expect_refusal([&] { (void)RefinableContact(modal_body(cylinder), half_space(HalfSpace{0.3})); },
+                       {"curvature", "4 : 1"});
+  EXPECT_NO_THROW(RefinableContact(modal_body(cylinder), sphere(0.3)));
+  EXPECT_THROW((void)restitution(RefinableContact(modal_body(test::modal_sphere(0.3, 12.0))), 0.5), NotConverged);
+}
+
+TEST(ModalBody, OfTooMuchComplianceInItsModesCannotBeComputed) {
+  ModalBody body = test::modal_sphere(0.3, 12.0);
+  body.compliance = -20.0;
+  EXPECT_THROW((void)restitution(RefinableContact(modal_body(body)), 1e-3), NotConverged);
+}
+
+}  // namespace
+}  // namespace modal_bodies
+}  // namespace stoss
