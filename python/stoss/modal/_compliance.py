@@ -14,9 +14,9 @@ from stoss._errors import InvalidInput
 from stoss.modal._modes import Spectrum
 from stoss.modal._surface import PATCH, Surface
 
-EDGES = (4.0, 16.0)
+EDGES = (3.0, 16.0)
 """Least and most radius of the widest pressure, in edges of the mesh at the point."""
-BEND = 0.4
+BEND = 0.45
 """Its greatest radius, in radii of curvature of the surface."""
 SHARES = (0.5, 0.75, 1.0)
 """The radii of the pressures, as shares of the widest one."""
@@ -68,6 +68,8 @@ def compliance(spectrum: Spectrum, surface: Surface, poisson: float, curvature: 
     least, most = (edges * surface.edge for edges in EDGES)
     if widest is None:
         widest = min(most, BEND / curvature) if curvature > 0.0 else most
+    elif widest > 0.6 * least:  # a coarser mesh than that which chose it
+        least = widest
     if widest < least:
         raise InvalidInput(
             f"mesh: too coarse at the point: edges of {surface.edge * surface.length:.3g} m, "

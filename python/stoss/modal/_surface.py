@@ -41,6 +41,8 @@ class Surface:
         self._all = self._facets()
         self.edge = self._edge()
         self.facets = self.near(PATCH * self.edge)
+        if mesh.comm.allreduce(len(self.facets)) == 0:
+            raise InvalidInput("normal: the surface does not face that way at the point (it must lead out of the body)")
         self.curvature = self._curvature()
 
     def near(self, radius: float) -> NDArray[np.int32]:
