@@ -5,7 +5,7 @@ from __future__ import annotations
 import argparse
 import math
 import re
-from typing import NoReturn, Sequence
+from typing import Callable, NoReturn, Sequence
 
 from stoss._errors import InvalidInput
 
@@ -14,6 +14,7 @@ WORDS = """The modes of a body and its compliance at one point of its surface, b
 Give two meshes of the same body, fine and coarse, for errors: each number errs by what it differs between them.
 Of a shape (.geo, .step, .brep) both are made here."""
 
+SHAPES = (".geo", ".step", ".stp", ".brep")
 UNITS = {"m": 1.0, "cm": 1e-2, "mm": 1e-3, "um": 1e-6}
 
 
@@ -22,14 +23,16 @@ class _Parser(argparse.ArgumentParser):
         raise InvalidInput(f"{message} (see python -m stoss.modal --help)")
 
 
-def _numbers(count: int) -> object:
+def _numbers(*counts: int) -> Callable[[str], tuple[float, ...]]:
+    """Takes so many numbers, with commas between them."""
+
     def numbers(text: str) -> tuple[float, ...]:
         values = tuple(float(part) for part in text.split(","))
-        if len(values) not in (count, 1 if count == 2 else count) or not all(map(math.isfinite, values)):
+        if len(values) not in counts or not all(map(math.isfinite, values)):
             raise ValueError
         return values
 
-    numbers.__name__ = f"list of {count} numbers, as in {','.join('123'[:count])}"
+    numbers.__name__ = f"list of {counts[-1]} numbers with commas"
     return numbers
 
 
@@ -51,7 +54,7 @@ def _parser() -> argparse.ArgumentParser:
     add("--loss-time", type=float, metavar="S", help="of a Kelvin-Voigt material (default: none)")
     add("--modes", type=int, default=50, metavar="N", help="at least so many elastic modes (default 50)")
     add("--up-to", type=float, metavar="HZ", help="all modes up to this frequency instead")
-    add("--curvature", type=_numbers(2), metavar="K1,K2", help="principal curvatures (default: those of the mesh)")
+    add("--curvature", type=_numbers(1, 2), metavar="K1,K2", help="principal curvatures (default: those of the mesh)")
     add("--radius", type=float, metavar="R", help="one radius of curvature instead, in the unit of the mesh")
     add("--size", type=float, metavar="H", help="of a shape: edges of the fine mesh")
     add("--size-at-point", type=float, metavar="H", help="edges at the point (default: an eighth of --size)")
@@ -64,7 +67,7 @@ def _parser() -> argparse.ArgumentParser:
 def parse(words: Sequence[str]) -> argparse.Namespace:
     """The arguments, checked as far as they go without a mesh; lengths are in m afterwards."""
     given = _parser().parse_args(words)
-    shape = given.mesh.lower().endswith((".geo", ".step", ".stp", ".brep"))
+    shape = given.mesh.lower().endswith(SHAPES)
     unit = UNITS[given.unit]
     given.scale = unit
     if math.hypot(*given.normal) == 0.0:

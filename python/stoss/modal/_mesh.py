@@ -9,10 +9,11 @@ from typing import Any, Sequence
 import gmsh
 import numpy as np
 from dolfinx.io import gmshio
+from numpy.typing import NDArray
 
 from stoss._errors import InvalidInput
+from stoss.modal._arguments import SHAPES
 
-SHAPES = (".geo", ".step", ".stp", ".brep")
 ORDERS = {4: 1, 11: 2}
 """Gmsh's types of tetrahedra that are taken, and their geometric order."""
 
@@ -36,7 +37,7 @@ class Sizes:
 
 def is_shape(path: str) -> bool:
     """Whether a file holds a shape, not a mesh."""
-    return os.path.splitext(path)[1].lower() in SHAPES
+    return path.lower().endswith(SHAPES)
 
 
 def load(path: str, unit: float, point: Sequence[float], sizes: Sizes | None, comm: Any) -> tuple[Any, float]:
@@ -90,9 +91,22 @@ def _open(path: str, unit: float, point: Sequence[float], sizes: Sizes | None) -
     if inverted:
         raise InvalidInput(f"{path}: {inverted} of {len(corners)} tetrahedra are inside out or flat")
     tags, x, _ = gmsh.model.mesh.getNodes()
+    parts = _parts(corners[:, :4].astype(np.int64))
+    if parts > 1:
+        raise InvalidInput(f"{path}: the mesh is in {parts} parts that do not hang together")
     used = np.isin(tags, corners)
     x = np.reshape(x, (-1, 3))[used]
     return 0.5 * float(np.linalg.norm(x.max(axis=0) - x.min(axis=0)))
+
+
+def _parts(corners: NDArray[np.int64]) -> int:
+    """How many parts tetrahedra form that share corners: each takes the least number among its corners."""
+    labels, before = np.arange(corners.max() + 1), np.empty(0, dtype=np.int64)
+    while not np.array_equal(labels, before):
+        before = labels.copy()
+        np.minimum.at(labels, corners, labels[corners].min(axis=1)[:, None])
+        labels = labels[labels]
+    return len(np.unique(labels[corners]))
 
 
 def _quadrature(kind: int) -> tuple[Any]:

@@ -9,8 +9,8 @@ import math
 import os
 from typing import Any
 
-import dolfinx
 import numpy as np
+from dolfinx import cpp
 from mpi4py import MPI
 
 from stoss import __version__
@@ -38,7 +38,7 @@ def run(given: argparse.Namespace) -> None:
     elif given.coarse:
         meshes.append((given.coarse, None))
     fine = _solve(given, progress, 0, *meshes[0], None)
-    coarse = _solve(given, progress, 1, *meshes[1], fine["widest"]) if len(meshes) > 1 else None
+    coarse = _solve(given, progress, 1, *meshes[1], fine) if len(meshes) > 1 else None
     body = _body(given, fine, coarse)
     if comm.rank == 0:
         write(given.output, body)
@@ -47,9 +47,9 @@ def run(given: argparse.Namespace) -> None:
 
 
 def _solve(
-    given: argparse.Namespace, progress: Progress, index: int, path: str, sizes: Sizes | None, widest: float | None
+    given: argparse.Namespace, progress: Progress, index: int, path: str, sizes: Sizes | None, finer: Any
 ) -> Any:
-    """All that one mesh tells, in SI. The second is pressed as widely as the first."""
+    """All that one mesh tells, in SI; a coarser one in the same way as the finer."""
     comm = MPI.COMM_WORLD
     kind = "coarse " if index else ""
     known = comm.bcast(progress.results.get(str(index)))
@@ -65,11 +65,13 @@ def _solve(
     body = Elasticity(mesh, given.poisson)
     unknowns, tetrahedra = body.mass.getSize()[0], mesh.topology.index_map(3).size_global
     progress.say(f"{kind}mesh: {tetrahedra} tetrahedra, {unknowns} unknowns")
+    if finer and given.coarse and _ratio(finer["tetrahedra"], tetrahedra) < 1.1:
+        raise InvalidInput(f"{path}: has {tetrahedra} tetrahedra, allowed at most {finer['tetrahedra'] / 1.1**3:.0f}")
     spectrum = Spectrum(body)
     speed, weight = math.sqrt(given.young / given.density), given.density * length**3
     if known is None:
         progress.say(f"{kind}mesh: compliance", lasting=False)
-        static = compliance(spectrum, surface, given.poisson, 0.5 * sum(curvature) * length, widest and widest / length)
+        static = compliance(spectrum, surface, given.poisson, 0.5 * sum(curvature) * length, finer and finer["widest"] / length)
         soft = 1.0 / (given.young * length)
         known = {
             "tetrahedra": tetrahedra, "unknowns": unknowns, "curvature": curvature, "volume": body.volume * length**3,
@@ -99,9 +101,7 @@ def _body(given: argparse.Namespace, fine: Any, coarse: Any) -> dict[str, Any]:
     """The keys of the file."""
     growth = 1.0
     if coarse is not None:
-        ratio = given.coarser if given.coarse is None else (fine["tetrahedra"] / coarse["tetrahedra"]) ** (1.0 / 3.0)
-        if ratio < 1.1:
-            raise InvalidInput(f"{given.coarse}: edges {ratio:.2f} times as long as those of {given.mesh}, allowed 1.1 or more")
+        ratio = given.coarser if given.coarse is None else _ratio(fine["tetrahedra"], coarse["tetrahedra"])
         growth = max(1.0, 1.0 / (ratio**2 - 1.0))  # as if errors were of second order; those of frequencies are less
     both = [_arrays(each["modes"]) for each in (fine, coarse) if each is not None]
     modes = merged(both[0], both[1] if len(both) > 1 else None, growth)
@@ -112,7 +112,7 @@ def _body(given: argparse.Namespace, fine: Any, coarse: Any) -> dict[str, Any]:
     normal = np.asarray(given.normal) / np.linalg.norm(given.normal)
     body = {
         "name": given.name or os.path.splitext(os.path.basename(given.mesh))[0],
-        "origin": f"stoss.modal {__version__}, DOLFINx {dolfinx.__version__}: {files}, {', '.join(meshes)}"
+        "origin": f"stoss.modal {__version__}, DOLFINx {cpp.__version__}: {files}, {', '.join(meshes)}"
         + ("" if coarse else "; errors of the mesh are unknown"),
         "mass": fine["mass"],
         "volume": fine["volume"],
@@ -130,6 +130,11 @@ def _body(given: argparse.Namespace, fine: Any, coarse: Any) -> dict[str, Any]:
     return body | ({"loss_time": given.loss_time} if given.loss_time else {})
 
 
+def _ratio(fine: int, coarse: int) -> float:
+    """How much longer the edges of a mesh are, by its tetrahedra."""
+    return float((fine / coarse) ** (1.0 / 3.0))
+
+
 def _arrays(modes: dict[str, list[float]]) -> dict[str, Any]:
     return {name: np.asarray(values) for name, values in modes.items()}
 
@@ -137,8 +142,8 @@ def _arrays(modes: dict[str, list[float]]) -> dict[str, Any]:
 def _key(given: argparse.Namespace) -> str:
     """Of what the results depend on: the files and the arguments."""
     state = hashlib.sha256(__version__.encode())
-    for path in filter(None, (given.mesh, given.coarse)):
-        if os.path.isfile(path):
+    for path in (given.mesh, given.coarse):
+        if path and os.path.isfile(path):
             with open(path, "rb") as stream:
                 state.update(stream.read())
     asked = {name: value for name, value in vars(given).items() if name not in ("output", "name")}

@@ -44,14 +44,15 @@ class Modal:
     def __init__(self, folder):
         self.folder = folder
 
-    def run(self, words, launcher=()):
+    def run(self, words, launcher=(), program=("-m", "stoss.modal")):
         """The completed process."""
-        command = [*launcher, sys.executable, "-m", "stoss.modal", *words.split()]
-        return subprocess.run(command, cwd=self.folder, env=ENVIRONMENT, capture_output=True, text=True, timeout=500)
+        command = [*launcher, sys.executable, *program, *words.split()]
+        options = {"capture_output": True, "text": True, "timeout": 500}
+        return subprocess.run(command, cwd=self.folder, env=ENVIRONMENT, **options)
 
-    def body(self, words, launcher=(), name="body.json"):
+    def body(self, words, name="body.json", **options):
         """The file that it writes."""
-        done = self.run(f"{words} -o {name}", launcher)
+        done = self.run(f"{words} -o {name}", **options)
         assert done.returncode == 0, done.stderr
         return json.loads((self.folder / name).read_text())
 
@@ -77,4 +78,4 @@ def modal(tmp_path_factory):
 @pytest.fixture(scope="session")
 def small_sphere(modal):
     """Its file on a small mesh, in units with R = E = ρ = 1."""
-    return modal.body(f"sphere.geo {BALL} {UNITS} --poisson 0.3 --size 0.3 --size-at-point 0.04 --modes 13")
+    return modal.body(f"sphere.geo {BALL} {UNITS} --poisson 0.3 --size 0.4 --size-at-point 0.055 --modes 13")

@@ -38,7 +38,7 @@ def timoshenko(height, count):
 def struck(modal):
     """The beam struck in its middle, at a node of the first mode, and near its end."""
     (modal.folder / "beam.geo").write_text(BEAM)
-    words = f"beam.geo --normal 0,0,1 {UNITS} --poisson {POISSON} --size 1 --size-at-point 0.1 --modes 12"
+    words = f"beam.geo --normal 0,0,1 {UNITS} --poisson {POISSON} --size 1 --size-at-point 0.15 --modes 12"
     return {
         x: modal.body(f"{words} --point {x},0,{HEIGHT / 2}", name=f"beam_{x}.json") for x in (0.0, 5.52, 9.3)
     }
