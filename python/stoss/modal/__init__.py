@@ -1,5 +1,5 @@
-"""A body of any shape as an impact sees it: modes and one compliance at a point, from finite elements.
+"""A body of any shape as an impact sees it: modes and one compliance at a point.
 
-`python -m stoss.modal MESH` writes them as a file (docs/any_body.md). Needs DOLFINx, SLEPc and Gmsh,
-which the rest of the package does without.
+They come from finite elements; `python -m stoss.modal MESH` writes them as a file
+(examples/any_body). Needs DOLFINx, SLEPc and Gmsh, which the rest of the package does without.
 """

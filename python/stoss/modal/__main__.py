@@ -1,4 +1,4 @@
-"""`python -m stoss.modal MESH [COARSE] …`: a body file from finite elements (docs/any_body.md).
+"""`python -m stoss.modal MESH [COARSE] …`: a body file from finite elements.
 
 Exit codes: 0 written, 1 not converged, 2 bad input, 4 input or output, 130 interrupted.
 """
@@ -36,7 +36,8 @@ def main(words: Sequence[str]) -> int:
     except NotConverged as error:
         return _complain(1, str(error), comm)
     except OSError as error:
-        return _end(_complain(4, f"cannot read or write '{error.filename}': {error.strerror}"), comm)
+        text = f"cannot read or write '{error.filename}': {error.strerror}"
+        return _end(_complain(4, text), comm)
     except KeyboardInterrupt:
         return _end(_complain(130, "interrupted; the same command goes on from there"), comm)
     except Exception:

@@ -5,14 +5,14 @@ from __future__ import annotations
 import argparse
 import math
 import re
-from typing import Callable, NoReturn, Sequence
+from typing import Any, Callable, NoReturn, Sequence
 
 from stoss._errors import InvalidInput
 
-WORDS = """The modes of a body and its compliance at one point of its surface, by finite elements, as a file for stoss.
+WORDS = """The modes of a body and its compliance at one point of its surface, by finite elements.
 
-Give two meshes of the same body, fine and coarse, for errors: each number errs by what it differs between them.
-Of a shape (.geo, .step, .brep) both are made here."""
+Give two meshes of the same body, fine and coarse, for errors: each number errs by what it differs
+between them. Of a shape (.geo, .step, .brep) both are made here. The file is for stoss."""
 
 SHAPES = (".geo", ".step", ".stp", ".brep")
 UNITS = {"m": 1.0, "cm": 1e-2, "mm": 1e-3, "um": 1e-6}
@@ -44,22 +44,23 @@ def _parser() -> argparse.ArgumentParser:
     add("mesh", help="Gmsh mesh of tetrahedra (.msh), or a shape (.geo, .step, .brep)")
     add("coarse", nargs="?", help="a coarser mesh of the same body, for the errors")
     add("-o", "--output", required=True, metavar="FILE", help="what is written, JSON")
-    add("--point", required=True, type=_numbers(3), metavar="X,Y,Z", help="contact point, in the unit of the mesh")
-    add("--normal", required=True, type=_numbers(3), metavar="X,Y,Z", help="outward normal of the surface there")
-    add("--unit", choices=UNITS, default="m", help="of the mesh, the point and the sizes (default m)")
+    place: dict[str, Any] = {"required": True, "type": _numbers(3), "metavar": "X,Y,Z"}
+    add("--point", **place, help="contact point, in the unit of the mesh")
+    add("--normal", **place, help="outward normal of the surface there")
+    add("--unit", choices=UNITS, default="m", help="of mesh, point and sizes (default m)")
     add("--material", metavar="NAME", help="one of stoss.materials; or these three:")
     add("--young", type=float, metavar="PA", help="Young's modulus")
     add("--poisson", type=float, metavar="NU", help="Poisson's ratio")
     add("--density", type=float, metavar="KG/M3", help="density")
     add("--loss-time", type=float, metavar="S", help="of a Kelvin-Voigt material (default: none)")
-    add("--modes", type=int, default=50, metavar="N", help="at least so many elastic modes (default 50)")
+    add("--modes", type=int, default=50, metavar="N", help="at least so many (default 50)")
     add("--up-to", type=float, metavar="HZ", help="all modes up to this frequency instead")
-    add("--curvature", type=_numbers(1, 2), metavar="K1,K2", help="principal curvatures (default: those of the mesh)")
-    add("--radius", type=float, metavar="R", help="one radius of curvature instead, in the unit of the mesh")
+    add("--curvature", type=_numbers(1, 2), metavar="K1,K2", help="default: the mesh's")
+    add("--radius", type=float, metavar="R", help="one radius of curvature instead")
     add("--size", type=float, metavar="H", help="of a shape: edges of the fine mesh")
-    add("--size-at-point", type=float, metavar="H", help="edges at the point (default: an eighth of --size)")
-    add("--coarser", type=float, default=1.4, metavar="Q", help="edges of the coarse mesh over these (default 1.4)")
-    add("--errors-unknown", action="store_true", help="one mesh is enough: the file has no errors of the mesh")
+    add("--size-at-point", type=float, metavar="H", help="at the point (default: an eighth of it)")
+    add("--coarser", type=float, default=1.4, metavar="Q", help="of the coarse mesh (1.4)")
+    add("--errors-unknown", action="store_true", help="one mesh is enough")
     add("--name", help="of the body (default: that of the mesh)")
     return parser
 
@@ -81,9 +82,11 @@ def parse(words: Sequence[str]) -> argparse.Namespace:
     if shape and given.size is None:
         raise InvalidInput("size: missing, the edge length of the mesh to be made of a shape")
     if shape and given.coarse:
-        raise InvalidInput(f"{given.coarse}: a shape needs no second file, its coarse mesh is made here (--coarser)")
+        raise InvalidInput(f"{given.coarse}: a shape needs no second file (see --coarser)")
     if not shape and not given.coarse and not given.errors_unknown:
-        raise InvalidInput("with one mesh the errors are unknown: give a coarser one too, or --errors-unknown")
+        raise InvalidInput(
+            "with one mesh the errors are unknown: give a coarser one too, or --errors-unknown"
+        )
     if not 1.1 <= given.coarser <= 4.0:
         raise InvalidInput(f"coarser: got {given.coarser}, allowed 1.1 to 4")
     given.point = tuple(unit * x for x in given.point)
@@ -110,6 +113,6 @@ def _material(given: argparse.Namespace) -> None:
         named = materials[given.material]
         given.young, given.poisson, given.density = named.young, named.poisson, named.density
     elif any(each is None for each in constants):
-        raise InvalidInput("material: missing; give --material NAME, or --young, --poisson and --density")
+        raise InvalidInput("material: missing: --material NAME, or --young, --poisson, --density")
     if not -1.0 < given.poisson <= 0.49:
-        raise InvalidInput(f"poisson: got {given.poisson}, allowed -1 to 0.49 (these elements lock beyond)")
+        raise InvalidInput(f"poisson: got {given.poisson}, allowed -1 to 0.49 (elements lock)")

@@ -16,7 +16,8 @@ DIGITS = 12
 def write(path: str, body: Mapping[str, Any]) -> None:
     """JSON, one line for each key, that appears whole or not at all."""
     keys = {"format": FORMAT, **body}
-    lines = [f" {json.dumps(name)}: {json.dumps(_plain(value), ensure_ascii=False)}" for name, value in keys.items()]
+    text = {name: json.dumps(_plain(value), ensure_ascii=False) for name, value in keys.items()}
+    lines = [f" {json.dumps(name)}: {value}" for name, value in text.items()]
     write_lines(path, ["{\n", ",\n".join(lines), "\n}\n"])
 
 

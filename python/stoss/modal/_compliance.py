@@ -1,4 +1,4 @@
-"""The compliance c0: what is static at the point beside a half-space's 1/r and the logarithm of its bend."""
+"""The compliance c0: what is static at the point beside a half-space's 1/r and its logarithm."""
 
 from __future__ import annotations
 
@@ -20,8 +20,8 @@ BEND = 0.45
 """Its greatest radius, in radii of curvature of the surface."""
 SHARES = (0.5, 0.75, 1.0)
 """The radii of the pressures, as shares of the widest one."""
-INVERSE = 2304.0 * math.gamma(6.0) * math.gamma(0.5) / (64.0 * math.gamma(3.5) ** 2 * math.gamma(6.5))
-"""Mean of 1/r between two points under the pressure (1 − r²)², by its Hankel transform 48 J₃(k)/k³."""
+INVERSE = 36.0 * math.gamma(6.0) * math.gamma(0.5) / (math.gamma(3.5) ** 2 * math.gamma(6.5))
+"""Mean of 1/r between points under the pressure (1 − r²)², by its transform 48 J₃(k)/k³."""
 LOGARITHM = -73.0 / 120.0
 """Mean of ln r between two such points: of ln max(r, r′), the mean over the angle."""
 
@@ -40,8 +40,8 @@ class Pressure:
         normal = fem.Constant(mesh, PETSc.ScalarType(surface.normal))
         arm = ufl.SpatialCoordinate(mesh) - point
         square = (ufl.inner(arm, arm) - ufl.inner(arm, normal) ** 2) / self.radius**2
-        share = ufl.conditional(ufl.lt(square, 1.0), (1.0 - square) ** 2, 0.0) * 3.0 / (math.pi * self.radius**2)
-        share = share * ufl.inner(ufl.FacetNormal(mesh), normal)
+        share = ufl.conditional(ufl.lt(square, 1.0), (1.0 - square) ** 2, 0.0)
+        share = share * 3.0 / (math.pi * self.radius**2) * ufl.inner(ufl.FacetNormal(mesh), normal)
         moved = ufl.TestFunction(spectrum.body.space)
         self._load = fem.form(-share * ufl.inner(moved, normal) * ds)
         self._total = fem.form(share * ds)
@@ -64,7 +64,10 @@ class Pressure:
 def compliance(
     spectrum: Spectrum, surface: Surface, poisson: float, curvature: float, widest: float | None
 ) -> dict[str, float]:
-    """c0 in units with E = 1, extrapolated to no radius; how far this reaches; the widest radius, if it is not given."""
+    """c0 in units with E = 1, extrapolated to no radius; how far this reaches; the widest radius.
+
+    `widest` is that of a finer mesh.
+    """
     least, most = (edges * surface.edge for edges in EDGES)
     if widest is None:
         widest = min(most, BEND / curvature) if curvature > 0.0 else most

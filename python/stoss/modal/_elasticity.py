@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from petsc4py import PETSc
 
 DEGREE = 4
-"""Polynomials up to here are integrated exactly on straight tetrahedra: products of displacements."""
+"""Of the polynomials that are integrated exactly: products of displacements."""
 
 
 class Elasticity:
@@ -31,8 +31,8 @@ class Elasticity:
         u, v = ufl.TrialFunction(self.space), ufl.TestFunction(self.space)
         lame = poisson / ((1.0 + poisson) * (1.0 - 2.0 * poisson))
         shear = 0.5 / (1.0 + poisson)
-        constants = [fem.Constant(mesh, PETSc.ScalarType(each)) for each in (lame, shear)]
-        stress = constants[0] * ufl.div(u) * ufl.Identity(3) + 2.0 * constants[1] * ufl.sym(ufl.grad(u))
+        first, second = (fem.Constant(mesh, PETSc.ScalarType(each)) for each in (lame, shear))
+        stress = first * ufl.div(u) * ufl.Identity(3) + 2.0 * second * ufl.sym(ufl.grad(u))
         self.stiffness = self._matrix(ufl.inner(stress, ufl.sym(ufl.grad(v))))
         self.mass = self._matrix(ufl.inner(u, v))
         self._weigh()
@@ -62,7 +62,8 @@ class Elasticity:
         load.axpy(-1.0, self.mass * motion)
 
     def _matrix(self, integrand: Any) -> PETSc.Mat:
-        matrix = assemble_matrix(fem.form(integrand * ufl.dx(metadata={"quadrature_degree": DEGREE})))
+        dx = ufl.dx(metadata={"quadrature_degree": DEGREE})
+        matrix = assemble_matrix(fem.form(integrand * dx))
         matrix.assemble()
         matrix.setOption(PETSc.Mat.Option.SYMMETRIC, True)
         return matrix
@@ -82,7 +83,8 @@ class Elasticity:
     def _rigid(self) -> list[PETSc.Vec]:
         arms = self.nodes() - self.centre
         axes = np.eye(3)
-        motions = [np.tile(axis, (len(arms), 1)) for axis in axes] + [np.cross(axis, arms) for axis in axes]
+        motions = [np.tile(axis, (len(arms), 1)) for axis in axes]
+        motions += [np.cross(axis, arms) for axis in axes]
         kept: list[PETSc.Vec] = []
         for motion in motions:
             vector = self.vector()

@@ -40,7 +40,9 @@ def is_shape(path: str) -> bool:
     return path.lower().endswith(SHAPES)
 
 
-def load(path: str, unit: float, point: Sequence[float], sizes: Sizes | None, comm: Any) -> tuple[Any, float]:
+def load(
+    path: str, unit: float, point: Sequence[float], sizes: Sizes | None, comm: Any
+) -> tuple[Any, float]:
     """The mesh of a file, spread over the processes, and the length in m by which it was divided.
 
     `unit` is that of the file's lengths, in m. Of a shape a mesh of these `sizes` is made, which is
@@ -89,7 +91,7 @@ def _open(path: str, unit: float, point: Sequence[float], sizes: Sizes | None) -
     _, determinants, _ = gmsh.model.mesh.getJacobians(types[0], *_quadrature(types[0]))
     inverted = int(np.sum(np.reshape(determinants, (len(corners), -1)).min(axis=1) <= 0.0))
     if inverted:
-        raise InvalidInput(f"{path}: {inverted} of {len(corners)} tetrahedra are inside out or flat")
+        raise InvalidInput(f"{path}: {inverted} tetrahedra are inside out or flat")
     tags, x, _ = gmsh.model.mesh.getNodes()
     parts = _parts(corners[:, :4].astype(np.int64))
     if parts > 1:
@@ -100,7 +102,7 @@ def _open(path: str, unit: float, point: Sequence[float], sizes: Sizes | None) -
 
 
 def _parts(corners: NDArray[np.int64]) -> int:
-    """How many parts tetrahedra form that share corners: each takes the least number among its corners."""
+    """How many parts tetrahedra form that share corners: each takes the least of their numbers."""
     labels, before = np.arange(corners.max() + 1), np.empty(0, dtype=np.int64)
     while not np.array_equal(labels, before):
         before = labels.copy()
@@ -123,7 +125,8 @@ def _generate(unit: float, point: Sequence[float], sizes: Sizes) -> None:
     field = gmsh.model.mesh.field.add("MathEval")
     gmsh.model.mesh.field.setString(field, "F", f"{sizes.coarser!r}*({grown})")
     gmsh.model.mesh.field.setAsBackgroundMesh(field)
-    for name, value in {"MeshSizeMax": far, "MeshSizeFromPoints": 0, "MeshSizeExtendFromBoundary": 0,
-                        "ElementOrder": 2, "HighOrderOptimize": 1, "Algorithm": 6}.items():  # fmt: skip
+    options = {"MeshSizeMax": far, "MeshSizeFromPoints": 0, "MeshSizeExtendFromBoundary": 0,
+               "ElementOrder": 2, "HighOrderOptimize": 1, "Algorithm": 6}  # fmt: skip
+    for name, value in options.items():
         gmsh.option.setNumber(f"Mesh.{name}", value)
     gmsh.model.mesh.generate(3)

@@ -40,7 +40,7 @@ class Spectrum:
         self.solver.setUp()
 
     def solve(self, load: PETSc.Vec) -> PETSc.Vec:
-        """The static displacement under a load in balance, without rigid motion: conjugate gradients."""
+        """The static displacement under a load in balance, by conjugate gradients."""
         inverse = self.solver.getST().getKSP()
         found, residual = self.body.vector(), load.copy()
         improved, direction = self.body.vector(), self.body.vector()
@@ -59,8 +59,10 @@ class Spectrum:
                 return found
         raise NotConverged("compliance: the static displacement did not converge")
 
-    def modes(self, count: int, surface: Surface, progress: Callable[[int], None]) -> dict[str, Vector]:
-        """At least `count` elastic modes, up to a gap, in units with E = ρ = 1 and the mesh's length.
+    def modes(
+        self, count: int, surface: Surface, progress: Callable[[int], None]
+    ) -> dict[str, Vector]:
+        """At least `count` elastic modes, up to a gap, in units with E = ρ = 1.
 
         Returns ω, the displacement along the normal at the point, and half its mean curvature.
         """
@@ -80,8 +82,7 @@ class Spectrum:
         values = values[order]
         rigid = int(np.sum(np.abs(values) < RIGID))
         if rigid != 6:
-            hint = "the mesh is in parts that do not hang together" if rigid > 6 else "is the body extremely slender?"
-            raise InvalidInput(f"mesh: {rigid} rigid motions, must be 6: {hint}")
+            raise InvalidInput(f"mesh: {rigid} rigid motions, must be 6: does it hang together?")
         # The last ones may have others of the same frequency behind them.
         gaps = np.diff(np.sqrt(values[6:]))[count - 1 :]
         end = 6 + count + int(np.argmax(gaps))
@@ -95,10 +96,11 @@ class Spectrum:
             norm = np.sqrt(vector.dot(self.body.mass * vector))
             row[:] = vector.array.reshape(-1, 3)[nodes] @ surface.normal / norm
         moved = self.body.mesh.comm.allreduce(along @ weights.T)
-        return {"omega": np.sqrt(values[6:end]), "displacement": moved[:, 0], "curvature": moved[:, 1]}
+        omega = np.sqrt(values[6:end])
+        return {"omega": omega, "displacement": moved[:, 0], "curvature": moved[:, 1]}
 
     def below(self, value: float) -> int:
-        """How many modes lie below ω² = value, the rigid ones among them: so many pivots are negative."""
+        """How many modes lie below ω² = value, rigid ones too: so many pivots are negative."""
         shifted = self.body.stiffness.copy()
         shifted.axpy(-value, self.body.mass, PETSc.Mat.Structure.SAME_NONZERO_PATTERN)
         solver = PETSc.KSP().create(self.body.mesh.comm)
@@ -106,7 +108,7 @@ class Spectrum:
         _factor(solver)
         solver.getPC().setFactorSetUpSolverType()
         factor = solver.getPC().getFactorMatrix()
-        factor.setMumpsIcntl(24, 1)  # find pivots that are zero, without which PETSc tells no inertia
+        factor.setMumpsIcntl(24, 1)  # without which PETSc tells no inertia
         solver.setUp()
         below = int(factor.getInertia()[0])
         solver.destroy()

@@ -32,12 +32,13 @@ class Progress:
                 self.results = dict(stored["results"])
 
     def say(self, text: str, lasting: bool = True) -> None:
-        """One line; on a terminal one that does not last is overwritten by the next, elsewhere it is left out."""
+        """One line. One that does not last is overwritten by the next, or left out in a file."""
         terminal = sys.stderr.isatty()
         if not self.first or not (lasting or terminal):
             return
         line = f"stoss.modal: {time.monotonic() - self._start:5.0f} s  {text}"
-        print("\r" * terminal + line.ljust(self._wide), end="\n" if lasting else "", file=sys.stderr, flush=True)
+        text = "\r" * terminal + line.ljust(self._wide) + "\n" * lasting
+        print(text, end="", file=sys.stderr, flush=True)
         self._wide = 0 if lasting else len(line)
 
     def keep(self, name: str, result: Any) -> None:

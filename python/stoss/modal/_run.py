@@ -47,7 +47,12 @@ def run(given: argparse.Namespace) -> None:
 
 
 def _solve(
-    given: argparse.Namespace, progress: Progress, index: int, path: str, sizes: Sizes | None, finer: Any
+    given: argparse.Namespace,
+    progress: Progress,
+    index: int,
+    path: str,
+    sizes: Sizes | None,
+    finer: Any,
 ) -> Any:
     """All that one mesh tells, in SI; a coarser one in the same way as the finer."""
     comm = MPI.COMM_WORLD
@@ -61,20 +66,26 @@ def _solve(
     surface = Surface(mesh, length, given.point, given.normal)
     curvature = given.curvature or tuple(k / length for k in surface.curvature)
     if min(curvature) < 0.0:
-        raise InvalidInput(f"curvature: got {min(curvature):.4g} 1/m, a hollow, allowed 0 or more (--curvature)")
+        raise InvalidInput(
+            f"curvature: got {min(curvature):.4g} 1/m, a hollow, allowed 0 or more (--curvature)"
+        )
     body = Elasticity(mesh, given.poisson)
     unknowns, tetrahedra = body.mass.getSize()[0], mesh.topology.index_map(3).size_global
     progress.say(f"{kind}mesh: {tetrahedra} tetrahedra, {unknowns} unknowns")
     if finer and given.coarse and _ratio(finer["tetrahedra"], tetrahedra) < 1.1:
-        raise InvalidInput(f"{path}: has {tetrahedra} tetrahedra, allowed at most {finer['tetrahedra'] / 1.1**3:.0f}")
+        most = int(finer["tetrahedra"] / 1.1**3)
+        raise InvalidInput(f"{path}: has {tetrahedra} tetrahedra, allowed at most {most}")
     spectrum = Spectrum(body)
     speed, weight = math.sqrt(given.young / given.density), given.density * length**3
     if known is None:
         progress.say(f"{kind}mesh: compliance", lasting=False)
-        static = compliance(spectrum, surface, given.poisson, 0.5 * sum(curvature) * length, finer and finer["widest"] / length)
+        mean = 0.5 * sum(curvature) * length
+        widest = finer["widest"] / length if finer else None
+        static = compliance(spectrum, surface, given.poisson, mean, widest)
         soft = 1.0 / (given.young * length)
         known = {
-            "tetrahedra": tetrahedra, "unknowns": unknowns, "curvature": curvature, "volume": body.volume * length**3,
+            "tetrahedra": tetrahedra, "unknowns": unknowns, "curvature": curvature,
+            "volume": body.volume * length**3,
             "mass": body.volume * weight, "inertia": (body.inertia * weight * length**2).tolist(),
             "centre": (body.centre * length).tolist(), "compliance": static["c0"] * soft,
             "reach": static["reach"] * soft, "widest": static["widest"] * length,
@@ -84,9 +95,11 @@ def _solve(
     if given.up_to:
         count = spectrum.below((2.0 * math.pi * given.up_to * length / speed) ** 2) - 6
         if count < 1:
-            raise InvalidInput(f"up-to: got {given.up_to} Hz, allowed more: there is no elastic mode below")
+            raise InvalidInput(f"up-to: got {given.up_to} Hz, below which there is no elastic mode")
     progress.say(f"{kind}mesh: {count} modes", lasting=False)
-    modes = spectrum.modes(count, surface, lambda done: progress.say(f"{kind}mesh: mode {done} of {count}", False))
+    modes = spectrum.modes(
+        count, surface, lambda done: progress.say(f"{kind}mesh: mode {done} of {count}", False)
+    )
     known["modes"] = {
         "frequency": (modes["omega"] * speed / length / (2.0 * math.pi)).tolist(),
         "displacement": (modes["displacement"] / math.sqrt(weight)).tolist(),
@@ -101,24 +114,33 @@ def _body(given: argparse.Namespace, fine: Any, coarse: Any) -> dict[str, Any]:
     """The keys of the file."""
     growth = 1.0
     if coarse is not None:
-        ratio = given.coarser if given.coarse is None else _ratio(fine["tetrahedra"], coarse["tetrahedra"])
-        growth = max(1.0, 1.0 / (ratio**2 - 1.0))  # as if errors were of second order; those of frequencies are less
+        ratio = given.coarser
+        if given.coarse is not None:
+            ratio = _ratio(fine["tetrahedra"], coarse["tetrahedra"])
+        growth = max(1.0, 1.0 / (ratio**2 - 1.0))  # as if all errors were of second order
     both = [_arrays(each["modes"]) for each in (fine, coarse) if each is not None]
     modes = merged(both[0], both[1] if len(both) > 1 else None, growth)
     complete = float(modes.pop("complete_to")[0])
-    meshes = [f"{each['tetrahedra']} tetrahedra ({each['unknowns']} unknowns)" for each in (fine, coarse) if each]
+    meshes = [
+        f"{each['tetrahedra']} tetrahedra ({each['unknowns']} unknowns)"
+        for each in (fine, coarse)
+        if each
+    ]
     files = " and ".join(os.path.basename(each) for each in (given.mesh, given.coarse) if each)
-    error = fine["reach"] + (growth * abs(fine["compliance"] - coarse["compliance"]) if coarse else 0.0)
+    error = fine["reach"]
+    if coarse is not None:
+        error += growth * abs(fine["compliance"] - coarse["compliance"])
     normal = np.asarray(given.normal) / np.linalg.norm(given.normal)
     body = {
         "name": given.name or os.path.splitext(os.path.basename(given.mesh))[0],
-        "origin": f"stoss.modal {__version__}, DOLFINx {cpp.__version__}: {files}, {', '.join(meshes)}"
+        "origin": f"stoss.modal {__version__}, DOLFINx {cpp.__version__}: {files}, "
+        + ", ".join(meshes)
         + ("" if coarse else "; errors of the mesh are unknown"),
         "mass": fine["mass"],
         "volume": fine["volume"],
         "rotation": {
-            "inertia": fine["inertia"],
-            "point": np.asarray(given.point) - np.asarray(fine["centre"]),
+            "inertia": _rounded(fine["inertia"]),
+            "point": _rounded(np.asarray(given.point) - np.asarray(fine["centre"])),
             "normal": normal,
         },
         "curvature": fine["curvature"],
@@ -128,6 +150,11 @@ def _body(given: argparse.Namespace, fine: Any, coarse: Any) -> dict[str, Any]:
         "modes": modes,
     }  # fmt: skip
     return body | ({"loss_time": given.loss_time} if given.loss_time else {})
+
+
+def _rounded(values: Any) -> Any:
+    """Without what is only rounding beside the largest."""
+    return np.where(np.abs(values) < 1e-12 * np.max(np.abs(values)), 0.0, values)
 
 
 def _ratio(fine: int, coarse: int) -> float:

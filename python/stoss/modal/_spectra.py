@@ -22,20 +22,22 @@ def groups(frequencies: Vector, errors: Vector) -> list[slice]:
     [slice(0, 1, None), slice(1, 3, None), slice(3, 4, None)]
     """
     between = np.maximum(errors[1:], errors[:-1])
-    apart = np.diff(frequencies) > np.minimum(between, CLOSE * frequencies[1:]) + 1e-6 * frequencies[1:]
+    allowed = np.minimum(between, CLOSE * frequencies[1:]) + 1e-6 * frequencies[1:]
+    apart = np.diff(frequencies) > allowed
     ends = [0, *(np.flatnonzero(apart) + 1), len(frequencies)]
     return [slice(int(start), int(end)) for start, end in zip(ends, ends[1:])]
 
 
 def combined(modes: Modes, clusters: list[slice]) -> dict[str, Vector]:
-    """Each cluster as the one combination of its modes that moves the point: the others leave it at rest."""
+    """Each cluster as the one combination of its modes that moves the point."""
+    names = ("frequency", "displacement", "displacement_curvature")
     rows = []
     for cluster in clusters:
-        f, moved, bent = (modes[name][cluster] for name in ("frequency", "displacement", "displacement_curvature"))
+        f, moved, bent = (modes[name][cluster] for name in names)
         whole = float(np.linalg.norm(moved))
         shares = moved / whole if whole > 0.0 else np.full(len(f), len(f) ** -0.5)
         rows.append((np.sqrt(shares**2 @ f**2), whole, shares @ bent))
-    return dict(zip(("frequency", "displacement", "displacement_curvature"), np.array(rows).T))
+    return dict(zip(names, np.array(rows).T))
 
 
 def merged(fine: Modes, coarse: Modes | None, finer: float) -> dict[str, Vector]:

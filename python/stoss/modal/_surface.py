@@ -14,7 +14,7 @@ from stoss._errors import InvalidInput
 PATCH = 4.0
 """Radius of the surface to which polynomials are fitted, in edges of the mesh."""
 STEEP = 0.8
-"""Least cosine between the normal of the surface and that at the point, of what belongs to the patch."""
+"""Least cosine between the normal of a facet of the patch and that at the point."""
 POWERS = [(i, k - i) for k in range(5) for i in range(k, -1, -1)]
 """Of the polynomials x^i y^j that are fitted, up to the fourth degree."""
 
@@ -31,7 +31,9 @@ class Surface:
         curvature: Principal curvatures of the surface at the point.
     """
 
-    def __init__(self, mesh: Any, length: float, point: Sequence[float], normal: Sequence[float]) -> None:
+    def __init__(
+        self, mesh: Any, length: float, point: Sequence[float], normal: Sequence[float]
+    ) -> None:
         self.mesh, self.length = mesh, length
         self.point = np.asarray(point) / length
         self.normal = np.asarray(normal) / np.linalg.norm(normal)
@@ -42,18 +44,20 @@ class Surface:
         self.edge = self._edge()
         self.facets = self.near(PATCH * self.edge)
         if mesh.comm.allreduce(len(self.facets)) == 0:
-            raise InvalidInput("normal: the surface does not face that way at the point (it must lead out of the body)")
+            raise InvalidInput(
+                "normal: the surface does not face that way at the point (does it lead outward?)"
+            )
         self.curvature = self._curvature()
 
     def near(self, radius: float) -> NDArray[np.int32]:
-        """This process's facets of the surface that faces outward within a radius around the normal."""
+        """This process's facets around the normal that face outward, within a radius."""
         facets, corners, normals = self._all
         flat, depth = self._flat(corners.mean(axis=1))
         beside = np.linalg.norm(flat, axis=1) < radius
         return np.sort(facets[beside & (np.abs(depth) < radius) & (normals @ self.normal > STEEP)])
 
     def weights(self, space: Any) -> tuple[NDArray[np.int32], Vector]:
-        """Rows that give of values at a space's nodes the value at the point, and half its mean curvature.
+        """Rows that make of values at nodes the value at the point, and half its mean curvature.
 
         Returns the nodes of this process, and for each of both rows the weights of these nodes.
         """
@@ -62,7 +66,7 @@ class Surface:
         return nodes, np.array([rows[0], 0.5 * rows[squares].sum(axis=0)])
 
     def _fit(self, space: Any) -> tuple[NDArray[np.int32], Vector, Vector]:
-        """Nodes of this process in the patch, their rows of the fit's inverse, and their heights."""
+        """Nodes of this process in the patch, their columns of the inverse, their heights."""
         nodes = fem.locate_dofs_topological(space, 2, self.facets)
         nodes = nodes[nodes < space.dofmap.index_map.size_local]
         flat, height = self._flat(space.tabulate_dof_coordinates()[nodes])
@@ -70,8 +74,9 @@ class Surface:
         parts = self.mesh.comm.allgather(flat)
         everywhere = np.concatenate(parts)
         if len(everywhere) < 2 * len(POWERS):
-            raise InvalidInput(f"point: only {len(everywhere)} nodes near it, too few to see how the surface bends")
-        powers = np.stack([everywhere[:, 0] ** i * everywhere[:, 1] ** j for i, j in POWERS], axis=1)
+            raise InvalidInput(f"point: only {len(everywhere)} nodes near it, too few for a fit")
+        x, y = everywhere.T
+        powers = np.stack([x**i * y**j for i, j in POWERS], axis=1)
         rows = np.linalg.pinv(powers)
         scales = np.array([(PATCH * self.edge) ** -(i + j) for i, j in POWERS])
         start = sum(len(part) for part in parts[: self.mesh.comm.rank])
@@ -84,11 +89,12 @@ class Surface:
         fitted = dict(zip(POWERS, sum(self.mesh.comm.allgather(rows @ height))))
         offset = abs(fitted[0, 0])
         if offset > 0.02 * self.edge:
-            raise self._beside(offset)
+            raise self._beside(offset, self.point + fitted[0, 0] * self.normal)
         tilt = np.degrees(np.arctan(np.hypot(fitted[1, 0], fitted[0, 1])))
         if tilt > 2.0:
             raise InvalidInput(f"normal: {tilt:.1f} degrees off that of the surface at the point")
-        bends = np.linalg.eigvalsh(-np.array([[2 * fitted[2, 0], fitted[1, 1]], [fitted[1, 1], 2 * fitted[0, 2]]]))
+        second = [[2 * fitted[2, 0], fitted[1, 1]], [fitted[1, 1], 2 * fitted[0, 2]]]
+        bends = np.linalg.eigvalsh(-np.array(second))
         bends = np.where(np.abs(bends) * self.edge < 1e-4, 0.0, bends)
         return float(bends[0]), float(bends[1])
 
@@ -104,9 +110,11 @@ class Surface:
         facets = meshes.exterior_facet_indices(topology)
         facets = facets[facets < topology.index_map(2).size_local]
         x = self.mesh.geometry.x
-        corners = x[cpp.mesh.entities_to_geometry(self.mesh._mesh, 2, facets, False)].reshape(-1, 3, 3)
+        vertices = cpp.mesh.entities_to_geometry(self.mesh._mesh, 2, facets, False)
+        corners = x[vertices].reshape(-1, 3, 3)
         cells = [topology.connectivity(2, 3).links(facet)[0] for facet in facets]
-        inside = np.array([x[self.mesh.geometry.dofmap.links(cell)[:4]].mean(axis=0) for cell in cells])
+        nodes = self.mesh.geometry.dofmap
+        inside = np.array([x[nodes.links(cell)[:4]].mean(axis=0) for cell in cells])
         normals = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
         outward = np.sign(np.sum(normals * (corners.mean(axis=1) - inside.reshape(-1, 3)), axis=1))
         return facets, corners, normals * (outward / np.linalg.norm(normals, axis=1))[:, None]
@@ -123,10 +131,10 @@ class Surface:
             raise self._beside(away.min(), vertices[np.argmin(away)])
         return edge
 
-    def _beside(self, distance: float, nearest: Vector | None = None) -> InvalidInput:
-        scale = self.length
-        where = "" if nearest is None else ", nearest node " + ",".join(f"{scale * x:.6g}" for x in nearest)
+    def _beside(self, distance: float, nearest: Vector) -> InvalidInput:
+        place = ",".join(f"{self.length * x:.6g}" for x in nearest)
+        hint = " (is the unit right? --unit mm)" if distance > 2.0 else ""
         return InvalidInput(
-            f"point: {scale * distance:.3g} m beside the surface{where}; "
-            f"the body measures {2 * scale:.3g} m from corner to corner (are its lengths in mm? --unit mm)"
+            f"point: {self.length * distance:.3g} m beside the surface, nearest is {place} m; "
+            f"the body measures {2 * self.length:.3g} m from corner to corner{hint}"
         )

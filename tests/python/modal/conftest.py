@@ -15,9 +15,12 @@ NEEDED = ("dolfinx", "slepc4py", "gmsh", "mpi4py")
 SPHERE = 'SetFactory("OpenCASCADE");\nSphere(1) = {0, 0, 0, 1};\n'
 BALL = "--point 0.6,0,0.8 --normal 0.6,0,0.8"
 UNITS = "--young 1 --density 1"
+SMALL = f"sphere.geo {BALL} {UNITS} --poisson 0.3 --size 0.4 --size-at-point 0.055 --modes 13"
 ENVIRONMENT = {
     **os.environ,
-    "PYTHONPATH": os.pathsep.join([str(Path(stoss.__file__).parents[1]), os.environ.get("PYTHONPATH", "")]),
+    "PYTHONPATH": os.pathsep.join(
+        [str(Path(stoss.__file__).parents[1]), os.environ.get("PYTHONPATH", "")]
+    ),
     "OMP_NUM_THREADS": "1",
     "OMPI_ALLOW_RUN_AS_ROOT": "1",
     "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1",
@@ -60,8 +63,9 @@ class Modal:
         """A mesh file of a shape, with edges of one size."""
         (self.folder / "shape.geo").write_text(shape + "\n")
         code = (
-            "import gmsh; gmsh.initialize(); gmsh.option.setNumber('General.Terminal', 0); gmsh.open('shape.geo')\n"
-            f"gmsh.option.setNumber('Mesh.MeshSizeMax', {size}); gmsh.option.setNumber('Mesh.ElementOrder', {order})\n"
+            "import gmsh; gmsh.initialize(); option = gmsh.option.setNumber\n"
+            "option('General.Terminal', 0); gmsh.open('shape.geo')\n"
+            f"option('Mesh.MeshSizeMax', {size}); option('Mesh.ElementOrder', {order})\n"
             f"gmsh.model.mesh.generate(3); gmsh.write('{name}'); gmsh.finalize()"
         )
         subprocess.run([sys.executable, "-c", code], cwd=self.folder, check=True, timeout=100)
@@ -78,4 +82,4 @@ def modal(tmp_path_factory):
 @pytest.fixture(scope="session")
 def small_sphere(modal):
     """Its file on a small mesh, in units with R = E = ρ = 1."""
-    return modal.body(f"sphere.geo {BALL} {UNITS} --poisson 0.3 --size 0.4 --size-at-point 0.055 --modes 13")
+    return modal.body(SMALL)

@@ -29,7 +29,7 @@ def radial(poisson, degrees):
 
 
 def uniform_acceleration(poisson):
-    """The same for n = 1, where inertia balances the force: u = x r² e + y z r + c e, of mean zero."""
+    """The same for n = 1, where inertia balances the force: u = x r² e + y z r + c e."""
     lame, shear = poisson / ((1 + poisson) * (1 - 2 * poisson)), 0.5 / (1 + poisson)
     balance = [2 * (lame + shear) + 6 * shear, 4 * (lame + shear) + 2 * shear]
     x, y = np.linalg.solve([balance, [2 * shear, shear]], [-3 / (4 * math.pi), 0])

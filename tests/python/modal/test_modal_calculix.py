@@ -18,10 +18,13 @@ _, cells = gmsh.model.mesh.getElementsByType(11)
 order = [0, 1, 2, 3, 4, 5, 6, 7, 9, 8]  # the last two edges change places
 with open("box.inp", "w") as out:
     out.write("*NODE\\n")
-    out.writelines(f"{t},{p[0]:.12g},{p[1]:.12g},{p[2]:.12g}\\n" for t, p in zip(tags, x.reshape(-1, 3).tolist()))
+    for tag, p in zip(tags, x.reshape(-1, 3)):
+        out.write(f"{tag},{p[0]:.12g},{p[1]:.12g},{p[2]:.12g}\\n")
     out.write("*ELEMENT,TYPE=C3D10,ELSET=ALL\\n")
-    out.writelines(f"{i + 1},{','.join(str(c[j]) for j in order)}\\n" for i, c in enumerate(cells.reshape(-1, 10)))
-    out.write("*MATERIAL,NAME=M\\n*ELASTIC\\n1,0.3\\n*DENSITY\\n1\\n*SOLID SECTION,ELSET=ALL,MATERIAL=M\\n")
+    for i, c in enumerate(cells.reshape(-1, 10)):
+        out.write(f"{i + 1},{','.join(str(c[j]) for j in order)}\\n")
+    out.write("*MATERIAL,NAME=M\\n*ELASTIC\\n1,0.3\\n*DENSITY\\n1\\n")
+    out.write("*SOLID SECTION,ELSET=ALL,MATERIAL=M\\n")
     out.write("*STEP\\n*FREQUENCY\\n26\\n*END STEP\\n")
 gmsh.finalize()
 """
@@ -46,7 +49,8 @@ def test_frequencies_of_a_box(modal):
     alike = frequencies(modal.body(words, name="alike.json", program=("like_calculix.py",)))
     subprocess.run([sys.executable, "-c", CONVERT], cwd=modal.folder, check=True, timeout=60)
     subprocess.run(["ccx", "box"], cwd=modal.folder, check=True, timeout=100, capture_output=True)
-    rows = re.findall(r"^ +\d+ +\S+ +\S+ +(\S+) +\S+$", (modal.folder / "box.dat").read_text(), re.MULTILINE)
+    text = (modal.folder / "box.dat").read_text()
+    rows = re.findall(r"^ +\d+ +\S+ +\S+ +(\S+) +\S+$", text, re.MULTILINE)
     theirs = np.array([float(row) for row in rows[:26]])[6:]
     assert len(exact) >= 15
     assert alike[:15] == pytest.approx(theirs[:15], rel=1e-6)

@@ -7,14 +7,19 @@ from stoss.modal._spectra import combined, groups, merged
 
 
 def modes(f, moved, bent=None):
-    return {"frequency": np.array(f), "displacement": np.array(moved),
-            "displacement_curvature": np.zeros(len(f)) if bent is None else np.array(bent)}  # fmt: skip
+    bent = np.zeros(len(f)) if bent is None else np.array(bent)
+    return {
+        "frequency": np.array(f),
+        "displacement": np.array(moved),
+        "displacement_curvature": bent,
+    }
 
 
 def test_a_degenerate_pair_is_one_mode():
     """However a pair is turned, it moves the point by the same amount."""
     for angle in (0.0, 0.7, 2.0):
-        turned = modes([2.0, 2.0], [3 * np.cos(angle), 3 * np.sin(angle)], [5 * np.cos(angle), 5 * np.sin(angle)])
+        share = np.array([np.cos(angle), np.sin(angle)])
+        turned = modes([2.0, 2.0], 3 * share, 5 * share)
         one = combined(turned, [slice(0, 2)])
         assert one["frequency"] == pytest.approx([2.0])
         assert one["displacement"] == pytest.approx([3.0])

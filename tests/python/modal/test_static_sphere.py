@@ -5,7 +5,9 @@ import pytest
 from static_sphere import compliance, half_space_terms, radial
 
 
-@pytest.mark.parametrize("poisson, expected", [(0.0, -0.6635193), (0.3, -0.5059087), (0.45, -0.3668284)])
+@pytest.mark.parametrize(
+    "poisson, expected", [(0.0, -0.6635193), (0.3, -0.5059087), (0.45, -0.3668284)]
+)
 def test_series(poisson, expected):
     assert compliance(poisson) == pytest.approx(expected, abs=1e-7)
     assert compliance(poisson, 1000) == pytest.approx(compliance(poisson), abs=1e-6)
@@ -16,7 +18,8 @@ def test_two_terms_of_it_are_those_of_a_bent_half_space(poisson):
     front, bend = half_space_terms(poisson)
     n = 1e5
     assert -radial(poisson, n) == pytest.approx(front, rel=1e-4)
-    assert float((-radial(poisson, n) - front) * n) == pytest.approx(front * bend, rel=1e-3, abs=1e-5)
+    rest = float((-radial(poisson, n) - front) * n)
+    assert rest == pytest.approx(front * bend, rel=1e-3, abs=1e-5)
 
 
 def test_means_under_the_pressure():
