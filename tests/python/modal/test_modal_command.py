@@ -34,7 +34,7 @@ def meshes(modal):
         (f"shell.msh {BALL} {STEEL} --errors-unknown", "no tetrahedra"),
         (f"two.msh {BALL} {STEEL} --errors-unknown", "two.msh: the mesh is in 2 parts"),
         (f"fine.msh {BALL} {STEEL}", "give a coarser one"),
-        (f"coarse.msh coarse.msh {BALL} {UNITS} --poisson 0.3 --modes 1", "coarse.msh: has"),
+        (f"fine.msh fine.msh {BALL} {UNITS} --poisson 0.3 --modes 1", "fine.msh: has"),
         (f"{MESHES} --point 0,0,1.2 --normal 0,0,1 {STEEL}", "0.2 m beside the surface, nearest"),
         (f"{MESHES} --point 0,0,1.02 --normal 0,0,1 {STEEL}", "point: 0.0"),
         (f"{MESHES} --unit mm --point 600,0,800 --normal 6,0,8 {STEEL}", "--unit mm"),
