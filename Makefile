@@ -1,6 +1,6 @@
 # The short way in. Everything here can also be done with the CMake presets (cmake --list-presets).
 .DEFAULT_GOAL := help
-.PHONY: help setup build python demo web web-serve test test-fast test-long coverage bench validate results docs paper paper-quick format lint \
+.PHONY: help setup build python modal-tools demo web web-serve test test-fast test-long coverage bench validate results docs paper paper-quick format lint \
 	install uninstall clean
 
 JOBS ?= $(shell nproc)
@@ -23,6 +23,9 @@ build: ## build the library and the command, after installing what that needs
 python: build ## build the Python package and install it into build/venv (PYTHON=... for another interpreter)
 	@scripts/install-dependencies.sh python
 	@scripts/python.sh
+
+modal-tools: python ## what build/venv/bin/python -m stoss.modal needs: DOLFINx, SLEPc and Gmsh
+	@scripts/install-dependencies.sh modal
 
 demo: build python ## restitution against speed for two Poisson's ratios, and a collision: here and in out/
 	@scripts/demo.sh build/release/cli/stoss build/venv/bin/python

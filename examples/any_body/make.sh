@@ -1,0 +1,34 @@
+#!/usr/bin/env bash
+# Makes the body files in this folder, those named or all:
+#   ./make.sh [sphere|hollow_sphere|bar|beam|plate]...
+# PYTHON is an interpreter that sees stoss and DOLFINx: that of `make modal-tools`.
+set -euo pipefail
+cd "$(dirname "$0")"
+python=${PYTHON:-../../build/venv/bin/python}
+export OMP_NUM_THREADS=${OMP_NUM_THREADS:-1}
+
+body() { "$python" -m stoss.modal "$1.geo" --unit mm --material steel "${@:2}"; }
+
+for name in "${@:-sphere hollow_sphere bar beam plate}"; do
+  for each in $name; do
+    case $each in
+      sphere)
+        body sphere --point 6,0,8 --normal 6,0,8 --size 2 --size-at-point 0.25 -o sphere.json ;;
+      hollow_sphere)
+        body hollow_sphere --point 6,0,8 --normal 6,0,8 --size 1.6 --size-at-point 0.05 --modes 80 \
+          -o hollow_sphere.json ;;
+      bar)
+        body bar --point 50,0,0 --normal 1,0,0 --size 2.5 --size-at-point 0.12 --modes 60 \
+          -o bar.json ;;
+      beam)
+        for x in 0 30 55 95; do # the middle, on the way, a node of the first mode, near the end
+          body beam --point "$x,0,5" --normal 0,0,1 --size 4 --size-at-point 0.25 --modes 40 \
+            --name "beam struck at x = $x mm" -o "beam_$x.json"
+        done ;;
+      plate)
+        body plate --point 0,0,2.5 --normal 0,0,1 --size 7 --size-at-point 0.12 --modes 100 \
+          -o plate.json ;;
+      *) echo "make.sh: got '$each', allowed sphere, hollow_sphere, bar, beam, plate" >&2; exit 2 ;;
+    esac
+  done
+done

@@ -1,0 +1,118 @@
+"""What `python -m stoss.modal` takes from the command line."""
+
+from __future__ import annotations
+
+import argparse
+import math
+import re
+from typing import Any, Callable, NoReturn, Sequence
+
+from stoss._errors import InvalidInput
+
+WORDS = """The modes of a body and its compliance at one point of its surface, by finite elements.
+
+Give two meshes of the same body, fine and coarse, for errors: each number errs by what it differs
+between them. Of a shape (.geo, .step, .brep) both are made here. The file is for stoss."""
+
+SHAPES = (".geo", ".step", ".stp", ".brep")
+UNITS = {"m": 1.0, "cm": 1e-2, "mm": 1e-3, "um": 1e-6}
+
+
+class _Parser(argparse.ArgumentParser):
+    def error(self, message: str) -> NoReturn:
+        raise InvalidInput(f"{message} (see python -m stoss.modal --help)")
+
+
+def _numbers(*counts: int) -> Callable[[str], tuple[float, ...]]:
+    """Takes so many numbers, with commas between them."""
+
+    def numbers(text: str) -> tuple[float, ...]:
+        values = tuple(float(part) for part in text.split(","))
+        if len(values) not in counts or not all(map(math.isfinite, values)):
+            raise ValueError
+        return values
+
+    numbers.__name__ = f"list of {counts[-1]} numbers with commas"
+    return numbers
+
+
+def _parser() -> argparse.ArgumentParser:
+    parser = _Parser(prog="python -m stoss.modal", description=WORDS, allow_abbrev=False,
+                     formatter_class=argparse.RawDescriptionHelpFormatter)  # fmt: skip
+    parser._negative_number_matcher = re.compile(r"^-[\d.]")  # --normal -1,0,0 is no option
+    add = parser.add_argument
+    add("mesh", help="Gmsh mesh of tetrahedra (.msh), or a shape (.geo, .step, .brep)")
+    add("coarse", nargs="?", help="a coarser mesh of the same body, for the errors")
+    add("-o", "--output", required=True, metavar="FILE", help="what is written, JSON")
+    place: dict[str, Any] = {"required": True, "type": _numbers(3), "metavar": "X,Y,Z"}
+    add("--point", **place, help="contact point, in the unit of the mesh")
+    add("--normal", **place, help="outward normal of the surface there")
+    add("--unit", choices=UNITS, default="m", help="of mesh, point and sizes (default m)")
+    add("--material", metavar="NAME", help="one of stoss.materials; or these three:")
+    add("--young", type=float, metavar="PA", help="Young's modulus")
+    add("--poisson", type=float, metavar="NU", help="Poisson's ratio")
+    add("--density", type=float, metavar="KG/M3", help="density")
+    add("--loss-time", type=float, metavar="S", help="of a Kelvin-Voigt material (default: none)")
+    add("--modes", type=int, default=50, metavar="N", help="at least so many (default 50)")
+    add("--up-to", type=float, metavar="HZ", help="all modes up to this frequency instead")
+    add("--curvature", type=_numbers(1, 2), metavar="K1,K2", help="default: the mesh's")
+    add("--radius", type=float, metavar="R", help="one radius of curvature instead")
+    add("--size", type=float, metavar="H", help="of a shape: edges of the fine mesh")
+    add("--size-at-point", type=float, metavar="H", help="at the point (default: an eighth of it)")
+    add("--coarser", type=float, default=1.4, metavar="Q", help="of the coarse mesh (1.4)")
+    add("--errors-unknown", action="store_true", help="one mesh is enough")
+    add("--name", help="of the body (default: that of the mesh)")
+    return parser
+
+
+def parse(words: Sequence[str]) -> argparse.Namespace:
+    """The arguments, checked as far as they go without a mesh; lengths are in m afterwards."""
+    given = _parser().parse_args(words)
+    shape = given.mesh.lower().endswith(SHAPES)
+    unit = UNITS[given.unit]
+    given.scale = unit
+    if math.hypot(*given.normal) == 0.0:
+        raise InvalidInput("normal: got length 0, allowed any direction out of the body")
+    if given.modes < 1:
+        raise InvalidInput(f"modes: got {given.modes}, allowed 1 or more")
+    for name in ("size", "size_at_point", "radius", "up_to", "loss_time", "young", "density"):
+        value = getattr(given, name)
+        if value is not None and not 0.0 < value < math.inf:
+            raise InvalidInput(f"{name.replace('_', '-')}: got {value}, allowed above 0")
+    if shape and given.size is None:
+        raise InvalidInput("size: missing, the edge length of the mesh to be made of a shape")
+    if shape and given.coarse:
+        raise InvalidInput(f"{given.coarse}: a shape needs no second file (see --coarser)")
+    if not shape and not given.coarse and not given.errors_unknown:
+        raise InvalidInput(
+            "with one mesh the errors are unknown: give a coarser one too, or --errors-unknown"
+        )
+    if not 1.1 <= given.coarser <= 4.0:
+        raise InvalidInput(f"coarser: got {given.coarser}, allowed 1.1 to 4")
+    given.point = tuple(unit * x for x in given.point)
+    if given.size is not None:
+        given.size_at_point = unit * (given.size_at_point or given.size / 8.0)
+        given.size *= unit
+    if given.radius is not None:
+        given.curvature = (1.0 / (unit * given.radius),) * 2
+    elif given.curvature is not None:
+        given.curvature = tuple(k / unit for k in given.curvature) * (3 - len(given.curvature))
+    _material(given)
+    return given
+
+
+def _material(given: argparse.Namespace) -> None:
+    constants = (given.young, given.poisson, given.density)
+    if given.material is not None:
+        if any(each is not None for each in constants):
+            raise InvalidInput("material: got a name and constants, allowed one of both")
+        from stoss import materials
+
+        if given.material not in materials:
+            raise InvalidInput(f"material: got {given.material!r}, allowed {', '.join(materials)}")
+        named = materials[given.material]
+        given.young, given.poisson, given.density = named.young, named.poisson, named.density
+    elif any(each is None for each in constants):
+        raise InvalidInput("material: missing: --material NAME, or --young, --poisson, --density")
+    if not -1.0 < given.poisson <= 0.49:
+        raise InvalidInput(f"poisson: got {given.poisson}, allowed -1 to 0.49 (elements lock)")

@@ -1,0 +1,94 @@
+"""The compliance c0: what is static at the point beside a half-space's 1/r and its logarithm."""
+
+from __future__ import annotations
+
+import math
+import numpy as np
+import ufl
+from dolfinx import fem
+from dolfinx import mesh as meshes
+from mpi4py import MPI
+from petsc4py import PETSc
+
+from stoss._errors import InvalidInput
+from stoss.modal._modes import Spectrum
+from stoss.modal._surface import PATCH, Surface
+
+EDGES = (3.0, 16.0)
+"""Least and most radius of the widest pressure, in edges of the mesh at the point."""
+BEND = 0.45
+"""Its greatest radius, in radii of curvature of the surface."""
+SHARES = (0.5, 0.75, 1.0)
+"""The radii of the pressures, as shares of the widest one."""
+INVERSE = 36.0 * math.gamma(6.0) * math.gamma(0.5) / (math.gamma(3.5) ** 2 * math.gamma(6.5))
+"""Mean of 1/r between points under the pressure (1 − r²)², by its transform 48 J₃(k)/k³."""
+LOGARITHM = -73.0 / 120.0
+"""Mean of ln r between two such points: of ln max(r, r′), the mean over the angle."""
+
+
+class Pressure:
+    """A smooth pressure of total force one along the normal, p ∝ (1 − r²/b²)² around it."""
+
+    def __init__(self, spectrum: Spectrum, surface: Surface, widest: float) -> None:
+        self.spectrum, self.surface = spectrum, surface
+        mesh = surface.mesh
+        facets = surface.near(widest + 2.0 * surface.edge)
+        tags = meshes.meshtags(mesh, 2, facets, np.ones(len(facets), dtype=np.int32))
+        ds = ufl.ds(domain=mesh, subdomain_data=tags, metadata={"quadrature_degree": 10})(1)
+        self.radius = fem.Constant(mesh, PETSc.ScalarType(1.0))
+        point = fem.Constant(mesh, PETSc.ScalarType(surface.point))
+        normal = fem.Constant(mesh, PETSc.ScalarType(surface.normal))
+        arm = ufl.SpatialCoordinate(mesh) - point
+        square = (ufl.inner(arm, arm) - ufl.inner(arm, normal) ** 2) / self.radius**2
+        share = ufl.conditional(ufl.lt(square, 1.0), (1.0 - square) ** 2, 0.0)
+        share = share * 3.0 / (math.pi * self.radius**2) * ufl.inner(ufl.FacetNormal(mesh), normal)
+        moved = ufl.TestFunction(spectrum.body.space)
+        self._load = fem.form(-share * ufl.inner(moved, normal) * ds)
+        self._total = fem.form(share * ds)
+
+    def total(self, radius: float) -> float:
+        """What of the force acts: less than 1 where the surface ends or turns away."""
+        self.radius.value = radius
+        return float(self.surface.mesh.comm.allreduce(fem.assemble_scalar(self._total), MPI.SUM))
+
+    def compliance(self, radius: float) -> float:
+        """Twice its elastic energy in the body, whose inertia balances it."""
+        total = self.total(radius)
+        load = fem.petsc.assemble_vector(self._load)
+        load.ghostUpdate(addv=PETSc.InsertMode.ADD, mode=PETSc.ScatterMode.REVERSE)
+        load.scale(1.0 / total)
+        self.spectrum.body.balance(load)
+        return float(load.dot(self.spectrum.solve(load)))
+
+
+def compliance(
+    spectrum: Spectrum, surface: Surface, poisson: float, curvature: float, widest: float | None
+) -> dict[str, float]:
+    """c0 in units with E = 1, extrapolated to no radius; how far this reaches; the widest radius.
+
+    `widest` is that of a finer mesh.
+    """
+    least, most = (edges * surface.edge for edges in EDGES)
+    if widest is None:
+        widest = min(most, BEND / curvature) if curvature > 0.0 else most
+    elif widest > 0.6 * least:  # a coarser mesh than that which chose it
+        least = widest
+    pressure = Pressure(spectrum, surface, widest)
+    while widest >= least and abs(pressure.total(widest) - 1.0) > 0.01:
+        widest *= 0.9
+    if widest < least:
+        raise InvalidInput(
+            f"mesh: too coarse at the point: edges of {surface.edge * surface.length:.3g} m, "
+            f"allowed {widest / EDGES[0] * surface.length:.3g} m, better a fourth of that"
+        )
+    radii = widest * np.array(SHARES)
+    front = (1.0 - poisson**2) / math.pi
+    bend = (1.0 - 2.0 * poisson) ** 2 / (2.0 * (1.0 - poisson)) * curvature
+    values = []
+    for b in radii:
+        known = INVERSE / b
+        if curvature > 0.0:
+            known -= bend * (math.log(curvature * b) + LOGARITHM)
+        values.append(pressure.compliance(b) - front * known)
+    line, parabola = (np.polyfit(radii, values, degree)[-1] for degree in (1, 2))
+    return {"c0": float(parabola), "reach": float(abs(parabola - line)), "widest": widest}

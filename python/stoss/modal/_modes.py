@@ -1,0 +1,123 @@
+"""The lowest elastic modes, and how they move the contact point."""
+
+from __future__ import annotations
+
+from typing import Any, Callable
+
+import numpy as np
+from numpy.typing import NDArray
+from petsc4py import PETSc
+from slepc4py import SLEPc
+
+from stoss._errors import InvalidInput, NotConverged
+from stoss.modal._elasticity import Elasticity
+from stoss.modal._surface import Surface
+
+SHIFT = 1e-3
+"""K + SHIFT M is factored: K has no inverse, because of the rigid motions."""
+RIGID = 1e-8
+"""Modes with ω² below it are rigid, in units of the bar speed over half the body's diagonal."""
+
+Vector = NDArray[np.float64]
+
+
+class Spectrum:
+    """The eigenproblem K u = ω² M u, whose factored matrix also serves static loads."""
+
+    def __init__(self, body: Elasticity) -> None:
+        self.body = body
+        self.solver = SLEPc.EPS().create(body.mesh.comm)
+        self.solver.setOperators(body.stiffness, body.mass)
+        self.solver.setProblemType(SLEPc.EPS.ProblemType.GHEP)
+        self.solver.setType(SLEPc.EPS.Type.KRYLOVSCHUR)
+        self.solver.setWhichEigenpairs(SLEPc.EPS.Which.TARGET_MAGNITUDE)
+        self.solver.setTarget(-SHIFT)
+        self.solver.setTolerances(1e-10, 200)
+        transform = self.solver.getST()
+        transform.setType(SLEPc.ST.Type.SINVERT)
+        _factor(transform.getKSP())
+        self.solver.setDimensions(16)
+        self.solver.setUp()
+
+    def solve(self, load: PETSc.Vec) -> PETSc.Vec:
+        """The static displacement under a load in balance, by conjugate gradients."""
+        inverse = self.solver.getST().getKSP()
+        found, residual = self.body.vector(), load.copy()
+        improved, direction = self.body.vector(), self.body.vector()
+        bound, slope = 1e-11 * load.norm(), 0.0
+        for _ in range(100):
+            inverse.solve(residual, improved)
+            self.body.without_rigid(improved)
+            before, slope = slope, residual.dot(improved)
+            direction.aypx(slope / before if before else 0.0, improved)
+            image = self.body.stiffness * direction
+            step = slope / direction.dot(image)
+            found.axpy(step, direction)
+            residual.axpy(-step, image)
+            if residual.norm() < bound:
+                self.body.without_rigid(found)
+                return found
+        raise NotConverged("compliance: the static displacement did not converge")
+
+    def modes(
+        self, count: int, surface: Surface, progress: Callable[[int], None]
+    ) -> dict[str, Vector]:
+        """At least `count` elastic modes, up to a gap, in units with E = ρ = 1.
+
+        Returns ω, the displacement along the normal at the point, and half its mean curvature.
+        """
+        wanted = count + 6 + max(4, count // 10)
+        self.solver.setDimensions(wanted, PETSc.DECIDE, PETSc.DECIDE)
+        self.solver.setMonitor(lambda eps, step, done, *_: progress(min(max(done - 6, 0), count)))
+        self.solver.solve()
+        self.solver.cancelMonitor()
+        found = self.solver.getConverged()
+        if found < wanted:
+            raise NotConverged(f"modes: only {found} of {wanted} converged")
+        return self._at_point(found, count, surface)
+
+    def _at_point(self, found: int, count: int, surface: Surface) -> dict[str, Vector]:
+        values = np.array([self.solver.getEigenvalue(i).real for i in range(found)])
+        order = np.argsort(values)
+        values = values[order]
+        rigid = int(np.sum(np.abs(values) < RIGID))
+        if rigid != 6:
+            raise InvalidInput(f"mesh: {rigid} rigid motions, must be 6: does it hang together?")
+        # The last ones may have others of the same frequency behind them.
+        gaps = np.diff(np.sqrt(values[6:]))[count - 1 :]
+        end = 6 + count + int(np.argmax(gaps))
+        below = self.below(0.5 * (values[end - 1] + values[end]))
+        if below != end:
+            raise NotConverged(f"modes: found {end} of {below} below a frequency")
+        nodes, weights = surface.weights(self.body.space)
+        along, vector = np.empty((end - 6, len(nodes))), self.body.vector()
+        for row, i in zip(along, order[6:end]):
+            self.solver.getEigenvector(i, vector)
+            norm = np.sqrt(vector.dot(self.body.mass * vector))
+            row[:] = vector.array.reshape(-1, 3)[nodes] @ surface.normal / norm
+        moved = self.body.mesh.comm.allreduce(along @ weights.T)
+        omega = np.sqrt(values[6:end])
+        return {"omega": omega, "displacement": moved[:, 0], "curvature": moved[:, 1]}
+
+    def below(self, value: float) -> int:
+        """How many modes lie below ω² = value, rigid ones too: so many pivots are negative."""
+        shifted = self.body.stiffness.copy()
+        shifted.axpy(-value, self.body.mass, PETSc.Mat.Structure.SAME_NONZERO_PATTERN)
+        solver = PETSc.KSP().create(self.body.mesh.comm)
+        solver.setOperators(shifted)
+        _factor(solver)
+        solver.getPC().setFactorSetUpSolverType()
+        factor = solver.getPC().getFactorMatrix()
+        factor.setMumpsIcntl(24, 1)  # without which PETSc tells no inertia
+        solver.setUp()
+        below = int(factor.getInertia()[0])
+        solver.destroy()
+        shifted.destroy()
+        return below
+
+
+def _factor(solver: Any) -> None:
+    """MUMPS, for symmetric matrices."""
+    solver.setType(PETSc.KSP.Type.PREONLY)
+    solver.getPC().setType(PETSc.PC.Type.CHOLESKY)
+    solver.getPC().setFactorSolverType(PETSc.Mat.SolverType.MUMPS)

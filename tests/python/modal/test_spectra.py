@@ -1,0 +1,53 @@
+"""Modes of two meshes as one list."""
+
+import numpy as np
+import pytest
+
+from stoss.modal._spectra import combined, groups, merged
+
+
+def modes(f, moved, bent=None):
+    bent = np.zeros(len(f)) if bent is None else np.array(bent)
+    return {
+        "frequency": np.array(f),
+        "displacement": np.array(moved),
+        "displacement_curvature": bent,
+    }
+
+
+def test_a_degenerate_pair_is_one_mode():
+    """However a pair is turned, it moves the point by the same amount."""
+    for angle in (0.0, 0.7, 2.0):
+        share = np.array([np.cos(angle), np.sin(angle)])
+        turned = modes([2.0, 2.0], 3 * share, 5 * share)
+        one = combined(turned, [slice(0, 2)])
+        assert one["frequency"] == pytest.approx([2.0])
+        assert one["displacement"] == pytest.approx([3.0])
+        assert one["displacement_curvature"] == pytest.approx([5.0])
+
+
+def test_the_sign_of_a_mode_does_not_matter():
+    one = combined(modes([1.0], [-2.0], [4.0]), [slice(0, 1)])
+    assert one["displacement"] == [2.0] and one["displacement_curvature"] == [-4.0]
+
+
+def test_modes_apart_stay_apart():
+    assert groups(np.array([1.0, 1.01, 1.01001]), np.full(3, 1e-4)) == [slice(0, 1), slice(1, 3)]
+    assert groups(np.array([1.0, 1.01]), np.full(2, 0.5)) == [slice(0, 1), slice(1, 2)]
+
+
+def test_errors_are_differences():
+    fine = modes([1.0, 2.0, 2.0005, 3.0, 4.0], [1.0, 0.6, -0.8, 0.0, 7.0])
+    coarse = modes([1.01, 2.01, 2.02, 3.1], [1.1, 0.0, 1.2, 0.1])
+    both = merged(fine, coarse, 1.0)
+    assert both["frequency"] == pytest.approx([1.0, 2.00032, 3.0], rel=1e-6)
+    assert both["frequency_error"] == pytest.approx([0.01, 0.0202, 0.1], abs=1e-4)
+    assert both["displacement"] == pytest.approx([1.0, 1.0, 0.0])
+    assert both["displacement_error"] == pytest.approx([0.1, 0.2, 0.1])
+    assert both["complete_to"] == [3.0]
+
+
+def test_one_mesh_has_no_errors():
+    assert set(merged(modes([1.0], [1.0]), None, 1.0)) == {
+        "frequency", "displacement", "displacement_curvature", "complete_to"
+    }  # fmt: skip
