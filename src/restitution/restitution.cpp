@@ -127,8 +127,9 @@ std::string beyond_reach(const Outlook& next, double highest, bool vibrating) {
     (void)std::snprintf(text.data(), text.size(), "%.2g", x);
     return std::string(text.data());
   };
-  std::string reason = "the tolerance asks for a higher cutoff than " + std::to_string(std::lround(highest));
-  if (next.cutoff < 1e5) reason += ", about " + std::to_string(std::lround(std::max(next.cutoff, highest)));
+  const auto whole = [&](double x) { return x < 10.0 ? rounded(x) : std::to_string(std::lround(x)); };
+  std::string reason = "the tolerance asks for a higher cutoff than " + whole(highest);
+  if (next.cutoff < 1e5) reason += ", about " + whole(std::max(next.cutoff, highest));
   return reason + (vibrating ? " (use a larger absolute error" : " (use a larger tolerance") +
          (next.reachable < 0.5 ? ", from " + rounded(next.reachable) : "") + ")";
 }

@@ -137,7 +137,6 @@ def _body(given: argparse.Namespace, fine: Any, coarse: Any) -> dict[str, Any]:
         + ", ".join(meshes)
         + ("" if coarse else "; errors of the mesh are unknown"),
         "mass": fine["mass"],
-        "volume": fine["volume"],
         "rotation": {
             "inertia": _rounded(fine["inertia"]),
             "point": _rounded(np.asarray(given.point) - np.asarray(fine["centre"])),
