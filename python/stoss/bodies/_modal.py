@@ -56,6 +56,7 @@ class ModalBody(Solid):
         rotation (mapping, optional): Where the line of the blow misses the centre of mass: `inertia`
             about it, 3 × 3, kg m²; `point` of contact from there, m; its outward `normal`.
         name, origin (str, optional): What it is, and where its numbers come from.
+        material (Material): Not to be given: that of `young`, `poisson` and `density`.
 
     Examples:
         >>> bar = stoss.ModalBody(
@@ -93,7 +94,8 @@ class ModalBody(Solid):
         made: dict[str, Any] = {}
         for name in LISTS:
             given = getattr(self, name)
-            made[name] = _fixed(name, given) if given is not None else None
+            needed = name in ("frequency", "displacement")
+            made[name] = _fixed(name, given) if needed or given is not None else None
         count = made["frequency"].size
         for name in ("frequency_error", "displacement_error"):
             made[name] = _fixed(name, np.zeros(count)) if made[name] is None else made[name]
@@ -118,8 +120,8 @@ class ModalBody(Solid):
             object.__setattr__(self, name, value)
         object.__setattr__(self, "_text", json.dumps(self.to_dict(), sort_keys=True))
         _require(self.to_dict())
-        lossy = {"loss_time": self.loss_time} if self.loss_time else {}
-        material = Material(young=self.young, poisson=self.poisson, density=self.density, **lossy)
+        lossy = self.loss_time or None
+        material = Material(young=self.young, poisson=self.poisson, density=self.density, loss_time=lossy)
         object.__setattr__(self, "material", material)
 
     def __repr__(self) -> str:
@@ -213,4 +215,4 @@ def _require(document: Specification) -> None:
     try:
         _core.encounter(json.dumps({"first": {"kind": "modal", "body": document}}))
     except InvalidInput as error:
-        raise InvalidInput(str(error).removeprefix("first body ")) from None
+        raise InvalidInput(str(error).removeprefix("first ").removeprefix("body ")) from None

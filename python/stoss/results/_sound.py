@@ -83,7 +83,7 @@ def sound(
     """The sound of a body after the impact: its partials, summed to the velocity of the struck point.
 
     Each mode rings on as the impact leaves it, with u_k e^(−γt) [P/m cos ωt − ωQ sin ωt], where u_k
-    is its displacement at the point, and γ = ½ηω² of a material with a loss time η, else ω/(2·Quality).
+    is its displacement at the point, and γ = ½ηω² of a material with a loss time η, else ω/(2·quality).
     What the air makes of it, which radiates some modes better than others, is left out.
 
     Parameters:

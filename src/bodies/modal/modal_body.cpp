@@ -17,6 +17,7 @@
 #include "bodies/surface/residual.hpp"
 #include "check.hpp"
 #include "stoss/bodies/half_space.hpp"
+#include "stoss/errors.hpp"
 
 namespace stoss {
 namespace {
@@ -117,7 +118,11 @@ std::vector<ModalBody> alternatives(const ModalBody& its, double other) {
 }
 
 Body made(const ModalBody& its, double cutoff) {
-  const double length = own_length(its);
+  const double length = own_length(its), highest = its.complete_to * length / own_speed(its);
+  if (cutoff > highest) {
+    throw InvalidInput("cutoff: got " + shown(cutoff) + ", allowed up to " + shown(highest) + " c/R of '" + its.name +
+                       "', up to where its modes are known");
+  }
   const PointModes modes = modal::point_modes(its, kept_cutoff(cutoff, its.loss_time * own_speed(its) / length));
   const bool plane = its.curvature == 0.0;
   Body body;
@@ -131,7 +136,7 @@ Body made(const ModalBody& its, double cutoff) {
   body.softness = 1.0 - its.poisson * its.poisson;
   body.loss_time = its.loss_time * own_speed(its) / length;
   body.cutoff = cutoff;
-  body.highest_cutoff = its.complete_to * length / own_speed(its);
+  body.highest_cutoff = highest;
   body.sampling = sampling;
   body.known.reach = its.has_bends ? reach : reach_of_pistons;
   // By what lies further off on a curved surface, of which the two radii say nothing.
