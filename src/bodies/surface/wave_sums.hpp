@@ -14,14 +14,15 @@
 namespace stoss::bodies {
 
 /// Calls visit(k, length, weight) for the wave numbers of a quadrature, whose weights are ½ length · weight, of what is
-/// smooth over factors of 2 but for products of two shapes at distances up to the farthest.
+/// smooth over factors of 2 (and from 0 on, if they begin there) but for products of two shapes at distances up to the
+/// farthest.
 template <typename Visit>
 void for_wave_numbers(double begin, double end, double farthest, const Visit& visit) {
   constexpr double phase = 16.0;  // by which a product of two shapes turns in a panel
   const auto& rule = numeric::gauss_legendre(16);
   const double widest = 0.5 * phase / farthest;
   for (double from = begin; from < end;) {
-    const double to = std::min({end, 2.0 * from, from + widest});
+    const double to = std::min({end, from > 0.0 ? 2.0 * from : end, from + widest});
     for (std::size_t i = 0; i < rule.node.size(); ++i) {
       visit(0.5 * (from + to) + 0.5 * (to - from) * rule.node[i], to - from, rule.weight[i]);
     }
