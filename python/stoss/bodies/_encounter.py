@@ -88,7 +88,7 @@ def choose_cutoff(cutoff: Any, usual: float, body: Body, against: Against) -> fl
     if cutoff is not None:
         return number("cutoff", cutoff)
     ends = [each.complete_to for each in (body, against) if isinstance(each, ModalBody)]
-    rounding = 1.0 - 1e-12
+    rounding = 1.0 + 1e-12  # with the last mode
     known = [rounding * 2.0 * math.pi * end / body.scales.frequency for end in ends if end is not None]
     return min([usual, *known])
 

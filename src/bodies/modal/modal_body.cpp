@@ -119,7 +119,8 @@ std::vector<ModalBody> alternatives(const ModalBody& its, double other) {
 
 Body made(const ModalBody& its, double cutoff) {
   const double length = own_length(its), highest = its.complete_to * length / own_speed(its);
-  if (cutoff > highest) {
+  constexpr double rounding = 1.0 + 1e-9;  // of a cutoff in other units
+  if (cutoff > rounding * highest) {
     throw InvalidInput("cutoff: got " + shown(cutoff) + ", allowed up to " + shown(highest) + " c/R of '" + its.name +
                        "', up to where its modes are known");
   }
@@ -136,7 +137,7 @@ Body made(const ModalBody& its, double cutoff) {
   body.softness = 1.0 - its.poisson * its.poisson;
   body.loss_time = its.loss_time * own_speed(its) / length;
   body.cutoff = cutoff;
-  body.highest_cutoff = highest;
+  body.highest_cutoff = std::max(highest, cutoff);
   body.sampling = sampling;
   body.known.reach = its.has_bends ? reach : reach_of_pistons;
   // By what lies further off on a curved surface, of which the two radii say nothing.
