@@ -79,6 +79,7 @@ from stoss.results._restitution import Restitution
 from stoss.results._result import Result
 from stoss.results._rod_chain import RodChain, rod_chain
 from stoss.results._rule import CollisionRule
+from stoss.results._sound import Sound
 from stoss.sweeps._grid import Grid
 from stoss.sweeps._sweep import sweep
 from stoss.sweeps._values import Sweep, merge, open_sweep
@@ -89,7 +90,7 @@ __all__ = [
     "Interrupted", "InvalidInput", "Layer", "Material", "Misfit", "ModalBody", "Modes", "NotConverged",
     "ObliqueImpact", "ObliqueLedger", "ObliqueRestitution", "ObliqueTrajectory", "Oscillation",
     "PairTable", "Plate", "Restitution", "RestitutionDistribution", "RestitutionFunction", "Rod", "RodChain",
-    "Scales", "Sphere", "SphereField", "StossWarning", "Strip", "Sweep", "Table", "Trajectory",
+    "Scales", "Sound", "Sphere", "SphereField", "StossWarning", "Strip", "Sweep", "Table", "Trajectory",
     "Wall", "Wave",
     "__version__", "animate", "atlas", "bounce", "collision_rule", "extrapolated_restitution",
     "fit", "impact", "materials", "merge", "modes", "oblique", "oblique_impact", "open_sweep",

@@ -123,10 +123,10 @@ export function createControls(initial: Inputs, listener: Listener) {
       const { encounter, speed, friction, angle, spin, spin2 } = presets.find(({ name }) => name === value) ?? inputs;
       return { ...inputs, encounter, speed, friction, angle, spin, spin2 };
     },
-    against: (value) => meeting(withAgainst(inputs.encounter, value as Encounter['against'])),
+    against: (value) => ({ ...inputs, encounter: withAgainst(inputs.encounter, value as Encounter['against']) }),
     material: (value) => meeting({ first: withMaterial(value, inputs.encounter.first) }),
     material2: (value) => meeting({ second: withMaterial(value, inputs.encounter.second) }),
-    body: (value) => meeting(withKind(inputs.encounter, value as BodyKind)),
+    body: (value) => ({ ...inputs, encounter: withKind(inputs.encounter, value as BodyKind) }),
     units: (value) => (value === 'SI' ? withSi(inputs) : withoutSi(inputs)),
     plane: (value) => meeting({ plane: value as Encounter['plane'] }),
   };

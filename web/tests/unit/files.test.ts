@@ -52,7 +52,8 @@ describe('a body of a file', () => {
     expect(description(first.encounter)).toBe('“steel ball”');
     expect(description(second.encounter)).toMatch(/ at “steel ball”$/);
     expect(commandLine(first.encounter, 1)).toBe('stoss restitution --body @my_ball.json --speed 1');
-    expect(commandLine(second.encounter, 1)).toMatch(/^stoss restitution --body sphere .* --against @my_ball.json --speed 1$/);
+    expect(commandLine(second.encounter, 1)).toMatch(
+      /^stoss restitution --body sphere .* --against @my_ball.json --speed 1$/);
     expect(pythonLines(first)).toContain('body = stoss.ModalBody.read("my_ball.json")\nprint(stoss.restitution(body, ');
     expect(pythonLines(second)).toContain('other = stoss.ModalBody.read("my_ball.json")');
   });
