@@ -29,8 +29,7 @@ void add_partial(std::complex<double> amplitude, double omega, double decay, dou
 
 }  // namespace
 
-std::vector<double> sound(const Contact& contact, const Impact& impact, const SoundOptions& options,
-                          const Poll& poll) {
+std::vector<double> sound(const Contact& contact, const Impact& impact, const SoundOptions& options, const Poll& poll) {
   const Body& body = *required_body(contact, options.body);
   if (!is_whole(body)) {
     throw InvalidInput("of: got '" + body.name + "', allowed a body that is there as a whole (the waves of this one " +
