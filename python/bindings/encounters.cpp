@@ -19,7 +19,8 @@ py::list all_kinds() {
     for (const auto& [name, unit, otherwise, low, high, low_included, of_material, help] : each.parameters) {
       numbers.append(py::make_tuple(name, unit, otherwise, low, high, low_included, of_material));
     }
-    all.append(py::make_tuple(each.name, each.wall, each.bounded, each.can_be_rigid, each.has_plane, numbers));
+    all.append(
+        py::make_tuple(each.name, each.wall, each.bounded, each.can_be_rigid, each.has_plane, each.from_file, numbers));
   }
   return all;
 }
@@ -98,10 +99,10 @@ void bind_contacts(py::module_& module) {
 
 void bind_encounters(py::module_& module) {
   bind_contacts(module);
-  module.def(
-      "kinds", &all_kinds,
-      "(name, wall, bounded, can_be_rigid, has_plane, numbers) of each, with numbers (name, unit, default or None, "
-      "low, high, low_included, of_material)");
+  module.def("kinds", &all_kinds,
+             "(name, wall, bounded, can_be_rigid, has_plane, from_file, numbers) of each, with numbers (name, unit, "
+             "default or "
+             "None, low, high, low_included, of_material)");
   module.def(
       "meets", [](const std::string& first, const std::string& against) { return meets(kind(first), kind(against)); },
       py::arg("first"), py::arg("against"));

@@ -6,6 +6,7 @@
 #include "stoss/encounter/waves.hpp"
 #include "stoss/impact/quantities.hpp"
 #include "stoss/impact/replay.hpp"
+#include "stoss/impact/sound.hpp"
 #include "support.hpp"
 
 namespace stoss::python {
@@ -127,6 +128,15 @@ void bind_motion(py::module_& module) {
         return take(std::move(shares), {times.size(), static_cast<py::ssize_t>(impact.energy.modes.size())});
       },
       py::arg("contact"), py::arg("impact"), py::arg("times"), "structured array, times x modes");
+  module.def(
+      "sound",
+      [](const Contact& contact, const Impact& impact, int number, double interval, std::size_t count,
+         std::optional<double> quality) {
+        const SoundOptions options{.body = number, .interval = interval, .count = count, .quality = quality};
+        return take(computed([&](const Poll& poll) { return sound(contact, impact, options, poll); }));
+      },
+      py::arg("contact"), py::arg("impact"), py::arg("number"), py::arg("interval"), py::arg("count"),
+      py::arg("quality"), "velocity of the struck point after an impact");
 }
 
 }  // namespace

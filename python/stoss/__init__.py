@@ -35,6 +35,7 @@ written.
 `rod_chain`                       rods on a ring that remember their collisions
 `quasistatic`                     slow impacts, Rayleigh's estimate of the loss, static contacts
 `Disk`, `Sphere`, `Rod`           bodies
+`ModalBody`                       any body by its modes at a point, from a file
 `HalfSpace`, `HalfPlane`          elastic blocks, which carry waves away
 `Plate`, `Layer`, `Strip`         elastic plates of some thickness
 `HardWall`, `ExponentialWall`     walls
@@ -53,6 +54,7 @@ from stoss._core import version as __version__
 from stoss._errors import Interrupted, InvalidInput, NotConverged, StossWarning
 from stoss.bodies._bodies import Body, Disk, Rod, Sphere
 from stoss.bodies._material import Material, Scales, materials
+from stoss.bodies._modal import ModalBody
 from stoss.bodies._plates import Layer, Plate, Strip
 from stoss.bodies._state import Oscillation
 from stoss.bodies._walls import ExponentialWall, HalfPlane, HalfSpace, HardWall, Wall
@@ -77,6 +79,7 @@ from stoss.results._restitution import Restitution
 from stoss.results._result import Result
 from stoss.results._rod_chain import RodChain, rod_chain
 from stoss.results._rule import CollisionRule
+from stoss.results._sound import Sound
 from stoss.sweeps._grid import Grid
 from stoss.sweeps._sweep import sweep
 from stoss.sweeps._values import Sweep, merge, open_sweep
@@ -84,10 +87,10 @@ from stoss.sweeps._values import Sweep, merge, open_sweep
 __all__ = [
     "AtlasValue", "Body", "Bounces", "CollisionRule", "Disk", "DiskField", "ExponentialWall",
     "Extrapolation", "Field", "Fit", "Grid", "HalfPlane", "HalfSpace", "HardWall", "Impact",
-    "Interrupted", "InvalidInput", "Layer", "Material", "Misfit", "Modes", "NotConverged",
+    "Interrupted", "InvalidInput", "Layer", "Material", "Misfit", "ModalBody", "Modes", "NotConverged",
     "ObliqueImpact", "ObliqueLedger", "ObliqueRestitution", "ObliqueTrajectory", "Oscillation",
     "PairTable", "Plate", "Restitution", "RestitutionDistribution", "RestitutionFunction", "Rod", "RodChain",
-    "Scales", "Sphere", "SphereField", "StossWarning", "Strip", "Sweep", "Table", "Trajectory",
+    "Scales", "Sound", "Sphere", "SphereField", "StossWarning", "Strip", "Sweep", "Table", "Trajectory",
     "Wall", "Wave",
     "__version__", "animate", "atlas", "bounce", "collision_rule", "extrapolated_restitution",
     "fit", "impact", "materials", "merge", "modes", "oblique", "oblique_impact", "open_sweep",

@@ -108,9 +108,9 @@ TYPES = {
     "Integer": "int | ndarray",
     "Flag": "bool | ndarray",
     "ArrayLike": "array_like",
-    "Body": "Disk | Sphere | Rod",
+    "Body": "Disk | Sphere | Rod | ModalBody",
     "Unbounded": "HalfSpace | HalfPlane | Plate | Strip",
-    "Against": "HardWall | ExponentialWall | Disk | Sphere | Rod | HalfSpace | HalfPlane | Plate | Strip",
+    "Against": "HardWall | ExponentialWall | Disk | Sphere | Rod | ModalBody | HalfSpace | HalfPlane | Plate | Strip",
     "State": "Oscillation | sequence of them | ndarray",
     "os.PathLike[str]": "path",
 }

@@ -152,6 +152,9 @@ Inside inside(const Solid& solid, const BodyFrame& rest, const PolarGrid& points
 }
 
 Interior mode_shape(const Solid& solid, int order, int index, const PolarGrid& points) {
+  if (std::holds_alternative<ModalBody>(solid)) {
+    throw InvalidInput("mode: got one of a body by its modes at a point, allowed one of a body whose inside is known");
+  }
   constexpr double lowest = 8.0, highest = 400.0;
   const BodyMaker make = maker(solid);
   BodyFrame alone;

@@ -85,7 +85,8 @@ void add_doubts(const RefinableContact& contact, double speed, double stretch, c
     }
   }
   const double error = result.lost_fraction.error, squared = std::max(0.0, 1.0 - result.lost_fraction.value);
-  result.restitution.error = error / (std::sqrt(squared + error) + std::abs(result.restitution.value));
+  result.restitution.error =
+      std::isinf(error) ? error : error / (std::sqrt(squared + error) + std::abs(result.restitution.value));
 }
 
 }  // namespace stoss

@@ -43,6 +43,32 @@ TEST(COpen, IsTheContactOfHandles) {
   stoss_function_free(function);
 }
 
+/// A cube that is struck in the middle of a face, with its lowest modes made up.
+constexpr const char* cube =
+    R"({"kind": "modal", "body": {"format": "stoss modal body 1", "name": "cube", "mass": 0.00785, "curvature": 0,
+        "young": 2.1e11, "poisson": 0.3, "density": 7850, "compliance": -2e-10, "complete_to": 3e5,
+        "modes": {"frequency": [1.6e5, 2.4e5], "displacement": [9, -14]}}})";
+
+TEST(COpen, TakesBodiesByTheirModes) {
+  const std::string ball = R"({"kind": "sphere", "radius": 0.005, "material": "steel"})";
+  CContact at_wall, met, meeting, none;
+  ASSERT_EQ(stoss_open((R"({"first": )" + std::string(cube) + "}").c_str(), &at_wall), STOSS_OK) << stoss_message();
+  EXPECT_DOUBLE_EQ(stoss_speed_unit(at_wall), std::sqrt(2.1e11 / 7850));
+  ASSERT_EQ(stoss_open((R"({"first": )" + ball + R"(, "against": )" + cube + "}").c_str(), &met), STOSS_OK);
+  ASSERT_EQ(stoss_open((R"({"first": )" + std::string(cube) + R"(, "against": )" + ball + "}").c_str(), &meeting),
+            STOSS_OK);
+  // Whoever is called the first.
+  const double speed = 1e-4;
+  stoss_result one{}, other{};
+  ASSERT_EQ(stoss_curve(met, &speed, 1, 0.2, 1e-6, nullptr, &one), STOSS_OK) << stoss_message();
+  ASSERT_EQ(stoss_curve(meeting, &speed, 1, 0.2, 1e-6, nullptr, &other), STOSS_OK) << stoss_message();
+  EXPECT_LT(one.restitution.value, 1.0);
+  EXPECT_NEAR(one.restitution.value, other.restitution.value, one.restitution.error + other.restitution.error);
+  EXPECT_EQ(stoss_open(R"({"first": {"kind": "modal", "body": {"format": "stoss modal body 1"}}})", &none),
+            STOSS_INVALID_INPUT);
+  EXPECT_EQ(std::string(stoss_message()).rfind("first body mass: got none", 0), 0U) << stoss_message();
+}
+
 TEST(COpen, MakesPlatesOfLayers) {
   const std::string ball = R"({"first": {"kind": "sphere", "poisson": 0.3}, "against": )";
   CContact opened, made, coated, none;

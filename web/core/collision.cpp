@@ -12,6 +12,7 @@
 #include "stoss/errors.hpp"
 #include "stoss/impact/quantities.hpp"
 #include "stoss/impact/replay.hpp"
+#include "stoss/impact/sound.hpp"
 
 namespace stoss::web {
 namespace {
@@ -94,6 +95,16 @@ class Collision {
     }
   }
 
+  /// Velocity of the struck point of a body after the impact.
+  [[nodiscard]] val sound(const Question& asked) const {
+    SoundOptions options{.body = asked.given["body"].as<int>(),
+                         .interval = asked.number("interval") / meeting_->unit(Dimension::time),
+                         .count = static_cast<std::size_t>(asked.number("count"))};
+    const auto loss_time = std::visit([](const auto& its) { return its.loss_time; }, meeting_->solid(options.body));
+    if (loss_time == 0.0) options.quality = asked.number("quality");
+    return float32_array(stoss::sound(its_.contact, its_.impact, options, say_alive));
+  }
+
  private:
   /// Of the bodies, without the waves of a half-space.
   [[nodiscard]] val modes() const {
@@ -157,6 +168,9 @@ val frames(const Question& asked) {
   return val::undefined();
 }
 
+/// What is heard of a body after the impact.
+val sound(const Question& asked) { return collision_of(asked).sound(asked); }
+
 /// The shape of a mode of a body.
 val shape(const Question& asked) {
   const auto meeting = asked.meeting();
@@ -172,6 +186,7 @@ val shape(const Question& asked) {
 EMSCRIPTEN_BINDINGS(collision) {
   emscripten::function("collision", &answered<collision>);
   emscripten::function("frames", &answered<frames>);
+  emscripten::function("sound", &answered<sound>);
   emscripten::function("shape", &answered<shape>);
 }
 

@@ -24,6 +24,7 @@ static void to_json(Json& json, const Kind& kind) {
           {"bounded", kind.bounded},
           {"canYield", kind.can_yield},
           {"hasPlane", kind.has_plane},
+          {"fromFile", kind.from_file},
           {"length", unit_name(Dimension::length, kind.own)},
           {"parameters", kind.parameters},
           {"meets", Json::array()}};
@@ -56,6 +57,8 @@ bool Meeting::against_unbounded() const {
 bool Meeting::against_plate() const {
   return second && (std::holds_alternative<Plate>(*second) || std::holds_alternative<Strip>(*second));
 }
+
+bool Meeting::of_file() const { return encounter.first.modal || encounter.against.modal; }
 
 std::string Meeting::unit_name(Dimension dimension) const {
   return std::string(stoss::unit_name(dimension, unit_system(encounter)));
@@ -99,7 +102,11 @@ val units(const Question& asked) {
   using enum Dimension;
   const Meeting meeting(asked.text("document"));
   // The ratios of two bodies are checked where they meet; of the fewest modes that is soon done.
-  if (meeting.second) (void)contact_of(meeting.encounter, fewest_modes, quick);
+  if (meeting.of_file()) {
+    (void)meeting.contact.at(0);
+  } else if (meeting.second) {
+    (void)contact_of(meeting.encounter, fewest_modes, quick);
+  }
   // A rod in SI keeps its numbers.
   const auto* rod = std::get_if<Rod>(&meeting.first);
   const double modulus = rod != nullptr ? rod->young : 1.0;

@@ -27,6 +27,9 @@ struct Meeting {
   /// Whether that is a plate or a strip.
   [[nodiscard]] bool against_plate() const;
 
+  /// Whether one of both is a body by its modes at a point, which is known up to some cutoff.
+  [[nodiscard]] bool of_file() const;
+
   /// Value of a unit of the first body in what the page is given: 1, or in SI.
   [[nodiscard]] double unit(Dimension dimension) const { return si ? unit_in_si(dimension, *si) : 1.0; }
 

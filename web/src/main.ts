@@ -21,6 +21,7 @@ import { showKept } from './page/kept_view';
 import { createResults } from './page/results';
 import { createSession } from './page/session';
 import { createShare } from './page/share';
+import { createSound } from './page/sound';
 import { createHops } from './scene/hop_film';
 import { createScene } from './scene/scene';
 
@@ -39,6 +40,7 @@ const timeCharts = createTimeCharts(find('time-charts', HTMLElement), (time) => 
 const curveChart = createCurveChart(find('curve-chart', HTMLElement), (speed) => pick({ speed }));
 const angleChart = createAngleChart(find('angle-chart', HTMLElement), (angle) => pick({ angle }));
 const hops = createHops(find('hop-scene', HTMLElement), core);
+const showSound = createSound(core);
 const modeBars = createModeBars(find('mode-bars', HTMLElement), core);
 
 const pictures = {
@@ -78,6 +80,7 @@ const run = createSession(core, {
     void scene.show(encounter, speed, cutoff, collision);
     timeCharts.show(collision);
     modeBars.show(encounter, collision);
+    showSound(encounter, speed, cutoff, collision);
     document.body.dataset.impact = 'current';
   },
   oblique(encounter, motion, collision) {

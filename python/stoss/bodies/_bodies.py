@@ -8,6 +8,7 @@ from typing import Iterator, Union
 
 from stoss._errors import InvalidInput
 from stoss.bodies._material import Material
+from stoss.bodies._modal import ModalBody
 from stoss.bodies._solid import KINDS, LEFT_OUT, Solid, is_rigid
 from stoss.bodies._walls import UNBOUNDED, Unbounded
 
@@ -106,10 +107,10 @@ class Rod(Solid):
     material: Material | None = None
 
 
-Body = Union[Disk, Rod, Sphere]
-"""Any body: a disk, a rod or a sphere."""
+Body = Union[Disk, Rod, Sphere, ModalBody]
+"""Any body: a disk, a rod, a sphere, or one by its modes at a point."""
 
-BODIES = (Disk, Rod, Sphere)
+BODIES = (Disk, Rod, Sphere, ModalBody)
 """The classes of bodies, for isinstance."""
 
 PARTNERS = (*BODIES, *UNBOUNDED)
@@ -120,7 +121,7 @@ def shown(body: Body | Unbounded, against: object = None) -> str:
     """The body, and what it meets if that is no wall, in the line that says what a result is."""
     if isinstance(against, PARTNERS):
         return f"{shown(body)} against {shown(against)}"
-    if body.material is None:
+    if body.material is None or KINDS[body._kind].from_file:
         return repr(body)
     if layers := getattr(body, "layers", None):
         return f"{type(body).__name__}({len(layers)} layers)"

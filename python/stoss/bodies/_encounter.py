@@ -4,16 +4,18 @@ from __future__ import annotations
 
 import functools
 import json
+import math
 from typing import Any, Union
 
 import numpy as np
 from numpy.typing import NDArray
 
 from stoss import _core
-from stoss._arguments import choice, instance, refusal
+from stoss._arguments import choice, instance, number, refusal
 from stoss._errors import InvalidInput
 from stoss.bodies._bodies import BODIES, PARTNERS, Body, Disk, Sphere
-from stoss.bodies._solid import Solid, describe, is_rigid
+from stoss.bodies._modal import ModalBody
+from stoss.bodies._solid import KINDS, Solid, describe, is_rigid
 from stoss.bodies._walls import UNBOUNDED, HardWall, Unbounded, Wall
 
 
@@ -81,14 +83,27 @@ def choose_tail(tail: Any) -> str:
     return choice("tail", tail, ("radiating", "static"))
 
 
+def choose_cutoff(cutoff: Any, usual: float, body: Body, against: Against) -> float:
+    """The highest frequency that was meant, c/R: a usual one, or where modal bodies end."""
+    if cutoff is not None:
+        return number("cutoff", cutoff)
+    ends = [each.complete_to for each in (body, against) if isinstance(each, ModalBody)]
+    rounding = 1.0 + 1e-12  # with the last mode
+    known = [rounding * 2.0 * math.pi * end / body.scales.frequency for end in ends if end is not None]
+    return min([usual, *known])
+
+
 def encounter(body: Body, against: Against) -> _core.Encounter:
-    """Both by their numbers, in the units in which they are given."""
+    """Both by their numbers, in the units in which they are given; in SI where one is of a file."""
     return _encounter(_document(body, against))
 
 
 def _document(body: Body, against: Against) -> str:
     if isinstance(against, PARTNERS):
-        return json.dumps({"first": body._numbers(), "against": against._numbers()})
+        # What a file holds is in SI.
+        in_si = any(KINDS[each._kind].from_file for each in (body, against))
+        first, second = (describe(each) if in_si else each._numbers() for each in (body, against))
+        return json.dumps({"first": first, "against": second})
     return json.dumps({"first": body._numbers_at_wall(), "against": against._document()})
 
 

@@ -42,6 +42,7 @@ class Kind(NamedTuple):
     bounded: bool
     can_be_rigid: bool
     has_plane: bool
+    from_file: bool
     parameters: tuple[Parameter, ...]
 
 
@@ -171,6 +172,8 @@ class Endless(Solid):
 
 def describe(solid: Solid) -> Specification:
     """All that makes it, in plain types; with a material in SI."""
+    if KINDS[solid._kind].from_file:
+        return solid._numbers()
     given = {field.name: getattr(solid, field.name) for field in dataclasses.fields(solid)}
     if layers := given.pop("layers", None):
         each = [{name: value for name, value in describe(layer).items() if name != "kind"} for layer in layers]

@@ -14,7 +14,7 @@ from stoss._arguments import integer, number, optional_number
 from stoss._documentation import documented
 from stoss._errors import Interrupted, NotConverged, StossWarning
 from stoss.bodies._bodies import Body, shown, speed_unit, speeds_in_si
-from stoss.bodies._encounter import Against, choose_against, choose_body, choose_tail, contact
+from stoss.bodies._encounter import Against, choose_against, choose_body, choose_cutoff, choose_tail, contact
 from stoss.bodies._state import State, choose_state
 from stoss.bodies._walls import UNBOUNDED, ExponentialWall, HardWall
 from stoss.export._text import span
@@ -97,7 +97,7 @@ def bounce(
     flight_time: float | None = None,
     gravity: float | None = None,
     decay_time: float | None = None,
-    cutoff: float = 20.0,
+    cutoff: float | None = None,
     tail: str = "radiating",
     state: State = None,
 ) -> Bounces:
@@ -122,6 +122,8 @@ def bounce(
         decay_time: Of vibrational energies in flight, R/c (with a material: s); 0: they are gone at
             once, and every impact is that of `impact`. Default: no decay but that of a lossy
             material.
+        cutoff: Highest frequency of the modes that are kept, c/R. Default: 20, or that up to which
+            a `ModalBody` is known.
         state (Oscillation, sequence of them or ndarray, optional): How the body vibrates before the
             first impact, as for `impact`. Default: it is unexcited.
 
@@ -136,7 +138,7 @@ def bounce(
     chosen = choose_body(body, poisson, rigid=True)
     first = number("speed", speed) / speed_unit(chosen)
     met = choose_against(chosen, against, (HardWall, ExponentialWall))
-    at, times = number("cutoff", cutoff), integer("count", count)
+    at, times = choose_cutoff(cutoff, 20.0, chosen, met), integer("count", count)
     unit = chosen.scales.time if chosen.material is not None else 1.0
     flight, decay = optional_number("flight_time", flight_time), optional_number("decay_time", decay_time)
     weight = optional_number("gravity", gravity)

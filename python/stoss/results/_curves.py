@@ -52,8 +52,8 @@ def restitution(
     A value of a disk takes 2 ms in the median, 20 ms or more in one case of a hundred.
 
     Parameters:
-        body (Disk, Sphere or Rod, or a list or an array of disks or of spheres): The first body, in
-            whose units all results are. Several broadcast with `speed`, and have no material.
+        body (Disk, Sphere, Rod or ModalBody, or a list or an array of disks or of spheres): The first
+            body, in whose units all results are. Several broadcast with `speed`, and have no material.
         state (Oscillation, sequence of them or ndarray, optional): How the bodies vibrate before
             the impact, with the same shares of energy and phases at every speed; ε may then exceed
             1. Default: they are unexcited.

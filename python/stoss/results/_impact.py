@@ -13,10 +13,10 @@ from stoss._arguments import flags, integer, number, optional_number
 from stoss._documentation import documented
 from stoss._errors import InvalidInput
 from stoss.bodies._bodies import Body, Rod, shown, speed_unit, speeds_in_si
-from stoss.bodies._encounter import Against, choose_against, choose_body, choose_tail, contact
+from stoss.bodies._encounter import Against, choose_against, choose_body, choose_cutoff, choose_tail, contact
 from stoss.bodies._state import State, choose_state
 from stoss.bodies._walls import ExponentialWall, HardWall
-from stoss.results import _replay
+from stoss.results import _replay, _sound
 from stoss.results._si import ImpactsInSi, Si
 
 
@@ -52,6 +52,7 @@ class Impact(ImpactsInSi):
     wave = _replay.wave
     energies_at = _replay.energies_at
     state_after = _replay.state_after
+    sound = _sound.sound
 
     body: Body
     against: Against
@@ -131,7 +132,7 @@ def impact(
     speed: float,
     against: Against | str | None = None,
     poisson: float | None = None,
-    cutoff: float = 50.0,
+    cutoff: float | None = None,
     step: float | None = None,
     nodes: int | None = None,
     half_width: float | None = None,
@@ -145,6 +146,8 @@ def impact(
     others answer together. For a value with an error bar use `restitution`.
 
     Parameters:
+        cutoff: Highest frequency of the modes that are kept, c/R. Default: 50, or that up to which
+            a `ModalBody` is known.
         keep (array_like of bool, optional): Which of the modes with ω ≤ `cutoff` are kept, in the
             order of `Impact.mode_energies`; only with an `ExponentialWall`, because a hard contact
             needs the compliance of the others. Default: all.
@@ -184,7 +187,7 @@ def impact(
     chosen = choose_body(body, poisson, rigid=True)
     initial = number("speed", speed) / speed_unit(chosen)
     met = choose_against(chosen, against, (HardWall, ExponentialWall))
-    at = number("cutoff", cutoff)
+    at = choose_cutoff(cutoff, 50.0, chosen, met)
     count = None if nodes is None else integer("nodes", nodes)
     resolution = optional_number("step", step), count, optional_number("half_width", half_width)
     answer, kept = choose_tail(tail), None if keep is None else flags("keep", keep)

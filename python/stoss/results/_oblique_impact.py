@@ -12,7 +12,7 @@ from stoss import _core
 from stoss._arguments import integer, number, optional_number
 from stoss._errors import InvalidInput
 from stoss.bodies._bodies import Body, shown, speeds_in_si
-from stoss.bodies._encounter import Against, choose_against, choose_body, contact
+from stoss.bodies._encounter import Against, choose_against, choose_body, choose_cutoff, contact
 from stoss.bodies._state import State, choose_state
 from stoss.bodies._walls import HardWall, Unbounded
 from stoss.results import _oblique_trajectory
@@ -120,7 +120,7 @@ def oblique_impact(
     spin: float = 0.0,
     second_spin: float = 0.0,
     against: HardWall | Body | Unbounded | str | None = None,
-    cutoff: float = 50.0,
+    cutoff: float | None = None,
     step: float | None = None,
     nodes: int | None = None,
     half_width: float | None = None,
@@ -132,6 +132,7 @@ def oblique_impact(
 
     Parameters:
         body (Disk or Sphere): The first body, in whose units all results are.
+        cutoff: Highest frequency of the modes that are kept, c/R. Default: 50.
 
     Examples:
         >>> hit = stoss.oblique_impact(stoss.Sphere(poisson=0.3), speed=0.05, angle=40, friction=0.3)
@@ -144,6 +145,7 @@ def oblique_impact(
     """
     chosen = choose_body(body, None, rigid=True)
     met = choose_against(chosen, against, (HardWall,))
+    highest = choose_cutoff(cutoff, 50.0, chosen, met)
     given: dict[str, Any] = {
         "speed": speed, "tangential": tangential, "angle": angle, "spin": spin, "second_spin": second_spin,
         "friction": friction,
@@ -156,5 +158,5 @@ def oblique_impact(
     resolution = optional_number("step", step), count, optional_number("half_width", half_width)
     with speeds_in_si(chosen):
         return ObliqueImpact._made(
-            chosen, met, tuple(float(each) for each in motion), number("cutoff", cutoff), resolution, state
+            chosen, met, tuple(float(each) for each in motion), highest, resolution, state
         )

@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from stoss._errors import InvalidInput
-from stoss.bodies._bodies import PARTNERS, Body, Disk, Rod, Sphere, shown
+from stoss.bodies._bodies import PARTNERS, Body, Disk, shown
 from stoss.bodies._encounter import Against, choose_against
 from stoss.bodies._walls import UNBOUNDED
 from stoss.export import _tables
@@ -32,10 +32,11 @@ class Restitution(ImpactsInSi):
     for fast disks (above 0.1 c) 91 %.
 
     Attributes:
-        body (Disk, Sphere, Rod or None): The first; all units are its own. None if there are
+        body (Disk, Sphere, Rod, ModalBody or None): The first; all units are its own. None if there are
             several.
         bodies: All first bodies, each once.
-        against (HardWall, Disk, Sphere, Rod, HalfSpace, HalfPlane or 'same'): What it meets; 'same'
+        against (HardWall, Disk, Sphere, Rod, ModalBody, HalfSpace, HalfPlane, Plate, Strip or 'same'):
+            What it meets; 'same'
             for several Poisson's ratios, each meeting an identical disk.
         lost_to_first, lost_to_second: Vibration of each body after the impact and what its material
             absorbed, as shares of the initial energy; of a half-space what its waves carry away; 0
@@ -90,7 +91,7 @@ class Restitution(ImpactsInSi):
 
     def __repr__(self) -> str:
         against = self.against if isinstance(self.against, (*PARTNERS, str)) else None  # else at a wall
-        named = self.body is not None and (against is not None or isinstance(self.body, (Rod, Sphere)))
+        named = self.body is not None and (against is not None or not isinstance(self.body, Disk))
         of = shown(self.body) if named and self.body else f"poisson={span(self.poisson)}"
         if self.body is None and self._kind_of_body() != "disk":
             of = f"{len(self.bodies)} {self._kind_of_body()}s, {of}"

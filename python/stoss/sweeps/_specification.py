@@ -14,6 +14,7 @@ from stoss import _core
 from stoss._arguments import brief, refusal
 from stoss.bodies._bodies import PARTNERS, Body
 from stoss.bodies._material import Material, materials
+from stoss.bodies._modal import ModalBody
 from stoss.bodies._plates import Layer
 from stoss.bodies._solid import KINDS, Solid, Specification, describe
 from stoss.bodies._walls import HardWall
@@ -39,6 +40,8 @@ def make(name: str, given: Specification) -> Any:
     kind = words.pop("kind", None)
     if not isinstance(kind, str) or kind not in CLASSES:
         raise refusal(f"{name}: kind", kind, ", ".join(CLASSES))
+    if KINDS[kind].from_file:
+        return _of_file(name, words)
     known = {field.name for field in dataclasses.fields(CLASSES[kind])}
     for each in words:
         if each not in known:
@@ -50,6 +53,14 @@ def make(name: str, given: Specification) -> Any:
             raise refusal(f"{name}: layers", words["layers"], "a list of them, from the top down")
         words["layers"] = [_layer(name, each) for each in words["layers"]]
     return CLASSES[kind](**words)
+
+
+def _of_file(name: str, words: Specification) -> ModalBody:
+    """A body by its document, or as it is."""
+    if set(words) != {"body"}:
+        raise refusal(name, sorted(words), "kind and body, the document of its file")
+    given = words["body"]
+    return given if isinstance(given, ModalBody) else ModalBody.from_dict(given)
 
 
 def _layer(name: str, given: Any) -> Layer:
@@ -130,11 +141,11 @@ def _borrows(words: Specification) -> bool:
 
 def _plain(made: Any, words: Specification) -> Specification:
     """What may be given as objects, in plain types."""
-    return {name: each for name, each in describe(made).items() if name in words and name in ("material", "layers")}
+    return {name: each for name, each in describe(made).items() if name in words and name in ("material", "layers", "body")}
 
 
 def _choices(name: str, key: str, value: Any) -> list[Any]:
-    if key == "layers":
+    if key in ("layers", "body"):
         return [value]
     if key in ("kind", "plane", "rigid", "material"):
         return list(value) if isinstance(value, (list, tuple)) else [value]
@@ -161,6 +172,8 @@ SI = {its.name: its.unit.replace("^", "") for each in KINDS.values() for its in 
 
 def label(words: Specification) -> str:
     """What a body or a partner is, in the manner of --against."""
+    if KINDS[words["kind"]].from_file:
+        return f"{words['kind']},{words['body'].get('name', '')}"
     usual = {each.name: each.otherwise for each in KINDS[words["kind"]].parameters}
     usual = {"loss_time": 0.0} if "material" in words else usual
     numbers = {name: value for name, value in words.items() if name != "kind" and usual.get(name) != value}
@@ -176,10 +189,9 @@ def _label(numbers: Specification) -> str:
 
 def numbers_of_bodies(bodies: Sequence[Body]) -> dict[str, NDArray[np.float64]]:
     """Poisson's ratio, radius and so on of the first bodies; NaN of a body that has none."""
-    names = {field.name for each in bodies for field in dataclasses.fields(each)}
+    names = {number.name for each in bodies for number in KINDS[each._kind].parameters}
     return {
-        name: np.array([getattr(each, name, np.nan) for each in bodies], dtype=np.float64)
-        for name in sorted(names - {"material", "plane", "rigid"})
+        name: np.array([getattr(each, name, np.nan) for each in bodies], dtype=np.float64) for name in sorted(names)
     }
 
 

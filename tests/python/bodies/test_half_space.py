@@ -131,7 +131,7 @@ IN_SI = stoss.Sphere(radius=1.0, material=STEEL)
         (lambda: stoss.restitution(BALL, against=RIGID, speed=0.1, tolerance=0), "tolerance: got 0"),
         (lambda: stoss.modes(RIGID, cutoff=5), "body: got Sphere"),
         (lambda: stoss.quasistatic.slow_impact(stoss.Disk(poisson=0.3, rigid=True), speed=1e-3), "body: got Disk"),
-        (lambda: stoss.restitution(BALL, against=stoss.HalfPlane(), speed=0.1), "a stoss.Sphere or a stoss.HalfSpace"),
+        (lambda: stoss.restitution(BALL, against=stoss.HalfPlane(), speed=0.1), "a stoss.Sphere or a stoss.ModalBody or a stoss.HalfSpace"),
         (lambda: stoss.restitution(DISK, against=stoss.HalfSpace(), speed=0.1), "a stoss.Disk or a stoss.HalfPlane"),
         (lambda: stoss.impact(stoss.Rod(), against=stoss.HalfSpace(), speed=0.1), "allowed a stoss.Rod"),
         (lambda: stoss.restitution(IN_SI, against=stoss.HalfSpace(), speed=1), "two bodies with a material"),

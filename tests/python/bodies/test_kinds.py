@@ -12,9 +12,10 @@ CLASSES = {"disk": stoss.Disk, "sphere": stoss.Sphere, "rod": stoss.Rod, "half-s
            "exponential": stoss.ExponentialWall}  # fmt: skip
 PLATES = ("plate", "strip")
 WORDS = {"wall", "same"}  # which have no numbers
+FILES = {"modal": stoss.ModalBody}  # which are given by documents of their own (test_modal.py)
 KINDS = {
-    name: {"wall": wall, "bounded": bounded, "rigid": rigid, "plane": plane, "numbers": numbers}
-    for name, wall, bounded, rigid, plane, numbers in stoss._core.kinds()
+    name: {"wall": wall, "bounded": bounded, "rigid": rigid, "plane": plane, "file": file, "numbers": numbers}
+    for name, wall, bounded, rigid, plane, file, numbers in stoss._core.kinds()
 }
 NUMBERS = [(kind, *number) for kind in CLASSES for number in KINDS[kind]["numbers"]]
 EACH = pytest.mark.parametrize("kind", CLASSES)
@@ -27,8 +28,10 @@ def made(kind, **given):
 
 
 def test_there_is_a_class_for_every_kind():
-    assert set(KINDS) == set(CLASSES) | WORDS
-    assert all(not KINDS[word]["numbers"] for word in WORDS)
+    assert set(KINDS) == set(CLASSES) | WORDS | set(FILES)
+    assert all(not KINDS[word]["numbers"] for word in WORDS | set(FILES))
+    assert {name for name, its in KINDS.items() if its["file"]} == set(FILES)
+    assert all(made._kind == name for name, made in FILES.items())
 
 
 @EACH

@@ -133,7 +133,7 @@ WRONG = {
     (in_si, "plane"): ["", "Strain", 1, Broken()],
     (disk, "plane"): ["stress", 1, Broken()],
 }
-MAY_BE_NONE = [(impact, "step"), (impact, "half_width"), (impact, "poisson"), (modes, "poisson"),
+MAY_BE_NONE = [(impact, "cutoff"), (impact, "step"), (impact, "half_width"), (impact, "poisson"), (modes, "poisson"),
                (restitution, "poisson"), (field, "radius"), (field, "angle"), (disk, "radius"), (disk, "young"),
                (disk, "density"), (in_si, "young"), (in_si, "poisson"), (rod, "length"), (rod, "young"),
                (rod, "density"), (rod, "area")]  # fmt: skip

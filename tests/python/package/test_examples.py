@@ -27,6 +27,7 @@ FILES = {
     "10_rod_chain": ["rod_chain.png"],
     "11_superball_in_a_box": ["superball.csv", "superball.png"],
     "12_how_thick": ["how_thick.csv", "how_thick.png"],
+    "13_bar": ["bar.json", "bar.png", "bar.wav"],
 }
 NUMBER = re.compile(r"(?<![\w.])[-+]?\d+(?:\.\d+)?(?:e[-+]?\d+)?(?![\w.])")
 
@@ -266,3 +267,18 @@ def test_how_thick(example):
         assert time[k] == pytest.approx(1e6 * direct.contact_time_si, abs=1e-2)
     ((_, _, *found, true),) = run.numbers("a pane with restitution")
     assert found == pytest.approx([true, true], abs=0.05)
+
+
+def test_13_bar(example):
+    its = example("13_bar")
+    bar = stoss.ModalBody.read(its.folder / "bar.json")
+    rows = its.table(3)
+    assert rows[:, 0] == pytest.approx(bar.frequency, abs=0.5)
+    # Of a thin bar with free ends (4.730, 10.996)²; shear and rotation lower the second.
+    assert bar.frequency[0] == pytest.approx(1329, rel=0.015)
+    assert 5.0 < rows[1, 1] < 5.404
+    ball = stoss.Sphere(radius=0.01, material=stoss.materials["bearing steel"], loss_time=0)
+    found = stoss.restitution(ball, against=bar, speed=0.5, tolerance=0.1)
+    ((_, epsilon, error, _),) = its.numbers("ε at")
+    assert (epsilon, error) == pytest.approx((found.restitution, found.restitution_error), abs=1e-3)
+    assert rows[:, 2].sum() == pytest.approx(1 - found.restitution**2, abs=2 * error)

@@ -17,7 +17,7 @@ export async function createCore(): Promise<Core> {
   // A value must be there at once, while films, curves and tables take their time.
   const lanes: Record<keyof Questions, Lane> =
     {
-      restitution: value, oblique: value, collision: film, obliqueCollision: film, frames: film, shape: film,
+      restitution: value, oblique: value, collision: film, obliqueCollision: film, frames: film, sound: film, shape: film,
       curve: lane(), obliqueAngles: lane(), header: lane(),
     };
   return withWarmUp((question, encounter, given, { deliver, signal } = {}) =>

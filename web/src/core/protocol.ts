@@ -13,6 +13,15 @@ export type Body = Record<BodyField, number>;
 /** What the first body meets: a rigid wall, its like, another of its kind, or a block by its name for a sphere. */
 export type Against = 'wall' | 'same' | 'body' | Block;
 
+/** A body by its modes at a point, of a file that the user has opened. */
+export interface BodyFile {
+  /** of the file */
+  readonly name: string;
+  /** of the body */
+  readonly title: string;
+  readonly document: unknown;
+}
+
 /** Who meets whom. */
 export interface Encounter {
   kind: BodyKind;
@@ -24,6 +33,10 @@ export interface Encounter {
   si: boolean;
   /** of a disk in SI */
   plane: 'stress' | 'strain';
+  /** in place of the first, a sphere in SI of its curvature and material */
+  firstFile?: BodyFile;
+  /** in place of another body, such a sphere too */
+  secondFile?: BodyFile;
 }
 
 /** What an encounter's numbers are measured in. */
@@ -157,6 +170,11 @@ export interface Questions {
   collision(given: { speed: number; cutoff: number }): Collision;
   /** Frames of that collision at given times, which ascend. */
   frames(given: { speed: number; cutoff: number; times: number[]; grid: Grid }, each: Frame): void;
+  /** What is heard of a body after that collision: the velocity of the struck point, so many samples at an interval in
+   *  units.time. The quality is that of modes of a material without loss. */
+  sound(given: {
+    speed: number; cutoff: number; body: 0 | 1; interval: number; count: number; quality: number;
+  }): Float32Array;
   shape(given: { body: 0 | 1; order: number; index: number; grid: Grid }): Shape;
   /** ε at many speeds, from a worker of its own. */
   curve(given: { speeds: number[]; tolerance: number }, each: CurvePoint): void;

@@ -1,9 +1,10 @@
 // All inputs in the address of the page, in short readable keys: ?body=sphere&nu=0.3&v=0.01&against=half-space&nu2=0.2
-import type { Body, Encounter, Motion } from '../core/protocol';
+import type { Body, BodyFile, Encounter, Motion } from '../core/protocol';
 import { rounded, shortest } from '../drawing/numbers';
 import { motionProblem, parseNumber, repaired } from './check';
 import { type Side, sidesOf } from './document';
 import { motionFieldsOf, motions, names } from './fields';
+import { fileNamed, standIn } from './files';
 import { type Inputs, ball, defaults, mostKept, siSpeed, unitBody } from './inputs';
 import { type BodyField, type BodyKind, blockOf, blocks, bodyKinds } from './kinds';
 import { barSpeed } from './units';
@@ -11,7 +12,7 @@ import { barSpeed } from './units';
 const keyOf = (field: BodyField, second: boolean): string => names[field][2] + (second ? '2' : '');
 const keys = (second: boolean): string[] => (Object.keys(names) as BodyField[]).map((field) => keyOf(field, second));
 const known = new Set([
-  'body', 'units', 'plane', ...Object.values(motions).map(([, , key]) => key), ...keys(false), 'against', ...keys(true),
+  'body', 'file', 'file2', 'units', 'plane', ...Object.values(motions).map(([, , key]) => key), ...keys(false), 'against', ...keys(true),
   'view', 'keep',
 ]);
 
@@ -34,10 +35,12 @@ function pairsOf(encounter: Encounter, between: string): string[] {
     fields.filter((name) => name !== 'loss_time' || body[name] !== 0)
       .map((name) => [keyOf(name, other), shortest(body[name])]);
   const pairs: [string, string][] = [['body', kind]];
+  if (first.file) pairs.push(['file', first.file.name]);
   if (si) pairs.push(['units', 'SI']);
   if (first.strain) pairs.push(['plane', 'strain']);
   pairs.push(...numbers(first));
   if (against !== 'wall') pairs.push(['against', against]);
+  if (second?.file) pairs.push(['file2', second.file.name]);
   if (second) pairs.push(...numbers(second));
   return pairs.map((pair) => pair.join(between));
 }
@@ -119,14 +122,18 @@ function encounterFrom(reader: Reader): Encounter {
   const others = ['wall', 'same', 'body'] as const;
   const against = reader.word('against', [...others, ...blocks.filter((name) => blockOf(kind, name))]);
   const usual = si ? ball : unitBody;
-  const encounter: Encounter = { kind, si, plane, first: usual, against, second: unitBody };
+  const empty: Encounter = { kind, si, plane, first: usual, against, second: unitBody };
+  const firstFile = kind === 'sphere' && si ? reader.file('file') : undefined;
+  const secondFile = kind === 'sphere' && si && against === 'body' ? reader.file('file2') : undefined;
+  const encounter: Encounter = { ...empty, ...(firstFile && { firstFile }), ...(secondFile && { secondFile }) };
   const filled = ({ fields, second }: Side, without: Body): Body => ({
     ...unitBody, ...Object.fromEntries(fields.map((field) =>
       [field, reader.number(keyOf(field, second), field === 'loss_time' ? 0 : without[field])])),
   });
   const [one, other] = sidesOf(encounter);
-  const first = filled(one, usual);
-  return { ...encounter, first, second: other ? filled(other, si ? first : unitBody) : unitBody };
+  const first = firstFile ? standIn(firstFile) : filled(one, usual);
+  const second = secondFile ? standIn(secondFile) : other ? filled(other, si ? first : unitBody) : unitBody;
+  return { ...encounter, first, second };
 }
 
 /** Takes the values of an address by their keys; what is wrong with them goes to `problems`. */
@@ -154,6 +161,14 @@ class Reader {
     const found = allowed.find((item) => item === value);
     if (found === undefined) this.problems.push(`${key}: got “${brief(value)}”, allowed ${allowed.join(', ')}`);
     return found ?? allowed[0];
+  }
+
+  /** A body of a file, if the address names one that is open. */
+  file(key: string): BodyFile | undefined {
+    const name = this.take(key);
+    const file = name === undefined ? undefined : fileNamed(name);
+    if (name !== undefined && file === undefined) this.problems.push(`${key}: open “${brief(name)}” again`);
+    return file;
   }
 
   /** @param without what counts without the key @param optional whether a missing one is no problem */

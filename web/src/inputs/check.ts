@@ -2,6 +2,7 @@
 import { numberOf, requireMotion, requireSpeed, unitsOf } from '../core/local';
 import { CoreError, type Encounter, type Motion } from '../core/protocol';
 import { displayed, significant } from '../drawing/numbers';
+import { withoutFiles } from './document';
 import {
   type Field, type PlacedField, fieldsOf, ofSecond, owner, placedFieldsOf, valueOf, withValue, wordsOf,
 } from './fields';
@@ -81,7 +82,7 @@ export function repaired(encounter: Encounter): { encounter: Encounter; problems
 /** The same encounter with default numbers; what it meets is an identical body. */
 function standard(encounter: Encounter): Encounter {
   const body = encounter.si ? ball : unitBody;
-  return { ...encounter, first: body, second: encounter.si ? encounter.first : unitBody };
+  return { ...withoutFiles(encounter), first: body, second: encounter.si ? encounter.first : unitBody };
 }
 
 /** The line with which the core refuses what it is asked; '' if it does not. */

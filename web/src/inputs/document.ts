@@ -1,7 +1,8 @@
 // The document of an encounter, as the core reads it, and the numbers that it names.
-import type { Body, Encounter } from '../core/protocol';
+import type { Body, BodyFile, Encounter } from '../core/protocol';
 import {
-  type BodyField, type Kind, type Material, blockOf, isBlock, kindNamed, materials, parametersOf, sizeOf,
+  type BodyField, type Kind, type Material, blockOf, fileKind, isBlock, kindNamed, materials, parametersOf,
+  sizeOf,
 } from './kinds';
 
 /** The body made of a material, of the same size. */
@@ -21,12 +22,17 @@ export interface Side {
   /** in SI: what it is made of, whatever its loss; and with its loss */
   readonly solid: Material | undefined;
   readonly material: Material | undefined;
+  /** of which it is, without numbers of its own */
+  readonly file: BodyFile | undefined;
 }
 
 /** The first body, and what it meets where that is a body or a half-space of its own. In SI some of their numbers are
  *  of a material. Without SI the first has as its units what would have a default. */
-export function sidesOf({ kind: name, si, plane, first, against, second: other }: Encounter): [Side, Side?] {
+export function sidesOf(encounter: Encounter): [Side, Side?] {
+  const { kind: name, si, plane, first, against, second: other } = encounter;
   const side = (kind: Kind, body: Body, second: boolean): Side => {
+    const file = second ? secondFileOf(encounter) : encounter.firstFile;
+    if (file) return { kind, body, second, fields: [], strain: false, solid: undefined, material: undefined, file };
     const fields = parametersOf(kind)
       .filter((its) => si || second || its.otherwise === undefined || its.name === 'loss_time');
     const used = kind.parameters.filter(({ ofMaterial }) => ofMaterial);
@@ -35,7 +41,7 @@ export function sidesOf({ kind: name, si, plane, first, against, second: other }
     const lossy = solid && Math.abs(solid.loss_time - body.loss_time) <= 1e-9 * body.loss_time;
     return {
       kind, body, second, fields: fields.map((its) => its.name), strain: si && kind.hasPlane && plane === 'strain',
-      solid, material: lossy ? solid : undefined,
+      solid, material: lossy ? solid : undefined, file,
     };
   };
   const one = side(kindNamed(name), first, false);
@@ -46,6 +52,21 @@ export function sidesOf({ kind: name, si, plane, first, against, second: other }
 /** Whether what the first body meets has numbers of its own. */
 export function hasSecond(against: Encounter['against']): boolean {
   return against === 'body' || isBlock(against);
+}
+
+/** The file of what is met, if it is of one. */
+export function secondFileOf({ against, secondFile }: Encounter): BodyFile | undefined {
+  return against === 'body' ? secondFile : undefined;
+}
+
+/** Whether one of both is of a file: such a body has no inside, and no friction. */
+export function hasFile(encounter: Encounter): boolean {
+  return (encounter.firstFile ?? secondFileOf(encounter)) !== undefined;
+}
+
+/** The same, with the spheres that stand in for the bodies of files. */
+export function withoutFiles({ firstFile: _, secondFile: __, ...rest }: Encounter): Encounter {
+  return rest;
 }
 
 /** Whether what the first body meets is another, which moves and turns too. */
@@ -66,7 +87,8 @@ export function poissonOf({ kind, body }: Side): number {
 }
 
 function participant(side: Side, { si, plane }: Encounter): Record<string, unknown> {
-  const { kind, body, fields, solid } = side;
+  const { kind, body, fields, solid, file } = side;
+  if (file) return { kind: fileKind.name, body: file.document };
   const made: Record<string, unknown> = { kind: kind.name };
   for (const name of fields) made[name] = body[name];
   if (!si) return made;

@@ -2,8 +2,8 @@
 import type { Encounter, Motion } from '../core/protocol';
 import { unitInWords } from '../drawing/numbers';
 import { meetsBody, sidesOf } from './document';
-import { type Impact, isOblique } from './inputs';
-import { type BodyField, blockOf, kindNamed, sizeOf } from './kinds';
+import { type Impact, isOblique, takesFriction } from './inputs';
+import { type BodyField, blockOf, kindNamed } from './kinds';
 
 /** A number of the first body or of what it meets. */
 export type PlacedField = BodyField | `${BodyField}2`;
@@ -29,10 +29,10 @@ export function placedFieldsOf(encounter: Encounter): PlacedField[] {
     side!.fields.map((name): PlacedField => (side!.second ? ofSecond(name) : name)));
 }
 
-/** Those of how they meet: rods take no friction, and without it the rest does not count. */
+/** Those of how they meet: some take no friction, and without it the rest does not count. */
 export function motionFieldsOf(inputs: Impact): (keyof Motion)[] {
   const { encounter } = inputs;
-  if (sizeOf(encounter.kind) !== 'radius') return ['speed'];
+  if (!takesFriction(encounter)) return ['speed'];
   if (!isOblique(inputs)) return ['speed', 'friction'];
   return ['speed', 'friction', 'angle', 'spin', ...(meetsBody(encounter) ? ['spin2'] as const : [])];
 }

@@ -1,6 +1,6 @@
 // What the user has chosen, as one value that is never changed in place; and examples, each with all of it.
 import type { Body, Encounter, Motion } from '../core/protocol';
-import { equal, hasSecond, madeOf, meetsBody } from './document';
+import { equal, hasFile, hasSecond, madeOf, meetsBody, withoutFiles } from './document';
 import { type BodyKind, blockOf, isBlock, kindNamed, materialNamed, sizeOf } from './kinds';
 
 /** Who meets whom, and how. */
@@ -47,7 +47,7 @@ export function withKind(encounter: Encounter, kind: BodyKind): Encounter {
   });
   const { plane, against, first, second } = encounter;
   return {
-    ...encounter,
+    ...withoutFiles(encounter),
     kind,
     plane: kindNamed(kind).hasPlane ? plane : 'stress',
     first: made(first),
@@ -58,12 +58,18 @@ export function withKind(encounter: Encounter, kind: BodyKind): Encounter {
 
 /** Something else to meet; a second body starts as the first's like. */
 export function withAgainst(encounter: Encounter, against: Encounter['against']): Encounter {
-  return { ...encounter, against, second: hasSecond(encounter.against) ? encounter.second : encounter.first };
+  const { secondFile: _, ...rest } = encounter;
+  return { ...rest, against, second: hasSecond(encounter.against) ? encounter.second : encounter.first };
 }
 
-/** Whether friction counts: rods take none. */
-export function isOblique({ encounter: { kind }, friction }: Impact): boolean {
-  return sizeOf(kind) === 'radius' && friction !== 0;
+/** Whether its surface moves along another: not that of rods, nor of bodies of which only a point is known. */
+export function takesFriction(encounter: Encounter): boolean {
+  return sizeOf(encounter.kind) === 'radius' && !hasFile(encounter);
+}
+
+/** Whether friction counts. */
+export function isOblique({ encounter, friction }: Impact): boolean {
+  return takesFriction(encounter) && friction !== 0;
 }
 
 /** How bodies of inputs meet: what does not count is 0. */

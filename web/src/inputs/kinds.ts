@@ -3,8 +3,8 @@ import { kinds, materials as named } from '../generated/kinds';
 
 type Row = (typeof kinds)[number];
 
-/** What can be the first body. */
-export type BodyKind = Extract<Row, { bounded: true }>['name'];
+/** What can be the first body, of numbers. */
+export type BodyKind = Extract<Row, { bounded: true; fromFile: false }>['name'];
 
 /** What has no end, by its name for a sphere. */
 export type Block = Extract<Row, { solid: true; bounded: false; hasPlane: false }>['name'];
@@ -28,6 +28,8 @@ export interface Kind {
   readonly bounded: boolean;
   readonly canYield: boolean;
   readonly hasPlane: boolean;
+  /** given by a file, not by numbers */
+  readonly fromFile: boolean;
   /** its unit of length, R or L */
   readonly length: string;
   readonly parameters: readonly Parameter[];
@@ -37,7 +39,11 @@ export interface Kind {
 
 const table = kinds as unknown as readonly Kind[];
 
-export const bodyKinds = table.filter(({ bounded }) => bounded).map(({ name }) => name as BodyKind);
+export const bodyKinds = table.filter(({ bounded, fromFile }) => bounded && !fromFile)
+  .map(({ name }) => name as BodyKind);
+
+/** Any body, by a file of its own. */
+export const fileKind = table.find(({ fromFile }) => fromFile)!;
 
 export function kindNamed(name: string): Kind {
   return table.find((kind) => kind.name === name)!;

@@ -24,7 +24,8 @@ export function description(encounter: Encounter): string {
   return against === 'wall' ? words : `${words} at an identical one`;
 }
 
-function inWords({ kind, body, second, fields, material, strain }: Side, si: boolean, sized: boolean): string {
+function inWords({ kind, body, second, fields, material, strain, file }: Side, si: boolean, sized: boolean): string {
+  if (file) return `“${file.title}”`;
   const size = sized ? lengthOf(kind) : undefined;
   return [
     ...(material ? [`${material.name} ${kind.name}`] : [kind.name]),
@@ -42,7 +43,8 @@ function withPrefix(value: number, unit: string): string {
 }
 
 /** The numbers of a body by the keys of the command. */
-function pairsOf({ kind, body, fields, solid }: Side): [string, string][] {
+function pairsOf({ kind, body, fields, solid, file }: Side): [string, string][] {
+  if (file) return [];
   const pairs: [string, number | undefined][] = [
     ...fields.filter((name) => name !== 'loss_time').map((name): [string, number] => [name, body[name]]),
     ['yield', kind.canYield ? solid?.yield_strength : undefined],
@@ -55,9 +57,10 @@ function pairsOf({ kind, body, fields, solid }: Side): [string, string][] {
 export function encounterArguments(encounter: Encounter): string[] {
   const { kind, against } = encounter;
   const [first, second] = sidesOf(encounter);
-  const other = second ? [second.kind.name, ...pairsOf(second).map((pair) => pair.join('='))].join(',') : against;
+  const other = second?.file ? `@${second.file.name}`
+    : second ? [second.kind.name, ...pairsOf(second).map((pair) => pair.join('='))].join(',') : against;
   return [
-    ...(kind === 'disk' ? [] : ['--body', kind]),
+    ...(kind === 'disk' ? [] : ['--body', first.file ? `@${first.file.name}` : kind]),
     ...pairsOf(first).flatMap(([key, value]) => [`--${key.replace('_', '-')}`, value]),
     ...(first.strain ? ['--plane', 'strain'] : []),
     ...(other === 'wall' ? [] : ['--against', other]),
@@ -91,8 +94,9 @@ export function pythonLines(inputs: Inputs): string {
   const { encounter, speed } = inputs;
   const motion = motionOf(inputs);
   const rule = motion.friction === 0 ? 'restitution' : 'oblique';
-  const { kind, against, si } = encounter;
+  const { against, si } = encounter;
   const [first, second] = sidesOf(encounter);
+  const kind = first.file ? 'body' : encounter.kind;
   const name = second?.kind.bounded ? 'other' : 'block';
   const args = [
     kind,
@@ -107,7 +111,8 @@ export function pythonLines(inputs: Inputs): string {
 }
 
 function call(side: Side, si: boolean): string {
-  const { kind, body, fields, material, strain } = side;
+  const { kind, body, fields, material, strain, file } = side;
+  if (file) return `stoss.ModalBody.read("${file.name}")`;
   const args = kind.parameters // in the order of Python
     .filter(({ name, ofMaterial }) => fields.includes(name) && name !== 'loss_time' && !(si && ofMaterial))
     .map(({ name }) => `${name}=${shortest(body[name])}`);

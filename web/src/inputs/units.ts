@@ -4,6 +4,7 @@ import { scaleLog } from 'd3-scale';
 import { seriesOf, unitsOf } from '../core/local';
 import type { Body, Elastic, Encounter } from '../core/protocol';
 import { rounded, shortest } from '../drawing/numbers';
+import { withoutFiles } from './document';
 import { type Inputs, ball, siSpeed } from './inputs';
 import { type BodyField, blockOf, isBlock, lengthOf, sizeOf } from './kinds';
 
@@ -20,8 +21,8 @@ function changed(body: Body, change: (value: number, name: BodyField) => number)
 
 /** The same impact in units of the first body: ε stays what it is. */
 export function withoutSi(inputs: Inputs): Inputs {
-  const { encounter } = inputs;
-  if (!encounter.si) return inputs;
+  if (!inputs.encounter.si) return inputs;
+  const encounter = withoutFiles(inputs.encounter);
   const { kind, first, second, against } = encounter;
   const units = unitsOf(encounter);
   const block = blockOf(kind, against);

@@ -3,11 +3,12 @@ import { html, render } from 'lit-html';
 import type { Body, Encounter } from '../core/protocol';
 import { find, optionsOf } from '../drawing/dom';
 import { significant } from '../drawing/numbers';
-import { check } from '../inputs/check';
-import { madeOf, sidesOf } from '../inputs/document';
+import { check, refusal } from '../inputs/check';
+import { madeOf, secondFileOf, sidesOf } from '../inputs/document';
 import { type Field, fieldsOf } from '../inputs/fields';
+import { openFile, withFile } from '../inputs/files';
 import { type Inputs, presetOf, presets, withAgainst, withKind } from '../inputs/inputs';
-import { type BodyKind, blockOf, blocks, bodyKinds, kindNamed, materials, sizeOf } from '../inputs/kinds';
+import { type BodyKind, blockOf, blocks, bodyKinds, fileKind, kindNamed, materials, sizeOf } from '../inputs/kinds';
 import { description } from '../inputs/lines';
 import { barSpeed, placeOf, speedAt, steps, withoutSi, withSi } from '../inputs/units';
 import { showFields, showNumbers, textOf } from './fields_view';
@@ -32,6 +33,8 @@ export function createControls(initial: Inputs, listener: Listener) {
   slider.max = String(steps);
   render(bodyKinds.map((kind) => html`<label title=${kindNamed(kind).help}>
     <input type="radio" name="body" value=${kind} /><span>${kind.charAt(0).toUpperCase() + kind.slice(1)}</span>
+  </label>`).concat(html`<label title=${fileKind.help}>
+    <input type="file" id="file" accept=".json" aria-label="Any body, of a file" /><span>File…</span>
   </label>`), find('bodies', HTMLElement));
   const named = (all: readonly { name: string }[]): unknown =>
     optionsOf([own, ...all.map(({ name }) => name)].map((name) => [name, name]));
@@ -42,16 +45,21 @@ export function createControls(initial: Inputs, listener: Listener) {
     inputs = next;
     const { encounter } = inputs;
     const { kind, si, against } = encounter;
-    choose('body', kind);
+    const [file, file2] = [encounter.firstFile, secondFileOf(encounter)];
+    choose('body', file ? '' : kind);
+    for (const [id, its] of [['file', file], ['file2', file2]] as const) {
+      find(id, HTMLInputElement).parentElement!.classList.toggle('chosen', its !== undefined);
+    }
+    find('file-problem', HTMLElement).hidden = true;
     choose('units', si ? 'SI' : 'c');
     choose('plane', encounter.plane);
     simple.checked = inputs.simple;
     document.body.dataset.view = inputs.simple ? 'simple' : 'full';
     find('plane-row', HTMLElement).hidden = !(si && kindNamed(kind).hasPlane);
-    find('material-row', HTMLElement).hidden = !si;
-    find('material2-row', HTMLElement).hidden = !si || sidesOf(encounter)[1] === undefined;
+    find('material-row', HTMLElement).hidden = !si || file !== undefined;
+    find('material2-row', HTMLElement).hidden = !si || sidesOf(encounter)[1] === undefined || file2 !== undefined;
     render(optionsOf([
-      ['wall', 'a rigid wall'], ['same', 'an identical body'], ['body', `another ${kind}`],
+      ['wall', 'a rigid wall'], ['same', 'an identical body'], ['body', file2 ? `“${file2.title}”` : `another ${kind}`],
       ...blocks.flatMap((name): [string, string][] => {
         const block = blockOf(kind, name);
         return block ? [[name, `an elastic ${block.name}`]] : [];
@@ -74,7 +82,8 @@ export function createControls(initial: Inputs, listener: Listener) {
       select.value = side?.material?.name ?? own;
       select.title = side?.material?.source ?? '';
     }
-    find('units-note', HTMLElement).textContent = si ? `c = √(E/ρ) = ${significant(barSpeed(encounter), 4)} m/s`
+    const title = encounter.firstFile ? `“${encounter.firstFile.title}”, ` : '';
+    find('units-note', HTMLElement).textContent = si ? `${title}c = √(E/ρ) = ${significant(barSpeed(encounter), 4)} m/s`
       : `Units: ${sizeOf(kind)}, bar speed c = √(E/ρ) and mass of the first body`;
     slider.value = String(placeOf(encounter, speed));
     slider.setAttribute('aria-valuetext', `${significant(speed, 3)} ${si ? 'm/s' : 'c'}`);
@@ -114,13 +123,22 @@ export function createControls(initial: Inputs, listener: Listener) {
       const { encounter, speed, friction, angle, spin, spin2 } = presets.find(({ name }) => name === value) ?? inputs;
       return { ...inputs, encounter, speed, friction, angle, spin, spin2 };
     },
-    against: (value) => meeting(withAgainst(inputs.encounter, value as Encounter['against'])),
+    against: (value) => ({ ...inputs, encounter: withAgainst(inputs.encounter, value as Encounter['against']) }),
     material: (value) => meeting({ first: withMaterial(value, inputs.encounter.first) }),
     material2: (value) => meeting({ second: withMaterial(value, inputs.encounter.second) }),
-    body: (value) => meeting(withKind(inputs.encounter, value as BodyKind)),
+    body: (value) => ({ ...inputs, encounter: withKind(inputs.encounter, value as BodyKind) }),
     units: (value) => (value === 'SI' ? withSi(inputs) : withoutSi(inputs)),
     plane: (value) => meeting({ plane: value as Encounter['plane'] }),
   };
+  async function open({ id, files }: HTMLInputElement): Promise<void> {
+    const chosen = files?.[0];
+    if (!chosen) return;
+    const problem = find('file-problem', HTMLElement);
+    const text = await chosen.text();
+    problem.textContent = refusal(() => take(withFile(inputs, id === 'file2', openFile(chosen.name, text)), true));
+    problem.hidden = problem.textContent === '';
+  }
+
   const isNumber = (target: EventTarget | null): boolean =>
     target === slider || (target instanceof HTMLInputElement && target.dataset.field !== undefined);
 
@@ -132,6 +150,10 @@ export function createControls(initial: Inputs, listener: Listener) {
   form.addEventListener('change', ({ target }) => {
     if (isNumber(target)) {
       read(true);
+      return;
+    }
+    if (target instanceof HTMLInputElement && target.type === 'file') {
+      void open(target).finally(() => (target.value = '')); // so that the same file can be opened again
       return;
     }
     const { id, name, value } = target as HTMLInputElement | HTMLSelectElement;

@@ -122,6 +122,7 @@ const answers: Answers = {
       deliver?.({ time, bodies: [bodyFrame(time, grid.radius, grid.angle)] }, index);
     }
   },
+  sound: (_encounter, { count }) => Promise.resolve(new Float32Array(count)),
   async shape(_encounter, { order, grid }) {
     await wait(5);
     const size = grid.radius.length * grid.angle.length;

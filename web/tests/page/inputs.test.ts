@@ -1,4 +1,5 @@
 // The form, the address and the results of the page as it is shipped.
+import { fileURLToPath } from 'node:url';
 import { afterAll, afterEach, beforeAll, describe, expect, it } from 'vitest';
 import { type Site, missing, settled, startSite } from './browser';
 
@@ -202,6 +203,30 @@ describe.skipIf(missing !== '')(`the inputs of the page${missing && ` (${missing
     await page.focus('input[name=body][value=disk]');
     await page.keyboard.press('ArrowRight');
     expect(await page.isChecked('input[name=body][value=sphere]')).toBe(true);
+    await page.context().close();
+  });
+
+  it('may be a body of a file, with its sound; what is none is refused', async () => {
+    const page = await site.open();
+    await settled(page);
+    await page.setInputFiles('#file', fileURLToPath(new URL('../unit/ball.json', import.meta.url)));
+    await page.waitForURL(/body=sphere&file=ball\.json&units=SI&v=1$/);
+    expect(await settled(page)).toMatch(/^0\.9999\d+ ± /);
+    expect(await page.textContent('#units-note')).toMatch(/^“steel ball”, c = /);
+    expect(await page.textContent('#command-line')).toBe('stoss restitution --body @ball.json --speed 1');
+    expect(await page.locator('input[name=body]:checked').count()).toBe(0);
+    await page.waitForFunction(() => document.body.dataset.impact === 'current');
+    await page.click('#play-sound');
+    await page.waitForFunction(() => document.querySelector('#sound-note')!.textContent !== '');
+    expect(await page.textContent('#sound-note')).toBe('Played 307 times slower, with its lowest mode at 440 Hz.');
+    const wrong = { name: 'bell.json', mimeType: 'application/json', buffer: Buffer.from('{}') };
+    await page.setInputFiles('#file2', wrong);
+    await page.waitForSelector('#file-problem:not([hidden])');
+    expect(await page.textContent('#file-problem')).toContain('format: got');
+    expect(await page.textContent('#command-line')).toBe('stoss restitution --body @ball.json --speed 1');
+    await page.check('input[name=body][value=disk]', { force: true });
+    expect(await page.textContent('#command-line')).toMatch(/^stoss restitution --poisson 0.3 /);
+    await settled(page);
     await page.context().close();
   });
 
