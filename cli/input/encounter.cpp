@@ -186,7 +186,7 @@ void EncounterOptions::add_to(CLI::App& to, bool exponential, const std::string&
     names.push_back(its.name);
   }
   help += "\n  @FILE: " + std::string(kind("modal").help);
-  const std::string type = fmt::format("{{{}}}[,KEY=VALUE]...|@FILE", fmt::join(names, ","));
+  const std::string type = fmt::format("{{{}}}[,KEY=VALUE]...", fmt::join(names, ","));
   add(to, "--against", against, help + note, type, "Against");
 }
 

@@ -211,7 +211,7 @@ def test_half_planes_have_the_poissons_ratios_of_disks(stoss, poisson):
 
 SPHERE = "--body sphere --poisson 0.3"
 REFUSED = [
-    (f"{SPHERE} --against half-plane", "against", "allowed wall, same, sphere, half-space or plate"),
+    (f"{SPHERE} --against half-plane", "against", "allowed wall, same, sphere, half-space, plate or modal"),
     ("--poisson 0.3 --against half-space", "against", "allowed wall, same, disk, half-plane or strip"),
     ("--body rod --against half-space", "against", "allowed wall, same or rod"),
     (f"{SPHERE} --against halfspace", "against", "did you mean half-space?"),
@@ -231,7 +231,7 @@ REFUSED = [
     (f"{SPHERE} --rigid-body --loss-time 1 --against half-space", "loss_time", "a rigid body"),
     (f"{SPHERE} --against half-space,loss_time=-1", "against loss_time", "-1"),
     (f"{SPHERE} --against half-space,loss_time=nan", "against loss_time", "nan"),
-    (f"{SPHERE} --rigid-body", "rigid", "against wall, allowed only against an elastic sphere, half-space or plate"),
+    (f"{SPHERE} --rigid-body", "rigid", "against wall, allowed only against an elastic sphere, half-space, plate or modal"),
     (f"{SPHERE} --rigid-body --against same", "rigid", "against same"),
     ("--poisson 0.3 --rigid-body", "rigid", "allowed only against an elastic disk, half-plane or strip"),
     ("--body rod --rigid-body", "rigid-body", "--body rod, allowed only with --body disk or sphere"),

@@ -206,7 +206,7 @@ def documents(stoss):
 def test_manual_and_completion_have_the_options_of_the_help(stoss):
     manual, completion = documents(stoss)
     sections = {part.split("\n")[0]: part for part in re.split(r"\n\.S[SH] ", manual.replace("\\-", "-"))}
-    assert "@" not in manual and "@" not in completion
+    assert not re.search("@[A-Z_]+@", manual + completion)
     for subcommand in ("modes", "impact", "restitution", "quasistatic", "table"):
         text = stoss.run(subcommand, "--help").stdout
         options = set(re.findall(r"^  (?:-\w,)?(--[a-z-]+)", text, re.MULTILINE))

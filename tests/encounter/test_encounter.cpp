@@ -70,9 +70,11 @@ TEST(Encounter, BeginsToYield) {
 
 TEST(Encounter, RefusesInOneLine) {
   const Participant ball{.kind = "sphere", .values = {{"poisson", 0.3}}};
-  EXPECT_EQ(test::message_of<InvalidInput>([&] { validate(Encounter{.first = ball, .against = {.kind = "rod"}}); }),
-            "against: got rod for a sphere, allowed wall, same, sphere, half-space or plate (a disk meets disks, "
-            "half-planes and strips; a sphere spheres, half-spaces and plates; a rod rods)");
+  EXPECT_EQ(
+      test::message_of<InvalidInput>([&] { validate(Encounter{.first = ball, .against = {.kind = "rod"}}); }),
+      "against: got rod for a sphere, allowed wall, same, sphere, half-space, plate or modal (a disk meets "
+      "disks, half-planes and strips; a sphere spheres, half-spaces, plates and modal bodies; a rod rods; a modal "
+      "body spheres, half-spaces, plates and modal bodies)");
   EXPECT_EQ(test::message_of<InvalidInput>(
                 [&] { validate(Encounter{.first = ball, .against = {.kind = "half-space", .material = glass}}); }),
             "against material: got one, allowed none, as the first body has none");
@@ -91,8 +93,8 @@ TEST(Encounter, RefusesInOneLine) {
   Participant rigid_ball = ball;
   rigid_ball.rigid = true;
   EXPECT_EQ(test::message_of<InvalidInput>([&] { validate(Encounter{.first = rigid_ball}); }),
-            "rigid: got a rigid sphere against wall, allowed only against an elastic sphere, half-space or plate, "
-            "which deforms");
+            "rigid: got a rigid sphere against wall, allowed only against an elastic sphere, half-space, plate or "
+            "modal, which deforms");
 }
 
 TEST(EncounterDocument, ReadsBackAsItWasWritten) {

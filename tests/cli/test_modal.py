@@ -1,0 +1,48 @@
+"""Bodies of files, by their modes at a point: --body @FILE and --against @FILE."""
+
+import json
+import pathlib
+
+import pytest
+
+FILES = pathlib.Path(__file__).parents[2] / "examples" / "any_body"
+SPHERE = "--body sphere --radius 0.01 --young 210e9 --poisson 0.3 --density 7850"
+
+
+def lost(stoss, arguments):
+    """1 − ε² and its error, by arguments with --speed."""
+    result = stoss.run("restitution --tolerance 0.4 --format json", arguments)
+    row = json.loads(result.stdout)["records"][0]
+    return row["lost_fraction"], row["lost_fraction_error"]
+
+
+@pytest.mark.numbers
+@pytest.mark.parametrize("against", ["wall", "half-space,material=glass", f"@{FILES}/bar.json", "same"])
+def test_sphere_of_a_mesh_is_the_sphere(stoss, against):
+    of_modes, error = lost(stoss, f"--body @{FILES}/sphere.json --against {against} --speed 0.5")
+    exact, its_error = lost(stoss, f"{SPHERE} --against {against} --speed 0.5")
+    assert abs(of_modes - exact) <= error + its_error
+    assert error < 0.8 * of_modes
+
+
+def test_refuses_in_one_line(stoss, tmp_path):
+    broken = tmp_path / "broken.json"
+    broken.write_text('{"format": "stoss modal body 1", "mass": 1}')
+    wrong = tmp_path / "wrong.json"
+    wrong.write_text("mass = 1")
+    for arguments, said in (
+        (f"--body @{tmp_path}/none.json", "No such file"),
+        (f"--body @{tmp_path}", "Is a directory"),
+        (f"--body @{broken}", "curvature: got none"),
+        (f"--body @{wrong}", "no JSON document"),
+        (f"{SPHERE} --against @{wrong}", "no JSON document"),
+        (f"--body @{FILES}/bar.json --radius 1", "radius: got --radius"),
+        (f"--body @{FILES}/bar.json --material steel", "material: got --material"),
+        (f"--body @{FILES}/bar.json --against disk", "against"),
+        (f"--body @{FILES}/beam_0.json", "plane"),
+        (f"--poisson 0.3 --body sphere --against @{FILES}/bar.json", "against material"),
+    ):
+        result = stoss.run("restitution --speed 0.1", arguments)
+        assert result.returncode == 3, (arguments, result.stderr)
+        assert result.stdout == "" and result.stderr.count("\n") == 1
+        assert said in result.stderr and "allowed" in result.stderr, result.stderr
