@@ -20,8 +20,8 @@ and what is stated is at least 3·10⁻⁵ of 1 − ε², the share of the quadr
 inline constexpr const char* plate_times = R"(
 ## Times of balls on plates
 
-At the default tolerance. Processor time of one call, where the modes are there: median, what nine of
-ten do not exceed, longest; and of the first call, which makes them: median, longest.
+At the default tolerance. Processor time of one call, where the modes are there: median, what nine
+of ten do not exceed, longest; and of the first call, which makes them: median, longest.
 
 | speed | converged | ms, median | ms, 90 % | ms, longest | first: ms, median | ms, longest |
 |---|---:|---:|---:|---:|---:|---:|

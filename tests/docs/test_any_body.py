@@ -1,0 +1,38 @@
+"""What docs/any_body.md prints and tells of the bodies in examples/any_body is what the command says of them."""
+
+import os
+import re
+import subprocess
+
+import pytest
+from conftest import ROOT, command, page, with_error
+
+PAGE, _ = page("docs/any_body.md")
+BODIES = ROOT / "examples/any_body"
+
+
+def lost(arguments):
+    """1 − ε² with its error."""
+    (row,) = command(f"restitution --tolerance 0.4 {arguments}")
+    return row["lost_fraction"], row["lost_fraction_error"]
+
+
+def test_command_prints_what_the_page_shows():
+    words = re.search(r"stoss (restitution --body sphere .*?)\n```", PAGE, re.DOTALL)[1].replace("\\\n", " ").split()
+    found = subprocess.run([os.environ["STOSS"], *words], capture_output=True, text=True, timeout=60, cwd=ROOT)
+    assert found.stdout.rstrip() in PAGE
+
+
+@pytest.mark.parametrize("place", [0, 30, 55, 95])
+def test_sweet_spot(place):
+    struck = f"--body sphere --radius 0.005 --material steel --against @{BODIES}/beam_{place}.json"
+    slow, fast = (lost(f"{struck} --speed {speed}") for speed in (0.05, 0.5))
+    assert f"| {place} mm | {with_error(*slow)} | {with_error(*fast)} |" in PAGE
+
+
+def test_bars_and_balls():
+    bar, hollow, sphere = (f"--body @{BODIES}/{name}.json" for name in ("bar", "hollow_sphere", "sphere"))
+    assert lost(f"{bar} --against same --speed 0.05") == pytest.approx((2.36e-4, 0.06e-4), rel=0.1)
+    assert lost(f"{bar} --against same --speed 5") == pytest.approx((2.53e-2, 0.07e-2), rel=0.1)
+    assert lost(f"{hollow} --speed 0.5") == pytest.approx((8e-4, 2e-4), rel=0.2)
+    assert lost(f"{sphere} --speed 5") == pytest.approx((2.4e-4, 1.0e-4), rel=0.1)
