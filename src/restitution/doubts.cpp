@@ -69,6 +69,8 @@ void add_doubts(const RefinableContact& contact, double speed, double stretch, c
   const double share = neglected(resolved, finest.max_half_width);
   const std::vector<Contact> others = alternatives(resolved);
   if (share == 0.0 && others.empty()) return;
+  // Of few modes the energies above the cutoff, by which the ladder judges, may be smaller than what is gained or lost.
+  result.lost_fraction.error += std::abs(finest.energy_error);
   for (const auto& [estimate, value] : affected) (result.*estimate).error += share * std::abs(finest.*value);
   for (const Contact& other : others) {
     ImpactOptions of_one{.resolution = Resolution(finest.resolution), .poll = options.poll};

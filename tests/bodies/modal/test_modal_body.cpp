@@ -88,7 +88,7 @@ struct Meeting {
 
 const std::vector<Meeting>& meetings() {
   static const std::vector<Meeting> all{
-      {"a wall", 1e-4, 3e-2, [](const BodyMaker& body) { return RefinableContact(body); }},
+      {"a wall", 1e-6, 1e-2, [](const BodyMaker& body) { return RefinableContact(body); }},
       {"a half-space", 1e-4, 1e-2,
        [](const BodyMaker& body) {
          return RefinableContact(body, half_space(HalfSpace{0.2, 0.5, 0.8}));
