@@ -141,7 +141,7 @@ def test_what_only_other_bodies_can_do_is_refused(body):
         "two elastic": lambda: stoss.pair_table(body, ratio=(1, 2), speed=(0.01, 0.1)),
         "with a material": lambda: stoss.restitution(stoss.Sphere(poisson=0.3), against=body, speed=0.5),
         "modal bodies": lambda: stoss.restitution(body, against=stoss.Rod(length=1, area=1, material=STEEL), speed=1),
-        "up to where its modes are known": lambda: stoss.impact(body, speed=0.5, cutoff=50),
+        "higher modes are not known": lambda: stoss.impact(body, speed=0.5, cutoff=50),
     }
     for words, ask in refused.items():
         with pytest.raises(stoss.InvalidInput, match=words):
