@@ -28,6 +28,8 @@ FILES = {
     "11_superball_in_a_box": ["superball.csv", "superball.png"],
     "12_how_thick": ["how_thick.csv", "how_thick.png"],
     "13_bar": ["bar.json", "bar.png", "bar.wav"],
+    "14_bell": ["bell.png", "bell_large.wav", "bell_small.wav"],
+    "15_bat": ["bat.png"],
 }
 NUMBER = re.compile(r"(?<![\w.])[-+]?\d+(?:\.\d+)?(?:e[-+]?\d+)?(?![\w.])")
 
@@ -282,3 +284,32 @@ def test_13_bar(example):
     ((_, epsilon, error, _),) = its.numbers("ε at")
     assert (epsilon, error) == pytest.approx((found.restitution, found.restitution_error), abs=1e-3)
     assert rows[:, 2].sum() == pytest.approx(1 - found.restitution**2, abs=2 * error)
+
+
+def test_14_bell(example):
+    its = example("14_bell")
+    bell = stoss.ModalBody.read(EXAMPLES / "any_body/bell.json")
+    rows = its.table(6)
+    assert all(np.min(np.abs(bell.frequency - frequency)) < 0.6 for frequency in rows[:, 0])
+    for column, name in ((2, "small clapper"), (4, "large clapper")):
+        _, epsilon, error, _ = its.numbers(name)[0]
+        lost, doubt = 1 - epsilon**2, 2 * epsilon * error
+        assert 0 < rows[:, column].sum() / 100 < lost + doubt + 1e-3
+        assert rows[:, column].sum() / 100 == pytest.approx(lost, abs=doubt + 0.02)
+    # The large one, four times as long in touch, drives the first partial alone.
+    assert rows[0, 4] > 1.5 * rows[0, 2] and rows[1:, 4].sum() < 0.02 * rows[0, 4]
+    assert rows[1:, 2].sum() > 0.7 * rows[0, 2]
+
+
+def test_15_bat(example):
+    its = example("15_bat")
+    rows = its.table(7)
+    place, mass, restitution, error, ringing, back, _ = rows.T
+    best = np.argmax(restitution)
+    assert 0 < best < len(place) - 1 and 100 < place[best] < 210 and restitution[best] > 0.97
+    assert np.all(np.diff(restitution[: best + 1]) > 0) and np.all(np.diff(restitution[best:]) < 0)
+    assert ringing / 100 == pytest.approx(1 - restitution**2, abs=0.01)  # the ball takes hardly any
+    ball = 683 * 4 / 3 * np.pi * 0.037**3
+    assert back == pytest.approx((restitution - ball / mass) / (1 + ball / mass), abs=2e-3)
+    bat = stoss.ModalBody.read(EXAMPLES / "any_body/bat_30.json")
+    assert mass[0] < 0.6 * bat.mass and np.argmax(mass) >= best
