@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Makes the body files in this folder, those named or all:
-#   ./make.sh [sphere|hollow_sphere|bar|beam|plate|bell|bat]...
+#   ./make.sh [sphere|hollow_sphere|bar|beam|plate|bell|bat|coin]...
 # PYTHON is an interpreter that sees stoss and DOLFINx: that of `make modal-tools`.
 set -euo pipefail
 cd "$(dirname "$0")"
@@ -10,7 +10,7 @@ export OMP_NUM_THREADS=${OMP_NUM_THREADS:-1}
 body_of() { "$python" -m stoss.modal "$1.geo" --unit mm "${@:2}"; }
 body() { body_of "$1" --material steel "${@:2}"; }
 
-for name in "${@:-sphere hollow_sphere bar beam plate bell bat}"; do
+for name in "${@:-sphere hollow_sphere bar beam plate bell bat coin}"; do
   for each in $name; do
     case $each in
       sphere)
@@ -40,7 +40,13 @@ for name in "${@:-sphere hollow_sphere bar beam plate bell bat}"; do
             --normal="$out,0,$along" --size 9 --size-at-point 2 --coarser 1.3 --modes 30 \
             --name "bat struck $z mm from its far end" -o "bat_$z.json"
         done ;;
-      *) echo "make.sh: got '$each', allowed sphere, hollow_sphere, bar, beam, plate, bell, bat" >&2; exit 2 ;;
+      coin)
+        at() { body coin --size 1 --coarser 1.3 --modes 40 "$@"; }
+        at --point=0,0,1 --normal=0,0,1 --size-at-point 0.15 --name "coin struck in the middle" \
+          -o coin_0.json
+        at --point=-9,0,1 --normal=0,0,1 --size-at-point 0.15 \
+          --name "coin struck 9 mm from its middle" -o coin_9.json ;;
+      *) echo "make.sh: got '$each', allowed sphere, hollow_sphere, bar, beam, plate, bell, bat, coin" >&2; exit 2 ;;
     esac
   done
 done
