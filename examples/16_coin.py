@@ -2,14 +2,16 @@
 
 Run:     python examples/16_coin.py [FOLDER]        (default: out/)
 Expect:  for each place ε, the contact time, the mass that the ball meets, and the partials that take most, with
-         their shares of the energy, which err by what the numbers of the file do; coin.png, the shares over the frequency. Some seconds.
+         their shares of the energy, which err by what the numbers of the file do; coin.png, the shares over
+         the frequency. Some seconds.
 
     E_k = ½ φ_k² |∫ F(t) exp(iω_k t) dt|²
 
-Where a mode has a node (φ_k = 0) it stays silent: struck in the middle, a coin rings with its rings of nodes alone, at
-28 kHz and above; near the rim the lowest mode, with two lines of nodes across the face, takes most. There the coin also turns away,
-as if it were a third as heavy. It is of steel, 25 mm wide and 2 mm thick; examples/any_body/coin_*.json are made of
-coin.geo by finite elements. Its narrow round edge needs finer meshes, and is left out.
+Where a mode has a node (φ_k = 0) it stays silent: struck in the middle, a coin rings in modes whose nodes are rings
+alone, at 28 kHz and above; near the rim the lowest mode, with two lines of nodes across the face, takes most. There
+the coin also turns away, as if it were a third as heavy. It is of steel, 25 mm wide and 2 mm thick;
+examples/any_body/coin_*.json are made of coin.geo by finite elements. Its narrow round edge needs finer meshes, and is
+left out.
 """
 
 import sys
