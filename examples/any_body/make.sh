@@ -1,15 +1,16 @@
 #!/usr/bin/env bash
 # Makes the body files in this folder, those named or all:
-#   ./make.sh [sphere|hollow_sphere|bar|beam|plate]...
+#   ./make.sh [sphere|hollow_sphere|bar|beam|plate|bell|bat|coin]...
 # PYTHON is an interpreter that sees stoss and DOLFINx: that of `make modal-tools`.
 set -euo pipefail
 cd "$(dirname "$0")"
 python=${PYTHON:-../../build/venv/bin/python}
 export OMP_NUM_THREADS=${OMP_NUM_THREADS:-1}
 
-body() { "$python" -m stoss.modal "$1.geo" --unit mm --material steel "${@:2}"; }
+body_of() { "$python" -m stoss.modal "$1.geo" --unit mm "${@:2}"; }
+body() { body_of "$1" --material steel "${@:2}"; }
 
-for name in "${@:-sphere hollow_sphere bar beam plate}"; do
+for name in "${@:-sphere hollow_sphere bar beam plate bell bat coin}"; do
   for each in $name; do
     case $each in
       sphere)
@@ -28,7 +29,24 @@ for name in "${@:-sphere hollow_sphere bar beam plate}"; do
       plate)
         body plate --point 0,0,2.5 --normal 0,0,1 --size 7 --size-at-point 0.12 --modes 100 \
           -o plate.json ;;
-      *) echo "make.sh: got '$each', allowed sphere, hollow_sphere, bar, beam, plate" >&2; exit 2 ;;
+      bell) # at the sound bow, on the side where the turned profile has no seam
+        body_of bell --young 1.05e11 --poisson 0.34 --density 8700 --point=-50,0,9 --normal=-1,0,0 \
+          --size 4 --size-at-point 0.6 --coarser 1.25 --modes 40 -o bell.json ;;
+      bat)
+        for z in 30 100 140 170 210 250 290; do # on the arc of the barrel
+          read -r x out along < <(awk -v z="$z" 'BEGIN { t = z - 110; r = sqrt(2000^2 - t^2)
+            printf "%.6f %.6f %g\n", 1967 - r, -r, t }')
+          body_of bat --young 1.2e10 --poisson 0.3 --density 650 --point="$x,0,$z" \
+            --normal="$out,0,$along" --size 9 --size-at-point 2 --coarser 1.3 --modes 30 \
+            --name "bat struck $z mm from its far end" -o "bat_$z.json"
+        done ;;
+      coin)
+        at() { body coin --size 1 --coarser 1.3 --modes 40 "$@"; }
+        at --point=0,0,1 --normal=0,0,1 --size-at-point 0.15 --name "coin struck in the middle" \
+          -o coin_0.json
+        at --point=-9,0,1 --normal=0,0,1 --size-at-point 0.15 \
+          --name "coin struck 9 mm from its middle" -o coin_9.json ;;
+      *) echo "make.sh: got '$each', allowed sphere, hollow_sphere, bar, beam, plate, bell, bat, coin" >&2; exit 2 ;;
     esac
   done
 done

@@ -138,7 +138,9 @@ Body made(const ModalBody& its, double cutoff) {
   if (!plane) body.known.neglected = [](double half_width) { return half_width * half_width; };
   body.known.alternatives = [its, cutoff](double other) {
     std::vector<Body> bodies;
-    for (const ModalBody& each : alternatives(its, other)) bodies.push_back(made(each, cutoff));
+    for (const ModalBody& each : alternatives(its, other)) {  // the same cutoff, in units of their length
+      bodies.push_back(made(each, cutoff * own_length(each) / own_length(its)));
+    }
     return bodies;
   };
   ModeGroup group{0, {}, {}, {}, 0, 1, {}, 0.0};

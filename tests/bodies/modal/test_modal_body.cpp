@@ -206,6 +206,13 @@ TEST(ModalBody, OfUnequalCurvaturesHasAnErrorForThem) {
   const Estimate round = lost_with([](ModalBody&) {});
   const Estimate oval = lost_with([](ModalBody& body) { body.curvature_difference = 0.6; });
   EXPECT_GT(oval.error, round.error + 0.01 * round.value);
+  // So it has against a second body, with which it must share the cutoff.
+  const auto error_against_a_sphere = [](double difference) {
+    ModalBody body = test::modal_sphere(0.3, 12.0);
+    body.curvature_difference = difference;
+    return value_of(RefinableContact(modal_body(body), sphere(0.3)), 1e-3).lost_fraction.error;
+  };
+  EXPECT_GT(error_against_a_sphere(0.6), 1.01 * error_against_a_sphere(0.0));
 }
 
 // A heavy block without modes that a ball strikes on its face: a rigid ball and a half-space that does not radiate.
