@@ -112,6 +112,7 @@ std::vector<ModalBody> alternatives(const ModalBody& its, double other) {
     all.push_back(its);
     const double mean = its.curvature + other / own_length(its), half = 0.5 * its.curvature_difference;
     all.back().curvature -= mean - std::cbrt((mean * mean - half * half) * mean);
+    all.back().curvature_difference = 0.0;  // round, or its own ratio may be refused
   }
   return all;
 }

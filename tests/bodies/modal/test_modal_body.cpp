@@ -213,6 +213,7 @@ TEST(ModalBody, OfUnequalCurvaturesHasAnErrorForThem) {
     return value_of(RefinableContact(modal_body(body), sphere(0.3)), 1e-3).lost_fraction.error;
   };
   EXPECT_GT(error_against_a_sphere(0.6), 1.01 * error_against_a_sphere(0.0));
+  EXPECT_NO_THROW((void)error_against_a_sphere(2.0));  // relative curvatures 3 : 1
 }
 
 // A heavy block without modes that a ball strikes on its face: a rigid ball and a half-space that does not radiate.
