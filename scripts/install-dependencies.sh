@@ -2,7 +2,7 @@
 # Installs the Debian packages that stoss needs and that are missing, as root or through sudo: all of them, or with the
 # argument `build` only those for the library and the command, with `python` also those for the Python package, with
 # `test` also those of `make test`; with `long` besides all of them Yade, a gigabyte, for `make test-long`.
-# With `modal` those of `python -m stoss.modal`, which nothing else needs.
+# With `modal` those of the package and of `python -m stoss.modal`.
 # Where that is not possible it names what is missing and stops with an error.
 set -euo pipefail
 
@@ -46,7 +46,7 @@ fi
 [ "$what" != long ] || packages+=(yade)
 
 # Body files from finite elements; CalculiX is their second source in tests.
-if [ "$what" = modal ] || [ "$what" = long ]; then
+if [ "$what" = modal ] || [ "$what" = test ] || [ "$what" = long ]; then
   packages+=(python3-dolfinx-real python3-petsc4py-real python3-slepc4py-real python3-mpi4py openmpi-bin)
   packages+=(python3-gmsh python3-scipy calculix-ccx)
 fi
