@@ -198,7 +198,9 @@ Restitution restitution(const RefinableContact& contact, double speed, const Res
     if (level < highest) next.rungs = std::min(next.rungs, highest - level);
   }
   if (result.runs.size() < 2) {
-    throw NotConverged(trouble.empty() ? "restitution: the half-space has more waves than are computed" : trouble);
+    const std::string none = contact.at(0).unbounded ? "the half-space has more waves than are computed"
+                                                     : "fewer than two cutoffs could be computed";
+    throw NotConverged(trouble.empty() ? "restitution: " + none : trouble);
   }
   conclude(contact.at(0), speed, correction, result);
   add_doubts(contact, speed, stretch, options, result);

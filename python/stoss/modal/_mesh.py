@@ -96,8 +96,12 @@ def _open(path: str, unit: float, point: Sequence[float], sizes: Sizes | None) -
     parts = _parts(corners[:, :4].astype(np.int64))
     if parts > 1:
         raise InvalidInput(f"{path}: the mesh is in {parts} parts that do not hang together")
-    used = np.isin(tags, corners)
-    x = np.reshape(x, (-1, 3))[used]
+    loose = int(np.sum(~np.isin(tags, corners)))
+    if loose:
+        raise InvalidInput(
+            f"{path}: {loose} nodes belong to no tetrahedron (surfaces or points beside the volume)"
+        )
+    x = np.reshape(x, (-1, 3))
     return 0.5 * float(np.linalg.norm(x.max(axis=0) - x.min(axis=0)))
 
 
