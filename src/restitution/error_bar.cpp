@@ -168,7 +168,7 @@ void conclude(const Contact& contact, double speed, const CurvatureCorrection& c
   const double instants = (contact.gives_way ? 2.0 : 1.0) * last.resolution.step;
   result.contact_time = estimate(contact.gives_way ? last_touch : rough, &Run::contact_time, instants);
   result.impulse_time = estimate(smooth, &Run::impulse_time, at_a_point ? last.resolution.step : 0.0);
-  const double beyond = std::max(focus * std::sqrt(last.unresolved), at_a_point ? overshoot : 0.0);
+  const double beyond = std::max(focus * std::sqrt(std::max(0.0, last.unresolved)), at_a_point ? overshoot : 0.0);
   result.max_force = estimate(rough, &Run::max_force, beyond * last.max_force);
   const double missing = turn * last.unresolved + (at_a_point ? 0.0 : node_error(contact, last));
   result.max_compression = estimate(smooth, &Run::max_compression, missing * std::abs(last.max_compression));

@@ -32,7 +32,7 @@ Run summary(const Impact& impact, double energy) {
           .resolution = impact.resolution,
           .lost_fraction = impact.lost_fraction,
           .dissipated = energy * impact.energy.dissipated,
-          .unresolved = energy * std::max(0.0, impact.energy.unresolved),
+          .unresolved = energy * impact.energy.unresolved,
           .remaining = impact.remaining,
           .contact_time = impact.contact_time,
           .impulse_time = impact.impulse_time,
