@@ -69,11 +69,11 @@ std::vector<double> local_compliance(double poisson, bool plane, const ContactPo
   return compliance;
 }
 
-/// Takes the kept modes from a residual. @param power of ω
-void take_kept(const PointModes& modes, int power, const ContactPoints& points, std::vector<double>& matrix) {
+/// Takes the kept modes from a static compliance.
+void take_kept(const PointModes& modes, const ContactPoints& points, std::vector<double>& matrix) {
   std::vector<double> row(points.count);
   for (const modal::KeptMode& mode : modes.kept) {
-    const double weight = 1.0 / (modes.mass * std::pow(mode.omega, power));
+    const double weight = 1.0 / (modes.mass * mode.omega * mode.omega);
     for (std::size_t i = 0; i < points.count; ++i) {
       const double distance = lateral_distance(points, i);
       row[i] = mode.displacement + mode.bend * distance * distance;
@@ -156,7 +156,7 @@ Body made(const ModalBody& its, double cutoff) {
   body.residual_compliance = [poisson, plane, modes](const ContactPoints& points, const Poll& poll) {
     std::vector<double> compliance = local_compliance(poisson, plane, points, poll);
     for (double& each : compliance) each += modes.constant;
-    take_kept(modes, 2, points, compliance);
+    take_kept(modes, points, compliance);
     return compliance;
   };
   // V of the waves above the cutoff is that of a half-space: they do not know how the body ends.
