@@ -140,6 +140,19 @@ TEST(ModalBody, OfASphereIsTheSphereWithinBothErrors) {
   }
 }
 
+TEST(ModalBody, OfALossySphereLosesAsTheSphere) {
+  for (const double loss_time : {0.01, 0.1, 2.0}) {
+    for (const double speed : {1e-4, 1e-3}) {
+      SCOPED_TRACE(std::to_string(loss_time) + " at " + std::to_string(speed));
+      ModalBody body = test::modal_sphere(0.3, 12.0);
+      body.loss_time = loss_time;
+      const RefinableContact exact(sphere(Sphere{.poisson = 0.3, .loss_time = loss_time}));
+      const RefinableContact given(modal_body(body));
+      expect_near(value_of(given, speed).lost_fraction, value_of(exact, speed).lost_fraction);
+    }
+  }
+}
+
 // What is stated is worth something: where modes reach to 16 c/R, below 1 % at v = 1e-4 and 10 % at 1e-2.
 TEST(ModalBody, StatesErrorsThatAreNotTooLarge) {
   for (const auto& [speed, share] : {std::pair{1e-4, 0.02}, {1e-3, 0.05}, {1e-2, 0.25}}) {
