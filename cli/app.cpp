@@ -45,6 +45,7 @@ void declare(CLI::App& app) {
   add_oblique(app);
   add_distribution(app);
   add_quasistatic(app);
+  add_predict(app);
   add_table(app);
   add_fit(app);
   add_materials(app);

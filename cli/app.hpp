@@ -29,6 +29,7 @@ void add_restitution(CLI::App& app);
 void add_oblique(CLI::App& app);
 void add_distribution(CLI::App& app);
 void add_quasistatic(CLI::App& app);
+void add_predict(CLI::App& app);
 void add_table(CLI::App& app);
 void add_materials(CLI::App& app);
 void add_schema(CLI::App& app);

@@ -19,6 +19,8 @@ void validate(const Material& material) {
           "Poisson's ratio of the material; steel has 0.3");
   constexpr double any = 1.0;
   require("yield_strength", material.yield_strength.value_or(any), positive, "in Pa; steel has 2e8 to 2e9");
+  require("surface_energy", material.surface_energy.value_or(0.0), {0.0, 1e6, true, true, "0 to 1e6"},
+          "in J/m^2; glass has 0.02 to 0.3");
 }
 
 }  // namespace

@@ -13,6 +13,7 @@ struct Material {
   double density = 0.0;                    ///< ρ, kg/m³
   std::optional<double> yield_strength{};  ///< Y in simple tension, Pa, if known
   std::optional<double> loss_time{};       ///< η, s: stress = (1 + η ∂/∂t) elastic stress, if known
+  std::optional<double> surface_energy{};  ///< γ, J/m²: two surfaces stick with w = 2√(γ₁γ₂), if known
 };
 
 /// Kind of body behind a disk: a thin plate (plane stress) or a slice of a long cylinder (plane strain).

@@ -27,7 +27,8 @@ py::list all_kinds() {
 
 py::list all_materials() {
   py::list all;
-  for (const auto& [name, its, quality, frequency, source] : named_materials()) {
+  for (const NamedMaterial& each : named_materials()) {
+    const Material& its = each.material;
     all.append(py::make_tuple(name, its.young, its.poisson, its.density, its.yield_strength, its.loss_time));
   }
   return all;

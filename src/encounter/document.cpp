@@ -30,8 +30,10 @@ Material material_of_numbers(const std::string& where, const Json& given) {
       material.yield_strength = number(where + " " + name, value);
     } else if (name == "loss_time") {
       material.loss_time = number(where + " " + name, value);
+    } else if (name == "surface_energy") {
+      material.surface_energy = number(where + " " + name, value);
     } else if (std::none_of(needed.begin(), needed.end(), [&n = name](const auto& each) { return n == each.first; })) {
-      refuse(where, name, "young, poisson, density, yield_strength, loss_time");
+      refuse(where, name, "young, poisson, density, yield_strength, loss_time, surface_energy");
     }
   }
   return material;
@@ -161,6 +163,7 @@ Json described(const Material& material) {
   Json json{{"young", material.young}, {"poisson", material.poisson}, {"density", material.density}};
   if (material.yield_strength) json["yield_strength"] = *material.yield_strength;
   if (material.loss_time) json["loss_time"] = *material.loss_time;
+  if (material.surface_energy) json["surface_energy"] = *material.surface_energy;
   return json;
 }
 

@@ -13,36 +13,78 @@ constexpr double hard = 2.0 * std::numbers::pi * 1e4;    // of contacts that las
 constexpr double soft = 2.0 * std::numbers::pi * 500.0;  // 1 ms
 constexpr double unknown = 0.0;
 
-NamedMaterial made(std::string_view name, double young, double poisson, double density, double yield, double quality,
-                   std::string_view source, double frequency = hard) {
-  Material material{young, poisson, density};
-  if (yield != unknown) material.yield_strength = yield;
-  if (quality != unknown) material.loss_time = loss_time_of_quality(quality, frequency);
-  return {name, material, quality, frequency, source};
+/// A material without what only some know.
+NamedMaterial made(std::string_view name, const Material& material, double quality, std::string_view source,
+                   double frequency = hard) {
+  NamedMaterial named{name, material, quality, frequency, source, {}, {}, {}};
+  if (quality != unknown) named.material.loss_time = loss_time_of_quality(quality, frequency);
+  named.uncertainties.young = 0.05, named.uncertainties.poisson = 0.05, named.uncertainties.density = 0.01;
+  if (quality != unknown) named.uncertainties.loss_time = 2.0;
+  return named;
+}
+
+NamedMaterial with_strength(NamedMaterial named, double strength, double uncertainty, std::string_view source) {
+  named.material.yield_strength = strength;
+  named.uncertainties.yield_strength = uncertainty;
+  named.strength_source = source;
+  return named;
+}
+
+NamedMaterial with_surface(NamedMaterial named, double energy, double uncertainty, std::string_view source) {
+  named.material.surface_energy = energy;
+  named.uncertainties.surface_energy = uncertainty;
+  named.surface_source = source;
+  return named;
+}
+
+NamedMaterial varying(NamedMaterial named, double young, double poisson, double density) {
+  named.uncertainties.young = young, named.uncertainties.poisson = poisson, named.uncertainties.density = density;
+  return named;
 }
 
 }  // namespace
 
 const std::vector<NamedMaterial>& named_materials() {
   static const std::vector<NamedMaterial> all{
-      made("steel", 2.1e11, 0.30, 7850.0, unknown, 3000.0, "structural steel, Eurocode 3"),
-      made("glass", 7.0e10, 0.22, 2500.0, unknown, 1000.0,
-           "soda-lime glass, EN 572-1; nu between the 0.20 there and the 0.23 of makers"),
-      made("ice", 9.3e9, 0.33, 917.0, unknown, 200.0,
-           "polycrystalline, at -16 C: Gammon et al., J. Glaciology 29, 433 (1983)"),
-      made("rubber", 2e6, 0.49, 1100.0, unknown, 10.0, "soft rubber, orders of magnitude", soft),
-      made("bearing steel", 2.1e11, 0.30, 7810.0, 1.7e9, 3000.0, "hardened, typical without a single source"),
-      made("brass", 1.1e11, 0.33, 8530.0, 4.3e8, 2000.0, "hard-drawn CuZn30, engineering tables"),
-      made("aluminium", 6.9e10, 0.33, 2700.0, 2.8e8, 10000.0, "6061-T6, engineering tables"),
-      made("tungsten carbide", 6.2e11, 0.22, 14900.0, unknown, unknown,
-           "6 % of cobalt, typical without a single source"),
-      made("granite", 5e10, 0.25, 2650.0, unknown, 100.0, "typical without a single source; E from 20 to 70 GPa"),
-      made("PMMA", 3.2e9, 0.37, 1190.0, unknown, 30.0,
-           "typical without a single source; its modulus grows with the rate of loading"),
-      made(
-          "PVB", 5.7e8, 0.45, 1070.0, unknown, 12.0,
-          "interlayer of laminated glass, at 10 kHz and 20 C: Van Duser et al., J. Eng. Mech. 125, 435 (1999); softens "
-          "with heat and time"),
+      with_strength(
+          varying(made("steel", {2.1e11, 0.30, 7850.0}, 3000.0, "structural steel, Eurocode 3"), 0.03, 0.03, 0.01),
+          2.35e8, 0.5, "the least of S235, EN 10025; most samples have more"),
+      with_surface(varying(made("glass", {7.0e10, 0.22, 2500.0}, 1000.0,
+                                "soda-lime glass, EN 572-1; nu between the 0.20 there and the 0.23 of makers"),
+                           0.04, 0.1, 0.01),
+                   0.03, 3.0, "order of magnitude of glass in air; clean in vacuum it is ten times as much"),
+      with_surface(varying(made("ice", {9.3e9, 0.33, 917.0}, 200.0,
+                                "polycrystalline, at -16 C: Gammon et al., J. Glaciology 29, 433 (1983); stiffer by "
+                                "0.14 % for each degree colder"),
+                           0.03, 0.03, 0.005),
+                   0.19, 0.5, "from rolling of micrometre spheres: Gundlach et al., arXiv:1102.0430 (2011)"),
+      with_surface(
+          varying(made("rubber", {2e6, 0.49, 1100.0}, 10.0, "soft rubber, orders of magnitude", soft), 2.0, 0.01, 0.1),
+          0.035, 0.5, "order of magnitude of polymers in air"),
+      with_strength(
+          varying(made("bearing steel", {2.1e11, 0.30, 7810.0}, 3000.0, "hardened, typical without a single source"),
+                  0.03, 0.03, 0.01),
+          1.7e9, 0.2, "hardened 100Cr6, typical without a single source"),
+      with_strength(varying(made("brass", {1.1e11, 0.33, 8530.0}, 2000.0, "hard-drawn CuZn30, engineering tables"),
+                            0.05, 0.05, 0.01),
+                    4.3e8, 0.2, "hard-drawn, engineering tables"),
+      with_strength(
+          varying(made("aluminium", {6.9e10, 0.33, 2700.0}, 10000.0, "6061-T6, engineering tables"), 0.02, 0.03, 0.01),
+          2.8e8, 0.1, "6061-T6, engineering tables"),
+      varying(made("alumina", {3.8e11, 0.23, 4000.0}, unknown,
+                   "sintered, as in benchmarks of DEM codes after Kharaz et al., Powder Technol. 120, 281 (2001)"),
+              0.05, 0.1, 0.03),
+      made("tungsten carbide", {6.2e11, 0.22, 14900.0}, unknown, "6 % of cobalt, typical without a single source"),
+      varying(made("granite", {5e10, 0.25, 2650.0}, 100.0, "typical without a single source; E from 20 to 70 GPa"), 0.4,
+              0.2, 0.03),
+      varying(made("PMMA", {3.2e9, 0.37, 1190.0}, 30.0,
+                   "typical without a single source; its modulus grows with the rate of loading"),
+              0.2, 0.05, 0.01),
+      varying(
+          made("PVB", {5.7e8, 0.45, 1070.0}, 12.0,
+               "interlayer of laminated glass, at 10 kHz and 20 C: Van Duser et al., J. Eng. Mech. 125, 435 (1999); "
+               "softens with heat and time"),
+          0.3, 0.05, 0.01),
   };
   return all;
 }

@@ -37,7 +37,8 @@ Json materials() {
                        {"poisson", poisson},
                        {"density", positive},
                        {"yield_strength", positive},
-                       {"loss_time", {{"type", "number"}, {"minimum", 0}}}}},
+                       {"loss_time", {{"type", "number"}, {"minimum", 0}}},
+                       {"surface_energy", {{"type", "number"}, {"minimum", 0}}}}},
                      {"required", {"young", "poisson", "density"}},
                      {"additionalProperties", false}};
   return {{"description", "a named material, or its numbers in SI"}, {"oneOf", {{{"enum", names}}, numbers}}};

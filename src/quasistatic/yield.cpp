@@ -5,6 +5,7 @@
 #include <limits>
 #include <numbers>
 
+#include "check.hpp"
 #include "stoss/errors.hpp"
 
 namespace stoss::quasistatic {
@@ -68,6 +69,14 @@ std::optional<double> yield_speed(const Material& first, double first_radius, co
   const double strength = std::min(strength_of(first), strength_of(second));
   if (strength == infinity) return std::nullopt;
   return speed_at(both, yield_pressure_ratio * strength);
+}
+
+double yield_speed(const PointPair& pair, double mass, double yield_strength) {
+  (void)point_hertz(pair, 0.0);  // refuses what is out of range
+  constexpr Range positive{1e-100, 1e100, true, true, "1e-100 to 1e100"};
+  require("mass", mass, positive, "reduced mass");
+  require("yield_strength", yield_strength, positive, "in simple tension");
+  return speed_at({pair.softness, pair.curvature, 1.0 / mass}, yield_pressure_ratio * yield_strength);
 }
 
 }  // namespace stoss::quasistatic

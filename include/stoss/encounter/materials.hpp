@@ -7,13 +7,21 @@
 
 namespace stoss {
 
+/// By how much the constants of a material differ from sample to sample: each is known within a factor of 1 + u.
+struct Uncertainties {
+  double young = 0.0, poisson = 0.0, density = 0.0, loss_time = 0.0, yield_strength = 0.0, surface_energy = 0.0;
+};
+
 /// A typical material with its name.
 struct NamedMaterial {
   std::string_view name;
   Material material;
   double quality;    ///< Q, at the frequency below; 0: not known well enough
   double frequency;  ///< rad/s, π over the contact time for which the quality is meant
-  std::string_view source;
+  std::string_view source;           ///< of modulus, Poisson's ratio and density
+  std::string_view strength_source;  ///< of the yield strength
+  std::string_view surface_source;   ///< of the surface energy
+  Uncertainties uncertainties{};
 };
 
 /// Typical materials. Yours differs, rubber and rock by factors: measure it. What has no yield strength is brittle, or

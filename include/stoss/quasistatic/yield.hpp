@@ -3,6 +3,7 @@
 #include <optional>
 
 #include "stoss/material.hpp"
+#include "stoss/quasistatic/point_hertz.hpp"
 
 namespace stoss::quasistatic {
 
@@ -31,5 +32,9 @@ inline constexpr double yield_pressure_ratio = 1.6;
 /// @throws InvalidInput as scales
 [[nodiscard]] std::optional<double> yield_speed(const Material& first, double first_radius, const Material& second,
                                                 double second_radius);
+
+/// The same of any round bodies in consistent units, of reduced mass m: v² = (16/15) (E* R³/m) (πp₀/2E*)⁵, p₀ = 1.6 Y.
+/// @throws InvalidInput as point_hertz, and for a mass or a strength outside 1e-100 … 1e100
+[[nodiscard]] double yield_speed(const PointPair& pair, double mass, double yield_strength);
 
 }  // namespace stoss::quasistatic

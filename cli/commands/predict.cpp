@@ -1,0 +1,161 @@
+// stoss predict: what a drop test of a real ball shows, channel by channel.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <set>
+
+#include "app.hpp"
+#include "input/encounter.hpp"
+#include "output/output_options.hpp"
+#include "process/process.hpp"
+#include "stoss/encounter/series.hpp"
+#include "stoss/errors.hpp"
+#include "stoss/prediction/prediction.hpp"
+#include "stoss/prediction/quantities.hpp"
+
+namespace stoss::cli {
+namespace {
+
+struct PredictArguments {
+  EncounterOptions who;
+  std::string speeds, heights;
+  std::optional<double> adhesion;
+  std::vector<std::string> uncertainties;
+  double tolerance = 1e-3;
+  int threads = 0;
+  OutputOptions output;
+  CLI::App* command = nullptr;
+};
+
+/// Speeds in m/s, also of falls from heights in m.
+std::vector<double> speeds_of(const PredictArguments& arguments) {
+  if (arguments.speeds.empty() && arguments.heights.empty()) throw CLI::RequiredError("--speed or --height");
+  if (!arguments.speeds.empty()) return parse_series("speed", arguments.speeds);
+  std::vector<double> speeds = parse_series("height", arguments.heights);
+  for (double& each : speeds) {
+    if (!(each > 0.0)) throw InvalidInput(fmt::format("height: got {}, allowed above 0 (of a fall, m)", each));
+    each = speed_of_drop(each);
+  }
+  return speeds;
+}
+
+PredictionOptions options_of(const PredictArguments& arguments) {
+  PredictionOptions options{.work_of_adhesion = arguments.adhesion,
+                            .tolerance = arguments.tolerance,
+                            .threads = arguments.threads,
+                            .poll = heed_interrupts};
+  for (const std::string& each : arguments.uncertainties) {
+    const std::size_t sign = each.find('=');
+    if (sign == std::string::npos) {
+      throw InvalidInput(fmt::format("uncertainty: got '{}', allowed NAME=U, as in young=0.05", shortened(each)));
+    }
+    const std::string name = each.substr(0, sign);
+    options.uncertainties[name] = parse_number("uncertainty " + name, each.substr(sign + 1));
+  }
+  return options;
+}
+
+Provenance describe(const PredictArguments& arguments, const Encounter& encounter) {
+  Provenance provenance{"predict", command_line(), {}};
+  auto& inputs = provenance.inputs;
+  cli::describe(encounter, inputs);
+  if (arguments.heights.empty()) {
+    inputs["speed[m/s]"] = as_typed(arguments.speeds);
+  } else {
+    inputs["height[m]"] = as_typed(arguments.heights);
+  }
+  if (arguments.adhesion) inputs["adhesion[J/m^2]"] = *arguments.adhesion;
+  for (const std::string& each : arguments.uncertainties) inputs["uncertainty"].push_back(each);
+  inputs["tolerance"] = arguments.tolerance;
+  return provenance;
+}
+
+nlohmann::ordered_json details_of(const Prediction& prediction) {
+  nlohmann::ordered_json details{{"influences", nlohmann::ordered_json::array()}, {"warnings", prediction.warnings}};
+  for (const auto& [constant, uncertainty, change] : prediction.influences) {
+    details["influences"].push_back({{"constant", constant}, {"uncertainty", uncertainty}, {"change", change}});
+  }
+  return details;
+}
+
+/// Below the rows: by how much the constants that matter most move the slowest and the fastest.
+std::string influences_of(const std::vector<Prediction>& all) {
+  constexpr std::size_t most = 5;
+  std::string text;
+  for (const Prediction* each : {&all.front(), &all.back()}) {
+    if (each->influences.empty() || (each == &all.back() && all.size() == 1 && !text.empty())) break;
+    text += fmt::format("\nconstants, at {:.4g} m/s, by what eps changes:\n", each->speed);
+    for (std::size_t i = 0; i < std::min(most, each->influences.size()); ++i) {
+      const Influence& its = each->influences[i];
+      text += fmt::format("  {:<24} times {:<5.3g} {:+.2g}\n", its.constant, 1.0 + its.uncertainty, its.change);
+    }
+  }
+  return text;
+}
+
+void run(const PredictArguments& arguments) {
+  const Encounter encounter = arguments.who.encounter();
+  const std::vector<double> speeds = speeds_of(arguments);
+  catch_interrupts();
+  const std::vector<Prediction> all = predict(encounter, speeds, options_of(arguments));
+  const Units units{.own = UnitSystem::sphere_si, .in_si = UnitSystem::sphere_si};
+  const Shown share{.width = 11};
+  const Fields<Prediction> fields(prediction_quantities(), units,
+                                  {{"speed", {.width = 10}},
+                                   {"restitution", {.width = 10}},
+                                   {"restitution_low", {.width = 15}},
+                                   {"restitution_high", {.width = 16}},
+                                   {"ringing", share},
+                                   {"radiation", share},
+                                   {"material", share},
+                                   {"yield", share},
+                                   {"adhesion", share},
+                                   {"dominant", {.width = 10}},
+                                   {"rebound_height", {.width = 14}}});
+  Writer writer = arguments.output.writer(describe(arguments, encounter), fields.columns(), Output::Use::whole);
+  std::set<std::string> warned;
+  for (const Prediction& each : all) {
+    writer.add(fields.row(each), details_of(each));
+    warned.insert(each.warnings.begin(), each.warnings.end());
+  }
+  if (arguments.output.chosen_format() == Format::table) writer.close_table(influences_of(all));
+  writer.finish();
+  for (const std::string& each : warned) arguments.output.warn(each);
+}
+
+}  // namespace
+
+void add_predict(CLI::App& app) {
+  auto& arguments = add_subcommand<PredictArguments>(
+      app, "predict", "What a drop test of a real ball shows, with yield and adhesion as models", run,
+      "Examples:\n"
+      "  stoss predict --body sphere --material 'bearing steel' --radius 0.005 --speed 0.01,0.1,1\n"
+      "      --against half-space,material=glass\n"
+      "  stoss predict --body sphere --material glass --radius 0.002 --height 0.1,0.5\n"
+      "      --against plate,material=glass,thickness=0.01\n"
+      "  stoss predict --body sphere --material ice --radius 1e-6 --speed log:0.1:10:5 --against same\n"
+      "      --adhesion 0.2 --uncertainty 'against loss_time=2'");
+  CLI::App& command = *arguments.command;
+  arguments.who.first.add_poisson_to(command);
+  auto* speed = add(command, "--speed", arguments.speeds,
+                    "Speeds of approach in m/s, 1e-8 to 1 c of the ball: a number, a,b,c,\nlog:a:b:n or lin:a:b:n",
+                    "SPEEDS", "Motion");
+  add(command, "--height", arguments.heights,
+      "In place of --speed: heights in m from which the ball falls, without\nair", "HEIGHTS", "Motion")
+      ->excludes(speed);
+  arguments.who.add_to(command);
+  const char* const models = "Models";
+  add(command, "--adhesion", arguments.adhesion,
+      "Work of adhesion of both surfaces in J/m^2 (default: that of the\nmaterials, 2 sqrt(gamma_1 gamma_2))", "W",
+      models);
+  add(command, "--uncertainty", arguments.uncertainties,
+      "A constant that is known within a factor of 1 + U, as in young=0.05 or\n"
+      "'against yield_strength=0.2'; as often as needed (default: those of\nnamed materials)",
+      "NAME=U", models);
+  add(command, "--tolerance", arguments.tolerance,
+      "Relative error of 1-eps^2 without models to reach, 1e-15 to 0.5\n(default: 0.001)", "TOL", "Resolution");
+  add_threads(command, arguments.threads);
+  arguments.output.add_to(command);
+}
+
+}  // namespace stoss::cli

@@ -1,0 +1,90 @@
+#pragma once
+
+#include <array>
+#include <functional>
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "stoss/encounter/encounter.hpp"
+#include "stoss/restitution/restitution.hpp"
+
+/// What a drop test of a real ball would show: ε with all that takes energy, channel by channel.
+///
+/// Ringing, radiation and loss in the material follow from elasticity, with certified errors. Yield and adhesion are
+/// *models*, with a spread of their own that is no error bar. One motion has them all (inelastic_impact.hpp): the loss
+/// time and the radiation in it are such that without yield and adhesion it loses what the elastic bodies do.
+namespace stoss {
+
+/// What takes energy, in the order of `Prediction::shares`.
+enum class Channel { ringing, radiation, material, yield, adhesion };
+
+inline constexpr std::array<std::string_view, 5> channel_names{"ringing", "radiation", "material", "yield", "adhesion"};
+
+/// Whether a channel is a model.
+[[nodiscard]] constexpr bool is_model(Channel channel) {
+  return channel == Channel::yield || channel == Channel::adhesion;
+}
+
+/// How ε answers to a constant that is known within a factor.
+struct Influence {
+  std::string constant;      ///< as "young" of the first body, "against young" of what it meets
+  double uncertainty = 0.0;  ///< u: the constant is known within a factor of 1 + u
+  double change = 0.0;       ///< of ε, where the constant is larger by this factor
+};
+
+/// ε of one impact, with its parts.
+struct Prediction {
+  double speed = 0.0;                 ///< of approach, m/s
+  double restitution = 0.0;           ///< ε with all channels; 0 where the bodies stick
+  double lowest = 0.0;                ///< of the band: certified error and spread of the models
+  double highest = 0.0;               ///< of the band
+  double constants = 0.0;             ///< what uncertain constants add, root of the sum of the squares of all changes
+  Estimate elastic;                   ///< ε of the certified channels alone
+  std::array<double, 5> shares{};     ///< of each channel in the energy before the impact, in one motion
+  Channel dominant{};                 ///< the largest of them
+  double drop_height = 0.0;           ///< from which a ball falls to this speed without air, v²/2g, m
+  double rebound_height = 0.0;        ///< to which it rises, ε² of that, m
+  double contact_time = 0.0;          ///< s; infinite where the bodies stick
+  std::vector<Influence> influences;  ///< the largest change first
+  std::vector<std::string> warnings;  ///< what ends within the range of what was computed, with the speeds
+
+  [[nodiscard]] double share(Channel channel) const { return shares[static_cast<std::size_t>(channel)]; }
+};
+
+/// Speed in m/s of a fall from a height in m, without air: √(2gh), g = 9.80665 m/s².
+/// @throws InvalidInput unless the height is finite and 0 or more
+[[nodiscard]] double speed_of_drop(double height);
+
+/// Speeds at which models begin to matter, m/s.
+struct Thresholds {
+  std::optional<double> yield{};       ///< yielding begins above it; nothing without a yield strength
+  std::optional<double> impression{};  ///< the impression is no longer small beside the radius above it
+  double sticking = 0.0;               ///< bodies stick below it, as far as adhesion alone goes
+  double adhesion = 0.0;               ///< adhesion takes more than a hundredth of the energy below it
+};
+
+/// How a prediction is made.
+struct PredictionOptions {
+  /// w, J/m². Not given: 2√(γ₁γ₂) of both surface energies, of a wall that of the body; 0 where one has none.
+  std::optional<double> work_of_adhesion{};
+  /// u of constants, by name, in place of those of named materials: 0 to 10; 0: exactly known.
+  std::map<std::string, double, std::less<>> uncertainties{};
+  double tolerance = 1e-3;  ///< of the certified channels, as `restitution` has it
+  int threads = 0;          ///< 0: as many as the machine has; results do not depend on it
+  Poll poll{};
+};
+
+/// Predicts ε of a ball at each of the speeds.
+/// @param encounter an elastic or rigid sphere with a material, against a wall, its like, a sphere, half-space or plate
+/// @param speeds    m/s, 1e-8 to 1 c of the ball
+/// @throws InvalidInput for other bodies, without materials, and as `restitution`, for numbers out of range
+[[nodiscard]] std::vector<Prediction> predict(const Encounter& encounter, const std::vector<double>& speeds,
+                                              const PredictionOptions& options = {});
+
+/// Speeds at which the models of an encounter begin to matter. @throws InvalidInput as predict
+[[nodiscard]] Thresholds thresholds(const Encounter& encounter, const PredictionOptions& options = {});
+
+}  // namespace stoss

@@ -1,0 +1,30 @@
+#include "stoss/prediction/quantities.hpp"
+
+#include <string>
+
+namespace stoss {
+
+const Quantities<Prediction>& prediction_quantities() {
+  using enum Dimension;
+  static const Quantities<Prediction> all = [] {
+    Quantities<Prediction> made{
+        {"speed", Dimension::speed, &Prediction::speed},     {"restitution", none, &Prediction::restitution},
+        {"restitution_low", none, &Prediction::lowest},      {"restitution_high", none, &Prediction::highest},
+        {"elastic_restitution", none, &Prediction::elastic},
+    };
+    for (std::size_t i = 0; i < channel_names.size(); ++i) {
+      made.emplace_back(std::string(channel_names[i]), none, [i](const Prediction& of) { return of.shares[i]; });
+    }
+    made.emplace_back("dominant", none, [](const Prediction& of) {
+      return std::string(channel_names[static_cast<std::size_t>(of.dominant)]);
+    });
+    made.emplace_back("by_constants", none, &Prediction::constants);
+    made.emplace_back("drop_height", length, &Prediction::drop_height);
+    made.emplace_back("rebound_height", length, &Prediction::rebound_height);
+    made.emplace_back("contact_time", time, &Prediction::contact_time);
+    return made;
+  }();
+  return all;
+}
+
+}  // namespace stoss

@@ -1,0 +1,101 @@
+#include "prediction/touching.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "check.hpp"
+#include "encounter/participant.hpp"
+#include "stoss/errors.hpp"
+#include "stoss/quasistatic/adhesion.hpp"
+#include "stoss/quasistatic/yield.hpp"
+
+namespace stoss::prediction {
+namespace {
+
+using std::numbers::pi;
+
+/// What one of the two adds.
+struct Side {
+  double curvature = 0.0, softness = 0.0, inverse_mass = 0.0;
+  std::optional<double> yield_strength{}, surface_energy{};
+};
+
+Side side_of(const Participant& of) {
+  Side side;
+  const Material& material = *of.material;
+  const double radius = given_or(of, "radius", std::numeric_limits<double>::infinity());
+  side.curvature = 1.0 / radius;
+  side.inverse_mass = 3.0 / (4.0 * pi * material.density) * std::pow(side.curvature, 3);
+  side.surface_energy = material.surface_energy;
+  if (of.rigid) return side;
+  side.softness = (1.0 - material.poisson * material.poisson) / material.young;
+  side.yield_strength = material.yield_strength;
+  return side;
+}
+
+std::optional<double> weaker(const std::optional<double>& one, const std::optional<double>& other) {
+  if (one && other) return std::min(*one, *other);
+  return one ? one : other;
+}
+
+double work_between(const Side& one, const Side& other) {
+  if (!one.surface_energy || !other.surface_energy) return 0.0;
+  return 2.0 * std::sqrt(*one.surface_energy * *other.surface_energy);
+}
+
+}  // namespace
+
+double Touching::time(double speed) const {
+  const double stiffness = 4.0 / (3.0 * pair.softness * std::sqrt(pair.curvature));
+  return std::pow(mass / stiffness, 0.4) * std::pow(speed, -0.2);
+}
+
+double Touching::radius_ratio(double speed) const {
+  return std::sqrt(std::pow(1.25, 0.4) * speed * time(speed) * pair.curvature);
+}
+
+double Touching::tabor_number() const {
+  constexpr double range = 3e-10;  // z₀, m
+  const double ratio = work_of_adhesion * pair.softness / range;
+  return std::cbrt(ratio * ratio / (pair.curvature * range));
+}
+
+quasistatic::InelasticContact Touching::contact(double speed) const {
+  quasistatic::InelasticContact made;
+  const double length = speed * time(speed);
+  if (yield_speed) made.yield_depth = std::pow(1.25, 0.4) * std::pow(*yield_speed / speed, 0.8);
+  const double square = 2.0 * pi * work_of_adhesion * pair.softness * pair.curvature;  // κ²
+  made.adhesion = std::pow(square, 2.0 / 3.0) / (pair.curvature * length);
+  return made;
+}
+
+Touching touching(const Encounter& encounter, std::optional<double> work_of_adhesion) {
+  validate(encounter);
+  const Participant& ball = encounter.first;
+  const Participant& met = encounter.against;
+  if (ball.kind != "sphere") {
+    throw InvalidInput("body: got a " + ball.kind + ", allowed a sphere (yield and adhesion are models of balls)");
+  }
+  if (!ball.material) throw InvalidInput("material: got none, allowed one of the ball and of what it meets, in SI");
+  if (met.kind == "exponential") {
+    throw InvalidInput("against: got exponential, allowed wall, same, sphere, half-space or plate");
+  }
+  const Side one = side_of(ball);
+  Side other;
+  if (met.kind == "same") other = one;
+  if (met.kind == "wall") other.surface_energy = one.surface_energy;
+  if (met.material) other = side_of(met);
+  Touching made;
+  made.pair = {one.curvature + other.curvature, one.softness + other.softness};
+  made.mass = 1.0 / (one.inverse_mass + other.inverse_mass);
+  made.yield_strength = weaker(one.yield_strength, other.yield_strength);
+  if (made.yield_strength) made.yield_speed = quasistatic::yield_speed(made.pair, made.mass, *made.yield_strength);
+  made.work_of_adhesion = work_of_adhesion.value_or(work_between(one, other));
+  require("adhesion", made.work_of_adhesion, {0.0, 1e6, true, true, "0 to 1e6"}, "work of adhesion in J/m^2");
+  made.sheet = met.kind == "plate";
+  return made;
+}
+
+}  // namespace stoss::prediction

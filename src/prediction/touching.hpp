@@ -1,0 +1,37 @@
+#pragma once
+
+#include <optional>
+
+#include "stoss/prediction/prediction.hpp"
+#include "stoss/quasistatic/inelastic_impact.hpp"
+#include "stoss/quasistatic/point_hertz.hpp"
+
+namespace stoss::prediction {
+
+/// What two round bodies are to the models, in SI.
+struct Touching {
+  quasistatic::PointPair pair;           ///< 1/m, 1/Pa
+  double mass = 0.0;                     ///< reduced, kg
+  std::optional<double> yield_strength;  ///< of the weaker one, Pa
+  std::optional<double> yield_speed;     ///< m/s
+  double work_of_adhesion = 0.0;         ///< J/m²
+  bool sheet = false;                    ///< the second answers as a plate, by a velocity that follows the force
+
+  /// T of an impact, s: inelastic_impact.hpp.
+  [[nodiscard]] double time(double speed) const;
+
+  /// a/R of Hertz' contact at its deepest.
+  [[nodiscard]] double radius_ratio(double speed) const;
+
+  /// (Rw²/(E*²z₀³))^{1/3}, D. Tabor's number with the range z₀ = 0.3 nm of surface forces: above 5 adhesion is as
+  /// Johnson, Kendall and Roberts have it, below 0.1 as Derjaguin, Muller and Toporov, who have no jump and no loss.
+  [[nodiscard]] double tabor_number() const;
+
+  /// The models at a speed; loss time, radiation and mobility are not set.
+  [[nodiscard]] quasistatic::InelasticContact contact(double speed) const;
+};
+
+/// @throws InvalidInput unless a sphere with a material meets what a ball can
+[[nodiscard]] Touching touching(const Encounter& encounter, std::optional<double> work_of_adhesion);
+
+}  // namespace stoss::prediction

@@ -1,0 +1,54 @@
+#include "prediction/warnings.hpp"
+
+#include <cstdio>
+
+namespace stoss::prediction {
+namespace {
+
+std::string rounded(double number) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.2g", number);
+  return text;
+}
+
+bool has_loss(const Participant& of) {
+  return of.rigid || kind(of.kind).wall || of.values.contains("loss_time") ||
+         (of.material && of.material->loss_time.has_value());
+}
+
+bool has_strength(const Participant& of) {
+  return of.rigid || kind(of.kind).wall || (of.material && of.material->yield_strength.has_value());
+}
+
+}  // namespace
+
+std::vector<std::string> warnings(const Encounter& encounter, const Thresholds& limits, const Restitution& certified,
+                                  const Prediction& made) {
+  std::vector<std::string> all;
+  if (limits.yield && made.speed > *limits.yield) {
+    all.push_back("yields above " + rounded(*limits.yield) + " m/s: a model, with the spread of published laws");
+  }
+  if (limits.impression && made.speed > *limits.impression) {
+    all.push_back("above " + rounded(*limits.impression) +
+                  " m/s the impression is no longer small beside the radius: the model of yield ends, eps is lower");
+  }
+  if (made.speed < limits.sticking) {
+    all.push_back("sticks below " + rounded(limits.sticking) + " m/s: a model, of smooth and clean surfaces");
+  } else if (made.speed < limits.adhesion) {
+    all.push_back("adhesion takes more than a hundredth of the energy below " + rounded(limits.adhesion) +
+                  " m/s: a model, of smooth and clean surfaces");
+  }
+  for (const Participant* each : {&encounter.first, &encounter.against}) {
+    const std::string who = each == &encounter.first ? "of the first body" : "of what it meets";
+    if (!has_loss(*each)) all.push_back("no loss time " + who + " is known: its material is taken to lose nothing");
+    if (!has_strength(*each))
+      all.push_back("no yield strength " + who + " is known: it is taken not to yield or break");
+  }
+  if (certified.finest.beyond_small_strain) {
+    all.emplace_back("strains are large: linear elasticity, and so the certified channels, have lost their meaning");
+  }
+  if (!certified.converged) all.push_back("certified channels: " + certified.reason);
+  return all;
+}
+
+}  // namespace stoss::prediction

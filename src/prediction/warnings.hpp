@@ -1,0 +1,14 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "stoss/prediction/prediction.hpp"
+
+namespace stoss::prediction {
+
+/// What ends within an impact of what was computed, each with the speed at which it does.
+[[nodiscard]] std::vector<std::string> warnings(const Encounter& encounter, const Thresholds& limits,
+                                                const Restitution& certified, const Prediction& made);
+
+}  // namespace stoss::prediction

@@ -1,0 +1,192 @@
+// What a drop test shows: certified channels as they are, models on top, and how both go together.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numeric>
+#include <string>
+#include <vector>
+
+#include "prediction/touching.hpp"
+#include "stoss/encounter/document.hpp"
+#include "stoss/encounter/materials.hpp"
+#include "stoss/prediction/prediction.hpp"
+#include "stoss/prediction/quantities.hpp"
+#include "stoss/quasistatic/elastic_plastic.hpp"
+#include "stoss/restitution/curve.hpp"
+#include "support/refusal.hpp"
+
+namespace stoss {
+namespace {
+
+Encounter read(const std::string& text) { return encounter_from_json(text); }
+
+Encounter ball_on(const std::string& ball, const std::string& block, double radius = 0.005) {
+  return read(R"({"first": {"kind": "sphere", "radius": )" + std::to_string(radius) + R"(, "material": ")" + ball +
+              R"("}, "against": {"kind": "half-space", "material": ")" + block + R"("}})");
+}
+
+double sum(const Prediction& of) { return std::accumulate(of.shares.begin(), of.shares.end(), 0.0); }
+
+/// A ball whose numbers are of no named material.
+Encounter own(const std::string& more, const std::string& against = R"("wall")") {
+  return read(R"({"first": {"kind": "sphere", "radius": 0.01, "material": {"young": 2e11, "poisson": 0.3,
+                  "density": 7800)" +
+              more + R"(}}, "against": )" + against + "}");
+}
+
+TEST(Predict, WithoutModelsIsTheCertifiedRestitution) {
+  const std::string block = R"({"kind": "half-space", "material": {"young": 7e10, "poisson": 0.22, "density": 2500,
+                               "loss_time": 2e-9}})";
+  for (const Encounter& each : {own(R"(, "loss_time": 1e-9)"), own(R"(, "loss_time": 1e-9)", block), own("", block)}) {
+    for (const Prediction& made : predict(each, {0.01, 1.0, 30.0})) {
+      const Restitution certified = restitution(refinable(each), own_speed(each, made.speed), {.absolute = 1e-5});
+      EXPECT_EQ(made.elastic.value, certified.restitution.value);
+      EXPECT_NEAR(made.restitution, certified.restitution.value, 1e-9);
+      EXPECT_NEAR(made.highest - made.lowest, 2.0 * certified.restitution.error, 1e-8);
+      EXPECT_NEAR(made.share(Channel::material), certified.dissipated, 1e-8);
+      EXPECT_NEAR(sum(made), certified.lost_fraction.value, 1e-8);
+      EXPECT_EQ(made.share(Channel::yield), 0.0);
+      EXPECT_EQ(made.share(Channel::adhesion), 0.0);
+    }
+  }
+}
+
+TEST(Predict, SharesAddUpAndTheBandHoldsTheValue) {
+  for (const auto& [ball, block] : std::vector<std::pair<std::string, std::string>>{
+           {"bearing steel", "glass"}, {"steel", "steel"}, {"ice", "ice"}, {"rubber", "steel"}, {"brass", "glass"}}) {
+    for (const Prediction& made : predict(ball_on(ball, block), {1e-3, 0.03, 1.0})) {
+      EXPECT_NEAR(sum(made), 1.0 - made.restitution * made.restitution, 1e-9) << ball << made.speed;
+      for (const double share : made.shares) EXPECT_GE(share, -1e-9) << ball << made.speed;
+      EXPECT_LE(made.lowest, made.restitution);
+      EXPECT_GE(made.highest, made.restitution);
+      EXPECT_LE(made.highest, 1.0);
+      EXPECT_LE(made.restitution, made.elastic.value + made.elastic.error + 1e-9);
+      EXPECT_EQ(made.share(made.dominant), *std::max_element(made.shares.begin(), made.shares.end()));
+      EXPECT_NEAR(made.rebound_height, made.restitution * made.restitution * made.drop_height, 1e-15);
+    }
+  }
+}
+
+TEST(Predict, YieldAloneIsThatOfItsLaw) {
+  // At a rigid wall, where hardly any wave is raised.
+  const Encounter ball = own(R"(, "yield_strength": 3e8)");
+  const double onset = *thresholds(ball).yield;
+  for (const double ratio : {0.5, 2.0, 20.0}) {
+    const Prediction made = predict(ball, {ratio * onset}).front();
+    const double expected = quasistatic::plastic_restitution(quasistatic::YieldLaw::finite_elements, ratio);
+    EXPECT_NEAR(made.restitution, expected, 1e-4) << ratio;
+    if (ratio > 1.0) EXPECT_EQ(made.dominant, Channel::yield);
+    if (ratio > 1.0) EXPECT_LT(made.lowest, made.highest - 1e-3);
+  }
+}
+
+TEST(Predict, AdhesionAloneIsThatOfItsLawAndSticks) {
+  const Encounter dust = read(R"({"first": {"kind": "sphere", "radius": 1e-6, "material": {"young": 7e10,
+                                  "poisson": 0.22, "density": 2200}}, "against": "wall"})");
+  const PredictionOptions options{.work_of_adhesion = 0.1};
+  const double sticking = thresholds(dust, options).sticking;
+  for (const double ratio : {1.1, 3.0, 20.0}) {
+    const Prediction made = predict(dust, {ratio * sticking}, options).front();
+    EXPECT_NEAR(made.restitution, std::sqrt(1.0 - 1.0 / (ratio * ratio)), 2e-3) << ratio;
+  }
+  const Prediction stuck = predict(dust, {0.9 * sticking}, options).front();
+  EXPECT_EQ(stuck.restitution, 0.0);
+  EXPECT_EQ(stuck.dominant, Channel::adhesion);
+  EXPECT_TRUE(std::isinf(stuck.contact_time));
+  EXPECT_NEAR(sum(stuck), 1.0, 1e-9);
+}
+
+TEST(Predict, LossesTogetherAreNotTheirSumButNearlyWhereSmall) {
+  const std::string block = R"({"kind": "half-space", "material": {"young": 7e10, "poisson": 0.22, "density": 2500}})";
+  const auto lost = [](const Prediction& made) { return 1.0 - made.restitution * made.restitution; };
+  const Encounter elastic = own("", block), yields = own(R"(, "yield_strength": 3e8)", block);
+  const double onset = *thresholds(yields).yield;
+  // Barely yielding: the sum.
+  const double slow = 1.05 * onset, ratio = 1.05;
+  const double plastic = 1.0 - std::pow(plastic_restitution(quasistatic::YieldLaw::finite_elements, ratio), 2);
+  const double both = lost(predict(yields, {slow}).front());
+  const double waves = lost(predict(elastic, {slow}).front());
+  EXPECT_NEAR(both, waves + plastic, 0.15 * (waves + plastic));
+  // Far beyond: the softer contact radiates less than the elastic one, or yield has less to take.
+  const Prediction fast = predict(yields, {50.0 * onset}).front();
+  const double alone = 1.0 - std::pow(plastic_restitution(quasistatic::YieldLaw::finite_elements, 50.0), 2);
+  EXPECT_LT(lost(fast), lost(predict(elastic, {50.0 * onset}).front()) + alone);
+  EXPECT_GT(lost(fast), alone);
+}
+
+TEST(Predict, QualityOfNamedMaterialsIsThatOfEachContact) {
+  // 3.54/Q at every speed (docs/theory/loss.md), 1 % of it beyond first order.
+  const Encounter glass = read(R"({"first": {"kind": "sphere", "radius": 0.005, "material": "glass"}})");
+  for (const Prediction& made : predict(glass, {0.01, 1.0}, {.work_of_adhesion = 0.0})) {
+    EXPECT_NEAR(made.share(Channel::material), 3.54e-3, 0.03 * 3.54e-3) << made.speed;
+  }
+}
+
+TEST(Predict, PropagatesConstantsOneAtATime) {
+  const Encounter ball = own(R"(, "yield_strength": 3e8)");
+  const double onset = *thresholds(ball).yield, speed = 30.0 * onset;
+  const PredictionOptions options{.uncertainties = {{"yield_strength", 0.2}, {"young", 0.05}}};
+  const Prediction made = predict(ball, {speed}, options).front();
+  ASSERT_EQ(made.influences.size(), 2U);
+  EXPECT_EQ(made.influences[0].constant, "yield_strength");
+  const double stronger = predict(own(R"(, "yield_strength": 3.6e8)"), {speed}).front().restitution;
+  EXPECT_NEAR(made.influences[0].change, stronger - made.restitution, 1e-9);
+  EXPECT_GT(made.influences[0].change, 0.0);
+  EXPECT_LT(made.influences[1].change, 0.0);
+  EXPECT_NEAR(made.constants, std::hypot(made.influences[0].change, made.influences[1].change), 1e-15);
+}
+
+TEST(Predict, ElasticConstantsChangeWhatTheyChange) {
+  // One impact of the finest resolution in place of a ladder: as good as both ladders.
+  const std::string stiffer = R"({"kind": "half-space", "material": {"young": 7.7e10, "poisson": 0.22,
+                                 "density": 2500}})";
+  const std::string block = R"({"kind": "half-space", "material": {"young": 7e10, "poisson": 0.22, "density": 2500}})";
+  const Prediction base = predict(own("", block), {1.0}, {.uncertainties = {{"against young", 0.1}}}).front();
+  const Prediction other = predict(own("", stiffer), {1.0}).front();
+  EXPECT_NEAR(base.influences.front().change, other.restitution - base.restitution,
+              base.elastic.error + other.elastic.error);
+  EXPECT_GT(base.influences.front().change, 10.0 * base.elastic.error);
+}
+
+TEST(Predict, WarnsWithTheSpeedsAtWhichModelsMatter) {
+  const Prediction made = predict(own(R"(, "yield_strength": 3e8)"), {5.0}).front();
+  const auto has = [&made](const std::string& text) {
+    return std::any_of(made.warnings.begin(), made.warnings.end(),
+                       [&](const std::string& each) { return each.find(text) != std::string::npos; });
+  };
+  EXPECT_TRUE(has("yields above 0.00"));
+  EXPECT_TRUE(has("no loss time of the first body"));
+}
+
+TEST(Predict, IsTheSameForAnyNumberOfThreads) {
+  const std::vector<double> speeds{0.01, 0.1, 1.0};
+  const auto one = predict(ball_on("glass", "steel"), speeds, {.threads = 1});
+  const auto two = predict(ball_on("glass", "steel"), speeds, {.threads = 2});
+  for (std::size_t i = 0; i < speeds.size(); ++i) EXPECT_EQ(one[i].restitution, two[i].restitution);
+}
+
+TEST(Predict, HasAQuantityForEachChannel) {
+  const Prediction made = predict(own(""), {1.0}).front();
+  std::string names;
+  for (const auto& each : prediction_quantities()) {
+    names += each.name + " ";
+    (void)each.value(made);
+  }
+  for (const auto& channel : channel_names) EXPECT_NE(names.find(channel), std::string::npos);
+}
+
+TEST(Predict, RefusesWhatItsModelsDoNotKnow) {
+  EXPECT_REFUSED((void)predict(read(R"({"first": {"kind": "sphere", "poisson": 0.3}})"), {0.1}), "material: got none");
+  EXPECT_REFUSED((void)predict(read(R"({"first": {"kind": "disk", "material": "steel", "radius": 1}})"), {1.0}),
+                 "body: got a disk, allowed a sphere");
+  EXPECT_REFUSED((void)predict(own(""), {-1.0}), "speed: got -1");
+  EXPECT_REFUSED((void)predict(own(""), {std::nan("")}), "speed: got");
+  EXPECT_REFUSED((void)predict(own(""), {1.0}, {.work_of_adhesion = -1.0}), "adhesion: got -1");
+  EXPECT_REFUSED((void)predict(own(""), {1.0}, {.uncertainties = {{"colour", 0.1}}}), "uncertainties: got 'colour'");
+  EXPECT_REFUSED((void)predict(own(""), {1.0}, {.uncertainties = {{"young", -0.1}}}), "uncertainties young: got -0.1");
+  EXPECT_REFUSED((void)predict(own(""), {1.0}, {.tolerance = 0.0}), "tolerance");
+  EXPECT_TRUE(predict(own(""), {}).empty());
+}
+
+}  // namespace
+}  // namespace stoss
