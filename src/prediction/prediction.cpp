@@ -137,17 +137,16 @@ class Drop {
     if (touching_.sheet) take(Motion(certified_, Waves::of_rate).with(touching_, speed_).restitution);
   }
 
-  /// Of bodies nearly the same: one impact as fine as the finest of these, whose errors are the same.
+  /// Of bodies nearly the same: one impact like the coarsest of these, whose errors are nearly the same too.
   [[nodiscard]] Certified certified_of(const Encounter& encounter) const {
+    const Run& coarse = impact_.runs.front();
     const double speed = own_speed(encounter, speed_);
-    const Contact contact = contact_of(encounter, impact_.finest.cutoff, speed);
-    const FixedResolution& fine = impact_.finest.resolution;
     ImpactOptions how{.poll = poll_};
-    how.resolution = {.nodes = fine.nodes, .tail = fine.tail};
-    const Impact its = impact(contact, speed, how);
-    const double restitution = impact_.restitution.value + its.restitution - impact_.finest.restitution;
-    const double waves = std::max(1.0 - restitution * restitution - its.energy.dissipated, 0.0);
-    return {restitution, waves, 0.0, its.energy.dissipated};
+    how.resolution = {.nodes = coarse.resolution.nodes, .tail = coarse.resolution.tail};
+    const Impact its = impact(contact_of(encounter, coarse.cutoff, speed), speed, how);
+    const double lost = impact_.lost_fraction.value + its.lost_fraction - coarse.lost_fraction;
+    const double material = impact_.dissipated + its.energy.dissipated - coarse.dissipated;
+    return {std::sqrt(std::max(1.0 - lost, 0.0)), std::max(lost - material, 0.0), 0.0, material};
   }
 
   void add_influences(Prediction& made) const {
