@@ -99,19 +99,19 @@ void run(const PredictArguments& arguments) {
   catch_interrupts();
   const std::vector<Prediction> all = predict(encounter, speeds, options_of(arguments));
   const Units units{.own = UnitSystem::sphere_si, .in_si = UnitSystem::sphere_si};
-  const Shown share{.width = 11};
+  const Shown share{.width = 12};
   const Fields<Prediction> fields(prediction_quantities(), units,
-                                  {{"speed", {.width = 10}},
-                                   {"restitution", {.width = 10}},
-                                   {"restitution_low", {.width = 15}},
-                                   {"restitution_high", {.width = 16}},
+                                  {{"speed", {.width = 9}},
+                                   {"restitution", {.width = 12}},
+                                   {"restitution_low", {.width = 16}},
+                                   {"restitution_high", {.width = 17}},
                                    {"ringing", share},
                                    {"radiation", share},
                                    {"material", share},
                                    {"yield", share},
                                    {"adhesion", share},
-                                   {"dominant", {.width = 10}},
-                                   {"rebound_height", {.width = 14}}});
+                                   {"dominant", {.width = 11}},
+                                   {"rebound_height", {.width = 15}}});
   Writer writer = arguments.output.writer(describe(arguments, encounter), fields.columns(), Output::Use::whole);
   std::set<std::string> warned;
   for (const Prediction& each : all) {

@@ -127,6 +127,13 @@ std::vector<Variant> variants(const Encounter& encounter, const Encounter& at, c
         variant.material_factor += uncertainty * share * (at.against.kind == "same" ? 2.0 : 1.0);
       } else {
         variant.encounter.*side = enlarged(at.*side, each, 1.0 + uncertainty);
+        // Of two alike the weaker one is no other: both are what they are made of.
+        const bool alike =
+            !encounter.first.material_name.empty() && encounter.first.material_name == encounter.against.material_name;
+        if (alike && each.name == "yield_strength") {
+          if (!before.empty()) continue;
+          variant.encounter.against = enlarged(at.against, each, 1.0 + uncertainty);
+        }
       }
       made.push_back(std::move(variant));
     }

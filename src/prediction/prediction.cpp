@@ -75,7 +75,7 @@ class Drop {
       made.shares.fill(certified_.restitution);
     } else {
       add_models(made);
-      add_influences(made);
+      if (options_.influences) add_influences(made);
     }
     made.warnings = prediction::warnings(encounter_, thresholds(given_, options_), impact_, made);
     return made;
@@ -197,6 +197,28 @@ std::vector<Prediction> predict(const Encounter& encounter, const std::vector<do
   const auto deliver = [&made](std::size_t, Prediction&& each) { made.push_back(std::move(each)); };
   run_in_order<Prediction>(speeds.size(), options.threads, job, deliver, options.poll);
   return made;
+}
+
+RestitutionFunction predicted_function(const Encounter& encounter, double slowest, double fastest,
+                                       const FunctionOptions& options, PredictionOptions models) {
+  require("error", options.error, {1e-4, 0.1, true, true, "1e-4 to 0.1"}, "maximum error of the restitution");
+  models.influences = false, models.threads = options.threads, models.poll = options.poll;
+  const double unit = speed_unit(encounter);
+  const auto computed = [&](const std::vector<double>& speeds) {
+    std::vector<double> in_si;
+    in_si.reserve(speeds.size());
+    for (const double speed : speeds) in_si.push_back(std::clamp(speed, 1e-8, 1.0) * unit);
+    std::vector<Estimate> values;
+    for (const Prediction& each : predict(encounter, in_si, models)) {
+      const double ratio = each.elastic.value > 0.0 ? each.restitution / each.elastic.value : 1.0;
+      values.push_back({each.restitution, ratio * each.elastic.error});
+      if (!(values.back().error <= options.error / 3.0)) {
+        throw NotConverged("predict: at speed " + shown(each.speed) + " m/s the certified channels do not converge");
+      }
+    }
+    return values;
+  };
+  return restitution_function(computed, slowest, fastest, options);
 }
 
 Thresholds thresholds(const Encounter& encounter, const PredictionOptions& options) {
