@@ -93,12 +93,13 @@ double refine(const RefinableContact& contact, const ObliqueOptions& options, st
   for (const ObliqueRestitution* each : open) obliquities.push_back(each->before);
   const Contact& coarse = contact.at(contact.cutoff(0), stretch, options.poll);
   const ObliquePlan plan = plan_of(coarse, speed, obliquities, options.tolerance, options.poll);
-  const bool shared = touch(coarse).circle;
+  const bool rough = touch(coarse).circle && std::any_of(obliquities.begin(), obliquities.end(),
+                                                         [](const auto& each) { return each.friction > 0.0; });
   const auto impacts_at = [&](const Contact& resolved, int level) {
     ImpactOptions of_one{.resolution = plan.resolution(resolved, speed, width, level), .poll = options.poll};
     if (!options.vibration.empty()) of_one.start = approach(resolved, speed, options.vibration);
     std::vector<ObliqueImpact> impacts;
-    if (shared) {
+    if (rough) {
       const Slides slides(resolved, speed, of_one);
       for (const ObliqueRestitution* each : open) impacts.push_back(slides.after(each->before, options.poll));
     } else {
