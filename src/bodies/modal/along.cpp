@@ -34,6 +34,14 @@ double rigid_mobility(const ModalBody& its) {
   return std::sqrt((1.0 / tangent.mass + turning) / its.mass);
 }
 
+/// Whether the errors of its frequency and of that of the next mode overlap: both may be combinations of two others.
+bool is_one_with_next(const ModalBody& its, std::size_t i) {
+  if (i + 1 == its.modes.size()) return false;
+  const PointMode &one = its.modes[i], &next = its.modes[i + 1];
+  return next.omega - next.omega_error <= one.omega + one.omega_error;
+}
+
+/// The share of all up to any mode counts: of modes close to each other one takes back what the other does.
 void require_apart(const ModalBody& its) {
   if (!its.tangent) {
     throw InvalidInput("friction: got '" + its.name +
@@ -41,17 +49,19 @@ void require_apart(const ModalBody& its) {
                        "displacement of its modes (or leave friction out, or take 0)");
   }
   const double unit = rigid_mobility(its);
-  const auto require_share = [&](const std::string& what, double product) {
-    const double share = std::abs(product) / unit;
+  double sum = its.tangent->cross;
+  const auto require_share = [&](const std::string& what) {
+    const double share = std::abs(sum) / unit;
     if (share <= most_shared) return;
     throw InvalidInput("friction: got '" + its.name + "' whose " + what +
                        " moves the point along the normal and along the surface at once, by a share of " +
-                       shown(0.001 * std::round(1000.0 * share)) + ", allowed up to " + shown(most_shared) +
+                       shown(std::round(1000.0 * share) / 1000.0) + ", allowed up to " + shown(most_shared) +
                        " (take a point, or a direction, of its symmetry)");
   };
-  require_share("turning", its.tangent->cross);
+  require_share("turning");
   for (std::size_t i = 0; i < its.modes.size() && its.modes[i].omega <= its.complete_to; ++i) {
-    require_share("mode " + std::to_string(i + 1), its.modes[i].displacement * its.modes[i].tangential);
+    sum += its.modes[i].displacement * its.modes[i].tangential;
+    if (!is_one_with_next(its, i)) require_share("mode " + std::to_string(i + 1));
   }
 }
 
@@ -142,15 +152,21 @@ Body outward(const Body& body, const ModalBody& its, const PointModes& modes) {
 std::function<double(double)> cross_mobility(const ModalBody& its, const PointModes& modes) {
   if (!its.tangent) return {};
   const double length = own_length(its), unit = its.density * length * length * length;  // of mass
-  return [rigid = std::abs(its.tangent->cross) * unit, modes](double duration) {
-    double sum = rigid;
+  return [rigid = its.tangent->cross * unit, modes](double duration) {
+    // An impulse like half a sine excites cos(ωT/2)/(1 − (ωT/π)²) of a mode, which this falling function bounds: so
+    // the sum over all modes is at most that of its fall times the sums of their products so far (Abel).
+    const auto excited = [duration](double omega) {
+      const double turns = omega * duration / std::numbers::pi;
+      return 1.0 / (1.0 + (std::numbers::pi * std::numbers::pi / 8.0 - 1.0) * turns * turns);
+    };
+    double product = rigid, last = 1.0, bound = 0.0;
     for (const KeptMode& mode : modes.kept) {
-      // Of an impulse like half a sine, |cos(ωT/2)|/|1 − (ωT/π)²|, which its envelope bounds.
-      const double turns = mode.omega * duration / std::numbers::pi;
-      const double excited = std::min(1.0, 1.0 / std::abs(turns * turns - 1.0));
-      sum += std::abs(mode.displacement * mode.tangential) / modes.mass * excited;
+      const double here = excited(mode.omega);
+      bound += (last - here) * std::abs(product);
+      product += mode.displacement * mode.tangential / modes.mass;
+      last = here;
     }
-    return sum;
+    return bound + last * std::abs(product);
   };
 }
 
