@@ -7,6 +7,7 @@
 
 #include "stoss/encounter/document.hpp"
 #include "stoss/encounter/modal_file.hpp"
+#include "stoss/encounter/moving.hpp"
 #include "stoss/errors.hpp"
 #include "support/modal_sphere.hpp"
 #include "support/refusal.hpp"
@@ -175,6 +176,13 @@ TEST(ModalFile, StandsInADocument) {
   const Restitution same = restitution(refinable(turned), own_speed(turned, 1.0), {.tolerance = 0.1});
   EXPECT_NEAR(same.lost_fraction.value, expected.lost_fraction.value,
               same.lost_fraction.error + expected.lost_fraction.error);
+}
+
+// A table knows how it rubs, but not how it turns in space.
+TEST(ModalFile, IsNoBodyOfASimulation) {
+  const Json document{{"first", {{"kind", "modal"}, {"body", Json::parse(to_json(rough_steel_ball()))}}},
+                      {"against", "same"}};
+  test::expect_refusal([&] { (void)moving_pair(encounter_from_json(document.dump())); }, {"body", "modes"});
 }
 
 TEST(ModalFile, GoesWithMaterialsOnly) {

@@ -13,6 +13,7 @@
 #include "bodies/sphere/degree_sums.hpp"
 #include "stoss/bodies/half_space.hpp"
 #include "stoss/bodies/modal_body.hpp"
+#include "stoss/bodies/plate.hpp"
 #include "stoss/bodies/sphere.hpp"
 #include "stoss/quasistatic/oblique/maw.hpp"
 #include "stoss/restitution/curve.hpp"
@@ -100,6 +101,10 @@ const std::vector<Meeting>& meetings() {
       {"a half-space",
        [](const BodyMaker& body) {
          return RefinableContact(body, half_space(HalfSpace{0.2, 0.5, 0.8}));
+       }},
+      {"a plate",
+       [](const BodyMaker& body) {
+         return RefinableContact(body, plate(Plate{1.0, 0.3}));
        }},
       {"its like", [](const BodyMaker& body) { return RefinableContact(body, body); }},
       {"a smaller sphere",
