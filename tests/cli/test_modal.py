@@ -46,3 +46,24 @@ def test_refuses_in_one_line(stoss, tmp_path):
         assert result.returncode == 3, (arguments, result.stderr)
         assert result.stdout == "" and result.stderr.count("\n") == 1
         assert said in result.stderr and "allowed" in result.stderr, result.stderr
+
+
+def test_friction_needs_a_tangent(stoss, tmp_path):
+    """Without data along the surface one line says so; with them the body rubs and turns."""
+    rub = "oblique --speed 0.05 --tangential 0.1 --friction 0.05 --tolerance 0.05 --format json"
+    refused = stoss.run(rub, f"--body @{FILES}/sphere.json")
+    assert refused.returncode == 3 and refused.stdout == "" and refused.stderr.count("\n") == 1
+    assert "tangential data" in refused.stderr and "allowed" in refused.stderr
+    body = json.loads((FILES / "sphere.json").read_text())
+    body["tangent"] = {"direction": [0, 1, 0], "compliance": 0}  # where all slides they do not matter
+    body["modes"]["tangential_displacement"] = [0] * len(body["modes"]["frequency"])
+    path = tmp_path / "rough.json"
+    path.write_text(json.dumps(body))
+    found, exact = (json.loads(stoss.run(rub, each).stdout)["records"][0] for each in (f"--body @{path}", SPHERE))
+    for name in ("tangential_restitution", "spin_after"):
+        allowed = found[f"{name}_error"] + exact[f"{name}_error"]
+        assert abs(found[name] - exact[name]) <= allowed, name
+        assert found[name] == pytest.approx(exact[name], rel=2e-3), name
+    body["tangent"]["direction"] = [6, 0, 8]
+    path.write_text(json.dumps(body))
+    assert "perpendicular" in stoss.run(rub, f"--body @{path}").stderr

@@ -1,4 +1,4 @@
-"""The compliance c0: what is static at the point beside a half-space's 1/r and its logarithm."""
+"""The compliances c0 and c_t: what is static at the point beside 1/r and its logarithm."""
 
 from __future__ import annotations
 
@@ -8,6 +8,7 @@ import ufl
 from dolfinx import fem
 from dolfinx import mesh as meshes
 from mpi4py import MPI
+from numpy.typing import NDArray
 from petsc4py import PETSc
 
 from stoss._errors import InvalidInput
@@ -26,10 +27,13 @@ LOGARITHM = -73.0 / 120.0
 """Mean of ln r between two such points: of ln max(r, r′), the mean over the angle."""
 
 
-class Pressure:
-    """A smooth pressure of total force one along the normal, p ∝ (1 − r²/b²)² around it."""
+Vector = NDArray[np.float64]
 
-    def __init__(self, spectrum: Spectrum, surface: Surface, widest: float) -> None:
+
+class Pressure:
+    """A smooth load of total force one, p ∝ (1 − r²/b²)² around the normal: along it, or the tangent."""
+
+    def __init__(self, spectrum: Spectrum, surface: Surface, widest: float, axis: Vector) -> None:
         self.spectrum, self.surface = spectrum, surface
         mesh = surface.mesh
         facets = surface.near(widest + 2.0 * surface.edge)
@@ -43,7 +47,8 @@ class Pressure:
         share = ufl.conditional(ufl.lt(square, 1.0), (1.0 - square) ** 2, 0.0)
         share = share * 3.0 / (math.pi * self.radius**2) * ufl.inner(ufl.FacetNormal(mesh), normal)
         moved = ufl.TestFunction(spectrum.body.space)
-        self._load = fem.form(-share * ufl.inner(moved, normal) * ds)
+        along = fem.Constant(mesh, PETSc.ScalarType(axis))
+        self._load = fem.form(-share * ufl.inner(moved, along) * ds)
         self._total = fem.form(share * ds)
 
     def total(self, radius: float) -> float:
@@ -62,18 +67,32 @@ class Pressure:
 
 
 def compliance(
-    spectrum: Spectrum, surface: Surface, poisson: float, curvature: float, widest: float | None
+    spectrum: Spectrum,
+    surface: Surface,
+    poisson: float,
+    curvature: float,
+    widest: float | None,
+    along: bool = False,
 ) -> dict[str, float]:
     """c0 in units with E = 1, extrapolated to no radius; how far this reaches; the widest radius.
 
-    `widest` is that of a finer mesh.
+    `widest` is that of a finer mesh. `along`: c_t, by a load along the tangent.
     """
     least, most = (edges * surface.edge for edges in EDGES)
     if widest is None:
         widest = min(most, BEND / curvature) if curvature > 0.0 else most
     elif widest > 0.6 * least:  # a coarser mesh than that which chose it
         least = widest
-    pressure = Pressure(spectrum, surface, widest)
+    axis = surface.normal
+    front = (1.0 - poisson**2) / math.pi
+    share = (1.0 - 2.0 * poisson) ** 2 / (2.0 * (1.0 - poisson))
+    if along:
+        assert surface.tangent is not None
+        axis = surface.tangent
+        front = (1.0 + poisson) * (2.0 - poisson) / (2.0 * math.pi)
+        share = (3.0 - 2.0 * poisson + 4.0 * poisson**2) / (2.0 * (2.0 - poisson))
+    bend = share * curvature
+    pressure = Pressure(spectrum, surface, widest, axis)
     while widest >= least and abs(pressure.total(widest) - 1.0) > 0.01:
         widest *= 0.9
     if widest < least:
@@ -82,8 +101,6 @@ def compliance(
             f"allowed {widest / EDGES[0] * surface.length:.3g} m, better a fourth of that"
         )
     radii = widest * np.array(SHARES)
-    front = (1.0 - poisson**2) / math.pi
-    bend = (1.0 - 2.0 * poisson) ** 2 / (2.0 * (1.0 - poisson)) * curvature
     values = []
     for b in radii:
         known = INVERSE / b
