@@ -134,7 +134,7 @@ void add_predict(CLI::App& app) {
       "  stoss predict --body sphere --material glass --radius 0.002 --height 0.1,0.5\n"
       "      --against plate,material=glass,thickness=0.01\n"
       "  stoss predict --body sphere --material ice --radius 1e-6 --speed log:0.1:10:5 --against same\n"
-      "      --adhesion 0.2 --uncertainty 'against loss_time=2'");
+      "      --adhesion 0.2 --uncertainty against.loss_time=2");
   CLI::App& command = *arguments.command;
   arguments.who.first.add_poisson_to(command);
   auto* speed = add(command, "--speed", arguments.speeds,
@@ -150,7 +150,7 @@ void add_predict(CLI::App& app) {
       models);
   add(command, "--uncertainty", arguments.uncertainties,
       "A constant that is known within a factor of 1 + U, as in young=0.05 or\n"
-      "'against yield_strength=0.2'; as often as needed (default: those of\nnamed materials)",
+      "against.yield_strength=0.2; as often as needed (default: those of\nnamed materials)",
       "NAME=U", models);
   add(command, "--tolerance", arguments.tolerance,
       "Relative error of 1-eps^2 without models to reach, 1e-15 to 0.5\n(default: 0.001)", "TOL", "Resolution");

@@ -225,10 +225,7 @@ Thresholds thresholds(const Encounter& encounter, const PredictionOptions& optio
   const Touching its = prediction::touching(encounter, options.work_of_adhesion);
   Thresholds made;
   made.yield = its.yield_speed;
-  if (its.yield_strength) {
-    constexpr double share = 0.02;  // of E*/Y
-    made.impression = *its.yield_speed * std::max(1.0, share / (its.pair.softness * *its.yield_strength));
-  }
+  if (its.yield_speed) made.impression = prediction::speed_of_impression(its);
   made.sticking = quasistatic::sticking_speed(its.pair, its.work_of_adhesion, its.mass);
   constexpr double matters = 10.0;  // (v_s/v)² is a hundredth
   made.adhesion = matters * made.sticking;

@@ -39,20 +39,21 @@ struct Fit {
   }
 };
 
-constexpr Fit<7> hardness{2,
-                          {-3.346577e-02, -1.850850e-02, 1.336021e-02, -4.489483e-03, 8.119874e-04, -7.496985e-05,
-                           2.763634e-06}};  // of f/d^{3/2}
-constexpr Fit<6> way{
-    2, {-2.155895e-01, 1.021086e-01, -3.153357e-02, 5.665515e-03, -5.350043e-04, 2.036386e-05}};  // of (d_m − d_r)/d_m
-constexpr Fit<6> regained{2,
-                          {-1.829951e-01, 6.639083e-02, -1.674183e-02, 2.629567e-03, -2.307156e-04,
-                           8.522710e-06}};  // of the work of the return over that of the compression
+// Of f/d^(3/2), a²/d, (d_m − d_r)/d_m, and the work of the return over that of the compression.
+constexpr Fit<7> hardness{
+    2, {-3.457802e-02, -1.626393e-02, 1.170131e-02, -3.905304e-03, 7.065046e-04, -6.556353e-05, 2.436239e-06}};
+constexpr Fit<7> area{
+    2, {1.061446e-01, -5.140971e-02, 2.332555e-02, -7.764317e-03, 1.475124e-03, -1.415663e-04, 5.343506e-06}};
+constexpr Fit<6> way{2, {-2.167939e-01, 1.041719e-01, -3.266291e-02, 5.939998e-03, -5.658455e-04, 2.167279e-05}};
+constexpr Fit<6> regained{2, {-1.858069e-01, 6.987411e-02, -1.852472e-02, 3.069021e-03, -2.815691e-04, 1.072938e-05}};
 
 }  // namespace
 
 double force(double depth) { return depth * std::sqrt(depth) * std::exp(hardness.at(std::log(depth))); }
 
 double stiffness(double depth) { return force(depth) / depth * (1.5 + hardness.slope_at(std::log(depth))); }
+
+double radius(double depth) { return std::sqrt(depth * std::exp(area.at(std::log(depth)))); }
 
 double work(double depth) {
   using Rule = boost::math::quadrature::gauss<double, 20>;

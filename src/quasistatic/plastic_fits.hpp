@@ -8,6 +8,7 @@ namespace stoss::quasistatic::fits {
 
 [[nodiscard]] double force(double depth);
 [[nodiscard]] double stiffness(double depth);
+[[nodiscard]] double radius(double depth);
 [[nodiscard]] double work(double depth);
 [[nodiscard]] Unloading unloading(double deepest);
 

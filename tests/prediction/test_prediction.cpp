@@ -54,8 +54,8 @@ TEST(Predict, WithoutModelsIsTheCertifiedRestitution) {
 }
 
 TEST(Predict, SharesAddUpAndTheBandHoldsTheValue) {
-  for (const auto& [ball, block] : std::vector<std::pair<std::string, std::string>>{
-           {"steel", "steel"}, {"rubber", "steel"}, {"brass", "glass"}}) {
+  for (const auto& [ball, block] :
+       std::vector<std::pair<std::string, std::string>>{{"steel", "steel"}, {"rubber", "steel"}, {"brass", "glass"}}) {
     for (const Prediction& made : predict(ball_on(ball, block), {1e-3, 0.03, 1.0})) {
       EXPECT_NEAR(sum(made), 1.0 - made.restitution * made.restitution, 1e-9) << ball << made.speed;
       for (const double share : made.shares) EXPECT_GE(share, -1e-9) << ball << made.speed;
@@ -144,7 +144,7 @@ TEST(Predict, ElasticConstantsChangeWhatTheyChange) {
   const std::string stiffer = R"({"kind": "half-space", "material": {"young": 7.7e10, "poisson": 0.22,
                                  "density": 2500}})";
   const std::string block = R"({"kind": "half-space", "material": {"young": 7e10, "poisson": 0.22, "density": 2500}})";
-  const Prediction base = predict(own("", block), {1.0}, {.uncertainties = {{"against young", 0.1}}}).front();
+  const Prediction base = predict(own("", block), {1.0}, {.uncertainties = {{"against.young", 0.1}}}).front();
   const Prediction other = predict(own("", stiffer), {1.0}).front();
   EXPECT_NEAR(base.influences.front().change, other.restitution - base.restitution,
               base.elastic.error + other.elastic.error);

@@ -14,6 +14,7 @@
 #include "stoss/quasistatic/elastic_plastic.hpp"
 #include "stoss/quasistatic/inelastic_impact.hpp"
 #include "stoss/quasistatic/yield.hpp"
+#include "support/csv.hpp"
 #include "support/refusal.hpp"
 
 namespace stoss {
@@ -74,6 +75,26 @@ TEST(Yield, LoadsContinuouslyAndReturnsToLessThanItWent) {
       last = share;
     }
   }
+}
+
+TEST(Yield, HasTheNumbersOfTheFiniteElements) {
+  // Of ν = 0.3, each with the error that the study states: residual depths, ε and the speed of its compression.
+  std::size_t count = 0;
+  for (const auto& row : test::read_csv("yield_restitution.csv")) {
+    if (row.number("nu") != 0.3) continue;
+    const double depth = row.number("d_max");
+    const double ratio = std::sqrt(2.5 * loading_work(YieldLaw::finite_elements, depth));
+    EXPECT_NEAR(ratio, row.number("V_over_V_y"), 1e-3 * ratio);
+    const double square = std::pow(plastic_restitution(YieldLaw::finite_elements, ratio), 2);
+    EXPECT_NEAR(square, row.number("W_unload_over_W_load"), row.number("W_ratio_error") + 2e-3 * square) << depth;
+    EXPECT_NEAR(loading_force(YieldLaw::finite_elements, depth), row.number("f_max"), 0.01 * row.number("f_max"))
+        << depth;
+    EXPECT_NEAR(unloading(YieldLaw::finite_elements, depth).residual, row.number("d_r"),
+                row.number("d_r_error") + 1e-2 * depth)
+        << depth;
+    ++count;
+  }
+  EXPECT_GE(count, 14U);
 }
 
 TEST(Yield, RefusesWhatIsNoNumber) {

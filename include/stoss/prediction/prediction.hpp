@@ -31,7 +31,7 @@ inline constexpr std::array<std::string_view, 5> channel_names{"ringing", "radia
 
 /// How ε answers to a constant that is known within a factor.
 struct Influence {
-  std::string constant;      ///< as "young" of the first body, "against young" of what it meets
+  std::string constant;      ///< as "young" of the first body, "against.young" of what it meets
   double uncertainty = 0.0;  ///< u: the constant is known within a factor of 1 + u
   double change = 0.0;       ///< of ε, where the constant is larger by this factor
 };
