@@ -51,7 +51,7 @@ def prediction(result: Prediction, ax: Axes | None = None) -> Axes:
     shares = {name: share for name, share in shares.items() if share.max() > LEAST}
     with _style.canvas(ax, size=(_style.COLUMN, 5.2)) as axes:
         _style.bare(axes)
-        own = (("restitution", (0.72, 0.28)), ("energy", (0.36, 0.28)), ("shares", (0.0, 0.28)))
+        own = (("restitution", (0.74, 0.26)), ("energy", (0.39, 0.28)), ("shares", (0.0, 0.28)))
         panels = [axes.inset_axes((0.0, low, 1.0, high), label=name) for name, (low, high) in own]
         for panel in panels:
             _style.small_ticks(panel)
@@ -87,16 +87,21 @@ def _draw_restitution(axes: Axes, result: Prediction, order: NDArray[np.intp], s
 
 def _draw_energies(axes: Axes, speed: Array, shares: dict[str, Array]) -> None:
     lost = np.asarray(sum(shares.values(), np.zeros_like(speed)))
-    axes.plot(speed, lost, color=_style.BLACK, linewidth=1.6, label="1 − ε²")
+    axes.plot(speed, _above_zero(lost), color=_style.BLACK, linewidth=1.6, label="1 − ε²")
     for name, share in shares.items():
         dash = "--" if name in MODELS else "-"
-        axes.plot(speed, np.where(share > 0.0, share, np.nan), color=LOOKS[name][0], linestyle=dash, linewidth=0.9)
+        axes.plot(speed, _above_zero(share), color=LOOKS[name][0], linestyle=dash, linewidth=0.9)
     axes.set_yscale("log")
     most = float(lost.max(initial=LEAST))
     positive = [float(share[share > 0.0].min()) for share in shares.values() if (share > 0.0).any()]
     axes.set_ylim(max(0.5 * min(positive, default=most), most * 10.0**-DECADES), 2.0 * most)
     axes.set_ylabel("energy / energy before")
     _above(axes)
+
+
+def _above_zero(share: Array) -> Array:
+    """What a logarithmic axis can show."""
+    return np.where(share > 0.0, share, np.nan)
 
 
 def _draw_shares(axes: Axes, speed: Array, shares: dict[str, Array]) -> None:
@@ -110,7 +115,7 @@ def _draw_shares(axes: Axes, speed: Array, shares: dict[str, Array]) -> None:
         below = above
     axes.set_ylim(0.0, 1.0)
     axes.set_ylabel("share of the loss")
-    _above(axes, handles=[_key(name) for name in shares])
+    _above(axes, handles=[_key(name) for name in shares], handlelength=1.4)
 
 
 def _key(name: str) -> Patch:
@@ -121,5 +126,5 @@ def _key(name: str) -> Patch:
 
 def _above(axes: Axes, **options: Any) -> None:
     """A legend in a row above the picture, where no curve is."""
-    look = {"loc": "lower left", "bbox_to_anchor": (-0.02, 0.98), "ncol": 3, "frameon": False, "columnspacing": 1.0}
+    look = {"loc": "lower left", "bbox_to_anchor": (-0.02, 0.98), "ncol": 3, "frameon": False, "columnspacing": 0.8}
     _style.legend(axes, **look | options)
