@@ -10,24 +10,28 @@
 /// What the page gets of a result.
 namespace stoss::web {
 
+/// Adds a quantity by a name, if it is a number. @param unit in which it is given to the page
+template <typename Result>
+void put(emscripten::val& all, const std::string& name, const Quantity<Result>& quantity, const Result& result,
+         UnitSystem system, double unit = 1.0) {
+  using emscripten::val;
+  const Value value = quantity.value(result);
+  const auto* real = std::get_if<double>(&value);
+  const auto* count = std::get_if<long>(&value);
+  if (real == nullptr && count == nullptr) return;
+  const double number = real != nullptr ? *real : static_cast<double>(*count);
+  val made = object({{"value", val(number * unit)}, {"unit", val(std::string(unit_name(quantity.dimension, system)))}});
+  if (quantity.error) made.set("error", quantity.error(result) * unit);
+  all.set(name, made);
+}
+
 /// Adds what is a number, by the names of the command: with a material in units of the first body and in SI.
 template <typename Result>
 void add(emscripten::val& all, const Meeting& meeting, const Quantities<Result>& quantities, const Result& result) {
-  using emscripten::val;
   for (const auto& each : quantities) {
-    const Value value = each.value(result);
-    const auto* real = std::get_if<double>(&value);
-    const auto* count = std::get_if<long>(&value);
-    if (real == nullptr && count == nullptr) continue;
-    const double number = real != nullptr ? *real : static_cast<double>(*count);
-    const auto put = [&](const std::string& name, UnitSystem system, double unit) {
-      val made = object({{"value", val(number * unit)}, {"unit", val(std::string(unit_name(each.dimension, system)))}});
-      if (each.error) made.set("error", each.error(result) * unit);
-      all.set(name, made);
-    };
-    put(each.name, kind(meeting.encounter.first.kind).own, 1.0);
+    put(all, each.name, each, result, kind(meeting.encounter.first.kind).own);
     if (!meeting.si || each.dimension == Dimension::none || each.name == "cutoff") continue;
-    put(each.name + "_si", unit_system(meeting.encounter), meeting.unit(each.dimension));
+    put(all, each.name + "_si", each, result, unit_system(meeting.encounter), meeting.unit(each.dimension));
   }
 }
 

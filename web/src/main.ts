@@ -3,6 +3,7 @@ import 'katex/dist/katex.min.css';
 import './drawing/pictures.css';
 import { createAngleChart } from './charts/angle_chart';
 import { createCurveChart } from './charts/curve_chart';
+import { modelPoints } from './charts/model_picture';
 import { createModeBars } from './charts/mode_bars';
 import { createTimeCharts } from './charts/time_charts';
 import { createCore } from './core/client';
@@ -18,6 +19,8 @@ import { createAngles } from './page/angles';
 import { createControls } from './page/controls';
 import { createCurves } from './page/curves';
 import { showKept } from './page/kept_view';
+import { createPredictionView, isPredicted } from './page/prediction_view';
+import { createPredictions } from './page/predictions';
 import { createResults } from './page/results';
 import { createSession } from './page/session';
 import { createShare } from './page/share';
@@ -48,6 +51,9 @@ const pictures = {
   collision: scene.picture,
 };
 const curves = createCurves(core, showCurves, (line) => results.say(line));
+const predictionView = createPredictionView();
+const predictions = createPredictions(core,
+  { one: predictionView.show, curve: showCurves, failed: predictionView.fail });
 const angles = createAngles(core, angleChart.setPoints, (line) => results.say(line));
 const share = createShare(core, curves.of, pictures);
 const writeAddress = createAddressBar((next, problem) => {
@@ -75,6 +81,9 @@ const run = createSession(core, {
     if (motion.friction !== 0) void angles(encounter, motion);
     if (hasHops(encounter, motion)) void hops(encounter, motion);
     curves.want([encounter, ...inputs.kept]);
+    if (isPredicted({ encounter, ...motion })) {
+      void predictions.want(encounter, motion.speed, curves.of(encounter).planned);
+    }
   },
   collision(encounter, speed, cutoff, collision) {
     void scene.show(encounter, speed, cutoff, collision);
@@ -90,6 +99,7 @@ const run = createSession(core, {
   },
   failed(line, refused) {
     computed = undefined;
+    predictionView.fail('');
     if (refused) results.stale('wrong');
     if (refused && line.startsWith('speed:')) controls.refuse('speed', line);
     else results.say(line);
@@ -130,7 +140,10 @@ function compute(next: Inputs): void {
     if (before.kept !== next.kept) curves.want([next.encounter, ...next.kept]);
     return;
   }
-  if (before === undefined || !equal(before.encounter, next.encounter)) showCurves();
+  const same = before !== undefined && equal(before.encounter, next.encounter) && before.friction === next.friction;
+  if (!same) showCurves();
+  predictions.stop();
+  predictionView.begin({ ...next, ...motion });
   run(next.encounter, motion);
 }
 
@@ -152,7 +165,7 @@ function showCurves(): void {
     const place = (speed: number): number => onAxisOf(inputs.encounter, encounter, speed);
     const placed = points.map((point) => ({ ...point, speed: place(point.speed) }));
     return { encounter, points: placed, planned: planned.map(place) };
-  }));
+  }), isPredicted({ ...inputs, ...motionOf(inputs) }) ? modelPoints(predictions.of(inputs.encounter)) : []);
 }
 
 const series = find('series', HTMLInputElement);

@@ -5,13 +5,14 @@ import { html } from 'lit-html';
 import { rounded, withError, written } from '../drawing/numbers';
 import { description } from '../inputs/lines';
 import { drawCurves, speedsOf, type Curve, type CurveContent } from './curve_picture';
+import { type ModelPoint, modelInWords } from './model_picture';
 import { createPicker } from './picker';
 
 type Current = NonNullable<CurveContent['current']>;
 
 /** Makes an empty chart in an element; `pick` gets a speed that a reader has picked. */
 export function createCurveChart(host: HTMLElement, pick: (speed: number) => void) {
-  const content: CurveContent = { curves: [], current: undefined, ordinate: 'restitution' };
+  const content: CurveContent = { curves: [], current: undefined, ordinate: 'restitution', model: [] };
   const { update, picture } = createPicker(host, {
     title: 'ε against the speed',
     label: 'Speed, picked on the chart of ε',
@@ -45,16 +46,20 @@ export function createCurveChart(host: HTMLElement, pick: (speed: number) => voi
 
   /** The points nearest to a speed, by the logarithm. */
   function nearTo(speed: number): string {
-    const { curves } = content;
-    return curves.flatMap(({ encounter, points }) => {
-      const point = least(points, (each) => Math.abs(Math.log(each.speed / speed)));
+    const { curves, model } = content;
+    const near = <Point extends { speed: number }>(points: readonly Point[]): Point | undefined =>
+      least(points, (each) => Math.abs(Math.log(each.speed / speed)));
+    const predicted = near(model);
+    return [...curves.flatMap(({ encounter, points }) => {
+      const point = near(points);
       return point ? [`${curves.length > 1 ? `${description(encounter)}, ` : ''}${inWords(point)}`] : [];
-    }).join('; ');
+    }), ...(predicted ? [modelInWords(predicted)] : [])].join('; ');
   }
 
   return {
-    setCurves(curves: Curve[]): void {
-      content.curves = curves;
+    /** With what a model adds to the first; none of what is not predicted. */
+    setCurves(curves: Curve[], model: readonly ModelPoint[]): void {
+      Object.assign(content, { curves, model });
       update();
     },
     /** Shows the point that the inputs stand for. */

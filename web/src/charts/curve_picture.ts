@@ -5,24 +5,8 @@ import type { CurvePoint, Encounter } from '../core/protocol';
 import { type Drawn, type Scale, draw, drawLegend } from '../drawing/plot';
 import { description } from '../inputs/lines';
 import { look, type Look, type Theme } from '../drawing/theme';
-
-/** What is drawn of a speed: ε, or the lost share of the energy 1 − ε². */
-export type Ordinate = 'restitution' | 'loss';
-
-/** A value with the ends of its error bar; they are missing where the error is unknown. */
-interface Bar {
-  value: number;
-  low?: number;
-  high?: number;
-}
-
-/** What a point is on the vertical axis: of 1 − ε² the error is 2 ε times that of ε. */
-export function barOf(ordinate: Ordinate, restitution: number, error: number): Bar {
-  const ratio = ordinate === 'restitution';
-  const value = ratio ? restitution : 1 - restitution * restitution;
-  const reach = ratio ? error : 2 * Math.abs(restitution) * error;
-  return { value, ...(Number.isFinite(error) && { low: value - reach, high: value + reach }) };
-}
+import { type ModelPoint, endsOfBand, modelLook, modelMarks } from './model_picture';
+import { type Bar, type Ordinate, barOf } from './ordinate';
 
 const LEAST = 1e-7; // of 1 − ε² on a logarithmic axis
 
@@ -67,6 +51,8 @@ export interface CurveContent {
   /** that of the inputs */
   current: Pick<CurvePoint, 'speed' | 'restitution' | 'error'> | undefined;
   ordinate: Ordinate;
+  /** of the current inputs with what a model adds; none of what is not predicted */
+  model: readonly ModelPoint[];
 }
 
 /** The axis of speeds of a chart. */
@@ -79,9 +65,10 @@ export function speedsOf({ curves, current }: CurveContent): Scale {
 
 /** Draws all curves and the current point; and a legend. */
 export function drawCurves(content: CurveContent, width: number, theme: Theme): [Drawn, Drawn] {
-  const { curves, current, ordinate } = content;
+  const { curves, current, ordinate, model } = content;
   const x = speedsOf(content);
-  const y = ordinateScale(ordinate, [...curves.flatMap((each) => each.points), ...(current ? [current] : [])]);
+  const y = ordinateScale(ordinate,
+    [...curves.flatMap((each) => each.points), ...(current ? [current] : []), ...endsOfBand(model)]);
   const unit = curves[0]?.encounter.si ? 'm/s' : 'c';
   const height = Math.min(340, Math.max(220, 0.5 * width));
   const chart = draw({
@@ -89,12 +76,14 @@ export function drawCurves(content: CurveContent, width: number, theme: Theme): 
     x: { ...x, label: 'speed of the impact v', unit },
     y: { ...y, label: ordinate === 'restitution' ? 'coefficient of restitution ε' : 'lost share of energy 1 − ε²' },
     marks: [
+      ...modelMarks(model, y, ordinate, theme),
       ...curves.flatMap((curve, n) => marksOf(curve, look(n, theme), y, ordinate, theme, height)),
       ...(current ? currentMarks(current, y, ordinate, theme) : []),
     ],
   }, theme);
   const entries = curves.map(({ encounter }, n) => ({ label: description(encounter), ...look(n, theme) }));
-  return [chart, drawLegend(entries, width, theme)];
+  const ofModel = model.length > 0 ? [modelLook(theme)] : [];
+  return [chart, drawLegend([...entries, ...ofModel], width, theme)];
 }
 
 type Place = Bar & { speed: number; converged: boolean };

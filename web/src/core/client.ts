@@ -18,7 +18,7 @@ export async function createCore(): Promise<Core> {
   const lanes: Record<keyof Questions, Lane> =
     {
       restitution: value, oblique: value, collision: film, obliqueCollision: film, frames: film, sound: film, shape: film,
-      curve: lane(), obliqueAngles: lane(), header: lane(),
+      curve: lane(), obliqueAngles: lane(), header: lane(), prediction: lane(),
     };
   return withWarmUp((question, encounter, given, { deliver, signal } = {}) =>
     lanes[question]({ question, given: { ...given, document: documentOf(encounter) } }, deliver, signal) as

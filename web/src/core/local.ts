@@ -1,7 +1,8 @@
 // The core in the page's own thread, for what must be known at once: units, and whether numbers are right. All of it
 // throws CoreError with one line for what the core cannot do.
 import { documentOf } from '../inputs/document';
-import type { Encounter, Motion, Units } from './protocol';
+import type { Thresholds } from './prediction';
+import { CoreError, type Encounter, type Motion, type Units } from './protocol';
 import type { Ask } from './wasm';
 
 let core: Ask;
@@ -41,6 +42,16 @@ export function requireSpeed(encounter: Encounter, speed: number): void {
 /** Whether a motion is in range: throws for one that is not. */
 export function requireMotion(encounter: Encounter, motion: Motion): void {
   ask('motion', { document: documentOf(encounter), ...motion });
+}
+
+/** At what speeds models of real materials begin to matter; undefined of what the core does not predict. */
+export function thresholdsOf(encounter: Encounter): Thresholds | undefined {
+  try {
+    return ask('thresholds', { document: documentOf(encounter) });
+  } catch (error) {
+    if (error instanceof CoreError) return undefined;
+    throw error;
+  }
 }
 
 /** A number as the command reads it. */

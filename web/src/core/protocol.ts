@@ -3,8 +3,9 @@
 
 import type { Block, BodyField, BodyKind } from '../inputs/kinds';
 import type { AnglePoint, Motion, ObliqueCollision } from './oblique';
+import type { Prediction } from './prediction';
 
-export type { AnglePoint, Motion, ObliqueCollision };
+export type { AnglePoint, Motion, ObliqueCollision, Prediction };
 
 /** A body as a user gives it: in SI, or in units of the first body, which are all 1. What its kind does not have is not
  *  used. */
@@ -178,6 +179,9 @@ export interface Questions {
   shape(given: { body: 0 | 1; order: number; index: number; grid: Grid }): Shape;
   /** ε at many speeds, from a worker of its own. */
   curve(given: { speeds: number[]; tolerance: number }, each: CurvePoint): void;
+  /** What a drop test of a ball of a material shows, at many speeds in m/s, from a worker of its own; with `constants`
+   *  the influences of those that are not known exactly, which takes longer. */
+  prediction(given: { speeds: number[]; tolerance: number; constants: boolean }, each: Prediction): void;
   /** The collision rule, to `tolerance` of the velocity at which the surfaces slide: as a Restitution, with the
    *  quantities of `stoss oblique`. */
   oblique(given: Motion & { tolerance: number }): Restitution;

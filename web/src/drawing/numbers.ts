@@ -74,6 +74,15 @@ export function withError(value: number, error: number): string {
   return `${shown} ± ${decimals < MOST_DECIMALS ? error.toFixed(decimals) : `${mantissa}×${powerOfTen(Number(last))}`}`;
 }
 
+/** A value and the band around it, with the digits that the width of the band is worth: 0.81, 0.70 to 1.00. */
+export function bandInWords(value: number, low: number, high: number): { value: string; band: string } {
+  if (![value, low, high].every(Number.isFinite)) return { value: '–', band: 'unknown' };
+  const width = high - low;
+  const decimals = width > 0 ? Math.min(MOST_DECIMALS, Math.max(2, 1 - Math.floor(Math.log10(width)))) : 2;
+  const [shown, from, to] = [value, low, high].map((each) => each.toFixed(decimals));
+  return { value: shown!, band: `${from} to ${to}` };
+}
+
 /** A unit as readers know it: πRE for the core's piRE, mc²/R for mc^2/R. */
 export function unitInWords(unit: string): string {
   return unit.replace(/^pi/, 'π').replace(/\^(-?\d)/g, (_, power: string) => raised(power));

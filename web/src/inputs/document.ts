@@ -87,13 +87,14 @@ export function poissonOf({ kind, body }: Side): number {
 }
 
 function participant(side: Side, { si, plane }: Encounter): Record<string, unknown> {
-  const { kind, body, fields, solid, file } = side;
+  const { kind, body, fields, solid, material, file } = side;
   if (file) return { kind: fileKind.name, body: file.document };
   const made: Record<string, unknown> = { kind: kind.name };
   for (const name of fields) made[name] = body[name];
   if (!si) return made;
   const { young, density } = body;
   for (const { name, ofMaterial } of kind.parameters) if (ofMaterial) delete made[name];
+  if (material) delete made.loss_time; // the core knows it, and how it depends on the speed
   made.material = solid?.name ?? { young, poisson: poissonOf(side), density };
   if (kind.hasPlane) made.plane = plane;
   return made;

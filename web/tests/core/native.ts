@@ -1,8 +1,9 @@
 // The native command, which must say the same as the core of the page.
 import { execFileSync } from 'node:child_process';
 import { commandLine, ruleLine } from '../../src/inputs/lines';
+import { predictionArguments } from '../../src/inputs/prediction_line';
 import { shortest } from '../../src/drawing/numbers';
-import type { Encounter } from '../../src/core/protocol';
+import type { Encounter, Prediction } from '../../src/core/protocol';
 import type { Inputs } from '../../src/inputs/inputs';
 import { command } from '../native/build';
 
@@ -24,15 +25,22 @@ export type Row = Record<string, number | string | boolean>;
 
 /** The record of `stoss restitution` for one speed. */
 export function restitution(encounter: Encounter, speed: number, tolerance: number): Row {
-  return record(commandLine(encounter, speed), tolerance);
+  return record(argumentsOf(commandLine(encounter, speed)), tolerance);
 }
 
 /** The record of `stoss oblique`. */
 export function oblique(inputs: Inputs, tolerance: number): Row {
-  return record(ruleLine(inputs), tolerance);
+  return record(argumentsOf(ruleLine(inputs)), tolerance);
 }
 
-function record(line: string, tolerance: number): Row {
-  const text = run([...line.split(' ').slice(1), '--tolerance', shortest(tolerance), '--format', 'json']);
+/** That of `stoss predict`. */
+export function prediction(encounter: Encounter, speed: number, tolerance: number) {
+  return record(predictionArguments(encounter, speed), tolerance) as Row & Pick<Prediction, 'influences' | 'warnings'>;
+}
+
+const argumentsOf = (line: string): string[] => line.split(' ').slice(1);
+
+function record(args: string[], tolerance: number): Row {
+  const text = run([...args, '--tolerance', shortest(tolerance), '--format', 'json']);
   return (JSON.parse(text) as { records: Row[] }).records[0]!;
 }

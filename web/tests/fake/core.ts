@@ -89,6 +89,7 @@ const local: Record<string, (given: Record<string, string>) => unknown> = {
   },
   speed: ({ speed }) => speed,
   motion: () => undefined,
+  thresholds: () => ({ yield: 0.13, sticking: 1e-5 }),
   number({ name, text }) {
     if (!Number.isFinite(Number(text))) throw new CoreError(`${name}: got '${text}'`);
     return Number(text);
@@ -138,6 +139,28 @@ const answers: Answers = {
       await wait(30, signal);
       const { value, error = 0 } = restitution(encounter, speed, tolerance).quantities.restitution!;
       deliver?.({ speed, restitution: value, error, converged: true }, index);
+    }
+  },
+  async prediction(encounter, { speeds, tolerance, constants }, { deliver, signal }) {
+    for (const [index, speed] of speeds.entries()) {
+      await wait(30, signal);
+      const { restitution: elastic } = restitution(encounter, speed, tolerance).quantities;
+      const value = 0.9 * elastic!.value;
+      const lost = 1 - value ** 2;
+      const pure = (value: number) => ({ value, unit: '' });
+      deliver?.({
+        speed, dominant: 'yield', warnings: ['yields above 0.13 m/s: a model'],
+        quantities: {
+          restitution: pure(value), restitution_low: pure(0.95 * value), restitution_high: pure(1.05 * value),
+          elastic_restitution: elastic!, by_constants: pure(0.05),
+          drop_height: { value: speed ** 2 / 19.6, unit: 'm' }, contact_time: { value: 4e-5, unit: 's' },
+          rebound_height: { value: (value * speed) ** 2 / 19.6, unit: 'm' },
+        },
+        channels: [
+          { name: 'material', share: 0.3 * lost, model: false }, { name: 'yield', share: 0.7 * lost, model: true },
+        ],
+        influences: constants ? [{ constant: 'yield_strength', uncertainty: 0.2, change: 0.05 }] : [],
+      }, index);
     }
   },
   oblique: (encounter, { speed, tolerance }) => Promise.resolve(restitution(encounter, speed, tolerance)),

@@ -1,5 +1,6 @@
 import { describe, expect, it } from 'vitest';
-import { barOf, ordinateScale, speedScale } from '../../src/charts/curve_picture';
+import { ordinateScale, speedScale } from '../../src/charts/curve_picture';
+import { barOf } from '../../src/charts/ordinate';
 import { energyOfWaves, energyScale, layoutModes } from '../../src/charts/mode_picture';
 import { frequencyInWords } from '../../src/charts/mode_bars';
 import { cursorWords, panelsOf, summaryOf, thinned } from '../../src/charts/series';

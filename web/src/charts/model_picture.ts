@@ -1,0 +1,58 @@
+// The curve of a model in a chart of ε against the speed: a band, and a line that is dashed as no other.
+import * as Plot from '@observablehq/plot';
+import type { Prediction } from '../core/protocol';
+import { bandInWords, written } from '../drawing/numbers';
+import type { Scale } from '../drawing/plot';
+import type { Theme } from '../drawing/theme';
+import { type Ordinate, barOf } from './ordinate';
+
+/** What is drawn of a prediction. */
+export interface ModelPoint {
+  speed: number;
+  restitution: number;
+  low: number;
+  high: number;
+}
+
+/** Of predictions, those that have a number, from slow to fast. */
+export function modelPoints(predictions: readonly Prediction[]): ModelPoint[] {
+  return predictions.map(({ speed, quantities }): ModelPoint => {
+    const [restitution = NaN, low = NaN, high = NaN] =
+      ['restitution', 'restitution_low', 'restitution_high'].map((name) => quantities[name]?.value);
+    return { speed, restitution, low, high };
+  }).filter(({ restitution }) => Number.isFinite(restitution)).sort((a, b) => a.speed - b.speed);
+}
+
+/** Its line, and that of the legend. */
+export function modelLook(theme: Theme): { label: string; color: string; dash: number[] } {
+  return { label: 'model, with its band', color: theme.text, dash: [9, 4] };
+}
+
+/** The ends of the band, as values that the vertical axis must hold. */
+export function endsOfBand(points: readonly ModelPoint[]): { restitution: number; error: number }[] {
+  return points.flatMap(({ low, high }) => [low, high].map((restitution) => ({ restitution, error: 0 })));
+}
+
+/** The band and the line. */
+export function modelMarks(
+  points: readonly ModelPoint[], y: Scale, ordinate: Ordinate, theme: Theme,
+): Plot.Markish[] {
+  const { color, dash } = modelLook(theme);
+  const place = (restitution: number): number => Math.max(y.low, barOf(ordinate, restitution, 0).value);
+  const x = 'speed';
+  return [
+    Plot.areaY(points, {
+      x, y1: ({ low }: ModelPoint) => place(low), y2: ({ high }: ModelPoint) => place(high),
+      fill: color, fillOpacity: 0.13, clip: true,
+    }),
+    Plot.line(points, {
+      x, y: (each: ModelPoint) => place(each.restitution), stroke: color, strokeWidth: 1.8,
+      strokeDasharray: dash.join(' '), clip: true,
+    }),
+  ];
+}
+
+export function modelInWords({ speed, restitution, low, high }: ModelPoint): string {
+  const { value, band } = bandInWords(restitution, low, high);
+  return `model, v = ${written(speed, 3)} m/s: ε = ${value}, ${band}`;
+}

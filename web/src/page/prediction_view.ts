@@ -1,0 +1,114 @@
+// The panel of real materials: ε as predicted beside that of elastic bodies, and what takes the energy.
+import { html, nothing, render, type TemplateResult } from 'lit-html';
+import { thresholdsOf } from '../core/local';
+import type { Channel } from '../core/prediction';
+import type { Encounter, Prediction } from '../core/protocol';
+import { find } from '../drawing/dom';
+import { bandInWords, significant, withError, withUnit, written } from '../drawing/numbers';
+import { meetsBody, sidesOf } from '../inputs/document';
+import type { Impact } from '../inputs/inputs';
+import { predictionLine } from '../inputs/prediction_line';
+
+/** Where the energy goes, by the names of the core. */
+const whereTo: Record<string, string> = {
+  ringing: 'ringing: bodies vibrate', radiation: 'radiation: waves run away', material: 'material: inner friction',
+  yield: 'yield: plastic flow', adhesion: 'adhesion: surfaces are torn apart',
+};
+
+/** Whether the page predicts it: a ball of a named material, without friction, that the core predicts. */
+export function isPredicted({ encounter, friction }: Pick<Impact, 'encounter' | 'friction'>): boolean {
+  return friction === 0 && sidesOf(encounter)[0].solid !== undefined && thresholdsOf(encounter) !== undefined;
+}
+
+/** A share of the energy. */
+export function shareInWords(share: number): string {
+  const least = 1e-5;
+  return share > 0 && share < least ? '< 0.001 %' : `${written(100 * share, 3)} %`;
+}
+
+/** The influence that matters most; '' without any. */
+export function influenceInWords({ influences: [most], quantities }: Prediction): string {
+  if (most === undefined) return '';
+  const [by, change] = [quantities.by_constants?.value ?? 0, most.change].map((each) => written(each, 2));
+  const sign = most.change > 0 ? '+' : '';
+  const constant = most.constant.replace(/^against (.*)/, '$1 of what it meets').replaceAll('_', ' ');
+  return `± ${by} in all; ${constant} × ${significant(1 + most.uncertainty, 3)}: ${sign}${change}`;
+}
+
+function row(channel: Channel, dominant: boolean): TemplateResult {
+  const { name, share, model } = channel;
+  const width = Number.isFinite(share) ? 100 * share : 0;
+  return html`<tr data-model=${model} ?data-dominant=${dominant}>
+    <th scope="row">${whereTo[name] ?? name}</th><td>${model ? 'model' : 'certified'}</td>
+    <td class="number">${shareInWords(share)}</td>
+    <td class="bar" aria-hidden="true"><span style="width: ${width}%"></span></td>
+  </tr>`;
+}
+
+const pair = (name: string, value: unknown, note: unknown = nothing): TemplateResult =>
+  html`<div><dt>${name}</dt><dd>${value}</dd>${note === nothing ? note : html`<dd class="note">${note}</dd>`}</div>`;
+
+/** The panel of a prediction. */
+function panelOf(encounter: Encounter, prediction: Prediction): TemplateResult {
+  const { quantities, channels, dominant, warnings } = prediction;
+  const number = (name: string): number => quantities[name]?.value ?? NaN;
+  const height = (name: string): string => withUnit(number(name), 'm');
+  const { value, band } = bandInWords(number('restitution'), number('restitution_low'), number('restitution_high'));
+  const sticks = number('restitution') === 0;
+  const { yield: yields, sticking } = thresholdsOf(encounter) ?? { yield: undefined, sticking: 0 };
+  const influence = influenceInWords(prediction);
+  const elastic = quantities.elastic_restitution;
+  return html`
+    <dl class="quantities">
+      ${pair('ε as predicted', html`<b id="predicted">${value}</b>`, html`band ${band}${sticks ? ': they stick' : ''}`)}
+      ${pair('ε of the certified channels', elastic ? withError(elastic.value, elastic.error ?? 0) : '–',
+        'without yield and adhesion')}
+      ${meetsBody(encounter) ? nothing
+        : pair('Height of rebound', height('rebound_height'), `of a drop from ${height('drop_height')}`)}
+      ${pair('Contact time', Number.isFinite(number('contact_time')) ? withUnit(number('contact_time'), 's') : '–')}
+      ${yields === undefined ? nothing : pair('Yields above', `${significant(yields, 2)} m/s`)}
+      ${sticking > 0 ? pair('Sticks below', `${written(sticking, 2)} m/s`) : nothing}
+    </dl>
+    <table class="channels">
+      <caption>Share of the energy; most of what is lost: <b>${dominant}</b></caption>
+      <tbody>${channels.map((each) => row(each, each.name === dominant))}</tbody>
+    </table>
+    ${influence ? html`<p class="note">The constants are not known exactly. ε: ${influence}.</p>` : nothing}
+    <ul class="warnings">${warnings.map((each) => html`<li>${each}</li>`)}</ul>
+    <div class="lines"><pre tabindex="0" role="group" aria-label="Command line of the prediction"><code>${
+      predictionLine(encounter, prediction.speed)}</code></pre></div>`;
+}
+
+/** Wire the panel of index.html. */
+export function createPredictionView() {
+  const panel = find('prediction', HTMLElement);
+  const content = find('prediction-content', HTMLElement);
+  const state = find('prediction-state', HTMLElement);
+  let empty = true;
+  const say = (line: string): void => {
+    state.textContent = line;
+    state.hidden = line === '';
+  };
+  return {
+    /** Before a prediction of inputs, or none. */
+    begin(inputs: Pick<Impact, 'encounter' | 'friction'>): void {
+      panel.hidden = !isPredicted(inputs);
+      if (panel.hidden) empty = true;
+      if (empty) render(nothing, content);
+      content.dataset.stale = '';
+      say(empty ? 'computing' : '');
+    },
+    show(encounter: Encounter, prediction: Prediction): void {
+      empty = false;
+      delete content.dataset.stale;
+      say('');
+      render(panelOf(encounter, prediction), content);
+    },
+    /** One line: why there is none. */
+    fail(line: string): void {
+      empty = true;
+      render(nothing, content);
+      say(line);
+    },
+  };
+}
