@@ -59,4 +59,9 @@ def merged(fine: Modes, coarse: Modes | None, finer: float) -> dict[str, Vector]
     for name in ("frequency", "displacement"):
         ours[f"{name}_error"] = finer * np.abs(ours[name] - theirs[name])
     ours["frequency_error"] += spreads
+    # A difference may be small by chance: shapes are not known better than frequencies.
+    shares = ours["frequency_error"] / ours["frequency"]
+    ours["displacement_error"] = np.maximum(
+        ours["displacement_error"], shares * np.abs(ours["displacement"])
+    )
     return {**ours, "complete_to": f[clusters[-1].stop - 1 : clusters[-1].stop]}
