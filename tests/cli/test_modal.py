@@ -2,6 +2,7 @@
 
 import json
 import pathlib
+import zipfile
 
 import pytest
 
@@ -30,7 +31,11 @@ def test_refuses_in_one_line(stoss, tmp_path):
     broken.write_text('{"format": "stoss modal body 1", "mass": 1}')
     wrong = tmp_path / "wrong.json"
     wrong.write_text("mass = 1")
+    packed = tmp_path / "packed.npz"
+    with zipfile.ZipFile(packed, "w") as archive:
+        archive.writestr("mass.npy", b"")
     for arguments, said in (
+        (f"--body @{packed}", "an NPZ file, allowed JSON (in Python: stoss.ModalBody.read("),
         (f"--body @{tmp_path}/none.json", "No such file"),
         (f"--body @{tmp_path}", "Is a directory"),
         (f"--body @{broken}", "curvature: got none"),

@@ -195,9 +195,9 @@ class ModalBody(Solid):
 
     @documented
     def save(self, path: str | os.PathLike[str]) -> None:
-        """Write a file that `read` and the command read: NPZ if its name ends in .npz, else JSON.
+        """Write a file that `read` reads: NPZ if its name ends in .npz, else JSON.
 
-        The file appears whole or not at all.
+        The command and the page read JSON only. The file appears whole or not at all.
 
         Parameters:
             path:

@@ -19,6 +19,8 @@ EDGES = (3.0, 16.0)
 """Least and most radius of the widest pressure, in edges of the mesh at the point."""
 BEND = 0.45
 """Its greatest radius, in radii of curvature of the surface."""
+COARSER = 0.6
+"""Share of the least radius that is enough on a coarser mesh, which takes the finer one's radius."""
 SHARES = (0.5, 0.75, 1.0)
 """The radii of the pressures, as shares of the widest one."""
 INVERSE = 36.0 * math.gamma(6.0) * math.gamma(0.5) / (math.gamma(3.5) ** 2 * math.gamma(6.5))
@@ -81,8 +83,8 @@ def compliance(
     least, most = (edges * surface.edge for edges in EDGES)
     if widest is None:
         widest = min(most, BEND / curvature) if curvature > 0.0 else most
-    elif widest > 0.6 * least:  # a coarser mesh than that which chose it
-        least = widest
+    else:
+        least *= COARSER
     axis = surface.normal
     front = (1.0 - poisson**2) / math.pi
     share = (1.0 - 2.0 * poisson) ** 2 / (2.0 * (1.0 - poisson))
@@ -92,14 +94,15 @@ def compliance(
         front = (1.0 + poisson) * (2.0 - poisson) / (2.0 * math.pi)
         share = (3.0 - 2.0 * poisson + 4.0 * poisson**2) / (2.0 * (2.0 - poisson))
     bend = share * curvature
-    pressure = Pressure(spectrum, surface, widest, axis)
-    while widest >= least and abs(pressure.total(widest) - 1.0) > 0.01:
-        widest *= 0.9
     if widest < least:
-        raise InvalidInput(
-            f"mesh: too coarse at the point: edges of {surface.edge * surface.length:.3g} m, "
-            f"allowed {widest / EDGES[0] * surface.length:.3g} m, better a fourth of that"
-        )
+        allowed = _metres(surface, surface.edge * widest / least)
+        raise _too_coarse(surface, f"allowed {allowed}, better a fourth of that")
+    pressure = Pressure(spectrum, surface, widest, axis)
+    while abs(pressure.total(widest) - 1.0) > 0.01:
+        widest *= 0.9
+        if widest < least:
+            near = _metres(surface, least)
+            raise _too_coarse(surface, f"the surface ends or turns away within {near} of it")
     radii = widest * np.array(SHARES)
     values = []
     for b in radii:
@@ -109,3 +112,12 @@ def compliance(
         values.append(pressure.compliance(b) - front * known)
     line, parabola = (np.polyfit(radii, values, degree)[-1] for degree in (1, 2))
     return {"c0": float(parabola), "reach": float(abs(parabola - line)), "widest": widest}
+
+
+def _too_coarse(surface: Surface, why: str) -> InvalidInput:
+    edge = _metres(surface, surface.edge)
+    return InvalidInput(f"mesh: too coarse at the point: edges of {edge}, {why} (--size-at-point)")
+
+
+def _metres(surface: Surface, length: float) -> str:
+    return f"{length * surface.length:.3g} m"

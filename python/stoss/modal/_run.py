@@ -62,7 +62,8 @@ def _solve(
         progress.say(f"{kind}mesh: results of an earlier run, {progress.path}")
         return known
     progress.say(f"{kind}mesh: {path}", lasting=False)
-    mesh, length = load(path, given.scale, given.point, sizes, comm)
+    thick = index == 0 and bool(given.coarse or not given.errors_unknown)
+    mesh, length = load(path, given.scale, given.point, sizes, comm, thick)
     surface = Surface(mesh, length, given.point, given.normal, given.tangent)
     curvature = given.curvature or tuple(k / length for k in surface.curvature)
     if min(curvature) < 0.0:

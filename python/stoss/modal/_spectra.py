@@ -86,6 +86,11 @@ def merged(fine: Modes, coarse: Modes | None, finer: float) -> dict[str, Vector]
         if name in ours:  # the sign of a mode is any
             ours[f"{name}_error"] = finer * np.abs(np.abs(ours[name]) - np.abs(theirs[name]))
     ours["frequency_error"] += spreads[ours["cluster"].astype(int)]
+    # A difference may be small by chance: shapes are not known better than frequencies.
+    shares = ours["frequency_error"] / ours["frequency"]
+    for name in ("displacement", "tangential_displacement"):
+        if name in ours:
+            ours[f"{name}_error"] = np.maximum(ours[f"{name}_error"], shares * np.abs(ours[name]))
     return {**_rising(ours), "complete_to": f[clusters[-1].stop - 1 : clusters[-1].stop]}
 
 
