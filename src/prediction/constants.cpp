@@ -100,6 +100,10 @@ Encounter at_duration(const Encounter& encounter, double duration) {
     const NamedMaterial* its = named(*each);
     if (its == nullptr || its->quality == 0.0 || each->values.contains("loss_time")) continue;
     each->material->loss_time = loss_time_of_quality(its->quality, std::numbers::pi / duration);
+    for (Participant& layer : each->below) {  // of one material, as all layers share a loss time
+      layer.material->loss_time = each->material->loss_time;
+      layer.material_name.clear();
+    }
     each->material_name.clear();
   }
   return made;

@@ -92,8 +92,8 @@ Touching touching(const Encounter& encounter, std::optional<double> work_of_adhe
     throw InvalidInput("body: got a " + ball.kind + ", allowed a sphere (yield and adhesion are models of balls)");
   }
   if (!ball.material) throw InvalidInput("material: got none, allowed one of the ball and of what it meets, in SI");
-  if (met.kind == "exponential") {
-    throw InvalidInput("against: got exponential, allowed wall, same, sphere, half-space or plate");
+  if (met.kind == "exponential" || met.modal) {
+    throw InvalidInput("against: got " + met.kind + ", allowed wall, same, sphere, half-space or plate");
   }
   const Side one = side_of(ball);
   Side other;

@@ -125,6 +125,15 @@ TEST(Predict, QualityOfNamedMaterialsIsThatOfEachContact) {
   }
 }
 
+TEST(Predict, TakesPlatesOfLayersOfOneMaterial) {
+  const Encounter plate = read(R"({"first": {"kind": "sphere", "radius": 0.005, "material": "glass"},
+                                   "against": {"kind": "plate", "layers": [{"thickness": 0.01, "material": "glass"},
+                                                                           {"thickness": 0.02, "material": "glass"}]}})");
+  const Prediction made = predict(plate, {1.0}, {.influences = false}).front();
+  EXPECT_NEAR(made.restitution, made.elastic.value, 1e-4);
+  EXPECT_GT(made.share(Channel::material), 1e-3);
+}
+
 TEST(Predict, PropagatesConstantsOneAtATime) {
   const Encounter ball = own(R"(, "yield_strength": 3e8)");
   const double onset = *thresholds(ball).yield, speed = 30.0 * onset;

@@ -1,4 +1,4 @@
-// Yield, adhesion and losses of round bodies in one slow motion: published laws, closed forms, balances.
+// Yield, adhesion and losses of round bodies in one slow motion: published yield_laws, closed forms, balances.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -24,7 +24,7 @@ namespace {
 
 using std::numbers::pi;
 
-constexpr std::array laws{YieldLaw::finite_elements, YieldLaw::thornton_ning};
+constexpr std::array yield_laws{YieldLaw::finite_elements, YieldLaw::thornton_ning};
 
 /// Thornton and Ning (1998), as published, of r = V_y/V.
 double thornton_and_ning(double r) {
@@ -54,7 +54,7 @@ TEST(Yield, TendsToTheLawsOfHighSpeed) {
 }
 
 TEST(Yield, LoadsContinuouslyAndReturnsToLessThanItWent) {
-  for (const YieldLaw law : laws) {
+  for (const YieldLaw law : yield_laws) {
     EXPECT_NEAR(loading_force(law, 1.0 + 1e-9), 1.0, 1e-8);
     EXPECT_NEAR(loading_stiffness(law, 1.0 + 1e-9), 1.5, 1e-2);
     EXPECT_NEAR(loading_work(law, 1.0), 0.4, 1e-15);
@@ -155,7 +155,7 @@ TEST(InelasticImpact, OfALossyMaterialIsThatOfTing) {
 }
 
 TEST(InelasticImpact, OfYieldIsThatOfTheWorkOfTheLaw) {
-  for (const YieldLaw law : laws) {
+  for (const YieldLaw law : yield_laws) {
     for (const double ratio : {0.5, 1.5, 10.0, 300.0}) {
       const InelasticImpact got = inelastic_impact({.yield_law = law, .yield_depth = yield_depth(ratio)});
       EXPECT_NEAR(got.restitution, plastic_restitution(law, ratio), 1e-7) << ratio;
