@@ -72,7 +72,7 @@ def prediction(result: Prediction, ax: Axes | None = None) -> Axes:
 
 def _draw_restitution(axes: Axes, result: Prediction, order: NDArray[np.intp], speed: Array) -> None:
     def values(name: str) -> Array:
-        return np.ravel(getattr(result, name))[order]  # type: ignore[no-any-return]
+        return np.ravel(getattr(result, name))[order]
 
     low, high = values("restitution_low"), values("restitution_high")
     axes.fill_between(speed, low, high, color=BAND, linewidth=0.0, label="band")

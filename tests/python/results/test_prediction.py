@@ -66,7 +66,7 @@ def test_indices_select(grains):
 
 def test_no_speed_gives_nothing():
     empty = stoss.predict(BALL, against=BLOCK, speed=[])
-    assert len(empty) == 0 and empty.restitution.shape == empty.influences.shape == (0,)
+    assert len(empty) == 0 and empty.restitution.shape == (0,)
 
 
 def test_energy_is_that_of_the_channels(grains, drop):
@@ -79,8 +79,8 @@ def test_energy_is_that_of_the_channels(grains, drop):
 def test_without_models_it_is_the_restitution_of_lossy_bodies():
     ball = stoss.Sphere(radius=5e-3, material=STEEL, loss_time=1e-8)
     block = stoss.HalfSpace(material=GLASS, loss_time=2e-8)
-    made = quietly(ball, against=block, speed=[0.01, 1.0], adhesion=0)
-    direct = stoss.restitution(ball, against=block, speed=[0.01, 1.0])
+    made = quietly(ball, against=block, speed=[0.01, 1], adhesion=0)
+    direct = stoss.restitution(ball, against=block, speed=[0.01, 1])
     assert not made.yielding.any() and not made.adhesion.any()
     allowed = made.elastic_restitution_error + direct.restitution_error
     assert np.all(np.abs(made.elastic_restitution - direct.restitution) <= allowed)
@@ -150,8 +150,7 @@ def run_command():
 
 
 def test_a_material_of_ones_own_has_no_name(drop):
-    own = stoss.Material(**{name: value for name, value in vars(STEEL).items()} | {"density": 7810.5})
-    ball = stoss.Sphere(radius=5e-3, material=own)
+    ball = stoss.Sphere(radius=5e-3, material=stoss.Material(**vars(STEEL) | {"density": 7810.5}))
     made = quietly(ball, against=BLOCK, speed=0.1, uncertainties={"young": 0.05})
     assert {each.constant for each in made.influences if not each.constant.startswith("against")} == {"young"}
     assert {each.constant for each in drop.influences} >= {"young", "density", "loss_time", "against young"}
@@ -161,10 +160,10 @@ def test_a_material_of_ones_own_has_no_name(drop):
 
 def test_surface_energies_make_bodies_stick():
     sticky = stoss.Material(young=2e6, poisson=0.49, density=1100, loss_time=0, surface_energy=0.05)
-    grain = stoss.Sphere(radius=1e-5, material=sticky)
-    made, given = (quietly(grain, against="same", speed=1.0, **more) for more in ({}, {"adhesion": 0.1}))
-    assert made.sticking_speed == given.sticking_speed > 0 and made.restitution == given.restitution
-    assert quietly(grain, against="same", speed=1.0, adhesion=0).sticking_speed == 0
+    meeting = {"body": stoss.Sphere(radius=1e-5, material=sticky), "against": "same", "speed": 1.0}
+    made, given, smooth = (quietly(**meeting, **more) for more in ({}, {"adhesion": 0.1}, {"adhesion": 0}))
+    assert made.sticking_speed == given.sticking_speed > smooth.sticking_speed == 0
+    assert made.restitution == given.restitution < smooth.restitution
 
 
 REFUSALS = [
@@ -237,8 +236,8 @@ def test_files_and_tables_name_the_channel_yield(grains, tmp_path):
     grains.to_csv(tmp_path / "drop.csv")
     table = stoss.read_csv(tmp_path / "drop.csv")
     assert table.kind == "predict" and table.size == 4 and "yielding" not in table
-    assert table["yield"].tolist() == grains.yielding.ravel().tolist()
-    assert table["contact_time"].tolist() == grains.contact_time.ravel().tolist()
+    for name, column in table.items():
+        assert column.tolist() == getattr(grains, "yielding" if name == "yield" else name).ravel().tolist(), name
     assert table.units == {"speed": "m/s", "drop_height": "m", "rebound_height": "m", "contact_time": "s"}
     assert table.inputs["against"] == "same" and table.inputs["work_of_adhesion"] == "0.2"
     told = json.loads(json.dumps(grains.to_dict(), allow_nan=False))
@@ -246,5 +245,7 @@ def test_files_and_tables_name_the_channel_yield(grains, tmp_path):
     assert told["influences"][1][1][0]["constant"] == "loss_time" and "<table" in grains._repr_html_()
 
 
-def test_results_survive_pickle(grains):
+def test_results_are_frozen_and_survive_pickle(grains):
+    with pytest.raises(AttributeError):
+        grains.restitution = 1.0
     assert pickle.loads(pickle.dumps(grains)).to_dict() == grains.to_dict()
