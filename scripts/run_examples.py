@@ -1,6 +1,6 @@
 """Runs the programs of examples/, each once, for their tests and for the documentation site.
 
-A program runs again only if it or the package has changed.
+A program runs again only if it, the package, or the body files have changed.
 """
 
 import fcntl
@@ -28,12 +28,20 @@ def package_state() -> bytes:
     return state.digest()
 
 
+def files_state() -> bytes:
+    """Of what programs may read: the body files."""
+    state = hashlib.sha256()
+    for file in sorted((EXAMPLES / "any_body").glob("*.json")):
+        state.update(file.name.encode() + b"\0" + hashlib.sha256(file.read_bytes()).digest())
+    return state.digest()
+
+
 def run(name: str) -> Path:
     """The folder of a program: output.txt is what it printed, out/ what it wrote. Others that want it wait."""
     program = EXAMPLES / f"{name}.py"
     folder = KEPT / name
     folder.mkdir(parents=True, exist_ok=True)
-    state = hashlib.sha256(package_state() + program.read_bytes()).hexdigest()
+    state = hashlib.sha256(package_state() + files_state() + program.read_bytes()).hexdigest()
     with open(folder / "lock", "w") as lock:
         fcntl.flock(lock, fcntl.LOCK_EX)
         if not (folder / "state").exists() or (folder / "state").read_text() != state:

@@ -99,19 +99,19 @@ void run(const PredictArguments& arguments) {
   catch_interrupts();
   const std::vector<Prediction> all = predict(encounter, speeds, options_of(arguments));
   const Units units{.own = UnitSystem::sphere_si, .in_si = UnitSystem::sphere_si};
-  const Shown share{.width = 11};
+  const Shown share{.width = 12};
   const Fields<Prediction> fields(prediction_quantities(), units,
-                                  {{"speed", {.width = 10}},
-                                   {"restitution", {.width = 10}},
-                                   {"restitution_low", {.width = 15}},
-                                   {"restitution_high", {.width = 16}},
+                                  {{"speed", {.width = 9}},
+                                   {"restitution", {.width = 12}},
+                                   {"restitution_low", {.width = 16}},
+                                   {"restitution_high", {.width = 17}},
                                    {"ringing", share},
                                    {"radiation", share},
                                    {"material", share},
                                    {"yield", share},
                                    {"adhesion", share},
-                                   {"dominant", {.width = 10}},
-                                   {"rebound_height", {.width = 14}}});
+                                   {"dominant", {.width = 11}},
+                                   {"rebound_height", {.width = 15}}});
   Writer writer = arguments.output.writer(describe(arguments, encounter), fields.columns(), Output::Use::whole);
   std::set<std::string> warned;
   for (const Prediction& each : all) {
@@ -134,7 +134,7 @@ void add_predict(CLI::App& app) {
       "  stoss predict --body sphere --material glass --radius 0.002 --height 0.1,0.5\n"
       "      --against plate,material=glass,thickness=0.01\n"
       "  stoss predict --body sphere --material ice --radius 1e-6 --speed log:0.1:10:5 --against same\n"
-      "      --adhesion 0.2 --uncertainty 'against loss_time=2'");
+      "      --adhesion 0.2 --uncertainty against.loss_time=2");
   CLI::App& command = *arguments.command;
   arguments.who.first.add_poisson_to(command);
   auto* speed = add(command, "--speed", arguments.speeds,
@@ -150,7 +150,7 @@ void add_predict(CLI::App& app) {
       models);
   add(command, "--uncertainty", arguments.uncertainties,
       "A constant that is known within a factor of 1 + U, as in young=0.05 or\n"
-      "'against yield_strength=0.2'; as often as needed (default: those of\nnamed materials)",
+      "against.yield_strength=0.2; as often as needed (default: those of\nnamed materials)",
       "NAME=U", models);
   add(command, "--tolerance", arguments.tolerance,
       "Relative error of 1-eps^2 without models to reach, 1e-15 to 0.5\n(default: 0.001)", "TOL", "Resolution");

@@ -11,6 +11,7 @@
 #include "process/text.hpp"
 #include "stoss/encounter/laws.hpp"
 #include "stoss/errors.hpp"
+#include "stoss/prediction/prediction.hpp"
 #include "stoss/table/adaptive.hpp"
 #include "stoss/table/adaptive_pairs.hpp"
 #include "stoss/table/two_column.hpp"
@@ -22,6 +23,13 @@ void check_format(const TableArguments& arguments) {
   for (const std::string option : {"tolerance", "friction"}) {
     if (arguments.oblique || !given(*arguments.command, "--" + option)) continue;
     throw InvalidInput(fmt::format("{0}: got --{0}, allowed only with --oblique (the whole collision rule)", option));
+  }
+  for (const std::string option : {"oblique", "ratio"}) {
+    if (!arguments.predicted || !given(*arguments.command, "--" + option)) continue;
+    throw InvalidInput(fmt::format("{0}: got --{0} with --predict, allowed only without", option));
+  }
+  if (arguments.adhesion && !arguments.predicted) {
+    throw InvalidInput("adhesion: got --adhesion, allowed only with --predict (yield and adhesion are models)");
   }
   const std::string& format = arguments.format;
   const auto require = [&](const std::string& option, bool goes_with, const std::string& allowed) {
@@ -67,68 +75,24 @@ Provenance describe(const TableArguments& arguments, const TableJob& job) {
   inputs["error"] = arguments.error;
   if (arguments.oblique) inputs["tolerance"] = arguments.tolerance;
   if (arguments.friction) inputs["friction"] = *arguments.friction;
+  if (arguments.predicted) inputs["models"] = "yield, adhesion";
+  if (arguments.adhesion) inputs["adhesion[J/m^2]"] = *arguments.adhesion;
   inputs["beyond"] = arguments.beyond;
   return provenance;
-}
-
-template <typename Function>
-nlohmann::ordered_json json_of(const TableArguments& arguments, const TableJob& job, const Function& function,
-                               const std::string& between) {
-  auto document = json_head(arguments, job, between);
-  document["greatest_error"] = function.greatest_error();
-  return document;
-}
-
-std::string as_json(const TableArguments& arguments, const TableJob& job, const RestitutionFunction& function) {
-  auto document = json_of(arguments, job, function, "ln(speed)");
-  const auto& knots = function.knots();
-  const std::size_t last = knots.size() - 1;
-  for (std::size_t k = 0; k <= last; ++k) {
-    const double speed = k == 0 ? job.typed[0] : k == last ? job.typed[1] : knots[k].speed * job.unit;
-    nlohmann::ordered_json record{{"speed", speed},
-                                  {"restitution", knots[k].restitution.value},
-                                  {"restitution_error", knots[k].restitution.error},
-                                  {"slope", function.slopes()[k]}};
-    if (k < last) record["error_to_next"] = function.errors()[k];
-    document["records"].push_back(std::move(record));
-  }
-  document["complete"] = true;
-  return json_text(document);
-}
-
-std::string as_json(const TableArguments& arguments, const TableJob& job, const PairTable& table) {
-  auto document = json_of(arguments, job, table, "ln(speed) and in s = (ratio - 1)/(ratio + 1)");
-  const PairValues& values = table.values();
-  document["inverse_is_same"] = values.alike;
-  document["ratio"] = values.ratios;
-  const std::size_t columns = values.ratios.size();
-  for (std::size_t k = 0; k < values.speeds.size(); ++k) {
-    nlohmann::ordered_json record{{"speed", values.speeds[k] * job.unit}};
-    for (std::size_t j = 0; j < columns; ++j) {
-      const PairTable::Node& node = table.nodes()[k * columns + j];
-      record["restitution"].push_back(node.value);
-      record["restitution_error"].push_back(values.restitution[k * columns + j].error);
-      record["slope_of_speed"].push_back(node.by_speed);
-      record["slope_of_ratio"].push_back(node.by_ratio);
-      record["slope_of_both"].push_back(node.by_both);
-      if (k + 1 < values.speeds.size() && j + 1 < columns) {
-        record["error_to_next"].push_back(table.errors()[k * (columns - 1) + j]);
-      }
-    }
-    document["records"].push_back(std::move(record));
-  }
-  document["complete"] = true;
-  return json_text(document);
 }
 
 std::string text_of_function(const TableArguments& arguments, const TableJob& job) {
   // Half of the error is for the straight lines between the rows.
   const double share = arguments.format == "two-column" ? 0.5 : 1.0;
-  const RestitutionFunction function = restitution_function(refinable(job.encounter), job.speeds[0], job.speeds[1],
-                                                            {.error = share * arguments.error,
-                                                             .beyond = beyond(arguments),
-                                                             .threads = arguments.threads,
-                                                             .poll = heed_interrupts});
+  const FunctionOptions options{.error = share * arguments.error,
+                                .beyond = beyond(arguments),
+                                .threads = arguments.threads,
+                                .poll = heed_interrupts};
+  const auto [slowest, fastest] = std::pair(job.speeds[0], job.speeds[1]);
+  const RestitutionFunction function =
+      arguments.predicted
+          ? predicted_function(job.encounter, slowest, fastest, options, {.work_of_adhesion = arguments.adhesion})
+          : restitution_function(refinable(job.encounter), slowest, fastest, options);
   if (arguments.format == "json") return as_json(arguments, job, function);
   if (arguments.format == "c") return c_header(function, label(arguments, job));
   return two_column(function, arguments.error, job.unit);
@@ -145,6 +109,10 @@ std::string text_of_pairs(const TableArguments& arguments, const TableJob& job) 
 void warn(const TableArguments& arguments, const TableJob& job) {
   if (job.speeds[1] > 0.5) {
     arguments.output.warn("speed above 0.5 c: linear elasticity has lost its meaning there");
+  }
+  if (arguments.predicted) {
+    arguments.output.warn("yield and adhesion are models: their spread (stoss predict) is not in the errors");
+    return;
   }
   if (const Yielding its = yielding(job.encounter); its.is_below(job.speeds[1])) {
     arguments.output.warn(yield_warning(*its.speed));
@@ -239,7 +207,13 @@ void add_table(CLI::App& app) {
                 "The whole collision rule: what becomes of the velocity along the surface\n"
                 "and of the spins too, at any angle")
       ->group("Body");
+  command
+      .add_flag("--predict", arguments.predicted,
+                "eps of real balls, with yield and adhesion as models (stoss predict)")
+      ->group("Body");
   arguments.who.add_to(command);
+  add(command, "--adhesion", arguments.adhesion,
+      "With --predict: work of adhesion of both surfaces in J/m^2 (default:\nthat of the materials)", "W", "Against");
   add(command, "--friction", arguments.friction,
       "With --oblique, of disks that are not equal: the coefficient of Coulomb's\nlaw for which the table holds, up to "
       "5; other tables serve any friction",

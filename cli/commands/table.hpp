@@ -22,6 +22,8 @@ struct TableArguments {
   bool oblique = false;              // the whole collision rule
   double tolerance = 2e-2;           // of s′
   std::optional<double> friction{};  // of a rule that depends on it
+  bool predicted = false;            // with yield and adhesion
+  std::optional<double> adhesion{};  // J/m²
   int threads = 0;
   std::string format = "c";
   std::string name = "stoss";
@@ -48,6 +50,11 @@ struct TableJob {
 /// What all kinds of table have besides their records. @param between how values between the knots are to be had
 [[nodiscard]] nlohmann::ordered_json json_head(const TableArguments& arguments, const TableJob& job,
                                                const std::string& between);
+
+/// The whole documents.
+[[nodiscard]] std::string as_json(const TableArguments& arguments, const TableJob& job,
+                                  const RestitutionFunction& function);
+[[nodiscard]] std::string as_json(const TableArguments& arguments, const TableJob& job, const PairTable& table);
 
 /// Ends of the range of ratios.
 [[nodiscard]] std::pair<double, double> parse_ratios(const std::string& ratio);

@@ -30,6 +30,12 @@ Participant modal_from_file(const std::string& option, const std::string& text) 
     throw InvalidInput(
         fmt::format("{}: got '@{}' of more than 64 MiB, allowed a file of modes at a point", option, path));
   }
+  if (all.rfind("PK", 0) == 0) {  // a ZIP archive, which an NPZ file is
+    throw InvalidInput(
+        fmt::format("{0}: got '@{1}', an NPZ file, allowed JSON (in Python: "
+                    "stoss.ModalBody.read('{1}').save('body.json'))",
+                    option, path));
+  }
   return modal_participant(modal_body_from_json(all, option + " " + path));
 }
 

@@ -13,6 +13,7 @@ ROOMS = {
     "restitution": (630, 20, ("ε with its error;", "curves")),
     "vibration": (830, 20, ("ensembles of bodies", "that vibrate")),
     "table": (830, 175, ("ε(v) as a function,", "with its error")),
+    "prediction": (1040, 20, ("real balls: channels,", "yield and adhesion")),
     "encounter": (1040, 175, ("kinds, materials, units:", "who meets whom, as given")),
     "bodies": (215, 175, ("disk, sphere, rod:", "modes and the rest")),
     "quasistatic": (630, 175, ("slow contacts:", "Hertz, Rayleigh")),
@@ -25,6 +26,7 @@ ARROWS = {
     "restitution": ("vibration", "table"),
     "quasistatic": ("table",),
     "table": ("encounter",),
+    "encounter": ("prediction",),
     "bodies": ("restitution", "quasistatic"),
 }
 FOUNDATION = "numeric, errors, poll, material: all rooms stand on them"

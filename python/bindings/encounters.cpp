@@ -29,7 +29,8 @@ py::list all_materials() {
   py::list all;
   for (const NamedMaterial& each : named_materials()) {
     const Material& its = each.material;
-    all.append(py::make_tuple(name, its.young, its.poisson, its.density, its.yield_strength, its.loss_time));
+    all.append(py::make_tuple(each.name, its.young, its.poisson, its.density, its.yield_strength, its.loss_time,
+                              its.surface_energy));
   }
   return all;
 }
@@ -142,7 +143,7 @@ void bind_encounters(py::module_& module) {
           },
           "of pressure, shear and Rayleigh waves of the half-space that is met, in c of the first body");
   module.def("named_materials", &all_materials,
-             "(name, young, poisson, density, yield strength or None, loss time or None) of each");
+             "(name, young, poisson, density, yield strength, loss time and surface energy, each or None) of each");
   module.def("loss_time_of_quality", &loss_time_of_quality, py::arg("quality"), py::arg("frequency"));
   module.def(
       "plane_poisson",

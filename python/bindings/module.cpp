@@ -4,6 +4,7 @@
 #include "stoss/bodies/sphere/modes.hpp"
 #include "stoss/errors.hpp"
 #include "stoss/impact/quantities.hpp"
+#include "stoss/prediction/quantities.hpp"
 #include "stoss/quasistatic/quantities.hpp"
 #include "stoss/restitution/quantities.hpp"
 #include "stoss/version.hpp"
@@ -65,6 +66,7 @@ py::dict quantities() {
   all["oblique snapshot"] = listed(oblique_snapshot_quantities());
   all["oblique ledger"] = listed(oblique_ledger_quantities());
   all["oblique"] = listed(oblique_quantities());
+  all["prediction"] = listed(prediction_quantities());
   all["bounce"] = listed(bounce_quantities());
   all["sample"] = listed(sample_quantities());
   all["extrapolation"] = listed(extrapolation_quantities());
@@ -92,6 +94,7 @@ PYBIND11_MODULE(_core, module) {
   stoss::python::bind_impacts(module);
   stoss::python::bind_restitution(module);
   stoss::python::bind_oblique_impacts(module);
+  stoss::python::bind_prediction(module);
   stoss::python::bind_tables(module);
   stoss::python::bind_rules(module);
   stoss::python::bind_quasistatic(module);

@@ -24,6 +24,8 @@ written.
                                   time
 `oblique`                         impacts at an angle, with spin and friction
 `oblique_impact`                  one of them in time, with all that the contact points do
+`predict`                         what a drop test of a real ball shows, with yield and adhesion as
+                                  models
 `fit`                             constants of a force law of a simulation program, and their misfit
 `restitution_distribution`        ε of many bodies that vibrate at random before
 `sweep`, `Grid`                   ε of many bodies, partners and speeds, with a store
@@ -75,6 +77,8 @@ from stoss.results._oblique_impact import ObliqueImpact, oblique_impact
 from stoss.results._oblique_ledger import ObliqueLedger
 from stoss.results._oblique_trajectory import ObliqueTrajectory
 from stoss.results._pair_table import PairTable, pair_table
+from stoss.results._predict import predict
+from stoss.results._prediction import Influence, Prediction
 from stoss.results._restitution import Restitution
 from stoss.results._result import Result
 from stoss.results._rod_chain import RodChain, rod_chain
@@ -87,14 +91,14 @@ from stoss.sweeps._values import Sweep, merge, open_sweep
 __all__ = [
     "AtlasValue", "Body", "Bounces", "CollisionRule", "Disk", "DiskField", "ExponentialWall",
     "Extrapolation", "Field", "Fit", "Grid", "HalfPlane", "HalfSpace", "HardWall", "Impact",
-    "Interrupted", "InvalidInput", "Layer", "Material", "Misfit", "ModalBody", "Modes", "NotConverged",
+    "Influence", "Interrupted", "InvalidInput", "Layer", "Material", "Misfit", "ModalBody", "Modes", "NotConverged",
     "ObliqueImpact", "ObliqueLedger", "ObliqueRestitution", "ObliqueTrajectory", "Oscillation",
-    "PairTable", "Plate", "Restitution", "RestitutionDistribution", "RestitutionFunction", "Rod", "RodChain",
-    "Scales", "Sound", "Sphere", "SphereField", "StossWarning", "Strip", "Sweep", "Table", "Trajectory",
+    "PairTable", "Plate", "Prediction", "Restitution", "RestitutionDistribution", "RestitutionFunction", "Rod",
+    "RodChain", "Scales", "Sound", "Sphere", "SphereField", "StossWarning", "Strip", "Sweep", "Table", "Trajectory",
     "Wall", "Wave",
     "__version__", "animate", "atlas", "bounce", "collision_rule", "extrapolated_restitution",
     "fit", "impact", "materials", "merge", "modes", "oblique", "oblique_impact", "open_sweep",
-    "pair_table", "plot", "quasistatic", "read_csv", "restitution",
+    "pair_table", "plot", "predict", "quasistatic", "read_csv", "restitution",
     "restitution_distribution", "restitution_function", "rod_chain", "sweep", "with_error",
 ]  # fmt: skip
 

@@ -32,6 +32,7 @@ void validate(const Body& body) {
   require(body, not_negative(body.extent) && not_negative(body.curvature) && not_negative(body.softness),
           "a finite extent, curvature and softness, none below 0");
   require(body, not_negative(body.inertia) && body.components > 0, "a finite inertia of 0 or more, and components");
+  require(body, not_negative(body.mass_along), "a finite mass along its surface, or 0");
   require(body, body.highest_cutoff >= body.cutoff, "a cutoff up to its highest");
   require(body, std::isfinite(body.loss_time) && body.loss_time >= 0.0, "a loss_time of 0 or more");
   require(body, body.stable_step > 0.0, "a positive stable_step");

@@ -18,6 +18,8 @@ std::vector<Body> bodies_along(const Body& body, const Poll& poll) {
                      "friction out, or take 0)");
 }
 
+double own_mass_along(const Body& body) { return body.mass_along > 0.0 ? body.mass_along : whole_mass(body); }
+
 void require_law_along(const Contact& contact) {
   if (std::holds_alternative<HardWall>(contact.wall)) return;
   throw InvalidInput("friction: got an exponential wall, allowed only a rigid one (it has no law along it)");
@@ -32,6 +34,20 @@ double mixing_of(const Body& body, double radius) {
 }
 
 }  // namespace
+
+double mass_along(const Contact& contact) {
+  const double first = own_mass_along(*contact.first);
+  if (contact.second == nullptr) return first;
+  if (contact.first->mass_along == 0.0 && contact.second->mass_along == 0.0) return contact.whole_mass;
+  if (is_unbounded(*contact.second)) return first;
+  const double second = own_mass_along(*contact.second) * units_of(contact, 1).mass;
+  return first * (second / (first + second));
+}
+
+double share_along(const Contact& contact, int number) {
+  const Body& body = number == 0 ? *contact.first : *contact.second;
+  return mass_along(contact) / (own_mass_along(body) * units_of(contact, number).mass);
+}
 
 double mixing(const std::vector<Contact>& along) {
   const Contact& contact = along.front();

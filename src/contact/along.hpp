@@ -10,6 +10,12 @@ namespace stoss {
 /// @throws InvalidInput where a body has none, and at a wall that is not hard
 [[nodiscard]] std::vector<Contact> contacts_along(const Contact& contact, const Poll& poll);
 
+/// Reduced mass of whole bodies against forces along their surfaces, in units of the first.
+[[nodiscard]] double mass_along(const Contact& contact);
+
+/// What a body of it moves of the relative motion along the surface: the mass above over its own.
+[[nodiscard]] double share_along(const Contact& contact, int number);
+
 /// Two balls, or a ball at a wall, against forces alike all around the axis (Body::outward).
 /// @throws InvalidInput as contacts_along
 [[nodiscard]] Contact contact_outward(const Contact& contact, const Poll& poll);

@@ -1,6 +1,5 @@
 #include "stoss/encounter/modal_file.hpp"
 
-#include <Eigen/Dense>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -10,6 +9,7 @@
 #include <vector>
 
 #include "encounter/json_values.hpp"
+#include "encounter/modal_rotation.hpp"
 
 namespace stoss {
 namespace {
@@ -18,56 +18,6 @@ using namespace json;
 
 constexpr const char* format = "stoss modal body 1";
 constexpr double turn = 2.0 * std::numbers::pi;
-
-void require_keys(const std::string& where, const Json& given, const std::vector<std::string>& allowed) {
-  for (const auto& [name, value] : object(where, given).items()) {
-    if (std::find(allowed.begin(), allowed.end(), name) != allowed.end()) continue;
-    std::string all;
-    for (const std::string& each : allowed) all += (all.empty() ? "" : ", ") + each;
-    refuse(where, name, all);
-  }
-}
-
-double needed(const std::string& where, const Json& given, const std::string& name) {
-  if (!given.contains(name)) throw InvalidInput(where + " " + name + ": got none, allowed a number in SI");
-  return number(where + " " + name, given[name]);
-}
-
-std::vector<double> numbers(const std::string& where, const Json& value, std::optional<std::size_t> count) {
-  if (!value.is_array() || (count && value.size() != *count)) {
-    refuse(where, value, count ? "a list of " + std::to_string(*count) + " numbers" : "a list of numbers");
-  }
-  std::vector<double> all;
-  for (const Json& each : value) all.push_back(number(where, each));
-  return all;
-}
-
-Eigen::Vector3d vector(const std::string& where, const Json& given, const char* name) {
-  if (!given.contains(name)) throw InvalidInput(where + " " + name + ": got none, allowed [x, y, z]");
-  const std::vector<double> all = numbers(where + " " + name, given[name], 3);
-  return {all[0], all[1], all[2]};
-}
-
-/// Mass that the point feels along its normal, where the body is free to turn.
-double turning_mass(const std::string& where, const Json& given, double mass) {
-  require_keys(where, given, {"inertia", "point", "normal"});
-  if (!given.contains("inertia") || !given["inertia"].is_array() || given["inertia"].size() != 3) {
-    throw InvalidInput(where + " inertia: got none, or not three rows, allowed 3 x 3 numbers in kg m^2");
-  }
-  Eigen::Matrix3d inertia;
-  for (Eigen::Index row = 0; row < 3; ++row) {
-    const std::vector<double> values = numbers(where + " inertia", given["inertia"][static_cast<std::size_t>(row)], 3);
-    for (Eigen::Index column = 0; column < 3; ++column) inertia(row, column) = values[static_cast<std::size_t>(column)];
-  }
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> principal(inertia);
-  if (!inertia.isApprox(inertia.transpose(), 1e-6) || !(principal.eigenvalues().minCoeff() > 0.0)) {
-    refuse(where + " inertia", given["inertia"], "a symmetric positive definite tensor about the centre of mass");
-  }
-  const Eigen::Vector3d point = vector(where, given, "point"), normal = vector(where, given, "normal");
-  if (!(normal.norm() > 0.0)) refuse(where + " normal", given["normal"], "a direction");
-  const Eigen::Vector3d lever = point.cross(normal.normalized());
-  return 1.0 / (1.0 / mass + lever.dot(inertia.ldlt().solve(lever)));
-}
 
 void read_curvature(const std::string& where, const Json& given, ModalBody& body) {
   if (!given.contains("curvature")) {
@@ -89,7 +39,8 @@ void read_curvature(const std::string& where, const Json& given, ModalBody& body
 
 void read_modes(const std::string& where, const Json& given, ModalBody& body) {
   require_keys(where, given,
-               {"frequency", "displacement", "displacement_curvature", "frequency_error", "displacement_error"});
+               {"frequency", "displacement", "displacement_curvature", "frequency_error", "displacement_error",
+                "tangential_displacement", "tangential_displacement_curvature", "tangential_displacement_error"});
   const auto list = [&](const char* name, std::optional<std::size_t> count) {
     if (given.contains(name)) return numbers(where + " " + name, given[name], count);
     if (std::string(name).find('_') == std::string::npos) {
@@ -101,12 +52,21 @@ void read_modes(const std::string& where, const Json& given, ModalBody& body) {
   const std::size_t count = frequency.size();
   const std::vector<double> displacement = list("displacement", count), bend = list("displacement_curvature", count),
                             frequency_error = list("frequency_error", count),
-                            displacement_error = list("displacement_error", count);
+                            displacement_error = list("displacement_error", count),
+                            tangential = list("tangential_displacement", count),
+                            tangential_bend = list("tangential_displacement_curvature", count),
+                            tangential_error = list("tangential_displacement_error", count);
   body.has_bends = given.contains("displacement_curvature");
   for (std::size_t i = 0; i < count; ++i) {
-    body.modes.push_back(
-        {turn * frequency[i], displacement[i], bend[i], turn * frequency_error[i], displacement_error[i]});
+    body.modes.push_back({turn * frequency[i], displacement[i], bend[i], turn * frequency_error[i],
+                          displacement_error[i], tangential[i], tangential_bend[i], tangential_error[i]});
   }
+  const bool moves = given.contains("tangential_displacement");
+  if (moves != body.tangent.has_value()) {
+    throw InvalidInput(where + " tangential_displacement: got " + (moves ? "one without a tangent" : "none") +
+                       ", allowed one beside a tangent, and none without");
+  }
+  if (body.tangent) body.tangent->has_bends = given.contains("tangential_displacement_curvature");
 }
 
 }  // namespace
@@ -120,7 +80,7 @@ ModalBody modal_body_from_json(std::string_view text, const std::string& where) 
   }
   require_keys(where, given,
                {"format", "name", "origin", "mass", "rotation", "curvature", "young", "poisson", "density", "loss_time",
-                "compliance", "compliance_error", "complete_to", "modes"});
+                "compliance", "compliance_error", "complete_to", "tangent", "modes"});
   if (!given.contains("format") || given["format"] != format) {
     refuse(where + " format", given.value("format", Json()), '"' + std::string(format) + '"');
   }
@@ -128,9 +88,7 @@ ModalBody modal_body_from_json(std::string_view text, const std::string& where) 
   if (given.contains("name")) body.name = word(where + " name", given["name"], "a name");
   if (given.contains("origin")) body.origin = word(where + " origin", given["origin"], "a text");
   body.mass = needed(where, given, "mass");
-  if (given.contains("rotation") && body.mass > 0.0) {
-    body.mass = turning_mass(where + " rotation", given["rotation"], body.mass);
-  }
+  read_rotation(where, given, body);
   read_curvature(where, given, body);
   for (const auto& [name, place] : std::array<std::pair<const char*, double*>, 4>{{{"young", &body.young},
                                                                                    {"poisson", &body.poisson},
@@ -167,6 +125,11 @@ std::string to_json(const ModalBody& body) {
   if (body.has_bends) all("displacement_curvature", 1.0, &PointMode::bend);
   all("frequency_error", turn, &PointMode::omega_error);
   all("displacement_error", 1.0, &PointMode::displacement_error);
+  if (body.tangent) {
+    all("tangential_displacement", 1.0, &PointMode::tangential);
+    if (body.tangent->has_bends) all("tangential_displacement_curvature", 1.0, &PointMode::tangential_bend);
+    all("tangential_displacement_error", 1.0, &PointMode::tangential_error);
+  }
   Json document{{"format", format}, {"name", body.name}};
   if (!body.origin.empty()) document["origin"] = body.origin;
   document["mass"] = body.mass;
@@ -178,6 +141,7 @@ std::string to_json(const ModalBody& body) {
   document["compliance"] = body.compliance;
   document["compliance_error"] = body.compliance_error;
   document["complete_to"] = body.complete_to / turn;
+  if (body.tangent) document["tangent"] = tangent_to_json(*body.tangent);
   document["modes"] = modes;
   return document.dump();
 }

@@ -20,6 +20,9 @@ MovingBody<3> body_of(const Solid& solid, double length, double density) {
     return {1.0 / mass, 2.5 / (mass * r * r), r, {}, {}};
   }
   if (std::holds_alternative<Rod>(solid)) throw InvalidInput("body: got a rod, allowed disks and spheres (they turn)");
+  if (std::holds_alternative<ModalBody>(solid)) {
+    throw InvalidInput("body: got one by its modes, allowed disks and spheres (which turn alike about any axis)");
+  }
   return {0.0, 0.0, 0.0, {}, {}};
 }
 

@@ -70,7 +70,7 @@ Participant enlarged(Participant of, const Constant& constant, double factor) {
 
 std::string allowed_names(const Encounter& encounter) {
   std::string names = "work_of_adhesion";
-  for (const std::string before : {"", "against "}) {
+  for (const std::string before : {"", "against."}) {
     if (!before.empty() && !encounter.against.material) continue;
     for (const Constant& each : constants()) names += ", " + before + std::string(each.name);
   }
@@ -79,7 +79,7 @@ std::string allowed_names(const Encounter& encounter) {
 
 void require_names(const Encounter& encounter, const PredictionOptions& options) {
   for (const auto& [name, uncertainty] : options.uncertainties) {
-    const bool other = name.starts_with("against ");
+    const bool other = name.starts_with("against.");
     const std::string_view constant = std::string_view(name).substr(other ? 8 : 0);
     const bool known =
         (name == "work_of_adhesion") || ((!other || encounter.against.material) &&
@@ -127,12 +127,19 @@ std::vector<Variant> variants(const Encounter& encounter, const Encounter& at, c
         variant.material_factor += uncertainty * share * (at.against.kind == "same" ? 2.0 : 1.0);
       } else {
         variant.encounter.*side = enlarged(at.*side, each, 1.0 + uncertainty);
+        // Of two alike the weaker one is no other: both are what they are made of.
+        const bool alike =
+            !encounter.first.material_name.empty() && encounter.first.material_name == encounter.against.material_name;
+        if (alike && each.name == "yield_strength") {
+          if (!before.empty()) continue;
+          variant.encounter.against = enlarged(at.against, each, 1.0 + uncertainty);
+        }
       }
       made.push_back(std::move(variant));
     }
   };
   add(&Encounter::first, "");
-  add(&Encounter::against, "against ");
+  add(&Encounter::against, "against.");
   const double of_work = uncertainty_of("work_of_adhesion", 0.0);
   if (of_work > 0.0 && options.work_of_adhesion) {
     made.push_back({"work_of_adhesion", of_work, at, *options.work_of_adhesion * (1.0 + of_work), false});

@@ -75,7 +75,7 @@ class Drop {
       made.shares.fill(certified_.restitution);
     } else {
       add_models(made);
-      add_influences(made);
+      if (options_.influences) add_influences(made);
     }
     made.warnings = prediction::warnings(encounter_, thresholds(given_, options_), impact_, made);
     return made;
@@ -137,17 +137,16 @@ class Drop {
     if (touching_.sheet) take(Motion(certified_, Waves::of_rate).with(touching_, speed_).restitution);
   }
 
-  /// Of bodies nearly the same: one impact as fine as the finest of these, whose errors are the same.
+  /// Of bodies nearly the same: one impact like the coarsest of these, whose errors are nearly the same too.
   [[nodiscard]] Certified certified_of(const Encounter& encounter) const {
+    const Run& coarse = impact_.runs.front();
     const double speed = own_speed(encounter, speed_);
-    const Contact contact = contact_of(encounter, impact_.finest.cutoff, speed);
-    const FixedResolution& fine = impact_.finest.resolution;
     ImpactOptions how{.poll = poll_};
-    how.resolution = {.nodes = fine.nodes, .tail = fine.tail};
-    const Impact its = impact(contact, speed, how);
-    const double restitution = impact_.restitution.value + its.restitution - impact_.finest.restitution;
-    const double waves = std::max(1.0 - restitution * restitution - its.energy.dissipated, 0.0);
-    return {restitution, waves, 0.0, its.energy.dissipated};
+    how.resolution = {.nodes = coarse.resolution.nodes, .tail = coarse.resolution.tail};
+    const Impact its = impact(contact_of(encounter, coarse.cutoff, speed), speed, how);
+    const double lost = impact_.lost_fraction.value + its.lost_fraction - coarse.lost_fraction;
+    const double material = impact_.dissipated + its.energy.dissipated - coarse.dissipated;
+    return {std::sqrt(std::max(1.0 - lost, 0.0)), std::max(lost - material, 0.0), 0.0, material};
   }
 
   void add_influences(Prediction& made) const {
@@ -200,14 +199,33 @@ std::vector<Prediction> predict(const Encounter& encounter, const std::vector<do
   return made;
 }
 
+RestitutionFunction predicted_function(const Encounter& encounter, double slowest, double fastest,
+                                       const FunctionOptions& options, PredictionOptions models) {
+  require("error", options.error, {1e-4, 0.1, true, true, "1e-4 to 0.1"}, "maximum error of the restitution");
+  models.influences = false, models.threads = options.threads, models.poll = options.poll;
+  const double unit = speed_unit(encounter);
+  const auto computed = [&](const std::vector<double>& speeds) {
+    std::vector<double> in_si;
+    in_si.reserve(speeds.size());
+    for (const double speed : speeds) in_si.push_back(std::clamp(speed, 1e-8, 1.0) * unit);
+    std::vector<Estimate> values;
+    for (const Prediction& each : predict(encounter, in_si, models)) {
+      const double ratio = each.elastic.value > 0.0 ? each.restitution / each.elastic.value : 1.0;
+      values.push_back({each.restitution, ratio * each.elastic.error});
+      if (!(values.back().error <= options.error / 3.0)) {
+        throw NotConverged("predict: at speed " + shown(each.speed) + " m/s the certified channels do not converge");
+      }
+    }
+    return values;
+  };
+  return restitution_function(computed, slowest, fastest, options);
+}
+
 Thresholds thresholds(const Encounter& encounter, const PredictionOptions& options) {
   const Touching its = prediction::touching(encounter, options.work_of_adhesion);
   Thresholds made;
   made.yield = its.yield_speed;
-  if (its.yield_strength) {
-    constexpr double share = 0.02;  // of E*/Y
-    made.impression = *its.yield_speed * std::max(1.0, share / (its.pair.softness * *its.yield_strength));
-  }
+  if (its.yield_speed) made.impression = prediction::speed_of_impression(its);
   made.sticking = quasistatic::sticking_speed(its.pair, its.work_of_adhesion, its.mass);
   constexpr double matters = 10.0;  // (v_s/v)² is a hundredth
   made.adhesion = matters * made.sticking;

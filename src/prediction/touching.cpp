@@ -71,6 +71,19 @@ quasistatic::InelasticContact Touching::contact(double speed) const {
   return made;
 }
 
+double speed_of_impression(const Touching& touching) {
+  using quasistatic::YieldLaw;
+  constexpr double wide = 0.2;
+  const double onset = touching.radius_ratio(*touching.yield_speed);
+  if (onset >= wide) return *touching.yield_speed;
+  double low = 1.0, high = 1e6;  // of d
+  for (int i = 0; i < 60; ++i) {
+    const double depth = std::sqrt(low * high);
+    (onset * loading_radius(YieldLaw::finite_elements, depth) < wide ? low : high) = depth;
+  }
+  return *touching.yield_speed * std::sqrt(2.5 * loading_work(YieldLaw::finite_elements, low));
+}
+
 Touching touching(const Encounter& encounter, std::optional<double> work_of_adhesion) {
   validate(encounter);
   const Participant& ball = encounter.first;

@@ -45,6 +45,12 @@ double loading_stiffness(YieldLaw law, double depth) {
   return law == YieldLaw::thornton_ning ? 1.5 : fits::stiffness(depth);
 }
 
+double loading_radius(YieldLaw law, double depth) {
+  require_depth("depth", depth);
+  if (depth <= 1.0 || law == YieldLaw::thornton_ning) return std::sqrt(depth);
+  return fits::radius(depth);
+}
+
 double loading_work(YieldLaw law, double depth) {
   require_depth("depth", depth);
   if (depth <= 1.0) return 0.4 * depth * depth * std::sqrt(depth);

@@ -1,16 +1,15 @@
 #pragma once
 
-#include <cmath>
-
 #include "stoss/quasistatic/elastic_plastic.hpp"
 
-/// PROVISIONAL
+/// Fits of own finite elements (studies/yield) at ν = 0.3, in the units of the onset, for d of 1 and more. From d =
+/// 1600 on, where the runs end, they go on as powers.
 namespace stoss::quasistatic::fits {
-inline double force(double d) { return 1.0 + 1.5 * (d - 1.0) * 1.3; }
-inline double stiffness(double) { return 1.95; }
-inline double work(double d) { return 0.4 + (d - 1.0) + 0.975 * (d - 1.0) * (d - 1.0); }
-inline Unloading unloading(double m) {
-  const double r = m * std::sqrt(m) / force(m);
-  return {m - std::cbrt(force(m) * force(m) / r), 1.5, r};
-}
+
+[[nodiscard]] double force(double depth);
+[[nodiscard]] double stiffness(double depth);
+[[nodiscard]] double radius(double depth);
+[[nodiscard]] double work(double depth);
+[[nodiscard]] Unloading unloading(double deepest);
+
 }  // namespace stoss::quasistatic::fits

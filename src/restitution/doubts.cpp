@@ -20,35 +20,6 @@ double curvature_met(const Contact& contact, bool first) {
   return first ? contact.second->curvature / length : contact.first->curvature * length;
 }
 
-/// The contact with each alternative of a body in its place.
-std::vector<Contact> alternatives(const Contact& contact) {
-  std::vector<Contact> all;
-  for (const bool first : {true, false}) {
-    const std::shared_ptr<const Body>& body = first ? contact.first : contact.second;
-    if (body == nullptr || !body->known.alternatives) continue;
-    for (Body& each : body->known.alternatives(curvature_met(contact, first))) {
-      auto other = std::make_shared<const Body>(std::move(each));
-      if (contact.second == nullptr) {
-        all.push_back(stoss::contact(std::move(other), contact.wall));
-      } else {
-        all.push_back(first ? stoss::contact(std::move(other), contact.second)
-                            : stoss::contact(contact.first, std::move(other)));
-      }
-    }
-  }
-  return all;
-}
-
-/// Share of 1 − ε² that both bodies leave out.
-double neglected(const Contact& contact, double half_width) {
-  double share = 0.0;
-  if (contact.first->known.neglected) share += contact.first->known.neglected(half_width);
-  if (contact.second != nullptr && contact.second->known.neglected) {
-    share += contact.second->known.neglected(half_width / units_of(contact, 1).length);
-  }
-  return share;
-}
-
 struct Affected {
   Estimate Restitution::*estimate;
   double Impact::*value;
@@ -62,12 +33,41 @@ constexpr std::array affected{Affected{&Restitution::lost_fraction, &Impact::los
 
 }  // namespace
 
+std::vector<Contact> alternatives(const Contact& contact, Affects motion) {
+  std::vector<Contact> all;
+  for (const bool first : {true, false}) {
+    const std::shared_ptr<const Body>& body = first ? contact.first : contact.second;
+    if (body == nullptr) continue;
+    const auto& others = motion == Affects::both ? body->known.alternatives : body->known.alternatives_along;
+    if (!others) continue;
+    for (Body& each : others(curvature_met(contact, first))) {
+      auto other = std::make_shared<const Body>(std::move(each));
+      if (contact.second == nullptr) {
+        all.push_back(stoss::contact(std::move(other), contact.wall));
+      } else {
+        all.push_back(first ? stoss::contact(std::move(other), contact.second)
+                            : stoss::contact(contact.first, std::move(other)));
+      }
+    }
+  }
+  return all;
+}
+
+double neglected_share(const Contact& contact, double half_width) {
+  double share = 0.0;
+  if (contact.first->known.neglected) share += contact.first->known.neglected(half_width);
+  if (contact.second != nullptr && contact.second->known.neglected) {
+    share += contact.second->known.neglected(half_width / units_of(contact, 1).length);
+  }
+  return share;
+}
+
 void add_doubts(const RefinableContact& contact, double speed, double stretch, const RestitutionOptions& options,
                 Restitution& result) {
   const Impact& finest = result.finest;
   const Contact& resolved = contact.at(result.runs.back().cutoff, stretch, options.poll);
-  const double share = neglected(resolved, finest.max_half_width);
-  const std::vector<Contact> others = alternatives(resolved);
+  const double share = neglected_share(resolved, finest.max_half_width);
+  const std::vector<Contact> others = alternatives(resolved, Affects::both);
   if (share == 0.0 && others.empty()) return;
   // Of few modes the energies above the cutoff, by which the ladder judges, may be smaller than what is gained or lost.
   result.lost_fraction.error += std::abs(finest.energy_error);

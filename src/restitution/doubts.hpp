@@ -1,5 +1,7 @@
 #pragma once
 
+#include <vector>
+
 #include "stoss/restitution/restitution.hpp"
 
 namespace stoss {
@@ -10,5 +12,14 @@ namespace stoss {
 /// @param stretch of the contact, as RefinableContact::at
 void add_doubts(const RefinableContact& contact, double speed, double stretch, const RestitutionOptions& options,
                 Restitution& result);
+
+/// Of which motion the alternatives of a body change something.
+enum class Affects { both, along };
+
+/// The contact with each of these alternatives of a body in its place.
+[[nodiscard]] std::vector<Contact> alternatives(const Contact& contact, Affects affected);
+
+/// Share of 1 − ε², and of what friction changes, that both bodies leave out.
+[[nodiscard]] double neglected_share(const Contact& contact, double half_width);
 
 }  // namespace stoss

@@ -136,9 +136,10 @@ RefinableContact::RefinableContact(BodyMaker first, BodyMaker second) : Refinabl
 namespace {
 
 /// Highest cutoff, in units of the first body, up to which bodies are known in a contact of a half-width.
-double known_cutoff(const Contact& contact, double half_width) {
-  const auto of = [half_width](const Body& body, double length) {
-    return std::min(body.known.complete_to, body.known.reach / (half_width / length));
+double known_cutoff(const Contact& contact, double half_width, Motion motion) {
+  const auto of = [half_width, motion](const Body& body, double length) {
+    const double reach = motion == Motion::normal ? body.known.reach : body.known.reach_along;
+    return std::min(body.known.complete_to, reach / (half_width / length));
   };
   const double first = of(*contact.first, 1.0);
   if (contact.second == nullptr) return first;
@@ -165,10 +166,10 @@ int RefinableContact::highest_level(double stretch) const {
   return level;
 }
 
-Levels RefinableContact::levels(double speed, double longer, const Poll& poll) const {
+Levels RefinableContact::levels(double speed, double longer, const Poll& poll, Motion motion) const {
   Levels usable{0, highest_level(longer * stretch(speed))};
   const Contact& probe = at(0, poll);
-  const double half_width = expected_half_width(probe, speed), most = known_cutoff(probe, half_width);
+  const double half_width = expected_half_width(probe, speed), most = known_cutoff(probe, half_width, motion);
   if (std::isinf(most)) return usable;
   while (usable.highest >= lowest_of_a_point && cutoff(usable.highest) > most) --usable.highest;
   usable.lowest = usable.highest - levels_of_a_point;

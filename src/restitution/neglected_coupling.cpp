@@ -30,7 +30,10 @@ double coarse_cutoff(const RefinableContact& contact, const Contact& probe, doub
   constexpr int lowest = -16, highest = 6;
   const double wanted = periods / expected_duration(probe, speed);
   const int octaves = static_cast<int>(std::lround(2.0 * std::log2(wanted / contact.cutoff(0))));
-  return contact.cutoff(std::clamp(2 * octaves, lowest, highest));
+  const int level = std::clamp(2 * octaves, lowest, highest);
+  const bool second = probe.second != nullptr && is_known_at_a_point(*probe.second);
+  if (!is_known_at_a_point(*probe.first) && !second) return contact.cutoff(level);
+  return contact.cutoff(std::min(level, contact.levels(speed, room_to_last, {}, Motion::oblique).highest));
 }
 
 Resolution coarse_resolution(const Contact& contact, double speed) {

@@ -12,6 +12,7 @@
 #include "impact/oblique/frame.hpp"
 #include "restitution/lasting.hpp"
 #include "restitution/neglected_coupling.hpp"
+#include "restitution/oblique_doubts.hpp"
 #include "restitution/oblique_errors.hpp"
 #include "stoss/contact/grid.hpp"
 #include "stoss/restitution/curve.hpp"
@@ -33,6 +34,17 @@ int highest_level_of(const RefinableContact& contact, double stretch, const Poll
   int level = std::min(last_level, contact.highest_level());
   while (level > 0 && contact.cutoff(level) > most) --level;
   return level;
+}
+
+/// The levels of the runs of a plan: all, or those at which bodies are known of which only a point is.
+Levels levels_of(const RefinableContact& contact, double speed, double stretch, int last, const Poll& poll) {
+  const Contact& probe = contact.at(0, poll);
+  Levels levels{0, std::min(highest_level_of(contact, stretch, poll), last)};
+  const bool known = !is_known_at_a_point(*probe.first) && (!probe.second || !is_known_at_a_point(*probe.second));
+  if (known) return levels;
+  const Levels of_point = contact.levels(speed, room_to_last, poll, Motion::oblique);
+  const int lower = std::max(0, of_point.highest - levels.highest);
+  return {of_point.lowest - lower, of_point.highest - lower};
 }
 
 /// How two directions that may act on each other err: measured (docs/theory/oblique.md).
@@ -72,7 +84,8 @@ ObliquePlan plan_of(const Contact& contact, double speed, const std::vector<Obli
 }
 
 /// One ladder of impacts for results that share it: those with one normal impact at each cutoff, or one by itself.
-void refine(const RefinableContact& contact, const ObliqueOptions& options, std::vector<ObliqueRestitution*> open) {
+/// @returns the stretch of the last contact
+double refine(const RefinableContact& contact, const ObliqueOptions& options, std::vector<ObliqueRestitution*> open) {
   const double speed = open.front()->speed;
   const Contact& probe = contact.at(0, options.poll);
   double stretch = probe.unbounded ? contact.stretch(speed) : 1.0 / contact.part(), width = 0.0;
@@ -80,12 +93,13 @@ void refine(const RefinableContact& contact, const ObliqueOptions& options, std:
   for (const ObliqueRestitution* each : open) obliquities.push_back(each->before);
   const Contact& coarse = contact.at(contact.cutoff(0), stretch, options.poll);
   const ObliquePlan plan = plan_of(coarse, speed, obliquities, options.tolerance, options.poll);
-  const bool shared = touch(coarse).circle;
+  const bool rough = touch(coarse).circle && std::any_of(obliquities.begin(), obliquities.end(),
+                                                         [](const auto& each) { return each.friction > 0.0; });
   const auto impacts_at = [&](const Contact& resolved, int level) {
     ImpactOptions of_one{.resolution = plan.resolution(resolved, speed, width, level), .poll = options.poll};
     if (!options.vibration.empty()) of_one.start = approach(resolved, speed, options.vibration);
     std::vector<ObliqueImpact> impacts;
-    if (shared) {
+    if (rough) {
       const Slides slides(resolved, speed, of_one);
       for (const ObliqueRestitution* each : open) impacts.push_back(slides.after(each->before, options.poll));
     } else {
@@ -97,12 +111,12 @@ void refine(const RefinableContact& contact, const ObliqueOptions& options, std:
   };
   const int of_stable = plan.mixing && plan.too_fine() ? last_level_of_too_fine : last_level;
   const int asked = plan.unstable ? last_level_of_unstable : of_stable;
-  const int highest = std::min(highest_level_of(contact, stretch, options.poll), asked);
-  for (int level = 0; level <= highest && !open.empty(); level += rungs) {
+  const Levels levels = levels_of(contact, speed, stretch, asked, options.poll);
+  for (int level = levels.lowest; level <= levels.highest && !open.empty(); level += rungs) {
     std::vector<ObliqueImpact> impacts;
     try {
       impacts = to_its_end(contact, contact.cutoff(level), speed, stretch, options.poll,
-                           [&](const Contact& resolved) { return impacts_at(resolved, level); });
+                           [&](const Contact& resolved) { return impacts_at(resolved, level - levels.lowest); });
     } catch (const DoesNotEnd& error) {
       for (ObliqueRestitution* each : open) each->reason = error.what();
       break;
@@ -118,6 +132,7 @@ void refine(const RefinableContact& contact, const ObliqueOptions& options, std:
     open.erase(std::remove_if(open.begin(), open.end(), done), open.end());
   }
   for (ObliqueRestitution* each : open) give_up(plan, *each);
+  return stretch;
 }
 
 }  // namespace
@@ -138,10 +153,11 @@ std::vector<ObliqueRestitution> oblique_restitution(const RefinableContact& cont
   std::vector<ObliqueRestitution*> all;
   for (ObliqueRestitution& each : results) {
     all.push_back(&each);
-    if (!shared) refine(contact, options, {&each});
+    if (!shared) (void)refine(contact, options, {&each});
   }
+  double stretch = 1.0;
   if (shared) {
-    refine(contact, options, all);
+    stretch = refine(contact, options, all);
     NeglectedCoupling neglected(contact, speed, options.poll);
     for (ObliqueRestitution& each : results) each.neglected = neglected.at(each.before);
   }
@@ -151,6 +167,7 @@ std::vector<ObliqueRestitution> oblique_restitution(const RefinableContact& cont
   for (ObliqueRestitution& each : results) {
     if (like_central(each)) each.restitution = central.restitution;
   }
+  if (shared) add_oblique_doubts(contact, speed, stretch, options, results);
   return results;
 }
 

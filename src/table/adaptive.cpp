@@ -45,8 +45,8 @@ struct Gap {
 /// Computes ε at speeds and adds it to the knots, by ln v.
 class Computation {
  public:
-  Computation(const RefinableContact& contact, double slowest, double fastest, const FunctionOptions& options)
-      : contact_(contact), slowest_(slowest), fastest_(fastest), options_(options) {}
+  Computation(const ComputedRestitution& computed, double slowest, double fastest, const FunctionOptions& options)
+      : computed_(computed), slowest_(slowest), fastest_(fastest), options_(options) {}
 
   void add(const std::vector<double>& logarithms) {
     std::vector<double> speeds;
@@ -56,12 +56,7 @@ class Computation {
       throw NotConverged("restitution_function: more than " + std::to_string(options_.most_speeds) +
                          " speeds are needed (allow a greater error, a smaller range, or more speeds)");
     }
-    std::vector<Request> requests;
-    requests.reserve(speeds.size());
-    for (const double speed : speeds) requests.push_back({&contact_, speed});
-    const auto place = [&speeds](std::size_t i) { return "speed " + shown(speeds[i]) + " c"; };
-    const std::vector<Estimate> values =
-        computed_values(requests, share_of_values * options_.error, options_.threads, options_.poll, place);
+    const std::vector<Estimate> values = computed_(speeds);
     for (std::size_t i = 0; i < speeds.size(); ++i) {
       knots[logarithms[i]] = {speeds[i], {values[i].value, margin * values[i].error}};
     }
@@ -76,7 +71,7 @@ class Computation {
     return logarithm >= std::log(fastest_) ? fastest_ : std::exp(logarithm);
   }
 
-  const RefinableContact& contact_;
+  const ComputedRestitution& computed_;
   double slowest_, fastest_;
   const FunctionOptions& options_;
 };
@@ -129,6 +124,18 @@ std::vector<double> interpolation_errors(const std::map<double, Knot>& knots, co
 
 RestitutionFunction restitution_function(const RefinableContact& contact, double slowest, double fastest,
                                          const FunctionOptions& options) {
+  const auto computed = [&](const std::vector<double>& speeds) {
+    std::vector<Request> requests;
+    requests.reserve(speeds.size());
+    for (const double speed : speeds) requests.push_back({&contact, speed});
+    const auto place = [&speeds](std::size_t i) { return "speed " + shown(speeds[i]) + " c"; };
+    return computed_values(requests, share_of_values * options.error, options.threads, options.poll, place);
+  };
+  return restitution_function(computed, slowest, fastest, options);
+}
+
+RestitutionFunction restitution_function(const ComputedRestitution& computed, double slowest, double fastest,
+                                         const FunctionOptions& options) {
   require_options(slowest, fastest, options);
   const double begin = std::log(slowest), end = std::log(fastest);
   const auto steps =
@@ -140,7 +147,7 @@ RestitutionFunction restitution_function(const RefinableContact& contact, double
     next.push_back(i == steps ? end : begin + share * (end - begin));
     if (i > 0) open.push_back({next[i - 1], next[i]});
   }
-  Computation computation(contact, slowest, fastest, options);
+  Computation computation(computed, slowest, fastest, options);
   computation.add(next);
   const double enough = share_of_interpolation * options.error;
   std::map<double, double> missed;  // by the left end of each interval

@@ -2,6 +2,7 @@
 
 import json
 import pathlib
+import zipfile
 
 import pytest
 
@@ -30,7 +31,11 @@ def test_refuses_in_one_line(stoss, tmp_path):
     broken.write_text('{"format": "stoss modal body 1", "mass": 1}')
     wrong = tmp_path / "wrong.json"
     wrong.write_text("mass = 1")
+    packed = tmp_path / "packed.npz"
+    with zipfile.ZipFile(packed, "w") as archive:
+        archive.writestr("mass.npy", b"")
     for arguments, said in (
+        (f"--body @{packed}", "an NPZ file, allowed JSON (in Python: stoss.ModalBody.read("),
         (f"--body @{tmp_path}/none.json", "No such file"),
         (f"--body @{tmp_path}", "Is a directory"),
         (f"--body @{broken}", "curvature: got none"),
@@ -46,3 +51,24 @@ def test_refuses_in_one_line(stoss, tmp_path):
         assert result.returncode == 3, (arguments, result.stderr)
         assert result.stdout == "" and result.stderr.count("\n") == 1
         assert said in result.stderr and "allowed" in result.stderr, result.stderr
+
+
+def test_friction_needs_a_tangent(stoss, tmp_path):
+    """Without data along the surface one line says so; with them the body rubs and turns."""
+    rub = "oblique --speed 0.05 --tangential 0.1 --friction 0.05 --tolerance 0.05 --format json"
+    refused = stoss.run(rub, f"--body @{FILES}/sphere.json")
+    assert refused.returncode == 3 and refused.stdout == "" and refused.stderr.count("\n") == 1
+    assert "tangential data" in refused.stderr and "allowed" in refused.stderr
+    body = json.loads((FILES / "sphere.json").read_text())
+    body["tangent"] = {"direction": [0, 1, 0], "compliance": 0}  # where all slides they do not matter
+    body["modes"]["tangential_displacement"] = [0] * len(body["modes"]["frequency"])
+    path = tmp_path / "rough.json"
+    path.write_text(json.dumps(body))
+    found, exact = (json.loads(stoss.run(rub, each).stdout)["records"][0] for each in (f"--body @{path}", SPHERE))
+    for name in ("tangential_restitution", "spin_after"):
+        allowed = found[f"{name}_error"] + exact[f"{name}_error"]
+        assert abs(found[name] - exact[name]) <= allowed, name
+        assert found[name] == pytest.approx(exact[name], rel=2e-3), name
+    body["tangent"]["direction"] = [6, 0, 8]
+    path.write_text(json.dumps(body))
+    assert "perpendicular" in stoss.run(rub, f"--body @{path}").stderr

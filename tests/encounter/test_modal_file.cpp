@@ -1,11 +1,13 @@
 // Files of bodies by their modes at a point, in documents and by themselves.
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <nlohmann/json.hpp>
 #include <string>
 
 #include "stoss/encounter/document.hpp"
 #include "stoss/encounter/modal_file.hpp"
+#include "stoss/encounter/moving.hpp"
 #include "stoss/errors.hpp"
 #include "support/modal_sphere.hpp"
 #include "support/refusal.hpp"
@@ -73,6 +75,87 @@ TEST(ModalFile, NamesWhatIsWrong) {
   test::expect_refusal([] { (void)modal_body_from_json("[1]"); }, {"object"});
 }
 
+ModalBody rough_steel_ball() {
+  ModalBody own = test::modal_sphere_along(0.3, 8.0);
+  return in_units(own, 100.0, 1.0 / 210e9, 1.0 / 7850.0);
+}
+
+TEST(ModalFile, ReadsBackItsTangent) {
+  ModalBody body = rough_steel_ball();
+  body.tangent->compliance_error = 1e-12;
+  body.tangent->cross = 0.5;
+  body.modes[1].tangential_error = 0.1;
+  const ModalBody same = modal_body_from_json(to_json(body));
+  ASSERT_TRUE(same.tangent.has_value());
+  EXPECT_EQ(same.tangent->mass, body.tangent->mass);
+  EXPECT_EQ(same.tangent->inertia, body.tangent->inertia);
+  EXPECT_EQ(same.tangent->arm, body.tangent->arm);
+  EXPECT_EQ(same.tangent->cross, 0.5);
+  EXPECT_EQ(same.tangent->compliance, body.tangent->compliance);
+  EXPECT_EQ(same.tangent->compliance_error, 1e-12);
+  EXPECT_TRUE(same.tangent->has_bends);
+  EXPECT_EQ(same.modes[1].tangential, body.modes[1].tangential);
+  EXPECT_EQ(same.modes[1].tangential_bend, body.modes[1].tangential_bend);
+  EXPECT_EQ(same.modes[1].tangential_error, 0.1);
+  EXPECT_EQ(to_json(same), to_json(modal_body_from_json(to_json(same))));
+  Json given = Json::parse(to_json(body));
+  given["modes"].erase("tangential_displacement_curvature");
+  EXPECT_FALSE(modal_body_from_json(given.dump()).tangent->has_bends);
+}
+
+// A block that is struck on a face beside its middle: 1/m_t = 1/m + (r × t)·I⁻¹(r × t).
+TEST(ModalFile, KnowsHowFrictionTurnsABody) {
+  Json given = Json::parse(to_json(rough_steel_ball()));
+  const double mass = given["mass"], a = 0.02, b = 0.03, c = 0.05;
+  const double across = mass / 12.0 * (b * b + c * c), along = mass / 12.0 * (a * a + c * c),
+               up = mass / 12.0 * (a * a + b * b);
+  given["rotation"] = {{"inertia", {{across, 0.0, 0.0}, {0.0, along, 0.0}, {0.0, 0.0, up}}},
+                       {"point", {0.0, 0.01, 0.5 * c}},
+                       {"normal", {0.0, 0.0, 1.0}}};
+  given["tangent"] = {{"direction", {2.0, 0.0, 0.0}}, {"compliance", 1e-12}};
+  const ModalBody body = modal_body_from_json(given.dump());
+  EXPECT_NEAR(1.0 / body.mass, 1.0 / mass + 0.01 * 0.01 / across, 1e-9 / mass);
+  const PointTangent& its = *body.tangent;
+  EXPECT_EQ(its.mass, mass);
+  EXPECT_NEAR(its.arm, std::hypot(0.01, 0.5 * c), 1e-15);
+  EXPECT_NEAR(its.arm * its.arm / its.inertia, 0.25 * c * c / along + 0.01 * 0.01 / up, 1e-9 / mass);
+  EXPECT_NEAR(its.cross, 0.0, 1e-12);
+  given["tangent"]["direction"] = {0.0, 1.0, 0.0};  // along which the blow is off its centre
+  EXPECT_NEAR(modal_body_from_json(given.dump()).tangent->cross, -0.01 * 0.5 * c / across, 1e-9 / mass);
+}
+
+TEST(ModalFile, NamesWhatIsWrongWithATangent) {
+  const auto refused = [](const std::vector<std::string>& parts, const auto& change) {
+    Json given = Json::parse(to_json(rough_steel_ball()));
+    change(given);
+    test::expect_refusal([&] { (void)modal_body_from_json(given.dump(), "bell.json"); }, parts);
+  };
+  refused({"bell.json tangent", "colour"}, [](Json& given) { given["tangent"]["colour"] = 1.0; });
+  refused({"tangent compliance", "got none"}, [](Json& given) { given["tangent"].erase("compliance"); });
+  refused({"tangent inertia", "got none", "rotation"}, [](Json& given) { given["tangent"].erase("inertia"); });
+  refused({"tangent arm", "got none"}, [](Json& given) { given["tangent"].erase("arm"); });
+  refused({"tangential_displacement", "without a tangent"}, [](Json& given) { given.erase("tangent"); });
+  refused({"tangential_displacement", "got none"},
+          [](Json& given) { given["modes"].erase("tangential_displacement"); });
+  refused({"tangential_displacement", "numbers"},
+          [](Json& given) { given["modes"]["tangential_displacement"].push_back(1.0); });
+  const auto turning = [](Json& given) {
+    const double inertia = given["tangent"]["inertia"];
+    given["rotation"] = {{"inertia", {{inertia, 0.0, 0.0}, {0.0, inertia, 0.0}, {0.0, 0.0, inertia}}},
+                         {"point", {0.0, 0.0, 0.01}},
+                         {"normal", {0.0, 0.0, 1.0}}};
+  };
+  refused({"tangent", "mass", "direction"}, [&](Json& given) { turning(given); });
+  refused({"tangent direction", "perpendicular"}, [&](Json& given) {
+    turning(given);
+    given["tangent"] = {{"direction", {1.0, 0.0, 0.5}}, {"compliance", 0.0}};
+  });
+  refused({"tangent direction", "got none"}, [&](Json& given) {
+    turning(given);
+    given["tangent"] = {{"compliance", 0.0}};
+  });
+}
+
 TEST(ModalFile, StandsInADocument) {
   Json document{{"first", {{"kind", "modal"}, {"body", file()}}},
                 {"against", {{"kind", "sphere"}, {"radius", 0.02}, {"material", "glass"}}}};
@@ -93,6 +176,13 @@ TEST(ModalFile, StandsInADocument) {
   const Restitution same = restitution(refinable(turned), own_speed(turned, 1.0), {.tolerance = 0.1});
   EXPECT_NEAR(same.lost_fraction.value, expected.lost_fraction.value,
               same.lost_fraction.error + expected.lost_fraction.error);
+}
+
+// A table knows how it rubs, but not how it turns in space.
+TEST(ModalFile, IsNoBodyOfASimulation) {
+  const Json document{{"first", {{"kind", "modal"}, {"body", Json::parse(to_json(rough_steel_ball()))}}},
+                      {"against", "same"}};
+  test::expect_refusal([&] { (void)moving_pair(encounter_from_json(document.dump())); }, {"body", "modes"});
 }
 
 TEST(ModalFile, GoesWithMaterialsOnly) {

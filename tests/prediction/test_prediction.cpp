@@ -1,9 +1,11 @@
 // What a drop test shows: certified channels as they are, models on top, and how both go together.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numeric>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "prediction/touching.hpp"
@@ -52,8 +54,8 @@ TEST(Predict, WithoutModelsIsTheCertifiedRestitution) {
 }
 
 TEST(Predict, SharesAddUpAndTheBandHoldsTheValue) {
-  for (const auto& [ball, block] : std::vector<std::pair<std::string, std::string>>{
-           {"bearing steel", "glass"}, {"steel", "steel"}, {"ice", "ice"}, {"rubber", "steel"}, {"brass", "glass"}}) {
+  for (const auto& [ball, block] :
+       std::vector<std::pair<std::string, std::string>>{{"steel", "steel"}, {"rubber", "steel"}, {"brass", "glass"}}) {
     for (const Prediction& made : predict(ball_on(ball, block), {1e-3, 0.03, 1.0})) {
       EXPECT_NEAR(sum(made), 1.0 - made.restitution * made.restitution, 1e-9) << ball << made.speed;
       for (const double share : made.shares) EXPECT_GE(share, -1e-9) << ball << made.speed;
@@ -75,8 +77,9 @@ TEST(Predict, YieldAloneIsThatOfItsLaw) {
     const Prediction made = predict(ball, {ratio * onset}).front();
     const double expected = quasistatic::plastic_restitution(quasistatic::YieldLaw::finite_elements, ratio);
     EXPECT_NEAR(made.restitution, expected, 1e-4) << ratio;
-    if (ratio > 1.0) EXPECT_EQ(made.dominant, Channel::yield);
-    if (ratio > 1.0) EXPECT_LT(made.lowest, made.highest - 1e-3);
+    if (ratio < 1.0) continue;
+    EXPECT_EQ(made.dominant, Channel::yield);
+    EXPECT_LT(made.lowest, made.highest - 1e-3);
   }
 }
 
@@ -102,7 +105,7 @@ TEST(Predict, LossesTogetherAreNotTheirSumButNearlyWhereSmall) {
   const Encounter elastic = own("", block), yields = own(R"(, "yield_strength": 3e8)", block);
   const double onset = *thresholds(yields).yield;
   // Barely yielding: the sum.
-  const double slow = 1.05 * onset, ratio = 1.05;
+  const double ratio = 1.05, slow = ratio * onset;
   const double plastic = 1.0 - std::pow(plastic_restitution(quasistatic::YieldLaw::finite_elements, ratio), 2);
   const double both = lost(predict(yields, {slow}).front());
   const double waves = lost(predict(elastic, {slow}).front());
@@ -141,7 +144,7 @@ TEST(Predict, ElasticConstantsChangeWhatTheyChange) {
   const std::string stiffer = R"({"kind": "half-space", "material": {"young": 7.7e10, "poisson": 0.22,
                                  "density": 2500}})";
   const std::string block = R"({"kind": "half-space", "material": {"young": 7e10, "poisson": 0.22, "density": 2500}})";
-  const Prediction base = predict(own("", block), {1.0}, {.uncertainties = {{"against young", 0.1}}}).front();
+  const Prediction base = predict(own("", block), {1.0}, {.uncertainties = {{"against.young", 0.1}}}).front();
   const Prediction other = predict(own("", stiffer), {1.0}).front();
   EXPECT_NEAR(base.influences.front().change, other.restitution - base.restitution,
               base.elastic.error + other.elastic.error);
@@ -176,15 +179,25 @@ TEST(Predict, HasAQuantityForEachChannel) {
 }
 
 TEST(Predict, RefusesWhatItsModelsDoNotKnow) {
-  EXPECT_REFUSED((void)predict(read(R"({"first": {"kind": "sphere", "poisson": 0.3}})"), {0.1}), "material: got none");
-  EXPECT_REFUSED((void)predict(read(R"({"first": {"kind": "disk", "material": "steel", "radius": 1}})"), {1.0}),
-                 "body: got a disk, allowed a sphere");
-  EXPECT_REFUSED((void)predict(own(""), {-1.0}), "speed: got -1");
-  EXPECT_REFUSED((void)predict(own(""), {std::nan("")}), "speed: got");
-  EXPECT_REFUSED((void)predict(own(""), {1.0}, {.work_of_adhesion = -1.0}), "adhesion: got -1");
-  EXPECT_REFUSED((void)predict(own(""), {1.0}, {.uncertainties = {{"colour", 0.1}}}), "uncertainties: got 'colour'");
-  EXPECT_REFUSED((void)predict(own(""), {1.0}, {.uncertainties = {{"young", -0.1}}}), "uncertainties young: got -0.1");
-  EXPECT_REFUSED((void)predict(own(""), {1.0}, {.tolerance = 0.0}), "tolerance");
+  test::expect_refusal([&] { (void)predict(read(R"({"first": {"kind": "sphere", "poisson": 0.3}})"), {0.1}); },
+                       {"material: got none"});
+  test::expect_refusal(
+      [&] { (void)predict(read(R"({"first": {"kind": "disk", "material": "steel", "radius": 1}})"), {1.0}); },
+      {"body: got a disk, allowed a sphere"});
+  test::expect_refusal([&] { (void)predict(own(""), {-1.0}); }, {"speed: got -1"});
+  test::expect_refusal([&] { (void)predict(own(""), {std::nan("")}); }, {"speed: got"});
+  test::expect_refusal([&] { (void)predict(own(""), {1.0}, {.work_of_adhesion = -1.0}); }, {"adhesion: got -1"});
+  test::expect_refusal(
+      [&] {
+        (void)predict(own(""), {1.0}, {.uncertainties = {{"colour", 0.1}}});
+      },
+      {"uncertainties: got 'colour'"});
+  test::expect_refusal(
+      [&] {
+        (void)predict(own(""), {1.0}, {.uncertainties = {{"young", -0.1}}});
+      },
+      {"uncertainties young: got -0.1"});
+  test::expect_refusal([&] { (void)predict(own(""), {1.0}, {.tolerance = 0.0}); }, {"tolerance"});
   EXPECT_TRUE(predict(own(""), {}).empty());
 }
 

@@ -103,6 +103,16 @@ struct Knowledge {
   /// What the body might be instead, by the errors of the numbers that it was made from, one for each kind of them.
   /// @param other curvature of what it meets, in its own units
   std::function<std::vector<Body>(double other)> alternatives{};
+
+  /// The same where only its motion along the surface is another.
+  std::function<std::vector<Body>(double other)> alternatives_along{};
+
+  /// `reach` of its motion along the surface.
+  double reach_along = std::numeric_limits<double>::infinity();
+
+  /// Velocity along the surface per impulse along the normal that its point may have in the end, 1/mass in its own
+  /// units, from the modes and the turning that join both directions; a contact of a duration, R/c.
+  std::function<double(double duration)> cross_mobility{};
 };
 
 /// An elastic body by itself, with its modes up to a cutoff: all that a contact needs to know of it, in its own units
@@ -116,10 +126,11 @@ struct Body {
   double extent = 0.0;                ///< distance from the centre of mass to the foremost point
   double curvature = 1.0;             ///< of its surface near the foremost point, 1/R
   double curvature_difference = 0.0;  ///< of the principal curvatures there, of which `curvature` is the mean, 1/R
-  double softness = 1.0;   ///< 1/E* near its end, in 1/E: 1 in plane stress, 1 − ν² in plane strain, 0 if rigid
-  double inertia = 0.0;    ///< moment about the centre of mass, mass × R²; 0: it does not turn
-  double loss_time = 0.0;  ///< η of a lossy material, R/c: stress = (1 + η ∂/∂t) elastic stress
-  double cutoff = 0.0;     ///< all modes with ω ≤ kept_cutoff(body) are in `groups` (but see with_modes)
+  double softness = 1.0;    ///< 1/E* near its end, in 1/E: 1 in plane stress, 1 − ν² in plane strain, 0 if rigid
+  double inertia = 0.0;     ///< moment about the centre of mass, mass × R²; 0: it does not turn
+  double mass_along = 0.0;  ///< of the whole body against forces along its surface; 0: the same as along the normal
+  double loss_time = 0.0;   ///< η of a lossy material, R/c: stress = (1 + η ∂/∂t) elastic stress
+  double cutoff = 0.0;      ///< all modes with ω ≤ kept_cutoff(body) are in `groups` (but see with_modes)
   double highest_cutoff = std::numeric_limits<double>::infinity();  ///< that such a body can be made with
   /// Largest stable time step at a hard wall: above it one kick moves the kept modes of some order further than the
   /// residual compliance does.

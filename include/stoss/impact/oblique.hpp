@@ -21,6 +21,8 @@ namespace stoss {
 ///
 ///   μ_r v̇_t = −Σ q,   I₁Ω̇₁ = −Σ q R₁,   I₂Ω̇₂ = −Σ q R₂,   μ_r = m₁m₂/(m₁ + m₂).
 ///
+/// Of a body by its modes, R and I are those with which friction turns it, and m the whole mass (PointTangent).
+///
 /// Turning leaves a round surface where it is. Points beside the foremost one have an arm a little shorter than R
 /// (linear kinematics, docs/theory/oblique.md).
 struct Obliquity {

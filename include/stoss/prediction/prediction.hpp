@@ -10,6 +10,7 @@
 
 #include "stoss/encounter/encounter.hpp"
 #include "stoss/restitution/restitution.hpp"
+#include "stoss/table/adaptive.hpp"
 
 /// What a drop test of a real ball would show: ε with all that takes energy, channel by channel.
 ///
@@ -30,7 +31,7 @@ inline constexpr std::array<std::string_view, 5> channel_names{"ringing", "radia
 
 /// How ε answers to a constant that is known within a factor.
 struct Influence {
-  std::string constant;      ///< as "young" of the first body, "against young" of what it meets
+  std::string constant;      ///< as "young" of the first body, "against.young" of what it meets
   double uncertainty = 0.0;  ///< u: the constant is known within a factor of 1 + u
   double change = 0.0;       ///< of ε, where the constant is larger by this factor
 };
@@ -72,6 +73,7 @@ struct PredictionOptions {
   std::optional<double> work_of_adhesion{};
   /// u of constants, by name, in place of those of named materials: 0 to 10; 0: exactly known.
   std::map<std::string, double, std::less<>> uncertainties{};
+  bool influences = true;   ///< whether constants are varied, which takes most of the time
   double tolerance = 1e-3;  ///< of the certified channels, as `restitution` has it
   int threads = 0;          ///< 0: as many as the machine has; results do not depend on it
   Poll poll{};
@@ -83,6 +85,14 @@ struct PredictionOptions {
 /// @throws InvalidInput for other bodies, without materials, and as `restitution`, for numbers out of range
 [[nodiscard]] std::vector<Prediction> predict(const Encounter& encounter, const std::vector<double>& speeds,
                                               const PredictionOptions& options = {});
+
+/// ε of `predict` as a function of the speed in c of the ball, for other programs: that of `restitution_function`,
+/// whose errors are of the certified channels and of the interpolation, not the spread of the models.
+/// @param options error 1e-4 … 0.1; Beyond::law has no law here
+/// @throws InvalidInput as predict and restitution_function; NotConverged as the latter
+[[nodiscard]] RestitutionFunction predicted_function(const Encounter& encounter, double slowest, double fastest,
+                                                     const FunctionOptions& options = {},
+                                                     PredictionOptions models = {});
 
 /// Speeds at which the models of an encounter begin to matter. @throws InvalidInput as predict
 [[nodiscard]] Thresholds thresholds(const Encounter& encounter, const PredictionOptions& options = {});

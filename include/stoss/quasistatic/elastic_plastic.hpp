@@ -8,8 +8,9 @@
 ///   f = f_m ((d − d_r)/(d_m − d_r))^n,
 ///
 /// and an impression of depth d_r remains. What is lost in a slow impact is the work between the two, so ε depends on
-/// V/V_y alone. Where the impression is no longer small beside R, at V/V_y of some hundredths of E*/Y and more, ε falls
-/// below that (docs/theory/real_contact.md).
+/// V/V_y alone. Fits of the finite elements, which are for ν = 0.3, hold to 1 % in f and in ε² up to d = 1600, V/V_y =
+/// 4500; at ν = 0.2 and 0.45 ε² is up to 3 % above and 4 % below. True spheres at finite strain have an ε² that is 2 %
+/// lower at a/R = 0.14 and 9 % at 0.34 (docs/theory/real_contact.md).
 namespace stoss::quasistatic {
 
 enum class YieldLaw {
@@ -20,6 +21,10 @@ enum class YieldLaw {
 /// f of a first compression, and its slope df/dd. @param depth d, 0 to 1e6. @throws InvalidInput outside
 [[nodiscard]] double loading_force(YieldLaw law, double depth);
 [[nodiscard]] double loading_stiffness(YieldLaw law, double depth);
+
+/// Radius of the contact over that at the onset, √d up to d = 1; of the finite elements within 2 %, single ones 5 %.
+/// @throws InvalidInput as above
+[[nodiscard]] double loading_radius(YieldLaw law, double depth);
 
 /// ∫f dd from 0 to d: ⅖ at d = 1. @throws InvalidInput as above
 [[nodiscard]] double loading_work(YieldLaw law, double depth);

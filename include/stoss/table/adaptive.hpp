@@ -1,5 +1,8 @@
 #pragma once
 
+#include <functional>
+#include <vector>
+
 #include "stoss/poll.hpp"
 #include "stoss/restitution/ladder.hpp"
 #include "stoss/table/restitution_function.hpp"
@@ -28,5 +31,13 @@ struct FunctionOptions {
 ///         or more speeds are needed
 [[nodiscard]] RestitutionFunction restitution_function(const RefinableContact& contact, double slowest, double fastest,
                                                        const FunctionOptions& options = {});
+
+/// ε with its error at each of some speeds, in c.
+using ComputedRestitution = std::function<std::vector<Estimate>(const std::vector<double>& speeds)>;
+
+/// The same of any ε that can be computed, of errors that are a third of that of the options or less.
+/// @throws InvalidInput and NotConverged as above, and what `computed` throws
+[[nodiscard]] RestitutionFunction restitution_function(const ComputedRestitution& computed, double slowest,
+                                                       double fastest, const FunctionOptions& options = {});
 
 }  // namespace stoss

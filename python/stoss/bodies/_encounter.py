@@ -14,8 +14,9 @@ from stoss import _core
 from stoss._arguments import choice, instance, number, refusal
 from stoss._errors import InvalidInput
 from stoss.bodies._bodies import BODIES, PARTNERS, Body, Disk, Sphere
+from stoss.bodies._material import NAMES
 from stoss.bodies._modal import ModalBody
-from stoss.bodies._solid import KINDS, Solid, describe, is_rigid
+from stoss.bodies._solid import KINDS, Solid, Specification, describe, is_rigid
 from stoss.bodies._walls import UNBOUNDED, HardWall, Unbounded, Wall
 
 
@@ -189,3 +190,23 @@ def _with_materials(first: Sphere, second: Body | Unbounded | None) -> _core.Enc
     """Both in SI."""
     met = "wall" if second is None else describe(second)
     return _encounter(json.dumps({"first": describe(first), "against": met}))
+
+
+def drop_encounter(body: Body, against: Against | str) -> _core.Encounter:
+    """Both in SI, and materials by the names that they have: the core knows how well constants of these are known."""
+    met: Any = against if isinstance(against, str) else None
+    if isinstance(against, PARTNERS):
+        met = _named(against)
+    elif met is None:
+        met = against._document()  # type: ignore[union-attr]
+    return _encounter(json.dumps({"first": _named(body), "against": met}))
+
+
+def _named(solid: Solid) -> Specification:
+    """What describes it, without the loss time that its material has: that of a named one is of the duration."""
+    words = describe(solid)
+    if solid.material is None or "material" not in words:  # without a material, of layers or of a file
+        return words
+    if solid.loss_time == (solid.material.loss_time or 0.0):
+        words.pop("loss_time", None)
+    return {**words, "material": NAMES.get(solid.material, words["material"])}

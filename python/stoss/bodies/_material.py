@@ -48,6 +48,8 @@ class Material:
         loss_time (float, optional): Loss time η, s: stress = (1 + η ∂/∂t) elastic stress. Bodies
             made of it have this loss time unless they get their own, such as ``loss_time=0``. A
             rigid body loses nothing.
+        surface_energy (float, optional): Surface energy γ, J/m², 0 to 1e6. Two surfaces stick with
+            the work of adhesion 2√(γ₁γ₂), which only `stoss.predict` uses.
         quality (tuple of float, optional): In place of `loss_time`, (Q, ω) with the quality Q at
             the angular frequency ω in rad/s, π over the contact time for an impact: η = 1/(Qω).
             With the same η a slower impact, of lower frequency, has a higher quality; a constant Q
@@ -67,6 +69,7 @@ class Material:
     density: float
     yield_strength: float | None = None
     loss_time: float | None = None
+    surface_energy: float | None = None
     quality: dataclasses.InitVar[tuple[float, float] | None] = None
 
     def __post_init__(self, quality: Any) -> None:
@@ -77,6 +80,10 @@ class Material:
         if strength is not None and not 1e-30 <= strength <= 1e30:
             raise refusal("yield_strength", strength, "above 0, 1e-30 to 1e30 (in Pa; steel has 2e8 to 2e9)")
         object.__setattr__(self, "yield_strength", strength)
+        energy = optional_number("surface_energy", self.surface_energy)
+        if energy is not None and not 0.0 <= energy <= 1e6:
+            raise refusal("surface_energy", energy, "0 to 1e6 (in J/m^2; glass has 0.02 to 0.3)")
+        object.__setattr__(self, "surface_energy", energy)
         object.__setattr__(self, "loss_time", self._chosen_loss_time(quality))
 
     def __repr__(self) -> str:
@@ -106,13 +113,20 @@ class Material:
 
 materials: Mapping[str, Material] = MappingProxyType(
     {
-        name: Material(young=young, poisson=poisson, density=density, yield_strength=strength, loss_time=loss_time)
-        for name, young, poisson, density, strength, loss_time in _core.named_materials()
+        name: Material(
+            young=young, poisson=poisson, density=density, yield_strength=strength, loss_time=loss_time,
+            surface_energy=energy,
+        )  # fmt: skip
+        for name, young, poisson, density, strength, loss_time, energy in _core.named_materials()
     }
 )
 """Typical materials, those of the command: ``stoss materials`` lists them with their sources.
 
 Yours differs, rubber and rock by factors: measure it. What has no `yield_strength` here is brittle, or not known well
 enough; structural steel has 0.235 GPa and more. Loss times are those of a quality at 10 kHz, that of rubber at 500 Hz:
-contacts of 50 µs and 1 ms. They are orders of magnitude. What ε means for each of them: docs/materials.md.
+contacts of 50 µs and 1 ms. They are orders of magnitude, and so are surface energies, which are those of smooth
+surfaces. How well each constant is known is in `stoss.predict`, which knows these materials again. What ε means for each of them: docs/materials.md.
 """
+
+NAMES: Mapping[Material, str] = MappingProxyType({material: name for name, material in materials.items()})
+"""What a material of these constants is called."""

@@ -20,8 +20,10 @@ from stoss.bodies._solid import Solid, Specification
 
 FORMAT = "stoss modal body 1"
 NUMBERS = ("mass", "young", "poisson", "density", "compliance", "loss_time", "compliance_error", "complete_to")
-LISTS = ("frequency", "displacement", "displacement_curvature", "frequency_error", "displacement_error")
-NESTED = {"modes": LISTS, "rotation": ("inertia", "point", "normal")}
+ALONG = ("tangential_displacement", "tangential_displacement_curvature", "tangential_displacement_error")
+LISTS = ("frequency", "displacement", "displacement_curvature", "frequency_error", "displacement_error", *ALONG)
+TANGENT = ("direction", "compliance", "compliance_error", "mass", "inertia", "arm", "cross")
+NESTED = {"modes": LISTS, "rotation": ("inertia", "point", "normal"), "tangent": TANGENT}
 
 
 @dataclasses.dataclass(frozen=True, kw_only=True, repr=False, eq=False)
@@ -55,6 +57,13 @@ class ModalBody(Solid):
         loss_time (float, optional): η of the whole body, s; 0.
         rotation (mapping, optional): Where the line of the blow misses the centre of mass: `inertia`
             about it, 3 × 3, kg m²; `point` of contact from there, m; its outward `normal`.
+        tangent (mapping, optional): What friction along one direction asks of the body: `direction`, in
+            the plane of impact; its static `compliance` there as c₀, c_t in m/N, and `compliance_error`.
+            Without `rotation` also `inertia` and `arm` of the round body as which it turns, kg m² and m,
+            both 0 if it does not. Without a tangent friction is refused, as it is where a mode moves the
+            point along the normal and along the surface at once.
+        tangential_displacement (array_like, optional): Of each mode along that direction, kg^(−1/2).
+        tangential_displacement_curvature, tangential_displacement_error (array_like, optional): As above.
         name, origin (str, optional): What it is, and where its numbers come from.
         material (Material): Not to be given: that of `young`, `poisson` and `density`.
 
@@ -87,6 +96,10 @@ class ModalBody(Solid):
     complete_to: float | None = None
     loss_time: float = 0.0
     rotation: Mapping[str, Any] | None = None
+    tangent: Mapping[str, Any] | None = None
+    tangential_displacement: NDArray[np.float64] | None = None
+    tangential_displacement_curvature: NDArray[np.float64] | None = None
+    tangential_displacement_error: NDArray[np.float64] | None = None
     name: str = "modal body"
     origin: str = ""
 
@@ -109,10 +122,13 @@ class ModalBody(Solid):
         if bends.shape not in ((), (2,)):
             raise refusal("curvature", self.curvature, "one number or two in 1/m (0: a plane)")
         made["curvature"] = float(bends) if bends.ndim == 0 else (float(bends[0]), float(bends[1]))
-        if self.rotation is not None:
-            if not isinstance(self.rotation, Mapping):
-                raise refusal("rotation", self.rotation, "a mapping with inertia, point and normal")
-            made["rotation"] = {str(name): _fixed(str(name), each, 2) for name, each in self.rotation.items()}
+        for name, needs in (("rotation", "inertia, point and normal"), ("tangent", "direction and compliance")):
+            given = getattr(self, name)
+            if given is None:
+                continue
+            if not isinstance(given, Mapping):
+                raise refusal(name, given, f"a mapping with {needs}")
+            made[name] = {str(inner): _inner(name, str(inner), each) for inner, each in given.items()}
         for name in ("name", "origin"):
             if not isinstance(getattr(self, name), str):
                 raise refusal(name, getattr(self, name), "a text")
@@ -142,10 +158,10 @@ class ModalBody(Solid):
         kept = {name: getattr(self, name) for name in ("name", "origin", *NUMBERS) if getattr(self, name) != ""}
         shape = list(self.curvature) if isinstance(self.curvature, tuple) else self.curvature
         modes = {name: getattr(self, name).tolist() for name in LISTS if getattr(self, name) is not None}
-        turning = {name: each.tolist() for name, each in (self.rotation or {}).items()}
         known = {name: each for name, each in kept.items() if each is not None}
-        rotation = {"rotation": turning} if self.rotation is not None else {}
-        return {"format": FORMAT, **known, "curvature": shape, **rotation, "modes": modes}
+        nested = {name: getattr(self, name) for name in ("rotation", "tangent") if getattr(self, name) is not None}
+        plain = {name: {key: np.asarray(each).tolist() for key, each in its.items()} for name, its in nested.items()}
+        return {"format": FORMAT, **known, "curvature": shape, **plain, "modes": modes}
 
     @classmethod
     def from_dict(cls, given: Mapping[str, Any]) -> ModalBody:
@@ -179,9 +195,9 @@ class ModalBody(Solid):
 
     @documented
     def save(self, path: str | os.PathLike[str]) -> None:
-        """Write a file that `read` and the command read: NPZ if its name ends in .npz, else JSON.
+        """Write a file that `read` reads: NPZ if its name ends in .npz, else JSON.
 
-        The file appears whole or not at all.
+        The command and the page read JSON only. The file appears whole or not at all.
 
         Parameters:
             path:
@@ -208,6 +224,13 @@ def _fixed(name: str, given: ArrayLike, most: int = 1) -> NDArray[np.float64]:
         raise refusal(name, given, "a list of numbers")
     array.flags.writeable = False
     return array  # type: ignore[no-any-return]
+
+
+def _inner(where: str, name: str, given: Any) -> Any:
+    """A number of a tangent, or a list."""
+    if where == "tangent" and name != "direction":
+        return _finite(name, number(f"tangent {name}", given))
+    return _fixed(name, given, 2)
 
 
 def _require(document: Specification) -> None:

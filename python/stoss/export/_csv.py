@@ -19,7 +19,7 @@ from stoss.export._text import UNKNOWN, with_error
 
 AXES = {"restitution": "speed", "function": "speed", "quasistatic": "speed", "slow impact": "speed",
         "rayleigh": "speed", "modes": "mode", "trajectory": "time", "bounce": "number", "rod_chain": "time",
-        "distribution": "sample", "atlas": "speed"}  # fmt: skip
+        "distribution": "sample", "atlas": "speed", "predict": "speed"}  # fmt: skip
 """What the rows of a kind of file run along."""
 
 WHOLE = frozenset(

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import argparse
 import math
+import operator
 import re
 from typing import Any, Callable, NoReturn, Sequence
 
@@ -47,6 +48,8 @@ def _parser() -> argparse.ArgumentParser:
     place: dict[str, Any] = {"required": True, "type": _numbers(3), "metavar": "X,Y,Z"}
     add("--point", **place, help="contact point, in the unit of the mesh")
     add("--normal", **place, help="outward normal of the surface there")
+    aside = {**place, "required": False}
+    add("--tangent", **aside, help="direction of friction, along the surface: for oblique impacts")
     add("--unit", choices=UNITS, default="m", help="of mesh, point and sizes (default m)")
     add("--material", metavar="NAME", help="one of stoss.materials; or these three:")
     add("--young", type=float, metavar="PA", help="Young's modulus")
@@ -73,6 +76,8 @@ def parse(words: Sequence[str]) -> argparse.Namespace:
     given.scale = unit
     if math.hypot(*given.normal) == 0.0:
         raise InvalidInput("normal: got length 0, allowed any direction out of the body")
+    if given.tangent is not None:
+        _perpendicular(given.tangent, given.normal)
     if given.modes < 1:
         raise InvalidInput(f"modes: got {given.modes}, allowed 1 or more")
     for name in ("size", "size_at_point", "radius", "up_to", "loss_time", "young", "density"):
@@ -99,6 +104,17 @@ def parse(words: Sequence[str]) -> argparse.Namespace:
         given.curvature = tuple(k / unit for k in given.curvature) * (3 - len(given.curvature))
     _material(given)
     return given
+
+
+def _perpendicular(tangent: Sequence[float], normal: Sequence[float]) -> None:
+    length = math.hypot(*tangent) * math.hypot(*normal)
+    if length == 0.0:
+        raise InvalidInput("tangent: got length 0, allowed any direction along the surface")
+    off = math.degrees(math.asin(min(1.0, abs(sum(map(operator.mul, tangent, normal))) / length)))
+    if off > 1.0:
+        raise InvalidInput(
+            f"tangent: got {off:.1f} degrees off the surface, allowed up to 1 (a right angle to normal)"
+        )
 
 
 def _material(given: argparse.Namespace) -> None:

@@ -1,4 +1,4 @@
-"""The compliance c0: what is static at the point beside a half-space's 1/r and its logarithm."""
+"""The compliances c0 and c_t: what is static at the point beside 1/r and its logarithm."""
 
 from __future__ import annotations
 
@@ -8,6 +8,7 @@ import ufl
 from dolfinx import fem
 from dolfinx import mesh as meshes
 from mpi4py import MPI
+from numpy.typing import NDArray
 from petsc4py import PETSc
 
 from stoss._errors import InvalidInput
@@ -18,6 +19,8 @@ EDGES = (3.0, 16.0)
 """Least and most radius of the widest pressure, in edges of the mesh at the point."""
 BEND = 0.45
 """Its greatest radius, in radii of curvature of the surface."""
+COARSER = 0.6
+"""Share of the least radius that is enough on a coarser mesh, which takes the finer one's radius."""
 SHARES = (0.5, 0.75, 1.0)
 """The radii of the pressures, as shares of the widest one."""
 INVERSE = 36.0 * math.gamma(6.0) * math.gamma(0.5) / (math.gamma(3.5) ** 2 * math.gamma(6.5))
@@ -26,10 +29,13 @@ LOGARITHM = -73.0 / 120.0
 """Mean of ln r between two such points: of ln max(r, r′), the mean over the angle."""
 
 
-class Pressure:
-    """A smooth pressure of total force one along the normal, p ∝ (1 − r²/b²)² around it."""
+Vector = NDArray[np.float64]
 
-    def __init__(self, spectrum: Spectrum, surface: Surface, widest: float) -> None:
+
+class Pressure:
+    """A smooth load of total force one, p ∝ (1 − r²/b²)² around the normal: along it, or the tangent."""
+
+    def __init__(self, spectrum: Spectrum, surface: Surface, widest: float, axis: Vector) -> None:
         self.spectrum, self.surface = spectrum, surface
         mesh = surface.mesh
         facets = surface.near(widest + 2.0 * surface.edge)
@@ -43,7 +49,8 @@ class Pressure:
         share = ufl.conditional(ufl.lt(square, 1.0), (1.0 - square) ** 2, 0.0)
         share = share * 3.0 / (math.pi * self.radius**2) * ufl.inner(ufl.FacetNormal(mesh), normal)
         moved = ufl.TestFunction(spectrum.body.space)
-        self._load = fem.form(-share * ufl.inner(moved, normal) * ds)
+        along = fem.Constant(mesh, PETSc.ScalarType(axis))
+        self._load = fem.form(-share * ufl.inner(moved, along) * ds)
         self._total = fem.form(share * ds)
 
     def total(self, radius: float) -> float:
@@ -62,28 +69,41 @@ class Pressure:
 
 
 def compliance(
-    spectrum: Spectrum, surface: Surface, poisson: float, curvature: float, widest: float | None
+    spectrum: Spectrum,
+    surface: Surface,
+    poisson: float,
+    curvature: float,
+    widest: float | None,
+    along: bool = False,
 ) -> dict[str, float]:
     """c0 in units with E = 1, extrapolated to no radius; how far this reaches; the widest radius.
 
-    `widest` is that of a finer mesh.
+    `widest` is that of a finer mesh. `along`: c_t, by a load along the tangent.
     """
     least, most = (edges * surface.edge for edges in EDGES)
     if widest is None:
         widest = min(most, BEND / curvature) if curvature > 0.0 else most
-    elif widest > 0.6 * least:  # a coarser mesh than that which chose it
-        least = widest
-    pressure = Pressure(spectrum, surface, widest)
-    while widest >= least and abs(pressure.total(widest) - 1.0) > 0.01:
-        widest *= 0.9
-    if widest < least:
-        raise InvalidInput(
-            f"mesh: too coarse at the point: edges of {surface.edge * surface.length:.3g} m, "
-            f"allowed {widest / EDGES[0] * surface.length:.3g} m, better a fourth of that"
-        )
-    radii = widest * np.array(SHARES)
+    else:
+        least *= COARSER
+    axis = surface.normal
     front = (1.0 - poisson**2) / math.pi
-    bend = (1.0 - 2.0 * poisson) ** 2 / (2.0 * (1.0 - poisson)) * curvature
+    share = (1.0 - 2.0 * poisson) ** 2 / (2.0 * (1.0 - poisson))
+    if along:
+        assert surface.tangent is not None
+        axis = surface.tangent
+        front = (1.0 + poisson) * (2.0 - poisson) / (2.0 * math.pi)
+        share = (3.0 - 2.0 * poisson + 4.0 * poisson**2) / (2.0 * (2.0 - poisson))
+    bend = share * curvature
+    if widest < least:
+        allowed = _metres(surface, surface.edge * widest / least)
+        raise _too_coarse(surface, f"allowed {allowed}, better a fourth of that")
+    pressure = Pressure(spectrum, surface, widest, axis)
+    while abs(pressure.total(widest) - 1.0) > 0.01:
+        widest *= 0.9
+        if widest < least:
+            near = _metres(surface, least)
+            raise _too_coarse(surface, f"the surface ends or turns away within {near} of it")
+    radii = widest * np.array(SHARES)
     values = []
     for b in radii:
         known = INVERSE / b
@@ -92,3 +112,12 @@ def compliance(
         values.append(pressure.compliance(b) - front * known)
     line, parabola = (np.polyfit(radii, values, degree)[-1] for degree in (1, 2))
     return {"c0": float(parabola), "reach": float(abs(parabola - line)), "widest": widest}
+
+
+def _too_coarse(surface: Surface, why: str) -> InvalidInput:
+    edge = _metres(surface, surface.edge)
+    return InvalidInput(f"mesh: too coarse at the point: edges of {edge}, {why} (--size-at-point)")
+
+
+def _metres(surface: Surface, length: float) -> str:
+    return f"{length * surface.length:.3g} m"

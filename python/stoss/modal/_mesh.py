@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import contextlib
 import dataclasses
 import os
 from typing import Any, Sequence
@@ -13,9 +14,13 @@ from numpy.typing import NDArray
 
 from stoss._errors import InvalidInput
 from stoss.modal._arguments import SHAPES
+from stoss.modal._thickness import MOST, thin_share
 
-ORDERS = {4: 1, 11: 2}
+QUADRATIC = 11
+ORDERS = {4: 1, QUADRATIC: 2}
 """Gmsh's types of tetrahedra that are taken, and their geometric order."""
+EDGES = ((0, 1), (1, 2), (2, 0), (3, 0), (2, 3), (1, 3))
+"""Corners between which the further nodes of a quadratic tetrahedron are, in Gmsh's order."""
 
 EVEN = 12.0
 """Radius around the contact point in which edges hardly grow, in edges at the point."""
@@ -41,19 +46,19 @@ def is_shape(path: str) -> bool:
 
 
 def load(
-    path: str, unit: float, point: Sequence[float], sizes: Sizes | None, comm: Any
+    path: str, unit: float, point: Sequence[float], sizes: Sizes | None, comm: Any, thick: bool
 ) -> tuple[Any, float]:
     """The mesh of a file, spread over the processes, and the length in m by which it was divided.
 
     `unit` is that of the file's lengths, in m. Of a shape a mesh of these `sizes` is made, which is
-    fine at `point`, in m.
+    fine at `point`, in m. `thick` refuses meshes that are mostly one tetrahedron thick.
     """
     wrong, length = "", 1.0
     if comm.rank == 0:
         gmsh.initialize(["stoss.modal"], False)
         try:
             gmsh.option.setNumber("General.Terminal", 0)
-            length = _open(path, unit, point, sizes)
+            length = _open(path, unit, point, sizes, thick)
         except InvalidInput as error:
             wrong = str(error)
         except Exception as error:  # what Gmsh raises
@@ -70,7 +75,9 @@ def load(
     return mesh, length * unit
 
 
-def _open(path: str, unit: float, point: Sequence[float], sizes: Sizes | None) -> float:
+def _open(
+    path: str, unit: float, point: Sequence[float], sizes: Sizes | None, thick: bool
+) -> float:
     """Leaves in Gmsh one group of tetrahedra. Returns half the diagonal of the box around them."""
     if not os.path.isfile(path):
         raise InvalidInput(f"{path}: no such file")
@@ -88,8 +95,7 @@ def _open(path: str, unit: float, point: Sequence[float], sizes: Sizes | None) -
     gmsh.model.removePhysicalGroups()
     gmsh.model.addPhysicalGroup(3, [tag for _, tag in gmsh.model.getEntities(3)])
     corners = gmsh.model.mesh.getElementsByType(types[0])[1].reshape(-1, 4 if types[0] == 4 else 10)
-    _, determinants, _ = gmsh.model.mesh.getJacobians(types[0], *_quadrature(types[0]))
-    inverted = int(np.sum(np.reshape(determinants, (len(corners), -1)).min(axis=1) <= 0.0))
+    inverted = int(np.sum(_inverted(types[0])))
     if inverted:
         raise InvalidInput(f"{path}: {inverted} tetrahedra are inside out or flat")
     tags, x, _ = gmsh.model.mesh.getNodes()
@@ -102,7 +108,23 @@ def _open(path: str, unit: float, point: Sequence[float], sizes: Sizes | None) -
             f"{path}: {loose} nodes belong to no tetrahedron (surfaces or points beside the volume)"
         )
     x = np.reshape(x, (-1, 3))
+    if thick:
+        _refuse_thin(path, corners[:, :4].astype(np.int64), tags.astype(np.int64), x)
     return 0.5 * float(np.linalg.norm(x.max(axis=0) - x.min(axis=0)))
+
+
+def _refuse_thin(
+    path: str, corners: NDArray[np.int64], tags: NDArray[np.int64], x: NDArray[np.float64]
+) -> None:
+    places = np.empty((tags.max() + 1, 3))
+    places[tags] = x
+    share = thin_share(corners, places)
+    if share > MOST:
+        raise InvalidInput(
+            f"{path}: {100 * share:.0f} % of the volume is only one tetrahedron thick, allowed "
+            f"{100 * MOST:.0f} %: two such meshes err alike, which hides their errors (two through "
+            "the thickness, by a smaller --size, or one mesh with --errors-unknown)"
+        )
 
 
 def _parts(corners: NDArray[np.int64]) -> int:
@@ -115,9 +137,12 @@ def _parts(corners: NDArray[np.int64]) -> int:
     return len(np.unique(labels[corners]))
 
 
-def _quadrature(kind: int) -> tuple[Any]:
-    """Where the volume elements must be positive."""
-    return (gmsh.model.mesh.getIntegrationPoints(kind, "Gauss4")[0],)
+def _inverted(kind: int) -> NDArray[np.bool_]:
+    """Which tetrahedra have a volume element that is not positive where they are integrated."""
+    places = gmsh.model.mesh.getIntegrationPoints(kind, "Gauss4")[0]
+    determinants = np.asarray(gmsh.model.mesh.getJacobians(kind, places)[1])
+    wrong: NDArray[np.bool_] = determinants.reshape(-1, len(places) // 3).min(axis=1) <= 0.0
+    return wrong
 
 
 def _generate(unit: float, point: Sequence[float], sizes: Sizes) -> None:
@@ -130,7 +155,21 @@ def _generate(unit: float, point: Sequence[float], sizes: Sizes) -> None:
     gmsh.model.mesh.field.setString(field, "F", f"{sizes.coarser!r}*({grown})")
     gmsh.model.mesh.field.setAsBackgroundMesh(field)
     options = {"MeshSizeMax": far, "MeshSizeFromPoints": 0, "MeshSizeExtendFromBoundary": 0,
-               "ElementOrder": 2, "HighOrderOptimize": 1, "Algorithm": 6}  # fmt: skip
+               "ElementOrder": 2, "HighOrderOptimize": 0, "Algorithm": 6}  # fmt: skip
     for name, value in options.items():
         gmsh.option.setNumber(f"Mesh.{name}", value)
     gmsh.model.mesh.generate(3)
+    # It also complains of curved elements that are right, but not as good as it likes.
+    with contextlib.suppress(Exception):
+        gmsh.model.mesh.optimize("HighOrder")
+    _straighten()
+
+
+def _straighten() -> None:
+    """Makes tetrahedra straight that are still inside out: where a curved edge spoils a flat one."""
+    wrong = _inverted(QUADRATIC)
+    nodes = gmsh.model.mesh.getElementsByType(QUADRATIC)[1].reshape(-1, 10)[wrong]
+    for element in nodes:
+        places = [gmsh.model.mesh.getNode(node)[0] for node in element[:4]]
+        for node, (start, end) in zip(element[4:], EDGES):
+            gmsh.model.mesh.setNode(node, 0.5 * (places[start] + places[end]), [])

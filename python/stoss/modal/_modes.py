@@ -64,7 +64,8 @@ class Spectrum:
     ) -> dict[str, Vector]:
         """At least `count` elastic modes, up to a gap, in units with E = ρ = 1.
 
-        Returns ω, the displacement along the normal at the point, and half its mean curvature.
+        Returns ω, the displacement along the normal at the point, and half its mean curvature; and
+        both along the tangent, if there is one.
         """
         wanted = count + 6 + max(4, count // 10)
         self.solver.setDimensions(wanted, PETSc.DECIDE, PETSc.DECIDE)
@@ -90,14 +91,20 @@ class Spectrum:
         if below != end:
             raise NotConverged(f"modes: found {end} of {below} below a frequency")
         nodes, weights = surface.weights(self.body.space)
-        along, vector = np.empty((end - 6, len(nodes))), self.body.vector()
-        for row, i in zip(along, order[6:end]):
+        axes = {"": surface.normal}
+        if surface.tangent is not None:
+            axes["tangential_"] = surface.tangent
+        rows, vector = np.empty((len(axes), end - 6, len(nodes))), self.body.vector()
+        for k, i in enumerate(order[6:end]):
             self.solver.getEigenvector(i, vector)
             norm = np.sqrt(vector.dot(self.body.mass * vector))
-            row[:] = vector.array.reshape(-1, 3)[nodes] @ surface.normal / norm
-        moved = self.body.mesh.comm.allreduce(along @ weights.T)
-        omega = np.sqrt(values[6:end])
-        return {"omega": omega, "displacement": moved[:, 0], "curvature": moved[:, 1]}
+            for row, axis in zip(rows, axes.values()):
+                row[k] = vector.array.reshape(-1, 3)[nodes] @ axis / norm
+        result = {"omega": np.sqrt(values[6:end])}
+        for prefix, moved in zip(axes, self.body.mesh.comm.allreduce(rows @ weights.T)):
+            result[f"{prefix}displacement"] = moved[:, 0]
+            result[f"{prefix}displacement_curvature"] = moved[:, 1]
+        return result
 
     def below(self, value: float) -> int:
         """How many modes lie below ω² = value, rigid ones too: so many pivots are negative."""

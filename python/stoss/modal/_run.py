@@ -62,8 +62,9 @@ def _solve(
         progress.say(f"{kind}mesh: results of an earlier run, {progress.path}")
         return known
     progress.say(f"{kind}mesh: {path}", lasting=False)
-    mesh, length = load(path, given.scale, given.point, sizes, comm)
-    surface = Surface(mesh, length, given.point, given.normal)
+    thick = index == 0 and bool(given.coarse or not given.errors_unknown)
+    mesh, length = load(path, given.scale, given.point, sizes, comm, thick)
+    surface = Surface(mesh, length, given.point, given.normal, given.tangent)
     curvature = given.curvature or tuple(k / length for k in surface.curvature)
     if min(curvature) < 0.0:
         raise InvalidInput(
@@ -90,6 +91,10 @@ def _solve(
             "centre": (body.centre * length).tolist(), "compliance": static["c0"] * soft,
             "reach": static["reach"] * soft, "widest": static["widest"] * length,
         }  # fmt: skip
+        if given.tangent:
+            aside = compliance(spectrum, surface, given.poisson, mean, static["widest"], along=True)
+            known["tangential_compliance"] = aside["c0"] * soft
+            known["tangential_reach"] = aside["reach"] * soft
         progress.keep(str(index), known)
     count = given.modes
     if given.up_to:
@@ -100,13 +105,13 @@ def _solve(
     modes = spectrum.modes(
         count, surface, lambda done: progress.say(f"{kind}mesh: mode {done} of {count}", False)
     )
-    known["modes"] = {
-        "frequency": (modes["omega"] * speed / length / (2.0 * math.pi)).tolist(),
-        "displacement": (modes["displacement"] / math.sqrt(weight)).tolist(),
-        "displacement_curvature": (modes["curvature"] / math.sqrt(weight) / length**2).tolist(),
-    }
+    frequency = modes.pop("omega") * speed / length / (2.0 * math.pi)
+    known["modes"] = {"frequency": frequency.tolist()}
+    for name, moved in modes.items():
+        unit = math.sqrt(weight) * (length**2 if name.endswith("_curvature") else 1.0)
+        known["modes"][name] = (moved / unit).tolist()
     progress.keep(str(index), known)
-    progress.say(f"{kind}mesh: {len(modes['omega'])} modes and the compliance")
+    progress.say(f"{kind}mesh: {len(frequency)} modes and the compliance")
     return known
 
 
@@ -127,9 +132,14 @@ def _body(given: argparse.Namespace, fine: Any, coarse: Any) -> dict[str, Any]:
         if each
     ]
     files = " and ".join(os.path.basename(each) for each in (given.mesh, given.coarse) if each)
-    error = fine["reach"]
-    if coarse is not None:
-        error += growth * abs(fine["compliance"] - coarse["compliance"])
+
+    def error(prefix: str) -> float:
+        reach = float(fine[f"{prefix}reach"])
+        if coarse is None:
+            return reach
+        name = f"{prefix}compliance"
+        return reach + growth * abs(fine[name] - coarse[name])
+
     normal = np.asarray(given.normal) / np.linalg.norm(given.normal)
     body = {
         "name": given.name or os.path.splitext(os.path.basename(given.mesh))[0],
@@ -144,10 +154,16 @@ def _body(given: argparse.Namespace, fine: Any, coarse: Any) -> dict[str, Any]:
         },
         "curvature": fine["curvature"],
         "young": given.young, "poisson": given.poisson, "density": given.density,
-        "compliance": fine["compliance"], "compliance_error": error,
+        "compliance": fine["compliance"], "compliance_error": error(""),
         "complete_to": complete,
         "modes": modes,
     }  # fmt: skip
+    if given.tangent:
+        body["tangent"] = {
+            "direction": np.asarray(given.tangent) / np.linalg.norm(given.tangent),
+            "compliance": fine["tangential_compliance"],
+            "compliance_error": error("tangential_"),
+        }
     return body | ({"loss_time": given.loss_time} if given.loss_time else {})
 
 

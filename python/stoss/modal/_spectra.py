@@ -29,15 +29,41 @@ def groups(frequencies: Vector, errors: Vector) -> list[slice]:
 
 
 def combined(modes: Modes, clusters: list[slice]) -> dict[str, Vector]:
-    """Each cluster as the one combination of its modes that moves the point."""
-    names = ("frequency", "displacement", "displacement_curvature")
+    """Each cluster as the combinations of its modes that move the point: one, or with a tangent two.
+
+    The first one of two moves it along the normal and the second along the tangent, as far as they
+    can be told apart: the greater of both motions is in one of them as a whole. `cluster` is the
+    number of each.
+    """
+    names = ("displacement", "displacement_curvature")
+    if "tangential_displacement" in modes:
+        names += tuple(f"tangential_{name}" for name in names)
     rows = []
-    for cluster in clusters:
-        f, moved, bent = (modes[name][cluster] for name in names)
-        whole = float(np.linalg.norm(moved))
-        shares = moved / whole if whole > 0.0 else np.full(len(f), len(f) ** -0.5)
-        rows.append((np.sqrt(shares**2 @ f**2), whole, shares @ bent))
-    return dict(zip(names, np.array(rows).T))
+    for number, cluster in enumerate(clusters):
+        f, *motions = (modes[name][cluster] for name in ("frequency", *names))
+        shares = [_direction(motions[0])]
+        if len(names) > 2 and len(f) > 1:
+            shares = _two_directions(motions[0], motions[2])
+        for each in shares:
+            rows.append((number, np.sqrt(each**2 @ f**2), *(each @ motion for motion in motions)))
+    return dict(zip(("cluster", "frequency", *names), np.array(rows).T))
+
+
+def _two_directions(normal: Vector, tangential: Vector) -> list[Vector]:
+    """Of combinations perpendicular to each other, along the normal and along the tangent."""
+    swapped = np.linalg.norm(tangential) > np.linalg.norm(normal)
+    greater, less = (tangential, normal) if swapped else (normal, tangential)
+    first = _direction(greater)
+    for _ in range(2):  # twice is enough
+        less = less - (first @ less) * first
+    both = [first, _direction(less)]
+    return both[::-1] if swapped else both
+
+
+def _direction(moved: Vector) -> Vector:
+    """Shares of modes in the combination that moves like this, with the sum of their squares 1."""
+    whole = float(np.linalg.norm(moved))
+    return moved / whole if whole > 0.0 else np.full(len(moved), len(moved) ** -0.5)
 
 
 def merged(fine: Modes, coarse: Modes | None, finer: float) -> dict[str, Vector]:
@@ -49,14 +75,26 @@ def merged(fine: Modes, coarse: Modes | None, finer: float) -> dict[str, Vector]
     f = fine["frequency"]
     if coarse is None:
         clusters = groups(f, 1e-4 * f)
-        return {**combined(fine, clusters), "complete_to": f[-1:]}
+        return {**_rising(combined(fine, clusters)), "complete_to": f[-1:]}
     common = min(len(f), len(coarse["frequency"]))
     errors = finer * np.abs(f[:common] - coarse["frequency"][:common])
     errors = np.append(errors, np.full(len(f) - common, errors.max()))
     clusters = [each for each in groups(f, errors) if each.stop <= common]
     ours, theirs = combined(fine, clusters), combined(coarse, clusters)
     spreads = np.array([np.ptp(f[each]) for each in clusters])
-    for name in ("frequency", "displacement"):
-        ours[f"{name}_error"] = finer * np.abs(ours[name] - theirs[name])
-    ours["frequency_error"] += spreads
-    return {**ours, "complete_to": f[clusters[-1].stop - 1 : clusters[-1].stop]}
+    for name in ("frequency", "displacement", "tangential_displacement"):
+        if name in ours:  # the sign of a mode is any
+            ours[f"{name}_error"] = finer * np.abs(np.abs(ours[name]) - np.abs(theirs[name]))
+    ours["frequency_error"] += spreads[ours["cluster"].astype(int)]
+    # A difference may be small by chance: shapes are not known better than frequencies.
+    shares = ours["frequency_error"] / ours["frequency"]
+    for name in ("displacement", "tangential_displacement"):
+        if name in ours:
+            ours[f"{name}_error"] = np.maximum(ours[f"{name}_error"], shares * np.abs(ours[name]))
+    return {**_rising(ours), "complete_to": f[clusters[-1].stop - 1 : clusters[-1].stop]}
+
+
+def _rising(modes: dict[str, Vector]) -> dict[str, Vector]:
+    """In the order of their frequencies, without the numbers of clusters."""
+    order = np.argsort(modes["frequency"], kind="stable")
+    return {name: each[order] for name, each in modes.items() if name != "cluster"}

@@ -26,17 +26,27 @@ class Surface:
 
     Attributes:
         point, normal: As given, the normal as a unit vector.
+        tangent: A unit vector perpendicular to it, if one was given, else None.
         edge (float): Mean length of the edges near the point.
         facets: Of this process, in the patch and around it.
         curvature: Principal curvatures of the surface at the point.
     """
 
     def __init__(
-        self, mesh: Any, length: float, point: Sequence[float], normal: Sequence[float]
+        self,
+        mesh: Any,
+        length: float,
+        point: Sequence[float],
+        normal: Sequence[float],
+        tangent: Sequence[float] | None = None,
     ) -> None:
         self.mesh, self.length = mesh, length
         self.point = np.asarray(point) / length
         self.normal = np.asarray(normal) / np.linalg.norm(normal)
+        self.tangent: Vector | None = None
+        if tangent is not None:
+            aside = np.asarray(tangent) - (np.asarray(tangent) @ self.normal) * self.normal
+            self.tangent = aside / np.linalg.norm(aside)
         first = np.eye(3)[np.argmin(np.abs(self.normal))]
         first = np.cross(self.normal, first) / np.linalg.norm(np.cross(self.normal, first))
         self.axes = np.array([first, np.cross(self.normal, first)])

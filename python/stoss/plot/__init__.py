@@ -8,6 +8,7 @@ column; in your own Axes the text follows your settings. Nothing global is chang
 `restitution`, `extrapolation`                    ε or 1 − ε² against speed; Gerl and Zippelius' two
                                                   limits
 `function`                                        ε(v) as a function, with its error
+`prediction`                                      a drop test: ε in its band, and what each channel takes
 `oblique`                                         ε_t and ε_n against the angle of incidence
 `oblique_impact`, `grip`                          one of them in time: velocities, forces, stick and
                                                   slip
@@ -49,6 +50,7 @@ from stoss.plot._modes import mode_shape, spectrum
 from stoss.plot._oblique import oblique
 from stoss.plot._oblique_impact import grip, oblique_impact
 from stoss.plot._oblique_ledger import oblique_ledger
+from stoss.plot._prediction import prediction
 from stoss.plot._quasistatic import rayleigh, slow_impact, static_contact
 from stoss.plot._restitution import restitution
 from stoss.plot._sequence import sequence
@@ -60,6 +62,6 @@ from stoss.plot._wave import wave
 __all__ = [
     "animate", "bounces", "cooling", "disk", "distribution", "energies", "extrapolation", "force",
     "function", "grip", "half_width", "ledger", "mode_shape", "oblique", "oblique_impact",
-    "oblique_ledger", "pair_table", "rayleigh", "restitution", "restitution_histogram", "sequence",
+    "oblique_ledger", "pair_table", "prediction", "rayleigh", "restitution", "restitution_histogram", "sequence",
     "slow_impact", "spectrum", "sphere", "static_contact", "stress", "velocity", "wave",
 ]  # fmt: skip

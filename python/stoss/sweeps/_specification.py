@@ -79,7 +79,7 @@ def _material(name: str, given: Any) -> Material:
         return given
     if isinstance(given, str) and given in materials:
         return materials[given]
-    known = {"young", "poisson", "density", "yield_strength", "loss_time", "quality"}
+    known = {"young", "poisson", "density", "yield_strength", "loss_time", "surface_energy", "quality"}
     if not isinstance(given, Mapping) or not {"young", "poisson", "density"} <= set(given) <= known:
         raise refusal(f"{name}: material", given, f"one of {', '.join(materials)}, or young, poisson and density")
     return Material(**given)

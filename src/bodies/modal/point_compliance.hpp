@@ -11,4 +11,10 @@ namespace stoss::bodies::modal {
 /// g = (1 − 2ν)²/(2(1 − ν)) of the logarithm.
 [[nodiscard]] double logarithm_share(double poisson);
 
+/// c_t of a sphere of radius and modulus 1, as PointTangent::compliance, in the same way.
+[[nodiscard]] double sphere_constant_along(double poisson);
+
+/// g_t = (3 − 2ν + 4ν²)/(2(2 − ν)) of its logarithm.
+[[nodiscard]] double logarithm_share_along(double poisson);
+
 }  // namespace stoss::bodies::modal

@@ -36,6 +36,9 @@ void require_modes(const ModalBody& body) {
     require(name + "bend", mode.bend, finite, "of the displacement around the point");
     require(name + "frequency error", mode.omega_error, not_negative, "of the mode");
     require(name + "displacement error", mode.displacement_error, not_negative, "of the mode");
+    require(name + "tangential displacement", mode.tangential, finite, "along the surface at the point");
+    require(name + "tangential bend", mode.tangential_bend, finite, "of the displacement along the surface");
+    require(name + "tangential displacement error", mode.tangential_error, not_negative, "of the mode");
     if (mode.omega < last) {
       throw InvalidInput(name + "frequency: got " + shown(mode.omega) + " after " + shown(last) +
                          ", allowed modes in rising order");
@@ -53,15 +56,33 @@ void require_modes(const ModalBody& body) {
   }
 }
 
+void require_tangent(const PointTangent& its) {
+  require("tangential mass", its.mass, positive, "of the body along its surface");
+  require("tangential inertia", its.inertia, not_negative, "of the body as friction turns it; 0: it does not turn");
+  require("tangential arm", its.arm, not_negative, "from the centre of mass to the point; 0: it does not turn");
+  if ((its.inertia > 0.0) != (its.arm > 0.0)) {
+    throw InvalidInput("tangential arm: got " + shown(its.arm) + " with inertia " + shown(its.inertia) +
+                       ", allowed both above 0, or both 0 (it does not turn)");
+  }
+  require("tangential cross", its.cross, finite, "by which the normal force turns the point along the surface");
+  require("tangential compliance", its.compliance, finite, "c_t at the point");
+  require("tangential compliance_error", its.compliance_error, not_negative, "of c_t");
+}
+
 }  // namespace
 
 PointModes point_modes(const ModalBody& body, double cutoff) {
   const double length = own_length(body), frequency = wave_speed(body) / length;
   const double root = std::sqrt(body.mass);
-  PointModes its{body.mass / (body.density * length * length * length), body.compliance * body.young * length, {}};
+  PointModes its{body.mass / (body.density * length * length * length),
+                 body.compliance * body.young * length,
+                 body.tangent ? body.tangent->compliance * body.young * length : 0.0,
+                 {}};
+  const double bend = root * length * length;
   for (const PointMode& mode : body.modes) {
     if (mode.omega > cutoff * frequency) break;
-    its.kept.push_back({mode.omega / frequency, root * mode.displacement, root * mode.bend * length * length});
+    its.kept.push_back({mode.omega / frequency, root * mode.displacement, bend * mode.bend, root * mode.tangential,
+                        bend * mode.tangential_bend});
   }
   return its;
 }
@@ -79,6 +100,7 @@ void require_body(const ModalBody& body) {
   require("complete_to", body.complete_to, positive, "highest frequency up to which all modes are there");
   require_loss_time(body.loss_time * wave_speed(body) / own_length(body));
   require_modes(body);
+  if (body.tangent) require_tangent(*body.tangent);
 }
 
 }  // namespace stoss::bodies::modal

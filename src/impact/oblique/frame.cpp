@@ -10,13 +10,17 @@
 #include <vector>
 
 #include "check.hpp"
+#include "contact/along.hpp"
 #include "contact/unit_ratios.hpp"
 #include "stoss/errors.hpp"
 
 namespace stoss {
 
 ObliqueFrame::ObliqueFrame(const Contact& contact, double speed_towards, const ImpactOptions& options)
-    : speed(speed_towards), mass(contact.whole_mass), normal_energy(0.5 * mass * speed * speed) {
+    : speed(speed_towards),
+      mass(contact.whole_mass),
+      mass_along(stoss::mass_along(contact)),
+      normal_energy(0.5 * mass * speed * speed) {
   for (int number = 0; number < 2; ++number) {
     const auto body = body_of(contact, number);
     if (body == nullptr) break;
@@ -76,7 +80,7 @@ void ObliqueFrame::require(const Obliquity& obliquity) const {
 }
 
 double ObliqueFrame::initial_energy(const Obliquity& before) const {
-  return normal_energy + 0.5 * mass * before.tangential * before.tangential +
+  return normal_energy + 0.5 * mass_along * before.tangential * before.tangential +
          0.5 * inertia[0] * before.spin * before.spin + 0.5 * inertia[1] * before.second_spin * before.second_spin;
 }
 
@@ -97,7 +101,7 @@ ObliqueSnapshot ObliqueFrame::instant(double time, const Obliquity& before, doub
   now.spin = along.spin[0];
   now.second_spin = along.spin[1];
   now.energy.translation = 0.5 * mass * velocity * velocity / initial;
-  now.energy.across = 0.5 * mass * along.tangential * along.tangential / initial;
+  now.energy.across = 0.5 * mass_along * along.tangential * along.tangential / initial;
   now.energy.rotation = 0.5 * inertia[0] * along.spin[0] * along.spin[0] / initial;
   now.energy.second_rotation = 0.5 * inertia[1] * along.spin[1] * along.spin[1] / initial;
   now.energy.elastic = (elastic + along.elastic()) / initial;
@@ -116,13 +120,14 @@ ObliqueImpact ObliqueFrame::joined(Impact normal, const Obliquity& before, const
   result.tangential_after = after.tangential;
   result.spin_after = after.spin[0];
   result.second_spin_after = after.spin[1];
-  result.impulse = after.impulse / mass;
+  result.impulse = after.impulse / mass_along;
 
   const std::array spin{before.spin, before.second_spin};
   const auto rotation = [&](std::size_t k, double at) { return 0.5 * inertia[k] * at * at; };
   const double initial = initial_energy(before);
   const double scale = speed + std::abs(result.sliding);
-  result.momentum_error = std::abs(after.impulse + mass * (after.tangential - before.tangential)) / (mass * scale);
+  result.momentum_error =
+      std::abs(after.impulse + mass_along * (after.tangential - before.tangential)) / (mass_along * scale);
   for (std::size_t k = 0; k < spin.size() && inertia[k] > 0.0; ++k) {
     const double left = std::abs(after.moment[k] + inertia[k] * (after.spin[k] - spin[k]));
     result.angular_momentum_error = std::max(result.angular_momentum_error, left * radius[k] / (inertia[k] * scale));
@@ -134,7 +139,7 @@ ObliqueImpact ObliqueFrame::joined(Impact normal, const Obliquity& before, const
   for (const ModeEnergy& mode : own.modes) second += mode.body == 1 ? mode.after : 0.0;
   ObliqueLedger& ledger = result.energy;
   ledger.translation = share * own.translation;
-  ledger.across = 0.5 * mass * after.tangential * after.tangential / initial;
+  ledger.across = 0.5 * mass_along * after.tangential * after.tangential / initial;
   ledger.rotation = rotation(0, after.spin[0]) / initial;
   ledger.second_rotation = rotation(1, after.spin[1]) / initial;
   ledger.vibration = share * (own.vibration - second) + after.vibration[0] / initial;

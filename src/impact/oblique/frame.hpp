@@ -29,7 +29,8 @@ struct AlongOutcome {
 /// is there (BodyPart).
 struct ObliqueFrame {
   double speed;                     ///< v_n
-  double mass;                      ///< μ_r
+  double mass;                      ///< μ_r along the normal
+  double mass_along;                ///< μ_r along the surface
   std::array<double, 2> inertia{};  ///< I of each body; 0: it does not turn
   std::array<double, 2> radius{};   ///< R of each body
   double normal_energy;             ///< at the start, of the motion along the normal and of the vibration

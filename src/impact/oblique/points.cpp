@@ -2,6 +2,7 @@
 
 #include <cstddef>
 
+#include "contact/along.hpp"
 #include "contact/unit_ratios.hpp"
 #include "impact/inputs.hpp"
 
@@ -13,7 +14,7 @@ PlanePoint center(const Contact& contact, const ObliqueSnapshot& now, int number
   // The centre of mass of both rests, and the share of a body in their relative motion is that of the other's mass.
   const double share = contact.whole_mass / (whole_mass(body) * units.mass);
   const double overlap = now.center + contact.extent, side = number == 0 ? -1.0 : 1.0;
-  return {side * (body.extent * units.length - share * overlap), -side * share * now.shift};
+  return {side * (body.extent * units.length - share * overlap), -side * share_along(contact, number) * now.shift};
 }
 
 bool is_sided(const Contact& contact) {

@@ -9,6 +9,7 @@
 #include "stoss/bodies/modal_body.hpp"
 #include "stoss/bodies/sphere.hpp"
 #include "stoss/errors.hpp"
+#include "stoss/restitution/oblique.hpp"
 #include "stoss/restitution/restitution.hpp"
 #include "support/modal_sphere.hpp"
 #include "support/refusal.hpp"
@@ -59,6 +60,66 @@ TEST(ModalBody, OfTooMuchComplianceInItsModesCannotBeComputed) {
   ModalBody body = test::modal_sphere(0.3, 12.0);
   body.compliance = -20.0;
   EXPECT_THROW((void)restitution(RefinableContact(modal_body(body)), 1e-3), NotConverged);
+}
+
+/// With friction at a wall.
+ObliqueRestitution rubbed(const ModalBody& body, double friction = 0.3) {
+  return oblique_restitution(RefinableContact(modal_body(body)), 1e-3, {3e-4, 0.0, 0.0, friction});
+}
+
+TEST(ModalBody, WithoutATangentMeetsNoFriction) {
+  const ModalBody body = test::modal_sphere(0.3, 12.0);
+  test::expect_refusal([&] { (void)rubbed(body); }, {"friction", "modal body", "tangential data"});
+  test::expect_refusal(
+      [&] {
+        (void)oblique_impact(contact(modal_body(body)(8.0, {})), 1e-3, {3e-4, 0.0, 0.0, 0.3});
+      },
+      {"tangential data"});
+  EXPECT_EQ(rubbed(body, 0.0).tangential_restitution.value, -1.0);
+  test::expect_refusal(
+      [&] {
+        (void)oblique_restitution(RefinableContact(modal_body(body)), 1e-3, {0.0, 1e-3, 0.0, 0.0});
+      },
+      {"spin", "does not turn"});
+  // Nor does what it meets.
+  test::expect_refusal(
+      [&] {
+        (void)oblique_restitution(RefinableContact(sphere(0.3), modal_body(body)), 1e-3, {3e-4, 0.0, 0.0, 0.3});
+      },
+      {"friction", "tangential data"});
+}
+
+TEST(ModalBody, ThatMovesBothWaysAtOnceMeetsNoFriction) {
+  ModalBody turning = test::modal_sphere_along(0.3, 12.0);
+  turning.tangent->cross = 0.1 / turning.mass;
+  test::expect_refusal([&] { (void)rubbed(turning); }, {"friction", "turning", "0.053", "allowed up to 0.05"});
+  EXPECT_NO_THROW((void)rubbed(turning, 0.0));
+  ModalBody lopsided = test::modal_sphere_along(0.3, 12.0);
+  lopsided.modes[2].tangential = 1.0;
+  lopsided.modes[2].displacement = 1.0;
+  test::expect_refusal([&] { (void)rubbed(lopsided); }, {"friction", "mode 3", "symmetry"});
+  // Of modes that are not known to be complete nothing is asked.
+  lopsided.modes[2].tangential = 0.0;
+  lopsided.complete_to = 11.0;
+  lopsided.modes.back().displacement = lopsided.modes.back().tangential = 1.0;
+  EXPECT_NO_THROW((void)rubbed(lopsided));
+}
+
+TEST(ModalBody, RefusesWhatIsNoTangent) {
+  const auto refused = [](const std::string& name, const auto& change) {
+    ModalBody body = test::modal_sphere_along(0.3, 12.0);
+    change(body);
+    test::expect_refusal([&] { (void)modal_body(body); }, {name});
+  };
+  refused("tangential mass", [](ModalBody& body) { body.tangent->mass = 0.0; });
+  refused("tangential inertia", [](ModalBody& body) { body.tangent->inertia = -1.0; });
+  refused("tangential arm", [](ModalBody& body) { body.tangent->arm = 0.0; });
+  refused("tangential cross", [](ModalBody& body) { body.tangent->cross = INFINITY; });
+  refused("tangential compliance", [](ModalBody& body) { body.tangent->compliance = NAN; });
+  refused("tangential compliance_error", [](ModalBody& body) { body.tangent->compliance_error = -1.0; });
+  refused("mode 3 tangential displacement", [](ModalBody& body) { body.modes[2].tangential = NAN; });
+  refused("mode 3 tangential bend", [](ModalBody& body) { body.modes[2].tangential_bend = NAN; });
+  refused("mode 3 tangential displacement error", [](ModalBody& body) { body.modes[2].tangential_error = -1.0; });
 }
 
 }  // namespace

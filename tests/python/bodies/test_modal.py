@@ -77,6 +77,53 @@ def test_files_give_back_the_body(tmp_path, suffix):
             assert file["modes_frequency"].tolist() == whole.frequency.tolist() and str(file["name"]) == "ball"
 
 
+def rough_ball(**changes):
+    """The ball with tangential data of its modes n = 0 and of none along the surface, which is enough to turn."""
+    tangent = {"compliance": -1e-10, "compliance_error": 1e-12, "inertia": 0.4 * ball().mass * 1e-4, "arm": 0.01}
+    still = np.zeros(ball().frequency.size)
+    return ball(**{"tangent": tangent, "tangential_displacement": still, **changes})
+
+
+@pytest.mark.parametrize("suffix", ["json", "npz"])
+def test_files_give_back_what_friction_asks(tmp_path, suffix):
+    path = tmp_path / f"ball.{suffix}"
+    size = ball().frequency.size
+    turned = {"direction": [0.0, 1.0, 0.0], "compliance": 1e-10}
+    central = {**TURNING, "point": [0.0, 0.0, 0.01]}
+    for each in (rough_ball(), rough_ball(rotation=central, tangent=turned,
+                 tangential_displacement_curvature=np.ones(size), tangential_displacement_error=np.ones(size))):
+        each.save(path)
+        same = stoss.ModalBody.read(path)
+        assert same == each and same.tangent.keys() == each.tangent.keys()
+        assert pickle.loads(pickle.dumps(each)) == each
+
+
+def test_friction_turns_it_as_a_ball():
+    """Where all slides, each takes its share of the impulse of friction, and more modes do not matter."""
+    found, exact = (stoss.oblique(each, speed=0.05, tangential=0.1, friction=0.05) for each in (rough_ball(), SPHERE))
+    for name in ("tangential_restitution", "tangential_after", "spin_after", "sliding_after"):
+        allowed = getattr(found, f"{name}_error") + getattr(exact, f"{name}_error")
+        assert abs(getattr(found, name) - getattr(exact, name)) <= allowed, name
+    assert found.tangential_restitution == pytest.approx(exact.tangential_restitution, abs=1e-3)
+
+
+@pytest.mark.parametrize(
+    "changes, line",
+    [
+        ({"tangent": None}, "modes tangential_displacement: got one without a tangent"),
+        ({"tangential_displacement": None}, "modes tangential_displacement: got none"),
+        ({"tangent": 3.0}, "tangent: got 3.0, allowed a mapping with direction and compliance"),
+        ({"tangent": {"compliance": "soft"}}, "tangent compliance: got 'soft'"),
+        ({"tangent": {"compliance": 1e-10}}, "tangent inertia: got none"),
+        ({"rotation": TURNING}, 'tangent: got "inertia"'),
+    ],
+)
+def test_refusals_of_a_tangent_are_one_line(changes, line):
+    with pytest.raises(stoss.InvalidInput) as refused:
+        rough_ball(**changes)
+    assert str(refused.value).startswith(line) and "\n" not in str(refused.value)
+
+
 def test_points_join_the_names_in_an_npz_file_too(tmp_path, body):
     flat = body.to_dict()
     modes = flat.pop("modes")
@@ -136,8 +183,8 @@ def test_what_only_other_bodies_can_do_is_refused(body):
     refused = {
         "no field": lambda: hit.field(time=0),
         "a stoss.Disk or a stoss.Sphere": lambda: stoss.modes(body, cutoff=3),
-        "surface can move along": lambda: stoss.oblique(body, speed=0.5, angle=10, friction=0.1),
-        "whose surface": lambda: stoss.oblique_impact(body, speed=0.5, angle=10, friction=0.1),
+        "without tangential data": lambda: stoss.oblique(body, speed=0.5, angle=10, friction=0.1),
+        "leave friction out": lambda: stoss.oblique_impact(body, speed=0.5, angle=10, friction=0.1),
         "two elastic": lambda: stoss.pair_table(body, ratio=(1, 2), speed=(0.01, 0.1)),
         "with a material": lambda: stoss.restitution(stoss.Sphere(poisson=0.3), against=body, speed=0.5),
         "modal bodies": lambda: stoss.restitution(body, against=stoss.Rod(length=1, area=1, material=STEEL), speed=1),

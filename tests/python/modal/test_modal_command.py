@@ -1,6 +1,7 @@
 """The command: one line for bad input, runs that go on, and the same numbers on two processes."""
 
 import json
+import re
 import shutil
 
 import numpy as np
@@ -10,6 +11,8 @@ from conftest import BALL, SMALL, SPHERE, UNITS
 STEEL = "--material steel"
 QUICK = f"{UNITS} --poisson 0.3 --size 0.6 --size-at-point 0.09 --modes 5"
 MESHES = "fine.msh coarse.msh"
+EDGES_OF_HALF = r"too coarse at the point: edges of (\S+) m, allowed (\S+) m, better a fourth of that"
+BOX_ENDS = r"too coarse at the point: edges of (\S+) m, the surface ends or turns away within (\S+) m"
 
 
 @pytest.fixture(scope="module")
@@ -23,6 +26,8 @@ def meshes(modal):
         "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n3\n1 0 0 0\n2 1 0 0\n3 0 1 0\n$EndNodes\n"
         "$Elements\n1\n1 2 2 0 1 1 2 3\n$EndElements\n"
     )
+    box = 'SetFactory("OpenCASCADE");\nBox(1) = {-1, -1, -1, 2, 2, 2};\n'
+    (modal.folder / "box.geo").write_text(box)
     (modal.folder / "text.msh").write_text("no mesh\n")
 
 
@@ -46,7 +51,8 @@ def meshes(modal):
         (f"{MESHES} {BALL} --material stone", "allowed"),
         (f"{MESHES} {BALL} {UNITS} --poisson 0.5", "poisson"),
         (f"sphere.geo {BALL} {STEEL}", "size: missing"),
-        (f"sphere.geo {BALL} {STEEL} --size 1 --size-at-point 0.5", "too coarse at the point"),
+        (f"sphere.geo {BALL} {STEEL} --size 1 --size-at-point 0.5", EDGES_OF_HALF),
+        (f"box.geo --point 0.9,0,1 --normal 0,0,1 {STEEL} --size 1 --size-at-point 0.1", BOX_ENDS),
         (f"{MESHES} --point 1,2 --normal 0,0,1 {STEEL}", "--point"),
         (f"{MESHES} {BALL} {STEEL} --modes 0", "modes: got 0"),
     ],
@@ -55,8 +61,17 @@ def test_refusals(modal, meshes, words, said):
     done = modal.run(f"{words} -o refused.json")
     lines = [line for line in done.stderr.splitlines() if "error" in line]
     assert done.returncode == 2, done.stderr
-    assert len(lines) == 1 and said in lines[0], done.stderr
+    assert len(lines) == 1, done.stderr
     assert "Traceback" not in done.stderr and not (modal.folder / "refused.json").exists()
+    if "coarse at" not in said:
+        assert said in lines[0], done.stderr
+        return
+    edge, other = map(float, re.search(said, lines[0]).groups())
+    if "allowed" in said:
+        assert other < edge and "ends" not in lines[0]
+        assert other == pytest.approx(0.45 / 3, rel=0.05)  # of radii of curvature
+    else:
+        assert other == pytest.approx(3 * edge, rel=0.01) and "allowed" not in lines[0]
 
 
 def test_file(small_sphere):

@@ -26,6 +26,45 @@ def test_a_degenerate_pair_is_one_mode():
         assert one["displacement_curvature"] == pytest.approx([5.0])
 
 
+def both_ways(f, moved, aside):
+    still = np.zeros(len(f))
+    along = {"tangential_displacement": np.array(aside), "tangential_displacement_curvature": still}
+    return modes(f, moved) | along
+
+
+@pytest.mark.parametrize("size, aside", [(3.0, 2.0), (2.0, 3.0), (1e-9, 2.0), (2.0, 1e-9)])
+def test_with_a_tangent_a_degenerate_set_is_two_modes(size, aside):
+    """However it is turned, one moves the point along the normal and the other along the tangent."""
+    rng = np.random.default_rng(2)
+    for _ in range(5):
+        turn = np.linalg.qr(rng.normal(size=(3, 3)))[0]
+        two = combined(both_ways([2.0] * 3, size * turn[0], aside * turn[1]), [slice(0, 3)])
+        assert two["cluster"].tolist() == [0, 0]
+        assert two["frequency"] == pytest.approx([2.0, 2.0])
+        assert np.abs(two["displacement"]) == pytest.approx([size, 0.0], abs=1e-12)
+        assert np.abs(two["tangential_displacement"]) == pytest.approx([0.0, aside], abs=1e-12)
+
+
+def test_motions_that_belong_together_stay_so():
+    """What a set moves along both, and their product, are those of its combinations."""
+    moved, aside = np.array([1.0, 2.0, 0.5]), np.array([0.7, -0.1, 0.4])
+    two = combined(both_ways([2.0] * 3, moved, aside), [slice(0, 3)])
+    normal, along = two["displacement"], two["tangential_displacement"]
+    assert [normal @ normal, along @ along, normal @ along] == pytest.approx(
+        [moved @ moved, aside @ aside, moved @ aside]
+    )
+
+
+def test_two_modes_of_a_set_rise_and_have_errors():
+    fine = both_ways([1.0, 2.0, 2.0001], [1.0, 0.0, 3.0], [0.0, -2.0, 0.0])
+    coarse = both_ways([1.0, 2.002, 2.003], [1.0, 0.0, 3.3], [0.0, 1.8, 0.0])
+    both = merged(fine, coarse, 1.0)
+    assert np.all(np.diff(both["frequency"]) >= 0.0) and "cluster" not in both
+    assert np.abs(both["displacement"]) == pytest.approx([1.0, 0.0, 3.0])
+    assert both["displacement_error"] == pytest.approx([0.0, 0.0, 0.3])
+    assert both["tangential_displacement_error"] == pytest.approx([0.0, 0.2, 0.0])
+
+
 def test_the_sign_of_a_mode_does_not_matter():
     one = combined(modes([1.0], [-2.0], [4.0]), [slice(0, 1)])
     assert one["displacement"] == [2.0] and one["displacement_curvature"] == [-4.0]

@@ -16,19 +16,6 @@
 namespace stoss::bodies::sphere {
 namespace {
 
-/// The same rows P_n as along the axis. A wave that runs out from a ring meets it, on average over its direction, with
-/// ½ of its displacement along the meridian and ½ across, where only shear waves go.
-Surface surface_along(double poisson, std::size_t rows, const ContactPoints& points) {
-  const WaveSpeeds speed = wave_speeds(poisson);
-  Surface surface = axial_surface(poisson, rows, points);
-  for (std::size_t i = 0; i < points.count; ++i) {
-    const double theta = ring_angle(points, i), cosine = std::cos(theta), sine = std::sin(theta);
-    const double slowness = sine * sine / speed.pressure + (cosine * cosine + 1.0) / speed.shear;
-    surface.impedance[i] = surface.measure[i] / (0.5 * slowness);
-  }
-  return surface;
-}
-
 std::vector<ModeGroup> groups_along(const std::vector<ModeGroup>& axial, const std::vector<ToroidalMode>& toroidal) {
   std::vector<ModeGroup> groups;
   for (ModeGroup group : axial) {
@@ -92,6 +79,17 @@ class ResidualAlong {
 };
 
 }  // namespace
+
+Surface surface_along(double poisson, std::size_t rows, const ContactPoints& points) {
+  const WaveSpeeds speed = wave_speeds(poisson);
+  Surface surface = axial_surface(poisson, rows, points);
+  for (std::size_t i = 0; i < points.count; ++i) {
+    const double theta = ring_angle(points, i), cosine = std::cos(theta), sine = std::sin(theta);
+    const double slowness = sine * sine / speed.pressure + (cosine * cosine + 1.0) / speed.shear;
+    surface.impedance[i] = surface.measure[i] / (0.5 * slowness);
+  }
+  return surface;
+}
 
 Body along(const Body& body, double poisson, const std::vector<Mode>& modes, const Poll& poll) {
   const std::vector<ToroidalMode> toroidal = toroidal_modes(poisson, kept_cutoff(body), poll);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <vector>
 
 #include "stoss/bodies/sphere/modes.hpp"
@@ -7,6 +8,10 @@
 #include "stoss/poll.hpp"
 
 namespace stoss::bodies::sphere {
+
+/// Its surface: the rows P_n of the first degrees. A wave that runs out from a ring meets it, on average over its
+/// direction, with ½ of its displacement along the meridian and ½ across, where only shear waves go.
+[[nodiscard]] Surface surface_along(double poisson, std::size_t rows, const ContactPoints& points);
 
 /// A sphere against forces along y that are uniform on rings (Body::along): one body of two families of modes, the
 /// spheroidal ones of the sphere with one wave around the axis, of the same frequencies, U and V, and the toroidal ones

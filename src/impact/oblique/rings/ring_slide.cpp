@@ -80,7 +80,7 @@ AlongOutcome RingSlide::after(const std::vector<OutwardStep>& steps, const std::
   std::vector<double> kept(static_cast<std::size_t>(count)), moved = kept, forces = kept;
   const auto kick = [&] {
     const double half = 0.5 * step_;
-    now.tangential -= half * force.sum() / frame_.mass;
+    now.tangential -= half * force.sum() / frame_.mass_along;
     for (std::size_t k = 0; k < 2; ++k) {
       if (frame_.inertia[k] > 0.0) now.spin[k] -= half * force.dot(arm_[k]) / frame_.inertia[k];
     }

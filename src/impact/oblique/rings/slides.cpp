@@ -168,7 +168,7 @@ class Slide {
     const double half = 0.5 * parts_.step;
     const double impulse = half * std::accumulate(force_.begin(), force_.end(), 0.0);
     impulse_ += impulse;
-    tangential_ -= impulse / course_.frame.mass;
+    tangential_ -= impulse / course_.frame.mass_along;
     for (std::size_t k = 0; k < 2; ++k) {
       if (course_.frame.inertia[k] == 0.0) continue;
       const double moment = half * std::inner_product(force_.begin(), force_.end(), course_.arm[k].begin(), 0.0);

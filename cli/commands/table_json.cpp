@@ -1,0 +1,63 @@
+// JSON documents of stoss table: computed values, slopes and errors.
+#include <cstddef>
+#include <string>
+#include <utility>
+
+#include "commands/table.hpp"
+
+namespace stoss::cli {
+namespace {
+
+template <typename Function>
+nlohmann::ordered_json json_of(const TableArguments& arguments, const TableJob& job, const Function& function,
+                               const std::string& between) {
+  auto document = json_head(arguments, job, between);
+  document["greatest_error"] = function.greatest_error();
+  return document;
+}
+
+}  // namespace
+
+std::string as_json(const TableArguments& arguments, const TableJob& job, const RestitutionFunction& function) {
+  auto document = json_of(arguments, job, function, "ln(speed)");
+  const auto& knots = function.knots();
+  const std::size_t last = knots.size() - 1;
+  for (std::size_t k = 0; k <= last; ++k) {
+    const double speed = k == 0 ? job.typed[0] : k == last ? job.typed[1] : knots[k].speed * job.unit;
+    nlohmann::ordered_json record{{"speed", speed},
+                                  {"restitution", knots[k].restitution.value},
+                                  {"restitution_error", knots[k].restitution.error},
+                                  {"slope", function.slopes()[k]}};
+    if (k < last) record["error_to_next"] = function.errors()[k];
+    document["records"].push_back(std::move(record));
+  }
+  document["complete"] = true;
+  return json_text(document);
+}
+
+std::string as_json(const TableArguments& arguments, const TableJob& job, const PairTable& table) {
+  auto document = json_of(arguments, job, table, "ln(speed) and in s = (ratio - 1)/(ratio + 1)");
+  const PairValues& values = table.values();
+  document["inverse_is_same"] = values.alike;
+  document["ratio"] = values.ratios;
+  const std::size_t columns = values.ratios.size();
+  for (std::size_t k = 0; k < values.speeds.size(); ++k) {
+    nlohmann::ordered_json record{{"speed", values.speeds[k] * job.unit}};
+    for (std::size_t j = 0; j < columns; ++j) {
+      const PairTable::Node& node = table.nodes()[k * columns + j];
+      record["restitution"].push_back(node.value);
+      record["restitution_error"].push_back(values.restitution[k * columns + j].error);
+      record["slope_of_speed"].push_back(node.by_speed);
+      record["slope_of_ratio"].push_back(node.by_ratio);
+      record["slope_of_both"].push_back(node.by_both);
+      if (k + 1 < values.speeds.size() && j + 1 < columns) {
+        record["error_to_next"].push_back(table.errors()[k * (columns - 1) + j]);
+      }
+    }
+    document["records"].push_back(std::move(record));
+  }
+  document["complete"] = true;
+  return json_text(document);
+}
+
+}  // namespace stoss::cli
