@@ -31,7 +31,7 @@ export function influenceInWords({ influences: [most], quantities }: Prediction)
   if (most === undefined || !(Math.abs(most.change) > 0)) return '';
   const [by, change] = [quantities.by_constants?.value ?? 0, most.change].map((each) => written(each, 2));
   const sign = most.change > 0 ? '+' : '';
-  const constant = most.constant.replace(/^against (.*)/, '$1 of what it meets').replaceAll('_', ' ');
+  const constant = most.constant.replace(/^against\.(.*)/, '$1 of what it meets').replaceAll('_', ' ');
   return `± ${by} in all; ${constant} × ${significant(1 + most.uncertainty, 3)}: ${sign}${change}`;
 }
 
