@@ -44,22 +44,14 @@ val answer(const Prediction& of) {
                  {"warnings", warnings}});
 }
 
-/// The constants whose influence takes further impacts are exact, without what the page does not ask for.
-PredictionOptions options(const Question& asked, const Encounter& encounter) {
-  PredictionOptions made{.tolerance = asked.number("tolerance"), .threads = 1, .poll = say_alive};
-  if (asked.given["constants"].as<bool>()) return made;
-  for (const std::string name : {"young", "poisson", "density"}) {
-    made.uncertainties[name] = 0.0;
-    if (encounter.against.material) made.uncertainties["against " + name] = 0.0;
-  }
-  return made;
-}
-
 /// ε with all channels at many speeds in m/s, one by one.
 val prediction(const Question& asked) {
   const auto meeting = asked.meeting();
   const std::vector<double> speeds = numbers(asked.given["speeds"]);
-  const PredictionOptions how = options(asked, meeting->encounter);
+  const PredictionOptions how{.influences = asked.given["constants"].as<bool>(),
+                              .tolerance = asked.number("tolerance"),
+                              .threads = 1,
+                              .poll = say_alive};
   for (std::size_t i = 0; i < speeds.size(); ++i) {
     asked.deliver(answer(predict(meeting->encounter, {speeds[i]}, how).front()), i);
   }

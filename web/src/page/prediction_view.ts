@@ -11,8 +11,8 @@ import { predictionLine } from '../inputs/prediction_line';
 
 /** Where the energy goes, by the names of the core. */
 const whereTo: Record<string, string> = {
-  ringing: 'ringing: bodies vibrate', radiation: 'radiation: waves run away', material: 'material: inner friction',
-  yield: 'yield: plastic flow', adhesion: 'adhesion: surfaces are torn apart',
+  ringing: 'bodies vibrate', radiation: 'waves run away', material: 'inner friction', yield: 'plastic flow',
+  adhesion: 'surfaces are torn apart',
 };
 
 /** Whether the page predicts it: a ball of a named material, without friction, that the core predicts. */
@@ -28,20 +28,20 @@ export function shareInWords(share: number): string {
 
 /** The influence that matters most; '' without any. */
 export function influenceInWords({ influences: [most], quantities }: Prediction): string {
-  if (most === undefined) return '';
+  if (most === undefined || !(Math.abs(most.change) > 0)) return '';
   const [by, change] = [quantities.by_constants?.value ?? 0, most.change].map((each) => written(each, 2));
   const sign = most.change > 0 ? '+' : '';
-  const constant = most.constant.replace(/^against (.*)/, '$1 of what it meets').replaceAll('_', ' ');
+  const constant = most.constant.replace(/^against\.(.*)/, '$1 of what it meets').replaceAll('_', ' ');
   return `± ${by} in all; ${constant} × ${significant(1 + most.uncertainty, 3)}: ${sign}${change}`;
 }
 
-function row(channel: Channel, dominant: boolean): TemplateResult {
-  const { name, share, model } = channel;
-  const width = Number.isFinite(share) ? 100 * share : 0;
-  return html`<tr data-model=${model} ?data-dominant=${dominant}>
-    <th scope="row">${whereTo[name] ?? name}</th><td>${model ? 'model' : 'certified'}</td>
+/** @param longest the share of the longest bar */
+function row({ name, share, model }: Channel, dominant: string, longest: number): TemplateResult {
+  return html`<tr data-model=${model} ?data-dominant=${share > 0 && name === dominant}>
+    <th scope="row">${name}<span>: ${whereTo[name]}</span></th><td>${model ? 'model' : 'certified'}</td>
     <td class="number">${shareInWords(share)}</td>
-    <td class="bar" aria-hidden="true"><span style="width: ${width}%"></span></td>
+    <td class="bar" aria-hidden="true">${share > 0
+      ? html`<span style="width: ${(100 * share) / longest}%"></span>` : nothing}</td>
   </tr>`;
 }
 
@@ -55,6 +55,7 @@ function panelOf(encounter: Encounter, prediction: Prediction): TemplateResult {
   const height = (name: string): string => withUnit(number(name), 'm');
   const { value, band } = bandInWords(number('restitution'), number('restitution_low'), number('restitution_high'));
   const sticks = number('restitution') === 0;
+  const longest = Math.max(...channels.map(({ share }) => share));
   const { yield: yields, sticking } = thresholdsOf(encounter) ?? { yield: undefined, sticking: 0 };
   const influence = influenceInWords(prediction);
   const elastic = quantities.elastic_restitution;
@@ -62,7 +63,7 @@ function panelOf(encounter: Encounter, prediction: Prediction): TemplateResult {
     <dl class="quantities">
       ${pair('ε as predicted', html`<b id="predicted">${value}</b>`, html`band ${band}${sticks ? ': they stick' : ''}`)}
       ${pair('ε of the certified channels', elastic ? withError(elastic.value, elastic.error ?? 0) : '–',
-        'without yield and adhesion')}
+        'without yield and adhesion, with one Q at all speeds')}
       ${meetsBody(encounter) ? nothing
         : pair('Height of rebound', height('rebound_height'), `of a drop from ${height('drop_height')}`)}
       ${pair('Contact time', Number.isFinite(number('contact_time')) ? withUnit(number('contact_time'), 's') : '–')}
@@ -70,8 +71,8 @@ function panelOf(encounter: Encounter, prediction: Prediction): TemplateResult {
       ${sticking > 0 ? pair('Sticks below', `${written(sticking, 2)} m/s`) : nothing}
     </dl>
     <table class="channels">
-      <caption>Share of the energy; most of what is lost: <b>${dominant}</b></caption>
-      <tbody>${channels.map((each) => row(each, each.name === dominant))}</tbody>
+      <caption>Share of the energy${longest > 0 ? html`, most of it to <b>${dominant}</b>` : nothing}</caption>
+      <tbody>${channels.map((each) => row(each, dominant, longest))}</tbody>
     </table>
     ${influence ? html`<p class="note">The constants are not known exactly. ε: ${influence}.</p>` : nothing}
     <ul class="warnings">${warnings.map((each) => html`<li>${each}</li>`)}</ul>

@@ -37,7 +37,8 @@ export function createPredictions(core: Core, audience: PredictionAudience) {
     for (const stage of stages) await core('prediction', encounter, { speeds: [speed], ...stage }, { signal, deliver });
     const missing = difference(planned.slice(0, count), of(encounter).map((each) => each.speed));
     if (missing.size === 0) return;
-    await core('prediction', encounter, { speeds: [...missing], ...stages[0] }, {
+    const fastFirst = [...missing].sort((a, b) => b - a); // slow impacts take much longer
+    await core('prediction', encounter, { speeds: fastFirst, ...stages[0] }, {
       signal, deliver: (prediction) => {
         remember(known, documentOf(encounter), [...of(encounter), prediction], most);
         audience.curve();
