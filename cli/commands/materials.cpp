@@ -14,15 +14,31 @@ struct MaterialsArguments {
   CLI::App* command = nullptr;
 };
 
+/// For JSON: where the other constants are from, and within which factor 1 + u each is known.
+nlohmann::ordered_json details_of(const NamedMaterial& of) {
+  const Uncertainties& its = of.uncertainties;
+  return {{"strength_source", of.strength_source},
+          {"surface_source", of.surface_source},
+          {"uncertainties",
+           {{"young", its.young},
+            {"poisson", its.poisson},
+            {"density", its.density},
+            {"loss_time", its.loss_time},
+            {"yield_strength", its.yield_strength},
+            {"surface_energy", its.surface_energy}}}};
+}
+
 void run(const MaterialsArguments& arguments) {
-  const Columns columns{{"name", "", 18},         {"young", "Pa", 10}, {"poisson", "", 9}, {"density", "kg/m^3", 9},
-                        {"yield_strength", "Pa"}, {"loss_time", "s"},  {"source", "", 60}};
+  const Columns columns{
+      {"name", "", 18},         {"young", "Pa", 10}, {"poisson", "", 9},          {"density", "kg/m^3", 9},
+      {"yield_strength", "Pa"}, {"loss_time", "s"},  {"surface_energy", "J/m^2"}, {"source", "", 60}};
   Writer writer = arguments.output.writer({"materials", command_line(), {}}, columns, Output::Use::whole);
   const auto known = [](const std::optional<double>& value) { return value ? Value(*value) : Value(std::string()); };
   for (const NamedMaterial& each : named_materials()) {
     const Material& its = each.material;
     writer.add({std::string(each.name), its.young, its.poisson, its.density, known(its.yield_strength),
-                known(its.loss_time), std::string(each.source)});
+                known(its.loss_time), known(its.surface_energy), std::string(each.source)},
+               details_of(each));
   }
   writer.finish();
 }

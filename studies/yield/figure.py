@@ -1,4 +1,4 @@
-"""Draws ε beyond yield beside published laws, and the curves behind it: figure.py PICTURE."""
+"""Draws ε beyond yield beside published laws, and the curves behind it: figure.py docs/images/yield_restitution.png."""
 
 import sys
 from pathlib import Path

@@ -63,7 +63,7 @@ def test_table_is_the_prediction(stoss):
 
 def test_refuses_in_one_line(stoss):
     for arguments, said in (
-        ("--poisson 0.3 --radius 0.01 --speed 1", "body: got a disk"),
+        ("--poisson 0.3 --young 2e11 --density 7800 --radius 0.01 --speed 1", "body: got a disk"),
         ("--body sphere --poisson 0.3 --speed 0.1", "material: got none"),
         (f"{BALL} --material steel --speed -1", "speed: got -1"),
         (f"{BALL} --material steel --speed nan", "speed"),
