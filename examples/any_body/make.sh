@@ -1,23 +1,33 @@
 #!/usr/bin/env bash
 # Makes the body files in this folder, those named or all:
-#   ./make.sh [sphere|hollow_sphere|bar|beam|plate|bell|bat|coin]...
+#   ./make.sh [sphere|hollow_sphere|bar|beam|plate|ring|bell|bat|coin]...
 # PYTHON is an interpreter that sees stoss and DOLFINx: that of `make modal-tools`.
 set -euo pipefail
 cd "$(dirname "$0")"
 python=${PYTHON:-../../build/venv/bin/python}
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
 export OMP_NUM_THREADS=${OMP_NUM_THREADS:-1}
 
 body_of() { "$python" -m stoss.modal "$1.geo" --unit mm "${@:2}"; }
 body() { body_of "$1" --material steel "${@:2}"; }
+mesh() { # SHAPE MESH OPTION...: quadratic tetrahedra by Gmsh
+  "$python" -c 'import sys, gmsh
+gmsh.initialize(["gmsh", "-v", "2", "-order", "2", *sys.argv[3:]])
+gmsh.open(sys.argv[1])
+gmsh.model.mesh.generate(3)
+gmsh.write(sys.argv[2])' "$@"
+}
 
-for name in "${@:-sphere hollow_sphere bar beam plate bell bat coin}"; do
+for name in "${@:-sphere hollow_sphere bar beam plate ring bell bat coin}"; do
   for each in $name; do
     case $each in
       sphere)
         body sphere --point 6,0,8 --normal 6,0,8 --size 2 --size-at-point 0.25 -o sphere.json ;;
-      hollow_sphere)
-        body hollow_sphere --point 6,0,8 --normal 6,0,8 --size 1.6 --size-at-point 0.05 --modes 80 \
-          -o hollow_sphere.json ;;
+      hollow_sphere) # by its closed forms, and by two meshes
+        "$python" hollow_sphere.py
+        body hollow_sphere --point 6,0,8 --normal 6,0,8 --size 0.9 --size-at-point 0.1 --modes 60 \
+          -o hollow_sphere_mesh.json ;;
       bar)
         body bar --point 50,0,0 --normal 1,0,0 --size 2.5 --size-at-point 0.12 --modes 60 \
           -o bar.json ;;
@@ -26,9 +36,19 @@ for name in "${@:-sphere hollow_sphere bar beam plate bell bat coin}"; do
           body beam --point "$x,0,5" --normal 0,0,1 --size 4 --size-at-point 0.25 --modes 40 \
             --name "beam struck at x = $x mm" -o "beam_$x.json"
         done ;;
-      plate)
-        body plate --point 0,0,2.5 --normal 0,0,1 --size 7 --size-at-point 0.12 --modes 100 \
-          -o plate.json ;;
+      plate) # meshed in layers, two of them and one
+        for coarser in 1 1.4; do
+          mesh plate.geo "$work/plate_$coarser.msh" -setnumber coarser "$coarser"
+        done
+        "$python" -m stoss.modal "$work"/plate_1.msh "$work"/plate_1.4.msh --unit mm --material steel \
+          --point 0,0,2.5 --normal 0,0,1 --modes 200 --name plate -o plate.json ;;
+      ring)
+        for pair in 3:1.35 4:1.8 6:2.7 9:3.5; do # its thickness, two edges and more
+          thickness=${pair%:*}
+          sed "s/thickness = 4/thickness = $thickness/" ring.geo >"$work/ring_$thickness.geo"
+          body "$work/ring_$thickness" --point=-30,0,0 --normal=-1,0,0 --size "${pair#*:}" \
+            --size-at-point 0.25 --modes 60 --name "ring $thickness mm thick" -o "ring_$thickness.json"
+        done ;;
       bell) # at the sound bow, on the side where the turned profile has no seam
         body_of bell --young 1.05e11 --poisson 0.34 --density 8700 --point=-50,0,9 --normal=-1,0,0 \
           --size 4 --size-at-point 0.6 --coarser 1.25 --modes 40 -o bell.json ;;
@@ -45,8 +65,10 @@ for name in "${@:-sphere hollow_sphere bar beam plate bell bat coin}"; do
         at --point=0,0,1 --normal=0,0,1 --size-at-point 0.15 --name "coin struck in the middle" \
           -o coin_0.json
         at --point=-9,0,1 --normal=0,0,1 --size-at-point 0.15 \
-          --name "coin struck 9 mm from its middle" -o coin_9.json ;;
-      *) echo "make.sh: got '$each', allowed sphere, hollow_sphere, bar, beam, plate, bell, bat, coin" >&2; exit 2 ;;
+          --name "coin struck 9 mm from its middle" -o coin_9.json
+        body coin --point=-12.5,0,0 --normal=-1,0,0 --size 1 --size-at-point 0.06 --modes 70 \
+          --name "coin struck on its edge" -o coin_edge.json ;;
+      *) echo "make.sh: got '$each', allowed sphere, hollow_sphere, bar, beam, plate, ring, bell, bat, coin" >&2; exit 2 ;;
     esac
   done
 done

@@ -15,6 +15,8 @@ from stoss.modal._surface import Surface
 
 SHIFT = 1e-3
 """K + SHIFT M is factored: K has no inverse, because of the rigid motions."""
+RESIDUAL = 1e-9
+"""Of static loads, as a share: rounding leaves 1e-11 of thin bodies; energies err by its square."""
 RIGID = 1e-8
 """Modes with ω² below it are rigid, in units of the bar speed over half the body's diagonal."""
 
@@ -44,7 +46,7 @@ class Spectrum:
         inverse = self.solver.getST().getKSP()
         found, residual = self.body.vector(), load.copy()
         improved, direction = self.body.vector(), self.body.vector()
-        bound, slope = 1e-11 * load.norm(), 0.0
+        bound, slope = RESIDUAL * load.norm(), 0.0
         for _ in range(100):
             inverse.solve(residual, improved)
             self.body.without_rigid(improved)

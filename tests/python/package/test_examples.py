@@ -32,6 +32,7 @@ FILES = {
     "14_bell": ["bell.png", "bell_large.wav", "bell_small.wav"],
     "15_bat": ["bat.png"],
     "16_coin": ["coin.png"],
+    "17_ring": ["ring.png"],
 }
 NUMBER = re.compile(r"(?<![\w.])[-+]?\d+(?:\.\d+)?(?:e[-+]?\d+)?(?![\w.])")
 
@@ -334,3 +335,27 @@ def test_16_coin(example):
         assert f"{frequency:.1f} kHz" in PAGE and f"{share:.1f}(" in PAGE
     for epsilon, error, *_ in (middle, side):
         assert f"{epsilon:.3f}({1e3 * error:.0f})" in PAGE
+
+
+def test_17_ring(example):
+    """The partials are those of a thin ring, the lower the better; what is told of them stands in the page."""
+    its = example("17_ring")
+    steel = stoss.materials["steel"]
+    for thickness in (3, 4, 6, 9):
+        ring = stoss.ModalBody.read(EXAMPLES / f"any_body/ring_{thickness}.json")
+        middle, height = 0.030 - thickness / 2000, 0.010
+        assert ring.mass == pytest.approx(steel.density * 2 * np.pi * middle * height * thickness / 1000, rel=1e-3)
+        n, speed = np.array([2, 3]), np.sqrt(steel.young / steel.density)
+        slender = n * thickness / 1000 / middle
+        thin = n * (n**2 - 1) / np.sqrt(n**2 + 1) * speed * thickness / 1000 / np.sqrt(12) / middle**2
+        higher = thin / (2 * np.pi) / ring.frequency[ring.displacement > 2][:2] - 1
+        assert np.all(higher > 0.05 * slender**2) and np.all(higher < 0.25 * slender**2)  # by shear and rotation
+        mass, _, _, contact = its.numbers(f"{thickness} mm thick")[0][1:]
+        assert mass == pytest.approx(1e3 * ring.mass, abs=0.6)
+        ball = stoss.Sphere(radius=8e-3, material=stoss.materials["bearing steel"], loss_time=0)
+        again = stoss.restitution(ball, against=ring, speed=0.1, tolerance=0.1)
+        epsilon = stoss.with_error(again.restitution, again.restitution_error)
+        assert f"{thickness} mm thick, {mass:.0f} g: ε = {epsilon}, contact {contact:.0f} µs" in its.text
+        assert f"| {thickness} mm | {epsilon} | {contact:.0f} µs |" in PAGE
+    takes = [row for row in its.numbers("3.23 kHz")][0]
+    assert 58 < takes[1] < 60 and takes[2] < 1
