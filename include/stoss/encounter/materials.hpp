@@ -16,8 +16,8 @@ struct Uncertainties {
 struct NamedMaterial {
   std::string_view name;
   Material material;
-  double quality;    ///< Q, at the frequency below; 0: not known well enough
-  double frequency;  ///< rad/s, π over the contact time for which the quality is meant
+  double quality;                    ///< Q, at the frequency below; 0: not known well enough
+  double frequency;                  ///< rad/s, π over the contact time for which the quality is meant
   std::string_view source;           ///< of modulus, Poisson's ratio and density
   std::string_view strength_source;  ///< of the yield strength
   std::string_view surface_source;   ///< of the surface energy
