@@ -1,5 +1,7 @@
 #pragma once
 
+#include "stoss/cxx20.hpp"
+
 /// Slow contact of round bodies of which one yields: elastic and ideally plastic, von Mises, without hardening. Models.
 ///
 /// While strains are small, compression and force are functions of d = δ/δ_y and f = F/F_y alone, those of the onset

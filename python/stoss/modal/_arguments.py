@@ -48,7 +48,7 @@ def _parser() -> argparse.ArgumentParser:
     place: dict[str, Any] = {"required": True, "type": _numbers(3), "metavar": "X,Y,Z"}
     add("--point", **place, help="contact point, in the unit of the mesh")
     add("--normal", **place, help="outward normal of the surface there")
-    aside = {**place, "required": False}
+    aside: dict[str, Any] = {**place, "required": False}
     add("--tangent", **aside, help="direction of friction, along the surface: for oblique impacts")
     add("--unit", choices=UNITS, default="m", help="of mesh, point and sizes (default m)")
     add("--material", metavar="NAME", help="one of stoss.materials; or these three:")

@@ -138,7 +138,7 @@ def _body(given: argparse.Namespace, fine: Any, coarse: Any) -> dict[str, Any]:
         if coarse is None:
             return reach
         name = f"{prefix}compliance"
-        return reach + growth * abs(fine[name] - coarse[name])
+        return reach + growth * abs(float(fine[name]) - float(coarse[name]))
 
     normal = np.asarray(given.normal) / np.linalg.norm(given.normal)
     body = {

@@ -35,7 +35,7 @@ def combined(modes: Modes, clusters: list[slice]) -> dict[str, Vector]:
     can be told apart: the greater of both motions is in one of them as a whole. `cluster` is the
     number of each.
     """
-    names = ("displacement", "displacement_curvature")
+    names: tuple[str, ...] = ("displacement", "displacement_curvature")
     if "tangential_displacement" in modes:
         names += tuple(f"tangential_{name}" for name in names)
     rows = []

@@ -186,7 +186,7 @@ def test_restitution_says_where_yielding_begins(command):
 
 
 def test_without_a_yield_strength_nothing_is_said():
-    plain = stoss.Sphere(radius=0.01, material=stoss.materials["steel"])
+    plain = stoss.Sphere(radius=0.01, material=stoss.materials["glass"])
     disk = stoss.Disk(radius=0.01, material=HARD.material)
     for body in (plain, disk, BALL):
         hit = stoss.impact(body, speed=0.01, cutoff=12)

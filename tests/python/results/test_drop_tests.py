@@ -93,20 +93,6 @@ LINES = {
 }
 
 
-def test_page_has_the_numbers_of_direct_calls(rows):
-    shown = tables(PAGE.partition("## Drop tests")[2].partition("### Beside")[0])
-    assert len(shown) == 5 and len(rows) == 15
-    for k, table in enumerate(shown):
-        three = rows[3 * k : 3 * k + 3]
-        assert table[0][0] == f"{three[0]['ball']} on {three[0]['block']}"
-        assert [float(cell.split()[0]) for cell in table[0][1:]] == [row["speed_m_s"] for row in three]
-        assert [line[0] for line in table[2:]] == list(LINES)
-        for name, *cells in table[2:]:
-            for cell, row in zip(cells, three):
-                value, digit = written(cell)
-                assert abs(value - row[LINES[name]]) <= 0.51 * digit, (table[0][0], name, cell)
-
-
 def test_closed_forms(rows):
     for row in rows:
         ball, block = solids(row["ball"], row["block"], loss_time=0)
@@ -163,24 +149,11 @@ def test_sticking_speed_is_that_of_jkr():
     assert 14.18 == pytest.approx(-2 * np.trapz(force, approach), rel=1e-3)
 
 
-def test_speeds_of_the_text(rows):
-    said = {(row["ball"], row["block"]): row for row in rows}
-    text = " ".join(PAGE.partition("- **Plastic flow**")[2].split())
-    steel = stoss.Sphere(radius=5e-3, material=stoss.materials["bearing steel"])
-    for block, words in (("bearing steel", "0.51 m/s"), ("glass", "2.2 m/s"), ("brass", "34 mm/s"), ("aluminium", "22 mm/s")):
-        begins = stoss.quasistatic.yield_speed(steel, against=stoss.HalfSpace(material=stoss.materials[block]))
-        number, unit = words.split()
-        assert float(number) * {"m/s": 1, "mm/s": 1e-3}[unit] == pytest.approx(begins, rel=0.03) and words in text
-    hard = [row["sticking_m_s"] for (ball, _), row in said.items() if ball != "rubber"]
-    assert 5e-5 < min(hard) < 5.5e-5 and 4e-4 < max(hard) < 4.5e-4 and "0.05 to 0.4 mm/s" in text
-    assert said["rubber", "steel"]["sticking_m_s"] == pytest.approx(5e-3, rel=0.05)
-
-
 def test_table_of_materials_is_that_of_the_package():
     (header, _, *lines), *_ = tables(PAGE)
-    assert header[1:6] == ["E / Pa", "ν", "ρ / kg m⁻³", "yield / Pa", "Q"]
+    assert header[1:7] == ["E / Pa", "ν", "ρ / kg m⁻³", "yield / Pa", "Q", "γ / J m⁻²"]
     assert [line[0] for line in lines] == list(stoss.materials)
-    for name, young, poisson, density, strength, quality, source in lines:
+    for name, young, poisson, density, strength, quality, energy, source in lines:
         material = stoss.materials[name]
         assert written(young)[0] == pytest.approx(material.young) and float(poisson) == material.poisson
         assert float(density) == material.density and source
@@ -188,13 +161,14 @@ def test_table_of_materials_is_that_of_the_package():
         known = None if material.loss_time is None else 1 / (frequency * material.loss_time)
         assert (float(quality) if quality else None) == pytest.approx(known)
         assert (written(strength)[0] if strength else None) == pytest.approx(material.yield_strength)
+        assert (float(energy) if energy else None) == material.surface_energy
 
 
 # To first order 1 − ε² = 2c₁x, x = (3/2)η(k/m)^(2/5)v^(1/5), and Hertz' contact time is 2.9432 δ/v.
 def test_loss_of_a_slow_ball_to_its_material():
     in_units_of_time = 2.9432 * 1.25**0.4  # τ (k/m)^(2/5) v^(1/5)
     assert 2 * 1.153449 * 1.5 * in_units_of_time / np.pi == pytest.approx(3.54, abs=0.005)
-    assert "1 − ε² = 3.54/Q" in " ".join(PAGE.split())
+    assert "a ball loses 3.54/Q" in " ".join(PAGE.split())
     ice = stoss.Sphere(radius=5e-3, material=stoss.materials["ice"])
     slow = stoss.restitution(ice, speed=0.01)
     expected = 3.54 / 200 * 50e-6 / slow.contact_time_si
