@@ -127,7 +127,7 @@ void run(const PredictArguments& arguments) {
 
 void add_predict(CLI::App& app) {
   auto& arguments = add_subcommand<PredictArguments>(
-      app, "predict", "What a drop test of a real ball shows, with yield and adhesion as models", run,
+      app, "predict", "What a drop test shows, with yield and adhesion as models", run,
       "Examples:\n"
       "  stoss predict --body sphere --material 'bearing steel' --radius 0.005 --speed 0.01,0.1,1\n"
       "      --against half-space,material=glass\n"
