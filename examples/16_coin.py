@@ -64,7 +64,7 @@ def main(folder: Path) -> None:
         for k in np.argsort(-share)[:2]:
             print(f"    {kilohertz[k]:6.1f} kHz takes {share[k]:.2f} ± {error[k]:.2f} %")
         axis.bar(kilohertz, share, 4, color=color)
-        axis.set(xlabel="partial / kHz", title=f"{where}\nε = {one.restitution:.3f}", xlim=(0, 200),
+        axis.set(xlabel="partial / kHz", title=f"{where}\nε = {one.restitution:.4f}", xlim=(0, 200),
                  xticks=(0, 50, 100, 150))
         axis.set(yscale="log", ylim=(1e-3, 50))
     axes[0].set_ylabel("share of the energy / %")

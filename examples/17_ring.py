@@ -54,8 +54,8 @@ def main(folder: Path) -> None:
         lost.append((one.lost_fraction, one.lost_fraction_error))
         share, kilohertz = shares(ring), ring.frequency / 1e3
         error = np.sum([np.abs(shares(each) - share) for each in changed(ring)], axis=0)
-        print(f"{thickness} mm thick, {1e3 * ring.mass:.0f} g: ε = "
-              f"{stoss.with_error(one.restitution, one.restitution_error)}, contact {one.contact_time_si * 1e6:.0f} µs")  # fmt: skip
+        epsilon = stoss.with_error(one.restitution, one.restitution_error)
+        print(f"{thickness} mm thick, {1e3 * ring.mass:.0f} g: ε = {epsilon}, contact {one.contact_time_si * 1e6:.0f} µs")
         for k in np.argsort(-share)[:4]:
             print(f"    {kilohertz[k]:6.2f} kHz takes {share[k]:.2f} ± {error[k]:.2f} %")
         if thickness in (THICKNESSES[0], THICKNESSES[-1]):

@@ -34,8 +34,10 @@ def radial(n: int, inner: float, poisson: float, degree: int = DEGREE) -> tuple[
     value = legendre.legvander(x, degree)
     slope = legendre.legval(x, legendre.legder(np.eye(degree + 1))).T / half
     none = np.zeros_like(value)
-    u, v, du, dv = np.hstack([value, none]), np.hstack([none, value]), np.hstack([slope, none]), np.hstack([none, slope])
-    lame, shear, product, r = poisson / ((1 + poisson) * (1 - 2 * poisson)), 0.5 / (1 + poisson), n * (n + 1), r[:, None]
+    u, v = np.hstack([value, none]), np.hstack([none, value])
+    du, dv = np.hstack([slope, none]), np.hstack([none, slope])
+    lame, shear = poisson / ((1 + poisson) * (1 - 2 * poisson)), 0.5 / (1 + poisson)
+    product, r = n * (n + 1), r[:, None]
 
     def square(strain: np.ndarray) -> np.ndarray:
         return strain.T @ ((half * weight)[:, None] * r**2 * strain)

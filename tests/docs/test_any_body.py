@@ -41,3 +41,15 @@ def test_bars_and_balls():
     assert of_mesh == pytest.approx((7.5e-4, 2.6e-4), rel=0.1) and "7.5(26)·10⁻⁴" in PAGE
     assert abs(of_mesh[0] - exact[0]) < of_mesh[1]
     assert lost(f"{sphere} --speed 5") == pytest.approx((2.4e-4, 1.0e-4), rel=0.1)
+
+
+def test_plate_of_sixty_thicknesses():
+    """It is the infinite plate until its rim echoes, within an error of a tenth of the loss at most."""
+    ball = "--body sphere --radius 0.01 --material steel --speed 0.05"
+    (infinite,) = command(f"restitution {ball} --against plate,thickness=0.005,material=steel --tolerance 0.01")
+    (finite,) = command(f"restitution {ball} --against @{BODIES}/plate.json --tolerance 0.05")
+    off = abs(finite["lost_fraction"] - infinite["lost_fraction"])
+    assert off < finite["lost_fraction_error"] < 0.1 * finite["lost_fraction"]
+    assert finite["contact_time_si"] == pytest.approx(infinite["contact_time_si"], rel=0.02)
+    assert f"{finite['lost_fraction']:.3f}({1e3 * finite['lost_fraction_error']:.0f}) of its energy" in PAGE
+    assert f"{infinite['lost_fraction']:.5f}(2)" in PAGE

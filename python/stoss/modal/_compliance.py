@@ -20,7 +20,7 @@ EDGES = (3.0, 16.0)
 BEND = 0.45
 """Its greatest radius, in radii of curvature of the surface."""
 COARSER = 0.6
-"""Share of the least radius that is enough on a coarser mesh, which takes the finer one's radius."""
+"""Share of the least radius that is enough on a coarser mesh, which takes that of the finer."""
 SHARES = (0.5, 0.75, 1.0)
 """The radii of the pressures, as shares of the widest one."""
 INVERSE = 36.0 * math.gamma(6.0) * math.gamma(0.5) / (math.gamma(3.5) ** 2 * math.gamma(6.5))

@@ -166,7 +166,7 @@ def _generate(unit: float, point: Sequence[float], sizes: Sizes) -> None:
 
 
 def _straighten() -> None:
-    """Makes tetrahedra straight that are still inside out: where a curved edge spoils a flat one."""
+    """Makes tetrahedra straight that are still inside out: a curved edge spoils a flat one."""
     wrong = _inverted(QUADRATIC)
     nodes = gmsh.model.mesh.getElementsByType(QUADRATIC)[1].reshape(-1, 10)[wrong]
     for element in nodes:

@@ -11,7 +11,8 @@ from scipy.special import spherical_jn, spherical_yn
 
 def fields(n, omega, poisson, r):
     """U, V, σ_rr/Y and σ_rθ/(∂Y/∂θ) at the radius r, a column for each of the four functions."""
-    lame, shear, product = poisson / ((1 + poisson) * (1 - 2 * poisson)), 0.5 / (1 + poisson), n * (n + 1)
+    lame, shear = poisson / ((1 + poisson) * (1 - 2 * poisson)), 0.5 / (1 + poisson)
+    product = n * (n + 1)
     columns = []
     for speed, pressure in ((np.sqrt(lame + 2 * shear), True), (np.sqrt(shear), False)):
         k = omega / speed

@@ -18,7 +18,8 @@ FILES = Path(__file__).parents[3] / "examples/any_body"
 
 def shape(inner):
     return (
-        f'SetFactory("OpenCASCADE");\nSphere(1) = {{0, 0, 0, 1}};\nSphere(2) = {{0, 0, 0, {inner}}};\n'
+        'SetFactory("OpenCASCADE");\nSphere(1) = {0, 0, 0, 1};\n'
+        f"Sphere(2) = {{0, 0, 0, {inner}}};\n"
         "BooleanDifference{ Volume{1}; Delete; }{ Volume{2}; Delete; }\n"
     )
 
@@ -26,9 +27,10 @@ def shape(inner):
 @pytest.fixture(scope="module")
 def closed():
     """examples/any_body/hollow_sphere.py."""
-    specification = importlib.util.spec_from_file_location("hollow_sphere", FILES / "hollow_sphere.py")
-    module = importlib.util.module_from_spec(specification)
-    specification.loader.exec_module(module)
+    path = FILES / "hollow_sphere.py"
+    found = importlib.util.spec_from_file_location("hollow_sphere", path)
+    module = importlib.util.module_from_spec(found)
+    found.loader.exec_module(module)
     return module
 
 
@@ -72,7 +74,8 @@ def test_compliance_is_that_of_the_sphere_without_a_hole(closed):
 
 def test_the_file_is_what_the_script_writes(closed, tmp_path):
     closed.main(str(tmp_path / "again.json"))
-    again, kept = (stoss.ModalBody.read(path) for path in (tmp_path / "again.json", FILES / "hollow_sphere.json"))
+    paths = (tmp_path / "again.json", FILES / "hollow_sphere.json")
+    again, kept = (stoss.ModalBody.read(path) for path in paths)
     for name in ("mass", "compliance", "complete_to"):
         assert getattr(again, name) == pytest.approx(getattr(kept, name), rel=1e-7)
     for name in ("frequency", "displacement", "displacement_curvature"):
@@ -110,12 +113,14 @@ def test_a_thick_shell(modal, closed):
 @pytest.mark.long
 @pytest.mark.parametrize("poisson", [0.22, 0.45])
 def test_a_shell(modal, closed, poisson):
-    check(run(modal, 0.8, poisson, "--size 0.09 --size-at-point 0.03 --modes 30"), closed, 0.8, poisson)
+    body = run(modal, 0.8, poisson, "--size 0.09 --size-at-point 0.03 --modes 30")
+    check(body, closed, 0.8, poisson)
 
 
 def test_the_file_of_a_mesh():
     """hollow_sphere_mesh.json, two tetrahedra thick, against hollow_sphere.json."""
-    mesh, exact = (json.loads((FILES / f"{name}.json").read_text()) for name in ("hollow_sphere_mesh", "hollow_sphere"))
+    names = ("hollow_sphere_mesh.json", "hollow_sphere.json")
+    mesh, exact = (json.loads((FILES / name).read_text()) for name in names)
     modes = {name: np.array(values) for name, values in mesh["modes"].items()}
     moved = modes["displacement"] > 1.0
     count = np.sum(moved)
@@ -127,7 +132,7 @@ def test_the_file_of_a_mesh():
 
 
 def test_one_tetrahedron_through_the_wall_is_refused(modal):
-    """Such a mesh said that the breathing mode was 17 Hz off by at most 3: both meshes err alike."""
+    """It said that a breathing mode was off by at most 3 Hz, which was off by 17."""
     (modal.folder / "thin.geo").write_text(shape(0.8))
     words = f"thin.geo {BALL} {UNITS} --poisson 0.3 --size 0.25 --size-at-point 0.04 --modes 5"
     done = modal.run(f"{words} -o thin.json")

@@ -335,6 +335,11 @@ def test_16_coin(example):
         assert f"{frequency:.1f} kHz" in PAGE and f"{share:.1f}(" in PAGE
     for epsilon, error, *_ in (middle, side):
         assert f"{epsilon:.3f}({1e3 * error:.0f})" in PAGE
+    epsilon, error, _, mass = its.numbers("on its edge")[0]
+    assert mass == middle[3] and f"{epsilon:.5f}({1e5 * error:.0f})" in PAGE
+    assert 1 - epsilon < 1e-3 * (1 - middle[0])
+    lowest = its.numbers("97.5 kHz")[0]  # in its plane: far above the contact's 20 kHz
+    assert lowest[1] < 0.05
 
 
 def test_17_ring(example):
