@@ -12,10 +12,13 @@ from tree import Tree
 # Title of a page: the names on it.
 PAGES = {
     "Restitution": "restitution Restitution extrapolated_restitution Extrapolation with_error",
-    "Bodies and walls": "Disk Sphere Rod HalfSpace HalfPlane HardWall ExponentialWall Body Wall",
+    "Bodies and walls": (
+        "Disk Sphere Rod ModalBody HalfSpace HalfPlane Plate Strip Layer HardWall ExponentialWall Body Wall"
+    ),
     "Materials": "Material Scales materials",
+    "Drop tests": "predict Prediction Influence",
     "Oblique impacts": "oblique ObliqueRestitution oblique_impact ObliqueImpact ObliqueTrajectory ObliqueLedger",
-    "One impact": "impact Impact Trajectory DiskField SphereField Field Wave",
+    "One impact": "impact Impact Trajectory Sound DiskField SphereField Field Wave",
     "Modes": "modes Modes",
     "Bodies that vibrate": (
         "Oscillation restitution_distribution RestitutionDistribution bounce Bounces rod_chain RodChain"
@@ -30,7 +33,9 @@ PAGES = {
 ELSEWHERE = {"__version__", "plot", "animate", "quasistatic"}  # the modules have pages of their own
 
 # All other classes are what functions return: their constructors are of no use.
-MADE_BY_USERS = "Disk Sphere Rod HalfSpace HalfPlane HardWall ExponentialWall Material Oscillation Grid".split()
+MADE_BY_USERS = (
+    "Disk Sphere Rod ModalBody HalfSpace HalfPlane Plate Strip Layer HardWall ExponentialWall Material Oscillation Grid"
+).split()
 
 
 def said_of(name: str) -> list[str]:
