@@ -38,6 +38,7 @@ myst_heading_slug_func = Slug()
 default_role = "py:obj"
 autodoc_member_order = "bysource"
 autodoc_typehints = "none"
+
 autosummary_generate = False
 napoleon_numpy_docstring = False
 napoleon_custom_sections = [("Attributes", "params_style")]  # which may name several at once
@@ -60,3 +61,12 @@ html_show_copyright = False
 html_math_renderer = "katex"
 pygments_style = "default"
 pygments_dark_style = "monokai"
+
+
+def escape_bars(app, what, name, obj, options, lines):
+    """|x| is a magnitude in docstrings, no name of something to be put in its place."""
+    lines[:] = [line if line.lstrip().startswith(">>>") else line.replace("|", r"\|") for line in lines]
+
+
+def setup(app):
+    app.connect("autodoc-process-docstring", escape_bars)

@@ -110,7 +110,7 @@ TYPES = {
     "ArrayLike": "array_like",
     "Body": "Disk | Sphere | Rod | ModalBody",
     "Unbounded": "HalfSpace | HalfPlane | Plate | Strip",
-    "Against": "HardWall | ExponentialWall | Disk | Sphere | Rod | ModalBody | HalfSpace | HalfPlane | Plate | Strip",
+    "Against": "wall | body | block | plate",  # all of them would not fit into the line that Sphinx reads
     "State": "Oscillation | sequence of them | ndarray",
     "os.PathLike[str]": "path",
 }

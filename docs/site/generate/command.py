@@ -33,7 +33,7 @@ def signature(option: str) -> str:
 def described(lines: list[str]) -> list[str]:
     """What an option does, as text, and the values that it takes, which are indented further, as they stand."""
     first = next((k for k, line in enumerate(lines) if line.startswith(" ")), len(lines))
-    text = [re.sub(r"(--[a-z-]+)", r"``\1``", " ".join(lines[:first]).replace("*", r"\*")), ""]
+    text = [re.sub(r"(--[a-z-]+)", r"``\1``", " ".join(lines[:first]).replace("*", r"\*").replace("|", r"\|")), ""]
     return text + (literal(lines[first:]) if first < len(lines) else [])
 
 

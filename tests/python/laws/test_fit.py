@@ -192,13 +192,13 @@ class TestCommand:
         )  # fmt: skip
 
     def test_it_prints_what_python_finds(self, interpreter, tmp_path):
-        words = "--body sphere --material glass --radius 0.005 --against sphere,radius=0.01,material=steel"
+        words = "--body sphere --material glass --radius 0.005 --against sphere,radius=0.01,material=granite"
         file = tmp_path / "law"
         done = self.run(
             interpreter, *words.split(), *"--speed 0.01:0.1 --law linear --program lammps -o".split(), str(file)
         )
-        steel = stoss.Sphere(radius=0.01, material=stoss.materials["steel"])
-        fit = stoss.fit(BALL, against=steel, law="linear", speed=RANGE, program="lammps")
+        rock = stoss.Sphere(radius=0.01, material=stoss.materials["granite"])
+        fit = stoss.fit(BALL, against=rock, law="linear", speed=RANGE, program="lammps")
         assert (done.returncode, done.stdout, done.stderr) == (0, f"{fit}\n", "")
         assert file.read_text(encoding="utf-8") == done.stdout
 
