@@ -27,16 +27,6 @@ CLAPPERS = {"small": 8e-3, "large": 25e-3}  # their radii, m
 LEAST = 1e-3  # of the energy: partials that are shown take more from one of both
 
 
-def changed(bell: stoss.ModalBody) -> list[stoss.ModalBody]:
-    """The bell with its compliance, all its frequencies, all its displacements off by their errors."""
-    bodies = [bell.to_dict() for _ in range(3)]
-    bodies[0]["compliance"] += bell.compliance_error
-    bodies[1]["modes"]["frequency"] = np.sort(bell.frequency + bell.frequency_error).tolist()
-    moved = bell.displacement + np.copysign(bell.displacement_error, bell.displacement)
-    bodies[2]["modes"]["displacement"] = moved.tolist()
-    return [stoss.ModalBody.from_dict(body) for body in bodies]
-
-
 def shares(ball: stoss.Sphere, bell: stoss.ModalBody, cutoff: float | None = None) -> tuple[stoss.Impact, np.ndarray]:
     """The impact, and for each partial its share of the energy before; those above the cutoff have none."""
     hit = stoss.impact(ball, against=bell, speed=SPEED, cutoff=cutoff)
@@ -52,7 +42,7 @@ def main(folder: Path) -> None:
         ball = stoss.Sphere(radius=radius, material=stoss.materials["bearing steel"], loss_time=0)
         one = stoss.restitution(ball, against=bell, speed=SPEED, tolerance=0.3)
         hit, found[name] = shares(ball, bell)
-        others = [shares(ball, each)[1] for each in changed(bell)] + [shares(ball, bell, 0.75 * hit.cutoff)[1]]
+        others = [shares(ball, each)[1] for each in bell.off_by_errors()] + [shares(ball, bell, 0.75 * hit.cutoff)[1]]
         errors[name] = np.sum([np.abs(each - found[name]) for each in others], axis=0)
         print(f"{name} clapper, {2e3 * radius:.0f} mm: ε = {stoss.with_error(one.restitution, one.restitution_error)}, "
               f"contact {one.contact_time_si * 1e6:.0f} µs")  # fmt: skip

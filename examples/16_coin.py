@@ -34,16 +34,6 @@ def mass_at_point(body: stoss.ModalBody) -> float:
     return 1 / (1 / body.mass + lever @ np.linalg.solve(body.rotation["inertia"], lever))
 
 
-def changed(body: stoss.ModalBody) -> list[stoss.ModalBody]:
-    """The body with its compliance, all its frequencies, all its displacements off by their errors."""
-    bodies = [body.to_dict() for _ in range(3)]
-    bodies[0]["compliance"] += body.compliance_error
-    bodies[1]["modes"]["frequency"] = np.sort(body.frequency + body.frequency_error).tolist()
-    moved = body.displacement + np.copysign(body.displacement_error, body.displacement)
-    bodies[2]["modes"]["displacement"] = moved.tolist()
-    return [stoss.ModalBody.from_dict(each) for each in bodies]
-
-
 def shares(coin: stoss.ModalBody) -> np.ndarray:
     """What each partial takes of the energy before, in per cent; those above the cutoff nothing."""
     modes = stoss.impact(BALL, against=coin, speed=SPEED).mode_energies
@@ -58,7 +48,7 @@ def main(folder: Path) -> None:
         coin = stoss.ModalBody.read(FILES / f"coin_{name}.json")
         one = stoss.restitution(BALL, against=coin, speed=SPEED, tolerance=0.3)
         share, kilohertz = shares(coin), coin.frequency / 1e3
-        error = np.sum([np.abs(shares(each) - share) for each in changed(coin)], axis=0)
+        error = np.sum([np.abs(shares(each) - share) for each in coin.off_by_errors()], axis=0)
         print(f"{where}: ε = {stoss.with_error(one.restitution, one.restitution_error)}, "
               f"contact {one.contact_time_si * 1e6:.1f} µs, mass {1e3 * mass_at_point(coin):.2f} g")  # fmt: skip
         for k in np.argsort(-share)[:2]:

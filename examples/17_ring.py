@@ -27,16 +27,6 @@ SPEED = 0.1  # m/s
 BALL = stoss.Sphere(radius=8e-3, material=stoss.materials["bearing steel"], loss_time=0)
 
 
-def changed(body: stoss.ModalBody) -> list[stoss.ModalBody]:
-    """The body with its compliance, all its frequencies, all its displacements off by their errors."""
-    bodies = [body.to_dict() for _ in range(3)]
-    bodies[0]["compliance"] += body.compliance_error
-    bodies[1]["modes"]["frequency"] = np.sort(body.frequency + body.frequency_error).tolist()
-    moved = body.displacement + np.copysign(body.displacement_error, body.displacement)
-    bodies[2]["modes"]["displacement"] = moved.tolist()
-    return [stoss.ModalBody.from_dict(each) for each in bodies]
-
-
 def shares(ring: stoss.ModalBody) -> np.ndarray:
     """What each partial takes of the energy before, in per cent; those above the cutoff nothing."""
     modes = stoss.impact(BALL, against=ring, speed=SPEED).mode_energies
@@ -53,7 +43,7 @@ def main(folder: Path) -> None:
         one = stoss.restitution(BALL, against=ring, speed=SPEED, tolerance=0.1)
         lost.append((one.lost_fraction, one.lost_fraction_error))
         share, kilohertz = shares(ring), ring.frequency / 1e3
-        error = np.sum([np.abs(shares(each) - share) for each in changed(ring)], axis=0)
+        error = np.sum([np.abs(shares(each) - share) for each in ring.off_by_errors()], axis=0)
         epsilon = stoss.with_error(one.restitution, one.restitution_error)
         print(f"{thickness} mm thick, {1e3 * ring.mass:.0f} g: ε = {epsilon}, contact {one.contact_time_si * 1e6:.0f} µs")
         for k in np.argsort(-share)[:4]:

@@ -82,8 +82,10 @@ nlohmann::ordered_json details_of(const Prediction& prediction) {
 std::string influences_of(const std::vector<Prediction>& all) {
   constexpr std::size_t most = 5;
   std::string text;
-  for (const Prediction* each : {&all.front(), &all.back()}) {
-    if (each->influences.empty() || (each == &all.back() && all.size() == 1 && !text.empty())) break;
+  std::vector<const Prediction*> told{&all.front()};
+  if (all.size() > 1) told.push_back(&all.back());
+  for (const Prediction* each : told) {
+    if (each->influences.empty()) continue;
     text += fmt::format("\nconstants, at {:.4g} m/s, by what eps changes:\n", each->speed);
     for (std::size_t i = 0; i < std::min(most, each->influences.size()); ++i) {
       const Influence& its = each->influences[i];

@@ -6,6 +6,7 @@
 
 #include "check.hpp"
 #include "encounter/participant.hpp"
+#include "prediction/touching.hpp"
 #include "stoss/encounter/materials.hpp"
 #include "stoss/errors.hpp"
 
@@ -55,11 +56,7 @@ Uncertainties known_of(const Participant& of) {
 }
 
 /// What a body adds to the loss in the material of slow contacts: its softness times its loss time.
-double loss_of(const Participant& of) {
-  if (!of.material || of.rigid) return 0.0;
-  const Material& its = *of.material;
-  return (1.0 - its.poisson * its.poisson) / its.young * loss_time_of(of);
-}
+double loss_of(const Participant& of) { return of.material ? softness_of(of) * loss_time_of(of) : 0.0; }
 
 /// Layers of a plate keep theirs: only the top one varies.
 Participant enlarged(Participant of, const Constant& constant, double factor) {

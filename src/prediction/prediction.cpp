@@ -5,12 +5,11 @@
 
 #include "check.hpp"
 #include "prediction/constants.hpp"
+#include "prediction/motion.hpp"
 #include "prediction/touching.hpp"
 #include "prediction/warnings.hpp"
-#include "prediction/whole.hpp"
 #include "restitution/ordered_jobs.hpp"
 #include "stoss/errors.hpp"
-#include "stoss/quasistatic/adhesion.hpp"
 #include "stoss/restitution/curve.hpp"
 
 namespace stoss {
@@ -54,8 +53,10 @@ Certified channels(const Restitution& its, const Restitution& parts, bool radiat
 /// One speed, with all that it needs.
 class Drop {
  public:
-  Drop(const Encounter& given, double speed, const PredictionOptions& options, const Poll& poll)
+  Drop(const Encounter& given, const Thresholds& limits, double speed, const PredictionOptions& options,
+       const Poll& poll)
       : given_(given),
+        limits_(limits),
         speed_(speed),
         options_(options),
         poll_(poll),
@@ -77,7 +78,7 @@ class Drop {
       add_models(made);
       if (options_.influences) add_influences(made);
     }
-    made.warnings = prediction::warnings(encounter_, thresholds(given_, options_), impact_, made);
+    made.warnings = prediction::warnings(encounter_, limits_, impact_, made);
     return made;
   }
 
@@ -107,9 +108,8 @@ class Drop {
     made.rebound_height = made.restitution * made.restitution * made.drop_height;
     made.contact_time = whole.time;
     spread(motion, made);
-    const double ratio = made.elastic.value > 0.0 ? made.restitution / made.elastic.value : 1.0;
-    made.lowest = std::max(made.lowest - ratio * made.elastic.error, 0.0);
-    made.highest = std::min(made.highest + ratio * made.elastic.error, 1.0);
+    made.lowest = std::max(made.lowest - made.certified_error(), 0.0);
+    made.highest = std::min(made.highest + made.certified_error(), 1.0);
   }
 
   /// The band that models leave around their ε: other published laws of yield, how far adhesion is that of Johnson,
@@ -166,6 +166,7 @@ class Drop {
   }
 
   const Encounter& given_;
+  const Thresholds& limits_;
   double speed_;
   const PredictionOptions& options_;
   const Poll& poll_;
@@ -184,51 +185,18 @@ double speed_of_drop(double height) {
 
 std::vector<Prediction> predict(const Encounter& encounter, const std::vector<double>& speeds,
                                 const PredictionOptions& options) {
-  (void)prediction::touching(encounter, options.work_of_adhesion);
-  (void)prediction::variants(encounter, encounter, options);
+  const Thresholds limits = thresholds(encounter, options);
+  (void)prediction::variants(encounter, encounter, options);  // refuses what is no constant
   require_tolerance(options.tolerance, 0.0);
   require("threads", static_cast<long>(options.threads), 0, 1024, "0 for as many as the machine has");
   for (const double speed : speeds) (void)own_speed(encounter, speed);
   std::vector<Prediction> made;
   made.reserve(speeds.size());
   const auto job = [&](std::size_t i, const Poll& heed) {
-    return Drop(encounter, speeds[i], options, heed).predicted();
+    return Drop(encounter, limits, speeds[i], options, heed).predicted();
   };
   const auto deliver = [&made](std::size_t, Prediction&& each) { made.push_back(std::move(each)); };
   run_in_order<Prediction>(speeds.size(), options.threads, job, deliver, options.poll);
-  return made;
-}
-
-RestitutionFunction predicted_function(const Encounter& encounter, double slowest, double fastest,
-                                       const FunctionOptions& options, PredictionOptions models) {
-  require("error", options.error, {1e-4, 0.1, true, true, "1e-4 to 0.1"}, "maximum error of the restitution");
-  models.influences = false, models.threads = options.threads, models.poll = options.poll;
-  const double unit = speed_unit(encounter);
-  const auto computed = [&](const std::vector<double>& speeds) {
-    std::vector<double> in_si;
-    in_si.reserve(speeds.size());
-    for (const double speed : speeds) in_si.push_back(std::clamp(speed, 1e-8, 1.0) * unit);
-    std::vector<Estimate> values;
-    for (const Prediction& each : predict(encounter, in_si, models)) {
-      const double ratio = each.elastic.value > 0.0 ? each.restitution / each.elastic.value : 1.0;
-      values.push_back({each.restitution, ratio * each.elastic.error});
-      if (!(values.back().error <= options.error / 3.0)) {
-        throw NotConverged("predict: at speed " + shown(each.speed) + " m/s the certified channels do not converge");
-      }
-    }
-    return values;
-  };
-  return restitution_function(computed, slowest, fastest, options);
-}
-
-Thresholds thresholds(const Encounter& encounter, const PredictionOptions& options) {
-  const Touching its = prediction::touching(encounter, options.work_of_adhesion);
-  Thresholds made;
-  made.yield = its.yield_speed;
-  if (its.yield_speed) made.impression = prediction::speed_of_impression(its);
-  made.sticking = quasistatic::sticking_speed(its.pair, its.work_of_adhesion, its.mass);
-  constexpr double matters = 10.0;  // (v_s/v)² is a hundredth
-  made.adhesion = matters * made.sticking;
   return made;
 }
 

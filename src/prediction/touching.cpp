@@ -29,9 +29,8 @@ Side side_of(const Participant& of) {
   side.curvature = 1.0 / radius;
   side.inverse_mass = 3.0 / (4.0 * pi * material.density) * std::pow(side.curvature, 3);
   side.surface_energy = material.surface_energy;
-  if (of.rigid) return side;
-  side.softness = (1.0 - material.poisson * material.poisson) / material.young;
-  side.yield_strength = material.yield_strength;
+  side.softness = softness_of(of);
+  if (!of.rigid) side.yield_strength = material.yield_strength;
   return side;
 }
 
@@ -46,6 +45,11 @@ double work_between(const Side& one, const Side& other) {
 }
 
 }  // namespace
+
+double softness_of(const Participant& of) {
+  const Material& its = *of.material;
+  return of.rigid ? 0.0 : (1.0 - its.poisson * its.poisson) / its.young;
+}
 
 double Touching::time(double speed) const {
   const double stiffness = 4.0 / (3.0 * pair.softness * std::sqrt(pair.curvature));
@@ -103,8 +107,9 @@ Touching touching(const Encounter& encounter, std::optional<double> work_of_adhe
   Touching made;
   made.pair = {one.curvature + other.curvature, one.softness + other.softness};
   made.mass = 1.0 / (one.inverse_mass + other.inverse_mass);
-  made.yield_strength = weaker(one.yield_strength, other.yield_strength);
-  if (made.yield_strength) made.yield_speed = quasistatic::yield_speed(made.pair, made.mass, *made.yield_strength);
+  if (const auto strength = weaker(one.yield_strength, other.yield_strength)) {
+    made.yield_speed = quasistatic::yield_speed(made.pair, made.mass, *strength);
+  }
   made.work_of_adhesion = work_of_adhesion.value_or(work_between(one, other));
   require("adhesion", made.work_of_adhesion, {0.0, 1e6, true, true, "0 to 1e6"}, "work of adhesion in J/m^2");
   made.sheet = met.kind == "plate";

@@ -10,12 +10,11 @@ namespace stoss::prediction {
 
 /// What two round bodies are to the models, in SI.
 struct Touching {
-  quasistatic::PointPair pair;           ///< 1/m, 1/Pa
-  double mass = 0.0;                     ///< reduced, kg
-  std::optional<double> yield_strength;  ///< of the weaker one, Pa
-  std::optional<double> yield_speed;     ///< m/s
-  double work_of_adhesion = 0.0;         ///< J/m²
-  bool sheet = false;                    ///< the second answers as a plate, by a velocity that follows the force
+  quasistatic::PointPair pair;        ///< 1/m, 1/Pa
+  double mass = 0.0;                  ///< reduced, kg
+  std::optional<double> yield_speed;  ///< of the weaker one, m/s
+  double work_of_adhesion = 0.0;      ///< J/m²
+  bool sheet = false;                 ///< the second answers as a plate, by a velocity that follows the force
 
   /// T of an impact, s: inelastic_impact.hpp.
   [[nodiscard]] double time(double speed) const;
@@ -30,6 +29,9 @@ struct Touching {
   /// The models at a speed; loss time, radiation and mobility are not set.
   [[nodiscard]] quasistatic::InelasticContact contact(double speed) const;
 };
+
+/// (1 − ν²)/E of a body with a material, 1/Pa; 0 of a rigid one.
+[[nodiscard]] double softness_of(const Participant& of);
 
 /// Speed at which the contact of one that yields is as wide as 0.2 R: finite strain takes some 4 % of ε² there, and
 /// more above.

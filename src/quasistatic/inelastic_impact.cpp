@@ -175,8 +175,6 @@ InelasticImpact inelastic_impact(const InelasticContact& contact) {
     back.radius_ratio = back.back.radius_ratio;
     plastic = std::pow(contact.yield_depth, 2.5) *
               (loading_work(contact.yield_law, depth) - unloading_work(contact.yield_law, depth));
-  } else if (back.yields()) {
-    back.back = unloading(contact.yield_law, std::max(back.deepest / contact.yield_depth, 1e-300));
   }
   const End end = run(back, turn.state, turn.time, turn.max_force);
   const bool sticks = end.returned || end.state[1] >= 0.0;

@@ -52,6 +52,11 @@ struct Prediction {
   std::vector<Influence> influences;  ///< the largest change first
   std::vector<std::string> warnings;  ///< what ends within the range of what was computed, with the speeds
 
+  /// Error of ε that is certified: that of the elastic one, in proportion.
+  [[nodiscard]] double certified_error() const {
+    return elastic.value > 0.0 ? elastic.error * restitution / elastic.value : elastic.error;
+  }
+
   [[nodiscard]] double share(Channel channel) const { return shares[static_cast<std::size_t>(channel)]; }
 };
 

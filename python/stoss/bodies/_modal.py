@@ -204,6 +204,15 @@ class ModalBody(Solid):
         """
         write_document(path, self.to_dict(), NESTED)
 
+    def off_by_errors(self) -> tuple[ModalBody, ...]:
+        """Return it with c₀, then with all frequencies, then with all displacements off by their errors."""
+        bodies = [self.to_dict() for _ in range(3)]
+        bodies[0]["compliance"] += self.compliance_error
+        bodies[1]["modes"]["frequency"] = np.sort(self.frequency + np.asarray(self.frequency_error)).tolist()
+        moved = self.displacement + np.copysign(np.asarray(self.displacement_error), self.displacement)
+        bodies[2]["modes"]["displacement"] = moved.tolist()
+        return tuple(map(ModalBody.from_dict, bodies))
+
     def _numbers(self) -> Specification:
         return {"kind": self._kind, "body": json.loads(vars(self)["_text"])}
 

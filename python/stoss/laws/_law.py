@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import abc
 import dataclasses
 from typing import Callable, ClassVar, Mapping, TypeVar
 
@@ -47,7 +48,7 @@ class Impacts:
 
 
 @dataclasses.dataclass(frozen=True)
-class Law:
+class Law(abc.ABC):
     """A law with its constants."""
 
     NAME: ClassVar[str]
@@ -59,13 +60,13 @@ class Law:
     friction: float
 
     @classmethod
+    @abc.abstractmethod
     def fitted(cls: type[Fitted], impacts: Impacts, spring: Spring, ratios: tuple[float, float]) -> Fitted:
         """The law that comes nearest, with a ratio of stiffnesses along surface and normal in this range."""
-        raise NotImplementedError
 
+    @abc.abstractmethod
     def restitution(self, speed: Array) -> Array:
         """ε at these speeds."""
-        raise NotImplementedError
 
     def contact_time(self, speed: Array) -> Array | None:
         """The contact time at these speeds; None of a rule that has none."""

@@ -78,21 +78,6 @@ def predicted(example_folder):
     return list(csv.DictReader((folder / "drop_test.csv").read_text(encoding="utf-8").splitlines()))
 
 
-LINES = {
-    "ε, elastic": "restitution",
-    "1 − ε², elastic": "lost_fraction",
-    "– radiation into the block": "radiation",
-    "– ringing of the ball": "ringing",
-    "ε, with typical losses": "lossy_restitution",
-    "1 − ε², with typical losses": "lossy_lost_fraction",
-    "– material": "material",
-    "adhesion, estimated": "adhesion",
-    "air, estimated": "air",
-    "contact time": "contact_time_s",
-    "block at least": "block_m",
-}
-
-
 def test_closed_forms(rows):
     for row in rows:
         ball, block = solids(row["ball"], row["block"], loss_time=0)

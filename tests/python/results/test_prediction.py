@@ -13,8 +13,7 @@ import pytest
 import stoss
 
 STEEL, GLASS, ICE = (stoss.materials[name] for name in ("bearing steel", "glass", "ice"))
-BALL = stoss.Sphere(radius=5e-3, material=STEEL)
-BLOCK = stoss.HalfSpace(material=GLASS)
+BALL, BLOCK = stoss.Sphere(radius=5e-3, material=STEEL), stoss.HalfSpace(material=GLASS)
 GRAIN = stoss.Sphere(radius=1e-6, material=ICE)
 SPEEDS = [[0.1, 5.0], [10.0, 100.0]]
 CHANNELS = ("ringing", "radiation", "material", "yielding", "adhesion")

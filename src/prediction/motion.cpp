@@ -1,4 +1,4 @@
-#include "prediction/whole.hpp"
+#include "prediction/motion.hpp"
 
 #include <algorithm>
 #include <cmath>
