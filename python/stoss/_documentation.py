@@ -110,7 +110,7 @@ TYPES = {
     "ArrayLike": "array_like",
     "Body": "Disk | Sphere | Rod | ModalBody",
     "Unbounded": "HalfSpace | HalfPlane | Plate | Strip",
-    "Against": "wall | body | block | plate",  # all of them would not fit into the line that Sphinx reads
+    "Against": "HardWall | ExponentialWall | Disk | Sphere | Rod | ModalBody | HalfSpace | HalfPlane | Plate | Strip",
     "State": "Oscillation | sequence of them | ndarray",
     "os.PathLike[str]": "path",
 }
@@ -180,5 +180,8 @@ def _line(entry: str, kind: str) -> str:
     """An entry with its type, unless it says one."""
     names, colon, said = entry.partition(":")
     typed = names if "(" in names or not kind or kind == "Any" else f"{names} ({kind})"
-    text = " ".join(f"{typed}{colon}{said}".split())
-    return textwrap.fill(text, 100, initial_indent=" " * 4, subsequent_indent=" " * 8, break_on_hyphens=False)
+    fixed = "\u00a0"  # Sphinx reads the types on one line only
+    text = " ".join([" ".join(typed.split()).replace(" ", fixed) + colon, *said.split()])
+    filled = textwrap.fill(text, 100, initial_indent=" " * 4, subsequent_indent=" " * 8, break_long_words=False,
+                           break_on_hyphens=False)  # fmt: skip
+    return filled.replace(fixed, " ")

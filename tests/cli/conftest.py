@@ -22,7 +22,7 @@ class Command:
         """Runs the command with `arguments` split at spaces; returns the completed process."""
         words = [word for argument in arguments for word in argument.split()]
         return subprocess.run(
-            [self.path, *words], capture_output=True, text=True, timeout=120, stdin=subprocess.DEVNULL, **options
+            [self.path, *words], capture_output=True, text=True, timeout=600, stdin=subprocess.DEVNULL, **options
         )
 
     def start(self, arguments, **options):
