@@ -119,3 +119,13 @@ def test_two_processes(modal, small_sphere):
     assert both["compliance"] == pytest.approx(small_sphere["compliance"], rel=1e-6)
     for name in ("frequency", "displacement"):
         assert both["modes"][name] == pytest.approx(small_sphere["modes"][name], rel=1e-6, abs=1e-5)
+
+
+@pytest.mark.parametrize("handler", ["default_int_handler", "SIG_IGN"])
+def test_ctrl_c_stays_with_the_program(interpreter, handler):
+    code = (
+        f"import signal; signal.signal(signal.SIGINT, signal.{handler})\n"
+        f"import stoss.modal._run; assert signal.getsignal(signal.SIGINT) is signal.{handler}"
+    )
+    done = interpreter.run(code)
+    assert done.returncode == 0, done.stderr
