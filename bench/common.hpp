@@ -56,6 +56,7 @@ void add_rods();
 void add_spheres();
 void add_oblique();
 void add_quasistatic();
+void add_predictions();
 void add_table();
 void add_pairs();
 void add_python();

@@ -35,6 +35,7 @@ int run(std::vector<std::string> arguments) {
   bench::add_oblique();
   bench::add_rods();
   bench::add_quasistatic();
+  bench::add_predictions();
   bench::add_table();
   bench::add_pairs();
   bench::add_python();
