@@ -117,6 +117,7 @@ class Spectrum:
         _factor(solver)
         solver.getPC().setFactorSetUpSolverType()
         factor = solver.getPC().getFactorMatrix()
+        factor.setMumpsIcntl(13, 1)  # else pivots of the root, which processes share, are not counted
         factor.setMumpsIcntl(24, 1)  # without which PETSc tells no inertia
         solver.setUp()
         below = int(factor.getInertia()[0])
@@ -130,3 +131,5 @@ def _factor(solver: Any) -> None:
     solver.setType(PETSc.KSP.Type.PREONLY)
     solver.getPC().setType(PETSc.PC.Type.CHOLESKY)
     solver.getPC().setFactorSolverType(PETSc.Mat.SolverType.MUMPS)
+    # What several processes need is not foreseen well: twice as much memory, in %.
+    PETSc.Options()[f"{solver.getOptionsPrefix() or ''}mat_mumps_icntl_14"] = 100

@@ -82,7 +82,7 @@ def test_the_file_is_what_the_script_writes(closed, tmp_path):
         assert getattr(again, name) == pytest.approx(getattr(kept, name), rel=1e-6)
 
 
-def check(body, closed, inner, poisson):
+def check(body, closed, inner, poisson, most=0.15):
     """Frequencies, displacements and compliance within the errors of the file."""
     modes = {name: np.array(values) for name, values in body["modes"].items()}
     moved = modes["displacement"] > 0.1
@@ -96,7 +96,7 @@ def check(body, closed, inner, poisson):
     assert np.all(np.abs(off) <= 1.5 * modes["displacement_error"][moved])
     assert modes["displacement"][moved] == pytest.approx(np.abs(exact[:, 1]), rel=0.02)
     c0 = closed.compliance(inner, poisson, solid_compliance(poisson))
-    assert abs(body["compliance"] - c0) <= body["compliance_error"] < 0.15
+    assert abs(body["compliance"] - c0) <= body["compliance_error"] < most
 
 
 def run(modal, inner, poisson, sizes):
@@ -113,8 +113,16 @@ def test_a_thick_shell(modal, closed):
 @pytest.mark.long
 @pytest.mark.parametrize("poisson", [0.22, 0.45])
 def test_a_shell(modal, closed, poisson):
-    body = run(modal, 0.8, poisson, "--size 0.09 --size-at-point 0.03 --modes 30")
-    check(body, closed, 0.8, poisson)
+    body = run(modal, 0.8, poisson, "--size 0.09 --size-at-point 0.01 --modes 30")
+    check(body, closed, 0.8, poisson, most=0.2)  # of 7.3 and 6.8
+
+
+@pytest.mark.long
+def test_pressures_wider_than_the_wall(modal, closed):
+    """They find another compliance than that of a point, and the error says so."""
+    body = run(modal, 0.8, 0.22, "--size 0.09 --size-at-point 0.03 --modes 5")
+    c0 = closed.compliance(0.8, 0.22, solid_compliance(0.22))
+    assert 0.1 < abs(body["compliance"] - c0) <= body["compliance_error"] < 3.0
 
 
 def test_the_file_of_a_mesh():
