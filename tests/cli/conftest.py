@@ -3,9 +3,11 @@
 import csv
 import io
 import os
+import re
 import signal
 import subprocess
 import time
+from pathlib import Path
 
 import pytest
 
@@ -47,6 +49,16 @@ def wait_for_rows(process, path, count):
     while not path.exists() or len(rows(path.read_text())) < count:
         assert process.poll() is None
         time.sleep(0.02)
+
+
+def wait_until_caught(process, number):
+    """Returns when the process handles a signal, which sanitizers make late."""
+    status = Path(f"/proc/{process.pid}/status")
+    caught = 0
+    while not caught >> (number - 1) & 1:
+        assert process.poll() is None
+        time.sleep(0.02)
+        caught = int(re.search("SigCgt:(.*)", status.read_text())[1], 16)
 
 
 def rows(text):

@@ -8,10 +8,9 @@ import shutil
 import signal
 import subprocess
 import time
-from pathlib import Path
 
 import pytest
-from conftest import rows, wait_for_rows
+from conftest import rows, wait_for_rows, wait_until_caught
 
 pytestmark = pytest.mark.numbers
 
@@ -71,16 +70,6 @@ def test_closed_pipe_where_the_signal_is_ignored(stoss):
     command.stdout.close()
     assert command.stderr.read() == b""
     assert command.wait(timeout=60) == 4
-
-
-def wait_until_caught(process, number):
-    """Returns when the process handles a signal, which sanitizers make late."""
-    status = Path(f"/proc/{process.pid}/status")
-    caught = 0
-    while not caught >> (number - 1) & 1:
-        assert process.poll() is None
-        time.sleep(0.02)
-        caught = int(re.search("SigCgt:(.*)", status.read_text())[1], 16)
 
 
 @pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM])

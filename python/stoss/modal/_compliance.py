@@ -110,7 +110,7 @@ def compliance(
         if curvature > 0.0:
             known -= bend * (math.log(curvature * b) + LOGARITHM)
         values.append(pressure.compliance(b) - front * known)
-    # Even in the radius but for weak terms. Beside a wall that is thin for them both curves part.
+    # Even in the radius but for weak terms; beside a wall thinner than the pressures curves part.
     even = float(np.polyfit(radii**2, values, 2)[-1])
     parabola = float(np.polyfit(radii, values, 2)[-1])
     return {"c0": even, "reach": 2.0 * abs(even - parabola), "widest": widest}
