@@ -2,6 +2,7 @@
 installed and tested by autopkgtest in a Debian that has nothing else."""
 
 import os
+import platform
 import re
 import shutil
 import subprocess
@@ -107,15 +108,18 @@ def test_flags_of_debian_change_no_bit(unpacked, job):
     words = [*job.split(), "--format", "csv"]
     folder = only(unpacked.glob("usr/lib/*/libstoss.so.1")).parent
     packaged = run(str(unpacked / "usr/bin/stoss"), *words, env={**os.environ, "LD_LIBRARY_PATH": str(folder)})
-    assert packaged and packaged == run(os.environ["STOSS"], *words)
+    numbers = [line for line in packaged.splitlines() if not line.startswith("#")]
+    assert len(numbers) > 1
+    assert numbers == [line for line in run(os.environ["STOSS"], *words).splitlines() if not line.startswith("#")]
 
 
 def sources():
-    """Suite, and lines for apt: those of Debian that apt has here."""
+    """This system's release, where apt has it from, and lines for apt of all that it has from Debian."""
     form = "$(ORIGIN)|$(CREATED_BY)|$(SITE)|$(CODENAME)|$(COMPONENT)"
     rows = {tuple(line.split("|")) for line in run("apt-get", "indextargets", "--format", form).splitlines()}
     wanted = sorted(row[2:] for row in rows if row[:2] == ("Debian", "Packages"))
-    suite, site = only({(codename, site) for site, codename, _ in wanted if codename.isalpha()})
+    suite = platform.freedesktop_os_release()["VERSION_CODENAME"]
+    site = next(site for site, codename, _ in wanted if codename == suite)
     return suite, site, "".join(f"deb {site} {codename} {part}\n" for site, codename, part in wanted)
 
 
