@@ -1,4 +1,4 @@
-"""The Debian packages: built from the tracked files, clean for lintian, the same numbers as those of the build tree, and
+"""The Debian packages: built from the tracked files, clean for lintian, with the same numbers as the build tree, and
 installed and tested by autopkgtest in a Debian that has nothing else."""
 
 import os
@@ -87,7 +87,8 @@ def test_programs_are_hardened_and_look_for_libraries_where_debian_has_them(unpa
     module = only(unpacked.glob("usr/lib/python3/dist-packages/stoss/_core.*.so"))
     assert re.search(r"SONAME.*\[libstoss\.so\.1\]", run("readelf", "--dynamic", str(library)))
     for file in (library, command, module):
-        dynamic, headers = (run("readelf", option, "--wide", str(file)) for option in ("--dynamic", "--program-headers"))
+        dynamic = run("readelf", "--dynamic", "--wide", str(file))
+        headers = run("readelf", "--program-headers", "--wide", str(file))
         assert "BIND_NOW" in dynamic and "GNU_RELRO" in headers, file  # what was relocated is read-only
         assert re.search(r"GNU_STACK.* RW ", headers), file  # not executable
         assert not re.search(r"R(UN)?PATH", dynamic), file
@@ -135,13 +136,14 @@ def test_packages_work_in_a_debian_that_has_nothing_else(packages):
         proxies = [line for line in run("apt-config", "dump").splitlines() if re.match(r"Acquire::https?::Proxy", line)]
         (CHROOT / "etc/apt/apt.conf.d/99proxy").write_text("".join(line + "\n" for line in proxies), encoding="utf-8")
         # In a name space of mounts of its own, so that /proc of the new system goes with the tests.
-        tests = ["autopkgtest", "--no-built-binaries", "--apt-upgrade", "--timeout-factor=3", *map(str, packages.values())]
-        tests += [str(only(DEB.glob("*.dsc"))), "--", "chroot", str(CHROOT)]
+        tests = ["autopkgtest", "--no-built-binaries", "--apt-upgrade", "--timeout-factor=3"]
+        tests += [*map(str, packages.values()), str(only(DEB.glob("*.dsc"))), "--", "chroot", str(CHROOT)]
         mounted = 'mount -t proc proc "$0/proc" && exec "$@"'
         done = subprocess.run(
             ["unshare", "--mount", "sh", "-c", mounted, str(CHROOT), *tests],
             stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, timeout=3000,
-            preexec_fn=lambda: signal.signal(signal.SIGINT, signal.SIG_DFL),  # which tests there send; shells may ignore it
+            # Tests there send this signal, which shells may ignore.
+            preexec_fn=lambda: signal.signal(signal.SIGINT, signal.SIG_DFL),
         )
         log = done.stdout
         (ROOT / "build/deb-tests.log").write_text(log, encoding="utf-8")
