@@ -8,11 +8,6 @@ from pathlib import Path
 import pytest
 from conftest import rows
 
-def test_version(stoss):
-    result = stoss.run("--version")
-    assert result.returncode == 0
-    assert result.stdout.startswith("stoss 0.")
-
 
 @pytest.mark.parametrize("subcommand", ["", "modes", "impact", "restitution", "bounce", "quasistatic"])
 def test_help_has_units_and_an_example(stoss, subcommand):
