@@ -21,7 +21,7 @@ inline void require_format(const std::string& where, const Json& given, const st
     const std::string version = text.substr(name.size()), own = format.substr(name.size());
     const bool whole = version.find_first_not_of("0123456789") == std::string::npos && !version.starts_with('0');
     const bool later = version.size() > own.size() || (version.size() == own.size() && version > own);
-    if (whole && later) hint = " (a later stoss has written it, which can read it)";
+    if (whole && later) hint = " (written by a later stoss)";
   }
   refuse(where, given, '"' + format + '"' + hint);
 }
