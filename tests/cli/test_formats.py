@@ -1,5 +1,6 @@
 """Each format that the command writes is named with its version, as docs/versions.md says, and a later one is refused."""
 
+import csv
 import json
 import re
 from pathlib import Path
@@ -47,6 +48,13 @@ def test_csv_names_the_version_of_stoss(stoss):
     for kind in ("modes", "restitution"):
         first = stoss.run(KINDS[kind], "--format csv").stdout.splitlines()[0]
         assert first == f"# stoss {version(stoss)}: {kind}"
+
+
+@pytest.mark.parametrize("kind", ["materials", "predict"])
+def test_texts_with_commas_are_one_cell_of_csv(stoss, kind):
+    lines = [line for line in stoss.run(KINDS[kind], "--format csv").stdout.splitlines() if not line.startswith("#")]
+    names, *rows = csv.reader(lines)
+    assert rows and all(len(row) == len(names) for row in rows)
 
 
 def test_a_header_in_c_names_the_version_of_stoss(stoss):
