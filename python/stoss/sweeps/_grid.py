@@ -125,7 +125,7 @@ class Grid:
 
     @classmethod
     def from_dict(cls, given: Mapping[str, Any]) -> Grid:
-        """Make a grid of the inputs as `to_dict` returns them, or as a file has them, which may name its `format`."""
+        """Make a grid of the inputs as `to_dict` returns them, or as a file has them, with its `format`."""
         known = {"format", "bodies", "against", "speed", "tolerance", "absolute"}
         if isinstance(given, Mapping) and "format" in given:
             _formats.require("format", given["format"], _formats.GRID)
