@@ -66,3 +66,14 @@ def test_the_citation_follows_the_rules_of_its_format():
         assert all({"family-names", "given-names"} == set(author) for author in reference["authors"])
         assert re.fullmatch(r"10\.\d{4,9}(\.\d+)?/[A-Za-z0-9:/_;\-\.\(\)\[\]\\]+", reference["doi"])
         assert isinstance(reference["year"], int) and isinstance(reference["volume"], int)
+
+
+def test_every_format_that_the_sources_name_is_in_the_table():
+    folders = (ROOT / folder for folder in ("src", "include", "python/stoss", "cli"))
+    files = [file for folder in folders for file in folder.rglob("*") if file.suffix in (".cpp", ".hpp", ".h", ".py")]
+    form = r'"(stoss [a-z]+(?: [a-z]+)* \d+)"'
+    named = {each for file in files for each in re.findall(form, file.read_text(encoding="utf-8"))}
+    table = re.findall(r"^\| [^|]* \| `(stoss [^`]*)` \|", page("docs/versions.md")[0], re.MULTILINE)
+    assert named == set(table) and len(table) == 5
+    results = re.search(r'"stoss/\{\}/(\d+)"', read("cli/output/writer.cpp"))[1]
+    assert f"| `stoss/KIND/{results}` |" in page("docs/versions.md")[0]
