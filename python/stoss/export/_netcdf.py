@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any, Mapping
 import numpy as np
 
 from stoss import _core
+from stoss.export import _formats
 from stoss.export._files import whole_file
 from stoss.results._result import QUANTITIES
 from stoss.results._si import si_name
@@ -34,7 +35,12 @@ def write(sweep: Sweep, path: str) -> None:
 
 
 def write_columns(
-    path: str, columns: Mapping[str, Any], dimensions: tuple[str, ...], units: Mapping[str, str], inputs: Mapping[str, Any]
+    path: str,
+    columns: Mapping[str, Any],
+    dimensions: tuple[str, ...],
+    units: Mapping[str, str],
+    inputs: Mapping[str, Any],
+    form: str,
 ) -> None:
     """The columns of a result, of which those named as dimensions are its coordinates."""
     try:
@@ -43,7 +49,7 @@ def write_columns(
         raise ImportError("netcdf: needs the package netCDF4 (python3-netcdf4), which is missing") from None
 
     file = netCDF4.Dataset("result", "w", format="NETCDF4", memory=1)
-    file.setncatts({"Conventions": "CF-1.8", "source": f"stoss {_core.version}"})
+    file.setncatts({"Conventions": "CF-1.8", "format": form, "source": f"stoss {_core.version}"})
     file.setncatts({key: str(value) for key, value in inputs.items()})
     shape = next(iter(columns.values())).shape
     for axis, (name, size) in enumerate(zip(dimensions, shape)):
@@ -70,6 +76,7 @@ def _describe(file: Any, sweep: Sweep) -> None:
     file.setncatts(
         {
             "Conventions": "CF-1.8",
+            "format": _formats.SWEEP,
             "title": "Coefficient of restitution of elastic bodies",
             "source": f"stoss {', '.join(sweep.versions) or _core.version}",
             "tolerance": sweep.grid.tolerance,

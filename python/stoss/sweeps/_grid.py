@@ -19,6 +19,7 @@ from stoss.bodies._bodies import Body, speed_unit, speeds_in_si
 from stoss.bodies._encounter import Against, choose_against, choose_body, refinable
 from stoss.bodies._solid import Solid, Specification, describe
 from stoss.bodies._walls import HardWall, Unbounded
+from stoss.export import _formats
 from stoss.sweeps._specification import Choices, beside, choices, expanded, make
 
 MOST_CASES = 100_000  # bodies times partners
@@ -124,12 +125,14 @@ class Grid:
 
     @classmethod
     def from_dict(cls, given: Mapping[str, Any]) -> Grid:
-        """Make a grid of the inputs as `to_dict` returns them, or as a TOML file has them."""
-        known = {"bodies", "against", "speed", "tolerance", "absolute"}
+        """Make a grid of the inputs as `to_dict` returns them, or as a file has them, with its `format`."""
+        known = {"format", "bodies", "against", "speed", "tolerance", "absolute"}
+        if isinstance(given, Mapping) and "format" in given:
+            _formats.require("format", given["format"], _formats.GRID)
         if not isinstance(given, Mapping) or not {"bodies", "speed"} <= set(given) <= known:
             got = sorted(map(str, given)) if isinstance(given, Mapping) else given
             raise refusal("grid", got, "bodies and speed, and besides against, tolerance, absolute")
-        return cls(**given)
+        return cls(**{name: value for name, value in given.items() if name != "format"})
 
     @classmethod
     def from_toml(cls, path: str | os.PathLike[str]) -> Grid:

@@ -24,6 +24,7 @@ from typing import Any, Dict, Iterator, NamedTuple, Tuple
 
 from stoss import _core
 from stoss._errors import InvalidInput
+from stoss.export import _formats
 from stoss.export._files import usual_mode
 from stoss.export._text import UNKNOWN, cell, known
 from stoss.sweeps._grid import Grid
@@ -58,7 +59,7 @@ def create(store: str | os.PathLike[str], grid: Grid) -> Path:
         descriptor, temporary = tempfile.mkstemp(dir=path, prefix=".grid-", text=True)
         try:
             with open(descriptor, "w", encoding="utf-8") as stream:
-                stream.write(json.dumps(grid.to_dict(), indent=1) + "\n")
+                stream.write(json.dumps({"format": _formats.GRID, **grid.to_dict()}, indent=1) + "\n")
                 stream.flush()
                 os.fsync(stream.fileno())
             os.chmod(temporary, usual_mode())
@@ -121,6 +122,7 @@ def _rows(file: Path, mix: bool) -> Iterator[tuple[str, float, Stored]]:
     if origin is None:
         raise _damaged(file, 1, lines[0])
     version = origin[1]
+    _formats.require_readable("store", str(file), version)
     if version != _core.version and not mix:
         raise InvalidInput(
             f"store: got '{file}' of stoss {version}, allowed {_core.version} (another version needs another store)"
