@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Builds the npm package of the core into build/npm, compiled to WebAssembly with Emscripten, and packs it into build/dist
-# unless told not to. Exit code 77: what that needs is not there.
+# Builds the npm package of the core into build/npm, compiled to WebAssembly with Emscripten, and packs it into
+# build/dist unless told not to. Exit code 77: what that needs is not there.
 #   npm.sh [JOBS [pack|build]]
 set -euo pipefail
 jobs=${1:-2}

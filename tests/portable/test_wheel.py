@@ -71,7 +71,7 @@ def test_the_sources_are_whole(sdist):
     listed = subprocess.run(["git", "ls-files", "src", "include", "cmake", "python"], cwd=ROOT, capture_output=True)
     if listed.returncode != 0:
         pytest.skip("not in a clone of the repository")
-    needed = set(listed.stdout.decode().split()) | {"CMakeLists.txt", "LICENSE", "README.md", "pyproject.toml", "setup.py"}
+    needed = {"CMakeLists.txt", "LICENSE", "README.md", "pyproject.toml", "setup.py", *listed.stdout.decode().split()}
     assert not needed - packed
     assert not [name for name in packed if re.search(r"\.so$|\.pyc$|^build/|^tests/", name)]
 

@@ -34,7 +34,8 @@ ObliqueCase case_of(const Question& asked, const Meeting& meeting) {
 }
 
 ObliqueCurveOptions options(const Question& asked) {
-  return {.each = {.tolerance = asked.number("tolerance", ObliqueOptions{}.tolerance), .poll = say_alive}, .threads = 1};
+  return {.each = {.tolerance = asked.number("tolerance", ObliqueOptions{}.tolerance), .poll = say_alive},
+          .threads = 1};
 }
 
 /// Whether the motion is in range. @throws InvalidInput with the name of what is not

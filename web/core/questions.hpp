@@ -10,8 +10,8 @@
 #include "javascript.hpp"
 #include "stoss/encounter/encounter.hpp"
 
-/// The questions of web/package/questions.ts, and those of web/src/core/local.ts: each is a function of JavaScript, bound where it is
-/// answered.
+/// The questions of web/package/questions.ts, and those of web/src/core/local.ts: each is a function of JavaScript,
+/// bound where it is answered.
 namespace stoss::web {
 
 /// Who meets whom, with the contacts that are made of it.

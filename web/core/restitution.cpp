@@ -21,7 +21,8 @@ std::string text(double value) {
 }
 
 CurveOptions options(const Question& asked) {
-  return {.each = {.tolerance = asked.number("tolerance", RestitutionOptions{}.tolerance), .poll = say_alive}, .threads = 1};
+  return {.each = {.tolerance = asked.number("tolerance", RestitutionOptions{}.tolerance), .poll = say_alive},
+          .threads = 1};
 }
 
 /// ε at one speed.

@@ -10,8 +10,8 @@ export function typesOf({ description, properties: { vibration: _, ...properties
   };
   for (const name of ['first', 'against']) whole.properties[name] = { $ref: name };
   const types = Object.entries({ ...named, Encounter: { ...whole, description } })
-    .map(([name, schema]) => `${comment(schema, '')}export type ${name} = ${typeOf(schema, '')};\n`.replaceAll(/ +$/gm, ''));
-  return `// Made by web/plugins/documents.mjs of the core's schema.\n\n${types.join('\n')}`;
+    .map(([name, schema]) => `${comment(schema, '')}export type ${name} = ${typeOf(schema, '')};\n`);
+  return `// Made by web/plugins/documents.mjs of the core's schema.\n\n${types.join('\n')}`.replaceAll(/ +$/gm, '');
 }
 
 /** As in ModalBody. */
@@ -39,8 +39,10 @@ const inParentheses = (type) => (/^[^{]*[|&]|^readonly/.test(type) ? `(${type})`
 /** Of members that stand in for each other, as `oneOf` of their names has it, one must be there. */
 function objectOf({ properties, required = [], oneOf = [] }, indent) {
   const inner = `${indent}  `;
-  const lines = Object.entries(properties).map(([name, schema]) =>
-    `${comment(schema, inner)}${inner}readonly ${name}${required.includes(name) ? '' : '?'}: ${typeOf(schema, inner)};\n`);
+  const lines = Object.entries(properties).map(([name, schema]) => {
+    const key = required.includes(name) ? name : `${name}?`;
+    return `${comment(schema, inner)}${inner}readonly ${key}: ${typeOf(schema, inner)};\n`;
+  });
   const choices = oneOf.map((each) => `{ ${each.required.map((name) => `readonly ${name}: {}`).join('; ')} }`);
   return `{\n${lines.join('')}${indent}}${choices.length > 0 ? ` & (${choices.join(' | ')})` : ''}`;
 }

@@ -1,5 +1,5 @@
-// Writes what the core knows of bodies: src/generated/kinds.ts, its table of kinds and its named materials, for the types
-// and texts of the page; package/generated/documents.ts, the types of encounters, for the package.
+// Writes what the core knows of bodies: src/generated/kinds.ts, its table of kinds and its named materials, for the
+// types and texts of the page; package/generated/documents.ts, the types of encounters, for the package.
 import { mkdirSync, readFileSync, writeFileSync } from 'node:fs';
 import create from '../../build/wasm/stoss.mjs';
 import { typesOf } from './documents.mjs';
