@@ -21,7 +21,7 @@ from stoss.sweeps._grid import Grid
 from stoss.sweeps._rows import Layout
 from stoss.sweeps._tasks import Part, fill, missing, parts_of
 from stoss.sweeps._values import Sweep, merge, values_of
-from stoss.sweeps._worker import Worker
+from stoss.sweeps._worker import Worker, flush
 
 
 def main(words: Sequence[str]) -> int:
@@ -46,6 +46,7 @@ def _sweep(words: Sequence[str]) -> int:
     threads = given.threads or len(os.sched_getaffinity(0))
     with Worker(path, Layout(grid.computation), name) as worker:  # a second one of this shard ends here
         done = fill(worker, grid.computation, path, missing(grid, path, parts), threads)
+    flush(path)
     found, own = values_of(grid, path), np.zeros(grid.shape, dtype=bool)
     for case, (begin, end) in parts:
         own[case.place].reshape(-1)[begin:end] = True

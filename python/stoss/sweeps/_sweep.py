@@ -16,6 +16,7 @@ from stoss.sweeps import _store
 from stoss.sweeps._grid import Grid
 from stoss.sweeps._tasks import Task, compute, missing, parts_of, tasks_of
 from stoss.sweeps._values import Sweep, values_of
+from stoss.sweeps._worker import flush
 
 
 def sweep(
@@ -69,6 +70,8 @@ def sweep(
         result = values_of(chosen, path)
         done = f"{np.count_nonzero(result.computed)} of {result.computed.size}"
         raise Interrupted(f"sweep: interrupted after {done} values (they are in the store)", result) from None
+    finally:
+        flush(path)
     result = values_of(chosen, path)
     if not result.complete:
         raise InvalidInput(f"store: got '{path}', which not all workers see, allowed a directory that they share")

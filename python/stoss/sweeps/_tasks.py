@@ -83,13 +83,7 @@ def compute(task: Task, threads: int = 1) -> int:
 
 def fill(worker: Worker, computation: Computation, path: Path, pieces: Iterable[Piece], threads: int) -> int:
     """Compute pieces and append their values. Returns how many."""
-    done = 0
-    try:
-        for piece in pieces:
-            done += _fill(worker, computation, path, piece, threads)
-    finally:
-        worker.flush()
-    return done
+    return sum(_fill(worker, computation, path, piece, threads) for piece in pieces)
 
 
 def _fill(worker: Worker, computation: Computation, path: Path, piece: Piece, threads: int) -> int:

@@ -20,7 +20,9 @@ from stoss.export._text import cell, known
 from stoss.sweeps._rows import Layout, Row
 
 OFTEN = 1.0
-"""Seconds after which rows are sent to the disk itself: at each row it would cost more than many values."""
+"""Seconds after which this process sends rows to the disk itself: after each row or task it would wait too often."""
+
+_sent = time.monotonic()
 
 
 class Worker:
@@ -45,7 +47,6 @@ class Worker:
                 if name is not None:
                     raise
         self._cases: set[str] = set()
-        self._sent = time.monotonic()
         try:
             self._mend()
         except BaseException:
@@ -108,10 +109,18 @@ class Worker:
         comment = "" if key in self._cases else f"# case {key}: {json.dumps(inputs, sort_keys=True)}\n"
         self._write(f"{comment}{','.join((key, *map(repr, point), *cells))}\n")
         self._cases.add(key)
-        if time.monotonic() > self._sent + OFTEN:
-            self.flush()
+        self.flush()
 
     def flush(self) -> None:
-        """Let all rows so far survive a failure of the machine, not only of the process."""
-        os.fsync(self._descriptor)
-        self._sent = time.monotonic()
+        """Let all rows so far survive a failure of the machine, not only of the process, if it is time again."""
+        global _sent
+        if time.monotonic() > _sent + OFTEN:
+            os.fsync(self._descriptor)
+            _sent = time.monotonic()
+
+
+def flush(path: Path) -> None:
+    """The same for all files of a store, now."""
+    for file in path.glob("*.csv"):
+        with open(file, "rb") as stream:
+            os.fsync(stream.fileno())
