@@ -8,10 +8,9 @@ as many, which takes longer by what the additional cases cost. The time for whic
 it; it is in a column of its own. Rows of one and of several processes are measured by turns.
 
 `elapsed` is 1 where N processes do N times as many cases in a second as one. It means nothing where others use the
-machine. `processor` is the processor time of a case in one process over that in N, of all processes together: what it
-lacks to 1 is what processes cost each other, and no other load is in it; it does not see a process that waits.
-`waiting` is the processor time of the process that hands out, reads and collects, as a share of what one of N computes:
-by so much, at most, the others wait for it.
+machine. `efficiency` is the same by processor time, in which there is no other load: t₁/(t_N + (N − 1) h), with the
+processor times t of a case, of all processes together, and h of the process that hands out, reads and collects, for
+which the others are taken to wait. It does not see the wait for a disk.
 """
 
 import argparse
@@ -81,14 +80,15 @@ def main() -> None:
     (folder / "script.py").write_text(SCRIPT, encoding="utf-8")
     try:
         print(f"{2 * given.cases} cases of 10 speeds; load of the machine before: {os.getloadavg()[0]:.1f}\n")
-        print("| executor | processes | cases/s | cases/processor s | elapsed | processor | waiting | to begin, s |")
-        print("|---|---|---|---|---|---|---|---|")
+        print("| executor | processes | cases/s | cases/processor s | elapsed | efficiency | to begin, s |")
+        print("|---|---|---|---|---|---|---|")
         for executor in given.only.split(","):
             one = slope(executor, 1, given.cases, folder)
             several = slope(executor, given.processes, given.cases, folder)
             for count, (elapsed, spent, handing, start) in ((1, one), (given.processes, several)):
+                efficiency = one[1] / (spent + (count - 1) * handing)
                 row = [executor, str(count), f"{1 / elapsed:.3g}", f"{1 / spent:.3g}", f"{one[0] / elapsed / count:.2f}",
-                       f"{one[1] / spent:.2f}", f"{handing * count / spent:.3f}", f"{start:.1f}"]  # fmt: skip
+                       f"{efficiency:.2f}", f"{start:.1f}"]  # fmt: skip
                 print(f"| {' | '.join(row)} |", flush=True)
     finally:
         shutil.rmtree(folder)

@@ -94,6 +94,7 @@ class Grid:
         }  # fmt: skip
         first, second = _several("bodies", bodies), _several("against", against)
         self.computation: Computation = choose_computation(given)
+        self.tolerance, self.absolute = map(self.computation.accuracy.get, ("tolerance", "absolute"))
         count = 1000 if samples is None else integer("samples", samples)
         axes = {name: _axis(name, given[name]) for name in self.computation.axes if name != "sample"}
         lengths = {name: each.size for name, each in axes.items()}

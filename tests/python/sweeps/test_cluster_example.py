@@ -61,7 +61,7 @@ def test_the_grid_has_as_many_cases_as_it_says():
     bodies = 40 * len(given["bodies"]["material"])
     partners = 99 * len(given["against"][0]["material"]) + len(given["against"][1]["material"])
     assert bodies * partners == 10**5 and "10⁵ cases: 200 balls, each with 495 balls and on 5 blocks, at 5 speeds" in text
-    few = {**given["bodies"], "radius": [1e-3, 2e-2]}, [{**given["against"][0], "radius": [1.1e-3, 1.9e-2]}, given["against"][1]]
+    few = {**given["bodies"], "radius": [2e-3, 2e-2]}, [{**given["against"][0], "radius": [2.1e-3, 1.9e-2]}, given["against"][1]]
     assert len(stoss.Grid.from_dict({**given, "bodies": few[0], "against": few[1]}).cases()) == 10 * 15
 
 
