@@ -1,7 +1,7 @@
 """A sweep of 10⁵ cases on a cluster: what it would cost, and the sweep, which may be killed and continued.
 
 Estimate: python3 cases.py grid.toml --estimate 50        (on one core, some seconds)
-Run:      mpirun -n 129 python3 -m mpi4py.futures cases.py grid.toml STORE        (or: sbatch cases.sbatch)
+Run:      mpirun -n 33 python3 -m mpi4py.futures cases.py grid.toml STORE        (or: sbatch cases.sbatch)
 Expect:   of the estimate, the processor time of so many cases that were measured, and the core hours of the whole grid,
           which are extrapolated; of the run, what there is in the store, and STORE.nc with all values.
 
@@ -19,27 +19,29 @@ import numpy as np
 
 import stoss
 
-CORES = 128
-BUSY = 0.9  # share of the time for which they compute
+CORES = 32
 
 
 def estimate(path: Path, count: int) -> None:
     """What the grid would cost, from so many of its cases."""
-    begin = time.process_time()
     grid = stoss.Grid.from_toml(path)
-    cases, given, alone, spent = grid.cases(), grid.to_dict(), time.process_time() - begin, []
+    cases, given, spent, read = grid.cases(), grid.to_dict(), [], []
     for k in np.random.default_rng(1).choice(len(cases), min(count, len(cases)), replace=False):
         with tempfile.TemporaryDirectory() as store:
-            begin = time.process_time()
+            times = [time.process_time()]
             stoss.sweep({**given, "bodies": cases[k].body, "against": cases[k].against}, store=store)
-            spent.append(time.process_time() - begin)
+            times.append(time.process_time())
+            stoss.open_sweep(store)
+            times.append(time.process_time())
+        spent.append(times[1] - times[0])
+        read.append(times[2] - times[1])
     mean = np.mean(spent)
     error = np.std(spent, ddof=1) / np.sqrt(len(spent)) if len(spent) > 1 else np.inf
-    hours = len(cases) * mean / 3600, len(cases) * error / 3600
+    core, error_of_core, alone = len(cases) / 3600 * np.array([mean, error, np.mean(read)])
     print(f"measured: {len(spent)} cases, {stoss.with_error(mean, error)} s of a core each, all speeds together")
-    print(f"extrapolated, not measured: {len(cases)} cases of this grid, {stoss.with_error(*hours)} core hours;")
-    print(f"on {CORES} cores like this one, busy for {BUSY:.0%} of the time, {hours[0] / CORES / BUSY:.2g} hours,")
-    print(f"before which one of them checks the grid for {alone:.1f} s, and after which it reads the values")
+    print(f"extrapolated, not measured: {len(cases)} cases, {stoss.with_error(core, error_of_core)} core hours;")
+    print(f"on {CORES} cores like this one {core / CORES + alone:.2g} hours, of which one core checks the grid and reads")
+    print(f"the values for {60 * alone:.2g} minutes while the others wait")
 
 
 def run(path: Path, store: Path) -> None:

@@ -93,12 +93,13 @@ def _fill(worker: Worker, computation: Computation, path: Path, piece: Piece, th
     if case_of((0, 0), body, against, computation.accuracy).key != key:
         raise InvalidInput(f"grid: got another case {key} of a worker, allowed the same (all must have the same stoss)")
     rows = np.zeros(len(points), dtype=computation.row)
-    names, done = list(computation.columns), 0
+    names = computation.row.names or ()
+    picked, done = [names.index(name) for name in computation.columns], 0
 
     def keep() -> None:
         nonlocal done
-        row = rows[done]
-        worker.append(key, inputs, points[done], tuple(row[name].item() for name in names))
+        row = rows[done].item()
+        worker.append(key, inputs, points[done], tuple(row[k] for k in picked))
         done += 1
 
     computation.compute(body, refinable(body, against), points, threads, rows, keep)

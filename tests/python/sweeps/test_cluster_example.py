@@ -70,8 +70,10 @@ def test_estimate(folder, environment):
     done = subprocess.run(words, cwd=folder, env=environment, capture_output=True, text=True, timeout=300)
     assert done.returncode == 0, done.stderr
     each = float(re.search(r"^measured: 3 cases, ([\d.]+) ± [\d.]+ s of a core each", done.stdout)[1])
-    hours, error = map(float, re.search(r"^extrapolated, not measured: 8 cases of this grid, ([\d.]+) ± ([\d.]+)",
+    hours, error = map(float, re.search(r"^extrapolated, not measured: 8 cases, ([\d.]+) ± ([\d.]+) core hours",
                                         done.stdout, re.M).groups())  # fmt: skip
+    total = float(re.search(r"^on 32 cores like this one ([\d.e-]+) hours", done.stdout, re.M)[1])
+    assert hours / 32 - error < total < hours + error
     assert 0 < each < 60 and hours == pytest.approx(8 * each / 3600, rel=0.2, abs=2 * error)
     assert sorted(path.name for path in folder.iterdir()) == ["bin", "cases.py", "cases.sbatch", "small.toml"]
 
@@ -100,7 +102,7 @@ def test_job_on_two_processes_is_requeued_and_continues(folder, environment):
 
 def test_job_says_what_slurm_needs():
     text = (CLUSTER / "cases.sbatch").read_text(encoding="utf-8")
-    for each in ("--ntasks=129", "--cpus-per-task=1", "--signal=B:USR1@", "--requeue", "--time="):
+    for each in ("--ntasks=33", "--cpus-per-task=1", "--signal=B:USR1@", "--requeue", "--time="):
         assert re.search(rf"^#SBATCH {re.escape(each)}", text, re.M), each
     commands = [k for k, line in enumerate(text.splitlines()) if line and not line.startswith("#")]
     options = [k for k, line in enumerate(text.splitlines()) if line.startswith("#SBATCH")]
