@@ -40,8 +40,8 @@ def estimate(path: Path, count: int) -> None:
     core, error_of_core, alone = len(cases) / 3600 * np.array([mean, error, np.mean(read)])
     print(f"measured: {len(spent)} cases, {stoss.with_error(mean, error)} s of a core each, all speeds together")
     print(f"extrapolated, not measured: {len(cases)} cases, {stoss.with_error(core, error_of_core)} core hours;")
-    print(f"on {CORES} cores like this one {core / CORES + alone:.2g} hours, of which one core checks the grid and reads")
-    print(f"the values for {60 * alone:.2g} minutes while the others wait")
+    print(f"on {CORES} cores like this one {core / CORES + alone:.2g} hours, of which one core checks the grid and")
+    print(f"reads the values for {60 * alone:.2g} minutes at most while the others wait")
 
 
 def run(path: Path, store: Path) -> None:
