@@ -11,7 +11,7 @@ it; it is in a column of its own.
 machine. `efficiency` is the same by processor time, in which there is no other load: t₁/(t_N + (N − 1) h), with the
 processor times t of a case, of all processes together, and h of the process that hands out, reads and collects, for
 which the others are taken to wait; N is the number of cores where there are more processes. It does not see the wait
-for a disk. `apart` are N processes that know nothing of each other: what the machine itself allows, whose cores share
+for a disk. `alone` is h. `apart` are N processes that know nothing of each other: what the machine itself allows, whose cores share
 caches and, where they are threads of one core, its units.
 """
 
@@ -52,7 +52,7 @@ if __name__ == "__main__":
 
 ALLOWED = ("OMPI_ALLOW_RUN_AS_ROOT", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM", "OMPI_MCA_rmaps_base_oversubscribe")
 SINGLE = ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS")
-NAMES = ("executor", "processes", "cases/s", "cases/processor s", "elapsed", "efficiency", "to begin, s")
+NAMES = ("executor", "processes", "cases/s", "cases/processor s", "elapsed", "efficiency", "alone, ms", "to begin, s")
 
 
 def measured(executor: str, processes: int, cases: int, folder: Path) -> np.ndarray:
@@ -107,8 +107,9 @@ def main() -> None:
             for count in (1, *counts):
                 elapsed, spent, handing, start = one if count == 1 else slope(executor, count, given.cases, folder)
                 used = min(count, cores)
-                row = [1 / elapsed, 1 / spent, one[0] / elapsed / used, one[1] / (spent + (used - 1) * handing), start]
-                shown = [f"{value:{kind}}" for value, kind in zip(row, (".3g", ".3g", ".2f", ".2f", ".1f"))]
+                efficiency = one[1] / (spent + (used - 1) * handing)
+                row = [1 / elapsed, 1 / spent, one[0] / elapsed / used, efficiency, 1e3 * handing, start]
+                shown = [f"{value:{kind}}" for value, kind in zip(row, (".3g", ".3g", ".2f", ".2f", ".2f", ".1f"))]
                 print(f"| {' | '.join([executor, str(count), *shown])} |", flush=True)
     finally:
         shutil.rmtree(folder)
