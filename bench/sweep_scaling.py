@@ -11,8 +11,8 @@ it; it is in a column of its own.
 machine. `efficiency` is the same by processor time, in which there is no other load: t₁/(t_N + (N − 1) h), with the
 processor times t of a case, of all processes together, and h of the process that hands out, reads and collects, for
 which the others are taken to wait; N is the number of cores where there are more processes. It does not see the wait
-for a disk. `alone` is h. `apart` are N processes that know nothing of each other: what the machine itself allows, whose cores share
-caches and, where they are threads of one core, its units.
+for a disk. `alone` is h. `apart` are N processes that know nothing of each other: what the machine itself allows, whose
+cores share caches and, where they are threads of one core, its units.
 """
 
 import argparse
