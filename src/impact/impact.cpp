@@ -18,9 +18,6 @@
 namespace stoss {
 namespace {
 
-/// A step takes microseconds, with the most modes a tenth of a millisecond.
-constexpr long steps_between_polls = 8;
-
 /// Steps in which bodies that vibrate, and part so slowly that they have not yet cleared each other, will have done so.
 double steps_to_leave(const Contact& contact, const Collision& collision, double step) {
   const Snapshot now = collision.snapshot();
@@ -102,7 +99,7 @@ std::optional<Impact> run(const Contact& contact, double speed, const FixedResol
     if (static_cast<double>(step) > std::min(steps, most_steps)) {
       throw NotConverged("impact: the contact has not ended after " + std::to_string(step) + " steps");
     }
-    if (options.poll && step % steps_between_polls == 0) options.poll();
+    if (options.poll) options.poll();
     collision.advance();
     if (contact.gives_way && step == std::lround(0.5 * steps)) halfway = collision.snapshot();
     if (collision.overflows()) {
