@@ -15,10 +15,10 @@ double asked(const Sampling& sampling, double cutoff, double half_width) {
                   sampling.along_edge * cutoff * std::sqrt(half_width));
 }
 
-/// The next larger of half-widths of a fixed ratio, so that neighbouring impacts have the same grid (SetUps).
+/// The nearest of half-widths of a fixed ratio, so that neighbouring impacts have the same grid (SetUps).
 double in_steps(const Contact& contact, double half_width) {
   constexpr double steps = 32.0;
-  return contact.radius * std::exp2(std::ceil(steps * std::log2(half_width / contact.radius)) / steps);
+  return contact.radius * std::exp2(std::round(steps * std::log2(half_width / contact.radius)) / steps);
 }
 
 int fewest_nodes(const Contact& contact) {
