@@ -94,6 +94,8 @@ def _inputs(path: Path) -> dict[str, Any]:
         raise _damaged(path, error) from None
     if not isinstance(found, dict):
         raise _damaged(path, "no mapping")
+    if "format" in found:
+        _formats.require("format", found.pop("format"), _formats.GRID)
     return found
 
 
