@@ -10,6 +10,7 @@ from typing import Any, Iterable, Iterator, Mapping, NamedTuple, Tuple
 
 from stoss import _core
 from stoss._errors import InvalidInput
+from stoss.export import _formats
 from stoss.export._text import UNKNOWN
 from stoss.sweeps._computation import Computation
 
