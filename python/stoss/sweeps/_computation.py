@@ -53,8 +53,7 @@ class Computation:
 
     def empty(self, shape: tuple[int, ...]) -> NDArray[Any]:
         """Rows of which nothing is computed: NaN, 0 and False."""
-        fields: Mapping[str, Any] = self.row.fields or {}
-        rows = np.zeros(shape, dtype=[(name, fields[name][0]) for name in self.columns])
+        rows = np.zeros(shape, dtype=[(name, self.row[name]) for name in self.columns])
         for name in self.columns:
             if rows.dtype[name].kind == "f":
                 rows[name] = np.nan

@@ -6,7 +6,7 @@ import json
 import math
 import re
 from pathlib import Path
-from typing import Any, Iterable, Iterator, Mapping, NamedTuple, Tuple
+from typing import Any, Iterable, Iterator, NamedTuple, Tuple
 
 from stoss import _core
 from stoss._errors import InvalidInput
@@ -23,9 +23,8 @@ class Layout:
     """What a row of a computation holds: the key of its case, its point along the axes, what was found."""
 
     def __init__(self, computation: Computation) -> None:
-        fields: Mapping[str, Any] = computation.row.fields or {}
         self.axes, self.columns = computation.axes, computation.columns
-        self.kinds = [fields[name][0].kind for name in self.columns]
+        self.kinds = [computation.row[name].kind for name in self.columns]
         self.header = ",".join(("case", *self.axes, *self.columns))
 
 

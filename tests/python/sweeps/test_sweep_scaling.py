@@ -26,8 +26,9 @@ def test_the_bench_prints_a_row_for_each(interpreter):
 
 
 @pytest.mark.long
-@pytest.mark.parametrize("executor, module", [("local", "stoss"), ("mpi", "mpi4py"), ("dask", "distributed")])
+@pytest.mark.parametrize("executor, module", [("local", "stoss"), ("mpi", "mpi4py")])
 def test_two_processes_cost_a_tenth_at_most(interpreter, executor, module):
+    """Not of Dask, whose processes spend processor time by the clock: other load changes it."""
     pytest.importorskip(module)
     found = efficiencies(interpreter, "--cases", "60", "--processes", "2", "--only", f"apart,{executor}")
     assert found[executor, 2] >= 0.9 * min(1.0, found["apart", 2])
