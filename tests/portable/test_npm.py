@@ -102,7 +102,7 @@ const all = stoss.curve('{"first": {"kind": "disk", "poisson": 0.33}}', { speeds
 console.log(JSON.stringify({ all, seen, version: stoss.version, title: stoss.schema().title,
   steel: stoss.materials.find(({ name }) => name === 'steel') }));
 """)
-    assert (answer["version"], answer["title"]) == (VERSION, "stoss encounter")
+    assert (answer["version"], answer["title"]) == (VERSION, "stoss encounter 1")
     assert answer["steel"]["young"] > 1e11
     assert sorted(answer["seen"]) == [[0.02, 1], [0.1, 0]]
     for point in answer["all"]:
