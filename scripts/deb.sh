@@ -37,6 +37,10 @@ if [[ " ${DEB_BUILD_PROFILES:-} " != *" nodoc "* ]]; then
 fi
 
 cp -R debian "$out/$tree/debian"
+# The source package is no repository: what `stoss --version` names comes along.
+echo '@commit@' >"$out/commit.in"
+cmake -DSOURCE="$PWD" -DTEMPLATE="$PWD/$out/commit.in" -DOUTPUT="$PWD/$out/$tree/debian/commit" -DCOMMIT=auto -DGIT=git \
+  -P cmake/commit.cmake
 cd "$out"
 (cd "$tree" && dpkg-buildpackage --no-sign "--jobs=$jobs") >log 2>&1 || { tail -n 60 log >&2; fail "see $out/log"; }
 lintian --allow-root --fail-on error "stoss_${packaged}"_*.changes

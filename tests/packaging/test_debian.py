@@ -96,6 +96,20 @@ def test_programs_are_hardened_and_look_for_libraries_where_debian_has_them(unpa
     assert "DYN (" in run("readelf", "--file-header", str(command))  # at any address
 
 
+@pytest.fixture
+def packaged_command(unpacked):
+    """Runs the command of the packages; returns what it prints."""
+    folder = only(unpacked.glob("usr/lib/*/libstoss.so.1")).parent
+    environment = {**os.environ, "LD_LIBRARY_PATH": str(folder)}
+    return lambda *words: run(str(unpacked / "usr/bin/stoss"), *words, env=environment)
+
+
+def test_the_command_names_version_and_commit(packaged_command):
+    version = run("dpkg-parsechangelog", "--show-field", "Version").partition("-")[0]
+    commit = run("git", "rev-parse", "HEAD")[:7]
+    assert re.fullmatch(rf"stoss {version} \(commit {commit}(, changed)?\)\n", packaged_command("--version"))
+
+
 JOBS = (
     "restitution --poisson 0.33,0.9 --speed 0.005,0.1,0.3",
     "restitution --body sphere --poisson 0.3 --speed 1e-3,0.1 --against half-space",
@@ -106,10 +120,9 @@ JOBS = (
 
 
 @pytest.mark.parametrize("job", JOBS)
-def test_flags_of_debian_change_no_bit(unpacked, job):
+def test_flags_of_debian_change_no_bit(packaged_command, job):
     words = [*job.split(), "--format", "csv"]
-    folder = only(unpacked.glob("usr/lib/*/libstoss.so.1")).parent
-    packaged = run(str(unpacked / "usr/bin/stoss"), *words, env={**os.environ, "LD_LIBRARY_PATH": str(folder)})
+    packaged = packaged_command(*words)
     numbers = [line for line in packaged.splitlines() if not line.startswith("#")]
     assert len(numbers) > 1
     assert numbers == [line for line in run(os.environ["STOSS"], *words).splitlines() if not line.startswith("#")]
