@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "stoss/encounter/visible.hpp"
 #include "support/refusal.hpp"
 
 namespace stoss {
