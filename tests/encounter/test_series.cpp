@@ -7,7 +7,6 @@
 #include <string>
 #include <vector>
 
-#include "stoss/encounter/visible.hpp"
 #include "support/refusal.hpp"
 
 namespace stoss {
@@ -110,12 +109,6 @@ TEST(Series, WholeNumbers) {
             "nodes: got '1.5', it is not a whole number" + allowed);
   EXPECT_EQ(test::message_of<InvalidInput>([] { (void)parse_integer("nodes", "3e9"); }),
             "nodes: got '3e9', it is too large" + allowed);
-}
-
-TEST(Series, LongTextsAreShortenedBetweenCharacters) {
-  EXPECT_EQ(shortened("abc", 3), "abc");
-  EXPECT_EQ(shortened("abcd", 3), "abc... (4 bytes)");
-  EXPECT_EQ(shortened("ab\u03b5d", 3), "ab... (5 bytes)");
 }
 
 }  // namespace
