@@ -6,6 +6,7 @@ set -euo pipefail
 what=$1
 program=$(realpath "$2")
 name=$(basename "$program")
+name=${name#stoss_fuzz_}
 cd "$(dirname "$0")/.."
 corpus=fuzz/corpus/$name
 mkdir -p build/fuzz

@@ -37,7 +37,7 @@ def watched(tmp_path):
 @pytest.mark.parametrize("job", [*JOBS, *TABLES, "schema", "--help", "--version", *(f"{job.split()[0]} --help" for job in JOBS)])
 def test_nothing_is_written_without_a_name(watched, job):
     done, written = watched.run(os.environ["STOSS"], *job.split())
-    assert (done.returncode, done.stderr, written) == (0, "", set())
+    assert (done.returncode, written) == (0, set()), done.stderr
 
 
 @pytest.mark.parametrize("job", WRITTEN)

@@ -8,7 +8,7 @@
 namespace stoss {
 namespace {
 
-TEST(Series, LongTextsAreShortenedBetweenCharacters) {
+TEST(Visible, LongTextsAreShortenedBetweenCharacters) {
   EXPECT_EQ(shortened("abc", 3), "abc");
   EXPECT_EQ(shortened("abcd", 3), "abc... (4 bytes)");
   EXPECT_EQ(shortened("ab\u03b5d", 3), "ab... (5 bytes)");
