@@ -4,6 +4,7 @@
 
 #include "input/encounter.hpp"
 #include "oracle.hpp"
+#include "process/text.hpp"
 #include "stoss/encounter/document.hpp"
 
 using namespace stoss;
@@ -29,6 +30,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
       (void)cli::vibration_of(modes);
       (void)cli::parse_speeds(speed, cli::units_of(encounter));
     } catch (const CLI::Error&) {  // of usage
+    } catch (const InvalidInput& error) {
+      throw InvalidInput(visible(error.what()));  // as the command says it
     }
   });
   return 0;

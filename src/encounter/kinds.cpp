@@ -138,7 +138,7 @@ const Kind& kind(std::string_view name) {
     if (each.name == name) return each;
     names += (names.empty() ? "" : ", ") + std::string(each.name);
   }
-  throw InvalidInput("kind: got " + quoted(name) + ", allowed " + names);
+  throw InvalidInput("kind: got " + in_quotes(name) + ", allowed " + names);
 }
 
 const Parameter* parameter(const Kind& kind, std::string_view name) {

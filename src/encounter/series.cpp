@@ -62,7 +62,7 @@ struct Typed {
   const char* allowed;
 
   [[noreturn]] void refuse(const std::string& reason) const {
-    throw InvalidInput(std::string(name) + ": got " + quoted(text) + ", " + reason + " (allowed: " + allowed + ")");
+    throw InvalidInput(std::string(name) + ": got " + in_quotes(text) + ", " + reason + " (allowed: " + allowed + ")");
   }
 };
 
@@ -96,7 +96,7 @@ Number number(const Typed& typed, std::string_view part) {
   part.remove_prefix(std::min(part.find_first_not_of(' '), part.size()));
   part = part.substr(0, part.find_last_not_of(' ') + 1);
   if (part.empty()) typed.refuse("a number is missing");
-  const std::string which = part == typed.text ? "it" : quoted(part);
+  const std::string which = part == typed.text ? "it" : in_quotes(part);
 
   std::string_view rest = part;
   const bool negative = take_sign(rest);

@@ -65,6 +65,6 @@ std::string visible(std::string_view text, const std::function<std::string(unsig
   return line;
 }
 
-std::string quoted(std::string_view text) { return "'" + visible(shortened(text)) + "'"; }
+std::string in_quotes(std::string_view text) { return "'" + visible(shortened(text)) + "'"; }
 
 }  // namespace stoss

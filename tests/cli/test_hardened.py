@@ -13,7 +13,9 @@ BUILT = [Path(os.environ["STOSS"]), *sorted((TREE / "python" / "stoss").glob("_c
 
 
 def cached(name):
-    found = re.search(rf"^{name}:[A-Z]+=(.*)$", (TREE / "CMakeCache.txt").read_text(), re.MULTILINE)
+    """A variable of the build tree; "" where the command is not in one."""
+    cache = TREE / "CMakeCache.txt"
+    found = re.search(rf"^{name}:[A-Z]+=(.*)$", cache.read_text() if cache.exists() else "", re.MULTILINE)
     return found[1] if found else ""
 
 

@@ -39,7 +39,7 @@ TEST(Visible, TakesAnotherCode) {
   EXPECT_EQ(visible("\x1b!", [](unsigned char byte) { return "<" + std::to_string(byte) + ">"; }), "<27>!");
 }
 
-TEST(Visible, QuotesTheBeginning) { EXPECT_EQ(quoted(std::string(61, '\n')).substr(0, 5), "'\\n\\n"); }
+TEST(Visible, QuotesTheBeginning) { EXPECT_EQ(in_quotes(std::string(61, '\n')).substr(0, 5), "'\\n\\n"); }
 
 }  // namespace
 }  // namespace stoss

@@ -17,6 +17,6 @@ namespace stoss {
 [[nodiscard]] std::string visible(std::string_view text, const std::function<std::string(unsigned char byte)>& code);
 
 /// The beginning of the text on one line, in quotation marks.
-[[nodiscard]] std::string quoted(std::string_view text);
+[[nodiscard]] std::string in_quotes(std::string_view text);
 
 }  // namespace stoss
