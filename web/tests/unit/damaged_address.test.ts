@@ -34,7 +34,7 @@ it('is read whatever it is', () => {
     }
     return text;
   };
-  for (let count = 0; count < 3000; ++count) {
+  for (let count = 0; count < 500; ++count) {
     const text = damaged();
     const { inputs, problem } = fromAddress(`?${text}`);
     if (problem !== '') expect(problem, text).toMatch(/^The link is used except for this, [^\p{C}\p{Zl}\p{Zp}]{1,1000}\.$/u);
@@ -44,4 +44,4 @@ it('is read whatever it is', () => {
     expect(fromAddress(written).problem, `${text} as ${written}`).toBe('');
     expect(toAddress(fromAddress(written).inputs), text).toBe(written);
   }
-});
+}, 120_000);
