@@ -25,7 +25,7 @@ WRITTEN = [
     ("out", "stoss.restitution(poisson=0.33, speed=0.1, tolerance=0.1).to_csv('out')"),
     ("out", f"{BODY}; body.save('out')"),
     ("out.npz", f"{BODY}; body.save('out.npz')"),
-    ("out", f"{BALL}; stoss.impact(ball, against='same', speed=1.0, cutoff=12).sound(duration=0.01).save('out')"),
+    ("out", f"{BALL}; stoss.impact(ball, against='same', speed=1.0, cutoff=12).sound(duration=0.01, slower=1000).save('out')"),
     ("out", f"{BALL}; stoss.fit(ball, against='same', law='linear', speed=(0.01, 0.1), program='lammps').write('out')"),
 ]
 # A file that takes the place of another at the end, in the same folder.
