@@ -129,7 +129,7 @@ def archive(draw):
             header = f"{{'descr': '{draw(types)}', 'fortran_order': False, 'shape': {draw(shapes)}, }}"
             header += " " * (63 - (len(header) + 10) % 64) + "\n"
             start = b"\x93NUMPY\x01\x00" + len(header).to_bytes(2, "little") + header.encode()
-            file.writestr(f"{name}.npy", start + draw(st.sampled_from([bytes(16), b"", b"\x7f" * 80, bytes(1 << 22)])))
+            file.writestr(f"{name}.npy", start + draw(st.sampled_from([bytes(16), b"", b"\x7f" * 80, bytes(1 << 16)])))
     return stream.getvalue()
 
 
