@@ -5,6 +5,7 @@
 #include <string>
 
 #include "stoss/body/body.hpp"
+#include "stoss/restitution/restitution.hpp"
 
 namespace bench {
 
@@ -35,6 +36,10 @@ inline constexpr const char* quoted_to_counter = "finite elements to [s]";
 
 /// The disk with all modes up to a cutoff, made once.
 const stoss::Body& disk_body(double cutoff);
+
+/// Times `restitution` of a body at a wall, modes made before, and nothing else that impacts share. @return 1 − ε²
+double time_values(benchmark::State& state, const stoss::BodyMaker& body, double at,
+                   const stoss::RestitutionOptions& options);
 
 /// Registers a benchmark of one task, timed in milliseconds.
 template <typename Function>

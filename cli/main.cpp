@@ -11,6 +11,7 @@
 #include <system_error>
 
 #include "app.hpp"
+#include "commit.hpp"
 #include "output/output.hpp"
 #include "process/process.hpp"
 #include "process/text.hpp"
@@ -49,7 +50,7 @@ void reopen_closed_descriptors() {
 
 int run(int argc, char** argv) {
   CLI::App app;
-  stoss::cli::declare(app);
+  stoss::cli::declare(app, stoss::cli::commit());
   try {
     app.parse(words(argc, argv));
     return ok;

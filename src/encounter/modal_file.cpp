@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "encounter/formats.hpp"
 #include "encounter/json_values.hpp"
 #include "encounter/modal_rotation.hpp"
 
@@ -16,7 +17,6 @@ namespace {
 
 using namespace json;
 
-constexpr const char* format = "stoss modal body 1";
 constexpr std::size_t longest_name = 200, longest_origin = 2000;  // bytes
 constexpr double turn = 2.0 * std::numbers::pi;
 
@@ -74,12 +74,10 @@ void read_modes(const std::string& where, const Json& given, ModalBody& body) {
 
 ModalBody modal_body_from_json(std::string_view text, const std::string& where) {
   const Json given = parsed(where, text);
+  require_format(where + " format", object(where, given).value("format", Json()), modal_body_format);
   require_keys(where, given,
                {"format", "name", "origin", "mass", "rotation", "curvature", "young", "poisson", "density", "loss_time",
                 "compliance", "compliance_error", "complete_to", "tangent", "modes"});
-  if (!given.contains("format") || given["format"] != format) {
-    refuse(where + " format", given.value("format", Json()), '"' + std::string(format) + '"');
-  }
   ModalBody body;
   if (given.contains("name")) body.name = line(where + " name", given["name"], longest_name);
   if (given.contains("origin")) body.origin = line(where + " origin", given["origin"], longest_origin);
@@ -126,7 +124,7 @@ std::string to_json(const ModalBody& body) {
     if (body.tangent->has_bends) all("tangential_displacement_curvature", 1.0, &PointMode::tangential_bend);
     all("tangential_displacement_error", 1.0, &PointMode::tangential_error);
   }
-  Json document{{"format", format}, {"name", body.name}};
+  Json document{{"format", modal_body_format}, {"name", body.name}};
   if (!body.origin.empty()) document["origin"] = body.origin;
   document["mass"] = body.mass;
   document["curvature"] = {body.curvature + half, body.curvature - half};

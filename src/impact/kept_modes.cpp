@@ -200,7 +200,8 @@ double KeptModes::reach(std::size_t begin, std::size_t end) const {
     const double lower = greatest(shapes_of_[g].lower);
     for (std::size_t l = 0; l < size_[g]; ++l) {
       const std::size_t k = position(g, l);
-      sum += std::hypot(a_[k], velocity(g, k)) * (std::abs(upper_[k]) * upper + std::abs(lower_[k]) * lower);
+      const double v = velocity(g, k);
+      sum += std::sqrt(a_[k] * a_[k] + v * v) * (std::abs(upper_[k]) * upper + std::abs(lower_[k]) * lower);
     }
   }
   return sum;
