@@ -22,7 +22,7 @@ fi
 # Tests and checks; the page.
 if [ "$what" = test ] || [ "$what" = all ] || [ "$what" = long ]; then
   packages+=(
-    libgtest-dev libgmock-dev pkgconf python3-pytest python3-jsonschema python3-hypothesis python3-tqdm mypy
+    libgtest-dev libgmock-dev pkgconf strace python3-pytest python3-jsonschema python3-hypothesis python3-tqdm mypy
     gfortran chipmunk-dev libbox2d-dev libbullet-dev
     python3-scipy python3-numba lammps liggghts libmujoco-dev
     python3-netcdf4 python3-xarray python3-mpi4py openmpi-bin python3-distributed

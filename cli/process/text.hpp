@@ -4,12 +4,9 @@
 #include <string_view>
 #include <vector>
 
-#include "stoss/encounter/series.hpp"
+#include "stoss/encounter/visible.hpp"
 
 namespace stoss::cli {
-
-/// The text on one line: control characters, and bytes that are no UTF-8, as \n or \x1b.
-[[nodiscard]] std::string visible(std::string_view text);
 
 /// The word as a shell reads it back: bare, in '…' or, with control characters, in $'…'.
 [[nodiscard]] std::string shell_quoted(std::string_view word);
