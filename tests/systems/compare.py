@@ -1,0 +1,103 @@
+"""Does a command of another system compute what the one of this machine computes?
+
+    compare.py NATIVE [EMULATOR...] COMMAND
+
+Both run the same jobs. Numbers must agree to DIGITS, words and the flags of a value as they are. They do not agree bit
+by bit: compilers contract and vectorise differently, and each system has a mathematical library of its own.
+"""
+
+import pathlib
+import re
+import subprocess
+import sys
+import tempfile
+
+DIGITS = 1e-9
+# As large as rounding itself: sums that would be 0, and differences of runs that agree to many digits.
+NOISE = 1e-11
+
+CURVE = "restitution --poisson 0.33 --speed 0.1,0.2,0.3"
+JOBS = [
+    "modes --poisson 0.33 --cutoff 10 --format csv",
+    f"{CURVE} --format csv",
+    "restitution --body sphere --poisson 0.3 --speed 0.1 --format csv",
+    "restitution --body sphere --poisson 0.3 --speed 0.01 --against half-space,poisson=0.22 --format csv",
+    "restitution --body sphere --material steel --radius 0.005 --speed 1 --against half-space,material=glass --format json",
+    "restitution --body rod --speed 0.1 --against rod,length=2.5 --tolerance 0.01 --format csv",
+    # Random numbers by counter: which mode vibrates how.
+    "distribution --poisson 0.33 --speed 0.1 --temperature 0.02 --highest 4 --samples 3 --seed 7 --error 0.02 --format csv",
+    "oblique --body sphere --poisson 0.3 --speed 0.1 --angle 30 --friction 0.1 --format csv",
+    "table --poisson 0.33 --speed 0.05:0.2 --error 1e-3",
+    "predict --body sphere --material steel --radius 0.005 --speed 0.5 --against half-space,material=glass --format csv",
+    "schema",
+    "materials --format csv",
+]
+# A wrong name, a wrong number, a file that is not there: codes and lines of stderr.
+REFUSED = ["restitution --poison 0.3", "restitution --poisson 3 --speed 0.1", f"{CURVE} -o no/such/folder/curve.csv"]
+
+NUMBER = re.compile(r"[-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?")
+
+
+class Differs(Exception):
+    """What the two have computed differs."""
+
+
+def run(command, job, code=0):
+    """What a job writes on stdout, or with an exit code above 0 on stderr; \\r\\n counts as it is."""
+    done = subprocess.run([*command, *job.split()], capture_output=True, timeout=1200)
+    if done.returncode != code:
+        raise Differs(f"{job}: exit code {done.returncode}, not {code}\n{done.stderr.decode(errors='replace')}")
+    return (done.stderr if code else done.stdout).decode()
+
+
+def same(expected, got, where):
+    """The largest relative difference of numbers in texts that must agree in all else."""
+    if NUMBER.sub("#", expected) != NUMBER.sub("#", got):
+        raise Differs(f"{where}: other words:\n{expected}\n{got}")
+    largest = 0.0
+    for a, b in zip(NUMBER.findall(expected), NUMBER.findall(got), strict=True):
+        difference = abs(float(a) - float(b))
+        if difference > DIGITS * max(abs(float(a)), abs(float(b))) + NOISE:
+            raise Differs(f"{where}: {b} instead of {a}")
+        if max(abs(float(a)), abs(float(b))) > 1e-3:
+            largest = max(largest, difference / max(abs(float(a)), abs(float(b))))
+    return largest
+
+
+def kept(native, command, folder):
+    """Files: what this machine has begun the other goes on with, and ends as it ends its own."""
+    job = f"{CURVE} --format csv"
+    whole = pathlib.Path(folder, "whole.csv")
+    whole.write_text("of another job\n")
+    run(command, f"{job} -o {whole}")
+    if b"\r" in whole.read_bytes():
+        raise Differs("lines end with CR")
+    begun = pathlib.Path(folder, "begun.csv")
+    run(native, f"{job} -o {begun}")
+    lines = begun.read_bytes().splitlines(keepends=True)
+    begun.write_bytes(b"".join(lines[:-2]) + lines[-2][:20])  # one row and a part of the next
+    run(command, f"{CURVE} --resume {begun}")
+    after = begun.read_bytes().splitlines(keepends=True)
+    ends = whole.read_bytes().splitlines(keepends=True)
+    if after[:-2] != lines[:-2] or after[-2:] != ends[-2:]:
+        raise Differs("a file that was begun here is not ended there as its own")
+
+
+def main(arguments):
+    native, command = [arguments[0]], arguments[1:]
+    largest = 0.0
+    with tempfile.TemporaryDirectory() as folder:
+        for job in JOBS:
+            largest = max(largest, same(run(native, job), run(command, job), job))
+        for job in REFUSED:
+            code = subprocess.run([*native, *job.split()], capture_output=True).returncode
+            same(run(native, job, code), run(command, job, code), job)
+        kept(native, command, folder)
+    print(f"{len(JOBS)} jobs agree, numbers above 0.001 to {largest:.1e}; {len(REFUSED)} are refused alike; a file is resumed")
+
+
+if __name__ == "__main__":
+    try:
+        main(sys.argv[1:])
+    except Differs as difference:
+        sys.exit(f"compare: {difference}")
