@@ -10,6 +10,7 @@
 #include "input/encounter.hpp"
 #include "output/row_run.hpp"
 #include "process/process.hpp"
+#include "process/system.hpp"
 #include "process/text.hpp"
 #include "stoss/encounter/series.hpp"
 #include "stoss/errors.hpp"

@@ -19,6 +19,9 @@ NOISE = 1e-11
 CURVE = "restitution --poisson 0.33 --speed 0.1,0.2,0.3"
 JOBS = [
     "modes --poisson 0.33 --cutoff 10 --format csv",
+    "impact --poisson 0.33 --speed 0.1 --cutoff 20 --format csv",
+    "bounce --poisson 0.33 --speed 0.1 --count 3 --flight-time 100 --format csv",
+    "quasistatic --poisson 0.33 --speed 1e-3 --format csv",
     f"{CURVE} --format csv",
     "restitution --body sphere --poisson 0.3 --speed 0.1 --format csv",
     "restitution --body sphere --poisson 0.3 --speed 0.01 --against half-space,poisson=0.22 --format csv",
