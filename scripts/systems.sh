@@ -2,7 +2,8 @@
 # Builds the library and the command for another system, and compares what they compute there with what they compute
 # here, by the command in STOSS (default: that of build/release).
 #   systems.sh [SYSTEM [JOBS]]
-# SYSTEM is the name of a file of cmake/toolchains; without one it names them. Exit code 77: what that needs is not there.
+# SYSTEM is the name of a file of cmake/toolchains; without one it names them. Exit code 77: what that needs is not
+# there.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 toolchains=cmake/toolchains
@@ -25,13 +26,17 @@ read -ra cxx <<<"$(set_to CMAKE_CXX_COMPILER) $(set_to CMAKE_CXX_FLAGS_INIT)"
 read -ra c <<<"$(set_to CMAKE_C_COMPILER) $(set_to CMAKE_C_FLAGS_INIT)"
 read -ra link <<<"$(set_to CMAKE_EXE_LINKER_FLAGS_INIT)"
 command -v "${cxx[0]}" >/dev/null || skip "no ${cxx[0]}"
-echo '#include <version>' | "${cxx[@]}" -std=c++20 -fsyntax-only -x c++ - 2>/dev/null || skip "no C++ library for ${cxx[*]}"
+echo '#include <version>' | "${cxx[@]}" -std=c++20 -fsyntax-only -x c++ - 2>/dev/null ||
+  skip "no C++ library for ${cxx[*]}"
 
 # Optimised for the compiler's time: what is looked for here is not speed.
 build=build/systems/$system
 mkdir -p "$build"
-{ cmake --preset release -B "$build" --toolchain "$toolchain" "-DCMAKE_CXX_FLAGS_RELEASE=-O1 -DNDEBUG" &&
-  cmake --build "$build" -j "$jobs" --target stoss stoss_command; } >"$build/log" 2>&1 || { cat "$build/log" >&2; exit 1; }
+build() {
+  cmake --preset release -B "$build" --toolchain "$toolchain" "-DCMAKE_CXX_FLAGS_RELEASE=-O1 -DNDEBUG" &&
+    cmake --build "$build" -j "$jobs" --target stoss stoss_command
+}
+build >"$build/log" 2>&1 || { cat "$build/log" >&2; exit 1; }
 
 emulator=()
 if grep -q STOSS_EMULATOR "$toolchain"; then

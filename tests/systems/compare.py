@@ -16,6 +16,7 @@ DIGITS = 1e-9
 # As large as rounding itself: sums that would be 0, and differences of runs that agree to many digits.
 NOISE = 1e-11
 
+BALL = "--body sphere --material steel --radius 0.005"
 CURVE = "restitution --poisson 0.33 --speed 0.1,0.2,0.3"
 JOBS = [
     "modes --poisson 0.33 --cutoff 10 --format csv",
@@ -25,13 +26,14 @@ JOBS = [
     f"{CURVE} --format csv",
     "restitution --body sphere --poisson 0.3 --speed 0.1 --format csv",
     "restitution --body sphere --poisson 0.3 --speed 0.01 --against half-space,poisson=0.22 --format csv",
-    "restitution --body sphere --material steel --radius 0.005 --speed 1 --against half-space,material=glass --format json",
+    f"restitution {BALL} --speed 1 --against half-space,material=glass --format json",
     "restitution --body rod --speed 0.1 --against rod,length=2.5 --tolerance 0.01 --format csv",
     # Random numbers by counter: which mode vibrates how.
-    "distribution --poisson 0.33 --speed 0.1 --temperature 0.02 --highest 4 --samples 3 --seed 7 --error 0.02 --format csv",
+    "distribution --poisson 0.33 --speed 0.1 --temperature 0.02 --highest 4 --samples 3 --seed 7 --error 0.02"
+    " --format csv",
     "oblique --body sphere --poisson 0.3 --speed 0.1 --angle 30 --friction 0.1 --format csv",
     "table --poisson 0.33 --speed 0.05:0.2 --error 1e-3",
-    "predict --body sphere --material steel --radius 0.005 --speed 0.5 --against half-space,material=glass --format csv",
+    f"predict {BALL} --speed 0.5 --against half-space,material=glass --format csv",
     "schema",
     "materials --format csv",
 ]
@@ -96,7 +98,8 @@ def main(arguments):
             code = subprocess.run([*native, *job.split()], capture_output=True).returncode
             same(run(native, job, code), run(command, job, code), job)
         kept(native, command, folder)
-    print(f"{len(JOBS)} jobs agree, numbers above 0.001 to {largest:.1e}; {len(REFUSED)} are refused alike; a file is resumed")
+    print(f"{len(JOBS)} jobs agree, numbers above 0.001 to {largest:.1e}; {len(REFUSED)} are refused alike; "
+          "a file is resumed")
 
 
 if __name__ == "__main__":
