@@ -2,10 +2,12 @@
 
     compare.py NATIVE [EMULATOR...] COMMAND
 
-Both run the same jobs. Numbers must agree to DIGITS, words and the flags of a value as they are. They do not agree bit
-by bit: compilers contract and vectorise differently, and each system has a mathematical library of its own.
+Both run the same jobs. Numbers must agree to DIGITS, errors of values to ERROR_DIGITS, words and flags as they are.
+They do not agree bit by bit: compilers contract and vectorise differently, and each system has a mathematical library
+of its own.
 """
 
+import csv
 import pathlib
 import re
 import subprocess
@@ -13,7 +15,9 @@ import sys
 import tempfile
 
 DIGITS = 1e-9
-# As large as rounding itself: sums that would be 0, and differences of runs that agree to many digits.
+# An error has two digits that count, and is a difference of runs that agree to many.
+ERROR_DIGITS = 1e-6
+# As large as rounding itself: sums that would be 0.
 NOISE = 1e-11
 
 BALL = "--body sphere --material steel --radius 0.005"
@@ -35,12 +39,13 @@ JOBS = [
     "table --poisson 0.33 --speed 0.05:0.2 --error 1e-3",
     f"predict {BALL} --speed 0.5 --against half-space,material=glass --format csv",
     "schema",
-    "materials --format csv",
+    "materials --format json",
 ]
 # A wrong name, a wrong number, a file that is not there: codes and lines of stderr.
 REFUSED = ["restitution --poison 0.3", "restitution --poisson 3 --speed 0.1", f"{CURVE} -o no/such/folder/curve.csv"]
 
 NUMBER = re.compile(r"[-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?")
+KEY = re.compile(r'\s*"(\w+)": ')
 
 
 class Differs(Exception):
@@ -55,17 +60,29 @@ def run(command, job, code=0):
     return (done.stderr if code else done.stdout).decode()
 
 
-def same(expected, got, where):
-    """The largest relative difference of numbers in texts that must agree in all else."""
+def parts(text, is_csv):
+    """A text in parts with the names that they have: cells by their columns, lines of JSON by their keys."""
+    lines = text.splitlines()
+    if not is_csv:
+        return [(key[1] if (key := KEY.match(line)) else "", line) for line in lines]
+    columns, *rows = csv.reader(line for line in lines if not line.startswith("#"))
+    return [named for row in rows for named in zip(columns, row, strict=True)]
+
+
+def same(expected, got, job):
+    """The largest relative difference of numbers above 0.001, but of errors, in texts that must agree in all else."""
     if NUMBER.sub("#", expected) != NUMBER.sub("#", got):
-        raise Differs(f"{where}: other words:\n{expected}\n{got}")
+        raise Differs(f"{job}: other words:\n{expected}\n{got}")
+    is_csv = "--format csv" in job
     largest = 0.0
-    for a, b in zip(NUMBER.findall(expected), NUMBER.findall(got), strict=True):
-        difference = abs(float(a) - float(b))
-        if difference > DIGITS * max(abs(float(a)), abs(float(b))) + NOISE:
-            raise Differs(f"{where}: {b} instead of {a}")
-        if max(abs(float(a)), abs(float(b))) > 1e-3:
-            largest = max(largest, difference / max(abs(float(a)), abs(float(b))))
+    for (name, mine), (_, other) in zip(parts(expected, is_csv), parts(got, is_csv), strict=True):
+        is_error = "_error" in name
+        for a, b in zip(map(float, NUMBER.findall(mine)), map(float, NUMBER.findall(other)), strict=True):
+            size = max(abs(a), abs(b))
+            if abs(a - b) > (ERROR_DIGITS if is_error else DIGITS) * size + NOISE:
+                raise Differs(f"{job}: {b} instead of {a} {name}")
+            if size > 1e-3 and not is_error:
+                largest = max(largest, abs(a - b) / size)
     return largest
 
 
